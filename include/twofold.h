@@ -1,0 +1,18 @@
+/// @file
+/// twofold: a fixed-step simulator of a machine whose friction is not always
+/// deterministic. This umbrella header is all that a user includes; the
+/// headers behind it follow one step in the order in which it flows:
+/// scene -> prepare -> begin -> step(machine, state, input) -> report.
+#ifndef TWOFOLD_H
+#define TWOFOLD_H
+
+#include "twofold/friction.h"
+#include "twofold/machine.h"
+#include "twofold/real.h"
+#include "twofold/scene.h"
+#include "twofold/select.h"
+#include "twofold/status.h"
+#include "twofold/step.h"
+#include "twofold/tyre.h"
+
+#endif

@@ -1,0 +1,166 @@
+/// @file
+/// The machine: parameters, prepared constants, state, inputs, kinematics.
+///
+/// A wheel under a slider (displacement r, speed v) in a disc (speed w) that
+/// turns over a turntable (speed omega0). Generalised velocity u = (v, w).
+#ifndef TWOFOLD_MACHINE_H
+#define TWOFOLD_MACHINE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "twofold/real.h"
+#include "twofold/select.h"
+#include "twofold/status.h"
+#include "twofold/tyre.h"
+
+/// What the machine and its scheme are made of. Ranges: tf_parameter_ranges.
+typedef struct {
+  tf_real_t m;       ///< mass of the slider [kg]
+  tf_real_t d;       ///< distance of the slider's line from the axis [m]
+  tf_real_t beta;    ///< radius of gyration: inertia of disc = beta^2 m [m]
+  tf_real_t k2;      ///< spring of the slider [N/m]
+  tf_real_t c1;      ///< damping of the disc against ground [N m s]
+  tf_real_t c2;      ///< damping of the slider [N s/m]
+  tf_real_t r0;      ///< rest position of the spring [m]
+  tf_real_t omega0;  ///< speed of the turntable [rad/s]
+  tf_real_t mu;      ///< friction force [N]
+  tf_real_t kappa;   ///< moment / force in stick [m] (JUMP, TWO_PIECE, SMOOTH)
+  tf_real_t gamma;   ///< angle of the wheel to the slider [rad]
+  tf_real_t epsilon; ///< width of the smoothed sign [m/s] (SMOOTH)
+  tf_real_t k;       ///< string stiffness / mu [1/m^2] (STRING, TWO_PIECE)
+  tf_real_t delta;   ///< static pressure limit / mu [1/m] (STRING)
+  tf_real_t sigma;   ///< relaxation length [m] (STRING)
+  tf_real_t rho;     ///< dynamic / static pressure, dimensionless (STRING)
+  tf_real_t a;       ///< half contact length [m] (STRING)
+  tf_real_t theta;   ///< of the theta scheme, dimensionless
+  tf_real_t dt;      ///< step [s]
+  tf_real_t rate;    ///< exit rate of rule `random` [1/s]
+  tf_tyre_law_t law; ///< which tyre
+  tf_rule_t rule;    ///< which of several futures
+  bool with_angle;   ///< integrate phi (it is cyclic: nothing depends on it)
+} tf_params_t;
+
+/// Range of one real-valued member of tf_params_t.
+typedef struct {
+  const char *name;      ///< as on the command line
+  const char *unit;      ///< "1" where dimensionless
+  uint16_t offset;       ///< of the member in tf_params_t [bytes]
+  uint16_t laws;         ///< bit set of tf_tyre_law_t that need the member
+  tf_real_t low, high;   ///< both ends allowed
+} tf_parameter_range_t;
+
+/// The table that validates, names and documents every parameter.
+#define TF_PARAMETERS 20
+#define tf_parameter_ranges TF_LINK(tf_parameter_ranges)
+TF_API extern const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS];
+
+/// A machine ready to step: constants only, no pointers, may live in flash.
+/// a is the implicit mass of spring and damper, theta dt (c2 + theta dt k2).
+typedef struct {
+  tf_real_t m, d, k2, c1, c2, r0, omega0; ///< as in tf_params_t
+  tf_real_t sin_gamma, cos_gamma;
+  tf_real_t d_sin_gamma;   ///< [m]
+  tf_real_t beta2;         ///< beta^2 [m^2]
+  tf_real_t dt, theta;
+  tf_real_t inv_dt;        ///< 1 / dt [1/s]
+  tf_real_t theta_dt;      ///< theta dt [s]
+  tf_real_t explicit_dt;   ///< (1 - theta) dt [s]
+  tf_real_t a;             ///< [kg]
+  tf_real_t d_a;           ///< d a [kg m]
+  tf_real_t m_plus_a;      ///< [kg]
+  tf_real_t m_a_d2;        ///< m a d^2 [kg^2 m^2]
+  tf_real_t inertia;       ///< m beta^2 + theta dt c1 [kg m^2]
+  tf_real_t stick_kappa;   ///< kappa where stick carries a moment, else 0
+  uint64_t exit_threshold; ///< (1 - exp(-rate dt)) 2^63
+  tf_tyre_t tyre;
+  tf_rule_t rule;
+  bool with_angle;
+} tf_machine_t;
+
+/// The state: everything that the future depends on. No pointers: memcpy is
+/// snapshot, rollback and log record. <= 64 B in double.
+typedef struct {
+  tf_real_t r;    ///< displacement of the slider [m]
+  tf_real_t v;    ///< speed of the slider [m/s]
+  tf_real_t w;    ///< speed of the disc [rad/s]
+  tf_real_t phi;  ///< angle of the disc [rad], 0 unless with_angle
+  uint64_t tick;  ///< steps taken; the counter of the random generator
+  uint32_t seed;  ///< key of the random generator
+  uint8_t mode;   ///< tf_mode_t
+} tf_state_t;
+
+/// What a HIL loop may drive, constant over one step.
+typedef struct {
+  tf_real_t omega0; ///< speed of the turntable at the end of the step [rad/s]
+  tf_real_t r0;     ///< rest position of the spring [m]
+  tf_real_t force;  ///< on the slider, along r [N]
+  tf_real_t torque; ///< on the disc [N m]
+} tf_input_t;
+
+/// Largest sum of |r| [m], |v| [m/s], |w| [rad/s] and the magnitudes of the
+/// inputs that is accepted; a step that would leave it returns TF_DIVERGED.
+/// Products of four of them stay finite.
+#define TF_STATE_LIMIT TF_R(1e9)
+
+/// Validates the parameters and derives the constants of a machine.
+/// Scheme: none.
+/// machine: out. params: in, ranges in tf_parameter_ranges. offender: out, may
+/// be NULL; index into tf_parameter_ranges of the first member out of range,
+/// or TF_PARAMETERS where law or rule is no member of its enum.
+/// Returns: TF_OK; TF_BAD_PARAMETER (machine untouched).
+/// Cost: 3000 operations, once. Stack: 512 B.
+/// Memory: caller's; machine and params must not overlap; reentrant.
+/// Claims: prepare_names_the_first_broken_rule, sine_kernel_error_bound
+#define tf_prepare TF_LINK(tf_prepare)
+TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
+                              int *offender);
+
+/// The inputs that leave the machine alone.
+/// Scheme: none. machine: in, prepared.
+/// Returns: omega0 and r0 of the parameters, no force, no torque.
+/// Cost: 4 moves. Stack: 48 B. Memory: reentrant.
+/// Claims: inputs_at_rest_change_nothing
+#define tf_input_default TF_LINK(tf_input_default)
+TF_API tf_input_t tf_input_default(const tf_machine_t *machine);
+
+/// Slip of the wheel against the turntable.
+typedef struct {
+  tf_real_t h; ///< lateral [m/s], (h)
+  tf_real_t g; ///< rolling [m/s], (g)
+} tf_slip_t;
+
+/// Slip speeds h and g.
+/// Scheme: h = -p sin(gamma) - r z cos(gamma), g = -p cos(gamma) + r z
+/// sin(gamma) with z = w - omega0, p = v - d z; (h), (g).
+/// machine: in, prepared. r [m], v [m/s], w, omega0 [rad/s]: in, finite.
+/// Returns: h, g. Cost: 11 operations. Stack: 48 B.
+/// Memory: none kept, reentrant.
+/// Claims: kinematics_against_the_paper
+#define tf_slip TF_LINK(tf_slip)
+TF_API tf_slip_t tf_slip(const tf_machine_t *machine, tf_real_t r, tf_real_t v,
+                         tf_real_t w, tf_real_t omega0);
+
+/// Speed v that gives a wished lateral slip speed h at (r, w).
+/// Scheme: (h) solved for v.
+/// machine: in. r, w, omega0, h: in. v: out [m/s].
+/// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < 1e-6, so that v has no
+/// hold on h (v untouched).
+/// Cost: 1 division, 8 operations. Stack: 48 B. Memory: caller's, reentrant.
+/// Claims: placed_slip_speed_reads_back
+#define tf_speed_for_slip TF_LINK(tf_speed_for_slip)
+TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
+                                     tf_real_t w, tf_real_t omega0,
+                                     tf_real_t h, tf_real_t *v);
+
+/// Mechanical energy.
+/// Scheme: m p^2/2 + m (beta^2 + r^2) w^2/2 + k2 (r - r0)^2/2, p = v - d w.
+/// machine: in. state: in. r0: in [m].
+/// Returns: energy [J]. Cost: 14 operations. Stack: 32 B.
+/// Memory: none kept, reentrant.
+/// Claims: dissipation_without_moment
+#define tf_energy TF_LINK(tf_energy)
+TF_API tf_real_t tf_energy(const tf_machine_t *machine, const tf_state_t *state,
+                           tf_real_t r0);
+
+#endif

@@ -1,0 +1,46 @@
+/// @file
+/// The number type of a build, and what a build must promise about it.
+/// Equal bits on every target need three things from the compiler: each
+/// operation rounded once to tf_real_t (FLT_EVAL_METHOD 0), no contraction
+/// into fused multiply-add (-ffp-contract=off), no algebra (never -ffast-math).
+/// The first and the last are refused here; the second has no macro, so the
+/// Makefile sets it and the golden trajectory hashes notice if it is lost.
+#ifndef TWOFOLD_REAL_H
+#define TWOFOLD_REAL_H
+
+#include <float.h>
+
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#error "twofold needs FLT_EVAL_METHOD 0 (on x86: -mfpmath=sse)"
+#endif
+#if defined(__FAST_MATH__)
+#error "twofold must not be compiled with -ffast-math"
+#endif
+
+/// TF_REAL_FLOAT selects float; without it the build is double. Every public
+/// function carries the choice in its link name, so a program compiled for one
+/// cannot be linked against a library compiled for the other.
+#ifdef TF_REAL_FLOAT
+typedef float tf_real_t;
+#define TF_R(literal) literal##f
+#define TF_LINK(name) name##_f32
+#define TF_REAL_EPSILON FLT_EPSILON
+#define TF_REAL_MIN FLT_MIN
+#define TF_REAL_MAX FLT_MAX
+#else
+typedef double tf_real_t;
+#define TF_R(literal) literal
+#define TF_LINK(name) name##_f64
+#define TF_REAL_EPSILON DBL_EPSILON
+#define TF_REAL_MIN DBL_MIN
+#define TF_REAL_MAX DBL_MAX
+#endif
+
+/// Linkage of the core. A build for one scene includes the sources into one
+/// translation unit with TF_API defined as `static`, so that a constant scene
+/// folds through them; every other build leaves it empty.
+#ifndef TF_API
+#define TF_API
+#endif
+
+#endif

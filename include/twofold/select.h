@@ -1,0 +1,56 @@
+/// @file
+/// Which of several possible futures: a declared rule, part of the scene.
+///
+/// What every rule shares. (1) A slip that is still consistent goes on: off
+/// h = 0 the future is unique, and a second consistent mode next to it is an
+/// artefact of the finite step (it is reported all the same). (2) Admissibility:
+/// a slip never enters an escaping stick, because both fields point away from
+/// it. (3) An attracting stick goes on. (4) Where the present mode is lost:
+/// attracting stick, pinned, slip (the faster one if both), escaping stick, in
+/// this order.
+/// What is left to the rule: how an escaping stick ends, and what becomes of a
+/// pinned wheel. PERSIST lets the stick last and rolls off into an attracting
+/// stick where one is consistent: a pinned wheel then stands on the border of
+/// its region and leaves at the least disturbance.
+#ifndef TWOFOLD_SELECT_H
+#define TWOFOLD_SELECT_H
+
+#include <stdint.h>
+
+#include "twofold/friction.h"
+#include "twofold/real.h"
+
+typedef enum {
+  TF_RULE_PERSIST,    ///< stay while it is consistent (default)
+  TF_RULE_SLIP_PLUS,  ///< leave an escaping stick to h > 0 as soon as possible
+  TF_RULE_SLIP_MINUS, ///< the same to h < 0
+  TF_RULE_RANDOM      ///< leave at a constant rate [1/s], by an even draw
+                      ///< among the other modes that are consistent
+} tf_rule_t;
+#define TF_RULES 4
+
+/// Philox-2x32-10 (Salmon et al. 2011): a counter-based generator, so that a
+/// state carries no stream position but its tick, and a replay needs no
+/// history.
+/// Scheme: none. counter, key: in, any. out: out, 2 words.
+/// Returns: nothing. Cost: 10 multiplications 32 x 32 -> 64. Stack: 32 B.
+/// Memory: caller's, reentrant. Claims: philox_known_answers
+#define tf_philox TF_LINK(tf_philox)
+TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]);
+
+/// Picks one of the solutions of a step.
+/// Scheme: the list at the top of this file.
+/// rule: in. exit_threshold: in, probability to leave an escaping stick in
+/// this step, times 2^63 (RANDOM only). solutions: in, from tf_friction_solve.
+/// mode: in, present tf_mode_t. tick, seed: in, counter and key (RANDOM only).
+/// Returns: a tf_mode_t of solutions->set, or TF_MODES where the set is empty.
+/// Cost: 30 instructions; RANDOM in an escaping stick: tf_philox on top.
+/// Stack: 96 B. Memory: none kept, reentrant.
+/// Claims: slip_never_enters_an_escaping_stick, rules_choose_as_declared,
+///   random_exit_rate_is_independent_of_dt
+#define tf_select TF_LINK(tf_select)
+TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
+                          const tf_solutions_t *solutions, unsigned mode,
+                          uint64_t tick, uint32_t seed);
+
+#endif

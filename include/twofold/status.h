@@ -1,0 +1,29 @@
+/// @file
+/// Every code that the core returns.
+#ifndef TWOFOLD_STATUS_H
+#define TWOFOLD_STATUS_H
+
+#include "twofold/real.h"
+
+/// Zero is success, positive advanced but degraded, negative refused: then
+/// no output was touched and the caller still holds the last valid state.
+typedef enum {
+  TF_OK = 0,
+  TF_DEGRADED = 1,       ///< no mode was consistent: smallest residual taken
+  TF_BAD_PARAMETER = -1, ///< a parameter or option is out of its range
+  TF_BAD_STATE = -2,     ///< state or input not finite or out of its range
+  TF_DIVERGED = -3,      ///< the next state would leave the range of states
+  TF_STEP_TOO_LONG = -4  ///< r moves so far in one step that the effective
+                         ///< mass of the linearly implicit step is <= 0
+} tf_status_t;
+
+/// Name of a code, in words.
+/// Scheme: none. status: in, any value.
+/// Returns: a constant string, never NULL; "unknown status" for other values.
+/// Cost: one table look-up. Stack: 32 B.
+/// Memory: static storage, reentrant.
+/// Claims: status_names_are_distinct
+#define tf_status_name TF_LINK(tf_status_name)
+TF_API const char *tf_status_name(tf_status_t status);
+
+#endif

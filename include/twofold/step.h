@@ -1,0 +1,55 @@
+/// @file
+/// One step of the machine: Moreau-Jean theta scheme.
+#ifndef TWOFOLD_STEP_H
+#define TWOFOLD_STEP_H
+
+#include "twofold/friction.h"
+#include "twofold/machine.h"
+#include "twofold/status.h"
+
+/// What happened in one step.
+typedef struct {
+  uint8_t mode;       ///< tf_mode_t, taken
+  uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode)
+  uint8_t choices;    ///< how many they are
+  tf_force_t force;   ///< F [N], M [N m], mean over the step
+  tf_slip_t slip;     ///< h, g [m/s] at the end of the step
+  tf_real_t delassus; ///< Delassus scalar of stick at sign(g) [1/kg]
+  tf_real_t residual; ///< tf_law_residual at the end of the step [N]; for a
+                      ///< single-valued law |F - law| at the theta point [N]
+  tf_status_t status; ///< as returned
+} tf_report_t;
+
+/// Puts the state into motion: finds the mode that it starts in, and reports
+/// the law at that instant.
+/// Scheme: slip by the sign of h; at h = 0 stick where |lambda| <= mu, else
+/// slip by the sign of dh/dt. |h| within rounding (8 epsilon times its terms)
+/// counts as 0.
+/// machine: in, prepared. state: in/out: r, v, w set by the caller, |.| <=
+/// TF_STATE_LIMIT; mode: in, the mode preferred where several are possible, or
+/// TF_MODES for none; out, the mode. phi, tick and seed keep what they hold. input: in.
+/// report: out; choices counts the futures of the instant.
+/// Returns: TF_OK; TF_BAD_STATE (nothing touched).
+/// Cost: one tf_step. Stack: 640 B. Memory: caller's, reentrant.
+/// Claims: begin_finds_the_mode
+#define tf_begin TF_LINK(tf_begin)
+TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
+                            const tf_input_t *input, tf_report_t *report);
+
+/// Advances the state by dt.
+/// Scheme: Moreau-Jean theta method, linearly implicit in spring, dampers and
+/// gyroscopic terms; the friction law holds at the end of the step; DESIGN.md
+/// equations (1)-(12). Order 2 in smooth phases for theta = 1/2, else 1.
+/// machine: in, prepared. state: in/out, from tf_begin. input: in, |.| <=
+/// TF_STATE_LIMIT. report: out.
+/// Returns: TF_OK; TF_DEGRADED (advanced; no mode was consistent); TF_BAD_STATE,
+/// TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds the status).
+/// Cost: <= 350 instructions on x86-64 in double, no data-dependent loop.
+/// Stack: 512 B. Memory: caller's, no overlap, reentrant.
+/// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
+///   branch_is_independent_of_the_step_size, golden_trajectories
+#define tf_step TF_LINK(tf_step)
+TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
+                           const tf_input_t *input, tf_report_t *report);
+
+#endif

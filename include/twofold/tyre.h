@@ -1,0 +1,87 @@
+/// @file
+/// Tyre laws: friction force F [N] and aligning moment M [N m] as functions
+/// of the slip angle, that is of the ratio g/h of rolling to lateral slip.
+#ifndef TWOFOLD_TYRE_H
+#define TWOFOLD_TYRE_H
+
+#include "twofold/real.h"
+
+/// Which law. The first two of the list below are set-valued at h = 0 (they
+/// jump there); the others are single-valued off h = g = 0.
+typedef enum {
+  TF_TYRE_JUMP,      ///< the paper's law (force), (moment): jumps at h = 0
+  TF_TYRE_COULOMB,   ///< F = mu sign(h), no moment: jumps at h = 0
+  TF_TYRE_TWO_PIECE, ///< Appendix B before its jump is introduced
+  TF_TYRE_STRING,    ///< Appendix B, stretched string, all three cases
+  TF_TYRE_SMOOTH,    ///< the paper's law with sign(h) smoothed over epsilon
+  TF_TYRE_NONE       ///< no contact
+} tf_tyre_law_t;
+#define TF_TYRE_LAWS 6
+
+/// Anchors of the kernel tan(a atan y): multiples of pi/16 on [0, pi/2].
+#define TF_TYRE_ANCHORS 9
+/// Taylor coefficients that the real type needs between two anchors.
+#ifdef TF_REAL_FLOAT
+#define TF_TYRE_TERMS 4
+#else
+#define TF_TYRE_TERMS 8
+#endif
+
+/// Constants of one law, filled by tf_prepare and const from then on.
+typedef struct {
+  tf_tyre_law_t law;
+  tf_real_t mu;                      ///< friction force at h -> 0 [N]
+  tf_real_t kappa;                   ///< moment / force at h -> 0 [m]
+  tf_real_t inv_18_kappa;            ///< 1 / (18 kappa) [1/m]
+  tf_real_t T_anchor[TF_TYRE_ANCHORS]; ///< T(tan(k pi/16)), [8] = 6 kappa
+  tf_real_t T_series[TF_TYRE_TERMS]; ///< T(y) = y sum c_n y^(2n) near y = 0
+  tf_real_t epsilon;                 ///< width of the smoothed sign [m/s]
+  tf_real_t k;                       ///< string: stiffness / mu
+  tf_real_t delta;                   ///< string: largest static pressure / mu
+  tf_real_t sigma;                   ///< string: relaxation length [m]
+  tf_real_t rho;                     ///< string: dynamic / static pressure
+  tf_real_t a;                       ///< string: half contact length [m]
+} tf_tyre_t;
+
+/// Force and moment on the wheel.
+typedef struct {
+  tf_real_t F; ///< along -grad_u h [N]
+  tf_real_t M; ///< on phi alone [N m]
+} tf_force_t;
+
+/// T(G/H) for G, H >= 0, not both 0: the paper's cot(psi).
+/// Scheme: T(y) = tan(a atan y), a = (2/pi) atan(6 kappa); the angle is
+/// measured from the nearest multiple of pi/16 and the tangents are added.
+/// tyre: in, prepared for JUMP or SMOOTH. G, H: in, [m/s], finite, >= 0.
+/// Returns: T in [0, 6 kappa]; 0 where G = H = 0 (the slip angle is undefined).
+/// Cost: 2 divisions, 35 other operations, no loop over data. Stack: 64 B.
+/// Memory: none kept, reentrant.
+/// Claims: angle_kernel_error_bound
+#define tf_tyre_cot_psi TF_LINK(tf_tyre_cot_psi)
+TF_API tf_real_t tf_tyre_cot_psi(const tf_tyre_t *tyre, tf_real_t G,
+                                 tf_real_t H);
+
+/// Force and moment in slip.
+/// Scheme: (force), (moment) for JUMP; Appendix B for TWO_PIECE, STRING.
+/// tyre: in, prepared. side: in, +1 or -1: at a set-valued law, the side of
+/// h = 0 whose limit is meant; an h on the other side counts as 0. h, g: in,
+/// [m/s], finite.
+/// Returns: F, M; both 0 at h = 0 for the laws that are continuous there, and
+/// at h = g = 0 for those where the angle is undefined.
+/// Cost: tf_tyre_cot_psi and 10 operations. Stack: 96 B.
+/// Memory: none kept, reentrant.
+/// Claims: tyre_identity_against_the_paper, string_law_against_quadrature,
+///   two_piece_law_is_the_string_law
+#define tf_tyre_force TF_LINK(tf_tyre_force)
+TF_API tf_force_t tf_tyre_force(const tf_tyre_t *tyre, tf_real_t side,
+                                tf_real_t h, tf_real_t g);
+
+/// Whether the law is set-valued at h = 0, so that stick exists.
+/// Scheme: none. law: in. Returns: 1 for JUMP and COULOMB, else 0.
+/// Cost: 1 comparison. Stack: 0 B. Memory: none kept, reentrant.
+/// Claims: enumeration_against_grid_search
+static inline int tf_tyre_is_set_valued(tf_tyre_law_t law) {
+  return law == TF_TYRE_JUMP || law == TF_TYRE_COULOMB;
+}
+
+#endif

@@ -1,0 +1,159 @@
+// The linearly implicit step without the friction law: how the end of a step
+// answers to a force F and a moment M that are constant over it. Equations
+// (1)-(8) of DESIGN.md. Velocities are z = w - omega0 and p = v - d z: p
+// carries the kinetic energy without a cross term, so the mass matrix is
+// diagonal and nothing cancels when beta or r is small.
+#ifndef TF_LINEAR_H
+#define TF_LINEAR_H
+
+#include "kernel.h"
+#include "twofold/machine.h"
+
+// (h), (g): slip is (p, q) turned by gamma, with q = r z.
+TF_INLINE tf_slip_t turned(const tf_machine_t *k, tf_real_t p, tf_real_t q) {
+  return (tf_slip_t){-p * k->sin_gamma - q * k->cos_gamma,
+                     q * k->sin_gamma - p * k->cos_gamma};
+}
+
+TF_INLINE tf_slip_t slip_speeds(const tf_machine_t *k, tf_real_t r,
+                                tf_real_t v, tf_real_t z) {
+  return turned(k, v - k->d * z, r * z);
+}
+
+// A change of the velocities.
+typedef struct {
+  tf_real_t p, z;
+} tf_change_t;
+
+typedef struct {
+  tf_real_t omega0;       // of the turntable at the end of the step
+  tf_real_t p, z;         // at the start of the step
+  tf_change_t free;       // change without friction
+  tf_real_t r_explicit;   // r + (1 - theta) dt v [m]
+  tf_real_t arm;          // r_theta cos(gamma), arm of F about the axis [m]
+  tf_real_t p_b, p_t, p_c; // dt S^-1 by rows, see response()
+  tf_real_t z_t, z_c;
+  bool definite; // false: the effective mass is not positive
+} tf_linear_t;
+
+// S (dv, dw) = dt (b, c) for a force b along r and a torque c about the axis,
+// solved for (dp, dz); t = c + d b is the torque with the arm of b. So the
+// large implicit stiffness a meets c alone and never the difference t - d b.
+TF_INLINE tf_change_t answer(const tf_linear_t *l, tf_real_t b, tf_real_t t,
+                             tf_real_t c) {
+  return (tf_change_t){l->p_b * b + l->p_t * t - l->p_c * c,
+                       l->z_t * t + l->z_c * c - l->p_t * b};
+}
+
+// Answer to a friction force and moment.
+TF_INLINE tf_change_t response(const tf_machine_t *k, const tf_linear_t *l,
+                               tf_force_t f) {
+  const tf_real_t t = f.F * l->arm + f.M;
+  return answer(l, f.F * k->sin_gamma, t, t - f.F * k->d_sin_gamma);
+}
+
+TF_INLINE tf_linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
+                                const tf_input_t *input) {
+  const tf_real_t v = state->v, w = state->w, h = k->theta_dt;
+  tf_linear_t l;
+  // (1)
+  const tf_real_t hv = h * v, rt = state->r + hv;
+  const tf_real_t mr = k->m * rt, mrw = mr * w, twice = mrw + mrw;
+  // (2), (3)
+  const tf_real_t Q_r =
+      k->k2 * (input->r0 - rt) - k->c2 * v + mrw * w + input->force;
+  const tf_real_t Q_phi = input->torque - k->c1 * w - twice * v;
+  // (4)
+  const tf_real_t e = h * twice;
+  const tf_real_t J = k->inertia + mr * (rt + 2 * hv);
+  // (5): det S without the m^2 d^2 that would cancel
+  const tf_real_t definite = k->m_plus_a * J + k->m_a_d2;
+  const tf_real_t det = definite + e * e;
+  const tf_real_t scale = k->dt / det;
+  // (6)
+  l.p_b = scale * J;
+  l.p_t = scale * e;
+  l.p_c = scale * k->d_a;
+  l.z_t = scale * k->m;
+  l.z_c = scale * k->a;
+  l.free = answer(&l, Q_r, Q_phi + k->d * Q_r, Q_phi);
+  l.arm = rt * k->cos_gamma;
+  l.omega0 = input->omega0;
+  l.z = w - l.omega0;
+  l.p = v - k->d * l.z;
+  l.r_explicit = state->r + k->explicit_dt * v;
+  l.definite = definite > 0 && scale > 0; // scale is 0 where det overflows
+  return l;
+}
+
+// Where a step ends.
+typedef struct {
+  tf_force_t force;
+  tf_real_t r, v, w;
+} tf_end_t;
+
+// (7)
+TF_INLINE tf_end_t end_after(const tf_machine_t *k, const tf_linear_t *l,
+                             tf_force_t force, tf_change_t friction) {
+  const tf_real_t p = l->p + l->free.p + friction.p;
+  const tf_real_t z = l->z + l->free.z + friction.z;
+  tf_end_t end;
+  end.force = force;
+  end.w = z + l->omega0;
+  end.v = p + k->d * z;
+  end.r = l->r_explicit + k->theta_dt * end.v;
+  return end;
+}
+
+TF_INLINE tf_end_t end_under(const tf_machine_t *k, const tf_linear_t *l,
+                             tf_force_t force) {
+  return end_after(k, l, force, response(k, l, force));
+}
+
+TF_INLINE tf_slip_t end_slip(const tf_machine_t *k, const tf_linear_t *l,
+                             const tf_end_t *end) {
+  return slip_speeds(k, end->r, end->v, end->w - l->omega0);
+}
+
+// (9): slip at the theta point, where a slip force is to be evaluated.
+TF_INLINE tf_slip_t theta_slip(const tf_machine_t *k, const tf_linear_t *l,
+                               tf_real_t r_theta, tf_force_t force) {
+  const tf_change_t f = response(k, l, force);
+  const tf_real_t p = l->p + k->theta * (l->free.p + f.p);
+  const tf_real_t z = l->z + k->theta * (l->free.z + f.z);
+  return turned(k, p, r_theta * z);
+}
+
+// (8): slip at the end of the step as polynomials of lambda for one s:
+//   h+ = h + h1 lambda + h2 lambda^2, and g+ alike.
+typedef struct {
+  tf_real_t h1, h2, g1, g2;
+} tf_polynomial_t;
+
+// q+ = (r + R lambda)(z + Z lambda) with R = theta dt V, V = P + d Z.
+TF_INLINE tf_polynomial_t polynomial_of(const tf_machine_t *k, tf_real_t r,
+                                        tf_real_t z, tf_change_t one) {
+  const tf_real_t R = k->theta_dt * (one.p + k->d * one.z);
+  const tf_slip_t first = turned(k, one.p, r * one.z + z * R);
+  const tf_real_t second = R * one.z;
+  return (tf_polynomial_t){first.h, -second * k->cos_gamma, first.g,
+                           second * k->sin_gamma};
+}
+
+// (10): the force and moment under which the velocities end at p = z = 0: the
+// rows of S solved for F and M. Without a hold of F on v (sin gamma = 0) the
+// wheel cannot be pinned; F is then out of any mu's reach.
+TF_INLINE tf_force_t pinning_force(const tf_machine_t *k,
+                                   const tf_linear_t *l) {
+  const tf_real_t p = l->p + l->free.p, z = l->z + l->free.z;
+  // answer() inverted: (p, z) = answer(b, t, c), c = t - d b.
+  const tf_real_t P = l->p_b + k->d * l->p_c, T = l->p_t - l->p_c;
+  const tf_real_t B = l->p_t + k->d * l->z_c, Z = l->z_t + l->z_c;
+  const tf_real_t det = P * Z + T * B;
+  const tf_real_t b = (T * z - Z * p) / det, t = -(P * z + B * p) / det;
+  if (k->sin_gamma == 0) return (tf_force_t){TF_REAL_MAX, 0};
+  const tf_real_t F = b / k->sin_gamma;
+  return (tf_force_t){F, t - F * l->arm};
+}
+
+#endif

@@ -1,0 +1,103 @@
+// Which of several futures: see the rules in select.h.
+#include "twofold/select.h"
+
+#include "kernel.h"
+
+TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]) {
+  uint32_t left = (uint32_t)counter, right = (uint32_t)(counter >> 32);
+  for (int round = 0; round < 10; round++) {
+    const uint64_t product = (uint64_t)0xD256D193u * left;
+    left = (uint32_t)(product >> 32) ^ key ^ right;
+    right = (uint32_t)product;
+    key += 0x9E3779B9u;
+  }
+  out[0] = left;
+  out[1] = right;
+}
+
+static bool has(unsigned set, unsigned mode) { return (set >> mode) & 1u; }
+
+// The one of a non-empty set of sticks; of two, the one at the present g.
+static unsigned stick_of(unsigned sticks, const tf_solutions_t *solutions) {
+  if (has(sticks, solutions->near_stick)) return solutions->near_stick;
+  return has(sticks, TF_STICK_PLUS) ? TF_STICK_PLUS : TF_STICK_MINUS;
+}
+
+// The n-th mode of a set that has more than n.
+static unsigned nth_mode(unsigned set, unsigned n) {
+  for (unsigned mode = 0; mode < TF_MODES; mode++)
+    if (has(set, mode) && n-- == 0) return mode;
+  return TF_MODES;
+}
+
+static unsigned size_of(unsigned set) {
+  unsigned n = 0;
+  for (unsigned mode = 0; mode < TF_MODES; mode++) n += (set >> mode) & 1u;
+  return n;
+}
+
+// Whether a constant rate of exit ends the present mode in this step. 63 bits
+// decide: a rate as low as one exit in 2^63 steps is not rounded away.
+static bool exits_now(uint64_t exit_threshold, const uint32_t word[2]) {
+  return (((uint64_t)word[0] << 31) | (word[1] >> 1)) < exit_threshold;
+}
+
+// RANDOM: the future is drawn from those that the physics allows. An escaping
+// stick ends by a slip; a pinned wheel by whatever else is consistent. Low
+// bits of the second word pick: exits_now leaves them almost unused.
+static unsigned random_exit(uint64_t exit_threshold, unsigned set,
+                            unsigned mode, uint64_t tick, uint32_t seed) {
+  const unsigned slips =
+      set & (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS));
+  const unsigned others =
+      mode == TF_PINNED ? set & ~TF_MODE_BIT(TF_PINNED) : slips;
+  const unsigned n = size_of(others);
+  uint32_t word[2];
+  if (n == 0) return mode;
+  tf_philox(tick, seed, word);
+  if (has(set, mode) && !exits_now(exit_threshold, word)) return mode;
+  return nth_mode(others, (word[1] & 0xFFFFu) * n >> 16);
+}
+
+// How the rule ends a mode that is left to it; mode itself if it does not.
+static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold,
+                          unsigned set, unsigned mode, uint64_t tick,
+                          uint32_t seed) {
+  switch (rule) {
+    case TF_RULE_SLIP_PLUS:
+      return has(set, TF_SLIP_PLUS) ? TF_SLIP_PLUS : mode;
+    case TF_RULE_SLIP_MINUS:
+      return has(set, TF_SLIP_MINUS) ? TF_SLIP_MINUS : mode;
+    case TF_RULE_RANDOM:
+      return random_exit(exit_threshold, set, mode, tick, seed);
+    case TF_RULE_PERSIST:
+      break;
+  }
+  return mode;
+}
+
+TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
+                          const tf_solutions_t *solutions, unsigned mode,
+                          uint64_t tick, uint32_t seed) {
+  const unsigned set = solutions->set;
+  const unsigned sticks =
+      set & (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS));
+  const unsigned safe = sticks & solutions->attracting;
+  const bool slipping = mode <= TF_SLIP_MINUS;
+  if (has(set, mode) && (slipping || has(safe, mode))) return mode;
+  const bool drawn = mode == TF_PINNED && rule == TF_RULE_RANDOM;
+  if (!drawn && safe) return stick_of(safe, solutions);
+  if (has(set, mode) || drawn) {
+    const unsigned next =
+        rule_exit(rule, exit_threshold, set, mode, tick, seed);
+    if (has(set, next)) return next;
+  }
+  if (has(set, TF_PINNED)) return TF_PINNED;
+  if (has(set, TF_SLIP_PLUS) && has(set, TF_SLIP_MINUS))
+    return magnitude(solutions->h_limit[0]) >= magnitude(solutions->h_limit[1])
+               ? TF_SLIP_PLUS
+               : TF_SLIP_MINUS;
+  if (has(set, TF_SLIP_PLUS)) return TF_SLIP_PLUS;
+  if (has(set, TF_SLIP_MINUS)) return TF_SLIP_MINUS;
+  return sticks && !slipping ? stick_of(sticks, solutions) : TF_MODES;
+}

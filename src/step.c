@@ -1,0 +1,294 @@
+// One step: linearise, enumerate what friction allows, choose, advance.
+#include "twofold/step.h"
+
+#include "friction_core.h"
+#include "linear.h"
+#include "tyre_core.h"
+
+// What the parts of one step read.
+typedef struct {
+  const tf_machine_t *machine;
+  const tf_state_t *state;
+  tf_linear_t linear;
+  tf_real_t r, z;     // end of the step without friction
+  tf_slip_t free;     // its slip
+} motion_t;
+
+TF_INLINE motion_t motion(const tf_machine_t *k, const tf_state_t *state,
+                          const tf_input_t *input) {
+  motion_t c = {.machine = k,
+                .state = state,
+                .linear = linearise(k, state, input)};
+  const tf_real_t p = c.linear.p + c.linear.free.p;
+  c.z = c.linear.z + c.linear.free.z;
+  c.r = c.linear.r_explicit + k->theta_dt * (p + k->d * c.z);
+  c.free = turned(k, p, c.r * c.z);
+  return c;
+}
+
+// Stick with s = +1 (index 0) or -1: moment that goes with F = 1 N.
+TF_INLINE tf_force_t stick_direction(const motion_t *c, unsigned s) {
+  const tf_real_t kappa = c->machine->stick_kappa;
+  return (tf_force_t){1, s ? -kappa : kappa};
+}
+
+TF_INLINE tf_slip_t slip_now(const motion_t *c) {
+  return turned(c->machine, c->linear.p, c->state->r * c->linear.z);
+}
+
+TF_INLINE tf_slip_t slip_at_theta(const motion_t *c, tf_force_t force) {
+  const tf_real_t r_theta =
+      c->state->r + c->machine->theta_dt * c->state->v;
+  return theta_slip(c->machine, &c->linear, r_theta, force);
+}
+
+TF_INLINE tf_force_t slip_force(const motion_t *c, tf_real_t side,
+                                tf_slip_t at) {
+  const tf_tyre_t *tyre = &c->machine->tyre;
+  if (tyre->law == TF_TYRE_COULOMB) return (tf_force_t){side * tyre->mu, 0};
+  return jump_force(tyre, side, at.h, at.g);
+}
+
+// Slip under a set-valued law on one side of h = 0: the force is predicted
+// from the start, then taken at the theta point. Where that would throw the
+// wheel across h = 0 although the limit at h -> 0 holds it on its side, the
+// true end lies between the two and the limit is taken.
+TF_INLINE tf_end_t slip_outcome(const motion_t *c, unsigned mode,
+                                tf_real_t tau) {
+  const tf_machine_t *k = c->machine;
+  const tf_real_t side = mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0);
+  const tf_force_t first = slip_force(c, side, slip_now(c));
+  const tf_end_t end = end_under(
+      k, &c->linear, slip_force(c, side, slip_at_theta(c, first)));
+  if (side * end_slip(k, &c->linear, &end).h > 0) return end;
+  const tf_real_t limit = side * k->tyre.mu;
+  return end_under(k, &c->linear,
+                   (tf_force_t){limit, tau * c->machine->stick_kappa * limit});
+}
+
+TF_INLINE tf_end_t stick_outcome(const motion_t *c, tf_change_t one,
+                                 tf_real_t moment, tf_real_t lambda) {
+  return end_after(c->machine, &c->linear,
+                   (tf_force_t){lambda, moment * lambda},
+                   (tf_change_t){lambda * one.p, lambda * one.z});
+}
+
+// Ends at what the force was solved for, without its rounding.
+static tf_end_t pinned_outcome(const motion_t *c) {
+  return (tf_end_t){pinning_force(c->machine, &c->linear),
+                    c->linear.r_explicit, 0, c->linear.omega0};
+}
+
+static tf_end_t mode_outcome(const motion_t *c, const tf_solutions_t *from,
+                             unsigned mode) {
+  if (mode == TF_PINNED) return pinned_outcome(c);
+  if (mode <= TF_SLIP_MINUS) return slip_outcome(c, mode, from->tau[mode]);
+  const unsigned s = mode - TF_STICK_PLUS;
+  const tf_force_t one = stick_direction(c, s);
+  return stick_outcome(c, response(c->machine, &c->linear, one), one.M,
+                       from->lambda[s]);
+}
+
+// In slip the angle is not in question: only the side is checked.
+TF_INLINE tf_real_t residual(const tf_machine_t *k, unsigned mode,
+                             tf_force_t force, tf_slip_t slip) {
+  if (mode > TF_SLIP_MINUS)
+    return law_residual(k->tyre.mu, k->stick_kappa, force, slip.h, slip.g);
+  return law_residual(1, 0, (tf_force_t){mode == TF_SLIP_PLUS ? 1 : -1, 0},
+                      slip.h, slip.g);
+}
+
+// The inclusion where g+ may have either sign.
+static tf_inclusion_t inclusion(const motion_t *c) {
+  const tf_machine_t *k = c->machine;
+  tf_inclusion_t in = {.mu = k->tyre.mu,
+                       .kappa = k->stick_kappa,
+                       .h_free = c->free.h,
+                       .g_free = c->free.g,
+                       .g_now = slip_now(c).g,
+                       .pin = pinning_force(k, &c->linear),
+                       .signs = 3};
+  for (unsigned s = 0; s < 2; s++) {
+    const tf_force_t one = stick_direction(c, s);
+    const tf_polynomial_t a =
+        polynomial_of(k, c->r, c->z, response(k, &c->linear, one));
+    in.h1[s] = a.h1;
+    in.h2[s] = a.h2;
+    in.g1[s] = a.g1;
+    in.g2[s] = a.g2;
+  }
+  return in;
+}
+
+// No mode is consistent: of all of them the one that violates the law least.
+static unsigned least_residual(const motion_t *c,
+                               const tf_solutions_t *solutions,
+                               tf_end_t *end) {
+  unsigned mode = c->state->mode;
+  tf_real_t least = TF_REAL_MAX;
+  *end = mode_outcome(c, solutions, mode);
+  for (unsigned trial = 0; trial < TF_MODES; trial++) {
+    const tf_end_t at = mode_outcome(c, solutions, trial);
+    const tf_slip_t slip = end_slip(c->machine, &c->linear, &at);
+    const tf_real_t rest = residual(c->machine, trial, at.force, slip);
+    if (!(rest < least)) continue;
+    least = rest;
+    mode = trial;
+    *end = at;
+  }
+  return mode;
+}
+
+// Codimension two is within reach of the step: both signs of g+.
+TF_RARE tf_end_t both_signs(const tf_machine_t *k, const tf_state_t *state,
+                            const tf_input_t *input, tf_report_t *report) {
+  const motion_t here = motion(k, state, input), *c = &here;
+  const tf_inclusion_t in = inclusion(c);
+  tf_solutions_t solutions;
+  tf_friction_solve(&in, &solutions);
+  unsigned mode = tf_select(k->rule, k->exit_threshold, &solutions,
+                            state->mode, state->tick, state->seed);
+  tf_end_t end;
+  report->status = mode < TF_MODES ? TF_OK : TF_DEGRADED;
+  if (mode < TF_MODES)
+    end = mode_outcome(c, &solutions, mode);
+  else
+    mode = least_residual(c, &solutions, &end);
+  report->mode = (uint8_t)mode;
+  report->set = solutions.set;
+  report->delassus =
+      -in.h1[end_slip(k, &c->linear, &end).g < 0] * k->inv_dt;
+  return end;
+}
+
+// More than friction can change g+, so that one sign of it is enough: g+ is
+// affine in (F, M) but for a term of third order in dt, |F| <= mu, |M| <=
+// kappa mu, and the other s differs by twice the answer to kappa. The last
+// factor covers the third order in M.
+TF_INLINE tf_real_t reach_of_g(const motion_t *c, const tf_polynomial_t *a) {
+  const tf_machine_t *k = c->machine;
+  const tf_linear_t *l = &c->linear;
+  const tf_change_t M = {l->p_t - l->p_c, l->z_t + l->z_c};
+  const tf_real_t g_M =
+      turned(k, M.p, c->r * M.z + c->z * (k->theta_dt * (M.p + k->d * M.z))).g;
+  return k->tyre.mu * (magnitude(a->g1) + k->tyre.mu * magnitude(a->g2) +
+                       TF_R(2.5) * k->stick_kappa * magnitude(g_M));
+}
+
+// Set-valued laws: solve the inclusion and pick one of its solutions.
+TF_INLINE tf_end_t set_valued(const motion_t *c, const tf_input_t *input,
+                              tf_report_t *report) {
+  const tf_machine_t *k = c->machine;
+  const tf_state_t *state = c->state;
+  const unsigned s = c->free.g < 0;
+  const tf_force_t direction = stick_direction(c, s);
+  const tf_change_t one = response(k, &c->linear, direction);
+  const tf_polynomial_t a = polynomial_of(k, c->r, c->z, one);
+  if (!(magnitude(c->free.g) > reach_of_g(c, &a)))
+    return both_signs(k, state, input, report);
+  tf_solutions_t solutions;
+  const unsigned set =
+      solve_one_sign(k->tyre.mu, c->free.h, a.h1, a.h2, s, &solutions);
+  unsigned mode = state->mode;
+  if (set != TF_MODE_BIT(mode)) { // else tf_select would say the same
+    tf_solutions_t all = solutions;
+    all.set = (uint8_t)set;
+    all.near_stick = (uint8_t)(TF_STICK_PLUS + s);
+    mode = tf_select(k->rule, k->exit_threshold, &all, mode, state->tick,
+                     state->seed);
+  }
+  report->status = TF_OK;
+  report->mode = (uint8_t)mode;
+  report->set = (uint8_t)set;
+  report->delassus = -a.h1 * k->inv_dt;
+  if (mode > TF_SLIP_MINUS)
+    return stick_outcome(c, one, direction.M, solutions.lambda[s]);
+  return slip_outcome(c, mode, solutions.tau[0]);
+}
+
+// (11): a single-valued law may still be stiff in h. Its secant F = c h at the
+// predicted slip is taken implicitly where that damps (the end of the step
+// answers with E < 0) and explicitly where it drives. The secant never
+// extrapolates: |share| <= 1.
+static tf_force_t secant_force(const motion_t *c, tf_slip_t at,
+                               tf_real_t h_now) {
+  const tf_machine_t *k = c->machine;
+  const tf_force_t f =
+      tf_tyre_force(&k->tyre, at.h < 0 ? -1 : 1, at.h, at.g);
+  if (at.h == 0) return f;
+  const tf_change_t answer = response(k, &c->linear, f);
+  const tf_real_t E =
+      polynomial_of(k, c->r, c->z, answer).h1 / at.h;
+  if (!(E < 0)) return f;
+  const tf_real_t h =
+      (h_now + k->theta * (c->free.h - h_now)) / (1 - k->theta * E);
+  const tf_real_t share = clip(h / at.h, -1, 1);
+  return (tf_force_t){share * f.F, share * f.M};
+}
+
+TF_RARE tf_end_t single_valued(const tf_machine_t *k, const tf_state_t *state,
+                               const tf_input_t *input, tf_report_t *report) {
+  const motion_t here = motion(k, state, input), *c = &here;
+  const tf_slip_t now = slip_now(c);
+  const tf_force_t first = secant_force(c, now, now.h);
+  const tf_force_t force =
+      secant_force(c, slip_at_theta(c, first), now.h);
+  const tf_slip_t slip = slip_at_theta(c, force);
+  const tf_force_t law =
+      tf_tyre_force(&k->tyre, slip.h < 0 ? -1 : 1, slip.h, slip.g);
+  const tf_end_t end = end_under(k, &c->linear, force);
+  report->mode =
+      end_slip(k, &c->linear, &end).h < 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS;
+  report->set = (uint8_t)TF_MODE_BIT(report->mode);
+  report->delassus = 0;
+  report->residual = magnitude(force.F - law.F);
+  report->status = TF_OK;
+  return end;
+}
+
+// Why a step was refused. The state is checked here and not before the step:
+// whatever is not finite in it is not finite in its end.
+TF_RARE tf_status_t refuse(const tf_state_t *x, const tf_input_t *u,
+                           bool definite, tf_report_t *report) {
+  const bool usable =
+      x->mode < TF_MODES &&
+      within(magnitude(x->r) + magnitude(x->v) + magnitude(x->w) +
+                 magnitude(u->omega0) + magnitude(u->r0) +
+                 magnitude(u->force) + magnitude(u->torque),
+             TF_STATE_LIMIT);
+  report->status = !usable     ? TF_BAD_STATE
+                   : !definite ? TF_STEP_TOO_LONG
+                               : TF_DIVERGED;
+  return report->status;
+}
+
+TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
+                           const tf_input_t *input, tf_report_t *report) {
+  static const uint8_t size_of[1u << TF_MODES] = {
+      0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4,
+      1, 2, 2, 3, 2, 3, 3, 4, 2, 3, 3, 4, 3, 4, 4, 5};
+  const motion_t c = motion(machine, state, input);
+  if (!c.linear.definite || state->mode >= TF_MODES)
+    return refuse(state, input, c.linear.definite, report);
+  tf_end_t end;
+  const bool stick_exists = tf_tyre_is_set_valued(machine->tyre.law);
+  end = stick_exists ? set_valued(&c, input, report)
+                     : single_valued(machine, state, input, report);
+  if (!within(magnitude(end.r) + magnitude(end.v) + magnitude(end.w),
+              TF_STATE_LIMIT))
+    return refuse(state, input, true, report);
+  report->slip = end_slip(machine, &c.linear, &end);
+  if (stick_exists)
+    report->residual =
+        residual(machine, report->mode, end.force, report->slip);
+  report->choices = size_of[report->set];
+  report->force = end.force;
+  if (machine->with_angle) // (12)
+    state->phi += machine->explicit_dt * state->w + machine->theta_dt * end.w;
+  state->r = end.r;
+  state->v = end.v;
+  state->w = end.w;
+  state->mode = report->mode;
+  state->tick++;
+  return report->status;
+}

@@ -1,0 +1,83 @@
+/* tap.h - the whole test harness: named checks, TAP on standard output, and
+ * for each failure the one command that replays it. A test file is one
+ * program: `TEST(name) { ... }` functions, then a main of RUN lines between
+ * tap_begin and tap_end. Options: --seed N, --only NAME. */
+#ifndef TAP_H
+#define TAP_H
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct {
+  const char *program, *only, *name;
+  uint64_t seed, state;
+  int run, failed, checks, bad;
+} tap;
+
+static inline void tap_begin(int argc, char **argv) {
+  tap.program = argv[0];
+  tap.seed = 20140911u;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    if (!strcmp(argv[i], "--seed")) tap.seed = strtoull(argv[i + 1], NULL, 0);
+    if (!strcmp(argv[i], "--only")) tap.only = argv[i + 1];
+  }
+}
+
+/* splitmix64; every test starts from the seed again, so order is free. */
+static inline uint64_t tap_bits(void) {
+  uint64_t z = (tap.state += 0x9E3779B97F4A7C15u);
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+  return z ^ (z >> 31);
+}
+static inline double tap_uniform(double lo, double hi) {
+  return lo + (hi - lo) * ((double)(tap_bits() >> 11) * 0x1p-53);
+}
+
+static inline int tap_check(int ok, const char *file, int line,
+                            const char *text) {
+  tap.checks++;
+  if (!ok && tap.bad++ < 5) printf("# %s:%d: %s\n", file, line, text);
+  return ok;
+}
+static inline int tap_near(long double got, long double want, long double tol,
+                           const char *file, int line, const char *text) {
+  int ok = fabsl(got - want) <= tol; /* false for NaN on either side */
+  if (!tap_check(ok, file, line, text) && tap.bad <= 5)
+    printf("#   got %.21Lg, want %.21Lg, off by %.3Lg > %.3Lg\n", got, want,
+           got - want, tol);
+  return ok;
+}
+#define CHECK(cond) tap_check(!!(cond), __FILE__, __LINE__, #cond)
+#define CHECK_NEAR(got, want, tol) \
+  tap_near((got), (want), (tol), __FILE__, __LINE__, #got " near " #want)
+
+static inline void tap_run(const char *name, void (*test)(void)) {
+  if (tap.only && strcmp(tap.only, name)) return;
+  tap.name = name;
+  tap.state = tap.seed;
+  tap.checks = tap.bad = 0;
+  test();
+  if (!tap.checks) printf("# %s asserts nothing\n", name), tap.bad = 1;
+  tap.run++;
+  tap.failed += tap.bad > 0;
+  printf("%sok %d - %s\n", tap.bad ? "not " : "", tap.run, name);
+  if (tap.bad)
+    printf("# replay: %s --only %s --seed %" PRIu64 "\n", tap.program, name,
+           tap.seed);
+  fflush(stdout);
+}
+#define TEST(name) static void name(void)
+#define RUN(name) tap_run(#name, name)
+
+static inline int tap_end(void) {
+  printf("1..%d\n%d passed, %d failed\n", tap.run, tap.run - tap.failed,
+         tap.failed);
+  return tap.failed || !tap.run;
+}
+
+#endif
