@@ -15,4 +15,6 @@
 #include "twofold/step.h"
 #include "twofold/tyre.h"
 
+#define TF_VERSION "0.1.0"
+
 #endif

@@ -3,7 +3,7 @@
 //   m p' = Q_r + F sin(gamma),  m (beta^2 + r^2) w' = Q_phi + d Q_r
 //                                                     + F r cos(gamma) + M
 // so on h = 0 with F = lambda, M = s kappa lambda:  h' = N - A(s) lambda.
-#include "kernel.h"
+#include "linear.h"
 #include "twofold/step.h"
 
 typedef struct {
@@ -27,15 +27,6 @@ static rates_t slip_rates(const tf_machine_t *k, const tf_state_t *x,
     rates.A[s] = k->sin_gamma * k->sin_gamma / k->m +
                  arm * (arm + (s ? -k->stick_kappa : k->stick_kappa)) / J;
   return rates;
-}
-
-static bool usable(const tf_state_t *state, const tf_input_t *input) {
-  return within(state->r, TF_STATE_LIMIT) && within(state->v, TF_STATE_LIMIT) &&
-         within(state->w, TF_STATE_LIMIT) &&
-         within(input->omega0, TF_STATE_LIMIT) &&
-         within(input->r0, TF_STATE_LIMIT) &&
-         within(input->force, TF_STATE_LIMIT) &&
-         within(input->torque, TF_STATE_LIMIT) && state->mode <= TF_MODES;
 }
 
 // The modes that are possible at this instant, as a set; lambda of the stick.
@@ -67,9 +58,8 @@ static unsigned possible_modes(const tf_machine_t *k, tf_slip_t slip,
 // wished at an h below rounding is no error where only stick is possible: the
 // real type cannot tell that h from 0.
 static unsigned first_mode(unsigned set, unsigned wished) {
-  static const unsigned order[TF_MODES] = {TF_STICK_PLUS, TF_STICK_MINUS,
-                                           TF_PINNED, TF_SLIP_PLUS,
-                                           TF_SLIP_MINUS};
+  static const unsigned order[TF_MODES] = {
+      TF_STICK_PLUS, TF_STICK_MINUS, TF_PINNED, TF_SLIP_PLUS, TF_SLIP_MINUS};
   if ((set >> wished) & 1u) return wished;
   int i = 0;
   while (!((set >> order[i]) & 1u)) i++; // the set is never empty
@@ -78,7 +68,7 @@ static unsigned first_mode(unsigned set, unsigned wished) {
 
 TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
                             const tf_input_t *input, tf_report_t *report) {
-  if (!usable(state, input)) return TF_BAD_STATE;
+  if (state->mode > TF_MODES || !in_range(state, input)) return TF_BAD_STATE;
   const tf_slip_t slip =
       tf_slip(machine, state->r, state->v, state->w, input->omega0);
   const tf_real_t z = magnitude(state->w - input->omega0);
@@ -87,8 +77,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
       (magnitude(state->v) + (magnitude(machine->d) + magnitude(state->r)) * z);
   const rates_t rates = slip_rates(machine, state, input);
   tf_real_t lambda;
-  const unsigned set =
-      possible_modes(machine, slip, rounding, &rates, &lambda);
+  const unsigned set = possible_modes(machine, slip, rounding, &rates, &lambda);
   const unsigned mode = first_mode(set, state->mode);
   state->mode = (uint8_t)mode;
   report->mode = (uint8_t)mode;
@@ -97,17 +86,16 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
   for (unsigned bit = 0; bit < TF_MODES; bit++)
     report->choices = (uint8_t)(report->choices + ((set >> bit) & 1u));
   report->slip = slip;
-  report->delassus = tf_tyre_is_set_valued(machine->tyre.law)
-                         ? rates.A[slip.g < 0]
-                         : 0;
+  report->delassus =
+      tf_tyre_is_set_valued(machine->tyre.law) ? rates.A[slip.g < 0] : 0;
   report->residual = 0;
   report->status = TF_OK;
   if (mode <= TF_SLIP_MINUS)
-    report->force = tf_tyre_force(&machine->tyre, mode ? TF_R(-1.0) : 1,
-                                  slip.h, slip.g);
+    report->force =
+        tf_tyre_force(&machine->tyre, mode ? TF_R(-1.0) : 1, slip.h, slip.g);
   else
     report->force = (tf_force_t){
-        lambda, (slip.g < 0 ? -machine->stick_kappa : machine->stick_kappa) *
-                    lambda};
+        lambda,
+        (slip.g < 0 ? -machine->stick_kappa : machine->stick_kappa) * lambda};
   return TF_OK;
 }

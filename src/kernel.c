@@ -22,26 +22,24 @@ static tf_real_t polynomial(const tf_real_t *c, int terms, tf_real_t x2) {
 #endif
 
 TF_API void tf_sine_cosine(tf_real_t x, tf_real_t *sine, tf_real_t *cosine) {
-  static const tf_real_t sin_c[] = {
-      TF_R(1.0),
-      TF_R(-1.0) / 6,
-      TF_R(1.0) / 120,
-      TF_R(-1.0) / 5040,
-      TF_R(1.0) / 362880,
-      TF_R(-1.0) / 39916800,
-      TF_R(1.0) / TF_R(6227020800.0),
-      TF_R(-1.0) / TF_R(1307674368000.0),
-      TF_R(1.0) / TF_R(355687428096000.0)};
-  static const tf_real_t cos_c[] = {
-      TF_R(1.0),
-      TF_R(-0.5),
-      TF_R(1.0) / 24,
-      TF_R(-1.0) / 720,
-      TF_R(1.0) / 40320,
-      TF_R(-1.0) / 3628800,
-      TF_R(1.0) / 479001600,
-      TF_R(-1.0) / TF_R(87178291200.0),
-      TF_R(1.0) / TF_R(20922789888000.0)};
+  static const tf_real_t sin_c[] = {TF_R(1.0),
+                                    TF_R(-1.0) / 6,
+                                    TF_R(1.0) / 120,
+                                    TF_R(-1.0) / 5040,
+                                    TF_R(1.0) / 362880,
+                                    TF_R(-1.0) / 39916800,
+                                    TF_R(1.0) / TF_R(6227020800.0),
+                                    TF_R(-1.0) / TF_R(1307674368000.0),
+                                    TF_R(1.0) / TF_R(355687428096000.0)};
+  static const tf_real_t cos_c[] = {TF_R(1.0),
+                                    TF_R(-0.5),
+                                    TF_R(1.0) / 24,
+                                    TF_R(-1.0) / 720,
+                                    TF_R(1.0) / 40320,
+                                    TF_R(-1.0) / 3628800,
+                                    TF_R(1.0) / 479001600,
+                                    TF_R(-1.0) / TF_R(87178291200.0),
+                                    TF_R(1.0) / TF_R(20922789888000.0)};
   const tf_real_t half_turns = x * TF_R(0.63661977236758134308);
   const int k = (int)(half_turns + (half_turns < 0 ? TF_R(-0.5) : TF_R(0.5)));
   const tf_real_t y =
@@ -57,9 +55,9 @@ TF_API void tf_sine_cosine(tf_real_t x, tf_real_t *sine, tf_real_t *cosine) {
 
 TF_API tf_real_t tf_small_arctangent(tf_real_t t) {
   static const tf_real_t c[] = {
-      TF_R(1.0),       TF_R(-1.0) / 3,  TF_R(1.0) / 5,
-      TF_R(-1.0) / 7,  TF_R(1.0) / 9,   TF_R(-1.0) / 11,
-      TF_R(1.0) / 13,  TF_R(-1.0) / 15, TF_R(1.0) / 17};
+      TF_R(1.0),      TF_R(-1.0) / 3,  TF_R(1.0) / 5,
+      TF_R(-1.0) / 7, TF_R(1.0) / 9,   TF_R(-1.0) / 11,
+      TF_R(1.0) / 13, TF_R(-1.0) / 15, TF_R(1.0) / 17};
   return t * polynomial(c, 9, t * t);
 }
 

@@ -15,9 +15,17 @@ TF_INLINE tf_slip_t turned(const tf_machine_t *k, tf_real_t p, tf_real_t q) {
                      q * k->sin_gamma - p * k->cos_gamma};
 }
 
-TF_INLINE tf_slip_t slip_speeds(const tf_machine_t *k, tf_real_t r,
-                                tf_real_t v, tf_real_t z) {
+TF_INLINE tf_slip_t slip_speeds(const tf_machine_t *k, tf_real_t r, tf_real_t v,
+                                tf_real_t z) {
   return turned(k, v - k->d * z, r * z);
+}
+
+// One sum instead of seven comparisons: NaN and infinity survive into it.
+TF_INLINE bool in_range(const tf_state_t *x, const tf_input_t *u) {
+  return within(magnitude(x->r) + magnitude(x->v) + magnitude(x->w) +
+                    magnitude(u->omega0) + magnitude(u->r0) +
+                    magnitude(u->force) + magnitude(u->torque),
+                TF_STATE_LIMIT);
 }
 
 // A change of the velocities.
@@ -26,11 +34,11 @@ typedef struct {
 } tf_change_t;
 
 typedef struct {
-  tf_real_t omega0;       // of the turntable at the end of the step
-  tf_real_t p, z;         // at the start of the step
-  tf_change_t free;       // change without friction
-  tf_real_t r_explicit;   // r + (1 - theta) dt v [m]
-  tf_real_t arm;          // r_theta cos(gamma), arm of F about the axis [m]
+  tf_real_t omega0;        // of the turntable at the end of the step
+  tf_real_t p, z;          // at the start of the step
+  tf_change_t free;        // change without friction
+  tf_real_t r_explicit;    // r + (1 - theta) dt v [m]
+  tf_real_t arm;           // r_theta cos(gamma), arm of F about the axis [m]
   tf_real_t p_b, p_t, p_c; // dt S^-1 by rows, see response()
   tf_real_t z_t, z_c;
   bool definite; // false: the effective mass is not positive

@@ -62,11 +62,13 @@ static void prepare_angle_kernel(tf_tyre_t *tyre, tf_real_t kappa) {
   T[2] = half_tangent(T[4]);
   T[1] = half_tangent(T[2]);
   T[3] = (T[2] + T[1]) / (1 - T[2] * T[1]);
-  T[5] = (T[4] + T[1]) / (1 - T[4] * T[1]);
-  T[6] = (T[4] + T[2]) / (1 - T[4] * T[2]);
-  T[7] = (T[4] + T[3]) / (1 - T[4] * T[3]);
-  const tf_real_t a = tf_small_arctangent(half_tangent(T[1])) *
-                      TF_R(10.185916357881301489);
+  // Above pi/4 from T(inf) downwards: a sum of angles would multiply the
+  // rounding of its terms by (1 + T^2)/T.
+  T[5] = (T[8] - T[3]) / (1 + T[8] * T[3]);
+  T[6] = (T[8] - T[2]) / (1 + T[8] * T[2]);
+  T[7] = (T[8] - T[1]) / (1 + T[8] * T[1]);
+  const tf_real_t a =
+      tf_small_arctangent(half_tangent(T[1])) * TF_R(10.185916357881301489);
   c[0] = a;
   for (int n = 1; n < TF_TYRE_TERMS; n++) {
     tf_real_t square = 0;

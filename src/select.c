@@ -60,9 +60,8 @@ static unsigned random_exit(uint64_t exit_threshold, unsigned set,
 }
 
 // How the rule ends a mode that is left to it; mode itself if it does not.
-static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold,
-                          unsigned set, unsigned mode, uint64_t tick,
-                          uint32_t seed) {
+static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold, unsigned set,
+                          unsigned mode, uint64_t tick, uint32_t seed) {
   switch (rule) {
     case TF_RULE_SLIP_PLUS:
       return has(set, TF_SLIP_PLUS) ? TF_SLIP_PLUS : mode;

@@ -10,15 +10,14 @@ typedef struct {
   const tf_machine_t *machine;
   const tf_state_t *state;
   tf_linear_t linear;
-  tf_real_t r, z;     // end of the step without friction
-  tf_slip_t free;     // its slip
+  tf_real_t r, z; // end of the step without friction
+  tf_slip_t free; // its slip
 } motion_t;
 
 TF_INLINE motion_t motion(const tf_machine_t *k, const tf_state_t *state,
                           const tf_input_t *input) {
-  motion_t c = {.machine = k,
-                .state = state,
-                .linear = linearise(k, state, input)};
+  motion_t c = {
+      .machine = k, .state = state, .linear = linearise(k, state, input)};
   const tf_real_t p = c.linear.p + c.linear.free.p;
   c.z = c.linear.z + c.linear.free.z;
   c.r = c.linear.r_explicit + k->theta_dt * (p + k->d * c.z);
@@ -37,8 +36,7 @@ TF_INLINE tf_slip_t slip_now(const motion_t *c) {
 }
 
 TF_INLINE tf_slip_t slip_at_theta(const motion_t *c, tf_force_t force) {
-  const tf_real_t r_theta =
-      c->state->r + c->machine->theta_dt * c->state->v;
+  const tf_real_t r_theta = c->state->r + c->machine->theta_dt * c->state->v;
   return theta_slip(c->machine, &c->linear, r_theta, force);
 }
 
@@ -58,8 +56,8 @@ TF_INLINE tf_end_t slip_outcome(const motion_t *c, unsigned mode,
   const tf_machine_t *k = c->machine;
   const tf_real_t side = mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0);
   const tf_force_t first = slip_force(c, side, slip_now(c));
-  const tf_end_t end = end_under(
-      k, &c->linear, slip_force(c, side, slip_at_theta(c, first)));
+  const tf_end_t end =
+      end_under(k, &c->linear, slip_force(c, side, slip_at_theta(c, first)));
   if (side * end_slip(k, &c->linear, &end).h > 0) return end;
   const tf_real_t limit = side * k->tyre.mu;
   return end_under(k, &c->linear,
@@ -75,8 +73,8 @@ TF_INLINE tf_end_t stick_outcome(const motion_t *c, tf_change_t one,
 
 // Ends at what the force was solved for, without its rounding.
 static tf_end_t pinned_outcome(const motion_t *c) {
-  return (tf_end_t){pinning_force(c->machine, &c->linear),
-                    c->linear.r_explicit, 0, c->linear.omega0};
+  return (tf_end_t){pinning_force(c->machine, &c->linear), c->linear.r_explicit,
+                    0, c->linear.omega0};
 }
 
 static tf_end_t mode_outcome(const motion_t *c, const tf_solutions_t *from,
@@ -117,13 +115,16 @@ static tf_inclusion_t inclusion(const motion_t *c) {
     in.g1[s] = a.g1;
     in.g2[s] = a.g2;
   }
+  const tf_change_t M = response(k, &c->linear, (tf_force_t){0, 1});
+  const tf_polynomial_t m = polynomial_of(k, c->r, c->z, M);
+  in.h_MM = m.h2;
+  in.g_MM = m.g2;
   return in;
 }
 
 // No mode is consistent: of all of them the one that violates the law least.
 static unsigned least_residual(const motion_t *c,
-                               const tf_solutions_t *solutions,
-                               tf_end_t *end) {
+                               const tf_solutions_t *solutions, tf_end_t *end) {
   unsigned mode = c->state->mode;
   tf_real_t least = TF_REAL_MAX;
   *end = mode_outcome(c, solutions, mode);
@@ -146,8 +147,8 @@ TF_RARE tf_end_t both_signs(const tf_machine_t *k, const tf_state_t *state,
   const tf_inclusion_t in = inclusion(c);
   tf_solutions_t solutions;
   tf_friction_solve(&in, &solutions);
-  unsigned mode = tf_select(k->rule, k->exit_threshold, &solutions,
-                            state->mode, state->tick, state->seed);
+  unsigned mode = tf_select(k->rule, k->exit_threshold, &solutions, state->mode,
+                            state->tick, state->seed);
   tf_end_t end;
   report->status = mode < TF_MODES ? TF_OK : TF_DEGRADED;
   if (mode < TF_MODES)
@@ -156,8 +157,7 @@ TF_RARE tf_end_t both_signs(const tf_machine_t *k, const tf_state_t *state,
     mode = least_residual(c, &solutions, &end);
   report->mode = (uint8_t)mode;
   report->set = solutions.set;
-  report->delassus =
-      -in.h1[end_slip(k, &c->linear, &end).g < 0] * k->inv_dt;
+  report->delassus = -in.h1[end_slip(k, &c->linear, &end).g < 0] * k->inv_dt;
   return end;
 }
 
@@ -213,12 +213,10 @@ TF_INLINE tf_end_t set_valued(const motion_t *c, const tf_input_t *input,
 static tf_force_t secant_force(const motion_t *c, tf_slip_t at,
                                tf_real_t h_now) {
   const tf_machine_t *k = c->machine;
-  const tf_force_t f =
-      tf_tyre_force(&k->tyre, at.h < 0 ? -1 : 1, at.h, at.g);
+  const tf_force_t f = tf_tyre_force(&k->tyre, at.h < 0 ? -1 : 1, at.h, at.g);
   if (at.h == 0) return f;
   const tf_change_t answer = response(k, &c->linear, f);
-  const tf_real_t E =
-      polynomial_of(k, c->r, c->z, answer).h1 / at.h;
+  const tf_real_t E = polynomial_of(k, c->r, c->z, answer).h1 / at.h;
   if (!(E < 0)) return f;
   const tf_real_t h =
       (h_now + k->theta * (c->free.h - h_now)) / (1 - k->theta * E);
@@ -231,14 +229,15 @@ TF_RARE tf_end_t single_valued(const tf_machine_t *k, const tf_state_t *state,
   const motion_t here = motion(k, state, input), *c = &here;
   const tf_slip_t now = slip_now(c);
   const tf_force_t first = secant_force(c, now, now.h);
-  const tf_force_t force =
-      secant_force(c, slip_at_theta(c, first), now.h);
+  const tf_force_t force = secant_force(c, slip_at_theta(c, first), now.h);
   const tf_slip_t slip = slip_at_theta(c, force);
   const tf_force_t law =
       tf_tyre_force(&k->tyre, slip.h < 0 ? -1 : 1, slip.h, slip.g);
   const tf_end_t end = end_under(k, &c->linear, force);
-  report->mode =
-      end_slip(k, &c->linear, &end).h < 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS;
+  const tf_real_t h = end_slip(k, &c->linear, &end).h;
+  report->mode = (uint8_t)(h > 0   ? TF_SLIP_PLUS
+                           : h < 0 ? TF_SLIP_MINUS
+                                   : state->mode & 1u); // as it was at h = 0
   report->set = (uint8_t)TF_MODE_BIT(report->mode);
   report->delassus = 0;
   report->residual = magnitude(force.F - law.F);
@@ -250,12 +249,7 @@ TF_RARE tf_end_t single_valued(const tf_machine_t *k, const tf_state_t *state,
 // whatever is not finite in it is not finite in its end.
 TF_RARE tf_status_t refuse(const tf_state_t *x, const tf_input_t *u,
                            bool definite, tf_report_t *report) {
-  const bool usable =
-      x->mode < TF_MODES &&
-      within(magnitude(x->r) + magnitude(x->v) + magnitude(x->w) +
-                 magnitude(u->omega0) + magnitude(u->r0) +
-                 magnitude(u->force) + magnitude(u->torque),
-             TF_STATE_LIMIT);
+  const bool usable = x->mode < TF_MODES && in_range(x, u);
   report->status = !usable     ? TF_BAD_STATE
                    : !definite ? TF_STEP_TOO_LONG
                                : TF_DIVERGED;
@@ -279,8 +273,7 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
     return refuse(state, input, true, report);
   report->slip = end_slip(machine, &c.linear, &end);
   if (stick_exists)
-    report->residual =
-        residual(machine, report->mode, end.force, report->slip);
+    report->residual = residual(machine, report->mode, end.force, report->slip);
   report->choices = size_of[report->set];
   report->force = end.force;
   if (machine->with_angle) // (12)

@@ -55,7 +55,7 @@ TF_INLINE tf_real_t cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H) {
 
 // (force), (moment) for one side of h = 0.
 TF_INLINE tf_force_t jump_force(const tf_tyre_t *tyre, tf_real_t side,
-                             tf_real_t h, tf_real_t g) {
+                                tf_real_t h, tf_real_t g) {
   const tf_real_t H = side * h;
   const tf_real_t T = cot_psi(tyre, magnitude(g), H > 0 ? H : 0);
   const tf_real_t F = tyre->mu * (TF_R(4.0) / 3 - T * tyre->inv_18_kappa);

@@ -40,6 +40,7 @@ typedef struct {
   tf_real_t h_free, g_free; ///< slip speeds at lambda = 0 [m/s]
   tf_real_t h1[2], g1[2];   ///< [m/s/N]; -h1/dt is the Delassus scalar
   tf_real_t h2[2], g2[2];   ///< [m/s/N^2]
+  tf_real_t h_MM, g_MM;     ///< second-order answer to M alone [m/s/(N m)^2]
   tf_real_t g_now;          ///< g before the step: decides a tie of s
   tf_force_t pin;           ///< the F, M that end the step at h = g = 0
   uint8_t signs;            ///< which s can occur: bit 0 +1, bit 1 -1. Members

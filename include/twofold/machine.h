@@ -43,11 +43,11 @@ typedef struct {
 
 /// Range of one real-valued member of tf_params_t.
 typedef struct {
-  const char *name;      ///< as on the command line
-  const char *unit;      ///< "1" where dimensionless
-  uint16_t offset;       ///< of the member in tf_params_t [bytes]
-  uint16_t laws;         ///< bit set of tf_tyre_law_t that need the member
-  tf_real_t low, high;   ///< both ends allowed
+  const char *name;    ///< as on the command line
+  const char *unit;    ///< "1" where dimensionless
+  uint16_t offset;     ///< of the member in tf_params_t [bytes]
+  uint16_t laws;       ///< bit set of tf_tyre_law_t that need the member
+  tf_real_t low, high; ///< both ends allowed
 } tf_parameter_range_t;
 
 /// The table that validates, names and documents every parameter.
@@ -60,8 +60,8 @@ TF_API extern const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS];
 typedef struct {
   tf_real_t m, d, k2, c1, c2, r0, omega0; ///< as in tf_params_t
   tf_real_t sin_gamma, cos_gamma;
-  tf_real_t d_sin_gamma;   ///< [m]
-  tf_real_t beta2;         ///< beta^2 [m^2]
+  tf_real_t d_sin_gamma; ///< [m]
+  tf_real_t beta2;       ///< beta^2 [m^2]
   tf_real_t dt, theta;
   tf_real_t inv_dt;        ///< 1 / dt [1/s]
   tf_real_t theta_dt;      ///< theta dt [s]
@@ -81,13 +81,13 @@ typedef struct {
 /// The state: everything that the future depends on. No pointers: memcpy is
 /// snapshot, rollback and log record. <= 64 B in double.
 typedef struct {
-  tf_real_t r;    ///< displacement of the slider [m]
-  tf_real_t v;    ///< speed of the slider [m/s]
-  tf_real_t w;    ///< speed of the disc [rad/s]
-  tf_real_t phi;  ///< angle of the disc [rad], 0 unless with_angle
-  uint64_t tick;  ///< steps taken; the counter of the random generator
-  uint32_t seed;  ///< key of the random generator
-  uint8_t mode;   ///< tf_mode_t
+  tf_real_t r;   ///< displacement of the slider [m]
+  tf_real_t v;   ///< speed of the slider [m/s]
+  tf_real_t w;   ///< speed of the disc [rad/s]
+  tf_real_t phi; ///< angle of the disc [rad], 0 unless with_angle
+  uint64_t tick; ///< steps taken; the counter of the random generator
+  uint32_t seed; ///< key of the random generator
+  uint8_t mode;  ///< tf_mode_t
 } tf_state_t;
 
 /// What a HIL loop may drive, constant over one step.
@@ -150,8 +150,8 @@ TF_API tf_slip_t tf_slip(const tf_machine_t *machine, tf_real_t r, tf_real_t v,
 /// Claims: placed_slip_speed_reads_back
 #define tf_speed_for_slip TF_LINK(tf_speed_for_slip)
 TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
-                                     tf_real_t w, tf_real_t omega0,
-                                     tf_real_t h, tf_real_t *v);
+                                     tf_real_t w, tf_real_t omega0, tf_real_t h,
+                                     tf_real_t *v);
 
 /// Mechanical energy.
 /// Scheme: m p^2/2 + m (beta^2 + r^2) w^2/2 + k2 (r - r0)^2/2, p = v - d w.

@@ -18,11 +18,11 @@ typedef struct {
   const char *shows;      ///< one line
   const char *leaves_out; ///< one line
   tf_params_t params;
-  tf_real_t r, omega, h;  ///< start; v follows from h ...
-  tf_real_t v;            ///< ... unless v_is_given
+  tf_real_t r, omega, h; ///< start; v follows from h ...
+  tf_real_t v;           ///< ... unless v_is_given
   bool v_is_given;
-  tf_real_t t_end;        ///< default length [s]
-  uint8_t knots;          ///< 0: omega0 of the parameters throughout
+  tf_real_t t_end; ///< default length [s]
+  uint8_t knots;   ///< 0: omega0 of the parameters throughout
   tf_knot_t profile[TF_SCENE_KNOTS];
 } tf_scene_t;
 

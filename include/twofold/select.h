@@ -3,15 +3,15 @@
 ///
 /// What every rule shares. (1) A slip that is still consistent goes on: off
 /// h = 0 the future is unique, and a second consistent mode next to it is an
-/// artefact of the finite step (it is reported all the same). (2) Admissibility:
-/// a slip never enters an escaping stick, because both fields point away from
-/// it. (3) An attracting stick goes on. (4) Where the present mode is lost:
-/// attracting stick, pinned, slip (the faster one if both), escaping stick, in
-/// this order.
-/// What is left to the rule: how an escaping stick ends, and what becomes of a
-/// pinned wheel. PERSIST lets the stick last and rolls off into an attracting
-/// stick where one is consistent: a pinned wheel then stands on the border of
-/// its region and leaves at the least disturbance.
+/// artefact of the finite step (it is reported all the same). (2)
+/// Admissibility: a slip never enters an escaping stick, because both fields
+/// point away from it. (3) An attracting stick goes on. (4) Where the present
+/// mode is lost: attracting stick, pinned, slip (the faster one if both),
+/// escaping stick, in this order. What is left to the rule: how an escaping
+/// stick ends, and what becomes of a pinned wheel. PERSIST lets the stick last
+/// and rolls off into an attracting stick where one is consistent: a pinned
+/// wheel then stands on the border of its region and leaves at the least
+/// disturbance.
 #ifndef TWOFOLD_SELECT_H
 #define TWOFOLD_SELECT_H
 

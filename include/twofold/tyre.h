@@ -30,17 +30,17 @@ typedef enum {
 /// Constants of one law, filled by tf_prepare and const from then on.
 typedef struct {
   tf_tyre_law_t law;
-  tf_real_t mu;                      ///< friction force at h -> 0 [N]
-  tf_real_t kappa;                   ///< moment / force at h -> 0 [m]
-  tf_real_t inv_18_kappa;            ///< 1 / (18 kappa) [1/m]
+  tf_real_t mu;                        ///< friction force at h -> 0 [N]
+  tf_real_t kappa;                     ///< moment / force at h -> 0 [m]
+  tf_real_t inv_18_kappa;              ///< 1 / (18 kappa) [1/m]
   tf_real_t T_anchor[TF_TYRE_ANCHORS]; ///< T(tan(k pi/16)), [8] = 6 kappa
-  tf_real_t T_series[TF_TYRE_TERMS]; ///< T(y) = y sum c_n y^(2n) near y = 0
-  tf_real_t epsilon;                 ///< width of the smoothed sign [m/s]
-  tf_real_t k;                       ///< string: stiffness / mu
-  tf_real_t delta;                   ///< string: largest static pressure / mu
-  tf_real_t sigma;                   ///< string: relaxation length [m]
-  tf_real_t rho;                     ///< string: dynamic / static pressure
-  tf_real_t a;                       ///< string: half contact length [m]
+  tf_real_t T_series[TF_TYRE_TERMS];   ///< T(y) = y sum c_n y^(2n) near y = 0
+  tf_real_t epsilon;                   ///< width of the smoothed sign [m/s]
+  tf_real_t k;                         ///< string: stiffness / mu
+  tf_real_t delta;                     ///< string: largest static pressure / mu
+  tf_real_t sigma;                     ///< string: relaxation length [m]
+  tf_real_t rho;                       ///< string: dynamic / static pressure
+  tf_real_t a;                         ///< string: half contact length [m]
 } tf_tyre_t;
 
 /// Force and moment on the wheel.
@@ -52,7 +52,7 @@ typedef struct {
 /// T(G/H) for G, H >= 0, not both 0: the paper's cot(psi).
 /// Scheme: T(y) = tan(a atan y), a = (2/pi) atan(6 kappa); the angle is
 /// measured from the nearest multiple of pi/16 and the tangents are added.
-/// tyre: in, prepared for JUMP or SMOOTH. G, H: in, [m/s], finite, >= 0.
+/// tyre: in, prepared for JUMP or SMOOTH. G, H: in, [m/s], 0 to 1e30.
 /// Returns: T in [0, 6 kappa]; 0 where G = H = 0 (the slip angle is undefined).
 /// Cost: 2 divisions, 35 other operations, no loop over data. Stack: 64 B.
 /// Memory: none kept, reentrant.

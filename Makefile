@@ -1,0 +1,137 @@
+# twofold. `make help` says what can be made. Nothing but GNU make, a C
+# compiler, sh and coreutils is needed for `make run` and `make test`.
+#
+#   CC=clang             another compiler
+#   OPT='-O3'            another optimisation (default -O2)
+#   EXTRA='-Werror'      further flags, for compiling and linking
+#   BUILD=dir            another place for everything that is made
+#   TESTS='tests/law/test_order.c'   only these tests
+
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+AR ?= ar
+OPT ?= -O2
+EXTRA ?=
+BUILD ?= build
+VARIANTS := double float
+MAKEFLAGS += --no-builtin-rules -j$(shell nproc 2>/dev/null || echo 2)
+
+# The parts.
+CORE := $(wildcard src/*.c)
+CLI := $(wildcard tools/*.c tools/cli/*.c)
+SUPPORT := $(wildcard tests/support/*.c)
+TEST_ROOMS := tests/unit tests/law tests/golden tests/regress
+TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
+BENCH := tools/bench/steps.c tools/bench/race.c
+
+# One rounding per operation, everywhere: the same bits on every target.
+COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude
+WARN := -Wall -Wextra -pedantic -Wconversion -Wsign-conversion \
+  -Wfloat-conversion -Wshadow -Wvla -Wstrict-prototypes -Wmissing-prototypes \
+  -Wmissing-declarations -Wold-style-definition -Wredundant-decls \
+  -Wnested-externs -Wcast-qual -Wcast-align -Wpointer-arith -Wwrite-strings \
+  -Wbad-function-cast -Wundef -Wformat=2 -Wswitch-enum -Wnull-dereference \
+  -Wimplicit-fallthrough -Wunused-macros
+# The core neither knows errno nor a C library.
+CORE_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -fno-math-errno \
+  -ffreestanding
+TOOL_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -Itools
+# Tests judge in long double, so they promote on purpose.
+TEST_FLAGS := $(COMMON) $(WARN) -Itests -Itests/support -Isrc
+FLAGS_double :=
+FLAGS_float := -DTF_REAL_FLOAT
+
+.DEFAULT_GOAL := help
+.SECONDARY:
+.DELETE_ON_ERROR:
+.PHONY: help all run test bench check clean FORCE
+# `make clean test` means one after the other, although all else is parallel.
+ifneq ($(filter clean,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
+endif
+
+help:
+	@echo 'make run     simulate scene chaos for 10 s, write $(BUILD)/chaos.csv'
+	@echo 'make test    all tests, in double and in float'
+	@echo 'make bench   instructions, time, stack and state of a step (valgrind)'
+	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
+	@echo 'make all     compile everything: core, command line, tests, bench'
+	@echo 'make clean   remove $(BUILD)/'
+	@echo 'Variables: CC OPT EXTRA BUILD TESTS; see the top of the Makefile.'
+
+# What is made in one variant: $(call programs,tests or bench,variant).
+programs = $(patsubst %.c,$(BUILD)/$(2)/%,$(filter %.c,$(1)))
+
+# The rules of one variant. The file `flags` changes when the compiler, a flag
+# or the list of files does; all else in the variant is older than it then.
+define rules
+objects_of_$(1) = $$(patsubst %.c,$(BUILD)/$(1)/%.o,$$(1))
+
+$(BUILD)/$(1)/flags: FORCE
+	@mkdir -p $$(@D)
+	@echo '$$(CC) $$(CORE_FLAGS) $$(TOOL_FLAGS) $$(TEST_FLAGS) $$(EXTRA)' \
+	  '$$(CORE) $$(CLI) $$(SUPPORT)' >$$@.new
+	@cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
+
+$(BUILD)/$(1)/src/%.o: src/%.c $(BUILD)/$(1)/flags
+	$$(call compile,$$(CORE_FLAGS) $$(FLAGS_$(1)))
+$(BUILD)/$(1)/tools/%.o: tools/%.c $(BUILD)/$(1)/flags
+	$$(call compile,$$(TOOL_FLAGS) $$(FLAGS_$(1)))
+$(BUILD)/$(1)/tests/%.o: tests/%.c $(BUILD)/$(1)/flags
+	$$(call compile,$$(TEST_FLAGS) $$(FLAGS_$(1)))
+
+$(BUILD)/$(1)/libtwofold.a: $$(call objects_of_$(1),$(CORE))
+	$$(archive)
+$(BUILD)/$(1)/libsupport.a: $$(call objects_of_$(1),$(SUPPORT))
+	$$(archive)
+$(BUILD)/$(1)/twofold: $$(call objects_of_$(1),$(CLI)) \
+    $(BUILD)/$(1)/libtwofold.a
+	$$(link)
+$(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \
+    $(BUILD)/$(1)/libtwofold.a
+	$$(link)
+$(call programs,$(BENCH),$(1)): %: %.o \
+    $(BUILD)/$(1)/tools/bench/rk4_smooth.o $(BUILD)/$(1)/libtwofold.a
+	$$(link)
+endef
+
+define compile
+	@mkdir -p $(@D)
+	@echo '  CC    $@'
+	@$(CC) $(1) $(EXTRA) -MMD -MP -c $< -o $@
+endef
+define archive
+	@echo '  AR    $@'
+	@rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
+endef
+define link
+	@echo '  LINK  $@'
+	@$(CC) $(OPT) $(EXTRA) $(filter %.o %.a,$^) -lm -o $@
+endef
+
+$(foreach v,$(VARIANTS),$(eval $(call rules,$(v))))
+
+all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
+  $(call programs,$(TESTS),$(v)) $(call programs,$(BENCH),$(v)))
+
+run: $(BUILD)/double/twofold
+	@$< run chaos --t-end 10 --dt 1e-4 --every 10 --out $(BUILD)/chaos.csv
+	@echo 'The trajectory is in $(BUILD)/chaos.csv.'
+
+test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) \
+  $(BUILD)/double/twofold
+	@TWOFOLD=$(BUILD)/double/twofold tests/run \
+	  $(filter-out $(BUILD)/double/twofold,$^) $(filter %.sh,$(TESTS))
+
+bench: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
+	@CC='$(CC)' BUILD='$(BUILD)' tools/bench/run
+
+# The checks choose their own compilers and flags.
+check:
+	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' tools/check/run $(CHECKS)
+
+clean:
+	rm -rf $(BUILD)
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

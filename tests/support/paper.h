@@ -1,0 +1,121 @@
+/* paper.h - the machine of Szalai & Jeffrey straight from the paper, in long
+ * double and with libm: the judge of the simulator. It shares no line with
+ * src/ or include/, uses the paper's own expressions (psi, arccot, the
+ * rescaled time) and is slow on purpose, so that an error in the simulator
+ * and the same error here would be two accidents. Where the paper is misprinted
+ * the corrected form is used; tests/law/test_errata.c holds the corrections.
+ *
+ * A state is x[3] = r [m], v [m/s], w [rad/s]. "Rescaled" means the time tau
+ * of (ds1)-(ds3), dt = m (beta^2 + r^2) dtau. s = +1 or -1 is sign(g) where
+ * the wheel sticks. Nothing here keeps state or allocates. */
+#ifndef TESTS_SUPPORT_PAPER_H
+#define TESTS_SUPPORT_PAPER_H
+
+#include <float.h>
+
+#if LDBL_MANT_DIG < 64
+#error the reference needs a long double wider than double
+#endif
+
+#define PAPER_PI 3.14159265358979323846264338327950288L
+
+typedef struct {
+  long double m;      /* slider mass [kg] > 0 */
+  long double d;      /* distance of the slot from the axis [m] */
+  long double beta;   /* sqrt(Theta / m), Theta inertia of the disc [m] */
+  long double k2;     /* spring [N/m] */
+  long double c1;     /* damping of the disc against the ground [N m s] */
+  long double c2;     /* damping of the slider [N s/m] */
+  long double r0;     /* rest position of the slider [m] */
+  long double omega0; /* speed of the bottom disc [rad/s] */
+  long double mu;     /* friction force at the edge of stick [N] */
+  long double kappa;  /* arm of the moment, M = s kappa F in stick [m] */
+  long double gamma;  /* angle of the wheel [rad] */
+} paper_t;
+
+/* The two-fold of the default machine. */
+#define PAPER_R_STAR 0.1859L
+#define PAPER_W_STAR (-1.037L)
+
+/* Section 5 of the paper: constants as printed, kappa and k2 computed from
+ * (singKappa) and (singK2) at the two-fold above. */
+void paper_default(paper_t *p);
+
+/* (stickV), (singKappa), (singK2): what makes (r, w) a two-fold at g > 0. */
+long double paper_sing_v(const paper_t *p, long double r, long double w);
+long double paper_sing_kappa(const paper_t *p, long double r);
+long double paper_sing_k2(const paper_t *p, long double r, long double w);
+
+/* (h), (g): lateral slip speed and rolling speed [m/s]; gradients in x. */
+long double paper_h(const paper_t *p, const long double x[3]);
+long double paper_g(const paper_t *p, const long double x[3]);
+void paper_h_x(const paper_t *p, const long double x[3], long double n[3]);
+void paper_g_x(const paper_t *p, const long double x[3], long double n[3]);
+
+/* The inverse: the state with given r, h, g; needs r != 0. */
+void paper_from_slip(const paper_t *p, long double r, long double h,
+                     long double g, long double x[3]);
+/* The v at which (r, w) has slip speed h; needs sin(gamma) != 0. */
+long double paper_v_at(const paper_t *p, long double r, long double w,
+                       long double h);
+
+/* (force), (moment): the slip law through psi; needs h != 0. */
+void paper_friction(const paper_t *p, long double h, long double g,
+                    long double *F, long double *M);
+
+/* p1, p2 and (ds1)-(ds3) for a given F and M, in rescaled time, in physical
+ * time, and in physical time by the mass matrix (Lagrange's form). */
+long double paper_p1(const paper_t *p, const long double x[3]);
+long double paper_p2(const paper_t *p, long double r);
+void paper_rhs(const paper_t *p, const long double x[3], long double F,
+               long double M, long double dx[3]);
+void paper_rhs_time(const paper_t *p, const long double x[3], long double F,
+                    long double M, long double dx[3]);
+void paper_rhs_mass(const paper_t *p, const long double x[3], long double F,
+                    long double M, long double dx[3]);
+
+/* (VF): f(x, lambda) with F = lambda, M = s kappa lambda, rescaled time;
+ * its Lie derivative h_x . f, and the gradient in x of that (analytic). */
+void paper_f(const paper_t *p, const long double x[3], long double lambda,
+             int s, long double dx[3]);
+long double paper_lie(const paper_t *p, const long double x[3],
+                      long double lambda, int s);
+void paper_lie_x(const paper_t *p, const long double x[3], long double lambda,
+                 int s, long double n[3]);
+
+/* A(r, s) = -h_x . f_lambda in physical time, from the closed form
+ * m (beta^2 + r^2) A = r^2 + beta^2 sin^2 gamma + s kappa r cos gamma. */
+long double paper_delassus(const paper_t *p, long double r, int s);
+/* (muCalc) and (svf), the latter in physical time; x must be on h = 0. */
+long double paper_lambda(const paper_t *p, const long double x[3], int s);
+void paper_stick(const paper_t *p, const long double x[3], int s,
+                 long double dx[3]);
+
+/* Section 4 of the paper at a two-fold x: the K in rescaled time, J1, J2 and
+ * the eigenvalues (weak first when both are negative); the direction in x
+ * along which sliding orbits arrive, and lambda / mu in that limit. */
+typedef struct {
+  long double Kpp, Kpm, Kmp, Kmm;
+  long double J1, J2, eigen[2];
+  long double plus[3], minus[3]; /* v+ and v-: the two boundaries */
+  long double weak[3], lambda;
+} paper_twofold_t;
+void paper_twofold(const paper_t *p, const long double x[3], int s,
+                   paper_twofold_t *out);
+
+/* Appendix B: the stretched string. F and M at slip angle phi in [0, pi/2],
+ * as closed formulas (corrected) and by quadrature of the pressure, which
+ * finds the border of the two zones by itself. Returns the case, 1 to 3. */
+typedef struct {
+  long double k;     /* lateral stiffness [N/m^2] > 0 */
+  long double delta; /* largest static pressure [N/m] > 0 */
+  long double sigma; /* relaxation length [m] >= 0 */
+  long double rho;   /* dynamic / static pressure, in (0, 1] */
+  long double a;     /* half length of the contact [m] > 0 */
+} paper_string_t;
+int paper_string(const paper_string_t *q, long double phi, long double *F,
+                 long double *M);
+int paper_string_quadrature(const paper_string_t *q, long double phi,
+                            long double *F, long double *M);
+
+#endif

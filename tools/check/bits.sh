@@ -1,0 +1,32 @@
+#!/bin/sh
+# Same bits: the golden trajectory hashes hold under every compiler and
+# optimisation, and `twofold run` writes the same bytes.
+. "$(dirname "$0")/lib.sh"
+need gcc gcc
+need clang clang
+tests=$(echo tests/golden/*.c)
+[ -e "${tests%% *}" ] || wrong "there are no tests/golden/*.c"
+native=-march=native
+settings=0
+first=
+for compiler in gcc clang; do
+  for opt in -O0 -O1 -O2 -O3 -Os "-O3 $native"; do
+    place=$BUILD/bits-$compiler$(echo "$opt" | tr -d ' =')
+    set -- CC="$compiler" OPT="$opt" BUILD="$place" TESTS="$tests"
+    build "$@" test || wrong "$compiler $opt gives other hashes"
+    for real in double float; do
+      if ! build "$@" "$place/$real/twofold" ||
+        ! quietly "$place/$real/twofold" run chaos --t-end 10 --every 100 \
+          --out "$place/$real.csv"; then
+        wrong "$compiler $opt $real: twofold run failed"
+      elif [ -n "$first" ]; then
+        cmp "$first/$real.csv" "$place/$real.csv" ||
+          wrong "$compiler $opt $real: other bytes in the CSV"
+      fi
+    done
+    [ -n "$first" ] || first=$place
+    settings=$((settings + 1))
+  done
+done
+checked "golden hashes and the CSV of chaos, $settings compiler settings," \
+  "both real types"

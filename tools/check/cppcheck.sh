@@ -1,0 +1,13 @@
+#!/bin/sh
+# cppcheck over the core, in both real types, and over the tools.
+. "$(dirname "$0")/lib.sh"
+need cppcheck cppcheck
+# variableScope is a matter of taste: one line declares what belongs together.
+set -- --quiet --std=c99 --inline-suppr --error-exitcode=1 \
+  --enable=warning,style,performance,portability -Iinclude -Isrc -Itools \
+  --suppress=missingIncludeSystem --suppress=variableScope
+cppcheck "$@" -UTF_REAL_FLOAT src || wrong "core in double"
+cppcheck "$@" -DTF_REAL_FLOAT=1 src || wrong "core in float"
+cppcheck "$@" -UTF_REAL_FLOAT tools || wrong "tools"
+cppcheck "$@" -UTF_REAL_FLOAT -Itests -Itests/support tests || wrong "tests"
+checked "src in both real types, tools, tests; $(cppcheck --version)"

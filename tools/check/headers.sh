@@ -1,0 +1,21 @@
+#!/bin/sh
+# The core includes five standard headers and its own, and nothing of a board.
+. "$(dirname "$0")/lib.sh"
+files_in '*.[ch]' src include >"$BUILD/headers.list"
+xargs grep -nE '^[[:space:]]*#[[:space:]]*include' <"$BUILD/headers.list" |
+  grep -vE '#include <(stdint|stdbool|stddef|float|limits)\.h>' >"$BUILD/own"
+while IFS= read -r line; do
+  name=$(echo "$line" | sed -n 's/.*#include "\([^"]*\)".*/\1/p')
+  if [ -z "$name" ]; then
+    wrong "$line"
+  elif [ ! -e "src/$name" ] && [ ! -e "include/$name" ]; then
+    wrong "$line: neither in src/ nor in include/"
+  fi
+done <"$BUILD/own"
+# A board or a scene is data or a folder under port/, never a branch in src/.
+xargs grep -nE '^[[:space:]]*#[[:space:]]*(if|elif|ifdef|ifndef)' \
+  <"$BUILD/headers.list" |
+  grep -vE 'TF_[A-Z_]+_H$|TF_REAL_FLOAT|TF_API|TWOFOLD_[A-Z0-9_]*H$' |
+  grep -vE 'FLT_EVAL_METHOD|__FAST_MATH__' &&
+  wrong "a branch of the preprocessor that is not about the real type"
+checked "$(wc -l <"$BUILD/headers.list") files of the core"

@@ -1,0 +1,59 @@
+# Worst stack of every function, from what gcc -fcallgraph-info=su wrote:
+#   awk -f stack.awk FILE.ci...   prints "name bytes path" of global functions
+# A frame is what gcc says of it, return address included. The worst of a
+# function is its frame and the worst of what it calls. A function of a C
+# library counts LIBRARY bytes. Recursion, calls through pointers and frames of
+# unbounded size are refused: exit code 1.
+BEGIN { LIBRARY = 32 }
+
+# node: { title: "name" label: "name\nfile:line:column\n48 bytes (static)..." }
+/^node:/ {
+  split($0, quoted, "\"")
+  name = quoted[2]
+  if (match(quoted[4], /[0-9]+ bytes \([a-z,]+\)/)) {
+    frame[name] = substr(quoted[4], RSTART) + 0
+    if (quoted[4] ~ /bytes \(dynamic\)/) refuse(name ": frame without a bound")
+  }
+}
+
+/^edge:/ {
+  split($0, quoted, "\"")
+  calls[quoted[2]] = calls[quoted[2]] SUBSEP quoted[4]
+  if (quoted[4] ~ /indirect/) refuse(quoted[2] ": calls through a pointer")
+}
+
+function refuse(text) {
+  print text >"/dev/stderr"
+  bad = 1
+}
+
+# Parameters after the first are local variables.
+function worst(name, list, n, i, deepest, below, short) {
+  if (name in depth) return depth[name]
+  if (!(name in frame)) return LIBRARY
+  if (name in open) {
+    refuse(name ": recursion")
+    return 0
+  }
+  open[name] = 1
+  n = split(calls[name], list, SUBSEP)
+  for (i = 2; i <= n; i++) {
+    below = worst(list[i])
+    if (below > deepest) {
+      deepest = below
+      path[name] = " > " ((list[i] in path) ? path[list[i]] : list[i])
+    }
+  }
+  delete open[name]
+  short = name
+  sub(/.*:/, "", short)
+  path[name] = short path[name]
+  return depth[name] = frame[name] + deepest
+}
+
+END {
+  for (name in frame)
+    if (name !~ /:/) print name, worst(name), path[name]
+  for (name in frame) worst(name) # also those that are called by nobody
+  exit bad
+}

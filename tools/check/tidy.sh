@@ -1,0 +1,26 @@
+#!/bin/sh
+# clang-tidy as .clang-tidy says; the core in both real types.
+. "$(dirname "$0")/lib.sh"
+need clang-tidy clang-tidy
+
+# tidy FLAG...: over the files on standard input, one process a processor.
+tidy() {
+  # shellcheck disable=SC2016  # the inner shell expands
+  xargs -P "$(nproc)" -I FILE sh -c '
+    file=$1
+    shift
+    clang-tidy --quiet "$file" -- -std=c99 "$@" 2>/dev/null || {
+      echo "clang-tidy: $file"
+      exit 1
+    }' tidy FILE -Iinclude "$@"
+}
+
+files_in '*.c' src >"$BUILD/tidy.core"
+files_in '*.c' tools >"$BUILD/tidy.tools"
+files_in '*.c' tests >"$BUILD/tidy.tests"
+tidy <"$BUILD/tidy.core" || wrong "core in double"
+tidy -DTF_REAL_FLOAT <"$BUILD/tidy.core" || wrong "core in float"
+tidy -Itools <"$BUILD/tidy.tools" || wrong "tools"
+tidy -Itests -Itests/support -Isrc <"$BUILD/tidy.tests" || wrong "tests"
+checked "$(cat "$BUILD"/tidy.core "$BUILD"/tidy.tools "$BUILD"/tidy.tests |
+  wc -l) files, the core in both real types"

@@ -1,0 +1,118 @@
+// The help texts and the list of scenes. Names, units and ranges are printed
+// from the tables that validate them, so the help cannot fall behind.
+
+#include "help.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "setup.h"
+#include "text.h"
+
+#ifdef TF_REAL_FLOAT
+#define NUMBER_TYPE "float"
+#else
+#define NUMBER_TYPE "double"
+#endif
+
+static const char usage[] =
+    "usage: twofold COMMAND\n"
+    "\n"
+    "  scenes             list the scenes\n"
+    "  run SCENE [...]    simulate a scene, one row an instant\n"
+    "  help [run]         this text, or the options of run\n"
+    "  --version          version and number type\n"
+    "\n"
+    "exit codes: 0 done, 2 usage, 3 value out of its range, 4 stopped\n";
+
+static const char run_usage[] =
+    "usage: twofold run SCENE [OPTION]...\n"
+    "\n"
+    "  --t-end S            length [s]; default: the scene's own\n"
+    "  --dt S               step [s]; the same as --set dt=S\n"
+    "  --scheme moreau      Moreau-Jean theta scheme (the default)\n"
+    "  --select RULE        where the future is open: persist, slip+, slip-,\n"
+    "                       random[:SEED]; default: the scene's own\n"
+    "  --set NAME=VALUE     a parameter, the start or the law; repeatable\n"
+    "  --every N            a row every N steps (default 1); the first and "
+    "the\n"
+    "                       last instant are always written\n"
+    "  --format csv         t,r,v,omega,h,g,F,M,mode,choices (the default)\n"
+    "  --format plotter     label:value pairs for a serial plotter\n"
+    "  --out FILE           instead of standard output\n"
+    "  --events N|all       events that the summary lists (default 20)\n"
+    "\n"
+    "SIGINT and SIGTERM finish the step, write its row and stop; a second one\n"
+    "kills. The summary goes to standard error.\n"
+    "\n"
+    "names of --set, with their ranges:\n";
+
+static void print_names(void) {
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+    (void)printf("  %-9s [%g, %g]%s%s", range->name, (double)range->low,
+                 (double)range->high, strcmp(range->unit, "1") == 0 ? "" : " ",
+                 strcmp(range->unit, "1") == 0 ? "" : range->unit);
+    if ((range->laws & (1u << TF_TYRE_COULOMB)) == 0) {
+      const char *separator = ", only in law ";
+      for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
+        if ((range->laws & (1u << law)) != 0) {
+          (void)printf("%s%s", separator, cli_law_name((tf_tyre_law_t)law));
+          separator = ", ";
+        }
+      }
+    }
+    (void)putchar('\n');
+  }
+  for (size_t i = 0; i < CLI_STARTS; i++) {
+    (void)printf("  %-9s [%g, %g] %s, at the start\n", cli_starts[i].name,
+                 -(double)TF_STATE_LIMIT, (double)TF_STATE_LIMIT,
+                 cli_starts[i].unit);
+  }
+  (void)printf("  %-9s ", "law");
+  for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
+    (void)printf("%s%s", law > 0 ? ", " : "", cli_law_name((tf_tyre_law_t)law));
+  }
+  (void)fputs(
+      "\n"
+      "h is given instead of v; its sign wishes the mode. phi has the\n"
+      "angle integrated, which nothing else depends on.\n",
+      stdout);
+}
+
+int cli_help(int argc, char *const argv[]) {
+  if (argc == 0) {
+    (void)fputs(usage, stdout);
+    return cli_finish_stdout();
+  }
+  if (argc == 1 && strcmp(argv[0], "run") == 0) {
+    (void)fputs(run_usage, stdout);
+    print_names();
+    return cli_finish_stdout();
+  }
+  return cli_complain(CLI_USAGE,
+                      "help: no help on '%s'; try 'twofold help' or "
+                      "'twofold help run'",
+                      argv[0]);
+}
+
+int cli_version(void) {
+  (void)puts("twofold " TF_VERSION ", tf_real_t is " NUMBER_TYPE);
+  return cli_finish_stdout();
+}
+
+int cli_scenes(int argc, char *const argv[]) {
+  int width = 0;
+  if (argc > 0) {
+    return cli_complain(CLI_USAGE, "scenes: unexpected argument '%s'", argv[0]);
+  }
+  for (size_t i = 0; i < TF_SCENES; i++) {
+    const int length = (int)strlen(tf_scenes[i]->name);
+    width = length > width ? length : width;
+  }
+  for (size_t i = 0; i < TF_SCENES; i++) {
+    (void)printf("%-*s  %s (leaves out: %s)\n", width, tf_scenes[i]->name,
+                 tf_scenes[i]->shows, tf_scenes[i]->leaves_out);
+  }
+  return cli_finish_stdout();
+}

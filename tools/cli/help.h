@@ -1,0 +1,16 @@
+/// @file
+/// The help texts.
+#ifndef TWOFOLD_CLI_HELP_H
+#define TWOFOLD_CLI_HELP_H
+
+/// `twofold help [run]`.
+/// Returns: CLI_DONE, CLI_STOPPED (not writable) or CLI_USAGE (complained).
+int cli_help(int argc, char *const argv[]);
+
+/// `twofold --version`.
+int cli_version(void);
+
+/// `twofold scenes`: one line a scene.
+int cli_scenes(int argc, char *const argv[]);
+
+#endif

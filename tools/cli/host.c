@@ -1,0 +1,63 @@
+// Clock and signals. A simulation may run for hours and be stopped by hand; it
+// then finishes its step and writes its last row, so a signal only raises a
+// flag. The handler resets itself: a second signal ends the program at once,
+// should it wait for a reader that never reads. The two signals are caught
+// even where the parent ignored them, as shells do for background jobs,
+// because a run without an end must stay stoppable.
+
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+
+#include "host.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+static volatile sig_atomic_t stop_asked = 0;
+
+static void ask_for_stop(int number) {
+  (void)number;
+  stop_asked = 1;
+}
+
+double cli_now(void) {
+  struct timespec now = {0, 0};
+  (void)clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+bool cli_is_terminal(int descriptor) { return isatty(descriptor) == 1; }
+
+void cli_guard_descriptors(void) {
+  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO;
+       descriptor++) {
+    if (fcntl(descriptor, F_GETFD) == -1) {
+      // Read only, and the lowest free number is the closed one.
+      (void)open("/dev/null", O_RDONLY);
+    }
+  }
+}
+
+static void set_handler(int number, void (*handler)(int), int flags) {
+  struct sigaction action;
+  memset(&action, 0, sizeof action);
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  (void)sigemptyset(&action.sa_mask);
+  (void)sigaction(number, &action, NULL);
+}
+
+void cli_catch_signals(void) {
+  set_handler(SIGINT, ask_for_stop, (int)SA_RESETHAND);
+  set_handler(SIGTERM, ask_for_stop, (int)SA_RESETHAND);
+  set_handler(SIGPIPE, SIG_IGN, 0);
+#ifdef SIGXFSZ
+  set_handler(SIGXFSZ, SIG_IGN, 0);
+#endif
+}
+
+bool cli_stop_asked(void) { return stop_asked != 0; }

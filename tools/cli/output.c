@@ -1,0 +1,111 @@
+// Rows on their way to a file. The promise is that every finished row reaches
+// the file, whatever ends the run, and that no half row is taken for a whole
+// one: rows enter the buffer whole, leave it in order, and where the system
+// takes only part of them (a full disk) the cut row is removed again from a
+// regular file. stdio is not used, because after a failed flush it does not
+// say how much has been written.
+
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include "host.h"
+
+bool cli_output_open(cli_output_t *output, const char *path) {
+  output->error = 0;
+  output->used = 0;
+  output->flushed = cli_now();
+  if (path == NULL || strcmp(path, "-") == 0) {
+    output->name = "standard output";
+    output->descriptor = STDOUT_FILENO;
+    return true;
+  }
+  output->name = path;
+  output->descriptor = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  if (output->descriptor < 0) {
+    output->error = errno;
+  }
+  return output->error == 0;
+}
+
+static bool is_regular(int descriptor) {
+  struct stat status;
+  return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+// Removes the bytes after the last whole line of what was written.
+static void drop_cut_row(const cli_output_t *output, size_t written) {
+  size_t whole = written;
+  while (whole > 0 && output->buffer[whole - 1] != '\n') {
+    whole--;
+  }
+  if (whole == written || !is_regular(output->descriptor)) {
+    return;
+  }
+  const off_t end = lseek(output->descriptor, 0, SEEK_CUR);
+  if (end >= (off_t)(written - whole)) {
+    // Where even this fails the first error has already been kept.
+    if (ftruncate(output->descriptor, end - (off_t)(written - whole)) != 0) {
+      return;
+    }
+  }
+}
+
+bool cli_output_flush(cli_output_t *output) {
+  size_t written = 0;
+  while (output->error == 0 && written < output->used) {
+    const ssize_t taken = write(output->descriptor, output->buffer + written,
+                                output->used - written);
+    if (taken > 0) {
+      written += (size_t)taken;
+    } else if (taken == 0) {
+      output->error = EIO;
+    } else if (errno == EAGAIN) {
+      // The reader made the pipe non-blocking; the rows still have to go.
+      struct pollfd ready = {output->descriptor, POLLOUT, 0};
+      (void)poll(&ready, 1, -1);
+    } else if (errno != EINTR) {
+      output->error = errno;
+    }
+  }
+  if (output->error != 0 && output->used > 0) {
+    drop_cut_row(output, written);
+  }
+  output->used = 0;
+  output->flushed = cli_now();
+  return output->error == 0;
+}
+
+bool cli_output_lines(cli_output_t *output, const char *lines, size_t length) {
+  if (length > CLI_OUTPUT_ROOM - output->used) {
+    (void)cli_output_flush(output);
+  }
+  if (output->error != 0) {
+    return false;
+  }
+  memcpy(output->buffer + output->used, lines, length);
+  output->used += length;
+  return true;
+}
+
+bool cli_output_close(cli_output_t *output) {
+  (void)cli_output_flush(output);
+  if (output->error == 0 && is_regular(output->descriptor) &&
+      fsync(output->descriptor) != 0 && errno != EINVAL && errno != EROFS) {
+    output->error = errno;
+  }
+  if (output->descriptor != STDOUT_FILENO && output->descriptor >= 0) {
+    if (close(output->descriptor) != 0 && output->error == 0) {
+      output->error = errno;
+    }
+  }
+  return output->error == 0;
+}

@@ -1,0 +1,177 @@
+// The command `run`: a scene over a stretch of time, row by row. The loop steps
+// in short batches; between them it looks at the clock, hands rows over to the
+// system at least every FLUSH_EVERY, and moves the progress line. Whatever
+// ends it, the last step that was taken becomes the last row.
+
+#include "run.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "text.h"
+
+#define FLUSH_EVERY 0.2 // [s]
+#define BATCH 1024      // steps between two looks at the clock
+#define MOST_STEPS 1e15 // counted exactly by a double
+
+double cli_run_time(const cli_run_t *run, uint64_t steps) {
+  return (double)steps * (double)run->setup->machine.dt;
+}
+
+static void write_row(cli_run_t *run) {
+  char row[CLI_ROW_ROOM];
+  const double started = cli_now();
+  const tf_real_t t = (tf_real_t)cli_run_time(run, run->done);
+  const size_t length = cli_row(run->format, t, &run->state, &run->report, row);
+  if (!cli_output_lines(&run->output, row, length)) {
+    run->end = CLI_NOT_WRITTEN;
+  }
+  run->written = run->done;
+  run->output_seconds += cli_now() - started;
+}
+
+// Adds one finished step to what the summary will tell.
+static void observe(cli_run_t *run, const tf_report_t *after) {
+  const double t = cli_run_time(run, run->done);
+  cli_events_observe(&run->events, &run->report, after, &run->state, t);
+  if (after->choices > 1 && run->open_steps++ == 0) {
+    run->open_since = t;
+  }
+  if (after->status == TF_DEGRADED) {
+    run->degraded++;
+  }
+  if (after->mode > TF_SLIP_MINUS) {
+    run->largest_h = fmax(run->largest_h, fabs((double)after->slip.h));
+  }
+  run->largest_rest = fmax(run->largest_rest, (double)after->residual);
+}
+
+static void take_step(cli_run_t *run) {
+  const cli_setup_t *setup = run->setup;
+  const tf_real_t t = (tf_real_t)cli_run_time(run, run->done + 1);
+  const tf_input_t input = tf_scene_input(setup->scene, &setup->machine, t);
+  tf_report_t report;
+  run->status = tf_step(&setup->machine, &run->state, &input, &report);
+  if (run->status < 0) {
+    run->end = CLI_STEP_REFUSED;
+    return;
+  }
+  run->done++;
+  observe(run, &report);
+  run->report = report;
+}
+
+// A batch of steps and the rows that fall into it.
+static void take_batch(cli_run_t *run) {
+  const uint64_t left = run->steps - run->done;
+  const uint64_t until = run->done + (left < BATCH ? left : BATCH);
+  while (run->done < until && run->end == CLI_ENDED) {
+    if (cli_stop_asked()) {
+      run->end = CLI_INTERRUPTED;
+      return;
+    }
+    take_step(run);
+    if (run->done - run->written == run->every) {
+      write_row(run);
+    }
+  }
+}
+
+static void step_through(cli_run_t *run) {
+  const double started = cli_now();
+  cli_progress_t progress = cli_progress_start(started, run->output.descriptor);
+  write_row(run);
+  while (run->done < run->steps && run->end == CLI_ENDED) {
+    take_batch(run);
+    const double now = cli_now();
+    if (now - run->output.flushed >= FLUSH_EVERY) {
+      if (!cli_output_flush(&run->output)) {
+        run->end = CLI_NOT_WRITTEN;
+      }
+      run->output_seconds += cli_now() - now;
+    }
+    cli_progress_poll(&progress, now, run);
+  }
+  run->seconds = cli_now() - started - run->output_seconds;
+  cli_progress_clear(&progress);
+  if (run->written != run->done) {
+    write_row(run);
+  }
+}
+
+// Opens, runs, closes, tells.
+static int perform(cli_run_t *run, const char *path) {
+  char header[CLI_ROW_ROOM];
+  cli_catch_signals();
+  if (!cli_output_open(&run->output, path)) {
+    return cli_complain(CLI_STOPPED, "--out %s: %s", path,
+                        strerror(run->output.error));
+  }
+  const size_t length = cli_header(run->format, header);
+  (void)cli_output_lines(&run->output, header, length);
+  step_through(run);
+  if (!cli_output_close(&run->output)) {
+    run->end = CLI_NOT_WRITTEN;
+  }
+  cli_summary(run);
+  return run->end == CLI_ENDED ? CLI_DONE : CLI_STOPPED;
+}
+
+// The number of steps is the integer nearest to t_end / dt.
+static int count_steps(const cli_run_args_t *args, const cli_setup_t *setup,
+                       uint64_t *steps) {
+  const double dt = (double)setup->machine.dt;
+  const double count = round((double)args->t_end / dt);
+  if (args->t_end < 0 || count > MOST_STEPS) {
+    return cli_complain(CLI_REFUSED,
+                        "--t-end %s: t-end must lie in [0, %g] s (at most 1e15 "
+                        "steps of dt = %g s)",
+                        args->t_end_text != NULL ? args->t_end_text : "",
+                        MOST_STEPS * dt, dt);
+  }
+  *steps = (uint64_t)count;
+  return CLI_DONE;
+}
+
+static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
+                   uint64_t *steps) {
+  int code = cli_setup_read(setup, args->scene, &args->settings, args->select);
+  if (code == CLI_DONE) {
+    code = cli_setup_machine(setup);
+  }
+  if (code == CLI_DONE) {
+    code = cli_setup_start(setup);
+  }
+  return code == CLI_DONE ? count_steps(args, setup, steps) : code;
+}
+
+int cli_run(int argc, char *const argv[]) {
+  cli_run_args_t args;
+  cli_setup_t setup;
+  uint64_t steps = 0;
+  int code = cli_run_args(&args, argc, argv);
+  if (code == CLI_DONE) {
+    code = prepare(&args, &setup, &steps);
+  }
+  if (code != CLI_DONE) {
+    return code;
+  }
+  cli_run_t *run = calloc(1, sizeof *run);
+  if (run == NULL) {
+    return cli_complain(CLI_STOPPED, "out of memory");
+  }
+  run->setup = &setup;
+  run->format = args.format;
+  run->every = args.every;
+  run->steps = steps;
+  run->state = setup.state;
+  run->report = setup.report;
+  run->events.limit = args.listed;
+  run->end = CLI_ENDED;
+  cli_setup_notes(&setup);
+  code = perform(run, args.out);
+  cli_events_free(&run->events);
+  free(run);
+  return code;
+}

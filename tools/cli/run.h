@@ -1,0 +1,99 @@
+/// @file
+/// The command `run`, in its parts: what was asked for, the loop, the rows,
+/// the progress line and the summary.
+#ifndef TWOFOLD_CLI_RUN_H
+#define TWOFOLD_CLI_RUN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "events.h"
+#include "host.h"
+#include "setup.h"
+
+/// How a row is written.
+typedef enum { CLI_FORMAT_CSV, CLI_FORMAT_PLOTTER } cli_format_t;
+
+/// The command line of `run`, read and validated.
+typedef struct {
+  const tf_scene_t *scene;
+  cli_settings_t settings;
+  const char *select; ///< RULE[:SEED], NULL: the scene's own rule
+  const char *out;    ///< path, NULL: standard output
+  cli_format_t format;
+  uint64_t every;         ///< steps a row, >= 1
+  uint64_t listed;        ///< events told in detail
+  tf_real_t t_end;        ///< [s]
+  const char *t_end_text; ///< as typed, NULL: the scene's own
+} cli_run_args_t;
+
+/// Reads the arguments behind `run`.
+/// Returns: CLI_DONE, CLI_USAGE or CLI_REFUSED (complained).
+int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]);
+
+/// Why a run ended.
+typedef enum {
+  CLI_ENDED,        ///< all steps were taken
+  CLI_INTERRUPTED,  ///< by a signal
+  CLI_STEP_REFUSED, ///< by tf_step
+  CLI_NOT_WRITTEN   ///< the output failed
+} cli_end_t;
+
+/// A run while it goes on.
+typedef struct {
+  const cli_setup_t *setup;
+  cli_format_t format;
+  uint64_t every, steps;
+  uint64_t done;    ///< steps taken
+  uint64_t written; ///< the last row's step
+  tf_state_t state;
+  tf_report_t report; ///< of the last step that was taken
+  tf_status_t status; ///< of the last step that was tried
+  cli_end_t end;
+  cli_events_t events;
+  uint64_t open_steps;   ///< with more than one possible future
+  double open_since;     ///< time of the first of them [s]
+  uint64_t degraded;     ///< steps without a consistent mode
+  double largest_h;      ///< |h| in stick or pinned [m/s]
+  double largest_rest;   ///< residual [N]
+  double seconds;        ///< wall time of the steps, output left out
+  double output_seconds; ///< wall time of the output
+  cli_output_t output;
+} cli_run_t;
+
+/// Time after so many steps, rounded once.
+double cli_run_time(const cli_run_t *run, uint64_t steps);
+
+/// Room for the longest row or header.
+#define CLI_ROW_ROOM 512
+
+/// Writes the header of a format, which may be empty.
+/// Returns: the length.
+size_t cli_header(cli_format_t format, char out[CLI_ROW_ROOM]);
+
+/// Writes one row with its newline.
+/// Returns: the length.
+size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,
+               const tf_report_t *report, char out[CLI_ROW_ROOM]);
+
+/// How far the run has come, for a person who waits.
+typedef struct {
+  bool silent;    ///< rows go to the same terminal
+  bool one_line;  ///< standard error is a terminal: the line is overwritten
+  bool shown;     ///< a line stands there
+  double started; ///< cli_now()
+  double next;    ///< cli_now() of the next message
+} cli_progress_t;
+cli_progress_t cli_progress_start(double now, int output);
+void cli_progress_poll(cli_progress_t *progress, double now,
+                       const cli_run_t *run);
+void cli_progress_clear(cli_progress_t *progress);
+
+/// Tells what the run added up to, on standard error.
+void cli_summary(const cli_run_t *run);
+
+/// The command: argv[0] is the first argument behind `run`.
+/// Returns: the exit code.
+int cli_run(int argc, char *const argv[]);
+
+#endif

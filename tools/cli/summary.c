@@ -1,0 +1,104 @@
+// The summary: what the run added up to, for a person. It repeats what was
+// asked for, because a log outlives its command line, and it tells how often
+// the future was open, because that is what the simulator is about. All of it
+// goes to standard error; the rows have standard output to themselves.
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "run.h"
+#include "text.h"
+
+static void print_request(const cli_run_t *run) {
+  const cli_setup_t *setup = run->setup;
+  (void)fprintf(stderr, "scene      %s, law %s\n", setup->scene->name,
+                cli_law_name(setup->params.law));
+  (void)fprintf(stderr, "scheme     moreau, rule %s",
+                cli_rule_name(setup->params.rule));
+  if (setup->params.rule == TF_RULE_RANDOM) {
+    (void)fprintf(stderr, ":%" PRIu32 ", exit rate %g /s", setup->seed,
+                  (double)setup->params.rate);
+  }
+  (void)fprintf(
+      stderr, "\nsteps      %" PRIu64 " of %" PRIu64 ", dt = %g s, t = %g s\n",
+      run->done, run->steps, (double)setup->machine.dt,
+      cli_run_time(run, run->done));
+}
+
+static void print_quality(const cli_run_t *run) {
+  const double steps = run->done > 0 ? (double)run->done : 1.0;
+  (void)fprintf(stderr, "futures    more than one in %" PRIu64 " steps",
+                run->open_steps);
+  if (run->open_steps > 0) {
+    (void)fprintf(stderr, " (%.3g %%), first at t = %g s",
+                  100 * (double)run->open_steps / steps, run->open_since);
+  }
+  (void)fprintf(stderr, "\ndegraded   %" PRIu64 " steps\n", run->degraded);
+  (void)fprintf(stderr, "largest    |h| in stick %.3g m/s, residual %.3g N\n",
+                run->largest_h, run->largest_rest);
+}
+
+static void print_final(const cli_run_t *run) {
+  const tf_state_t *state = &run->state;
+  (void)fprintf(stderr,
+                "final      r = %.9g m, v = %.9g m/s, omega = %.9g "
+                "rad/s",
+                (double)state->r, (double)state->v, (double)state->w);
+  if (run->setup->machine.with_angle) {
+    (void)fprintf(stderr, ", phi = %.9g rad", (double)state->phi);
+  }
+  (void)fprintf(stderr, "\n           h = %.9g m/s, g = %.9g m/s, %s\n",
+                (double)run->report.slip.h, (double)run->report.slip.g,
+                tf_mode_name(state->mode));
+}
+
+static void print_cost(const cli_run_t *run) {
+  if (run->done == 0 || run->seconds <= 0) {
+    return;
+  }
+  const double rate = (double)run->done / run->seconds;
+  (void)fprintf(stderr,
+                "cost       %.0f ns a step, %.3g steps/s, %.3g x real "
+                "time (and %.3g s of output)\n",
+                1e9 / rate, rate, rate * (double)run->setup->machine.dt,
+                run->output_seconds);
+}
+
+// The reason of an early end is a complaint like any other.
+static void print_end(const cli_run_t *run) {
+  const double t = cli_run_time(run, run->done);
+  const tf_state_t *state = &run->state;
+  switch (run->end) {
+    case CLI_ENDED:
+      break;
+    case CLI_INTERRUPTED:
+      (void)cli_complain(CLI_STOPPED, "stopped at t = %.9g s: interrupted", t);
+      break;
+    case CLI_STEP_REFUSED:
+      (void)cli_complain(CLI_STOPPED,
+                         "stopped at t = %.9g s: step %" PRIu64
+                         " was refused: %s; r = %g m, v = %g m/s, omega = %g "
+                         "rad/s",
+                         t, run->done + 1, tf_status_name(run->status),
+                         (double)state->r, (double)state->v, (double)state->w);
+      break;
+    case CLI_NOT_WRITTEN:
+      (void)cli_complain(
+          CLI_STOPPED, "stopped at t = %.9g s: %s: %s", t, run->output.name,
+          run->output.error == EPIPE ? "closed by its reader"
+                                     : strerror(run->output.error));
+      break;
+  }
+}
+
+void cli_summary(const cli_run_t *run) {
+  print_request(run);
+  cli_events_print(&run->events, stderr);
+  print_quality(run);
+  print_final(run);
+  print_cost(run);
+  print_end(run);
+  (void)fflush(stderr);
+}
