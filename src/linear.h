@@ -11,7 +11,7 @@
 
 // (h), (g): slip is (p, q) turned by gamma, with q = r z.
 TF_INLINE tf_slip_t turned(const tf_machine_t *k, tf_real_t p, tf_real_t q) {
-  return (tf_slip_t){-p * k->sin_gamma - q * k->cos_gamma,
+  return (tf_slip_t){p * k->minus_sin_gamma - q * k->cos_gamma,
                      q * k->sin_gamma - p * k->cos_gamma};
 }
 
@@ -133,19 +133,20 @@ TF_INLINE tf_slip_t theta_slip(const tf_machine_t *k, const tf_linear_t *l,
 }
 
 // (8): slip at the end of the step as polynomials of lambda for one s:
-//   h+ = h + h1 lambda + h2 lambda^2, and g+ alike.
+//   h+ = h + h1 lambda + h2 lambda^2, and g+ alike,
+// from q+ = (r + R lambda)(z + Z lambda) with R = theta dt (P + d Z).
 typedef struct {
   tf_real_t h1, h2, g1, g2;
+  tf_real_t R, Z;
 } tf_polynomial_t;
 
-// q+ = (r + R lambda)(z + Z lambda) with R = theta dt V, V = P + d Z.
 TF_INLINE tf_polynomial_t polynomial_of(const tf_machine_t *k, tf_real_t r,
                                         tf_real_t z, tf_change_t one) {
   const tf_real_t R = k->theta_dt * (one.p + k->d * one.z);
   const tf_slip_t first = turned(k, one.p, r * one.z + z * R);
-  const tf_real_t second = R * one.z;
-  return (tf_polynomial_t){first.h, -second * k->cos_gamma, first.g,
-                           second * k->sin_gamma};
+  const tf_slip_t second = turned(k, 0, R * one.z);
+  return (tf_polynomial_t){first.h,  second.h, first.g,
+                           second.g, R,        one.z};
 }
 
 // (10): the force and moment under which the velocities end at p = z = 0: the

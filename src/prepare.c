@@ -144,6 +144,7 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
   prepare_tyre(&machine->tyre, params);
   machine->stick_kappa = params->law == TF_TYRE_JUMP ? params->kappa : 0;
   tf_sine_cosine(params->gamma, &machine->sin_gamma, &machine->cos_gamma);
+  machine->minus_sin_gamma = -machine->sin_gamma;
   machine->d_sin_gamma = d * machine->sin_gamma;
   const tf_real_t p = tf_exit_probability(params->rate * dt);
   machine->exit_threshold = (uint64_t)(p * TF_R(9223372036854775808.0));

@@ -72,12 +72,12 @@ TF_INLINE tf_end_t stick_outcome(const motion_t *c, tf_change_t one,
 }
 
 // Ends at what the force was solved for, without its rounding.
-static tf_end_t pinned_outcome(const motion_t *c) {
+TF_INLINE tf_end_t pinned_outcome(const motion_t *c) {
   return (tf_end_t){pinning_force(c->machine, &c->linear), c->linear.r_explicit,
                     0, c->linear.omega0};
 }
 
-static tf_end_t mode_outcome(const motion_t *c, const tf_solutions_t *from,
+TF_INLINE tf_end_t mode_outcome(const motion_t *c, const tf_solutions_t *from,
                              unsigned mode) {
   if (mode == TF_PINNED) return pinned_outcome(c);
   if (mode <= TF_SLIP_MINUS) return slip_outcome(c, mode, from->tau[mode]);
@@ -97,7 +97,7 @@ TF_INLINE tf_real_t residual(const tf_machine_t *k, unsigned mode,
 }
 
 // The inclusion where g+ may have either sign.
-static tf_inclusion_t inclusion(const motion_t *c) {
+TF_INLINE tf_inclusion_t inclusion(const motion_t *c) {
   const tf_machine_t *k = c->machine;
   tf_inclusion_t in = {.mu = k->tyre.mu,
                        .kappa = k->stick_kappa,
@@ -122,88 +122,96 @@ static tf_inclusion_t inclusion(const motion_t *c) {
   return in;
 }
 
+// What every step ends with: keep the end if it is one, else the state.
+TF_RARE tf_status_t refuse(const tf_state_t *x, const tf_input_t *u,
+                           bool definite, tf_report_t *report);
+
+TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
+                             const tf_input_t *input, tf_end_t end,
+                             unsigned mode, unsigned set, tf_real_t delassus,
+                             tf_status_t status, tf_report_t *report) {
+  static const uint8_t size_of[1u << TF_MODES] = {
+      0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4,
+      1, 2, 2, 3, 2, 3, 3, 4, 2, 3, 3, 4, 3, 4, 4, 5};
+  if (!within(magnitude(end.r) + magnitude(end.v) + magnitude(end.w),
+              TF_STATE_LIMIT))
+    return refuse(state, input, true, report);
+  const tf_slip_t slip =
+      slip_speeds(k, end.r, end.v, end.w - input->omega0);
+  report->mode = (uint8_t)mode;
+  report->set = (uint8_t)set;
+  report->choices = size_of[set];
+  report->force = end.force;
+  report->slip = slip;
+  report->delassus = delassus;
+  report->residual = residual(k, mode, end.force, slip);
+  report->status = status;
+  if (k->with_angle) // (12)
+    state->phi += k->explicit_dt * state->w + k->theta_dt * end.w;
+  state->r = end.r;
+  state->v = end.v;
+  state->w = end.w;
+  state->mode = (uint8_t)mode;
+  state->tick++;
+  return status;
+}
+
 // No mode is consistent: of all of them the one that violates the law least.
-static unsigned least_residual(const motion_t *c,
-                               const tf_solutions_t *solutions, tf_end_t *end) {
-  unsigned mode = c->state->mode;
+TF_RARE tf_status_t step_degraded(const tf_machine_t *k, tf_state_t *state,
+                                  const tf_input_t *input,
+                                  const tf_solutions_t *solutions,
+                                  tf_report_t *report) {
+  const motion_t c = motion(k, state, input);
+  unsigned best = state->mode;
   tf_real_t least = TF_REAL_MAX;
-  *end = mode_outcome(c, solutions, mode);
-  for (unsigned trial = 0; trial < TF_MODES; trial++) {
-    const tf_end_t at = mode_outcome(c, solutions, trial);
-    const tf_slip_t slip = end_slip(c->machine, &c->linear, &at);
-    const tf_real_t rest = residual(c->machine, trial, at.force, slip);
+  for (unsigned mode = 0; mode < TF_MODES; mode++) {
+    const tf_end_t end = mode_outcome(&c, solutions, mode);
+    const tf_real_t rest =
+        residual(k, mode, end.force, end_slip(k, &c.linear, &end));
     if (!(rest < least)) continue;
     least = rest;
-    mode = trial;
-    *end = at;
+    best = mode;
   }
-  return mode;
+  return commit(k, state, input, mode_outcome(&c, solutions, best), best, 0, 0,
+                TF_DEGRADED, report);
 }
 
 // Codimension two is within reach of the step: both signs of g+.
-TF_RARE tf_end_t both_signs(const tf_machine_t *k, const tf_state_t *state,
-                            const tf_input_t *input, tf_report_t *report) {
-  const motion_t here = motion(k, state, input), *c = &here;
-  const tf_inclusion_t in = inclusion(c);
+TF_RARE tf_status_t step_both_signs(const tf_machine_t *k, tf_state_t *state,
+                                    const tf_input_t *input,
+                                    tf_report_t *report) {
+  const motion_t c = motion(k, state, input);
+  const tf_inclusion_t in = inclusion(&c);
   tf_solutions_t solutions;
   tf_friction_solve(&in, &solutions);
-  unsigned mode = tf_select(k->rule, k->exit_threshold, &solutions, state->mode,
-                            state->tick, state->seed);
-  tf_end_t end;
-  report->status = mode < TF_MODES ? TF_OK : TF_DEGRADED;
-  if (mode < TF_MODES)
-    end = mode_outcome(c, &solutions, mode);
-  else
-    mode = least_residual(c, &solutions, &end);
-  report->mode = (uint8_t)mode;
-  report->set = solutions.set;
-  report->delassus = -in.h1[end_slip(k, &c->linear, &end).g < 0] * k->inv_dt;
-  return end;
+  const unsigned mode =
+      tf_select(k->rule, k->exit_threshold, &solutions, state->mode,
+                state->tick, state->seed);
+  if (mode == TF_MODES)
+    return step_degraded(k, state, input, &solutions, report);
+  const tf_end_t end = mode_outcome(&c, &solutions, mode);
+  const tf_real_t h1 = in.h1[end_slip(k, &c.linear, &end).g < 0];
+  return commit(k, state, input, end, mode, solutions.set, -h1 * k->inv_dt,
+                TF_OK, report);
 }
 
-// More than friction can change g+, so that one sign of it is enough: g+ is
-// affine in (F, M) but for a term of third order in dt, |F| <= mu, |M| <=
-// kappa mu, and the other s differs by twice the answer to kappa. The last
-// factor covers the third order in M.
-TF_INLINE tf_real_t reach_of_g(const motion_t *c, const tf_polynomial_t *a) {
+// Whether g+ keeps the sign of g_free under every force of the law: at the
+// corners of {(F, M): |F| <= mu, |M| <= kappa |F|}, since g+ is affine in
+// (F, M) but for R Z sin(gamma), which is bounded.
+TF_INLINE bool one_sign(const motion_t *c, const tf_polynomial_t *a,
+                        tf_real_t moment) {
   const tf_machine_t *k = c->machine;
   const tf_linear_t *l = &c->linear;
   const tf_change_t M = {l->p_t - l->p_c, l->z_t + l->z_c};
-  const tf_real_t g_M =
-      turned(k, M.p, c->r * M.z + c->z * (k->theta_dt * (M.p + k->d * M.z))).g;
-  return k->tyre.mu * (magnitude(a->g1) + k->tyre.mu * magnitude(a->g2) +
-                       TF_R(2.5) * k->stick_kappa * magnitude(g_M));
-}
-
-// Set-valued laws: solve the inclusion and pick one of its solutions.
-TF_INLINE tf_end_t set_valued(const motion_t *c, const tf_input_t *input,
-                              tf_report_t *report) {
-  const tf_machine_t *k = c->machine;
-  const tf_state_t *state = c->state;
-  const unsigned s = c->free.g < 0;
-  const tf_force_t direction = stick_direction(c, s);
-  const tf_change_t one = response(k, &c->linear, direction);
-  const tf_polynomial_t a = polynomial_of(k, c->r, c->z, one);
-  if (!(magnitude(c->free.g) > reach_of_g(c, &a)))
-    return both_signs(k, state, input, report);
-  tf_solutions_t solutions;
-  const unsigned set =
-      solve_one_sign(k->tyre.mu, c->free.h, a.h1, a.h2, s, &solutions);
-  unsigned mode = state->mode;
-  if (set != TF_MODE_BIT(mode)) { // else tf_select would say the same
-    tf_solutions_t all = solutions;
-    all.set = (uint8_t)set;
-    all.near_stick = (uint8_t)(TF_STICK_PLUS + s);
-    mode = tf_select(k->rule, k->exit_threshold, &all, mode, state->tick,
-                     state->seed);
-  }
-  report->status = TF_OK;
-  report->mode = (uint8_t)mode;
-  report->set = (uint8_t)set;
-  report->delassus = -a.h1 * k->inv_dt;
-  if (mode > TF_SLIP_MINUS)
-    return stick_outcome(c, one, direction.M, solutions.lambda[s]);
-  return slip_outcome(c, mode, solutions.tau[0]);
+  const tf_real_t R = k->theta_dt * (M.p + k->d * M.z);
+  const tf_real_t twice = moment + moment, mu = k->tyre.mu;
+  const tf_real_t other =
+      a->g1 - twice * turned(k, M.p, c->r * M.z + c->z * R).g;
+  const tf_real_t bend = (magnitude(a->R) + magnitude(twice * R)) *
+                         (magnitude(a->Z) + magnitude(twice * M.z));
+  const tf_real_t here = magnitude(a->g1), there = magnitude(other);
+  return magnitude(c->free.g) >
+         mu * ((here > there ? here : there) + mu * bend);
 }
 
 // (11): a single-valued law may still be stiff in h. Its secant F = c h at the
@@ -224,25 +232,41 @@ static tf_force_t secant_force(const motion_t *c, tf_slip_t at,
   return (tf_force_t){share * f.F, share * f.M};
 }
 
-TF_RARE tf_end_t single_valued(const tf_machine_t *k, const tf_state_t *state,
-                               const tf_input_t *input, tf_report_t *report) {
-  const motion_t here = motion(k, state, input), *c = &here;
-  const tf_slip_t now = slip_now(c);
-  const tf_force_t first = secant_force(c, now, now.h);
-  const tf_force_t force = secant_force(c, slip_at_theta(c, first), now.h);
-  const tf_slip_t slip = slip_at_theta(c, force);
+TF_RARE tf_status_t step_single_valued(const tf_machine_t *k,
+                                       tf_state_t *state,
+                                       const tf_input_t *input,
+                                       tf_report_t *report) {
+  const motion_t c = motion(k, state, input);
+  if (!c.linear.definite || state->mode >= TF_MODES)
+    return refuse(state, input, c.linear.definite, report);
+  const tf_slip_t now = slip_now(&c);
+  const tf_force_t first = secant_force(&c, now, now.h);
+  const tf_force_t force = secant_force(&c, slip_at_theta(&c, first), now.h);
+  const tf_slip_t slip = slip_at_theta(&c, force);
   const tf_force_t law =
       tf_tyre_force(&k->tyre, slip.h < 0 ? -1 : 1, slip.h, slip.g);
-  const tf_end_t end = end_under(k, &c->linear, force);
-  const tf_real_t h = end_slip(k, &c->linear, &end).h;
-  report->mode = (uint8_t)(h > 0   ? TF_SLIP_PLUS
-                           : h < 0 ? TF_SLIP_MINUS
-                                   : state->mode & 1u); // as it was at h = 0
-  report->set = (uint8_t)TF_MODE_BIT(report->mode);
-  report->delassus = 0;
-  report->residual = magnitude(force.F - law.F);
-  report->status = TF_OK;
-  return end;
+  const tf_end_t end = end_under(k, &c.linear, force);
+  const tf_real_t h = end_slip(k, &c.linear, &end).h;
+  const unsigned mode = h > 0   ? TF_SLIP_PLUS
+                        : h < 0 ? TF_SLIP_MINUS
+                                : state->mode & 1u; // as it was at h = 0
+  const tf_status_t status = commit(k, state, input, end, mode,
+                                    TF_MODE_BIT(mode), 0, TF_OK, report);
+  if (status == TF_OK) report->residual = magnitude(force.F - law.F);
+  return status;
+}
+
+// tf_select for a step that has one sign of g+ only.
+TF_RARE unsigned select_again(const tf_machine_t *k, const tf_state_t *state,
+                              unsigned set, unsigned s, tf_real_t h_plus,
+                              tf_real_t h_minus, unsigned attracting) {
+  const tf_solutions_t solutions = {
+      .set = (uint8_t)set,
+      .attracting = (uint8_t)attracting,
+      .near_stick = (uint8_t)(TF_STICK_PLUS + s),
+      .h_limit = {h_plus, h_minus}};
+  return tf_select(k->rule, k->exit_threshold, &solutions, state->mode,
+                   state->tick, state->seed);
 }
 
 // Why a step was refused. The state is checked here and not before the step:
@@ -258,30 +282,29 @@ TF_RARE tf_status_t refuse(const tf_state_t *x, const tf_input_t *u,
 
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report) {
-  static const uint8_t size_of[1u << TF_MODES] = {
-      0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4,
-      1, 2, 2, 3, 2, 3, 3, 4, 2, 3, 3, 4, 3, 4, 4, 5};
-  const motion_t c = motion(machine, state, input);
-  if (!c.linear.definite || state->mode >= TF_MODES)
+  const tf_machine_t *k = machine;
+  if (!tf_tyre_is_set_valued(k->tyre.law))
+    return step_single_valued(k, state, input, report);
+  const motion_t c = motion(k, state, input);
+  unsigned mode = state->mode;
+  if (!c.linear.definite || mode >= TF_MODES)
     return refuse(state, input, c.linear.definite, report);
-  tf_end_t end;
-  const bool stick_exists = tf_tyre_is_set_valued(machine->tyre.law);
-  end = stick_exists ? set_valued(&c, input, report)
-                     : single_valued(machine, state, input, report);
-  if (!within(magnitude(end.r) + magnitude(end.v) + magnitude(end.w),
-              TF_STATE_LIMIT))
-    return refuse(state, input, true, report);
-  report->slip = end_slip(machine, &c.linear, &end);
-  if (stick_exists)
-    report->residual = residual(machine, report->mode, end.force, report->slip);
-  report->choices = size_of[report->set];
-  report->force = end.force;
-  if (machine->with_angle) // (12)
-    state->phi += machine->explicit_dt * state->w + machine->theta_dt * end.w;
-  state->r = end.r;
-  state->v = end.v;
-  state->w = end.w;
-  state->mode = report->mode;
-  state->tick++;
-  return report->status;
+  const unsigned s = c.free.g < 0;
+  const tf_force_t direction = stick_direction(&c, s);
+  const tf_change_t one = response(k, &c.linear, direction);
+  const tf_polynomial_t a = polynomial_of(k, c.r, c.z, one);
+  if (!one_sign(&c, &a, direction.M))
+    return step_both_signs(k, state, input, report);
+  tf_solutions_t solutions;
+  const unsigned set =
+      solve_one_sign(k->tyre.mu, c.free.h, a.h1, a.h2, s, &solutions);
+  if (set != TF_MODE_BIT(mode)) // else tf_select would say the same
+    mode = select_again(k, state, set, s, solutions.h_limit[0],
+                        solutions.h_limit[1], solutions.attracting);
+  const tf_end_t end =
+      mode > TF_SLIP_MINUS
+          ? stick_outcome(&c, one, direction.M, solutions.lambda[s])
+          : slip_outcome(&c, mode, solutions.tau[0]);
+  return commit(k, state, input, end, mode, set, -a.h1 * k->inv_dt, TF_OK,
+                report);
 }

@@ -60,6 +60,7 @@ TF_API extern const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS];
 typedef struct {
   tf_real_t m, d, k2, c1, c2, r0, omega0; ///< as in tf_params_t
   tf_real_t sin_gamma, cos_gamma;
+  tf_real_t minus_sin_gamma;
   tf_real_t d_sin_gamma; ///< [m]
   tf_real_t beta2;       ///< beta^2 [m^2]
   tf_real_t dt, theta;

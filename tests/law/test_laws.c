@@ -130,6 +130,7 @@ TEST(mirror_symmetry) {
       y.mode = (uint8_t)transformed_mode(which, x.mode);
       if (which == 2) {
         b.sin_gamma = -b.sin_gamma;
+        b.minus_sin_gamma = -b.minus_sin_gamma;
         b.cos_gamma = -b.cos_gamma;
         b.d_sin_gamma = -b.d_sin_gamma;
       }
