@@ -145,8 +145,7 @@ TF_INLINE tf_polynomial_t polynomial_of(const tf_machine_t *k, tf_real_t r,
   const tf_real_t R = k->theta_dt * (one.p + k->d * one.z);
   const tf_slip_t first = turned(k, one.p, r * one.z + z * R);
   const tf_slip_t second = turned(k, 0, R * one.z);
-  return (tf_polynomial_t){first.h,  second.h, first.g,
-                           second.g, R,        one.z};
+  return (tf_polynomial_t){first.h, second.h, first.g, second.g, R, one.z};
 }
 
 // (10): the force and moment under which the velocities end at p = z = 0: the

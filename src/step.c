@@ -77,14 +77,20 @@ TF_INLINE tf_end_t pinned_outcome(const motion_t *c) {
                     0, c->linear.omega0};
 }
 
-TF_INLINE tf_end_t mode_outcome(const motion_t *c, const tf_solutions_t *from,
-                             unsigned mode) {
+// Lambda of a stick, share of the moment of a slip.
+TF_INLINE tf_real_t multiplier_of(const tf_solutions_t *from, unsigned mode) {
+  if (mode == TF_PINNED) return 0;
+  return mode <= TF_SLIP_MINUS ? from->tau[mode]
+                               : from->lambda[mode - TF_STICK_PLUS];
+}
+
+TF_INLINE tf_end_t mode_outcome(const motion_t *c, unsigned mode,
+                                tf_real_t multiplier) {
   if (mode == TF_PINNED) return pinned_outcome(c);
-  if (mode <= TF_SLIP_MINUS) return slip_outcome(c, mode, from->tau[mode]);
-  const unsigned s = mode - TF_STICK_PLUS;
-  const tf_force_t one = stick_direction(c, s);
+  if (mode <= TF_SLIP_MINUS) return slip_outcome(c, mode, multiplier);
+  const tf_force_t one = stick_direction(c, mode - TF_STICK_PLUS);
   return stick_outcome(c, response(c->machine, &c->linear, one), one.M,
-                       from->lambda[s]);
+                       multiplier);
 }
 
 // In slip the angle is not in question: only the side is checked.
@@ -136,8 +142,7 @@ TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
   if (!within(magnitude(end.r) + magnitude(end.v) + magnitude(end.w),
               TF_STATE_LIMIT))
     return refuse(state, input, true, report);
-  const tf_slip_t slip =
-      slip_speeds(k, end.r, end.v, end.w - input->omega0);
+  const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
   report->mode = (uint8_t)mode;
   report->set = (uint8_t)set;
   report->choices = size_of[set];
@@ -156,24 +161,55 @@ TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
   return status;
 }
 
+// tf_select, from what is in registers.
+TF_RARE unsigned select_again(const tf_machine_t *k, const tf_state_t *state,
+                              unsigned set, unsigned near_stick,
+                              tf_real_t h_plus, tf_real_t h_minus,
+                              unsigned attracting) {
+  const tf_solutions_t solutions = {.set = (uint8_t)set,
+                                    .attracting = (uint8_t)attracting,
+                                    .near_stick = (uint8_t)near_stick,
+                                    .h_limit = {h_plus, h_minus}};
+  return tf_select(k->rule, k->exit_threshold, &solutions, state->mode,
+                   state->tick, state->seed);
+}
+
 // No mode is consistent: of all of them the one that violates the law least.
 TF_RARE tf_status_t step_degraded(const tf_machine_t *k, tf_state_t *state,
                                   const tf_input_t *input,
-                                  const tf_solutions_t *solutions,
                                   tf_report_t *report) {
   const motion_t c = motion(k, state, input);
+  const tf_inclusion_t in = inclusion(&c);
+  tf_solutions_t solutions = {0};
   unsigned best = state->mode;
+  tf_end_t best_end = pinned_outcome(&c);
   tf_real_t least = TF_REAL_MAX;
+  solve_both_signs(&in, &solutions);
   for (unsigned mode = 0; mode < TF_MODES; mode++) {
-    const tf_end_t end = mode_outcome(&c, solutions, mode);
+    const tf_end_t end =
+        mode_outcome(&c, mode, multiplier_of(&solutions, mode));
     const tf_real_t rest =
         residual(k, mode, end.force, end_slip(k, &c.linear, &end));
     if (!(rest < least)) continue;
     least = rest;
     best = mode;
+    best_end = end;
   }
-  return commit(k, state, input, mode_outcome(&c, solutions, best), best, 0, 0,
-                TF_DEGRADED, report);
+  return commit(k, state, input, best_end, best, 0, 0, TF_DEGRADED, report);
+}
+
+// The end of a step whose mode and multiplier (lambda of a stick, moment share
+// of a slip) are known. The motion is computed again: keeping it across the
+// selection would cost 200 B of stack.
+TF_RARE tf_status_t step_as(const tf_machine_t *k, tf_state_t *state,
+                            const tf_input_t *input, tf_report_t *report,
+                            unsigned mode, unsigned set, tf_real_t multiplier,
+                            tf_real_t h1_plus, tf_real_t h1_minus) {
+  const motion_t c = motion(k, state, input);
+  const tf_end_t end = mode_outcome(&c, mode, multiplier);
+  const tf_real_t h1 = end_slip(k, &c.linear, &end).g < 0 ? h1_minus : h1_plus;
+  return commit(k, state, input, end, mode, set, -h1 * k->inv_dt, TF_OK,
+                report);
 }
 
 // Codimension two is within reach of the step: both signs of g+.
@@ -182,17 +218,15 @@ TF_RARE tf_status_t step_both_signs(const tf_machine_t *k, tf_state_t *state,
                                     tf_report_t *report) {
   const motion_t c = motion(k, state, input);
   const tf_inclusion_t in = inclusion(&c);
-  tf_solutions_t solutions;
-  tf_friction_solve(&in, &solutions);
-  const unsigned mode =
-      tf_select(k->rule, k->exit_threshold, &solutions, state->mode,
-                state->tick, state->seed);
-  if (mode == TF_MODES)
-    return step_degraded(k, state, input, &solutions, report);
-  const tf_end_t end = mode_outcome(&c, &solutions, mode);
-  const tf_real_t h1 = in.h1[end_slip(k, &c.linear, &end).g < 0];
-  return commit(k, state, input, end, mode, solutions.set, -h1 * k->inv_dt,
-                TF_OK, report);
+  tf_solutions_t solutions = {.near_stick = in.g_now >= 0 ? TF_STICK_PLUS
+                                                          : TF_STICK_MINUS};
+  solve_both_signs(&in, &solutions);
+  const unsigned mode = select_again(
+      k, state, solutions.set, solutions.near_stick, solutions.h_limit[0],
+      solutions.h_limit[1], solutions.attracting);
+  if (mode == TF_MODES) return step_degraded(k, state, input, report);
+  return step_as(k, state, input, report, mode, solutions.set,
+                 multiplier_of(&solutions, mode), in.h1[0], in.h1[1]);
 }
 
 // Whether g+ keeps the sign of g_free under every force of the law: at the
@@ -218,8 +252,8 @@ TF_INLINE bool one_sign(const motion_t *c, const tf_polynomial_t *a,
 // predicted slip is taken implicitly where that damps (the end of the step
 // answers with E < 0) and explicitly where it drives. The secant never
 // extrapolates: |share| <= 1.
-static tf_force_t secant_force(const motion_t *c, tf_slip_t at,
-                               tf_real_t h_now) {
+TF_INLINE tf_force_t secant_force(const motion_t *c, tf_slip_t at,
+                                  tf_real_t h_now) {
   const tf_machine_t *k = c->machine;
   const tf_force_t f = tf_tyre_force(&k->tyre, at.h < 0 ? -1 : 1, at.h, at.g);
   if (at.h == 0) return f;
@@ -232,8 +266,28 @@ static tf_force_t secant_force(const motion_t *c, tf_slip_t at,
   return (tf_force_t){share * f.F, share * f.M};
 }
 
-TF_RARE tf_status_t step_single_valued(const tf_machine_t *k,
-                                       tf_state_t *state,
+// The end under a force of a single-valued law, and how far the force is from
+// the law there. Apart from its search for the sake of the stack.
+TF_RARE tf_status_t step_under(const tf_machine_t *k, tf_state_t *state,
+                               const tf_input_t *input, tf_report_t *report,
+                               tf_real_t F, tf_real_t M) {
+  const motion_t c = motion(k, state, input);
+  const tf_force_t force = {F, M};
+  const tf_end_t end = end_under(k, &c.linear, force);
+  const tf_real_t h = end_slip(k, &c.linear, &end).h;
+  const unsigned mode = h > 0   ? TF_SLIP_PLUS
+                        : h < 0 ? TF_SLIP_MINUS
+                                : state->mode & 1u; // as it was at h = 0
+  const tf_slip_t slip = slip_at_theta(&c, force);
+  const tf_real_t law =
+      tf_tyre_force(&k->tyre, slip.h < 0 ? -1 : 1, slip.h, slip.g).F;
+  const tf_status_t status =
+      commit(k, state, input, end, mode, TF_MODE_BIT(mode), 0, TF_OK, report);
+  if (status == TF_OK) report->residual = magnitude(F - law);
+  return status;
+}
+
+TF_RARE tf_status_t step_single_valued(const tf_machine_t *k, tf_state_t *state,
                                        const tf_input_t *input,
                                        tf_report_t *report) {
   const motion_t c = motion(k, state, input);
@@ -242,31 +296,7 @@ TF_RARE tf_status_t step_single_valued(const tf_machine_t *k,
   const tf_slip_t now = slip_now(&c);
   const tf_force_t first = secant_force(&c, now, now.h);
   const tf_force_t force = secant_force(&c, slip_at_theta(&c, first), now.h);
-  const tf_slip_t slip = slip_at_theta(&c, force);
-  const tf_force_t law =
-      tf_tyre_force(&k->tyre, slip.h < 0 ? -1 : 1, slip.h, slip.g);
-  const tf_end_t end = end_under(k, &c.linear, force);
-  const tf_real_t h = end_slip(k, &c.linear, &end).h;
-  const unsigned mode = h > 0   ? TF_SLIP_PLUS
-                        : h < 0 ? TF_SLIP_MINUS
-                                : state->mode & 1u; // as it was at h = 0
-  const tf_status_t status = commit(k, state, input, end, mode,
-                                    TF_MODE_BIT(mode), 0, TF_OK, report);
-  if (status == TF_OK) report->residual = magnitude(force.F - law.F);
-  return status;
-}
-
-// tf_select for a step that has one sign of g+ only.
-TF_RARE unsigned select_again(const tf_machine_t *k, const tf_state_t *state,
-                              unsigned set, unsigned s, tf_real_t h_plus,
-                              tf_real_t h_minus, unsigned attracting) {
-  const tf_solutions_t solutions = {
-      .set = (uint8_t)set,
-      .attracting = (uint8_t)attracting,
-      .near_stick = (uint8_t)(TF_STICK_PLUS + s),
-      .h_limit = {h_plus, h_minus}};
-  return tf_select(k->rule, k->exit_threshold, &solutions, state->mode,
-                   state->tick, state->seed);
+  return step_under(k, state, input, report, force.F, force.M);
 }
 
 // Why a step was refused. The state is checked here and not before the step:
@@ -299,7 +329,7 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   const unsigned set =
       solve_one_sign(k->tyre.mu, c.free.h, a.h1, a.h2, s, &solutions);
   if (set != TF_MODE_BIT(mode)) // else tf_select would say the same
-    mode = select_again(k, state, set, s, solutions.h_limit[0],
+    mode = select_again(k, state, set, TF_STICK_PLUS + s, solutions.h_limit[0],
                         solutions.h_limit[1], solutions.attracting);
   const tf_end_t end =
       mode > TF_SLIP_MINUS
