@@ -27,8 +27,11 @@ typedef enum {
 #define TF_MODE_BIT(mode) (1u << (mode))
 
 /// Name of a mode: "slip+" "slip-" "stick+" "stick-" "pinned".
-/// Scheme: none. mode: in. Returns: a constant string, never NULL.
-/// Cost: one table look-up. Stack: 32 B. Memory: static storage, reentrant.
+/// Scheme: none.
+/// mode: in.
+/// Returns: a constant string, never NULL.
+/// Cost: one table look-up. Stack: 32 B.
+/// Memory: static storage, reentrant.
 /// Claims: mode_names_are_the_contract
 #define tf_mode_name TF_LINK(tf_mode_name)
 TF_API const char *tf_mode_name(unsigned mode);
@@ -60,9 +63,10 @@ typedef struct {
 
 /// Enumerates the consistent modes, in closed form, never by iteration.
 /// Scheme: (incl). Whether stick exists is read off the signs of h_s(+-mu)
-/// (intermediate value theorem), so the count is 1 or 3 by construction and
-/// never hangs on a division by a Delassus scalar near 0.
-/// inclusion: in, all members finite. solutions: out.
+///   (intermediate value theorem), so the count is 1 or 3 by construction and
+///   never hangs on a division by a Delassus scalar near 0.
+/// inclusion: in, all members finite.
+/// solutions: out.
 /// Returns: nothing; an empty set is possible (friction is not associated).
 /// Cost: 130 operations, 3 divisions and a square root a stick. Stack: 160 B.
 /// Memory: caller's, no overlap, reentrant.
@@ -73,13 +77,16 @@ TF_API void tf_friction_solve(const tf_inclusion_t *inclusion,
 
 /// How far a contact force is from the law at slip (h, g): its zero set is the
 /// law's graph, without a tolerance and without the enumeration.
-/// Scheme: natural map of F in mu Sgn(h), and the distance of M from
-/// kappa F Sgn(g): |F - clip(F + h, -mu, mu)| + |M - kappa F sign(g)|,
-/// with 1 m/s counted as 1 N and 1 N m as 1 N; at g = 0 the nearest of the
-/// segment.
-/// mu: in [N]. kappa: in [m], 0 where no moment hangs on sign(g). force: in.
-/// slip: in. Returns: residual >= 0 [N]; of rounding size at a solution.
-/// Cost: 14 operations. Stack: 48 B. Memory: none kept, reentrant.
+/// Scheme: natural map of F in mu Sgn(h), and the distance of M from kappa F
+///   Sgn(g): |F - clip(F + h, -mu, mu)| + |M - kappa F sign(g)|, with 1 m/s
+///   counted as 1 N and 1 N m as 1 N; at g = 0 the nearest of the segment.
+/// mu: in [N].
+/// kappa: in [m], 0 where no moment hangs on sign(g).
+/// force: in.
+/// h, g: in, slip [m/s].
+/// Returns: residual >= 0 [N]; of rounding size at a solution.
+/// Cost: 14 operations. Stack: 48 B.
+/// Memory: none kept, reentrant.
 /// Claims: residual_vanishes_at_solutions_only
 #define tf_law_residual TF_LINK(tf_law_residual)
 TF_API tf_real_t tf_law_residual(tf_real_t mu, tf_real_t kappa,

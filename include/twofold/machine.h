@@ -106,11 +106,13 @@ typedef struct {
 
 /// Validates the parameters and derives the constants of a machine.
 /// Scheme: none.
-/// machine: out. params: in, ranges in tf_parameter_ranges. offender: out, may
-/// be NULL; index into tf_parameter_ranges of the first member out of range,
-/// or TF_PARAMETERS where law or rule is no member of its enum.
+/// machine: out.
+/// params: in, ranges in tf_parameter_ranges.
+/// offender: out, may be NULL; index into tf_parameter_ranges of the first
+///   member out of range, or TF_PARAMETERS where law or rule is no member of
+///   its enum.
 /// Returns: TF_OK; TF_BAD_PARAMETER (machine untouched).
-/// Cost: 3000 operations, once. Stack: 512 B.
+/// Cost: 1500 operations, once. Stack: 256 B.
 /// Memory: caller's; machine and params must not overlap; reentrant.
 /// Claims: prepare_names_the_first_broken_rule, sine_kernel_error_bound
 #define tf_prepare TF_LINK(tf_prepare)
@@ -118,9 +120,11 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
                               int *offender);
 
 /// The inputs that leave the machine alone.
-/// Scheme: none. machine: in, prepared.
+/// Scheme: none.
+/// machine: in, prepared.
 /// Returns: omega0 and r0 of the parameters, no force, no torque.
-/// Cost: 4 moves. Stack: 48 B. Memory: reentrant.
+/// Cost: 4 moves. Stack: 48 B.
+/// Memory: reentrant.
 /// Claims: inputs_at_rest_change_nothing
 #define tf_input_default TF_LINK(tf_input_default)
 TF_API tf_input_t tf_input_default(const tf_machine_t *machine);
@@ -133,9 +137,11 @@ typedef struct {
 
 /// Slip speeds h and g.
 /// Scheme: h = -p sin(gamma) - r z cos(gamma), g = -p cos(gamma) + r z
-/// sin(gamma) with z = w - omega0, p = v - d z; (h), (g).
-/// machine: in, prepared. r [m], v [m/s], w, omega0 [rad/s]: in, finite.
-/// Returns: h, g. Cost: 11 operations. Stack: 48 B.
+///   sin(gamma) with z = w - omega0, p = v - d z; (h), (g).
+/// machine: in, prepared.
+/// r [m], v [m/s], w, omega0 [rad/s]: in, finite.
+/// Returns: h, g.
+/// Cost: 11 operations. Stack: 48 B.
 /// Memory: none kept, reentrant.
 /// Claims: kinematics_against_the_paper
 #define tf_slip TF_LINK(tf_slip)
@@ -144,10 +150,13 @@ TF_API tf_slip_t tf_slip(const tf_machine_t *machine, tf_real_t r, tf_real_t v,
 
 /// Speed v that gives a wished lateral slip speed h at (r, w).
 /// Scheme: (h) solved for v.
-/// machine: in. r, w, omega0, h: in. v: out [m/s].
+/// machine: in.
+/// r, w, omega0, h: in.
+/// v: out [m/s].
 /// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < 1e-6, so that v has no
-/// hold on h (v untouched).
-/// Cost: 1 division, 8 operations. Stack: 48 B. Memory: caller's, reentrant.
+///   hold on h (v untouched).
+/// Cost: 1 division, 8 operations. Stack: 48 B.
+/// Memory: caller's, reentrant.
 /// Claims: placed_slip_speed_reads_back
 #define tf_speed_for_slip TF_LINK(tf_speed_for_slip)
 TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
@@ -156,8 +165,11 @@ TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
 
 /// Mechanical energy.
 /// Scheme: m p^2/2 + m (beta^2 + r^2) w^2/2 + k2 (r - r0)^2/2, p = v - d w.
-/// machine: in. state: in. r0: in [m].
-/// Returns: energy [J]. Cost: 14 operations. Stack: 32 B.
+/// machine: in.
+/// state: in.
+/// r0: in [m].
+/// Returns: energy [J].
+/// Cost: 14 operations. Stack: 32 B.
 /// Memory: none kept, reentrant.
 /// Claims: dissipation_without_moment
 #define tf_energy TF_LINK(tf_energy)

@@ -28,9 +28,12 @@ typedef struct {
 
 /// Inputs of a scene for the step that ends at t.
 /// Scheme: linear interpolation between knots.
-/// scene: in. machine: in, prepared from scene->params (or altered ones).
-/// t: in [s], finite. Returns: the inputs.
-/// Cost: <= 8 comparisons, 1 division. Stack: 64 B. Memory: reentrant.
+/// scene: in.
+/// machine: in, prepared from scene->params (or altered ones).
+/// t: in [s], finite.
+/// Returns: the inputs.
+/// Cost: <= 8 comparisons, 1 division. Stack: 96 B.
+/// Memory: reentrant.
 /// Claims: driven_profile_is_followed
 #define tf_scene_input TF_LINK(tf_scene_input)
 TF_API tf_input_t tf_scene_input(const tf_scene_t *scene,

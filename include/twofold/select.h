@@ -32,20 +32,28 @@ typedef enum {
 /// Philox-2x32-10 (Salmon et al. 2011): a counter-based generator, so that a
 /// state carries no stream position but its tick, and a replay needs no
 /// history.
-/// Scheme: none. counter, key: in, any. out: out, 2 words.
-/// Returns: nothing. Cost: 10 multiplications 32 x 32 -> 64. Stack: 32 B.
-/// Memory: caller's, reentrant. Claims: philox_known_answers
+/// Scheme: none.
+/// counter, key: in, any.
+/// out: out, 2 words.
+/// Returns: nothing.
+/// Cost: 10 multiplications 32 x 32 -> 64. Stack: 32 B.
+/// Memory: caller's, reentrant.
+/// Claims: philox_known_answers
 #define tf_philox TF_LINK(tf_philox)
 TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]);
 
 /// Picks one of the solutions of a step.
 /// Scheme: the list at the top of this file.
-/// rule: in. exit_threshold: in, probability to leave an escaping stick in
-/// this step, times 2^63 (RANDOM only). solutions: in, from tf_friction_solve.
-/// mode: in, present tf_mode_t. tick, seed: in, counter and key (RANDOM only).
+/// rule: in.
+/// exit_threshold: in, probability to leave an escaping stick in this step,
+///   times 2^63 (RANDOM only).
+/// solutions: in, from tf_friction_solve.
+/// mode: in, present tf_mode_t.
+/// tick, seed: in, counter and key (RANDOM only).
 /// Returns: a tf_mode_t of solutions->set, or TF_MODES where the set is empty.
-/// Cost: 30 instructions; RANDOM in an escaping stick: tf_philox on top.
-/// Stack: 96 B. Memory: none kept, reentrant.
+/// Cost: 30 instructions; RANDOM in an escaping stick: tf_philox on top. Stack:
+///   96 B.
+/// Memory: none kept, reentrant.
 /// Claims: slip_never_enters_an_escaping_stick, rules_choose_as_declared,
 ///   random_exit_rate_is_independent_of_dt
 #define tf_select TF_LINK(tf_select)

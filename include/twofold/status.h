@@ -18,7 +18,8 @@ typedef enum {
 } tf_status_t;
 
 /// Name of a code, in words.
-/// Scheme: none. status: in, any value.
+/// Scheme: none.
+/// status: in, any value.
 /// Returns: a constant string, never NULL; "unknown status" for other values.
 /// Cost: one table look-up. Stack: 32 B.
 /// Memory: static storage, reentrant.

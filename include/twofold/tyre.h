@@ -51,8 +51,9 @@ typedef struct {
 
 /// T(G/H) for G, H >= 0, not both 0: the paper's cot(psi).
 /// Scheme: T(y) = tan(a atan y), a = (2/pi) atan(6 kappa); the angle is
-/// measured from the nearest multiple of pi/16 and the tangents are added.
-/// tyre: in, prepared for JUMP or SMOOTH. G, H: in, [m/s], 0 to 1e30.
+///   measured from the nearest multiple of pi/16 and the tangents are added.
+/// tyre: in, prepared for JUMP or SMOOTH.
+/// G, H: in, [m/s], 0 to 1e30.
 /// Returns: T in [0, 6 kappa]; 0 where G = H = 0 (the slip angle is undefined).
 /// Cost: 2 divisions, 35 other operations, no loop over data. Stack: 64 B.
 /// Memory: none kept, reentrant.
@@ -63,11 +64,12 @@ TF_API tf_real_t tf_tyre_cot_psi(const tf_tyre_t *tyre, tf_real_t G,
 
 /// Force and moment in slip.
 /// Scheme: (force), (moment) for JUMP; Appendix B for TWO_PIECE, STRING.
-/// tyre: in, prepared. side: in, +1 or -1: at a set-valued law, the side of
-/// h = 0 whose limit is meant; an h on the other side counts as 0. h, g: in,
-/// [m/s], finite.
+/// tyre: in, prepared.
+/// side: in, +1 or -1: at a set-valued law, the side of h = 0 whose limit is
+///   meant; an h on the other side counts as 0.
+/// h, g: in, [m/s], finite.
 /// Returns: F, M; both 0 at h = 0 for the laws that are continuous there, and
-/// at h = g = 0 for those where the angle is undefined.
+///   at h = g = 0 for those where the angle is undefined.
 /// Cost: tf_tyre_cot_psi and 10 operations. Stack: 96 B.
 /// Memory: none kept, reentrant.
 /// Claims: tyre_identity_against_the_paper, string_law_against_quadrature,
@@ -77,8 +79,11 @@ TF_API tf_force_t tf_tyre_force(const tf_tyre_t *tyre, tf_real_t side,
                                 tf_real_t h, tf_real_t g);
 
 /// Whether the law is set-valued at h = 0, so that stick exists.
-/// Scheme: none. law: in. Returns: 1 for JUMP and COULOMB, else 0.
-/// Cost: 1 comparison. Stack: 0 B. Memory: none kept, reentrant.
+/// Scheme: none.
+/// law: in.
+/// Returns: 1 for JUMP and COULOMB, else 0.
+/// Cost: 1 comparison. Stack: 0 B.
+/// Memory: none kept, reentrant.
 /// Claims: enumeration_against_grid_search
 static inline int tf_tyre_is_set_valued(tf_tyre_law_t law) {
   return law == TF_TYRE_JUMP || law == TF_TYRE_COULOMB;

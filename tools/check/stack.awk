@@ -1,10 +1,26 @@
 # Worst stack of every function, from what gcc -fcallgraph-info=su wrote:
-#   awk -f stack.awk FILE.ci...   prints "name bytes path" of global functions
-# A frame is what gcc says of it, return address included. The worst of a
-# function is its frame and the worst of what it calls. A function of a C
+#   awk -f stack.awk FILE.ci... FILE.s...
+# prints "name bytes path" of global functions. A frame is what gcc says of it,
+# return address included. The worst of a function is its frame and the worst of
+# what it calls; where the assembly only ever jumps to another function (a tail
+# call) the frame is gone by then and does not add. A function of a C
 # library counts LIBRARY bytes. Recursion, calls through pointers and frames of
 # unbounded size are refused: exit code 1.
 BEGIN { LIBRARY = 32 }
+
+# Assembly: a label that is no local one begins a function or its cold part.
+FILENAME ~ /\.s$/ {
+  if (match($0, /^[A-Za-z_][A-Za-z_0-9.]*:/)) {
+    inside = substr($0, 1, RLENGTH - 1)
+    sub(/\.cold$/, "", inside)
+  } else if ($1 == "call" || $1 ~ /^j/) {
+    target = $2
+    sub(/@.*/, "", target)
+    if (target !~ /^\./)
+      ($1 == "call") ? called[inside, target] = 1 : jumped[inside, target] = 1
+  }
+  next
+}
 
 # node: { title: "name" label: "name\nfile:line:column\n48 bytes (static)..." }
 /^node:/ {
@@ -39,6 +55,7 @@ function worst(name, list, n, i, deepest, below, short) {
   n = split(calls[name], list, SUBSEP)
   for (i = 2; i <= n; i++) {
     below = worst(list[i])
+    if (!is_tail(name, list[i])) below += frame[name]
     if (below > deepest) {
       deepest = below
       path[name] = " > " ((list[i] in path) ? path[list[i]] : list[i])
@@ -48,7 +65,13 @@ function worst(name, list, n, i, deepest, below, short) {
   short = name
   sub(/.*:/, "", short)
   path[name] = short path[name]
-  return depth[name] = frame[name] + deepest
+  return depth[name] = deepest > frame[name] ? deepest : frame[name]
+}
+
+function is_tail(name, target) {
+  sub(/.*:/, "", name)
+  sub(/.*:/, "", target)
+  return ((name, target) in jumped) && !((name, target) in called)
 }
 
 END {

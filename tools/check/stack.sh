@@ -22,10 +22,10 @@ for real in double float; do
   mkdir -p "$place"
   for file in src/*.c; do
     gcc -std=c99 -O2 -ffp-contract=off -fno-math-errno -ffreestanding \
-      -Iinclude "$define" -fcallgraph-info=su -c "$file" \
-      -o "$place/$(basename "$file" .c).o" || wrong "$file does not compile"
+      -Iinclude "$define" -fcallgraph-info=su "$file" \
+      -S -o "$place/$(basename "$file" .c).s" || wrong "$file does not compile"
   done
-  awk -f tools/check/stack.awk "$place"/*.ci >"$place/worst" ||
+  awk -f tools/check/stack.awk "$place"/*.ci "$place"/*.s >"$place/worst" ||
     wrong "the stack of the core has no bound"
   while read -r name bytes; do
     worst=$(awk -v name="${name}_$suffix" '$1 == name { print $2 }' \
