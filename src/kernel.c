@@ -12,10 +12,11 @@ static tf_real_t polynomial(const tf_real_t *c, int terms, tf_real_t x2) {
 // pi/2 in two parts: k HIGH is exact for |k| <= 2, x - k HIGH is exact because
 // the two agree in their leading bits, and LOW brings the digits of pi that
 // the real type cannot hold. So cos of the number nearest pi/2 comes out
-// right (6e-17 in double), not as 0.
+// right (6e-17 in double), not as 0. Both parts are positive, so that -0 stays
+// -0.
 #ifdef TF_REAL_FLOAT
-#define HALF_PI_HIGH 0x1.921fb6p+0f
-#define HALF_PI_LOW (-0x1.777a5cp-25f)
+#define HALF_PI_HIGH 0x1.921fb4p+0f
+#define HALF_PI_LOW 0x1.4442d2p-24f
 #else
 #define HALF_PI_HIGH 0x1.921fb54442d18p+0
 #define HALF_PI_LOW 0x1.1a62633145c07p-54
@@ -27,7 +28,7 @@ TF_API void tf_sine_cosine(tf_real_t x, tf_real_t *sine, tf_real_t *cosine) {
                                     TF_R(1.0) / 120,
                                     TF_R(-1.0) / 5040,
                                     TF_R(1.0) / 362880,
-                                    TF_R(-1.0) / 39916800,
+                                    TF_R(-1.0) / TF_R(39916800.0),
                                     TF_R(1.0) / TF_R(6227020800.0),
                                     TF_R(-1.0) / TF_R(1307674368000.0),
                                     TF_R(1.0) / TF_R(355687428096000.0)};
@@ -37,7 +38,7 @@ TF_API void tf_sine_cosine(tf_real_t x, tf_real_t *sine, tf_real_t *cosine) {
                                     TF_R(-1.0) / 720,
                                     TF_R(1.0) / 40320,
                                     TF_R(-1.0) / 3628800,
-                                    TF_R(1.0) / 479001600,
+                                    TF_R(1.0) / TF_R(479001600.0),
                                     TF_R(-1.0) / TF_R(87178291200.0),
                                     TF_R(1.0) / TF_R(20922789888000.0)};
   const tf_real_t half_turns = x * TF_R(0.63661977236758134308);

@@ -83,10 +83,12 @@ TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
       set & (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS));
   const unsigned safe = sticks & solutions->attracting;
   const bool slipping = mode <= TF_SLIP_MINUS;
-  if (has(set, mode) && (slipping || has(safe, mode))) return mode;
+  const bool lost = !has(set, mode);
   const bool drawn = mode == TF_PINNED && rule == TF_RULE_RANDOM;
-  if (!drawn && safe) return stick_of(safe, solutions);
-  if (has(set, mode) || drawn) {
+  if (!lost && (slipping || has(safe, mode))) return mode;
+  if (safe && !drawn && (lost || mode == TF_PINNED))
+    return stick_of(safe, solutions);
+  if (!lost || drawn) {
     const unsigned next =
         rule_exit(rule, exit_threshold, set, mode, tick, seed);
     if (has(set, next)) return next;

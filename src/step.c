@@ -128,10 +128,12 @@ TF_INLINE tf_inclusion_t inclusion(const motion_t *c) {
   return in;
 }
 
-// What every step ends with: keep the end if it is one, else the state.
-TF_RARE tf_status_t refuse(const tf_state_t *x, const tf_input_t *u,
-                           bool definite, tf_report_t *report);
+TF_INLINE tf_status_t refuse(tf_report_t *report, tf_status_t status) {
+  report->status = status;
+  return status;
+}
 
+// What every step ends with: a new state, unless it is out of range.
 TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
                              const tf_input_t *input, tf_end_t end,
                              unsigned mode, unsigned set, tf_real_t delassus,
@@ -141,7 +143,7 @@ TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
       1, 2, 2, 3, 2, 3, 3, 4, 2, 3, 3, 4, 3, 4, 4, 5};
   if (!within(magnitude(end.r) + magnitude(end.v) + magnitude(end.w),
               TF_STATE_LIMIT))
-    return refuse(state, input, true, report);
+    return refuse(report, TF_DIVERGED);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
   report->mode = (uint8_t)mode;
   report->set = (uint8_t)set;
@@ -257,8 +259,8 @@ TF_INLINE tf_force_t secant_force(const motion_t *c, tf_slip_t at,
   const tf_machine_t *k = c->machine;
   const tf_force_t f = tf_tyre_force(&k->tyre, at.h < 0 ? -1 : 1, at.h, at.g);
   if (at.h == 0) return f;
-  const tf_change_t answer = response(k, &c->linear, f);
-  const tf_real_t E = polynomial_of(k, c->r, c->z, answer).h1 / at.h;
+  const tf_change_t change = response(k, &c->linear, f);
+  const tf_real_t E = polynomial_of(k, c->r, c->z, change).h1 / at.h;
   if (!(E < 0)) return f;
   const tf_real_t h =
       (h_now + k->theta * (c->free.h - h_now)) / (1 - k->theta * E);
@@ -291,34 +293,23 @@ TF_RARE tf_status_t step_single_valued(const tf_machine_t *k, tf_state_t *state,
                                        const tf_input_t *input,
                                        tf_report_t *report) {
   const motion_t c = motion(k, state, input);
-  if (!c.linear.definite || state->mode >= TF_MODES)
-    return refuse(state, input, c.linear.definite, report);
+  if (!c.linear.definite) return refuse(report, TF_STEP_TOO_LONG);
   const tf_slip_t now = slip_now(&c);
   const tf_force_t first = secant_force(&c, now, now.h);
   const tf_force_t force = secant_force(&c, slip_at_theta(&c, first), now.h);
   return step_under(k, state, input, report, force.F, force.M);
 }
 
-// Why a step was refused. The state is checked here and not before the step:
-// whatever is not finite in it is not finite in its end.
-TF_RARE tf_status_t refuse(const tf_state_t *x, const tf_input_t *u,
-                           bool definite, tf_report_t *report) {
-  const bool usable = x->mode < TF_MODES && in_range(x, u);
-  report->status = !usable     ? TF_BAD_STATE
-                   : !definite ? TF_STEP_TOO_LONG
-                               : TF_DIVERGED;
-  return report->status;
-}
-
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report) {
   const tf_machine_t *k = machine;
+  unsigned mode = state->mode;
+  if (mode >= TF_MODES || !in_range(state, input))
+    return refuse(report, TF_BAD_STATE);
   if (!tf_tyre_is_set_valued(k->tyre.law))
     return step_single_valued(k, state, input, report);
   const motion_t c = motion(k, state, input);
-  unsigned mode = state->mode;
-  if (!c.linear.definite || mode >= TF_MODES)
-    return refuse(state, input, c.linear.definite, report);
+  if (!c.linear.definite) return refuse(report, TF_STEP_TOO_LONG);
   const unsigned s = c.free.g < 0;
   const tf_force_t direction = stick_direction(&c, s);
   const tf_change_t one = response(k, &c.linear, direction);

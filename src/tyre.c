@@ -17,28 +17,31 @@ static tf_force_t smooth_force(const tf_tyre_t *tyre, tf_real_t h,
 //   F = rho delta (x_s + a) + k t (l^2 - sigma^2)/2,        k t = delta / l
 //   M = rho delta (a^2 - x_s^2)/2
 //       - k t ((a + sigma)(l^2 - sigma^2)/2 - (l^3 - sigma^3)/3)
+// with l - sigma taken out of the brackets and 1/l into u = sigma/l <= 1.
 static tf_force_t string_force(const tf_tyre_t *tyre, tf_real_t h,
                                tf_real_t g) {
   const tf_real_t a = tyre->a, sigma = tyre->sigma, delta = tyre->delta;
-  const tf_real_t H = magnitude(h), G = magnitude(g);
+  if (h == 0) return (tf_force_t){0, 0}; // also h = g = 0: no angle, no force
+  // Only the ratio counts; the larger becomes 1, so that nothing underflows.
+  const bool steep = magnitude(g) > magnitude(h);
+  const tf_real_t ratio = magnitude(steep ? h / g : g / h);
+  const tf_real_t H = steep ? ratio : 1, G = steep ? 1 : ratio;
   const tf_real_t reach = delta * G; // k l H
+  const tf_real_t l = reach / (tyre->k * H);
   tf_real_t F, M;
-  if (H == 0) return (tf_force_t){0, 0}; // also h = g = 0: no angle, no force
   if (reach >= tyre->k * (2 * a + sigma) * H) { // x_s <= -a: no slip
     const tf_real_t kt = tyre->k * (H / G);
     F = 2 * a * (a + sigma) * kt;
     M = 2 * a * a * a / 3 * kt;
-  } else if (reach <= tyre->k * sigma * H) { // x_s >= a: full slip
+  } else if (l > sigma) { // partial slip
+    const tf_real_t u = sigma / l, x_s = a + sigma - l;
+    const tf_real_t stuck = delta * (l - sigma);
+    F = tyre->rho * delta * (x_s + a) + stuck * (1 + u) / 2;
+    M = tyre->rho * delta * (a - x_s) * (a + x_s) / 2 -
+        stuck * ((a + sigma) * (1 + u) / 2 - (l + sigma + sigma * u) / 3);
+  } else { // x_s >= a: full slip
     F = 2 * a * tyre->rho * delta;
     M = 0;
-  } else {
-    const tf_real_t l = reach / (tyre->k * H);
-    const tf_real_t x_s = a + sigma - l, kt = delta / l;
-    const tf_real_t l2 = (l - sigma) * (l + sigma);
-    const tf_real_t l3 = (l - sigma) * (l * l + l * sigma + sigma * sigma);
-    F = tyre->rho * delta * (x_s + a) + kt * l2 / 2;
-    M = tyre->rho * delta * (a - x_s) * (a + x_s) / 2 -
-        kt * ((a + sigma) * l2 / 2 - l3 / 3);
   }
   F *= tyre->mu;
   M *= tyre->mu;

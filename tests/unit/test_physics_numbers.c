@@ -362,8 +362,9 @@ TEST(stick_arrives_at_the_two_fold) {
   orbit_chaos(&ev);
   CHECK_NEAR(ev.twofold.t, 2.0462756096L, place(1e-10L));
   for (int i = 0; i < 3; i++) CHECK_NEAR(ev.twofold.x[i], x[i], 3e-14L);
-  CHECK_NEAR(ev.twofold_slope, n.weak[2] / n.weak[0], 5e-6L);
-  CHECK_NEAR(ev.twofold_lambda, n.lambda * p.mu, 1e-6L);
+  /* 0/0 there: extrapolated from rounding-sized distances. */
+  CHECK_NEAR(ev.twofold_slope, n.weak[2] / n.weak[0], 5e-5L);
+  CHECK_NEAR(ev.twofold_lambda, n.lambda * p.mu, 1e-5L);
   /* What the earlier figure for the arrival was: close, but before it. */
   orbit_chaos_state(2.046269L, x);
   CHECK_NEAR(x[0] - PAPER_R_STAR, 1.99e-7L, place(1e-9L));

@@ -1,0 +1,264 @@
+/* tf_begin against the paper: where a state on h = 0 may stick is decided by
+ * lambda of (muCalc), how many futures the instant has by the sign of the
+ * Delassus scalar. Wishes are honoured where the physics leaves a choice and
+ * ignored elsewhere. */
+#include <stdbool.h>
+
+#include "paper.h"
+#include "tap.h"
+#include "twofold.h"
+
+typedef long double real;
+
+#define EPSILON ((real)TF_REAL_EPSILON)
+#define BIT(mode) ((unsigned)TF_MODE_BIT(mode))
+#define SLIPS (BIT(TF_SLIP_PLUS) | BIT(TF_SLIP_MINUS))
+
+static real wide(tf_real_t x) { return (real)x; }
+
+static tf_real_t uniform(double low, double high) {
+  return (tf_real_t)tap_uniform(low, high);
+}
+
+static tf_machine_t prepared(const tf_params_t *params) {
+  tf_machine_t machine;
+  memset(&machine, 0, sizeof machine);
+  CHECK(tf_prepare(&machine, params, NULL) == TF_OK);
+  return machine;
+}
+
+static paper_t paper_of(const tf_params_t *p, real kappa) {
+  return (paper_t){.m = wide(p->m),
+                   .d = wide(p->d),
+                   .beta = wide(p->beta),
+                   .k2 = wide(p->k2),
+                   .c1 = wide(p->c1),
+                   .c2 = wide(p->c2),
+                   .r0 = wide(p->r0),
+                   .omega0 = wide(p->omega0),
+                   .mu = wide(p->mu),
+                   .kappa = kappa,
+                   .gamma = wide(p->gamma)};
+}
+
+/* tf_begin from x with a wish; what must hold of every answer is checked. */
+static tf_report_t begun(const tf_machine_t *machine, const tf_state_t *x,
+                         unsigned wish) {
+  const tf_input_t input = tf_input_default(machine);
+  tf_state_t state = *x;
+  tf_report_t report;
+  int modes = 0;
+  memset(&report, 0, sizeof report);
+  state.mode = (uint8_t)wish;
+  CHECK(tf_begin(machine, &state, &input, &report) == TF_OK);
+  CHECK(report.status == TF_OK && report.mode == state.mode);
+  CHECK(state.mode < TF_MODES && (report.set & BIT(state.mode)));
+  CHECK(state.r == x->r && state.v == x->v && state.w == x->w);
+  CHECK(state.phi == x->phi && state.tick == x->tick && state.seed == x->seed);
+  for (int i = 0; i < TF_MODES; i++) modes += report.set >> i & 1;
+  CHECK(report.choices == modes);
+  const tf_slip_t slip = tf_slip(machine, x->r, x->v, x->w, machine->omega0);
+  CHECK(report.slip.h == slip.h && report.slip.g == slip.g);
+  CHECK(report.residual == 0);
+  if (wish < TF_MODES && (report.set & BIT(wish))) CHECK(state.mode == wish);
+  return report;
+}
+
+/* The set does not depend on the wish, and a wish outside it is as none. */
+static void wishes_are_honoured(const tf_machine_t *machine,
+                                const tf_state_t *x) {
+  const tf_report_t none = begun(machine, x, TF_MODES);
+  for (unsigned wish = 0; wish < TF_MODES; wish++) {
+    const tf_report_t wished = begun(machine, x, wish);
+    CHECK(wished.set == none.set);
+    if (!(none.set & BIT(wish))) CHECK(wished.mode == none.mode);
+  }
+}
+
+/* A state on h = 0 and the paper's view of it. */
+typedef struct {
+  tf_state_t x;
+  int s;           /* sign of g */
+  real A, N;       /* h' = N - A lambda [1/kg], [m/s^2] */
+  real lambda, mu; /* [N] */
+  real size;       /* of the terms of N */
+} contact_t;
+
+/* False where rounding could decide: near the borders of a region. */
+static bool on_the_surface(const tf_params_t *params,
+                           const tf_machine_t *machine, real kappa,
+                           contact_t *c) {
+  const paper_t p = paper_of(params, kappa);
+  memset(c, 0, sizeof *c);
+  const double reach = tap_bits() & 1u ? 1 : 0.2; /* most escape at small r */
+  c->x.r = uniform(-reach, reach);
+  c->x.w = params->omega0 + uniform(-2 * reach, 2 * reach);
+  c->x.phi = 5;
+  c->x.tick = 17;
+  c->x.seed = 4;
+  CHECK(tf_speed_for_slip(machine, c->x.r, c->x.w, machine->omega0, 0,
+                          &c->x.v) == TF_OK);
+  const real at[3] = {wide(c->x.r), wide(c->x.v), wide(c->x.w)};
+  const real g = paper_g(&p, at);
+  real rate[3];
+  c->s = g < 0 ? -1 : 1;
+  c->A = paper_delassus(&p, at[0], c->s);
+  c->N = paper_lie(&p, at, 0, c->s) / (p.m * (p.beta * p.beta + at[0] * at[0]));
+  c->lambda = paper_lambda(&p, at, c->s);
+  c->mu = p.mu;
+  paper_rhs_time(&p, at, 0, 0, rate);
+  c->size = 1 + fabsl(rate[1]) + fabsl(rate[2]) + fabsl(at[1]);
+  const real doubt = 1000 * EPSILON * c->size;
+  return fabsl(g) > 0.001L && fabsl(c->A) > doubt &&
+         fabsl(fabsl(c->N) - fabsl(c->A) * p.mu) > doubt;
+}
+
+static unsigned expected_set(const contact_t *c) {
+  const unsigned slip = BIT(c->N > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS);
+  const unsigned stick = BIT(c->s > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
+  if (fabsl(c->lambda) > c->mu) return slip;
+  return c->A > 0 ? stick : stick | SLIPS;
+}
+
+static void judge_contact(const tf_machine_t *machine, const contact_t *c,
+                          real kappa) {
+  const tf_report_t report = begun(machine, &c->x, TF_MODES);
+  const bool sticks = fabsl(c->lambda) <= c->mu;
+  CHECK(report.set == expected_set(c));
+  CHECK(report.choices == (sticks && c->A < 0 ? 3 : 1));
+  CHECK_NEAR(wide(report.delassus), c->A, 32 * EPSILON * (1 + fabsl(c->A)));
+  if (sticks) {
+    const real tol = 100 * EPSILON * (c->size + fabsl(c->lambda)) / fabsl(c->A);
+    CHECK(report.mode == (c->s > 0 ? TF_STICK_PLUS : TF_STICK_MINUS));
+    CHECK_NEAR(wide(report.force.F), c->lambda, tol);
+    CHECK_NEAR(wide(report.force.M), (real)c->s * kappa * c->lambda,
+               kappa * tol);
+  } else { /* the law at the side that the wheel leaves to */
+    const real F = c->N > 0 ? c->mu : -c->mu;
+    CHECK(report.mode == (c->N > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
+    CHECK_NEAR(wide(report.force.F), F, 1e4L * EPSILON * c->mu);
+    CHECK_NEAR(wide(report.force.M), (real)c->s * kappa * F,
+               1e4L * EPSILON * c->mu);
+  }
+  wishes_are_honoured(machine, &c->x);
+}
+
+TEST(begin_finds_the_mode) {
+  int seen[2][3] = {{0, 0, 0}, {0, 0, 0}};
+  const tf_params_t params = tf_scenes[0]->params;
+  const tf_machine_t machine = prepared(&params);
+  const real kappa = wide(params.kappa);
+  for (int i = 0; i < 100000; i++) {
+    contact_t c;
+    if (!on_the_surface(&params, &machine, kappa, &c)) continue;
+    judge_contact(&machine, &c, kappa);
+    seen[c.s < 0][fabsl(c.lambda) > c.mu ? 0 : c.A > 0 ? 1 : 2]++;
+  }
+  for (int s = 0; s < 2; s++) { /* crossing, sliding, escaping */
+    printf("# g %c 0: %d crossing, %d sliding, %d escaping\n", s ? '<' : '>',
+           seen[s][0], seen[s][1], seen[s][2]);
+    for (int n = 0; n < 3; n++) CHECK(seen[s][n] > 100);
+  }
+}
+
+/* Without a moment no region escapes, and stick carries none. */
+TEST(begin_without_a_moment) {
+  tf_params_t params = tf_scenes[0]->params;
+  params.law = TF_TYRE_COULOMB;
+  const tf_machine_t machine = prepared(&params);
+  for (int i = 0; i < 20000; i++) {
+    contact_t c;
+    if (!on_the_surface(&params, &machine, 0, &c)) continue;
+    CHECK(c.A > 0);
+    judge_contact(&machine, &c, 0);
+  }
+}
+
+/* Off h = 0 the side decides alone, at any law, whatever is wished. */
+TEST(begin_off_the_surface) {
+  for (int i = 0; i < 60000; i++) {
+    tf_params_t params = tf_scenes[0]->params;
+    params.epsilon = params.k = params.delta = params.a = params.rho = 1;
+    params.law = (tf_tyre_law_t)(i % TF_TYRE_LAWS);
+    const tf_machine_t machine = prepared(&params);
+    const tf_state_t x = {
+        .r = uniform(-2, 2), .v = uniform(-2, 2), .w = uniform(-2, 2)};
+    const tf_slip_t slip = tf_slip(&machine, x.r, x.v, x.w, params.omega0);
+    if (fabsl(wide(slip.h)) < 200 * EPSILON) continue;
+    const tf_report_t report = begun(&machine, &x, TF_MODES);
+    const tf_real_t side = slip.h > 0 ? TF_R(1.0) : TF_R(-1.0);
+    const tf_force_t f = tf_tyre_force(&machine.tyre, side, slip.h, slip.g);
+    CHECK(report.mode == (slip.h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
+    CHECK(report.choices == 1);
+    CHECK(report.force.F == f.F && report.force.M == f.M);
+    if (!tf_tyre_is_set_valued(params.law)) CHECK(report.delassus == 0);
+    wishes_are_honoured(&machine, &x);
+  }
+}
+
+/* v that places h, up to the rounding band and beyond it. */
+TEST(begin_counts_rounding_as_zero) {
+  const tf_params_t params = tf_scenes[6]->params; /* rolling */
+  const tf_machine_t machine = prepared(&params);
+  tf_state_t x = {.r = TF_R(0.95), .w = TF_R(1.3)};
+  CHECK(!strcmp(tf_scenes[6]->name, "rolling"));
+  for (int n = -40; n <= 40; n++) {
+    CHECK(tf_speed_for_slip(&machine, x.r, x.w, -1, 0, &x.v) == TF_OK);
+    x.v += TF_REAL_EPSILON * x.v * (tf_real_t)n;
+    const tf_slip_t slip = tf_slip(&machine, x.r, x.v, x.w, -1);
+    const real z = wide(x.w) + 1, h = wide(slip.h);
+    const real terms = fabsl(wide(x.v)) + (1 + wide(x.r)) * z;
+    const tf_report_t report = begun(&machine, &x, TF_MODES);
+    if (fabsl(h) < 7.9L * EPSILON * terms) CHECK(report.mode > TF_SLIP_MINUS);
+    if (fabsl(h) > 8.1L * EPSILON * terms)
+      CHECK(report.mode == (h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
+  }
+  x.v += 1000 * TF_REAL_EPSILON;
+  CHECK(begun(&machine, &x, TF_STICK_PLUS).mode <= TF_SLIP_MINUS);
+}
+
+/* v = 0, w = omega0: h = g = 0. */
+TEST(begin_at_codimension_two_is_pinned) {
+  const tf_params_t params = tf_scenes[0]->params;
+  const tf_machine_t machine = prepared(&params);
+  for (int i = 0; i < 2000; i++) {
+    const tf_state_t x = {.r = uniform(-2, 2), .w = params.omega0};
+    const tf_report_t report = begun(&machine, &x, TF_MODES);
+    CHECK(report.mode == TF_PINNED && report.choices == 1);
+    CHECK(report.slip.h == 0 && report.slip.g == 0);
+    wishes_are_honoured(&machine, &x);
+  }
+  tf_params_t coulomb = params;
+  coulomb.law = TF_TYRE_COULOMB;
+  const tf_machine_t without = prepared(&coulomb);
+  const tf_state_t x = {.r = TF_R(0.5), .w = params.omega0};
+  CHECK(begun(&without, &x, TF_MODES).mode != TF_PINNED);
+}
+
+/* The two ends of a wish that real numbers cannot keep: stick where only slip
+ * is possible, slip where only stick is. */
+TEST(begin_ignores_impossible_wishes) {
+  const tf_machine_t machine = prepared(&tf_scenes[6]->params);
+  tf_state_t x = {.r = TF_R(0.95), .w = TF_R(1.3)};
+  CHECK(tf_speed_for_slip(&machine, x.r, x.w, -1, 0, &x.v) == TF_OK);
+  const unsigned stick = begun(&machine, &x, TF_MODES).mode;
+  CHECK(stick == TF_STICK_PLUS || stick == TF_STICK_MINUS);
+  CHECK(begun(&machine, &x, TF_SLIP_PLUS).mode == stick);
+  CHECK(begun(&machine, &x, TF_SLIP_MINUS).mode == stick);
+  CHECK(begun(&machine, &x, TF_PINNED).mode == stick);
+  x.v += 1;
+  const unsigned slip = begun(&machine, &x, TF_MODES).mode;
+  CHECK(slip <= TF_SLIP_MINUS);
+  CHECK(begun(&machine, &x, stick).mode == slip);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(begin_finds_the_mode);
+  RUN(begin_without_a_moment);
+  RUN(begin_off_the_surface);
+  RUN(begin_counts_rounding_as_zero);
+  RUN(begin_at_codimension_two_is_pinned);
+  RUN(begin_ignores_impossible_wishes);
+  return tap_end();
+}

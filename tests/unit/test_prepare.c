@@ -1,0 +1,285 @@
+/* The border of the core: what tf_prepare accepts, what it refuses and which
+ * member it blames; then the constants that it derives, against long double.
+ * Behind this border nothing is validated again, so every entry of the table
+ * is tried at both ends, just outside them and at what is no number. */
+#include <stddef.h>
+
+#include "tap.h"
+#include "twofold.h"
+
+typedef long double real;
+
+#define EPSILON ((real)TF_REAL_EPSILON)
+#ifdef TF_REAL_FLOAT
+#define NEXT(x, to) nextafterf((x), (to))
+#else
+#define NEXT(x, to) nextafter((x), (to))
+#endif
+
+static real wide(tf_real_t x) { return (real)x; }
+
+/* Members that every law accepts. */
+static tf_params_t valid(tf_tyre_law_t law) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.law = law;
+  p.epsilon = TF_R(1e-4);
+  p.k = p.delta = p.sigma = p.a = 1;
+  p.rho = TF_R(0.5);
+  return p;
+}
+
+static void set_member(tf_params_t *params, int i, tf_real_t value) {
+  memcpy((char *)params + tf_parameter_ranges[i].offset, &value, sizeof value);
+}
+
+static tf_real_t member(const tf_params_t *params, int i) {
+  tf_real_t value;
+  memcpy(&value, (const char *)params + tf_parameter_ranges[i].offset,
+         sizeof value);
+  return value;
+}
+
+/* Refused with this offender, without a mark on the machine. */
+static void refused(const tf_params_t *params, int blamed) {
+  tf_machine_t machine, before;
+  int offender = -7;
+  memset(&machine, 0xA5, sizeof machine);
+  memset(&before, 0xA5, sizeof before);
+  CHECK(tf_prepare(&machine, params, &offender) == TF_BAD_PARAMETER);
+  CHECK(memcmp(&machine, &before, sizeof machine) == 0);
+  if (!CHECK(offender == blamed))
+    printf("# blamed %d, should be %d\n", offender, blamed);
+  CHECK(tf_prepare(&machine, params, NULL) == TF_BAD_PARAMETER);
+  CHECK(memcmp(&machine, &before, sizeof machine) == 0);
+}
+
+static tf_machine_t accepted(const tf_params_t *params) {
+  tf_machine_t machine;
+  int offender = -7;
+  memset(&machine, 0, sizeof machine);
+  CHECK(tf_prepare(&machine, params, &offender) == TF_OK);
+  CHECK(offender == -7);
+  CHECK(tf_prepare(&machine, params, NULL) == TF_OK);
+  return machine;
+}
+
+/* One member set to one value under one law. */
+static void judge(tf_tyre_law_t law, int i, tf_real_t value, bool in_range) {
+  tf_params_t p = valid(law);
+  set_member(&p, i, value);
+  if (in_range || !((tf_parameter_ranges[i].laws >> law) & 1u))
+    accepted(&p);
+  else
+    refused(&p, i);
+}
+
+static void first_of_two(tf_tyre_law_t law, int i, int j) {
+  tf_params_t p = valid(law);
+  set_member(&p, i, (tf_real_t)NAN);
+  set_member(&p, j, (tf_real_t)INFINITY);
+  const bool i_counts = (tf_parameter_ranges[i].laws >> law) & 1u;
+  const bool j_counts = (tf_parameter_ranges[j].laws >> law) & 1u;
+  if (i_counts || j_counts) refused(&p, i_counts ? i : j);
+}
+
+TEST(prepare_names_the_first_broken_rule) {
+  for (int n = 0; n < TF_TYRE_LAWS; n++) {
+    const tf_tyre_law_t law = (tf_tyre_law_t)n;
+    const tf_params_t good = valid(law);
+    accepted(&good);
+    for (int i = 0; i < TF_PARAMETERS; i++) {
+      const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+      const tf_real_t infinity = (tf_real_t)INFINITY;
+      judge(law, i, range->low, true);
+      judge(law, i, range->high, true);
+      judge(law, i, NEXT(range->low, range->high), true);
+      judge(law, i, NEXT(range->high, range->low), true);
+      judge(law, i, NEXT(range->low, -infinity), false);
+      judge(law, i, NEXT(range->high, infinity), false);
+      judge(law, i, infinity, false);
+      judge(law, i, -infinity, false);
+      judge(law, i, (tf_real_t)NAN, false);
+      for (int j = i + 1; j < TF_PARAMETERS; j++) first_of_two(law, i, j);
+    }
+  }
+}
+
+/* Before any member is looked at. */
+TEST(an_unknown_law_or_rule_is_blamed_on_neither_member) {
+  const unsigned wrong[] = {TF_TYRE_LAWS, 99, UINT32_MAX};
+  for (int i = 0; i < 3; i++) {
+    tf_params_t law = valid(TF_TYRE_JUMP), rule = law;
+    law.law = (tf_tyre_law_t)wrong[i];
+    rule.rule = (tf_rule_t)wrong[i];
+    refused(&law, TF_PARAMETERS);
+    refused(&rule, TF_PARAMETERS);
+    law.m = rule.m = -1;
+    refused(&law, TF_PARAMETERS);
+    refused(&rule, TF_PARAMETERS);
+  }
+  for (int i = 0; i < TF_RULES; i++) {
+    tf_params_t p = valid(TF_TYRE_JUMP);
+    p.rule = (tf_rule_t)i;
+    CHECK(accepted(&p).rule == p.rule);
+  }
+}
+
+/* Which law needs which member, from the comments of tf_params_t. */
+TEST(the_table_is_complete) {
+  const unsigned all = (1u << TF_TYRE_LAWS) - 1;
+  const unsigned kappa =
+      1u << TF_TYRE_JUMP | 1u << TF_TYRE_TWO_PIECE | 1u << TF_TYRE_SMOOTH;
+  const unsigned string = 1u << TF_TYRE_STRING;
+  const struct {
+    const char *name;
+    unsigned laws;
+  } want[TF_PARAMETERS] = {{"m", all},
+                           {"d", all},
+                           {"beta", all},
+                           {"k2", all},
+                           {"c1", all},
+                           {"c2", all},
+                           {"r0", all},
+                           {"omega0", all},
+                           {"mu", all},
+                           {"kappa", kappa},
+                           {"gamma", all},
+                           {"epsilon", 1u << TF_TYRE_SMOOTH},
+                           {"k", string | 1u << TF_TYRE_TWO_PIECE},
+                           {"delta", string},
+                           {"sigma", string},
+                           {"rho", string},
+                           {"a", string},
+                           {"theta", all},
+                           {"dt", all},
+                           {"rate", all}};
+  for (int i = 0; i < TF_PARAMETERS; i++) {
+    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+    CHECK(strcmp(range->name, want[i].name) == 0);
+    CHECK(range->laws == want[i].laws);
+    CHECK(range->low < range->high);
+    CHECK(range->unit && range->unit[0]);
+    CHECK(range->offset == (size_t)i * sizeof(tf_real_t));
+  }
+  CHECK(offsetof(tf_params_t, rate) == 19 * sizeof(tf_real_t));
+}
+
+static void near(tf_real_t got, real want, real ulps) {
+  CHECK_NEAR(wide(got), want, ulps * EPSILON * fabsl(want));
+}
+
+TEST(derived_constants_against_long_double) {
+  for (int n = 0; n < 20000; n++) {
+    tf_params_t p = valid(TF_TYRE_JUMP);
+    for (int i = 0; i < TF_PARAMETERS; i++)
+      set_member(&p, i, member(&p, i) * (tf_real_t)tap_uniform(0.5, 1));
+    p.theta = (tf_real_t)tap_uniform(0.5, 1);
+    p.gamma = (tf_real_t)tap_uniform(-3.14, 3.14);
+    p.rate = (tf_real_t)exp(tap_uniform(-10, 12));
+    const tf_machine_t k = accepted(&p);
+    const real h = wide(p.theta) * wide(p.dt);
+    const real a = h * (wide(p.c2) + h * wide(p.k2));
+    near(k.sin_gamma, sinl(wide(p.gamma)), 2);
+    near(k.cos_gamma, cosl(wide(p.gamma)), 2);
+    near(k.d_sin_gamma, wide(p.d) * sinl(wide(p.gamma)), 3);
+    near(k.beta2, wide(p.beta) * wide(p.beta), 1);
+    near(k.inv_dt, 1 / wide(p.dt), 1);
+    near(k.theta_dt, h, 1);
+    CHECK_NEAR(wide(k.explicit_dt), wide(p.dt) - h, EPSILON * wide(p.dt));
+    near(k.a, a, 4);
+    near(k.d_a, wide(p.d) * a, 5);
+    near(k.m_plus_a, wide(p.m) + a, 2);
+    near(k.m_a_d2, wide(p.m) * a * wide(p.d) * wide(p.d), 7);
+    near(k.inertia, wide(p.m) * wide(p.beta) * wide(p.beta) + h * wide(p.c1),
+         4);
+    near(k.tyre.inv_18_kappa, 1 / (18 * wide(p.kappa)), 2);
+    CHECK(k.stick_kappa == p.kappa && k.tyre.kappa == p.kappa);
+    const real leave = -expm1l(-wide(p.rate) * wide(p.dt));
+    CHECK_NEAR((real)k.exit_threshold, ldexpl(leave, 63),
+               20 * EPSILON * ldexpl(leave, 63) + 1);
+    CHECK(k.m == p.m && k.d == p.d && k.k2 == p.k2 && k.c1 == p.c1);
+    CHECK(k.c2 == p.c2 && k.r0 == p.r0 && k.omega0 == p.omega0);
+    CHECK(k.dt == p.dt && k.theta == p.theta && k.tyre.mu == p.mu);
+  }
+}
+
+TEST(exit_threshold_at_its_ends) {
+  tf_params_t p = valid(TF_TYRE_JUMP);
+  p.rate = 0;
+  CHECK(accepted(&p).exit_threshold == 0);
+  p.rate = TF_R(1e9);
+  p.dt = 1;
+  CHECK(accepted(&p).exit_threshold == UINT64_C(1) << 63);
+}
+
+/* The anchors and the series of T = tan(a atan y) at y = tan(k pi/16). */
+TEST(angle_kernel_constants) {
+  for (int n = 0; n < 20000; n++) {
+    tf_params_t p = valid(TF_TYRE_JUMP);
+    p.kappa = (tf_real_t)exp(tap_uniform(log(1e-9), log(1e6)));
+    const tf_tyre_t tyre = accepted(&p).tyre;
+    const real top = atanl(6 * wide(p.kappa)), half_pi = acosl(0);
+    const real a = top / half_pi;
+    CHECK(tyre.T_anchor[0] == 0);
+    for (int i = 1; i < TF_TYRE_ANCHORS - 1; i++)
+      near(tyre.T_anchor[i], tanl(top * i / 8), 16);
+    near(tyre.T_anchor[8], 6 * wide(p.kappa), 1);
+    near(tyre.T_series[0], a, 16);
+    /* the odd series of tan(a atan y) up to y^3; c_1 vanishes at a = 1 */
+    CHECK_NEAR(wide(tyre.T_series[1]), a * (a * a - 1) / 3, 20 * EPSILON * a);
+  }
+}
+
+/* What a law does not have is 0, and only JUMP carries a moment in stick. */
+TEST(each_law_gets_its_own_constants) {
+  for (int n = 0; n < TF_TYRE_LAWS; n++) {
+    const tf_params_t p = valid((tf_tyre_law_t)n);
+    const tf_machine_t k = accepted(&p);
+    const tf_tyre_t *t = &k.tyre;
+    const bool paper = n == TF_TYRE_JUMP || n == TF_TYRE_SMOOTH;
+    const bool string = n == TF_TYRE_STRING || n == TF_TYRE_TWO_PIECE;
+    CHECK(t->law == p.law && t->mu == p.mu);
+    CHECK(k.stick_kappa == (n == TF_TYRE_JUMP ? p.kappa : 0));
+    CHECK(t->kappa == (paper ? p.kappa : 0));
+    CHECK((t->T_anchor[8] > 0) == paper);
+    CHECK(t->epsilon == (n == TF_TYRE_SMOOTH ? p.epsilon : 0));
+    CHECK(t->k == (string ? p.k : 0));
+    if (n == TF_TYRE_TWO_PIECE) {
+      near(t->delta, 1 / (3 * wide(p.kappa)), 2);
+      near(t->a, 3 * wide(p.kappa), 1);
+      near(t->rho, 2.0L / 3, 1);
+      CHECK(t->sigma == 0);
+    } else {
+      CHECK(t->delta == (string ? p.delta : 0) && t->a == (string ? p.a : 0));
+      CHECK(t->rho == (string ? p.rho : 0));
+      CHECK(t->sigma == (string ? p.sigma : 0));
+    }
+  }
+}
+
+TEST(a_state_is_small) {
+  CHECK(sizeof(tf_state_t) <= 64);
+  CHECK(sizeof(tf_input_t) == 4 * sizeof(tf_real_t));
+}
+
+TEST(every_scene_prepares) {
+  for (int i = 0; i < TF_SCENES; i++) {
+    const tf_machine_t machine = accepted(&tf_scenes[i]->params);
+    CHECK(machine.tyre.law == tf_scenes[i]->params.law);
+    CHECK(machine.with_angle == tf_scenes[i]->params.with_angle);
+  }
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(prepare_names_the_first_broken_rule);
+  RUN(an_unknown_law_or_rule_is_blamed_on_neither_member);
+  RUN(the_table_is_complete);
+  RUN(derived_constants_against_long_double);
+  RUN(exit_threshold_at_its_ends);
+  RUN(angle_kernel_constants);
+  RUN(each_law_gets_its_own_constants);
+  RUN(a_state_is_small);
+  RUN(every_scene_prepares);
+  return tap_end();
+}
