@@ -1,8 +1,8 @@
 // The solution set of one step's inclusion (incl), by enumeration. Inline: the
 // step has it within itself.
 //
-// Existence is decided by the signs of h_s(+mu) and h_s(-mu) alone. For one s:
-//   slip+ solves iff h_s(mu) > 0, slip- iff h_s(-mu) < 0, and a stick lies
+// Existence is decided by the signs of h at x = +1 and x = -1 alone. For one s:
+//   slip+ solves iff h(1, s) > 0, slip- iff h(-1, -s) < 0, and a stick lies
 //   between iff both or neither do (intermediate value theorem):
 // neither: one solution, the stick of a positive Delassus scalar; both: three,
 // the stick of a negative one. A division by a scalar near 0 decides nothing.
@@ -12,55 +12,70 @@
 #include "kernel.h"
 #include "twofold/friction.h"
 
-// h or g at lambda = +mu and -mu.
+// A form along y = s x: c0 + c1 x + c2 x^2, and its values at x = 1, -1.
 typedef struct {
-  tf_real_t plus, minus;
-} ends_t;
+  tf_real_t c0, c1, c2, plus, minus;
+} ray_t;
 
-TF_INLINE ends_t at_ends(tf_real_t c0, tf_real_t c1, tf_real_t c2,
-                         tf_real_t mu) {
-  const tf_real_t middle = c0 + mu * mu * c2, span = mu * c1;
-  return (ends_t){middle + span, middle - span};
+TF_INLINE ray_t along(const tf_form_t *f, int s) {
+  ray_t ray = {f->c0, s ? f->F - f->M : f->F + f->M, 0, 0, 0};
+  ray.c2 = s ? f->FF + f->MM - f->FM : f->FF + f->MM + f->FM;
+  ray.plus = f->c0 + ray.c2 + ray.c1;
+  ray.minus = f->c0 + ray.c2 - ray.c1;
+  return ray;
+}
+
+// See tf_friction_signs. NaN ends at both.
+TF_INLINE unsigned signs_of(const tf_form_t *g) {
+  const ray_t a = along(g, 0), b = along(g, 1);
+  if (g->c0 > 0 && a.plus > 0 && a.minus > 0 && b.plus > 0 && b.minus > 0)
+    return 1;
+  if (g->c0 < 0 && a.plus < 0 && a.minus < 0 && b.plus < 0 && b.minus < 0)
+    return 2;
+  return 3;
 }
 
 // The root of c0 + c1 x + c2 x^2 that is the perturbed -c0/c1; it is the one
-// in [-mu, mu] where just one is. With x1 = -c0/c1 and q = c2 x1/c1 the root
-// is x1 y, q y^2 + y - 1 = 0, y = 2/(1 + sqrt(1 + 4 q)): no squares of small
+// in [-1, 1] where just one is. With x1 = -c0/c1 and q = c2 x1/c1 the root is
+// x1 y, q y^2 + y - 1 = 0, y = 2/(1 + sqrt(1 + 4 q)): no squares of small
 // numbers, no cancellation. At c1 = 0 (the vertical line of a two-fold) any x
 // solves; 0 is the one of least norm.
-TF_INLINE tf_real_t root_within(tf_real_t c0, tf_real_t c1, tf_real_t c2,
-                                tf_real_t mu) {
+TF_INLINE tf_real_t root_within(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
   if (magnitude(c1) < TF_REAL_MIN) return 0;
   const tf_real_t x1 = -c0 / c1;
   const tf_real_t discriminant = 1 + 4 * (c2 / c1) * x1;
   const tf_real_t root = discriminant > 0 ? square_root(discriminant) : 0;
-  return clip(2 * x1 / (1 + root), -mu, mu);
+  return clip(2 * x1 / (1 + root), -1, 1);
 }
 
-// Where just one slip solves, h keeps its sign from -mu to mu or dips through 0
-// and back: then stick solves twice. It takes a step so long that the change
-// of r bends h(lambda) inside [-mu, mu].
-TF_INLINE bool dips(tf_real_t c0, tf_real_t c1, tf_real_t c2, tf_real_t mu,
-                    bool above) {
-  return magnitude(c1) < 2 * mu * magnitude(c2) && (c2 > 0) == above &&
-         c1 * c1 > 4 * c0 * c2;
+// Where just one slip solves, h keeps its sign from x = -1 to 1 or dips through
+// 0 and back: then stick solves twice. It takes a step so long that the change
+// of r bends h inside [-1, 1].
+TF_INLINE bool dips(const ray_t *h, bool above) {
+  return magnitude(h->c1) < 2 * magnitude(h->c2) && (h->c2 > 0) == above &&
+         h->c1 * h->c1 > 4 * h->c0 * h->c2;
 }
 
-// All g+ have the sign of one s: three candidates, at most.
-TF_INLINE unsigned solve_one_sign(tf_real_t mu, tf_real_t c0, tf_real_t c1,
-                                  tf_real_t c2, unsigned s,
-                                  tf_solutions_t *out) {
-  const ends_t h = at_ends(c0, c1, c2, mu);
-  const unsigned plus = h.plus > 0, minus = h.minus < 0;
-  const unsigned stick = TF_MODE_BIT(TF_STICK_PLUS + s);
-  out->attracting = (uint8_t)(c1 < 0 ? stick : 0);
-  out->tau[0] = out->tau[1] = s ? TF_R(-1.0) : TF_R(1.0);
-  out->h_limit[0] = h.plus;
-  out->h_limit[1] = h.minus;
-  if (plus != minus && !dips(c0, c1, c2, mu, plus))
-    return plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS;
-  out->lambda[s] = root_within(c0, c1, c2, mu);
-  return plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS | stick;
+// Whether a stick on a ray ends with the sign of g that the ray is for. Without
+// a moment both rays are one; it goes by the sign of g, and g = 0 has to go
+// somewhere.
+TF_INLINE bool rolls_as(const ray_t *g, int s, bool has_moment, tf_real_t x) {
+  const tf_real_t g_end = g->c0 + x * (g->c1 + x * g->c2);
+  return s ? g_end < 0 : g_end > 0 || (g_end == 0 && !has_moment);
+}
+
+// The stick of one s, if there is one.
+TF_INLINE void solve_stick(const ray_t *h, const ray_t *g, int s,
+                           bool has_moment, tf_solutions_t *out) {
+  const bool above = h->plus > 0, one = above != (h->minus < 0);
+  const bool two = one && dips(h, above);
+  if (h->c1 < 0) out->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  if (one && !two) return; // one slip, no stick
+  tf_real_t x = root_within(h->c0, h->c1, h->c2);
+  if (two && !rolls_as(g, s, has_moment, x)) x = -h->c1 / h->c2 - x;
+  out->x[s] = x;
+  if (rolls_as(g, s, has_moment, x))
+    out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
 }
 
 // The share s of the moment in a slip at h -> 0, where g(s) is the quadratic
@@ -76,62 +91,64 @@ TF_INLINE tf_real_t moment_share(tf_real_t g_plus, tf_real_t g_minus,
   if (g_plus > 0) return 1;
   if (g_minus < 0) return -1;
   return root_within((g_plus + g_minus) / 2 - bend, (g_plus - g_minus) / 2,
-                     bend, 1);
-}
-
-// Whether a stick with s and lambda = x ends with that sign of g. Without a
-// moment both s are one solution; it goes by the sign of g, and g = 0 has to
-// go somewhere.
-TF_INLINE bool rolls_as(const tf_inclusion_t *in, int s, tf_real_t x) {
-  const tf_real_t g = in->g_free + x * (in->g1[s] + x * in->g2[s]);
-  return s ? g < 0 : g > 0 || (g == 0 && in->kappa == 0);
-}
-
-// One s: h+ and g+ of its slips at h -> 0, and its stick.
-typedef struct {
-  ends_t h, g;
-} corners_t;
-
-TF_INLINE corners_t solve_sign(const tf_inclusion_t *in, int s,
-                               tf_solutions_t *out) {
-  const tf_real_t mu = in->mu, h1 = in->h1[s], h2 = in->h2[s];
-  const corners_t c = {at_ends(in->h_free, h1, h2, mu),
-                       at_ends(in->g_free, in->g1[s], in->g2[s], mu)};
-  const bool above = c.h.plus > 0, one = above != (c.h.minus < 0);
-  const bool two = one && dips(in->h_free, h1, h2, mu, above);
-  if (h1 < 0) out->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
-  if (one && !two) return c; // one slip, no stick
-  tf_real_t x = root_within(in->h_free, h1, h2, mu);
-  if (two && !rolls_as(in, s, x)) x = -h1 / h2 - x;
-  out->lambda[s] = x;
-  if (rolls_as(in, s, x)) out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
-  return c;
+                     bend);
 }
 
 // One side: the slip at h -> 0, whatever its share of the moment.
-TF_INLINE void solve_side(const tf_inclusion_t *in, int slip, tf_real_t side,
+TF_INLINE void solve_slip(const tf_inclusion_t *in, int slip, tf_real_t side,
                           tf_real_t h_plus, tf_real_t h_minus, tf_real_t g_plus,
                           tf_real_t g_minus, tf_solutions_t *out) {
-  const tf_real_t M = in->kappa * in->mu;
   const tf_real_t tau =
-      moment_share(g_plus, g_minus, M * M * in->g_MM, side * h_plus > 0,
+      moment_share(g_plus, g_minus, in->g.MM, side * h_plus > 0,
                    side * h_minus > 0, in->g_now >= 0);
   const tf_real_t h_end = ((1 + tau) * h_plus + (1 - tau) * h_minus) / 2 -
-                          (1 - tau * tau) * (M * M * in->h_MM);
+                          (1 - tau * tau) * in->h.MM;
   out->tau[slip] = tau;
   out->h_limit[slip] = h_end;
   if (side * h_end > 0) out->set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
 }
 
+// All g+ have the sign of one s.
+TF_INLINE void solve_one_sign(const tf_inclusion_t *in, int s,
+                              tf_solutions_t *out) {
+  const ray_t h = along(&in->h, s);
+  const bool plus = h.plus > 0, minus = h.minus < 0;
+  out->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
+  out->attracting = (uint8_t)(h.c1 < 0 ? TF_MODE_BIT(TF_STICK_PLUS + s) : 0);
+  out->tau[0] = out->tau[1] = s ? TF_R(-1.0) : TF_R(1.0);
+  out->h_limit[0] = h.plus;
+  out->h_limit[1] = h.minus;
+  if (plus != minus && !dips(&h, plus)) return;
+  out->x[s] = root_within(h.c0, h.c1, h.c2);
+  out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+}
+
 // g+ may have either sign: codimension two is within reach of this step.
 TF_INLINE void solve_both_signs(const tf_inclusion_t *in, tf_solutions_t *out) {
-  const corners_t a = solve_sign(in, 0, out), b = solve_sign(in, 1, out);
-  solve_side(in, 0, 1, a.h.plus, b.h.plus, a.g.plus, b.g.plus, out);
-  solve_side(in, 1, -1, a.h.minus, b.h.minus, a.g.minus, b.g.minus, out);
+  const ray_t h0 = along(&in->h, 0), h1 = along(&in->h, 1);
+  const ray_t g0 = along(&in->g, 0), g1 = along(&in->g, 1);
+  out->set = 0;
+  out->attracting = 0;
+  solve_stick(&h0, &g0, 0, in->has_moment, out);
+  solve_stick(&h1, &g1, 1, in->has_moment, out);
+  solve_slip(in, 0, 1, h0.plus, h1.plus, g0.plus, g1.plus, out);
+  solve_slip(in, 1, -1, h0.minus, h1.minus, g0.minus, g1.minus, out);
   // Without a moment a pinned wheel is a stick with g+ = 0: not a sixth mode.
-  if (in->kappa > 0 && within(in->pin.F, in->mu) &&
-      within(in->pin.M, in->kappa * magnitude(in->pin.F)))
+  if (in->has_moment && within(in->pin_x, 1) &&
+      within(in->pin_y, magnitude(in->pin_x)))
     out->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
+}
+
+TF_INLINE void solve(const tf_inclusion_t *in, unsigned signs,
+                     tf_solutions_t *out) {
+  const bool at_plus = signs == 3 ? in->g_now >= 0 : signs == 1;
+  out->near_stick = at_plus ? TF_STICK_PLUS : TF_STICK_MINUS;
+  if (signs == 3)
+    solve_both_signs(in, out);
+  else if (signs == 1)
+    solve_one_sign(in, 0, out);
+  else
+    solve_one_sign(in, 1, out);
 }
 
 // See tf_law_residual.

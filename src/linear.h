@@ -60,6 +60,19 @@ TF_INLINE tf_change_t response(const tf_machine_t *k, const tf_linear_t *l,
   return answer(l, f.F * k->sin_gamma, t, t - f.F * k->d_sin_gamma);
 }
 
+// The same for F = mu and for M = kappa mu alone.
+TF_INLINE tf_change_t force_response(const tf_machine_t *k,
+                                     const tf_linear_t *l) {
+  const tf_real_t t = k->tyre.mu * l->arm;
+  return answer(l, k->mu_sin_gamma, t, t - k->mu_d_sin_gamma);
+}
+
+TF_INLINE tf_change_t moment_response(const tf_machine_t *k,
+                                      const tf_linear_t *l) {
+  return (tf_change_t){k->kappa_mu * (l->p_t - l->p_c),
+                       k->kappa_mu * (l->z_t + l->z_c)};
+}
+
 TF_INLINE tf_linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
                                 const tf_input_t *input) {
   const tf_real_t v = state->v, w = state->w, h = k->theta_dt;
@@ -113,11 +126,6 @@ TF_INLINE tf_end_t end_after(const tf_machine_t *k, const tf_linear_t *l,
   return end;
 }
 
-TF_INLINE tf_end_t end_under(const tf_machine_t *k, const tf_linear_t *l,
-                             tf_force_t force) {
-  return end_after(k, l, force, response(k, l, force));
-}
-
 TF_INLINE tf_slip_t end_slip(const tf_machine_t *k, const tf_linear_t *l,
                              const tf_end_t *end) {
   return slip_speeds(k, end->r, end->v, end->w - l->omega0);
@@ -125,27 +133,40 @@ TF_INLINE tf_slip_t end_slip(const tf_machine_t *k, const tf_linear_t *l,
 
 // (9): slip at the theta point, where a slip force is to be evaluated.
 TF_INLINE tf_slip_t theta_slip(const tf_machine_t *k, const tf_linear_t *l,
-                               tf_real_t r_theta, tf_force_t force) {
-  const tf_change_t f = response(k, l, force);
-  const tf_real_t p = l->p + k->theta * (l->free.p + f.p);
-  const tf_real_t z = l->z + k->theta * (l->free.z + f.z);
+                               tf_real_t r_theta, tf_change_t friction) {
+  const tf_real_t p = l->p + k->theta * (l->free.p + friction.p);
+  const tf_real_t z = l->z + k->theta * (l->free.z + friction.z);
   return turned(k, p, r_theta * z);
 }
 
-// (8): slip at the end of the step as polynomials of lambda for one s:
-//   h+ = h + h1 lambda + h2 lambda^2, and g+ alike,
-// from q+ = (r + R lambda)(z + Z lambda) with R = theta dt (P + d Z).
+// (8): answers of p, z and r at the end of the step to x and y alone, that is
+// to F = mu and to M = kappa mu.
 typedef struct {
-  tf_real_t h1, h2, g1, g2;
-  tf_real_t R, Z;
-} tf_polynomial_t;
+  tf_real_t p, z, r;
+} tf_answer_t;
 
-TF_INLINE tf_polynomial_t polynomial_of(const tf_machine_t *k, tf_real_t r,
-                                        tf_real_t z, tf_change_t one) {
-  const tf_real_t R = k->theta_dt * (one.p + k->d * one.z);
-  const tf_slip_t first = turned(k, one.p, r * one.z + z * R);
-  const tf_slip_t second = turned(k, 0, R * one.z);
-  return (tf_polynomial_t){first.h, second.h, first.g, second.g, R, one.z};
+TF_INLINE tf_answer_t answer_of(const tf_machine_t *k, tf_change_t c) {
+  return (tf_answer_t){c.p, c.z, k->theta_dt * (c.p + k->d * c.z)};
+}
+
+// h and g at the end of the step as forms of x and y: from p+ affine in them
+// and q+ = r+ z+ a product of two affine functions.
+TF_INLINE void slip_forms(const tf_machine_t *k, tf_real_t r, tf_real_t z,
+                          tf_slip_t free, const tf_answer_t *F,
+                          const tf_answer_t *M, tf_form_t *h, tf_form_t *g) {
+  const tf_slip_t f = turned(k, F->p, r * F->z + z * F->r);
+  const tf_slip_t m = turned(k, M->p, r * M->z + z * M->r);
+  const tf_real_t FF = F->r * F->z, MM = M->r * M->z;
+  const tf_real_t FM = F->r * M->z + M->r * F->z;
+  *h = (tf_form_t){free.h,
+                   f.h,
+                   m.h,
+                   -FF * k->cos_gamma,
+                   -FM * k->cos_gamma,
+                   -MM * k->cos_gamma};
+  *g = (tf_form_t){
+      free.g,           f.g, m.g, FF * k->sin_gamma, FM * k->sin_gamma,
+      MM * k->sin_gamma};
 }
 
 // (10): the force and moment under which the velocities end at p = z = 0: the

@@ -77,6 +77,7 @@ static void prepare_angle_kernel(tf_tyre_t *tyre, tf_real_t kappa) {
            (tf_real_t)(2 * n + 1);
   }
   tyre->inv_18_kappa = 1 / (18 * kappa);
+  tyre->inv_6_kappa = 1 / (6 * kappa);
 }
 
 static void prepare_tyre(tf_tyre_t *tyre, const tf_params_t *params) {
@@ -110,6 +111,11 @@ static void prepare_tyre(tf_tyre_t *tyre, const tf_params_t *params) {
   }
 }
 
+// 1/x stays finite: a friction below the least normal number counts as none.
+static tf_real_t inverse_or_0(tf_real_t x) {
+  return x >= TF_REAL_MIN ? 1 / x : 0;
+}
+
 TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
                               int *offender) {
   const int first = first_offender(params);
@@ -131,7 +137,6 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
                             .beta2 = beta2,
                             .dt = dt,
                             .theta = params->theta,
-                            .inv_dt = 1 / dt,
                             .theta_dt = theta_dt,
                             .explicit_dt = dt - theta_dt,
                             .a = a,
@@ -142,10 +147,17 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
                             .rule = params->rule,
                             .with_angle = params->with_angle};
   prepare_tyre(&machine->tyre, params);
-  machine->stick_kappa = params->law == TF_TYRE_JUMP ? params->kappa : 0;
   tf_sine_cosine(params->gamma, &machine->sin_gamma, &machine->cos_gamma);
   machine->minus_sin_gamma = -machine->sin_gamma;
   machine->d_sin_gamma = d * machine->sin_gamma;
+  const tf_real_t mu = params->mu;
+  machine->stick_kappa = params->law == TF_TYRE_JUMP ? params->kappa : 0;
+  machine->mu_sin_gamma = mu * machine->sin_gamma;
+  machine->mu_d_sin_gamma = mu * machine->d_sin_gamma;
+  machine->kappa_mu = machine->stick_kappa * mu;
+  machine->inv_mu = inverse_or_0(mu);
+  machine->inv_kappa_mu = inverse_or_0(machine->kappa_mu);
+  machine->inv_mu_dt = inverse_or_0(mu * dt);
   const tf_real_t p = tf_exit_probability(params->rate * dt);
   machine->exit_threshold = (uint64_t)(p * TF_R(9223372036854775808.0));
   return TF_OK;

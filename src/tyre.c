@@ -1,6 +1,12 @@
 // Tyre laws: friction force and aligning moment from the slip angle.
 #include "tyre_core.h"
 
+static tf_force_t jump_force(const tf_tyre_t *tyre, tf_real_t side, tf_real_t h,
+                             tf_real_t g) {
+  const tf_multipliers_t m = jump_multipliers(tyre, side, h, g);
+  return (tf_force_t){tyre->mu * m.x, tyre->kappa * tyre->mu * m.y};
+}
+
 // The jump smoothed: sign(h) becomes h / sqrt(h^2 + epsilon^2).
 static tf_force_t smooth_force(const tf_tyre_t *tyre, tf_real_t h,
                                tf_real_t g) {

@@ -53,14 +53,19 @@ TF_INLINE tf_real_t cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H) {
   return (T + u) / (1 - T * u);
 }
 
-// (force), (moment) for one side of h = 0.
-TF_INLINE tf_force_t jump_force(const tf_tyre_t *tyre, tf_real_t side,
-                                tf_real_t h, tf_real_t g) {
+// (force), (moment) for one side of h = 0, in units of mu and kappa mu.
+typedef struct {
+  tf_real_t x, y;
+} tf_multipliers_t;
+
+TF_INLINE tf_multipliers_t jump_multipliers(const tf_tyre_t *tyre,
+                                            tf_real_t side, tf_real_t h,
+                                            tf_real_t g) {
   const tf_real_t H = side * h;
   const tf_real_t T = cot_psi(tyre, magnitude(g), H > 0 ? H : 0);
-  const tf_real_t F = tyre->mu * (TF_R(4.0) / 3 - T * tyre->inv_18_kappa);
-  const tf_real_t M = tyre->mu * (T / 6);
-  return (tf_force_t){side * F, g < 0 ? side * -M : side * M};
+  const tf_real_t x = TF_R(4.0) / 3 - T * tyre->inv_18_kappa;
+  const tf_real_t y = T * tyre->inv_6_kappa;
+  return (tf_multipliers_t){side * x, g < 0 ? -(side * y) : side * y};
 }
 
 #endif

@@ -1,15 +1,16 @@
 /// @file
 /// The inclusion of one step and its whole solution set.
 ///
-/// With the free end-of-step slip speeds (friction left out) the law at the
-/// end of the step reads, for s = sign(g+) and F = lambda, M = s kappa lambda,
-///   h+ = h_free + h1[s] lambda + h2[s] lambda^2 = h_s(lambda)
-///   g+ = g_free + g1[s] lambda + g2[s] lambda^2 = g_s(lambda)
-///   lambda in mu Sgn(h+),  s in Sgn(g+)                              (incl)
-/// The quadratic terms come from r+ moving with v+. Up to five modes solve it.
+/// Unknowns are the multipliers x = F / mu and y = M / (kappa mu) of the mean
+/// force and moment of the step. The slip speeds at its end are quadratic
+/// forms of them (r+ moves with v+), and the law holds there:
+///   h+ = h(x, y),  g+ = g(x, y),  y = s x
+///   x in Sgn(h+),  s in Sgn(g+)                                     (incl)
+/// Up to five modes solve it.
 #ifndef TWOFOLD_FRICTION_H
 #define TWOFOLD_FRICTION_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "twofold/real.h"
@@ -36,39 +37,48 @@ typedef enum {
 #define tf_mode_name TF_LINK(tf_mode_name)
 TF_API const char *tf_mode_name(unsigned mode);
 
-/// The inclusion (incl) of one step. Index 0 is s = +1, index 1 is s = -1.
+/// c0 + F x + M y + FF x^2 + FM x y + MM y^2, all [m/s].
 typedef struct {
-  tf_real_t mu;             ///< [N], >= 0
-  tf_real_t kappa;          ///< [m]; 0 where stick carries no moment
-  tf_real_t h_free, g_free; ///< slip speeds at lambda = 0 [m/s]
-  tf_real_t h1[2], g1[2];   ///< [m/s/N]; -h1/dt is the Delassus scalar
-  tf_real_t h2[2], g2[2];   ///< [m/s/N^2]
-  tf_real_t h_MM, g_MM;     ///< second-order answer to M alone [m/s/(N m)^2]
-  tf_real_t g_now;          ///< g before the step: decides a tie of s
-  tf_force_t pin;           ///< the F, M that end the step at h = g = 0
-  uint8_t signs;            ///< which s can occur: bit 0 +1, bit 1 -1. Members
-                            ///< of an s that cannot are not read, and pin is
-                            ///< read only where both can
+  tf_real_t c0, F, M, FF, FM, MM;
+} tf_form_t;
+
+/// The inclusion (incl) of one step.
+typedef struct {
+  tf_form_t h, g;
+  tf_real_t g_now;        ///< g before the step: decides a tie of s [m/s]
+  bool has_moment;        ///< false: M, FM, MM are 0 and stick has no s
+  tf_real_t pin_x, pin_y; ///< the x, y that end the step at h = g = 0; read
+                          ///< only where tf_friction_signs says both signs
 } tf_inclusion_t;
+
+/// Signs that g+ can have under the law: bit 0 for s = +1, bit 1 for s = -1.
+/// Scheme: the sign of g at no force and at the corners |x| = |y| = 1; between
+///   them g is affine but for terms of third order in dt.
+/// inclusion: in. Returns: 1, 2 or 3.
+/// Cost: 12 operations, 10 comparisons. Stack: 32 B.
+/// Memory: none kept, reentrant.
+/// Claims: enumeration_against_grid_search
+#define tf_friction_signs TF_LINK(tf_friction_signs)
+TF_API unsigned tf_friction_signs(const tf_inclusion_t *inclusion);
 
 /// All solutions of (incl).
 typedef struct {
   uint8_t set;          ///< bit TF_MODE_BIT(mode) for each consistent mode
   uint8_t attracting;   ///< bits of the sticks with a positive Delassus scalar
   uint8_t near_stick;   ///< the stick on the present side of g: decides a tie
-  tf_real_t lambda[2];  ///< F of stick+, stick- where in the set, in [-mu, mu]
-  tf_real_t tau[2];     ///< M / (kappa F) at h -> 0 of slip+, slip-
+  tf_real_t x[2];       ///< of stick+, stick- where in the set, in [-1, 1]
+  tf_real_t tau[2];     ///< y / x at h -> 0 of slip+, slip-
   tf_real_t h_limit[2]; ///< h+ of slip+, slip- under the force at h -> 0
 } tf_solutions_t;
 
 /// Enumerates the consistent modes, in closed form, never by iteration.
-/// Scheme: (incl). Whether stick exists is read off the signs of h_s(+-mu)
+/// Scheme: (incl). Whether stick exists is read off the signs of h at x = +-1
 ///   (intermediate value theorem), so the count is 1 or 3 by construction and
 ///   never hangs on a division by a Delassus scalar near 0.
-/// inclusion: in, all members finite.
+/// inclusion: in, all members finite; pin as said there.
 /// solutions: out.
 /// Returns: nothing; an empty set is possible (friction is not associated).
-/// Cost: 130 operations, 3 divisions and a square root a stick. Stack: 160 B.
+/// Cost: 70 operations, 3 divisions and a square root a stick. Stack: 160 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: enumeration_against_grid_search, one_or_three_solutions
 #define tf_friction_solve TF_LINK(tf_friction_solve)

@@ -64,16 +64,21 @@ typedef struct {
   tf_real_t d_sin_gamma; ///< [m]
   tf_real_t beta2;       ///< beta^2 [m^2]
   tf_real_t dt, theta;
-  tf_real_t inv_dt;        ///< 1 / dt [1/s]
-  tf_real_t theta_dt;      ///< theta dt [s]
-  tf_real_t explicit_dt;   ///< (1 - theta) dt [s]
-  tf_real_t a;             ///< [kg]
-  tf_real_t d_a;           ///< d a [kg m]
-  tf_real_t m_plus_a;      ///< [kg]
-  tf_real_t m_a_d2;        ///< m a d^2 [kg^2 m^2]
-  tf_real_t inertia;       ///< m beta^2 + theta dt c1 [kg m^2]
-  tf_real_t stick_kappa;   ///< kappa where stick carries a moment, else 0
-  uint64_t exit_threshold; ///< (1 - exp(-rate dt)) 2^63
+  tf_real_t theta_dt;       ///< theta dt [s]
+  tf_real_t explicit_dt;    ///< (1 - theta) dt [s]
+  tf_real_t a;              ///< [kg]
+  tf_real_t d_a;            ///< d a [kg m]
+  tf_real_t m_plus_a;       ///< [kg]
+  tf_real_t m_a_d2;         ///< m a d^2 [kg^2 m^2]
+  tf_real_t inertia;        ///< m beta^2 + theta dt c1 [kg m^2]
+  tf_real_t mu_sin_gamma;   ///< [N]
+  tf_real_t mu_d_sin_gamma; ///< [N m]
+  tf_real_t stick_kappa;    ///< kappa where stick carries a moment, else 0
+  tf_real_t kappa_mu;       ///< stick_kappa mu [N m]
+  tf_real_t inv_mu;         ///< 1 / mu, 0 where mu is 0 [1/N]
+  tf_real_t inv_kappa_mu;   ///< 1 / kappa_mu, 0 where that is 0 [1/(N m)]
+  tf_real_t inv_mu_dt;      ///< 1 / (mu dt), 0 where mu is 0 [1/(N s)]
+  uint64_t exit_threshold;  ///< (1 - exp(-rate dt)) 2^63
   tf_tyre_t tyre;
   tf_rule_t rule;
   bool with_angle;

@@ -50,8 +50,8 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 /// Returns: TF_OK; TF_DEGRADED (advanced; no mode was consistent);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
-/// Cost: about 420 instructions on x86-64 in double in stick, 750 in slip, 1300
-///   within reach of h = g = 0; no data-dependent loop. Stack: 512 B.
+/// Cost: about 510 instructions on x86-64 in double in stick, 800 in slip, 80
+///   more within reach of h = g = 0; no data-dependent loop. Stack: 512 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
 ///   branch_is_independent_of_the_step_size, golden_trajectories

@@ -133,6 +133,8 @@ TEST(mirror_symmetry) {
         b.minus_sin_gamma = -b.minus_sin_gamma;
         b.cos_gamma = -b.cos_gamma;
         b.d_sin_gamma = -b.d_sin_gamma;
+        b.mu_sin_gamma = -b.mu_sin_gamma;
+        b.mu_d_sin_gamma = -b.mu_d_sin_gamma;
       }
       const tf_input_t u = tf_input_default(&a), w = tf_input_default(&b);
       for (n = 0; n < 40000; n++) {

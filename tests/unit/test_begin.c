@@ -201,20 +201,21 @@ TEST(begin_counts_rounding_as_zero) {
   const tf_params_t params = tf_scenes[6]->params; /* rolling */
   const tf_machine_t machine = prepared(&params);
   tf_state_t x = {.r = TF_R(0.95), .w = TF_R(1.3)};
+  int slips = 0;
   CHECK(!strcmp(tf_scenes[6]->name, "rolling"));
   for (int n = -40; n <= 40; n++) {
     CHECK(tf_speed_for_slip(&machine, x.r, x.w, -1, 0, &x.v) == TF_OK);
-    x.v += TF_REAL_EPSILON * x.v * (tf_real_t)n;
+    x.v += 4 * TF_REAL_EPSILON * (tf_real_t)n;
     const tf_slip_t slip = tf_slip(&machine, x.r, x.v, x.w, -1);
     const real z = wide(x.w) + 1, h = wide(slip.h);
     const real terms = fabsl(wide(x.v)) + (1 + wide(x.r)) * z;
     const tf_report_t report = begun(&machine, &x, TF_MODES);
+    slips += report.mode <= TF_SLIP_MINUS;
     if (fabsl(h) < 7.9L * EPSILON * terms) CHECK(report.mode > TF_SLIP_MINUS);
     if (fabsl(h) > 8.1L * EPSILON * terms)
       CHECK(report.mode == (h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
   }
-  x.v += 1000 * TF_REAL_EPSILON;
-  CHECK(begun(&machine, &x, TF_STICK_PLUS).mode <= TF_SLIP_MINUS);
+  CHECK(slips > 10 && slips < 70);
 }
 
 /* v = 0, w = omega0: h = g = 0. */

@@ -210,46 +210,47 @@ TEST(enumeration_against_grid_search) {
 /* Away from g = 0 theory counts: A > 0 one, A < 0 three within |A| dt mu. */
 TEST(one_or_three_solutions) {
   for (int i = 0; i < 100000; i++) {
-    const int s = (int)(tap_bits() & 1);
-    tf_inclusion_t in = {.mu = (tf_real_t)tap_uniform(0.1, 3),
-                         .kappa = (tf_real_t)0.3,
-                         .h_free = (tf_real_t)tap_uniform(-1, 1),
-                         .g_free = s ? -100 : 100,
-                         .g_now = s ? -100 : 100,
-                         .signs = (uint8_t)(1 << s)};
-    tf_solutions_t out;
-    const int kind = i % 3; /* A > 0, A < 0, A = 0 */
+    const int s = (int)(tap_bits() & 1), kind = i % 3; /* A > 0, < 0, = 0 */
     const double A = kind == 2 ? 0 : tap_uniform(1e-3, 2);
-    in.h1[s] = (tf_real_t)(kind == 1 ? A : -A);
-    if (i % 30 == 2) in.h_free = 0;
+    const double h1 = kind == 1 ? A : -A, share = tap_uniform(-1, 1);
+    const tf_inclusion_t in = {
+        .h = {.c0 = i % 30 == 2 ? 0 : (tf_real_t)tap_uniform(-1, 1),
+              .F = (tf_real_t)(h1 * (1 - share)),
+              .M = (tf_real_t)((s ? -1 : 1) * h1 * share)},
+        .g = {.c0 = s ? -100 : 100},
+        .g_now = s ? -100 : 100,
+        .has_moment = true};
+    const double c1 =
+        (double)(s ? in.h.F - in.h.M : in.h.F + in.h.M); /* as rounded */
+    tf_solutions_t out;
+    CHECK(tf_friction_signs(&in) == (s ? 2u : 1u));
     tf_friction_solve(&in, &out);
     int n = 0;
     for (int mode = 0; mode < TF_MODES; mode++) n += out.set >> mode & 1;
-    const int within = fabs((double)in.h_free) < A * (double)in.mu;
+    const int within = fabs((double)in.h.c0) < fabs(c1);
     CHECK(n == (kind == 1 && within ? 3 : 1));
     const unsigned stick = TF_MODE_BIT(TF_STICK_PLUS + s);
-    CHECK(!(out.set & stick) == !(within || (kind == 2 && in.h_free == 0)));
-    CHECK(!(out.attracting & stick) == !(kind == 0));
+    CHECK(!(out.set & stick) == !(within || (c1 == 0 && in.h.c0 == 0)));
+    CHECK(!(out.attracting & stick) == !(c1 < 0));
     if (out.set & stick)
-      CHECK_NEAR((double)in.h_free + (double)(in.h1[s] * out.lambda[s]), 0,
+      CHECK_NEAR((double)in.h.c0 + c1 * (double)out.x[s], 0,
                  4 * (double)TF_REAL_EPSILON);
   }
 }
 
-TEST(stick_force_solves_the_quadratic) {
+TEST(stick_solves_the_quadratic) {
   for (int i = 0; i < 20000; i++) {
-    tf_inclusion_t in = {.mu = 1,
-                         .h_free = (tf_real_t)tap_uniform(-0.5, 0.5),
-                         .g_free = 9,
-                         .signs = 1};
+    const tf_inclusion_t in = {.h = {.c0 = (tf_real_t)tap_uniform(-0.5, 0.5),
+                                     .F = tap_bits() & 1 ? 1 : -1,
+                                     .FF = (tf_real_t)signed_log(1e-12, 0.3)},
+                               .g = {.c0 = 9},
+                               .g_now = 9};
     tf_solutions_t out;
-    in.h1[0] = (tf_real_t)(tap_bits() & 1 ? 1.0 : -1.0);
-    in.h2[0] = (tf_real_t)signed_log(1e-12, 0.3);
     tf_friction_solve(&in, &out);
     if (!(out.set & TF_MODE_BIT(TF_STICK_PLUS))) continue;
-    const real x = out.lambda[0];
+    const real x = out.x[0];
     CHECK(fabsl(x) <= 1);
-    CHECK_NEAR((in.h2[0] * x + in.h1[0]) * x + in.h_free, 0,
+    CHECK_NEAR((in.h.FF * x + in.h.F) * x + in.h.c0, 0,
                8 * (real)TF_REAL_EPSILON);
   }
 }
@@ -279,7 +280,7 @@ int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(enumeration_against_grid_search);
   RUN(one_or_three_solutions);
-  RUN(stick_force_solves_the_quadratic);
+  RUN(stick_solves_the_quadratic);
   RUN(residual_vanishes_at_solutions_only);
   return tap_end();
 }

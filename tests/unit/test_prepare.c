@@ -106,11 +106,12 @@ TEST(prepare_names_the_first_broken_rule) {
 
 /* Before any member is looked at. */
 TEST(an_unknown_law_or_rule_is_blamed_on_neither_member) {
-  const unsigned wrong[] = {TF_TYRE_LAWS, 99, UINT32_MAX};
+  const unsigned wrong[][2] = {
+      {TF_TYRE_LAWS, TF_RULES}, {99, 99}, {UINT32_MAX, UINT32_MAX}};
   for (int i = 0; i < 3; i++) {
     tf_params_t law = valid(TF_TYRE_JUMP), rule = law;
-    law.law = (tf_tyre_law_t)wrong[i];
-    rule.rule = (tf_rule_t)wrong[i];
+    law.law = (tf_tyre_law_t)wrong[i][0];
+    rule.rule = (tf_rule_t)wrong[i][1];
     refused(&law, TF_PARAMETERS);
     refused(&rule, TF_PARAMETERS);
     law.m = rule.m = -1;
@@ -183,7 +184,13 @@ TEST(derived_constants_against_long_double) {
     near(k.cos_gamma, cosl(wide(p.gamma)), 2);
     near(k.d_sin_gamma, wide(p.d) * sinl(wide(p.gamma)), 3);
     near(k.beta2, wide(p.beta) * wide(p.beta), 1);
-    near(k.inv_dt, 1 / wide(p.dt), 1);
+    near(k.mu_sin_gamma, wide(p.mu) * sinl(wide(p.gamma)), 3);
+    near(k.mu_d_sin_gamma, wide(p.mu) * wide(p.d) * sinl(wide(p.gamma)), 4);
+    near(k.kappa_mu, wide(p.kappa) * wide(p.mu), 1);
+    near(k.inv_mu, 1 / wide(p.mu), 1);
+    near(k.inv_kappa_mu, 1 / (wide(p.kappa) * wide(p.mu)), 2);
+    near(k.inv_mu_dt, 1 / (wide(p.mu) * wide(p.dt)), 2);
+    near(k.tyre.inv_6_kappa, 1 / (6 * wide(p.kappa)), 2);
     near(k.theta_dt, h, 1);
     CHECK_NEAR(wide(k.explicit_dt), wide(p.dt) - h, EPSILON * wide(p.dt));
     near(k.a, a, 4);
