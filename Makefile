@@ -2,7 +2,7 @@
 # compiler, sh and coreutils is needed for `make run` and `make test`.
 #
 #   CC=clang             another compiler
-#   OPT='-O3'            another optimisation (default -O2)
+#   OPT='-O2'            another optimisation (default -O3)
 #   EXTRA='-Werror'      further flags, for compiling and linking
 #   BUILD=dir            another place for everything that is made
 #   TESTS='tests/law/test_order.c'   only these tests
@@ -11,7 +11,7 @@ ifeq ($(origin CC),default)
 CC := gcc
 endif
 AR ?= ar
-OPT ?= -O2
+OPT ?= -O3
 EXTRA ?=
 BUILD ?= build
 VARIANTS := double float
