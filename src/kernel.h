@@ -57,7 +57,7 @@ TF_API void tf_sine_cosine(tf_real_t x, tf_real_t *sine, tf_real_t *cosine);
 #define tf_small_arctangent TF_LINK(tf_small_arctangent)
 TF_API tf_real_t tf_small_arctangent(tf_real_t t);
 
-// 1 - exp(-x) for x >= 0, error <= 16 ULP.
+// 1 - exp(-x), error <= 16 ULP for x >= 1024 of the least normal number.
 #define tf_exit_probability TF_LINK(tf_exit_probability)
 TF_API tf_real_t tf_exit_probability(tf_real_t x);
 

@@ -49,8 +49,9 @@ static const tf_scene_t coulomb = {
     .shows = "force without moment: friction is associated, one future",
     .leaves_out = "moment, slip angle, inputs, angle",
     .params = {PAPER, PAPER_GAMMA, .law = TF_TYRE_COULOMB},
-    PAPER_START,
-    .h = TF_R(1e-10),
+    .r = TF_R(0.18),
+    .omega = TF_R(-0.6),
+    .h = TF_R(0.3),
     .t_end = 10};
 
 static const tf_scene_t frictionless = {

@@ -1,17 +1,19 @@
 /// @file
 /// Which of several possible futures: a declared rule, part of the scene.
 ///
-/// What every rule shares. (1) A slip that is still consistent goes on: off
-/// h = 0 the future is unique, and a second consistent mode next to it is an
-/// artefact of the finite step (it is reported all the same). (2)
-/// Admissibility: a slip never enters an escaping stick, because both fields
-/// point away from it. (3) An attracting stick goes on. (4) Where the present
-/// mode is lost: attracting stick, pinned, slip (the faster one if both),
-/// escaping stick, in this order. What is left to the rule: how an escaping
-/// stick ends, and what becomes of a pinned wheel. PERSIST lets the stick last
-/// and rolls off into an attracting stick where one is consistent: a pinned
-/// wheel then stands on the border of its region and leaves at the least
-/// disturbance.
+/// What every rule shares:
+/// 1. A slip that is still consistent goes on: off h = 0 the future is unique,
+///    and a second consistent mode next to it is an artefact of the finite step
+///    (it is reported all the same).
+/// 2. Admissibility: a slip never enters an escaping stick, because both fields
+///    point away from it.
+/// 3. An attracting stick goes on.
+/// 4. Where the present mode is lost: attracting stick, pinned, slip (the
+///    faster one if both), escaping stick, in this order.
+/// What is left to the rule: how an escaping stick ends, and what becomes of a
+/// pinned wheel. All rules but RANDOM roll a pinned wheel off into an
+/// attracting stick where one is consistent: it then stands on the border of
+/// that region and leaves at the least disturbance.
 #ifndef TWOFOLD_SELECT_H
 #define TWOFOLD_SELECT_H
 
@@ -22,10 +24,11 @@
 
 typedef enum {
   TF_RULE_PERSIST,    ///< stay while it is consistent (default)
-  TF_RULE_SLIP_PLUS,  ///< leave an escaping stick to h > 0 as soon as possible
-  TF_RULE_SLIP_MINUS, ///< the same to h < 0
-  TF_RULE_RANDOM      ///< leave at a constant rate [1/s], by an even draw
-                      ///< among the other modes that are consistent
+  TF_RULE_SLIP_PLUS,  ///< slip to h > 0 as soon as that is consistent
+  TF_RULE_SLIP_MINUS, ///< slip to h < 0 as soon as that is consistent
+  TF_RULE_RANDOM      ///< leave at a constant rate [1/s], by an even draw: an
+                      ///< escaping stick among the slips, a pinned wheel among
+                      ///< all other modes that are consistent
 } tf_rule_t;
 #define TF_RULES 4
 
@@ -50,7 +53,8 @@ TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]);
 /// solutions: in, from tf_friction_solve.
 /// mode: in, present tf_mode_t.
 /// tick, seed: in, counter and key (RANDOM only).
-/// Returns: a tf_mode_t of solutions->set, or TF_MODES where the set is empty.
+/// Returns: a tf_mode_t of solutions->set, or TF_MODES where none of it is
+///   admissible.
 /// Cost: 30 instructions; RANDOM in an escaping stick: tf_philox on top. Stack:
 ///   96 B.
 /// Memory: none kept, reentrant.

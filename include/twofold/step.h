@@ -23,7 +23,8 @@ typedef struct {
 /// Puts the state into motion: finds the mode that it starts in, and reports
 /// the law at that instant.
 /// Scheme: slip by the sign of h; at h = 0 stick where |lambda| <= mu, else
-///   slip by the sign of dh/dt. |h| within rounding (8 epsilon times its terms)
+///   slip by the sign of dh/dt; at h = g = 0 pinned, and the first step tells
+///   what else is possible. |h| within rounding (8 epsilon times its terms)
 ///   counts as 0.
 /// machine: in, prepared.
 /// state: in/out. r, v, w are set by the caller, within TF_STATE_LIMIT; mode

@@ -1,0 +1,292 @@
+/* The selection rule against its own declaration (select.h): every set of
+ * modes, every pattern of attracting sticks, every present mode and rule, so
+ * that no branch is left to luck; then the random rule as statistics, with
+ * bounds of five standard deviations that a fixed seed keeps or breaks. */
+#include <stdbool.h>
+
+#include "tap.h"
+#include "twofold.h"
+
+#define BIT(mode) ((unsigned)TF_MODE_BIT(mode))
+#define SLIPS (BIT(TF_SLIP_PLUS) | BIT(TF_SLIP_MINUS))
+#define STICKS (BIT(TF_STICK_PLUS) | BIT(TF_STICK_MINUS))
+#define NEVER UINT64_C(0)
+#define ALWAYS (UINT64_C(1) << 63)
+
+/* One question to tf_select. */
+typedef struct {
+  tf_rule_t rule;
+  unsigned set, attracting, near, mode;
+  bool minus_is_faster;
+  uint64_t threshold;
+} question_t;
+
+static unsigned answer(const question_t *q, uint64_t tick, uint32_t seed) {
+  tf_solutions_t solutions;
+  memset(&solutions, 0, sizeof solutions);
+  solutions.set = (uint8_t)q->set;
+  solutions.attracting = (uint8_t)q->attracting;
+  solutions.near_stick = (uint8_t)q->near;
+  solutions.h_limit[0] = TF_R(2.0);
+  solutions.h_limit[1] = q->minus_is_faster ? TF_R(-3.0) : TF_R(-1.0);
+  return tf_select(q->rule, q->threshold, &solutions, q->mode, tick, seed);
+}
+
+/* Number n of all questions; false past the last. */
+static bool question(unsigned n, question_t *q) {
+  q->set = n & 31u;
+  q->attracting = n >> 5 & 3u;
+  q->attracting *= BIT(TF_STICK_PLUS);
+  q->near = n >> 7 & 1u ? TF_STICK_MINUS : TF_STICK_PLUS;
+  q->minus_is_faster = n >> 8 & 1u;
+  q->threshold = n >> 9 & 1u ? ALWAYS : NEVER;
+  n >>= 10;
+  q->mode = n % TF_MODES;
+  q->rule = (tf_rule_t)(n / TF_MODES % TF_RULES);
+  return n < TF_MODES * TF_RULES;
+}
+
+/* The one of these sticks at the present side of g, else the other. */
+static unsigned nearest(unsigned sticks, unsigned near) {
+  return sticks & BIT(near) ? BIT(near) : sticks;
+}
+
+/* (4): where the present mode is lost. Answers are sets of one mode, or more
+ * where chance decides; bit TF_MODES is "none". */
+static unsigned when_lost(const question_t *q) {
+  const unsigned sticks = q->set & STICKS;
+  const unsigned fast = q->minus_is_faster ? TF_SLIP_MINUS : TF_SLIP_PLUS;
+  if (sticks & q->attracting) return nearest(sticks & q->attracting, q->near);
+  if (q->set & BIT(TF_PINNED)) return BIT(TF_PINNED);
+  if (q->set & SLIPS)
+    return (q->set & SLIPS) == SLIPS ? BIT(fast) : q->set & SLIPS;
+  if (sticks && q->mode > TF_SLIP_MINUS) return nearest(sticks, q->near);
+  return BIT(TF_MODES);
+}
+
+/* How the rule ends an escaping stick that is still consistent. */
+static unsigned when_escaping(const question_t *q) {
+  const unsigned now = BIT(q->mode), slips = q->set & SLIPS;
+  if (q->rule == TF_RULE_SLIP_PLUS)
+    return slips & BIT(TF_SLIP_PLUS) ? BIT(TF_SLIP_PLUS) : now;
+  if (q->rule == TF_RULE_SLIP_MINUS)
+    return slips & BIT(TF_SLIP_MINUS) ? BIT(TF_SLIP_MINUS) : now;
+  if (q->rule == TF_RULE_RANDOM)
+    return q->threshold == ALWAYS && slips ? slips : now;
+  return now;
+}
+
+/* RANDOM draws among the other modes; the others roll off into an attracting
+ * stick and otherwise do as with an escaping stick. */
+static unsigned when_pinned(const question_t *q) {
+  const unsigned now = q->set & BIT(TF_PINNED);
+  const unsigned others = q->set & ~BIT(TF_PINNED);
+  const unsigned safe = others & q->attracting;
+  if (q->rule == TF_RULE_RANDOM) {
+    if (now && (q->threshold == NEVER || !others)) return now;
+    return others ? others : BIT(TF_MODES);
+  }
+  if (!now || safe) return when_lost(q);
+  return when_escaping(q);
+}
+
+static unsigned declared(const question_t *q) {
+  const unsigned now = BIT(q->mode);
+  if (q->mode == TF_PINNED) return when_pinned(q);
+  if (!(q->set & now)) return when_lost(q);
+  if (now & SLIPS || now & q->attracting) return now;
+  return when_escaping(q);
+}
+
+static void print_question(const question_t *q, unsigned got) {
+  printf("# rule %d set %#x attracting %#x near %u mode %u faster %c: %u\n",
+         (int)q->rule, q->set, q->attracting, q->near, q->mode,
+         q->minus_is_faster ? '-' : '+', got);
+}
+
+TEST(rules_choose_as_declared) {
+  question_t q;
+  for (unsigned n = 0; question(n, &q); n++) {
+    for (uint64_t tick = 0; tick < 8; tick++) {
+      const unsigned got = answer(&q, tick, 1);
+      if (!CHECK(declared(&q) & BIT(got))) print_question(&q, got);
+    }
+  }
+}
+
+static bool two_kinds_of_stick(const question_t *q) {
+  const unsigned now = BIT(q->mode) & STICKS & q->set;
+  return now && !(now & q->attracting) && (q->set & q->attracting);
+}
+
+/* "PERSIST: stay while it is consistent", and the other rules name their own
+ * exits from an escaping stick: an attracting stick beside it is none. */
+TEST(an_escaping_stick_is_the_rules_to_end) {
+  question_t q;
+  for (unsigned n = 0; question(n, &q); n++) {
+    if (!two_kinds_of_stick(&q)) continue;
+    const unsigned got = answer(&q, 0, 1);
+    if (!CHECK(when_escaping(&q) & BIT(got)) && tap.bad <= 5)
+      print_question(&q, got);
+  }
+}
+
+TEST(slip_never_enters_an_escaping_stick) {
+  question_t q;
+  int entered = 0, none = 0;
+  for (unsigned n = 0; question(n, &q); n++) {
+    for (int i = 0; i < 4; i++) {
+      if (i) q.threshold = tap_bits() >> 1;
+      const unsigned got = answer(&q, tap_bits(), (uint32_t)tap_bits());
+      const bool slipping = q.mode <= TF_SLIP_MINUS;
+      const unsigned escaping = STICKS & ~q.attracting;
+      const unsigned open = slipping ? q.set & ~escaping : q.set;
+      CHECK(got <= TF_MODES);
+      CHECK((got == TF_MODES) == (open == 0));
+      if (got == TF_MODES) {
+        none++;
+        continue;
+      }
+      CHECK(open & BIT(got));
+      if (slipping && (q.set & BIT(q.mode))) CHECK(got == q.mode);
+      if (slipping && (STICKS & BIT(got))) {
+        CHECK(q.attracting & BIT(got));
+        entered++;
+      }
+      if (STICKS & q.attracting & q.set & BIT(q.mode)) CHECK(got == q.mode);
+    }
+  }
+  CHECK(entered > 0 && none > 0);
+}
+
+/* Only RANDOM reads the threshold, the tick and the seed, and only where it
+ * has something to decide. */
+TEST(the_other_rules_are_not_random) {
+  question_t q;
+  for (unsigned n = 0; question(n, &q); n++) {
+    const bool decides =
+        q.rule == TF_RULE_RANDOM &&
+        (q.mode == TF_PINNED || (STICKS & BIT(q.mode) & ~q.attracting));
+    if (decides) continue;
+    const unsigned got = answer(&q, 0, 0);
+    for (int i = 0; i < 4; i++) {
+      q.threshold = tap_bits() >> 1;
+      CHECK(answer(&q, tap_bits(), (uint32_t)tap_bits()) == got);
+    }
+  }
+}
+
+/* An escaping stick and both slips, under the random rule. */
+static const question_t escaping = {.rule = TF_RULE_RANDOM,
+                                    .set = SLIPS | BIT(TF_STICK_PLUS),
+                                    .near = TF_STICK_PLUS,
+                                    .mode = TF_STICK_PLUS,
+                                    .threshold = ALWAYS / 2};
+
+TEST(random_choices_are_reproducible) {
+  int by_tick = 0, by_seed = 0, by_high_word = 0;
+  for (int i = 0; i < 10000; i++) {
+    const uint64_t tick = tap_bits();
+    const uint32_t seed = (uint32_t)tap_bits();
+    const unsigned got = answer(&escaping, tick, seed);
+    CHECK(answer(&escaping, tick, seed) == got);
+    by_tick += answer(&escaping, tick + 1, seed) != got;
+    by_high_word += answer(&escaping, tick ^ UINT64_C(1) << 63, seed) != got;
+    by_seed += answer(&escaping, tick, seed + 1) != got;
+  }
+  /* half stay, a quarter each side: equal with probability 3/8 */
+  const int sd5 = 5 * 49;
+  CHECK(abs(by_tick - 6250) < sd5);
+  CHECK(abs(by_high_word - 6250) < sd5);
+  CHECK(abs(by_seed - 6250) < sd5);
+}
+
+/* The share of exits is threshold / 2^63, and each side takes half of them
+ * also where exits are rare. */
+TEST(random_exits_have_the_declared_probability) {
+  const double probability[] = {0.5, 0.1, 0.003, 0.97};
+  for (int i = 0; i < 4; i++) {
+    const int N = 400000;
+    const double p = probability[i];
+    question_t q = escaping;
+    int exits = 0, plus = 0;
+    q.threshold = (uint64_t)(p * 0x1p63);
+    for (int tick = 0; tick < N; tick++) {
+      const unsigned got = answer(&q, (uint64_t)tick, (uint32_t)i);
+      exits += got != q.mode;
+      plus += got == TF_SLIP_PLUS;
+    }
+    CHECK(fabs(exits - N * p) < 5 * sqrt(N * p * (1 - p)));
+    CHECK(fabs(plus - exits / 2.0) < 5 * sqrt(exits) / 2);
+  }
+}
+
+/* 63 bits of the generator decide, so the threshold has no coarser grain. */
+TEST(random_exit_has_a_sharp_threshold) {
+  for (uint64_t tick = 0; tick < 10000; tick++) {
+    question_t q = escaping;
+    uint32_t word[2];
+    tf_philox(tick, 9, word);
+    q.threshold = (uint64_t)word[0] << 31 | word[1] >> 1;
+    CHECK(answer(&q, tick, 9) == q.mode);
+    q.threshold++;
+    CHECK(answer(&q, tick, 9) != q.mode);
+    q.threshold = NEVER;
+    CHECK(answer(&q, tick, 9) == q.mode);
+    q.threshold = ALWAYS;
+    CHECK(answer(&q, tick, 9) != q.mode);
+  }
+}
+
+/* Every choice out of n others has its share: chi square of n - 1 degrees of
+ * freedom, below mean + 5 standard deviations. stays is what must come where
+ * there is no other. */
+static void judge_draws(const question_t *q, unsigned others, unsigned stays) {
+  int count[TF_MODES + 1] = {0, 0, 0, 0, 0, 0}, n = 0;
+  const int N = 60000;
+  for (int tick = 0; tick < N; tick++) count[answer(q, (uint64_t)tick, 5)]++;
+  for (unsigned mode = 0; mode < 4; mode++) n += others >> mode & 1u ? 1 : 0;
+  if (n == 0) {
+    CHECK(count[stays] == N);
+    return;
+  }
+  double chi2 = 0;
+  for (unsigned mode = 0; mode <= TF_MODES; mode++) {
+    const double want = others >> mode & 1u ? (double)N / n : 0;
+    if (want > 0)
+      chi2 += (count[mode] - want) * (count[mode] - want) / want;
+    else
+      CHECK(count[mode] == 0);
+  }
+  CHECK(chi2 < n - 1 + 5 * sqrt(2.0 * n));
+}
+
+/* A pinned wheel that leaves, and one that has to: there the rate does not
+ * matter. */
+TEST(random_draws_are_even) {
+  for (unsigned others = 0; others < 16; others++) {
+    question_t q = {.rule = TF_RULE_RANDOM,
+                    .set = others | BIT(TF_PINNED),
+                    .attracting = BIT(TF_STICK_MINUS),
+                    .near = TF_STICK_MINUS,
+                    .mode = TF_PINNED,
+                    .threshold = ALWAYS};
+    judge_draws(&q, others, TF_PINNED);
+    q.set = others;
+    q.threshold = NEVER;
+    judge_draws(&q, others, TF_MODES);
+  }
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(rules_choose_as_declared);
+  RUN(an_escaping_stick_is_the_rules_to_end);
+  RUN(slip_never_enters_an_escaping_stick);
+  RUN(the_other_rules_are_not_random);
+  RUN(random_choices_are_reproducible);
+  RUN(random_exits_have_the_declared_probability);
+  RUN(random_exit_has_a_sharp_threshold);
+  RUN(random_draws_are_even);
+  return tap_end();
+}
