@@ -48,7 +48,7 @@ static bool question(unsigned n, question_t *q) {
 
 /* The one of these sticks at the present side of g, else the other. */
 static unsigned nearest(unsigned sticks, unsigned near) {
-  return sticks & BIT(near) ? BIT(near) : sticks;
+  return (sticks & BIT(near)) ? BIT(near) : sticks;
 }
 
 /* (4): where the present mode is lost. Answers are sets of one mode, or more
@@ -68,9 +68,9 @@ static unsigned when_lost(const question_t *q) {
 static unsigned when_escaping(const question_t *q) {
   const unsigned now = BIT(q->mode), slips = q->set & SLIPS;
   if (q->rule == TF_RULE_SLIP_PLUS)
-    return slips & BIT(TF_SLIP_PLUS) ? BIT(TF_SLIP_PLUS) : now;
+    return (slips & BIT(TF_SLIP_PLUS)) ? BIT(TF_SLIP_PLUS) : now;
   if (q->rule == TF_RULE_SLIP_MINUS)
-    return slips & BIT(TF_SLIP_MINUS) ? BIT(TF_SLIP_MINUS) : now;
+    return (slips & BIT(TF_SLIP_MINUS)) ? BIT(TF_SLIP_MINUS) : now;
   if (q->rule == TF_RULE_RANDOM)
     return q->threshold == ALWAYS && slips ? slips : now;
   return now;
@@ -139,8 +139,8 @@ TEST(slip_never_enters_an_escaping_stick) {
       if (i) q.threshold = tap_bits() >> 1;
       const unsigned got = answer(&q, tap_bits(), (uint32_t)tap_bits());
       const bool slipping = q.mode <= TF_SLIP_MINUS;
-      const unsigned escaping = STICKS & ~q.attracting;
-      const unsigned open = slipping ? q.set & ~escaping : q.set;
+      const unsigned unsafe = STICKS & ~q.attracting;
+      const unsigned open = slipping ? q.set & ~unsafe : q.set;
       CHECK(got <= TF_MODES);
       CHECK((got == TF_MODES) == (open == 0));
       if (got == TF_MODES) {
