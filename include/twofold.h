@@ -7,6 +7,7 @@
 #define TWOFOLD_H
 
 #include "twofold/friction.h"
+#include "twofold/locate.h"
 #include "twofold/machine.h"
 #include "twofold/real.h"
 #include "twofold/scene.h"

@@ -4,7 +4,7 @@
 #include "linear.h"
 
 TF_API tf_input_t tf_input_default(const tf_machine_t *machine) {
-  return (tf_input_t){machine->omega0, machine->r0, 0, 0};
+  return (tf_input_t){machine->omega0, machine->r0, 0, 0, 0};
 }
 
 TF_API tf_slip_t tf_slip(const tf_machine_t *machine, tf_real_t r, tf_real_t v,

@@ -34,7 +34,8 @@ TF_API const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS] = {
     RANGE(a, "m", LAW(STRING), 1e-9, 1e6),
     RANGE(theta, "1", ALL_LAWS, 0.5, 1.0),
     RANGE(dt, "s", ALL_LAWS, 1e-9, 1.0),
-    RANGE(rate, "1/s", ALL_LAWS, 0.0, 1e9)};
+    RANGE(rate, "1/s", ALL_LAWS, 0.0, 1e9),
+    RANGE(tolerance, "1", ALL_LAWS, 0.0, 1e-3)};
 
 // Index of the first offender, or -1. Members that the law does not need are
 // not looked at: a scene leaves them 0. NaN fails every comparison.
@@ -159,6 +160,9 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
   machine->inv_kappa_mu = inverse_or_0(machine->kappa_mu);
   machine->inv_mu_dt = inverse_or_0(mu * dt);
   const tf_real_t p = tf_exit_probability(params->rate * dt);
+  // Below this a series has only rounding left to lose.
+  const tf_real_t finest = 64 * TF_REAL_EPSILON;
+  machine->tolerance = params->tolerance > finest ? params->tolerance : finest;
   machine->exit_threshold = (uint64_t)(p * TF_R(9223372036854775808.0));
   return TF_OK;
 }

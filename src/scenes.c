@@ -7,7 +7,7 @@
 #define PAPER                                                                 \
   .m = 1, .d = 1, .beta = TF_R(0.05), .k2 = TF_R(2.2270992253886014441),      \
   .c1 = TF_R(1e-3), .c2 = TF_R(1e-3), .r0 = TF_R(0.1), .omega0 = -1, .mu = 1, \
-  .theta = TF_R(0.5), .dt = TF_R(1e-4), .rate = 20
+  .theta = TF_R(0.5), .dt = TF_R(1e-4), .rate = 20, .tolerance = TF_R(1e-8)
 #define PAPER_KAPPA .kappa = TF_R(0.27241153714062027818)
 #define PAPER_GAMMA .gamma = TF_R(-2.35619449019234492885) // -3 pi/4
 #define PAPER_START .r = TF_R(0.18), .omega = TF_R(-1.037)

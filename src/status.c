@@ -9,6 +9,10 @@ TF_API const char *tf_status_name(tf_status_t status) {
       return "ok";
     case TF_DEGRADED:
       return "degraded: no mode was consistent";
+    case TF_COARSE:
+      return "located step missed its tolerance: out of segments";
+    case TF_FELL_BACK:
+      return "located step fell back on the Moreau-Jean step";
     case TF_BAD_PARAMETER:
       return "parameter out of its range";
     case TF_BAD_STATE:

@@ -36,9 +36,11 @@ typedef struct {
   tf_real_t theta;   ///< of the theta scheme, dimensionless
   tf_real_t dt;      ///< step [s]
   tf_real_t rate;    ///< exit rate of rule `random` [1/s]
-  tf_tyre_law_t law; ///< which tyre
-  tf_rule_t rule;    ///< which of several futures
-  bool with_angle;   ///< integrate phi (it is cyclic: nothing depends on it)
+  tf_real_t tolerance; ///< of tf_locate: error of a segment of its series,
+                       ///< relative to the velocities; dimensionless
+  tf_tyre_law_t law;   ///< which tyre
+  tf_rule_t rule;      ///< which of several futures
+  bool with_angle;     ///< integrate phi (it is cyclic: nothing depends on it)
 } tf_params_t;
 
 /// Range of one real-valued member of tf_params_t.
@@ -51,7 +53,7 @@ typedef struct {
 } tf_parameter_range_t;
 
 /// The table that validates, names and documents every parameter.
-#define TF_PARAMETERS 20
+#define TF_PARAMETERS 21
 #define tf_parameter_ranges TF_LINK(tf_parameter_ranges)
 TF_API extern const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS];
 
@@ -79,6 +81,7 @@ typedef struct {
   tf_real_t inv_kappa_mu;   ///< 1 / kappa_mu, 0 where that is 0 [1/(N m)]
   tf_real_t inv_mu_dt;      ///< 1 / (mu dt), 0 where mu is 0 [1/(N s)]
   uint64_t exit_threshold;  ///< (1 - exp(-rate dt)) 2^63
+  tf_real_t tolerance;      ///< at least 64 epsilon of the real type
   tf_tyre_t tyre;
   tf_rule_t rule;
   bool with_angle;
@@ -102,6 +105,8 @@ typedef struct {
   tf_real_t r0;     ///< rest position of the spring [m]
   tf_real_t force;  ///< on the slider, along r [N]
   tf_real_t torque; ///< on the disc [N m]
+  tf_real_t alpha;  ///< acceleration of the turntable during the step
+                    ///< [rad/s^2]; 0: omega0 held (tf_locate only)
 } tf_input_t;
 
 /// Largest sum of |r| [m], |v| [m/s], |w| [rad/s] and the magnitudes of the

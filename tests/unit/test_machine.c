@@ -236,16 +236,15 @@ TEST(mass_matrix_form_against_ds) {
 }
 
 TEST(status_names_are_distinct) {
-  const char *name[6];
-  for (int i = TF_STEP_TOO_LONG; i <= TF_DEGRADED; i++) {
+  const char *name[8];
+  for (int i = TF_STEP_TOO_LONG; i <= TF_COARSE; i++) {
     name[i - TF_STEP_TOO_LONG] = tf_status_name((tf_status_t)i);
     CHECK(name[i - TF_STEP_TOO_LONG][0]);
     CHECK(strcmp(name[i - TF_STEP_TOO_LONG], "unknown status") != 0);
     for (int j = TF_STEP_TOO_LONG; j < i; j++)
       CHECK(strcmp(name[i - TF_STEP_TOO_LONG], name[j - TF_STEP_TOO_LONG]));
   }
-  const int unknown[] = {TF_DEGRADED + 1, TF_STEP_TOO_LONG - 1, INT_MAX,
-                         INT_MIN};
+  const int unknown[] = {TF_COARSE + 1, TF_STEP_TOO_LONG - 1, INT_MAX, INT_MIN};
   for (int i = 0; i < 4; i++)
     CHECK(!strcmp(tf_status_name((tf_status_t)unknown[i]), "unknown status"));
 }

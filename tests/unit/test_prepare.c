@@ -153,7 +153,8 @@ TEST(the_table_is_complete) {
                            {"a", string},
                            {"theta", all},
                            {"dt", all},
-                           {"rate", all}};
+                           {"rate", all},
+                           {"tolerance", all}};
   for (int i = 0; i < TF_PARAMETERS; i++) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
     CHECK(strcmp(range->name, want[i].name) == 0);
@@ -162,7 +163,7 @@ TEST(the_table_is_complete) {
     CHECK(range->unit && range->unit[0]);
     CHECK(range->offset == (size_t)i * sizeof(tf_real_t));
   }
-  CHECK(offsetof(tf_params_t, rate) == 19 * sizeof(tf_real_t));
+  CHECK(offsetof(tf_params_t, tolerance) == 20 * sizeof(tf_real_t));
 }
 
 static void near(tf_real_t got, real want, real ulps) {
@@ -266,7 +267,7 @@ TEST(each_law_gets_its_own_constants) {
 
 TEST(a_state_is_small) {
   CHECK(sizeof(tf_state_t) <= 64);
-  CHECK(sizeof(tf_input_t) == 4 * sizeof(tf_real_t));
+  CHECK(sizeof(tf_input_t) == 5 * sizeof(tf_real_t));
 }
 
 TEST(every_scene_prepares) {

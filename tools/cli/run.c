@@ -41,6 +41,8 @@ static void observe(cli_run_t *run, const tf_report_t *after) {
   if (after->status == TF_DEGRADED) {
     run->degraded++;
   }
+  run->coarse += after->status == TF_COARSE;
+  run->fell_back += after->status == TF_FELL_BACK;
   if (after->mode > TF_SLIP_MINUS) {
     run->largest_h = fmax(run->largest_h, fabs((double)after->slip.h));
   }
@@ -52,7 +54,8 @@ static void take_step(cli_run_t *run) {
   const tf_real_t t = (tf_real_t)cli_run_time(run, run->done + 1);
   const tf_input_t input = tf_scene_input(setup->scene, &setup->machine, t);
   tf_report_t report;
-  run->status = tf_step(&setup->machine, &run->state, &input, &report);
+  run->status =
+      run->scheme->step(&setup->machine, &run->state, &input, &report);
   if (run->status < 0) {
     run->end = CLI_STEP_REFUSED;
     return;
@@ -143,6 +146,12 @@ static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
   if (code == CLI_DONE) {
     code = cli_setup_start(setup);
   }
+  if (code == CLI_DONE && !((args->scheme->laws >> setup->params.law) & 1u)) {
+    code = cli_complain(CLI_REFUSED,
+                        "--scheme %s: law %s has no switches to locate (jump, "
+                        "coulomb and none are taken); --scheme moreau takes it",
+                        args->scheme->name, cli_law_name(setup->params.law));
+  }
   return code == CLI_DONE ? count_steps(args, setup, steps) : code;
 }
 
@@ -162,6 +171,7 @@ int cli_run(int argc, char *const argv[]) {
     return cli_complain(CLI_STOPPED, "out of memory");
   }
   run->setup = &setup;
+  run->scheme = args.scheme;
   run->format = args.format;
   run->every = args.every;
   run->steps = steps;

@@ -14,9 +14,22 @@
 /// How a row is written.
 typedef enum { CLI_FORMAT_CSV, CLI_FORMAT_PLOTTER } cli_format_t;
 
+/// One step of a scheme.
+typedef tf_status_t (*cli_step_t)(const tf_machine_t *machine,
+                                  tf_state_t *state, const tf_input_t *input,
+                                  tf_report_t *report);
+
+/// How a run steps.
+typedef struct {
+  const char *name; ///< as on the command line
+  cli_step_t step;
+  unsigned laws; ///< bit set of tf_tyre_law_t that it takes
+} cli_scheme_t;
+
 /// The command line of `run`, read and validated.
 typedef struct {
   const tf_scene_t *scene;
+  const cli_scheme_t *scheme;
   cli_settings_t settings;
   const char *select; ///< RULE[:SEED], NULL: the scene's own rule
   const char *out;    ///< path, NULL: standard output
@@ -35,13 +48,14 @@ int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]);
 typedef enum {
   CLI_ENDED,        ///< all steps were taken
   CLI_INTERRUPTED,  ///< by a signal
-  CLI_STEP_REFUSED, ///< by tf_step
+  CLI_STEP_REFUSED, ///< by the scheme
   CLI_NOT_WRITTEN   ///< the output failed
 } cli_end_t;
 
 /// A run while it goes on.
 typedef struct {
   const cli_setup_t *setup;
+  const cli_scheme_t *scheme;
   cli_format_t format;
   uint64_t every, steps;
   uint64_t done;    ///< steps taken
@@ -54,6 +68,8 @@ typedef struct {
   uint64_t open_steps;   ///< with more than one possible future
   double open_since;     ///< time of the first of them [s]
   uint64_t degraded;     ///< steps without a consistent mode
+  uint64_t coarse;       ///< located steps that missed their tolerance
+  uint64_t fell_back;    ///< located steps taken by tf_step
   double largest_h;      ///< |h| in stick or pinned [m/s]
   double largest_rest;   ///< residual [N]
   double seconds;        ///< wall time of the steps, output left out

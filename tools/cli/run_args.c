@@ -36,13 +36,23 @@ static int read_set(cli_run_args_t *args, const option_t *option) {
   return cli_settings_add(&args->settings, option->name, option->value);
 }
 
+#define LAW(name) (1u << TF_TYRE_##name)
+static const cli_scheme_t schemes[] = {
+    {"moreau", tf_step, (1u << TF_TYRE_LAWS) - 1},
+    {"located", tf_locate, LAW(JUMP) | LAW(COULOMB) | LAW(NONE)},
+};
+#define SCHEMES (sizeof schemes / sizeof schemes[0])
+
 static int read_scheme(cli_run_args_t *args, const option_t *option) {
-  (void)args; // there is one scheme, so nothing has to be kept
-  if (strcmp(option->value, "moreau") == 0) {
-    return CLI_DONE;
+  for (size_t i = 0; i < SCHEMES; i++) {
+    if (strcmp(option->value, schemes[i].name) == 0) {
+      args->scheme = &schemes[i];
+      return CLI_DONE;
+    }
   }
   return cli_complain(CLI_USAGE,
-                      "--scheme %s: unknown scheme; this version has moreau",
+                      "--scheme %s: unknown scheme; this version has moreau "
+                      "and located",
                       option->value);
 }
 
@@ -145,6 +155,7 @@ static int read_option(cli_run_args_t *args, int argc, char *const argv[],
 
 int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]) {
   memset(args, 0, sizeof *args);
+  args->scheme = &schemes[0];
   args->every = 1;
   args->listed = 20;
   for (int at = 0; at < argc; at++) {

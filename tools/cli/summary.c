@@ -15,7 +15,7 @@ static void print_request(const cli_run_t *run) {
   const cli_setup_t *setup = run->setup;
   (void)fprintf(stderr, "scene      %s, law %s\n", setup->scene->name,
                 cli_law_name(setup->params.law));
-  (void)fprintf(stderr, "scheme     moreau, rule %s",
+  (void)fprintf(stderr, "scheme     %s, rule %s", run->scheme->name,
                 cli_rule_name(setup->params.rule));
   if (setup->params.rule == TF_RULE_RANDOM) {
     (void)fprintf(stderr, ":%" PRIu32 ", exit rate %g /s", setup->seed,
@@ -35,7 +35,14 @@ static void print_quality(const cli_run_t *run) {
     (void)fprintf(stderr, " (%.3g %%), first at t = %g s",
                   100 * (double)run->open_steps / steps, run->open_since);
   }
-  (void)fprintf(stderr, "\ndegraded   %" PRIu64 " steps\n", run->degraded);
+  (void)fprintf(stderr, "\ndegraded   %" PRIu64 " steps", run->degraded);
+  if (run->coarse > 0 || run->fell_back > 0) {
+    (void)fprintf(stderr,
+                  "; %" PRIu64 " missed the tolerance, %" PRIu64
+                  " fell back on moreau",
+                  run->coarse, run->fell_back);
+  }
+  (void)fputc('\n', stderr);
   (void)fprintf(stderr, "largest    |h| in stick %.3g m/s, residual %.3g N\n",
                 run->largest_h, run->largest_rest);
 }

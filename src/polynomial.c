@@ -1,0 +1,74 @@
+// First root of a polynomial in an interval.
+#include "polynomial.h"
+
+#define MOST_INTERVALS 40
+#define MOST_NEWTON 24
+
+// Signs of the Bernstein coefficients on [low, high]: how often they change.
+static int sign_changes(const tf_series_t *s, tf_real_t low, tf_real_t high) {
+  tf_real_t b[TF_ORDER + 1];
+  for (int k = 0; k <= TF_ORDER; k++) b[k] = s->c[k];
+  for (int j = 0; j < TF_ORDER; j++) // Taylor shift to low
+    for (int i = TF_ORDER - 1; i >= j; i--) b[i] += low * b[i + 1];
+  tf_real_t share = 1; // (high - low)^k over the binomial coefficient
+  for (int k = 0; k <= TF_ORDER; k++) {
+    b[k] *= share;
+    share *= (high - low) * (tf_real_t)(k + 1) /
+             (tf_real_t)(k < TF_ORDER ? TF_ORDER - k : 1);
+  }
+  for (int j = 1; j <= TF_ORDER; j++)
+    for (int i = TF_ORDER; i >= j; i--) b[i] += b[i - 1];
+  int changes = 0;
+  bool above = true;
+  for (int i = 0; i <= TF_ORDER; i++) {
+    if (b[i] == 0 && i == 0) continue; // a root at low is not meant
+    if ((b[i] > 0) == above) continue;
+    above = !above;
+    changes++;
+  }
+  return changes;
+}
+
+static tf_real_t slope_at(const tf_series_t *s, tf_real_t t) {
+  tf_real_t sum = TF_ORDER * s->c[TF_ORDER];
+  for (int k = TF_ORDER - 1; k > 0; k--) sum = sum * t + (tf_real_t)k * s->c[k];
+  return sum;
+}
+
+// One root between low (value > 0) and high (value <= 0).
+static tf_real_t refine(const tf_series_t *s, tf_real_t low, tf_real_t high) {
+  tf_real_t t = high;
+  for (int i = 0; i < MOST_NEWTON; i++) {
+    const tf_real_t f = value_at(s, t), slope = slope_at(s, t);
+    if (f > 0)
+      low = t;
+    else
+      high = t;
+    const tf_real_t step = f / slope;
+    if (within(step, TF_REAL_EPSILON * high)) return t;
+    const tf_real_t next = t - step;
+    t = next > low && next < high ? next : low + (high - low) / 2;
+  }
+  return t;
+}
+
+TF_API bool tf_first_root(const tf_series_t *s, tf_real_t length,
+                          tf_real_t *root) {
+  tf_real_t low = 0, high = length;
+  for (int i = 0; i < MOST_INTERVALS; i++) {
+    const int changes = sign_changes(s, low, high);
+    if (changes == 1) {
+      *root = refine(s, low, high);
+      return true;
+    }
+    if (changes > 1) {
+      high = low + (high - low) / 2;
+      continue;
+    }
+    if (!(high < length)) return false;
+    low = high;
+    high = length;
+  }
+  // So near to touching zero that halving does not tell: it does not cross.
+  return false;
+}

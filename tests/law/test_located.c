@@ -1,0 +1,302 @@
+/* The located step: order, branch, events, and what it does at its limits.
+ * The reference is the long double orbit of tests/support/orbit.c. */
+#include "orbit.h"
+#include "tap.h"
+#include "twofold.h"
+
+#define IS_DOUBLE (sizeof(tf_real_t) == 8)
+
+typedef struct {
+  tf_params_t params;
+  tf_machine_t machine;
+  tf_state_t state;
+} problem_t;
+
+static problem_t begin(tf_params_t params, double r, double w, double h,
+                       double t_end, long n, double tolerance) {
+  problem_t p = {.params = params};
+  tf_report_t report;
+  p.params.dt = (tf_real_t)(t_end / (double)n);
+  p.params.tolerance = (tf_real_t)tolerance;
+  CHECK(tf_prepare(&p.machine, &p.params, NULL) == TF_OK);
+  const tf_input_t u = tf_input_default(&p.machine);
+  p.state =
+      (tf_state_t){.r = (tf_real_t)r, .w = (tf_real_t)w, .mode = h > 0 ? 0 : 1};
+  CHECK(tf_speed_for_slip(&p.machine, p.state.r, p.state.w, u.omega0,
+                          (tf_real_t)h, &p.state.v) == TF_OK);
+  CHECK(tf_begin(&p.machine, &p.state, &u, &report) == TF_OK);
+  return p;
+}
+
+static problem_t chaos(double t_end, long n, double tolerance) {
+  return begin(tf_scenes[0]->params, (double)ORBIT_R_START,
+               (double)ORBIT_W_START, (double)ORBIT_H_START, t_end, n,
+               tolerance);
+}
+
+/* Eight crossings of h = 0 in 2 s, all at |g| > 0.3 m/s. */
+static problem_t crossings(double t_end, long n, double tolerance) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.beta = TF_R(0.3);
+  p.k2 = 30;
+  p.mu = TF_R(0.2);
+  return begin(p, 0.6, 0.5, -0.01, t_end, n, tolerance);
+}
+
+/* Steps on; returns how many steps did not return TF_OK. */
+static long advance(problem_t *p, long n) {
+  const tf_input_t u = tf_input_default(&p->machine);
+  tf_report_t report;
+  long not_ok = 0;
+  for (long i = 0; i < n; i++)
+    not_ok += tf_locate(&p->machine, &p->state, &u, &report) != TF_OK;
+  return not_ok;
+}
+
+static double apart(const tf_state_t *a, const tf_state_t *b) {
+  return fmax(fabs((double)a->r - (double)b->r),
+              fmax(fabs((double)a->v - (double)b->v),
+                   fabs((double)a->w - (double)b->w)));
+}
+
+static double off(const tf_state_t *x, const long double want[3]) {
+  return (double)fmaxl(fabsl((long double)x->r - want[0]),
+                       fmaxl(fabsl((long double)x->v - want[1]),
+                             fabsl((long double)x->w - want[2])));
+}
+
+/* Slope of log(error) over log(dt) between two step sizes with an error far
+ * above rounding. The finest tolerance leaves the step alone to set it. */
+TEST(located_order_of_convergence) {
+  if (!IS_DOUBLE) { /* float has too few digits between series and rounding */
+    problem_t a = crossings(0.25, 100, 0), b = crossings(0.25, 400, 0);
+    advance(&a, 100);
+    advance(&b, 400);
+    CHECK(apart(&a.state, &b.state) < 2e-4);
+    return;
+  }
+  static const struct {
+    double t_end;
+    long coarse, fine;
+    double order;
+    const char *what;
+  } cases[] = {{0.25, 30, 60, 6.5, "smooth slip and a kink of F"},
+               {0.5, 320, 640, 3.0, "two crossings of h = 0"}};
+  for (int i = 0; i < 2; i++) {
+    problem_t exact = crossings(cases[i].t_end, 20000, 0);
+    double worst[2] = {0, 0};
+    advance(&exact, 20000);
+    /* The worst of several step sizes near by: a switch falls anywhere. */
+    for (int k = 0; k < 16; k++)
+      for (int j = 0; j < 2; j++) {
+        const long n =
+            (j ? cases[i].fine : cases[i].coarse) + (long)k * (1 + j);
+        problem_t p = crossings(cases[i].t_end, n, 1e-3);
+        p.machine.tolerance = TF_R(0.1); /* no splits but at switches */
+        CHECK(advance(&p, n) == 0);
+        worst[j] = fmax(worst[j], apart(&p.state, &exact.state));
+      }
+    const double order = log2(worst[0] / worst[1]);
+    printf("# %s: errors %.2e, %.2e, order %.2f\n", cases[i].what, worst[0],
+           worst[1], order);
+    CHECK(worst[1] > 1e-14);
+    CHECK(order >= cases[i].order);
+  }
+}
+
+/* The reference at t = 1 is past codimension two and the third of three
+ * futures: every step size, from one step to 4000, has to be there. */
+TEST(located_branch_and_events) {
+  long double want[3], near_end[3];
+  orbit_chaos_state(1.0L, want);
+  orbit_chaos_state(2.0L, near_end);
+  const int sizes = IS_DOUBLE ? 120 : 60;
+  double worst = 0;
+  for (int i = 0; i < sizes; i++) {
+    const double at = (i + tap_uniform(0, 1)) / sizes;
+    const long n = lrint(pow(4000, at));
+    problem_t p = chaos(1, n, 1e-8);
+    const long not_ok = advance(&p, n);
+    const double error = off(&p.state, want);
+    CHECK(p.state.mode == TF_STICK_MINUS);
+    if (!CHECK(error <= (IS_DOUBLE ? 1e-8 : 3e-4)))
+      printf("#   %ld steps: error %.3g, %ld not ok\n", n, error, not_ok);
+    worst = fmax(worst, error);
+  }
+  printf("# worst error at t = 1 over %d step sizes: %.2e\n", sizes, worst);
+  if (!IS_DOUBLE) return;
+  for (long n = 200; n < 20000; n *= 3) {
+    problem_t p = chaos(2, n, 1e-8);
+    CHECK(advance(&p, n) == 0);
+    CHECK(p.state.mode == TF_STICK_PLUS);
+    CHECK_NEAR(off(&p.state, near_end), 0, 1e-7);
+  }
+}
+
+/* The times at which the mode changes, up to the two-fold: each within the
+ * step that holds the true one. */
+TEST(located_switches_are_in_the_right_step) {
+  orbit_events_t ev;
+  orbit_chaos(&ev);
+  const long double when[4] = {ev.fall.t, ev.leave.t, ev.land.t, ev.twofold.t};
+  const uint8_t before[4] = {TF_SLIP_PLUS, TF_STICK_MINUS, TF_SLIP_MINUS,
+                             TF_STICK_PLUS};
+  for (int trial = 0; trial < 6; trial++) {
+    const long n = 700 + lrint(tap_uniform(0, 4000));
+    problem_t p = chaos(2.1, n, 1e-9);
+    const tf_input_t u = tf_input_default(&p.machine);
+    tf_report_t report;
+    int seen = 0;
+    for (long i = 0; i < n && seen < 4; i++) {
+      const uint8_t mode = p.state.mode;
+      tf_locate(&p.machine, &p.state, &u, &report);
+      /* The two-fold shows by its three futures. */
+      if (mode == p.state.mode && !(seen == 3 && report.choices == 3)) continue;
+      CHECK(mode == before[seen]);
+      const double dt = (double)p.machine.dt;
+      const double slack = IS_DOUBLE ? 1e-7 : 2e-2;
+      CHECK((double)i * dt <= (double)when[seen] + slack &&
+            (double)when[seen] <= (double)(i + 1) * dt + slack);
+      seen++;
+    }
+    CHECK(seen == 4);
+  }
+}
+
+TEST(located_stick_is_exact) {
+  problem_t p = chaos(10, 100000, 1e-8);
+  const tf_input_t u = tf_input_default(&p.machine);
+  tf_report_t report;
+  int sticks = 0;
+  for (long i = 0; i < 100000; i++) {
+    CHECK(tf_locate(&p.machine, &p.state, &u, &report) >= 0);
+    if (report.mode != TF_STICK_PLUS && report.mode != TF_STICK_MINUS) continue;
+    sticks++;
+    CHECK(fabs((double)report.slip.h) <= 4 * (double)TF_REAL_EPSILON);
+    /* The side of g = 0 is not known below its rounding. */
+    if (fabs((double)report.slip.g) < 64 * (double)TF_REAL_EPSILON) continue;
+    CHECK(fabs((double)report.residual) <= 8 * (double)TF_REAL_EPSILON);
+  }
+  CHECK(sticks > 50000);
+}
+
+/* Far fewer steps than a stiff spring needs: no series converges, tf_step takes
+ * over, and its state and report are the ones returned. */
+TEST(located_falls_back_and_says_so) {
+  tf_params_t stiff = tf_scenes[0]->params;
+  stiff.k2 = TF_R(1e10);
+  problem_t p = begin(stiff, 0.1, -0.9, 0.02, 1, 100, 1e-8);
+  const tf_input_t u = tf_input_default(&p.machine);
+  int fell_back = 0;
+  for (int i = 0; i < 100; i++) {
+    tf_state_t same = p.state;
+    tf_report_t report, same_report;
+    const tf_status_t s = tf_locate(&p.machine, &p.state, &u, &report);
+    const tf_status_t t = tf_step(&p.machine, &same, &u, &same_report);
+    if (s != TF_FELL_BACK) continue;
+    fell_back++;
+    CHECK(t == TF_OK && report.status == TF_FELL_BACK);
+    CHECK(!memcmp(&p.state, &same, sizeof same));
+    CHECK(report.set == same_report.set &&
+          report.force.F == same_report.force.F);
+  }
+  CHECK(fell_back > 50);
+}
+
+TEST(located_refuses_what_it_cannot_take) {
+  const tf_tyre_law_t single[] = {TF_TYRE_TWO_PIECE, TF_TYRE_STRING,
+                                  TF_TYRE_SMOOTH};
+  problem_t p = chaos(1, 100, 1e-8);
+  const tf_input_t u = tf_input_default(&p.machine);
+  const tf_state_t start = p.state;
+  tf_report_t report;
+  for (int i = 0; i < 3; i++) {
+    p.machine.tyre.law = single[i];
+    CHECK(tf_locate(&p.machine, &p.state, &u, &report) == TF_BAD_PARAMETER);
+    CHECK(!memcmp(&p.state, &start, sizeof start));
+  }
+  p.machine.tyre.law = TF_TYRE_JUMP;
+  p.state.v = (tf_real_t)NAN;
+  CHECK(tf_locate(&p.machine, &p.state, &u, &report) == TF_BAD_STATE);
+  p.state = start;
+  p.state.mode = TF_MODES;
+  CHECK(tf_locate(&p.machine, &p.state, &u, &report) == TF_BAD_STATE);
+  CHECK(report.status == TF_BAD_STATE);
+}
+
+/* Wherever the future is unique both schemes converge to the same motion, so
+ * they agree to the error of the Moreau step: machines at random. */
+TEST(located_agrees_with_moreau) {
+  const int trials = IS_DOUBLE ? 150 : 40;
+  int compared = 0, apart_count = 0;
+  for (int i = 0; i < trials; i++) {
+    tf_params_t q = tf_scenes[0]->params;
+    q.gamma = (tf_real_t)tap_uniform(-3.1, 3.1);
+    q.beta = (tf_real_t)tap_uniform(0.1, 0.5);
+    q.kappa = (tf_real_t)tap_uniform(0.02, 0.6);
+    q.d = (tf_real_t)tap_uniform(-1, 1);
+    q.k2 = (tf_real_t)tap_uniform(0.5, 30);
+    q.mu = (tf_real_t)tap_uniform(0.1, 2);
+    problem_t a = begin(q, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
+                        tap_uniform(-0.2, 0.2), 0.5, 50, 1e-8);
+    problem_t b = a;
+    const tf_input_t u = tf_input_default(&a.machine);
+    tf_report_t report;
+    int open = 0;
+    q.dt = TF_R(2e-5);
+    CHECK(tf_prepare(&b.machine, &q, NULL) == TF_OK);
+    for (int j = 0; j < 50; j++) {
+      CHECK(tf_locate(&a.machine, &a.state, &u, &report) >= 0);
+      open += report.choices > 1;
+    }
+    for (int j = 0; j < 25000; j++) {
+      CHECK(tf_step(&b.machine, &b.state, &u, &report) >= 0);
+      open += report.choices > 1;
+    }
+    if (open) continue; /* a future was chosen, by either */
+    compared++;
+    const double scale = 1 + fabs((double)b.state.v) + fabs((double)b.state.w);
+    apart_count +=
+        apart(&a.state, &b.state) > (IS_DOUBLE ? 2e-3 : 5e-3) * scale;
+  }
+  printf("# %d motions compared, %d apart\n", compared, apart_count);
+  CHECK(compared > trials / 2);
+  CHECK(apart_count == 0);
+}
+
+/* A ramp of the turntable is part of the step: no first-order error. */
+TEST(located_follows_a_ramp) {
+  const tf_scene_t *scene = NULL;
+  for (int i = 0; i < TF_SCENES; i++)
+    if (tf_scenes[i]->knots) scene = tf_scenes[i];
+  if (!CHECK(scene != NULL)) return;
+  tf_state_t end[3];
+  for (int i = 0; i < 3; i++) {
+    const long n = i == 0 ? 150 : i == 1 ? 300 : 6000; /* to t = 3 s */
+    problem_t p =
+        begin(scene->params, scene->r, scene->omega, scene->h, 3, n, 1e-9);
+    tf_report_t report;
+    for (long j = 0; j < n; j++) {
+      const tf_input_t u = tf_scene_input(
+          scene, &p.machine, (tf_real_t)(3.0 * (double)(j + 1) / (double)n));
+      CHECK(tf_locate(&p.machine, &p.state, &u, &report) >= 0);
+    }
+    end[i] = p.state;
+  }
+  const double limit = IS_DOUBLE ? 1e-7 : 1e-3;
+  CHECK_NEAR(apart(&end[0], &end[2]), 0, limit);
+  CHECK_NEAR(apart(&end[1], &end[2]), 0, limit);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(located_order_of_convergence);
+  RUN(located_branch_and_events);
+  RUN(located_switches_are_in_the_right_step);
+  RUN(located_stick_is_exact);
+  RUN(located_falls_back_and_says_so);
+  RUN(located_refuses_what_it_cannot_take);
+  RUN(located_agrees_with_moreau);
+  RUN(located_follows_a_ramp);
+  return tap_end();
+}
