@@ -24,6 +24,7 @@ SUPPORT := $(wildcard tests/support/*.c)
 TEST_ROOMS := tests/unit tests/law tests/golden tests/regress
 TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
 BENCH := tools/bench/steps.c tools/bench/race.c
+STABILITY := $(wildcard tools/stability/*.c)
 
 # One rounding per operation, everywhere: the same bits on every target.
 COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude
@@ -45,7 +46,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help all run test bench check clean FORCE
+.PHONY: help all run test bench stability check clean FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -55,6 +56,7 @@ help:
 	@echo 'make run     simulate scene chaos for 10 s, write $(BUILD)/chaos.csv'
 	@echo 'make test    all tests, in double and in float'
 	@echo 'make bench   instructions, time, stack and state of a step (valgrind)'
+	@echo 'make stability  stiff and extreme cases: tables and map (gnuplot)'
 	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
 	@echo 'make all     compile everything: core, command line, tests, bench'
 	@echo 'make clean   remove $(BUILD)/'
@@ -94,6 +96,9 @@ $(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \
 $(call programs,$(BENCH),$(1)): %: %.o \
     $(BUILD)/$(1)/tools/bench/rk4_smooth.o $(BUILD)/$(1)/libtwofold.a
 	$$(link)
+$(BUILD)/$(1)/tools/stability/sweep: $$(call objects_of_$(1),$(STABILITY)) \
+    $(BUILD)/$(1)/libtwofold.a
+	$$(link)
 endef
 
 define compile
@@ -113,7 +118,8 @@ endef
 $(foreach v,$(VARIANTS),$(eval $(call rules,$(v))))
 
 all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
-  $(call programs,$(TESTS),$(v)) $(call programs,$(BENCH),$(v)))
+  $(call programs,$(TESTS),$(v)) $(call programs,$(BENCH),$(v)) \
+  $(BUILD)/$(v)/tools/stability/sweep)
 
 run: $(BUILD)/double/twofold
 	@$< run chaos --t-end 10 --dt 1e-4 --every 10 --out $(BUILD)/chaos.csv
@@ -126,6 +132,9 @@ test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) \
 
 bench: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
 	@CC='$(CC)' BUILD='$(BUILD)' tools/bench/run
+
+stability: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/stability/sweep)
+	@BUILD='$(BUILD)' tools/stability/run
 
 # The checks choose their own compilers and flags.
 check:

@@ -1,0 +1,188 @@
+// The sweeps, as data: which parameter or start is driven to its extreme.
+#include "cases.h"
+
+#include <math.h>
+#include <stddef.h>
+
+static void set_k2(case_t *c, tf_real_t y) { c->params.k2 = y; }
+static void set_c1(case_t *c, tf_real_t y) { c->params.c1 = y; }
+static void set_c2(case_t *c, tf_real_t y) { c->params.c2 = y; }
+static void set_beta(case_t *c, tf_real_t y) { c->params.beta = y; }
+static void set_kappa(case_t *c, tf_real_t y) { c->params.kappa = y; }
+static void set_mu(case_t *c, tf_real_t y) { c->params.mu = y; }
+static void set_m(case_t *c, tf_real_t y) { c->params.m = y; }
+static void set_d(case_t *c, tf_real_t y) { c->params.d = y; }
+
+// The disc turns a little faster than the turntable, as in `chaos`.
+static void set_omega0(case_t *c, tf_real_t y) {
+  c->params.omega0 = -y;
+  c->w = TF_R(-1.037) * y;
+}
+
+// Degrees, so that the exact corners are in the grid.
+static void set_gamma(case_t *c, tf_real_t degrees) {
+  const double pi = 3.14159265358979323846;
+  c->params.gamma = (tf_real_t)((double)degrees / 180 * pi);
+}
+
+// A disc of nearly no inertia, and a slider that runs through the axis.
+static void set_through(case_t *c, tf_real_t y) {
+  c->params.beta = TF_R(1e-3);
+  c->params.c2 = 0;
+  c->r = TF_R(0.1);
+  c->v = -y;
+  c->v_from_h = false;
+}
+
+static void set_far_r(case_t *c, tf_real_t y) {
+  c->r = y;
+  c->v = 0;
+  c->v_from_h = false;
+}
+static void set_far_v(case_t *c, tf_real_t y) {
+  c->v = y;
+  c->v_from_h = false;
+}
+static void set_far_w(case_t *c, tf_real_t y) {
+  c->w = y;
+  c->v = 0;
+  c->v_from_h = false;
+}
+
+static void set_far(case_t *c, tf_real_t y) {
+  c->r = c->v = c->w = y;
+  c->v_from_h = false;
+}
+
+// In units of the least normal number: below 1 lie the subnormal ones.
+static void set_tiny_state(case_t *c, tf_real_t y) {
+  const tf_real_t unit = y * TF_REAL_MIN;
+  c->r = TF_R(0.18) * unit;
+  c->w = TF_R(-1.037) * unit;
+  c->v = TF_R(0.02) * unit;
+  c->v_from_h = false;
+  c->params.r0 = TF_R(0.1) * unit;
+  c->params.omega0 = -unit;
+}
+static void set_tiny_params(case_t *c, tf_real_t y) {
+  const tf_real_t unit = y * TF_REAL_MIN;
+  c->params.mu = unit;
+  c->params.k2 = unit;
+  c->params.c1 = unit;
+  c->params.c2 = unit;
+}
+
+// The spring against the centrifugal force: a heavy disc keeps its speed, so
+// r grows as exp(sqrt(w^2 - k2/m) t) where the ratio is below 1.
+static void set_centrifugal(case_t *c, tf_real_t ratio) {
+  c->params.law = TF_TYRE_NONE;
+  c->params.beta = 1000;
+  c->params.d = 0;
+  c->params.c1 = 0;
+  c->params.c2 = 0;
+  c->params.k2 = ratio * 100;
+  c->w = 10;
+  c->v = 0;
+  c->v_from_h = false;
+}
+
+static void set_smooth(case_t *c, tf_real_t y) {
+  c->params.law = TF_TYRE_SMOOTH;
+  c->params.epsilon = y;
+}
+static void set_string(case_t *c, tf_real_t y) {
+  c->params.law = TF_TYRE_STRING;
+  c->params.delta = c->params.sigma = c->params.a = 1;
+  c->params.rho = TF_R(0.66666666666666666667);
+  c->params.k = y;
+}
+static void set_two_piece(case_t *c, tf_real_t y) {
+  c->params.law = TF_TYRE_TWO_PIECE;
+  c->params.k = y;
+}
+
+// Nothing takes or gives energy.
+static void set_conservative(case_t *c, tf_real_t y) {
+  c->params.law = TF_TYRE_NONE;
+  c->params.c1 = 0;
+  c->params.c2 = 0;
+  c->params.k2 = y;
+}
+static void set_spinning(case_t *c, tf_real_t y) {
+  set_conservative(c, 1);
+  c->w = y;
+  c->v = 0;
+  c->v_from_h = false;
+}
+
+static void set_from_scene(case_t *c, const tf_scene_t *scene) {
+  c->params = scene->params;
+  c->r = scene->r;
+  c->w = scene->omega;
+  c->h = scene->h;
+  c->v = scene->v;
+  c->v_from_h = !scene->v_is_given;
+  c->scene = scene;
+}
+static void set_scene(case_t *c, tf_real_t index) {
+  set_from_scene(c, tf_scenes[(int)index]);
+}
+
+const sweep_t sweeps[SWEEPS] = {
+    {"k2", "spring k2", "N/m", "", 16, -2, 1, true, set_k2},
+    {"c1", "disc damping c1", "N m s", "", 14, -3, 1, true, set_c1},
+    {"c2", "slider damping c2", "N s/m", "", 14, -3, 1, true, set_c2},
+    {"beta", "radius of gyration beta", "m", "", 13, -6, 2, false, set_beta},
+    {"m", "mass m", "kg", "", 19, -9, 1, false, set_m},
+    {"d", "offset d", "m", "", 14, -6, 1, true, set_d},
+    {"mu", "friction mu", "N", "", 14, -6, 1, true, set_mu},
+    {"kappa", "moment / force kappa", "m", "", 10, -6, 1, false, set_kappa},
+    {"gamma", "wheel angle gamma", "deg", "", 24, 0, 0, false, set_gamma},
+    {"omega0", "turntable speed omega0", "rad/s", "w = 1.037 omega0", 14, -2, 2,
+     true, set_omega0},
+    {"through", "speed through r = 0", "m/s", "beta = 1e-3, c2 = 0, r = 0.1",
+     15, -3, 2, false, set_through},
+    {"far_r", "start far out, r", "m", "v = 0", 14, 0, 2, true, set_far_r},
+    {"far_v", "start fast, v", "m/s", "", 13, 0, 2, false, set_far_v},
+    {"far_w", "start spinning, w", "rad/s", "v = 0", 13, 0, 2, false,
+     set_far_w},
+    {"far", "start far, r = v = w", "SI", "", 14, 0, 2, true, set_far},
+    {"tiny_state", "state / least normal number", "1", "r0, omega0 as tiny", 15,
+     -16, 1, true, set_tiny_state},
+    {"tiny_params", "parameters / least normal number", "1",
+     "mu = k2 = c1 = c2", 15, -16, 1, true, set_tiny_params},
+    {"centrifugal", "k2 / (m w^2)", "1",
+     "no contact, beta = 1000, d = 0, w = 10, no damping", 12, 0, 0, false,
+     set_centrifugal},
+    {"smooth", "width of sign, epsilon", "m/s", "law smooth", 15, -12, 1, false,
+     set_smooth},
+    {"string", "string stiffness k", "1/m^2", "law string", 15, -3, 1, false,
+     set_string},
+    {"two_piece", "string stiffness k", "1/m^2", "law two-piece", 15, -3, 1,
+     false, set_two_piece},
+    {"conservative", "spring k2", "N/m", "no contact, no damping", 16, -2, 1,
+     true, set_conservative},
+    {"spinning", "disc speed w", "rad/s", "no contact, no damping, k2 = 1", 14,
+     -2, 2, true, set_spinning},
+    {"scenes", "scene", "", "the project's scenes as they are", TF_SCENES, 0, 0,
+     false, set_scene}};
+
+double sweep_value(const sweep_t *sweep, int i) {
+  static const double ratio[] = {0,    1e-3, 0.5, 0.9, 0.99, 1,
+                                 1.01, 1.1,  2,   10,  1e3,  1e6};
+  if (sweep->per_decade > 0) {
+    if (sweep->from_zero && i == 0) return 0;
+    const int n = sweep->from_zero ? i - 1 : i;
+    return pow(10, sweep->low + (double)n / sweep->per_decade);
+  }
+  if (sweep->set == set_gamma) return 15.0 * (i - 11);
+  if (sweep->set == set_centrifugal) return ratio[i];
+  return i;
+}
+
+void sweep_case(const sweep_t *sweep, int i, case_t *c) {
+  set_from_scene(c, tf_scenes[0]);
+  c->scene = NULL;
+  c->v = TF_R(0.1);
+  sweep->set(c, (tf_real_t)sweep_value(sweep, i));
+}

@@ -1,0 +1,229 @@
+// Runs one cell and judges it by the energy balance.
+//
+// The friction force acts along -grad h, so that along any motion
+//   dE/dt = -c2 v^2 - c1 w^2 - F h + F omega0 (r cos gamma - d sin gamma)
+//           + M w
+// and -F h <= 0. With |F| <= F_max, |M| <= M_max, what the contact can have put
+// in up to step n is at most
+//   W_n = sum dt (F_max |omega0| |r cos gamma - d sin gamma| + M_max |w|)
+// along the run's own path. No motion of the machine has E > E0 + W. A run with
+// E > 4 (E0 + W) has more than twice the amplitude that this allows: energy
+// was created by the scheme. Less than that is an error, not an instability.
+#include "cell.h"
+
+#include <math.h>
+#include <string.h>
+
+const char *const cell_verdict_names[CELL_VERDICTS] = {
+    "ok",      "degraded",      "physics", "too_long",  "diverged",
+    "created", "bad_parameter", "touched", "non_finite"};
+
+#define FACTOR 4
+
+static long double wide(tf_real_t x) { return (long double)x; }
+
+// Terms of 8 roundings, the least of which is that of a subnormal number.
+static long double rounding(long double x) {
+  return 8 * wide(TF_REAL_EPSILON) * (x + wide(TF_REAL_MIN));
+}
+
+static long double energy(const tf_machine_t *k, const tf_state_t *x,
+                          long double r0) {
+  const long double p = wide(x->v) - wide(k->d) * wide(x->w);
+  const long double r = wide(x->r), w = wide(x->w), s = r - r0;
+  return (wide(k->m) * (p * p + (wide(k->beta2) + r * r) * w * w) +
+          wide(k->k2) * s * s) /
+         2;
+}
+
+// The energy of the rounding of a state.
+static long double energy_of_rounding(const tf_machine_t *k,
+                                      const tf_state_t *x, long double r0) {
+  const long double r = fabsl(wide(x->r)), d = fabsl(wide(k->d));
+  const long double dw = rounding(fabsl(wide(x->w)));
+  const long double dp = rounding(fabsl(wide(x->v))) + d * dw;
+  const long double ds = rounding(r + fabsl(r0));
+  return (wide(k->m) * (dp * dp + (wide(k->beta2) + r * r) * dw * dw) +
+          wide(k->k2) * ds * ds) /
+         2;
+}
+
+// |F| and |M| that a law never exceeds. String: the pressure is delta at most
+// on a contact of length 2a.
+static tf_force_t largest_force(const tf_tyre_t *t) {
+  switch (t->law) {
+    case TF_TYRE_JUMP:
+    case TF_TYRE_SMOOTH:
+      return (tf_force_t){t->mu * 4 / 3, t->kappa * t->mu};
+    case TF_TYRE_COULOMB:
+      return (tf_force_t){t->mu, 0};
+    case TF_TYRE_STRING:
+    case TF_TYRE_TWO_PIECE:
+      return (tf_force_t){2 * t->a * t->delta * t->mu,
+                          t->a * t->a * t->delta * t->mu};
+    case TF_TYRE_NONE:
+      break;
+  }
+  return (tf_force_t){0, 0};
+}
+
+static long double power(const tf_machine_t *k, const tf_state_t *x,
+                         tf_real_t omega0) {
+  const tf_force_t f = largest_force(&k->tyre);
+  const long double arm =
+      wide(x->r) * wide(k->cos_gamma) - wide(k->d) * wide(k->sin_gamma);
+  return fabsl(wide(f.F) * wide(omega0) * arm) + fabsl(wide(f.M) * wide(x->w));
+}
+
+static bool all_finite(const tf_state_t *x, const tf_report_t *o) {
+  return isfinite(x->r) && isfinite(x->v) && isfinite(x->w) &&
+         isfinite(x->phi) && isfinite(o->force.F) && isfinite(o->force.M) &&
+         isfinite(o->slip.h) && isfinite(o->slip.g) && isfinite(o->delassus) &&
+         isfinite(o->residual);
+}
+
+// Rounding of the terms of h.
+static long double slip_rounding(const tf_machine_t *k, const tf_state_t *x,
+                                 tf_real_t omega0) {
+  const long double z = fabsl(wide(x->w)) + fabsl(wide(omega0));
+  return wide(TF_REAL_EPSILON) *
+         (fabsl(wide(x->v)) + (fabsl(wide(k->d)) + fabsl(wide(x->r))) * z +
+          wide(TF_REAL_MIN));
+}
+
+static long double size(const tf_state_t *x) {
+  return fabsl(wide(x->r)) + fabsl(wide(x->v)) + fabsl(wide(x->w));
+}
+
+static tf_input_t input_at(const case_t *c, const tf_machine_t *k, long n) {
+  if (!c->scene) return tf_input_default(k);
+  return tf_scene_input(c->scene, k, (tf_real_t)n * k->dt);
+}
+
+static tf_status_t begin(const case_t *c, const tf_machine_t *k,
+                         tf_state_t *x) {
+  tf_report_t report;
+  memset(x, 0, sizeof *x);
+  x->r = c->r;
+  x->v = c->v;
+  x->w = c->w;
+  const tf_input_t u = input_at(c, k, 0);
+  if (c->v_from_h) {
+    tf_real_t v = c->v;
+    if (tf_speed_for_slip(k, x->r, x->w, u.omega0, c->h, &v) == TF_OK) x->v = v;
+  }
+  x->mode = c->v_from_h && c->h > 0 ? TF_SLIP_PLUS : TF_MODES;
+  return tf_begin(k, x, &u, &report);
+}
+
+// A refused step, asked again in CELL_FINER parts. The motion diverges by
+// itself only where these parts carry it towards the limit of states.
+static tf_status_t ask_finer(const case_t *c, step_t *step, tf_real_t theta,
+                             tf_real_t dt, const tf_state_t *last, long n,
+                             bool *leaves) {
+  tf_params_t params = c->params;
+  tf_machine_t k;
+  tf_report_t report;
+  tf_state_t x = *last;
+  params.theta = theta;
+  params.dt = dt / CELL_FINER;
+  if (params.dt < TF_R(1e-9)) params.dt = TF_R(1e-9);
+  *leaves = false;
+  tf_status_t status = tf_prepare(&k, &params, NULL);
+  const tf_input_t u = input_at(c, &k, n * CELL_FINER);
+  for (long i = 0; i < CELL_FINER && status >= TF_OK; i++)
+    status = step(&k, &x, &u, &report);
+  *leaves = status == TF_DIVERGED && size(&x) > wide(TF_STATE_LIMIT) / 100;
+  return status;
+}
+
+// What a run is watched for, step by step.
+typedef struct {
+  const tf_machine_t *k;
+  long double E0, W, r0, before; // before: slip_rounding of the last state
+} watch_t;
+
+static void worsen(cell_t *cell, cell_verdict_t verdict) {
+  if (verdict > cell->verdict) cell->verdict = verdict;
+}
+
+static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
+                  const tf_state_t *x, const tf_report_t *report,
+                  tf_real_t omega0, long n) {
+  const tf_machine_t *k = at->k;
+  if (!all_finite(x, report)) worsen(cell, CELL_NON_FINITE);
+  cell->degraded += report->status == TF_DEGRADED;
+  // The only other positive status: TF_FELL_BACK of tf_locate.
+  cell->fell_back += report->status > TF_DEGRADED;
+  if (report->status == TF_DEGRADED) worsen(cell, CELL_DEGRADED);
+  const long double after = slip_rounding(k, x, omega0);
+  if (x->mode > TF_SLIP_MINUS && report->status != TF_DEGRADED) {
+    cell->sticks++;
+    cell->stick =
+        fmaxl(cell->stick, fabsl(wide(report->slip.h)) / (at->before + after));
+  }
+  at->before = after;
+  cell->largest = fmaxl(cell->largest, size(x));
+  const long double E = energy(k, x, at->r0);
+  at->W += wide(k->dt) * fmaxl(power(k, old, omega0), power(k, x, omega0));
+  const long double room = at->E0 + at->W + energy_of_rounding(k, x, at->r0);
+  if (!(E <= FACTOR * room)) worsen(cell, CELL_CREATED);
+  cell->excess = fmaxl(cell->excess, E / room);
+  if (!(at->E0 > 0)) return;
+  cell->end_drift = (E - at->E0) / at->E0;
+  const int half = n > CELL_STEPS / 2;
+  cell->drift[half] = fmaxl(cell->drift[half], fabsl(cell->end_drift));
+}
+
+static void refusal(cell_t *cell, const case_t *c, step_t *step,
+                    tf_real_t theta, tf_real_t dt, const tf_state_t *x) {
+  bool leaves;
+  if (cell->status == TF_BAD_PARAMETER) {
+    worsen(cell, CELL_PARAMETER);
+    return;
+  }
+  cell->finer = ask_finer(c, step, theta, dt, x, cell->steps, &leaves);
+  if (cell->status == TF_STEP_TOO_LONG)
+    worsen(cell, CELL_TOO_LONG);
+  else
+    worsen(cell, leaves ? CELL_PHYSICS : CELL_DIVERGED);
+}
+
+cell_t cell_run(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt) {
+  cell_t cell;
+  tf_machine_t k;
+  tf_state_t x, old;
+  tf_params_t params = c->params;
+  memset(&cell, 0, sizeof cell);
+  params.theta = theta;
+  params.dt = dt;
+  cell.conservative =
+      params.law == TF_TYRE_NONE && params.c1 == 0 && params.c2 == 0;
+  cell.status = tf_prepare(&k, &params, NULL);
+  if (cell.status == TF_OK) cell.status = begin(c, &k, &x);
+  if (cell.status != TF_OK) {
+    cell.verdict = CELL_PARAMETER;
+    return cell;
+  }
+  cell.grows = wide(k.k2) < wide(k.m) * wide(x.w) * wide(x.w);
+  watch_t at = {.k = &k, .r0 = wide(k.r0)};
+  at.E0 = energy(&k, &x, at.r0);
+  at.before = slip_rounding(&k, &x, k.omega0);
+  for (long n = 1; n <= CELL_STEPS; n++) {
+    const tf_input_t u = input_at(c, &k, n);
+    tf_report_t report;
+    memset(&report, 0, sizeof report);
+    memcpy(&old, &x, sizeof x);
+    cell.status = step(&k, &x, &u, &report);
+    if (report.status != cell.status) worsen(&cell, CELL_TOUCHED);
+    if (cell.status < TF_OK) {
+      if (memcmp(&old, &x, sizeof x) != 0) worsen(&cell, CELL_TOUCHED);
+      refusal(&cell, c, step, theta, dt, &old);
+      return cell;
+    }
+    cell.steps++;
+    watch(&cell, &at, &old, &x, &report, u.omega0, n);
+  }
+  cell.status = TF_OK;
+  return cell;
+}

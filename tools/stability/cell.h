@@ -1,0 +1,52 @@
+/// @file
+/// One cell of the map: one case, one scheme, one step size, and what is to be
+/// said about the run.
+#ifndef TWOFOLD_STABILITY_CELL_H
+#define TWOFOLD_STABILITY_CELL_H
+
+#include "cases.h"
+
+typedef tf_status_t step_t(const tf_machine_t *, tf_state_t *,
+                           const tf_input_t *, tf_report_t *);
+
+/// Most steps of a cell. An instability grows by the step, so steps count and
+/// not seconds.
+#define CELL_STEPS 4000
+/// How many steps of dt/CELL_FINER ask a refused step again.
+#define CELL_FINER 1024
+
+/// The worst that can be said about a run, the best first.
+typedef enum {
+  CELL_OK,        ///< all steps, energy bounded by what was put in
+  CELL_DEGRADED,  ///< the same, in some steps no mode was consistent
+  CELL_PHYSICS,   ///< the motion itself leaves the range of states
+  CELL_TOO_LONG,  ///< refused: r moves by more than its size in a step
+  CELL_DIVERGED,  ///< refused, and shorter steps go on: the scheme's fault
+  CELL_CREATED,   ///< more energy than the contact can have put in
+  CELL_PARAMETER, ///< the scheme or the real type does not take the case
+  CELL_TOUCHED,   ///< a refused step changed the state, or lied about status
+  CELL_NON_FINITE ///< an accepted step left a number that is not finite
+} cell_verdict_t;
+#define CELL_VERDICTS 9
+extern const char *const cell_verdict_names[CELL_VERDICTS];
+
+typedef struct {
+  cell_verdict_t verdict;
+  tf_status_t status; ///< TF_OK, or of the refusal
+  tf_status_t finer;  ///< of dt/CELL_FINER from the last valid state
+  long steps;         ///< accepted
+  long degraded, fell_back, sticks;
+  bool grows;            ///< k2 < m w^2 at the start
+  bool conservative;     ///< no contact, no damping
+  long double excess;    ///< largest E / (E0 + W), see CELL_CREATED
+  long double drift[2];  ///< largest |E - E0| / E0 in each half of the run
+  long double end_drift; ///< (E - E0) / E0 at the last valid state
+  long double stick;     ///< largest |h| in stick / rounding of its terms
+  long double largest;   ///< largest |r| + |v| + |w|
+} cell_t;
+
+/// Runs one cell.
+/// c: the case; step: the scheme; theta, dt: of its machine.
+cell_t cell_run(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt);
+
+#endif
