@@ -5,6 +5,12 @@
 #include <stddef.h>
 
 static void set_k2(case_t *c, tf_real_t y) { c->params.k2 = y; }
+
+// The stiff spring alone, without the violent start of 0.08 m of stretch.
+static void set_k2_rest(case_t *c, tf_real_t y) {
+  c->params.k2 = y;
+  c->params.r0 = c->r;
+}
 static void set_c1(case_t *c, tf_real_t y) { c->params.c1 = y; }
 static void set_c2(case_t *c, tf_real_t y) { c->params.c2 = y; }
 static void set_beta(case_t *c, tf_real_t y) { c->params.beta = y; }
@@ -130,6 +136,8 @@ static void set_scene(case_t *c, tf_real_t index) {
 
 const sweep_t sweeps[SWEEPS] = {
     {"k2", "spring k2", "N/m", "", 16, -2, 1, true, set_k2},
+    {"k2_rest", "spring k2", "N/m", "starts unstretched, r0 = 0.18", 16, -2, 1,
+     true, set_k2_rest},
     {"c1", "disc damping c1", "N m s", "", 14, -3, 1, true, set_c1},
     {"c2", "slider damping c2", "N s/m", "", 14, -3, 1, true, set_c2},
     {"beta", "radius of gyration beta", "m", "", 13, -6, 2, false, set_beta},

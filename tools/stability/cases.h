@@ -27,7 +27,7 @@ typedef struct {
   void (*set)(case_t *c, tf_real_t value);
 } sweep_t;
 
-#define SWEEPS 24
+#define SWEEPS 25
 extern const sweep_t sweeps[SWEEPS];
 
 /// Value i of a sweep.

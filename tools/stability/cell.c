@@ -116,11 +116,25 @@ static tf_status_t begin(const case_t *c, const tf_machine_t *k,
   return tf_begin(k, x, &u, &report);
 }
 
+// How much the state changes in a time by its free accelerations.
+static long double change(const tf_machine_t *k, const tf_state_t *x,
+                          const tf_input_t *u, long double time) {
+  const long double r = wide(x->r), v = wide(x->v), w = wide(x->w);
+  const long double m = wide(k->m), d = wide(k->d);
+  const long double Q_r =
+      wide(k->k2) * (wide(u->r0) - r) - wide(k->c2) * v + m * r * w * w;
+  const long double Q_phi = -wide(k->c1) * w - 2 * m * r * v * w;
+  const long double dw = (Q_phi + d * Q_r) / (m * (wide(k->beta2) + r * r));
+  return time * (fabsl(v) + fabsl(Q_r / m + d * dw) + fabsl(dw));
+}
+
 // A refused step, asked again in CELL_FINER parts. The motion diverges by
-// itself only where these parts carry it towards the limit of states.
+// itself only where these parts are refused as well and have come near the
+// limit of states, or where its accelerations leap there even within one part.
 static tf_status_t ask_finer(const case_t *c, step_t *step, tf_real_t theta,
                              tf_real_t dt, const tf_state_t *last, long n,
                              bool *leaves) {
+  const long double near = wide(TF_STATE_LIMIT) / 100;
   tf_params_t params = c->params;
   tf_machine_t k;
   tf_report_t report;
@@ -130,11 +144,13 @@ static tf_status_t ask_finer(const case_t *c, step_t *step, tf_real_t theta,
   if (params.dt < TF_R(1e-9)) params.dt = TF_R(1e-9);
   *leaves = false;
   tf_status_t status = tf_prepare(&k, &params, NULL);
+  if (status != TF_OK) return status;
   const tf_input_t u = input_at(c, &k, n * CELL_FINER);
   for (long i = 0; i < CELL_FINER && status >= TF_OK; i++)
     status = step(&k, &x, &u, &report);
-  *leaves = status == TF_DIVERGED && size(&x) > wide(TF_STATE_LIMIT) / 100;
-  return status;
+  *leaves = (status == TF_DIVERGED || status == TF_BAD_STATE) &&
+            size(&x) + change(&k, &x, &u, wide(params.dt)) > near;
+  return status < TF_OK ? status : TF_OK;
 }
 
 // What a run is watched for, step by step.

@@ -2,6 +2,7 @@
 // line of CSV a cell, in the order of the header below.
 //
 //   sweep [SWEEP...]    these sweeps, or all
+//   sweep --list        name|axis|unit|what differs from scene chaos, a line
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -20,12 +21,19 @@ static const struct {
   step_t *step;
   tf_real_t theta;
 } schemes[] = {
-    {"moreau-1/2", tf_step, TF_R(0.5)},
+    {"moreau-0.5", tf_step, TF_R(0.5)},
     {"moreau-1", tf_step, TF_R(1.0)},
 #ifdef HAS_LOCATE
     {"located", tf_locate, TF_R(0.5)},
 #endif
 };
+
+// The codes by their names in status.h: tf_status_name has words with commas.
+static const char *code(tf_status_t status) {
+  static const char *const refusals[] = {"", "TF_BAD_PARAMETER", "TF_BAD_STATE",
+                                         "TF_DIVERGED", "TF_STEP_TOO_LONG"};
+  return status < TF_OK ? refusals[-(int)status] : "";
+}
 
 #define STEP_SIZES 11 // 1e-6 to 1e-1 s, two a decade
 
@@ -37,8 +45,7 @@ static void print_cell(const sweep_t *sweep, int i, const char *scheme,
   else
     printf("%s,%d,%.3g,", sweep->name, i, sweep_value(sweep, i));
   printf("%s,%s,%.3g,%s,", real, scheme, dt, cell_verdict_names[cell->verdict]);
-  printf("%s,%s,", cell->status == TF_OK ? "" : tf_status_name(cell->status),
-         cell->finer == TF_OK ? "" : tf_status_name(cell->finer));
+  printf("%s,%s,", code(cell->status), code(cell->finer));
   printf("%ld,%ld,%ld,%ld,", cell->steps, cell->degraded, cell->fell_back,
          cell->sticks);
   printf("%.3Lg,%.4Lg,%d,%d,", cell->stick, cell->excess, cell->grows,
@@ -68,8 +75,16 @@ static bool wanted(const char *name, int argc, char **argv) {
   return argc == 1;
 }
 
+static int list(void) {
+  for (int i = 0; i < SWEEPS; i++)
+    printf("%s|%s|%s|%s\n", sweeps[i].name, sweeps[i].axis, sweeps[i].unit,
+           sweeps[i].where);
+  return 0;
+}
+
 int main(int argc, char **argv) {
   int run = 0;
+  if (argc == 2 && strcmp(argv[1], "--list") == 0) return list();
   puts(
       "sweep,index,value,real,scheme,dt,verdict,refusal,finer,steps,degraded,"
       "fell_back,sticks,stick_drift,energy_excess,grows,conservative,"
