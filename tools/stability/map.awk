@@ -1,6 +1,11 @@
 # The data of one map for gnuplot: a block a sweep of its cells (log10 dt, row,
 # verdict) to standard output, axes and tick labels to the file SETTINGS.
 #   awk -f map.awk -v real=REAL -v scheme=SCHEME -v settings=FILE LIST CELLS
+function shorter(number) {
+  sub(/e\+0?/, "e", number)
+  sub(/e-0/, "e-", number)
+  return number
+}
 BEGIN {
   code["ok"] = 1
   code["degraded"] = 2
@@ -23,7 +28,7 @@ file == 1 {
   if (f[4] != real || f[5] != scheme) next
   n = at[f[1]]
   rows[n] = f[2] > rows[n] ? f[2] : rows[n]
-  label[n, f[2]] = f[3]
+  label[n, f[2]] = shorter(f[3])
   cells[n] = cells[n] sprintf("%.3f %d %d\n", log(f[6]) / log(10), f[2], \
     code[f[7]])
 }

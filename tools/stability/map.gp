@@ -3,9 +3,8 @@
 # darker than what is stable. SETTINGS and DATA come from map.awk.
 # Usage: gnuplot -e "settings='F'; data='F'; out='F'" map.gp
 load settings
-set terminal svg size 1500,2300 font 'Helvetica,19' background '#ffffff'
+set terminal svg size 1500,2300 font 'Helvetica,21' background '#ffffff'
 set output out
-verdicts = 'ok degraded physics too_long diverged created n/a broken'
 means = "'stable' 'stable, some steps degraded' 'the motion leaves the range' " \
   ."'refused: step too long' 'refused: scheme diverged' 'energy created' " \
   ."'law not taken' 'promise broken'"
@@ -25,13 +24,14 @@ do for [n = 1:panels] {
   line = (n - 1) / columns
   set origin column / real(columns), 0.965 - 0.965 * (line + 1) / lines
   set size 1.0 / columns, 0.965 / lines
-  set lmargin 9
+  set lmargin 9.5
   set rmargin 1
-  set tmargin 1.6
-  set bmargin 2.9
+  set tmargin 1.4
+  set bmargin 2.7
   set yrange [-0.5:rows[n] + 0.5]
   eval(value(sprintf('ticks%d', n)))
-  set title axis[n] offset 0,-0.7
+  set ytics noenhanced
+  set title axis[n] offset 0,-0.7 noenhanced
   set xlabel 'step dt [s]' offset 0,0.7
   plot data index n - 1 using 1:2:($1-0.25):($1+0.25):($2-0.5):($2+0.5): \
     (colour[int($3)]) with boxxyerror fill solid 1 border lc rgb '#ffffff' \
