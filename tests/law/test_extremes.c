@@ -1,0 +1,301 @@
+/* What a step promises to every machine within the documented ranges and to
+ * every state up to the limit, however stiff, far or small: a step that is
+ * accepted leaves finite numbers only, in the state and in the report; a step
+ * that is refused leaves the state as it was, bit for bit; the report has the
+ * status that was returned. */
+#include "tap.h"
+#include "twofold.h"
+
+#ifdef __has_include
+#if __has_include("twofold/locate.h")
+#include "twofold/locate.h"
+#define HAS_LOCATE
+#endif
+#endif
+
+typedef tf_status_t step_t(const tf_machine_t *, tf_state_t *,
+                           const tf_input_t *, tf_report_t *);
+static step_t *const schemes[] = {
+    tf_step,
+#ifdef HAS_LOCATE
+    tf_locate,
+#endif
+};
+#define SCHEMES (sizeof schemes / sizeof *schemes)
+
+static long accepted, refused[-TF_STEP_TOO_LONG + 1];
+
+static bool one_in(unsigned n) { return tap_bits() % n == 0; }
+
+/* Each decade is as likely as any other. */
+static tf_real_t spread(tf_real_t low, tf_real_t high) {
+  const double a = log((double)low), b = log((double)high);
+  const tf_real_t x = (tf_real_t)exp(tap_uniform(a, b));
+  return x < low ? low : x > high ? high : x;
+}
+
+/* Of any size down to the subnormal ones, of either sign, 0 or the limit. */
+static tf_real_t anything(tf_real_t limit) {
+  const tf_real_t least =
+      one_in(4) ? TF_REAL_MIN * TF_REAL_EPSILON : limit * TF_R(1e-18);
+  const tf_real_t size = one_in(8)   ? 0
+                         : one_in(8) ? limit
+                                     : spread(least, limit);
+  return one_in(2) ? -size : size;
+}
+
+static tf_real_t *member(tf_params_t *p, int i) {
+  return (tf_real_t *)(void *)((char *)p + tf_parameter_ranges[i].offset);
+}
+
+static void draw_member(tf_params_t *p, int i) {
+  const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+  tf_real_t x;
+  if (range->low < 0)
+    x = anything(range->high);
+  else if (range->low > 0)
+    x = spread(range->low, range->high);
+  else
+    x = (tf_real_t)fabs((double)anything(range->high));
+  if (one_in(8)) x = one_in(2) ? range->low : range->high;
+  *member(p, i) = x;
+}
+
+/* Multiples of pi/4 too: there a sine or cosine is 0 or nearly so. */
+static tf_real_t draw_gamma(void) {
+  const double pi = 3.14159265358979323846;
+  if (one_in(2)) return (tf_real_t)tap_uniform(-pi, pi);
+  const tf_real_t gamma = (tf_real_t)(((double)(tap_bits() % 8) - 3) * pi / 4);
+  return gamma;
+}
+
+/* Half of the machines are a scene with three members driven to extremes,
+ * half are extreme throughout. */
+static tf_params_t draw_machine(void) {
+  const tf_scene_t *scene = tf_scenes[tap_bits() % TF_SCENES];
+  tf_params_t p = scene->params;
+  p.law = (tf_tyre_law_t)(tap_bits() % TF_TYRE_LAWS);
+  p.rule = (tf_rule_t)(tap_bits() % TF_RULES);
+  p.with_angle = one_in(2);
+  p.kappa = TF_R(0.27);
+  p.epsilon = TF_R(1e-4);
+  p.k = p.delta = p.sigma = p.a = 1;
+  p.rho = TF_R(0.5);
+  if (one_in(2)) {
+    for (int n = 0; n < 3; n++)
+      draw_member(&p, (int)(tap_bits() % TF_PARAMETERS));
+  } else {
+    for (int i = 0; i < TF_PARAMETERS; i++) draw_member(&p, i);
+  }
+  p.gamma = draw_gamma();
+  p.dt = spread(TF_R(1e-9), 1);
+  p.theta = one_in(3) ? 1 : one_in(2) ? TF_R(0.5) : p.theta;
+  return p;
+}
+
+static int finite(tf_real_t x) { return isfinite(x); }
+
+static int all_finite(const tf_state_t *x, const tf_report_t *o) {
+  return finite(x->r) && finite(x->v) && finite(x->w) && finite(x->phi) &&
+         finite(o->force.F) && finite(o->force.M) && finite(o->slip.h) &&
+         finite(o->slip.g) && finite(o->delassus) && finite(o->residual);
+}
+
+static void tell(const tf_machine_t *k, const tf_params_t *p,
+                 const tf_state_t *x, const tf_report_t *o) {
+  printf("# law %d rule %d dt %g theta %g", (int)p->law, (int)p->rule,
+         (double)k->dt, (double)k->theta);
+  for (int i = 0; i < TF_PARAMETERS; i++)
+    printf(" %s %a", tf_parameter_ranges[i].name,
+           (double)*(
+               const tf_real_t *)(const void *)((const char *)p +
+                                                tf_parameter_ranges[i].offset));
+  printf(
+      "\n# r %a v %a w %a mode %d, then status %d mode %d F %g M %g h %g g "
+      "%g delassus %g residual %g\n",
+      (double)x->r, (double)x->v, (double)x->w, x->mode, (int)o->status,
+      o->mode, (double)o->force.F, (double)o->force.M, (double)o->slip.h,
+      (double)o->slip.g, (double)o->delassus, (double)o->residual);
+}
+
+/* Up to `steps` steps of one machine, until one is refused. */
+static void run(step_t *step, const tf_params_t *p, tf_state_t x,
+                const tf_input_t *input, int steps) {
+  tf_machine_t k;
+  if (!CHECK(tf_prepare(&k, p, NULL) == TF_OK)) return;
+  const tf_input_t u = input ? *input : tf_input_default(&k);
+  for (int n = 0; n < steps; n++) {
+    tf_state_t old;
+    tf_report_t report;
+    memcpy(&old, &x, sizeof x);
+    memset(&report, 0x7f, sizeof report);
+    const tf_status_t status = step(&k, &x, &u, &report);
+    CHECK(report.status == status);
+    if (status < TF_OK) {
+      CHECK(memcmp(&old, &x, sizeof x) == 0);
+      CHECK(status >= TF_STEP_TOO_LONG);
+      refused[-(int)status]++;
+      return;
+    }
+    accepted++;
+    CHECK(report.mode == x.mode && x.mode < TF_MODES);
+    CHECK(x.tick == old.tick + 1);
+    if (!CHECK(all_finite(&x, &report))) {
+      tell(&k, p, &old, &report);
+      return;
+    }
+  }
+}
+
+static void count_again(void) {
+  accepted = 0;
+  memset(refused, 0, sizeof refused);
+}
+
+static void tell_counts(void) {
+  printf(
+      "# accepted %ld, refused: parameter %ld, state %ld, diverged %ld, too "
+      "long %ld\n",
+      accepted, refused[1], refused[2], refused[3], refused[4]);
+}
+
+static tf_state_t draw_state(tf_real_t limit) {
+  tf_state_t x;
+  memset(&x, 0, sizeof x);
+  x.r = anything(limit);
+  x.v = anything(limit);
+  x.w = anything(limit);
+  x.phi = anything(10);
+  x.tick = tap_bits();
+  x.seed = (uint32_t)tap_bits();
+  x.mode = (uint8_t)(tap_bits() % TF_MODES);
+  return x;
+}
+
+TEST(random_machines_keep_every_number_finite) {
+  count_again();
+  for (int n = 0; n < 200000; n++) {
+    const tf_params_t p = draw_machine();
+    const tf_real_t limit = one_in(4) ? TF_STATE_LIMIT / 3 : 10;
+    const tf_state_t x = draw_state(limit);
+    tf_input_t u;
+    memset(&u, 0, sizeof u);
+    u.omega0 = anything(100);
+    u.r0 = anything(100);
+    u.force = anything(1000);
+    u.torque = anything(1000);
+    const bool driven = one_in(4);
+    for (size_t s = 0; s < SCHEMES; s++)
+      run(schemes[s], &p, x, driven ? &u : NULL, 10);
+  }
+  tell_counts();
+  CHECK(accepted > 100000 && refused[2] > 10 && refused[3] > 100);
+  CHECK(refused[4] > 100);
+}
+
+/* Every value of the state and of an input that is no number, or too large. */
+TEST(what_is_no_state_is_refused_untouched) {
+  static const tf_real_t wrong[] = {(tf_real_t)NAN,       (tf_real_t)INFINITY,
+                                    -(tf_real_t)INFINITY, TF_REAL_MAX,
+                                    -TF_REAL_MAX,         TF_R(1.001e9)};
+  tf_params_t p = tf_scenes[0]->params;
+  for (size_t s = 0; s < SCHEMES; s++) {
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+      for (int where = 0; where < 7; where++) {
+        tf_state_t x = draw_state(1);
+        tf_input_t u;
+        memset(&u, 0, sizeof u);
+        tf_real_t *const at[] = {&x.r,  &x.v,     &x.w,     &u.omega0,
+                                 &u.r0, &u.force, &u.torque};
+        *at[where] = wrong[i];
+        count_again();
+        run(schemes[s], &p, x, &u, 1);
+        CHECK(refused[-TF_BAD_STATE] == 1);
+      }
+    }
+  }
+}
+
+/* One machine at one corner, from a mild start and through r = 0. */
+static void corner(const tf_params_t *p, tf_real_t scale) {
+  static const double step_sizes[] = {1e-9, 1e-6, 1e-4, 1e-2, 0.1, 1};
+  for (size_t i = 0; i < sizeof step_sizes / sizeof *step_sizes; i++) {
+    tf_params_t q = *p;
+    q.dt = (tf_real_t)step_sizes[i];
+    for (int start = 0; start < 4; start++) {
+      tf_state_t x;
+      memset(&x, 0, sizeof x);
+      x.r = scale * (start == 1 ? 0 : TF_R(0.18));
+      x.v = scale * (start == 2 ? -10 : start == 1 ? 0 : TF_R(0.02));
+      x.w = scale * (start == 1 ? 0 : TF_R(-1.037));
+      x.mode = (uint8_t)(start == 3 ? TF_STICK_PLUS : TF_PINNED);
+      for (size_t s = 0; s < SCHEMES; s++) run(schemes[s], &q, x, NULL, 20);
+    }
+  }
+}
+
+/* Every parameter at both ends of its range, alone and with every other. */
+TEST(corners_of_the_ranges) {
+  count_again();
+  for (int i = 0; i < TF_PARAMETERS; i++) {
+    for (int j = i; j < TF_PARAMETERS; j++) {
+      for (int ends = 0; ends < 4; ends++) {
+        tf_params_t p = tf_scenes[0]->params;
+        const tf_parameter_range_t *a = &tf_parameter_ranges[i];
+        const tf_parameter_range_t *b = &tf_parameter_ranges[j];
+        *member(&p, i) = ends & 1 ? a->high : a->low;
+        if (j > i) *member(&p, j) = ends & 2 ? b->high : b->low;
+        corner(&p, 1);
+      }
+    }
+  }
+  tell_counts();
+}
+
+TEST(listed_corners) {
+  const tf_real_t least = TF_REAL_MIN * TF_REAL_EPSILON;
+  count_again();
+  for (int i = 0; i < TF_SCENES; i++) {
+    const tf_params_t scene = tf_scenes[i]->params;
+    tf_params_t p = scene;
+    /* subnormal states and parameters */
+    for (tf_real_t tiny = least; tiny < TF_REAL_MIN * 1000; tiny *= 16) {
+      p = scene;
+      p.r0 = p.omega0 = tiny;
+      corner(&p, tiny);
+      p = scene;
+      p.mu = p.k2 = p.c1 = p.c2 = p.rate = tiny;
+      corner(&p, 1);
+      corner(&p, tiny);
+    }
+    /* gamma where its sine or cosine is 0 or nearly so */
+    for (int n = -4; n <= 4; n++) {
+      p = scene;
+      p.gamma = tf_parameter_ranges[10].high * (tf_real_t)n / 4;
+      corner(&p, 1);
+      p.gamma += p.gamma < 0 ? TF_REAL_EPSILON : -TF_REAL_EPSILON;
+      corner(&p, 1);
+    }
+    /* at the centrifugal instability, k2 = m w^2, and beyond */
+    for (tf_real_t ratio = 0; ratio < 3; ratio += TF_R(0.25)) {
+      p = scene;
+      p.omega0 = 1000;
+      p.k2 = ratio * p.m * p.omega0 * p.omega0;
+      corner(&p, 1);
+      corner(&p, 1000);
+    }
+    /* far away */
+    for (tf_real_t far = 10; far < TF_R(1e9); far *= 10) corner(&scene, far);
+  }
+  tell_counts();
+  CHECK(accepted > 100000 && refused[-TF_DIVERGED] > 100);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(random_machines_keep_every_number_finite);
+  RUN(what_is_no_state_is_refused_untouched);
+  RUN(corners_of_the_ranges);
+  RUN(listed_corners);
+  return tap_end();
+}
