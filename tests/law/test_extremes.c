@@ -93,12 +93,11 @@ static tf_params_t draw_machine(void) {
   return p;
 }
 
-static int finite(tf_real_t x) { return isfinite(x); }
-
 static int all_finite(const tf_state_t *x, const tf_report_t *o) {
-  return finite(x->r) && finite(x->v) && finite(x->w) && finite(x->phi) &&
-         finite(o->force.F) && finite(o->force.M) && finite(o->slip.h) &&
-         finite(o->slip.g) && finite(o->delassus) && finite(o->residual);
+  return isfinite(x->r) && isfinite(x->v) && isfinite(x->w) &&
+         isfinite(x->phi) && isfinite(o->force.F) && isfinite(o->force.M) &&
+         isfinite(o->slip.h) && isfinite(o->slip.g) && isfinite(o->delassus) &&
+         isfinite(o->residual);
 }
 
 static void tell(const tf_machine_t *k, const tf_params_t *p,
@@ -198,7 +197,7 @@ TEST(what_is_no_state_is_refused_untouched) {
   static const tf_real_t wrong[] = {(tf_real_t)NAN,       (tf_real_t)INFINITY,
                                     -(tf_real_t)INFINITY, TF_REAL_MAX,
                                     -TF_REAL_MAX,         TF_R(1.001e9)};
-  tf_params_t p = tf_scenes[0]->params;
+  const tf_params_t p = tf_scenes[0]->params;
   for (size_t s = 0; s < SCHEMES; s++) {
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
       for (int where = 0; where < 7; where++) {
@@ -213,6 +212,11 @@ TEST(what_is_no_state_is_refused_untouched) {
         CHECK(refused[-TF_BAD_STATE] == 1);
       }
     }
+    tf_state_t x = draw_state(1);
+    x.mode = TF_MODES;
+    count_again();
+    run(schemes[s], &p, x, NULL, 1);
+    CHECK(refused[-TF_BAD_STATE] == 1);
   }
 }
 
@@ -257,7 +261,7 @@ TEST(listed_corners) {
   count_again();
   for (int i = 0; i < TF_SCENES; i++) {
     const tf_params_t scene = tf_scenes[i]->params;
-    tf_params_t p = scene;
+    tf_params_t p;
     /* subnormal states and parameters */
     for (tf_real_t tiny = least; tiny < TF_REAL_MIN * 1000; tiny *= 16) {
       p = scene;

@@ -3,7 +3,7 @@
 # darker than what is stable. SETTINGS and DATA come from map.awk.
 # Usage: gnuplot -e "settings='F'; data='F'; out='F'" map.gp
 load settings
-set terminal svg size 1500,2300 font 'Helvetica,21' background '#ffffff'
+set terminal svg size 1500,2400 font 'Helvetica,21' background '#ffffff'
 set output out
 means = "'stable' 'stable, some steps degraded' 'the motion leaves the range' " \
   ."'refused: step too long' 'refused: scheme diverged' 'energy created' " \
@@ -17,17 +17,18 @@ set multiplot title 'Stability of '.heading.': verdict after 4000 steps' \
 set tics out nomirror
 set xrange [-6.25:-0.75]
 set format x '10^{%g}'
-set xtics -6,1,-1
+set xtics -6,2,-2
+set mxtics 2
 unset key
 do for [n = 1:panels] {
   column = (n - 1) % columns
   line = (n - 1) / columns
   set origin column / real(columns), 0.965 - 0.965 * (line + 1) / lines
   set size 1.0 / columns, 0.965 / lines
-  set lmargin 9.5
-  set rmargin 1
+  set lmargin 11
+  set rmargin 3
   set tmargin 1.4
-  set bmargin 2.7
+  set bmargin 2.9
   set yrange [-0.5:rows[n] + 0.5]
   eval(value(sprintf('ticks%d', n)))
   set ytics noenhanced
