@@ -6,6 +6,7 @@
 #ifndef TWOFOLD_H
 #define TWOFOLD_H
 
+#include "twofold/compensated.h"
 #include "twofold/friction.h"
 #include "twofold/locate.h"
 #include "twofold/machine.h"

@@ -1,235 +1,49 @@
 // One step: linearise, enumerate what friction allows, choose, advance.
 #include "twofold/step.h"
 
-#include "friction_core.h"
-#include "linear.h"
-#include "tyre_core.h"
+#include "step_core.h"
 
-#define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
-
-// What the parts of one step read.
-typedef struct {
-  const tf_machine_t *machine;
-  const tf_state_t *state;
-  tf_linear_t linear;
-  tf_real_t r, z;   // end of the step without friction
-  tf_slip_t free;   // its slip
-  tf_answer_t F, M; // answers to F = mu, M = kappa mu
-} motion_t;
-
-TF_INLINE motion_t motion(const tf_machine_t *k, const tf_state_t *state,
-                          const tf_input_t *input) {
-  motion_t c = {
-      .machine = k, .state = state, .linear = linearise(k, state, input)};
-  const tf_real_t p = c.linear.p + c.linear.free.p;
-  c.z = c.linear.z + c.linear.free.z;
-  c.r = c.linear.r_explicit + k->theta_dt * (p + k->d * c.z);
-  c.free = turned(k, p, c.r * c.z);
-  c.F = answer_of(k, force_response(k, &c.linear));
-  c.M = answer_of(k, moment_response(k, &c.linear));
-  return c;
-}
-
-TF_INLINE tf_slip_t slip_now(const motion_t *c) {
-  return turned(c->machine, c->linear.p, c->state->r * c->linear.z);
-}
-
-TF_INLINE tf_slip_t slip_at_theta(const motion_t *c, tf_change_t friction) {
-  const tf_real_t r_theta = c->state->r + c->machine->theta_dt * c->state->v;
-  return theta_slip(c->machine, &c->linear, r_theta, friction);
-}
-
-TF_INLINE tf_change_t change_by(const motion_t *c, tf_multipliers_t m) {
-  return (tf_change_t){m.x * c->F.p + m.y * c->M.p,
-                       m.x * c->F.z + m.y * c->M.z};
-}
-
-TF_INLINE tf_end_t end_by(const motion_t *c, tf_multipliers_t m) {
-  const tf_machine_t *k = c->machine;
-  return end_after(k, &c->linear,
-                   (tf_force_t){m.x * k->tyre.mu, m.y * k->kappa_mu},
-                   change_by(c, m));
-}
-
-TF_INLINE tf_multipliers_t slip_multipliers(const tf_tyre_t *tyre,
-                                            tf_real_t side, tf_slip_t at) {
-  if (tyre->law == TF_TYRE_COULOMB) return (tf_multipliers_t){side, 0};
-  return jump_multipliers(tyre, side, at.h, at.g);
-}
-
-// Slip under a set-valued law on one side of h = 0: the force is predicted
-// from the start, then taken at the theta point. Where that would throw the
-// wheel across h = 0 although the limit at h -> 0 holds it on its side, the
-// true end lies between the two and the limit is taken.
-TF_INLINE tf_end_t slip_end(const motion_t *c, tf_real_t side, tf_real_t tau) {
-  const tf_tyre_t *tyre = &c->machine->tyre;
-  const tf_multipliers_t first = slip_multipliers(tyre, side, slip_now(c));
-  const tf_slip_t at = slip_at_theta(c, change_by(c, first));
-  const tf_end_t end = end_by(c, slip_multipliers(tyre, side, at));
-  if (side * end_slip(c->machine, &c->linear, &end).h > 0) return end;
-  return end_by(c, (tf_multipliers_t){side, tau * side});
-}
-
-// The end of the step in one of the modes that solve it. Pinned, it is what the
-// force was solved for, without its rounding.
-TF_INLINE tf_end_t mode_end(const motion_t *c, const tf_solutions_t *s,
-                            unsigned mode) {
-  if (mode == TF_PINNED)
-    return (tf_end_t){pinning_force(c->machine, &c->linear),
-                      c->linear.r_explicit, 0, c->linear.omega0};
-  // No index that is known only at run time: the arrays stay in registers.
-  if (mode == TF_SLIP_PLUS || mode == TF_SLIP_MINUS)
-    return slip_end(c, mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0),
-                    mode == TF_SLIP_PLUS ? s->tau[0] : s->tau[1]);
-  const tf_real_t x = mode == TF_STICK_PLUS ? s->x[0] : s->x[1];
-  return end_by(c, (tf_multipliers_t){x, mode == TF_STICK_PLUS ? x : -x});
-}
-
-TF_INLINE tf_inclusion_t inclusion(const motion_t *c) {
-  tf_inclusion_t in = {.has_moment = c->machine->stick_kappa > 0};
-  slip_forms(c->machine, c->r, c->z, c->free, &c->F, &c->M, &in.h, &in.g);
-  return in;
-}
-
-// What is read only where g+ can have both signs.
-TF_INLINE void complete(const motion_t *c, tf_inclusion_t *in) {
-  const tf_machine_t *k = c->machine;
-  const tf_force_t pin = pinning_force(k, &c->linear);
-  in->g_now = slip_now(c).g;
-  in->pin_x = pin.F * k->inv_mu;
-  in->pin_y = pin.M * k->inv_kappa_mu;
-}
-
-// In slip the angle is not in question: only the side is checked.
-TF_INLINE tf_real_t residual(const tf_machine_t *k, unsigned mode,
-                             tf_force_t force, tf_slip_t slip) {
-  if (mode > TF_SLIP_MINUS)
-    return law_residual(k->tyre.mu, k->stick_kappa, force, slip.h, slip.g);
-  return law_residual(1, 0, (tf_force_t){mode == TF_SLIP_PLUS ? 1 : -1, 0},
-                      slip.h, slip.g);
-}
-
-TF_INLINE tf_status_t refuse(tf_report_t *report, tf_status_t status) {
-  report->status = status;
-  return status;
-}
-
-// What every step ends with: a new state, unless it is out of range.
 TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
                              const tf_input_t *input, tf_end_t end,
                              unsigned mode, unsigned set, tf_real_t delassus,
                              tf_status_t status, tf_report_t *report) {
-  static const uint8_t size_of[1u << TF_MODES] = {
-      0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4,
-      1, 2, 2, 3, 2, 3, 3, 4, 2, 3, 3, 4, 3, 4, 4, 5};
-  if (!within(magnitude(end.r) + magnitude(end.v) + magnitude(end.w),
-              TF_STATE_LIMIT))
-    return refuse(report, TF_DIVERGED);
+  if (!in_reach(end.r, end.v, end.w)) return refuse(report, TF_DIVERGED);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
-  report->mode = (uint8_t)mode;
-  report->set = (uint8_t)set;
-  report->choices = size_of[set];
-  report->force = end.force;
-  report->slip = slip;
-  report->delassus = delassus;
-  report->residual = residual(k, mode, end.force, slip);
-  report->status = status;
+  const tf_real_t rest = residual(k, mode, end.force, slip);
   if (k->with_angle) // (12)
     state->phi += k->explicit_dt * state->w + k->theta_dt * end.w;
-  state->r = end.r;
-  state->v = end.v;
-  state->w = end.w;
-  state->mode = (uint8_t)mode;
-  state->tick++;
-  return status;
+  return record(state, end, slip, rest, mode, set, delassus, status, report);
 }
 
-// tf_select, from what is in registers.
-TF_RARE unsigned select_again(const tf_machine_t *k, const tf_state_t *state,
-                              unsigned set, unsigned near_stick,
-                              tf_real_t h_plus, tf_real_t h_minus,
-                              unsigned attracting) {
-  const tf_solutions_t solutions = {.set = (uint8_t)set,
-                                    .attracting = (uint8_t)attracting,
-                                    .near_stick = (uint8_t)near_stick,
-                                    .h_limit = {h_plus, h_minus}};
-  return tf_select(k->rule, k->exit_threshold, &solutions, state->mode,
-                   state->tick, state->seed);
-}
-
-// No mode is consistent: of all of them the one that violates the law least.
 TF_RARE tf_status_t step_degraded(const tf_machine_t *k, tf_state_t *state,
                                   const tf_input_t *input,
                                   tf_report_t *report) {
-  const motion_t c = motion(k, state, input);
-  tf_inclusion_t in = inclusion(&c);
-  tf_solutions_t solutions = {0};
-  unsigned best = TF_PINNED;
-  tf_real_t least = TF_REAL_MAX;
-  complete(&c, &in);
-  solve_both_signs(&in, &solutions);
-  tf_end_t best_end = mode_end(&c, &solutions, best);
-  for (unsigned mode = 0; mode < TF_MODES; mode++) {
-    const tf_end_t end = mode_end(&c, &solutions, mode);
-    const tf_real_t rest =
-        residual(k, mode, end.force, end_slip(k, &c.linear, &end));
-    if (!(rest < least)) continue;
-    least = rest;
-    best = mode;
-    best_end = end;
-  }
-  return commit(k, state, input, best_end, best, 0, 0, TF_DEGRADED, report);
+  const motion_t c = motion(k, state, NULL, input);
+  end_t end;
+  const unsigned mode = least_violating(&c, &end);
+  return commit(k, state, input, end.at, mode, 0, 0, TF_DEGRADED, report);
 }
 
-// (11): a single-valued law may still be stiff in h. Its secant F = c h at the
-// predicted slip is taken implicitly where that damps (the end of the step
-// answers with E < 0) and explicitly where it drives. The secant never
-// extrapolates: |share| <= 1.
-TF_INLINE tf_force_t secant_force(const motion_t *c, tf_slip_t at,
-                                  tf_real_t h_now) {
-  const tf_machine_t *k = c->machine;
-  const tf_force_t f = tf_tyre_force(&k->tyre, at.h < 0 ? -1 : 1, at.h, at.g);
-  if (at.h == 0) return f;
-  const tf_answer_t a = answer_of(k, response(k, &c->linear, f));
-  const tf_real_t E = turned(k, a.p, c->r * a.z + c->z * a.r).h / at.h;
-  if (!(E < 0)) return f;
-  const tf_real_t h =
-      (h_now + k->theta * (c->free.h - h_now)) / (1 - k->theta * E);
-  const tf_real_t share = clip(h / at.h, -1, 1);
-  return (tf_force_t){share * f.F, share * f.M};
-}
-
-// The end under a force of a single-valued law, and how far the force is from
-// the law there. Apart from its search for the sake of the stack.
+// Apart from the search of the force for the sake of the stack.
 TF_RARE tf_status_t step_under(const tf_machine_t *k, tf_state_t *state,
                                const tf_input_t *input, tf_report_t *report,
                                tf_real_t F, tf_real_t M) {
-  const motion_t c = motion(k, state, input);
-  const tf_force_t force = {F, M};
-  const tf_change_t change = response(k, &c.linear, force);
-  const tf_end_t end = end_after(k, &c.linear, force, change);
-  const tf_real_t h = end_slip(k, &c.linear, &end).h;
-  const unsigned mode = h > 0   ? TF_SLIP_PLUS
-                        : h < 0 ? TF_SLIP_MINUS
-                                : state->mode & 1u; // as it was at h = 0
-  const tf_slip_t slip = slip_at_theta(&c, change);
-  const tf_real_t law =
-      tf_tyre_force(&k->tyre, slip.h < 0 ? -1 : 1, slip.h, slip.g).F;
-  const tf_status_t status =
-      commit(k, state, input, end, mode, TF_MODE_BIT(mode), 0, TF_OK, report);
-  if (status == TF_OK) report->residual = magnitude(F - law);
+  const motion_t c = motion(k, state, NULL, input);
+  end_t end;
+  tf_real_t rest;
+  const unsigned mode = mode_under(&c, (tf_force_t){F, M}, &end, &rest);
+  const tf_status_t status = commit(k, state, input, end.at, mode,
+                                    TF_MODE_BIT(mode), 0, TF_OK, report);
+  if (status == TF_OK) report->residual = rest;
   return status;
 }
 
 TF_RARE tf_status_t step_single_valued(const tf_machine_t *k, tf_state_t *state,
                                        const tf_input_t *input,
                                        tf_report_t *report) {
-  const motion_t c = motion(k, state, input);
+  const motion_t c = motion(k, state, NULL, input);
   if (!c.linear.definite) return refuse(report, TF_STEP_TOO_LONG);
-  const tf_slip_t now = slip_now(&c);
-  const tf_force_t first = secant_force(&c, now, now.h);
-  const tf_slip_t at = slip_at_theta(&c, response(k, &c.linear, first));
-  const tf_force_t force = secant_force(&c, at, now.h);
+  const tf_force_t force = single_valued_force(&c);
   return step_under(k, state, input, report, force.F, force.M);
 }
 
@@ -241,7 +55,7 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
     return refuse(report, TF_BAD_STATE);
   if (!tf_tyre_is_set_valued(k->tyre.law))
     return step_single_valued(k, state, input, report);
-  const motion_t c = motion(k, state, input);
+  const motion_t c = motion(k, state, NULL, input);
   if (!c.linear.definite) return refuse(report, TF_STEP_TOO_LONG);
   tf_inclusion_t in = inclusion(&c);
   const unsigned signs = signs_of(&in.g);
@@ -253,10 +67,9 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
     mode = select_again(k, state, s.set, s.near_stick, s.h_limit[0],
                         s.h_limit[1], s.attracting);
   if (mode == TF_MODES) return step_degraded(k, state, input, report);
-  const tf_end_t end = mode_end(&c, &s, mode);
-  const bool minus =
-      signs == 3 ? end_slip(k, &c.linear, &end).g < 0 : signs == 2;
+  const end_t end = mode_end(&c, &s, mode);
+  const bool minus = signs == 3 ? slip_of(&c, &end).g < 0 : signs == 2;
   const tf_real_t h1 = minus ? in.h.F - in.h.M : in.h.F + in.h.M;
-  return commit(k, state, input, end, mode, s.set, -h1 * k->inv_mu_dt, TF_OK,
+  return commit(k, state, input, end.at, mode, s.set, -h1 * k->inv_mu_dt, TF_OK,
                 report);
 }

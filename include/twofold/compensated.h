@@ -1,0 +1,86 @@
+/// @file
+/// The compensated step: a machine and a state with the digits that their type
+/// lacks.
+///
+/// At dt = 1e-6 s a step changes the state by less than a float of it can
+/// tell, so that a plain step in float loses most of what it has computed.
+/// This one keeps what is left over beside the state, as the carry, and adds
+/// it again. A program that does not call it has nothing of it.
+#ifndef TWOFOLD_COMPENSATED_H
+#define TWOFOLD_COMPENSATED_H
+
+#include "twofold/machine.h"
+#include "twofold/step.h"
+
+/// What the members of a tf_state_t leave out: the machine is at state + carry.
+/// All 0 after tf_begin, or what rounding a more precise start has left over.
+typedef struct {
+  tf_real_t r;   ///< [m]
+  tf_real_t v;   ///< [m/s]
+  tf_real_t w;   ///< [rad/s]
+  tf_real_t phi; ///< [rad], 0 unless with_angle
+} tf_carry_t;
+
+/// A machine, and what the rounding of its constants has left out.
+typedef struct {
+  tf_machine_t machine;    ///< for every other function
+  tf_real_t low_sin_gamma; ///< sin(gamma) - machine.sin_gamma
+  tf_real_t low_cos_gamma; ///< cos(gamma) - machine.cos_gamma
+  tf_real_t low_inertia;   ///< of machine.inertia [kg m^2]
+} tf_compensated_t;
+
+/// tf_prepare for the compensated step.
+/// Scheme: sine and cosine by series in pairs of tf_real_t.
+/// machine: out.
+/// params: in, ranges in tf_parameter_ranges.
+/// offender: out, may be NULL; as in tf_prepare.
+/// Returns: TF_OK; TF_BAD_PARAMETER (machine untouched).
+/// Cost: 4000 operations, once. Stack: 256 B.
+/// Memory: caller's; machine and params must not overlap; reentrant.
+/// Claims: constants_have_twice_the_digits
+#define tf_prepare_compensated TF_LINK(tf_prepare_compensated)
+TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
+                                          const tf_params_t *params,
+                                          int *offender);
+
+/// Speed v that gives a wished lateral slip speed h at (r, w), all digits: with
+/// tf_speed_for_slip the start would miss h by the rounding of v, and the first
+/// compensated step, which can tell, would undo that with a blow.
+/// Scheme: (h) solved for v.
+/// machine: in, prepared.
+/// state: in/out; r, w are read, v is set [m/s].
+/// carry: in/out, likewise.
+/// omega0 [rad/s], h [m/s]: in.
+/// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < 1e-6 (nothing touched).
+/// Cost: 250 operations. Stack: 64 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: placed_start_has_its_slip
+#define tf_place_compensated TF_LINK(tf_place_compensated)
+TF_API tf_status_t tf_place_compensated(const tf_compensated_t *machine,
+                                        tf_state_t *state, tf_carry_t *carry,
+                                        tf_real_t omega0, tf_real_t h);
+
+/// tf_step with the rounding of r, v, w and phi carried along.
+/// Scheme: DESIGN.md (1)-(12) as tf_step. The slip at the start of the step is
+///   that of state + carry; the changes of p and z are refined once by the
+///   residual of (6), formed in pairs of tf_real_t, and added to state + carry.
+///   F and M of a slip have the digits of tf_real_t: of the law JUMP they are
+///   what limits a float.
+/// machine: in, prepared.
+/// state: in/out, from tf_begin.
+/// carry: in/out, 0 after tf_begin; as large as rounding of the state.
+/// input: in, within TF_STATE_LIMIT together with state and carry.
+/// report: out; slip and residual are those of state + carry.
+/// Returns: as tf_step; where it refuses, state and carry are untouched.
+/// Cost: about 2300 instructions on x86-64 in stick, 2500 in slip, four times
+///   tf_step; no data-dependent loop. Stack: 896 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: rounding_is_carried, compensated_stick_is_exact,
+///   compensated_step_is_the_step, compensated_refusals_touch_nothing
+#define tf_step_compensated TF_LINK(tf_step_compensated)
+TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
+                                       tf_state_t *state, tf_carry_t *carry,
+                                       const tf_input_t *input,
+                                       tf_report_t *report);
+
+#endif
