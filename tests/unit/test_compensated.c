@@ -1,0 +1,323 @@
+/* The compensated step: what it adds to a step is digits and nothing else. */
+#include "paper.h"
+#include "tap.h"
+#include "twofold.h"
+
+typedef long double real;
+
+#define EPSILON ((real)TF_REAL_EPSILON)
+/* Of a pair, as far as long double can tell. */
+#define PAIR_EPSILON (EPSILON * EPSILON + LDBL_EPSILON)
+
+typedef struct {
+  tf_compensated_t machine;
+  tf_params_t params;
+  tf_state_t state;
+  tf_carry_t carry;
+  tf_input_t input;
+} run_t;
+
+static tf_real_t uniform(double low, double high) {
+  return (tf_real_t)tap_uniform(low, high);
+}
+
+static real pair(tf_real_t high, tf_real_t low) {
+  return (real)high + (real)low;
+}
+
+static const tf_scene_t *scene_named(const char *name) {
+  for (int i = 0; i < TF_SCENES; i++)
+    if (!strcmp(tf_scenes[i]->name, name)) return tf_scenes[i];
+  CHECK(0);
+  return tf_scenes[0];
+}
+
+static run_t begun(const tf_scene_t *scene, double dt) {
+  run_t run;
+  tf_report_t report;
+  memset(&run, 0, sizeof run);
+  run.params = scene->params;
+  run.params.dt = (tf_real_t)dt;
+  CHECK(tf_prepare_compensated(&run.machine, &run.params, NULL) == TF_OK);
+  run.input = tf_scene_input(scene, &run.machine.machine, 0);
+  run.state.r = scene->r;
+  run.state.w = scene->omega;
+  run.state.v = scene->v;
+  run.state.seed = 1;
+  if (!scene->v_is_given)
+    CHECK(tf_place_compensated(&run.machine, &run.state, &run.carry,
+                               run.input.omega0, scene->h) == TF_OK);
+  run.state.mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_MODES);
+  CHECK(tf_begin(&run.machine.machine, &run.state, &run.input, &report) ==
+        TF_OK);
+  return run;
+}
+
+static paper_t paper_of(const tf_params_t *p) {
+  return (paper_t){.m = (real)p->m,
+                   .d = (real)p->d,
+                   .beta = (real)p->beta,
+                   .k2 = (real)p->k2,
+                   .c1 = (real)p->c1,
+                   .c2 = (real)p->c2,
+                   .r0 = (real)p->r0,
+                   .omega0 = (real)p->omega0,
+                   .mu = (real)p->mu,
+                   .kappa = (real)p->kappa,
+                   .gamma = (real)p->gamma};
+}
+
+static void whole_state(const run_t *run, real x[4]) {
+  x[0] = pair(run->state.r, run->carry.r);
+  x[1] = pair(run->state.v, run->carry.v);
+  x[2] = pair(run->state.w, run->carry.w);
+  x[3] = pair(run->state.phi, run->carry.phi);
+}
+
+TEST(constants_have_twice_the_digits) {
+  for (int i = 0; i < 1000; i++) {
+    tf_params_t p = tf_scenes[0]->params;
+    tf_compensated_t k, before;
+    p.gamma = i < 2 ? (tf_real_t)(i * 1.5) : uniform(-3.14, 3.14);
+    p.beta = uniform(1e-3, 10);
+    p.m = uniform(1e-3, 10);
+    CHECK(tf_prepare_compensated(&k, &p, NULL) == TF_OK);
+    const real gamma = (real)p.gamma;
+    const real theta_dt = (real)k.machine.theta_dt;
+    const real inertia =
+        (real)p.m * (real)p.beta * (real)p.beta + theta_dt * (real)p.c1;
+    CHECK_NEAR(pair(k.machine.sin_gamma, k.low_sin_gamma), sinl(gamma),
+               40 * PAIR_EPSILON);
+    CHECK_NEAR(pair(k.machine.cos_gamma, k.low_cos_gamma), cosl(gamma),
+               40 * PAIR_EPSILON);
+    CHECK_NEAR(pair(k.machine.inertia, k.low_inertia), inertia,
+               8 * PAIR_EPSILON * inertia);
+    before = k;
+    p.dt = 0;
+    int offender = -1;
+    CHECK(tf_prepare_compensated(&k, &p, &offender) == TF_BAD_PARAMETER);
+    CHECK(!strcmp(tf_parameter_ranges[offender].name, "dt"));
+    CHECK(k.machine.dt == before.machine.dt);
+    CHECK(k.low_sin_gamma == before.low_sin_gamma);
+  }
+}
+
+TEST(placed_start_has_its_slip) {
+  for (int i = 0; i < 1000; i++) {
+    run_t run = begun(tf_scenes[0], 1e-4);
+    run.params.gamma = uniform(0.1, 3);
+    CHECK(tf_prepare_compensated(&run.machine, &run.params, NULL) == TF_OK);
+    run.state.r = uniform(-2, 2);
+    run.state.w = uniform(-2, 2);
+    run.carry.r = run.state.r * TF_REAL_EPSILON * uniform(-0.25, 0.25);
+    run.carry.w = run.state.w * TF_REAL_EPSILON * uniform(-0.25, 0.25);
+    const tf_real_t h = uniform(0, 1) * (i % 2 ? 1 : TF_R(1e-10));
+    CHECK(tf_place_compensated(&run.machine, &run.state, &run.carry,
+                               run.input.omega0, h) == TF_OK);
+    const paper_t paper = paper_of(&run.params);
+    real x[4];
+    whole_state(&run, x);
+    CHECK_NEAR(paper_h(&paper, x), (real)h, 200 * PAIR_EPSILON);
+    CHECK(fabsl((real)run.carry.v) <= EPSILON * fabsl((real)run.state.v));
+  }
+  run_t run = begun(scene_named("gamma_zero"), 1e-4);
+  const tf_real_t v = run.state.v;
+  CHECK(tf_place_compensated(&run.machine, &run.state, &run.carry, -1, 0) ==
+        TF_BAD_STATE);
+  CHECK(run.state.v == v && run.carry.v == 0);
+}
+
+/* Classical Runge-Kutta on the paper's sliding field, g < 0, and the angle. */
+static void true_stick(const paper_t *p, real x[4], real t) {
+  const int n = 4000;
+  const real dt = t / n;
+  for (int i = 0; i < n; i++) {
+    real k[4][4], y[4];
+    for (int stage = 0; stage < 4; stage++) {
+      const real c = stage == 0 ? 0 : stage == 3 ? dt : dt / 2;
+      for (int j = 0; j < 4; j++)
+        y[j] = x[j] + (stage ? c * k[stage - 1][j] : 0);
+      paper_stick(p, y, -1, k[stage]);
+      k[stage][3] = y[2];
+    }
+    for (int j = 0; j < 4; j++)
+      x[j] += dt / 6 * (k[0][j] + 2 * k[1][j] + 2 * k[2][j] + k[3][j]);
+  }
+}
+
+/* A million steps of 1e-6 s, each below what a float of the state can tell. */
+TEST(rounding_is_carried) {
+  const int is_double = sizeof(tf_real_t) == 8;
+  const long steps = 1000000;
+  run_t run = begun(scene_named("rolling"), 1e-6), rounded = run;
+  const paper_t paper = paper_of(&run.params);
+  tf_report_t report;
+  real want[4], got[4], plain[4], worst = 0, worst_plain = 0;
+  whole_state(&run, want);
+  memset(&rounded.carry, 0, sizeof rounded.carry);
+  true_stick(&paper, want, (real)steps * (real)run.params.dt);
+  for (long i = 0; i < steps; i++) {
+    CHECK(tf_step_compensated(&run.machine, &run.state, &run.carry, &run.input,
+                              &report) == TF_OK);
+    CHECK(tf_step(&rounded.machine.machine, &rounded.state, &rounded.input,
+                  &report) == TF_OK);
+  }
+  whole_state(&run, got);
+  whole_state(&rounded, plain);
+  for (int j = 0; j < 4; j++) {
+    /* The step's own error, 0.3 dt^2, and what pairs of floats add to it. */
+    CHECK_NEAR(got[j], want[j], is_double ? 5e-13L : 5e-10L);
+    worst = fmaxl(worst, fabsl(got[j] - want[j]));
+    worst_plain = fmaxl(worst_plain, fabsl(plain[j] - want[j]));
+  }
+  CHECK(worst_plain > 3 * worst);
+  printf("# plain %.2Lg, compensated %.2Lg\n", worst_plain, worst);
+  CHECK(fabsl((real)run.carry.r) <= EPSILON * fabsl((real)run.state.r));
+  CHECK(fabsl((real)run.carry.w) <= EPSILON * fabsl((real)run.state.w));
+}
+
+/* |h| stays at the rounding of one change of it, dt epsilon 1 m/s^2, where the
+ * plain step keeps it at that of its terms, epsilon 1 m/s. */
+TEST(compensated_stick_is_exact) {
+  static const char *const names[] = {"rolling", "chaos", "driven"};
+  for (int i = 0; i < 3; i++) {
+    const tf_scene_t *scene = scene_named(names[i]);
+    const double dt = 1e-5;
+    run_t run = begun(scene, dt);
+    tf_report_t report;
+    long sticks = 0;
+    real worst = 0;
+    for (long n = 1; n <= 300000; n++) {
+      const tf_machine_t *k = &run.machine.machine;
+      run.input = tf_scene_input(scene, k, (tf_real_t)n * k->dt);
+      CHECK(tf_step_compensated(&run.machine, &run.state, &run.carry,
+                                &run.input, &report) == TF_OK);
+      if (run.state.mode <= TF_SLIP_MINUS) continue;
+      sticks++;
+      worst = fmaxl(worst, fabsl((real)report.slip.h));
+      CHECK(fabsl((real)report.force.F) <= (real)k->tyre.mu);
+    }
+    CHECK_NEAR(worst, 0, 32 * EPSILON * (real)dt);
+    printf("# %s: %ld sticks, |h| <= %.2Lg epsilon dt\n", names[i], sticks,
+           worst / EPSILON / (real)dt);
+    CHECK(sticks > 1000);
+  }
+}
+
+/* From one state the plain and the compensated step end at the same place but
+ * for rounding, in the same mode, and report the same. */
+static int same_step(const run_t *at, real *worst) {
+  run_t a = *at, b = *at;
+  tf_report_t ra, rb;
+  memset(&b.carry, 0, sizeof b.carry);
+  const tf_status_t plain =
+      tf_step(&a.machine.machine, &a.state, &a.input, &ra);
+  const tf_status_t carried =
+      tf_step_compensated(&b.machine, &b.state, &b.carry, &b.input, &rb);
+  if (plain != carried || ra.mode != rb.mode) return 0;
+  if (plain < 0) return 1;
+  /* At a Delassus scalar of 0 the multiplier of stick is as good as free. */
+  if (ra.mode > TF_SLIP_MINUS && fabsl((real)ra.delassus) < 0.2L) return 1;
+  const real scale = 1 + fabsl((real)a.state.r) + fabsl((real)a.state.v) +
+                     fabsl((real)a.state.w);
+  const real off = fabsl((real)a.state.r - (real)b.state.r) +
+                   fabsl((real)a.state.v - (real)b.state.v) +
+                   fabsl((real)a.state.w - (real)b.state.w) +
+                   fabsl((real)a.state.phi - (real)b.state.phi);
+  *worst = fmaxl(*worst, off / scale);
+  CHECK(b.state.tick == at->state.tick + 1 && b.state.mode == rb.mode);
+  CHECK(rb.choices >= (rb.status == TF_OK));
+  CHECK_NEAR(ra.slip.h, rb.slip.h, 50 * EPSILON * scale);
+  CHECK_NEAR(ra.slip.g, rb.slip.g, 50 * EPSILON * scale);
+  return 1;
+}
+
+TEST(compensated_step_is_the_step) {
+  for (int i = 0; i < TF_SCENES; i++) {
+    run_t run = begun(tf_scenes[i], 1e-3);
+    tf_report_t report;
+    real worst = 0;
+    int same = 0;
+    for (int n = 0; n < 5000; n++) {
+      const tf_machine_t *k = &run.machine.machine;
+      run.input = tf_scene_input(tf_scenes[i], k, (tf_real_t)n * k->dt);
+      same += same_step(&run, &worst);
+      CHECK(tf_step(k, &run.state, &run.input, &report) >= 0);
+    }
+    printf("# %s: %d of 5000 alike, %.2Lg epsilon apart\n", tf_scenes[i]->name,
+           same, worst / EPSILON);
+    CHECK(same >= 4950);
+    CHECK_NEAR(worst, 0, 20 * EPSILON);
+  }
+  /* At and about h = g = 0, under every rule: pinned, no mode, all modes. */
+  int same = 0;
+  real worst = 0;
+  for (int n = 0; n < 20000; n++) {
+    run_t run = begun(tf_scenes[0], 1e-3);
+    const double size = n % 4 ? tap_uniform(0, 4e-3) : 0;
+    run.params.rule = (tf_rule_t)(n % TF_RULES);
+    run.params.beta = uniform(0.05, 0.4);
+    run.params.with_angle = true;
+    CHECK(tf_prepare_compensated(&run.machine, &run.params, NULL) == TF_OK);
+    run.state.r = uniform(-0.4, 0.4);
+    run.state.w = run.input.omega0 + (tf_real_t)(size * tap_uniform(-9, 9));
+    run.state.v = (tf_real_t)(size * tap_uniform(-1, 1));
+    run.state.mode = (uint8_t)(n % TF_MODES);
+    same += same_step(&run, &worst);
+  }
+  CHECK(same >= 19800);
+  CHECK_NEAR(worst, 0, 200 * EPSILON);
+}
+
+/* refused: the status, and nothing moved. */
+static void refused(run_t run, tf_status_t want) {
+  const run_t before = run;
+  tf_report_t report;
+  CHECK(tf_step_compensated(&run.machine, &run.state, &run.carry, &run.input,
+                            &report) == want);
+  CHECK(report.status == want);
+  CHECK(!memcmp(&run.state, &before.state, sizeof run.state));
+  CHECK(!memcmp(&run.carry, &before.carry, sizeof run.carry));
+}
+
+TEST(compensated_refusals_touch_nothing) {
+  const run_t good = begun(tf_scenes[0], 1e-4);
+  run_t run = good;
+  run.carry.w = (tf_real_t)NAN;
+  refused(run, TF_BAD_STATE);
+  run = good;
+  run.state.r = (tf_real_t)INFINITY;
+  refused(run, TF_BAD_STATE);
+  run = good;
+  run.state.mode = TF_MODES;
+  refused(run, TF_BAD_STATE);
+  for (int law = 0; law < TF_TYRE_LAWS; law++) {
+    run = good;
+    run.params.law = (tf_tyre_law_t)law;
+    run.params.epsilon = run.params.k = run.params.delta = run.params.a = 1;
+    run.params.rho = 1;
+    run.params.k2 = 0;
+    run.params.dt = TF_R(0.1);
+    CHECK(tf_prepare_compensated(&run.machine, &run.params, NULL) == TF_OK);
+    /* r moves by more than its own size */
+    run.state.r = -1;
+    run.state.v = 15;
+    refused(run, TF_STEP_TOO_LONG);
+    run.state = good.state;
+    run.params.m = TF_R(1e-3);
+    CHECK(tf_prepare_compensated(&run.machine, &run.params, NULL) == TF_OK);
+    run.input.force = TF_R(0.9e9);
+    refused(run, TF_DIVERGED);
+  }
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(constants_have_twice_the_digits);
+  RUN(placed_start_has_its_slip);
+  RUN(rounding_is_carried);
+  RUN(compensated_stick_is_exact);
+  RUN(compensated_step_is_the_step);
+  RUN(compensated_refusals_touch_nothing);
+  return tap_end();
+}
