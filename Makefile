@@ -23,7 +23,7 @@ CLI := $(wildcard tools/*.c tools/cli/*.c)
 SUPPORT := $(wildcard tests/support/*.c)
 TEST_ROOMS := tests/unit tests/law tests/golden tests/regress
 TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
-BENCH := tools/bench/steps.c tools/bench/race.c
+BENCH := tools/bench/steps.c tools/bench/race.c tools/bench/compensated.c
 STABILITY := $(wildcard tools/stability/*.c)
 
 # One rounding per operation, everywhere: the same bits on every target.
@@ -46,7 +46,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help all run test bench stability check clean FORCE
+.PHONY: help all run test bench stability check clean bench-compensated FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -57,6 +57,7 @@ help:
 	@echo 'make test    all tests, in double and in float'
 	@echo 'make bench   instructions, time, stack and state of a step (valgrind)'
 	@echo 'make stability  stiff and extreme cases: tables and map (gnuplot)'
+	@echo 'make bench-compensated   errors of small steps, carried or not'
 	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
 	@echo 'make all     compile everything: core, command line, tests, bench'
 	@echo 'make clean   remove $(BUILD)/'
@@ -135,6 +136,9 @@ bench: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
 
 stability: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/stability/sweep)
 	@BUILD='$(BUILD)' tools/stability/run
+
+bench-compensated: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/compensated)
+	@BUILD='$(BUILD)' tools/bench/compensated.sh
 
 # The checks choose their own compilers and flags.
 check:
