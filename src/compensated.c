@@ -11,7 +11,8 @@
 static __attribute__((noinline)) tf_status_t finish(
     const tf_compensated_t *more, tf_state_t *state, tf_carry_t *carry,
     const tf_input_t *input, tf_report_t *report, unsigned set_and_mode,
-    tf_real_t F, tf_real_t M, tf_real_t dp, tf_real_t dz, tf_real_t figure) {
+    tf_status_t status, tf_real_t F, tf_real_t M, tf_real_t dp, tf_real_t dz,
+    tf_real_t figure) {
   const tf_machine_t *k = &more->machine;
   const unsigned mode = set_and_mode % 8, set = set_and_mode / 8;
   const bool jumps = tf_tyre_is_set_valued(k->tyre.law);
@@ -22,22 +23,24 @@ static __attribute__((noinline)) tf_status_t finish(
                                        : whole_end(more, &x, input, &l, force,
                                                    moment_rest(k, mode, force),
                                                    (tf_change_t){dp, dz});
-  if (!in_reach(to.r.hi, to.v.hi, to.w.hi)) return refuse(report, TF_DIVERGED);
+  if (!in_reach(to.r.hi, to.v.hi, to.w.hi) || !within(figure, TF_REAL_MAX))
+    return refuse(report, TF_DIVERGED);
   const tf_slip_t slip = motion_at(more, &to, input->omega0).slip;
   carry_on(more, state, carry, &to);
   return record(state, (tf_end_t){force, to.r.hi, to.v.hi, to.w.hi}, slip,
                 jumps ? residual(k, mode, force, slip) : figure, mode, set,
-                jumps ? figure : 0, set ? TF_OK : TF_DEGRADED, report);
+                jumps ? figure : 0, status, report);
 }
 
 TF_RARE tf_status_t step_degraded(const tf_compensated_t *k, tf_state_t *state,
                                   tf_carry_t *carry, const tf_input_t *input,
                                   tf_report_t *report) {
   const motion_t c = motion(&k->machine, state, &(digits_t){k, carry}, input);
-  end_t to;
-  const unsigned mode = least_violating(&c, &to);
-  return finish(k, state, carry, input, report, mode, to.at.force.F,
-                to.at.force.M, to.change.p, to.change.z, 0);
+  const least_t best = least_violating(&c);
+  const end_t *to = &best.end;
+  return finish(k, state, carry, input, report, best.mode + 8 * best.set,
+                TF_DEGRADED, to->at.force.F, to->at.force.M, to->change.p,
+                to->change.z, best.delassus);
 }
 
 // Apart from the search of the force for the sake of the stack.
@@ -48,8 +51,8 @@ TF_RARE tf_status_t step_under(const tf_compensated_t *k, tf_state_t *state,
   end_t to;
   tf_real_t rest;
   const unsigned mode = mode_under(&c, (tf_force_t){F, M}, &to, &rest);
-  return finish(k, state, carry, input, report, mode + 8 * TF_MODE_BIT(mode), F,
-                M, to.change.p, to.change.z, rest);
+  return finish(k, state, carry, input, report, mode + 8 * TF_MODE_BIT(mode),
+                TF_OK, F, M, to.change.p, to.change.z, rest);
 }
 
 TF_RARE tf_status_t step_single_valued(const tf_compensated_t *k,
@@ -92,7 +95,7 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   const end_t end = mode_end(&c, &s, mode);
   const bool minus = signs == 3 ? slip_of(&c, &end).g < 0 : signs == 2;
   const tf_real_t h1 = minus ? in.h.F - in.h.M : in.h.F + in.h.M;
-  return finish(machine, state, carry, input, report, mode + 8u * s.set,
+  return finish(machine, state, carry, input, report, mode + 8u * s.set, TF_OK,
                 end.at.force.F, end.at.force.M, end.change.p, end.change.z,
                 -h1 * k->inv_mu_dt);
 }

@@ -63,8 +63,7 @@ TF_INLINE bool dips(const ray_t *h, bool above) {
 // Whether a stick on a ray ends with the sign of g that the ray is for. Without
 // a moment both rays are one; it goes by the sign of g, and g = 0 has to go
 // somewhere.
-TF_INLINE bool rolls_as(const ray_t *g, int s, bool has_moment, tf_real_t x) {
-  const tf_real_t g_end = g->c0 + x * (g->c1 + x * g->c2);
+TF_INLINE bool rolls_as(tf_real_t g_end, int s, bool has_moment) {
   return s ? g_end < 0 : g_end > 0 || (g_end == 0 && !has_moment);
 }
 
@@ -76,9 +75,13 @@ TF_INLINE void solve_stick(const ray_t *h, const ray_t *g, int s,
   if (h->c1 < 0) out->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
   if (one && !two) return; // one slip, no stick
   tf_real_t x = root_within(h->c0, h->c1, h->c2);
-  if (two && !rolls_as(g, s, has_moment, x)) x = -h->c1 / h->c2 - x;
+  tf_real_t g_end = g->c0 + x * (g->c1 + x * g->c2);
+  if (two && (s ? g_end > 0 : g_end < 0)) { // g = 0 is the pinned wheel's
+    x = -h->c1 / h->c2 - x;
+    g_end = g->c0 + x * (g->c1 + x * g->c2);
+  }
   out->x[s] = x;
-  if (rolls_as(g, s, has_moment, x))
+  if (rolls_as(g_end, s, has_moment))
     out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
 }
 

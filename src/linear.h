@@ -20,11 +20,15 @@ TF_INLINE tf_slip_t slip_speeds(const tf_machine_t *k, tf_real_t r, tf_real_t v,
   return turned(k, v - k->d * z, r * z);
 }
 
-// One sum instead of seven comparisons: NaN and infinity survive into it.
+// One sum instead of three comparisons: NaN and infinity survive into it.
+TF_INLINE bool in_reach(tf_real_t r, tf_real_t v, tf_real_t w) {
+  return within(magnitude(r) + magnitude(v) + magnitude(w), TF_STATE_LIMIT);
+}
+
 TF_INLINE bool in_range(const tf_state_t *x, const tf_input_t *u) {
-  return within(magnitude(x->r) + magnitude(x->v) + magnitude(x->w) +
-                    magnitude(u->omega0) + magnitude(u->r0) +
-                    magnitude(u->force) + magnitude(u->torque),
+  return in_reach(x->r, x->v, x->w) &&
+         within(magnitude(u->omega0) + magnitude(u->r0) + magnitude(u->force) +
+                    magnitude(u->torque) + magnitude(u->alpha),
                 TF_STATE_LIMIT);
 }
 

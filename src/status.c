@@ -8,7 +8,7 @@ TF_API const char *tf_status_name(tf_status_t status) {
     case TF_OK:
       return "ok";
     case TF_DEGRADED:
-      return "degraded: no mode was consistent";
+      return "degraded: no mode was consistent and admissible";
     case TF_COARSE:
       return "located step missed its tolerance: out of segments";
     case TF_FELL_BACK:

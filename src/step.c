@@ -7,7 +7,9 @@ TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
                              const tf_input_t *input, tf_end_t end,
                              unsigned mode, unsigned set, tf_real_t delassus,
                              tf_status_t status, tf_report_t *report) {
-  if (!in_reach(end.r, end.v, end.w)) return refuse(report, TF_DIVERGED);
+  // A Delassus scalar that overflows tells that the slopes of h and g did.
+  if (!in_reach(end.r, end.v, end.w) || !within(delassus, TF_REAL_MAX))
+    return refuse(report, TF_DIVERGED);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
   const tf_real_t rest = residual(k, mode, end.force, slip);
   if (k->with_angle) // (12)
@@ -19,9 +21,9 @@ TF_RARE tf_status_t step_degraded(const tf_machine_t *k, tf_state_t *state,
                                   const tf_input_t *input,
                                   tf_report_t *report) {
   const motion_t c = motion(k, state, NULL, input);
-  end_t end;
-  const unsigned mode = least_violating(&c, &end);
-  return commit(k, state, input, end.at, mode, 0, 0, TF_DEGRADED, report);
+  const least_t best = least_violating(&c);
+  return commit(k, state, input, best.end.at, best.mode, best.set,
+                best.delassus, TF_DEGRADED, report);
 }
 
 // Apart from the search of the force for the sake of the stack.

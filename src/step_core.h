@@ -179,11 +179,6 @@ TF_INLINE tf_status_t record(tf_state_t *state, tf_end_t end, tf_slip_t slip,
   return status;
 }
 
-// Unless the new state is out of range.
-TF_INLINE bool in_reach(tf_real_t r, tf_real_t v, tf_real_t w) {
-  return within(magnitude(r) + magnitude(v) + magnitude(w), TF_STATE_LIMIT);
-}
-
 // tf_select, from what is in registers.
 TF_RARE unsigned select_again(const tf_machine_t *k, const tf_state_t *state,
                               unsigned set, unsigned near_stick,
@@ -197,24 +192,38 @@ TF_RARE unsigned select_again(const tf_machine_t *k, const tf_state_t *state,
                    state->tick, state->seed);
 }
 
-// No mode is consistent: of all of them the one that violates the law least.
-TF_INLINE unsigned least_violating(const motion_t *c, end_t *best_end) {
+// What the step falls back on where no mode is consistent, or none that a slip
+// may enter: of all those that it may, the one that violates the law least.
+typedef struct {
+  end_t end;
+  unsigned mode, set;
+  tf_real_t delassus;
+} least_t;
+
+TF_INLINE least_t least_violating(const motion_t *c) {
   const tf_machine_t *k = c->machine;
   tf_inclusion_t in = inclusion(c);
-  tf_solutions_t solutions = {0};
-  unsigned best = TF_PINNED;
-  tf_real_t least = TF_REAL_MAX;
+  tf_solutions_t s = {0};
+  const unsigned signs = signs_of(&in.g);
   complete(c, &in);
-  solve_both_signs(&in, &solutions);
-  *best_end = mode_end(c, &solutions, best);
+  solve(&in, signs, &s);
+  least_t best = {mode_end(c, &s, TF_PINNED), TF_PINNED, s.set, 0};
+  tf_real_t least = TF_REAL_MAX;
+  solve_both_signs(&in, &s); // candidates, whatever g would be
+  const bool slipping = c->state->mode <= TF_SLIP_MINUS;
   for (unsigned mode = 0; mode < TF_MODES; mode++) {
-    const end_t end = mode_end(c, &solutions, mode);
+    const bool sticks = mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
+    if (slipping && sticks && !(s.attracting & TF_MODE_BIT(mode))) continue;
+    const end_t end = mode_end(c, &s, mode);
     const tf_real_t rest = residual(k, mode, end.at.force, slip_of(c, &end));
     if (!(rest < least)) continue;
     least = rest;
-    best = mode;
-    *best_end = end;
+    best.mode = mode;
+    best.end = end;
   }
+  const tf_real_t h1 =
+      slip_of(c, &best.end).g < 0 ? in.h.F - in.h.M : in.h.F + in.h.M;
+  best.delassus = -h1 * k->inv_mu_dt;
   return best;
 }
 

@@ -109,9 +109,9 @@ typedef struct {
                     ///< [rad/s^2]; 0: omega0 held (tf_locate only)
 } tf_input_t;
 
-/// Largest sum of |r| [m], |v| [m/s], |w| [rad/s] and the magnitudes of the
-/// inputs that is accepted; a step that would leave it returns TF_DIVERGED.
-/// Products of four of them stay finite.
+/// Largest sum of |r| [m], |v| [m/s] and |w| [rad/s] that is accepted, and of
+/// the magnitudes of the inputs; a step that would leave it returns
+/// TF_DIVERGED. Products of four of them stay finite.
 #define TF_STATE_LIMIT TF_R(1e9)
 
 /// Validates the parameters and derives the constants of a machine.

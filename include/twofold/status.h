@@ -9,7 +9,8 @@
 /// no output was touched and the caller still holds the last valid state.
 typedef enum {
   TF_OK = 0,
-  TF_DEGRADED = 1,       ///< no mode was consistent: smallest residual taken
+  TF_DEGRADED = 1,       ///< no mode was consistent, or none that a slip may
+                         ///< enter: smallest residual taken
   TF_COARSE = 3,         ///< tf_locate ran out of segments: advanced, but
                          ///< further off than the tolerance
   TF_FELL_BACK = 2,      ///< tf_locate took the step by tf_step

@@ -48,14 +48,16 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 /// state: in/out, from tf_begin.
 /// input: in, within TF_STATE_LIMIT together with the state.
 /// report: out.
-/// Returns: TF_OK; TF_DEGRADED (advanced; no mode was consistent);
+/// Returns: TF_OK; TF_DEGRADED (advanced; no mode was consistent and
+///   admissible: report->set tells what was consistent);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
 /// Cost: about 510 instructions on x86-64 in double in stick, 800 in slip, 80
 ///   more within reach of h = g = 0; no data-dependent loop. Stack: 512 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
-///   branch_is_independent_of_the_step_size, golden_trajectories
+///   branch_is_independent_of_the_step_size, golden_trajectories,
+///   no_step_enters_an_escaping_stick_from_slip
 #define tf_step TF_LINK(tf_step)
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report);

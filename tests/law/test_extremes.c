@@ -175,7 +175,7 @@ TEST(random_machines_keep_every_number_finite) {
   count_again();
   for (int n = 0; n < 200000; n++) {
     const tf_params_t p = draw_machine();
-    const tf_real_t limit = one_in(4) ? TF_STATE_LIMIT / 3 : 10;
+    const tf_real_t limit = one_in(4) ? TF_STATE_LIMIT / 2 : 10;
     const tf_state_t x = draw_state(limit);
     tf_input_t u;
     memset(&u, 0, sizeof u);
@@ -295,11 +295,35 @@ TEST(listed_corners) {
   CHECK(accepted > 100000 && refused[-TF_DIVERGED] > 100);
 }
 
+/* Two machines at the edge of what float holds: a slope of h that overflows
+ * made a stick of |h| = 8e11 m/s consistent and its Delassus scalar infinite. */
+TEST(captured_overflow_of_a_slope) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.m = TF_R(1e-12);
+  p.d = TF_R(-1e6);
+  p.beta = TF_R(7e-8);
+  p.k2 = p.c1 = p.c2 = 0;
+  p.r0 = p.omega0 = TF_R(1e6);
+  p.mu = TF_R(6e-6);
+  p.kappa = 5000;
+  p.gamma = TF_R(-0.965);
+  p.theta = 1;
+  p.dt = TF_R(0.005);
+  p.rule = TF_RULE_SLIP_MINUS;
+  tf_state_t x;
+  memset(&x, 0, sizeof x);
+  x.r = TF_R(-6.7e-33);
+  x.w = TF_R(-0.46);
+  x.mode = TF_STICK_MINUS;
+  for (size_t s = 0; s < SCHEMES; s++) run(schemes[s], &p, x, NULL, 1);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(random_machines_keep_every_number_finite);
   RUN(what_is_no_state_is_refused_untouched);
   RUN(corners_of_the_ranges);
   RUN(listed_corners);
+  RUN(captured_overflow_of_a_slope);
   return tap_end();
 }

@@ -1,0 +1,92 @@
+/* A slip that is lost while only an escaping stick is consistent: the step used
+ * to enter that stick and to report that nothing was consistent. */
+#include "tap.h"
+#include "twofold.h"
+
+static int is_stick(unsigned mode) {
+  return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
+}
+
+typedef struct {
+  double dt, gamma, kappa, d, beta, r, v, w;
+  uint8_t mode, set;
+} found_t;
+
+static const found_t found[2] = {
+    {0.053242748763305293, -0.56115433695779871, 0.27219983894110084,
+     -0.76272879716135966, 0.036142737358540226, -0.062683619820831149,
+     8.2576900610611753e-06, -1.0001056129569532, TF_SLIP_MINUS, 0x8},
+    {0.019129085237790749, 3.0991940769735691, 5.1633806929876496,
+     -0.77238737408648594, 0.011019184277894955, 0.16027415388276534,
+     0.0003320352223688268, -0.99974958976751616, TF_SLIP_PLUS, 0x4}};
+
+TEST(a_lost_slip_reports_what_was_consistent) {
+  if (sizeof(tf_real_t) != 8) { /* found in double: too near a border */
+    CHECK(sizeof(tf_real_t) == 4);
+    return;
+  }
+  for (int i = 0; i < 2; i++) {
+    const found_t *f = &found[i];
+    tf_params_t p = tf_scenes[0]->params;
+    tf_machine_t machine;
+    tf_report_t report;
+    p.dt = (tf_real_t)f->dt;
+    p.gamma = (tf_real_t)f->gamma;
+    p.kappa = (tf_real_t)f->kappa;
+    p.d = (tf_real_t)f->d;
+    p.beta = (tf_real_t)f->beta;
+    p.theta = 1;
+    CHECK(tf_prepare(&machine, &p, NULL) == TF_OK);
+    const tf_input_t u = tf_input_default(&machine);
+    tf_state_t x = {.r = (tf_real_t)f->r,
+                    .v = (tf_real_t)f->v,
+                    .w = (tf_real_t)f->w,
+                    .mode = f->mode};
+    CHECK(tf_step(&machine, &x, &u, &report) == TF_DEGRADED);
+    CHECK(report.set == f->set && report.choices == 1);
+    CHECK(!(report.set & TF_MODE_BIT(report.mode))); /* it was not entered */
+    CHECK(report.delassus != 0);
+  }
+}
+
+/* Both fields point away from an escaping stick: that with a negative Delassus
+ * scalar. */
+TEST(no_step_enters_an_escaping_stick_from_slip) {
+  const int machines = 20000;
+  long slips = 0, degraded = 0;
+  for (int i = 0; i < machines; i++) {
+    tf_params_t p = tf_scenes[0]->params;
+    tf_machine_t machine;
+    tf_report_t report;
+    p.gamma = (tf_real_t)tap_uniform(-3.14, 3.14);
+    p.kappa = (tf_real_t)pow(10, tap_uniform(-2, 1));
+    p.d = (tf_real_t)tap_uniform(-1, 1);
+    p.beta = (tf_real_t)pow(10, tap_uniform(-2, -1));
+    p.theta = (tf_real_t)tap_uniform(0.5, 1);
+    p.dt = (tf_real_t)pow(10, tap_uniform(-4, -2));
+    CHECK(tf_prepare(&machine, &p, NULL) == TF_OK);
+    const tf_input_t u = tf_input_default(&machine);
+    tf_state_t x = {.r = (tf_real_t)tap_uniform(-0.3, 0.3),
+                    .v = (tf_real_t)tap_uniform(-0.1, 0.1),
+                    .w = (tf_real_t)tap_uniform(-1.1, -0.9),
+                    .mode = TF_MODES};
+    if (tf_begin(&machine, &x, &u, &report) != TF_OK) continue;
+    for (int j = 0; j < 50; j++) {
+      const uint8_t mode = x.mode;
+      if (tf_step(&machine, &x, &u, &report) < 0) break;
+      degraded += report.status == TF_DEGRADED;
+      if (mode > TF_SLIP_MINUS) continue;
+      slips++;
+      CHECK(!is_stick(report.mode) || report.delassus > 0);
+    }
+  }
+  printf("# %ld steps from slip, %ld degraded\n", slips, degraded);
+  CHECK(slips > 100000);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(a_lost_slip_reports_what_was_consistent);
+  RUN(no_step_enters_an_escaping_stick_from_slip);
+  return tap_end();
+}
