@@ -107,7 +107,7 @@ TF_INLINE tf_linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
   l.z = w - l.omega0;
   l.p = v - k->d * l.z;
   l.r_explicit = state->r + k->explicit_dt * v;
-  l.definite = definite > 0 && scale > 0; // scale is 0 where det overflows
+  l.definite = (definite > 0) & (scale > 0); // scale is 0 where det overflows
   return l;
 }
 
