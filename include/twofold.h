@@ -7,6 +7,7 @@
 #define TWOFOLD_H
 
 #include "twofold/compensated.h"
+#include "twofold/ensemble.h"
 #include "twofold/friction.h"
 #include "twofold/locate.h"
 #include "twofold/machine.h"

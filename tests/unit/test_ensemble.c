@@ -1,0 +1,312 @@
+/* The ensemble against the single step, which is its definition: every member
+ * of every state and report has to have the same bits, whatever the machine,
+ * the input, the size of the ensemble and what has become of its states. */
+#include "tap.h"
+#include "twofold.h"
+
+#define MOST 72 /* states: whole blocks and a rest */
+
+/* The same states twice: one by one, and as an ensemble. */
+typedef struct {
+  tf_machine_t machine;
+  size_t n, steps, alone;
+  size_t seen[6]; /* statuses, from TF_STEP_TOO_LONG to TF_DEGRADED */
+  tf_state_t states[MOST];
+  tf_report_t reports[MOST];
+  tf_state_block_t state_blocks[TF_BLOCKS(MOST)];
+  tf_report_block_t report_blocks[TF_BLOCKS(MOST)];
+} twins_t;
+
+static twins_t twins;
+
+static int same_real(tf_real_t a, tf_real_t b) {
+  return memcmp(&a, &b, sizeof a) == 0;
+}
+
+static int same_state(const tf_state_t *a, const tf_state_t *b) {
+  return same_real(a->r, b->r) && same_real(a->v, b->v) &&
+         same_real(a->w, b->w) && same_real(a->phi, b->phi) &&
+         a->tick == b->tick && a->seed == b->seed && a->mode == b->mode;
+}
+
+static int same_report(const tf_report_t *a, const tf_report_t *b) {
+  return a->mode == b->mode && a->set == b->set && a->choices == b->choices &&
+         same_real(a->force.F, b->force.F) &&
+         same_real(a->force.M, b->force.M) && same_real(a->slip.h, b->slip.h) &&
+         same_real(a->slip.g, b->slip.g) &&
+         same_real(a->delassus, b->delassus) &&
+         same_real(a->residual, b->residual) && a->status == b->status;
+}
+
+/* Copies the states, with reports that hold what no step writes. */
+static void twin(size_t n) {
+  tf_report_t nothing;
+  memset(&nothing, 0, sizeof nothing);
+  memset(twins.report_blocks, 0, sizeof twins.report_blocks);
+  memset(twins.state_blocks, 0, sizeof twins.state_blocks);
+  memset(twins.seen, 0, sizeof twins.seen);
+  twins.n = n;
+  twins.steps = twins.alone = 0;
+  for (size_t i = 0; i < n; i++) {
+    twins.reports[i] = nothing;
+    tf_ensemble_put(twins.state_blocks, i, &twins.states[i]);
+  }
+}
+
+/* One step of both; how many states differ after it. */
+static size_t step_twins(const tf_input_t *u) {
+  size_t differ = 0;
+  twins.alone += tf_ensemble_step(&twins.machine, twins.state_blocks, twins.n,
+                                  u, twins.report_blocks);
+  twins.steps += twins.n;
+  for (size_t i = 0; i < twins.n; i++) {
+    const tf_status_t status =
+        tf_step(&twins.machine, &twins.states[i], u, &twins.reports[i]);
+    const tf_state_t x = tf_ensemble_get(twins.state_blocks, i);
+    const tf_report_t report = tf_ensemble_report(twins.report_blocks, i);
+    differ += !same_state(&x, &twins.states[i]) ||
+              !same_report(&report, &twins.reports[i]);
+    twins.seen[status - TF_STEP_TOO_LONG]++;
+  }
+  return differ;
+}
+
+static tf_real_t within_range(double low, double high) {
+  return (tf_real_t)tap_uniform(low, high);
+}
+
+static const tf_scene_t *chaos_scene(void) {
+  const tf_scene_t *found = tf_scenes[0];
+  for (int i = 0; i < TF_SCENES; i++)
+    if (!strcmp(tf_scenes[i]->name, "chaos")) found = tf_scenes[i];
+  return found;
+}
+
+/* n states around the start of a scene, each with a seed of its own. */
+static void begin_twins(const tf_scene_t *scene, tf_rule_t rule, size_t n,
+                        double spread) {
+  tf_params_t p = scene->params;
+  tf_report_t report;
+  p.rule = rule;
+  p.with_angle = true;
+  CHECK(tf_prepare(&twins.machine, &p, NULL) == TF_OK);
+  const tf_input_t u = tf_scene_input(scene, &twins.machine, 0);
+  for (size_t i = 0; i < n; i++) {
+    tf_state_t x;
+    memset(&x, 0, sizeof x);
+    x.r = scene->r + within_range(-spread, spread);
+    x.w = scene->omega + within_range(-spread, spread);
+    x.v = scene->v;
+    x.seed = (uint32_t)(i + 1);
+    x.tick = i << 40;
+    x.mode = TF_MODES;
+    if (!scene->v_is_given)
+      tf_speed_for_slip(&twins.machine, x.r, x.w, u.omega0, scene->h, &x.v);
+    CHECK(tf_begin(&twins.machine, &x, &u, &report) == TF_OK);
+    twins.states[i] = x;
+  }
+  twin(n);
+}
+
+/* Scene chaos: all phases of the motion, under rules that leave it apart. */
+static void chaos_twins(tf_rule_t rule, size_t n, int steps) {
+  begin_twins(chaos_scene(), rule, n, 0.005);
+  const tf_input_t u = tf_input_default(&twins.machine);
+  size_t differ = 0;
+  for (int i = 0; i < steps; i++) differ += step_twins(&u);
+  CHECK(differ == 0);
+}
+
+TEST(ensemble_is_the_single_step) {
+  chaos_twins(TF_RULE_RANDOM, 70, 100000);
+  chaos_twins(TF_RULE_PERSIST, MOST, 30000);
+  chaos_twins(TF_RULE_SLIP_PLUS, MOST, 10000);
+  chaos_twins(TF_RULE_SLIP_MINUS, MOST, 10000);
+}
+
+/* Or nothing would be gained. */
+TEST(few_lanes_are_done_alone) {
+  chaos_twins(TF_RULE_PERSIST, 64, 30000);
+  CHECK(twins.alone * 1000 < twins.steps);
+  CHECK(twins.seen[TF_OK - TF_STEP_TOO_LONG] == twins.steps);
+}
+
+TEST(ensemble_of_any_size) {
+  static const size_t sizes[] = {0,  1,  7,  8,  9,  15, 16,
+                                 17, 31, 32, 33, 63, 64, 65};
+  for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+    chaos_twins(TF_RULE_PERSIST, sizes[i], 500);
+}
+
+/* Lanes beyond the last state are nobody's. */
+TEST(ensemble_leaves_other_lanes_alone) {
+  const size_t blocks = 2;
+  for (size_t n = 1; n < blocks * TF_LANES; n++) {
+    begin_twins(chaos_scene(), TF_RULE_PERSIST, n, 0.005);
+    const tf_input_t u = tf_input_default(&twins.machine);
+    const tf_state_t before = tf_ensemble_get(twins.state_blocks, n);
+    const tf_report_t report = tf_ensemble_report(twins.report_blocks, n);
+    CHECK(step_twins(&u) == 0);
+    const tf_state_t after = tf_ensemble_get(twins.state_blocks, n);
+    const tf_report_t end = tf_ensemble_report(twins.report_blocks, n);
+    CHECK(same_state(&before, &after));
+    CHECK(same_report(&report, &end));
+  }
+}
+
+/* Every law and the inputs of every scene. */
+TEST(ensemble_of_every_scene) {
+  for (int s = 0; s < TF_SCENES; s++) {
+    const tf_scene_t *scene = tf_scenes[s];
+    size_t differ = 0;
+    begin_twins(scene, TF_RULE_PERSIST, 2 * TF_LANES + 1, 0.05);
+    const double dt = (double)twins.machine.dt;
+    for (int i = 1; i <= 10000; i++) {
+      const tf_real_t t = (tf_real_t)(i * dt * 10);
+      tf_input_t u = tf_scene_input(scene, &twins.machine, t);
+      u.force = (tf_real_t)(0.5 * sin(3 * (double)t));
+      u.torque = (tf_real_t)(0.2 * cos(5 * (double)t));
+      differ += step_twins(&u);
+    }
+    CHECK(differ == 0);
+    if (differ) printf("# %s\n", scene->name);
+  }
+}
+
+static tf_real_t log_uniform(double low, double high) {
+  return (tf_real_t)exp(tap_uniform(log(low), log(high)));
+}
+
+/* A state as tf_begin may not give it: near h = g = 0, in any mode. */
+static tf_state_t difficult_state(tf_real_t omega0) {
+  tf_state_t x;
+  memset(&x, 0, sizeof x);
+  const double away = (double)log_uniform(1e-9, 1);
+  x.r = within_range(-0.5, 0.5);
+  x.v = within_range(-away, away);
+  x.w = omega0 + within_range(-away, away);
+  x.mode = (uint8_t)(tap_bits() % TF_MODES);
+  x.seed = (uint32_t)tap_bits();
+  if (tap_bits() % 8 == 0) x.v = 0;
+  if (tap_bits() % 8 == 0) x.w = omega0;
+  return x;
+}
+
+/* One that tf_step refuses, or nearly so. */
+static void spoil(tf_state_t *x) {
+  switch (tap_bits() % 6) {
+    case 0:
+      x->r = (tf_real_t)NAN;
+      break;
+    case 1:
+      x->v = (tf_real_t)INFINITY;
+      break;
+    case 2:
+      x->w = 2 * TF_STATE_LIMIT;
+      break;
+    case 3:
+      x->mode = (uint8_t)(TF_MODES + tap_bits() % 200);
+      break;
+    case 4:
+      x->v = -log_uniform(1, 1e9);
+      break;
+    default:
+      x->w = log_uniform(1, 1e9);
+      break;
+  }
+}
+
+/* Machines and states that are hard on a step: every status is seen. */
+TEST(ensemble_of_difficult_states) {
+  static const tf_rule_t rules[] = {TF_RULE_PERSIST, TF_RULE_SLIP_PLUS,
+                                    TF_RULE_SLIP_MINUS, TF_RULE_RANDOM};
+  size_t seen[6] = {0}, differ = 0;
+  for (int m = 0; m < 4000; m++) {
+    tf_params_t p = chaos_scene()->params;
+    p.beta = log_uniform(1e-3, 1);
+    p.mu = log_uniform(1e-2, 10);
+    p.kappa = log_uniform(1e-3, 1);
+    p.gamma = within_range(-3.1, 3.1);
+    p.theta = within_range(0.5, 1);
+    p.dt = log_uniform(1e-5, 1e-1);
+    p.rule = rules[m % 4];
+    if (m % 50 == 7) p.gamma = 0;
+    CHECK(tf_prepare(&twins.machine, &p, NULL) == TF_OK);
+    const tf_input_t u = tf_input_default(&twins.machine);
+    const size_t n = 64; /* whole blocks */
+    for (size_t i = 0; i < n; i++) {
+      twins.states[i] = difficult_state(u.omega0);
+      if (tap_bits() % 10 == 0) spoil(&twins.states[i]);
+    }
+    twin(n);
+    for (int i = 0; i < 5; i++) differ += step_twins(&u);
+    for (int i = 0; i < 6; i++) seen[i] += twins.seen[i];
+  }
+  CHECK(differ == 0);
+  CHECK(seen[TF_OK - TF_STEP_TOO_LONG] > 0);
+  CHECK(seen[TF_DEGRADED - TF_STEP_TOO_LONG] > 0);
+  CHECK(seen[TF_BAD_STATE - TF_STEP_TOO_LONG] > 0);
+  CHECK(seen[TF_DIVERGED - TF_STEP_TOO_LONG] > 0);
+  CHECK(seen[0] > 0); /* TF_STEP_TOO_LONG */
+}
+
+/* All lanes in slip: there the angle's kernel runs in vectors too. */
+TEST(ensemble_in_slip) {
+  tf_params_t p = chaos_scene()->params;
+  p.mu = TF_R(0.01);
+  CHECK(tf_prepare(&twins.machine, &p, NULL) == TF_OK);
+  const tf_input_t u = tf_input_default(&twins.machine);
+  tf_report_t report;
+  size_t differ = 0, slips = 0;
+  for (size_t i = 0; i < 64; i++) {
+    tf_state_t x;
+    memset(&x, 0, sizeof x);
+    x.r = within_range(-1, 1);
+    x.v = within_range(-1, 1);
+    x.w = within_range(-3, 1);
+    x.mode = TF_MODES;
+    CHECK(tf_begin(&twins.machine, &x, &u, &report) == TF_OK);
+    twins.states[i] = x;
+  }
+  twin(64);
+  for (int i = 0; i < 20000; i++) {
+    differ += step_twins(&u);
+    for (size_t j = 0; j < 64; j++)
+      slips += twins.states[j].mode <= TF_SLIP_MINUS;
+  }
+  CHECK(differ == 0);
+  CHECK(slips * 2 > twins.steps);
+}
+
+TEST(ensemble_reads_back_what_was_put) {
+  static tf_state_block_t blocks[TF_BLOCKS(MOST)];
+  tf_state_t put[MOST];
+  memset(put, 0, sizeof put);
+  for (size_t i = 0; i < MOST; i++) {
+    put[i].r = within_range(-1, 1);
+    put[i].v = within_range(-1, 1);
+    put[i].w = within_range(-1, 1);
+    put[i].phi = within_range(-1, 1);
+    put[i].tick = tap_bits();
+    put[i].seed = (uint32_t)tap_bits();
+    put[i].mode = (uint8_t)tap_bits();
+    tf_ensemble_put(blocks, i, &put[i]);
+  }
+  for (size_t i = 0; i < MOST; i++) {
+    const tf_state_t got = tf_ensemble_get(blocks, i);
+    CHECK(same_state(&got, &put[i]));
+  }
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(ensemble_reads_back_what_was_put);
+  RUN(ensemble_is_the_single_step);
+  RUN(few_lanes_are_done_alone);
+  RUN(ensemble_of_any_size);
+  RUN(ensemble_leaves_other_lanes_alone);
+  RUN(ensemble_of_every_scene);
+  RUN(ensemble_of_difficult_states);
+  RUN(ensemble_in_slip);
+  return tap_end();
+}
