@@ -23,7 +23,8 @@ CLI := $(wildcard tools/*.c tools/cli/*.c)
 SUPPORT := $(wildcard tests/support/*.c)
 TEST_ROOMS := tests/unit tests/law tests/golden tests/regress
 TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
-BENCH := tools/bench/steps.c tools/bench/race.c tools/bench/compensated.c
+BENCH := tools/bench/steps.c tools/bench/race.c tools/bench/compensated.c \
+  tools/bench/ensemble.c
 STABILITY := $(wildcard tools/stability/*.c)
 
 # One rounding per operation, everywhere: the same bits on every target.
@@ -46,7 +47,8 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help all run test bench stability check clean bench-compensated FORCE
+.PHONY: help all run test bench stability check clean bench-compensated \
+  bench-ensemble FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -58,6 +60,7 @@ help:
 	@echo 'make bench   instructions, time, stack and state of a step (valgrind)'
 	@echo 'make stability  stiff and extreme cases: tables and map (gnuplot)'
 	@echo 'make bench-compensated   errors of small steps, carried or not'
+	@echo 'make bench-ensemble   many states at once (try EXTRA=-mavx2)'
 	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
 	@echo 'make all     compile everything: core, command line, tests, bench'
 	@echo 'make clean   remove $(BUILD)/'
@@ -139,6 +142,10 @@ stability: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/stability/sweep)
 
 bench-compensated: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/compensated)
 	@BUILD='$(BUILD)' tools/bench/compensated.sh
+
+bench-ensemble: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/ensemble)
+	@for v in $(VARIANTS); do echo "== $$v" && \
+	  $(BUILD)/$$v/tools/bench/ensemble || exit 1; done
 
 # The checks choose their own compilers and flags.
 check:
