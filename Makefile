@@ -26,6 +26,7 @@ TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
 BENCH := tools/bench/steps.c tools/bench/race.c tools/bench/compensated.c \
   tools/bench/ensemble.c
 STABILITY := $(wildcard tools/stability/*.c)
+PEERS := hand twofold reference
 
 # One rounding per operation, everywhere: the same bits on every target.
 COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude
@@ -47,8 +48,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help all run test bench stability check clean bench-compensated \
-  bench-ensemble FORCE
+.PHONY: help all run test bench stability check clean bench-compensated \ bench-ensemble bench-peers FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -61,6 +61,7 @@ help:
 	@echo 'make stability  stiff and extreme cases: tables and map (gnuplot)'
 	@echo 'make bench-compensated   errors of small steps, carried or not'
 	@echo 'make bench-ensemble   many states at once (try EXTRA=-mavx2)'
+	@echo 'make bench-peers  error over time beside other tools (SUNDIALS, ...)'
 	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
 	@echo 'make all     compile everything: core, command line, tests, bench'
 	@echo 'make clean   remove $(BUILD)/'
@@ -146,6 +147,20 @@ bench-compensated: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/compensated
 bench-ensemble: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/ensemble)
 	@for v in $(VARIANTS); do echo "== $$v" && \
 	  $(BUILD)/$$v/tools/bench/ensemble || exit 1; done
+
+# Other tools on the same problems. What is not the project's own may use all
+# that the processor has. SUNDIALS, Siconos and Octave are built or left out by
+# tools/peers/run; the rest is built here.
+RIVAL_FLAGS = $(TOOL_FLAGS) -march=native -ffp-contract=fast
+$(BUILD)/peers/%.o: tools/%.c $(BUILD)/double/flags
+	$(call compile,$(RIVAL_FLAGS))
+$(PEERS:%=$(BUILD)/peers/%): $(BUILD)/peers/%: $(BUILD)/peers/peers/%.o \
+    $(BUILD)/peers/peers/sweep.o $(BUILD)/peers/peers/problem.o \
+    $(BUILD)/peers/bench/rk4_smooth.o $(BUILD)/double/libtwofold.a
+	$(link)
+
+bench-peers: $(PEERS:%=$(BUILD)/peers/%)
+	@CC='$(CC)' BUILD='$(BUILD)' tools/peers/run
 
 # The checks choose their own compilers and flags.
 check:

@@ -1,0 +1,202 @@
+/// @file
+/// What a good engineer writes by hand: Runge-Kutta at a fixed step, every
+/// switch located, libm's tangents.
+///
+/// A step that passes a switch is taken again up to it: the cubic through both
+/// ends of the step tells where, Newton's rule mends the rest. So a switch
+/// costs a step or two and leaves the order as it is. On the way into h = g = 0
+/// the steps shrink with the time that is left, because the field depends on
+/// the angle there, which turns ever faster.
+#ifndef TWOFOLD_PEERS_EVENTS_H
+#define TWOFOLD_PEERS_EVENTS_H
+
+#include "runge_kutta.h"
+
+enum { MOST = 10000000 }; // steps, after which a run is given up
+
+typedef struct {
+  real_t dt;    // longest step [s]
+  real_t tol;   // of the error of a step; 0: all steps have the length dt
+  real_t share; // of the time to h = g = 0 that one step may take
+  real_t near;  // that time [s] below which the rest is a straight line
+} events_t;
+
+typedef struct {
+  point_t y;
+  contact_t contact;
+  long steps;
+  int switches;
+  int lost; // the rule for h = g = 0 found no way on
+} motion_t;
+
+// A switch is met where its function falls through zero.
+typedef enum { AT_H, AT_G, AT_LAMBDA, NOWHERE } switch_t;
+
+static inline real_t margin(const model_t *k, contact_t c, switch_t at,
+                            point_t y) {
+  if (at == AT_H) return (real_t)c.side * y.h;
+  if (at == AT_G) return (real_t)c.roll * rolling(k, y);
+  return k->mu - fabs(stick_at(k, c.roll, y).lambda);
+}
+
+static inline real_t margin_rate(const model_t *k, contact_t c, switch_t at,
+                                 point_t y, point_t dy) {
+  if (at == AT_H) return (real_t)c.side * dy.h;
+  if (at == AT_G) return (real_t)c.roll * rolling_rate(k, y, dy);
+  const real_t t = (real_t)1e-6; // lambda has no short derivative
+  return (margin(k, c, at, ahead(y, t, dy)) -
+          margin(k, c, at, ahead(y, -t, dy))) /
+         (2 * t);
+}
+
+// The root in (0, 1) of the cubic with values e0 > 0 >= e1 and slopes s0, s1
+// at both ends: Newton's rule inside a bracket.
+static inline real_t cubic_root(real_t e0, real_t e1, real_t s0, real_t s1) {
+  real_t low = 0, high = 1, x = e0 / (e0 - e1);
+  const real_t c2 = 3 * (e1 - e0) - 2 * s0 - s1, c3 = 2 * (e0 - e1) + s0 + s1;
+  for (int i = 0; i < 12; i++) {
+    const real_t e = e0 + x * (s0 + x * (c2 + x * c3));
+    const real_t slope = s0 + x * (2 * c2 + x * 3 * c3);
+    if (e > 0) {
+      low = x;
+    } else {
+      high = x;
+    }
+    real_t next = x - e / slope;
+    if (!(next >= low && next <= high)) next = (low + high) / 2;
+    if (fabs(next - x) < (real_t)1e-9) return next;
+    x = next;
+  }
+  return x;
+}
+
+// Which switch the step to `end` has passed.
+static inline switch_t passed(const model_t *k, contact_t c, point_t end) {
+  if (c.side && margin(k, c, AT_H, end) < 0) return AT_H;
+  if (margin(k, c, AT_G, end) < 0) return AT_G;
+  if (!c.side && margin(k, c, AT_LAMBDA, end) < 0) return AT_LAMBDA;
+  return NOWHERE;
+}
+
+// The length at which the step from y meets the switch; *end: the state there.
+static inline real_t locate(const model_t *k, advance_t *advance, contact_t c,
+                            switch_t at, point_t y, point_t dy, real_t t,
+                            point_t *end) {
+  const real_t e0 = margin(k, c, at, y), s0 = margin_rate(k, c, at, y, dy);
+  const point_t rate = contact_rates(k, c, *end);
+  real_t length = t * cubic_root(e0, margin(k, c, at, *end), t * s0,
+                                 t * margin_rate(k, c, at, *end, rate));
+  for (int i = 0; i < 8; i++) {
+    *end = advance(k, c, y, dy, length).end;
+    const point_t last = contact_rates(k, c, *end);
+    const real_t rest =
+        -margin(k, c, at, *end) / margin_rate(k, c, at, *end, last);
+    if (fabs(rest) < (real_t)1e-5 * t) { // the square of it does not count
+      *end = ahead(*end, rest, last);
+      return length + rest;
+    }
+    length += rest;
+  }
+  return length;
+}
+
+static inline void change(const model_t *k, switch_t at, motion_t *x) {
+  x->switches++;
+  if (at == AT_H) {
+    x->y.h = 0;
+    x->contact = after_h(k, x->contact, x->y);
+  } else if (at == AT_LAMBDA) {
+    x->contact.side = stick_at(k, x->contact.roll, x->y).lambda > 0 ? 1 : -1;
+  } else if (x->contact.side) { // a kink of F
+    x->y.z = -x->y.h * k->cos / x->y.r;
+    x->contact.roll = -x->contact.roll;
+  } else {
+    x->y.z = 0;
+    x->lost = !capture(k, (point_t){0, 0, 0}, 0, &x->y, &x->contact);
+  }
+}
+
+// How fine a run is, from its step alone: the share shrinks as dt^(1/5), so
+// that the way into h = g = 0 keeps up with the order of the rest.
+static inline events_t events_by_step(real_t dt) {
+  return (events_t){dt, 0, pow(dt, (real_t)0.2) / 2, dt * dt / 10};
+}
+
+// The same from a tolerance, for dp5.
+static inline events_t events_by_tolerance(real_t tol) {
+  return (events_t){(real_t)0.25, tol, (real_t)0.5, sqrt(tol) / 10};
+}
+
+// By what the length of a step may change, after its error (order five).
+static inline real_t growth(const events_t *by, point_t y, point_t end_rate,
+                            point_t error, real_t t) {
+  const point_t e = ahead(error, t * dp5_last, end_rate);
+  const real_t worst =
+      fmax(fabs(e.r) / (1 + fabs(y.r)),
+           fmax(fabs(e.h) / (1 + fabs(y.h)), fabs(e.z) / (1 + fabs(y.z))));
+  const real_t fit = (real_t)0.9 * pow(by->tol / worst, (real_t)0.2);
+  return fit > 5 ? 5 : fit > (real_t)0.2 ? fit : (real_t)0.2; // NaN as well
+}
+
+// One step of length <= *t, up to the next switch if there is one. Returns 0
+// where its error is too large; *t is then shorter.
+static inline int events_step(const model_t *k, advance_t *advance,
+                              const events_t *by, motion_t *x, point_t *dy,
+                              real_t *t, real_t *dt) {
+  const step_t step = advance(k, x->contact, x->y, *dy, *t);
+  point_t end = step.end, rate = contact_rates(k, x->contact, end);
+  if (by->tol > 0) {
+    const real_t grow = growth(by, x->y, rate, step.error, *t);
+    const real_t fit = *t * grow;
+    // A step that was cut short says nothing against longer ones.
+    if (grow < 1 || fit > *dt) *dt = fit < by->dt ? fit : by->dt;
+    if (grow < (real_t)0.9) return 0;
+  }
+  // Of two switches in one step the first counts: the step up to one of them
+  // is looked at again.
+  switch_t at = NOWHERE, next = passed(k, x->contact, end);
+  while (next != NOWHERE && next != at) {
+    at = next;
+    *t = locate(k, advance, x->contact, at, x->y, *dy, *t, &end);
+    next = passed(k, x->contact, end);
+  }
+  x->y = end;
+  x->steps++;
+  if (at != NOWHERE) {
+    change(k, at, x);
+    rate = contact_rates(k, x->contact, x->y);
+  }
+  *dy = rate;
+  return 1;
+}
+
+// `advance` is a constant at every call, so that all of this is one loop.
+static inline motion_t events_run(const model_t *k, advance_t *advance,
+                                  const problem_t *problem,
+                                  const events_t *by) {
+  motion_t x = {.y = model_start(k, problem)};
+  real_t left = problem->t_end, dt = by->tol > 0 ? by->dt / 100 : by->dt;
+  x.contact.side = problem->side;
+  x.contact.roll = rolling(k, x.y) < 0 ? -1 : 1;
+  point_t dy = contact_rates(k, x.contact, x.y);
+  for (long tries = 0; left > 0 && !x.lost && tries < MOST; tries++) {
+    // What remains after rounding is not worth a step of its own.
+    real_t t = left < dt * (real_t)1.000001 ? left : dt;
+    if (x.contact.side) {
+      const real_t fall = time_to_fall(k, x.y, dy);
+      if (fall > 0 && fall < by->near) {
+        left -= fall;
+        x.lost = !capture(k, dy, fall, &x.y, &x.contact);
+        dy = contact_rates(k, x.contact, x.y);
+        x.switches++;
+        continue;
+      }
+      if (fall > 0 && t > fall * by->share) t = fall * by->share;
+    }
+    if (events_step(k, advance, by, &x, &dy, &t, &dt)) left -= t;
+  }
+  x.lost |= !(left <= 0);
+  return x;
+}
+
+#endif

@@ -1,0 +1,174 @@
+/// @file
+/// The machine as a piecewise smooth system, as every event-driven peer needs
+/// it: one smooth field a mode, and the rules by which a mode ends.
+///
+/// State (r, h, z): displacement, lateral slip speed, speed of the disc over
+/// the turntable. With h itself in the state stick holds h = 0 exactly, and
+/// h = 0 is as sharp next to h = g = 0 as elsewhere:
+///   q = r z,  p = -(h + q cos) / sin,  g = (q + h cos) / sin
+///   v = p + d z,  w = z + omega0
+///
+/// Every peer needs a rule for h = g = 0, where the field has no limit: inside
+/// a small radius the rest of the way is taken as a straight line, and the
+/// motion goes on in the attracting stick that leaves in its own direction.
+/// Without the rule they end on a branch that depends on the tolerance.
+#ifndef TWOFOLD_PEERS_MODEL_H
+#define TWOFOLD_PEERS_MODEL_H
+
+#include <math.h>
+#include <tgmath.h>
+
+#include "problem.h"
+
+#ifdef PEER_LONG
+typedef long double real_t;
+#else
+typedef double real_t;
+#endif
+
+typedef struct {
+  real_t r; // [m]
+  real_t h; // [m/s]
+  real_t z; // [rad/s]
+} point_t;
+
+// side: sign of h, 0 in stick. roll: sign of g. Both are frozen over a step,
+// so that a step past a switch goes on in the same smooth field.
+typedef struct {
+  int side, roll;
+} contact_t;
+
+typedef struct {
+  real_t d, k2, c1, c2, r0, omega0, m, inv_m, beta2, sin, cos, inv_sin;
+  real_t mu, kappa;
+  real_t a;       // T(y) = tan(a atan y)
+  real_t quarter; // a pi / 2
+  real_t force_0, force_T, moment_T;
+} model_t;
+
+static inline model_t model_of(const problem_t *problem) {
+  const tf_params_t *p = &problem->params;
+  const real_t half_pi = (real_t)1.57079632679489661923132169163975144L;
+  const real_t kappa = p->kappa, mu = p->mu;
+  // The paper's angle is -3 pi/4 and not the double next to it.
+  const real_t gamma = (real_t)-1.5 * half_pi;
+  model_t k = {.d = p->d, .k2 = p->k2, .c1 = p->c1, .c2 = p->c2};
+  k.r0 = p->r0;
+  k.omega0 = p->omega0;
+  k.m = p->m;
+  k.inv_m = 1 / k.m;
+  k.beta2 = (real_t)p->beta * p->beta;
+  k.sin = sin(gamma);
+  k.cos = cos(gamma);
+  k.inv_sin = 1 / k.sin;
+  k.mu = mu;
+  k.kappa = kappa;
+  k.a = atan(6 * kappa) / half_pi;
+  k.quarter = k.a * half_pi;
+  k.force_0 = 4 * mu / 3;
+  k.force_T = mu / (18 * kappa);
+  k.moment_T = mu / 6;
+  return k;
+}
+
+static inline point_t model_start(const model_t *k, const problem_t *problem) {
+  return (point_t){problem->r, problem->h, problem->omega - k->omega0};
+}
+
+static inline real_t rolling(const model_t *k, point_t y) {
+  return (y.r * y.z + y.h * k->cos) * k->inv_sin;
+}
+
+// d/dt of rolling().
+static inline real_t rolling_rate(const model_t *k, point_t y, point_t dy) {
+  return (dy.r * y.z + y.r * dy.z + dy.h * k->cos) * k->inv_sin;
+}
+
+static inline void model_end(const model_t *k, point_t y, double x[3]) {
+  const real_t p = -(y.h + y.r * y.z * k->cos) * k->inv_sin;
+  x[0] = (double)y.r;
+  x[1] = (double)(p + k->d * y.z);
+  x[2] = (double)(y.z + k->omega0);
+}
+
+// m p' = Q_r + F sin,  m (beta^2 + r^2) z' = Q_phi + d Q_r + F r cos + M.
+static inline point_t rates(const model_t *k, point_t y, real_t F, real_t M) {
+  const real_t p = -(y.h + y.r * y.z * k->cos) * k->inv_sin;
+  const real_t v = p + k->d * y.z, w = y.z + k->omega0;
+  const real_t mrw = k->m * y.r * w;
+  const real_t Q_r = k->k2 * (k->r0 - y.r) - k->c2 * v + mrw * w;
+  const real_t Q_phi = -k->c1 * w - 2 * mrw * v;
+  const real_t dz = (Q_phi + k->d * Q_r + F * y.r * k->cos + M) * k->inv_m /
+                    (k->beta2 + y.r * y.r);
+  const real_t dp = (Q_r + F * k->sin) * k->inv_m;
+  return (point_t){v, -k->sin * dp - k->cos * (v * y.z + y.r * dz), dz};
+}
+
+// T = tan(a (pi/2 - angle)), angle = arctan(H / G), in the form that stays
+// smooth where the frozen signs let H or G become negative.
+static inline point_t slip_rates(const model_t *k, contact_t c, point_t y) {
+  const real_t side = (real_t)c.side, roll = (real_t)c.roll;
+  const real_t H = side * y.h, G = roll * rolling(k, y);
+  const real_t T =
+      tan(G > H ? k->quarter - k->a * atan(H / G) : k->a * atan(G / H));
+  return rates(k, y, side * (k->force_0 - k->force_T * T),
+               side * roll * k->moment_T * T);
+}
+
+// Stick: h' = h'_free - A lambda = 0 with M = roll kappa lambda.
+typedef struct {
+  real_t A;      // Delassus scalar [1/kg]
+  real_t lambda; // [N]
+  point_t rates; // of the sliding motion
+} stick_t;
+
+static inline stick_t stick_at(const model_t *k, int roll, point_t y) {
+  const real_t spin = (y.r * k->cos + (real_t)roll * k->kappa) * k->inv_m /
+                      (k->beta2 + y.r * y.r);
+  point_t dy = rates(k, y, 0, 0);
+  stick_t s = {.A = k->sin * k->sin * k->inv_m + k->cos * y.r * spin};
+  s.lambda = dy.h / s.A;
+  dy.h = 0;
+  dy.z += s.lambda * spin;
+  s.rates = dy;
+  return s;
+}
+
+// A slip never enters an escaping stick (A < 0).
+static inline int stick_attracts(const model_t *k, int roll, point_t y) {
+  const stick_t s = stick_at(k, roll, y);
+  return s.A > 0 && fabs(s.lambda) <= k->mu;
+}
+
+static inline point_t contact_rates(const model_t *k, contact_t c, point_t y) {
+  return c.side ? slip_rates(k, c, y) : stick_at(k, c.roll, y).rates;
+}
+
+// Where h is 0 and g is not: stick, or slip to the other side.
+static inline contact_t after_h(const model_t *k, contact_t c, point_t y) {
+  return (contact_t){stick_attracts(k, c.roll, y) ? 0 : -c.side, c.roll};
+}
+
+// The time to h = g = 0 along a straight line; < 0 where it is left.
+static inline real_t time_to_fall(const model_t *k, point_t y, point_t dy) {
+  const real_t g = rolling(k, y);
+  return -(y.h * y.h + g * g) / (y.h * dy.h + g * rolling_rate(k, y, dy));
+}
+
+// Takes the straight line to h = g = 0 in a time `fall` and picks the
+// attracting stick that leaves from there. Returns 0 where there is none.
+static inline int capture(const model_t *k, point_t dy, real_t fall, point_t *y,
+                          contact_t *c) {
+  y->r += fall * dy.r;
+  y->h = y->z = 0;
+  for (int roll = -1; roll <= 1; roll += 2) {
+    const stick_t s = stick_at(k, roll, *y);
+    if (s.A <= 0 || fabs(s.lambda) > k->mu) continue;
+    if ((real_t)roll * rolling_rate(k, *y, s.rates) <= 0) continue;
+    *c = (contact_t){0, roll};
+    return 1;
+  }
+  return 0;
+}
+
+#endif

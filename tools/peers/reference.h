@@ -1,0 +1,16 @@
+/// @file
+/// The states (r, v, w) at the end of the problems, from reference.c: long
+/// double, order five, every switch located, equal to 16 digits when the step
+/// is halved. tests/support/orbit.c gives the first one too, in other
+/// variables.
+#ifndef TWOFOLD_PEERS_REFERENCE_H
+#define TWOFOLD_PEERS_REFERENCE_H
+
+// clang-format off
+#define REFERENCE_CHAOS \
+  {0.1856763572578378, 0.0102983648529212, -0.9873534743284104}
+#define REFERENCE_CROSSINGS \
+  {0.1886808815782359, -7.495738287217176, -6.698365300524031}
+// clang-format on
+
+#endif

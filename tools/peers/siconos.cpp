@@ -1,0 +1,124 @@
+// Siconos: Euler-Moreau time stepping (theta = 1/2, Newton's rule for the
+// smooth part) with a relay solved by Lemke's algorithm. The law is written as
+// a relay by
+//   F = lambda (4/3 - T / (18 kappa)),  M = lambda sign(g) T / 6,
+//   lambda in mu Sgn(h)
+// so that x' = f(x) + B (-lambda): its relay is -y in N(lambda). B is taken at the middle of the step, guessed
+// from the step before.
+#include <SiconosKernel.hpp>
+
+#include <cstdio>
+
+extern "C" {
+#include "sweep.h"
+}
+#include "model.h"
+
+namespace {
+
+model_t machine;
+
+point_t point_of(const double *x) { return {x[0], x[1], x[2]}; }
+
+void put(point_t y, double *x) {
+  x[0] = y.r;
+  x[1] = y.h;
+  x[2] = y.z;
+}
+
+void smooth(double, unsigned, double *x, double *f, unsigned, double *) {
+  put(rates(&machine, point_of(x), 0, 0), f);
+}
+
+// By central differences: f has degree three.
+void smooth_jacobian(double, unsigned, double *x, double *J, unsigned,
+                     double *) {
+  const double step = 1e-6;
+  for (int j = 0; j < 3; j++) {
+    double up[3] = {x[0], x[1], x[2]}, down[3] = {x[0], x[1], x[2]};
+    double f_up[3], f_down[3];
+    up[j] += step;
+    down[j] -= step;
+    smooth(0, 3, up, f_up, 0, nullptr);
+    smooth(0, 3, down, f_down, 0, nullptr);
+    for (int i = 0; i < 3; i++)
+      J[3 * j + i] = (f_up[i] - f_down[i]) / (2 * step);
+  }
+}
+
+// The column of the relay.
+void relay_column(point_t y, SimpleMatrix &B) {
+  const double g = rolling(&machine, y);
+  const double T = tan(machine.a * atan2(fabs(g), fabs(y.h)));
+  const point_t with = rates(&machine, y, 4. / 3 - T / (18 * machine.kappa),
+                             copysign(T / 6, g));
+  const point_t without = rates(&machine, y, 0, 0);
+  B(0, 0) = 0;
+  B(1, 0) = without.h - with.h;
+  B(2, 0) = without.z - with.z;
+}
+
+void moreau(const problem_t *problem, double dt, double, answer_t *answer) {
+  machine = model_of(problem);
+  const long steps = sweep_steps(problem, dt);
+  const double step = problem->t_end / (double)steps;
+  const double mu = machine.mu;
+  const point_t start = model_start(&machine, problem);
+  auto x0 = std::make_shared<SiconosVector>(3);
+  put(start, x0->getArray());
+  auto ds = std::make_shared<FirstOrderNonLinearDS>(x0);
+  ds->setComputeFFunction(smooth);
+  ds->setComputeJacobianfxFunction(smooth_jacobian);
+  auto C = std::make_shared<SimpleMatrix>(1, 3);
+  auto B = std::make_shared<SimpleMatrix>(3, 1);
+  C->zero();
+  (*C)(0, 1) = 1;
+  relay_column(start, *B);
+  auto relation = std::make_shared<FirstOrderLinearR>(C, B);
+  auto law = std::make_shared<RelayNSL>(1, -mu, mu);
+  auto contact = std::make_shared<Interaction>(law, relation);
+  // A little longer, so that rounding does not take the last step away.
+  auto system = std::make_shared<NonSmoothDynamicalSystem>(
+      0, problem->t_end + 10 * step);
+  system->insertDynamicalSystem(ds);
+  system->link(contact, ds);
+  auto clock = std::make_shared<TimeDiscretisation>(0, step);
+  auto scheme = std::make_shared<EulerMoreauOSI>(0.5);
+  auto solver = std::make_shared<Relay>(SICONOS_RELAY_LEMKE);
+  auto simulation =
+      std::make_shared<TimeStepping>(system, clock, scheme, solver);
+  simulation->setNewtonTolerance(1e-10);
+  simulation->setNewtonMaxIteration(20);
+  simulation->initialize();
+  simulation->setComputeResiduY(false);
+  simulation->setComputeResiduR(false);
+  point_t before = start;
+  for (long i = 0; i < steps; i++) {
+    const point_t y = point_of(ds->x()->getArray());
+    relay_column({1.5 * y.r - 0.5 * before.r, 1.5 * y.h - 0.5 * before.h,
+                  1.5 * y.z - 0.5 * before.z},
+                 *B);
+    before = y;
+    simulation->computeOneStep();
+    simulation->nextStep();
+  }
+  model_end(&machine, point_of(ds->x()->getArray()), answer->x);
+  answer->steps = steps;
+}
+
+// What the library throws ends the run, not the sweep.
+void guarded(const problem_t *problem, double dt, double width,
+             answer_t *answer) {
+  try {
+    moreau(problem, dt, width, answer);
+  } catch (...) {
+    answer->lost = 1;
+  }
+}
+
+} // namespace
+
+int main() {
+  const peer_t peers[] = {{"siconos", "dt", 1e-2, 1e-4, 1.6, 0, guarded}};
+  sweep_round(peers, 1);
+}

@@ -1,0 +1,63 @@
+// The project's own schemes, as a program would call them, beside the peers.
+// The scheme with located switches takes part where the library has one.
+#include <stdio.h>
+
+#include "sweep.h"
+
+#ifdef __has_include
+#if __has_include("twofold/locate.h")
+#include "twofold/locate.h"
+#define HAS_LOCATE
+#endif
+#endif
+
+typedef tf_status_t scheme_t(const tf_machine_t *machine, tf_state_t *state,
+                             const tf_input_t *input, tf_report_t *report);
+
+static inline void run(scheme_t *scheme, const problem_t *problem, double dt,
+                       answer_t *answer) {
+  tf_params_t params = problem->params;
+  tf_machine_t machine;
+  tf_report_t report;
+  tf_state_t x = {.r = problem->r, .w = problem->omega};
+  const long steps = sweep_steps(problem, dt);
+  params.dt = problem->t_end / (double)steps;
+  x.mode = problem->side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS;
+  tf_status_t status = tf_prepare(&machine, &params, NULL);
+  if (status != TF_OK) {
+    answer->lost = 1;
+    return;
+  }
+  const tf_input_t input = tf_input_default(&machine);
+  status =
+      tf_speed_for_slip(&machine, x.r, x.w, input.omega0, problem->h, &x.v);
+  if (status == TF_OK) status = tf_begin(&machine, &x, &input, &report);
+  for (long i = 0; i < steps && status >= 0; i++) {
+    status = scheme(&machine, &x, &input, &report);
+  }
+  *answer = (answer_t){{x.r, x.v, x.w}, (long)x.tick, status < 0};
+}
+
+static void moreau(const problem_t *problem, double dt, double width,
+                   answer_t *answer) {
+  (void)width;
+  run(tf_step, problem, dt, answer);
+}
+
+#ifdef HAS_LOCATE
+static void located(const problem_t *problem, double dt, double width,
+                    answer_t *answer) {
+  (void)width;
+  run(tf_locate, problem, dt, answer);
+}
+#endif
+
+int main(void) {
+  const peer_t peers[] = {
+#ifdef HAS_LOCATE
+      {"twofold-locate", "dt", 0.1, 3e-5, 1.3, 0, located},
+#endif
+      {"twofold-step", "dt", 1e-2, 2e-6, 1.5, 0, moreau}};
+  sweep_round(peers, (int)(sizeof peers / sizeof *peers));
+  return 0;
+}
