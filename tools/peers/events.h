@@ -175,7 +175,8 @@ static inline motion_t events_run(const model_t *k, advance_t *advance,
                                   const problem_t *problem,
                                   const events_t *by) {
   motion_t x = {.y = model_start(k, problem)};
-  real_t left = problem->t_end, dt = by->tol > 0 ? by->dt / 100 : by->dt;
+  real_t left = (real_t)problem->t_end,
+         dt = by->tol > 0 ? by->dt / 100 : by->dt;
   x.contact.side = problem->side;
   x.contact.roll = rolling(k, x.y) < 0 ? -1 : 1;
   point_t dy = contact_rates(k, x.contact, x.y);

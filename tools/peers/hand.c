@@ -69,12 +69,12 @@ static void euler(const problem_t *problem, double dt, double width,
 int main(void) {
   const peer_t peers[] = {
       {"events-rk4", "dt", 0.1, 3e-5, 1.3, 0, events_rk4},
-      {"events-dp5", "tol", 1e-4, 1e-13, 1.8, 0, events_dp5},
+      {"events-dp5", "tol", 1e-4, 4e-13, 1.8, 0, events_dp5},
       {"euler", "dt", 1e-2, 1e-6, 1.6, 0, euler},
       SMOOTH(1e-3),
       SMOOTH(1e-4),
       SMOOTH(1e-5),
-      {"rk4-smooth", "dt", 1e-5, 1.2e-6, 1.6, 1e-6, smooth_rk4}};
+      {"rk4-smooth", "dt", 1e-5, 5e-7, 1.6, 1e-6, smooth_rk4}};
   sweep_round(peers, (int)(sizeof peers / sizeof *peers));
   return 0;
 }

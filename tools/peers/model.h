@@ -49,15 +49,15 @@ typedef struct {
 static inline model_t model_of(const problem_t *problem) {
   const tf_params_t *p = &problem->params;
   const real_t half_pi = (real_t)1.57079632679489661923132169163975144L;
-  const real_t kappa = p->kappa, mu = p->mu;
-  // The paper's angle is -3 pi/4 and not the double next to it.
-  const real_t gamma = (real_t)-1.5 * half_pi;
-  model_t k = {.d = p->d, .k2 = p->k2, .c1 = p->c1, .c2 = p->c2};
-  k.r0 = p->r0;
-  k.omega0 = p->omega0;
-  k.m = p->m;
+  const real_t kappa = (real_t)p->kappa, mu = (real_t)p->mu;
+  const real_t beta = (real_t)p->beta, gamma = (real_t)p->gamma;
+  model_t k = {.d = (real_t)p->d, .k2 = (real_t)p->k2, .c1 = (real_t)p->c1};
+  k.c2 = (real_t)p->c2;
+  k.r0 = (real_t)p->r0;
+  k.omega0 = (real_t)p->omega0;
+  k.m = (real_t)p->m;
   k.inv_m = 1 / k.m;
-  k.beta2 = (real_t)p->beta * p->beta;
+  k.beta2 = beta * beta;
   k.sin = sin(gamma);
   k.cos = cos(gamma);
   k.inv_sin = 1 / k.sin;
@@ -72,7 +72,8 @@ static inline model_t model_of(const problem_t *problem) {
 }
 
 static inline point_t model_start(const model_t *k, const problem_t *problem) {
-  return (point_t){problem->r, problem->h, problem->omega - k->omega0};
+  return (point_t){(real_t)problem->r, (real_t)problem->h,
+                   (real_t)problem->omega - k->omega0};
 }
 
 static inline real_t rolling(const model_t *k, point_t y) {
@@ -135,16 +136,19 @@ static inline stick_t stick_at(const model_t *k, int roll, point_t y) {
 }
 
 // A slip never enters an escaping stick (A < 0).
+// cppcheck-suppress passedByValue  ; three reals, inlined
 static inline int stick_attracts(const model_t *k, int roll, point_t y) {
   const stick_t s = stick_at(k, roll, y);
   return s.A > 0 && fabs(s.lambda) <= k->mu;
 }
 
+// cppcheck-suppress passedByValue  ; three reals, inlined
 static inline point_t contact_rates(const model_t *k, contact_t c, point_t y) {
   return c.side ? slip_rates(k, c, y) : stick_at(k, c.roll, y).rates;
 }
 
 // Where h is 0 and g is not: stick, or slip to the other side.
+// cppcheck-suppress passedByValue  ; three reals, inlined
 static inline contact_t after_h(const model_t *k, contact_t c, point_t y) {
   return (contact_t){stick_attracts(k, c.roll, y) ? 0 : -c.side, c.roll};
 }

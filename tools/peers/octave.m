@@ -173,9 +173,9 @@ table = load(argv(){end});
 fields = {'r', 'omega', 'h', 'side', 't_end', 'm', 'd', 'beta', 'k2', 'c1', ...
           'c2', 'r0', 'omega0', 'mu', 'kappa', 'gamma', 'end_r', 'end_v', ...
           'end_w', 'branch_error'};
-factor = 10^0.6;
+factor = 10^0.75;
 rand('twister', 20240607);
-for tol = 1e-3 * factor.^-(0:15)
+for tol = 1e-3 * factor.^-(0:12)
   shifted = tol * factor^(rand() - 0.5);
   for i = 1:numel(names)
     k = cell2struct(num2cell(table(i, :)), fields, 2);

@@ -2,8 +2,8 @@
 # CSV, with the median time of the rounds; and a table: for each problem and
 # peer the least time at which an error is reached and kept at every finer
 # setting of the sweep. Where a peer has two settings (width of a smoothed law,
-# then step or tolerance), the best width counts: "width held" means that the
-# finer steps or tolerances at that width keep the error, too.
+# then step or tolerance), the best width counts, with the steps or tolerances
+# at that width. Fewer than three settings in a row are luck.
 # Usage: awk -F, -v csv=FILE -f table.awk ROWS
 function median(list, n, x, i, j, keep) {
   n = split(list, x, " ")
@@ -20,14 +20,16 @@ function shown(ns) {
   return sprintf("%.3g s", ns / 1e9)
 }
 # Least time of one series to keep an error; -1 where it is not kept.
-function kept(name, error, i, best) {
+function kept(name, error, i, n, best) {
   best = -1
+  n = 0
   for (i = length_of[name]; i >= 1; i--) {
     if (!(rank[name, i] in error_of) || error_of[rank[name, i]] > error) break
+    n++
     if (best < 0 || time_of[rank[name, i]] < best)
       best = time_of[rank[name, i]]
   }
-  return best
+  return n < 3 ? -1 : best
 }
 # Puts the rows of a series in order, the coarsest setting first.
 function sort_series(name, n, i, j, keep) {
@@ -49,7 +51,6 @@ NF != 7 { next }
     error_of[row] = $5 == "inf" || $5 == "Inf" ? 1e300 : $5 + 0
     series = $1 "," $2
     if (split($3, part, " ") > 1) series = series "," part[1]
-    sub(/.*=/, "", part[split($3, part, " ")])
     value[row] = part[split($3, part, " ")]
     sub(/.*=/, "", value[row])
     value[row] += 0

@@ -57,7 +57,7 @@ int main(void) {
 #ifdef HAS_LOCATE
       {"twofold-locate", "dt", 0.1, 3e-5, 1.3, 0, located},
 #endif
-      {"twofold-step", "dt", 1e-2, 2e-6, 1.5, 0, moreau}};
+      {"twofold-step", "dt", 1e-2, 4e-7, 1.6, 0, moreau}};
   sweep_round(peers, (int)(sizeof peers / sizeof *peers));
   return 0;
 }
