@@ -168,8 +168,10 @@ function [y, steps, lost] = solve(k, tol)
 end
 
 warning('off', 'all');
-names = {'chaos', 'crossings'};
 table = load(argv(){end});
+file = fopen(argv(){end});
+names = strsplit(strtrim(fgetl(file)(2:end)), ' ');
+fclose(file);
 fields = {'r', 'omega', 'h', 'side', 't_end', 'm', 'd', 'beta', 'k2', 'c1', ...
           'c2', 'r0', 'omega0', 'mu', 'kappa', 'gamma', 'end_r', 'end_v', ...
           'end_w', 'branch_error'};

@@ -1,7 +1,7 @@
 // Makes the numbers of reference.h anew, in long double and at two steps, and
 // fails where they have moved: reference.h is data, this is where it is from.
-// With an argument it writes the problems there, one a line, for peers that
-// are not written in C.
+// With an argument it writes the problems there for peers that are not written
+// in C: a line of names, then a line of numbers for each.
 #define PEER_LONG
 #include <stdio.h>
 
@@ -12,6 +12,12 @@ enum { STEPS = 16384 };
 static int write_problems(const char *name) {
   FILE *file = fopen(name, "w");
   if (!file) return 1;
+  fputc('%', file);
+  for (int i = 0; i < PROBLEMS; i++) {
+    const problem_t problem = problem_number(i);
+    fprintf(file, " %s", problem.name);
+  }
+  fputc('\n', file);
   for (int i = 0; i < PROBLEMS; i++) {
     const problem_t q = problem_number(i);
     const tf_params_t *p = &q.params;

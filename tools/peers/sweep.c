@@ -12,7 +12,7 @@
 
 #define SEED 20240607u
 #define RUNS 25     // at most, in one round
-#define ENOUGH 2e-3 // [s] of runs in a row
+#define ENOUGH 1e-2 // [s] of runs in a row
 
 static double seconds(void) {
   struct timespec now;

@@ -41,6 +41,30 @@ function sort_series(name, n, i, j, keep) {
     rank[name, j + 1] = keep
   }
 }
+# One line of the table.
+function print_peer(group, n, j, k, all, wrong, level, least, time, name,
+                    series_of) {
+  n = split(members[group], series_of, "\n") - 1
+  all = wrong = 0
+  for (j = 1; j <= n; j++) {
+    sort_series(series_of[j])
+    for (k = 1; k <= length_of[series_of[j]]; k++) {
+      all++
+      wrong += !branch[rank[series_of[j], k]]
+    }
+  }
+  split(group, name, ",")
+  printf "%-10s %-15s", name[1], name[2]
+  for (level = 3; level <= 9; level += 3) {
+    least = -1
+    for (j = 1; j <= n; j++) {
+      time = kept(series_of[j], 10 ^ -level)
+      if (time >= 0 && (least < 0 || time < least)) least = time
+    }
+    printf " %10s", least < 0 ? "never" : shown(least)
+  }
+  printf "  %d, %d\n", all, wrong
+}
 NF != 7 { next }
 {
   row = $1 "," $2 "," $3
@@ -49,6 +73,8 @@ NF != 7 { next }
     head[row] = row "," $4 "," $5
     branch[row] = $7
     error_of[row] = $5 == "inf" || $5 == "Inf" ? 1e300 : $5 + 0
+    if (!($1 in seen)) problems[++problem_count] = $1
+    seen[$1]
     series = $1 "," $2
     if (split($3, part, " ") > 1) series = series "," part[1]
     value[row] = part[split($3, part, " ")]
@@ -71,26 +97,7 @@ END {
   }
   printf "%-10s %-15s %10s %10s %10s  %s\n", "problem", "peer", "1e-3", "1e-6",
     "1e-9", "settings, of them wrong branch or failed"
-  for (i = 1; i <= group_count; i++) {
-    n = split(members[groups[i]], series_of, "\n") - 1
-    all = wrong = 0
-    for (j = 1; j <= n; j++) {
-      sort_series(series_of[j])
-      for (k = 1; k <= length_of[series_of[j]]; k++) {
-        all++
-        wrong += !branch[rank[series_of[j], k]]
-      }
-    }
-    split(groups[i], name, ",")
-    printf "%-10s %-15s", name[1], name[2]
-    for (level = 3; level <= 9; level += 3) {
-      least = -1
-      for (j = 1; j <= n; j++) {
-        time = kept(series_of[j], 10 ^ -level)
-        if (time >= 0 && (least < 0 || time < least)) least = time
-      }
-      printf " %10s", least < 0 ? "never" : shown(least)
-    }
-    printf "  %d, %d\n", all, wrong
-  }
+  for (p = 1; p <= problem_count; p++)
+    for (i = 1; i <= group_count; i++)
+      if (index(groups[i], problems[p] ",") == 1) print_peer(groups[i])
 }
