@@ -1,9 +1,10 @@
 // Two problems near scene `chaos`: one passes h = g = 0, where the future is
 // chosen, the other crosses h = 0 again and again from slip to slip.
 //
-// The nearest other future of the first is the wheel that stays pinned, 0.0126
-// away at the end: half of it tells the branches apart. The second has one
-// future; a run that is 0.5 off has met other switches.
+// A wheel that stays pinned at h = g = 0 ends 0.0126 away from the reference of
+// the first: half of it is where a run counts as another branch. The other
+// futures were not followed to the end. The second problem has one future; a
+// run that is 0.5 off has met other switches.
 #include "problem.h"
 
 #include <math.h>
