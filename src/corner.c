@@ -86,75 +86,92 @@ static tf_real_t direction(const tf_machine_t *k, const quadrant_t *q,
   return T;
 }
 
-// One limit direction of a quadrant.
+// One limit direction of a quadrant, known to lie between two anchors.
 typedef struct {
-  tf_real_t T, speed; // outwards [m/s^2]
-  bool attracts;      // its neighbours turn to it as time runs on
+  int anchor;
+  tf_real_t f0, f1; // turning at both
+  tf_real_t speed;  // outwards, at about the direction [m/s^2]
+  bool attracts;    // its neighbours turn to it as time runs on
 } limit_t;
 
+static tf_real_t resolve(const tf_machine_t *k, const quadrant_t *q,
+                         limit_t *limit) {
+  tf_real_t C, S;
+  const tf_real_t T =
+      direction(k, q, limit->anchor, limit->f0, limit->f1, &C, &S);
+  limit->speed = leaving(q, T, C, S);
+  return T;
+}
+
 // The limit directions of one quadrant, one between two anchors at most;
-// returns how many.
-static int limits(const tf_machine_t *k, const tf_rates_t *a, int roll,
-                  int side, limit_t found[8]) {
-  const quadrant_t q = quadrant(k, a, roll, side);
-  tf_real_t before = turning(&q, 0, 1, 0);
+// returns how many. Which way they lead shows at the anchors, but where those
+// differ.
+static int limits(const tf_machine_t *k, const quadrant_t *q,
+                  limit_t found[8]) {
+  tf_real_t f0 = turning(q, 0, 1, 0), speed0 = leaving(q, 0, 1, 0);
   int n = 0;
   for (int i = 0; i < 8; i++) {
-    const tf_real_t after = turning(&q, k->tyre.T_anchor[i + 1],
-                                    anchor_cos[i + 1], anchor_cos[7 - i]);
-    const bool rising = after > 0;
-    if ((before > 0) != rising) {
-      tf_real_t C, S;
-      const tf_real_t T = direction(k, &q, i, before, after, &C, &S);
-      found[n++] = (limit_t){T, leaving(&q, T, C, S), !rising};
+    const tf_real_t T = k->tyre.T_anchor[i + 1];
+    const tf_real_t C = anchor_cos[i + 1], S = anchor_cos[7 - i];
+    const tf_real_t f1 = turning(q, T, C, S), speed1 = leaving(q, T, C, S);
+    if ((f0 > 0) != (f1 > 0)) {
+      limit_t *limit = &found[n++];
+      *limit = (limit_t){i, f0, f1, (speed0 + speed1) / 2, f0 > 0};
+      if ((speed0 > 0) != (speed1 > 0)) resolve(k, q, limit);
     }
-    before = after;
+    f0 = f1;
+    speed0 = speed1;
   }
   return n;
 }
 
 TF_API bool tf_corner_attractor(const tf_machine_t *k, const tf_rates_t *a,
                                 int roll, int side, tf_real_t *T) {
+  const quadrant_t q = quadrant(k, a, roll, side);
   limit_t found[8];
-  const int n = limits(k, a, roll, side, found);
+  const int n = limits(k, &q, found);
   for (int i = 0; i < n; i++)
     if (found[i].attracts) {
-      *T = found[i].T;
+      *T = resolve(k, &q, &found[i]);
       return true;
     }
   return false;
 }
 
-// The exits through one quadrant. Of several on one side of h = 0 that is kept
-// to which its neighbours turn, then the fastest.
-static void scan(const tf_machine_t *k, const tf_rates_t *a, int roll, int side,
-                 bool *settled, tf_futures_t *out) {
+// The exit on one side of h = 0: of several that to which its neighbours turn,
+// then the fastest.
+static void exit_on(const tf_machine_t *k, const tf_rates_t *a, int side,
+                    tf_futures_t *out) {
   const int slip = side > 0 ? 0 : 1;
-  tf_solutions_t *set = &out->solutions;
-  limit_t found[8];
-  const int n = limits(k, a, roll, side, found);
-  for (int i = 0; i < n; i++) {
-    const bool better = found[i].attracts == settled[slip]
-                            ? found[i].speed > magnitude(set->h_limit[slip])
-                            : found[i].attracts;
-    if (!(found[i].speed > 0 && better)) continue;
-    set->set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
-    set->h_limit[slip] = (tf_real_t)side * found[i].speed;
-    settled[slip] = found[i].attracts;
-    out->T[slip] = found[i].T;
-    out->roll[slip] = roll;
+  quadrant_t where = {0, 0, 0, 0};
+  limit_t best = {.speed = 0};
+  for (int roll = -1; roll <= 1; roll += 2) {
+    const quadrant_t q = quadrant(k, a, roll, side);
+    limit_t found[8];
+    const int n = limits(k, &q, found);
+    for (int i = 0; i < n; i++) {
+      const bool better = found[i].attracts == best.attracts
+                              ? found[i].speed > best.speed
+                              : found[i].attracts;
+      if (!(found[i].speed > 0 && better)) continue;
+      best = found[i];
+      where = q;
+      out->roll[slip] = roll;
+    }
   }
+  if (!(best.speed > 0)) return;
+  out->T[slip] = resolve(k, &where, &best);
+  out->solutions.set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
+  out->solutions.h_limit[slip] = (tf_real_t)side * best.speed;
 }
 
 TF_API void tf_corner_futures(const tf_machine_t *k, const tf_rates_t *a,
                               tf_futures_t *out) {
   const tf_real_t mu = k->tyre.mu;
-  bool settled[2] = {false, false};
   *out = (tf_futures_t){.solutions = {.near_stick = TF_STICK_PLUS}};
   tf_solutions_t *set = &out->solutions;
-  for (int roll = -1; roll <= 1; roll += 2)
-    for (int side = -1; side <= 1; side += 2)
-      scan(k, a, roll, side, settled, out);
+  exit_on(k, a, 1, out);
+  exit_on(k, a, -1, out);
   for (int s = 0; s < 2; s++) {
     const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
     const tf_real_t lambda = a->N / a->A[s];

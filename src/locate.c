@@ -142,13 +142,14 @@ static bool pass(tf_walk_t *walk, tf_switch_t what) {
   return false;
 }
 
-// Whether slip comes from or goes to h = g = 0 within about a step.
-static bool is_near_corner(const tf_walk_t *walk) {
+// Whether slip is near h = g = 0 and its series much shorter than its way from
+// or to there: then it may be stiff.
+static bool is_stiff_near_corner(const tf_walk_t *walk, tf_real_t length) {
   const tf_motion_t *s = &walk->motion;
   const tf_real_t R = magnitude(s->p.c[0]) + magnitude(s->q.c[0]);
   const tf_real_t a = magnitude(s->p.c[1]) + magnitude(s->q.c[1]);
   return walk->segment.closure == TF_SLIDE && s->machine->stick_kappa > 0 &&
-         R < 2 * a * s->machine->dt;
+         R > 8 * a * length && R < 16 * a * s->machine->dt;
 }
 
 static bool walk_through(tf_walk_t *walk) {
@@ -159,8 +160,8 @@ static bool walk_through(tf_walk_t *walk) {
     if (!tf_expand(s, &walk->segment)) return false;
     const tf_reach_t span = reach(walk);
     if (!(span.length > 0)) return false;
-    if (span.length < walk->left &&
-        i % TF_CAPTURE_EVERY == TF_CAPTURE_EVERY - 1 && is_near_corner(walk)) {
+    if (i % TF_CAPTURE_EVERY == TF_CAPTURE_EVERY - 1 &&
+        is_stiff_near_corner(walk, span.length)) {
       if (captured(walk, span.error + tf_walk_rounding(walk))) {
         if (walk->at.p == 0 && walk->at.z == 0 &&
             !tf_leave_corner(walk, walk->segment.roll < 0))
