@@ -88,9 +88,9 @@ static tf_real_t direction(const tf_machine_t *k, const quadrant_t *q,
 
 // One limit direction of a quadrant, known to lie between two anchors.
 typedef struct {
-  int anchor;
   tf_real_t f0, f1; // turning at both
   tf_real_t speed;  // outwards, at about the direction [m/s^2]
+  int anchor;       // the lower one
   bool attracts;    // its neighbours turn to it as time runs on
 } limit_t;
 
@@ -116,7 +116,7 @@ static int limits(const tf_machine_t *k, const quadrant_t *q,
     const tf_real_t f1 = turning(q, T, C, S), speed1 = leaving(q, T, C, S);
     if ((f0 > 0) != (f1 > 0)) {
       limit_t *limit = &found[n++];
-      *limit = (limit_t){i, f0, f1, (speed0 + speed1) / 2, f0 > 0};
+      *limit = (limit_t){f0, f1, (speed0 + speed1) / 2, i, f0 > 0};
       if ((speed0 > 0) != (speed1 > 0)) resolve(k, q, limit);
     }
     f0 = f1;
