@@ -295,8 +295,8 @@ TEST(listed_corners) {
   CHECK(accepted > 100000 && refused[-TF_DIVERGED] > 100);
 }
 
-/* Two machines at the edge of what float holds: a slope of h that overflows made
- * a stick of |h| = 8e11 m/s consistent and its Delassus scalar infinite. */
+/* Two machines at the edge of what float holds: a slope of h that overflows
+ * made a stick of 8e11 m/s consistent and its Delassus scalar infinite. */
 TEST(captured_overflow_of_a_slope) {
   tf_params_t p = tf_scenes[0]->params;
   p.m = TF_R(1e-12);
