@@ -27,6 +27,7 @@ BENCH := tools/bench/steps.c tools/bench/race.c tools/bench/compensated.c \
   tools/bench/ensemble.c
 STABILITY := $(wildcard tools/stability/*.c)
 PEERS := hand twofold reference
+ORACLE := $(wildcard tools/oracle/*.c)
 
 # One rounding per operation, everywhere: the same bits on every target.
 COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude
@@ -51,7 +52,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help all run test bench stability check clean bench-compensated \ bench-ensemble bench-peers FORCE
+.PHONY: help all run test bench stability check clean bench-compensated \ bench-ensemble bench-peers oracle FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -66,6 +67,7 @@ help:
 	@echo 'make bench-ensemble   many states at once (try EXTRA=-mavx2)'
 	@echo 'make bench-peers  error over time beside other tools (SUNDIALS, ...)'
 	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
+	@echo 'make oracle  remake tests/data/reference*.h (minutes; libquadmath)'
 	@echo 'make all     compile everything: core, command line, tests, bench'
 	@echo 'make clean   remove $(BUILD)/'
 	@echo 'Variables: CC OPT EXTRA BUILD TESTS; see the top of the Makefile.'
@@ -164,6 +166,27 @@ $(PEERS:%=$(BUILD)/peers/%): $(BUILD)/peers/%: $(BUILD)/peers/peers/%.o \
 
 bench-peers: $(PEERS:%=$(BUILD)/peers/%)
 	@CC='$(CC)' BUILD='$(BUILD)' tools/peers/run
+
+# Reference solutions in quadruple precision, one process a problem. Always by
+# gcc: __float128 and libquadmath are its own.
+ORACLE_GCC ?= gcc
+$(BUILD)/oracle: $(ORACLE) $(wildcard tools/oracle/*.h)
+	@mkdir -p $(@D)
+	@echo '__float128 sqrtq(__float128); int main(int n, char **a)' \
+	  '{ (void)a; return sqrtq(n) < 0; }' | \
+	  $(ORACLE_GCC) -x c - -lquadmath -o $@ 2>/dev/null || { rm -f $@; \
+	  echo 'make oracle needs gcc with libquadmath, on a processor that it is' \
+	  'made for, as x86-64 (Debian: apt-get install gcc).'; exit 1; }
+	$(ORACLE_GCC) $(filter-out -Iinclude,$(COMMON)) $(WARN) $(EXTRA) \
+	  $(ORACLE) -lquadmath -o $@
+
+oracle: $(BUILD)/oracle
+	@$< names | xargs -P $(shell nproc 2>/dev/null || echo 2) -I NAME \
+	  sh -c '$< NAME >$(BUILD)/NAME.new && \
+	    mv $(BUILD)/NAME.new tests/data/reference_NAME.h'
+	@$< index >$(BUILD)/index.new && mv $(BUILD)/index.new \
+	  tests/data/reference.h
+	@echo 'The references are in tests/data/.'
 
 # The checks choose their own compilers and flags.
 check:
