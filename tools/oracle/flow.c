@@ -6,10 +6,6 @@
 
 enum { COLUMNS = 14 };
 
-static long steps_taken;
-
-long flow_steps(void) { return steps_taken; }
-
 // Gragg's midpoint rule: n even steps over the length.
 static void midpoint(const leg_t *leg, const real y[DIM], const real slope[DIM],
                      real length, int n, real end[DIM]) {
@@ -146,7 +142,6 @@ end_t follow(const method_t *method, const leg_t *leg, real y[DIM],
       if (length < (real)1e-24) give_up("a guard is violated", leg, now.y);
       continue;
     }
-    steps_taken++;
     now = end;
     if (which >= 0) {
       for (int i = 0; i < DIM; i++) y[i] = now.y[i];

@@ -29,7 +29,4 @@ real step_collocated(const leg_t *leg, const real y[DIM], real length,
 // end. Stops the program with a message where it cannot.
 end_t follow(const method_t *method, const leg_t *leg, real y[DIM], real until);
 
-// Steps taken since the start of the program.
-long flow_steps(void);
-
 #endif

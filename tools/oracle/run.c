@@ -1,8 +1,6 @@
 // The chain of legs: what each switch leads to.
 #include "run.h"
 
-#include <stdlib.h>
-
 typedef struct {
   const machine_t *p;
   ramp_t ramp;
