@@ -8,7 +8,7 @@
 
 /// Most segments that one step is split into, by switches of mode, by kinks of
 /// the force at g = 0 and where the series does not reach to the end.
-#define TF_LOCATE_SEGMENTS 20
+#define TF_LOCATE_SEGMENTS 32
 
 /// Advances the state by dt, with every switch of mode located inside.
 /// Scheme: Taylor series in time, of order 10 in double and 6 in float, from
@@ -22,16 +22,18 @@
 /// input: in, within TF_STATE_LIMIT together with the state.
 /// report: out; force at the end of the step; set and choices: the largest set
 ///   of futures met in the step.
-/// Returns: TF_OK; TF_FELL_BACK (more than TF_LOCATE_SEGMENTS segments, or a
-///   series that does not converge: the whole step was taken by tf_step, whose
-///   report this is); TF_DEGRADED (the same, and tf_step said so);
+/// Returns: TF_OK; TF_COARSE (TF_LOCATE_SEGMENTS segments were not enough: the
+///   step was taken again with a tolerance of 1e-6, 1e-3 in float);
+///   TF_FELL_BACK (nor were they then, or a series did not converge: the whole
+///   step was taken by tf_step, whose report this is); TF_DEGRADED (the same,
+///   and tf_step said so);
 ///   TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
 ///   TF_STEP_TOO_LONG (state untouched, report holds the status).
 /// Cost: 1500 instructions a segment in stick on x86-64 in double, 2500 in
 ///   slip; one segment a step but where the motion switches. Stack: 4096 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: located_order_of_convergence, located_branch_and_events,
-///   located_falls_back_and_says_so
+///   located_steps_keep_to_the_reference, located_falls_back_and_says_so
 #define tf_locate TF_LINK(tf_locate)
 TF_API tf_status_t tf_locate(const tf_machine_t *machine, tf_state_t *state,
                              const tf_input_t *input, tf_report_t *report);
