@@ -13,7 +13,7 @@ set ylabel 'largest error of r [m], v [m/s], omega [rad/s]' offset 1
 set xrange [1e-6:10]
 set yrange [1e-13:10]
 set grid lc rgb '#dddddd'
-peers = 'twofold-step twofold-locate events-rk4 events-dp5 cvode-adams '. \
+peers = 'twofold-moreau twofold-located events-rk4 events-dp5 cvode-adams '. \
   'cvode-bdf arkode-erk5 cvode-smooth rk4-smooth euler octave-ode45 siconos'
 colours = '#000000 #000000 #D55E00 #D55E00 #0072B2 #0072B2 #56B4E9 #009E73 '. \
   '#009E73 #CC79A7 #E69F00 #CC79A7'

@@ -1,27 +1,23 @@
 // The project's own schemes, as a program would call them, beside the peers.
-// The scheme with located switches takes part where the library has one.
+// The located step takes part twice: with its tolerance as the knob and steps
+// as long as they may be, and with the step as the knob.
 #include <stdio.h>
+#include <string.h>
 
 #include "sweep.h"
-
-#ifdef __has_include
-#if __has_include("twofold/locate.h")
-#include "twofold/locate.h"
-#define HAS_LOCATE
-#endif
-#endif
 
 typedef tf_status_t scheme_t(const tf_machine_t *machine, tf_state_t *state,
                              const tf_input_t *input, tf_report_t *report);
 
 static inline void run(scheme_t *scheme, const problem_t *problem, double dt,
-                       answer_t *answer) {
+                       double tolerance, answer_t *answer) {
   tf_params_t params = problem->params;
   tf_machine_t machine;
   tf_report_t report;
   tf_state_t x = {.r = problem->r, .w = problem->omega};
   const long steps = sweep_steps(problem, dt);
   params.dt = problem->t_end / (double)steps;
+  params.tolerance = tolerance;
   x.mode = problem->side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS;
   tf_status_t status = tf_prepare(&machine, &params, NULL);
   if (status != TF_OK) {
@@ -41,23 +37,28 @@ static inline void run(scheme_t *scheme, const problem_t *problem, double dt,
 static void moreau(const problem_t *problem, double dt, double width,
                    answer_t *answer) {
   (void)width;
-  run(tf_step, problem, dt, answer);
+  run(tf_step, problem, dt, 0, answer);
 }
 
-#ifdef HAS_LOCATE
 static void located(const problem_t *problem, double dt, double width,
                     answer_t *answer) {
   (void)width;
-  run(tf_locate, problem, dt, answer);
+  run(tf_locate, problem, dt, 1e-8, answer);
 }
-#endif
+
+static void tolerant(const problem_t *problem, double tolerance, double width,
+                     answer_t *answer) {
+  // As long as the bound on segments allows at the finest tolerance.
+  const double dt = strcmp(problem->name, "chaos") == 0 ? 1 : 0.01;
+  (void)width;
+  run(tf_locate, problem, dt, tolerance, answer);
+}
 
 int main(void) {
   const peer_t peers[] = {
-#ifdef HAS_LOCATE
-      {"twofold-locate", "dt", 0.1, 3e-5, 1.3, 0, located},
-#endif
-      {"twofold-step", "dt", 1e-2, 4e-7, 1.6, 0, moreau}};
+      {"twofold-located", "tol", 1e-3, 1e-10, 1.7, 0, tolerant},
+      {"twofold-loc-dt", "dt", 0.5, 3e-5, 1.3, 0, located},
+      {"twofold-moreau", "dt", 0.2, 4e-7, 1.4, 0, moreau}};
   sweep_round(peers, (int)(sizeof peers / sizeof *peers));
   return 0;
 }
