@@ -1,7 +1,9 @@
 // Events are read off consecutive reports and nothing else, so that a recorded
 // run would show the same ones. What is to be seen:
 //
-//   slip to stick, stick to slip, slip to slip: the mode changed.
+//   slip to stick, stick to slip, slip to slip, pinned to stick: the mode
+//     changed. The two changes that are left, stick to pinned and stick to
+//     stick, are codimension two: no change of mode goes unseen.
 //   codimension two: h and g vanish within one step. The wheel is pinned, or
 //     stick changes its sign, or g changes its sign where stick begins or ends.
 //   two-fold: in stick, both vector fields are tangent to h = 0 where the
@@ -49,8 +51,8 @@ static bool is_two_fold(const tf_report_t *before, const tf_report_t *after) {
   return is_slip(after->mode) && !changes_sign(before->slip.g, after->slip.g);
 }
 
-// Room for one more, or NULL beyond the limit; where memory is short the
-// event is counted but not listed.
+// Room for one more, or NULL beyond the limit; where memory is short the list
+// ends there, so that it has no gap.
 static cli_event_t *new_event(cli_events_t *events) {
   if (events->used >= events->limit) {
     return NULL;
@@ -62,6 +64,7 @@ static cli_event_t *new_event(cli_events_t *events) {
       list = realloc(events->list, room * sizeof *list);
     }
     if (list == NULL) {
+      events->limit = events->used;
       return NULL;
     }
     events->list = list;
@@ -93,6 +96,8 @@ static unsigned kinds_between(const tf_report_t *before,
     kinds |= 1u << CLI_SLIP_TO_STICK;
   } else if (is_slip(after->mode)) {
     kinds |= 1u << CLI_STICK_TO_SLIP;
+  } else if (before->mode == TF_PINNED) {
+    kinds |= 1u << CLI_PINNED_TO_STICK;
   }
   if (is_codimension_two(before, after)) {
     kinds |= 1u << CLI_CODIMENSION_TWO;
@@ -104,7 +109,7 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
                         const tf_report_t *after, const tf_state_t *state,
                         double t) {
   unsigned kinds = kinds_between(before, after);
-  if (kinds == 0 && !(events->away && is_attracting_stick(before, after))) {
+  if (kinds == 0) {
     return;
   }
   const bool winds = events->away && kinds == 1u << CLI_SLIP_TO_SLIP;
@@ -120,11 +125,17 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
   for (unsigned kind = 0; kind < CLI_EVENT_KINDS; kind++) {
     events->counts[kind] += (kinds >> kind) & 1u;
   }
-  cli_event_t *event =
-      winds && events->limit < UINT64_MAX ? NULL : new_event(events);
+  if (winds && events->limit < UINT64_MAX) {
+    events->merged++;
+    return;
+  }
+  cli_event_t *event = new_event(events);
   if (event == NULL) {
     return;
   }
+  events->told += events->merged + 1;
+  event->merged = events->merged;
+  events->merged = 0;
   event->windings = events->windings;
   event->kinds = kinds;
   event->from = before->mode;
@@ -176,7 +187,15 @@ static void describe(const cli_event_t *event, char text[EVENT_ROOM]) {
                  modes[0] != '\0' && place[0] != '\0' ? ", " : "", place);
 }
 
+static void print_merged(uint64_t merged, FILE *file) {
+  if (merged > 0) {
+    (void)fprintf(file, "  ... %" PRIu64 " x slip to slip (--events all)\n",
+                  merged);
+  }
+}
+
 static void print_list(const cli_events_t *events, FILE *file) {
+  uint64_t told = events->told;
   if (events->used > 0) {
     (void)fprintf(file, "  %-11s%11s%15s%12s%12s  %s\n", "t [s]", "r [m]",
                   "omega [rad/s]", "g [m/s]", "lambda [N]", "event");
@@ -185,6 +204,7 @@ static void print_list(const cli_events_t *events, FILE *file) {
     const cli_event_t *event = &events->list[i];
     char text[EVENT_ROOM];
     char lambda[16] = "-";
+    print_merged(event->merged, file);
     describe(event, text);
     if (event->has_lambda) {
       (void)snprintf(lambda, sizeof lambda, "%.5g", event->lambda);
@@ -192,15 +212,19 @@ static void print_list(const cli_events_t *events, FILE *file) {
     (void)fprintf(file, "  %-11.7g%11.5g%15.5g%12.5g%12s  %s\n", event->t,
                   event->r, event->omega, event->g, lambda, text);
   }
-  if (events->steps > events->used) {
-    (void)fprintf(file, "  ... %" PRIu64 " more steps (--events all)\n",
-                  events->steps - events->used);
+  if (events->used < events->limit) {
+    print_merged(events->merged, file);
+    told += events->merged;
+  }
+  if (events->steps > told) {
+    (void)fprintf(file, "  ... %" PRIu64 " more events (--events all)\n",
+                  events->steps - told);
   }
 }
 
 void cli_events_print(const cli_events_t *events, FILE *file) {
   static const char *const names[CLI_EVENT_KINDS] = {
-      "slip to stick",   "stick to slip",    "slip to slip",
+      "slip to stick",   "stick to slip",    "slip to slip", "pinned to stick",
       "codimension two", "two-fold reached", "returned"};
   const char *separator = "";
   (void)fputs("events     ", file);

@@ -23,19 +23,20 @@ static const char usage[] =
     "  help [run]         this text, or the options of run\n"
     "  --version          version and number type\n"
     "\n"
-    "exit codes: 0 done, 2 usage, 3 value out of its range, 4 stopped\n";
+    "exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped\n";
 
 static const char run_usage[] =
     "usage: twofold run SCENE [OPTION]...\n"
     "\n"
     "  --t-end S            length [s]; default: the scene's own\n"
     "  --dt S               step [s]; the same as --set dt=S\n"
-    "  --scheme NAME        moreau: Moreau-Jean theta scheme (the default);\n"
-    "                       located: Taylor series from switch to switch, of\n"
-    "                       high order (laws jump, coulomb, none)\n"
+    "  --scheme NAME        moreau: Moreau-Jean theta scheme (the default),\n"
+    "                       set by theta; located: Taylor series from switch\n"
+    "                       to switch, of high order, set by tolerance (laws\n"
+    "                       jump, coulomb, none)\n"
     "  --select RULE        where the future is open: persist, slip+, slip-,\n"
     "                       random[:SEED]; default: the scene's own\n"
-    "  --set NAME=VALUE     a parameter, the start or the law; repeatable\n"
+    "  --set NAME=VALUE     a parameter, the start or the law; each NAME once\n"
     "  --every N            a row every N steps (default 1); the first and "
     "the\n"
     "                       last instant are always written\n"
@@ -43,6 +44,10 @@ static const char run_usage[] =
     "  --format plotter     label:value pairs for a serial plotter\n"
     "  --out FILE           instead of standard output\n"
     "  --events N|all       events that the summary lists (default 20)\n"
+    "\n"
+    "No other option may be given twice. Numbers are decimal, or hexadecimal "
+    "as\n"
+    "in C: 0x1.8p-3 is 0.1875 to the bit, 0x10 is 16.\n"
     "\n"
     "SIGINT and SIGTERM finish the step, write its row and stop; a second one\n"
     "kills. The summary goes to standard error.\n"
@@ -95,7 +100,7 @@ int cli_help(int argc, char *const argv[]) {
   return cli_complain(CLI_USAGE,
                       "help: no help on '%s'; try 'twofold help' or "
                       "'twofold help run'",
-                      argv[0]);
+                      argv[argc - 1]);
 }
 
 int cli_version(void) {

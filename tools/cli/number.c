@@ -1,9 +1,11 @@
 // Numbers in and out of text.
 //
-// In: the whole text is one finite number or it is refused. strtod alone would
-// take "inf", "nan", leading blanks, "1e999" and "1x"; each of them is a typing
-// error that must not start a run. It is read directly into tf_real_t, for a
-// decimal rounded to double and then to float may end at another float.
+// In: the whole text is one number or it is refused. strtod alone would take
+// leading blanks, "1x", and 0 for "1e-999"; each of them is a typing error that
+// must not start a run. "nan", "inf" and "1e999", which is read as infinite,
+// are numbers: the range that each value has is what refuses them, and it can
+// say what would be allowed. It is read directly into tf_real_t, for a decimal
+// rounded to double and then to float may end at another float.
 //
 // Out: the fewest digits that read back to the same bits. Any decimal of
 // TF_DIGITS_SAFE digits survives the way there and back, so that is where the
@@ -13,6 +15,7 @@
 // the nearest decimal may miss where its upper neighbour reads back: both are
 // tried. The program never leaves the C locale: the point is a point.
 
+#include <ctype.h>
 #include <errno.h>
 #include <float.h>
 #include <math.h>
@@ -38,29 +41,15 @@ static tf_real_t text_to_real(const char *text, char **end) {
 #endif
 }
 
-// The first character of a number that strtod may be trusted with: no blank,
-// no letter of "inf" or "nan".
-static bool begins_a_number(const char *text) {
-  const char *first = text;
-  if (*first == '+' || *first == '-') {
-    first++;
-  }
-  return *first == '.' || (*first >= '0' && *first <= '9');
-}
-
 bool cli_read_real(const char *text, tf_real_t *value, const char **why) {
   char *end = NULL;
   *why = "is not a number";
-  if (!begins_a_number(text)) {
+  if (isspace((unsigned char)text[0])) {
     return false;
   }
   errno = 0;
   const tf_real_t read = text_to_real(text, &end);
   if (end == text || *end != '\0') {
-    return false;
-  }
-  if (!(read >= -TF_REAL_MAX && read <= TF_REAL_MAX)) {
-    *why = "is too large for the number type of this build";
     return false;
   }
   if (errno == ERANGE && read > -TF_REAL_MIN && read < TF_REAL_MIN) {

@@ -126,7 +126,7 @@ static int count_steps(const cli_run_args_t *args, const cli_setup_t *setup,
                        uint64_t *steps) {
   const double dt = (double)setup->machine.dt;
   const double count = round((double)args->t_end / dt);
-  if (args->t_end < 0 || count > MOST_STEPS) {
+  if (!(args->t_end >= 0 && count <= MOST_STEPS)) {
     return cli_complain(CLI_REFUSED,
                         "--t-end %s: t-end must lie in [0, %g] s (at most 1e15 "
                         "steps of dt = %g s)",
@@ -137,20 +137,27 @@ static int count_steps(const cli_run_args_t *args, const cli_setup_t *setup,
   return CLI_DONE;
 }
 
+static int check_law(const cli_scheme_t *scheme, tf_tyre_law_t law) {
+  if (((scheme->laws >> (unsigned)law) & 1u) != 0) {
+    return CLI_DONE;
+  }
+  return cli_complain(CLI_REFUSED,
+                      "--scheme %s: law must be jump, coulomb or none, not "
+                      "%s; --scheme moreau takes every law",
+                      scheme->name, cli_law_name(law));
+}
+
 static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
                    uint64_t *steps) {
   int code = cli_setup_read(setup, args->scene, &args->settings, args->select);
+  if (code == CLI_DONE) {
+    code = check_law(args->scheme, setup->params.law);
+  }
   if (code == CLI_DONE) {
     code = cli_setup_machine(setup);
   }
   if (code == CLI_DONE) {
     code = cli_setup_start(setup);
-  }
-  if (code == CLI_DONE && !((args->scheme->laws >> setup->params.law) & 1u)) {
-    code = cli_complain(CLI_REFUSED,
-                        "--scheme %s: law %s has no switches to locate (jump, "
-                        "coulomb and none are taken); --scheme moreau takes it",
-                        args->scheme->name, cli_law_name(setup->params.law));
   }
   return code == CLI_DONE ? count_steps(args, setup, steps) : code;
 }
@@ -179,7 +186,7 @@ int cli_run(int argc, char *const argv[]) {
   run->report = setup.report;
   run->events.limit = args.listed;
   run->end = CLI_ENDED;
-  cli_setup_notes(&setup);
+  cli_setup_notes(&setup, args.scheme->idle, args.scheme->why);
   code = perform(run, args.out);
   cli_events_free(&run->events);
   free(run);

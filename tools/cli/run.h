@@ -23,7 +23,9 @@ typedef tf_status_t (*cli_step_t)(const tf_machine_t *machine,
 typedef struct {
   const char *name; ///< as on the command line
   cli_step_t step;
-  unsigned laws; ///< bit set of tf_tyre_law_t that it takes
+  unsigned laws;    ///< bit set of tf_tyre_law_t that it takes
+  const char *idle; ///< name of a parameter that it leaves aside ...
+  const char *why;  ///< ... and where: the end of "has no effect ..."
 } cli_scheme_t;
 
 /// The command line of `run`, read and validated.

@@ -1,8 +1,8 @@
 // Reading the command line of `run`. Everything is read and checked here,
 // before a file is opened, so that a mistyped command never costs the result
 // of an earlier one. Options may stand on either side of the scene, as
-// `--name value` or `--name=value`; a repeated option counts with its last
-// value, a repeated --set is applied in order.
+// `--name value` or `--name=value`. None may be given twice, nor may a name of
+// --set: which of two values is meant cannot be known.
 
 #include <stdio.h>
 #include <string.h>
@@ -38,8 +38,10 @@ static int read_set(cli_run_args_t *args, const option_t *option) {
 
 #define LAW(name) (1u << TF_TYRE_##name)
 static const cli_scheme_t schemes[] = {
-    {"moreau", tf_step, (1u << TF_TYRE_LAWS) - 1},
-    {"located", tf_locate, LAW(JUMP) | LAW(COULOMB) | LAW(NONE)},
+    {"moreau", tf_step, (1u << TF_TYRE_LAWS) - 1, "tolerance",
+     "under --scheme moreau: it belongs to --scheme located"},
+    {"located", tf_locate, LAW(JUMP) | LAW(COULOMB) | LAW(NONE), "theta",
+     "under --scheme located but where a step falls back on moreau"},
 };
 #define SCHEMES (sizeof schemes / sizeof schemes[0])
 
@@ -50,10 +52,15 @@ static int read_scheme(cli_run_args_t *args, const option_t *option) {
       return CLI_DONE;
     }
   }
+  cli_closest_t closest = cli_closest_to(option->value);
+  for (size_t i = 0; i < SCHEMES; i++) {
+    cli_closest_offer(&closest, schemes[i].name);
+  }
+  const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_complain(CLI_USAGE,
                       "--scheme %s: unknown scheme; this version has moreau "
-                      "and located",
-                      option->value);
+                      "and located%s%s%s",
+                      option->value, hint.before, hint.name, hint.after);
 }
 
 static int read_select(cli_run_args_t *args, const option_t *option) {
@@ -128,8 +135,9 @@ static int unknown_option(const char *name) {
 }
 
 // Reads one option that starts at argv[*at] and moves *at to its last word.
+// seen: in/out, bits of the options before.
 static int read_option(cli_run_args_t *args, int argc, char *const argv[],
-                       int *at) {
+                       int *at, unsigned *seen) {
   char name[CLI_NAME_ROOM];
   const char *word = argv[*at];
   const size_t length = strcspn(word, "=");
@@ -150,7 +158,14 @@ static int read_option(cli_run_args_t *args, int argc, char *const argv[],
   } else {
     return cli_complain(CLI_USAGE, "%s: expected a value", option.name);
   }
-  return options[i].read(args, &option);
+  const int code = options[i].read(args, &option);
+  if (code == CLI_DONE && ((*seen >> i) & 1u) != 0 &&
+      options[i].read != read_set) {
+    return cli_complain(CLI_USAGE, "%s %s: %s was already given", option.name,
+                        option.value, option.name);
+  }
+  *seen |= 1u << i;
+  return code;
 }
 
 int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]) {
@@ -158,10 +173,11 @@ int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]) {
   args->scheme = &schemes[0];
   args->every = 1;
   args->listed = 20;
+  unsigned seen = 0;
   for (int at = 0; at < argc; at++) {
     int code = CLI_DONE;
     if (argv[at][0] == '-') {
-      code = read_option(args, argc, argv, &at);
+      code = read_option(args, argc, argv, &at, &seen);
     } else if (args->scene != NULL) {
       code = cli_complain(CLI_USAGE, "%s: one scene at a time (%s was given)",
                           argv[at], args->scene->name);

@@ -31,18 +31,30 @@ static size_t find_name(const char *const *names, size_t count,
   return i;
 }
 
-int cli_settings_add_named(cli_settings_t *settings, const char *option,
-                           const char *name, const char *value) {
+static int append(cli_settings_t *settings, const char *option,
+                  const char *text, const char *name, const char *value) {
   if (settings->count == CLI_SETTINGS) {
-    return cli_complain(CLI_USAGE, "%s %s: more than %d settings", option,
-                        value, CLI_SETTINGS);
+    return cli_complain(CLI_USAGE, "%s %s: more than %d settings", option, text,
+                        CLI_SETTINGS);
+  }
+  for (size_t i = 0; i < settings->count; i++) {
+    const cli_setting_t *first = &settings->list[i];
+    if (strcmp(first->name, name) == 0) {
+      return cli_complain(CLI_USAGE, "%s %s: %s was already given by %s %s",
+                          option, text, name, first->option, first->text);
+    }
   }
   cli_setting_t *setting = &settings->list[settings->count++];
   setting->option = option;
-  setting->text = value;
+  setting->text = text;
   setting->value = value;
   (void)snprintf(setting->name, sizeof setting->name, "%s", name);
   return CLI_DONE;
+}
+
+int cli_settings_add_named(cli_settings_t *settings, const char *option,
+                           const char *name, const char *value) {
+  return append(settings, option, value, name, value);
 }
 
 int cli_settings_add(cli_settings_t *settings, const char *option,
@@ -60,11 +72,7 @@ int cli_settings_add(cli_settings_t *settings, const char *option,
   }
   memcpy(name, text, length);
   name[length] = '\0';
-  const int code = cli_settings_add_named(settings, option, name, equals + 1);
-  if (code == CLI_DONE) {
-    settings->list[settings->count - 1].text = text;
-  }
-  return code;
+  return append(settings, option, text, name, equals + 1);
 }
 
 static int unknown_setting(const cli_setting_t *setting) {
@@ -97,7 +105,6 @@ static int read_law(cli_setup_t *setup, const cli_setting_t *setting) {
                         hint.before, hint.name, hint.after);
   }
   setup->params.law = (tf_tyre_law_t)law;
-  setup->set_law = setting;
   return CLI_DONE;
 }
 

@@ -72,7 +72,7 @@ static int unused_offender(const cli_setup_t *setup) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
     const tf_real_t value = parameter_value(setup, i);
     if (setup->set_param[i] != NULL && !is_used(setup, i) &&
-        (value < 0 || value > 0) &&
+        !(value >= 0 && value <= 0) &&
         !(value >= range->low && value <= range->high)) {
       break;
     }
@@ -173,7 +173,8 @@ int cli_setup_start(cli_setup_t *setup) {
   return CLI_DONE;
 }
 
-void cli_setup_notes(const cli_setup_t *setup) {
+void cli_setup_notes(const cli_setup_t *setup, const char *idle,
+                     const char *why) {
   for (int i = 0; i < TF_PARAMETERS; i++) {
     const cli_setting_t *setting = setup->set_param[i];
     const char *name = tf_parameter_ranges[i].name;
@@ -195,6 +196,9 @@ void cli_setup_notes(const cli_setup_t *setup) {
                          "note: %s %s has no effect: it belongs to --select "
                          "random",
                          setting->option, setting->text);
+    } else if (strcmp(name, idle) == 0) {
+      (void)cli_complain(CLI_DONE, "note: %s %s has no effect %s",
+                         setting->option, setting->text, why);
     }
   }
 }

@@ -13,7 +13,7 @@
 
 /// The longest name that --set knows, with its terminating zero.
 #define CLI_NAME_ROOM 16
-/// How many settings one command line may hold: twice the names that exist.
+/// How many settings one command line may hold: more than there are names.
 #define CLI_SETTINGS 64
 
 /// One setting as typed, kept for the complaint.
@@ -24,7 +24,7 @@ typedef struct {
   const char *value;        ///< right of '='
 } cli_setting_t;
 
-/// All settings in the order in which they were given.
+/// All settings in the order in which they were given, no name twice.
 typedef struct {
   size_t count;
   cli_setting_t list[CLI_SETTINGS];
@@ -32,7 +32,8 @@ typedef struct {
 
 /// Splits NAME=VALUE and appends it.
 /// option: "--set". text: in, kept.
-/// Returns: CLI_DONE or CLI_USAGE (complained).
+/// Returns: CLI_DONE or CLI_USAGE (complained), also where the name was given
+/// before: of two values one is a mistake, and which one cannot be known.
 int cli_settings_add(cli_settings_t *settings, const char *option,
                      const char *text);
 
@@ -59,10 +60,9 @@ extern const cli_start_t cli_starts[CLI_STARTS];
 typedef struct {
   const tf_scene_t *scene;
   tf_params_t params;
-  const cli_setting_t *set_param[TF_PARAMETERS]; ///< the last one, or NULL
-  const cli_setting_t *set_law;                  ///< the last one, or NULL
+  const cli_setting_t *set_param[TF_PARAMETERS]; ///< NULL where not given
   tf_real_t start[CLI_STARTS];
-  const cli_setting_t *set_start[CLI_STARTS]; ///< the last one, or NULL
+  const cli_setting_t *set_start[CLI_STARTS]; ///< NULL where not given
   uint32_t seed;                              ///< of rule random
   tf_machine_t machine;
   tf_input_t input;   ///< at t = 0
@@ -93,6 +93,8 @@ int cli_setup_machine(cli_setup_t *setup);
 int cli_setup_start(cli_setup_t *setup);
 
 /// Says on standard error which settings are without effect in this scene.
-void cli_setup_notes(const cli_setup_t *setup);
+/// idle, why: in, a parameter that the scheme leaves aside, and since when.
+void cli_setup_notes(const cli_setup_t *setup, const char *idle,
+                     const char *why);
 
 #endif

@@ -35,7 +35,8 @@ int cli_complain(int code, const char *format, ...) CLI_PRINTF(2, 3);
 /// Returns: CLI_DONE or CLI_STOPPED.
 int cli_finish_stdout(void);
 
-/// Reads the whole text as one finite number, rounded once to tf_real_t.
+/// Reads the whole text as one number, rounded once to tf_real_t: decimal, C's
+/// hexadecimal, nan or inf. That it is finite is left to its range.
 /// why: out on failure, what is wrong with the text ("is not a number").
 /// Returns: whether value was set.
 bool cli_read_real(const char *text, tf_real_t *value, const char **why);
