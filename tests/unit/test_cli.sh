@@ -23,6 +23,8 @@ export LC_ALL
 count=0
 failed=0
 header='t,r,v,omega,h,g,F,M,mode,choices'
+real=double
+"$T" --version | grep -q float && real=float
 
 # result STATUS NAME [DIAGNOSTIC]: one line of TAP.
 result() {
@@ -167,8 +169,6 @@ test_rows() {
   equal 'number of steps is rounded down' "$(rows out)" 3
   run run --t-end=1e-3 --set dt=1e-4 chaos
   check 'options before the scene, with =' cmp -s out all.csv
-  run run chaos --t-end 9 --dt 5e-5 --dt 1e-4 --t-end 1e-3
-  check 'the last of repeated options counts' cmp -s out all.csv
   run run chaos --t-end 1e-3 --format plotter
   check 'plotter rows' grep -Eq \
     '^r:[-+.0-9e]+ v:[-+.0-9e]+ omega:[-+.0-9e]+ h:[-+.0-9e]+ g:[-+.0-9e]+$' out
@@ -177,11 +177,15 @@ test_rows() {
 
 test_numbers() {
   number=0.12345678901234568
-  "$T" --version | grep -q float && number=0.12345679
+  [ $real = float ] && number=0.12345679
   run run chaos --t-end 0 --set "r=$number"
   equal 'decimals read back to the same bits' "$(column out 2 2)" "$number"
   run run chaos --t-end 0 --set r=0x1p-3 --set omega=+2e0
   equal 'hexadecimal and signs are read' "$(column out 2 2)" 0.125
+  run run chaos --t-end 0 --set r=0x10
+  equal 'hexadecimal without a point' "$(column out 2 2)" 16
+  run help run
+  check 'hexadecimal is documented' grep -q hexadecimal out
   run run chaos --t-end 0 --set h=2e-3
   within 'h places the slip speed' "$(column out 2 5)" 2e-3 1e-7
   equal 'h > 0 is slip+' "$(column out 2 9)" slip+
@@ -191,12 +195,9 @@ test_numbers() {
   run run chaos --t-end 0 --set v=0.25 --set r=0.5 --set omega=-2
   equal 'v r omega are the state' \
     "$(column out 2 2),$(column out 2 3),$(column out 2 4)" 0.5,0.25,-2
-  run run chaos --t-end 0 --set r=1 --set r=2
-  equal 'a repeated name takes its last value' "$(column out 2 2)" 2
   run run chaos --t-end 0 --set phi=0.5
   check 'phi is told in the summary' grep -q 'phi = 0.5 rad' err
-  for text in nan NAN inf -inf 1e999 -1e999 1e-999 0x '' . e5 1x '1 ' ' 1' \
-    1,5 --5 1e; do
+  for text in 1e-999 0x '' . e5 1x '1 ' ' 1' ' nan' nanx infx in 1,5 --5 1e; do
     expect "not a number: '$text'" 2 "--set r=$text" run chaos --set "r=$text"
     expect "not a step: '$text'" 2 "--dt $text" run chaos --dt "$text"
     expect "not a length: '$text'" 2 "--t-end $text" run chaos --t-end "$text"
@@ -223,6 +224,7 @@ test_usage() {
   expect 'unknown rule' 2 "unknown rule 'slip'" run chaos --select slip
   expect 'unknown scheme' 2 '--scheme verlet' run chaos --scheme verlet
   expect 'unknown format' 2 '--format xml' run chaos --format xml
+  expect 'unknown scheme' 2 "mean 'located'" run chaos --scheme locate
   expect 'h and v' 2 'h or v' run chaos --set h=0 --set v=0
   expect 'seed of a rule without chance' 2 'seed' run chaos --select slip+:1
   expect 'seed too large' 2 'seed' run chaos --select random:4294967296
@@ -233,6 +235,36 @@ test_usage() {
   echo keep > kept
   run run chaos --out kept --set bta=1
   equal 'a refused command leaves the file alone' "$(cat kept)" keep
+}
+
+# Of two values one is a mistake, and the program cannot know which.
+test_given_twice() {
+  while read -r option first second; do
+    expect "given twice: $option" 2 "$option $second: $option was already" \
+      run chaos --t-end=0 "$option" "$first" "$option=$second"
+  done << END
+--scheme moreau located
+--select slip+ slip-
+--every 1 2
+--format csv plotter
+--out one two
+--events 1 all
+END
+  check 'no file is written' test ! -e one
+  expect 'given twice: --t-end' 2 '--t-end was already given' \
+    run chaos --t-end 0 --t-end 1
+  expect 'the same value twice' 2 '--every was already given' \
+    run chaos --t-end 0 --every 2 --every 2
+  for name in r kappa law; do
+    expect "given twice: --set $name" 2 "$name was already given by --set $name" \
+      run chaos --set $name=jump --set m=1 --set $name=jump
+  done
+  expect 'given twice: --dt' 2 'dt was already given by --dt 1e-4' \
+    run chaos --dt 1e-4 --dt 1e-3
+  expect 'given twice: --dt and --set dt' 2 'dt was already given by --set' \
+    run chaos --set dt=1e-4 --dt 1e-3
+  expect 'many names, each once' 0 'scene ' run chaos --t-end 0 --set r=1 \
+    --set v=0 --set m=1 --set d=1 --set mu=1 --set k2=1
 }
 
 test_ranges() {
@@ -270,10 +302,31 @@ END
   refused '--dt 1e9' 's' run chaos --dt 1e9
   refused '--t-end -1' 't-end must lie in [0, ' run chaos --t-end -1
   refused '--t-end 1e30' '1e15 steps' run chaos --t-end 1e30
+  # What is no finite number is out of every range, of an unused name too.
+  for text in nan -NAN inf -inf infinity 1e999 -1e999; do
+    for name in kappa epsilon omega0 r h phi; do
+      refused "--set $name=$text" "$name must lie in [" \
+        run chaos --set "$name=$text"
+    done
+    refused "--dt $text" 'dt must lie in [1e-09, 1] s' run chaos --dt "$text"
+    refused "--t-end $text" 't-end must lie in [0, ' \
+      run chaos --t-end "$text"
+  done
   refused 'sin(gamma)' '--set h=1' run chaos --set gamma=0 --set h=1
   refused 'law string: k = 0' '--set k=VALUE' run chaos --set law=string
   expect 'what a law leaves out may be 0' 0 'does not use kappa' \
     run coulomb --t-end 0 --set kappa=0
+  expect 'tolerance under moreau is noted' 0 \
+    'note: --set tolerance=1e-5 has no effect under --scheme moreau' \
+    run chaos --t-end 0 --set tolerance=1e-5
+  expect 'theta under located is noted' 0 \
+    'note: --set theta=1 has no effect under --scheme located' \
+    run chaos --t-end 0 --scheme located --set theta=1
+  for words in 'moreau --set theta=1' 'located --set tolerance=1e-5'; do
+    # shellcheck disable=SC2086 # several words are several arguments
+    run run chaos --t-end 0 --scheme $words
+    check "no note: $words" test "$(grep -c 'note:' err)" -eq 0
+  done
 }
 
 test_repeat() {
@@ -345,6 +398,92 @@ test_stops() {
   done
 }
 
+# modes: the modes that the listed events of err pass through up to the
+# two-fold. A pinned step is left out: only a step that does not locate its
+# switches has to rest at h = g = 0.
+modes() {
+  awk '/^  [0-9].*two-fold reached/ { print "two-fold"; exit }
+       / to / && /^  [0-9]/ { if (!n++) print $6; if ($8 !~ /pinned/) print $8 }
+      ' err | tr -d ,
+}
+
+# What a float of this step size cannot resolve: where stick+ ends.
+same_events() {
+  equal 'located: the events of moreau' "$(modes)" "$(cat moreau)"
+  equal 'located: from the start to the two-fold' "$(modes | tr '\n' ' ')" \
+    'slip+ stick- slip- stick+ two-fold '
+  # The reference has it at 2.0462756 s; moreau is nine steps late.
+  within 'located: the two-fold in the step of the reference' \
+    "$(awk '/^  [0-9].*two-fold reached/ { print $1; exit }' err)" 2.0463 1e-9
+  check 'located: returns' grep -q 'returned after' err
+}
+
+test_located() {
+  run run chaos --t-end 3 --every 1000
+  equal 'moreau runs' "$code" 0
+  modes > moreau
+  run run chaos --t-end 3 --every 1000 --scheme located
+  equal 'located runs' "$code" 0
+  check 'located is told' grep -q '^scheme     located, rule persist' err
+  equal 'located: the same header' "$(head -n 1 out)" "$header"
+  equal 'located: the same rows' "$(rows out)" 31
+  check 'located: whole rows' whole_rows out
+  [ $real = float ] || same_events
+  for law in smooth string two_piece; do
+    expect "located refuses law $law" 3 \
+      "--scheme located: law must be jump, coulomb or none, not $law" \
+      run chaos --scheme located --set law=$law
+  done
+  for scene in smooth string; do
+    expect "located refuses scene $scene" 3 "none, not $scene" \
+      run "$scene" --scheme located
+  done
+  for scene in coulomb frictionless driven; do
+    expect "located runs $scene" 0 'scheme     located' \
+      run "$scene" --scheme located --t-end 0.1
+  done
+  run help run
+  for word in located tolerance theta 'jump, coulomb, none'; do
+    check "help run tells $word" grep -qF "$word" out
+  done
+}
+
+# told WORDS: the number before WORDS in the line of the degraded steps.
+told() { sed -n "s/^degraded .*[^0-9]\([0-9][0-9]*\) $1.*/\1/p" err; }
+
+# How often is a matter of the tolerance, and that of the number type.
+test_degraded_summary() {
+  [ $real = float ] && return
+  run run chaos --scheme located --t-end 10 --dt 0.03 --every 1000
+  check 'steps that missed the tolerance' test "$(told missed)" -gt 0
+  check 'steps that fell back' test "$(told fell)" -gt 0
+  equal 'none of them is degraded' "$(told steps)" 0
+  run run chaos --t-end 10 --dt 0.03 --every 1000
+  check 'moreau neither misses nor falls back' \
+    test "$(grep -cE 'missed|fell' err)" -eq 0
+  # A located step that is degraded was taken by moreau, so it counts there.
+  before=0
+  n=0
+  until [ "$n" -eq 20 ] || [ "$(told steps)" -gt 0 ]; do
+    before=$(told fell)
+    n=$((n + 1))
+    run run chaos --scheme located --dt 0.3 \
+      --t-end "$(awk -v n="$n" 'BEGIN { print 0.3 * n }')"
+  done
+  equal 'a degraded step is found' "$(told steps)" 1
+  equal 'it fell back' "$(told fell)" $((before + 1))
+}
+
+# chain: whether each listed event of err starts in the mode where the one
+# before it ended; N changes of slip in one line swap the slip if N is odd.
+chain() {
+  awk '/^  \.\.\. [0-9]+ x slip to slip/ {
+         if ($2 % 2) mode = mode == "slip+" ? "slip-" : "slip+" }
+       /^  [0-9]/ && $7 == "to" {
+         gsub(",", ""); if (n++ && $6 != mode) bad = 1; mode = $8 }
+       END { exit bad || n < 2 }' err
+}
+
 test_summary() {
   run run chaos --t-end 10 --every 1000000
   for word in scene scheme steps events futures degraded largest final cost; do
@@ -355,8 +494,20 @@ test_summary() {
   run run chaos --t-end 3 --every 1000000 --events 3
   equal '--events 3' "$(grep -cE '^  [0-9]' err)" 3
   more=$(sed -n 's/^  \.\.\. \([0-9]*\) more.*/\1/p' err)
+  check 'they are called events' grep -q '^  \.\.\. [0-9]* more events ' err
   run run chaos --t-end 3 --every 1000000 --events all
   equal '--events all' "$(grep -cE '^  [0-9]' err)" $((more + 3))
+  check '--events all merges nothing' test "$(grep -c 'x slip' err)" -eq 0
+  all=$((more + 3))
+  run run chaos --t-end 3 --every 1000000
+  equal 'what is not listed is counted' "$(awk '/^  [0-9]/ { n++ }
+    /^  \.\.\. / { n += $2 } END { print n }' err)" "$all"
+  for words in '10' '2.1' '3 --events 6' '3 --events all' '3 --events 8' \
+    '10 --scheme located' '10 --select random:7'; do
+    # shellcheck disable=SC2086 # several words are several arguments
+    run run chaos --every 1000000 --t-end $words
+    check "each event starts where the one before ended: $words" chain
+  done
   # The events are the changes of mode, two-folds within stick, and no more.
   run run chaos --t-end 3 --events all
   awk -F, 'NR > 2 && $9 != old && (old ~ /slip/ || $9 ~ /slip/) { n++ }
@@ -364,16 +515,23 @@ test_summary() {
   equal 'slips begin and end as often as the rows say' \
     "$(sed -n 's/^events *//p' err | tr ',' '\n' |
       awk '/slip/ { n += $NF } END { print n + 0 }')" "$(cat changes)"
+  awk -F, 'NR > 2 && $9 != old { n++ } NR > 1 { old = $9 } END { print n }' \
+    out > changes
+  equal 'every change of mode is listed' \
+    "$(grep -cE '^  [0-9].*[-+d] to (slip|stick|pinned)' err)" "$(cat changes)"
 }
 
 test_commands
 test_rows
 test_numbers
 test_usage
+test_given_twice
 test_ranges
 test_repeat
 test_failing_output
 test_stops
+test_located
+test_degraded_summary
 test_summary
 
 echo "1..$count"
