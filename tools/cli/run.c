@@ -38,12 +38,9 @@ static void observe(cli_run_t *run, const tf_report_t *after) {
   if (after->choices > 1 && run->open_steps++ == 0) {
     run->open_since = t;
   }
-  // A located step can be degraded only where tf_step took it over.
-  const bool degraded = after->status == TF_DEGRADED;
-  run->degraded += degraded;
+  run->degraded += after->status == TF_DEGRADED;
   run->coarse += after->status == TF_COARSE;
-  run->fell_back += after->status == TF_FELL_BACK ||
-                    (degraded && run->scheme->step == tf_locate);
+  run->fell_back += after->status == TF_FELL_BACK;
   if (after->mode > TF_SLIP_MINUS) {
     run->largest_h = fmax(run->largest_h, fabs((double)after->slip.h));
   }

@@ -71,7 +71,7 @@ typedef struct {
   double open_since;     ///< time of the first of them [s]
   uint64_t degraded;     ///< steps without a consistent mode
   uint64_t coarse;       ///< located steps that missed their tolerance
-  uint64_t fell_back;    ///< located steps taken by tf_step
+  uint64_t fell_back;    ///< located steps taken by tf_step, none degraded
   double largest_h;      ///< |h| in stick or pinned [m/s]
   double largest_rest;   ///< residual [N]
   double seconds;        ///< wall time of the steps, output left out
