@@ -25,8 +25,9 @@ for real in double float; do
   library=$BUILD/gcc/$real/libtwofold.a
   build CC=gcc BUILD="$BUILD/gcc" EXTRA=-Werror "$library" ||
     wrong "$library does not compile"
-  if ! quietly gcc -std=c99 -O2 -Wall -Wextra -pedantic -Werror "$define" \
-    -Iinclude "$program" "$library" -o "$BUILD/readme-$real"; then
+  if ! quietly gcc -std=c99 -O2 -Wall -Wextra -pedantic -Wconversion \
+    -Wdouble-promotion -Werror "$define" -ffp-contract=off -Iinclude \
+    "$program" "$library" -o "$BUILD/readme-$real"; then
     wrong "the program of README.md does not compile in $real"
   elif ! "$BUILD/readme-$real" >"$BUILD/readme.out"; then
     wrong "the program of README.md fails in $real"
@@ -34,4 +35,18 @@ for real in double float; do
     wrong "the program of README.md prints nothing in $real"
   fi
 done
+
+# The line that compiles it, as the reader would type it.
+sed -n '/^    gcc /,/[^\\]$/p' README.md |
+  sed "s| demo\.c | $program |; s|-o demo|-o $BUILD/readme-line|" \
+    >"$BUILD/readme-line.sh"
+[ -s "$BUILD/readme-line.sh" ] || wrong 'README.md has no line with gcc'
+for flag in -ffp-contract=off -fno-math-errno; do
+  grep -q -e "$flag" "$BUILD/readme-line.sh" || wrong "README.md: no $flag"
+done
+quietly sh "$BUILD/readme-line.sh" ||
+  wrong "the line of README.md does not compile its program"
+"$BUILD/readme-line" >"$BUILD/readme.line"
+"$BUILD/readme-double" | cmp - "$BUILD/readme.line" ||
+  wrong "the program prints otherwise when compiled by the line of README.md"
 checked "$lines lines; its program of $(wc -l <"$program") lines runs"
