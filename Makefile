@@ -52,7 +52,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help all run test bench stability check clean bench-compensated \ bench-ensemble bench-peers oracle FORCE
+.PHONY: help all run test bench stability check clean bench-compensated bench-ensemble bench-peers oracle FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:

@@ -1,8 +1,7 @@
 // The project's own schemes, as a program would call them, beside the peers.
-// The located step takes part twice: with its tolerance as the knob and steps
-// as long as they may be, and with the step as the knob.
+// The located step takes part twice: with its tolerance as the knob, at several
+// lengths of the step (in the place of a width), and with the step as the knob.
 #include <stdio.h>
-#include <string.h>
 
 #include "sweep.h"
 
@@ -46,17 +45,19 @@ static void located(const problem_t *problem, double dt, double width,
   run(tf_locate, problem, dt, 1e-8, answer);
 }
 
-static void tolerant(const problem_t *problem, double tolerance, double width,
+static void tolerant(const problem_t *problem, double tolerance, double step,
                      answer_t *answer) {
-  // As long as the bound on segments allows at the finest tolerance.
-  const double dt = strcmp(problem->name, "chaos") == 0 ? 1 : 0.01;
-  (void)width;
-  run(tf_locate, problem, dt, tolerance, answer);
+  run(tf_locate, problem, step, tolerance, answer);
 }
 
 int main(void) {
+  // Long steps run out of segments at the finest tolerances.
   const peer_t peers[] = {
-      {"twofold-located", "tol", 1e-3, 1e-10, 1.7, 0, tolerant},
+      {"twofold-located", "tol", 1e-3, 1e-10, 1.7, 1, tolerant},
+      {"twofold-located", "tol", 1e-3, 1e-10, 1.7, 0.2, tolerant},
+      {"twofold-located", "tol", 1e-3, 1e-10, 1.7, 0.05, tolerant},
+      {"twofold-located", "tol", 1e-3, 1e-12, 1.7, 0.02, tolerant},
+      {"twofold-located", "tol", 1e-3, 1e-12, 1.7, 0.005, tolerant},
       {"twofold-loc-dt", "dt", 0.5, 3e-5, 1.3, 0, located},
       {"twofold-moreau", "dt", 0.2, 4e-7, 1.4, 0, moreau}};
   sweep_round(peers, (int)(sizeof peers / sizeof *peers));
