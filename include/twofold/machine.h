@@ -93,7 +93,8 @@ typedef struct {
   tf_real_t r;   ///< displacement of the slider [m]
   tf_real_t v;   ///< speed of the slider [m/s]
   tf_real_t w;   ///< speed of the disc [rad/s]
-  tf_real_t phi; ///< angle of the disc [rad], 0 unless with_angle
+  tf_real_t phi; ///< angle of the disc [rad], 0 unless with_angle; not
+                 ///< checked: nothing depends on it
   uint64_t tick; ///< steps taken; the counter of the random generator
   uint32_t seed; ///< key of the random generator
   uint8_t mode;  ///< tf_mode_t
