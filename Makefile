@@ -28,6 +28,7 @@ BENCH := tools/bench/steps.c tools/bench/race.c tools/bench/compensated.c \
 STABILITY := $(wildcard tools/stability/*.c)
 PEERS := hand twofold reference
 ORACLE := $(wildcard tools/oracle/*.c)
+REPORT := sweep scatter cost digits
 
 # One rounding per operation, everywhere: the same bits on every target.
 COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude
@@ -46,13 +47,16 @@ TEST_FLAGS := $(COMMON) $(WARN) -Itests -Itests/support -Isrc
 # Short sums of products of numbers that were just computed: in vectors they
 # would wait for their stores (located step of chaos: 1.15 times the time).
 SRC_FLAGS_expand := -fno-tree-vectorize
+# The report judges by the reference and the orbit of the tests.
+REPORT_FLAGS := -Itests -Itests/support
 FLAGS_double :=
 FLAGS_float := -DTF_REAL_FLOAT
 
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help all run test bench stability check clean bench-compensated bench-ensemble bench-peers oracle FORCE
+.PHONY: help all run test bench stability check clean bench-compensated \
+  bench-ensemble bench-peers bench-steps oracle FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -61,7 +65,8 @@ endif
 help:
 	@echo 'make run     simulate scene chaos for 10 s, write $(BUILD)/chaos.csv'
 	@echo 'make test    all tests, in double and in float'
-	@echo 'make bench   instructions, time, stack and state of a step (valgrind)'
+	@echo 'make bench   report: error against time, cost (gnuplot, valgrind)'
+	@echo 'make bench-steps   cost of a Moreau step alone (valgrind)'
 	@echo 'make stability  stiff and extreme cases: tables and map (gnuplot)'
 	@echo 'make bench-compensated   errors of small steps, carried or not'
 	@echo 'make bench-ensemble   many states at once (try EXTRA=-mavx2)'
@@ -90,6 +95,8 @@ $(BUILD)/$(1)/src/%.o: src/%.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(CORE_FLAGS) $$(SRC_FLAGS_$$(*F)) $$(FLAGS_$(1)))
 $(BUILD)/$(1)/tools/%.o: tools/%.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(TOOL_FLAGS) $$(FLAGS_$(1)))
+$(BUILD)/$(1)/tools/report/%.o: tools/report/%.c $(BUILD)/$(1)/flags
+	$$(call compile,$$(TOOL_FLAGS) $$(REPORT_FLAGS) $$(FLAGS_$(1)))
 $(BUILD)/$(1)/tests/%.o: tests/%.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(TEST_FLAGS) $$(FLAGS_$(1)))
 
@@ -105,6 +112,10 @@ $(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \
 	$$(link)
 $(call programs,$(BENCH),$(1)): %: %.o \
     $(BUILD)/$(1)/tools/bench/rk4_smooth.o $(BUILD)/$(1)/libtwofold.a
+	$$(link)
+$(REPORT:%=$(BUILD)/$(1)/tools/report/%): %: %.o \
+    $(BUILD)/$(1)/tools/report/part.o $(BUILD)/$(1)/tools/report/truth.o \
+    $(BUILD)/$(1)/libsupport.a $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 $(BUILD)/$(1)/tools/stability/sweep: $$(call objects_of_$(1),$(STABILITY)) \
     $(BUILD)/$(1)/libtwofold.a
@@ -129,7 +140,8 @@ $(foreach v,$(VARIANTS),$(eval $(call rules,$(v))))
 
 all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
   $(call programs,$(TESTS),$(v)) $(call programs,$(BENCH),$(v)) \
-  $(BUILD)/$(v)/tools/stability/sweep)
+  $(BUILD)/$(v)/tools/stability/sweep \
+  $(REPORT:%=$(BUILD)/$(v)/tools/report/%))
 
 run: $(BUILD)/double/twofold
 	@$< run chaos --t-end 10 --dt 1e-4 --every 10 --out $(BUILD)/chaos.csv
@@ -140,7 +152,11 @@ test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) \
 	@TWOFOLD=$(BUILD)/double/twofold tests/run \
 	  $(filter-out $(BUILD)/double/twofold,$^) $(filter %.sh,$(TESTS))
 
-bench: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
+bench: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)) \
+  $(REPORT:%=$(BUILD)/$(v)/tools/report/%))
+	@CC='$(CC)' OPT='$(OPT)' BUILD='$(BUILD)' tools/report/run
+
+bench-steps: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
 	@CC='$(CC)' BUILD='$(BUILD)' tools/bench/run
 
 stability: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/stability/sweep)

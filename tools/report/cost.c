@@ -1,0 +1,141 @@
+// What every single step of a run costs.
+//
+//   cost time SCHEME PART STEPS     one line a step: ns, the least of several
+//                                   batches of the same step from a saved state
+//   cost count SCHEME PART STEPS    for callgrind, which dumps its counter
+//                                   after every call of `sample`; a line a step
+//   cost end SCHEME PART STEPS      bits of the end state
+//   cost machine SCHEME PART STEPS  the prepared machine as C, for a build that
+//                                   has it as a constant (specialised)
+//
+// One step is far shorter than a clock can tell, so it is taken many times over
+// from a copy of its state: caches and branch prediction are warm.
+#define _POSIX_C_SOURCE 200809L
+
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "report/part.h"
+
+#define BATCHES 9
+#define BATCH 60
+
+static double seconds(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+// In a specialised build the sources of the core precede this file, in one
+// translation unit, with the machine as a constant; REPORT_SPECIAL is the
+// function that steps.
+#ifdef REPORT_SPECIAL
+__attribute__((noinline, flatten)) static tf_status_t sample(run_t *run) {
+  const tf_status_t status =
+      REPORT_SPECIAL(&special_machine, &run->state, &run->input, &run->report);
+#else
+__attribute__((noinline)) static tf_status_t sample(run_t *run) {
+  const tf_status_t status = part_step(run);
+#endif
+  __asm__ volatile("" ::: "memory"); // a tail call would leave the frame
+  return status;
+}
+
+static void time_step(const run_t *before, run_t *run) {
+  double least = 1;
+  for (int i = 0; i < BATCHES; i++) {
+    const double begin = seconds();
+    for (int j = 0; j < BATCH; j++) {
+      run->state = before->state;
+      run->carry = before->carry;
+      sample(run);
+    }
+    const double time = (seconds() - begin) / BATCH;
+    if (time < least) least = time;
+  }
+  printf("%.1f\n", 1e9 * least);
+}
+
+static int follow(run_t *run, long steps, int times) {
+  for (long i = 0; i < steps; i++) {
+    const run_t before = *run;
+    if (times) time_step(&before, run);
+    if (!times && sample(run) < 0) return 1;
+    if (!times)
+      printf("%s %s\n", tf_mode_name(before.state.mode),
+             tf_mode_name(run->state.mode));
+  }
+  return 0;
+}
+
+static int end(run_t *run, long steps) {
+  for (long i = 0; i < steps; i++)
+    if (sample(run) < 0) return 1;
+  printf("%a %a %a %s\n", (double)run->state.r, (double)run->state.v,
+         (double)run->state.w, tf_mode_name(run->state.mode));
+  return 0;
+}
+
+#define REALS(F)                                                            \
+  F(m)                                                                      \
+  F(d) F(k2) F(c1) F(c2) F(r0) F(omega0) F(sin_gamma) F(cos_gamma)          \
+      F(minus_sin_gamma) F(d_sin_gamma) F(beta2) F(dt) F(theta) F(theta_dt) \
+          F(explicit_dt) F(a) F(d_a) F(m_plus_a) F(m_a_d2) F(inertia)       \
+              F(mu_sin_gamma) F(mu_d_sin_gamma) F(stick_kappa) F(kappa_mu)  \
+                  F(inv_mu) F(inv_kappa_mu) F(inv_mu_dt) F(tolerance)       \
+                      F(tyre.mu) F(tyre.kappa) F(tyre.inv_18_kappa)         \
+                          F(tyre.inv_6_kappa) F(tyre.epsilon) F(tyre.k)     \
+                              F(tyre.delta) F(tyre.sigma) F(tyre.rho)       \
+                                  F(tyre.a)
+
+// A member that is missing here ends in other bits, which the report checks.
+static void print_machine(const tf_machine_t *k) {
+  printf("static const tf_machine_t special_machine = {\n");
+#define F(name) printf("  .%s = (tf_real_t)%a,\n", #name, (double)k->name);
+  REALS(F)
+#undef F
+  for (int i = 0; i < TF_TYRE_ANCHORS; i++)
+    printf("  .tyre.T_anchor[%d] = (tf_real_t)%a,\n", i,
+           (double)k->tyre.T_anchor[i]);
+  for (int i = 0; i < TF_TYRE_TERMS; i++)
+    printf("  .tyre.T_series[%d] = (tf_real_t)%a,\n", i,
+           (double)k->tyre.T_series[i]);
+  printf("  .exit_threshold = %lluu, .tyre.law = (tf_tyre_law_t)%d,\n",
+         (unsigned long long)k->exit_threshold, (int)k->tyre.law);
+  printf("  .rule = (tf_rule_t)%d, .with_angle = %d};\n", (int)k->rule,
+         (int)k->with_angle);
+}
+
+static int begin(run_t *run, char **argv) {
+  const long steps = strtol(argv[4], NULL, 10);
+  int scheme = 0, part = 0;
+  truth_state_t start;
+  while (scheme < SCHEMES && strcmp(argv[2], scheme_names[scheme]) != 0)
+    scheme++;
+  while (part < PARTS && strcmp(argv[3], parts[part].name) != 0) part++;
+  return scheme < SCHEMES && part < PARTS && steps > 0 &&
+         truth_state(parts[part].problem, parts[part].from, &start) &&
+         part_begin(run, &parts[part], &start, (scheme_t)scheme, steps, 1e-8) ==
+             TF_OK;
+}
+
+int main(int argc, char **argv) {
+  run_t run;
+  const char *const what = argc == 5 ? argv[1] : "";
+  if (argc != 5 || !begin(&run, argv)) {
+    fputs("usage: cost time|count|end|machine SCHEME PART STEPS\n", stderr);
+    return 2;
+  }
+  const long steps = strtol(argv[4], NULL, 10);
+  if (strcmp(what, "time") == 0) return follow(&run, steps, 1);
+  if (strcmp(what, "count") == 0) return follow(&run, steps, 0);
+  if (strcmp(what, "end") == 0) return end(&run, steps);
+  if (strcmp(what, "machine") == 0) {
+    print_machine(&run.machine.machine);
+    return 0;
+  }
+  return 2;
+}

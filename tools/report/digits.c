@@ -1,0 +1,70 @@
+// What is left of a step's accuracy in float where its rounding is carried.
+//
+//   digits   prints lines `part k real scheme r v w`: end states of runs whose
+//            step is 2^-k s, and in double the reference, as k = 0
+//
+// Parameters, start and step are rounded to float first in both real types, so
+// that nothing but the step differs.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "part.h"
+
+#define REAL (sizeof(tf_real_t) == 8 ? "double" : "float")
+#define FINEST 20
+
+static void round_params(tf_params_t *params) {
+  for (int i = 0; i < TF_PARAMETERS; i++) {
+    char *member = (char *)params + tf_parameter_ranges[i].offset;
+    tf_real_t value;
+    memcpy(&value, member, sizeof value);
+    value = (tf_real_t)(float)value;
+    memcpy(member, &value, sizeof value);
+  }
+}
+
+static int print_end(const part_t *part, scheme_t scheme, int k,
+                     const char *name) {
+  truth_state_t start;
+  tf_params_t params;
+  run_t run = {.scheme = scheme};
+  const int exact = k == 0;
+  const double dt = ldexp(1, exact ? -12 : -k);
+  const long steps = lrint((double)(part->to - part->from) / dt);
+  if (!truth_state(part->problem, part->from, &start) ||
+      !truth_params(part->problem, &params))
+    return 0;
+  round_params(&params);
+  params.dt = (tf_real_t)dt;
+  params.tolerance = 0;
+  if (tf_prepare_compensated(&run.machine, &params, NULL) != TF_OK) return 0;
+  run.input = tf_input_default(&run.machine.machine);
+  run.state.r = (tf_real_t)(float)start.x[0];
+  run.state.v = (tf_real_t)(float)start.x[1];
+  run.state.w = (tf_real_t)(float)start.x[2];
+  run.state.mode = truth_mode(part->problem, part->from);
+  if (tf_begin(&run.machine.machine, &run.state, &run.input, &run.report) < 0)
+    return 0;
+  for (long i = 0; i < steps; i++)
+    if (part_step(&run) < 0) return 0;
+  printf("%s %d %s %s %.17g %.17g %.17g\n", part->name, k, REAL, name,
+         (double)run.state.r + (double)run.carry.r,
+         (double)run.state.v + (double)run.carry.v,
+         (double)run.state.w + (double)run.carry.w);
+  return 1;
+}
+
+int main(void) {
+  const int wide = sizeof(tf_real_t) == 8;
+  int done = 1;
+  for (int i = 0; i < PARTS && done; i++) {
+    if (parts[i].from > 0 || strcmp(parts[i].name, "cycle") == 0) continue;
+    if (wide) done = print_end(&parts[i], LOCATED, 0, "reference");
+    for (int k = 8; k <= FINEST && done; k += 2) {
+      done = print_end(&parts[i], CARRIED, k, "carried") &&
+             print_end(&parts[i], MOREAU, k, "plain");
+    }
+  }
+  return !done;
+}
