@@ -79,17 +79,18 @@ static int end(run_t *run, long steps) {
   return 0;
 }
 
-#define REALS(F)                                                            \
-  F(m)                                                                      \
-  F(d) F(k2) F(c1) F(c2) F(r0) F(omega0) F(sin_gamma) F(cos_gamma)          \
-      F(minus_sin_gamma) F(d_sin_gamma) F(beta2) F(dt) F(theta) F(theta_dt) \
-          F(explicit_dt) F(a) F(d_a) F(m_plus_a) F(m_a_d2) F(inertia)       \
-              F(mu_sin_gamma) F(mu_d_sin_gamma) F(stick_kappa) F(kappa_mu)  \
-                  F(inv_mu) F(inv_kappa_mu) F(inv_mu_dt) F(tolerance)       \
-                      F(tyre.mu) F(tyre.kappa) F(tyre.inv_18_kappa)         \
-                          F(tyre.inv_6_kappa) F(tyre.epsilon) F(tyre.k)     \
-                              F(tyre.delta) F(tyre.sigma) F(tyre.rho)       \
-                                  F(tyre.a)
+#define REALS(F)                                                             \
+  F(m)                                                                       \
+  F(d)                                                                       \
+  F(k2)                                                                      \
+  F(c1) F(c2) F(r0) F(omega0) F(sin_gamma) F(cos_gamma) F(minus_sin_gamma)   \
+      F(d_sin_gamma) F(beta2) F(dt) F(theta) F(theta_dt) F(explicit_dt) F(a) \
+          F(d_a) F(m_plus_a) F(m_a_d2) F(inertia) F(mu_sin_gamma)            \
+              F(mu_d_sin_gamma) F(stick_kappa) F(kappa_mu) F(inv_mu)         \
+                  F(inv_kappa_mu) F(inv_mu_dt) F(tolerance) F(tyre.mu)       \
+                      F(tyre.kappa) F(tyre.inv_18_kappa) F(tyre.inv_6_kappa) \
+                          F(tyre.epsilon) F(tyre.k) F(tyre.delta)            \
+                              F(tyre.sigma) F(tyre.rho) F(tyre.a)
 
 // A member that is missing here ends in other bits, which the report checks.
 static void print_machine(const tf_machine_t *k) {

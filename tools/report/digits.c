@@ -41,17 +41,21 @@ static int print_end(const part_t *part, scheme_t scheme, int k,
   if (tf_prepare_compensated(&run.machine, &params, NULL) != TF_OK) return 0;
   run.input = tf_input_default(&run.machine.machine);
   run.state.r = (tf_real_t)(float)start.x[0];
-  run.state.v = (tf_real_t)(float)start.x[1];
   run.state.w = (tf_real_t)(float)start.x[2];
   run.state.mode = truth_mode(part->problem, part->from);
+  // The start has its slip to all digits: rounding v would turn its sign.
+  const tf_real_t h = (tf_real_t)(float)truth_start_slip(part->problem);
+  if (tf_place_compensated(&run.machine, &run.state, &run.carry,
+                           run.input.omega0, h) != TF_OK)
+    return 0;
   if (tf_begin(&run.machine.machine, &run.state, &run.input, &run.report) < 0)
     return 0;
   for (long i = 0; i < steps; i++)
     if (part_step(&run) < 0) return 0;
   printf("%s %d %s %s %.17g %.17g %.17g\n", part->name, k, REAL, name,
-         (double)run.state.r + (double)run.carry.r,
-         (double)run.state.v + (double)run.carry.v,
-         (double)run.state.w + (double)run.carry.w);
+         (double)run.state.r + (scheme == CARRIED ? (double)run.carry.r : 0),
+         (double)run.state.v + (scheme == CARRIED ? (double)run.carry.v : 0),
+         (double)run.state.w + (scheme == CARRIED ? (double)run.carry.w : 0));
   return 1;
 }
 

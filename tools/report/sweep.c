@@ -3,7 +3,7 @@
 // random, so that no grid lands on a switch; dials:
 //   dt         the step; of LOCATED at the tolerance 1e-8
 //   order      the step of LOCATED at a tolerance that never splits it
-//   tolerance@50ms, @5ms   of LOCATED, at that step
+//   tolerance@100ms, @5ms   of LOCATED, at that step
 #define _POSIX_C_SOURCE 200809L
 
 #include <math.h>
@@ -15,7 +15,8 @@
 #include "part.h"
 
 #define REAL (sizeof(tf_real_t) == 8 ? "double" : "float")
-#define RUNS 25     // at most, for the time of one
+#define RUNS 25 // at most, for the time of one
+#define LEAST 3
 #define ENOUGH 4e-3 // [s] of runs in a row
 #define BISECTIONS 60
 
@@ -169,7 +170,7 @@ static double time_of(const course_t *course, const setting_t *set) {
   const double begin = seconds();
   double now = begin;
   int n = 0;
-  while (n == 0 || (n < RUNS && now - begin < ENOUGH)) {
+  while (n < LEAST || (n < RUNS && now - begin < ENOUGH)) {
     const double start = seconds();
     run_t run;
     tf_status_t status = part_begin(&run, course->part, &course->at[0],
@@ -213,7 +214,7 @@ static void sweep_steps(const course_t *course, setting_t set, double first,
 static void sweep_tolerance(const course_t *course, const char *dial, double dt,
                             unsigned stream) {
   const double finest = sizeof(tf_real_t) == 8 ? 2e-14 : 1e-5;
-  const double ratio = sizeof(tf_real_t) == 8 ? 4 : 1.8;
+  const double ratio = sizeof(tf_real_t) == 8 ? 2 : 1.4;
   const double length = (double)(course->part->to - course->part->from);
   setting_t set = {dial, LOCATED, 0, 0};
   set.n = whole(course->part, length / dt);
@@ -252,15 +253,15 @@ int main(int argc, char **argv) {
     // Steps of 0.1 s and less; Moreau's down to 1e-6 s or 1e-5 of the part.
     const double coarse = fmax(3, length / 0.05);
     const double fine = digits ? fmin(6e5, length / 1e-6) : 1e5;
-    sweep_steps(&course, (setting_t){"dt", MOREAU, 0, 1e-8}, coarse, fine, 1.8,
+    sweep_steps(&course, (setting_t){"dt", MOREAU, 0, 1e-8}, coarse, fine, 1.3,
                 10 * i);
-    sweep_steps(&course, (setting_t){"dt", CARRIED, 0, 1e-8}, coarse, fine,
-                digits ? 3 : 1.8, 10 * i + 1);
+    sweep_steps(&course, (setting_t){"dt", CARRIED, 0, 1e-8}, coarse, fine, 1.8,
+                10 * i + 1);
     sweep_steps(&course, (setting_t){"dt", LOCATED, 0, 1e-8},
-                fmax(1, length / 0.2), 3000 * sqrt(length), 1.5, 10 * i + 2);
+                fmax(1, length / 0.2), 3000 * sqrt(length), 1.2, 10 * i + 2);
     sweep_steps(&course, (setting_t){"order", LOCATED, 0, 0.1},
-                fmax(2, length / 0.1), 1500 * sqrt(length), 1.3, 10 * i + 3);
-    sweep_tolerance(&course, "tolerance@50ms", 0.05, 10 * i + 4);
+                fmax(2, length / 0.1), 1500 * sqrt(length), 1.2, 10 * i + 3);
+    sweep_tolerance(&course, "tolerance@100ms", 0.1, 10 * i + 4);
     sweep_tolerance(&course, "tolerance@5ms", 0.005, 10 * i + 5);
   }
   return 0;

@@ -58,6 +58,11 @@ int truth_state(const char *problem, long double t, truth_state_t *state) {
   return 1;
 }
 
+long double truth_start_slip(const char *problem) {
+  const reference_t *ref = find(problem);
+  return ref ? ref->h : 0;
+}
+
 int truth_twofold(const char *problem, truth_state_t *state) {
   const reference_t *ref = find(problem);
   for (int i = 0; ref && i < ref->events; i++) {

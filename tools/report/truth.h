@@ -27,6 +27,9 @@ int truth_state(const char *problem, long double t, truth_state_t *state);
 /// State at the first two-fold of the reference; 0 where it meets none.
 int truth_twofold(const char *problem, truth_state_t *state);
 
+/// Slip speed h [m/s] at t = 0.
+long double truth_start_slip(const char *problem);
+
 /// Mode just after a time.
 uint8_t truth_mode(const char *problem, long double t);
 

@@ -1,0 +1,52 @@
+# Times of events and drift in stick over the step.
+# Usage: gnuplot -e "work='D'" events.gp
+set terminal svg size 1700,620 font 'Helvetica,21' background '#ffffff'
+set output work.'/events.svg'
+set datafile separator ','
+set logscale xy
+set format x '10^{%T}'
+set format y '10^{%T}'
+set grid lc rgb '#dddddd'
+csv = work.'/sweep.csv'
+rows(part, scheme, dial, real, field) = sprintf("< awk -F, '$1==\"%s\" && " \
+  ."$2==\"%s\" && $4==\"%s\" && $3==\"%s\" && $16 != \"refused\" && " \
+  ."$%d !~ /nan/ && $%d > 0' '%s'", part, scheme, dial, real, field, field, csv)
+set multiplot title 'Times of events and drift in stick' font ',26'
+set xlabel 'step dt [s]' offset 0,0.5
+set xrange [1e-6:0.3]
+array part[2] = ['crossings', 'cycle']
+array title_of[2] = ['crossings, double', 'chaos to t = 2, double']
+do for [p=1:2] {
+  set origin (p - 1) / 3.0, 0
+  set size 0.333, 0.93
+  set title title_of[p] offset 0,-0.6
+  set ylabel 'largest error of the time of an event [s]' offset 1
+  set yrange [1e-16:1]
+  set key bottom right samplen 1.5 font ',18'
+  plot rows(part[p], 'moreau', 'dt', 'double', 10) using 5:10 with linespoints \
+      pt 5 ps 0.75 lc rgb '#D55E00' title 'moreau', \
+    rows(part[p], 'carried', 'dt', 'double', 10) using 5:10 with linespoints \
+      pt 7 ps 0.75 lc rgb '#E69F00' title 'carried', \
+    rows(part[p], 'located', 'dt', 'double', 10) using 5:10 with linespoints \
+      pt 9 ps 0.9 lc rgb '#0072B2' title 'located', \
+    x with lines dt 2 lw 2 lc rgb '#777777' title 'dt'
+}
+set origin 2 / 3.0, 0
+set size 0.333, 0.93
+set title 'chaos to t = 2' offset 0,-0.6
+set ylabel 'largest |h| in stick [m/s]' offset 1
+set yrange [1e-30:1e-6]
+set key bottom right samplen 1.5 font ',15'
+plot rows('cycle', 'moreau', 'dt', 'double', 11) using 5:11 with linespoints \
+    pt 5 ps 0.75 lc rgb '#D55E00' title 'moreau', \
+  rows('cycle', 'carried', 'dt', 'double', 11) using 5:11 with linespoints \
+    pt 7 ps 0.75 lc rgb '#E69F00' title 'carried', \
+  rows('cycle', 'located', 'dt', 'double', 11) using 5:11 with linespoints \
+    pt 9 ps 0.9 lc rgb '#0072B2' title 'located', \
+  rows('cycle', 'moreau', 'dt', 'float', 11) using 5:11 with linespoints \
+    dt 2 pt 4 ps 0.75 lc rgb '#D55E00' title 'moreau, float', \
+  rows('cycle', 'carried', 'dt', 'float', 11) using 5:11 with linespoints \
+    dt 2 pt 6 ps 0.75 lc rgb '#E69F00' title 'carried, float', \
+  rows('cycle', 'located', 'dt', 'float', 11) using 5:11 with linespoints \
+    dt 2 pt 8 ps 0.9 lc rgb '#0072B2' title 'located, float'
+unset multiplot
