@@ -47,8 +47,6 @@ TEST_FLAGS := $(COMMON) $(WARN) -Itests -Itests/support -Isrc
 # Short sums of products of numbers that were just computed: in vectors they
 # would wait for their stores (located step of chaos: 1.15 times the time).
 SRC_FLAGS_expand := -fno-tree-vectorize
-# The report judges by the reference and the orbit of the tests.
-REPORT_FLAGS := -Itests -Itests/support
 FLAGS_double :=
 FLAGS_float := -DTF_REAL_FLOAT
 
@@ -95,8 +93,6 @@ $(BUILD)/$(1)/src/%.o: src/%.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(CORE_FLAGS) $$(SRC_FLAGS_$$(*F)) $$(FLAGS_$(1)))
 $(BUILD)/$(1)/tools/%.o: tools/%.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(TOOL_FLAGS) $$(FLAGS_$(1)))
-$(BUILD)/$(1)/tools/report/%.o: tools/report/%.c $(BUILD)/$(1)/flags
-	$$(call compile,$$(TOOL_FLAGS) $$(REPORT_FLAGS) $$(FLAGS_$(1)))
 $(BUILD)/$(1)/tests/%.o: tests/%.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(TEST_FLAGS) $$(FLAGS_$(1)))
 

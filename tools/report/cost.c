@@ -71,7 +71,7 @@ static int follow(run_t *run, long steps, int times) {
   return 0;
 }
 
-static int end(run_t *run, long steps) {
+static int print_end(run_t *run, long steps) {
   for (long i = 0; i < steps; i++)
     if (sample(run) < 0) return 1;
   printf("%a %a %a %s\n", (double)run->state.r, (double)run->state.v,
@@ -79,18 +79,16 @@ static int end(run_t *run, long steps) {
   return 0;
 }
 
-#define REALS(F)                                                             \
-  F(m)                                                                       \
-  F(d)                                                                       \
-  F(k2)                                                                      \
-  F(c1) F(c2) F(r0) F(omega0) F(sin_gamma) F(cos_gamma) F(minus_sin_gamma)   \
-      F(d_sin_gamma) F(beta2) F(dt) F(theta) F(theta_dt) F(explicit_dt) F(a) \
-          F(d_a) F(m_plus_a) F(m_a_d2) F(inertia) F(mu_sin_gamma)            \
-              F(mu_d_sin_gamma) F(stick_kappa) F(kappa_mu) F(inv_mu)         \
-                  F(inv_kappa_mu) F(inv_mu_dt) F(tolerance) F(tyre.mu)       \
-                      F(tyre.kappa) F(tyre.inv_18_kappa) F(tyre.inv_6_kappa) \
-                          F(tyre.epsilon) F(tyre.k) F(tyre.delta)            \
-                              F(tyre.sigma) F(tyre.rho) F(tyre.a)
+// clang-format off
+#define REALS(F)                                                          \
+  F(m) F(d) F(k2) F(c1) F(c2) F(r0) F(omega0) F(sin_gamma) F(cos_gamma)   \
+  F(minus_sin_gamma) F(d_sin_gamma) F(beta2) F(dt) F(theta) F(theta_dt)   \
+  F(explicit_dt) F(a) F(d_a) F(m_plus_a) F(m_a_d2) F(inertia)             \
+  F(mu_sin_gamma) F(mu_d_sin_gamma) F(stick_kappa) F(kappa_mu) F(inv_mu)  \
+  F(inv_kappa_mu) F(inv_mu_dt) F(tolerance) F(tyre.mu) F(tyre.kappa)      \
+  F(tyre.inv_18_kappa) F(tyre.inv_6_kappa) F(tyre.epsilon) F(tyre.k)      \
+  F(tyre.delta) F(tyre.sigma) F(tyre.rho) F(tyre.a)
+// clang-format on
 
 // A member that is missing here ends in other bits, which the report checks.
 static void print_machine(const tf_machine_t *k) {
@@ -110,7 +108,7 @@ static void print_machine(const tf_machine_t *k) {
          (int)k->with_angle);
 }
 
-static int begin(run_t *run, char **argv) {
+static int begin_run(run_t *run, char **argv) {
   const long steps = strtol(argv[4], NULL, 10);
   int scheme = 0, part = 0;
   truth_state_t start;
@@ -126,14 +124,14 @@ static int begin(run_t *run, char **argv) {
 int main(int argc, char **argv) {
   run_t run;
   const char *const what = argc == 5 ? argv[1] : "";
-  if (argc != 5 || !begin(&run, argv)) {
+  if (argc != 5 || !begin_run(&run, argv)) {
     fputs("usage: cost time|count|end|machine SCHEME PART STEPS\n", stderr);
     return 2;
   }
   const long steps = strtol(argv[4], NULL, 10);
   if (strcmp(what, "time") == 0) return follow(&run, steps, 1);
   if (strcmp(what, "count") == 0) return follow(&run, steps, 0);
-  if (strcmp(what, "end") == 0) return end(&run, steps);
+  if (strcmp(what, "end") == 0) return print_end(&run, steps);
   if (strcmp(what, "machine") == 0) {
     print_machine(&run.machine.machine);
     return 0;

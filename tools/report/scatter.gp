@@ -24,7 +24,8 @@ do for [n=1:2] {
   set ylabel 'Kolmogorov-Smirnov distance [1]' offset 1
   set xrange [3e-7:2e-3]
   set yrange [0.005:1.5]
-  set key top right Left reverse samplen 1.5 font ',15'
+  if (n == 1) { set key top right Left reverse samplen 1.5 font ',15' } \
+    else { unset key }
   plot rows(n, 'moreau', 'double') using ($11*1e-9):9: \
       ($9 > $10 ? $9-$10 : 0.005):($9+$10 < 1 ? $9+$10 : 1) \
       with yerrorlines pt 5 ps 0.8 lc rgb '#D55E00' title 'moreau', \
@@ -48,7 +49,7 @@ do for [n=1:2] {
   set ylabel 'share of runs below r [1]' offset 1
   set autoscale x
   set yrange [0:1]
-  set key top left samplen 1.5 font ',17'
+  set key top left Left reverse samplen 1.5 font ',17'
   file = sprintf('%s/quantiles-%s.csv', work, length[n])
   plot file every ::1 using 2:1 with lines lw 6 lc rgb '#BBBBBB' \
       title 'reference', \

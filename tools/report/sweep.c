@@ -1,6 +1,6 @@
 // Work and precision of every scheme in every part of the motion: one row of
-// CSV a setting (`sweep parts`: the parts). The settings are a grid of equal ratios, each shifted at
-// random, so that no grid lands on a switch; dials:
+// CSV a setting (`sweep parts`: the parts). The settings are a grid of equal
+// ratios, each shifted at random, so that no grid lands on a switch; dials:
 //   dt         the step; of LOCATED at the tolerance 1e-8
 //   order      the step of LOCATED at a tolerance that never splits it
 //   tolerance@100ms, @5ms   of LOCATED, at that step
@@ -28,7 +28,7 @@ typedef struct {
 } setting_t;
 
 typedef struct {
-  double final, worst, event, drift, ns;
+  double final, worst, event, drift;
   long degraded, fell_back, coarse;
   const char *mark; // ok flagged branch refused
 } result_t;

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "data/reference.h"
-#include "orbit.h"
+#include "../../tests/data/reference.h"
+#include "../../tests/support/orbit.h"
 
 // The orbit is as good as long double is wide; its header says 1e-15.
 #define ORBIT_DOUBT 1e-15
