@@ -54,7 +54,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: help all run test bench stability check clean bench-compensated \
-  bench-ensemble bench-peers bench-steps oracle FORCE
+  bench-ensemble bench-peers bench-steps keep-report oracle FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -64,6 +64,7 @@ help:
 	@echo 'make run     simulate scene chaos for 10 s, write $(BUILD)/chaos.csv'
 	@echo 'make test    all tests, in double and in float'
 	@echo 'make bench   report: error against time, cost (gnuplot, valgrind)'
+	@echo 'make keep-report  copies the reports of the build to docs/'
 	@echo 'make bench-steps   cost of a Moreau step alone (valgrind)'
 	@echo 'make stability  stiff and extreme cases: tables and map (gnuplot)'
 	@echo 'make bench-compensated   errors of small steps, carried or not'
@@ -151,6 +152,14 @@ test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) \
 bench: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)) \
   $(REPORT:%=$(BUILD)/$(v)/tools/report/%))
 	@CC='$(CC)' OPT='$(OPT)' BUILD='$(BUILD)' tools/report/run
+
+# The copies in docs/ are those of the last `make bench` and `make stability`.
+keep-report:
+	cp $(BUILD)/REPORT.md docs/
+	mkdir -p docs/report
+	cp $(BUILD)/report/*.svg docs/report/
+	if [ -e $(BUILD)/STABILITY.md ]; then cp $(BUILD)/STABILITY.md docs/ && \
+	  mkdir -p docs/stability && cp $(BUILD)/stability/*.svg docs/stability/; fi
 
 bench-steps: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
 	@CC='$(CC)' BUILD='$(BUILD)' tools/bench/run

@@ -17,6 +17,8 @@ file == 2 {
   w = f[5] "," f[6] "," f[1]
   worst_of[++steps] = w
   worst[w] = f[10] / f[8]
+  longest[w] = f[10]
+  usual[w] = f[8]
   next
 }
 file == 3 {
@@ -59,6 +61,30 @@ function least(head, error, i, j, k, s, good, best) {
   return best
 }
 function us(time) { return time >= 1e99 ? "never" : sprintf("%.3g us", time / 1e3) }
+# Where the time goes, for what is not reached.
+function why(run, own) {
+  print "\nWhy, where a figure is not reached:\n"
+  run = "cycle,100,ns"
+  own = least("chaos,located,", 1e-6)
+  if (run in longest && own < 1e99)
+    printf "* `located` on `chaos`: one step, through h = g = 0, takes %.2g us" \
+      " of the %.2g us of the run to 1e-6; a usual step takes %.2g us. That" \
+      " step is also what is longer than 8 times the median.\n",
+      longest[run] / 1e3, own / 1e3, usual[run] / 1e3
+  run = "crossings,100,ns"
+  own = least("crossings,located,", 1e-6)
+  if (run in longest && own < 1e99)
+    printf "* `located` on `crossings`: a step of 20 ms takes %.2g us in the" \
+      " median and %.2g us at most; the run to 1e-6 takes %.3g us, of which" \
+      " preparation is less than 1 us. It is the series, not the switches," \
+      " that costs.\n", usual[run] / 1e3, longest[run] / 1e3, own / 1e3
+  print "* `moreau` on `crossings`: across a switch its error falls with the" \
+    " first power of dt, while a peer that locates switches has its order."
+  if (peers)
+    print "* The best peer, `events-dp5`, is written by hand for this law alone," \
+      " without solution set, rule or report, and compiled for this processor" \
+      " with contracted operations; the core is not, to keep its bits."
+}
 function verdict(yes, text) { return yes ? "reached" : text }
 function versus(problem, scheme, error, factor, own, peer, own_who) {
   own = least(problem "," scheme ",", error)
@@ -130,4 +156,5 @@ END {
       verdict(worst[w] <= 8, sprintf("not reached: %.2g times too long",
                                      worst[w] / 8))
   }
+  why()
 }
