@@ -1,7 +1,7 @@
 # Error over the dial, in double: the step of every scheme, and the tolerance of
 # the located one; straight lines show slopes.
 # Usage: gnuplot -e "work='D'" dials.gp
-set terminal svg size 1700,1150 font 'Helvetica,21' background '#ffffff'
+set terminal svg size 1700,1150 font 'Helvetica,26' background '#ffffff'
 set output work.'/dials.svg'
 set datafile separator ','
 set logscale xy
@@ -19,9 +19,9 @@ tolerance_marked(dial) = sprintf("< awk -F, '$1==\"crossings\" && " \
   ."$3==\"double\" && $4==\"%s\" && $16==\"flagged\"' '%s'", dial, csv)
 info(p, field) = system(sprintf("awk -F, '$1==\"%s\" { print $%d }' '%s'", \
   word(parts, p), field, work.'/parts.csv'))
-set multiplot title 'Error over step and tolerance, in double' font ',26'
+set multiplot title 'Error over step and tolerance, in double' font ',31'
 set yrange [1e-16:10]
-set lmargin 9
+set lmargin 8
 set rmargin 1.5
 do for [p=1:6] {
   set origin ((p - 1) % 3) / 3.0, 0.96 - 0.48 * ((p - 1) / 3 + 1)
@@ -31,18 +31,18 @@ do for [p=1:6] {
     set title info(p, 2) offset 0,-0.6
     set xlabel 'step dt [s]' offset 0,0.5
     set xrange [5e-7:0.3]
-    if (p == 5) { set key top left Left reverse samplen 1.5 font ',16' } else { unset key }
-    plot rows(p, 'moreau', 'dt') using 5:8 with linespoints pt 5 ps 0.75 \
+    if (p == 5) { set key top left Left reverse samplen 1.5 spacing 0.75 font ',20' } else { unset key }
+    plot rows(p, 'moreau', 'dt') using 5:8 with linespoints pt 5 ps 0.38 \
         lc rgb '#D55E00' title 'moreau', \
-      rows(p, 'carried', 'dt') using 5:8 with linespoints pt 7 ps 0.75 \
+      rows(p, 'carried', 'dt') using 5:8 with linespoints pt 7 ps 0.38 \
         lc rgb '#E69F00' title 'carried', \
-      rows(p, 'located', 'dt') using 5:8 with linespoints pt 9 ps 0.9 \
+      rows(p, 'located', 'dt') using 5:8 with linespoints pt 9 ps 0.45 \
         lc rgb '#0072B2' title 'located, 1e-8', \
-      rows(p, 'located', 'order') using 5:8 with linespoints pt 11 ps 0.9 \
+      rows(p, 'located', 'order') using 5:8 with linespoints pt 11 ps 0.45 \
         lc rgb '#56B4E9' title 'located, never split', \
-      marked(p, 'flagged') using 5:8 with points pt 6 ps 1.5 lw 1.5 \
+      marked(p, 'flagged') using 5:8 with points pt 6 ps 0.75 lw 1.5 \
         lc rgb '#000000' notitle, \
-      marked(p, 'branch') using 5:8 with points pt 2 ps 1.2 lw 2 \
+      marked(p, 'branch') using 5:8 with points pt 2 ps 0.6 lw 2 \
         lc rgb '#000000' notitle, \
       0.05 * x with lines dt 3 lw 2 lc rgb '#777777' title 'slope 1', \
       10 * x ** 2 with lines dt 2 lw 2 lc rgb '#777777' title 'slope 2', \
@@ -52,14 +52,14 @@ do for [p=1:6] {
     set xlabel 'tolerance [1]' offset 0,0.5
     set xrange [1e-14:1e-2]
     set xtics 1e-14, 1e4
-    set key top left samplen 1.5 font ',18'
+    set key bottom right samplen 1.5 spacing 0.75 font ',22'
     plot rows(2, 'located', 'tolerance@100ms') using 6:8 with linespoints pt 13 \
-        ps 0.9 lc rgb '#009E73' title 'dt = 100 ms', \
+        ps 0.45 lc rgb '#009E73' title 'dt = 100 ms', \
       rows(2, 'located', 'tolerance@5ms') using 6:8 with linespoints pt 15 \
-        ps 0.9 lc rgb '#CC79A7' title 'dt = 5 ms', \
-      tolerance_marked('tolerance@100ms') using 6:8 with points pt 6 ps 1.5 \
+        ps 0.45 lc rgb '#CC79A7' title 'dt = 5 ms', \
+      tolerance_marked('tolerance@100ms') using 6:8 with points pt 6 ps 0.75 \
         lw 1.5 lc rgb '#000000' title 'flagged', \
-      tolerance_marked('tolerance@5ms') using 6:8 with points pt 6 ps 1.5 \
+      tolerance_marked('tolerance@5ms') using 6:8 with points pt 6 ps 0.75 \
         lw 1.5 lc rgb '#000000' notitle, \
       x with lines dt 3 lw 2 lc rgb '#777777' title 'slope 1'
   }

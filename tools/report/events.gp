@@ -1,6 +1,6 @@
 # Times of events and drift in stick over the step.
 # Usage: gnuplot -e "work='D'" events.gp
-set terminal svg size 1700,620 font 'Helvetica,21' background '#ffffff'
+set terminal svg size 1700,620 font 'Helvetica,26' background '#ffffff'
 set output work.'/events.svg'
 set datafile separator ','
 set logscale xy
@@ -11,7 +11,7 @@ csv = work.'/sweep.csv'
 rows(part, scheme, dial, real, field) = sprintf("< awk -F, '$1==\"%s\" && " \
   ."$2==\"%s\" && $4==\"%s\" && $3==\"%s\" && $16 != \"refused\" && " \
   ."$%d !~ /nan/ && $%d > 0' '%s'", part, scheme, dial, real, field, field, csv)
-set multiplot title 'Times of events and drift in stick' font ',26'
+set multiplot title 'Times of events and drift in stick' font ',31'
 set xlabel 'step dt [s]' offset 0,0.5
 set xrange [1e-6:0.3]
 array part[2] = ['crossings', 'cycle']
@@ -21,14 +21,14 @@ do for [p=1:2] {
   set size 0.333, 0.93
   set title title_of[p] offset 0,-0.6
   set ylabel 'largest error of the time of an event [s]' offset 1
-  set yrange [1e-16:1]
-  set key bottom right samplen 1.5 font ',18'
+  set yrange [1e-20:1]
+  set key bottom right samplen 1.5 spacing 0.75 font ',22'
   plot rows(part[p], 'moreau', 'dt', 'double', 10) using 5:10 with linespoints \
-      pt 5 ps 0.75 lc rgb '#D55E00' title 'moreau', \
+      pt 5 ps 0.38 lc rgb '#D55E00' title 'moreau', \
     rows(part[p], 'carried', 'dt', 'double', 10) using 5:10 with linespoints \
-      pt 7 ps 0.75 lc rgb '#E69F00' title 'carried', \
+      pt 7 ps 0.38 lc rgb '#E69F00' title 'carried', \
     rows(part[p], 'located', 'dt', 'double', 10) using 5:10 with linespoints \
-      pt 9 ps 0.9 lc rgb '#0072B2' title 'located', \
+      pt 9 ps 0.45 lc rgb '#0072B2' title 'located', \
     x with lines dt 2 lw 2 lc rgb '#777777' title 'dt'
 }
 set origin 2 / 3.0, 0
@@ -36,17 +36,17 @@ set size 0.333, 0.93
 set title 'chaos to t = 2' offset 0,-0.6
 set ylabel 'largest |h| in stick [m/s]' offset 1
 set yrange [1e-30:1e-6]
-set key bottom right samplen 1.5 font ',15'
+set key bottom right samplen 1.5 spacing 0.75 font ',19'
 plot rows('cycle', 'moreau', 'dt', 'double', 11) using 5:11 with linespoints \
-    pt 5 ps 0.75 lc rgb '#D55E00' title 'moreau', \
+    pt 5 ps 0.38 lc rgb '#D55E00' title 'moreau', \
   rows('cycle', 'carried', 'dt', 'double', 11) using 5:11 with linespoints \
-    pt 7 ps 0.75 lc rgb '#E69F00' title 'carried', \
+    pt 7 ps 0.38 lc rgb '#E69F00' title 'carried', \
   rows('cycle', 'located', 'dt', 'double', 11) using 5:11 with linespoints \
-    pt 9 ps 0.9 lc rgb '#0072B2' title 'located', \
+    pt 9 ps 0.45 lc rgb '#0072B2' title 'located', \
   rows('cycle', 'moreau', 'dt', 'float', 11) using 5:11 with linespoints \
-    dt 2 pt 4 ps 0.75 lc rgb '#D55E00' title 'moreau, float', \
+    dt 2 pt 4 ps 0.38 lc rgb '#D55E00' title 'moreau, float', \
   rows('cycle', 'carried', 'dt', 'float', 11) using 5:11 with linespoints \
-    dt 2 pt 6 ps 0.75 lc rgb '#E69F00' title 'carried, float', \
+    dt 2 pt 6 ps 0.38 lc rgb '#E69F00' title 'carried, float', \
   rows('cycle', 'located', 'dt', 'float', 11) using 5:11 with linespoints \
-    dt 2 pt 8 ps 0.9 lc rgb '#0072B2' title 'located, float'
+    dt 2 pt 8 ps 0.45 lc rgb '#0072B2' title 'located, float'
 unset multiplot

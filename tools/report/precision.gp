@@ -3,7 +3,7 @@
 # every series has a symbol of its own. Failures have marks of their own. The
 # dashed line is the reference's own uncertainty.
 # Usage: gnuplot -e "work='D'; peers='F or nothing'; real='double'" precision.gp
-set terminal svg size 1700,1150 font 'Helvetica,21' background '#ffffff'
+set terminal svg size 1700,1150 font 'Helvetica,26' background '#ffffff'
 set output sprintf('%s/precision-%s.svg', work, real)
 set datafile separator ','
 set logscale xy
@@ -28,11 +28,11 @@ info(p, field) = system(sprintf("awk -F, '$1==\"%s\" { print $%d }' '%s'", \
 has_peers = strlen(peers) > 0 && real eq 'double'
 rival(p) = sprintf("< awk -F, '$1==\"%s\" && $2 !~ /^twofold/ && $5 != \"inf\"'" \
   ." '%s'", info(p, 3), peers)
-set multiplot title 'Error and time of a run in '.real font ',26'
+set multiplot title 'Error and time of a run in '.real font ',31'
 set xrange [3e-7:0.3]
 set yrange [low:top]
 unset key
-set lmargin 9
+set lmargin 8
 set rmargin 1.5
 do for [p=1:5] {
   set origin ((p - 1) % 3) / 3.0, 0.96 - 0.48 * ((p - 1) / 3 + 1)
@@ -45,19 +45,19 @@ do for [p=1:5] {
   set arrow 1 from graph 0, first floor to graph 1, first floor nohead \
     dt 2 lw 2 lc rgb '#555555'
   set label 1 sprintf('reference: %.0e', doubt) at graph 0.97, first floor * 8 \
-    right tc rgb '#555555' font ',18'
+    right tc rgb '#555555' font ',22'
   crowd = has_peers && (p == 2 || p == 4)
-  plot for [k=1:crowd] rival(p) using ($6 * 1e-9):5 with points pt 7 ps 0.35 \
+  plot for [k=1:crowd] rival(p) using ($6 * 1e-9):5 with points pt 7 ps 0.17 \
       lc rgb '#999999', \
     for [i=1:6] rows(p, i, '$16=="ok" || $16=="flagged"') \
       using ($12 * 1e-9):($8 > low ? $8 : low) with linespoints \
-      pt int(word(symbols, i)) ps 0.75 lw 1.5 lc rgb word(colours, i), \
-    every(p, '$16=="flagged"') using ($12 * 1e-9):8 with points pt 6 ps 1.5 \
+      pt int(word(symbols, i)) ps 0.38 lw 1.5 lc rgb word(colours, i), \
+    every(p, '$16=="flagged"') using ($12 * 1e-9):8 with points pt 6 ps 0.75 \
       lw 1.5 lc rgb '#000000', \
     every(p, '$16=="branch"') using ($12 * 1e-9):($8 < top ? $8 : top * 0.6) \
-      with points pt 2 ps 1.2 lw 2 lc rgb '#000000', \
+      with points pt 2 ps 0.6 lw 2 lc rgb '#000000', \
     every(p, '$16=="refused"') using ($12 * 1e-9):(top * 0.6) with points \
-      pt 1 ps 1.5 lw 2.5 lc rgb '#000000'
+      pt 1 ps 0.75 lw 2.5 lc rgb '#000000'
 }
 # The legend takes the place of a sixth panel.
 unset arrow
@@ -74,14 +74,14 @@ set size 0.31, 0.46
 set lmargin 1
 set xrange [0:1]
 set yrange [0:1]
-set key at graph 0.02, 0.98 left top vertical Left reverse samplen 2 spacing 1.25
-plot for [i=1:6] NaN with linespoints pt int(word(symbols, i)) ps 1.1 lw 1.5 \
+set key at graph 0.02, 0.98 left top vertical Left reverse samplen 2 spacing 0.8
+plot for [i=1:6] NaN with linespoints pt int(word(symbols, i)) ps 0.55 lw 1.5 \
     lc rgb word(colours, i) title word(schemes, i).', '.word(dials, i) noenhanced, \
-  NaN with points pt 6 ps 1.5 lw 1.5 lc rgb '#000000' \
+  NaN with points pt 6 ps 0.75 lw 1.5 lc rgb '#000000' \
     title 'flagged', \
-  NaN with points pt 2 ps 1.2 lw 2 lc rgb '#000000' title 'another branch', \
-  NaN with points pt 1 ps 1.5 lw 2.5 lc rgb '#000000' title 'refused', \
+  NaN with points pt 2 ps 0.6 lw 2 lc rgb '#000000' title 'another branch', \
+  NaN with points pt 1 ps 0.75 lw 2.5 lc rgb '#000000' title 'refused', \
   NaN with lines dt 2 lw 2 lc rgb '#555555' title 'doubt of the reference', \
-  for [k=1:has_peers] NaN with points pt 7 ps 0.6 lc rgb '#999999' \
+  for [k=1:has_peers] NaN with points pt 7 ps 0.3 lc rgb '#999999' \
     title 'peers (make bench-peers)'
 unset multiplot
