@@ -14,8 +14,10 @@
 #include "twofold/real.h"
 #include "twofold/scene.h"
 #include "twofold/select.h"
+#include "twofold/singularity.h"
 #include "twofold/status.h"
 #include "twofold/step.h"
+#include "twofold/surface.h"
 #include "twofold/tyre.h"
 
 #define TF_VERSION "0.1.0"

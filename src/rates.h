@@ -9,6 +9,7 @@
 
 typedef struct {
   tf_real_t p, q;     // p', q' without friction [m/s^2]
+  tf_real_t z;        // z' without friction [rad/s^2]
   tf_real_t Fp, Fq;   // of F = 1 N
   tf_real_t Mq;       // of M = 1 N m
   tf_real_t N;        // h' without friction [m/s^2]
@@ -30,6 +31,7 @@ TF_INLINE tf_rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
   const tf_real_t turn = (Q_phi + k->d * Q_r) / J - alpha;
   tf_rates_t a;
   a.p = push;
+  a.z = turn;
   a.q = r * turn + v * z;
   a.Fp = k->sin_gamma / k->m;
   a.Fq = r * arm / J;

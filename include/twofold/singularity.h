@@ -1,0 +1,190 @@
+/// @file
+/// Two-folds: the points of h = 0 where the surface is tangent to both slips.
+/// There lambda is open, stick runs from a sliding into an escaping region or
+/// back, and the future is not unique. Where they lie, what kind they are, and
+/// which kappa and k2 put one at a wished place; all of it in closed form.
+#ifndef TWOFOLD_SINGULARITY_H
+#define TWOFOLD_SINGULARITY_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "twofold/machine.h"
+#include "twofold/status.h"
+#include "twofold/surface.h"
+
+/// A point of h = 0.
+typedef struct {
+  tf_real_t r; ///< [m]
+  tf_real_t v; ///< [m/s]
+  tf_real_t w; ///< [rad/s]
+  tf_real_t g; ///< rolling speed, never 0 [m/s]
+} tf_place_t;
+
+/// Most two-folds of a machine: two r, two g for each, two signs of g.
+#define TF_TWO_FOLDS 8
+
+/// Why a machine has no two-fold; the first that applies.
+typedef enum {
+  TF_LACK_NONE,   ///< it has one
+  TF_LACK_LAW,    ///< the law does not jump at h = 0, or mu = 0
+  TF_LACK_MOMENT, ///< stick has no moment (law COULOMB): A > 0 everywhere
+  TF_LACK_ARM, ///< kappa |cos(gamma)| < 2 beta |sin(gamma)|: A > 0 everywhere
+  TF_LACK_BALANCE ///< A vanishes, but nowhere on h = 0 does h_x . f(x, 0) with
+                  ///< the sign of g that it takes, within TF_STATE_LIMIT
+} tf_lack_t;
+#define TF_LACKS 5
+
+/// What lack stands for, in words.
+/// Scheme: none.
+/// lack: in.
+/// Returns: a constant string, never NULL; "unknown" for other values.
+/// Cost: one table look-up. Stack: 32 B.
+/// Memory: static storage, reentrant.
+/// Claims: reasons_and_types_have_names
+#define tf_lack_name TF_LINK(tf_lack_name)
+TF_API const char *tf_lack_name(unsigned lack);
+
+/// Every two-fold at g != 0.
+/// Scheme: (2foldcond). A(r, s) = 0 is a quadratic in r. On h = 0, v and w are
+///   affine in g: r (w - omega0) = g sin(gamma), v = d (w - omega0) - g
+///   cos(gamma); so h_x . f(x, 0) = 0 is a quadratic in g, for gamma = 0 too.
+///   Not counted: r = 0 at sin(gamma) = 0 (within 4 epsilon), where A vanishes
+///   along the whole surface and nothing sticks.
+/// machine: in, prepared.
+/// input: in; an accelerating turntable counts.
+/// places: out, [TF_TWO_FOLDS], those of g > 0 first.
+/// count: out, how many were written.
+/// lack: out, may be NULL; why there is none.
+/// Returns: TF_OK; TF_BAD_STATE (input out of range; nothing touched).
+/// Cost: 4 square roots, 30 divisions, 400 operations. Stack: 384 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: every_two_fold_is_found, two_fold_of_the_paper_is_found,
+///   gamma_zero_has_a_continuous_two_fold, gamma_right_has_no_two_fold,
+///   machines_without_two_folds_say_why
+#define tf_two_folds TF_LINK(tf_two_folds)
+TF_API tf_status_t tf_two_folds(const tf_machine_t *machine,
+                                const tf_input_t *input,
+                                tf_place_t places[TF_TWO_FOLDS], int *count,
+                                tf_lack_t *lack);
+
+/// Which way the slips curve, by h'' = K++ of slip+ and K-- of slip-. A fold is
+/// visible where its slip curves away from h = 0, into its own side.
+typedef enum {
+  TF_FOLDS_INVISIBLE,  ///< K++ < 0 < K--: Teixeira singularity, (Invisible)
+  TF_FOLDS_VISIBLE,    ///< K++ > 0 > K--
+  TF_FOLDS_MIXED,      ///< one of each
+  TF_FOLDS_DEGENERATE, ///< K++ or K-- is 0
+  TF_FOLDS_CONTINUOUS  ///< sin(gamma) = 0: both slips are one field
+} tf_folds_t;
+#define TF_FOLDS 5
+
+/// Name of a type: "invisible" "visible" "visible-invisible" "degenerate"
+/// "continuous".
+/// Scheme: none.
+/// type: in.
+/// Returns: a constant string, never NULL; "unknown" for other values.
+/// Cost: one table look-up. Stack: 32 B.
+/// Memory: static storage, reentrant.
+/// Claims: reasons_and_types_have_names
+#define tf_folds_name TF_LINK(tf_folds_name)
+TF_API const char *tf_folds_name(unsigned type);
+
+/// A straight orbit of the stick motion next to a two-fold.
+typedef struct {
+  tf_real_t value;    ///< eigenvalue in units of sqrt|K++ K--|
+  tf_real_t plus;     ///< share of f(x, +mu) in the motion along it, and of
+  tf_real_t minus;    ///< f(x, -mu); |plus| + |minus| = 1
+  tf_rate_t velocity; ///< plus f(x, +mu) + minus f(x, -mu): its direction and,
+                      ///< where it sticks, the speed of the motion
+  tf_real_t lambda;   ///< along it, where it sticks, else 0 [N]
+  bool sticks;        ///< lies in sliding and escaping, not in crossing
+} tf_direction_t;
+
+/// The normal form of a two-fold. K has physical time; the paper's, in its
+/// rescaled time, is clock^2 K. J, eigenvalues and directions are the same in
+/// both.
+typedef struct {
+  tf_place_t place;
+  tf_real_t rest;     ///< largest |h_x . f(x, +-mu)| left over [m/s^2]
+  tf_real_t clock;    ///< m (beta^2 + r^2) = dt/dtau, without unit
+  tf_real_t Kpp, Kpm; ///< K++, K+- [m/s^3]
+  tf_real_t Kmp, Kmm; ///< K-+, K-- [m/s^3]
+  tf_real_t J1, J2;   ///< with sqrt|K++ K--|, defined for every type
+  /// (L+, L-) = (K++, K--), eigenvalue K-+ - K++ = 2 mu v dA/dr: sticks where
+  /// K++ K-- < 0, and leads from sliding to escaping where it is negative. The
+  /// paper's first eigenvector.
+  tf_direction_t through;
+  /// L+ = L-, eigenvalue K++ - K+-: lies in crossing along r = const, where A
+  /// stays 0. The paper's second eigenvector.
+  tf_direction_t across;
+  tf_rate_t plus, minus; ///< f(x, +mu), f(x, -mu)
+  uint8_t type;          ///< tf_folds_t
+  uint8_t regime;        ///< case 1, 2, 3 of the paper for type INVISIBLE,
+                         ///< else (and on their borders) 0
+} tf_two_fold_t;
+
+/// The normal form at a two-fold.
+/// Scheme: K^{ab} = d/dx (h_x . f(x, a mu)) . f(x, b mu); (SlidNormForm) with
+///   (L+, L-) = h_x . f(x, +-mu) as coordinates:
+///   (L- - L+) d/dt (L+, L-) = ((-K+-, K++), (-K--, K-+)) (L+, L-).
+///   Because A depends on r alone K++ + K-- = K+- + K-+: both eigenvalues are
+///   real and rational in K. Inputs are held; the turntable keeps its
+///   acceleration.
+/// machine: in, prepared for a law that jumps.
+/// input: in.
+/// place: in, from tf_two_folds or tf_two_fold_wish; r != 0, g != 0.
+/// out: out.
+/// Returns: TF_OK; TF_BAD_PARAMETER (the law does not jump), TF_BAD_STATE
+///   (place or input out of range, or a product overflows); out is untouched.
+/// Cost: 2 square roots, 20 divisions, 300 operations. Stack: 768 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: normal_form_against_the_paper, numbers_of_the_paper,
+///   sliding_motion_follows_the_normal_form, paper_cases_1_to_3,
+///   eigenvalues_are_rational, gamma_zero_has_a_continuous_two_fold,
+///   driven_two_fold_is_the_second_rate
+#define tf_normal_form TF_LINK(tf_normal_form)
+TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
+                                  const tf_input_t *input,
+                                  const tf_place_t *place, tf_two_fold_t *out);
+
+/// What stands in the way of a wished two-fold; the first that applies.
+typedef enum {
+  TF_WISH_GRANTED,
+  TF_WISH_LAW,    ///< stick has no moment under this law, or mu = 0
+  TF_WISH_GAMMA,  ///< |sin(gamma)| < 1e-6 (w = omega0 follows, r = -+kappa), or
+                  ///< |cos(gamma)| < 1e-6 (A > 0 whatever kappa)
+  TF_WISH_R,      ///< r = 0, out of range, or overflowing products
+  TF_WISH_OMEGA,  ///< w = omega0 (then g = 0), or out of range
+  TF_WISH_SPRING, ///< r = r0 or p2(r) = 0: k2 has no hold on h
+  TF_WISH_KAPPA,  ///< kappa would be out of its range
+  TF_WISH_K2      ///< k2 would be out of its range
+} tf_wish_obstacle_t;
+
+/// kappa and k2 that make a wished point a two-fold.
+typedef struct {
+  tf_real_t kappa;  ///< [m]
+  tf_real_t k2;     ///< [N/m]
+  tf_two_fold_t at; ///< the normal form under them
+  uint8_t obstacle; ///< tf_wish_obstacle_t; with KAPPA and K2 the rest is
+                    ///< filled none the less, else it is 0
+} tf_wish_t;
+
+/// Puts a two-fold at (r, w).
+/// Scheme: (stickV), (singKappa) with sign(g), (singK2) with p2(r).
+/// machine: in, prepared; its own kappa and k2 do not matter.
+/// input: in.
+/// r [m], w [rad/s]: in.
+/// out: out.
+/// Returns: TF_OK (obstacle GRANTED); TF_BAD_PARAMETER (any other obstacle, out
+///   as said there).
+/// Cost: as tf_normal_form and 60 operations more. Stack: 1792 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: wished_two_folds_are_found_again,
+///   wish_gives_the_numbers_of_the_paper, wishes_that_cannot_be_granted_say_why
+#define tf_two_fold_wish TF_LINK(tf_two_fold_wish)
+TF_API tf_status_t tf_two_fold_wish(const tf_machine_t *machine,
+                                    const tf_input_t *input, tf_real_t r,
+                                    tf_real_t w, tf_wish_t *out);
+
+#endif

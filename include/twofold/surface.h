@@ -1,0 +1,81 @@
+/// @file
+/// The surface h = 0 without a step: where it holds the wheel, where it throws
+/// it off, where it is crossed, and the field of motion along it. All of it in
+/// physical time. F = lambda and M = s kappa lambda there, s = sign(g), so that
+/// f(x, lambda) is affine in lambda, |lambda| <= mu.
+#ifndef TWOFOLD_SURFACE_H
+#define TWOFOLD_SURFACE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "twofold/machine.h"
+#include "twofold/status.h"
+
+/// How the state changes: a value of the right-hand side f.
+typedef struct {
+  tf_real_t r; ///< dr/dt [m/s]
+  tf_real_t v; ///< dv/dt [m/s^2]
+  tf_real_t w; ///< dw/dt [rad/s^2]
+} tf_rate_t;
+
+/// What h = 0 does to the motion at a point of it; borders belong to SLIDING.
+typedef enum {
+  TF_REGION_SLIDING,  ///< both slips lead to it: attracting stick, A > 0
+  TF_REGION_ESCAPING, ///< both slips lead away: stick may end, A < 0
+  TF_REGION_UP,       ///< crossed from h < 0 to h > 0
+  TF_REGION_DOWN,     ///< crossed from h > 0 to h < 0
+  TF_REGION_CORNER    ///< h = g = 0: s is open, codimension two
+} tf_region_t;
+#define TF_REGIONS 5
+
+/// Name of a region: "sliding" "escaping" "crossing_up" "crossing_down"
+/// "codimension2".
+/// Scheme: none.
+/// region: in.
+/// Returns: a constant string, never NULL; "unknown" for other values.
+/// Cost: one table look-up. Stack: 32 B.
+/// Memory: static storage, reentrant.
+/// Claims: region_names_are_the_contract
+#define tf_region_name TF_LINK(tf_region_name)
+TF_API const char *tf_region_name(unsigned region);
+
+/// The surface at one point.
+typedef struct {
+  tf_slip_t slip;       ///< h, g [m/s]; h tells how far off the point is
+  tf_real_t lie_plus;   ///< h_x . f(x, +mu) [m/s^2]
+  tf_real_t lie_minus;  ///< h_x . f(x, -mu) [m/s^2]
+  tf_real_t delassus;   ///< A = -h_x . f_lambda [1/kg]
+  tf_real_t lambda;     ///< (muCalc) [N], beyond mu where h = 0 is crossed
+  tf_rate_t plus;       ///< f(x, +mu)
+  tf_rate_t minus;      ///< f(x, -mu)
+  tf_rate_t stick;      ///< (svf), where the surface holds a stick, else 0
+  tf_rate_t scaled;     ///< A (svf) [1/kg of it]: regular at a two-fold
+  uint8_t region;       ///< tf_region_t
+  bool lambda_is_given; ///< false (and lambda 0) where A = 0 or too small
+} tf_surface_t;
+
+/// Looks at the surface in one point.
+/// Scheme: h' = N - A lambda, N = h_x . f(x, 0); (slidCond), (muCalc), (svf),
+///   and scaled = A f(x, 0) + N f_lambda, which is (slidRescale) with its sign
+///   turned, so that it leads as (svf) where A > 0 and against it where A < 0.
+/// machine: in, prepared for a law that jumps (JUMP, COULOMB).
+/// input: in, within TF_STATE_LIMIT together with the state. A turntable that
+///   accelerates counts: h' is the true rate.
+/// r [m], v [m/s], w [rad/s]: in; the caller puts them on h = 0
+///   (tf_speed_for_slip).
+/// out: out. At a corner only slip, region and nothing else is set, the rest 0.
+/// Returns: TF_OK; TF_BAD_PARAMETER (the law is single-valued: no surface),
+///   TF_BAD_STATE (state or input out of range, or a product overflows); out
+///   is untouched then.
+/// Cost: 110 operations, 8 divisions. Stack: 896 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: lie_derivatives_against_the_paper, sliding_field_against_the_paper,
+///   regions_are_what_slip_does, rescaled_field_is_regular_at_the_two_fold,
+///   surface_refuses_what_it_cannot_see
+#define tf_surface_at TF_LINK(tf_surface_at)
+TF_API tf_status_t tf_surface_at(const tf_machine_t *machine,
+                                 const tf_input_t *input, tf_real_t r,
+                                 tf_real_t v, tf_real_t w, tf_surface_t *out);
+
+#endif

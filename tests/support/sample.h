@@ -1,0 +1,93 @@
+/* sample.h - random machines and the paper's view of them, for tests of the
+ * surface h = 0 and its two-folds. */
+#ifndef TESTS_SUPPORT_SAMPLE_H
+#define TESTS_SUPPORT_SAMPLE_H
+
+#include "paper.h"
+#include "tap.h"
+#include "twofold.h"
+
+typedef long double real;
+
+#define EPSILON ((real)TF_REAL_EPSILON)
+
+static inline real wide(tf_real_t x) { return (real)x; }
+
+static inline tf_real_t uniform(double low, double high) {
+  return (tf_real_t)tap_uniform(low, high);
+}
+
+static inline paper_t paper_of(const tf_params_t *p) {
+  return (paper_t){.m = wide(p->m),
+                   .d = wide(p->d),
+                   .beta = wide(p->beta),
+                   .k2 = wide(p->k2),
+                   .c1 = wide(p->c1),
+                   .c2 = wide(p->c2),
+                   .r0 = wide(p->r0),
+                   .omega0 = wide(p->omega0),
+                   .mu = wide(p->mu),
+                   .kappa = wide(p->kappa),
+                   .gamma = wide(p->gamma)};
+}
+
+static inline tf_machine_t prepared(const tf_params_t *params) {
+  tf_machine_t machine;
+  memset(&machine, 0, sizeof machine);
+  CHECK(tf_prepare(&machine, params, NULL) == TF_OK);
+  return machine;
+}
+
+static inline tf_params_t random_params(void) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.d = uniform(-2, 2);
+  p.beta = uniform(0.02, 0.2);
+  p.kappa = uniform(0.05, 1);
+  p.k2 = uniform(0, 5);
+  p.r0 = uniform(-0.5, 0.5);
+  p.omega0 = uniform(-2, 2);
+  p.mu = uniform(0.5, 2);
+  p.c1 = uniform(0, 0.1);
+  p.c2 = uniform(0, 0.1);
+  do p.gamma = uniform(-3.14, 3.14);
+  while (fabs(sin((double)p.gamma)) < 0.05);
+  return p;
+}
+
+/* A machine with a two-fold at a random place, and its normal form. */
+typedef struct {
+  tf_params_t params;
+  tf_machine_t machine;
+  tf_input_t input;
+  paper_t paper;
+  tf_wish_t wish;
+  real x[3], c2; /* clock^2 */
+  int s;
+} sample_t;
+
+static inline sample_t random_two_fold(void) {
+  sample_t c;
+  memset(&c, 0, sizeof c);
+  for (;;) {
+    c.params = random_params();
+    c.machine = prepared(&c.params);
+    c.input = tf_input_default(&c.machine);
+    const tf_real_t r = uniform(-0.6, 0.6);
+    const tf_real_t w = c.input.omega0 + uniform(-2, 2);
+    if (tf_two_fold_wish(&c.machine, &c.input, r, w, &c.wish) != TF_OK)
+      continue;
+    if (c.wish.k2 > 100 || c.wish.kappa > 5) continue;
+    c.params.kappa = c.wish.kappa;
+    c.params.k2 = c.wish.k2;
+    c.machine = prepared(&c.params);
+    c.paper = paper_of(&c.params);
+    c.x[0] = wide(c.wish.at.place.r);
+    c.x[1] = wide(c.wish.at.place.v);
+    c.x[2] = wide(c.wish.at.place.w);
+    c.c2 = wide(c.wish.at.clock) * wide(c.wish.at.clock);
+    c.s = c.wish.at.place.g > 0 ? 1 : -1;
+    return c;
+  }
+}
+
+#endif

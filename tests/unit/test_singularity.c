@@ -1,0 +1,354 @@
+/* Two-folds: where they are, why there is none, and which machine has one at a
+ * wished place; against the paper in long double, and against a search. */
+#include "sample.h"
+
+TEST(reasons_and_types_have_names) {
+  for (unsigned i = 0; i < TF_LACKS; i++)
+    for (unsigned j = 0; j < i; j++)
+      CHECK(strcmp(tf_lack_name(i), tf_lack_name(j)) != 0);
+  static const char *const types[] = {"invisible",         "visible",
+                                      "visible-invisible", "degenerate",
+                                      "continuous",        "unknown"};
+  for (unsigned i = 0; i <= TF_FOLDS; i++)
+    CHECK(!strcmp(tf_folds_name(i), types[i]));
+  CHECK(!strcmp(tf_lack_name(TF_LACKS), "unknown"));
+}
+
+TEST(two_fold_of_the_paper_is_found) {
+  const tf_params_t params = tf_scenes[0]->params;
+  const tf_machine_t machine = prepared(&params);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_place_t at[TF_TWO_FOLDS];
+  tf_lack_t lack = TF_LACK_LAW;
+  int count = -1;
+  CHECK(tf_two_folds(&machine, &input, at, &count, &lack) == TF_OK);
+  CHECK(count == 2 && lack == TF_LACK_NONE);
+  CHECK_NEAR(wide(at[0].r), PAPER_R_STAR, 8 * EPSILON);
+  CHECK_NEAR(wide(at[0].w), PAPER_W_STAR, 16 * EPSILON);
+  CHECK_NEAR(wide(at[0].v), -0.0301217L, 16 * EPSILON);
+  CHECK_NEAR(wide(at[0].g), 0.009727385146L, 16 * EPSILON + 5e-13L);
+  /* The paper's formulas reach the other too, at g < 0. */
+  const paper_t p = paper_of(&params);
+  const real x[3] = {wide(at[1].r), wide(at[1].v), wide(at[1].w)};
+  CHECK(at[1].g < 0);
+  CHECK_NEAR(-paper_sing_kappa(&p, x[0]), p.kappa, 64 * EPSILON);
+  CHECK_NEAR(paper_sing_v(&p, x[0], x[2]), x[1], 64 * EPSILON);
+  CHECK_NEAR(paper_sing_k2(&p, x[0], x[2]), p.k2, 256 * EPSILON);
+}
+
+TEST(numbers_of_the_paper) {
+  const tf_machine_t machine = prepared(&tf_scenes[0]->params);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_place_t at[TF_TWO_FOLDS];
+  int count = 0;
+  tf_two_fold_t n;
+  CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
+  CHECK(tf_normal_form(&machine, &input, &at[0], &n) == TF_OK);
+  const real c2 = wide(n.clock) * wide(n.clock), close = 64 * EPSILON;
+  CHECK_NEAR(wide(n.Kpp) * c2, -0.0023567513838866354L, close * 0.01L);
+  CHECK_NEAR(wide(n.Kpm) * c2, 0.0032510430314189251L, close * 0.01L);
+  CHECK_NEAR(wide(n.Kmp) * c2, -0.0027567704314507111L, close * 0.01L);
+  CHECK_NEAR(wide(n.Kmm) * c2, 0.0028510239838548495L, close * 0.01L);
+  CHECK_NEAR(wide(n.J1), -1.0635141712155655L, close);
+  CHECK_NEAR(wide(n.J2), -1.2541959590469642L, close);
+  CHECK_NEAR(wide(n.J1) * wide(n.J2), 1.3338551759277435L, close);
+  CHECK_NEAR(wide(n.through.value), -0.15432040368L, close + 5e-12L);
+  CHECK_NEAR(wide(n.across.value), -2.16338972658L, close + 5e-12L);
+  CHECK_NEAR(wide(n.through.lambda), 0.094910507L, close + 5e-10L);
+  CHECK_NEAR(wide(n.through.velocity.w) / wide(n.through.velocity.r),
+             -10.2442529L, 16 * close + 5e-8L);
+  CHECK(n.type == TF_FOLDS_INVISIBLE && n.regime == 1);
+  CHECK(n.through.sticks && !n.across.sticks);
+  CHECK(n.across.velocity.r == 0);
+  CHECK_NEAR(wide(n.rest), 0, 16 * EPSILON);
+}
+
+TEST(wish_gives_the_numbers_of_the_paper) {
+  const tf_machine_t machine = prepared(&tf_scenes[0]->params);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_wish_t wish;
+  CHECK(tf_two_fold_wish(&machine, &input, (tf_real_t)PAPER_R_STAR,
+                         (tf_real_t)PAPER_W_STAR, &wish) == TF_OK);
+  CHECK(wish.obstacle == TF_WISH_GRANTED);
+  CHECK_NEAR(wide(wish.kappa), 0.27241153714062027818L, 4 * EPSILON);
+  CHECK_NEAR(wide(wish.k2), 2.2270992253886014441L, 32 * EPSILON);
+  CHECK_NEAR(wide(wish.at.J1), -1.0635141712155655L, 64 * EPSILON);
+  CHECK_NEAR(wide(wish.at.rest), 0, 8 * EPSILON);
+}
+
+TEST(wished_two_folds_are_found_again) {
+  for (int i = 0; i < 5000; i++) {
+    const sample_t c = random_two_fold();
+    const tf_place_t *wanted = &c.wish.at.place;
+    tf_place_t at[TF_TWO_FOLDS];
+    int count = 0, hits = 0;
+    /* A double root is found to the root of the rounding. */
+    const real close = 64 * sqrtl(EPSILON);
+    CHECK(tf_two_folds(&c.machine, &c.input, at, &count, NULL) == TF_OK);
+    for (int j = 0; j < count; j++)
+      hits += fabsl(wide(at[j].r) - wide(wanted->r)) < close &&
+              fabsl(wide(at[j].w) - wide(wanted->w)) < close &&
+              (at[j].g > 0) == (wanted->g > 0);
+    const real edge = c.x[0] * c.x[0] - c.paper.beta * c.paper.beta *
+                                            sinl(c.paper.gamma) *
+                                            sinl(c.paper.gamma);
+    if (fabsl(edge) > 0.01L * c.x[0] * c.x[0] && fabsl(wide(wanted->g)) > 0.01L)
+      CHECK(hits >= 1);
+    CHECK_NEAR(paper_lie(&c.paper, c.x, c.paper.mu, c.s), 0, 1e4L * EPSILON);
+    CHECK_NEAR(paper_lie(&c.paper, c.x, -c.paper.mu, c.s), 0, 1e4L * EPSILON);
+  }
+}
+
+/* w of h_x.f(x, 0) = 0 at one r: the quadratic through three values. */
+static int balanced(const paper_t *p, real r, int s, real w[2]) {
+  real at[3];
+  for (int i = 0; i < 3; i++) {
+    real x[3] = {r, 0, p->omega0 + (real)(i - 1)};
+    x[1] = paper_v_at(p, r, x[2], 0);
+    at[i] = paper_lie(p, x, 0, s);
+  }
+  const real a = (at[2] + at[0]) / 2 - at[1], b = (at[2] - at[0]) / 2;
+  const real square = b * b - 4 * a * at[1];
+  if (fabsl(square) < 1e-3L * (b * b + fabsl(a * at[1]))) return -1;
+  if (square < 0) return 0;
+  for (int i = 0; i < 2; i++)
+    w[i] = p->omega0 + (-b + (i ? -1 : 1) * sqrtl(square)) / (2 * a);
+  return 2;
+}
+
+static real bisected(const paper_t *p, real low, real high, int s) {
+  const bool positive = paper_delassus(p, low, s) > 0;
+  for (int i = 0; i < 80; i++) {
+    const real middle = (low + high) / 2;
+    if ((paper_delassus(p, middle, s) > 0) == positive)
+      low = middle;
+    else
+      high = middle;
+  }
+  return (low + high) / 2;
+}
+
+/* Counts the two-folds of one machine by a search, and those of them that are
+ * in the list; -1 where a double root is too near to tell. */
+static int searched(const paper_t *p, const tf_place_t *list, int listed,
+                    int *hits) {
+  int count = 0;
+  for (int k = 0; k < 4; k++) {
+    const int s = k & 1 ? 1 : -1, side = k & 2 ? 1 : -1;
+    for (real r = 1e-6L; r < 20; r *= 1.02L) {
+      const real low = (real)side * r, high = low * 1.02L;
+      const bool there = paper_delassus(p, low, s) > 0;
+      if (there == (paper_delassus(p, high, s) > 0)) continue;
+      real w[2], x[3] = {bisected(p, low, high, s), 0, 0};
+      const int most = balanced(p, x[0], s, w);
+      if (most < 0) return -1;
+      for (int i = 0; i < most; i++) {
+        x[2] = w[i];
+        x[1] = paper_v_at(p, x[0], w[i], 0);
+        const real g = paper_g(p, x), size = 1 + fabsl(w[i]);
+        if (fabsl(g) < 1e-3L) return -1;
+        if ((g > 0) != (s > 0)) continue;
+        count++;
+        for (int j = 0; j < listed; j++)
+          *hits += fabsl(wide(list[j].r) - x[0]) < 1e3L * EPSILON &&
+                   fabsl(wide(list[j].w) - x[2]) < 1e5L * EPSILON * size &&
+                   fabsl(wide(list[j].g) - g) < 1e5L * EPSILON * size;
+      }
+    }
+  }
+  return count;
+}
+
+TEST(every_two_fold_is_found) {
+  int seen[TF_TWO_FOLDS + 1] = {0};
+  for (int i = 0; i < 400; i++) {
+    const tf_params_t params = random_params();
+    const tf_machine_t machine = prepared(&params);
+    const tf_input_t input = tf_input_default(&machine);
+    const paper_t paper = paper_of(&params);
+    const real edge = paper.kappa * fabsl(cosl(paper.gamma)) -
+                      2 * paper.beta * fabsl(sinl(paper.gamma));
+    if (fabsl(edge) < 0.02L) continue;
+    tf_place_t at[TF_TWO_FOLDS];
+    int count = -1, hits = 0;
+    CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
+    const int want = searched(&paper, at, count, &hits);
+    if (want < 0) continue;
+    CHECK(count == want);
+    CHECK(hits == want);
+    seen[count]++;
+  }
+  printf("# machines with 0, 1, ... two-folds:");
+  for (int i = 0; i <= TF_TWO_FOLDS; i++) printf(" %d", seen[i]);
+  printf("\n");
+  CHECK(seen[0] > 10 && seen[1] + seen[2] > 10 && seen[3] + seen[4] > 10);
+}
+
+TEST(gamma_zero_has_a_continuous_two_fold) {
+  tf_params_t params = tf_scenes[0]->params;
+  for (int turned = 0; turned < 3; turned++) {
+    params.gamma =
+        (tf_real_t)((real)(turned == 2 ? -1 : turned) * 3.14159265358979L);
+    if (turned)
+      params.gamma = turned == 1 ? tf_parameter_ranges[10].high
+                                 : tf_parameter_ranges[10].low;
+    const tf_machine_t machine = prepared(&params);
+    const tf_input_t input = tf_input_default(&machine);
+    const paper_t p = paper_of(&params);
+    tf_place_t at[TF_TWO_FOLDS];
+    int count = 0;
+    CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
+    CHECK(count == 1);
+    const real turn = turned ? -1 : 1, r = turn * (at[0].g > 0 ? -1 : 1);
+    CHECK_NEAR(wide(at[0].r), r * p.kappa, 8 * EPSILON);
+    CHECK_NEAR(wide(at[0].w), p.omega0, 8 * EPSILON);
+    /* The paper's v*, with r* in the place of -kappa. */
+    const real R = r * p.kappa;
+    const real v = (p.d * (p.k2 / p.m * (p.r0 - R) + R * p.omega0 * p.omega0) -
+                    p.c1 / p.m * p.omega0) /
+                   (p.d * p.c2 / p.m + 2 * R * p.omega0);
+    CHECK_NEAR(wide(at[0].v), v, 64 * EPSILON);
+    tf_two_fold_t n;
+    tf_surface_t s;
+    CHECK(tf_normal_form(&machine, &input, &at[0], &n) == TF_OK);
+    CHECK(n.type == TF_FOLDS_CONTINUOUS && n.regime == 0);
+    CHECK_NEAR(wide(n.plus.v), wide(n.minus.v), 64 * EPSILON);
+    CHECK_NEAR(wide(n.plus.w), wide(n.minus.w), 64 * EPSILON);
+    CHECK_NEAR(wide(n.Kpp), wide(n.Kpm), 4096 * EPSILON);
+    CHECK_NEAR(wide(n.Kmp), wide(n.Kmm), 4096 * EPSILON);
+    CHECK(tf_surface_at(&machine, &input, at[0].r, at[0].v, at[0].w, &s) ==
+          TF_OK);
+    CHECK_NEAR(wide(s.plus.v), wide(s.minus.v), 64 * EPSILON);
+    CHECK_NEAR(wide(s.lie_plus), 0, 64 * EPSILON);
+    CHECK_NEAR(wide(s.lie_minus), 0, 64 * EPSILON);
+  }
+}
+
+static tf_lack_t lack_of(const tf_params_t *params, int *count) {
+  const tf_machine_t machine = prepared(params);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_place_t at[TF_TWO_FOLDS];
+  tf_lack_t lack = TF_LACK_NONE;
+  *count = -1;
+  CHECK(tf_two_folds(&machine, &input, at, count, &lack) == TF_OK);
+  return lack;
+}
+
+TEST(gamma_right_has_no_two_fold) {
+  tf_params_t params = tf_scenes[0]->params;
+  int count = -1;
+  for (int i = 0; i < 200; i++) {
+    params.gamma = (tf_real_t)(i & 1 ? PAPER_PI / 2 : -PAPER_PI / 2);
+    params.kappa = uniform(0.001, 5);
+    CHECK(lack_of(&params, &count) == TF_LACK_ARM);
+    CHECK(count == 0);
+    const paper_t p = paper_of(&params);
+    /* The borders of stick are 2 mu / m apart, everywhere. */
+    const tf_machine_t machine = prepared(&params);
+    const tf_input_t input = tf_input_default(&machine);
+    const tf_real_t r = uniform(-1, 1), w = uniform(0, 1);
+    tf_surface_t s;
+    CHECK(tf_surface_at(&machine, &input, r, machine.d * (w - input.omega0), w,
+                        &s) == TF_OK);
+    CHECK_NEAR(wide(s.lie_minus) - wide(s.lie_plus), 2 * p.mu / p.m,
+               1024 * EPSILON);
+  }
+}
+
+TEST(machines_without_two_folds_say_why) {
+  tf_params_t params = tf_scenes[0]->params;
+  int count = -1;
+  CHECK(lack_of(&params, &count) == TF_LACK_NONE && count == 2);
+  params.mu = 0;
+  CHECK(lack_of(&params, &count) == TF_LACK_LAW && count == 0);
+  params = tf_scenes[0]->params;
+  params.law = TF_TYRE_COULOMB;
+  CHECK(lack_of(&params, &count) == TF_LACK_MOMENT && count == 0);
+  params.law = TF_TYRE_NONE;
+  CHECK(lack_of(&params, &count) == TF_LACK_LAW && count == 0);
+  params = tf_scenes[0]->params;
+  params.kappa = TF_R(0.0999); /* 2 beta tan(gamma) = 0.1 */
+  CHECK(lack_of(&params, &count) == TF_LACK_ARM && count == 0);
+  params.kappa = TF_R(0.1001);
+  CHECK(lack_of(&params, &count) != TF_LACK_ARM);
+  bool seen = false;
+  for (int i = 0; i < 1000 && !seen; i++) {
+    params = random_params();
+    seen = lack_of(&params, &count) == TF_LACK_BALANCE;
+    CHECK(!seen || count == 0);
+  }
+  CHECK(seen);
+  const tf_machine_t machine = prepared(&params);
+  tf_input_t input = tf_input_default(&machine);
+  tf_place_t at[TF_TWO_FOLDS];
+  input.torque = (tf_real_t)NAN;
+  count = 77;
+  CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_BAD_STATE);
+  CHECK(count == 77);
+}
+
+static unsigned obstacle(const tf_params_t *params, double r, double w) {
+  const tf_machine_t machine = prepared(params);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_wish_t wish;
+  const tf_status_t status =
+      tf_two_fold_wish(&machine, &input, (tf_real_t)r, (tf_real_t)w, &wish);
+  CHECK((status == TF_OK) == (wish.obstacle == TF_WISH_GRANTED));
+  CHECK(status == TF_OK || status == TF_BAD_PARAMETER);
+  CHECK((wish.at.clock > 0) ==
+        (wish.obstacle == TF_WISH_GRANTED || wish.obstacle >= TF_WISH_KAPPA));
+  return wish.obstacle;
+}
+
+TEST(wishes_that_cannot_be_granted_say_why) {
+  tf_params_t params = tf_scenes[0]->params;
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GRANTED);
+  CHECK(obstacle(&params, 0, -1.037) == TF_WISH_R);
+  CHECK(obstacle(&params, NAN, -1.037) == TF_WISH_R);
+  CHECK(obstacle(&params, 2e9, -1.037) == TF_WISH_R);
+  CHECK(obstacle(&params, 0.1859, -1) == TF_WISH_OMEGA);
+  CHECK(obstacle(&params, 0.1859, NAN) == TF_WISH_OMEGA);
+  CHECK(obstacle(&params, (double)params.r0, -1.037) == TF_WISH_SPRING);
+  CHECK(obstacle(&params, 0.1859, 1) == TF_WISH_KAPPA); /* g < 0 there */
+  CHECK(obstacle(&params, 0.05, -2.5) == TF_WISH_K2);
+  params.gamma = 0;
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GAMMA);
+  params.gamma = (tf_real_t)(PAPER_PI / 2);
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GAMMA);
+  params = tf_scenes[0]->params;
+  params.law = TF_TYRE_COULOMB;
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_LAW);
+  const tf_machine_t machine = prepared(&params);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_two_fold_t n, before;
+  memset(&n, 77, sizeof n);
+  before = n;
+  tf_place_t place = {TF_R(0.2), 0, 0, 0};
+  CHECK(tf_normal_form(&machine, &input, &place, &n) == TF_BAD_STATE);
+  place.g = 1;
+  place.r = 0;
+  CHECK(tf_normal_form(&machine, &input, &place, &n) == TF_BAD_STATE);
+  place.r = (tf_real_t)NAN;
+  CHECK(tf_normal_form(&machine, &input, &place, &n) == TF_BAD_STATE);
+  params.law = TF_TYRE_SMOOTH;
+  params.epsilon = 1;
+  const tf_machine_t smooth = prepared(&params);
+  place.r = 1;
+  CHECK(tf_normal_form(&smooth, &input, &place, &n) == TF_BAD_PARAMETER);
+  CHECK(!memcmp(&n, &before, sizeof n));
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(reasons_and_types_have_names);
+  RUN(two_fold_of_the_paper_is_found);
+  RUN(numbers_of_the_paper);
+  RUN(wish_gives_the_numbers_of_the_paper);
+  RUN(wished_two_folds_are_found_again);
+  RUN(every_two_fold_is_found);
+  RUN(gamma_zero_has_a_continuous_two_fold);
+  RUN(gamma_right_has_no_two_fold);
+  RUN(machines_without_two_folds_say_why);
+  RUN(wishes_that_cannot_be_granted_say_why);
+  return tap_end();
+}

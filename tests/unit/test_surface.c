@@ -1,0 +1,239 @@
+/* Regions of h = 0 and the field along it, against the paper in long double
+ * and its rescaled time, at random points of random machines. */
+#include "sample.h"
+
+/* A machine, a point of its surface and what the core sees there. */
+typedef struct {
+  tf_params_t params;
+  tf_machine_t machine;
+  tf_input_t input;
+  paper_t paper;
+  real x[3], clock;
+  int s;
+  real bulk; /* sum of the magnitudes that h' is made of [m/s^2] */
+  tf_surface_t at;
+} look_t;
+
+/* Rounding of h' is so many EPSILON of the sum of its parts. */
+static real bulk_of(const look_t *c) {
+  const paper_t *p = &c->paper;
+  const real r = fabsl(c->x[0]), v = fabsl(c->x[1]), w = fabsl(c->x[2]);
+  const real z = w + fabsl(p->omega0), d = fabsl(p->d);
+  const real Q_r = p->k2 * (fabsl(p->r0) + r) + p->c2 * v + p->m * r * w * w +
+                   p->mu + fabsl(wide(c->input.force));
+  const real Q_phi = p->c1 * w + 2 * p->m * r * v * w +
+                     p->mu * (r + d + p->kappa) + fabsl(wide(c->input.torque));
+  const real z_rate =
+      (Q_phi + d * Q_r) / c->clock + fabsl(wide(c->input.alpha));
+  return Q_r / p->m + (d + r) * z_rate + (v + d * z) * z;
+}
+
+static look_t random_look(void) {
+  look_t c;
+  memset(&c, 0, sizeof c);
+  c.params = tf_scenes[0]->params;
+  c.params.d = uniform(-2, 2);
+  c.params.beta = uniform(0.02, 0.3);
+  c.params.kappa = uniform(0.01, 1);
+  c.params.omega0 = uniform(-2, 2);
+  do c.params.gamma = uniform(-3.14, 3.14);
+  while (fabs(sin((double)c.params.gamma)) < 0.05);
+  CHECK(tf_prepare(&c.machine, &c.params, NULL) == TF_OK);
+  c.paper = paper_of(&c.params);
+  c.input = tf_input_default(&c.machine);
+  tf_real_t r = uniform(-0.5, 0.5), w = uniform(-3, 3), v = 0;
+  CHECK(tf_speed_for_slip(&c.machine, r, w, c.input.omega0, 0, &v) == TF_OK);
+  c.x[0] = wide(r);
+  c.x[1] = wide(v);
+  c.x[2] = wide(w);
+  c.clock = c.paper.m * (c.paper.beta * c.paper.beta + c.x[0] * c.x[0]);
+  CHECK(tf_surface_at(&c.machine, &c.input, r, v, w, &c.at) == TF_OK);
+  c.s = paper_g(&c.paper, c.x) > 0 ? 1 : -1;
+  c.bulk = bulk_of(&c);
+  return c;
+}
+
+static void near_rate(const tf_rate_t *got, const real want[3], real scale,
+                      real tolerance) {
+  CHECK_NEAR(wide(got->r), want[0] * scale, tolerance);
+  CHECK_NEAR(wide(got->v), want[1] * scale, tolerance);
+  CHECK_NEAR(wide(got->w), want[2] * scale, tolerance);
+}
+
+TEST(region_names_are_the_contract) {
+  static const char *const names[] = {"sliding",      "escaping",
+                                      "crossing_up",  "crossing_down",
+                                      "codimension2", "unknown"};
+  for (unsigned i = 0; i <= TF_REGIONS; i++)
+    CHECK(!strcmp(tf_region_name(i), names[i]));
+}
+
+TEST(lie_derivatives_against_the_paper) {
+  for (int i = 0; i < 20000; i++) {
+    const look_t c = random_look();
+    const real mu = c.paper.mu, close = 32 * EPSILON * c.bulk;
+    CHECK_NEAR(wide(c.at.lie_plus), paper_lie(&c.paper, c.x, mu, c.s) / c.clock,
+               close);
+    CHECK_NEAR(wide(c.at.lie_minus),
+               paper_lie(&c.paper, c.x, -mu, c.s) / c.clock, close);
+    CHECK_NEAR(wide(c.at.delassus), paper_delassus(&c.paper, c.x[0], c.s),
+               close);
+    CHECK(fabsl(wide(c.at.slip.h)) <= 8 * EPSILON * c.bulk);
+    /* An accelerating turntable moves the surface, not the machine. */
+    tf_input_t driven = c.input;
+    tf_surface_t at;
+    driven.alpha = uniform(-2, 2);
+    CHECK(tf_surface_at(&c.machine, &driven, (tf_real_t)c.x[0],
+                        (tf_real_t)c.x[1], (tf_real_t)c.x[2], &at) == TF_OK);
+    const real moved = wide(driven.alpha) * (c.x[0] * cosl(c.paper.gamma) -
+                                             c.paper.d * sinl(c.paper.gamma));
+    CHECK_NEAR(wide(at.lie_plus) - wide(c.at.lie_plus), moved,
+               64 * EPSILON * (c.bulk + 5));
+    CHECK_NEAR(wide(at.plus.w), wide(c.at.plus.w),
+               64 * EPSILON * (1 + c.bulk) / c.clock);
+  }
+}
+
+TEST(sliding_field_against_the_paper) {
+  int seen = 0;
+  for (int i = 0; i < 20000; i++) {
+    const look_t c = random_look();
+    const real mu = c.paper.mu, A = fabsl(wide(c.at.delassus));
+    real f[3];
+    paper_f(&c.paper, c.x, mu, c.s, f);
+    near_rate(&c.at.plus, f, 1 / c.clock,
+              64 * EPSILON * (c.bulk + 1) / c.clock);
+    paper_f(&c.paper, c.x, -mu, c.s, f);
+    near_rate(&c.at.minus, f, 1 / c.clock,
+              64 * EPSILON * (c.bulk + 1) / c.clock);
+    if (c.at.region > TF_REGION_ESCAPING) {
+      CHECK(c.at.stick.r == 0 && c.at.stick.v == 0 && c.at.stick.w == 0);
+      continue;
+    }
+    /* lambda = N / A carries what N and A lose of their digits. */
+    const real lost = 64 * EPSILON * (c.bulk + 1) * (1 + mu / A);
+    if (lost / A > 0.01L) continue;
+    CHECK(c.at.lambda_is_given);
+    CHECK_NEAR(wide(c.at.lambda), paper_lambda(&c.paper, c.x, c.s), lost / A);
+    paper_stick(&c.paper, c.x, c.s, f);
+    near_rate(&c.at.stick, f, 1, lost * (1 + 1 / A) * 4 / c.clock);
+    seen++;
+  }
+  CHECK(seen > 2000);
+}
+
+/* The slip law a hair off h = 0 knows nothing of lambda, A or the regions. */
+TEST(regions_are_what_slip_does) {
+  int count[TF_REGIONS] = {0};
+  for (int i = 0; i < 20000; i++) {
+    const look_t c = random_look();
+    const real g = paper_g(&c.paper, c.x);
+    real F, M, f[3], n[3], lie[2];
+    paper_h_x(&c.paper, c.x, n);
+    for (int side = 0; side < 2; side++) {
+      paper_friction(&c.paper, side ? -1e-30L : 1e-30L, g, &F, &M);
+      paper_rhs_time(&c.paper, c.x, F, M, f);
+      lie[side] = n[0] * f[0] + n[1] * f[1] + n[2] * f[2];
+    }
+    const real close = 64 * EPSILON * c.bulk;
+    if (fabsl(lie[0]) < close || fabsl(lie[1]) < close) continue;
+    const tf_region_t want =
+        lie[0] > 0   ? lie[1] > 0 ? TF_REGION_UP : TF_REGION_ESCAPING
+        : lie[1] > 0 ? TF_REGION_SLIDING
+                     : TF_REGION_DOWN;
+    CHECK(c.at.region == want);
+    count[c.at.region]++;
+    const bool holds = fabsl(wide(c.at.lambda)) <= c.paper.mu;
+    CHECK(holds == (c.at.region <= TF_REGION_ESCAPING));
+    if (c.at.region == TF_REGION_SLIDING) CHECK(c.at.delassus > 0);
+    if (c.at.region == TF_REGION_ESCAPING) CHECK(c.at.delassus < 0);
+  }
+  for (int i = 0; i <= TF_REGION_DOWN; i++) CHECK(count[i] > 100);
+}
+
+/* (slidRescale) as printed is h_x.f_lambda times (svf), and h_x.f_lambda < 0
+ * in a sliding region: it leads backwards there, not forwards as the text
+ * says. `scaled` has the sign turned. */
+TEST(rescaled_field_is_regular_at_the_two_fold) {
+  int both[2] = {0};
+  for (int i = 0; i < 20000; i++) {
+    const look_t c = random_look();
+    real f0[3], f1[3], printed[3];
+    paper_f(&c.paper, c.x, 0, c.s, f0);
+    paper_f(&c.paper, c.x, 1, c.s, f1);
+    const real N = paper_lie(&c.paper, c.x, 0, c.s);
+    const real L = paper_lie(&c.paper, c.x, 1, c.s) - N;
+    for (int j = 0; j < 3; j++) printed[j] = L * f0[j] - N * (f1[j] - f0[j]);
+    const real size = (c.bulk + 1) * (c.bulk + 1) / c.clock;
+    near_rate(&c.at.scaled, printed, -1 / (c.clock * c.clock),
+              64 * EPSILON * size);
+    if (c.at.region > TF_REGION_ESCAPING) continue;
+    const real along = wide(c.at.scaled.r) * wide(c.at.stick.r);
+    if (fabsl(along) > 0) {
+      CHECK((along > 0) == (c.at.region == TF_REGION_SLIDING));
+      both[c.at.region]++;
+    }
+  }
+  CHECK(both[0] > 100 && both[1] > 100);
+  tf_machine_t machine;
+  tf_surface_t at;
+  CHECK(tf_prepare(&machine, &tf_scenes[0]->params, NULL) == TF_OK);
+  const tf_input_t input = tf_input_default(&machine);
+  CHECK(tf_surface_at(&machine, &input, (tf_real_t)PAPER_R_STAR,
+                      (tf_real_t)-0.0301217L, (tf_real_t)PAPER_W_STAR,
+                      &at) == TF_OK);
+  const real none[3] = {0, 0, 0};
+  near_rate(&at.scaled, none, 1, 1e4L * EPSILON);
+  CHECK(fabsl(wide(at.plus.w)) > 0.1L && fabsl(wide(at.minus.w)) > 0.1L);
+}
+
+TEST(surface_refuses_what_it_cannot_see) {
+  tf_machine_t machine;
+  tf_params_t params = tf_scenes[0]->params;
+  tf_surface_t at;
+  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
+  tf_input_t input = tf_input_default(&machine);
+  /* w = omega0 on the surface: h = g = 0 */
+  CHECK(tf_surface_at(&machine, &input, TF_R(0.2), 0, -1, &at) == TF_OK);
+  CHECK(at.region == TF_REGION_CORNER && !at.lambda_is_given);
+  CHECK(at.lie_plus == 0 && at.plus.w == 0 && at.delassus == 0);
+  memset(&at, 77, sizeof at);
+  const tf_surface_t before = at;
+  const tf_real_t nan = (tf_real_t)NAN, big = 2 * TF_STATE_LIMIT;
+  CHECK(tf_surface_at(&machine, &input, nan, 0, 0, &at) == TF_BAD_STATE);
+  CHECK(tf_surface_at(&machine, &input, 0, big, 0, &at) == TF_BAD_STATE);
+  input.force = nan;
+  CHECK(tf_surface_at(&machine, &input, 0, 0, 0, &at) == TF_BAD_STATE);
+  input = tf_input_default(&machine);
+  params.law = TF_TYRE_NONE;
+  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
+  CHECK(tf_surface_at(&machine, &input, 0, 0, 0, &at) == TF_BAD_PARAMETER);
+  CHECK(!memcmp(&at, &before, sizeof at));
+  /* The heaviest spring, stretched to the limit, on the lightest slider. */
+  params = tf_scenes[0]->params;
+  params.m = TF_R(1e-12);
+  params.k2 = TF_R(1e15);
+  params.beta = TF_R(1e-9);
+  params.d = TF_R(1e6);
+  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
+  const tf_status_t status =
+      tf_surface_at(&machine, &input, TF_R(1e-9), TF_R(9e8), 0, &at);
+  CHECK(status == (sizeof(tf_real_t) == 4 ? TF_BAD_STATE : TF_OK));
+  /* Without a moment h = g = 0 is no corner. */
+  params = tf_scenes[0]->params;
+  params.law = TF_TYRE_COULOMB;
+  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
+  CHECK(tf_surface_at(&machine, &input, TF_R(0.2), 0, -1, &at) == TF_OK);
+  CHECK(at.region == TF_REGION_SLIDING && at.delassus > 0);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(region_names_are_the_contract);
+  RUN(lie_derivatives_against_the_paper);
+  RUN(sliding_field_against_the_paper);
+  RUN(regions_are_what_slip_does);
+  RUN(rescaled_field_is_regular_at_the_two_fold);
+  RUN(surface_refuses_what_it_cannot_see);
+  return tap_end();
+}
