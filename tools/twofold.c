@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "cli/analysis.h"
 #include "cli/help.h"
 #include "cli/host.h"
 #include "cli/run.h"
@@ -15,6 +16,10 @@ static const struct {
 } commands[] = {
     {"scenes", cli_scenes},
     {"run", cli_run},
+    {"singularities", cli_singularities},
+    {"regions", cli_regions},
+    {"design", cli_design},
+    {"atlas", cli_atlas},
     {"help", cli_help},
 };
 #define COMMANDS (sizeof commands / sizeof commands[0])
@@ -55,7 +60,8 @@ int main(int argc, char *argv[]) {
     return cli_version();
   }
   if (asks_for_help(argc - 2, argv + 2)) {
-    const int has_page = strcmp(name, "run") == 0;
+    const int has_page =
+        strcmp(name, "run") == 0 || cli_analysis_page(name) != NULL;
     return cli_help(has_page, argv + 1);
   }
   for (size_t i = 0; i < COMMANDS; i++) {

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "analysis.h"
 #include "setup.h"
 #include "text.h"
 
@@ -20,7 +21,11 @@ static const char usage[] =
     "\n"
     "  scenes             list the scenes\n"
     "  run SCENE [...]    simulate a scene, one row an instant\n"
-    "  help [run]         this text, or the options of run\n"
+    "  singularities SCENE  every two-fold, as JSON\n"
+    "  regions SCENE ...  sliding, escaping, crossing: a grid of (r, omega)\n"
+    "  design SCENE ...   kappa and k2 that put a two-fold at (r, omega)\n"
+    "  atlas SCENE ...    which wished (r, omega) make a Teixeira singularity\n"
+    "  help [COMMAND]     this text, or the options of a command\n"
     "  --version          version and number type\n"
     "\n"
     "exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped\n";
@@ -95,6 +100,11 @@ int cli_help(int argc, char *const argv[]) {
   if (argc == 1 && strcmp(argv[0], "run") == 0) {
     (void)fputs(run_usage, stdout);
     print_names();
+    return cli_finish_stdout();
+  }
+  const char *page = argc == 1 ? cli_analysis_page(argv[0]) : NULL;
+  if (page != NULL) {
+    (void)fputs(page, stdout);
     return cli_finish_stdout();
   }
   return cli_complain(CLI_USAGE,

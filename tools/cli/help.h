@@ -3,7 +3,7 @@
 #ifndef TWOFOLD_CLI_HELP_H
 #define TWOFOLD_CLI_HELP_H
 
-/// `twofold help [run]`.
+/// `twofold help [COMMAND]`.
 /// Returns: CLI_DONE, CLI_STOPPED (not writable) or CLI_USAGE (complained).
 int cli_help(int argc, char *const argv[]);
 

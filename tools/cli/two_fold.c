@@ -1,0 +1,123 @@
+// A two-fold as JSON. Numbers are the shortest decimals that read back to the
+// same bits; all of them are finite, for the core refuses what is not.
+
+#include <string.h>
+
+#include "analysis.h"
+#include "text.h"
+
+void cli_add(cli_text_t *text, const char *what) {
+  const size_t length = strlen(what);
+  if (length >= text->room - text->used) {
+    text->cut = true;
+    return;
+  }
+  memcpy(text->text + text->used, what, length + 1);
+  text->used += length;
+}
+
+void cli_add_real(cli_text_t *text, tf_real_t value) {
+  char digits[CLI_REAL_ROOM];
+  (void)cli_write_real(digits, value);
+  cli_add(text, digits);
+}
+
+// "name": value
+static void add_pair(cli_text_t *text, const char *name, tf_real_t value) {
+  cli_add(text, "\"");
+  cli_add(text, name);
+  cli_add(text, "\": ");
+  cli_add_real(text, value);
+}
+
+// A line of pairs; more says that the object goes on.
+static void add_pairs(cli_text_t *text, const char *margin,
+                      const char *const *names, const tf_real_t *values,
+                      int count) {
+  cli_add(text, margin);
+  cli_add(text, "  ");
+  for (int i = 0; i < count; i++) {
+    add_pair(text, names[i], values[i]);
+    cli_add(text, i + 1 < count ? ", " : ",\n");
+  }
+}
+
+static void add_K(cli_text_t *text, const tf_two_fold_t *at, tf_real_t scale) {
+  static const char *const names[] = {"K++", "K+-", "K-+", "K--"};
+  const tf_real_t values[] = {at->Kpp, at->Kpm, at->Kmp, at->Kmm};
+  for (int i = 0; i < 4; i++) {
+    add_pair(text, names[i], scale * values[i]);
+    cli_add(text, i < 3 ? ", " : "");
+  }
+}
+
+static void add_direction(cli_text_t *text, const tf_direction_t *ray) {
+  cli_add(text, "{");
+  add_pair(text, "eigenvalue", ray->value);
+  cli_add(text, ", \"velocity\": [");
+  cli_add_real(text, ray->velocity.r);
+  cli_add(text, ", ");
+  cli_add_real(text, ray->velocity.v);
+  cli_add(text, ", ");
+  cli_add_real(text, ray->velocity.w);
+  cli_add(text, "], \"lambda\": ");
+  if (ray->sticks) {
+    cli_add_real(text, ray->lambda);
+  } else {
+    cli_add(text, "null");
+  }
+  cli_add(text, ray->sticks ? ", \"sticks\": true}" : ", \"sticks\": false}");
+}
+
+void cli_add_two_fold(cli_text_t *text, const tf_two_fold_t *at,
+                      const char *margin) {
+  static const char *const place_names[] = {"r", "v", "omega", "g"};
+  static const char *const form_names[] = {"J1", "J2"};
+  static const char *const cases[] = {"null", "1", "2", "3"};
+  const tf_real_t place[] = {at->place.r, at->place.v, at->place.w,
+                             at->place.g};
+  const tf_real_t form[] = {at->J1, at->J2};
+  const bool through_first = at->through.value > at->across.value;
+  const tf_direction_t *first = through_first ? &at->through : &at->across;
+  const tf_direction_t *second = through_first ? &at->across : &at->through;
+  cli_add(text, margin);
+  cli_add(text, "{\n");
+  add_pairs(text, margin, place_names, place, 4);
+  cli_add(text, margin);
+  cli_add(text, "  ");
+  add_K(text, at, at->clock * at->clock);
+  cli_add(text, ",\n");
+  add_pairs(text, margin, form_names, form, 2);
+  cli_add(text, margin);
+  cli_add(text, "  \"eigenvalues\": [");
+  cli_add_real(text, first->value);
+  cli_add(text, ", ");
+  cli_add_real(text, second->value);
+  cli_add(text, "],\n");
+  cli_add(text, margin);
+  cli_add(text, "  \"directions\": [\n    ");
+  cli_add(text, margin);
+  add_direction(text, first);
+  cli_add(text, ",\n    ");
+  cli_add(text, margin);
+  add_direction(text, second);
+  cli_add(text, "],\n");
+  cli_add(text, margin);
+  cli_add(text, "  \"type\": \"");
+  cli_add(text, tf_folds_name(at->type));
+  cli_add(text, "\", \"case\": ");
+  cli_add(text, cases[at->regime]);
+  cli_add(text, ",\n");
+  cli_add(text, margin);
+  cli_add(text, "  ");
+  add_pair(text, "clock", at->clock);
+  cli_add(text, ", ");
+  add_pair(text, "rest", at->rest);
+  cli_add(text, ",\n");
+  cli_add(text, margin);
+  cli_add(text, "  \"physical\": {");
+  add_K(text, at, 1);
+  cli_add(text, "}\n");
+  cli_add(text, margin);
+  cli_add(text, "}");
+}
