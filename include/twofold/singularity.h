@@ -21,7 +21,8 @@ typedef struct {
   tf_real_t g; ///< rolling speed, never 0 [m/s]
 } tf_place_t;
 
-/// Most two-folds of a machine: two r, two g for each, two signs of g.
+/// Most two-folds of a machine: two r, two g for each, two signs of g. Few have
+/// so many; the paper's has two.
 #define TF_TWO_FOLDS 8
 
 /// Why a machine has no two-fold; the first that applies.
@@ -60,6 +61,7 @@ TF_API const char *tf_lack_name(unsigned lack);
 /// Cost: 4 square roots, 30 divisions, 400 operations. Stack: 384 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: every_two_fold_is_found, two_fold_of_the_paper_is_found,
+///   a_machine_may_have_eight_two_folds,
 ///   gamma_zero_has_a_continuous_two_fold, gamma_right_has_no_two_fold,
 ///   machines_without_two_folds_say_why
 #define tf_two_folds TF_LINK(tf_two_folds)

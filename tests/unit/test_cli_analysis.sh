@@ -162,6 +162,19 @@ test_regions() {
     NR > 1 && $3 == "sliding" && $5 <= 0 { bad = 1 }
     NR > 1 && $3 == "escaping" && $5 >= 0 { bad = 1 } END { exit bad }' out
   result $? 'stick is where lambda is within mu'
+  # A run that begins there has the futures of its region.
+  run regions chaos --r 0.11:0.31:5 --omega -1.4:-0.8:8
+  sed 1d out > grid
+  while IFS=, read -r r omega region _; do
+    run run chaos --t-end 0 --set h=0 --set "r=$r" --set "omega=$omega"
+    case $region,$(sed -n 2p out | cut -d , -f 9,10) in
+      sliding,stick?,1 | escaping,*,3 | crossing_up,slip+,1) ;;
+      crossing_down,slip-,1) ;;
+      *) equal "r = $r, omega = $omega" "$(sed -n 2p out)" "$region" ;;
+    esac
+  done < grid
+  equal 'regions are what a run begins with' "$(sed -n '$p' grid |
+    cut -d , -f 1,2)" "$(sed -n 2p out | cut -d , -f 2,4)"
   run regions coulomb --r 0:1:3 --omega -1:1:3
   check 'coulomb never escapes' test "$(grep -c escaping out)" -eq 0
   run regions chaos --r 0.2:0.2:1 --omega -1.1:-1.1:1 --out one.csv

@@ -184,6 +184,41 @@ TEST(every_two_fold_is_found) {
   CHECK(seen[0] > 10 && seen[1] + seen[2] > 10 && seen[3] + seen[4] > 10);
 }
 
+/* The paper finds at most four, and one of them without determinism. That is so
+ * for its machine; this one has eight, and two of case 1. */
+TEST(a_machine_may_have_eight_two_folds) {
+  tf_params_t params = tf_scenes[0]->params;
+  params.d = TF_R(0.01);
+  params.beta = TF_R(0.139);
+  params.kappa = TF_R(0.77);
+  params.k2 = TF_R(0.46);
+  params.r0 = TF_R(0.03);
+  params.omega0 = TF_R(1.82);
+  params.mu = TF_R(0.78);
+  params.c1 = TF_R(0.023);
+  params.c2 = TF_R(0.01);
+  params.gamma = TF_R(1.069);
+  const tf_machine_t machine = prepared(&params);
+  const tf_input_t input = tf_input_default(&machine);
+  const paper_t paper = paper_of(&params);
+  tf_place_t at[TF_TWO_FOLDS];
+  int count = 0, hits = 0, first_cases = 0;
+  CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
+  CHECK(count == 8);
+  CHECK(searched(&paper, at, count, &hits) == 8);
+  CHECK(hits == 8);
+  for (int i = 0; i < count; i++) {
+    const real x[3] = {wide(at[i].r), wide(at[i].v), wide(at[i].w)};
+    const int s = at[i].g > 0 ? 1 : -1;
+    tf_two_fold_t n;
+    CHECK_NEAR(paper_lie(&paper, x, paper.mu, s), 0, 256 * EPSILON);
+    CHECK_NEAR(paper_lie(&paper, x, -paper.mu, s), 0, 256 * EPSILON);
+    CHECK(tf_normal_form(&machine, &input, &at[i], &n) == TF_OK);
+    first_cases += n.regime == 1;
+  }
+  CHECK(first_cases == 2);
+}
+
 TEST(gamma_zero_has_a_continuous_two_fold) {
   tf_params_t params = tf_scenes[0]->params;
   for (int turned = 0; turned < 3; turned++) {
@@ -346,6 +381,7 @@ int main(int argc, char **argv) {
   RUN(wish_gives_the_numbers_of_the_paper);
   RUN(wished_two_folds_are_found_again);
   RUN(every_two_fold_is_found);
+  RUN(a_machine_may_have_eight_two_folds);
   RUN(gamma_zero_has_a_continuous_two_fold);
   RUN(gamma_right_has_no_two_fold);
   RUN(machines_without_two_folds_say_why);
