@@ -8,17 +8,22 @@
 
 #include "twofold/compensated.h"
 #include "twofold/ensemble.h"
+#include "twofold/frame.h"
 #include "twofold/friction.h"
+#include "twofold/link.h"
 #include "twofold/locate.h"
 #include "twofold/machine.h"
 #include "twofold/real.h"
 #include "twofold/scene.h"
 #include "twofold/select.h"
+#include "twofold/session.h"
 #include "twofold/singularity.h"
 #include "twofold/status.h"
 #include "twofold/step.h"
 #include "twofold/surface.h"
+#include "twofold/telemetry.h"
 #include "twofold/tyre.h"
+#include "twofold/wire.h"
 
 #define TF_VERSION "0.1.0"
 

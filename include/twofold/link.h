@@ -1,0 +1,116 @@
+/// @file
+/// The uplink: commands that come over a line, applied at the boundary between
+/// two steps. A program that never calls these functions has none of them: its
+/// parameters cannot be changed from outside.
+///
+/// Bytes go in by tf_link_receive whenever they come. A whole, valid command
+/// waits in a queue until tf_link_boundary finds that its tick has come. Its
+/// answer waits there too, until tf_link_answer has been asked for it, so
+/// memory is bounded and no answer is lost; a command that finds the queue full
+/// is counted and gets none.
+///
+///   for each byte that came:          tf_link_receive(&link, byte);
+///   at a tick, before the step:       tf_link_boundary(&link, &session);
+///   while the line has room:          n = tf_link_answer(&link, wire, &seq);
+#ifndef TWOFOLD_LINK_H
+#define TWOFOLD_LINK_H
+
+#include "twofold/frame.h"
+#include "twofold/session.h"
+#include "twofold/telemetry.h"
+
+/// Commands that wait, or whose answers do.
+#define TF_LINK_QUEUE 4
+/// How far ahead a command may be dated [steps].
+#define TF_LINK_AHEAD 65536
+/// Longest payload of a command: TF_UP_RESTORE.
+#define TF_UP_PAYLOAD (8 + TF_STATE_BYTES)
+/// Longest payload of an answer.
+#define TF_ANSWER_BYTES (5 + 3 * TF_REAL_BYTES)
+
+/// Codes of an answer, beside tf_status_t.
+typedef enum {
+  TF_ANSWER_DONE = 0,      ///< it took effect
+  TF_ANSWER_UNKNOWN = -16, ///< no such type of command
+  TF_ANSWER_LENGTH = -17,  ///< its payload is too long or too short
+  TF_ANSWER_EMPTY = -18,   ///< nothing was saved that could be restored
+  TF_ANSWER_FAR = -19      ///< dated too far ahead
+} tf_answer_code_t;
+
+/// A command and what became of it.
+typedef struct {
+  uint64_t tick; ///< not before; once done: of the state that it found
+  uint16_t sequence;
+  uint8_t type, length;
+  int8_t code; ///< tf_answer_code_t or tf_status_t
+  bool done;
+  uint8_t index;   ///< of a parameter
+  tf_real_t value; ///< of a parameter, as it is in effect
+  uint8_t payload[TF_UP_PAYLOAD];
+} tf_command_t;
+
+typedef struct {
+  const tf_scene_t *scene;
+  tf_params_t params; ///< in effect
+  tf_state_t saved;
+  bool has_saved;
+  bool describe;    ///< schema and layouts are to be sent (again); the program
+                    ///< clears it
+  uint8_t waiting;  ///< entries of the queue in use, in order of arrival
+  uint32_t ignored; ///< commands without an answer: queue full, or cleared
+  tf_decoder_t decoder;
+  tf_command_t queue[TF_LINK_QUEUE];
+  uint8_t buffer[TF_DECODER_ROOM(TF_UP_PAYLOAD)];
+} tf_link_t;
+
+/// Prepares a link.
+/// Scheme: none.
+/// link: out; it keeps a pointer into itself, so it must not move.
+/// scene: kept, for TF_UP_RESET. params: in, those of the session's machine.
+/// Returns: nothing.
+/// Cost: one copy of params. Stack: 64 B.
+/// Memory: caller's, reentrant.
+/// Claims: set_parameter_is_validated_and_answered
+#define tf_link_open TF_LINK(tf_link_open)
+TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
+                         const tf_params_t *params);
+
+/// Takes one byte from the line. Any byte at any time is allowed.
+/// Scheme: none.
+/// link: in/out. byte: in.
+/// Returns: nothing.
+/// Cost: tf_decoder_push, and a copy of a command at its end. Stack: 256 B.
+/// Memory: caller's; not reentrant for the same link: an interrupt handler
+///   should put the byte into a queue of its own.
+/// Claims: uplink_flood_changes_nothing, no_byte_changes_a_parameter_by_itself
+#define tf_link_receive TF_LINK(tf_link_receive)
+TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
+
+/// Applies the commands whose tick has come, in order of arrival.
+/// Scheme: none.
+/// link, session: in/out. A command that is refused changes neither.
+/// Returns: how many took effect.
+/// Cost: TF_LINK_QUEUE commands at most, the longest tf_prepare or
+///   tf_session_start; none: 10 operations. Stack: 768 B.
+/// Memory: caller's, no overlap.
+/// Claims: set_parameter_takes_effect_only_at_the_boundary,
+///   set_parameter_is_validated_and_answered, inputs_act_at_their_tick,
+///   snapshot_and_restore_continue_bit_for_bit, start_stop_reset_and_rule
+#define tf_link_boundary TF_LINK(tf_link_boundary)
+TF_API unsigned tf_link_boundary(tf_link_t *link, tf_session_t *session);
+
+/// Makes the frame of the next answer and forgets the command.
+/// Scheme: none.
+/// link: in/out.
+/// wire: out, TF_FRAME_SIZE(TF_ANSWER_BYTES).
+/// sequence: in/out, of the frames that go down.
+/// Returns: bytes of the frame; 0 where no answer waits (wire untouched).
+/// Cost: 20 operations a byte, and a move of the queue. Stack: 256 B.
+/// Memory: caller's, no overlap.
+/// Claims: set_parameter_is_validated_and_answered,
+///   uplink_flood_changes_nothing, documented_frames_decode
+#define tf_link_answer TF_LINK(tf_link_answer)
+TF_API size_t tf_link_answer(tf_link_t *link, uint8_t *wire,
+                             uint16_t *sequence);
+
+#endif

@@ -1,0 +1,202 @@
+/// @file
+/// What a machine tells over a line: the payloads of the frames that go down,
+/// from the board to the host. docs/PROTOCOL.md has them byte by byte. Each
+/// function makes one whole frame and knows nothing of a line; a program links
+/// those that it calls.
+#ifndef TWOFOLD_TELEMETRY_H
+#define TWOFOLD_TELEMETRY_H
+
+#include "twofold/frame.h"
+#include "twofold/machine.h"
+#include "twofold/step.h"
+#include "twofold/wire.h"
+
+/// Types of frames. Below 0x40 they go down, from there on up.
+typedef enum {
+  TF_DOWN_SCHEMA = 0x01,    ///< what runs, and in which numbers
+  TF_DOWN_LAYOUT = 0x02,    ///< names, types, scales, units of one payload
+  TF_DOWN_STATE = 0x03,     ///< the state, whole
+  TF_DOWN_REPORT = 0x04,    ///< what the last step met
+  TF_DOWN_COMPACT = 0x05,   ///< state and mode for a slow line
+  TF_DOWN_HEARTBEAT = 0x06, ///< counters of the real-time loop
+  TF_DOWN_PARAMETER = 0x07, ///< one parameter: value, range, name, unit
+  TF_DOWN_ANSWER = 0x08,    ///< what became of a command
+  TF_UP_INPUT = 0x41,
+  TF_UP_PARAMETER = 0x42,
+  TF_UP_RULE = 0x43,
+  TF_UP_START = 0x44,
+  TF_UP_STOP = 0x45,
+  TF_UP_RESET = 0x46,
+  TF_UP_SNAPSHOT = 0x47,
+  TF_UP_RESTORE = 0x48,
+  TF_UP_CLEAR = 0x49,
+  TF_UP_DESCRIBE = 0x4A
+} tf_type_t;
+
+/// Bytes of the payloads; those with text at the end have at most so many.
+#define TF_SCHEMA_BYTES TF_FRAME_PAYLOAD
+#define TF_LAYOUT_BYTES TF_FRAME_PAYLOAD
+#define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
+#define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 4)
+#define TF_COMPACT_BYTES (3 * TF_REAL_BYTES + 2)
+#define TF_HEARTBEAT_BYTES 40u
+#define TF_PARAMETER_BYTES (3 * TF_REAL_BYTES + 32)
+
+/// What a schema frame says.
+typedef struct {
+  const tf_params_t *params;
+  const char *scene, *build; ///< names; what does not fit is cut off
+  uint32_t seed;
+  uint8_t scheme;      ///< 0: tf_step, 1: tf_locate, 2: tf_step_compensated
+  bool takes_commands; ///< an uplink is built in
+} tf_schema_t;
+
+/// Counters of a real-time loop, each modulo 2^32.
+typedef struct {
+  uint32_t steps;     ///< taken
+  uint32_t refused;   ///< by the scheme; the state stood still
+  uint32_t overruns;  ///< ticks that came before the last one was done
+  uint32_t dropped;   ///< telemetry frames left out for want of room
+  uint32_t bad;       ///< broken or lost frames from the host
+  uint32_t ignored;   ///< commands without an answer: queue full, cleared
+  uint32_t exec_min;  ///< of a step, from input to output [ns] ...
+  uint32_t exec_mean; ///< ... since the heartbeat before ...
+  uint32_t exec_max;  ///< ... or since the start, as the board says
+  uint32_t period;    ///< of the tick, wished [ns]
+} tf_heartbeat_t;
+
+/// Hash of all that the motion depends on, equal on every board.
+/// Scheme: tf_crc32 over every parameter in the order of tf_parameter_ranges,
+///   as on the wire, then law, rule and with_angle, a byte each.
+/// params: in.
+/// Returns: the hash.
+/// Cost: 12 operations a byte of params. Stack: 128 B.
+/// Memory: caller's, reentrant.
+/// Claims: schema_says_what_runs
+#define tf_params_hash TF_LINK(tf_params_hash)
+TF_API uint32_t tf_params_hash(const tf_params_t *params);
+
+/// Frame TF_DOWN_SCHEMA.
+/// Scheme: none.
+/// wire: out, TF_FRAME_SIZE(TF_SCHEMA_BYTES).
+/// sequence: in/out. tick: in. schema: in.
+/// Returns: bytes of the frame.
+/// Cost: once: 6000 operations. Stack: 320 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: schema_says_what_runs, documented_frames_decode
+#define tf_send_schema TF_LINK(tf_send_schema)
+TF_API size_t tf_send_schema(uint8_t *wire, uint16_t *sequence, uint64_t tick,
+                             const tf_schema_t *schema);
+
+/// Names, types, scales and units of the payloads, for tf_send_layout:
+/// "name,type,scale,unit" joined by ";". Types: real (as the schema says), u8,
+/// i8, u16, u32, u64. Number times scale is in the unit.
+#define tf_layout_state TF_LINK(tf_layout_state)
+TF_API extern const char tf_layout_state[];
+#define tf_layout_report TF_LINK(tf_layout_report)
+TF_API extern const char tf_layout_report[];
+#define tf_layout_compact TF_LINK(tf_layout_compact)
+TF_API extern const char tf_layout_compact[];
+#define tf_layout_heartbeat TF_LINK(tf_layout_heartbeat)
+TF_API extern const char tf_layout_heartbeat[];
+
+/// Frame TF_DOWN_LAYOUT.
+/// Scheme: none.
+/// wire: out, TF_FRAME_SIZE(TF_LAYOUT_BYTES).
+/// sequence: in/out. tick: in.
+/// type: in, whose payload is described. layout: in, one of those above.
+/// Returns: bytes of the frame.
+/// Cost: 20 operations a byte. Stack: 256 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: layouts_describe_the_payloads
+#define tf_send_layout TF_LINK(tf_send_layout)
+TF_API size_t tf_send_layout(uint8_t *wire, uint16_t *sequence, uint64_t tick,
+                             tf_type_t type, const char *layout);
+
+/// Frame TF_DOWN_STATE: with its tick, all that tf_step needs to go on.
+/// Scheme: none.
+/// wire: out, TF_FRAME_SIZE(TF_STATE_BYTES).
+/// sequence: in/out. state: in.
+/// Returns: bytes of the frame.
+/// Cost: 20 operations a byte. Stack: 256 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: state_and_report_survive_the_line, documented_frames_decode
+#define tf_send_state TF_LINK(tf_send_state)
+TF_API size_t tf_send_state(uint8_t *wire, uint16_t *sequence,
+                            const tf_state_t *state);
+
+/// Frame TF_DOWN_REPORT.
+/// Scheme: none.
+/// wire: out, TF_FRAME_SIZE(TF_REPORT_BYTES).
+/// sequence: in/out. tick: in, of the state that the report belongs to.
+/// report: in.
+/// Returns: bytes of the frame.
+/// Cost: 20 operations a byte. Stack: 256 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: state_and_report_survive_the_line, documented_frames_decode
+#define tf_send_report TF_LINK(tf_send_report)
+TF_API size_t tf_send_report(uint8_t *wire, uint16_t *sequence, uint64_t tick,
+                             const tf_report_t *report);
+
+/// Frame TF_DOWN_COMPACT: r, v, w, mode and choices, for a slow line.
+/// Scheme: none.
+/// wire: out, TF_FRAME_SIZE(TF_COMPACT_BYTES).
+/// sequence: in/out. state, report: in.
+/// Returns: bytes of the frame.
+/// Cost: 20 operations a byte. Stack: 256 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: state_and_report_survive_the_line, documented_frames_decode
+#define tf_send_compact TF_LINK(tf_send_compact)
+TF_API size_t tf_send_compact(uint8_t *wire, uint16_t *sequence,
+                              const tf_state_t *state,
+                              const tf_report_t *report);
+
+/// Frame TF_DOWN_HEARTBEAT.
+/// Scheme: none.
+/// wire: out, TF_FRAME_SIZE(TF_HEARTBEAT_BYTES).
+/// sequence: in/out. tick: in. heartbeat: in.
+/// Returns: bytes of the frame.
+/// Cost: 20 operations a byte. Stack: 256 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: heartbeat_survives_the_line, documented_frames_decode
+#define tf_send_heartbeat TF_LINK(tf_send_heartbeat)
+TF_API size_t tf_send_heartbeat(uint8_t *wire, uint16_t *sequence,
+                                uint64_t tick, const tf_heartbeat_t *heartbeat);
+
+/// Frame TF_DOWN_PARAMETER.
+/// Scheme: none.
+/// wire: out, TF_FRAME_SIZE(TF_PARAMETER_BYTES).
+/// sequence: in/out. tick: in. params: in.
+/// index: in, into tf_parameter_ranges.
+/// Returns: bytes of the frame; 0 where there is no such parameter.
+/// Cost: 20 operations a byte. Stack: 256 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: parameters_are_described, documented_frames_decode
+#define tf_send_parameter TF_LINK(tf_send_parameter)
+TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,
+                                uint64_t tick, const tf_params_t *params,
+                                unsigned index);
+
+/// Reads the payload of TF_DOWN_STATE, of a sender of the same real type.
+/// Scheme: none.
+/// payload: in, TF_STATE_BYTES. tick: in, from the header of its frame.
+/// state: out, not validated.
+/// Returns: nothing.
+/// Cost: 5 operations a byte. Stack: 96 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: state_and_report_survive_the_line
+#define tf_read_state TF_LINK(tf_read_state)
+TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
+                          tf_state_t *state);
+
+/// Reads the payload of TF_DOWN_REPORT, of a sender of the same real type.
+/// Scheme: none.
+/// payload: in, TF_REPORT_BYTES. report: out, not validated.
+/// Returns: nothing.
+/// Cost: 5 operations a byte. Stack: 96 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: state_and_report_survive_the_line
+#define tf_read_report TF_LINK(tf_read_report)
+TF_API void tf_read_report(const uint8_t *payload, tf_report_t *report);
+
+#endif

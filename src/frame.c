@@ -1,0 +1,179 @@
+// Frames on a serial line: COBS in place, CRC over the bytes of the line, and
+// a decoder that takes any byte at any time. Nothing here knows what a payload
+// means.
+#include "twofold/frame.h"
+
+#include "twofold/wire.h"
+
+#define CRC_BYTES 5
+// COBS code, header and CRC: nothing shorter is a frame.
+#define SHORTEST (1 + TF_FRAME_HEADER + CRC_BYTES)
+
+TF_API uint32_t tf_crc32(uint32_t crc, const uint8_t *bytes, size_t length) {
+  static const uint32_t table[16] = {
+      0x00000000, 0x1db71064, 0x3b6e20c8, 0x26d930ac, 0x76dc4190, 0x6b6b51f4,
+      0x4db26158, 0x5005713c, 0xedb88320, 0xf00f9344, 0xd6d6a3e8, 0xcb61b38c,
+      0x9b64c2b0, 0x86d3d2d4, 0xa00ae278, 0xbdbdf21c};
+  crc = ~crc;
+  for (size_t i = 0; i < length; i++) {
+    crc ^= bytes[i];
+    crc = crc >> 4 ^ table[crc & 15u];
+    crc = crc >> 4 ^ table[crc & 15u];
+  }
+  return ~crc;
+}
+
+// Seven bits a byte, the lowest first, and the top bit set: no zero, and the
+// bits follow the data in the order in which the CRC is a code word, so that
+// its promise about bursts holds across the seam.
+static void put_crc(uint8_t *at, uint32_t crc) {
+  for (unsigned i = 0; i < CRC_BYTES; i++, crc >>= 7)
+    at[i] = (uint8_t)(0x80u | (crc & 0x7fu));
+}
+
+static bool has_crc(const uint8_t *at, uint32_t crc) {
+  unsigned wrong = 0;
+  for (unsigned i = 0; i < CRC_BYTES; i++, crc >>= 7)
+    wrong |= at[i] ^ (0x80u | (crc & 0x7fu));
+  return wrong == 0;
+}
+
+// COBS of fewer than 255 bytes: each zero becomes the distance to the next
+// one, or to the end; the distance to the first stands in front.
+static void stuff(uint8_t *code, const uint8_t *end) {
+  uint8_t *last = code;
+  for (uint8_t *at = code + 1; at < end; at++) {
+    if (*at != 0) continue;
+    *last = (uint8_t)(at - last);
+    last = at;
+  }
+  *last = (uint8_t)(end - last);
+}
+
+// The way back. Returns: whether the chain of distances meets the end.
+static bool unstuff(uint8_t *code, size_t length) {
+  size_t at = code[0];
+  while (at < length) {
+    const uint8_t step = code[at];
+    if (step == 0) return false;
+    code[at] = 0;
+    at += step;
+  }
+  return at == length;
+}
+
+TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,
+                            uint16_t *sequence, uint64_t tick) {
+  if (length > TF_FRAME_PAYLOAD) return 0;
+  uint8_t *at = wire + 2;
+  *at++ = TF_FRAME_VERSION;
+  *at++ = type;
+  *at++ = (uint8_t)length;
+  at = tf_wire_put(at, *sequence, 2);
+  at = tf_wire_put(at, tick, 8);
+  at += length;
+  stuff(wire + 1, at);
+  put_crc(at, tf_crc32(0, wire + 1, (size_t)(at - wire) - 1));
+  at += CRC_BYTES;
+  wire[0] = 0;
+  *at++ = 0;
+  *sequence = (uint16_t)(*sequence + 1u);
+  return (size_t)(at - wire);
+}
+
+TF_API void tf_decoder_init(tf_decoder_t *decoder, uint8_t *buffer,
+                            uint16_t room) {
+  *decoder = (tf_decoder_t){.buffer = buffer, .room = room};
+}
+
+// A gap of the sequence is a loss, unless time went back as well: then the
+// sender started anew.
+static void count_accepted(tf_decoder_t *decoder, const tf_frame_t *frame) {
+  const uint16_t gap = (uint16_t)(frame->sequence - decoder->sequence);
+  if (decoder->started && gap != 0) {
+    if (gap >= 0x8000u || frame->tick < decoder->tick)
+      decoder->restarts++;
+    else
+      decoder->lost += gap;
+  }
+  decoder->started = true;
+  decoder->sequence = (uint16_t)(frame->sequence + 1u);
+  decoder->tick = frame->tick;
+  decoder->frames++;
+}
+
+// What stands in the buffer, between two zeros. Returns: whether it is a frame.
+static bool finish(tf_decoder_t *decoder, tf_frame_t *frame) {
+  uint8_t *code = decoder->buffer;
+  const size_t used = decoder->used;
+  const bool overflowed = decoder->overflowed;
+  decoder->used = 0;
+  decoder->overflowed = false;
+  if (overflowed) {
+    decoder->too_long++;
+    return false;
+  }
+  if (used == 0) return false; // two zeros in a row
+  const size_t stuffed = used < SHORTEST ? 0 : used - CRC_BYTES;
+  if (stuffed == 0 || !has_crc(code + stuffed, tf_crc32(0, code, stuffed)) ||
+      !unstuff(code, stuffed)) {
+    decoder->bad++;
+    return false;
+  }
+  const uint8_t *header = code + 1;
+  if (header[0] != TF_FRAME_VERSION) {
+    decoder->bad_version++;
+    return false;
+  }
+  if (header[2] != stuffed - 1 - TF_FRAME_HEADER) {
+    decoder->bad++;
+    return false;
+  }
+  *frame = (tf_frame_t){.type = header[1],
+                        .length = header[2],
+                        .sequence = (uint16_t)tf_wire_get(header + 3, 2),
+                        .tick = tf_wire_get(header + 5, 8),
+                        .payload = header + TF_FRAME_HEADER};
+  count_accepted(decoder, frame);
+  return true;
+}
+
+TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,
+                            tf_frame_t *frame) {
+  if (byte == 0) return finish(decoder, frame);
+  if (decoder->used < decoder->room)
+    decoder->buffer[decoder->used++] = byte;
+  else
+    decoder->overflowed = true;
+  return false;
+}
+
+static void append(tf_decoder_t *decoder, const uint8_t *bytes, size_t length) {
+  const size_t left = (size_t)decoder->room - decoder->used;
+  if (length > left) {
+    decoder->overflowed = true;
+    length = left;
+  }
+  uint8_t *at = decoder->buffer + decoder->used;
+  for (size_t i = 0; i < length; i++) at[i] = bytes[i];
+  decoder->used = (uint16_t)(decoder->used + length);
+}
+
+TF_API bool tf_decoder_block(tf_decoder_t *decoder, const uint8_t *bytes,
+                             size_t length, size_t *taken, tf_frame_t *frame) {
+  size_t at = 0;
+  while (at < length) {
+    size_t end = at;
+    while (end < length && bytes[end] != 0) end++;
+    append(decoder, bytes + at, end - at);
+    at = end;
+    if (at == length) break;
+    at++;
+    if (finish(decoder, frame)) {
+      *taken = at;
+      return true;
+    }
+  }
+  *taken = length;
+  return false;
+}

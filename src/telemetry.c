@@ -1,0 +1,174 @@
+// The payloads that go down. Each is written where tf_frame_seal expects it,
+// so nothing is copied.
+#include "twofold/telemetry.h"
+
+// Appends text; the room ends at `end`. Returns: the byte after it.
+static uint8_t *put_text(uint8_t *at, const uint8_t *end, const char *text) {
+  while (*text != '\0' && at < end) *at++ = (uint8_t)*text++;
+  return at;
+}
+
+static tf_real_t value_of(const tf_params_t *params, unsigned index) {
+  return *(const tf_real_t *)(const void *)((const char *)params +
+                                            tf_parameter_ranges[index].offset);
+}
+
+static size_t seal(uint8_t *wire, tf_type_t type, const uint8_t *end,
+                   uint16_t *sequence, uint64_t tick) {
+  return tf_frame_seal(wire, (uint8_t)type, (size_t)(end - wire) - TF_FRAME_AT,
+                       sequence, tick);
+}
+
+TF_API uint32_t tf_params_hash(const tf_params_t *params) {
+  uint32_t crc = 0;
+  uint8_t bytes[sizeof(tf_real_t)];
+  for (unsigned i = 0; i < TF_PARAMETERS; i++) {
+    tf_wire_put_real(bytes, value_of(params, i));
+    crc = tf_crc32(crc, bytes, sizeof bytes);
+  }
+  const uint8_t choices[3] = {(uint8_t)params->law, (uint8_t)params->rule,
+                              params->with_angle};
+  return tf_crc32(crc, choices, sizeof choices);
+}
+
+TF_API size_t tf_send_schema(uint8_t *wire, uint16_t *sequence, uint64_t tick,
+                             const tf_schema_t *schema) {
+  const tf_params_t *params = schema->params;
+  const uint8_t *end = wire + TF_FRAME_AT + TF_SCHEMA_BYTES;
+  uint8_t *at = wire + TF_FRAME_AT;
+  *at++ = (uint8_t)TF_REAL_BYTES;
+  *at++ = (uint8_t)params->law;
+  *at++ = (uint8_t)params->rule;
+  *at++ = schema->scheme;
+  *at++ = (uint8_t)((params->with_angle ? 1u : 0u) |
+                    (schema->takes_commands ? 2u : 0u));
+  at = tf_wire_put(at, schema->seed, 4);
+  at = tf_wire_put(at, tf_params_hash(params), 4);
+  at = tf_wire_put_real(at, params->dt);
+  at = put_text(at, end - 2, schema->scene);
+  *at++ = 0;
+  at = put_text(at, end - 1, schema->build);
+  *at++ = 0;
+  return seal(wire, TF_DOWN_SCHEMA, at, sequence, tick);
+}
+
+TF_API const char tf_layout_state[] =
+    "r,real,1,m;v,real,1,m/s;omega,real,1,rad/s;phi,real,1,rad;seed,u32,1,1;"
+    "mode,u8,1,1";
+TF_API const char tf_layout_report[] =
+    "h,real,1,m/s;g,real,1,m/s;F,real,1,N;M,real,1,N m;delassus,real,1,1/kg;"
+    "residual,real,1,N;mode,u8,1,1;set,u8,1,1;choices,u8,1,1;status,i8,1,1";
+TF_API const char tf_layout_compact[] =
+    "r,real,1,m;v,real,1,m/s;omega,real,1,rad/s;mode,u8,1,1;choices,u8,1,1";
+TF_API const char tf_layout_heartbeat[] =
+    "steps,u32,1,1;refused,u32,1,1;overruns,u32,1,1;dropped,u32,1,1;"
+    "bad,u32,1,1;ignored,u32,1,1;exec_min,u32,1e-9,s;exec_mean,u32,1e-9,s;"
+    "exec_max,u32,1e-9,s;period,u32,1e-9,s";
+
+TF_API size_t tf_send_layout(uint8_t *wire, uint16_t *sequence, uint64_t tick,
+                             tf_type_t type, const char *layout) {
+  uint8_t *at = wire + TF_FRAME_AT;
+  *at++ = (uint8_t)type;
+  at = put_text(at, wire + TF_FRAME_AT + TF_LAYOUT_BYTES, layout);
+  return seal(wire, TF_DOWN_LAYOUT, at, sequence, tick);
+}
+
+TF_API size_t tf_send_state(uint8_t *wire, uint16_t *sequence,
+                            const tf_state_t *state) {
+  uint8_t *at = wire + TF_FRAME_AT;
+  at = tf_wire_put_real(at, state->r);
+  at = tf_wire_put_real(at, state->v);
+  at = tf_wire_put_real(at, state->w);
+  at = tf_wire_put_real(at, state->phi);
+  at = tf_wire_put(at, state->seed, 4);
+  *at++ = state->mode;
+  return seal(wire, TF_DOWN_STATE, at, sequence, state->tick);
+}
+
+TF_API size_t tf_send_report(uint8_t *wire, uint16_t *sequence, uint64_t tick,
+                             const tf_report_t *report) {
+  uint8_t *at = wire + TF_FRAME_AT;
+  at = tf_wire_put_real(at, report->slip.h);
+  at = tf_wire_put_real(at, report->slip.g);
+  at = tf_wire_put_real(at, report->force.F);
+  at = tf_wire_put_real(at, report->force.M);
+  at = tf_wire_put_real(at, report->delassus);
+  at = tf_wire_put_real(at, report->residual);
+  *at++ = report->mode;
+  *at++ = report->set;
+  *at++ = report->choices;
+  *at++ = (uint8_t)report->status;
+  return seal(wire, TF_DOWN_REPORT, at, sequence, tick);
+}
+
+TF_API size_t tf_send_compact(uint8_t *wire, uint16_t *sequence,
+                              const tf_state_t *state,
+                              const tf_report_t *report) {
+  uint8_t *at = wire + TF_FRAME_AT;
+  at = tf_wire_put_real(at, state->r);
+  at = tf_wire_put_real(at, state->v);
+  at = tf_wire_put_real(at, state->w);
+  *at++ = state->mode;
+  *at++ = report->choices;
+  return seal(wire, TF_DOWN_COMPACT, at, sequence, state->tick);
+}
+
+TF_API size_t tf_send_heartbeat(uint8_t *wire, uint16_t *sequence,
+                                uint64_t tick,
+                                const tf_heartbeat_t *heartbeat) {
+  const uint32_t counters[10] = {heartbeat->steps,    heartbeat->refused,
+                                 heartbeat->overruns, heartbeat->dropped,
+                                 heartbeat->bad,      heartbeat->ignored,
+                                 heartbeat->exec_min, heartbeat->exec_mean,
+                                 heartbeat->exec_max, heartbeat->period};
+  uint8_t *at = wire + TF_FRAME_AT;
+  for (unsigned i = 0; i < 10; i++) at = tf_wire_put(at, counters[i], 4);
+  return seal(wire, TF_DOWN_HEARTBEAT, at, sequence, tick);
+}
+
+TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,
+                                uint64_t tick, const tf_params_t *params,
+                                unsigned index) {
+  if (index >= TF_PARAMETERS) return 0;
+  const tf_parameter_range_t *range = &tf_parameter_ranges[index];
+  const uint8_t *end = wire + TF_FRAME_AT + TF_PARAMETER_BYTES;
+  uint8_t *at = wire + TF_FRAME_AT;
+  *at++ = (uint8_t)index;
+  *at++ = (uint8_t)((range->laws >> params->law) & 1u);
+  at = tf_wire_put_real(at, value_of(params, index));
+  at = tf_wire_put_real(at, range->low);
+  at = tf_wire_put_real(at, range->high);
+  at = put_text(at, end, range->name);
+  at = put_text(at, end, ",");
+  at = put_text(at, end, range->unit);
+  return seal(wire, TF_DOWN_PARAMETER, at, sequence, tick);
+}
+
+TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
+                          tf_state_t *state) {
+  const unsigned R = TF_REAL_BYTES;
+  *state = (tf_state_t){.r = tf_wire_get_real(payload),
+                        .v = tf_wire_get_real(payload + R),
+                        .w = tf_wire_get_real(payload + 2 * R),
+                        .phi = tf_wire_get_real(payload + 3 * R),
+                        .tick = tick,
+                        .seed = (uint32_t)tf_wire_get(payload + 4 * R, 4),
+                        .mode = payload[4 * R + 4]};
+}
+
+TF_API void tf_read_report(const uint8_t *payload, tf_report_t *report) {
+  const unsigned R = TF_REAL_BYTES;
+  const uint8_t *bytes = payload + 6 * R;
+  // The status travels in two's complement.
+  const int status = bytes[3] < 128 ? bytes[3] : (int)bytes[3] - 256;
+  *report = (tf_report_t){
+      .mode = bytes[0],
+      .set = bytes[1],
+      .choices = bytes[2],
+      .force = {tf_wire_get_real(payload + 2 * R),
+                tf_wire_get_real(payload + 3 * R)},
+      .slip = {tf_wire_get_real(payload), tf_wire_get_real(payload + R)},
+      .delassus = tf_wire_get_real(payload + 4 * R),
+      .residual = tf_wire_get_real(payload + 5 * R),
+      .status = (tf_status_t)status};
+}

@@ -1,0 +1,423 @@
+/* Frames on a line that is not to be trusted: errors of bits, bursts, bytes
+ * that are dropped, doubled or inserted, garbage; and what is not an error. */
+#include "tap.h"
+#include "twofold.h"
+
+#define LONGEST TF_FRAME_SIZE(TF_FRAME_PAYLOAD)
+
+/* A frame whose payload hangs on its index alone; zeros are common in it. */
+static uint8_t payload_byte(uint64_t index, unsigned i) {
+  uint64_t z = (index * 251 + i + 1) * 0x9E3779B97F4A7C15u;
+  z = (z ^ (z >> 29)) * 0xBF58476D1CE4E5B9u;
+  z ^= z >> 32;
+  return (z & 3) == 0 ? 0 : (uint8_t)(z >> 8);
+}
+static size_t make(uint8_t *wire, uint64_t index, unsigned length) {
+  uint16_t sequence = (uint16_t)index;
+  for (unsigned i = 0; i < length; i++)
+    wire[TF_FRAME_AT + i] = payload_byte(index, i);
+  return tf_frame_seal(wire, (uint8_t)(1 + index % 8), length, &sequence,
+                       index);
+}
+static int is_as_made(const tf_frame_t *frame, unsigned length) {
+  int same = frame->length == length && frame->type == 1 + frame->tick % 8 &&
+             frame->sequence == (uint16_t)frame->tick;
+  for (unsigned i = 0; same && i < length; i++)
+    same = frame->payload[i] == payload_byte(frame->tick, i);
+  return same;
+}
+
+typedef struct {
+  tf_decoder_t decoder;
+  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+} receiver_t;
+
+static void open_receiver(receiver_t *receiver) {
+  tf_decoder_init(&receiver->decoder, receiver->buffer,
+                  sizeof receiver->buffer);
+}
+
+/* How many frames come out of some bytes. */
+static unsigned accepted(receiver_t *receiver, const uint8_t *bytes,
+                         size_t length) {
+  unsigned count = 0;
+  size_t taken = 0;
+  tf_frame_t frame;
+  while (tf_decoder_block(&receiver->decoder, bytes, length, &taken, &frame)) {
+    count++;
+    bytes += taken;
+    length -= taken;
+  }
+  return count;
+}
+
+TEST(crc_known_answers) {
+  const uint8_t *digits = (const uint8_t *)"123456789";
+  CHECK(tf_crc32(0, digits, 9) == 0xCBF43926u);
+  CHECK(tf_crc32(0, digits, 0) == 0);
+  for (size_t i = 0; i <= 9; i++)
+    CHECK(tf_crc32(tf_crc32(0, digits, i), digits + i, 9 - i) == 0xCBF43926u);
+}
+
+TEST(numbers_survive_the_wire) {
+  uint8_t bytes[8];
+  for (int n = 0; n < 10000; n++) {
+    const uint64_t bits = tap_bits();
+    tf_real_t real, back;
+    memcpy(&real, &bits, sizeof real);
+    CHECK(tf_wire_put_real(bytes, real) == bytes + sizeof real);
+    back = tf_wire_get_real(bytes);
+    CHECK(memcmp(&real, &back, sizeof real) == 0);
+    CHECK(tf_wire_put(bytes, bits, 8) == bytes + 8);
+    CHECK(tf_wire_get(bytes, 8) == bits);
+    CHECK(tf_wire_get(bytes, 3) == (bits & 0xffffff));
+  }
+  tf_wire_put(bytes, 0x0102, 2);
+  CHECK(bytes[0] == 2 && bytes[1] == 1);
+}
+
+TEST(frames_survive_the_line) {
+  receiver_t receiver;
+  open_receiver(&receiver);
+  uint8_t wire[LONGEST + 1];
+  for (unsigned n = 0; n < 3 * (TF_FRAME_PAYLOAD + 1); n++) {
+    const unsigned length = n % (TF_FRAME_PAYLOAD + 1);
+    wire[TF_FRAME_SIZE(length)] = 0xA5;
+    const size_t size = make(wire, n, length);
+    CHECK(size == TF_FRAME_SIZE(length) && wire[size] == 0xA5);
+    CHECK(wire[0] == 0 && wire[size - 1] == 0);
+    CHECK(memchr(wire + 1, 0, size - 2) == NULL);
+    tf_frame_t frame;
+    for (size_t i = 0; i < size; i++) {
+      const bool complete = tf_decoder_push(&receiver.decoder, wire[i], &frame);
+      CHECK(complete == (i == size - 1));
+    }
+    CHECK(frame.tick == n && is_as_made(&frame, length));
+  }
+  CHECK(receiver.decoder.frames == 3 * (TF_FRAME_PAYLOAD + 1));
+  CHECK(receiver.decoder.bad + receiver.decoder.lost == 0);
+  uint16_t sequence = 7;
+  CHECK(tf_frame_seal(wire, 1, TF_FRAME_PAYLOAD + 1, &sequence, 0) == 0);
+  CHECK(sequence == 7);
+}
+
+/* One frame, one bit wrong, between two whole ones. */
+TEST(every_single_bit_error_is_caught) {
+  static const unsigned lengths[] = {0, 1, 5, 14, 37, 52, 239, 240};
+  for (unsigned n = 0; n < 8; n++) {
+    const unsigned length = lengths[n];
+    uint8_t wire[3 * LONGEST];
+    const size_t size = make(wire, 100 + n, length);
+    make(wire + size, 101 + n, length);
+    make(wire + 2 * size, 102 + n, length);
+    for (size_t bit = 8 * size; bit < 16 * size; bit++) {
+      receiver_t receiver;
+      open_receiver(&receiver);
+      const uint8_t mask = (uint8_t)(1u << bit % 8);
+      wire[bit / 8] ^= mask;
+      /* The neighbours are there, the one in the middle is counted as lost. */
+      CHECK(accepted(&receiver, wire, 3 * size) == 2);
+      CHECK(receiver.decoder.lost == 1);
+      CHECK(receiver.decoder.tick == 102 + n);
+      CHECK(receiver.decoder.bad + receiver.decoder.too_long >= 1);
+      wire[bit / 8] ^= mask;
+    }
+  }
+}
+
+/* Flips the bits of `pattern`, the first at bit `at`; in either order in which
+ * a line may send the bits of a byte. */
+static void flip(uint8_t *wire, size_t at, uint32_t pattern, int top_first) {
+  for (; pattern != 0; pattern >>= 1, at++)
+    if (pattern & 1)
+      wire[at / 8] ^= (uint8_t)(top_first ? 0x80u >> at % 8 : 1u << at % 8);
+}
+
+/* Every burst of 2 to 16 bits in a short frame; in long ones a sample. */
+TEST(every_burst_of_16_bits_is_caught) {
+  uint8_t wire[LONGEST + 1];
+  receiver_t receiver;
+  open_receiver(&receiver);
+  size_t size = make(wire, 77, 3);
+  wire[size] = 0; /* of the frame behind it */
+  uint64_t tried = 0, wrong = 0;
+  for (size_t at = 0; at < 8 * size - 1; at++)
+    for (uint32_t pattern = 3; pattern < 0x10000u; pattern += 2) {
+      if (pattern >> (8 * size - at) != 0) break;
+      flip(wire, at, pattern, 0);
+      wrong += accepted(&receiver, wire, size + 1);
+      flip(wire, at, pattern, 0);
+      tried++;
+    }
+  CHECK(tried > 5500000);
+  CHECK(wrong == 0);
+  for (int n = 0; n < 500000; n++) {
+    if (n % 1000 == 0) {
+      size = make(wire, tap_bits(), (unsigned)(tap_bits() % 241));
+      wire[size] = 0;
+    }
+    const uint32_t pattern = (uint32_t)(tap_bits() & 0xffffu) | 1u;
+    const size_t at = tap_bits() % (8 * size - 16);
+    const int top_first = n & 1;
+    flip(wire, at, pattern, top_first);
+    wrong += accepted(&receiver, wire, size + 1);
+    flip(wire, at, pattern, top_first);
+  }
+  CHECK(wrong == 0);
+  CHECK(accepted(&receiver, wire, size + 1) == 1);
+}
+
+/* A long record of frames, damaged in one place: at most one is lost, and
+ * never one that the damage did not touch. */
+#define RECORD 40
+TEST(broken_bytes_cost_only_the_frames_they_touch) {
+  for (int n = 0; n < 20000; n++) {
+    uint8_t wire[RECORD * TF_FRAME_SIZE(60) + 80];
+    size_t length = 0;
+    size_t ends[RECORD];
+    const unsigned payload = (unsigned)(tap_bits() % 60);
+    for (unsigned i = 0; i < RECORD; i++) {
+      length += make(wire + length, i, payload);
+      ends[i] = length;
+    }
+    const size_t at = tap_bits() % length;
+    unsigned touched = 0;
+    while (ends[touched] <= at) touched++;
+    const int kind = n % 3;
+    const size_t rest = length - at;
+    if (kind == 0) { /* dropped */
+      memmove(wire + at, wire + at + 1, rest - 1);
+      length--;
+    } else { /* doubled or inserted */
+      memmove(wire + at + 1, wire + at, rest);
+      if (kind == 2) wire[at] = (uint8_t)tap_bits();
+      length++;
+    }
+    receiver_t receiver;
+    open_receiver(&receiver);
+    const uint8_t *bytes = wire;
+    uint64_t seen = 0;
+    tf_frame_t frame;
+    size_t taken = 0;
+    while (tf_decoder_block(&receiver.decoder, bytes, length, &taken, &frame)) {
+      CHECK(is_as_made(&frame, payload));
+      seen |= (uint64_t)1 << frame.tick;
+      bytes += taken;
+      length -= taken;
+    }
+    const uint64_t all = ((uint64_t)1 << RECORD) - 1;
+    CHECK((seen | (uint64_t)1 << touched) == all);
+    if (touched > 0 && touched < RECORD - 1)
+      CHECK(receiver.decoder.lost == (seen != all));
+  }
+}
+
+TEST(garbage_in_front_costs_no_frame) {
+  for (int n = 0; n < 2000; n++) {
+    receiver_t receiver;
+    open_receiver(&receiver);
+    uint8_t wire[1000 + LONGEST];
+    const size_t garbage = tap_bits() % 1000;
+    for (size_t i = 0; i < garbage; i++) wire[i] = (uint8_t)tap_bits();
+    const size_t size = make(wire + garbage, 9, 30);
+    CHECK(accepted(&receiver, wire, garbage + size) == 1);
+    CHECK(receiver.decoder.tick == 9);
+    CHECK(receiver.decoder.lost == 0); /* what was before is not known */
+  }
+}
+
+/* Nonzero bytes of all lengths; a half of them begin as a frame would. */
+TEST(random_bytes_are_not_taken_for_frames) {
+  receiver_t receiver;
+  open_receiver(&receiver);
+  unsigned wrong = 0;
+  for (int n = 0; n < 1000000; n++) {
+    uint8_t wire[64];
+    const size_t length = 1 + tap_bits() % 62;
+    for (size_t i = 0; i < length; i += 8) {
+      const uint64_t bits = tap_bits();
+      memcpy(wire + i, &bits, 8);
+    }
+    if (n & 1) {
+      wire[0] = (uint8_t)(1 + tap_bits() % length);
+      wire[1] = TF_FRAME_VERSION;
+      wire[3] = (uint8_t)(length - 19);
+      for (size_t i = 0; i < 5 && i < length; i++) wire[length - 1 - i] |= 0x80;
+    }
+    wire[length] = 0;
+    wrong += accepted(&receiver, wire, length + 1);
+  }
+  CHECK(wrong == 0);
+  CHECK(receiver.decoder.frames == 0);
+  CHECK(receiver.decoder.bad > 900000);
+}
+
+/* Damages the bytes of a frame in a random way. Returns: the new length. */
+static size_t damage(uint8_t *wire, size_t size) {
+  const size_t at = tap_bits() % size;
+  switch (tap_bits() % 5) {
+    case 0:
+      memmove(wire + at, wire + at + 1, size - at - 1);
+      return size - 1;
+    case 1:
+      memmove(wire + at + 1, wire + at, size - at);
+      wire[at] = (uint8_t)tap_bits();
+      return size + 1;
+    case 2:
+      return at; /* the rest is missing */
+    case 3:
+      return 0;
+    default:
+      for (size_t i = at; i < size && i < at + 6; i++)
+        wire[i] = (uint8_t)tap_bits();
+      return size;
+  }
+}
+
+TEST(a_million_frames_over_a_bad_line) {
+  receiver_t receiver;
+  open_receiver(&receiver);
+  uint64_t last = 0, wrong = 0, first = 0;
+  for (uint64_t n = 0; n < 1000000; n++) {
+    uint8_t wire[TF_FRAME_SIZE(32) + 1];
+    const unsigned length = (unsigned)(n % 33);
+    size_t size = make(wire, n, length);
+    if (tap_bits() % 10 == 0) size = damage(wire, size);
+    const uint8_t *bytes = wire;
+    size_t taken = 0;
+    tf_frame_t frame;
+    while (tf_decoder_block(&receiver.decoder, bytes, size, &taken, &frame)) {
+      wrong +=
+          frame.tick > n || !is_as_made(&frame, (unsigned)(frame.tick % 33));
+      if (receiver.decoder.frames == 1) first = frame.tick;
+      last = frame.tick;
+      bytes += taken;
+      size -= taken;
+    }
+  }
+  const tf_decoder_t *decoder = &receiver.decoder;
+  printf("# %u accepted, %u bad, %u lost\n", (unsigned)decoder->frames,
+         (unsigned)decoder->bad, (unsigned)decoder->lost);
+  CHECK(wrong == 0);
+  CHECK(decoder->frames > 890000 && decoder->restarts == 0);
+  CHECK(decoder->frames + decoder->lost == last - first + 1);
+}
+
+TEST(lost_frames_are_counted) {
+  static const struct {
+    uint64_t index;
+    uint32_t lost, restarts;
+  } steps[] = {{5, 0, 0}, {6, 0, 0}, {9, 2, 0}};
+  receiver_t receiver;
+  uint8_t wire[LONGEST];
+  open_receiver(&receiver);
+  for (int i = 0; i < 3; i++) {
+    const size_t size = make(wire, steps[i].index, 4);
+    CHECK(accepted(&receiver, wire, size) == 1);
+    CHECK(receiver.decoder.lost == steps[i].lost);
+    CHECK(receiver.decoder.restarts == steps[i].restarts);
+  }
+  /* Around the end of the sequence number. */
+  open_receiver(&receiver);
+  accepted(&receiver, wire, make(wire, 65534, 4));
+  accepted(&receiver, wire, make(wire, 65537, 4));
+  CHECK(receiver.decoder.lost == 2 && receiver.decoder.restarts == 0);
+  /* The sender starts again: time and number go back, nothing is lost. */
+  accepted(&receiver, wire, make(wire, 0, 4));
+  CHECK(receiver.decoder.lost == 2 && receiver.decoder.restarts == 1);
+  /* The same frame twice. */
+  accepted(&receiver, wire, make(wire, 0, 4));
+  CHECK(receiver.decoder.lost == 2 && receiver.decoder.restarts == 2);
+}
+
+TEST(long_runs_stay_in_the_buffer) {
+  uint8_t buffer[TF_DECODER_ROOM(8) + 8];
+  memset(buffer, 0xA5, sizeof buffer);
+  tf_decoder_t decoder;
+  tf_decoder_init(&decoder, buffer, TF_DECODER_ROOM(8));
+  tf_frame_t frame;
+  for (int i = 0; i < 100000; i++) CHECK(!tf_decoder_push(&decoder, 1, &frame));
+  CHECK(!tf_decoder_push(&decoder, 0, &frame));
+  CHECK(decoder.too_long == 1 && decoder.bad == 0);
+  uint8_t wire[LONGEST];
+  size_t taken;
+  size_t size = make(wire, 3, 9);
+  CHECK(!tf_decoder_block(&decoder, wire, size, &taken, &frame));
+  CHECK(taken == size && decoder.too_long == 2);
+  size = make(wire, 4, 8); /* the longest that fits */
+  CHECK(tf_decoder_block(&decoder, wire, size, &taken, &frame));
+  CHECK(taken == size && is_as_made(&frame, 8));
+  for (size_t i = TF_DECODER_ROOM(8); i < sizeof buffer; i++)
+    CHECK(buffer[i] == 0xA5);
+}
+
+/* Whole frames of a protocol to come. */
+static void reseal(uint8_t *wire, size_t size) {
+  uint32_t crc = tf_crc32(0, wire + 1, size - 7);
+  for (int i = 0; i < 5; i++, crc >>= 7)
+    wire[size - 6 + (size_t)i] = (uint8_t)(0x80 | (crc & 0x7f));
+}
+TEST(other_versions_and_lengths_are_counted) {
+  receiver_t receiver;
+  open_receiver(&receiver);
+  uint8_t wire[LONGEST];
+  const size_t size = make(wire, 3, 9);
+  reseal(wire, size);
+  CHECK(accepted(&receiver, wire, size) == 1);
+  wire[2] = 2;
+  reseal(wire, size);
+  CHECK(accepted(&receiver, wire, size) == 0);
+  CHECK(receiver.decoder.bad_version == 1 && receiver.decoder.bad == 0);
+  make(wire, 3, 9);
+  wire[4] = 8;
+  reseal(wire, size);
+  CHECK(accepted(&receiver, wire, size) == 0);
+  CHECK(receiver.decoder.bad == 1);
+  make(wire, 3, 9);
+  wire[1] = 0xff; /* a chain of COBS that leaves the frame */
+  reseal(wire, size);
+  CHECK(accepted(&receiver, wire, size) == 0);
+  CHECK(receiver.decoder.bad == 2);
+}
+
+TEST(block_decoder_is_the_byte_decoder) {
+  receiver_t one, many;
+  open_receiver(&one);
+  open_receiver(&many);
+  for (int n = 0; n < 20000; n++) {
+    uint8_t wire[LONGEST + 1];
+    size_t size = make(wire, (uint64_t)n, (unsigned)(tap_bits() % 100));
+    if (n % 5 == 0) size = damage(wire, size);
+    unsigned single = 0;
+    tf_frame_t frame;
+    for (size_t i = 0; i < size; i++)
+      single += tf_decoder_push(&one.decoder, wire[i], &frame);
+    const size_t cut = size == 0 ? 0 : tap_bits() % size;
+    unsigned block = accepted(&many, wire, cut);
+    block += accepted(&many, wire + cut, size - cut);
+    CHECK(single == block);
+  }
+  many.decoder.buffer = one.decoder.buffer;
+  CHECK(one.decoder.frames == many.decoder.frames);
+  CHECK(one.decoder.bad == many.decoder.bad && one.decoder.bad > 1000);
+  CHECK(one.decoder.lost == many.decoder.lost && one.decoder.lost > 1000);
+  CHECK(one.decoder.tick == many.decoder.tick);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(crc_known_answers);
+  RUN(numbers_survive_the_wire);
+  RUN(frames_survive_the_line);
+  RUN(every_single_bit_error_is_caught);
+  RUN(every_burst_of_16_bits_is_caught);
+  RUN(broken_bytes_cost_only_the_frames_they_touch);
+  RUN(garbage_in_front_costs_no_frame);
+  RUN(random_bytes_are_not_taken_for_frames);
+  RUN(a_million_frames_over_a_bad_line);
+  RUN(lost_frames_are_counted);
+  RUN(long_runs_stay_in_the_buffer);
+  RUN(other_versions_and_lengths_are_counted);
+  RUN(block_decoder_is_the_byte_decoder);
+  return tap_end();
+}
