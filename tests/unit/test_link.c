@@ -1,0 +1,487 @@
+/* Commands over a line: validated, applied at the boundary between two steps
+ * and nowhere else, answered; and bytes that are no commands. */
+#include "tap.h"
+#include "twofold.h"
+
+#define R TF_REAL_BYTES
+static const tf_scene_t *scene_named(const char *name) {
+  for (int i = 0; i < TF_SCENES; i++)
+    if (!strcmp(tf_scenes[i]->name, name)) return tf_scenes[i];
+  CHECK(!"such a scene");
+  return tf_scenes[0];
+}
+
+/* A board: what a firmware keeps, and its two lines. */
+typedef struct {
+  const tf_scene_t *scene;
+  tf_session_t session;
+  tf_link_t link;
+  uint16_t up, down; /* sequence numbers */
+} board_t;
+
+static void power_up(board_t *board, const char *scene) {
+  memset(board, 0, sizeof *board);
+  board->scene = scene_named(scene);
+  CHECK(tf_session_open(&board->session, board->scene, &board->scene->params,
+                        5) == TF_OK);
+  tf_link_open(&board->link, board->scene, &board->scene->params);
+}
+
+static void tick(board_t *board) {
+  tf_link_boundary(&board->link, &board->session);
+  tf_session_t *session = &board->session;
+  const tf_input_t input = tf_session_input(session, board->scene);
+  if (session->running)
+    CHECK(tf_step(&session->machine, &session->state, &input,
+                  &session->report) >= 0);
+}
+
+static void send(board_t *board, tf_type_t type, uint64_t at,
+                 const uint8_t *payload, size_t length) {
+  uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
+  for (size_t i = 0; i < length; i++) wire[TF_FRAME_AT + i] = payload[i];
+  const size_t size =
+      tf_frame_seal(wire, (uint8_t)type, length, &board->up, at);
+  for (size_t i = 0; i < size; i++) tf_link_receive(&board->link, wire[i]);
+}
+static void send_plain(board_t *board, tf_type_t type) {
+  send(board, type, 0, NULL, 0);
+}
+static void send_parameter(board_t *board, uint64_t at, unsigned index,
+                           tf_real_t value) {
+  uint8_t payload[1 + sizeof(tf_real_t)];
+  payload[0] = (uint8_t)index;
+  tf_wire_put_real(payload + 1, value);
+  send(board, TF_UP_PARAMETER, at, payload, sizeof payload);
+}
+static void send_input(board_t *board, uint64_t at, const tf_input_t *input) {
+  uint8_t payload[5 * sizeof(tf_real_t)];
+  const tf_real_t values[5] = {input->omega0, input->r0, input->force,
+                               input->torque, input->alpha};
+  for (unsigned i = 0; i < 5; i++) tf_wire_put_real(payload + i * R, values[i]);
+  send(board, TF_UP_INPUT, at, payload, sizeof payload);
+}
+
+typedef struct {
+  uint16_t sequence;
+  uint8_t type, index, length;
+  int code;
+  uint64_t tick;
+  tf_real_t value, low, high;
+} answer_t;
+
+/* The next answer; length 0 where there is none. */
+static answer_t answer_of(board_t *board) {
+  uint8_t wire[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
+  uint8_t buffer[TF_DECODER_ROOM(TF_ANSWER_BYTES)];
+  answer_t answer;
+  tf_decoder_t decoder;
+  tf_frame_t frame;
+  size_t taken;
+  memset(&answer, 0, sizeof answer);
+  tf_decoder_init(&decoder, buffer, sizeof buffer);
+  const size_t size = tf_link_answer(&board->link, wire, &board->down);
+  if (size == 0) return answer;
+  if (!CHECK(tf_decoder_block(&decoder, wire, size, &taken, &frame)))
+    return answer;
+  CHECK(frame.type == TF_DOWN_ANSWER);
+  const uint8_t *at = frame.payload;
+  answer.length = frame.length;
+  answer.tick = frame.tick;
+  answer.sequence = (uint16_t)tf_wire_get(at, 2);
+  answer.type = at[2];
+  answer.code = at[3] < 128 ? at[3] : at[3] - 256;
+  answer.index = at[4];
+  if (frame.length == 5) return answer;
+  CHECK(frame.length == 5 + 3 * R);
+  answer.value = tf_wire_get_real(at + 5);
+  answer.low = tf_wire_get_real(at + 5 + R);
+  answer.high = tf_wire_get_real(at + 5 + 2 * R);
+  return answer;
+}
+static int code_of(board_t *board) {
+  const answer_t answer = answer_of(board);
+  return answer.length ? answer.code : 999;
+}
+
+static unsigned index_of(const char *name) {
+  unsigned i = 0;
+  while (i < TF_PARAMETERS && strcmp(tf_parameter_ranges[i].name, name)) i++;
+  CHECK(i < TF_PARAMETERS);
+  return i;
+}
+
+/* What must not change unless a valid command came: all that acts. */
+typedef struct {
+  tf_machine_t machine;
+  tf_params_t params;
+  bool driven, running;
+} acting_t;
+static acting_t acting(const board_t *board) {
+  acting_t now;
+  memset(&now, 0, sizeof now);
+  memcpy(&now.machine, &board->session.machine, sizeof now.machine);
+  memcpy(&now.params, &board->link.params, sizeof now.params);
+  now.driven = board->session.driven;
+  now.running = board->session.running;
+  return now;
+}
+static int acts_alike(const board_t *board, const acting_t *before) {
+  const acting_t now = acting(board);
+  return memcmp(&now, before, sizeof now) == 0;
+}
+static int same_state(const tf_state_t *a, const tf_state_t *b) {
+  return memcmp(&a->r, &b->r, sizeof a->r) == 0 &&
+         memcmp(&a->v, &b->v, sizeof a->v) == 0 &&
+         memcmp(&a->w, &b->w, sizeof a->w) == 0 &&
+         memcmp(&a->phi, &b->phi, sizeof a->phi) == 0 && a->tick == b->tick &&
+         a->seed == b->seed && a->mode == b->mode;
+}
+
+TEST(session_is_the_run_of_the_command_line) {
+  for (int i = 0; i < TF_SCENES; i++) {
+    const tf_scene_t *scene = tf_scenes[i];
+    tf_session_t session;
+    CHECK(tf_session_open(&session, scene, &scene->params, 0) == TF_OK);
+    tf_state_t state;
+    memset(&state, 0, sizeof state);
+    tf_input_t input = tf_scene_input(scene, &session.machine, 0);
+    state.r = scene->r;
+    state.w = scene->omega;
+    state.v = scene->v;
+    state.mode = TF_MODES;
+    if (!scene->v_is_given) {
+      CHECK(tf_speed_for_slip(&session.machine, state.r, state.w, input.omega0,
+                              scene->h, &state.v) == TF_OK);
+      if (scene->h > 0) state.mode = TF_SLIP_PLUS;
+    }
+    tf_report_t report;
+    CHECK(tf_begin(&session.machine, &state, &input, &report) == TF_OK);
+    CHECK(same_state(&state, &session.state));
+    CHECK(report.choices == session.report.choices && session.running);
+    for (int n = 1; n <= 30000; n++) {
+      input =
+          tf_scene_input(scene, &session.machine,
+                         (tf_real_t)((double)n * (double)session.machine.dt));
+      tf_step(&session.machine, &state, &input, &report);
+      const tf_input_t own = tf_session_input(&session, scene);
+      CHECK(own.omega0 == input.omega0 && own.alpha == input.alpha);
+      tf_step(&session.machine, &session.state, &own, &session.report);
+    }
+    CHECK(same_state(&state, &session.state));
+  }
+  tf_session_t session;
+  tf_params_t params = tf_scenes[0]->params;
+  params.m = -1;
+  CHECK(tf_session_open(&session, tf_scenes[0], &params, 0) ==
+        TF_BAD_PARAMETER);
+  params.m = 1;
+  params.gamma = 0; /* h has no hold on v there */
+  CHECK(tf_session_open(&session, tf_scenes[0], &params, 0) == TF_BAD_STATE);
+}
+
+TEST(set_parameter_takes_effect_only_at_the_boundary) {
+  board_t board;
+  power_up(&board, "chaos");
+  const acting_t before = acting(&board);
+  send_parameter(&board, 0, index_of("mu"), TF_R(1.25));
+  CHECK(acts_alike(&board, &before));
+  CHECK(answer_of(&board).length == 0); /* nothing to tell yet */
+  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+  CHECK(board.session.machine.tyre.mu == TF_R(1.25));
+  tf_params_t params = board.scene->params;
+  tf_machine_t machine;
+  params.mu = TF_R(1.25);
+  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
+  CHECK(board.session.machine.mu_sin_gamma == machine.mu_sin_gamma);
+  CHECK(tf_params_hash(&params) == tf_params_hash(&board.link.params));
+  CHECK(tf_params_hash(&params) != tf_params_hash(&board.scene->params));
+  /* Dated ahead: not before its tick. */
+  send_parameter(&board, 3, index_of("mu"), 1);
+  for (int n = 0; n < 3; n++) {
+    tick(&board);
+    CHECK(board.session.machine.tyre.mu == TF_R(1.25));
+  }
+  tick(&board);
+  CHECK(board.session.machine.tyre.mu == 1 && board.session.state.tick == 4);
+  CHECK(code_of(&board) == TF_ANSWER_DONE);
+  const answer_t answer = answer_of(&board);
+  CHECK(answer.code == TF_ANSWER_DONE && answer.tick == 3);
+}
+
+TEST(set_parameter_is_validated_and_answered) {
+  board_t board;
+  power_up(&board, "chaos");
+  const tf_real_t zero = 0;
+  const unsigned mu = index_of("mu");
+  send_parameter(&board, 0, mu, 2);
+  tf_link_boundary(&board.link, &board.session);
+  answer_t answer = answer_of(&board);
+  CHECK(answer.sequence == 0 && answer.type == TF_UP_PARAMETER);
+  CHECK(answer.code == TF_ANSWER_DONE && answer.index == mu);
+  CHECK(answer.value == 2 && answer.low == tf_parameter_ranges[mu].low &&
+        answer.high == tf_parameter_ranges[mu].high);
+  CHECK(board.link.describe);
+  const tf_real_t bad[] = {-1, TF_R(2e9), zero / zero, 1 / zero, -1 / zero};
+  const acting_t before = acting(&board);
+  for (unsigned i = 0; i < 5; i++) {
+    send_parameter(&board, 0, mu, bad[i]);
+    CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+    answer = answer_of(&board);
+    CHECK(answer.sequence == 1 + i && answer.code == TF_BAD_PARAMETER);
+    CHECK(answer.value == 2); /* what is still in effect */
+    CHECK(acts_alike(&board, &before));
+  }
+  /* Each of them, at both ends and just beyond. */
+  for (unsigned i = 0; i < TF_PARAMETERS; i++) {
+    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+    send_parameter(&board, 0, i, range->high);
+    send_parameter(&board, 0, i, range->low);
+    send_parameter(&board, 0, i, range->high * 2 + 1);
+    send_parameter(&board, 0, i, range->low * 2 - 1);
+    CHECK(tf_link_boundary(&board.link, &board.session) == 2);
+    CHECK(code_of(&board) == 0 && code_of(&board) == 0);
+    CHECK(code_of(&board) == TF_BAD_PARAMETER);
+    CHECK(code_of(&board) == TF_BAD_PARAMETER);
+  }
+  send_parameter(&board, 0, TF_PARAMETERS, 1);
+  send_parameter(&board, 0, 255, 1);
+  tf_link_boundary(&board.link, &board.session);
+  answer = answer_of(&board);
+  CHECK(answer.code == TF_BAD_PARAMETER && answer.length == 5);
+  CHECK(answer_of(&board).code == TF_BAD_PARAMETER);
+  CHECK(answer_of(&board).length == 0);
+}
+
+TEST(lengths_types_and_dates_are_checked) {
+  board_t board;
+  power_up(&board, "chaos");
+  uint8_t payload[TF_UP_PAYLOAD];
+  memset(payload, 1, sizeof payload);
+  const acting_t before = acting(&board);
+  const tf_state_t state = board.session.state;
+  for (unsigned type = 0; type < 256; type++)
+    for (unsigned length = 1; length <= TF_UP_PAYLOAD; length++) {
+      const bool meant =
+          (type == TF_UP_INPUT && length == 5 * R) ||
+          (type == TF_UP_PARAMETER && length == 1 + R) ||
+          (type == TF_UP_RULE && length == 5) ||
+          (type == TF_UP_RESTORE && length == 8 + TF_STATE_BYTES);
+      if (meant) continue;
+      send(&board, (tf_type_t)type, 0, payload, length);
+      CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+      const bool known = type >= TF_UP_INPUT && type <= TF_UP_DESCRIBE;
+      CHECK(code_of(&board) == (known ? TF_ANSWER_LENGTH : TF_ANSWER_UNKNOWN));
+      CHECK(acts_alike(&board, &before));
+      CHECK(same_state(&state, &board.session.state));
+    }
+  send(&board, TF_UP_STOP, TF_LINK_AHEAD + 1, NULL, 0);
+  send(&board, TF_UP_STOP, UINT64_MAX, NULL, 0);
+  send(&board, TF_UP_STOP, TF_LINK_AHEAD, NULL, 0);
+  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  CHECK(code_of(&board) == TF_ANSWER_FAR && code_of(&board) == TF_ANSWER_FAR);
+  CHECK(answer_of(&board).length == 0 && board.link.waiting == 1);
+  /* Longer than any command: counted by the decoder, not written. */
+  uint8_t much[TF_FRAME_PAYLOAD];
+  memset(much, 7, sizeof much);
+  send(&board, TF_UP_STOP, 0, much, sizeof much);
+  CHECK(board.link.decoder.too_long == 1 && board.link.waiting == 1);
+}
+
+TEST(inputs_act_at_their_tick) {
+  board_t board;
+  power_up(&board, "driven");
+  tf_session_t pure = board.session;
+  for (int n = 0; n < 3000; n++) {
+    const uint64_t now = board.session.state.tick;
+    tf_input_t input = tf_session_input(&pure, board.scene);
+    if (now >= 100) {
+      /* The loop of a brake: it hangs on the state. */
+      input.torque = TF_R(-0.125) * pure.state.w;
+      input.force = TF_R(0.0625);
+      input.omega0 = -1;
+      input.alpha = 0;
+      send_input(&board, now, &input);
+    }
+    tick(&board);
+    CHECK((now >= 100) == board.session.driven);
+    if (now >= 100) CHECK(code_of(&board) == TF_ANSWER_DONE);
+    tf_step(&pure.machine, &pure.state, &input, &pure.report);
+    CHECK(same_state(&pure.state, &board.session.state));
+  }
+  const tf_real_t zero = 0;
+  const tf_input_t held = board.session.input;
+  tf_input_t bad = held;
+  bad.force = zero / zero;
+  send_input(&board, 0, &bad);
+  bad.force = TF_R(1.1e9);
+  send_input(&board, 0, &bad);
+  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  CHECK(code_of(&board) == TF_BAD_STATE && code_of(&board) == TF_BAD_STATE);
+  CHECK(board.session.input.force == held.force);
+  send_plain(&board, TF_UP_INPUT); /* back to the scene */
+  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+  CHECK(!board.session.driven);
+}
+
+TEST(snapshot_and_restore_continue_bit_for_bit) {
+  board_t board;
+  power_up(&board, "chaos");
+  send_plain(&board, TF_UP_RESTORE);
+  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  CHECK(code_of(&board) == TF_ANSWER_EMPTY);
+  const uint8_t random[5] = {TF_RULE_RANDOM, 77, 0, 0, 0};
+  send(&board, TF_UP_RULE, 0, random, 5);
+  for (int n = 0; n < 15000; n++) tick(&board);
+  CHECK(code_of(&board) == TF_ANSWER_DONE);
+  send_plain(&board, TF_UP_SNAPSHOT);
+  tf_link_boundary(&board.link, &board.session);
+  /* What the host keeps is the frame of the state. */
+  uint8_t wire[TF_FRAME_SIZE(TF_STATE_BYTES)];
+  uint8_t buffer[TF_DECODER_ROOM(TF_STATE_BYTES)];
+  tf_decoder_t decoder;
+  tf_frame_t frame;
+  size_t taken;
+  tf_decoder_init(&decoder, buffer, sizeof buffer);
+  const size_t size = tf_send_state(wire, &board.down, &board.session.state);
+  CHECK(tf_decoder_block(&decoder, wire, size, &taken, &frame));
+  tf_state_t trail[2000];
+  for (int n = 0; n < 20000; n++) {
+    tick(&board);
+    if (n % 10 == 0) trail[n / 10] = board.session.state;
+  }
+  uint8_t kept[8 + TF_STATE_BYTES];
+  tf_wire_put(kept, frame.tick, 8);
+  memcpy(kept + 8, frame.payload, TF_STATE_BYTES);
+  for (int from = 0; from < 2; from++) {
+    while (answer_of(&board).length) continue;
+    if (from == 0)
+      send_plain(&board, TF_UP_RESTORE);
+    else
+      send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
+    for (int n = 0; n < 20000; n++) {
+      tick(&board);
+      if (n % 10 == 0) CHECK(same_state(&trail[n / 10], &board.session.state));
+    }
+    CHECK(code_of(&board) == TF_ANSWER_DONE);
+  }
+  /* A state that is none. */
+  const tf_state_t before = board.session.state;
+  kept[sizeof kept - 1] = TF_MODES;
+  send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
+  kept[sizeof kept - 1] = 0;
+  memset(kept + 8, 0xff, R); /* r is NaN */
+  send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
+  memset(kept + 8, 0, R);
+  memset(kept + 8 + 3 * R, 0xff, R); /* phi is NaN */
+  send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
+  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  for (int i = 0; i < 3; i++) CHECK(code_of(&board) == TF_BAD_STATE);
+  CHECK(same_state(&before, &board.session.state));
+}
+
+TEST(start_stop_reset_and_rule) {
+  board_t board;
+  power_up(&board, "chaos");
+  const tf_state_t start = board.session.state;
+  for (int n = 0; n < 50; n++) tick(&board);
+  send_plain(&board, TF_UP_STOP);
+  for (int n = 0; n < 50; n++) tick(&board);
+  CHECK(board.session.state.tick == 50 && !board.session.running);
+  send_plain(&board, TF_UP_START);
+  tick(&board);
+  CHECK(board.session.state.tick == 51);
+  send_plain(&board, TF_UP_RESET);
+  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+  CHECK(same_state(&start, &board.session.state) && board.session.running);
+  CHECK(code_of(&board) == 0 && code_of(&board) == 0 && code_of(&board) == 0);
+  /* A start that the parameters make impossible is refused. */
+  send_parameter(&board, 0, index_of("gamma"), 0);
+  send_plain(&board, TF_UP_RESET);
+  const tf_state_t before = board.session.state;
+  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+  CHECK(code_of(&board) == 0 && code_of(&board) == TF_BAD_STATE);
+  CHECK(same_state(&before, &board.session.state));
+  const uint8_t rule[5] = {TF_RULE_RANDOM, 1, 2, 3, 4};
+  const uint8_t none[5] = {TF_RULES, 1, 2, 3, 4};
+  send(&board, TF_UP_RULE, 0, rule, 5);
+  send(&board, TF_UP_RULE, 0, none, 5);
+  board.link.describe = false;
+  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+  CHECK(code_of(&board) == 0 && code_of(&board) == TF_BAD_PARAMETER);
+  CHECK(board.session.machine.rule == TF_RULE_RANDOM);
+  CHECK(board.session.state.seed == 0x04030201u && board.link.describe);
+  board.link.describe = false;
+  send_plain(&board, TF_UP_DESCRIBE);
+  tick(&board);
+  CHECK(code_of(&board) == 0 && board.link.describe);
+}
+
+/* More commands than there is room for: what fits is answered, the rest is
+ * counted, and the motion goes on untouched. */
+TEST(uplink_flood_changes_nothing) {
+  board_t board, quiet;
+  power_up(&board, "chaos");
+  power_up(&quiet, "chaos");
+  uint32_t sent = 0, answered = 0;
+  for (int n = 0; n < 2000; n++) {
+    for (int i = 0; i < 20; i++, sent++) send_plain(&board, TF_UP_DESCRIBE);
+    CHECK(board.link.waiting <= TF_LINK_QUEUE);
+    tick(&board);
+    tick(&quiet);
+    CHECK(same_state(&board.session.state, &quiet.session.state));
+    if (n % 7 == 0)
+      while (answer_of(&board).length) answered++;
+  }
+  while (answer_of(&board).length) answered++;
+  CHECK(answered > 0 && answered + board.link.ignored == sent);
+  CHECK(board.link.decoder.lost == 0 && board.link.decoder.bad == 0);
+  /* A queue full of what lies ahead does not lock the host out. */
+  for (int i = 0; i < 5; i++) send(&board, TF_UP_STOP, 60000, NULL, 0);
+  CHECK(board.link.ignored + answered == sent + 1);
+  send_plain(&board, TF_UP_CLEAR);
+  send_plain(&board, TF_UP_STOP);
+  CHECK(tf_link_boundary(&board.link, &board.session) == 2);
+  CHECK(code_of(&board) == 0 && code_of(&board) == 0);
+  CHECK(board.link.ignored + answered == sent + 5 && !board.session.running);
+}
+
+TEST(no_byte_changes_a_parameter_by_itself) {
+  board_t board, quiet;
+  power_up(&board, "chaos");
+  power_up(&quiet, "chaos");
+  const acting_t before = acting(&board);
+  uint8_t wire[TF_FRAME_SIZE(1 + sizeof(tf_real_t))];
+  for (int n = 0; n < 5000; n++) {
+    for (int i = 0; i < 100; i++)
+      tf_link_receive(&board.link, (uint8_t)(tap_bits() >> 11));
+    /* A command with one byte wrong. */
+    uint16_t sequence = (uint16_t)n;
+    wire[TF_FRAME_AT] = (uint8_t)index_of("mu");
+    tf_wire_put_real(wire + TF_FRAME_AT + 1, 3);
+    const size_t size =
+        tf_frame_seal(wire, TF_UP_PARAMETER, sizeof wire - 21, &sequence, 0);
+    CHECK(size == sizeof wire);
+    wire[1 + tap_bits() % (size - 2)] ^= (uint8_t)(1 + tap_bits() % 255);
+    for (size_t i = 0; i < size; i++) tf_link_receive(&board.link, wire[i]);
+    tick(&board);
+    tick(&quiet);
+    CHECK(acts_alike(&board, &before));
+  }
+  CHECK(same_state(&board.session.state, &quiet.session.state));
+  CHECK(board.link.decoder.frames == 0 && board.link.decoder.bad > 5000);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(session_is_the_run_of_the_command_line);
+  RUN(set_parameter_takes_effect_only_at_the_boundary);
+  RUN(set_parameter_is_validated_and_answered);
+  RUN(lengths_types_and_dates_are_checked);
+  RUN(inputs_act_at_their_tick);
+  RUN(snapshot_and_restore_continue_bit_for_bit);
+  RUN(start_stop_reset_and_rule);
+  RUN(uplink_flood_changes_nothing);
+  RUN(no_byte_changes_a_parameter_by_itself);
+  return tap_end();
+}
