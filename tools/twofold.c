@@ -7,6 +7,7 @@
 #include "cli/analysis.h"
 #include "cli/help.h"
 #include "cli/host.h"
+#include "cli/monitor.h"
 #include "cli/run.h"
 #include "cli/text.h"
 
@@ -16,6 +17,7 @@ static const struct {
 } commands[] = {
     {"scenes", cli_scenes},
     {"run", cli_run},
+    {"monitor", cli_monitor},
     {"singularities", cli_singularities},
     {"regions", cli_regions},
     {"design", cli_design},
@@ -61,7 +63,8 @@ int main(int argc, char *argv[]) {
   }
   if (asks_for_help(argc - 2, argv + 2)) {
     const int has_page =
-        strcmp(name, "run") == 0 || cli_analysis_page(name) != NULL;
+        strcmp(name, "run") == 0 || strcmp(name, "monitor") == 0 ||
+        cli_analysis_page(name) != NULL;
     return cli_help(has_page, argv + 1);
   }
   for (size_t i = 0; i < COMMANDS; i++) {

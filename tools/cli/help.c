@@ -21,6 +21,7 @@ static const char usage[] =
     "\n"
     "  scenes             list the scenes\n"
     "  run SCENE [...]    simulate a scene, one row an instant\n"
+    "  monitor FILE [...] decode frames from a board, a file or a pipe\n"
     "  singularities SCENE  every two-fold, as JSON\n"
     "  regions SCENE ...  sliding, escaping, crossing: a grid of (r, omega)\n"
     "  design SCENE ...   kappa and k2 that put a two-fold at (r, omega)\n"
@@ -47,6 +48,7 @@ static const char run_usage[] =
     "                       last instant are always written\n"
     "  --format csv         t,r,v,omega,h,g,F,M,mode,choices (the default)\n"
     "  --format plotter     label:value pairs for a serial plotter\n"
+    "  --format frames      what a board sends: see docs/PROTOCOL.md\n"
     "  --out FILE           instead of standard output\n"
     "  --events N|all       events that the summary lists (default 20)\n"
     "\n"
@@ -58,6 +60,21 @@ static const char run_usage[] =
     "kills. The summary goes to standard error.\n"
     "\n"
     "names of --set, with their ranges:\n";
+
+static const char monitor_usage[] =
+    "usage: twofold monitor FILE|DEVICE|- [OPTION]...\n"
+    "\n"
+    "  --csv                rows as `run` writes them, in the digits of the\n"
+    "                       sender's number type; without it a terminal shows\n"
+    "                       the state live\n"
+    "  --out FILE           of --csv, instead of standard output\n"
+    "  --baud N             speed of a serial device; default: as it is\n"
+    "  --follow             wait for a device that went away, or for more of "
+    "a\n"
+    "                       file\n"
+    "\n"
+    "What was lost and what was broken is told on standard error at the end.\n"
+    "exit codes: 0 done, 2 usage, 4 no frame, or the device went away\n";
 
 static void print_names(void) {
   for (size_t i = 0; i < TF_PARAMETERS; i++) {
@@ -100,6 +117,10 @@ int cli_help(int argc, char *const argv[]) {
   if (argc == 1 && strcmp(argv[0], "run") == 0) {
     (void)fputs(run_usage, stdout);
     print_names();
+    return cli_finish_stdout();
+  }
+  if (argc == 1 && strcmp(argv[0], "monitor") == 0) {
+    (void)fputs(monitor_usage, stdout);
     return cli_finish_stdout();
   }
   const char *page = argc == 1 ? cli_analysis_page(argv[0]) : NULL;

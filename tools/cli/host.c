@@ -30,6 +30,12 @@ double cli_now(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+void cli_sleep(int milliseconds) {
+  const struct timespec wait = {milliseconds / 1000,
+                                (long)(milliseconds % 1000) * 1000000L};
+  (void)nanosleep(&wait, NULL);
+}
+
 bool cli_is_terminal(int descriptor) { return isatty(descriptor) == 1; }
 
 void cli_guard_descriptors(void) {

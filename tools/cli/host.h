@@ -10,6 +10,9 @@
 /// Seconds of a clock that never goes back.
 double cli_now(void);
 
+/// Waits; a signal ends it early.
+void cli_sleep(int milliseconds);
+
 /// Whether a descriptor is a terminal.
 bool cli_is_terminal(int descriptor);
 
@@ -31,6 +34,7 @@ typedef struct {
   int descriptor;
   int error;      ///< errno of the first failure, 0 while all is well
   double flushed; ///< cli_now() of the last flush
+  char last;      ///< byte that ends a row: newline unless set otherwise
   size_t used;
   char buffer[CLI_OUTPUT_ROOM];
 } cli_output_t;

@@ -8,9 +8,8 @@
 // rounded to double and then to float may end at another float.
 //
 // Out: the fewest digits that read back to the same bits. Any decimal of
-// TF_DIGITS_SAFE digits survives the way there and back, so that is where the
-// search starts, and TF_DIGITS_ENOUGH always suffice; two digits lie between.
-// Below the smallest normal number precision fades and the search starts at
+// FLT_DIG or DBL_DIG digits survives the way there and back, so that is where
+// the search starts, and 9 or 17 always suffice; two digits lie between. Below the smallest normal number precision fades and the search starts at
 // one digit. At a power of two the gap below is half the gap above, so that
 // the nearest decimal may miss where its upper neighbour reads back: both are
 // tried. The program never leaves the C locale: the point is a point.
@@ -25,13 +24,9 @@
 
 #include "text.h"
 
-#ifdef TF_REAL_FLOAT
-#define TF_DIGITS_SAFE FLT_DIG
-#define TF_DIGITS_ENOUGH 9
-#else
-#define TF_DIGITS_SAFE DBL_DIG
-#define TF_DIGITS_ENOUGH 17
-#endif
+// Digits that always read back.
+#define FLOAT_DIGITS 9
+#define DOUBLE_DIGITS 17
 
 static tf_real_t text_to_real(const char *text, char **end) {
 #ifdef TF_REAL_FLOAT
@@ -83,32 +78,45 @@ bool cli_read_whole(const char *text, uint64_t low, uint64_t high,
   return true;
 }
 
+// What a decimal reads back to, in the real type that it belongs to.
+static double read_back(const char *text, bool is_float) {
+  return is_float ? (double)strtof(text, NULL) : strtod(text, NULL);
+}
+
 // Writes the next decimal above (in magnitude) the nearest one of so many
 // digits. Returns: whether value is a power of two that this reads back to.
-static bool write_above(char out[CLI_REAL_ROOM], int digits, tf_real_t value) {
+static bool write_above(char out[CLI_REAL_ROOM], int digits, double value,
+                        bool is_float) {
   int exponent = 0;
-  const double fraction = frexp((double)value, &exponent);
+  const double fraction = frexp(value, &exponent);
   if (fabs(fraction) > 0.5) {
     return false;
   }
-  (void)snprintf(out, CLI_REAL_ROOM, "%.*e", digits - 1, (double)value);
+  (void)snprintf(out, CLI_REAL_ROOM, "%.*e", digits - 1, value);
   char *e = strchr(out, 'e');
   if (e == NULL || e == out || e[-1] < '0' || e[-1] > '8') {
     return false;
   }
   e[-1]++;
-  return text_to_real(out, NULL) == value;
+  return read_back(out, is_float) == value;
 }
 
-size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value) {
-  const bool faded = value > -TF_REAL_MIN && value < TF_REAL_MIN;
-  for (int digits = faded ? 1 : TF_DIGITS_SAFE; digits <= TF_DIGITS_ENOUGH;
-       digits++) {
-    (void)snprintf(out, CLI_REAL_ROOM, "%.*g", digits, (double)value);
-    if (text_to_real(out, NULL) == value ||
-        (digits < TF_DIGITS_ENOUGH && write_above(out, digits, value))) {
+size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float) {
+  const double normal = is_float ? (double)FLT_MIN : DBL_MIN;
+  const bool faded = value > -normal && value < normal;
+  const int safe = is_float ? FLT_DIG : DBL_DIG;
+  const int enough = is_float ? FLOAT_DIGITS : DOUBLE_DIGITS;
+  for (int digits = faded ? 1 : safe; digits <= enough; digits++) {
+    (void)snprintf(out, CLI_REAL_ROOM, "%.*g", digits, value);
+    if (read_back(out, is_float) == value ||
+        (digits < enough && write_above(out, digits, value, is_float))) {
       break;
     }
   }
   return strlen(out);
+}
+
+size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value) {
+  return cli_write_number(out, (double)value,
+                          sizeof(tf_real_t) == sizeof(float));
 }

@@ -22,6 +22,7 @@
 bool cli_output_open(cli_output_t *output, const char *path) {
   output->error = 0;
   output->used = 0;
+  output->last = '\n';
   output->flushed = cli_now();
   if (path == NULL || strcmp(path, "-") == 0) {
     output->name = "standard output";
@@ -44,7 +45,7 @@ static bool is_regular(int descriptor) {
 // Removes the bytes after the last whole line of what was written.
 static void drop_cut_row(const cli_output_t *output, size_t written) {
   size_t whole = written;
-  while (whole > 0 && output->buffer[whole - 1] != '\n') {
+  while (whole > 0 && output->buffer[whole - 1] != output->last) {
     whole--;
   }
   if (whole == written || !is_regular(output->descriptor)) {

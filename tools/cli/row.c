@@ -22,26 +22,32 @@ size_t cli_header(cli_format_t format, char out[CLI_ROW_ROOM]) {
              : 0;
 }
 
-static size_t csv_row(tf_real_t t, const tf_state_t *state,
-                      const tf_report_t *report, char out[CLI_ROW_ROOM]) {
-  const tf_real_t columns[8] = {t,
-                                state->r,
-                                state->v,
-                                state->w,
-                                report->slip.h,
-                                report->slip.g,
-                                report->force.F,
-                                report->force.M};
+size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   size_t at = 0;
-  for (size_t i = 0; i < 8; i++) {
-    at = append_real(out, at, columns[i]);
+  for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
+    if (i < row->columns) {
+      at += cli_write_number(out + at, row->column[i], row->is_float);
+    }
     out[at++] = ',';
   }
-  at = append_text(out, at, tf_mode_name(report->mode));
+  at = append_text(out, at, tf_mode_name(row->mode));
   out[at++] = ',';
-  out[at++] = (char)('0' + report->choices); // at most TF_MODES, one digit
+  out[at++] = (char)('0' + row->choices); // at most TF_MODES, one digit
   out[at++] = '\n';
   return at;
+}
+
+static size_t csv_row(tf_real_t t, const tf_state_t *state,
+                      const tf_report_t *report, char out[CLI_ROW_ROOM]) {
+  const cli_csv_t row = {
+      {(double)t, (double)state->r, (double)state->v, (double)state->w,
+       (double)report->slip.h, (double)report->slip.g, (double)report->force.F,
+       (double)report->force.M},
+      CLI_CSV_COLUMNS,
+      sizeof(tf_real_t) == sizeof(float),
+      report->mode,
+      report->choices};
+  return cli_csv_row(&row, out);
 }
 
 static size_t plotter_row(const tf_state_t *state, const tf_report_t *report,

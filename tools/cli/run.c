@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "frames.h"
 #include "text.h"
 
 #define FLUSH_EVERY 0.2 // [s]
@@ -21,10 +22,18 @@ double cli_run_time(const cli_run_t *run, uint64_t steps) {
 
 static void write_row(cli_run_t *run) {
   char row[CLI_ROW_ROOM];
+  uint8_t frames[CLI_FRAMES_ROOM];
+  const char *bytes = row;
+  size_t length = 0;
   const double started = cli_now();
-  const tf_real_t t = (tf_real_t)cli_run_time(run, run->done);
-  const size_t length = cli_row(run->format, t, &run->state, &run->report, row);
-  if (!cli_output_lines(&run->output, row, length)) {
+  if (run->format == CLI_FORMAT_FRAMES) {
+    bytes = (const char *)frames;
+    length = cli_frames_row(&run->sequence, &run->state, &run->report, frames);
+  } else {
+    const tf_real_t t = (tf_real_t)cli_run_time(run, run->done);
+    length = cli_row(run->format, t, &run->state, &run->report, row);
+  }
+  if (!cli_output_lines(&run->output, bytes, length)) {
     run->end = CLI_NOT_WRITTEN;
   }
   run->written = run->done;
@@ -101,16 +110,28 @@ static void step_through(cli_run_t *run) {
   }
 }
 
+static void write_header(cli_run_t *run) {
+  char header[CLI_ROW_ROOM];
+  uint8_t frames[CLI_FRAMES_ROOM];
+  if (run->format == CLI_FORMAT_FRAMES) {
+    const size_t length =
+        cli_frames_header(run->setup, run->scheme, &run->sequence, frames);
+    run->output.last = '\0';
+    (void)cli_output_lines(&run->output, (const char *)frames, length);
+  } else {
+    (void)cli_output_lines(&run->output, header,
+                           cli_header(run->format, header));
+  }
+}
+
 // Opens, runs, closes, tells.
 static int perform(cli_run_t *run, const char *path) {
-  char header[CLI_ROW_ROOM];
   cli_catch_signals();
   if (!cli_output_open(&run->output, path)) {
     return cli_complain(CLI_STOPPED, "--out %s: %s", path,
                         strerror(run->output.error));
   }
-  const size_t length = cli_header(run->format, header);
-  (void)cli_output_lines(&run->output, header, length);
+  write_header(run);
   step_through(run);
   if (!cli_output_close(&run->output)) {
     run->end = CLI_NOT_WRITTEN;

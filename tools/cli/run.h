@@ -12,7 +12,11 @@
 #include "setup.h"
 
 /// How a row is written.
-typedef enum { CLI_FORMAT_CSV, CLI_FORMAT_PLOTTER } cli_format_t;
+typedef enum {
+  CLI_FORMAT_CSV,
+  CLI_FORMAT_PLOTTER,
+  CLI_FORMAT_FRAMES
+} cli_format_t;
 
 /// One step of a scheme.
 typedef tf_status_t (*cli_step_t)(const tf_machine_t *machine,
@@ -60,8 +64,9 @@ typedef struct {
   const cli_scheme_t *scheme;
   cli_format_t format;
   uint64_t every, steps;
-  uint64_t done;    ///< steps taken
-  uint64_t written; ///< the last row's step
+  uint64_t done;     ///< steps taken
+  uint64_t written;  ///< the last row's step
+  uint16_t sequence; ///< of the next frame
   tf_state_t state;
   tf_report_t report; ///< of the last step that was taken
   tf_status_t status; ///< of the last step that was tried
@@ -84,6 +89,19 @@ double cli_run_time(const cli_run_t *run, uint64_t steps);
 
 /// Room for the longest row or header.
 #define CLI_ROW_ROOM 512
+
+/// A row of CSV in numbers: t r v omega h g F M.
+#define CLI_CSV_COLUMNS 8
+typedef struct {
+  double column[CLI_CSV_COLUMNS];
+  size_t columns; ///< known, the rest stays empty
+  bool is_float;  ///< the type that the numbers have
+  unsigned mode, choices;
+} cli_csv_t;
+
+/// Writes a row of CSV with its newline. choices: 0 to 9.
+/// Returns: the length.
+size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
 
 /// Writes the header of a format, which may be empty.
 /// Returns: the length.

@@ -82,10 +82,12 @@ static int read_format(cli_run_args_t *args, const option_t *option) {
     args->format = CLI_FORMAT_CSV;
   } else if (strcmp(option->value, "plotter") == 0) {
     args->format = CLI_FORMAT_PLOTTER;
+  } else if (strcmp(option->value, "frames") == 0) {
+    args->format = CLI_FORMAT_FRAMES;
   } else {
     return cli_complain(CLI_USAGE,
-                        "--format %s: unknown format; this version has csv and "
-                        "plotter",
+                        "--format %s: unknown format; this version has csv, "
+                        "plotter and frames",
                         option->value);
   }
   return CLI_DONE;

@@ -54,6 +54,10 @@ bool cli_read_whole(const char *text, uint64_t low, uint64_t high,
 /// Returns: the length without the zero.
 size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value);
 
+/// The same for a number of the type that is_float says, whatever the program
+/// was built for.
+size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float);
+
 /// Looks for the name closest to a mistyped word, one candidate at a time, so
 /// that names may come from any table.
 typedef struct {

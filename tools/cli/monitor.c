@@ -1,0 +1,275 @@
+// The command `monitor`. It reads as fast as bytes come and tells at the end
+// what was lost; a device that goes away is an error unless --follow waits for
+// it to come back.
+
+#include "monitor.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "picture.h"
+#include "source.h"
+#include "text.h"
+#include "view.h"
+
+#define WAIT 100 // for bytes, and between two looks at a device that left [ms]
+#define BLOCK 65536
+
+typedef struct {
+  const char *path, *out;
+  uint64_t baud;
+  bool csv, follow;
+} options_t;
+
+typedef struct {
+  options_t options;
+  cli_source_t source;
+  cli_output_t output;
+  cli_picture_t picture;
+  cli_view_t view;
+  tf_decoder_t decoder;
+  uint64_t bytes;
+  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  uint8_t block[BLOCK];
+} monitor_t;
+
+// Decodes what was read. Returns: whether the output takes it.
+static bool take_block(monitor_t *monitor, size_t length) {
+  const uint8_t *at = monitor->block;
+  size_t taken = 0;
+  tf_frame_t frame;
+  cli_csv_t row;
+  char line[CLI_ROW_ROOM];
+  monitor->bytes += length;
+  while (tf_decoder_block(&monitor->decoder, at, length, &taken, &frame)) {
+    at += taken;
+    length -= taken;
+    if (!cli_picture_take(&monitor->picture, &frame, &row)) {
+      continue;
+    }
+    cli_view_note(&monitor->view, monitor->picture.mode);
+    if (monitor->options.csv &&
+        !cli_output_lines(&monitor->output, line, cli_csv_row(&row, line))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static int complain_output(const monitor_t *monitor) {
+  return cli_complain(CLI_STOPPED, "%s: %s", monitor->output.name,
+                      monitor->output.error == EPIPE
+                          ? "closed by its reader"
+                          : strerror(monitor->output.error));
+}
+
+// The device went away. Returns: CLI_DONE once it is back or a stop was asked.
+static int wait_for_device(monitor_t *monitor) {
+  cli_source_t *source = &monitor->source;
+  const char *why = source->error == 0 ? "it ended" : strerror(source->error);
+  if (!monitor->options.follow) {
+    return cli_complain(CLI_STOPPED, "%s: the device went away: %s",
+                        source->name, why);
+  }
+  (void)cli_complain(CLI_DONE, "%s: the device went away: %s; waiting",
+                     source->name, why);
+  cli_source_close(source);
+  while (!cli_stop_asked() && !cli_source_open(source, monitor->options.path,
+                                               monitor->options.baud)) {
+    cli_sleep(WAIT);
+  }
+  if (!cli_stop_asked()) {
+    (void)cli_complain(CLI_DONE, "%s: back", source->name);
+  }
+  return CLI_DONE;
+}
+
+static int follow_stream(monitor_t *monitor) {
+  const options_t *options = &monitor->options;
+  const bool live = !options->csv && cli_is_terminal(1);
+  while (!cli_stop_asked()) {
+    size_t count = 0;
+    const cli_source_found_t found =
+        cli_source_read(&monitor->source, monitor->block, BLOCK, WAIT, &count);
+    const double now = cli_now();
+    if (found == CLI_SOURCE_BYTES && !take_block(monitor, count)) {
+      return complain_output(monitor);
+    }
+    if (live) {
+      cli_view_poll(&monitor->view, &monitor->picture, &monitor->decoder,
+                    monitor->source.name, now);
+    }
+    // What a slow board has told is on its way before the next pause.
+    if (options->csv &&
+        (found != CLI_SOURCE_BYTES || now - monitor->output.flushed >= 0.2)) {
+      if (!cli_output_flush(&monitor->output)) {
+        return complain_output(monitor);
+      }
+    }
+    if (found == CLI_SOURCE_END && !options->follow) {
+      return CLI_DONE;
+    }
+    if (found == CLI_SOURCE_END) {
+      cli_sleep(WAIT); // a file may still grow
+    } else if (found == CLI_SOURCE_GONE) {
+      const int code = wait_for_device(monitor);
+      if (code != CLI_DONE) {
+        return code;
+      }
+    }
+  }
+  return CLI_DONE;
+}
+
+static void summarise(const monitor_t *monitor) {
+  const cli_picture_t *picture = &monitor->picture;
+  const tf_decoder_t *decoder = &monitor->decoder;
+  if (picture->has_schema) {
+    (void)fprintf(stderr, "sender     %s, scene %s, %s, dt = %g s, ",
+                  picture->build, picture->scene,
+                  picture->is_float ? "float" : "double", picture->dt);
+    (void)fprintf(stderr, "parameters %08" PRIx32 "\n", picture->hash);
+  }
+  (void)fprintf(stderr,
+                "frames     %" PRIu32 " in %" PRIu64 " bytes, %" PRIu64
+                " rows, %" PRIu64 " without a match, %" PRIu64 " unknown\n",
+                decoder->frames, monitor->bytes, picture->rows,
+                picture->incomplete + picture->has_state, picture->unknown);
+  (void)fprintf(stderr,
+                "line       %" PRIu32 " lost, %" PRIu32 " broken, %" PRIu32
+                " too long, %" PRIu32 " of another version, %" PRIu32
+                " restarts\n",
+                decoder->lost, decoder->bad, decoder->too_long,
+                decoder->bad_version, decoder->restarts);
+  if (picture->has_heartbeat) {
+    const tf_heartbeat_t *beat = &picture->heartbeat;
+    (void)fprintf(stderr,
+                  "board      %" PRIu32 " steps, %" PRIu32 " overruns, %" PRIu32
+                  " frames dropped, %" PRIu32
+                  " steps refused; a step takes "
+                  "%" PRIu32 " to %" PRIu32 " ns, mean %" PRIu32 "\n",
+                  beat->steps, beat->overruns, beat->dropped, beat->refused,
+                  beat->exec_min, beat->exec_max, beat->exec_mean);
+  }
+  if (picture->has_schema && picture->rows > 0) {
+    (void)fprintf(stderr,
+                  "last       step %" PRIu64
+                  ", r = %.9g m, v = %.9g m/s, "
+                  "omega = %.9g rad/s, %s\n",
+                  picture->tick, picture->state[0], picture->state[1],
+                  picture->state[2], tf_mode_name(picture->mode));
+  }
+}
+
+static int read_option(options_t *options, int argc, char *const argv[],
+                       int *at) {
+  const char *word = argv[*at];
+  if (strcmp(word, "--csv") == 0) {
+    options->csv = true;
+    return CLI_DONE;
+  }
+  if (strcmp(word, "--follow") == 0) {
+    options->follow = true;
+    return CLI_DONE;
+  }
+  const bool is_baud = strcmp(word, "--baud") == 0;
+  if (!is_baud && strcmp(word, "--out") != 0) {
+    cli_closest_t closest = cli_closest_to(word);
+    cli_closest_offer(&closest, "--csv");
+    cli_closest_offer(&closest, "--follow");
+    cli_closest_offer(&closest, "--baud");
+    cli_closest_offer(&closest, "--out");
+    const cli_hint_t hint = cli_closest_hint(&closest);
+    return cli_complain(
+        CLI_USAGE,
+        "unknown option %s%s%s%s ('twofold help monitor' lists them)", word,
+        hint.before, hint.name, hint.after);
+  }
+  if (*at + 1 >= argc) {
+    return cli_complain(CLI_USAGE, "%s: expected a value", word);
+  }
+  const char *value = argv[++*at];
+  if (!is_baud) {
+    options->out = value;
+  } else if (!cli_read_whole(value, 1, 100000000, &options->baud)) {
+    return cli_complain(CLI_USAGE, "--baud %s: must be a whole number", value);
+  }
+  return CLI_DONE;
+}
+
+static int read_options(options_t *options, int argc, char *const argv[]) {
+  memset(options, 0, sizeof *options);
+  for (int at = 0; at < argc; at++) {
+    int code = CLI_DONE;
+    if (argv[at][0] == '-' && argv[at][1] != '\0') {
+      code = read_option(options, argc, argv, &at);
+    } else if (options->path != NULL) {
+      code = cli_complain(CLI_USAGE, "%s: one source at a time (%s was given)",
+                          argv[at], options->path);
+    } else {
+      options->path = argv[at];
+    }
+    if (code != CLI_DONE) {
+      return code;
+    }
+  }
+  if (options->path == NULL) {
+    return cli_complain(CLI_USAGE,
+                        "monitor: which file or device? (- is "
+                        "standard input)");
+  }
+  if (options->out != NULL && !options->csv) {
+    return cli_complain(CLI_USAGE, "--out %s: only with --csv", options->out);
+  }
+  return CLI_DONE;
+}
+
+static int perform(monitor_t *monitor) {
+  const options_t *options = &monitor->options;
+  char header[CLI_ROW_ROOM];
+  if (!cli_source_open(&monitor->source, options->path, options->baud)) {
+    return cli_complain(CLI_STOPPED, "%s: %s", options->path,
+                        monitor->source.error == EINVAL && options->baud != 0
+                            ? "the device does not take this --baud"
+                            : strerror(monitor->source.error));
+  }
+  if (options->csv) {
+    if (!cli_output_open(&monitor->output, options->out)) {
+      return complain_output(monitor);
+    }
+    (void)cli_output_lines(&monitor->output, header,
+                           cli_header(CLI_FORMAT_CSV, header));
+  }
+  int code = follow_stream(monitor);
+  if (options->csv && !cli_output_close(&monitor->output) && code == CLI_DONE) {
+    code = complain_output(monitor);
+  }
+  cli_source_close(&monitor->source);
+  summarise(monitor);
+  if (code == CLI_DONE && monitor->decoder.frames == 0) {
+    code = cli_complain(CLI_STOPPED, "%s: no frame of protocol version %d",
+                        options->path, TF_FRAME_VERSION);
+  }
+  return code;
+}
+
+int cli_monitor(int argc, char *const argv[]) {
+  options_t options;
+  int code = read_options(&options, argc, argv);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  monitor_t *monitor = calloc(1, sizeof *monitor);
+  if (monitor == NULL) {
+    return cli_complain(CLI_STOPPED, "out of memory");
+  }
+  monitor->options = options;
+  tf_decoder_init(&monitor->decoder, monitor->buffer, sizeof monitor->buffer);
+  cli_catch_signals();
+  code = perform(monitor);
+  free(monitor);
+  return code;
+}

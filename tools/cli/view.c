@@ -1,0 +1,78 @@
+// A few lines that stay where they are. Ten drawings a second are enough for a
+// person, so a fast stream costs no more to look at than a slow one.
+
+#include "view.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#define DRAW_EVERY 0.1 // [s]
+#define LINES 7
+
+void cli_view_note(cli_view_t *view, uint8_t mode) {
+  if (view->used > 0 && view->ribbon[view->used - 1] == mode) {
+    return;
+  }
+  if (view->used == CLI_VIEW_RIBBON) {
+    memmove(view->ribbon, view->ribbon + 1, CLI_VIEW_RIBBON - 1);
+    view->used--;
+  }
+  view->ribbon[view->used++] = mode;
+}
+
+static void draw(const cli_view_t *view, const cli_picture_t *picture,
+                 const tf_decoder_t *decoder, const char *name) {
+  static const char marks[TF_MODES + 1] = "+-PMo";
+  const tf_heartbeat_t *beat = &picture->heartbeat;
+  char ribbon[CLI_VIEW_RIBBON + 1];
+  for (size_t i = 0; i < view->used; i++) {
+    ribbon[i] = marks[view->ribbon[i] < TF_MODES ? view->ribbon[i] : 0];
+  }
+  ribbon[view->used] = '\0';
+  if (view->drawn) {
+    (void)printf("\033[%dA", LINES);
+  }
+  (void)printf("\033[K%s: scene %s, %s, %s, dt = %g s, parameters %08" PRIx32
+               "\n",
+               name, picture->has_schema ? picture->scene : "not told yet",
+               picture->is_float ? "float" : "double", picture->build,
+               picture->dt, picture->hash);
+  (void)printf("\033[Kstep %" PRIu64 ", t = %.6g s, mode %s, %u possible\n",
+               picture->tick,
+               picture->base + (double)picture->tick * picture->dt,
+               tf_mode_name(picture->mode), (unsigned)picture->choices);
+  (void)printf("\033[Kr = %-12.6g v = %-12.6g omega = %-12.6g\n",
+               picture->state[0], picture->state[1], picture->state[2]);
+  (void)printf("\033[Kh = %-12.6g g = %-12.6g F = %-12.6g M = %-12.6g\n",
+               picture->report[0], picture->report[1], picture->report[2],
+               picture->report[3]);
+  (void)printf("\033[Kmodes %s  (+ - slip, P M stick, o pinned)\n", ribbon);
+  (void)printf("\033[Kline  %.0f frames/s; %" PRIu32 " frames, %" PRIu32
+               " broken, %" PRIu32 " lost\n",
+               view->rate, decoder->frames,
+               decoder->bad + decoder->too_long + decoder->bad_version,
+               decoder->lost);
+  (void)printf("\033[Kboard %" PRIu32 " steps, %" PRIu32 " overruns, %" PRIu32
+               " dropped, %" PRIu32 " refused; step %" PRIu32 "/%" PRIu32
+               "/%" PRIu32 " ns of %" PRIu32 "\n",
+               beat->steps, beat->overruns, beat->dropped, beat->refused,
+               beat->exec_min, beat->exec_mean, beat->exec_max, beat->period);
+  (void)fflush(stdout);
+}
+
+void cli_view_poll(cli_view_t *view, const cli_picture_t *picture,
+                   const tf_decoder_t *decoder, const char *name, double now) {
+  if (now < view->next) {
+    return;
+  }
+  if (view->drawn && now > view->since) {
+    view->rate = (double)(uint32_t)(decoder->frames - view->frames) /
+                 (now - view->since);
+  }
+  view->since = now;
+  view->frames = decoder->frames;
+  view->next = now + DRAW_EVERY;
+  draw(view, picture, decoder, name);
+  view->drawn = true;
+}
