@@ -24,7 +24,7 @@ SUPPORT := $(wildcard tests/support/*.c)
 TEST_ROOMS := tests/unit tests/law tests/golden tests/regress
 TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
 BENCH := tools/bench/steps.c tools/bench/race.c tools/bench/compensated.c \
-  tools/bench/ensemble.c
+  tools/bench/ensemble.c tools/bench/frame.c
 STABILITY := $(wildcard tools/stability/*.c)
 PEERS := hand twofold reference
 ORACLE := $(wildcard tools/oracle/*.c)
@@ -55,6 +55,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DELETE_ON_ERROR:
 .PHONY: help all run test bench stability check clean bench-compensated \
   bench-ensemble bench-peers bench-steps keep-report oracle FORCE
+  bench-ensemble bench-frame bench-peers oracle FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -69,6 +70,7 @@ help:
 	@echo 'make stability  stiff and extreme cases: tables and map (gnuplot)'
 	@echo 'make bench-compensated   errors of small steps, carried or not'
 	@echo 'make bench-ensemble   many states at once (try EXTRA=-mavx2)'
+	@echo 'make bench-frame      frames decoded and made, MB/s'
 	@echo 'make bench-peers  error over time beside other tools (SUNDIALS, ...)'
 	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
 	@echo 'make oracle  remake tests/data/reference*.h (minutes; libquadmath)'
@@ -173,6 +175,10 @@ bench-compensated: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/compensated
 bench-ensemble: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/ensemble)
 	@for v in $(VARIANTS); do echo "== $$v" && \
 	  $(BUILD)/$$v/tools/bench/ensemble || exit 1; done
+
+bench-frame: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/frame)
+	@for v in $(VARIANTS); do echo "== $$v" && \
+	  $(BUILD)/$$v/tools/bench/frame || exit 1; done
 
 # Other tools on the same problems. What is not the project's own may use all
 # that the processor has. SUNDIALS, Siconos and Octave are built or left out by
