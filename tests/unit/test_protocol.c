@@ -1,0 +1,307 @@
+/* The examples of docs/PROTOCOL.md: each is a frame, says what the text around
+ * it says, and is what the library makes of that. Also what the frames that go
+ * down carry. Runs from the root of the project. */
+#include <ctype.h>
+
+#include "tap.h"
+#include "twofold.h"
+
+#define R TF_REAL_BYTES
+#define LONGEST TF_FRAME_SIZE(TF_FRAME_PAYLOAD)
+#define IS_FLOAT (sizeof(tf_real_t) == 4)
+
+typedef struct {
+  uint8_t wire[LONGEST];
+  size_t size;
+} example_t;
+
+/* The block "```hex NAME" of the document. */
+static example_t example(const char *name) {
+  example_t found = {{0}, 0};
+  char line[400], want[40];
+  FILE *file = fopen("docs/PROTOCOL.md", "r");
+  snprintf(want, sizeof want, "```hex %s\n", name);
+  if (!CHECK(file != NULL)) return found;
+  while (fgets(line, sizeof line, file) && strcmp(line, want)) continue;
+  while (fgets(line, sizeof line, file) && line[0] != '`')
+    for (char *at = line; isxdigit((unsigned char)at[0]); at += 3)
+      if (found.size < LONGEST)
+        found.wire[found.size++] = (uint8_t)strtoul(at, NULL, 16);
+  fclose(file);
+  return found;
+}
+
+typedef struct {
+  tf_frame_t frame;
+  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+} received_t;
+
+static void receive(received_t *received, const uint8_t *wire, size_t size) {
+  tf_decoder_t decoder;
+  size_t taken = 0;
+  memset(&received->frame, 0, sizeof received->frame);
+  tf_decoder_init(&decoder, received->buffer, sizeof received->buffer);
+  received->frame.payload = received->buffer;
+  CHECK(tf_decoder_block(&decoder, wire, size, &taken, &received->frame));
+  CHECK(taken == size && size == TF_FRAME_SIZE((size_t)received->frame.length));
+}
+
+/* Decodes an example; in the build of its real type compares it with what was
+ * made, and prints that where it differs. */
+static void judge(const char *name, uint8_t type, uint16_t sequence,
+                  uint64_t tick, const uint8_t *made, size_t size) {
+  const example_t shown = example(name);
+  received_t received;
+  receive(&received, shown.wire, shown.size);
+  CHECK(received.frame.type == type && received.frame.tick == tick);
+  CHECK(received.frame.sequence == sequence);
+  if (size == 0) return; /* of the other real type */
+  if (CHECK(shown.size == size && !memcmp(shown.wire, made, size))) return;
+  printf("# %s:", name);
+  for (size_t i = 0; i < size; i++) printf(" %02X", (unsigned)made[i]);
+  printf("\n");
+}
+
+static const tf_state_t state_shown = {TF_R(0.18), TF_R(-0.5), TF_R(-1.037),  0,
+                                       1000,       7,          TF_STICK_MINUS};
+static const tf_report_t report_shown = {
+    TF_STICK_MINUS,   0x18, 2, {TF_R(0.75), TF_R(-0.2)},
+    {0, TF_R(-0.25)}, 2,    0, TF_OK};
+static const tf_heartbeat_t heartbeat_shown = {1000, 0,    2,    3,    1,
+                                               0,    5200, 5400, 9100, 1000000};
+static tf_schema_t schema_shown(void) {
+  const tf_schema_t schema = {
+      &tf_scenes[0]->params, tf_scenes[0]->name, "demo", 7, 0, true};
+  return schema;
+}
+
+static size_t set_mu(uint8_t *wire) {
+  uint16_t sequence = 1;
+  wire[TF_FRAME_AT] = 8;
+  tf_wire_put_real(wire + TF_FRAME_AT + 1, TF_R(1.25));
+  return tf_frame_seal(wire, TF_UP_PARAMETER, 1 + R, &sequence, 0);
+}
+
+static size_t answer_to(uint8_t *wire, const uint8_t *command, size_t size) {
+  static tf_link_t link;
+  static tf_session_t session;
+  const tf_scene_t *scene = tf_scenes[0];
+  uint16_t sequence = 7;
+  CHECK(tf_session_open(&session, scene, &scene->params, 7) == TF_OK);
+  session.state.tick = 1000;
+  tf_link_open(&link, scene, &scene->params);
+  for (size_t i = 0; i < size; i++) tf_link_receive(&link, command[i]);
+  CHECK(tf_link_boundary(&link, &session) == 1);
+  return tf_link_answer(&link, wire, &sequence);
+}
+
+TEST(documented_frames_decode) {
+  uint8_t wire[LONGEST], command[LONGEST];
+  uint16_t sequence = 0;
+  size_t size = tf_frame_seal(wire, TF_UP_START, 0, &sequence, 0);
+  judge("start", 0x44, 0, 0, wire, size);
+  const int own = IS_FLOAT;
+  const tf_schema_t schema = schema_shown();
+  sequence = 0;
+  size = tf_send_schema(wire, &sequence, 0, &schema);
+  judge("schema", 0x01, 0, 0, wire, own ? size : 0);
+  size = tf_send_layout(wire, &sequence, 0, TF_DOWN_COMPACT, tf_layout_compact);
+  judge("layout", 0x02, 1, 0, wire, size);
+  size = tf_send_state(wire, &sequence, &state_shown);
+  judge("state", 0x03, 2, 1000, wire, own ? size : 0);
+  judge("state-double", 0x03, 2, 1000, wire, own ? 0 : size);
+  size = tf_send_report(wire, &sequence, 1000, &report_shown);
+  judge("report", 0x04, 3, 1000, wire, own ? size : 0);
+  size = tf_send_compact(wire, &sequence, &state_shown, &report_shown);
+  judge("compact", 0x05, 4, 1000, wire, own ? size : 0);
+  size = tf_send_heartbeat(wire, &sequence, 1000, &heartbeat_shown);
+  judge("heartbeat", 0x06, 5, 1000, wire, size);
+  size = tf_send_parameter(wire, &sequence, 1000, &tf_scenes[0]->params, 8);
+  judge("parameter", 0x07, 6, 1000, wire, own ? size : 0);
+  size = set_mu(command);
+  judge("set-mu", 0x42, 1, 0, command, own ? size : 0);
+  size = answer_to(wire, command, size);
+  judge("answer", 0x08, 7, 1000, wire, own ? size : 0);
+}
+
+TEST(state_and_report_survive_the_line) {
+  uint8_t wire[LONGEST];
+  for (int n = 0; n < 5000; n++) {
+    tf_state_t state = state_shown, back;
+    tf_report_t report = report_shown, told;
+    received_t received;
+    uint16_t sequence = (uint16_t)n;
+    state.r = (tf_real_t)tap_uniform(-1e3, 1e3);
+    state.v = n % 3 ? (tf_real_t)tap_uniform(-1, 1) : 0;
+    state.phi = (tf_real_t)tap_uniform(-1e6, 1e6);
+    state.tick = tap_bits();
+    state.seed = (uint32_t)tap_bits();
+    state.mode = (uint8_t)(tap_bits() % TF_MODES);
+    report.slip.h = state.r;
+    report.residual = state.v;
+    report.delassus = state.phi;
+    report.status = n % 2 ? TF_DEGRADED : TF_STEP_TOO_LONG;
+    receive(&received, wire, tf_send_state(wire, &sequence, &state));
+    CHECK(received.frame.length == TF_STATE_BYTES);
+    tf_read_state(received.frame.payload, received.frame.tick, &back);
+    CHECK(back.r == state.r && back.v == state.v && back.w == state.w);
+    CHECK(back.phi == state.phi && back.seed == state.seed);
+    CHECK(back.mode == state.mode && back.tick == state.tick);
+    receive(&received, wire,
+            tf_send_report(wire, &sequence, state.tick, &report));
+    CHECK(received.frame.length == TF_REPORT_BYTES);
+    tf_read_report(received.frame.payload, &told);
+    CHECK(told.slip.h == report.slip.h && told.slip.g == report.slip.g);
+    CHECK(told.force.F == report.force.F && told.force.M == report.force.M);
+    CHECK(told.delassus == report.delassus);
+    CHECK(told.residual == report.residual && told.status == report.status);
+    CHECK(told.mode == report.mode && told.set == report.set);
+    CHECK(told.choices == report.choices);
+    receive(&received, wire, tf_send_compact(wire, &sequence, &state, &report));
+    CHECK(received.frame.length == TF_COMPACT_BYTES);
+    CHECK(tf_wire_get_real(received.frame.payload + R) == state.v);
+  }
+}
+
+TEST(heartbeat_survives_the_line) {
+  uint8_t wire[LONGEST];
+  received_t received;
+  uint16_t sequence = 0;
+  const tf_heartbeat_t beat = {1, 2, 3, 4, 5, 6, 7, 8, 9, 0xfffffffau};
+  receive(&received, wire, tf_send_heartbeat(wire, &sequence, 1, &beat));
+  CHECK(received.frame.length == TF_HEARTBEAT_BYTES && sequence == 1);
+  for (unsigned i = 0; i < 9; i++)
+    CHECK(tf_wire_get(received.frame.payload + 4 * i, 4) == i + 1);
+  CHECK(tf_wire_get(received.frame.payload + 36, 4) == 0xfffffffau);
+}
+
+TEST(schema_says_what_runs) {
+  uint8_t wire[LONGEST];
+  received_t received;
+  uint16_t sequence = 0;
+  tf_schema_t schema = schema_shown();
+  receive(&received, wire, tf_send_schema(wire, &sequence, 0, &schema));
+  const uint8_t *at = received.frame.payload;
+  const tf_params_t *params = schema.params;
+  CHECK(at[0] == sizeof(tf_real_t) && at[1] == params->law && at[4] == 2);
+  CHECK(tf_wire_get(at + 9, 4) == tf_params_hash(params));
+  CHECK(tf_wire_get_real(at + 13) == params->dt);
+  CHECK(!strcmp((const char *)at + 13 + R, "chaos"));
+  CHECK(!strcmp((const char *)at + 13 + R + 6, "demo"));
+  CHECK(received.frame.length == 13 + R + 6 + 5);
+  /* Names that do not fit are cut off, and both still end. */
+  char name[400];
+  memset(name, 'x', sizeof name);
+  name[399] = '\0';
+  schema.scene = schema.build = name;
+  receive(&received, wire, tf_send_schema(wire, &sequence, 0, &schema));
+  CHECK(received.frame.length == TF_FRAME_PAYLOAD);
+  CHECK(received.frame.payload[TF_FRAME_PAYLOAD - 2] == 0);
+  CHECK(received.frame.payload[TF_FRAME_PAYLOAD - 1] == 0);
+  /* The hash sees every parameter. */
+  const uint32_t hash = tf_params_hash(params);
+  for (unsigned i = 0; i < TF_PARAMETERS; i++) {
+    tf_params_t other = *params;
+    tf_real_t value;
+    char *member = (char *)&other + tf_parameter_ranges[i].offset;
+    memcpy(&value, member, sizeof value);
+    value += TF_R(0.5);
+    memcpy(member, &value, sizeof value);
+    CHECK(tf_params_hash(&other) != hash);
+  }
+  tf_params_t other = *params;
+  other.rule = TF_RULE_RANDOM;
+  CHECK(tf_params_hash(&other) != hash);
+  other = *params;
+  other.with_angle = !other.with_angle;
+  CHECK(tf_params_hash(&other) != hash);
+}
+
+TEST(parameters_are_described) {
+  uint8_t wire[LONGEST];
+  received_t received;
+  uint16_t sequence = 0;
+  const tf_params_t *params = &tf_scenes[0]->params;
+  for (unsigned i = 0; i < TF_PARAMETERS; i++) {
+    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+    tf_real_t value;
+    char text[40], want[40];
+    receive(&received, wire, tf_send_parameter(wire, &sequence, 9, params, i));
+    const uint8_t *at = received.frame.payload;
+    memcpy(&value, (const char *)params + range->offset, sizeof value);
+    CHECK(at[0] == i && at[1] == ((range->laws >> params->law) & 1));
+    CHECK(tf_wire_get_real(at + 2) == value);
+    CHECK(tf_wire_get_real(at + 2 + R) == range->low);
+    CHECK(tf_wire_get_real(at + 2 + 2 * R) == range->high);
+    const size_t length = received.frame.length - (2u + 3 * R);
+    memcpy(text, at + 2 + 3 * R, length);
+    text[length] = '\0';
+    snprintf(want, sizeof want, "%s,%s", range->name, range->unit);
+    CHECK(!strcmp(text, want));
+  }
+  CHECK(tf_send_parameter(wire, &sequence, 9, params, TF_PARAMETERS) == 0);
+  CHECK(sequence == TF_PARAMETERS);
+}
+
+/* Bytes that a layout adds up to. */
+static unsigned bytes_of(const char *layout) {
+  static const struct {
+    const char *name;
+    unsigned bytes;
+  } types[] = {{"real", sizeof(tf_real_t)},
+               {"u8", 1},
+               {"i8", 1},
+               {"u16", 2},
+               {"u32", 4},
+               {"u64", 8}};
+  unsigned sum = 0;
+  while (*layout) {
+    char name[16], type[8], scale[8], unit[16];
+    int used = 0;
+    CHECK(sscanf(layout, "%15[^,],%7[^,],%7[^,],%15[^;]%n", name, type, scale,
+                 unit, &used) == 4);
+    CHECK(strtod(scale, NULL) > 0);
+    unsigned i = 0;
+    while (i < 6 && strcmp(types[i].name, type)) i++;
+    if (!CHECK(i < 6 && used > 0)) return 0;
+    sum += types[i].bytes;
+    layout += used;
+    layout += *layout == ';';
+  }
+  return sum;
+}
+
+TEST(layouts_describe_the_payloads) {
+  static const struct {
+    tf_type_t type;
+    const char *layout;
+    unsigned bytes;
+  } all[] = {{TF_DOWN_STATE, tf_layout_state, TF_STATE_BYTES},
+             {TF_DOWN_REPORT, tf_layout_report, TF_REPORT_BYTES},
+             {TF_DOWN_COMPACT, tf_layout_compact, TF_COMPACT_BYTES},
+             {TF_DOWN_HEARTBEAT, tf_layout_heartbeat, TF_HEARTBEAT_BYTES}};
+  uint16_t sequence = 0;
+  for (unsigned i = 0; i < 4; i++) {
+    uint8_t wire[LONGEST];
+    received_t received;
+    CHECK(bytes_of(all[i].layout) == all[i].bytes);
+    receive(&received, wire,
+            tf_send_layout(wire, &sequence, 0, all[i].type, all[i].layout));
+    CHECK(received.frame.payload[0] == all[i].type);
+    /* None is cut off. */
+    CHECK(received.frame.length == 1 + strlen(all[i].layout));
+    CHECK(!memcmp(received.frame.payload + 1, all[i].layout,
+                  strlen(all[i].layout)));
+  }
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(documented_frames_decode);
+  RUN(state_and_report_survive_the_line);
+  RUN(heartbeat_survives_the_line);
+  RUN(schema_says_what_runs);
+  RUN(parameters_are_described);
+  RUN(layouts_describe_the_payloads);
+  return tap_end();
+}
