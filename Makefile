@@ -56,6 +56,8 @@ FLAGS_float := -DTF_REAL_FLOAT
 .PHONY: help all run test bench stability check clean bench-compensated \
   bench-ensemble bench-peers bench-steps keep-report oracle FORCE
   bench-ensemble bench-frame bench-peers oracle FORCE
+  bench-ensemble bench-peers oracle firmware elf boards boards-list test-boards size deps \
+  FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -74,6 +76,10 @@ help:
 	@echo 'make bench-peers  error over time beside other tools (SUNDIALS, ...)'
 	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
 	@echo 'make oracle  remake tests/data/reference*.h (minutes; libquadmath)'
+	@echo 'make firmware SCENE=chaos BOARD=microbit REAL=float   (port/port.mk)'
+	@echo 'make boards  firmware of every board;  make deps installs compilers'
+	@echo 'make test-boards  bits and real time of every board, in emulators'
+	@echo 'make size    flash, RAM, stack, instructions of every board'
 	@echo 'make all     compile everything: core, command line, tests, bench'
 	@echo 'make clean   remove $(BUILD)/'
 	@echo 'Variables: CC OPT EXTRA BUILD TESTS; see the top of the Makefile.'
@@ -214,6 +220,8 @@ oracle: $(BUILD)/oracle
 	@$< index >$(BUILD)/index.new && mv $(BUILD)/index.new \
 	  tests/data/reference.h
 	@echo 'The references are in tests/data/.'
+
+include port/port.mk
 
 # The checks choose their own compilers and flags.
 check:

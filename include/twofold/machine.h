@@ -55,7 +55,7 @@ typedef struct {
 /// The table that validates, names and documents every parameter.
 #define TF_PARAMETERS 21
 #define tf_parameter_ranges TF_LINK(tf_parameter_ranges)
-TF_API extern const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS];
+TF_API_DATA const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS];
 
 /// A machine ready to step: constants only, no pointers, may live in flash.
 /// a is the implicit mass of spring and damper, theta dt (c2 + theta dt k2).

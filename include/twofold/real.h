@@ -38,9 +38,13 @@ typedef double tf_real_t;
 
 /// Linkage of the core. A build for one scene includes the sources into one
 /// translation unit with TF_API defined as `static`, so that a constant scene
-/// folds through them; every other build leaves it empty.
-#ifndef TF_API
+/// folds through them; every other build leaves it empty. TF_API_DATA declares
+/// a table: `extern`, unless TF_API makes it local.
+#ifdef TF_API
+#define TF_API_DATA TF_API
+#else
 #define TF_API
+#define TF_API_DATA extern
 #endif
 
 #endif

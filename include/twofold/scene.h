@@ -42,6 +42,6 @@ TF_API tf_input_t tf_scene_input(const tf_scene_t *scene,
 /// The scenes that come with the project.
 #define TF_SCENES 9
 #define tf_scenes TF_LINK(tf_scenes)
-TF_API extern const tf_scene_t *const tf_scenes[TF_SCENES];
+TF_API_DATA const tf_scene_t *const tf_scenes[TF_SCENES];
 
 #endif

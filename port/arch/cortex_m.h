@@ -1,0 +1,41 @@
+/// @file
+/// What Arm Cortex-M processors share: startup, faults, semihosting, SysTick.
+#ifndef TWOFOLD_PORT_CORTEX_M_H
+#define TWOFOLD_PORT_CORTEX_M_H
+
+#include <stdint.h>
+
+/// A register of the hardware.
+#define REGISTER(address) (*(volatile uint32_t *)(address))
+
+/// Interrupts of the board that the vector table has room for.
+#define CORTEX_M_INTERRUPTS 48
+
+/// Handlers that a board may define; those that it does not halt.
+void cortex_m_systick(void);
+void cortex_m_interrupt(void); ///< any of the board's
+
+/// Enables an interrupt of the board.
+static inline void cortex_m_enable(unsigned number) {
+  REGISTER(0xE000E100u + 4u * (number / 32u)) = 1u << (number % 32u);
+}
+
+/// As port_idle, for a tick that an interrupt counts in *ticks.
+static inline void cortex_m_idle(const volatile uint32_t *ticks,
+                                 uint32_t seen) {
+  // Masked, an interrupt still ends wfi: none is lost between look and rest.
+  __asm__ volatile("cpsid i" ::: "memory");
+  if (*ticks == seen) __asm__ volatile("wfi" ::: "memory");
+  __asm__ volatile("cpsie i" ::: "memory");
+}
+
+/// SysTick as tick and clock: started at so many cycles a tick (<= 2^24).
+void cortex_m_tick_start(uint32_t cycles);
+uint32_t cortex_m_ticks(void);
+uint32_t cortex_m_clock(void);
+void cortex_m_tick_idle(uint32_t seen);
+
+/// Tells a debugger or an emulator the exit code, then stops for good.
+__attribute__((noreturn)) void cortex_m_halt(int code);
+
+#endif

@@ -1,0 +1,81 @@
+/// @file
+/// The simulator within one translation unit, for one scene or for all.
+///
+/// For one scene, SCENE_HEADER names a header of constants that
+/// tools/firmware/constants.c made: the prepared machine, the state in which
+/// the motion starts, the inputs. They are const and local, and so is every
+/// function of the core here; the compiler folds the constants through them
+/// and drops what the scene does not use, down to the branches of a step.
+/// Without SCENE_HEADER every scene is there, is prepared at run time, and
+/// which one runs is said by a number in another object (port/choice.c).
+///
+/// Both compute the bits that the library computes.
+#ifndef TWOFOLD_PORT_CORE_H
+#define TWOFOLD_PORT_CORE_H
+
+#define TF_API static __attribute__((unused))
+
+// Headers declare more than is defined here: the other schemes.
+#pragma GCC diagnostic ignored "-Wunused-function"
+
+#include "twofold/scene.h"
+#include "twofold/step.h"
+// In the order of a step, then what a firmware of one scene needs none of.
+#include "../src/step.c"
+#include "../src/friction.c"
+#include "../src/kernel.c"
+#include "../src/machine.c"
+#include "../src/scene.c"
+#include "../src/select.c"
+#include "../src/tyre.c"
+#include "../src/begin.c"
+#include "../src/prepare.c"
+#include "../src/scenes.c"
+#include "../src/status.c"
+
+#ifdef SCENE_HEADER
+#include SCENE_HEADER
+
+#define SCENE_MACHINE (&scene_machine)
+#define SCENE (&scene_inputs)
+
+static inline void scene_begin(tf_state_t *state, tf_report_t *report) {
+  *state = scene_start;
+  *report = scene_start_report;
+}
+
+#else
+
+/// Which of tf_scenes runs.
+extern const uint8_t chosen_scene;
+
+static tf_machine_t scene_machine;
+
+#define SCENE_MACHINE ((const tf_machine_t *)&scene_machine)
+#define SCENE (tf_scenes[chosen_scene])
+
+static inline void scene_begin(tf_state_t *state, tf_report_t *report) {
+  const tf_scene_t *scene = SCENE;
+  tf_params_t params = scene->params;
+#ifdef SCENE_RATE
+  params.dt = TF_R(1.0) / SCENE_RATE;
+#endif
+  (void)tf_prepare(&scene_machine, &params, 0);
+  const tf_input_t input = tf_scene_input(scene, &scene_machine, 0);
+  *state = (tf_state_t){.r = scene->r, .w = scene->omega, .v = scene->v};
+  state->seed = 1;
+  state->mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_MODES);
+  if (!scene->v_is_given)
+    (void)tf_speed_for_slip(&scene_machine, state->r, state->w, input.omega0,
+                            scene->h, &state->v);
+  (void)tf_begin(&scene_machine, state, &input, report);
+}
+#endif
+
+/// The inputs of the step that ends after so many steps.
+static inline tf_input_t scene_input(uint32_t steps) {
+  return tf_scene_input(SCENE, SCENE_MACHINE,
+                        (tf_real_t)steps * SCENE_MACHINE->dt);
+}
+
+#endif

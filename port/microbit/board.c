@@ -1,0 +1,104 @@
+// BBC micro:bit: nRF51822, Cortex-M0 at 16 MHz without FPU, 16 KB RAM. The chip
+// has no SysTick: TIMER0 counts to its compare register 0 and starts again, which
+// is the tick; TIMER1 runs free and is the clock. Both count microseconds. (QEMU
+// 7.2 loses ticks of a timer that is read, and at 16 MHz stands still.)
+#include "../arch/cortex_m.h"
+#include "../port.h"
+#include "../ring.h"
+
+#define CLOCK_HZ 1000000u
+
+#define UART(offset) REGISTER(0x40002000u + (offset))
+#define UART_STARTRX UART(0x000u)
+#define UART_STARTTX UART(0x008u)
+#define UART_RXDRDY UART(0x108u)
+#define UART_TXDRDY UART(0x11Cu)
+#define UART_INTENSET UART(0x304u)
+#define UART_ENABLE UART(0x500u)
+#define UART_PSELTXD UART(0x50Cu)
+#define UART_PSELRXD UART(0x514u)
+#define UART_RXD UART(0x518u)
+#define UART_TXD UART(0x51Cu)
+#define UART_BAUDRATE UART(0x524u)
+#define UART_IRQ 2u
+
+#define TICKER(offset) REGISTER(0x40008000u + (offset))
+#define CLOCK(offset) REGISTER(0x40009000u + (offset))
+#define START 0x000u
+#define CAPTURE0 0x040u
+#define COMPARE0 0x140u
+#define SHORTS 0x200u
+#define INTENSET 0x304u
+#define BITMODE 0x508u
+#define PRESCALER 0x510u
+#define CC0 0x540u
+#define TICKER_IRQ 8u
+
+static ring_t received;
+static volatile uint32_t ticks;
+static bool sending;
+
+void cortex_m_interrupt(void) {
+  if (TICKER(COMPARE0)) {
+    TICKER(COMPARE0) = 0;
+    ticks++;
+  }
+  if (UART_RXDRDY) {
+    UART_RXDRDY = 0;
+    ring_put(&received, (uint8_t)UART_RXD);
+  }
+}
+
+void port_init(void) {
+  UART_PSELTXD = 24;
+  UART_PSELRXD = 25;
+  UART_BAUDRATE = 0x01D7E000u; // 115200
+  UART_ENABLE = 4;
+  UART_INTENSET = 1u << 2; // RXDRDY
+  UART_STARTTX = 1;
+  UART_STARTRX = 1;
+  cortex_m_enable(UART_IRQ);
+}
+
+bool port_tick_start(uint32_t rate) {
+  const uint32_t period = CLOCK_HZ / rate;
+  if (period < 50u || period > 50000u) return false;
+  ticks = 0;
+  CLOCK(BITMODE) = 0; // 16 bits, all that this timer has
+  CLOCK(PRESCALER) = 4;
+  CLOCK(START) = 1;
+  TICKER(BITMODE) = 0;
+  TICKER(PRESCALER) = 4; // 16 MHz / 2^4
+  TICKER(CC0) = period;
+  TICKER(SHORTS) = 1;           // COMPARE0 clears the counter
+  TICKER(INTENSET) = 1u << 16; // COMPARE0
+  cortex_m_enable(TICKER_IRQ);
+  TICKER(START) = 1;
+  return true;
+}
+
+uint32_t port_ticks(void) { return ticks; }
+
+// 16 bits wrap after 65 ms; the loop reads the clock in every tick.
+uint32_t port_clock(void) {
+  static uint32_t clock;
+  CLOCK(CAPTURE0) = 1;
+  clock += (uint16_t)(CLOCK(CC0) - clock);
+  return clock;
+}
+
+uint32_t port_clock_rate(void) { return CLOCK_HZ; }
+
+unsigned port_room(void) { return !sending || UART_TXDRDY; }
+
+void port_put(uint8_t byte) {
+  UART_TXDRDY = 0;
+  sending = true;
+  UART_TXD = byte;
+}
+
+int port_get(void) { return ring_get(&received); }
+
+void port_idle(uint32_t seen) { cortex_m_idle(&ticks, seen); }
+
+void port_halt(int code) { cortex_m_halt(code); }

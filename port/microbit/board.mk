@@ -1,0 +1,15 @@
+# BBC micro:bit: nRF51822, Cortex-M0 at 16 MHz, no FPU. 256 KB flash, 16 KB RAM.
+BOARD_TOOLS := arm-none-eabi-
+BOARD_PACKAGES := gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
+BOARD_FLAGS := -ffreestanding -mcpu=cortex-m0 -mthumb
+BOARD_SOURCES := port/arch/cortex_m.c port/arch/memory.c
+# The C library's sqrt without its errno, which would cost 1 KB of RAM.
+BOARD_LINK := -nostartfiles -Lport/arch -Tport/microbit/board.ld \
+  -Wl,--defsym=sqrtf=__ieee754_sqrtf -Wl,--defsym=sqrt=__ieee754_sqrt -lm
+BOARD_REALS := float double
+BOARD_RUN := qemu-system-arm -M microbit -display none -monitor none \
+  -semihosting-config enable=on,target=native -serial stdio -kernel
+# Steps that a test takes; rates at which the loop is tested [Hz].
+BOARD_STEPS := 100000
+BOARD_RATES_float := 1000
+BOARD_RATES_double := 1000

@@ -1,0 +1,103 @@
+# Firmware. Included by the Makefile; `make help` tells the commands.
+#
+#   SCENE=chaos      a scene, or `generic`: all of them, chosen by START
+#   START=chaos      the scene that a generic firmware runs
+#   BOARD=host       a folder of port/
+#   REAL=float       or double
+#   RATE=1000        steps a second; dt is 1/RATE
+#   STEPS=0          how many; 0 without end
+#   EVERY=           steps from record to record; else 50 records a second
+#   ONLY='host uno'  boards that `make test-boards` takes
+#   PROGRAM=firmware or trajectory, window (tests/target)
+
+BOARDS := $(filter-out template,$(patsubst port/%/board.mk,%,\
+  $(wildcard port/*/board.mk)))
+SCENE ?= chaos
+START ?= chaos
+BOARD ?= host
+REAL ?= float
+RATE ?= 1000
+STEPS ?= 0
+PROGRAM ?= firmware
+BOARD_OPT ?= -Os
+
+# Constants of a scene, made on this machine. Programs of tests keep the
+# scene's own dt.
+$(VARIANTS:%=$(BUILD)/%/constants): $(BUILD)/%/constants: \
+    $(BUILD)/%/tools/firmware/constants.o $(BUILD)/%/libtwofold.a
+	$(link)
+
+boards-list:
+	@echo '$(BOARDS)'
+
+test-boards:
+	@BUILD='$(BUILD)' tests/target/run $(ONLY)
+
+ifneq ($(filter firmware elf board-%,$(MAKECMDGOALS)),)
+ifeq ($(wildcard port/$(BOARD)/board.mk),)
+$(error No board is named $(BOARD); there are: $(BOARDS))
+endif
+include port/$(BOARD)/board.mk
+ifeq ($(filter $(REAL),$(BOARD_REALS)),)
+$(error $(BOARD) has REAL=$(BOARD_REALS), not $(REAL))
+endif
+
+BOARD_CC ?= $(BOARD_TOOLS)gcc
+
+RATE_OF_firmware := $(RATE)
+FIRMWARE_RATE := $(RATE_OF_$(PROGRAM))
+PLACE := $(BUILD)/boards/$(BOARD)/$(SCENE)-$(REAL)
+# What sets programs of one kind apart is in the name.
+FIRMWARE := $(PLACE)/$(PROGRAM)$(NAMED).elf
+
+SOURCE_firmware := port/firmware.c port/loop.c
+SOURCE_trajectory := tests/target/trajectory.c
+SOURCE_window := tests/target/window.c
+FIRMWARE_SOURCES := $(SOURCE_$(PROGRAM)) $(wildcard port/$(BOARD)/*.c) \
+  $(BOARD_SOURCES)
+FIRMWARE_FLAGS := -std=c99 $(BOARD_OPT) -ffp-contract=off -fno-math-errno \
+  -ffunction-sections -fdata-sections -Iinclude -Iport -I$(PLACE) \
+  $(filter-out -Wmissing-declarations -Wmissing-prototypes,$(WARN)) \
+  $(BOARD_FLAGS) $(FLAGS_$(REAL)) -DSTEPS=$(STEPS)
+ifneq ($(FIRMWARE_RATE),)
+FIRMWARE_FLAGS += -DRATE=$(RATE) -DSCENE_RATE=$(RATE)
+endif
+ifneq ($(EVERY),)
+FIRMWARE_FLAGS += -DEVERY=$(EVERY)
+endif
+ifeq ($(SCENE),generic)
+FIRMWARE_SOURCES += port/choice.c
+FIRMWARE_FLAGS += -DCHOSEN_SCENE=$$($(BUILD)/$(REAL)/constants --number $(START))
+else
+CONSTANTS := $(PLACE)/constants$(FIRMWARE_RATE).h
+FIRMWARE_FLAGS += -DSCENE_HEADER='"constants$(FIRMWARE_RATE).h"'
+$(CONSTANTS): $(BUILD)/$(REAL)/constants
+	@mkdir -p $(@D)
+	@$< $(SCENE) $(FIRMWARE_RATE) >$@.new
+	@mv $@.new $@
+endif
+
+$(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
+    $(wildcard port/*.[ch] port/arch/* port/$(BOARD)/* tests/target/*.c) \
+    $(wildcard src/*.[ch] include/twofold/*.h)
+	@command -v $(BOARD_CC) >/dev/null || { echo '$(BOARD): $(BOARD_CC) is' \
+	  'missing (Debian: apt-get install $(BOARD_PACKAGES))'; exit 3; }
+	@mkdir -p $(@D)
+	@echo '  BOARD $@'
+	@$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(FIRMWARE_SOURCES) \
+	  -Wl,--gc-sections $(BOARD_LINK) -o $@
+
+# One file for each program, for their flags differ.
+$(FIRMWARE).flags: FORCE
+	@mkdir -p $(@D)
+	@echo "$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(START)" >$@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
+firmware: $(FIRMWARE)
+	@echo '$(FIRMWARE)'
+elf: $(FIRMWARE)
+
+# For scripts: one fact of a board, as `make -s board-REALS BOARD=...`.
+board-%:
+	@echo '$(BOARD_$*)'
+endif

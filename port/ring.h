@@ -1,0 +1,35 @@
+/// @file
+/// Bytes from an interrupt to the main program: one writer, one reader, no
+/// lock. Each index is written by one side only and is one byte, which every
+/// target reads and writes at once. A full ring drops the newest byte.
+#ifndef TWOFOLD_PORT_RING_H
+#define TWOFOLD_PORT_RING_H
+
+#include <stdint.h>
+
+/// Room for RING_SIZE - 1 bytes; a power of two.
+#define RING_SIZE 64u
+
+typedef struct {
+  volatile uint8_t written, read;
+  volatile uint8_t byte[RING_SIZE];
+} ring_t;
+
+static inline void ring_put(ring_t *ring, uint8_t byte) {
+  const uint8_t here = ring->written;
+  const uint8_t next = (uint8_t)((here + 1u) % RING_SIZE);
+  if (next == ring->read) return;
+  ring->byte[here] = byte;
+  ring->written = next;
+}
+
+/// Returns: the oldest byte, or -1.
+static inline int ring_get(ring_t *ring) {
+  const uint8_t here = ring->read;
+  if (here == ring->written) return -1;
+  const int byte = ring->byte[here];
+  ring->read = (uint8_t)((here + 1u) % RING_SIZE);
+  return byte;
+}
+
+#endif

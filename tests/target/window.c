@@ -1,0 +1,30 @@
+// On the target: steps between two markers, for a counter of instructions that
+// watches the emulator (tools/size/count.c). The first window is empty: what
+// the markers cost. Ends with 0.
+#include "../../port/core.h"
+#include "../../port/port.h"
+
+void window_open(void);
+void window_close(void);
+
+// The markers do nothing but be called.
+__attribute__((noinline)) void window_open(void) { __asm__ volatile(""); }
+__attribute__((noinline)) void window_close(void) { __asm__ volatile(""); }
+
+static tf_state_t x;
+static tf_report_t report;
+
+int main(void) {
+  port_init();
+  scene_begin(&x, &report);
+  window_open();
+  window_close();
+  for (uint32_t i = 1; i <= STEPS; i++) {
+    window_open();
+    const tf_input_t input = scene_input(i);
+    const tf_status_t status = tf_step(SCENE_MACHINE, &x, &input, &report);
+    window_close();
+    if (status < 0) port_halt(1);
+  }
+  port_halt(0);
+}
