@@ -21,17 +21,17 @@
 #include "twofold/scene.h"
 #include "twofold/step.h"
 // In the order of a step, then what a firmware of one scene needs none of.
-#include "../src/step.c"
+#include "../src/begin.c"
 #include "../src/friction.c"
 #include "../src/kernel.c"
 #include "../src/machine.c"
-#include "../src/scene.c"
-#include "../src/select.c"
-#include "../src/tyre.c"
-#include "../src/begin.c"
 #include "../src/prepare.c"
+#include "../src/scene.c"
 #include "../src/scenes.c"
+#include "../src/select.c"
 #include "../src/status.c"
+#include "../src/step.c"
+#include "../src/tyre.c"
 
 #ifdef SCENE_HEADER
 #include SCENE_HEADER

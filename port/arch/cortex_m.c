@@ -1,7 +1,6 @@
 // Startup of a Cortex-M: vector table, memory, FPU; see cortex_m.h.
 #include "cortex_m.h"
 
-
 // From the linker script.
 extern uint32_t data_source[], data_begin[], data_end[];
 extern uint32_t bss_begin[], bss_end[], stack_top[];
@@ -36,9 +35,8 @@ typedef struct {
 extern const vectors_t vectors;
 __attribute__((section(".vectors"), used)) const vectors_t vectors = {
     .stack = stack_top,
-    .handler = {[0] = cortex_m_reset,
-                [1 ... 13] = fault,
-                [14] = cortex_m_systick},
+    .handler =
+        {[0] = cortex_m_reset, [1 ... 13] = fault, [14] = cortex_m_systick},
     .interrupt = {[0 ... CORTEX_M_INTERRUPTS - 1] = cortex_m_interrupt}};
 
 __attribute__((noreturn)) void cortex_m_reset(void) {

@@ -70,7 +70,7 @@ bool port_tick_start(uint32_t rate) {
   TICKER(BITMODE) = 0;
   TICKER(PRESCALER) = 4; // 16 MHz / 2^4
   TICKER(CC0) = period;
-  TICKER(SHORTS) = 1;           // COMPARE0 clears the counter
+  TICKER(SHORTS) = 1;          // COMPARE0 clears the counter
   TICKER(INTENSET) = 1u << 16; // COMPARE0
   cortex_m_enable(TICKER_IRQ);
   TICKER(START) = 1;

@@ -7,8 +7,7 @@
 
 static uint64_t mix(uint64_t hash, const void *data, unsigned size) {
   const unsigned char *byte = data;
-  for (unsigned i = 0; i < size; i++)
-    hash = (hash ^ byte[i]) * 0x100000001B3u;
+  for (unsigned i = 0; i < size; i++) hash = (hash ^ byte[i]) * 0x100000001B3u;
   return hash;
 }
 

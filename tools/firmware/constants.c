@@ -71,8 +71,8 @@ static void write_machine(const tf_machine_t *k) {
   printf("    .tyre.law = (tf_tyre_law_t)%d,\n", (int)k->tyre.law);
   printf("    .exit_threshold = %llull,\n",
          (unsigned long long)k->exit_threshold);
-  printf("    .rule = (tf_rule_t)%d,\n    .with_angle = %d};\n\n",
-         (int)k->rule, k->with_angle);
+  printf("    .rule = (tf_rule_t)%d,\n    .with_angle = %d};\n\n", (int)k->rule,
+         k->with_angle);
 }
 
 static void write_start(const tf_state_t *x, const tf_report_t *report) {
@@ -131,8 +131,7 @@ int main(int argc, char **argv) {
   const char *name = argc > 1 ? argv[number ? 2 : 1] : "";
   for (int i = 0; i < TF_SCENES; i++) {
     if (strcmp(tf_scenes[i]->name, name) != 0) continue;
-    if (!number)
-      return write_header(tf_scenes[i], argc > 2 ? argv[2] : NULL);
+    if (!number) return write_header(tf_scenes[i], argc > 2 ? argv[2] : NULL);
     printf("%d\n", i);
     return 0;
   }

@@ -1,0 +1,52 @@
+// Arm MPS2+ with FPGA image AN500: Cortex-M7 at 25 MHz with FPU for double.
+#include "../arch/cortex_m.h"
+#include "../port.h"
+#include "../ring.h"
+
+#define CLOCK_HZ 25000000u
+
+#define UART(offset) REGISTER(0x40004000u + (offset))
+#define UART_DATA UART(0x00u)
+#define UART_STATE UART(0x04u)
+#define UART_CTRL UART(0x08u)
+#define UART_INTCLEAR UART(0x0Cu)
+#define UART_BAUDDIV UART(0x10u)
+#define TX_FULL 1u
+#define RX_FULL 2u
+#define RX_IRQ 0u
+
+static ring_t received;
+
+void cortex_m_interrupt(void) {
+  UART_INTCLEAR = 2u;
+  while (UART_STATE & RX_FULL) ring_put(&received, (uint8_t)UART_DATA);
+}
+
+void port_init(void) {
+  UART_BAUDDIV = CLOCK_HZ / 115200u;
+  UART_CTRL = 1u | 2u | 8u; // send, receive, interrupt where received
+  cortex_m_enable(RX_IRQ);
+}
+
+bool port_tick_start(uint32_t rate) {
+  const uint32_t cycles = CLOCK_HZ / rate;
+  if (cycles < 500u || cycles > 1u << 24) return false;
+  cortex_m_tick_start(cycles);
+  return true;
+}
+
+uint32_t port_ticks(void) { return cortex_m_ticks(); }
+
+uint32_t port_clock(void) { return cortex_m_clock(); }
+
+uint32_t port_clock_rate(void) { return CLOCK_HZ; }
+
+unsigned port_room(void) { return !(UART_STATE & TX_FULL); }
+
+void port_put(uint8_t byte) { UART_DATA = byte; }
+
+int port_get(void) { return ring_get(&received); }
+
+void port_idle(uint32_t seen) { cortex_m_tick_idle(seen); }
+
+void port_halt(int code) { cortex_m_halt(code); }

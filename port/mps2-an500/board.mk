@@ -1,0 +1,18 @@
+# Arm MPS2+ with FPGA image AN500: Cortex-M7 at 25 MHz, FPU for float and double.
+BOARD_TOOLS := arm-none-eabi-
+BOARD_PACKAGES := gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
+BOARD_FLAGS := -ffreestanding -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 \
+  -mfloat-abi=hard
+BOARD_OPT := -O2
+BOARD_SOURCES := port/arch/cortex_m.c port/arch/cortex_m_tick.c \
+  port/arch/memory.c
+BOARD_LINK := -nostartfiles -nostdlib -Lport/arch -Tport/mps2-an500/board.ld \
+  -lgcc
+BOARD_REALS := float double
+BOARD_RUN := qemu-system-arm -M mps2-an500 -display none -monitor none \
+  -semihosting-config enable=on,target=native -serial stdio
+BOARD_STEPS := 100000
+# Shift 5 is 31 instructions a microsecond: one a cycle would be 25.
+BOARD_RATES_float := 1000:5 10000:5
+BOARD_RATES_double := 1000:5 10000:5
+BOARD_LOADS := -kernel

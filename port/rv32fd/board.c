@@ -1,0 +1,55 @@
+// RV32IMAFDC as QEMU's machine `virt` has it: 16550 UART, CLINT at 10 MHz. No
+// silicon stands behind it; it is here for the instruction set.
+#include "../arch/riscv.h"
+#include "../port.h"
+#include "../ring.h"
+
+#define CLOCK_HZ 10000000u
+#define UART(offset) (*(volatile uint8_t *)(0x10000000u + (offset)))
+#define UART_DATA UART(0)
+#define UART_IER UART(1)
+#define UART_LSR UART(5)
+#define RX_FULL 1u
+#define TX_EMPTY 0x20u
+#define UART_IRQ 10u
+#define TEST_DEVICE REGISTER(0x00100000u)
+
+static ring_t received;
+
+void riscv_interrupt(uint32_t source) {
+  (void)source;
+  while (UART_LSR & RX_FULL) ring_put(&received, UART_DATA);
+}
+
+void port_init(void) {
+  UART_IER = 1;
+  riscv_enable(UART_IRQ);
+}
+
+bool port_tick_start(uint32_t rate) {
+  if (rate > CLOCK_HZ / 100u) return false;
+  riscv_tick_start(CLOCK_HZ / rate);
+  return true;
+}
+
+uint32_t port_ticks(void) { return riscv_ticks(); }
+
+uint32_t port_clock(void) { return riscv_clock(); }
+
+uint32_t port_clock_rate(void) { return CLOCK_HZ; }
+
+unsigned port_room(void) { return (UART_LSR & TX_EMPTY) != 0; }
+
+void port_put(uint8_t byte) { UART_DATA = byte; }
+
+int port_get(void) { return ring_get(&received); }
+
+void port_idle(uint32_t seen) { riscv_idle(seen); }
+
+void riscv_halt(int code) {
+  TEST_DEVICE = code == 0 ? 0x5555u : (uint32_t)code << 16 | 0x3333u;
+  for (;;) {
+  }
+}
+
+void port_halt(int code) { riscv_halt(code); }

@@ -1,0 +1,19 @@
+# STM32F405: Cortex-M4F at 168 MHz, FPU for float; double in software. 1 MB
+# flash, 128 KB RAM.
+BOARD_TOOLS := arm-none-eabi-
+BOARD_PACKAGES := gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
+BOARD_FLAGS := -ffreestanding -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 \
+  -mfloat-abi=hard
+BOARD_OPT := -O2
+BOARD_SOURCES := port/arch/cortex_m.c port/arch/cortex_m_tick.c \
+  port/arch/memory.c
+BOARD_LINK := -nostartfiles -Lport/arch -Tport/stm32f405/board.ld \
+  -Wl,--defsym=sqrt=__ieee754_sqrt -lm
+BOARD_REALS := float double
+BOARD_RUN := qemu-system-arm -M netduinoplus2 -display none -monitor none \
+  -semihosting-config enable=on,target=native -serial stdio
+BOARD_STEPS := 100000
+# Shift 3 is 125 instructions a microsecond: one a cycle would be 168.
+BOARD_RATES_float := 1000:3 10000:3
+BOARD_RATES_double := 1000:3
+BOARD_LOADS := -kernel
