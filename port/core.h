@@ -20,6 +20,12 @@
 
 #include "twofold/scene.h"
 #include "twofold/step.h"
+#ifdef BOARD_SMALL
+// Where flash is short the parts of a step are functions: half the size.
+#include "../src/kernel.h"
+#undef TF_INLINE
+#define TF_INLINE static
+#endif
 // In the order of a step, then what a firmware of one scene needs none of.
 #include "../src/begin.c"
 #include "../src/friction.c"

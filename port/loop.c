@@ -1,8 +1,6 @@
 // The fixed-rate loop: see loop.h.
 #include "loop.h"
 
-#include <string.h>
-
 #include "port.h"
 
 typedef struct {
@@ -39,9 +37,11 @@ static int in_time(const loop_t *loop) {
 static int fits(loop_t *loop) {
   if (LOOP_ROOM - (loop->last - loop->first) < LOOP_RECORD) return 0;
   if (LOOP_ROOM - loop->last < LOOP_RECORD) {
-    loop->last -= loop->first;
-    memmove(loop->buffer, loop->buffer + loop->first, loop->last);
+    unsigned to = 0;
+    while (loop->first < loop->last)
+      loop->buffer[to++] = loop->buffer[loop->first++];
     loop->first = 0;
+    loop->last = to;
   }
   return 1;
 }
@@ -112,9 +112,7 @@ static loop_end_t run(loop_t *loop) {
 
 loop_end_t loop_run(const loop_plan_t *plan, loop_counts_t *counts) {
   static loop_t loop;
-  memset(&loop, 0, sizeof loop);
-  memset(counts, 0, sizeof *counts);
-  counts->shortest = UINT32_MAX;
+  *counts = (loop_counts_t){.shortest = UINT32_MAX};
   loop.plan = plan;
   loop.counts = counts;
   loop.until_record = plan->every;

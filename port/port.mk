@@ -57,7 +57,7 @@ FIRMWARE_SOURCES := $(SOURCE_$(PROGRAM)) $(wildcard port/$(BOARD)/*.c) \
   $(BOARD_SOURCES)
 FIRMWARE_FLAGS := -std=c99 $(BOARD_OPT) -ffp-contract=off -fno-math-errno \
   -ffunction-sections -fdata-sections -Iinclude -Iport -I$(PLACE) \
-  $(filter-out -Wmissing-declarations -Wmissing-prototypes,$(WARN)) \
+  $(filter-out $(BOARD_WITHOUT),$(WARN)) \
   $(BOARD_FLAGS) $(FLAGS_$(REAL)) -DSTEPS=$(STEPS)
 ifneq ($(FIRMWARE_RATE),)
 FIRMWARE_FLAGS += -DRATE=$(RATE) -DSCENE_RATE=$(RATE)

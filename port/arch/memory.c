@@ -7,7 +7,11 @@ void *memcpy(void *restrict to, const void *restrict from, size_t size);
 void *memmove(void *to, const void *from, size_t size);
 
 // Without this the loops would be found out and call themselves.
+#ifdef __clang__
+#define ITSELF __attribute__((no_builtin))
+#else
 #define ITSELF __attribute__((optimize("no-tree-loop-distribute-patterns")))
+#endif
 
 ITSELF void *memset(void *to, int value, size_t size) {
   unsigned char *byte = to;

@@ -44,7 +44,7 @@ int main(void) {
   text_whole(&text, STEPS, 1);
   text_byte(&text, ' ');
   text_hex(&text, hash);
-  text_string(&text, "\r\nEXIT 0\r\n");
+  text_string(&text, "\r\n");
   say(line, text.end);
   port_halt(0);
 }

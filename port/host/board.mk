@@ -1,0 +1,12 @@
+# This machine: POSIX. TWOFOLD_PORT says where the serial line goes (board.c);
+# TWOFOLD_REALTIME=1 asks for real-time priority.
+BOARD_CC := $(CC)
+BOARD_PACKAGES := gcc
+BOARD_OPT := -O2
+BOARD_REALS := float double
+BOARD_STEPS := 100000
+BOARD_LINK := -lm
+BOARD_RUN := env
+# In the time of a machine with other work: overruns are reported, not judged.
+BOARD_RATES_float := 1000
+BOARD_SHARED := yes

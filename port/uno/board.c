@@ -1,0 +1,86 @@
+// Arduino Uno: ATmega328P, 8 bits at 16 MHz, 2 KB RAM. TIMER1 counts half
+// microseconds to its compare register and is both tick and clock. Startup code
+// is avr-libc's. There is nobody to tell an exit code: it is a last line, EXIT.
+#include <avr/interrupt.h>
+#include <avr/io.h>
+#include <util/atomic.h>
+
+#include "../port.h"
+#include "../ring.h"
+
+#define CLOCK_HZ (F_CPU / 8u)
+
+static ring_t received;
+static volatile uint32_t ticks;
+static uint16_t period;
+
+ISR(TIMER1_COMPA_vect) { ticks++; }
+
+ISR(USART_RX_vect) { ring_put(&received, UDR0); }
+
+void port_init(void) {
+  UBRR0 = F_CPU / 8u / 115200u - 1u;
+  UCSR0A = 1u << U2X0;
+  UCSR0C = 3u << UCSZ00;
+  UCSR0B = 1u << RXEN0 | 1u << TXEN0 | 1u << RXCIE0;
+  sei();
+}
+
+bool port_tick_start(uint32_t rate) {
+  const uint32_t counts = CLOCK_HZ / rate;
+  if (counts < 100u || counts > 65536u) return false;
+  period = (uint16_t)(counts - 1u);
+  TCCR1A = 0;
+  TCNT1 = 0;
+  OCR1A = period;
+  TIMSK1 = 1u << OCIE1A;
+  TCCR1B = 1u << WGM12 | 1u << CS11; // clear on compare, 16 MHz / 8
+  return true;
+}
+
+uint32_t port_ticks(void) {
+  uint32_t tick;
+  ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { tick = ticks; }
+  return tick;
+}
+
+uint32_t port_clock(void) {
+  uint32_t tick;
+  uint16_t since;
+  uint8_t pending;
+  do { // again where a tick fell in between, counted or pending
+    tick = port_ticks();
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
+      since = TCNT1;
+      pending = TIFR1 & (1u << OCF1A);
+    }
+  } while (pending || tick != port_ticks());
+  return tick * (period + 1ul) + since;
+}
+
+uint32_t port_clock_rate(void) { return CLOCK_HZ; }
+
+unsigned port_room(void) { return (UCSR0A & (1u << UDRE0)) != 0; }
+
+void port_put(uint8_t byte) { UDR0 = byte; }
+
+int port_get(void) { return ring_get(&received); }
+
+// Sleep would save current; QEMU never wakes from it.
+void port_idle(uint32_t seen) { (void)seen; }
+
+static void put(char byte) {
+  while (!port_room()) {
+  }
+  port_put((uint8_t)byte);
+}
+
+void port_halt(int code) {
+  const char *exit = "\r\nEXIT ";
+  while (*exit) put(*exit++);
+  put((char)('0' + code % 10));
+  put('\r');
+  put('\n');
+  for (;;) {
+  }
+}
