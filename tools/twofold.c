@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/analysis.h"
+#include "cli/diverge.h"
 #include "cli/help.h"
 #include "cli/host.h"
 #include "cli/monitor.h"
@@ -15,13 +16,10 @@ static const struct {
   const char *name;
   int (*perform)(int argc, char *const argv[]);
 } commands[] = {
-    {"scenes", cli_scenes},
-    {"run", cli_run},
-    {"monitor", cli_monitor},
-    {"singularities", cli_singularities},
-    {"regions", cli_regions},
-    {"design", cli_design},
-    {"atlas", cli_atlas},
+    {"scenes", cli_scenes},   {"run", cli_run},
+    {"monitor", cli_monitor}, {"singularities", cli_singularities},
+    {"regions", cli_regions}, {"design", cli_design},
+    {"atlas", cli_atlas},     {"diverge", cli_diverge},
     {"help", cli_help},
 };
 #define COMMANDS (sizeof commands / sizeof commands[0])
@@ -62,9 +60,9 @@ int main(int argc, char *argv[]) {
     return cli_version();
   }
   if (asks_for_help(argc - 2, argv + 2)) {
-    const int has_page =
-        strcmp(name, "run") == 0 || strcmp(name, "monitor") == 0 ||
-        cli_analysis_page(name) != NULL;
+    const int has_page = strcmp(name, "run") == 0 ||
+                         strcmp(name, "monitor") == 0 ||
+                         cli_analysis_page(name) != NULL;
     return cli_help(has_page, argv + 1);
   }
   for (size_t i = 0; i < COMMANDS; i++) {

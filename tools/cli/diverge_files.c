@@ -1,0 +1,88 @@
+// The two files of `diverge`. They are opened together, after all that could
+// be refused has been checked; where the second cannot be opened the first is
+// removed again if it is a new, empty file.
+
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "diverge.h"
+#include "text.h"
+
+static int refuse(const char *option, const cli_output_t *output,
+                  const char *path) {
+  return cli_complain(CLI_STOPPED, "%s %s: %s", option, path,
+                      strerror(output->error));
+}
+
+static void remove_if_empty(const char *path) {
+  struct stat status;
+  if (stat(path, &status) == 0 && S_ISREG(status.st_mode) &&
+      status.st_size == 0) {
+    (void)unlink(path);
+  }
+}
+
+int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args) {
+  char text[CLI_DIVERGE_ROW];
+  const bool header = args->header || args->shard == 1;
+  files->has_exits = args->exits != NULL;
+  files->has_returns = args->returns != NULL;
+  if (files->has_exits && !cli_output_open(&files->exits, args->exits)) {
+    return refuse("--exits", &files->exits, args->exits);
+  }
+  if (files->has_returns && !cli_output_open(&files->returns, args->returns)) {
+    const int code = refuse("--returns", &files->returns, args->returns);
+    if (files->has_exits) {
+      (void)cli_output_close(&files->exits);
+      remove_if_empty(args->exits);
+    }
+    return code;
+  }
+  if (header && files->has_exits) {
+    (void)cli_output_lines(&files->exits, text, cli_exit_header(text));
+  }
+  if (header && files->has_returns) {
+    (void)cli_output_lines(&files->returns, text, cli_return_header(text));
+  }
+  return CLI_DONE;
+}
+
+bool cli_files_put(cli_files_t *files, uint64_t sample, uint64_t cycle,
+                   const cli_cycle_t *what) {
+  char text[CLI_DIVERGE_ROW];
+  bool well = true;
+  if (files->has_exits) {
+    const size_t length = cli_exit_row(text, sample, cycle, what);
+    well = cli_output_lines(&files->exits, text, length) && well;
+  }
+  if (files->has_returns) {
+    const size_t length = cli_return_row(text, sample, cycle, what);
+    well = cli_output_lines(&files->returns, text, length) && well;
+  }
+  return well;
+}
+
+bool cli_files_flush(cli_files_t *files) {
+  const bool exits = !files->has_exits || cli_output_flush(&files->exits);
+  const bool returns = !files->has_returns || cli_output_flush(&files->returns);
+  return exits && returns;
+}
+
+static int close_one(bool open, cli_output_t *output) {
+  if (!open || cli_output_close(output)) {
+    return CLI_DONE;
+  }
+  return cli_complain(CLI_STOPPED, "%s: %s", output->name,
+                      strerror(output->error));
+}
+
+int cli_files_close(cli_files_t *files) {
+  const int exits = close_one(files->has_exits, &files->exits);
+  const int returns = close_one(files->has_returns, &files->returns);
+  return exits != CLI_DONE ? exits : returns;
+}

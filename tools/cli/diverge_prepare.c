@@ -1,0 +1,89 @@
+// From the command line of `diverge` to what all samples share: the machine,
+// its two-fold and the stick through it, and the start.
+
+#include <math.h>
+#include <string.h>
+
+#include "diverge.h"
+#include "text.h"
+
+static int refuse_scene(const cli_setup_t *setup) {
+  const char *name = setup->scene->name;
+  if (setup->scene->knots > 0) {
+    return cli_complain(CLI_REFUSED,
+                        "scene %s: its turntable is driven; diverge follows "
+                        "a machine that is left alone",
+                        name);
+  }
+  if (setup->params.law != TF_TYRE_JUMP) {
+    return cli_complain(CLI_REFUSED,
+                        "scene %s: law %s has no two-fold; law jump has",
+                        name, cli_law_name(setup->params.law));
+  }
+  return CLI_DONE;
+}
+
+// A start that was typed has to have more than one future.
+static int prepare_start(cli_job_t *job) {
+  cli_setup_t *setup = &job->setup;
+  const int code = cli_setup_start(setup);
+  if (code == CLI_DONE && setup->report.choices < 2) {
+    return cli_complain(
+        CLI_REFUSED,
+        "the start r = %g m, v = %g m/s, omega = %g rad/s has one future "
+        "(%s), nothing diverges there",
+        (double)setup->state.r, (double)setup->state.v,
+        (double)setup->state.w, tf_mode_name(setup->state.mode));
+  }
+  return code;
+}
+
+static int prepare_twofold(cli_job_t *job) {
+  const bool found = cli_find_twofold(&job->stay, &job->twofold);
+  if (!found) {
+    job->twofold.r = job->twofold.g = job->twofold.v = (double)NAN;
+  }
+  if (!job->at_twofold) {
+    return CLI_DONE;
+  }
+  if (!found || !cli_stick_through(&job->stay, &job->twofold, &job->stick)) {
+    return cli_complain(
+        CLI_REFUSED,
+        "scene %s: no two-fold that stick runs through, from a sliding into "
+        "an escaping region, exists for these parameters; give a start with "
+        "--set r=, omega=, h=",
+        job->setup.scene->name);
+  }
+  return CLI_DONE;
+}
+
+int cli_diverge_prepare(cli_job_t *job, const cli_diverge_args_t *args) {
+  cli_setup_t *setup = &job->setup;
+  int code = cli_setup_read(setup, args->scene, &args->settings, NULL);
+  bool dt_typed = false;
+  for (int i = 0; i < TF_PARAMETERS; i++) {
+    dt_typed |= setup->set_param[i] != NULL &&
+                strcmp(tf_parameter_ranges[i].name, "dt") == 0;
+  }
+  job->args = args;
+  if (code == CLI_DONE && !dt_typed) {
+    setup->params.dt = (tf_real_t)cli_kinds[args->by].dt;
+  }
+  code = code == CLI_DONE ? cli_setup_machine(setup) : code;
+  code = code == CLI_DONE ? refuse_scene(setup) : code;
+  if (code != CLI_DONE) {
+    return code;
+  }
+  job->dt = (double)setup->params.dt;
+  job->rate = (double)setup->params.rate;
+  job->params = setup->params;
+  job->params.rule = TF_RULE_RANDOM;
+  job->params.rate = 0;
+  (void)tf_prepare(&job->stay, &job->params, NULL);
+  job->at_twofold = true;
+  for (int i = 0; i < CLI_STARTS; i++) {
+    job->at_twofold &= setup->set_start[i] == NULL;
+  }
+  code = job->at_twofold ? CLI_DONE : prepare_start(job);
+  return code == CLI_DONE ? prepare_twofold(job) : code;
+}

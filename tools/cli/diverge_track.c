@@ -1,0 +1,185 @@
+// What happens on the way from one arrival at the two-fold to the next, read
+// off instants of a motion, the same for every kind of motion.
+//
+// "On the surface" is stick where the motion knows it, else |h| within a band
+// for some time. The phase of the outgoing spiral is the part of a winding,
+// from one change from slip- to slip+ to the next, that is over when r passes
+// the section: a place on the spiral that does not hang on how exits are told.
+
+#include <math.h>
+
+#include "diverge.h"
+
+// So often on the upper sliding region in one cycle is a small cycle.
+#define SMALL_LANDINGS 3
+
+const char *cli_outcome_name(cli_outcome_t outcome) {
+  static const char *const names[CLI_OUTCOMES] = {
+      "open", "returned", "small_cycle", "pinned", "timeout", "refused"};
+  return names[outcome];
+}
+
+static bool two_fold_side(const cli_tracker_t *tracker, double g) {
+  return tracker->twofold->g < 0 ? g < 0 : g > 0;
+}
+
+static void begin_cycle(cli_tracker_t *tracker, double t) {
+  const cli_cycle_t fresh = {.arrived = t, .phase = -1};
+  tracker->cycle = fresh;
+  tracker->upper = false;
+  tracker->up_last = -1;
+  tracker->section_t = -1;
+}
+
+void cli_track_start(cli_tracker_t *tracker, const cli_instant_t *at) {
+  begin_cycle(tracker, at->t);
+  tracker->last = *at;
+  tracker->slip_side = 0;
+  tracker->on_since = at->t;
+}
+
+void cli_track_next(cli_tracker_t *tracker) {
+  begin_cycle(tracker, tracker->cycle.ended);
+}
+
+// When r passes a value between two instants: the cubic that has r and v at
+// both, by halving.
+double cli_passing(const cli_tracker_t *tracker, const cli_instant_t *a,
+                   const cli_instant_t *b, double r) {
+  const double d = (double)tracker->machine->d;
+  const double dt = b->t - a->t;
+  const double va = (a->at.p + d * a->at.z) * dt;
+  const double vb = (b->at.p + d * b->at.z) * dt;
+  const double rise = b->at.r - a->at.r;
+  const bool down = a->at.r > r;
+  double low = 0, high = 1;
+  for (int i = 0; i < 50; i++) {
+    const double x = (low + high) / 2, y = 1 - x;
+    const double at = a->at.r + rise * x * x * (3 - 2 * x) +
+                      x * y * (va * y - vb * x);
+    if ((at > r) == down) {
+      low = x;
+    } else {
+      high = x;
+    }
+  }
+  return a->t + dt * (low + high) / 2;
+}
+
+static bool has_arrived(cli_tracker_t *tracker, const cli_instant_t *at) {
+  const cli_instant_t *last = &tracker->last;
+  const double side = tracker->twofold->g;
+  const tf_machine_t *k = tracker->machine;
+  if (!isfinite(tracker->twofold->r) || !last->on || !at->on || !two_fold_side(tracker, last->g) ||
+      !two_fold_side(tracker, at->g) ||
+      at->t - tracker->on_since < tracker->stay) {
+    return false;
+  }
+  if (!(cli_delassus(k, last->at.r, side) > 0 &&
+        cli_delassus(k, at->at.r, side) <= 0)) {
+    return false;
+  }
+  tracker->cycle.ended = cli_passing(tracker, last, at, tracker->twofold->r);
+  tracker->cycle.outcome = CLI_CYCLE_RETURNED;
+  return true;
+}
+
+static void watch_exit(cli_tracker_t *tracker, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &tracker->cycle;
+  const cli_instant_t *last = &tracker->last;
+  if (cycle->left || !last->on || at->on) {
+    return;
+  }
+  cycle->left = true;
+  cycle->released = at->released;
+  cycle->exit_t = last->t;
+  cycle->exit_r = last->at.r;
+  cycle->exit_omega = last->at.z + (double)tracker->machine->omega0;
+  cycle->exit_g = last->g;
+  cycle->side = at->h < 0 ? -1 : 1;
+  tracker->slip_side = cycle->side;
+}
+
+// When h changed its sign between two instants, from what they hold.
+static double crossing(const cli_instant_t *a, const cli_instant_t *b) {
+  if ((a->h < 0) == (b->h < 0) || a->h == b->h) {
+    return a->t;
+  }
+  return a->t - (b->t - a->t) * a->h / (b->h - a->h);
+}
+
+static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &tracker->cycle;
+  const cli_instant_t *last = &tracker->last;
+  const double section =
+      tracker->twofold->r +
+      copysign(tracker->section, tracker->twofold->v);
+  if (!cycle->left || cycle->landed) {
+    return;
+  }
+  if ((last->at.r > section) != (at->at.r > section) &&
+      tracker->section_t < 0 && cycle->phase < 0) {
+    tracker->section_t = cli_passing(tracker, last, at, section);
+  }
+  if (at->on) {
+    return;
+  }
+  const int side = at->h < 0 ? -1 : 1;
+  if (side == tracker->slip_side) {
+    return;
+  }
+  cycle->windings++;
+  tracker->slip_side = side;
+  if (side < 0) {
+    return;
+  }
+  const double up = crossing(last, at);
+  if (tracker->section_t >= 0 && cycle->phase < 0 && tracker->up_last >= 0 &&
+      tracker->up_last <= tracker->section_t && tracker->section_t <= up) {
+    cycle->phase =
+        (tracker->section_t - tracker->up_last) / (up - tracker->up_last);
+  }
+  tracker->up_last = up;
+}
+
+static void watch_landing(cli_tracker_t *tracker, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &tracker->cycle;
+  if (at->on && !tracker->last.on) {
+    tracker->on_since = at->t;
+    tracker->on_r = at->at.r;
+  }
+  if (!at->on) {
+    tracker->upper = false;
+    return;
+  }
+  if (tracker->upper || at->g == 0 || two_fold_side(tracker, at->g) ||
+      at->pinned || at->t - tracker->on_since < tracker->stay) {
+    return;
+  }
+  tracker->upper = true;
+  cycle->landings++;
+  if (!cycle->landed) {
+    cycle->landed = true;
+    cycle->land_t = tracker->on_since;
+    cycle->land_r = tracker->on_r;
+  }
+}
+
+bool cli_track(cli_tracker_t *tracker, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &tracker->cycle;
+  bool ended = has_arrived(tracker, at);
+  if (!ended) {
+    watch_exit(tracker, at);
+    watch_windings(tracker, at);
+    watch_landing(tracker, at);
+    if (at->t - cycle->arrived > tracker->patience) {
+      cycle->ended = at->t;
+      cycle->outcome = at->pinned                          ? CLI_CYCLE_PINNED
+                       : cycle->landings >= SMALL_LANDINGS ? CLI_CYCLE_SMALL
+                                                           : CLI_CYCLE_TIMEOUT;
+      ended = true;
+    }
+  }
+  tracker->last = *at;
+  return ended;
+}
