@@ -10,8 +10,9 @@
 
 #include "diverge.h"
 
-#define SHORTEST 1e-13 // [s], to which an instant h = g = 0 is cut down
-#define CORNER 1e-9    // |h| + |g| there is less [m/s]
+#define SHORTEST 2e-9  // [s], to which an instant h = g = 0 is cut down
+#define OFF 1e-5       // [s], the first step off it
+#define CORNER 4096   // |h| + |g| there is less, in tolerances of a velocity
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 
 static bool is_stick(unsigned mode) {
@@ -141,7 +142,10 @@ static bool was_at_corner(cli_mover_t *mover, const tf_state_t *from,
     }
   }
   const cli_instant_t now = instant(mover);
-  if (length > SHORTEST || fabs(now.h) + fabs(now.g) > CORNER) {
+  const double speed =
+      fabs((double)mover->state.v) + fabs((double)mover->state.w);
+  if (length > SHORTEST || fabs(now.h) + fabs(now.g) >
+                               CORNER * (double)k->tolerance * speed) {
     *mover = after;
     return false;
   }
@@ -152,37 +156,38 @@ static bool was_at_corner(cli_mover_t *mover, const tf_state_t *from,
   return true;
 }
 
+// Takes a mode at h = g = 0, and the first short step off, so that the place
+// is not taken for another arrival there.
+static bool leave_corner(cli_mover_t *mover, unsigned mode) {
+  mover->state.mode = (uint8_t)mode;
+  mover->clock = -1;
+  if (mode != TF_PINNED) {
+    if (!step_of(mover, OFF)) {
+      return cli_refuse_cycle(mover);
+    }
+    mover->t += OFF;
+  }
+  const cli_instant_t now = instant(mover);
+  return cli_track(mover->tracker, &now);
+}
+
 static bool at_corner(cli_mover_t *mover, unsigned set) {
-  const bool drawn = mover->job->args->corner == CLI_CORNER_EVEN;
   cli_instant_t now = instant(mover);
   now.on = false;
-  if (cli_track(mover->tracker, &now)) {
-    return true;
-  }
-  if (drawn) {
-    mover->state.mode = (uint8_t)draw_of(mover, set);
-  }
-  now = instant(mover);
-  return cli_track(mover->tracker, &now);
+  return cli_track(mover->tracker, &now) ||
+         leave_corner(mover, draw_of(mover, set));
 }
 
 // A wheel that rests at h = g = 0 leaves it after a drawn time by one of the
 // other modes; which they are tells a short step under the rule that leaves.
 static bool leave_rest(cli_mover_t *mover) {
   const tf_state_t rest = mover->state;
-  const double dt = 1e-6;
-  unsigned set = TF_MODE_BIT(TF_PINNED);
-  if (step_of(mover, dt)) {
-    set = mover->report.set;
+  unsigned set = 0;
+  if (step_of(mover, OFF)) {
+    set = mover->report.set & ~TF_MODE_BIT(TF_PINNED);
   }
   mover->state = rest;
-  set &= ~TF_MODE_BIT(TF_PINNED);
-  if (set != 0) {
-    mover->state.mode = (uint8_t)draw_of(mover, set);
-  }
-  mover->clock = -1;
-  const cli_instant_t now = instant(mover);
-  return cli_track(mover->tracker, &now);
+  return leave_corner(mover, set != 0 ? draw_of(mover, set) : TF_PINNED);
 }
 
 static bool move(cli_mover_t *mover) {
