@@ -206,6 +206,9 @@ typedef struct {
   tf_machine_t stay;  ///< that machine
 } cli_job_t;
 
+/// |g| within so many bands, and |h| within the band, is at rest at h = g = 0.
+#define CLI_REST 4
+
 /// A motion that is followed, sample by sample.
 #define CLI_PENDING 64
 typedef struct {

@@ -9,8 +9,11 @@
 
 #include "diverge.h"
 
-#define BEFORE 1e-3    // [m], of a start before the two-fold
-#define REFINE 6       // secants on the way to a change of side
+#define BEFORE 4e-3    // [m], of a start before the two-fold
+#define REFINE 5       // Newton's steps on the way to a change of side
+#define CLOSE 1e-4     // what they may leave of the way, as a part of it
+#define THERE 1e-15    // |h - level| from which no crossing is sought [m/s]
+#define OVER 1.2      // band of hysteresis, in sizes
 #define RATE_BOUND 4.0 // h' changes less than this times mu / m in `size`
 
 static cli_place_t along(cli_place_t at, cli_place_t rate, double dt) {
@@ -42,44 +45,58 @@ static double slip_of(const tf_machine_t *k, cli_place_t at) {
   return (double)cli_place_slip(k, at).h;
 }
 
-// Goes on until h = level or for dt at most; returns the time that took.
+// h' on a side.
+static double slip_rate(const tf_machine_t *k, cli_place_t at, int side) {
+  const cli_place_t f = rate_of(k, at, side);
+  return -f.p * (double)k->sin_gamma -
+         (f.r * at.z + at.r * f.z) * (double)k->cos_gamma;
+}
+
+// Goes on until h = level, by Newton's method from where h' points, or for dt
+// at most; returns the time that took.
 static double step_until(const tf_machine_t *k, cli_place_t *at, int side,
                          double level, double dt) {
   const cli_place_t from = *at;
-  double low = 0, high = dt;
-  double f_low = slip_of(k, from) - level;
-  cli_place_t to = step(k, from, side, dt);
-  double f_high = slip_of(k, to) - level;
-  const bool crossed = (f_low > 0) != (f_high > 0) && f_low != 0;
-  for (int i = 0; crossed && i < REFINE; i++) {
-    const double x = low - f_low * (high - low) / (f_high - f_low);
-    const cli_place_t middle = step(k, from, side, x);
-    const double f = slip_of(k, middle) - level;
-    if ((f > 0) == (f_low > 0)) {
-      low = x;
-      f_low = f;
-      f_high /= 2;
-    } else {
-      high = x;
-      f_high = f;
-      to = middle;
-      f_low /= 2;
+  const double gap = level - slip_of(k, from);
+  const bool there = fabs(gap) < THERE; // it leaves the level
+  double x = there ? dt : gap / slip_rate(k, from, side);
+  cli_place_t to = from;
+  if (!(x > 0 && x < dt)) {
+    to = step(k, from, side, dt);
+    const double left = level - slip_of(k, to);
+    if (there || (left > 0) == (gap > 0)) {
+      *at = to;
+      return dt;
     }
-    if (fabs(f) < 1e-16 || high - low < 1e-15) {
+    x = dt * gap / (gap - left);
+  }
+  for (int i = 0; i < REFINE; i++) {
+    to = step(k, from, side, x);
+    const double left = level - slip_of(k, to);
+    const double rate = slip_rate(k, to, side);
+    if (fabs(left) <= CLOSE * fabs(gap) + 1e-16 || !(gap * rate > 0)) {
       break;
     }
+    const double next = x + left / rate;
+    if (!(next > 0 && next < dt)) {
+      break;
+    }
+    x = next;
   }
   *at = to;
-  return high;
+  return x;
 }
 
 static cli_instant_t instant(const cli_mover_t *mover) {
   const tf_slip_t slip = cli_place_slip(&mover->far, mover->at);
+  const bool on = fabs((double)slip.h) <= mover->band;
+  const bool rest = fabs((double)slip.g) <= CLI_REST * mover->band;
   const cli_instant_t now = {.t = mover->t,
                              .at = mover->at,
                              .h = (double)slip.h,
                              .g = (double)slip.g,
-                             .on = fabs((double)slip.h) <= mover->band};
+                             .on = on,
+                             .pinned = on && rest};
   return now;
 }
 
@@ -92,7 +109,7 @@ static void start(cli_mover_t *mover) {
   mover->band = job->args->by == CLI_BY_DELAY
                     ? RATE_BOUND * mover->size * (double)job->stay.tyre.mu /
                           (double)job->stay.m
-                    : mover->size * (1 + 1e-6);
+                    : mover->size * OVER;
   const tf_state_t at =
       job->at_twofold ? cli_before_twofold(&job->stay, &job->twofold, BEFORE)
                       : job->setup.state;
@@ -129,13 +146,13 @@ static void move_delay(cli_mover_t *mover, double dt) {
     span = mover->pending[0] - mover->t;
     changes = true;
   }
-  const double h = slip_of(&mover->far, mover->at);
   if (span > 0) {
     const double gone =
         step_until(&mover->far, &mover->at, mover->side, 0, span);
     mover->t += gone;
-    const double after = slip_of(&mover->far, mover->at);
-    if ((h > 0) != (after > 0) && mover->pendings < CLI_PENDING) {
+    const int sign = slip_of(&mover->far, mover->at) < 0 ? -1 : 1;
+    const int to_be = mover->pendings % 2 != 0 ? -mover->side : mover->side;
+    if (sign != to_be && mover->pendings < CLI_PENDING) {
       mover->pending[mover->pendings++] = mover->t + mover->size;
     }
     changes = changes && gone >= span;

@@ -12,7 +12,7 @@
 
 #include "diverge.h"
 
-#define BEFORE 1e-3     // [m], of a start before the two-fold
+#define BEFORE 4e-3     // [m], of a start before the two-fold
 #define NEAR 0.011      // short steps within so much of r of the two-fold
 #define SMOOTH_BAND 10  // widths within which smoothed stick stays
 
@@ -35,12 +35,14 @@ static double weakening(const cli_job_t *job) {
 static cli_instant_t instant(const cli_mover_t *mover) {
   const cli_place_t at = cli_state_place(&mover->far, &mover->state);
   const tf_slip_t slip = cli_place_slip(&mover->far, at);
+  const bool on = fabs((double)slip.h) <= mover->band;
+  const bool rest = fabs((double)slip.g) <= CLI_REST * mover->band;
   const cli_instant_t now = {.t = mover->t,
                              .at = at,
                              .h = (double)slip.h,
                              .g = (double)slip.g,
-                             .on = fabs((double)slip.h) <= mover->band,
-                             .pinned = mover->state.mode == TF_PINNED};
+                             .on = on,
+                             .pinned = on && rest};
   return now;
 }
 
