@@ -196,6 +196,9 @@ int cli_diverge(int argc, char *const argv[]) {
   if (code != CLI_DONE) {
     return code;
   }
+  if (args.exhaustive) {
+    return cli_diverge_exhaust(&job);
+  }
   work_t *work = calloc(1, sizeof *work);
   cli_files_t *files = calloc(1, sizeof *files);
   if (work == NULL || files == NULL) {

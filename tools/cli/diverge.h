@@ -242,6 +242,22 @@ extern const cli_motion_t cli_random_motion; ///< the draws of CLI_BY_RANDOM
 extern const cli_motion_t cli_kicked_motion; ///< CLI_BY_NOISE, _SMOOTHING
 extern const cli_motion_t cli_forced_motion; ///< CLI_BY_HYSTERESIS, _DELAY
 
+/// Where a single future of --exhaustive ends.
+typedef enum {
+  CLI_BRANCH_TWOFOLD,
+  CLI_BRANCH_CORNER,   ///< h = g = 0 with more than one future
+  CLI_BRANCH_ESCAPING, ///< in an escaping stick that no rule ends
+  CLI_BRANCH_TIME      ///< the patience is over
+} cli_branch_t;
+
+/// Goes from mover->state in a mode to the next place that is open.
+/// set: out, the modes that are consistent there.
+cli_branch_t cli_random_branch(cli_mover_t *mover, unsigned mode,
+                               unsigned *set);
+
+/// `diverge --exhaustive`. Returns: the exit code.
+int cli_diverge_exhaust(const cli_job_t *job);
+
 /// Length of step where the motion is: short near the two-fold [s].
 double cli_step_here(const cli_mover_t *mover, cli_place_t at, double g);
 

@@ -163,6 +163,22 @@ static int read_set(cli_diverge_args_t *args, const option_t *option) {
   return cli_settings_add(&args->settings, option->name, option->value);
 }
 
+static int read_branches(cli_diverge_args_t *args, const option_t *option) {
+  return read_path(option, &args->branches);
+}
+
+static int read_depth(cli_diverge_args_t *args, const option_t *option) {
+  return read_count(option, 1, 1000, &args->depth);
+}
+
+static int read_nodes(cli_diverge_args_t *args, const option_t *option) {
+  return read_count(option, 1, 1000000, &args->count);
+}
+
+static int read_grid(cli_diverge_args_t *args, const option_t *option) {
+  return read_real(option, false, 1e-6, 1e3, "s", &args->grid);
+}
+
 static const struct {
   const char *name;
   int (*read)(cli_diverge_args_t *args, const option_t *option);
@@ -175,6 +191,8 @@ static const struct {
     {"--section", read_section}, {"--dt", read_dt},
     {"--near", read_near},       {"--set", read_set},
     {"--exits", read_exits},     {"--returns", read_returns},
+    {"--depth", read_depth},     {"--count", read_nodes},
+    {"--grid", read_grid},       {"--branches", read_branches},
 };
 #define OPTIONS (sizeof options / sizeof options[0])
 
@@ -184,6 +202,7 @@ static int unknown_option(const char *name) {
     cli_closest_offer(&closest, options[i].name);
   }
   cli_closest_offer(&closest, "--header");
+  cli_closest_offer(&closest, "--exhaustive");
   const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_complain(
       CLI_USAGE, "unknown option %s%s%s%s ('twofold help diverge' lists them)",
@@ -198,6 +217,10 @@ static int read_option(cli_diverge_args_t *args, int argc, char *const argv[],
   size_t i = 0;
   if (strcmp(word, "--header") == 0) {
     args->header = true;
+    return CLI_DONE;
+  }
+  if (strcmp(word, "--exhaustive") == 0) {
+    args->exhaustive = true;
     return CLI_DONE;
   }
   while (i < OPTIONS && (strlen(options[i].name) != length ||
@@ -225,6 +248,12 @@ static int check_together(cli_diverge_args_t *args) {
   if (args->scene == NULL) {
     return cli_complain(CLI_USAGE,
                         "diverge: which scene? ('twofold scenes' lists them)");
+  }
+  if (args->exhaustive && (sized || args->exits != NULL ||
+                           args->returns != NULL || args->shards > 1)) {
+    return cli_complain(CLI_USAGE,
+                        "--exhaustive: writes --branches FILE; it takes no "
+                        "--by, --exits, --returns and --shard");
   }
   if (sized && args->size_text == NULL) {
     return cli_complain(CLI_USAGE, "--by %s: give --size VALUE in %s",
@@ -257,6 +286,9 @@ int cli_diverge_args(cli_diverge_args_t *args, int argc, char *const argv[]) {
   args->patience = 100;
   args->section = 1e-3;
   args->seed = 1;
+  args->depth = 3;
+  args->count = 1000;
+  args->grid = 1e-2;
   for (int at = 0; at < argc; at++) {
     int code = CLI_DONE;
     if (argv[at][0] == '-') {

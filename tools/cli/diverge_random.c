@@ -190,34 +190,63 @@ static bool leave_rest(cli_mover_t *mover) {
   return leave_corner(mover, set != 0 ? draw_of(mover, set) : TF_PINNED);
 }
 
+static bool is_open_stick(const cli_mover_t *mover) {
+  const unsigned mode = mover->state.mode;
+  const double side = mode == TF_STICK_MINUS ? -1 : 1;
+  return is_stick(mode) &&
+         cli_delassus(&mover->job->stay, (double)mover->state.r, side) < 0;
+}
+
+// Ends the wait of an open stick or a pinned wheel within this step.
+static bool end_wait(cli_mover_t *mover) {
+  const unsigned mode = mover->state.mode;
+  if (mover->clock > SHORTEST && !step_of(mover, mover->clock)) {
+    return cli_refuse_cycle(mover);
+  }
+  mover->t += mover->clock;
+  mover->clock = -1;
+  const cli_instant_t now = instant(mover);
+  if (cli_track(mover->tracker, &now) || mover->state.mode != mode) {
+    return mover->tracker->cycle.outcome != CLI_CYCLE_OPEN;
+  }
+  return mode == TF_PINNED ? leave_rest(mover) : leave_stick(mover, false);
+}
+
+// Tells the tracker of a step. A stick that was left in the step in which it
+// passed the two-fold was left behind it.
+static bool tell(cli_mover_t *mover, const tf_state_t *from) {
+  const cli_instant_t *before = &mover->tracker->last;
+  cli_instant_t now = instant(mover);
+  const double side = from->mode == TF_STICK_MINUS ? -1 : 1;
+  const tf_machine_t *k = &mover->job->stay;
+  const unsigned through = SLIPS | TF_MODE_BIT(from->mode);
+  if (is_stick(from->mode) && mover->report.set == through &&
+      cli_delassus(k, before->at.r, side) > 0 &&
+      cli_delassus(k, now.at.r, side) < 0) {
+    now.on = true;
+    now.g = before->g;
+  }
+  if (!cli_track(mover->tracker, &now)) {
+    return false;
+  }
+  if (mover->tracker->cycle.outcome == CLI_CYCLE_RETURNED) {
+    mover->t = mover->tracker->cycle.ended;
+    mover->clock = -1;
+  }
+  return true;
+}
+
 static bool move(cli_mover_t *mover) {
   const cli_job_t *job = mover->job;
   const double dt = (double)job->stay.dt;
   const tf_state_t from = mover->state;
-  const cli_instant_t before = instant(mover);
-  const bool open =
-      from.mode == TF_PINNED ||
-      (is_stick(from.mode) &&
-       cli_delassus(&job->stay, before.at.r,
-                    from.mode == TF_STICK_MINUS ? -1.0 : 1.0) < 0);
+  const bool open = from.mode == TF_PINNED || is_open_stick(mover);
   unsigned set = 0;
   if (open && mover->clock < 0) {
     mover->clock = draw_time(mover);
   }
   if (open && mover->clock <= dt) {
-    if (mover->clock > 1e-12 && !step_of(mover, mover->clock)) {
-      return cli_refuse_cycle(mover);
-    }
-    mover->t += mover->clock;
-    if (mover->state.mode == from.mode) {
-      const cli_instant_t now = instant(mover);
-      return cli_track(mover->tracker, &now) ||
-             (from.mode == TF_PINNED ? leave_rest(mover)
-                                     : leave_stick(mover, false));
-    }
-    mover->clock = -1;
-    const cli_instant_t now = instant(mover);
-    return cli_track(mover->tracker, &now);
+    return end_wait(mover);
   }
   if (step(mover, &mover->far) < 0) {
     return cli_refuse_cycle(mover);
@@ -229,26 +258,43 @@ static bool move(cli_mover_t *mover) {
     return at_corner(mover, set);
   }
   mover->t += dt;
-  const cli_instant_t now = instant(mover);
-  cli_instant_t through = now;
-  // A stick that was left in the step in which it passed the two-fold did so
-  // behind it.
-  if (is_stick(from.mode) && before.g * job->twofold.g > 0 &&
-      cli_delassus(&job->stay, before.at.r, before.g) > 0 &&
-      cli_delassus(&job->stay, now.at.r, before.g) < 0 &&
-      mover->report.choices > 1 &&
-      fabs(now.at.r - job->twofold.r) < fabs(before.at.z) * dt * 4 &&
-      now.g * before.g > 0) {
-    through.on = true;
+  return tell(mover, &from);
+}
+
+cli_branch_t cli_random_branch(cli_mover_t *mover, unsigned mode,
+                               unsigned *set) {
+  const double dt = (double)mover->job->stay.dt;
+  mover->t = 0;
+  mover->clock = -1;
+  mover->state.mode = (uint8_t)mode;
+  cli_instant_t now = instant(mover);
+  cli_track_start(mover->tracker, &now);
+  if (mode <= TF_SLIP_MINUS) {
+    mover->tracker->last.on = true;
+    now.h = mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
+    (void)cli_track(mover->tracker, &now);
   }
-  if (!cli_track(mover->tracker, &through)) {
-    return false;
+  if (!step_of(mover, OFF)) {
+    return CLI_BRANCH_TIME;
   }
-  if (mover->tracker->cycle.outcome == CLI_CYCLE_RETURNED) {
-    mover->t = mover->tracker->cycle.ended;
-    mover->clock = -1;
+  mover->t += OFF;
+  while (mover->state.mode != TF_PINNED && !is_open_stick(mover)) {
+    const tf_state_t from = mover->state;
+    if (step(mover, &mover->far) < 0) {
+      return CLI_BRANCH_TIME;
+    }
+    if (was_at_corner(mover, &from, set)) {
+      return CLI_BRANCH_CORNER;
+    }
+    mover->t += dt;
+    if (tell(mover, &from)) {
+      return mover->tracker->cycle.outcome == CLI_CYCLE_RETURNED
+                 ? CLI_BRANCH_TWOFOLD
+                 : CLI_BRANCH_TIME;
+    }
   }
-  return true;
+  return mover->state.mode == TF_PINNED ? CLI_BRANCH_TIME
+                                        : CLI_BRANCH_ESCAPING;
 }
 
 const cli_motion_t cli_random_motion = {start, move, pass_twofold};
