@@ -53,11 +53,9 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help all run test bench stability check clean bench-compensated \
-  bench-ensemble bench-peers bench-steps keep-report oracle FORCE
-  bench-ensemble bench-frame bench-peers oracle FORCE
-  bench-ensemble bench-peers oracle firmware elf boards boards-list test-boards size deps \
-  FORCE
+.PHONY: help all run test bench bench-compensated bench-ensemble bench-frame \
+  bench-peers bench-steps stability keep-report oracle check clean firmware elf \
+  boards boards-list test-boards size deps FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:

@@ -86,6 +86,8 @@ TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
   const bool lost = !has(set, mode);
   const bool drawn = mode == TF_PINNED && rule == TF_RULE_RANDOM;
   if (!lost && (slipping || has(safe, mode))) return mode;
+  // Whether a step ends just before h = g = 0 or just behind must not matter.
+  if (lost && rule == TF_RULE_RANDOM && has(set, TF_PINNED)) return TF_PINNED;
   if (safe && !drawn && (lost || mode == TF_PINNED))
     return stick_of(safe, solutions);
   if (!lost || drawn) {

@@ -11,9 +11,10 @@
 /// 4. Where the present mode is lost: attracting stick, pinned, slip (the
 ///    faster one if both), escaping stick, in this order.
 /// What is left to the rule: how an escaping stick ends, and what becomes of a
-/// pinned wheel. All rules but RANDOM roll a pinned wheel off into an
-/// attracting stick where one is consistent: it then stands on the border of
-/// that region and leaves at the least disturbance.
+/// wheel that comes to h = g = 0 where it may rest. All rules but RANDOM take
+/// it into an attracting stick where one is consistent: it then stands on the
+/// border of that region and leaves at the least disturbance. RANDOM lets it
+/// rest, pinned, until its draw.
 #ifndef TWOFOLD_SELECT_H
 #define TWOFOLD_SELECT_H
 

@@ -93,7 +93,10 @@ static unsigned when_pinned(const question_t *q) {
 static unsigned declared(const question_t *q) {
   const unsigned now = BIT(q->mode);
   if (q->mode == TF_PINNED) return when_pinned(q);
-  if (!(q->set & now)) return when_lost(q);
+  if (!(q->set & now)) {
+    const unsigned rest = q->set & BIT(TF_PINNED);
+    return rest && q->rule == TF_RULE_RANDOM ? rest : when_lost(q);
+  }
   if (now & SLIPS || now & q->attracting) return now;
   return when_escaping(q);
 }
