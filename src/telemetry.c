@@ -146,7 +146,7 @@ TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,
 
 TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                           tf_state_t *state) {
-  const unsigned R = TF_REAL_BYTES;
+  const size_t R = TF_REAL_BYTES;
   *state = (tf_state_t){.r = tf_wire_get_real(payload),
                         .v = tf_wire_get_real(payload + R),
                         .w = tf_wire_get_real(payload + 2 * R),
@@ -157,7 +157,7 @@ TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
 }
 
 TF_API void tf_read_report(const uint8_t *payload, tf_report_t *report) {
-  const unsigned R = TF_REAL_BYTES;
+  const size_t R = TF_REAL_BYTES;
   const uint8_t *bytes = payload + 6 * R;
   // The status travels in two's complement.
   const int status = bytes[3] < 128 ? bytes[3] : (int)bytes[3] - 256;

@@ -4,6 +4,7 @@
 #ifndef TWOFOLD_WIRE_H
 #define TWOFOLD_WIRE_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "twofold/real.h"
@@ -15,7 +16,7 @@ typedef uint32_t tf_bits_t;
 typedef uint64_t tf_bits_t;
 #endif
 /// Bytes of a real on the wire: 4 or 8.
-#define TF_REAL_BYTES ((unsigned)sizeof(tf_real_t))
+#define TF_REAL_BYTES sizeof(tf_real_t)
 /// Refused where double has 4 bytes (avr-gcc): build for float there.
 typedef char
     tf_real_is_as_wide_as_its_bits[sizeof(tf_real_t) == sizeof(tf_bits_t) ? 1
@@ -29,9 +30,8 @@ typedef char
 /// Cost: 3 operations a byte. Stack: 32 B.
 /// Memory: caller's, reentrant.
 /// Claims: numbers_survive_the_wire
-static inline uint8_t *tf_wire_put(uint8_t *at, uint64_t value,
-                                   unsigned bytes) {
-  for (unsigned i = 0; i < bytes; i++, value >>= 8) *at++ = (uint8_t)value;
+static inline uint8_t *tf_wire_put(uint8_t *at, uint64_t value, size_t bytes) {
+  for (size_t i = 0; i < bytes; i++, value >>= 8) *at++ = (uint8_t)value;
   return at;
 }
 
@@ -42,7 +42,7 @@ static inline uint8_t *tf_wire_put(uint8_t *at, uint64_t value,
 /// Cost: 3 operations a byte. Stack: 32 B.
 /// Memory: caller's, reentrant.
 /// Claims: numbers_survive_the_wire
-static inline uint64_t tf_wire_get(const uint8_t *at, unsigned bytes) {
+static inline uint64_t tf_wire_get(const uint8_t *at, size_t bytes) {
   uint64_t value = 0;
   while (bytes > 0) value = value << 8 | at[--bytes];
   return value;

@@ -87,7 +87,7 @@ TEST(frames_survive_the_line) {
     CHECK(size == TF_FRAME_SIZE(length) && wire[size] == 0xA5);
     CHECK(wire[0] == 0 && wire[size - 1] == 0);
     CHECK(memchr(wire + 1, 0, size - 2) == NULL);
-    tf_frame_t frame;
+    tf_frame_t frame = {0, 0, 0, 0, NULL};
     for (size_t i = 0; i < size; i++) {
       const bool complete = tf_decoder_push(&receiver.decoder, wire[i], &frame);
       CHECK(complete == (i == size - 1));
@@ -354,8 +354,8 @@ TEST(long_runs_stay_in_the_buffer) {
 /* Whole frames of a protocol to come. */
 static void reseal(uint8_t *wire, size_t size) {
   uint32_t crc = tf_crc32(0, wire + 1, size - 7);
-  for (int i = 0; i < 5; i++, crc >>= 7)
-    wire[size - 6 + (size_t)i] = (uint8_t)(0x80 | (crc & 0x7f));
+  for (size_t i = 0; i < 5; i++, crc >>= 7)
+    wire[size - 6 + i] = (uint8_t)(0x80 | (crc & 0x7f));
 }
 TEST(other_versions_and_lengths_are_counted) {
   receiver_t receiver;

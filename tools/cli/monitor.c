@@ -164,9 +164,22 @@ static void summarise(const monitor_t *monitor) {
   }
 }
 
-static int read_option(options_t *options, int argc, char *const argv[],
-                       int *at) {
-  const char *word = argv[*at];
+static int unknown_option(const char *word) {
+  static const char *const names[] = {"--csv", "--follow", "--baud", "--out"};
+  cli_closest_t closest = cli_closest_to(word);
+  for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+    cli_closest_offer(&closest, names[i]);
+  }
+  const cli_hint_t hint = cli_closest_hint(&closest);
+  return cli_complain(
+      CLI_USAGE, "unknown option %s%s%s%s ('twofold help monitor' lists them)",
+      word, hint.before, hint.name, hint.after);
+}
+
+// value: what follows, or NULL. used: out, whether the option takes it.
+static int read_option(options_t *options, const char *word, const char *value,
+                       bool *used) {
+  *used = false;
   if (strcmp(word, "--csv") == 0) {
     options->csv = true;
     return CLI_DONE;
@@ -177,21 +190,12 @@ static int read_option(options_t *options, int argc, char *const argv[],
   }
   const bool is_baud = strcmp(word, "--baud") == 0;
   if (!is_baud && strcmp(word, "--out") != 0) {
-    cli_closest_t closest = cli_closest_to(word);
-    cli_closest_offer(&closest, "--csv");
-    cli_closest_offer(&closest, "--follow");
-    cli_closest_offer(&closest, "--baud");
-    cli_closest_offer(&closest, "--out");
-    const cli_hint_t hint = cli_closest_hint(&closest);
-    return cli_complain(
-        CLI_USAGE,
-        "unknown option %s%s%s%s ('twofold help monitor' lists them)", word,
-        hint.before, hint.name, hint.after);
+    return unknown_option(word);
   }
-  if (*at + 1 >= argc) {
+  if (value == NULL) {
     return cli_complain(CLI_USAGE, "%s: expected a value", word);
   }
-  const char *value = argv[++*at];
+  *used = true;
   if (!is_baud) {
     options->out = value;
   } else if (!cli_read_whole(value, 1, 100000000, &options->baud)) {
@@ -205,7 +209,10 @@ static int read_options(options_t *options, int argc, char *const argv[]) {
   for (int at = 0; at < argc; at++) {
     int code = CLI_DONE;
     if (argv[at][0] == '-' && argv[at][1] != '\0') {
-      code = read_option(options, argc, argv, &at);
+      bool used = false;
+      const char *value = at + 1 < argc ? argv[at + 1] : NULL;
+      code = read_option(options, argv[at], value, &used);
+      at += used;
     } else if (options->path != NULL) {
       code = cli_complain(CLI_USAGE, "%s: one source at a time (%s was given)",
                           argv[at], options->path);

@@ -9,9 +9,10 @@
 //
 // Out: the fewest digits that read back to the same bits. Any decimal of
 // FLT_DIG or DBL_DIG digits survives the way there and back, so that is where
-// the search starts, and 9 or 17 always suffice; two digits lie between. Below the smallest normal number precision fades and the search starts at
-// one digit. At a power of two the gap below is half the gap above, so that
-// the nearest decimal may miss where its upper neighbour reads back: both are
+// the search starts, and 9 or 17 always suffice; two digits lie between. Below
+// the smallest normal number precision fades and the search starts at one
+// digit. At a power of two the gap below is half the gap above, so that the
+// nearest decimal may miss where its upper neighbour reads back: both are
 // tried. The program never leaves the C locale: the point is a point.
 
 #include <ctype.h>
