@@ -160,6 +160,12 @@ check 'usage: the closest' told "did you mean '--csv'?"
 check 'usage: --out alone' monitor 2 frames --out x
 check 'usage: --baud' monitor 2 frames --baud fast
 check 'usage: value missing' monitor 2 frames --csv --out
+for bad in strat set:mu set:muu=1 set:mu=1x select:rand select:random:x \
+  input:1,2,3 input:1,2,3,4,5 input:1,,3,4; do
+  check "usage: --send $bad" monitor 2 frames --send "$bad"
+done
+check 'usage: --send, the closest' monitor 2 frames --send strat
+check 'usage: --send, told' told "did you mean 'start'?"
 check 'help' monitor 0 --help
 check 'help: the options' grep -q -e --follow out
 check 'a full disk' full_disk

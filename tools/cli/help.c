@@ -69,12 +69,20 @@ static const char monitor_usage[] =
     "                       the state live\n"
     "  --out FILE           of --csv, instead of standard output\n"
     "  --baud N             speed of a serial device; default: as it is\n"
+    "  --send COMMAND       sends it to the board and tells the answer; may "
+    "be\n"
+    "                       repeated: start, stop, reset, snapshot, restore,\n"
+    "                       describe, clear, set:NAME=VALUE,\n"
+    "                       select:RULE[:SEED], input (back to the scene's),\n"
+    "                       input:OMEGA0,R0,FORCE,TORQUE; ends after the last\n"
+    "                       answer unless rows or the live view go on\n"
     "  --follow             wait for a device that went away, or for more of "
     "a\n"
     "                       file\n"
     "\n"
     "What was lost and what was broken is told on standard error at the end.\n"
-    "exit codes: 0 done, 2 usage, 4 no frame, or the device went away\n";
+    "exit codes: 0 done, 2 usage, 3 a command was refused, 4 no frame, no\n"
+    "answer, or the device went away\n";
 
 static void print_names(void) {
   for (size_t i = 0; i < TF_PARAMETERS; i++) {

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "command.h"
 #include "picture.h"
 #include "source.h"
 #include "text.h"
@@ -22,6 +23,7 @@ typedef struct {
   const char *path, *out;
   uint64_t baud;
   bool csv, follow;
+  cli_commands_t commands;
 } options_t;
 
 typedef struct {
@@ -47,6 +49,10 @@ static bool take_block(monitor_t *monitor, size_t length) {
   while (tf_decoder_block(&monitor->decoder, at, length, &taken, &frame)) {
     at += taken;
     length -= taken;
+    if (frame.type == TF_DOWN_ANSWER) {
+      cli_commands_answer(&monitor->options.commands, &frame,
+                          &monitor->picture);
+    }
     if (!cli_picture_take(&monitor->picture, &frame, &row)) {
       continue;
     }
@@ -77,8 +83,10 @@ static int wait_for_device(monitor_t *monitor) {
   (void)cli_complain(CLI_DONE, "%s: the device went away: %s; waiting",
                      source->name, why);
   cli_source_close(source);
-  while (!cli_stop_asked() && !cli_source_open(source, monitor->options.path,
-                                               monitor->options.baud)) {
+  const options_t *options = &monitor->options;
+  while (!cli_stop_asked() &&
+         !cli_source_open(source, options->path, options->baud,
+                          options->commands.count > 0)) {
     cli_sleep(WAIT);
   }
   if (!cli_stop_asked()) {
@@ -87,11 +95,39 @@ static int wait_for_device(monitor_t *monitor) {
   return CLI_DONE;
 }
 
+// Sends what is due. Returns: CLI_DONE or, without an answer, CLI_STOPPED.
+static int send_commands(monitor_t *monitor) {
+  cli_commands_t *commands = &monitor->options.commands;
+  uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
+  const double now = cli_now();
+  const size_t length =
+      cli_commands_next(commands, &monitor->picture, now, wire);
+  if (length > 0 && !cli_source_write(&monitor->source, wire, length)) {
+    return cli_complain(CLI_STOPPED, "%s: %s", monitor->source.name,
+                        strerror(monitor->source.error));
+  }
+  if (commands->waiting && now > commands->deadline) {
+    return cli_complain(CLI_STOPPED,
+                        "--send %s: no answer; does the board take commands?",
+                        commands->list[commands->next].text);
+  }
+  return CLI_DONE;
+}
+
 static int follow_stream(monitor_t *monitor) {
   const options_t *options = &monitor->options;
+  const cli_commands_t *commands = &options->commands;
   const bool live = !options->csv && cli_is_terminal(1);
   while (!cli_stop_asked()) {
     size_t count = 0;
+    const int sent = send_commands(monitor);
+    if (sent != CLI_DONE) {
+      return sent;
+    }
+    if (commands->count > 0 && commands->next == commands->count &&
+        !options->csv && !live) {
+      return CLI_DONE; // nothing left to do or to show
+    }
     const cli_source_found_t found =
         cli_source_read(&monitor->source, monitor->block, BLOCK, WAIT, &count);
     const double now = cli_now();
@@ -165,7 +201,8 @@ static void summarise(const monitor_t *monitor) {
 }
 
 static int unknown_option(const char *word) {
-  static const char *const names[] = {"--csv", "--follow", "--baud", "--out"};
+  static const char *const names[] = {"--csv", "--follow", "--baud", "--out",
+                                      "--send"};
   cli_closest_t closest = cli_closest_to(word);
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
     cli_closest_offer(&closest, names[i]);
@@ -189,13 +226,17 @@ static int read_option(options_t *options, const char *word, const char *value,
     return CLI_DONE;
   }
   const bool is_baud = strcmp(word, "--baud") == 0;
-  if (!is_baud && strcmp(word, "--out") != 0) {
+  const bool is_send = strcmp(word, "--send") == 0;
+  if (!is_baud && !is_send && strcmp(word, "--out") != 0) {
     return unknown_option(word);
   }
   if (value == NULL) {
     return cli_complain(CLI_USAGE, "%s: expected a value", word);
   }
   *used = true;
+  if (is_send) {
+    return cli_commands_add(&options->commands, value);
+  }
   if (!is_baud) {
     options->out = value;
   } else if (!cli_read_whole(value, 1, 100000000, &options->baud)) {
@@ -206,6 +247,8 @@ static int read_option(options_t *options, const char *word, const char *value,
 
 static int read_options(options_t *options, int argc, char *const argv[]) {
   memset(options, 0, sizeof *options);
+  // Whatever is sent, the schema has to be known first.
+  (void)cli_commands_add(&options->commands, "describe");
   for (int at = 0; at < argc; at++) {
     int code = CLI_DONE;
     if (argv[at][0] == '-' && argv[at][1] != '\0') {
@@ -228,6 +271,9 @@ static int read_options(options_t *options, int argc, char *const argv[]) {
                         "monitor: which file or device? (- is "
                         "standard input)");
   }
+  if (options->commands.count == 1) {
+    options->commands.count = 0;
+  }
   if (options->out != NULL && !options->csv) {
     return cli_complain(CLI_USAGE, "--out %s: only with --csv", options->out);
   }
@@ -237,7 +283,8 @@ static int read_options(options_t *options, int argc, char *const argv[]) {
 static int perform(monitor_t *monitor) {
   const options_t *options = &monitor->options;
   char header[CLI_ROW_ROOM];
-  if (!cli_source_open(&monitor->source, options->path, options->baud)) {
+  if (!cli_source_open(&monitor->source, options->path, options->baud,
+                       options->commands.count > 0)) {
     return cli_complain(CLI_STOPPED, "%s: %s", options->path,
                         monitor->source.error == EINVAL && options->baud != 0
                             ? "the device does not take this --baud"
@@ -256,6 +303,9 @@ static int perform(monitor_t *monitor) {
   }
   cli_source_close(&monitor->source);
   summarise(monitor);
+  if (code == CLI_DONE && options->commands.refused > 0) {
+    code = CLI_REFUSED;
+  }
   if (code == CLI_DONE && monitor->decoder.frames == 0) {
     code = cli_complain(CLI_STOPPED, "%s: no frame of protocol version %d",
                         options->path, TF_FRAME_VERSION);

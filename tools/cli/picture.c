@@ -9,7 +9,7 @@ static unsigned real_bytes(const cli_picture_t *picture) {
   return picture->is_float ? 4 : 8;
 }
 
-static double real_at(const cli_picture_t *picture, const uint8_t *at) {
+double cli_picture_real(const cli_picture_t *picture, const uint8_t *at) {
   if (picture->is_float) {
     const uint32_t bits = (uint32_t)tf_wire_get(at, 4);
     float value = 0;
@@ -25,7 +25,7 @@ static double real_at(const cli_picture_t *picture, const uint8_t *at) {
 static const uint8_t *reals_at(const cli_picture_t *picture, const uint8_t *at,
                                double *values, size_t count) {
   for (size_t i = 0; i < count; i++, at += real_bytes(picture)) {
-    values[i] = real_at(picture, at);
+    values[i] = cli_picture_real(picture, at);
   }
   return at;
 }

@@ -39,4 +39,7 @@ typedef struct {
 bool cli_picture_take(cli_picture_t *picture, const tf_frame_t *frame,
                       cli_csv_t *row);
 
+/// Reads a real of the sender's type.
+double cli_picture_real(const cli_picture_t *picture, const uint8_t *at);
+
 #endif

@@ -58,7 +58,8 @@ static bool make_raw(int descriptor, uint64_t baud) {
   return tcsetattr(descriptor, TCSANOW, &line) == 0;
 }
 
-bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud) {
+bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud,
+                     bool both_ways) {
   source->error = 0;
   source->is_device = false;
   if (strcmp(path, "-") == 0) {
@@ -70,8 +71,8 @@ bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud) {
     // writer.
     struct stat status;
     const bool is_line = stat(path, &status) == 0 && S_ISCHR(status.st_mode);
-    source->descriptor =
-        open(path, O_RDONLY | O_NOCTTY | (is_line ? O_NONBLOCK : 0));
+    source->descriptor = open(path, (both_ways ? O_RDWR : O_RDONLY) | O_NOCTTY |
+                                        (is_line ? O_NONBLOCK : 0));
   }
   if (source->descriptor < 0) {
     source->error = errno;
@@ -106,6 +107,26 @@ cli_source_found_t cli_source_read(cli_source_t *source, uint8_t *bytes,
   }
   source->error = got < 0 ? errno : 0;
   return got == 0 && !source->is_device ? CLI_SOURCE_END : CLI_SOURCE_GONE;
+}
+
+bool cli_source_write(cli_source_t *source, const uint8_t *bytes,
+                      size_t length) {
+  while (length > 0) {
+    struct pollfd ready = {source->descriptor, POLLOUT, 0};
+    if (poll(&ready, 1, 1000) <= 0) {
+      source->error = ETIMEDOUT;
+      return false;
+    }
+    const ssize_t put = write(source->descriptor, bytes, length);
+    if (put > 0) {
+      bytes += put;
+      length -= (size_t)put;
+    } else if (put < 0 && errno != EAGAIN && errno != EINTR) {
+      source->error = errno;
+      return false;
+    }
+  }
+  return true;
 }
 
 void cli_source_close(cli_source_t *source) {

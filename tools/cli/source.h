@@ -23,15 +23,21 @@ typedef enum {
 } cli_source_found_t;
 
 /// Opens a path, or standard input where it is "-". A terminal is made raw.
-/// baud: 0 leaves the speed as it is.
+/// baud: 0 leaves the speed as it is. both_ways: commands are to be sent.
 /// Returns: whether it is open; else error is set (EINVAL: no such speed).
-bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud);
+bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud,
+                     bool both_ways);
 
 /// Waits for bytes, at most so many milliseconds.
 /// count: out, how many there are.
 cli_source_found_t cli_source_read(cli_source_t *source, uint8_t *bytes,
                                    size_t room, int milliseconds,
                                    size_t *count);
+
+/// Sends bytes; waits up to a second for room.
+/// Returns: whether all were taken.
+bool cli_source_write(cli_source_t *source, const uint8_t *bytes,
+                      size_t length);
 
 /// Closes what was opened.
 void cli_source_close(cli_source_t *source);

@@ -1,0 +1,261 @@
+/* `twofold monitor` on a device: a pseudo-terminal with a board behind it.
+ * Rows arrive, commands are answered, and when the device goes away the program
+ * says so or, under --follow, waits until it is back. The program is that of
+ * the environment's TWOFOLD. Nothing here waits for a fixed time. */
+#ifndef _XOPEN_SOURCE
+#define _XOPEN_SOURCE 700
+#endif
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include "tap.h"
+#include "twofold.h"
+
+#define PATIENCE 20000 /* [ms], for what has to happen */
+
+typedef struct {
+  int line; /* the board's end of the pseudo-terminal */
+  int rows; /* what the program writes */
+  int said; /* what it says on standard error */
+  pid_t child;
+  char heard[1 << 16]; /* standard error so far */
+  char got[1 << 16];   /* standard output so far */
+  size_t heard_used, got_used;
+  tf_session_t session;
+  tf_link_t link;
+  uint16_t sequence;
+} bench_t;
+
+static bench_t bench;
+static char place[] = "/tmp/twofold-device.XXXXXX";
+static char device[64];
+
+/* A pseudo-terminal; `device` becomes a link to its other end. */
+static int plug(void) {
+  const int line = posix_openpt(O_RDWR | O_NOCTTY);
+  struct termios raw;
+  if (!CHECK(line >= 0 && grantpt(line) == 0 && unlockpt(line) == 0)) return -1;
+  if (tcgetattr(line, &raw) == 0) {
+    raw.c_lflag = 0;
+    raw.c_oflag = 0;
+    raw.c_iflag = 0;
+    tcsetattr(line, TCSANOW, &raw);
+  }
+  unlink(device);
+  CHECK(symlink(ptsname(line), device) == 0);
+  return line;
+}
+
+static void run_child(char *program, char *const options[], int out, int err) {
+  char *arguments[16] = {program, NULL};
+  static char command[] = "monitor";
+  int n = 1;
+  arguments[n++] = command;
+  arguments[n++] = device;
+  for (int i = 0; options[i] != NULL && n < 15; i++)
+    arguments[n++] = options[i];
+  arguments[n] = NULL;
+  dup2(out, 1);
+  dup2(err, 2);
+  execv(program, arguments);
+  _exit(127);
+}
+
+static void begin(bench_t *b, char *const options[]) {
+  int out[2] = {-1, -1}, err[2] = {-1, -1};
+  const tf_scene_t *scene = tf_scenes[0];
+  static char program[512];
+  const char *named = getenv("TWOFOLD");
+  snprintf(program, sizeof program, "%s",
+           named ? named : "build/double/twofold");
+  memset(b, 0, sizeof *b);
+  b->line = plug();
+  CHECK(tf_session_open(&b->session, scene, &scene->params, 0) == TF_OK);
+  tf_link_open(&b->link, scene, &scene->params);
+  CHECK(pipe(out) == 0 && pipe(err) == 0);
+  fflush(stdout);
+  b->child = fork();
+  if (b->child == 0) {
+    close(b->line);
+    run_child(program, options, out[1], err[1]);
+  }
+  close(out[1]);
+  close(err[1]);
+  b->rows = out[0];
+  b->said = err[0];
+}
+
+static void collect(int from, char *text, size_t *used, size_t room) {
+  const ssize_t got = read(from, text + *used, room - 1 - *used);
+  if (got > 0) *used += (size_t)got;
+  text[*used] = '\0';
+}
+
+/* A millisecond of the bench: what came is taken in. */
+static void listen(bench_t *b) {
+  struct pollfd ends[3] = {
+      {b->line, POLLIN, 0}, {b->rows, POLLIN, 0}, {b->said, POLLIN, 0}};
+  poll(ends, 3, 1);
+  if (ends[0].revents & POLLIN) {
+    uint8_t bytes[256];
+    const ssize_t got = read(b->line, bytes, sizeof bytes);
+    for (ssize_t i = 0; i < got; i++) tf_link_receive(&b->link, bytes[i]);
+  }
+  if (ends[1].revents & POLLIN)
+    collect(b->rows, b->got, &b->got_used, sizeof b->got);
+  if (ends[2].revents & POLLIN)
+    collect(b->said, b->heard, &b->heard_used, sizeof b->heard);
+}
+
+static void tell(bench_t *b, const uint8_t *wire, size_t length) {
+  if (length > 0) CHECK(write(b->line, wire, length) == (ssize_t)length);
+}
+
+/* A board that describes itself, when asked, and answers. */
+static void serve(bench_t *b) {
+  uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
+  tf_link_boundary(&b->link, &b->session);
+  if (b->link.describe) {
+    const tf_schema_t schema = {&b->link.params, "chaos", "bench", 0, 0, true};
+    tell(b, wire,
+         tf_send_schema(wire, &b->sequence, b->session.state.tick, &schema));
+    b->link.describe = false;
+  }
+  tell(b, wire, tf_link_answer(&b->link, wire, &b->sequence));
+}
+
+static void send_row(bench_t *b) {
+  uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
+  const tf_input_t input = tf_session_input(&b->session, tf_scenes[0]);
+  tell(b, wire, tf_send_state(wire, &b->sequence, &b->session.state));
+  tell(b, wire,
+       tf_send_report(wire, &b->sequence, b->session.state.tick,
+                      &b->session.report));
+  tf_step(&b->session.machine, &b->session.state, &input, &b->session.report);
+}
+
+/* Whether the program has said or written a text, within the patience. */
+static int comes(bench_t *b, const char *text) {
+  for (int i = 0; i < PATIENCE; i++) {
+    serve(b);
+    listen(b);
+    if (strstr(b->heard, text) || strstr(b->got, text)) return 1;
+  }
+  printf("# never said: %s; but: %s\n", text, b->heard);
+  return 0;
+}
+
+/* Whether so many lines are written, the header among them. */
+static int lines_come(bench_t *b, int wanted) {
+  int lines = 0;
+  for (int i = 0; i < PATIENCE && lines < wanted; i++) {
+    serve(b);
+    listen(b);
+    lines = 0;
+    for (size_t k = 0; k < b->got_used; k++) lines += b->got[k] == '\n';
+  }
+  return lines == wanted;
+}
+
+/* Its exit code, or -1. */
+static int exit_of(bench_t *b) {
+  int status = 0;
+  for (int i = 0; i < PATIENCE; i++) {
+    const pid_t ended = waitpid(b->child, &status, WNOHANG);
+    if (ended == b->child) {
+      for (int k = 0; k < 3; k++) listen(b);
+      close(b->rows);
+      close(b->said);
+      if (b->line >= 0) close(b->line);
+      return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    listen(b);
+  }
+  kill(b->child, SIGKILL);
+  waitpid(b->child, &status, 0);
+  return -1;
+}
+
+TEST(rows_arrive_and_a_device_that_leaves_is_told) {
+  static char csv[] = "--csv";
+  char *const options[] = {csv, NULL};
+  begin(&bench, options);
+  CHECK(comes(&bench, "t,r,v,omega"));
+  for (int i = 0; i < 100; i++) {
+    send_row(&bench);
+    serve(&bench);
+    listen(&bench);
+  }
+  CHECK(lines_come(&bench, 101));
+  close(bench.line);
+  bench.line = -1;
+  CHECK(exit_of(&bench) == 4);
+  CHECK(strstr(bench.heard, "the device went away") != NULL);
+  CHECK(strstr(bench.heard, "100 rows") != NULL);
+  CHECK(strstr(bench.heard, "0 lost, 0 broken") != NULL);
+}
+
+TEST(followed_device_comes_back) {
+  static char csv[] = "--csv", follow[] = "--follow";
+  char *const options[] = {csv, follow, NULL};
+  begin(&bench, options);
+  CHECK(comes(&bench, "t,r,v,omega"));
+  for (int i = 0; i < 10; i++) send_row(&bench);
+  CHECK(lines_come(&bench, 11));
+  unlink(device);
+  close(bench.line);
+  bench.line = -1;
+  CHECK(comes(&bench, "waiting"));
+  bench.line = plug();
+  CHECK(comes(&bench, "back"));
+  for (int i = 0; i < 10; i++) send_row(&bench);
+  CHECK(lines_come(&bench, 21));
+  kill(bench.child, SIGTERM);
+  CHECK(exit_of(&bench) == 0);
+  CHECK(strstr(bench.heard, "20 rows") != NULL);
+}
+
+TEST(commands_are_sent_and_answered) {
+  static char flag[] = "--send", set[] = "set:mu=1.25", bad[] = "set:mu=-1",
+              rule[] = "select:random:9", stop[] = "stop",
+              input[] = "input:-1.5,0.1,0.25,-0.125";
+  char *const options[] = {flag, set,   flag, rule, flag, stop,
+                           flag, input, flag, bad,  NULL};
+  begin(&bench, options);
+  CHECK(
+      comes(&bench, "set:mu=1.25: took effect at step 0; mu = 1.25, in [0, "));
+  CHECK(bench.session.machine.tyre.mu == TF_R(1.25));
+  CHECK(comes(&bench, "select:random:9: took effect"));
+  CHECK(bench.session.machine.rule == TF_RULE_RANDOM);
+  CHECK(bench.session.state.seed == 9);
+  CHECK(comes(&bench, "stop: took effect") && !bench.session.running);
+  CHECK(comes(&bench, "input:-1.5,0.1,0.25,-0.125: took effect"));
+  CHECK(bench.session.driven && bench.session.input.omega0 == TF_R(-1.5));
+  CHECK(bench.session.input.r0 == TF_R(0.1) &&
+        bench.session.input.force == TF_R(0.25) &&
+        bench.session.input.torque == TF_R(-0.125) &&
+        bench.session.input.alpha == 0);
+  CHECK(comes(&bench, "set:mu=-1: refused, parameter out of its range"));
+  CHECK(strstr(bench.heard, "mu = 1.25") != NULL);
+  CHECK(exit_of(&bench) == 3);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  signal(SIGPIPE, SIG_IGN);
+  if (!mkdtemp(place)) return 1;
+  snprintf(device, sizeof device, "%s/device", place);
+  RUN(rows_arrive_and_a_device_that_leaves_is_told);
+  RUN(followed_device_comes_back);
+  RUN(commands_are_sent_and_answered);
+  unlink(device);
+  rmdir(place);
+  return tap_end();
+}
