@@ -6,7 +6,7 @@ BOARD_PACKAGES := gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf \
   qemu-system-misc
 BOARD_FLAGS := -ffreestanding --specs=picolibc.specs -misa-spec=2.2 \
   -march=rv32imac -mabi=ilp32 -mcmodel=medany -msmall-data-limit=0 \
-  -DMTIME_HZ=$(HIFIVE1_MTIME)u
+  -DBOARD_SMALL -DMTIME_HZ=$(HIFIVE1_MTIME)u
 BOARD_SOURCES := port/arch/riscv.c port/arch/memory.c
 BOARD_LINK := -nostartfiles -Lport/arch -Tport/hifive1/board.ld -lm
 BOARD_REALS := float double

@@ -1,7 +1,7 @@
 # BBC micro:bit: nRF51822, Cortex-M0 at 16 MHz, no FPU. 256 KB flash, 16 KB RAM.
 BOARD_TOOLS := arm-none-eabi-
 BOARD_PACKAGES := gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
-BOARD_FLAGS := -ffreestanding -mcpu=cortex-m0 -mthumb
+BOARD_FLAGS := -ffreestanding -mcpu=cortex-m0 -mthumb -DBOARD_SMALL
 BOARD_SOURCES := port/arch/cortex_m.c port/arch/memory.c
 # The C library's sqrt without its errno, which would cost 1 KB of RAM.
 BOARD_LINK := -nostartfiles -Lport/arch -Tport/microbit/board.ld \

@@ -47,14 +47,10 @@ uint32_t port_ticks(void) {
 uint32_t port_clock(void) {
   uint32_t tick;
   uint16_t since;
-  uint8_t pending;
-  do { // again where a tick fell in between, counted or pending
+  do { // again where a tick fell in between; a pending one is counted at once
     tick = port_ticks();
-    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
-      since = TCNT1;
-      pending = TIFR1 & (1u << OCF1A);
-    }
-  } while (pending || tick != port_ticks());
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { since = TCNT1; }
+  } while (tick != port_ticks());
   return tick * (period + 1ul) + since;
 }
 

@@ -10,7 +10,7 @@ BOARD_SMALL := yes
 BOARD_RUN := tests/target/until EXIT qemu-system-avr -M arduino-uno \
   -display none -monitor none -serial stdio
 BOARD_LOADS := -bios
-BOARD_STEPS := 3000
+BOARD_STEPS := 2000
 BOARD_RATES_float := 100
 BOARD_SHARED := yes
 # Warnings that this compiler does not know; its int is 16 bits, which promotes
