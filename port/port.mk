@@ -33,7 +33,21 @@ boards-list:
 test-boards:
 	@BUILD='$(BUILD)' tests/target/run $(ONLY)
 
-ifneq ($(filter firmware elf board-%,$(MAKECMDGOALS)),)
+size:
+	@BUILD='$(BUILD)' tools/size/run $(ONLY)
+
+# Firmware of one scene for every board whose compiler is here.
+boards:
+	@for board in $(or $(ONLY),$(BOARDS)); do \
+	  $(MAKE) -s --no-print-directory firmware BOARD=$$board \
+	    SCENE=$(SCENE) || [ $$? -eq 2 ] || exit 1; done
+
+deps:
+	apt-get install -y --no-install-recommends \
+	  $(sort $(shell sed -n 's/^BOARD_PACKAGES := //p; s/^  \(qemu[a-z-]*\)$$/\1/p' \
+	  $(wildcard port/*/board.mk) | tr -d '\\'))
+
+ifneq ($(filter firmware elf call-graph board-%,$(MAKECMDGOALS)),)
 ifeq ($(wildcard port/$(BOARD)/board.mk),)
 $(error No board is named $(BOARD); there are: $(BOARDS))
 endif
@@ -96,6 +110,12 @@ $(FIRMWARE).flags: FORCE
 firmware: $(FIRMWARE)
 	@echo '$(FIRMWARE)'
 elf: $(FIRMWARE)
+
+# For scripts: the call graph of a firmware with its frames, into GRAPH.
+call-graph: $(BUILD)/$(REAL)/constants $(CONSTANTS)
+	@for file in $(FIRMWARE_SOURCES); do \
+	  $(BOARD_CC) $(FIRMWARE_FLAGS) -fcallgraph-info=su -c $$file \
+	    -o $(GRAPH)/$$(basename $$file .c).o || exit 1; done
 
 # For scripts: one fact of a board, as `make -s board-REALS BOARD=...`.
 board-%:
