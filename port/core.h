@@ -20,6 +20,11 @@
 
 #include "twofold/scene.h"
 #include "twofold/step.h"
+#ifdef SCENE_HEADER
+#include SCENE_HEADER
+#define TF_API_MACHINE(c) ((void)(c), &scene_machine)
+#endif
+
 #ifdef BOARD_SMALL
 // Where flash is short the parts of a step are functions: half the size.
 #include "../src/kernel.h"
@@ -40,7 +45,6 @@
 #include "../src/tyre.c"
 
 #ifdef SCENE_HEADER
-#include SCENE_HEADER
 
 #define SCENE_MACHINE (&scene_machine)
 #define SCENE (&scene_inputs)

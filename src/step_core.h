@@ -26,6 +26,11 @@ typedef struct {
   tf_answer_t F, M; // answers to F = mu, M = kappa mu
 } motion_t;
 
+// The machine of a motion. A build for one scene knows it where it compiles.
+#ifndef TF_API_MACHINE
+#define TF_API_MACHINE(c) ((c)->machine)
+#endif
+
 TF_INLINE motion_t motion(const tf_machine_t *k, const tf_state_t *state,
                           const digits_t *more, const tf_input_t *input) {
   motion_t c = {.machine = k,
@@ -45,12 +50,13 @@ TF_INLINE motion_t motion(const tf_machine_t *k, const tf_state_t *state,
 
 TF_INLINE tf_slip_t slip_now(const motion_t *c) {
   if (c->more) return c->now;
-  return turned(c->machine, c->linear.p, c->state->r * c->linear.z);
+  return turned(TF_API_MACHINE(c), c->linear.p, c->state->r * c->linear.z);
 }
 
 TF_INLINE tf_slip_t slip_at_theta(const motion_t *c, tf_change_t friction) {
-  const tf_real_t r_theta = c->state->r + c->machine->theta_dt * c->state->v;
-  return theta_slip(c->machine, &c->linear, r_theta, friction);
+  const tf_real_t r_theta =
+      c->state->r + TF_API_MACHINE(c)->theta_dt * c->state->v;
+  return theta_slip(TF_API_MACHINE(c), &c->linear, r_theta, friction);
 }
 
 TF_INLINE tf_change_t change_by(const motion_t *c, tf_multipliers_t m) {
@@ -68,7 +74,7 @@ typedef struct {
 
 TF_INLINE end_t end_under(const motion_t *c, tf_force_t force,
                           tf_change_t friction) {
-  const tf_machine_t *k = c->machine;
+  const tf_machine_t *k = TF_API_MACHINE(c);
   if (!c->more) return (end_t){.at = end_after(k, &c->linear, force, friction)};
   const tf_change_t change = {c->linear.free.p + friction.p,
                               c->linear.free.z + friction.z};
@@ -79,18 +85,18 @@ TF_INLINE end_t end_under(const motion_t *c, tf_force_t force,
 
 TF_INLINE tf_slip_t slip_of(const motion_t *c, const end_t *end) {
   if (c->more) return end->slip;
-  return end_slip(c->machine, &c->linear, &end->at);
+  return end_slip(TF_API_MACHINE(c), &c->linear, &end->at);
 }
 
 TF_INLINE end_t end_by(const motion_t *c, tf_multipliers_t m) {
-  const tf_machine_t *k = c->machine;
+  const tf_machine_t *k = TF_API_MACHINE(c);
   return end_under(c, (tf_force_t){m.x * k->tyre.mu, m.y * k->kappa_mu},
                    change_by(c, m));
 }
 
 // Pinned, the end is what the force was solved for, without its rounding.
 TF_INLINE end_t end_pinned(const motion_t *c) {
-  const tf_end_t rest = {pinning_force(c->machine, &c->linear),
+  const tf_end_t rest = {pinning_force(TF_API_MACHINE(c), &c->linear),
                          c->linear.r_explicit, 0, c->linear.omega0};
   return (end_t){rest, {0, 0}, {0, 0}};
 }
@@ -106,7 +112,7 @@ TF_INLINE tf_multipliers_t slip_multipliers(const tf_tyre_t *tyre,
 // wheel across h = 0 although the limit at h -> 0 holds it on its side, the
 // true end lies between the two and the limit is taken.
 TF_INLINE end_t slip_end(const motion_t *c, tf_real_t side, tf_real_t tau) {
-  const tf_tyre_t *tyre = &c->machine->tyre;
+  const tf_tyre_t *tyre = &TF_API_MACHINE(c)->tyre;
   const tf_multipliers_t first = slip_multipliers(tyre, side, slip_now(c));
   const tf_slip_t at = slip_at_theta(c, change_by(c, first));
   const end_t end = end_by(c, slip_multipliers(tyre, side, at));
@@ -127,14 +133,15 @@ TF_INLINE end_t mode_end(const motion_t *c, const tf_solutions_t *s,
 }
 
 TF_INLINE tf_inclusion_t inclusion(const motion_t *c) {
-  tf_inclusion_t in = {.has_moment = c->machine->stick_kappa > 0};
-  slip_forms(c->machine, c->r, c->z, c->free, &c->F, &c->M, &in.h, &in.g);
+  tf_inclusion_t in = {.has_moment = TF_API_MACHINE(c)->stick_kappa > 0};
+  slip_forms(TF_API_MACHINE(c), c->r, c->z, c->free, &c->F, &c->M, &in.h,
+             &in.g);
   return in;
 }
 
 // What is read only where g+ can have both signs.
 TF_INLINE void complete(const motion_t *c, tf_inclusion_t *in) {
-  const tf_machine_t *k = c->machine;
+  const tf_machine_t *k = TF_API_MACHINE(c);
   const tf_force_t pin = pinning_force(k, &c->linear);
   in->g_now = slip_now(c).g;
   in->pin_x = pin.F * k->inv_mu;
@@ -201,7 +208,7 @@ typedef struct {
 } least_t;
 
 TF_INLINE least_t least_violating(const motion_t *c) {
-  const tf_machine_t *k = c->machine;
+  const tf_machine_t *k = TF_API_MACHINE(c);
   tf_inclusion_t in = inclusion(c);
   tf_solutions_t s = {0};
   const unsigned signs = signs_of(&in.g);
@@ -233,7 +240,7 @@ TF_INLINE least_t least_violating(const motion_t *c) {
 // extrapolates: |share| <= 1.
 TF_INLINE tf_force_t secant_force(const motion_t *c, tf_slip_t at,
                                   tf_real_t h_now) {
-  const tf_machine_t *k = c->machine;
+  const tf_machine_t *k = TF_API_MACHINE(c);
   const tf_force_t f = tf_tyre_force(&k->tyre, at.h < 0 ? -1 : 1, at.h, at.g);
   if (at.h == 0) return f;
   const tf_answer_t a = answer_of(k, response(k, &c->linear, f));
@@ -249,7 +256,7 @@ TF_INLINE tf_force_t secant_force(const motion_t *c, tf_slip_t at,
 // is from the law at the theta point.
 TF_INLINE unsigned mode_under(const motion_t *c, tf_force_t force, end_t *end,
                               tf_real_t *rest) {
-  const tf_machine_t *k = c->machine;
+  const tf_machine_t *k = TF_API_MACHINE(c);
   const tf_change_t change = response(k, &c->linear, force);
   *end = end_under(c, force, change);
   const tf_real_t h = slip_of(c, end).h;
@@ -267,7 +274,7 @@ TF_INLINE tf_force_t single_valued_force(const motion_t *c) {
   const tf_slip_t now = slip_now(c);
   const tf_force_t first = secant_force(c, now, now.h);
   const tf_slip_t at =
-      slip_at_theta(c, response(c->machine, &c->linear, first));
+      slip_at_theta(c, response(TF_API_MACHINE(c), &c->linear, first));
   return secant_force(c, at, now.h);
 }
 

@@ -4,7 +4,6 @@ BOARD_TOOLS := arm-none-eabi-
 BOARD_PACKAGES := gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 BOARD_FLAGS := -ffreestanding -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 \
   -mfloat-abi=hard
-BOARD_OPT := -O2
 BOARD_SOURCES := port/arch/cortex_m.c port/arch/cortex_m_tick.c \
   port/arch/memory.c
 BOARD_LINK := -nostartfiles -Lport/arch -Tport/stm32f405/board.ld \
