@@ -86,12 +86,15 @@ TF_API void tf_decoder_init(tf_decoder_t *decoder, uint8_t *buffer,
   *decoder = (tf_decoder_t){.buffer = buffer, .room = room};
 }
 
-// A gap of the sequence is a loss, unless time went back as well: then the
-// sender started anew.
+// A gap of the sequence is a loss, unless the number went back: then the sender
+// started anew. Half of all gaps may be either; where the number went through 0
+// time decides. (Time alone does not: an answer may be older than the rows that
+// went before it.)
 static void count_accepted(tf_decoder_t *decoder, const tf_frame_t *frame) {
   const uint16_t gap = (uint16_t)(frame->sequence - decoder->sequence);
   if (decoder->started && gap != 0) {
-    if (gap >= 0x8000u || frame->tick < decoder->tick)
+    const bool through_0 = frame->sequence < gap;
+    if (gap >= 0x8000u || (through_0 && frame->tick < decoder->tick))
       decoder->restarts++;
     else
       decoder->lost += gap;

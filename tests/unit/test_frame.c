@@ -325,9 +325,22 @@ TEST(lost_frames_are_counted) {
   /* The sender starts again: time and number go back, nothing is lost. */
   accepted(&receiver, wire, make(wire, 0, 4));
   CHECK(receiver.decoder.lost == 2 && receiver.decoder.restarts == 1);
-  /* The same frame twice. */
+  /* From the upper half of the numbers the gap alone does not tell. */
+  open_receiver(&receiver);
+  accepted(&receiver, wire, make(wire, 50000, 4));
   accepted(&receiver, wire, make(wire, 0, 4));
-  CHECK(receiver.decoder.lost == 2 && receiver.decoder.restarts == 2);
+  CHECK(receiver.decoder.lost == 0 && receiver.decoder.restarts == 1);
+  /* An answer that is older than the row before it, after a loss. */
+  open_receiver(&receiver);
+  accepted(&receiver, wire, make(wire, 500, 4));
+  uint16_t sequence = 503;
+  accepted(&receiver, wire, tf_frame_seal(wire, 8, 5, &sequence, 400));
+  CHECK(receiver.decoder.lost == 2 && receiver.decoder.restarts == 0);
+  /* The same frame twice. */
+  open_receiver(&receiver);
+  accepted(&receiver, wire, make(wire, 0, 4));
+  accepted(&receiver, wire, make(wire, 0, 4));
+  CHECK(receiver.decoder.lost == 0 && receiver.decoder.restarts == 1);
 }
 
 TEST(long_runs_stay_in_the_buffer) {

@@ -53,6 +53,11 @@ static void draw(const cli_view_t *view, const cli_picture_t *picture,
                view->rate, decoder->frames,
                decoder->bad + decoder->too_long + decoder->bad_version,
                decoder->lost);
+  if (!picture->has_heartbeat) {
+    (void)printf("\033[Kboard has not told its counters\n");
+    (void)fflush(stdout);
+    return;
+  }
   (void)printf("\033[Kboard %" PRIu32 " steps, %" PRIu32 " overruns, %" PRIu32
                " dropped, %" PRIu32 " refused; step %" PRIu32 "/%" PRIu32
                "/%" PRIu32 " ns of %" PRIu32 "\n",
