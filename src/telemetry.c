@@ -52,15 +52,15 @@ TF_API size_t tf_send_schema(uint8_t *wire, uint16_t *sequence, uint64_t tick,
   return seal(wire, TF_DOWN_SCHEMA, at, sequence, tick);
 }
 
-TF_API const char tf_layout_state[] =
+TF_API const char *const tf_layout_state =
     "r,real,1,m;v,real,1,m/s;omega,real,1,rad/s;phi,real,1,rad;seed,u32,1,1;"
     "mode,u8,1,1";
-TF_API const char tf_layout_report[] =
+TF_API const char *const tf_layout_report =
     "h,real,1,m/s;g,real,1,m/s;F,real,1,N;M,real,1,N m;delassus,real,1,1/kg;"
     "residual,real,1,N;mode,u8,1,1;set,u8,1,1;choices,u8,1,1;status,i8,1,1";
-TF_API const char tf_layout_compact[] =
+TF_API const char *const tf_layout_compact =
     "r,real,1,m;v,real,1,m/s;omega,real,1,rad/s;mode,u8,1,1;choices,u8,1,1";
-TF_API const char tf_layout_heartbeat[] =
+TF_API const char *const tf_layout_heartbeat =
     "steps,u32,1,1;refused,u32,1,1;overruns,u32,1,1;dropped,u32,1,1;"
     "bad,u32,1,1;ignored,u32,1,1;exec_min,u32,1e-9,s;exec_mean,u32,1e-9,s;"
     "exec_max,u32,1e-9,s;period,u32,1e-9,s";

@@ -92,13 +92,13 @@ TF_API size_t tf_send_schema(uint8_t *wire, uint16_t *sequence, uint64_t tick,
 /// "name,type,scale,unit" joined by ";". Types: real (as the schema says), u8,
 /// i8, u16, u32, u64. Number times scale is in the unit.
 #define tf_layout_state TF_LINK(tf_layout_state)
-TF_API extern const char tf_layout_state[];
+TF_API_DATA const char *const tf_layout_state;
 #define tf_layout_report TF_LINK(tf_layout_report)
-TF_API extern const char tf_layout_report[];
+TF_API_DATA const char *const tf_layout_report;
 #define tf_layout_compact TF_LINK(tf_layout_compact)
-TF_API extern const char tf_layout_compact[];
+TF_API_DATA const char *const tf_layout_compact;
 #define tf_layout_heartbeat TF_LINK(tf_layout_heartbeat)
-TF_API extern const char tf_layout_heartbeat[];
+TF_API_DATA const char *const tf_layout_heartbeat;
 
 /// Frame TF_DOWN_LAYOUT.
 /// Scheme: none.

@@ -276,7 +276,7 @@ static unsigned bytes_of(const char *layout) {
 }
 
 TEST(layouts_describe_the_payloads) {
-  static const struct {
+  const struct {
     const char *layout;
     tf_type_t type;
     unsigned bytes;
