@@ -7,7 +7,7 @@
 static const tf_scene_t *scene_named(const char *name) {
   for (int i = 0; i < TF_SCENES; i++)
     if (!strcmp(tf_scenes[i]->name, name)) return tf_scenes[i];
-  CHECK(!"such a scene");
+  CHECK(0); /* no such scene */
   return tf_scenes[0];
 }
 
