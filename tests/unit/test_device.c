@@ -174,9 +174,12 @@ static int exit_of(bench_t *b) {
       close(b->rows);
       close(b->said);
       if (b->line >= 0) close(b->line);
+      if (!WIFEXITED(status) || WEXITSTATUS(status) == 1)
+        printf("# it ended with %x and said: %s\n", (unsigned)status, b->heard);
       return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
     listen(b);
+    poll(NULL, 0, 1); /* pipes that hung up make no pause */
   }
   kill(b->child, SIGKILL);
   waitpid(b->child, &status, 0);
