@@ -56,6 +56,12 @@ ifeq ($(filter $(REAL),$(BOARD_REALS)),)
 $(error $(BOARD) has REAL=$(BOARD_REALS), not $(REAL))
 endif
 
+ifneq ($(BOARD_SMALL),)
+ifneq ($(SCENE)$(filter-out text,$(FORMAT))$(UPLINK),$(filter-out generic,$(SCENE)))
+$(error $(BOARD) has room for one scene and text, locked)
+endif
+endif
+
 BOARD_CC ?= $(BOARD_TOOLS)gcc
 
 RATE_OF_firmware := $(RATE)

@@ -98,8 +98,8 @@ TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
   if (has(set, TF_PINNED)) return TF_PINNED;
   if (has(set, TF_SLIP_PLUS) && has(set, TF_SLIP_MINUS))
     return magnitude(solutions->h_limit[0]) >= magnitude(solutions->h_limit[1])
-               ? TF_SLIP_PLUS
-               : TF_SLIP_MINUS;
+               ? (unsigned)TF_SLIP_PLUS
+               : (unsigned)TF_SLIP_MINUS;
   if (has(set, TF_SLIP_PLUS)) return TF_SLIP_PLUS;
   if (has(set, TF_SLIP_MINUS)) return TF_SLIP_MINUS;
   return sticks && !slipping ? stick_of(sticks, solutions) : TF_MODES;
