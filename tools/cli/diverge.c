@@ -136,21 +136,21 @@ static void summarise(work_t *work, double now) {
     (void)fputs("\r\033[K", stderr);
   }
   (void)fprintf(stderr,
-                "samples    %" PRIu64 " of %" PRIu64 ", by %s\ncycles     "
+                "samples    %" PRIu64 " of %" PRIu64
+                ", by %s\ncycles     "
                 "%" PRIu64,
                 work->done, work->last - work->first,
                 cli_kinds[work->job->args->by].name, work->cycles);
   for (int i = 1; i < CLI_OUTCOMES; i++) {
     if (work->outcomes[i] > 0) {
-      (void)fprintf(stderr, ", %s %" PRIu64,
-                    cli_outcome_name((cli_outcome_t)i), work->outcomes[i]);
+      (void)fprintf(stderr, ", %s %" PRIu64, cli_outcome_name((cli_outcome_t)i),
+                    work->outcomes[i]);
     }
   }
-  (void)fprintf(stderr, "\ncost       %.3g s, %.3g ms a cycle\n",
-                now - work->started,
-                work->cycles > 0
-                    ? 1e3 * (now - work->started) / (double)work->cycles
-                    : 0.0);
+  (void)fprintf(
+      stderr, "\ncost       %.3g s, %.3g ms a cycle\n", now - work->started,
+      work->cycles > 0 ? 1e3 * (now - work->started) / (double)work->cycles
+                       : 0.0);
 }
 
 static int perform(work_t *work, const cli_diverge_args_t *args) {

@@ -37,10 +37,10 @@ typedef struct {
   cli_by_t by;
   const char *size_text; ///< as typed, NULL: not given
   cli_corner_t corner;
-  double size;       ///< unit by kind; 0: not given
-  double spread;     ///< 0: not given; sizes are drawn from [size / spread, size]
-  double patience;   ///< longest cycle [s]
-  double section;    ///< where the phase is read, below the two-fold [m]
+  double size;     ///< unit by kind; 0: not given
+  double spread;   ///< 0: not given; sizes are drawn from [size / spread, size]
+  double patience; ///< longest cycle [s]
+  double section;  ///< where the phase is read, below the two-fold [m]
   double near_ratio; ///< dt / step near the two-fold; 0: not given
   double grid;       ///< --exhaustive: between two exits of a stick [s]
   uint64_t samples, cycles;
@@ -105,9 +105,9 @@ void cli_sliding_field(const tf_machine_t *machine, double r, double z,
 #define CLI_STICK_TERMS 14
 typedef struct {
   const tf_machine_t *machine;
-  double r, z;  ///< two-fold
-  double s;     ///< sign of g
-  double reach; ///< the curve holds within r +- reach [m]
+  double r, z;               ///< two-fold
+  double s;                  ///< sign of g
+  double reach;              ///< the curve holds within r +- reach [m]
   double c[CLI_STICK_TERMS]; ///< z - z* = x sum c[n] x^n, x = (r - r*) / reach
 } cli_stick_t;
 
@@ -158,14 +158,14 @@ typedef struct {
   bool left;      ///< the surface was left since
   bool released;  ///< by |lambda| = mu
   double exit_t, exit_r, exit_omega, exit_g;
-  int side;            ///< of the exit, +1 or -1
-  double phase;        ///< at the section [turns]; < 0: not there in slip
-  bool landed;         ///< on the upper sliding region
-  double land_t;       ///< first time [s]
-  double land_r;       ///< [m]
-  uint64_t landings;   ///< there
-  uint64_t windings;   ///< changes of slip until the first landing
-  double ended;        ///< [s]
+  int side;          ///< of the exit, +1 or -1
+  double phase;      ///< at the section [turns]; < 0: not there in slip
+  bool landed;       ///< on the upper sliding region
+  double land_t;     ///< first time [s]
+  double land_r;     ///< [m]
+  uint64_t landings; ///< there
+  uint64_t windings; ///< changes of slip until the first landing
+  double ended;      ///< [s]
   cli_outcome_t outcome;
 } cli_cycle_t;
 
@@ -177,11 +177,11 @@ typedef struct {
   double stay; ///< so long within the band is on the surface [s]
   cli_instant_t last;
   cli_cycle_t cycle;
-  bool upper;      ///< on the upper sliding region at last
-  double on_since; ///< start of the present stay on the surface
-  double on_r;     ///< where it began [m]
-  int slip_side;   ///< of the last slip
-  double up_last;  ///< last change from slip- to slip+ [s], < 0: none
+  bool upper;       ///< on the upper sliding region at last
+  double on_since;  ///< start of the present stay on the surface
+  double on_r;      ///< where it began [m]
+  int slip_side;    ///< of the last slip
+  double up_last;   ///< last change from slip- to slip+ [s], < 0: none
   double section_t; ///< passing the section in slip, < 0: not yet
 } cli_tracker_t;
 void cli_track_start(cli_tracker_t *tracker, const cli_instant_t *at);
@@ -198,10 +198,10 @@ typedef struct {
   const cli_diverge_args_t *args;
   cli_setup_t setup;
   cli_twofold_t twofold;
-  cli_stick_t stick; ///< through it
-  bool at_twofold;   ///< the samples start there
-  double dt;         ///< [s]
-  double rate;       ///< of exits [1/s]
+  cli_stick_t stick;  ///< through it
+  bool at_twofold;    ///< the samples start there
+  double dt;          ///< [s]
+  double rate;        ///< of exits [1/s]
   tf_params_t params; ///< of a machine that leaves open what is open
   tf_machine_t stay;  ///< that machine
 } cli_job_t;
@@ -222,7 +222,7 @@ typedef struct {
   tf_state_t state;
   tf_report_t report;
   double t;
-  double clock; ///< until an open stick or a pinned wheel is left; < 0: none
+  double clock;   ///< until an open stick or a pinned wheel is left; < 0: none
   uint64_t kicks; ///< so many steps so far
   cli_place_t at; ///< of a forced motion
   int side;       ///< on which its friction is

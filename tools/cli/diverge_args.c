@@ -24,8 +24,8 @@ const cli_kind_t cli_kinds[CLI_BYS] = {
 };
 
 // Reads a real number in [low, high] (low itself out of range if open).
-static int read_real(const option_t *option, bool open, double low,
-                     double high, const char *unit, double *out) {
+static int read_real(const option_t *option, bool open, double low, double high,
+                     const char *unit, double *out) {
   const char *why = "";
   tf_real_t value = 0;
   if (!cli_read_real(option->value, &value, &why)) {

@@ -46,12 +46,11 @@ static const char header[] =
 static uint64_t node_at(search_t *search, const node_t *node) {
   for (uint64_t i = 0; i < search->used; i++) {
     const node_t *known = &search->nodes[i];
-    const bool same = node->twofold
-                          ? known->twofold
-                          : !known->twofold &&
-                                known->state.mode == node->state.mode &&
-                                fabs((double)known->state.r -
-                                     (double)node->state.r) < JOIN;
+    const bool same =
+        node->twofold
+            ? known->twofold
+            : !known->twofold && known->state.mode == node->state.mode &&
+                  fabs((double)known->state.r - (double)node->state.r) < JOIN;
     if (same) {
       search->joined++;
       return i;
@@ -102,14 +101,15 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
   if (cycle->landed) {
     (void)snprintf(landing, sizeof landing, "%.12g", cycle->land_r);
   }
-  const int length = snprintf(
-      row, sizeof row,
-      "%" PRIu64 ",%" PRIu64 ",%s,%.12g,%.12g,%s,%.6g,%.12g,%.12g,%s,%s,%.9g,"
-      "%.12g,%s,%" PRIu64 "\n",
-      index, from->depth, from->twofold ? "two-fold" : "corner",
-      (double)from->state.r, (double)from->state.w, tf_mode_name(mode),
-      stick_time, (double)left.r, (double)left.w, name, to, mover->t,
-      (double)mover->state.r, landing, cycle->windings);
+  const int length =
+      snprintf(row, sizeof row,
+               "%" PRIu64 ",%" PRIu64
+               ",%s,%.12g,%.12g,%s,%.6g,%.12g,%.12g,%s,%s,%.9g,"
+               "%.12g,%s,%" PRIu64 "\n",
+               index, from->depth, from->twofold ? "two-fold" : "corner",
+               (double)from->state.r, (double)from->state.w, tf_mode_name(mode),
+               stick_time, (double)left.r, (double)left.w, name, to, mover->t,
+               (double)mover->state.r, landing, cycle->windings);
   search->edges++;
   if (!cli_output_lines(search->output, row, (size_t)length)) {
     search->unwritten = true;
@@ -198,8 +198,9 @@ int cli_diverge_exhaust(const cli_job_t *job) {
     if (!cli_output_close(output)) {
       code = cli_complain(CLI_STOPPED, "%s: not written", output->name);
     } else if (cli_stop_asked()) {
-      code = cli_complain(CLI_STOPPED, "stopped by a signal; the branches that "
-                                       "have ended are written");
+      code = cli_complain(CLI_STOPPED,
+                          "stopped by a signal; the branches that "
+                          "have ended are written");
     }
   }
   free(search.nodes);

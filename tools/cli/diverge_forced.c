@@ -13,7 +13,7 @@
 #define REFINE 5       // Newton's steps on the way to a change of side
 #define CLOSE 1e-4     // what they may leave of the way, as a part of it
 #define THERE 1e-15    // |h - level| from which no crossing is sought [m/s]
-#define OVER 1.2      // band of hysteresis, in sizes
+#define OVER 1.2       // band of hysteresis, in sizes
 #define RATE_BOUND 4.0 // h' changes less than this times mu / m in `size`
 
 static cli_place_t along(cli_place_t at, cli_place_t rate, double dt) {

@@ -12,14 +12,14 @@
 
 #include "diverge.h"
 
-#define BEFORE 4e-3     // [m], of a start before the two-fold
-#define NEAR 0.011      // short steps within so much of r of the two-fold
-#define SMOOTH_BAND 10  // widths within which smoothed stick stays
+#define BEFORE 4e-3    // [m], of a start before the two-fold
+#define NEAR 0.011     // short steps within so much of r of the two-fold
+#define SMOOTH_BAND 10 // widths within which smoothed stick stays
 
 double cli_step_here(const cli_mover_t *mover, cli_place_t at, double g) {
   const cli_twofold_t *twofold = &mover->job->twofold;
-  const bool near = g * twofold->g > 0 &&
-                    fabs(at.r - twofold->r) < NEAR * fabs(twofold->r);
+  const bool near =
+      g * twofold->g > 0 && fabs(at.r - twofold->r) < NEAR * fabs(twofold->r);
   return near ? (double)mover->near.dt : (double)mover->far.dt;
 }
 
@@ -64,10 +64,9 @@ static void start(cli_mover_t *mover) {
   params.dt = (tf_real_t)(job->dt / job->args->near_ratio);
   (void)tf_prepare(&mover->near, &params, NULL);
   mover->t = 0;
-  mover->state =
-      job->at_twofold
-          ? cli_before_twofold(&job->stay, &job->twofold, BEFORE)
-          : job->setup.state;
+  mover->state = job->at_twofold
+                     ? cli_before_twofold(&job->stay, &job->twofold, BEFORE)
+                     : job->setup.state;
   (void)tf_begin(&mover->far, &mover->state, &input, &report);
   const cli_instant_t now = instant(mover);
   cli_track_start(mover->tracker, &now);
@@ -75,8 +74,7 @@ static void start(cli_mover_t *mover) {
 
 static void kick(cli_mover_t *mover, double dt) {
   const tf_machine_t *k = &mover->far;
-  const double by =
-      mover->size * sqrt(dt) * cli_draw_normal(&mover->draws);
+  const double by = mover->size * sqrt(dt) * cli_draw_normal(&mover->draws);
   mover->state.v -= (tf_real_t)(by / (double)k->sin_gamma);
   const tf_slip_t slip =
       tf_slip(k, mover->state.r, mover->state.v, mover->state.w, k->omega0);

@@ -17,8 +17,8 @@ static int refuse_scene(const cli_setup_t *setup) {
   }
   if (setup->params.law != TF_TYRE_JUMP) {
     return cli_complain(CLI_REFUSED,
-                        "scene %s: law %s has no two-fold; law jump has",
-                        name, cli_law_name(setup->params.law));
+                        "scene %s: law %s has no two-fold; law jump has", name,
+                        cli_law_name(setup->params.law));
   }
   return CLI_DONE;
 }
@@ -32,8 +32,8 @@ static int prepare_start(cli_job_t *job) {
         CLI_REFUSED,
         "the start r = %g m, v = %g m/s, omega = %g rad/s has one future "
         "(%s), nothing diverges there",
-        (double)setup->state.r, (double)setup->state.v,
-        (double)setup->state.w, tf_mode_name(setup->state.mode));
+        (double)setup->state.r, (double)setup->state.v, (double)setup->state.w,
+        tf_mode_name(setup->state.mode));
   }
   return code;
 }

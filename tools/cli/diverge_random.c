@@ -10,8 +10,8 @@
 
 #include "diverge.h"
 
-#define SHORTEST 2e-9  // [s], to which an instant h = g = 0 is cut down
-#define OFF 1e-5       // [s], the first step off it
+#define SHORTEST 2e-9 // [s], to which an instant h = g = 0 is cut down
+#define OFF 1e-5      // [s], the first step off it
 #define CORNER 4096   // |h| + |g| there is less, in tolerances of a velocity
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 
@@ -144,8 +144,8 @@ static bool was_at_corner(cli_mover_t *mover, const tf_state_t *from,
   const cli_instant_t now = instant(mover);
   const double speed =
       fabs((double)mover->state.v) + fabs((double)mover->state.w);
-  if (length > SHORTEST || fabs(now.h) + fabs(now.g) >
-                               CORNER * (double)k->tolerance * speed) {
+  if (length > SHORTEST ||
+      fabs(now.h) + fabs(now.g) > CORNER * (double)k->tolerance * speed) {
     *mover = after;
     return false;
   }
@@ -293,8 +293,7 @@ cli_branch_t cli_random_branch(cli_mover_t *mover, unsigned mode,
                  : CLI_BRANCH_TIME;
     }
   }
-  return mover->state.mode == TF_PINNED ? CLI_BRANCH_TIME
-                                        : CLI_BRANCH_ESCAPING;
+  return mover->state.mode == TF_PINNED ? CLI_BRANCH_TIME : CLI_BRANCH_ESCAPING;
 }
 
 const cli_motion_t cli_random_motion = {start, move, pass_twofold};

@@ -90,8 +90,8 @@ bool cli_stick_through(const tf_machine_t *k, const cli_twofold_t *twofold,
   stick->z = twofold->omega - (double)k->omega0;
   stick->s = twofold->g < 0 ? -1 : 1;
   // As far as g keeps its sign on the tangent, and some more.
-  stick->reach = fmin(1.05 * fabs(stick->z / twofold->slope),
-                      0.5 * fabs(stick->r));
+  stick->reach =
+      fmin(1.05 * fabs(stick->z / twofold->slope), 0.5 * fabs(stick->r));
   stick->c[0] = twofold->slope * stick->reach;
   for (int i = 0; i < NEWTON; i++) {
     double a[TERMS][TERMS], at[TERMS], beside[TERMS];
@@ -145,9 +145,10 @@ bool cli_stick_after(const cli_stick_t *stick, double t, cli_place_t *at,
     const double z = value(stick, next, &slope);
     const cli_place_t there = cli_on_surface(k, next, z);
     const double A = cli_delassus(k, next, stick->s);
-    const bool open = fabs(cli_free_rate(k, there)) < fabs(A) * k->tyre.mu &&
-                      stick->s * (double)cli_place_slip(k, there).g > 0 &&
-                      fabs(next - stick->r) < stick->reach;
+    const bool open =
+        fabs(cli_free_rate(k, there)) < fabs(A) * (double)k->tyre.mu &&
+        stick->s * (double)cli_place_slip(k, there).g > 0 &&
+        fabs(next - stick->r) < stick->reach;
     if (!open) {
       *reached = done;
       return false;

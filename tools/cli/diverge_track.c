@@ -55,8 +55,8 @@ double cli_passing(const cli_tracker_t *tracker, const cli_instant_t *a,
   double low = 0, high = 1;
   for (int i = 0; i < 50; i++) {
     const double x = (low + high) / 2, y = 1 - x;
-    const double at = a->at.r + rise * x * x * (3 - 2 * x) +
-                      x * y * (va * y - vb * x);
+    const double at =
+        a->at.r + rise * x * x * (3 - 2 * x) + x * y * (va * y - vb * x);
     if ((at > r) == down) {
       low = x;
     } else {
@@ -70,8 +70,8 @@ static bool has_arrived(cli_tracker_t *tracker, const cli_instant_t *at) {
   const cli_instant_t *last = &tracker->last;
   const double side = tracker->twofold->g;
   const tf_machine_t *k = tracker->machine;
-  if (!isfinite(tracker->twofold->r) || !last->on || !at->on || !two_fold_side(tracker, last->g) ||
-      !two_fold_side(tracker, at->g) ||
+  if (!isfinite(tracker->twofold->r) || !last->on || !at->on ||
+      !two_fold_side(tracker, last->g) || !two_fold_side(tracker, at->g) ||
       at->t - tracker->on_since < tracker->stay) {
     return false;
   }
@@ -112,8 +112,7 @@ static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
   cli_cycle_t *cycle = &tracker->cycle;
   const cli_instant_t *last = &tracker->last;
   const double section =
-      tracker->twofold->r +
-      copysign(tracker->section, tracker->twofold->v);
+      tracker->twofold->r + copysign(tracker->section, tracker->twofold->v);
   if (!cycle->left || cycle->landed) {
     return;
   }
