@@ -6,15 +6,15 @@ void port_init(void) {
 #error "clocks (waits bounded), pins, serial line, its receive interrupt"
 }
 
-bool port_tick_start(uint32_t rate) {
+bool port_tick_start(uint32_t rate){
 #error "a periodic interrupt that counts ticks; false where it cannot"
 }
 
-uint32_t port_ticks(void) {
+uint32_t port_ticks(void){
 #error "the count of that interrupt"
 }
 
-uint32_t port_clock(void) {
+uint32_t port_clock(void){
 #error "a free-running counter, or ticks and what the timer says between"
 }
 

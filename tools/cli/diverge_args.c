@@ -16,7 +16,7 @@ typedef struct {
 } option_t;
 
 const cli_kind_t cli_kinds[CLI_BYS] = {
-    {"random", "", 1e-2, 1, 1, &cli_random_motion},
+    {"random", "", 1e-2, 10, 1, &cli_random_motion},
     {"noise", "m/s^1.5", 1e-3, 64, 1, &cli_kicked_motion},
     {"smoothing", "m/s", 1e-4, 16, 2, &cli_kicked_motion},
     {"hysteresis", "m/s", 1e-3, 16, 2, &cli_forced_motion},

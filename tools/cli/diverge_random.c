@@ -86,7 +86,10 @@ static bool pass_twofold(cli_mover_t *mover) {
 
 static void start(cli_mover_t *mover) {
   const cli_job_t *job = mover->job;
+  tf_params_t params = job->params;
   mover->far = job->stay;
+  params.dt = (tf_real_t)(job->dt / job->args->near_ratio);
+  (void)tf_prepare(&mover->near, &params, NULL);
   mover->clock = -1;
   mover->t = 0;
   if (!job->at_twofold) {
@@ -119,11 +122,11 @@ static bool step_of(cli_mover_t *mover, double dt) {
 // Whether within the last step, which began at `from`, the motion was at h = g
 // = 0 with more than one future; then it is put there, with its set of futures.
 static bool was_at_corner(cli_mover_t *mover, const tf_state_t *from,
-                          unsigned *set) {
+                          double length, unsigned *set) {
   const tf_machine_t *k = &mover->job->stay;
   const cli_mover_t after = *mover;
-  double length = (double)k->dt;
   double gone = 0;
+  *set = 0;
   if (mover->report.choices < 2) {
     return false;
   }
@@ -144,7 +147,8 @@ static bool was_at_corner(cli_mover_t *mover, const tf_state_t *from,
   const cli_instant_t now = instant(mover);
   const double speed =
       fabs((double)mover->state.v) + fabs((double)mover->state.w);
-  if (length > SHORTEST ||
+  // Short steps may land beside h = g = 0 where the long one met it.
+  if (*set == 0 || length > SHORTEST ||
       fabs(now.h) + fabs(now.g) > CORNER * (double)k->tolerance * speed) {
     *mover = after;
     return false;
@@ -238,7 +242,10 @@ static bool tell(cli_mover_t *mover, const tf_state_t *from) {
 
 static bool move(cli_mover_t *mover) {
   const cli_job_t *job = mover->job;
-  const double dt = (double)job->stay.dt;
+  // Windings are told by where h is seen to change its sign.
+  const tf_machine_t *k =
+      mover->state.mode <= TF_SLIP_MINUS ? &mover->near : &mover->far;
+  const double dt = (double)k->dt;
   const tf_state_t from = mover->state;
   const bool open = from.mode == TF_PINNED || is_open_stick(mover);
   unsigned set = 0;
@@ -248,13 +255,13 @@ static bool move(cli_mover_t *mover) {
   if (open && mover->clock <= dt) {
     return end_wait(mover);
   }
-  if (step(mover, &mover->far) < 0) {
+  if (step(mover, k) < 0) {
     return cli_refuse_cycle(mover);
   }
   if (open) {
     mover->clock = mover->state.mode == from.mode ? mover->clock - dt : -1;
   } else if (job->args->corner == CLI_CORNER_EVEN &&
-             was_at_corner(mover, &from, &set)) {
+             was_at_corner(mover, &from, dt, &set)) {
     return at_corner(mover, set);
   }
   mover->t += dt;
@@ -283,7 +290,7 @@ cli_branch_t cli_random_branch(cli_mover_t *mover, unsigned mode,
     if (step(mover, &mover->far) < 0) {
       return CLI_BRANCH_TIME;
     }
-    if (was_at_corner(mover, &from, set)) {
+    if (was_at_corner(mover, &from, dt, set)) {
       return CLI_BRANCH_CORNER;
     }
     mover->t += dt;
