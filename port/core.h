@@ -32,6 +32,7 @@
 #define TF_INLINE static
 #endif
 // In the order of a step, then what a firmware of one scene needs none of.
+// NOLINTBEGIN(bugprone-suspicious-include): one translation unit on purpose.
 #include "../src/begin.c"
 #include "../src/friction.c"
 #include "../src/kernel.c"
@@ -43,6 +44,7 @@
 #include "../src/status.c"
 #include "../src/step.c"
 #include "../src/tyre.c"
+// NOLINTEND(bugprone-suspicious-include)
 
 #ifdef SCENE_HEADER
 

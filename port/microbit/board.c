@@ -1,7 +1,7 @@
 // BBC micro:bit: nRF51822, Cortex-M0 at 16 MHz without FPU, 16 KB RAM. The chip
-// has no SysTick: TIMER0 counts to its compare register 0 and starts again,
-// which is the tick; TIMER1 runs free and is the clock. Both count microseconds.
-// (QEMU 7.2 loses ticks of a timer that is read, and at 16 MHz stands still.)
+// has no SysTick: TIMER0 counts to its compare register 0 and starts again, the
+// tick; TIMER1 runs free, the clock. Both count microseconds. (QEMU 7.2 loses
+// ticks of a timer that is read, and at 16 MHz stands still.)
 #include "../arch/cortex_m.h"
 #include "../port.h"
 #include "../ring.h"

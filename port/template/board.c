@@ -1,43 +1,33 @@
 // A board to copy: port/port.h says what each function must do. Delete a line
-// of #error when what stands below it is done.
+// of #error when the function below it has its body.
 #include "../port.h"
 
-void port_init(void) {
 #error "clocks (waits bounded), pins, serial line, its receive interrupt"
-}
+void port_init(void);
 
-bool port_tick_start(uint32_t rate){
 #error "a periodic interrupt that counts ticks; false where it cannot"
-}
+bool port_tick_start(uint32_t rate);
 
-uint32_t port_ticks(void){
 #error "the count of that interrupt"
-}
+uint32_t port_ticks(void);
 
-uint32_t port_clock(void){
 #error "a free-running counter, or ticks and what the timer says between"
-}
+uint32_t port_clock(void);
 
-uint32_t port_clock_rate(void) {
 #error "its units in one second"
-}
+uint32_t port_clock_rate(void);
 
-unsigned port_room(void) {
 #error "bytes that the serial line takes at once"
-}
+unsigned port_room(void);
 
-void port_put(uint8_t byte) {
 #error "one byte to the serial line"
-}
+void port_put(uint8_t byte);
 
-int port_get(void) {
 #error "one byte from the ring that the interrupt fills (ring.h), or -1"
-}
+int port_get(void);
 
-void port_idle(uint32_t seen) {
 #error "wait for an interrupt, unless port_ticks() is no longer seen"
-}
+void port_idle(uint32_t seen);
 
-void port_halt(int code) {
 #error "tell the code to a debugger, if there is one, and stop"
-}
+void port_halt(int code);

@@ -17,10 +17,13 @@ tidy() {
 
 files_in '*.c' src >"$BUILD/tidy.core"
 files_in '*.c' tools >"$BUILD/tidy.tools"
-files_in '*.c' tests >"$BUILD/tidy.tests"
+files_in '*.c' tests | grep -v '^tests/target/' >"$BUILD/tidy.tests"
+files_in '*.c' tests/target >"$BUILD/tidy.target"
 tidy <"$BUILD/tidy.core" || wrong "core in double"
 tidy -DTF_REAL_FLOAT <"$BUILD/tidy.core" || wrong "core in float"
 tidy -Itools <"$BUILD/tidy.tools" || wrong "tools"
 tidy -Itests -Itests/support -Isrc <"$BUILD/tidy.tests" || wrong "tests"
-checked "$(cat "$BUILD"/tidy.core "$BUILD"/tidy.tools "$BUILD"/tidy.tests |
-  wc -l) files, the core in both real types"
+# Programs of the boards are told how many steps.
+tidy -DSTEPS=1000 <"$BUILD/tidy.target" || wrong "programs of the boards"
+checked "$(cat "$BUILD"/tidy.core "$BUILD"/tidy.tools "$BUILD"/tidy.tests \
+  "$BUILD"/tidy.target | wc -l) files, the core in both real types"

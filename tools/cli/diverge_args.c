@@ -210,7 +210,7 @@ static int unknown_option(const char *name) {
 }
 
 // Reads one option that starts at argv[*at] and moves *at to its last word.
-static int read_option(cli_diverge_args_t *args, int argc, char *const argv[],
+static int read_option(cli_diverge_args_t *args, int argc, char *const *argv,
                        int *at) {
   const char *word = argv[*at];
   const size_t length = strcspn(word, "=");

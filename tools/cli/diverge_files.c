@@ -32,12 +32,13 @@ int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args) {
   const bool header = args->header || args->shard == 1;
   files->has_exits = args->exits != NULL;
   files->has_returns = args->returns != NULL;
-  if (files->has_exits && !cli_output_open(&files->exits, args->exits)) {
+  if (args->exits != NULL && !cli_output_open(&files->exits, args->exits)) {
     return refuse("--exits", &files->exits, args->exits);
   }
-  if (files->has_returns && !cli_output_open(&files->returns, args->returns)) {
+  if (args->returns != NULL &&
+      !cli_output_open(&files->returns, args->returns)) {
     const int code = refuse("--returns", &files->returns, args->returns);
-    if (files->has_exits) {
+    if (args->exits != NULL) {
       (void)cli_output_close(&files->exits);
       remove_if_empty(args->exits);
     }

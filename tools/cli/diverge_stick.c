@@ -20,7 +20,7 @@
 #define HALF_PI 1.5707963267948966
 #define STEP 1e-3 // [s], of the motion along the curve
 
-static double value(const cli_stick_t *stick, double r, double *slope) {
+static double stick_value(const cli_stick_t *stick, double r, double *slope) {
   const double x = (r - stick->r) / stick->reach;
   double z = 0, dz = 0;
   for (int n = TERMS - 1; n >= 0; n--) {
@@ -40,7 +40,7 @@ static void residuals(const tf_machine_t *k, const cli_stick_t *stick,
     const double r = stick->r + stick->reach * x;
     double slope = 0;
     double field[2];
-    const double z = value(stick, r, &slope);
+    const double z = stick_value(stick, r, &slope);
     cli_sliding_field(k, r, z, stick->s, field);
     out[i] = (field[0] * slope - field[1]) / x;
   }
@@ -126,7 +126,7 @@ bool cli_stick_through(const tf_machine_t *k, const cli_twofold_t *twofold,
 
 static double speed(const cli_stick_t *stick, double r) {
   double slope = 0;
-  const double z = value(stick, r, &slope);
+  const double z = stick_value(stick, r, &slope);
   return cli_flow(stick->machine, cli_on_surface(stick->machine, r, z), 0, 0).r;
 }
 
@@ -142,7 +142,7 @@ bool cli_stick_after(const cli_stick_t *stick, double t, cli_place_t *at,
     const double c = speed(stick, r + dt / 2 * b);
     const double d = speed(stick, r + dt * c);
     const double next = r + dt / 6 * (a + 2 * b + 2 * c + d);
-    const double z = value(stick, next, &slope);
+    const double z = stick_value(stick, next, &slope);
     const cli_place_t there = cli_on_surface(k, next, z);
     const double A = cli_delassus(k, next, stick->s);
     const bool open =
