@@ -11,7 +11,7 @@
 #define TF_LOCATE_SEGMENTS 32
 
 /// Advances the state by dt, with every switch of mode located inside.
-/// Scheme: Taylor series in time, of order 10 in double and 6 in float, from
+/// Scheme: Taylor series in time, of order 8 in double and 6 in float, from
 ///   switch to switch. A switch is the first root of a polynomial: h = 0 in
 ///   slip, |lambda| = mu, g = 0 and A = 0 in stick. Slip leaves h = g = 0 along
 ///   a limit direction, and stick passes the two-fold along its weak

@@ -11,10 +11,11 @@ set format x '10^{%T}'
 set format y '10^{%T}'
 set grid lc rgb '#dddddd'
 parts = 'smooth crossings stick codim2 approach'
-schemes = 'moreau carried located located located located'
-dials = 'dt dt dt order tolerance@100ms tolerance@5ms'
-colours = '#D55E00 #E69F00 #0072B2 #56B4E9 #009E73 #CC79A7'
-symbols = '5 7 9 11 13 15'
+schemes = 'moreau carried located located located located located located'
+dials = 'dt dt dt order tolerance@1s tolerance@100ms tolerance@20ms ' \
+  .'tolerance@5ms'
+colours = '#D55E00 #E69F00 #0072B2 #56B4E9 #8C7A00 #009E73 #666666 #CC79A7'
+symbols = '5 7 9 11 3 13 8 15'
 csv = work.'/sweep.csv'
 low = real eq 'double' ? 1e-17 : 1e-9
 top = 10
@@ -49,7 +50,7 @@ do for [p=1:5] {
   crowd = has_peers && (p == 2 || p == 4)
   plot for [k=1:crowd] rival(p) using ($6 * 1e-9):5 with points pt 7 ps 0.17 \
       lc rgb '#999999', \
-    for [i=1:6] rows(p, i, '$16=="ok" || $16=="flagged"') \
+    for [i=1:8] rows(p, i, '$16=="ok" || $16=="flagged"') \
       using ($12 * 1e-9):($8 > low ? $8 : low) with linespoints \
       pt int(word(symbols, i)) ps 0.38 lw 1.5 lc rgb word(colours, i), \
     every(p, '$16=="flagged"') using ($12 * 1e-9):8 with points pt 6 ps 0.75 \
@@ -75,7 +76,7 @@ set lmargin 1
 set xrange [0:1]
 set yrange [0:1]
 set key at graph 0.02, 0.98 left top vertical Left reverse samplen 2 spacing 0.8
-plot for [i=1:6] NaN with linespoints pt int(word(symbols, i)) ps 0.55 lw 1.5 \
+plot for [i=1:8] NaN with linespoints pt int(word(symbols, i)) ps 0.55 lw 1.5 \
     lc rgb word(colours, i) title word(schemes, i).', '.word(dials, i) noenhanced, \
   NaN with points pt 6 ps 0.75 lw 1.5 lc rgb '#000000' \
     title 'flagged', \

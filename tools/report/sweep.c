@@ -3,7 +3,7 @@
 // ratios, each shifted at random, so that no grid lands on a switch; dials:
 //   dt         the step; of LOCATED at the tolerance 1e-8
 //   order      the step of LOCATED at a tolerance that never splits it
-//   tolerance@100ms, @5ms   of LOCATED, at that step
+//   tolerance@1s, @100ms, @20ms, @5ms   of LOCATED, at that step
 #define _POSIX_C_SOURCE 200809L
 
 #include <math.h>
@@ -217,6 +217,7 @@ static void sweep_tolerance(const course_t *course, const char *dial, double dt,
   const double ratio = sizeof(tf_real_t) == 8 ? 2 : 1.4;
   const double length = (double)(course->part->to - course->part->from);
   setting_t set = {dial, LOCATED, 0, 0};
+  if (dt > length) return; // the same single step as at a shorter one
   set.n = whole(course->part, length / dt);
   for (int i = 0;; i++) {
     const double shift = part_random(stream, (unsigned)i);
@@ -261,7 +262,9 @@ int main(int argc, char **argv) {
                 fmax(1, length / 0.2), 3000 * sqrt(length), 1.2, 10 * i + 2);
     sweep_steps(&course, (setting_t){"order", LOCATED, 0, 0.1},
                 fmax(2, length / 0.1), 1500 * sqrt(length), 1.2, 10 * i + 3);
+    sweep_tolerance(&course, "tolerance@1s", 1, 10 * i + 6);
     sweep_tolerance(&course, "tolerance@100ms", 0.1, 10 * i + 4);
+    sweep_tolerance(&course, "tolerance@20ms", 0.02, 10 * i + 7);
     sweep_tolerance(&course, "tolerance@5ms", 0.005, 10 * i + 5);
   }
   return 0;
