@@ -43,6 +43,15 @@ TF_RARE tf_status_t step_degraded(const tf_compensated_t *k, tf_state_t *state,
                 to->change.z, best.delassus);
 }
 
+TF_RARE bool met_rest(const tf_compensated_t *k, const tf_state_t *state,
+                      const tf_carry_t *carry, const tf_input_t *input,
+                      unsigned set, unsigned attracting) {
+  const motion_t c = motion(&k->machine, state, &(digits_t){k, carry}, input);
+  tf_inclusion_t in = inclusion(&c);
+  complete(&c, &in);
+  return meets_rest(&c, &in, set, attracting);
+}
+
 // Apart from the search of the force for the sake of the stack.
 TF_RARE tf_status_t step_under(const tf_compensated_t *k, tf_state_t *state,
                                tf_carry_t *carry, const tf_input_t *input,
@@ -87,7 +96,10 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   tf_solutions_t s = {0};
   solve(&in, signs, &s);
   // What goes on under every rule is not asked of tf_select.
-  if (!(s.set & TF_MODE_BIT(mode) & (SLIPS | s.attracting)))
+  if (signs == 3 && !(s.set & TF_MODE_BIT(mode)) &&
+      met_rest(machine, state, carry, input, s.set, s.attracting))
+    mode = TF_PINNED;
+  else if (!(s.set & TF_MODE_BIT(mode) & (SLIPS | s.attracting)))
     mode = select_again(k, state, s.set, s.near_stick, s.h_limit[0],
                         s.h_limit[1], s.attracting);
   if (mode == TF_MODES)

@@ -44,11 +44,22 @@ static bool all_go_on(const tf_state_block_t *restrict b,
   return lost == 0;
 }
 
+// Whether tf_step has to find out if this lane ends at rest, its mode lost: see
+// meets_rest().
+static bool may_meet_rest(const tf_machine_t *k, const work_t *w, int i,
+                          unsigned mode) {
+  const unsigned going_on =
+      (w->attracting[i] & ~SLIPS) | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
+  return !(w->set[i] & going_on) && !(w->above[i] | w->below[i]) &&
+         within(w->pin_F[i] * k->inv_mu, 1) &&
+         within(w->pin_M[i] * k->inv_kappa_mu, 1);
+}
+
 // The mode of one lane at the end of the step.
 static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
                           work_t *w, int i) {
   unsigned mode = b->mode[i];
-  if (mode >= TF_MODES || w->odd[i])
+  if (mode >= TF_MODES || w->odd[i] || may_meet_rest(k, w, i, mode))
     mode = TF_MODES;
   else if (!(w->set[i] & TF_MODE_BIT(mode) & (SLIPS | w->attracting[i])))
     mode = select_lane(k, b, w, i);

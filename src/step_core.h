@@ -12,6 +12,9 @@
 #include "twofold/step.h"
 #include "tyre_core.h"
 
+// How near to h = g = 0 the way of a slip must pass, as a share of its length.
+#define TF_NEAR TF_R(0.5)
+
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 
 // What the parts of one step read.
@@ -197,6 +200,48 @@ TF_RARE unsigned select_again(const tf_machine_t *k, const tf_state_t *state,
                                     .h_limit = {h_plus, h_minus}};
   return tf_select(k->rule, k->exit_threshold, &solutions, state->mode,
                    state->tick, state->seed);
+}
+
+// Whether the straight way of the slip from one place to another passes h = g =
+// 0 within a share of its length.
+TF_INLINE bool passes_near(tf_slip_t from, tf_slip_t to) {
+  const tf_real_t h = to.h - from.h, g = to.g - from.g;
+  const tf_real_t length2 = h * h + g * g;
+  const tf_real_t ahead = clip(-(from.h * h + from.g * g), 0, length2);
+  const tf_real_t share = length2 > 0 ? ahead / length2 : 0;
+  const tf_real_t off_h = from.h + share * h, off_g = from.g + share * g;
+  return off_h * off_h + off_g * off_g <= TF_NEAR * TF_NEAR * length2;
+}
+
+// Whether a motion whose mode is lost in this step meets h = g = 0 in it, and
+// finds neither an attracting stick to roll on in nor a force of the law that
+// keeps it at rest: a stick that solves, but with the other sign of g; a slip
+// whose present force would take both h and g past 0. What comes of it is
+// decided at h = g = 0 and not by where a step happens to end: this one ends
+// there, under a mean of the forces before and behind, which is within the
+// square that is the convex hull of the law at h = g = 0.
+TF_INLINE bool meets_rest(const motion_t *c, const tf_inclusion_t *in,
+                          unsigned set, unsigned attracting) {
+  const unsigned sticks =
+      TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS);
+  const unsigned mode = c->state->mode;
+  const unsigned going_on =
+      (attracting & sticks) | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
+  if (mode == TF_PINNED || set & going_on || !in->has_moment ||
+      !within(in->pin_x, 1) || !within(in->pin_y, 1))
+    return false;
+  if (mode > TF_SLIP_MINUS) {
+    const ray_t h = along(&in->h, mode == TF_STICK_MINUS);
+    // One that g = 0 is already behind of has left it: it does not go back.
+    const bool comes = mode == TF_STICK_MINUS ? in->g_now < 0 : in->g_now > 0;
+    return comes && (h.plus > 0) == (h.minus < 0);
+  }
+  const tf_slip_t now = slip_now(c);
+  const end_t end = end_by(
+      c, slip_multipliers(&TF_API_MACHINE(c)->tyre,
+                          mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0), now));
+  const tf_slip_t then = slip_of(c, &end);
+  return passes_near(now, then);
 }
 
 // What the step falls back on where no mode is consistent, or none that a slip

@@ -10,7 +10,9 @@
 /// What happened in one step.
 typedef struct {
   uint8_t mode;       ///< tf_mode_t, taken
-  uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode)
+  uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode); the
+                      ///< mode taken is one of them, but of a step that is
+                      ///< degraded or that meets h = g = 0 (see tf_step)
   uint8_t choices;    ///< how many they are
   tf_force_t force;   ///< F [N], M [N m], mean over the step
   tf_slip_t slip;     ///< h, g [m/s] at the end of the step
@@ -44,6 +46,11 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 /// Scheme: Moreau-Jean theta method, linearly implicit in spring, dampers and
 ///   gyroscopic terms; the friction law holds at the end of the step; DESIGN.md
 ///   equations (1)-(12). Order 2 in smooth phases for theta = 1/2, else 1.
+///   A step within which a slip or a stick ends at h = g = 0, with no
+///   attracting stick to go on in, ends there: mode pinned, not in the set, the
+///   force a mean of those before and behind, the residual its distance from
+///   the law.
+///   The next step chooses, from that point.
 /// machine: in, prepared.
 /// state: in/out, from tf_begin.
 /// input: in, within TF_STATE_LIMIT together with the state.
@@ -57,6 +64,8 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,
+///   branch_at_rest_is_independent_of_the_step_size,
+///   random_machines_take_one_branch,
 ///   no_step_enters_an_escaping_stick_from_slip
 #define tf_step TF_LINK(tf_step)
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,

@@ -61,12 +61,12 @@ TEST(branch_is_independent_of_the_step_size) {
 /* The whole cycle of `chaos` up to the two-fold, event by event: entry of
  * stick- at codimension two, its end at the turning point of the spring, entry
  * of the lower sliding region, arrival at the two-fold (A changes sign). Times
- * converge with the step; at the two-fold the sliding field is 0/0 and the
- * constant is larger. */
+ * converge with the step; stick- ends at h = g = 0, where a step ends early; at
+ * the two-fold the sliding field is 0/0 and the constant is larger. */
 TEST(cycle_converges_up_to_the_two_fold) {
   static const double want[4] = {0.00940986875, 1.90812038317, 1.922602663,
                                  2.0462756096};
-  static const double bound[4] = {2, 2, 2, 20};
+  static const double bound[4] = {2, 2, 3, 20};
   static const double dts[] = {1e-3, 3.7e-4, 1e-4, 2.3e-5, 1e-5};
   const int sizes = sizeof(tf_real_t) == 8 ? 5 : 3;
   const double rounding = sizeof(tf_real_t) == 8 ? 1e-6 : 5e-3;
@@ -87,7 +87,7 @@ TEST(cycle_converges_up_to_the_two_fold) {
       CHECK(tf_step(&machine, &x, &u, &report) == TF_OK);
       const int now =
           event == 0   ? x.mode == TF_STICK_MINUS
-          : event == 1 ? before == TF_STICK_MINUS && x.mode == TF_SLIP_MINUS
+          : event == 1 ? before == TF_STICK_MINUS && x.mode != before
           : event == 2 ? before == TF_SLIP_MINUS && x.mode == TF_STICK_PLUS
                        : report.delassus <= 0;
       if (!now) continue;
