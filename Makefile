@@ -77,6 +77,8 @@ help:
 	@echo 'make firmware SCENE=chaos BOARD=microbit REAL=float   (port/port.mk)'
 	@echo 'make boards  firmware of every board;  make deps installs compilers'
 	@echo 'make test-boards  bits and real time of every board, in emulators'
+	@echo 'make figures  the pictures of docs/FIGURES.md (gnuplot)'
+	@echo 'make keep-figures  copies them to docs/figures/'
 	@echo 'make size    flash, RAM, stack, instructions of every board'
 	@echo 'make all     compile everything: core, command line, tests, bench'
 	@echo 'make clean   remove $(BUILD)/'
@@ -220,6 +222,7 @@ oracle: $(BUILD)/oracle
 	@echo 'The references are in tests/data/.'
 
 include port/port.mk
+include tools/figures/figures.mk
 
 # The checks choose their own compilers and flags.
 check:

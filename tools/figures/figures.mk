@@ -1,0 +1,125 @@
+# Figures: `make figures`, or some of them: `make figures FIGURES='tyre atlas'`.
+# Each is tools/figures/NAME.gp over data in $(BUILD)/figures, which the command
+# line program or a program of tools/figures makes. docs/FIGURES.md shows them.
+
+ALL_FIGURES := surface atlas normal regions set tyre exits return \
+  perturbations portrait
+FIGURES ?= $(ALL_FIGURES)
+figdir := $(BUILD)/figures
+two := $(BUILD)/double/twofold
+FIGURE_PROGRAMS := surface normal portrait tyre
+figtool := $(BUILD)/double/tools/figures
+
+# What the samples of `diverge` are: few, so that all is made in two minutes.
+# docs/FIGURES.md says what they tell.
+WINDOW := --r 0.1:0.28:361 --omega=-1.16:-0.88:281
+SAMPLES_random := 2000
+SAMPLES_noise := 200
+SAMPLES_smoothing := 200
+SAMPLES_hysteresis := 150
+SAMPLES_delay := 100
+BY_random := --by random --rate 10
+BY_noise := --by noise --size 1e-4
+BY_smoothing := --by smoothing --size 1e-5
+BY_hysteresis := --by hysteresis --size 1e-3
+BY_delay := --by delay --size 1e-3
+KINDS := random noise smoothing hysteresis delay
+
+.PHONY: figures keep-figures figures-gnuplot
+figures: $(FIGURES:%=$(figdir)/%.svg) $(FIGURES:%=$(figdir)/%.png)
+	@echo 'The figures are in $(figdir)/: $(FIGURES)'
+
+keep-figures: $(ALL_FIGURES:%=$(figdir)/%.svg)
+	mkdir -p docs/figures
+	cp $^ docs/figures/
+
+figures-gnuplot:
+	@command -v gnuplot >/dev/null || { \
+	  echo 'make figures needs gnuplot (Debian: apt-get install gnuplot-nox)' \
+	  >&2; exit 1; }
+
+# A picture in both forms. Its data are named below.
+define draw
+@echo '  PLOT  $@'
+@gnuplot -e "out='$@.new'; type='$(suffix $@)'; data='$(figdir)'" \
+  tools/figures/style.gp $< 2>$@.log && mv $@.new $@ && rm $@.log || \
+  { cat $@.log >&2; exit 1; }
+endef
+$(figdir)/%.svg: tools/figures/%.gp tools/figures/style.gp
+	$(draw)
+$(figdir)/%.png: tools/figures/%.gp tools/figures/style.gp
+	$(draw)
+
+# Runs a command; what it says appears where it fails.
+define quietly
+@mkdir -p $(figdir)
+@echo '  DATA  $@'
+@{ $(1); } >$@.new 2>$@.log && mv $@.new $@ && rm $@.log || \
+  { cat $@.log >&2; exit 1; }
+endef
+
+$(FIGURE_PROGRAMS:%=$(figtool)/%): %: %.o $(BUILD)/double/libtwofold.a
+	$(link)
+
+# NAME.dat of a program and its arguments: $(call by-program,NAME,PROGRAM,ARGS)
+define by-program
+$(figdir)/$(1).dat: $(figtool)/$(2) | figures-gnuplot
+	$$(call quietly,$$< $(3))
+endef
+$(eval $(call by-program,borders,surface,borders))
+$(eval $(call by-program,flow,surface,flow))
+$(eval $(call by-program,orbits,normal,orbits))
+$(eval $(call by-program,straight,normal,directions))
+$(eval $(call by-program,numbers,normal,numbers))
+$(eval $(call by-program,directions,portrait,directions))
+$(eval $(call by-program,turning,portrait,turning))
+$(eval $(call by-program,corner,portrait,orbits 0.183))
+$(eval $(call by-program,tyre,tyre,))
+
+# NAME.csv of a command: $(call by-command,NAME,ARGS)
+define by-command
+$(figdir)/$(1).csv: $(two) | figures-gnuplot
+	$$(call quietly,$$< $(2))
+endef
+$(eval $(call by-command,regions,regions chaos $(WINDOW)))
+$(eval $(call by-command,atlas,atlas chaos --r 0.0025:0.5:200 \
+  --omega=-1.4975:-0.5:200))
+$(eval $(call by-command,branches,diverge chaos --exhaustive --depth 1 \
+  --grid 0.005 --patience 2.4 --branches -))
+$(eval $(call by-command,two-folds,singularities chaos))
+
+# Returns and exits of one kind of perturbation.
+define by-diverge
+$(figdir)/returns-$(1).csv: $(two) | figures-gnuplot
+	@mkdir -p $$(@D)
+	@echo '  DATA  $$@ (and exits)'
+	@$$< diverge chaos $$(BY_$(1)) --samples $$(SAMPLES_$(1)) --patience 300 \
+	  --exits $(figdir)/exits-$(1).csv --returns $$@ 2>$$@.log && \
+	  rm $$@.log || { cat $$@.log >&2; exit 1; }
+endef
+$(foreach k,$(KINDS),$(eval $(call by-diverge,$(k))))
+
+# Trajectories, by tools/figures/paths and a list that awk makes.
+paths := tools/figures/paths
+$(figdir)/fans.dat: tools/figures/fans $(paths) $(two) | figures-gnuplot
+	$(call quietly,tools/figures/fans | $(paths) $(two) 2e-5 0)
+$(figdir)/set.dat: tools/figures/leavers $(paths) $(figdir)/branches.csv
+	$(call quietly,tools/figures/leavers $(figdir)/branches.csv | \
+	  $(paths) $(two) 1e-3 0.03)
+$(figdir)/loop.dat: tools/figures/loop $(paths) $(figdir)/branches.csv
+	$(call quietly,tools/figures/loop $(figdir)/branches.csv | \
+	  $(paths) $(two) 2e-4 0.002)
+
+# What each picture is made of.
+needs = $(foreach e,svg png,$(figdir)/$(1).$(e)): $(2:%=$(figdir)/%)
+$(call needs,surface,fans.dat)
+$(call needs,atlas,atlas.csv two-folds.csv)
+$(call needs,normal,orbits.dat straight.dat numbers.dat loop.dat \
+  branches.csv borders.dat)
+$(call needs,regions,regions.csv borders.dat flow.dat branches.csv)
+$(call needs,set,set.dat borders.dat)
+$(call needs,tyre,tyre.dat)
+$(call needs,exits,returns-random.csv)
+$(call needs,return,returns-random.csv)
+$(call needs,perturbations,$(KINDS:%=returns-%.csv))
+$(call needs,portrait,directions.dat turning.dat corner.dat)

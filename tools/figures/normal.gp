@@ -1,0 +1,60 @@
+# The paper's figure 5: stick next to the two-fold, and the loop.
+wide = 1500; high = 720
+@OPEN
+load data.'/numbers.dat'
+set multiplot
+set lmargin at screen 0.075
+set rmargin at screen 0.455
+set bmargin at screen 0.13
+set tmargin at screen 0.83
+set title sprintf("(a) next to the two-fold:\nJ_1 = %.3f, J_2 = %.3f", J1, J2) \
+  offset 0,-0.3
+set border 15 lw 1.5
+set xrange [-1:1]
+set yrange [-1:1]
+set xtics 0.5
+set ytics 0.5
+set xlabel 'ξ  (1 is 0.02 rad/s in ω)'
+set ylabel 'η' offset 1.5
+set object 1 rectangle from 0,0 to 1,1 fc rgb shade[1] fs solid noborder behind
+set object 2 rectangle from -1,-1 to 0,0 fc rgb shade[2] fs solid noborder \
+  behind
+set label 1 'S sliding' at 0.96,0.92 right front
+set label 2 'E escaping' at -0.96,-0.92 left front
+set label 3 'C crossing' at -0.96,0.92 left front
+set label 4 'C crossing' at 0.96,-0.92 right front
+set key at screen 0.265,0.005 center bottom horizontal font ',18'
+unset key
+f = data.'/orbits.dat'
+plot 0 with lines lw 2.5 lc rgb red notitle, \
+  '+' using (0):(2*($0/99.)-1) with lines lw 2.5 lc rgb blue notitle, \
+  f using ($1 == 1 ? $2 : 1/0):3 with lines lw 2 lc rgb orange, \
+  f using ($1 == 0 ? $2 : 1/0):3 with lines lw 1.6 dt (5,3) lc rgb black, \
+  f using ($1 == 1 && ($4 != 0 || $5 != 0) ? $2 : 1/0):3:4:5 with vectors \
+    head filled size screen 0.012,22,90 fixed lw 1.5 lc rgb black, \
+  data.'/straight.dat' index 0 with lines lw 3 lc rgb green
+unset object
+unset label
+set lmargin at screen 0.56
+set rmargin at screen 0.985
+set title "(b) two futures of the two-fold,\none of them back at it" \
+  offset 0,-0.3
+set xrange [0.1805:0.1935]
+set yrange [-1.065:-0.985]
+set xtics 0.004
+set ytics 0.02
+set xlabel 'slider displacement r [m]'
+set ylabel 'disc speed ω [rad/s]' offset 1.5
+set key at screen 0.985,0.52 right top
+set label 1 'two-fold' at 0.1859,-1.037 front point pt 7 ps 1.6 lc rgb black \
+  offset 1.2,0.2
+loop(i, m) = sprintf("< awk '/^#/ { k++ } k == %d && /^[0-9]/ { print ($6 == " \
+  ."%d || last == %d ? $2 : \"-\"), $3; last = $6 }' %s", i, m, m, \
+  data.'/loop.dat')
+set datafile missing '-'
+plot for [m=1:4] loop(1, m) using 1:2 with lines lw 1.5 lc rgb mode_colour[m] \
+    notitle, \
+  for [m=1:4] loop(2, m) using 1:2 with lines lw 4 lc rgb mode_colour[m] \
+    notitle, \
+  for [m=1:4] NaN with lines lw 4 lc rgb mode_colour[m] title mode_name[m]
+unset multiplot

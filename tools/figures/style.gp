@@ -1,0 +1,29 @@
+# What all figures share: the terminal of the wished type, and the colours of
+# Okabe and Ito for colour-blind readers. A figure sets `wide` and `high`
+# [pixels] and says @OPEN; it reads `data`, the folder of its data.
+OPEN = "if (type eq '.svg') { \
+  set terminal svg size wide,high font 'Helvetica,22' background '#ffffff'; \
+} else { \
+  set terminal pngcairo size wide,high font 'Helvetica,22'; \
+}; set output out"
+black = '#000000'
+orange = '#E69F00'
+sky = '#56B4E9'
+green = '#009E73'
+yellow = '#F0E442'
+blue = '#0072B2'
+red = '#D55E00'
+pink = '#CC79A7'
+grey = '#999999'
+set encoding utf8
+set datafile commentschars '#'
+set tics nomirror out
+set border 3 lw 1.5
+set key samplen 1.6 spacing 1.1
+# Pale shades for regions of the surface: sliding, escaping, crossing up, down.
+array shade[4] = ['#cfe6f5', '#f7cfb5', '#ffffff', '#eeeeee']
+region(name) = name eq 'sliding' ? 1 : name eq 'escaping' ? 2 : \
+  name eq 'crossing_up' ? 3 : name eq 'crossing_down' ? 4 : NaN
+# Colours of the modes slip+, slip-, stick+, stick-, pinned, as in docs/chaos.png
+array mode_colour[5] = [red, orange, blue, green, black]
+array mode_name[5] = ['slip+', 'slip-', 'stick+', 'stick-', 'pinned']

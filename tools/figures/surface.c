@@ -1,0 +1,195 @@
+// surface - curves on the surface h = 0 of the scene `chaos`, for the figures:
+//
+//   surface borders  r,omega  where one slip is tangent to h = 0, in four
+//                    parts: slip+ and slip- at g > 0, then at g < 0
+//   surface flow     r,omega,sticks,dr,domega  orbits of stick, one a block;
+//                    sticks is 1 in sliding and -1 in escaping; dr, domega is
+//                    the way of an arrow, 0 where there is none
+//
+// The regions themselves are of `twofold regions`, over the same window.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "twofold.h"
+
+static const double r_low = 0.10, r_high = 0.28;
+static const double w_low = -1.16, w_high = -0.88;
+
+typedef struct {
+  tf_machine_t machine;
+  tf_input_t input;
+} scene_t;
+
+// The surface over (r, omega).
+static tf_surface_t surface_at(const scene_t *scene, double r, double w) {
+  tf_surface_t at = {.region = TF_REGION_CORNER};
+  tf_real_t v = 0;
+  (void)tf_speed_for_slip(&scene->machine, (tf_real_t)r, (tf_real_t)w,
+                          scene->input.omega0, 0, &v);
+  (void)tf_surface_at(&scene->machine, &scene->input, (tf_real_t)r, v,
+                      (tf_real_t)w, &at);
+  return at;
+}
+
+// h' just off the surface.
+static double leave(const scene_t *scene, double r, double w, int side) {
+  const tf_surface_t at = surface_at(scene, r, w);
+  return (double)(side > 0 ? at.lie_plus : at.lie_minus);
+}
+
+// The tangency of one side, between two speeds that share the sign of g.
+static void border(const scene_t *scene, int side, double low, double high) {
+  enum { CELLS = 30, COLUMNS = 300, HALVINGS = 40 };
+  for (int i = 0; i <= COLUMNS; i++) {
+    const double r = r_low + (r_high - r_low) * i / COLUMNS;
+    for (int j = 0; j < CELLS; j++) {
+      double a = low + (high - low) * j / CELLS;
+      double b = low + (high - low) * (j + 1) / CELLS;
+      const int below = leave(scene, r, a, side) > 0;
+      if (below == (leave(scene, r, b, side) > 0)) {
+        continue;
+      }
+      for (int k = 0; k < HALVINGS; k++) {
+        const double mid = (a + b) / 2;
+        if ((leave(scene, r, mid, side) > 0) == below) {
+          a = mid;
+        } else {
+          b = mid;
+        }
+      }
+      printf("%.5f %.5f\n", r, a);
+    }
+  }
+  printf("\n\n");
+}
+
+static void borders(const scene_t *scene) {
+  const double edge = 1e-9, w0 = (double)scene->input.omega0;
+  for (int side = 1; side >= -1; side -= 2) {
+    border(scene, side, w_low, w0 - edge);
+  }
+  for (int side = 1; side >= -1; side -= 2) {
+    border(scene, side, w0 + edge, w_high);
+  }
+}
+
+// Way of stick at unit speed in units of the plot, so that a step is as long
+// everywhere.
+static int way(const scene_t *scene, const double y[2], double step,
+               double out[2]) {
+  const tf_surface_t at = surface_at(scene, y[0], y[1]);
+  const double dr = (double)at.stick.r, dw = (double)at.stick.w;
+  const double length = hypot(dr / (r_high - r_low), dw / (w_high - w_low));
+  if (!(length > 0)) {
+    return 0;
+  }
+  out[0] = step * dr / length;
+  out[1] = step * dw / length;
+  return 1;
+}
+
+// One midpoint step; 0 where it leaves its region or the plot.
+static int advance(const scene_t *scene, double y[2], double step) {
+  const unsigned here = surface_at(scene, y[0], y[1]).region;
+  const double w0 = (double)scene->input.omega0;
+  double dy[2];
+  if (!way(scene, y, step, dy)) {
+    return 0;
+  }
+  const double mid[2] = {y[0] + dy[0] / 2, y[1] + dy[1] / 2};
+  if (!way(scene, mid, step, dy)) {
+    return 0;
+  }
+  const double r = y[0] + dy[0], w = y[1] + dy[1];
+  if (surface_at(scene, r, w).region != here || (y[1] - w0) * (w - w0) <= 0 ||
+      r < r_low || r > r_high || w < w_low || w > w_high) {
+    return 0;
+  }
+  y[0] = r;
+  y[1] = w;
+  return 1;
+}
+
+// Orbits that keep their distance: a seed too near to an earlier one is
+// dropped, and an orbit ends where it comes too close to one.
+enum { ACROSS = 26, UPWARDS = 26, LONGEST = 2000, SHORTEST = 30, EVERY = 8 };
+static unsigned char taken[ACROSS][UPWARDS];
+static double path[2 * LONGEST + 1][2];
+
+static unsigned char *cell_of(const double y[2]) {
+  int i = (int)((y[0] - r_low) / (r_high - r_low) * ACROSS);
+  int j = (int)((y[1] - w_low) / (w_high - w_low) * UPWARDS);
+  i = i < 0 ? 0 : i >= ACROSS ? ACROSS - 1 : i;
+  j = j < 0 ? 0 : j >= UPWARDS ? UPWARDS - 1 : j;
+  return &taken[i][j];
+}
+
+static void print_path(int first, int last, int sticks) {
+  const int middle = first + (last - first) / 2;
+  for (int i = first; i <= last; i++) {
+    *cell_of(path[i]) = 1;
+  }
+  for (int i = first; i <= last; i += EVERY) {
+    const int next = i + EVERY < last ? i + EVERY : last;
+    const int arrow = i <= middle && middle < next;
+    printf("%.5f %.5f %d %.5f %.5f\n", path[i][0], path[i][1], sticks,
+           arrow ? path[next][0] - path[i][0] : 0,
+           arrow ? path[next][1] - path[i][1] : 0);
+  }
+  printf("\n");
+}
+
+static void orbit(const scene_t *scene, double r, double w) {
+  const unsigned region = surface_at(scene, r, w).region;
+  const double start[2] = {r, w};
+  int first = LONGEST, last = LONGEST;
+  if ((region != TF_REGION_SLIDING && region != TF_REGION_ESCAPING) ||
+      *cell_of(start)) {
+    return;
+  }
+  path[LONGEST][0] = r;
+  path[LONGEST][1] = w;
+  for (int sign = -1; sign <= 1; sign += 2) {
+    double y[2] = {r, w};
+    unsigned char *cell = cell_of(y);
+    while (first > 0 && last < 2 * LONGEST && advance(scene, y, sign * 1e-3)) {
+      if (cell_of(y) != cell && *cell_of(y)) {
+        break;
+      }
+      cell = cell_of(y);
+      const int at = sign < 0 ? --first : ++last;
+      path[at][0] = y[0];
+      path[at][1] = y[1];
+    }
+  }
+  if (last - first >= SHORTEST) {
+    print_path(first, last, region == TF_REGION_SLIDING ? 1 : -1);
+  }
+}
+
+static void flow(const scene_t *scene) {
+  for (int j = 0; j < UPWARDS; j++) {
+    for (int i = 0; i < ACROSS; i++) {
+      orbit(scene, r_low + (r_high - r_low) * (i + 0.5) / ACROSS,
+            w_low + (w_high - w_low) * (j + 0.5) / UPWARDS);
+    }
+  }
+}
+
+int main(int argc, char *argv[]) {
+  scene_t scene;
+  if (tf_prepare(&scene.machine, &tf_scenes[0]->params, NULL) != TF_OK) {
+    return 1;
+  }
+  scene.input = tf_input_default(&scene.machine);
+  if (argc == 2 && strcmp(argv[1], "borders") == 0) {
+    borders(&scene);
+  } else if (argc == 2 && strcmp(argv[1], "flow") == 0) {
+    flow(&scene);
+  } else {
+    fputs("usage: surface borders|flow\n", stderr);
+    return 2;
+  }
+  return 0;
+}
