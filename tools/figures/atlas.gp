@@ -20,17 +20,17 @@ array title_of[7] = ['(a) all of (b) to (g)', '(b) K_{– –} > 0', \
   '(g) k_2 > 0, κ > 0']
 do for [i=1:7] {
   if (i == 1) {
-    set lmargin at screen 0.075; set rmargin at screen 0.36
-    set bmargin at screen 0.28; set tmargin at screen 0.80
+    set lmargin at screen 0.09; set rmargin at screen 0.39
+    set bmargin at screen 0.25; set tmargin at screen 0.80
     set xlabel 'wished r* [m]'
     set ylabel 'wished ω* [rad/s]' offset 1
     set palette defined (0 '#ffffff', 1 green)
-    set xtics 0,0.1; set ytics -1.5,0.25
+    set xtics 0,0.1; set ytics -1.5,0.25; set format y '%.2f'
     set label 1 'figure 6' at 0.1859,-1.037 front point pt 7 ps 1.6 \
       lc rgb black offset 1,-0.8
   } else {
-    x = 0.455 + 0.185 * ((i - 2) % 3); y = i < 5 ? 0.57 : 0.11
-    set lmargin at screen x; set rmargin at screen x + 0.155
+    x = 0.495 + 0.17 * ((i - 2) % 3); y = i < 5 ? 0.59 : 0.10
+    set lmargin at screen x; set rmargin at screen x + 0.145
     set bmargin at screen y; set tmargin at screen y + 0.36
     set xlabel (i < 5 ? '' : 'r* [m]') offset 0,0.3
     set ylabel ((i - 2) % 3 ? '' : 'ω* [rad/s]') offset 1
@@ -46,7 +46,7 @@ do for [i=1:7] {
     plot csv using 'r':'omega':columns[i] with image, \
       csv using (column('kappa_positive') == 1 && \
         (int(column('r') * 400 + 0.5) + \
-         int((column('omega') + 1.5) * 200 + 0.5)) % 24 < 1 ? \
+         int((column('omega') + 1.5) * 200 + 0.5)) % 16 < 1 ? \
         column('r') : NaN):'omega' with dots lc rgb black
   }
 }

@@ -73,7 +73,7 @@ $(eval $(call by-program,straight,normal,directions))
 $(eval $(call by-program,numbers,normal,numbers))
 $(eval $(call by-program,directions,portrait,directions))
 $(eval $(call by-program,turning,portrait,turning))
-$(eval $(call by-program,corner,portrait,orbits 0.183))
+$(eval $(call by-program,corner,portrait,orbits 0.17))
 $(eval $(call by-program,tyre,tyre,))
 
 # NAME.csv of a command: $(call by-command,NAME,ARGS)
@@ -108,7 +108,7 @@ $(figdir)/set.dat: tools/figures/leavers $(paths) $(figdir)/branches.csv
 	  $(paths) $(two) 1e-3 0.03)
 $(figdir)/loop.dat: tools/figures/loop $(paths) $(figdir)/branches.csv
 	$(call quietly,tools/figures/loop $(figdir)/branches.csv | \
-	  $(paths) $(two) 2e-4 0.002)
+	  $(paths) $(two) 2e-4 0.0003)
 
 # What each picture is made of.
 needs = $(foreach e,svg png,$(figdir)/$(1).$(e)): $(2:%=$(figdir)/%)
@@ -119,7 +119,7 @@ $(call needs,normal,orbits.dat straight.dat numbers.dat loop.dat \
 $(call needs,regions,regions.csv borders.dat flow.dat branches.csv)
 $(call needs,set,set.dat borders.dat)
 $(call needs,tyre,tyre.dat)
-$(call needs,exits,returns-random.csv)
-$(call needs,return,returns-random.csv)
+$(call needs,exits,returns-random.csv branches.csv)
+$(call needs,return,returns-random.csv branches.csv)
 $(call needs,perturbations,$(KINDS:%=returns-%.csv))
 $(call needs,portrait,directions.dat turning.dat corner.dat)

@@ -1,12 +1,12 @@
 # The paper's figure 5: stick next to the two-fold, and the loop.
-wide = 1500; high = 720
+wide = 1500; high = 840
 @OPEN
 load data.'/numbers.dat'
 set multiplot
 set lmargin at screen 0.075
 set rmargin at screen 0.455
 set bmargin at screen 0.13
-set tmargin at screen 0.83
+set tmargin at screen 0.75
 set title sprintf("(a) next to the two-fold:\nJ_1 = %.3f, J_2 = %.3f", J1, J2) \
   offset 0,-0.3
 set border 15 lw 1.5
@@ -23,7 +23,6 @@ set label 1 'S sliding' at 0.96,0.92 right front
 set label 2 'E escaping' at -0.96,-0.92 left front
 set label 3 'C crossing' at -0.96,0.92 left front
 set label 4 'C crossing' at 0.96,-0.92 right front
-set key at screen 0.265,0.005 center bottom horizontal font ',18'
 unset key
 f = data.'/orbits.dat'
 plot 0 with lines lw 2.5 lc rgb red notitle, \
@@ -45,16 +44,21 @@ set xtics 0.004
 set ytics 0.02
 set xlabel 'slider displacement r [m]'
 set ylabel 'disc speed ω [rad/s]' offset 1.5
-set key at screen 0.985,0.52 right top
 set label 1 'two-fold' at 0.1859,-1.037 front point pt 7 ps 1.6 lc rgb black \
   offset 1.2,0.2
 loop(i, m) = sprintf("< awk '/^#/ { k++ } k == %d && /^[0-9]/ { print ($6 == " \
   ."%d || last == %d ? $2 : \"-\"), $3; last = $6 }' %s", i, m, m, \
   data.'/loop.dat')
 set datafile missing '-'
-plot for [m=1:4] loop(1, m) using 1:2 with lines lw 1.5 lc rgb mode_colour[m] \
-    notitle, \
-  for [m=1:4] loop(2, m) using 1:2 with lines lw 4 lc rgb mode_colour[m] \
-    notitle, \
-  for [m=1:4] NaN with lines lw 4 lc rgb mode_colour[m] title mode_name[m]
+plot for [m=1:4] loop(1, m) using 1:2 with lines lw 1.5 lc rgb mode_colour[m], \
+  for [m=1:4] loop(2, m) using 1:2 with lines lw 4 lc rgb mode_colour[m]
+@KEYROW
+plot -1 notitle, \
+  keyentry with lines lw 2.5 lc rgb orange title '(a) true stick', \
+  keyentry with lines lw 2 dt (5,3) lc rgb black title 'normal form', \
+  keyentry with lines lw 3 lc rgb green title 'its straight orbit', \
+  keyentry with lines lw 2.5 lc rgb red title 'f_+ tangent', \
+  keyentry with lines lw 2.5 lc rgb blue title 'f_– tangent', \
+  for [m=1:4] keyentry with lines lw 4 lc rgb mode_colour[m] \
+    title (m == 1 ? '(b) ' : '').mode_name[m]
 unset multiplot

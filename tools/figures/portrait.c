@@ -42,9 +42,12 @@ static polar_t rates(const tf_machine_t *k, double r, double phi) {
 
 static double degrees(double phi) { return phi * 180 / acos(-1.0); }
 
-// h = 0 is no slip: the four quadrants' inner angles, in cells.
+// Angles from -135 to 225 degrees, so that the directions next to 0, along
+// which the motion goes, are not cut.
 enum { CELLS = 720 };
-static double angle(double i) { return 2 * acos(-1.0) * i / CELLS; }
+static double angle(double i) {
+  return acos(-1.0) * (2 * i / CELLS - 0.75);
+}
 
 static void directions(const tf_machine_t *k) {
   enum { ROWS = 180, HALVINGS = 45 };
@@ -121,7 +124,8 @@ static void orbit(const tf_machine_t *k, double r, double rho, double phi) {
 }
 
 static void orbits(const tf_machine_t *k, double r) {
-  enum { SEEDS = 12 };
+  enum { SEEDS = 16 };
+  printf("# r %g\n", r);
   for (int i = 0; i < SEEDS; i++) {
     orbit(k, r, 0.55, angle((i + 0.5) * CELLS / SEEDS));
   }

@@ -1,50 +1,60 @@
 # New: slip next to h = g = 0, where the direction of the force depends on the
 # direction of slip alone.
-wide = 1600; high = 800
+wide = 1600; high = 900
 @OPEN
 set multiplot
-set lmargin at screen 0.08; set rmargin at screen 0.45
-set bmargin at screen 0.13; set tmargin at screen 0.83
+unset key
+set lmargin at screen 0.08; set rmargin at screen 0.465
+set bmargin at screen 0.12; set tmargin at screen 0.80
 set border 15 lw 1.5
-set title '(a) slip in the plane of (g, h), r = 0.183 m' offset 0,-0.4
+f = data.'/corner.dat'
+r0 = system("awk '{ print $3; exit }' ".f) + 0
+set title sprintf('(a) slip in the plane of (g, h), r = %g m', r0) \
+  offset 0,-0.4
 set xrange [-1:1]; set yrange [-1:1]
 set xtics 0.5; set ytics 0.5
 set xlabel 'rolling speed g [any unit]'
 set ylabel 'lateral speed h [the same]' offset 1.5
-set key at screen 0.265,0.99 center top horizontal font ',19'
-f = data.'/corner.dat'
-r0 = 0.183
 set angles degrees
 at = sprintf("< awk '$1 == %g' %s/directions.dat", r0, data)
-plot 0 with lines lw 5 lc rgb green notitle, \
-  '+' using (abs($0) < 50 ? $0/50.-1 : NaN):(0) with lines lw 5 lc rgb green \
-    title 'stick–', \
-  '+' using ($0/99.):(0) with lines lw 5 lc rgb grey title 'stick+, may end', \
-  f using 1:2 with lines lw 1.5 lc rgb '#444444' title 'slip', \
-  f using 1:($3 != 0 || $4 != 0 ? $2 : NaN):3:4 with vectors head filled \
-    size screen 0.012,22,90 fixed lw 1.5 lc rgb '#444444' notitle, \
-  at using ($3 < 0 ? cos($2) : NaN):(sin($2)):(-cos($2)):(-sin($2)) \
-    with vectors nohead lw 3 lc rgb blue title 'falls in', \
-  at using (0):($3 > 0 ? 0 : NaN):(cos($2)):(sin($2)) \
-    with vectors nohead lw 3 lc rgb red title 'leaves'
-set lmargin at screen 0.56; set rmargin at screen 0.975
+ends = sprintf("< awk 'BEGIN { print -1, 0, 0; print 0, 0, 1 }'")
+plot ends using 1:($3 == 0 ? 0 : 1/0):(1):(0) with vectors nohead lw 7 \
+    lc rgb green, \
+  ends using 1:($3 == 1 ? 0 : 1/0):(1):(0) with vectors nohead lw 7 \
+    lc rgb grey, \
+  f using 1:2 with lines lw 1.8 lc rgb '#444444', \
+  f using 1:($3 != 0 || $4 != 0 ? $2 : 1/0):3:4 with vectors head filled \
+    size screen 0.012,22,90 fixed lw 1.5 lc rgb '#444444', \
+  at using ($3 < 0 ? 1.5*cos($2) : 1/0):(1.5*sin($2)):(-1.5*cos($2)): \
+    (-1.5*sin($2)) with vectors nohead lw 4 lc rgb blue, \
+  at using (0):($3 > 0 ? 0 : 1/0):(1.5*cos($2)):(1.5*sin($2)) \
+    with vectors nohead lw 4 lc rgb red
+set lmargin at screen 0.58; set rmargin at screen 0.975
 set title '(b) limit directions at every r' offset 0,-0.4
-set xrange [0.10:0.28]; set yrange [0:360]
+set xrange [0.10:0.28]; set yrange [-135:225]
 set xtics 0.05; set ytics 45
 set xlabel 'slider displacement r [m]'
 set ylabel 'direction atan2(h, g) [degrees]' offset 1
-set palette maxcolors 2 defined (-1 '#ffffff', 1 '#e6e6e6')
+set palette maxcolors 2 defined (-1 '#ffffff', 1 '#e0e0e0')
 set cbrange [-1:1]
 unset colorbox
-set key at screen 0.77,0.99 center top horizontal maxrows 2 font ',19'
+set arrow 1 from r0,-135 to r0,225 nohead lw 1.5 dt (3,3) lc rgb black front
+set label 1 'r of (a)' at r0,205 right offset -0.5,0 front
 d = data.'/directions.dat'
-plot data.'/turning.dat' using 1:2:3 with image notitle, \
-  d using ($3 < 0 && $4 < 0 ? $1 : NaN):2 with points pt 7 ps 0.9 lc rgb blue notitle, \
-  d using ($3 < 0 && $4 > 0 ? $1 : NaN):2 with points pt 6 ps 0.9 lc rgb blue notitle, \
-  d using ($3 > 0 && $4 < 0 ? $1 : NaN):2 with points pt 7 ps 0.9 lc rgb red notitle, \
-  d using ($3 > 0 && $4 > 0 ? $1 : NaN):2 with points pt 6 ps 0.9 lc rgb red notitle, \
-  NaN with points pt 7 ps 1.5 lc rgb blue title 'in, attracts', \
-  NaN with points pt 6 ps 1.5 lc rgb blue title 'in, repels', \
-  NaN with points pt 7 ps 1.5 lc rgb red title 'out, attracts', \
-  NaN with points pt 6 ps 1.5 lc rgb red title 'out, repels'
+plot data.'/turning.dat' using 1:2:3 with image, \
+  d using ($3 < 0 && $4 < 0 ? $1 : 1/0):2 every 2 with points pt 7 ps 1 \
+    lc rgb blue, \
+  d using ($3 < 0 && $4 > 0 ? $1 : 1/0):2 every 3 with points pt 6 ps 1 \
+    lc rgb blue, \
+  d using ($3 > 0 && $4 < 0 ? $1 : 1/0):2 every 2 with points pt 7 ps 1 \
+    lc rgb red, \
+  d using ($3 > 0 && $4 > 0 ? $1 : 1/0):2 every 3 with points pt 6 ps 1 \
+    lc rgb red
+@KEYROW
+plot -1 notitle, keyentry with lines lw 7 lc rgb green title 'stick–', \
+  keyentry with lines lw 7 lc rgb grey title 'stick+, may end', \
+  keyentry with points pt 7 ps 1.5 lc rgb blue title 'falls in, attracts', \
+  keyentry with points pt 6 ps 1.5 lc rgb blue title 'falls in, repels', \
+  keyentry with points pt 7 ps 1.5 lc rgb red title 'leaves, attracts', \
+  keyentry with boxes fs solid fc rgb '#e0e0e0' title 'turns to larger angles'
 unset multiplot

@@ -1,6 +1,6 @@
 # The paper's figure 6, top left: regions of the surface h = 0, computed, and
 # the sticking flow on it.
-wide = 1400; high = 950
+wide = 1400; high = 1000
 @OPEN
 set xlabel 'slider displacement r [m]'
 set ylabel 'disc speed ω [rad/s]' offset 1
@@ -12,12 +12,18 @@ set palette maxcolors 4 defined (1 shade[1], 2 shade[2], 3 shade[3], 4 shade[4])
 set cbrange [0.5:4.5]
 unset colorbox
 set border 15 lw 1.5
-set key below horizontal Left reverse
+set multiplot
+unset key
+set lmargin at screen 0.11
+set rmargin at screen 0.97
+set bmargin at screen 0.12
+set tmargin at screen 0.87
+set style textbox opaque noborder fillcolor rgb '#ffffff'
 set label 1 'two-fold' at 0.1859,-1.037 front point pt 7 ps 2 lc rgb black \
   offset 1.5,0.2
-set label 2 'S sliding' at 0.235,-1.125 front
-set label 3 'S sliding' at 0.235,-0.91 front
-set label 4 'E escaping' at 0.112,-0.993 front
+set label 2 'S sliding' at 0.235,-1.125 front boxed
+set label 3 'S sliding' at 0.235,-0.905 front boxed
+set label 4 'E escaping' at 0.130,-1.0105 front boxed
 set label 5 'C down' at 0.235,-1.025 front
 set label 6 'C up' at 0.115,-1.10 front
 flow = data.'/flow.dat'
@@ -30,18 +36,20 @@ white = "< awk '{ if (NF) print $1 \",\" $2 \",\" $3 \",\" $4 \",\" $5; " \
   ."else print \"\" }' ".flow
 lines(i) = sprintf("< awk '!NF { if (was) k++; was = 0; next } { was = 1 } " \
   ."k == %d { print $1 \",\" $2 }' %s", i, border)
-plot csv using 'r':'omega':(region(strcol('region'))) with image \
-    notitle, \
-  white using 1:($3 > 0 ? $2 : NaN) with lines lw 1.3 lc rgb '#444444' \
-    title 'stick', \
-  white using 1:($3 < 0 ? $2 : NaN) with lines lw 1.3 dt (6,4) \
-    lc rgb '#444444' title 'stick that may end', \
+plot csv using 'r':'omega':(region(strcol('region'))) with image, \
+  white using 1:($3 > 0 ? $2 : NaN) with lines lw 1.3 lc rgb '#444444', \
+  white using 1:($3 < 0 ? $2 : NaN) with lines lw 1.8 dt (6,4) \
+    lc rgb '#444444', \
   white using 1:($4 != 0 || $5 != 0 ? $2 : NaN):4:5 with vectors \
-    head filled size screen 0.012,22,90 fixed lw 1.5 lc rgb '#444444' notitle, \
-  lines(0) using 1:2 with points pt 7 ps 0.3 lc rgb red notitle, \
-  lines(1) using 1:2 with points pt 7 ps 0.3 lc rgb blue notitle, \
-  lines(2) using 1:2 with points pt 7 ps 0.3 lc rgb red notitle, \
-  lines(3) using 1:2 with points pt 7 ps 0.3 lc rgb blue notitle, \
-  branch using 1:2 with lines lw 4 lc rgb green title 'stick from the two-fold', \
-  NaN with lines lw 4 lc rgb red title 'f_+ tangent', \
-  NaN with lines lw 4 lc rgb blue title 'f_– tangent'
+    head filled size screen 0.012,22,90 fixed lw 1.5 lc rgb '#444444', \
+  for [i=0:2:2] lines(i) using 1:2 with lines lw 4 lc rgb red, \
+  for [i=1:3:2] lines(i) using 1:2 with lines lw 4 lc rgb blue, \
+  branch using 1:2 with lines lw 4 lc rgb green
+@KEYROW
+plot -1 notitle, \
+  keyentry with lines lw 2 lc rgb '#444444' title 'stick', \
+  keyentry with lines lw 2 dt (6,4) lc rgb '#444444' title 'stick that may end', \
+  keyentry with lines lw 4 lc rgb green title 'stick from the two-fold', \
+  keyentry with lines lw 4 lc rgb red title 'f_+ tangent', \
+  keyentry with lines lw 4 lc rgb blue title 'f_– tangent'
+unset multiplot

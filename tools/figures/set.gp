@@ -3,38 +3,47 @@
 # third axis is h, so that the surface is the floor of the picture.
 wide = 1700; high = 1000
 @OPEN
-set xrange [0.178:0.194]
-set yrange [-1.07:-0.985]
-set zrange [-0.004:0.016]
-set xtics 0.178,0.004 offset 0,-0.5
+set xrange [0.1815:0.1875]
+set yrange [-1.055:-0.995]
+set zrange [-30:110]
+set xtics 0.182,0.002 offset 0,-0.5
 set ytics 0.02 offset 0.6,-0.3
-set ztics 0.005
+set ztics 50
 set border 4095 lw 1
-set xyplane at -0.004
-set hidden3d back noundefined
-unset hidden3d
+set xyplane at -30
 set multiplot
 # Points of one mode, with a gap where it ends.
-mode(m) = sprintf("< awk 'function out() { print $2, $3, $4 } " \
+mode(m) = sprintf("< awk 'function out() { print $2, $3, $4 * 1e6 } " \
   ."/^#/ { print \"\"; last = 0; next } !NF { next } " \
   ."$6 == %d || last == %d { out() } $6 != %d && last == %d { print \"\" } " \
   ."{ last = $6 }' %s", m, m, m, m, data.'/set.dat')
 array turn[2] = [40, 130]
+edge(i) = sprintf("< awk '!NF { if (was) k++; was = 0; next } { was = 1 } " \
+  ."k == %d && $1 > 0.1815 && $1 < 0.1875 && $2 > -1.055' %s", i, \
+  data.'/borders.dat')
+unset key
 do for [i=1:2] {
-  set lmargin at screen 0.06 + 0.49 * (i - 1)
-  set rmargin at screen 0.49 + 0.49 * (i - 1)
-  set bmargin at screen 0.14
-  set tmargin at screen 0.92
-  set view 62, turn[i], 1, 1
-  set xlabel 'r [m]' offset 0,-1.2
-  set ylabel 'ω [rad/s]' offset 0,-1.2
-  set zlabel 'h [m/s]' rotate by 90 offset -1.5
-  set key at screen 0.5,0.985 center top horizontal maxrows 1
-  splot for [m=1:4] mode(m) using 1:2:3 with lines lw (m < 3 ? 0.7 : 2) \
-      lc rgb mode_colour[m] notitle, \
-    '+' using (0.1859):(-1.037):(0) every ::0::0 with points pt 7 ps 1.8 \
-      lc rgb black title (i == 1 ? 'two-fold' : ''), \
-    for [m=1:4] '+' using (NaN):(NaN):(NaN) with lines lw 4 \
-      lc rgb mode_colour[m] title (i == 1 ? mode_name[m] : '')
+  set origin 0.5 * (i - 1), -0.06
+  set size 0.5, 1.06
+  set lmargin 8
+  set rmargin 4
+  set view 60, turn[i], 1.05, 1.1
+  set title (i == 1 ? '(a)' : '(b) from the other side') offset 0,-4
+  set xlabel 'r [m]' offset 0,-0.8
+  set ylabel 'ω [rad/s]' offset 0,-0.8
+  set zlabel 'h [µm/s]' rotate by 90 offset 0
+  splot edge(0) using 1:2:(0) with lines lw 3 lc rgb grey, \
+    edge(1) using 1:2:(0) with lines lw 3 lc rgb grey, \
+    for [m=1:4] mode(m) using 1:2:3 with lines lw (m < 3 ? 0.8 : 3) \
+      lc rgb mode_colour[m], \
+    '+' using (0.1859):(-1.037):(0) every ::0::0 with points pt 7 ps 2 \
+      lc rgb black
 }
+set size 1,1
+set origin 0,0
+@KEYROW
+plot -1 notitle, keyentry with points pt 7 ps 2 lc rgb black title 'two-fold', \
+  keyentry with lines lw 3 lc rgb grey title 'borders on h = 0', \
+  for [m=1:4] keyentry with lines lw 4 lc rgb mode_colour[m] \
+    title mode_name[m]
 unset multiplot

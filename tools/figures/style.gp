@@ -27,3 +27,12 @@ region(name) = name eq 'sliding' ? 1 : name eq 'escaping' ? 2 : \
 # Colours of the modes slip+, slip-, stick+, stick-, pinned, as in docs/chaos.png
 array mode_colour[5] = [red, orange, blue, green, black]
 array mode_name[5] = ['slip+', 'slip-', 'stick+', 'stick-', 'pinned']
+# A row of the key above all panels: say @KEYROW, then plot -1 notitle and the
+# entries. The last plot of a multiplot.
+KEYROW = "unset title; unset xlabel; unset ylabel; unset label; unset arrow; \
+  unset object; unset logscale; unset grid; unset tics; unset border; \
+  unset colorbox; set lmargin at screen 0.01; set rmargin at screen 0.99; \
+  set bmargin at screen 0.01; set tmargin at screen 0.99; \
+  set xrange [0:1]; set yrange [0:1]; \
+  set key at screen 0.5,0.985 center top horizontal Left reverse maxrows 2 \
+    width 1 font ',22'"

@@ -38,34 +38,47 @@ static double leave(const scene_t *scene, double r, double w, int side) {
   return (double)(side > 0 ? at.lie_plus : at.lie_minus);
 }
 
-// The tangency of one side, between two speeds that share the sign of g.
+// A zero of h' off one side between two points, of which the segment has one
+// at most; 0 where it has none.
+static int tangency(const scene_t *scene, int side, double a[2], double b[2]) {
+  enum { HALVINGS = 40 };
+  const int there = leave(scene, a[0], a[1], side) > 0;
+  if (there == (leave(scene, b[0], b[1], side) > 0)) {
+    return 0;
+  }
+  for (int k = 0; k < HALVINGS; k++) {
+    const double mid[2] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+    double *end = (leave(scene, mid[0], mid[1], side) > 0) == there ? a : b;
+    end[0] = mid[0];
+    end[1] = mid[1];
+  }
+  return 1;
+}
+
+// The tangencies of one side, between two speeds that share the sign of g:
+// those of slip+ are steep, so they are sought along omega = const, those of
+// slip- along r = const.
 static void border(const scene_t *scene, int side, double low, double high) {
-  enum { CELLS = 30, COLUMNS = 300, HALVINGS = 40 };
-  for (int i = 0; i <= COLUMNS; i++) {
-    const double r = r_low + (r_high - r_low) * i / COLUMNS;
+  enum { CELLS = 30, LINES = 200 };
+  const int steep = side > 0;
+  for (int i = 0; i <= LINES; i++) {
     for (int j = 0; j < CELLS; j++) {
-      double a = low + (high - low) * j / CELLS;
-      double b = low + (high - low) * (j + 1) / CELLS;
-      const int below = leave(scene, r, a, side) > 0;
-      if (below == (leave(scene, r, b, side) > 0)) {
-        continue;
+      double at[2][2];
+      for (int k = 0; k < 2; k++) {
+        const double x = (double)i / LINES, y = (double)(j + k) / CELLS;
+        at[k][0] = r_low + (r_high - r_low) * (steep ? y : x);
+        at[k][1] = low + (high - low) * (steep ? x : y);
       }
-      for (int k = 0; k < HALVINGS; k++) {
-        const double mid = (a + b) / 2;
-        if ((leave(scene, r, mid, side) > 0) == below) {
-          a = mid;
-        } else {
-          b = mid;
-        }
+      if (tangency(scene, side, at[0], at[1])) {
+        printf("%.5f %.5f\n", at[0][0], at[0][1]);
       }
-      printf("%.5f %.5f\n", r, a);
     }
   }
   printf("\n\n");
 }
 
 static void borders(const scene_t *scene) {
-  const double edge = 1e-9, w0 = (double)scene->input.omega0;
+  const double edge = 1e-6, w0 = (double)scene->input.omega0;
   for (int side = 1; side >= -1; side -= 2) {
     border(scene, side, w_low, w0 - edge);
   }
@@ -113,7 +126,7 @@ static int advance(const scene_t *scene, double y[2], double step) {
 
 // Orbits that keep their distance: a seed too near to an earlier one is
 // dropped, and an orbit ends where it comes too close to one.
-enum { ACROSS = 26, UPWARDS = 26, LONGEST = 2000, SHORTEST = 30, EVERY = 8 };
+enum { ACROSS = 22, UPWARDS = 22, LONGEST = 2000, SHORTEST = 70, EVERY = 8 };
 static unsigned char taken[ACROSS][UPWARDS];
 static double path[2 * LONGEST + 1][2];
 

@@ -4,6 +4,7 @@ wide = 1500; high = 620
 array name[3] = ['crossing', 'sliding', 'escaping']
 array title_of[3] = ['(a) crossing', '(b) sliding', '(c) escaping']
 set multiplot
+unset key
 set xrange [0:2]
 set yrange [-16:16]
 set xtics 0.5
@@ -13,9 +14,8 @@ set style line 1 lc rgb red lw 2.5
 set style line 2 lc rgb blue lw 2.5
 # Blocks of one name, thinned; the colour tells the side of h = 0.
 rows(what, side) = sprintf("< awk -v n='%s' -v s=%d '/^#/ { on = $2 == n } " \
-  ."!NF { print } on && /^[0-9]/ && (s == 0 ? 1 : s * $4 > -1e-9) " \
-  ."{ print $1, $4 } on && /^[0-9]/ && s != 0 && s * $4 <= -1e-9 { print \"\" }' %s", \
-  what, side, data.'/fans.dat')
+  ."!NF { print } on && /^[0-9]/ { if (s * $4 > 1e-11) print $1, $4; " \
+  ."else print \"\" }' %s", what, side, data.'/fans.dat')
 do for [i=1:3] {
   set lmargin at screen 0.075 + 0.31 * (i - 1)
   set rmargin at screen 0.075 + 0.31 * (i - 1) + 0.28
@@ -28,14 +28,13 @@ do for [i=1:3] {
     unset ylabel
     set format y ''
   }
-  set key at screen 0.5,0.985 center top horizontal maxrows 1
   set label 1 'h = 0' at 1.98,1.2 right front tc rgb black font ',18'
-  plot 0 with lines lw (i == 1 ? 2 : 6) lc rgb (i == 1 ? black : grey) \
-      notitle, \
-    rows(name[i], 1) using ($1*1e3):($2*1e6) with lines ls 1 notitle, \
-    rows(name[i], -1) using ($1*1e3):($2*1e6) with lines ls 2 notitle, \
-    NaN with lines ls 1 title (i == 2 ? 'slip at h > 0, f_+' : ''), \
-    NaN with lines ls 2 title (i == 2 ? 'slip at h < 0, f_–' : ''), \
-    NaN with lines lw 6 lc rgb grey title (i == 2 ? 'stick, f_s' : '')
+  plot 0 with lines lw (i == 1 ? 2 : 7) lc rgb (i == 1 ? black : grey), \
+    rows(name[i], 1) using ($1*1e3):($2*1e6) with lines ls 1, \
+    rows(name[i], -1) using ($1*1e3):($2*1e6) with lines ls 2
 }
+@KEYROW
+plot -1 notitle, keyentry with lines ls 1 title 'slip at h > 0, f_+', \
+  keyentry with lines ls 2 title 'slip at h < 0, f_–', \
+  keyentry with lines lw 7 lc rgb grey title 'stick, f_s'
 unset multiplot

@@ -15,7 +15,7 @@ static tf_force_t at(const tf_params_t *params, double angle) {
 }
 
 int main(void) {
-  enum { ROWS = 900 };
+  enum { ROWS = 300 };
   const tf_params_t *chaos = &tf_scenes[0]->params;
   tf_params_t left = *chaos, right = *chaos;
   left.law = right.law = TF_TYRE_STRING;
