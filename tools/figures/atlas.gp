@@ -1,6 +1,7 @@
 # The paper's figure 4: where a wished two-fold is a Teixeira singularity.
 wide = 1600; high = 1000
 @OPEN
+load data.'/two-fold.dat'
 set datafile separator ','
 csv = data.'/atlas.csv'
 set xrange [0:0.5]
@@ -26,7 +27,7 @@ do for [i=1:7] {
     set ylabel 'wished ω* [rad/s]' offset 1
     set palette defined (0 '#ffffff', 1 green)
     set xtics 0,0.1; set ytics -1.5,0.25; set format y '%.2f'
-    set label 1 'figure 6' at 0.1859,-1.037 front point pt 7 ps 1.6 \
+    set label 1 'figure 6' at r_star,w_star front point pt 7 ps 1.6 \
       lc rgb black offset 1,-0.8
   } else {
     x = 0.495 + 0.17 * ((i - 2) % 3); y = i < 5 ? 0.59 : 0.10
@@ -37,7 +38,7 @@ do for [i=1:7] {
     set palette defined (0 '#ffffff', 1 sky)
     set xtics 0,0.2; set ytics -1.5,0.5
     set format y ((i - 2) % 3 ? '' : '%.1f')
-    set label 1 '' at 0.1859,-1.037 front point pt 7 ps 1 lc rgb black
+    set label 1 '' at r_star,w_star front point pt 7 ps 1 lc rgb black
   }
   set title title_of[i] offset 0,-0.5
   if (i < 7) {
@@ -46,7 +47,7 @@ do for [i=1:7] {
     plot csv using 'r':'omega':columns[i] with image, \
       csv using (column('kappa_positive') == 1 && \
         (int(column('r') * 400 + 0.5) + \
-         int((column('omega') + 1.5) * 200 + 0.5)) % 16 < 1 ? \
+         int((column('omega') + 1.5) * 200 + 0.5)) % 20 < 1 ? \
         column('r') : NaN):'omega' with dots lc rgb black
   }
 }

@@ -54,8 +54,8 @@ set xrange [0:1]
 set xtics 0.25
 set xlabel 'phase 1 mm behind the two-fold [1]'
 set ylabel 'share in a bin of 0.1 [1]' offset 0.5
-set yrange [0:0.2]
-set ytics 0.05
+set yrange [0:0.3]
+set ytics 0.1
 set style fill solid 0.35 border
 set boxwidth 0.09
 plot bins using 1:2:3 with boxerrorbars lw 2 lc rgb blue, \

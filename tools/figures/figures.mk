@@ -86,7 +86,12 @@ $(eval $(call by-command,atlas,atlas chaos --r 0.0025:0.5:200 \
   --omega=-1.4975:-0.5:200))
 $(eval $(call by-command,branches,diverge chaos --exhaustive --depth 1 \
   --grid 0.005 --patience 2.4 --branches -))
-$(eval $(call by-command,two-folds,singularities chaos))
+
+# Where the two-fold of case 1 is, as gnuplot assignments, out of the JSON.
+$(figdir)/two-fold.dat: $(two) | figures-gnuplot
+	$(call quietly,$< singularities chaos | awk '/"r":/ { gsub(/[",]/, ""); \
+	  for (i = 1; i < NF; i++) at[$$i] = $$(i + 1) } \
+	  /"case": 1/ { print "r_star =", at["r:"]; print "w_star =", at["omega:"] }')
 
 # Returns and exits of one kind of perturbation.
 define by-diverge
@@ -105,19 +110,20 @@ $(figdir)/fans.dat: tools/figures/fans $(paths) $(two) | figures-gnuplot
 	$(call quietly,tools/figures/fans | $(paths) $(two) 2e-5 0)
 $(figdir)/set.dat: tools/figures/leavers $(paths) $(figdir)/branches.csv
 	$(call quietly,tools/figures/leavers $(figdir)/branches.csv | \
-	  $(paths) $(two) 1e-3 0.03)
+	  $(paths) $(two) 2e-4 0.1)
 $(figdir)/loop.dat: tools/figures/loop $(paths) $(figdir)/branches.csv
 	$(call quietly,tools/figures/loop $(figdir)/branches.csv | \
-	  $(paths) $(two) 2e-4 0.0003)
+	  $(paths) $(two) 2e-4 0.01)
 
 # What each picture is made of.
 needs = $(foreach e,svg png,$(figdir)/$(1).$(e)): $(2:%=$(figdir)/%)
 $(call needs,surface,fans.dat)
-$(call needs,atlas,atlas.csv two-folds.csv)
+$(call needs,atlas,atlas.csv two-fold.dat)
 $(call needs,normal,orbits.dat straight.dat numbers.dat loop.dat \
-  branches.csv borders.dat)
-$(call needs,regions,regions.csv borders.dat flow.dat branches.csv)
-$(call needs,set,set.dat borders.dat)
+  branches.csv two-fold.dat)
+$(call needs,regions,regions.csv borders.dat flow.dat branches.csv \
+  two-fold.dat)
+$(call needs,set,set.dat borders.dat two-fold.dat)
 $(call needs,tyre,tyre.dat)
 $(call needs,exits,returns-random.csv branches.csv)
 $(call needs,return,returns-random.csv branches.csv)

@@ -1,6 +1,7 @@
 # The paper's figure 5: stick next to the two-fold, and the loop.
 wide = 1500; high = 840
 @OPEN
+load data.'/two-fold.dat'
 load data.'/numbers.dat'
 set multiplot
 set lmargin at screen 0.075
@@ -34,23 +35,25 @@ plot 0 with lines lw 2.5 lc rgb red notitle, \
   data.'/straight.dat' index 0 with lines lw 3 lc rgb green
 unset object
 unset label
-set lmargin at screen 0.56
+set lmargin at screen 0.58
 set rmargin at screen 0.985
-set title "(b) two futures of the two-fold,\none of them back at it" \
+set title "(b) two futures of the two-fold;\nthe thick one returns to it at once" \
   offset 0,-0.3
-set xrange [0.1805:0.1935]
-set yrange [-1.065:-0.985]
-set xtics 0.004
+set xrange [0.1815:0.1875]
+set yrange [-1.056:-0.988]
+set xtics 0.002
 set ytics 0.02
 set xlabel 'slider displacement r [m]'
-set ylabel 'disc speed ω [rad/s]' offset 1.5
-set label 1 'two-fold' at 0.1859,-1.037 front point pt 7 ps 1.6 lc rgb black \
+set ylabel 'disc speed ω [rad/s]' offset 0
+set label 1 'two-fold' at r_star,w_star front point pt 7 ps 1.6 lc rgb black \
   offset 1.2,0.2
 loop(i, m) = sprintf("< awk '/^#/ { k++ } k == %d && /^[0-9]/ { print ($6 == " \
-  ."%d || last == %d ? $2 : \"-\"), $3; last = $6 }' %s", i, m, m, \
+  ."%d || last == %d ? $2 : \"NaN\"), $3; last = $6 }' %s", i, m, m, \
   data.'/loop.dat')
-set datafile missing '-'
-plot for [m=1:4] loop(1, m) using 1:2 with lines lw 1.5 lc rgb mode_colour[m], \
+stay = "< awk -F, 'NR == 2 { print $4, $5 } NR > 1 && $7 <= 0.28 " \
+  ."{ print $8, $9 }' ".data."/branches.csv"
+plot stay using 1:2 with lines lw 4 lc rgb mode_colour[3], \
+  for [m=1:4] loop(1, m) using 1:2 with lines lw 1.5 lc rgb mode_colour[m], \
   for [m=1:4] loop(2, m) using 1:2 with lines lw 4 lc rgb mode_colour[m]
 @KEYROW
 plot -1 notitle, \

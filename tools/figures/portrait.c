@@ -50,7 +50,7 @@ static double angle(double i) {
 }
 
 static void directions(const tf_machine_t *k) {
-  enum { ROWS = 180, HALVINGS = 45 };
+  enum { ROWS = 90, HALVINGS = 45 };
   const double edge = 1e-9;
   for (int row = 0; row <= ROWS; row++) {
     const double r = r_low + (r_high - r_low) * row / ROWS;

@@ -2,6 +2,7 @@
 # the sticking flow on it.
 wide = 1400; high = 1000
 @OPEN
+load data.'/two-fold.dat'
 set xlabel 'slider displacement r [m]'
 set ylabel 'disc speed ω [rad/s]' offset 1
 set xrange [0.10:0.28]
@@ -19,11 +20,12 @@ set rmargin at screen 0.97
 set bmargin at screen 0.12
 set tmargin at screen 0.87
 set style textbox opaque noborder fillcolor rgb '#ffffff'
-set label 1 'two-fold' at 0.1859,-1.037 front point pt 7 ps 2 lc rgb black \
+set label 1 'two-fold' at r_star,w_star front point pt 7 ps 2 lc rgb black \
   offset 1.5,0.2
 set label 2 'S sliding' at 0.235,-1.125 front boxed
 set label 3 'S sliding' at 0.235,-0.905 front boxed
-set label 4 'E escaping' at 0.130,-1.0105 front boxed
+set label 4 'E escaping' at 0.122,-1.06 front
+set arrow 1 from 0.14,-1.05 to 0.148,-1.017 front lw 2 lc rgb black
 set label 5 'C down' at 0.235,-1.025 front
 set label 6 'C up' at 0.115,-1.10 front
 flow = data.'/flow.dat'

@@ -2,9 +2,9 @@
 # region, and from there to the two-fold.
 wide = 1600; high = 820
 @OPEN
-# exit time, landing r, return time, landings; every fourth sample
+# exit time, landing r, return time, landings; every fifth sample
 pair = "< paste -d, '".data."/exits-random.csv' '".data."/returns-random.csv'" \
-  ." | awk -F, 'NR > 1 && $17 != \"\" && NR % 4 == 0 { print $3, $17, $13, $18 }'"
+  ." | awk -F, 'NR > 1 && $17 != \"\" && NR % 5 == 0 { print $3, $17, $13, $18 }'"
 first = "< awk -F, 'NR > 1 && $10 == \"corner\" { print $7, ($6 == \"slip+\" ? " \
   ."1 : -1), $13 }' ".data."/branches.csv"
 # Where the stick from the two-fold comes to rest if it never ends.
@@ -42,7 +42,7 @@ set format x '%.4f'
 set ytics (2, 5, 10, 20, 50, 100, 200)
 set format y '%g'
 set xlabel 'first landing at r [m]'
-set ylabel 'time from the exit to the return [s]' offset 1
+set ylabel 'exit to return [s]' offset 0.5
 set arrow 1 from rest,1.5 to rest,200 nohead lw 3 dt (6,4) lc rgb black front
 plot pair using 2:($4 == 1 ? $3 : 1/0) with points pt 7 ps 0.8 lc rgb green, \
   pair using 2:($4 == 2 ? $3 : 1/0) with points pt 5 ps 0.7 lc rgb orange, \

@@ -3,9 +3,10 @@
 # third axis is h, so that the surface is the floor of the picture.
 wide = 1700; high = 1000
 @OPEN
-set xrange [0.1815:0.1875]
+load data.'/two-fold.dat'
+set xrange [0.1815:0.1885]
 set yrange [-1.055:-0.995]
-set zrange [-30:110]
+set zrange [-30:130]
 set xtics 0.182,0.002 offset 0,-0.5
 set ytics 0.02 offset 0.6,-0.3
 set ztics 50
@@ -19,16 +20,16 @@ mode(m) = sprintf("< awk 'function out() { print $2, $3, $4 * 1e6 } " \
   ."{ last = $6 }' %s", m, m, m, m, data.'/set.dat')
 array turn[2] = [40, 130]
 edge(i) = sprintf("< awk '!NF { if (was) k++; was = 0; next } { was = 1 } " \
-  ."k == %d && $1 > 0.1815 && $1 < 0.1875 && $2 > -1.055' %s", i, \
+  ."k == %d && $1 > 0.1815 && $1 < 0.1885 && $2 > -1.055' %s", i, \
   data.'/borders.dat')
 unset key
 do for [i=1:2] {
-  set origin 0.5 * (i - 1), -0.06
-  set size 0.5, 1.06
+  set origin 0.5 * (i - 1), 0.02
+  set size 0.5, 0.9
   set lmargin 8
   set rmargin 4
-  set view 60, turn[i], 1.05, 1.1
-  set title (i == 1 ? '(a)' : '(b) from the other side') offset 0,-4
+  set view 60, turn[i], 1.0, 1.15
+  set title (i == 1 ? '(a)' : '(b) from the other side') offset 0,1
   set xlabel 'r [m]' offset 0,-0.8
   set ylabel 'ω [rad/s]' offset 0,-0.8
   set zlabel 'h [µm/s]' rotate by 90 offset 0
@@ -36,7 +37,7 @@ do for [i=1:2] {
     edge(1) using 1:2:(0) with lines lw 3 lc rgb grey, \
     for [m=1:4] mode(m) using 1:2:3 with lines lw (m < 3 ? 0.8 : 3) \
       lc rgb mode_colour[m], \
-    '+' using (0.1859):(-1.037):(0) every ::0::0 with points pt 7 ps 2 \
+    '+' using (r_star):(w_star):(0) every ::0::0 with points pt 7 ps 2 \
       lc rgb black
 }
 set size 1,1

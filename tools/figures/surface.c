@@ -111,7 +111,9 @@ static int advance(const scene_t *scene, double y[2], double step) {
     return 0;
   }
   const double mid[2] = {y[0] + dy[0] / 2, y[1] + dy[1] / 2};
-  if (!way(scene, mid, step, dy)) {
+  if ((y[1] - w0) * (mid[1] - w0) <= 0 ||
+      surface_at(scene, mid[0], mid[1]).region != here ||
+      !way(scene, mid, step, dy)) {
     return 0;
   }
   const double r = y[0] + dy[0], w = y[1] + dy[1];
@@ -126,7 +128,7 @@ static int advance(const scene_t *scene, double y[2], double step) {
 
 // Orbits that keep their distance: a seed too near to an earlier one is
 // dropped, and an orbit ends where it comes too close to one.
-enum { ACROSS = 22, UPWARDS = 22, LONGEST = 2000, SHORTEST = 70, EVERY = 8 };
+enum { ACROSS = 22, UPWARDS = 22, LONGEST = 2000, SHORTEST = 60, EVERY = 8 };
 static unsigned char taken[ACROSS][UPWARDS];
 static double path[2 * LONGEST + 1][2];
 
