@@ -87,11 +87,8 @@ $(eval $(call by-command,atlas,atlas chaos --r 0.0025:0.5:200 \
 $(eval $(call by-command,branches,diverge chaos --exhaustive --depth 1 \
   --grid 0.005 --patience 2.4 --branches -))
 
-# Where the two-fold of case 1 is, as gnuplot assignments, out of the JSON.
-$(figdir)/two-fold.dat: $(two) | figures-gnuplot
-	$(call quietly,$< singularities chaos | awk '/"r":/ { gsub(/[",]/, ""); \
-	  for (i = 1; i < NF; i++) at[$$i] = $$(i + 1) } \
-	  /"case": 1/ { print "r_star =", at["r:"]; print "w_star =", at["omega:"] }')
+$(figdir)/two-fold.dat: tools/figures/two-fold $(two) | figures-gnuplot
+	$(call quietly,$(two) singularities chaos | $<)
 
 # Returns and exits of one kind of perturbation.
 define by-diverge
