@@ -63,7 +63,7 @@ $(FIGURE_PROGRAMS:%=$(figtool)/%): %: %.o $(BUILD)/double/libtwofold.a
 
 # NAME.dat of a program and its arguments: $(call by-program,NAME,PROGRAM,ARGS)
 define by-program
-$(figdir)/$(1).dat: $(figtool)/$(2) | figures-gnuplot
+$(figdir)/$(1).dat: $(figtool)/$(2) tools/figures/figures.mk | figures-gnuplot
 	$$(call quietly,$$< $(3))
 endef
 $(eval $(call by-program,borders,surface,borders))
@@ -78,7 +78,7 @@ $(eval $(call by-program,tyre,tyre,))
 
 # NAME.csv of a command: $(call by-command,NAME,ARGS)
 define by-command
-$(figdir)/$(1).csv: $(two) | figures-gnuplot
+$(figdir)/$(1).csv: $(two) tools/figures/figures.mk | figures-gnuplot
 	$$(call quietly,$$< $(2))
 endef
 $(eval $(call by-command,regions,regions chaos $(WINDOW)))
@@ -87,12 +87,12 @@ $(eval $(call by-command,atlas,atlas chaos --r 0.0025:0.5:200 \
 $(eval $(call by-command,branches,diverge chaos --exhaustive --depth 1 \
   --grid 0.005 --patience 2.4 --branches -))
 
-$(figdir)/two-fold.dat: tools/figures/two-fold $(two) | figures-gnuplot
+$(figdir)/two-fold.dat: tools/figures/two-fold $(two) tools/figures/figures.mk | figures-gnuplot
 	$(call quietly,$(two) singularities chaos | $<)
 
 # Returns and exits of one kind of perturbation.
 define by-diverge
-$(figdir)/returns-$(1).csv: $(two) | figures-gnuplot
+$(figdir)/returns-$(1).csv: $(two) tools/figures/figures.mk | figures-gnuplot
 	@mkdir -p $$(@D)
 	@echo '  DATA  $$@ (and exits)'
 	@$$< diverge chaos $$(BY_$(1)) --samples $$(SAMPLES_$(1)) --patience 300 \
@@ -103,12 +103,14 @@ $(foreach k,$(KINDS),$(eval $(call by-diverge,$(k))))
 
 # Trajectories, by tools/figures/paths and a list that awk makes.
 paths := tools/figures/paths
-$(figdir)/fans.dat: tools/figures/fans $(paths) $(two) | figures-gnuplot
+$(figdir)/fans.dat: tools/figures/fans $(paths) $(two) tools/figures/figures.mk | figures-gnuplot
 	$(call quietly,tools/figures/fans | $(paths) $(two) 2e-5 0)
-$(figdir)/set.dat: tools/figures/leavers $(paths) $(figdir)/branches.csv
+$(figdir)/set.dat: tools/figures/leavers $(paths) $(figdir)/branches.csv \
+    tools/figures/figures.mk
 	$(call quietly,tools/figures/leavers $(figdir)/branches.csv | \
-	  $(paths) $(two) 2e-4 0.1)
-$(figdir)/loop.dat: tools/figures/loop $(paths) $(figdir)/branches.csv
+	  $(paths) $(two) 2e-4 0.08)
+$(figdir)/loop.dat: tools/figures/loop $(paths) $(figdir)/branches.csv \
+    tools/figures/figures.mk
 	$(call quietly,tools/figures/loop $(figdir)/branches.csv | \
 	  $(paths) $(two) 2e-4 0.01)
 

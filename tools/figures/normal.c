@@ -54,9 +54,9 @@ static int make_chart(chart_t *k) {
   k->input = tf_input_default(&k->machine);
   (void)tf_two_folds(&k->machine, &k->input, places, &count, NULL);
   for (int i = 0; i < count && !found; i++) {
-    found = tf_normal_form(&k->machine, &k->input, &places[i], &k->fold) ==
-                TF_OK &&
-            k->fold.regime == 1;
+    found =
+        tf_normal_form(&k->machine, &k->input, &places[i], &k->fold) == TF_OK &&
+        k->fold.regime == 1;
   }
   if (!found) {
     return 0;

@@ -33,8 +33,8 @@ static polar_t rates(const tf_machine_t *k, double r, double phi) {
   const double J = m * ((double)k->beta2 + r * r);
   const double Q = (double)k->k2 * ((double)k->r0 - r) + m * r * w * w;
   const double p = (Q + (double)f.F * s) / m;
-  const double z = ((double)k->d * Q - (double)k->c1 * w +
-                    (double)f.F * r * c + (double)f.M) /
+  const double z = ((double)k->d * Q - (double)k->c1 * w + (double)f.F * r * c +
+                    (double)f.M) /
                    J;
   const double dh = -p * s - r * z * c, dg = -p * c + r * z * s;
   return (polar_t){dg * g + dh * h, dh * g - dg * h};
@@ -45,9 +45,7 @@ static double degrees(double phi) { return phi * 180 / acos(-1.0); }
 // Angles from -135 to 225 degrees, so that the directions next to 0, along
 // which the motion goes, are not cut.
 enum { CELLS = 720 };
-static double angle(double i) {
-  return acos(-1.0) * (2 * i / CELLS - 0.75);
-}
+static double angle(double i) { return acos(-1.0) * (2 * i / CELLS - 0.75); }
 
 static void directions(const tf_machine_t *k) {
   enum { ROWS = 90, HALVINGS = 45 };
