@@ -35,8 +35,8 @@ set ylabel 'exit at r [m]' offset 0
 set yrange [0.182:0.186]
 set ytics 0.001
 plot place using 1:2 with lines lw 2 lc rgb black, \
-  some using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.9 lc rgb red, \
-  some using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 1.3 lw 1.5 lc rgb blue
+  some using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.9*P lc rgb red, \
+  some using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 1.3*P lw 1.5 lc rgb blue
 set lmargin at screen 0.10; set rmargin at screen 0.475
 set bmargin at screen 0.10; set tmargin at screen 0.43
 set title '(c) in which phase, by the time' offset 0,-0.4
@@ -45,8 +45,8 @@ set xtics 0.01
 set ylabel 'phase 1 mm behind the two-fold [1]' offset 0.5
 set yrange [0:1]
 set ytics 0.25
-plot phases using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.7 lc rgb red, \
-  phases using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 0.9 lw 1.5 \
+plot phases using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.7*P lc rgb red, \
+  phases using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 0.9*P lw 1.5 \
     lc rgb blue
 set lmargin at screen 0.60; set rmargin at screen 0.975
 set title '(d) in which phase, all' offset 0,-0.4
@@ -61,9 +61,9 @@ set boxwidth 0.09
 plot bins using 1:2:3 with boxerrorbars lw 2 lc rgb blue, \
   0.1 with lines lw 2 dt (6,4) lc rgb black
 @KEYROW
-plot -1 notitle, keyentry with points pt 7 ps 1.5 lc rgb red \
+plot -1 notitle, keyentry with points pt 7 ps 1.5*P lc rgb red \
     title 'exit by slip+', \
-  keyentry with points pt 6 ps 1.5 lw 2 lc rgb blue title 'exit by slip–', \
+  keyentry with points pt 6 ps 1.5*P lw 2 lc rgb blue title 'exit by slip–', \
   keyentry with lines lw 7 lc rgb grey title 'all exits', \
   keyentry with lines lw 2 dt (6,4) lc rgb black \
     title '(a) 1 – exp(–10 t), (d) even'

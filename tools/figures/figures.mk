@@ -45,9 +45,9 @@ define draw
   tools/figures/style.gp $< 2>$@.log && mv $@.new $@ && rm $@.log || \
   { cat $@.log >&2; exit 1; }
 endef
-$(figdir)/%.svg: tools/figures/%.gp tools/figures/style.gp
+$(figdir)/%.svg: tools/figures/%.gp tools/figures/style.gp | figures-gnuplot
 	$(draw)
-$(figdir)/%.png: tools/figures/%.gp tools/figures/style.gp
+$(figdir)/%.png: tools/figures/%.gp tools/figures/style.gp | figures-gnuplot
 	$(draw)
 
 # Runs a command; what it says appears where it fails.
@@ -63,7 +63,8 @@ $(FIGURE_PROGRAMS:%=$(figtool)/%): %: %.o $(BUILD)/double/libtwofold.a
 
 # NAME.dat of a program and its arguments: $(call by-program,NAME,PROGRAM,ARGS)
 define by-program
-$(figdir)/$(1).dat: $(figtool)/$(2) tools/figures/figures.mk | figures-gnuplot
+$(figdir)/$(1).dat: $(figtool)/$(2) tools/figures/figures.mk \
+    | figures-gnuplot
 	$$(call quietly,$$< $(3))
 endef
 $(eval $(call by-program,borders,surface,borders))
@@ -87,7 +88,8 @@ $(eval $(call by-command,atlas,atlas chaos --r 0.0025:0.5:200 \
 $(eval $(call by-command,branches,diverge chaos --exhaustive --depth 1 \
   --grid 0.005 --patience 2.4 --branches -))
 
-$(figdir)/two-fold.dat: tools/figures/two-fold $(two) tools/figures/figures.mk | figures-gnuplot
+$(figdir)/two-fold.dat: tools/figures/two-fold $(two) \
+    tools/figures/figures.mk | figures-gnuplot
 	$(call quietly,$(two) singularities chaos | $<)
 
 # Returns and exits of one kind of perturbation.
@@ -103,7 +105,8 @@ $(foreach k,$(KINDS),$(eval $(call by-diverge,$(k))))
 
 # Trajectories, by tools/figures/paths and a list that awk makes.
 paths := tools/figures/paths
-$(figdir)/fans.dat: tools/figures/fans $(paths) $(two) tools/figures/figures.mk | figures-gnuplot
+$(figdir)/fans.dat: tools/figures/fans $(paths) $(two) \
+    tools/figures/figures.mk | figures-gnuplot
 	$(call quietly,tools/figures/fans | $(paths) $(two) 2e-5 0)
 $(figdir)/set.dat: tools/figures/leavers $(paths) $(figdir)/branches.csv \
     tools/figures/figures.mk

@@ -45,7 +45,7 @@ set xtics 0.002
 set ytics 0.02
 set xlabel 'slider displacement r [m]'
 set ylabel 'disc speed ω [rad/s]' offset 0
-set label 1 'two-fold' at r_star,w_star front point pt 7 ps 1.6 lc rgb black \
+set label 1 'two-fold' at r_star,w_star front point pt 7 ps 1.6*P lc rgb black \
   offset 1.2,0.2
 loop(i, m) = sprintf("< awk '/^#/ { k++ } k == %d && /^[0-9]/ { print ($6 == " \
   ."%d || last == %d ? $2 : \"NaN\"), $3; last = $6 }' %s", i, m, m, \

@@ -42,19 +42,19 @@ set arrow 1 from r0,-135 to r0,225 nohead lw 1.5 dt (3,3) lc rgb black front
 set label 1 'r of (a)' at r0,205 right offset -0.5,0 front
 d = data.'/directions.dat'
 plot data.'/turning.dat' using 1:2:3 with image, \
-  d using ($3 < 0 && $4 < 0 ? $1 : 1/0):2 with points pt 7 ps 1 \
+  d using ($3 < 0 && $4 < 0 ? $1 : 1/0):2 with points pt 7 ps 1*P \
     lc rgb blue, \
-  d using ($3 < 0 && $4 > 0 ? $1 : 1/0):2 with points pt 6 ps 1 \
+  d using ($3 < 0 && $4 > 0 ? $1 : 1/0):2 with points pt 6 ps 1*P \
     lc rgb blue, \
-  d using ($3 > 0 && $4 < 0 ? $1 : 1/0):2 with points pt 7 ps 1 \
+  d using ($3 > 0 && $4 < 0 ? $1 : 1/0):2 with points pt 7 ps 1*P \
     lc rgb red, \
-  d using ($3 > 0 && $4 > 0 ? $1 : 1/0):2 with points pt 6 ps 1 \
+  d using ($3 > 0 && $4 > 0 ? $1 : 1/0):2 with points pt 6 ps 1*P \
     lc rgb red
 @KEYROW
 plot -1 notitle, keyentry with lines lw 7 lc rgb green title 'stick–', \
   keyentry with lines lw 7 lc rgb grey title 'stick+, may end', \
-  keyentry with points pt 7 ps 1.5 lc rgb blue title 'falls in, attracts', \
-  keyentry with points pt 6 ps 1.5 lc rgb blue title 'falls in, repels', \
-  keyentry with points pt 7 ps 1.5 lc rgb red title 'leaves, attracts', \
+  keyentry with points pt 7 ps 1.5*P lc rgb blue title 'falls in, attracts', \
+  keyentry with points pt 6 ps 1.5*P lc rgb blue title 'falls in, repels', \
+  keyentry with points pt 7 ps 1.5*P lc rgb red title 'leaves, attracts', \
   keyentry with boxes fs solid fc rgb '#e0e0e0' title 'turns to larger angles'
 unset multiplot

@@ -20,7 +20,7 @@ set rmargin at screen 0.97
 set bmargin at screen 0.12
 set tmargin at screen 0.87
 set style textbox opaque noborder fillcolor rgb '#ffffff'
-set label 1 'two-fold' at r_star,w_star front point pt 7 ps 2 lc rgb black \
+set label 1 'two-fold' at r_star,w_star front point pt 7 ps 2*P lc rgb black \
   offset 1.5,0.2
 set label 2 'S sliding' at 0.235,-1.125 front boxed
 set label 3 'S sliding' at 0.235,-0.905 front boxed

@@ -25,10 +25,10 @@ set ytics 0.0005
 set format y '%.4f'
 set xlabel 'time from the two-fold to the exit [s]'
 set ylabel 'landing on upper sliding at r [m]' offset 0.2
-plot pair using 1:2 with points pt 7 ps 0.6 lc rgb grey, \
-  first using 1:($2 > 0 && $1 < 0.4 ? $3 : 1/0) with points pt 7 ps 0.8 \
+plot pair using 1:2 with points pt 7 ps 0.6*P lc rgb grey, \
+  first using 1:($2 > 0 && $1 < 0.4 ? $3 : 1/0) with points pt 7 ps 0.8*P \
     lc rgb red, \
-  first using 1:($2 < 0 && $1 < 0.4 ? $3 : 1/0) with points pt 5 ps 0.7 \
+  first using 1:($2 < 0 && $1 < 0.4 ? $3 : 1/0) with points pt 5 ps 0.7*P \
     lc rgb blue, \
   rest with lines lw 3 dt (6,4) lc rgb black
 set lmargin at screen 0.60
@@ -44,16 +44,16 @@ set format y '%g'
 set xlabel 'first landing at r [m]'
 set ylabel 'exit to return [s]' offset 0.5
 set arrow 1 from rest,1.5 to rest,200 nohead lw 3 dt (6,4) lc rgb black front
-plot pair using 2:($4 == 1 ? $3 : 1/0) with points pt 7 ps 0.8 lc rgb green, \
-  pair using 2:($4 == 2 ? $3 : 1/0) with points pt 5 ps 0.7 lc rgb orange, \
-  pair using 2:($4 > 2 ? $3 : 1/0) with points pt 9 ps 0.9 lc rgb pink
+plot pair using 2:($4 == 1 ? $3 : 1/0) with points pt 7 ps 0.8*P lc rgb green, \
+  pair using 2:($4 == 2 ? $3 : 1/0) with points pt 5 ps 0.7*P lc rgb orange, \
+  pair using 2:($4 > 2 ? $3 : 1/0) with points pt 9 ps 0.9*P lc rgb pink
 @KEYROW
-plot -1 notitle, keyentry with points pt 7 ps 1.5 lc rgb red \
+plot -1 notitle, keyentry with points pt 7 ps 1.5*P lc rgb red \
     title '(a) exit by slip+', \
-  keyentry with points pt 5 ps 1.4 lc rgb blue title 'by slip–', \
-  keyentry with points pt 7 ps 1.2 lc rgb grey title 'sampled, with rests', \
+  keyentry with points pt 5 ps 1.4*P lc rgb blue title 'by slip–', \
+  keyentry with points pt 7 ps 1.2*P lc rgb grey title 'sampled, with rests', \
   keyentry with lines lw 3 dt (6,4) lc rgb black title 'r of rest', \
-  keyentry with points pt 7 ps 1.5 lc rgb green title '(b) 1 landing', \
-  keyentry with points pt 5 ps 1.4 lc rgb orange title '2 landings', \
-  keyentry with points pt 9 ps 1.6 lc rgb pink title '3 or more'
+  keyentry with points pt 7 ps 1.5*P lc rgb green title '(b) 1 landing', \
+  keyentry with points pt 5 ps 1.4*P lc rgb orange title '2 landings', \
+  keyentry with points pt 9 ps 1.6*P lc rgb pink title '3 or more'
 unset multiplot

@@ -37,13 +37,13 @@ do for [i=1:2] {
     edge(1) using 1:2:(0) with lines lw 3 lc rgb grey, \
     for [m=1:4] mode(m) using 1:2:3 with lines lw (m < 3 ? 0.8 : 3) \
       lc rgb mode_colour[m], \
-    '+' using (r_star):(w_star):(0) every ::0::0 with points pt 7 ps 2 \
+    '+' using (r_star):(w_star):(0) every ::0::0 with points pt 7 ps 2*P \
       lc rgb black
 }
 set size 1,1
 set origin 0,0
 @KEYROW
-plot -1 notitle, keyentry with points pt 7 ps 2 lc rgb black title 'two-fold', \
+plot -1 notitle, keyentry with points pt 7 ps 2*P lc rgb black title 'two-fold', \
   keyentry with lines lw 3 lc rgb grey title 'borders on h = 0', \
   for [m=1:4] keyentry with lines lw 4 lc rgb mode_colour[m] \
     title mode_name[m]

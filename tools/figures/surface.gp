@@ -28,7 +28,7 @@ do for [i=1:3] {
     unset ylabel
     set format y ''
   }
-  set label 1 'h = 0' at 1.98,1.2 right front tc rgb black font ',18'
+  set label 1 'h = 0' at 1.98,1.2 right front tc rgb black
   plot 0 with lines lw (i == 1 ? 2 : 7) lc rgb (i == 1 ? black : grey), \
     rows(name[i], i == 1 ? 0 : 1) using ($1*1e3):($2*1e6) with lines ls 1, \
     rows(name[i], -1) using ($1*1e3):($2*1e6) with lines ls 2
