@@ -1,6 +1,6 @@
 # New: when, where and in which phase trajectories leave after the two-fold,
 # where the exit is drawn at a constant rate (10 1/s), side by side evenly.
-wide = 1500; high = 1150
+wide = 1500; high = 1200
 @OPEN
 csv = data.'/exits-random.csv'
 # time, phase and +1 or -1 of those that pass the section in slip
@@ -21,7 +21,7 @@ set grid lc rgb '#dddddd'
 set xrange [0:0.5]
 set xtics 0.1
 set lmargin at screen 0.10; set rmargin at screen 0.475
-set bmargin at screen 0.575; set tmargin at screen 0.86
+set bmargin at screen 0.59; set tmargin at screen 0.86
 set title '(a) when' offset 0,-0.4
 set xlabel 'time from the two-fold to the exit [s]'
 set ylabel 'share that has left [1]' offset 0.5
@@ -38,7 +38,7 @@ plot place using 1:2 with lines lw 2 lc rgb black, \
   some using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.9*P lc rgb red, \
   some using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 1.3*P lw 1.5 lc rgb blue
 set lmargin at screen 0.10; set rmargin at screen 0.475
-set bmargin at screen 0.10; set tmargin at screen 0.43
+set bmargin at screen 0.10; set tmargin at screen 0.425
 set title '(c) in which phase, by the time' offset 0,-0.4
 set xrange [0:0.04]
 set xtics 0.01

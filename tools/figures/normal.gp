@@ -1,13 +1,13 @@
 # The paper's figure 5: stick next to the two-fold, and the loop.
-wide = 1500; high = 840
+wide = 1500; high = 880
 @OPEN
 load data.'/two-fold.dat'
 load data.'/numbers.dat'
 set multiplot
 set lmargin at screen 0.075
 set rmargin at screen 0.455
-set bmargin at screen 0.13
-set tmargin at screen 0.75
+set bmargin at screen 0.15
+set tmargin at screen 0.74
 set title sprintf("(a) next to the two-fold:\nJ_1 = %.3f, J_2 = %.3f", J1, J2) \
   offset 0,-0.3
 set border 15 lw 1.5

@@ -5,7 +5,7 @@ wide = 1600; high = 900
 set multiplot
 unset key
 set lmargin at screen 0.08; set rmargin at screen 0.465
-set bmargin at screen 0.12; set tmargin at screen 0.80
+set bmargin at screen 0.135; set tmargin at screen 0.80
 set border 15 lw 1.5
 f = data.'/corner.dat'
 r0 = system("awk '{ print $3; exit }' ".f) + 0

@@ -12,7 +12,7 @@ rest = system("awk -F, '$6 == \"slip+\" { r = $8 } END { print r }' " \
   .data."/branches.csv") + 0
 set multiplot
 unset key
-set bmargin at screen 0.13
+set bmargin at screen 0.165
 set tmargin at screen 0.77
 set grid lc rgb '#dddddd'
 set lmargin at screen 0.105

@@ -19,7 +19,7 @@ rows(what, side) = sprintf("< awk -v n='%s' -v s=%d '/^#/ { on = $2 == n } " \
 do for [i=1:3] {
   set lmargin at screen 0.075 + 0.31 * (i - 1)
   set rmargin at screen 0.075 + 0.31 * (i - 1) + 0.28
-  set bmargin at screen 0.17
+  set bmargin at screen 0.21
   set tmargin at screen 0.79
   set title title_of[i] offset 0,-0.4
   if (i == 1) {

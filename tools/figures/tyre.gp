@@ -1,5 +1,5 @@
 # The paper's figure 9: force and moment of the tyre over the slip angle.
-wide = 1500; high = 600
+wide = 1500; high = 660
 @OPEN
 f = data.'/tyre.dat'
 set multiplot
@@ -8,7 +8,7 @@ set xrange [0:90]
 set xtics 30
 set xlabel 'slip angle φ [degrees]'
 set grid lc rgb '#dddddd'
-set bmargin at screen 0.17
+set bmargin at screen 0.20
 set tmargin at screen 0.72
 set lmargin at screen 0.09
 set rmargin at screen 0.475
