@@ -46,7 +46,7 @@ set ytics 0.02
 set xlabel 'slider displacement r [m]'
 set ylabel 'disc speed ω [rad/s]' offset 0
 set label 1 'two-fold' at r_star,w_star front point pt 7 ps 1.6*P lc rgb black \
-  offset 1.2,0.2
+  offset 0.6,1.3 center
 loop(i, m) = sprintf("< awk '/^#/ { k++ } k == %d && /^[0-9]/ { print ($6 == " \
   ."%d || last == %d ? $2 : \"NaN\"), $3; last = $6 }' %s", i, m, m, \
   data.'/loop.dat')
