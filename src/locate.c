@@ -3,6 +3,7 @@
 #include "twofold/locate.h"
 
 #include "friction_core.h"
+#include "slip_law.h"
 #include "walk.h"
 
 // Slip below so many errors of a segment, and so much smaller than at its
@@ -152,6 +153,15 @@ static bool is_stiff_near_corner(const tf_walk_t *walk, tf_real_t length) {
          R > 8 * a * length && R < 16 * a * s->machine->dt;
 }
 
+// A switch at the very end of the step: the force is that of what follows.
+static bool settle(tf_walk_t *walk) {
+  tf_motion_t *s = &walk->motion;
+  begin_motion(s, s->machine, s->input, walk->omega, walk->at);
+  if (!tf_expand(s, &walk->segment)) return false;
+  walk->force = (tf_force_t){s->F.c[0], s->M.c[0]};
+  return true;
+}
+
 static bool walk_through(tf_walk_t *walk) {
   if (!tf_enter(walk)) return false;
   for (int i = 0; i < TF_LOCATE_SEGMENTS; i++) {
@@ -163,9 +173,10 @@ static bool walk_through(tf_walk_t *walk) {
     if (i % TF_CAPTURE_EVERY == TF_CAPTURE_EVERY - 1 &&
         is_stiff_near_corner(walk, span.length)) {
       if (captured(walk, span.error + tf_walk_rounding(walk))) {
-        if (walk->at.p == 0 && walk->at.z == 0 &&
-            !tf_leave_corner(walk, walk->segment.roll < 0))
-          return false;
+        if (walk->at.p == 0 && walk->at.z == 0) {
+          if (!tf_leave_corner(walk, walk->segment.roll < 0)) return false;
+          if (!(walk->left > 0)) return settle(walk);
+        }
         if (!(walk->left > 0)) return true;
         continue;
       }
@@ -185,7 +196,7 @@ static bool walk_through(tf_walk_t *walk) {
       tf_project(walk);
     if (what == TF_NO_SWITCH && !(walk->left > 0)) return true;
     if (!pass(walk, what)) return false;
-    if (!(walk->left > 0)) return true;
+    if (!(walk->left > 0)) return settle(walk);
   }
   return false;
 }
@@ -264,9 +275,11 @@ TF_API tf_status_t tf_locate(const tf_machine_t *machine, tf_state_t *state,
           ? 0
           : k->sin_gamma * k->sin_gamma / k->m +
                 arm * (arm + kappa) / (k->m * (k->beta2 + state->r * state->r));
-  report->residual = stick ? law_residual(k->tyre.mu, k->stick_kappa,
-                                          walk.force, slip.h, slip.g)
-                           : 0;
+  report->residual =
+      stick
+          ? law_residual(k->tyre.mu, k->stick_kappa, walk.force, slip.h, slip.g)
+          : slip_law_residual(&k->tyre, walk.mode == TF_SLIP_PLUS ? 1 : -1,
+                              walk.force, slip);
   report->status = status;
   return status;
 }

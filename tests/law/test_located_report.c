@@ -1,0 +1,143 @@
+/* What the located step reports, judged from outside: residual, angle, Delassus
+ * scalar, the side that a stick lets go to, the set, and its refusal. */
+#include "paper.h"
+#include "tap.h"
+#include "twofold.h"
+
+#define IS_DOUBLE (sizeof(tf_real_t) == 8)
+
+typedef struct {
+  tf_params_t params;
+  tf_machine_t machine;
+  tf_input_t input;
+  tf_state_t state;
+  tf_report_t report;
+} sim_t;
+
+/* On a slip h, or where h is 0 in the mode asked for. */
+static tf_status_t begin(sim_t *s, double r, double w, double h,
+                         unsigned mode) {
+  tf_status_t status = tf_prepare(&s->machine, &s->params, NULL);
+  if (status != TF_OK) return status;
+  s->input = tf_input_default(&s->machine);
+  s->state =
+      (tf_state_t){.r = (tf_real_t)r, .w = (tf_real_t)w, .mode = (uint8_t)mode};
+  status = tf_speed_for_slip(&s->machine, s->state.r, s->state.w,
+                             s->input.omega0, (tf_real_t)h, &s->state.v);
+  if (status != TF_OK) return status;
+  return tf_begin(&s->machine, &s->state, &s->input, &s->report);
+}
+
+static tf_status_t locate(sim_t *s) {
+  return tf_locate(&s->machine, &s->state, &s->input, &s->report);
+}
+
+static paper_t paper_of(const tf_machine_t *k) {
+  return (paper_t){
+      .m = (long double)k->m,
+      .d = (long double)k->d,
+      .beta = sqrtl((long double)k->beta2),
+      .k2 = (long double)k->k2,
+      .c1 = (long double)k->c1,
+      .c2 = (long double)k->c2,
+      .r0 = (long double)k->r0,
+      .omega0 = (long double)k->omega0,
+      .mu = (long double)k->tyre.mu,
+      .kappa = (long double)k->tyre.kappa,
+      .gamma = atan2l((long double)k->sin_gamma, (long double)k->cos_gamma)};
+}
+
+static tf_params_t machine_at_random(void) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.gamma = (tf_real_t)tap_uniform(-3.1, 3.1);
+  p.beta = (tf_real_t)tap_uniform(0.05, 0.5);
+  p.kappa = (tf_real_t)tap_uniform(0.02, 0.6);
+  p.d = (tf_real_t)tap_uniform(-1, 1);
+  p.k2 = (tf_real_t)tap_uniform(0.5, 30);
+  p.mu = (tf_real_t)tap_uniform(0.1, 2);
+  return p;
+}
+
+/* Off h = g = 0 the residual of a slip is what the paper's law says about F, M
+ * and the slip of the report; a series cut early leaves one, and it falls with
+ * the tolerance. */
+TEST(located_residual_is_that_of_the_law) {
+  const double tolerance[2] = {1e-3, IS_DOUBLE ? 1e-10 : 1e-5};
+  double worst[2] = {0, 0};
+  int slips[2] = {0, 0};
+  for (int j = 0; j < 2; j++)
+    for (int i = 0; i < 60; i++) {
+      sim_t s = {.params = machine_at_random()};
+      s.params.dt = TF_R(0.05);
+      s.params.tolerance = (tf_real_t)tolerance[j];
+      if (begin(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
+                tap_uniform(-0.3, 0.3), TF_MODES) != TF_OK)
+        continue;
+      const paper_t paper = paper_of(&s.machine);
+      for (int n = 0; n < 20; n++) {
+        if (locate(&s) != TF_OK) break;
+        const tf_report_t *o = &s.report;
+        if (o->mode > TF_SLIP_MINUS) continue;
+        if (fabs((double)o->slip.h) + fabs((double)o->slip.g) < 0.05) continue;
+        const double side = o->mode == TF_SLIP_PLUS ? 1 : -1;
+        const double beyond = fmax(0, -side * (double)o->slip.h);
+        long double F, M;
+        paper_friction(&paper,
+                       beyond > 0 ? side * DBL_MIN : (long double)o->slip.h,
+                       (long double)o->slip.g, &F, &M);
+        const long double want = fabsl((long double)o->force.F - F) +
+                                 fabsl((long double)o->force.M - M) + beyond;
+        CHECK_NEAR((long double)o->residual, want,
+                   64 * (double)TF_REAL_EPSILON * (double)s.machine.tyre.mu);
+        worst[j] = fmax(worst[j], (double)o->residual);
+        slips[j]++;
+      }
+    }
+  printf("# %d slips: largest residual %.2e at 1e-3; %d: %.2e at %.0e\n",
+         slips[0], worst[0], slips[1], worst[1], tolerance[1]);
+  CHECK(slips[0] > 300 && slips[1] > 300);
+  CHECK(worst[0] > 1e-4);
+  CHECK(worst[1] <= (IS_DOUBLE ? 1e-6 : 1e-2) && worst[1] < worst[0] / 10);
+}
+
+/* A step that ends with its switch, to the last digit: force and residual are
+ * those of the mode that begins there. */
+TEST(located_switch_at_the_end_of_a_step) {
+  int switches = 0;
+  for (int i = 0; i < 100; i++) {
+    sim_t s = {.params = machine_at_random()};
+    tf_real_t low = 0, high = TF_R(0.05);
+    s.params.dt = high;
+    if (begin(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
+              tap_uniform(-0.1, 0.1), TF_MODES) != TF_OK)
+      continue;
+    sim_t end = s;
+    const uint8_t mode = s.state.mode;
+    if (locate(&end) != TF_OK || end.state.mode == mode) continue;
+    for (int n = 0; n < 80; n++) {
+      sim_t x = s;
+      x.params.dt = low + (high - low) / 2;
+      if (!(x.params.dt > low && x.params.dt < high)) break;
+      if (tf_prepare(&x.machine, &x.params, NULL) != TF_OK) break;
+      if (locate(&x) != TF_OK) break;
+      if (x.state.mode == mode) {
+        low = x.params.dt;
+      } else {
+        high = x.params.dt;
+        end = x;
+      }
+    }
+    if (fabs((double)end.report.slip.g) < 0.05) continue;
+    switches++;
+    CHECK_NEAR((double)end.report.residual, 0, IS_DOUBLE ? 1e-5 : 2e-2);
+  }
+  printf("# %d switches\n", switches);
+  CHECK(switches > 20);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(located_residual_is_that_of_the_law);
+  RUN(located_switch_at_the_end_of_a_step);
+  return tap_end();
+}
