@@ -40,7 +40,11 @@
 /// Claims: located_order_of_convergence, located_branch_and_events,
 ///   located_steps_keep_to_the_reference, located_falls_back_and_says_so,
 ///   located_residual_is_that_of_the_law,
-///   located_switch_at_the_end_of_a_step
+///   located_switch_at_the_end_of_a_step,
+///   located_angle_is_the_integral_of_the_speed,
+///   located_escaping_stick_lets_go_to_the_other_side,
+///   located_delassus_is_that_of_the_side_of_g,
+///   located_refuses_to_leave_the_range_of_states
 #define tf_locate TF_LINK(tf_locate)
 TF_API tf_status_t tf_locate(const tf_machine_t *machine, tf_state_t *state,
                              const tf_input_t *input, tf_report_t *report);

@@ -135,9 +135,139 @@ TEST(located_switch_at_the_end_of_a_step) {
   CHECK(switches > 20);
 }
 
+/* The angle is the integral of w: over one step of 50 ms that of the same
+ * motion in 64 parts, by Simpson's rule from their ends. */
+TEST(located_angle_is_the_integral_of_the_speed) {
+  enum { PARTS = 64 };
+  int steps = 0, switched = 0;
+  for (int i = 0; i < 40; i++) {
+    sim_t s = {.params = machine_at_random()}, fine;
+    s.params.dt = TF_R(0.05);
+    s.params.with_angle = true;
+    fine.params = s.params;
+    fine.params.dt = TF_R(0.05) / PARTS;
+    if (begin(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
+              tap_uniform(-0.3, 0.3), TF_MODES) != TF_OK)
+      continue;
+    CHECK(tf_prepare(&fine.machine, &fine.params, NULL) == TF_OK);
+    fine.input = s.input;
+    fine.state = s.state;
+    for (int n = 0; n < 10; n++) {
+      const uint8_t before = s.state.mode;
+      const tf_real_t phi = s.state.phi;
+      double w[PARTS + 1] = {(double)s.state.w}, want = 0;
+      fine.state = s.state;
+      if (locate(&s) != TF_OK) break;
+      int clean = s.report.choices <= 1;
+      for (int k = 1; k <= PARTS; k++) {
+        clean &= locate(&fine) == TF_OK && fine.report.choices <= 1;
+        w[k] = (double)fine.state.w;
+      }
+      if (!clean) break;
+      for (int k = 0; k < PARTS; k += 2)
+        want += (w[k] + 4 * w[k + 1] + w[k + 2]) * (0.05 / PARTS / 3);
+      /* A switch within two parts bends w once: dw' (dt/64)^2. */
+      CHECK_NEAR((double)(s.state.phi - phi), want,
+                 (s.state.mode == before ? 1e-6 : 1e-5) * (IS_DOUBLE ? 1 : 10) *
+                     (1 + fabs(w[0])));
+      steps++;
+      switched += s.state.mode != before;
+    }
+  }
+  printf("# %d steps, %d of them with a switch\n", steps, switched);
+  CHECK(steps > 200 && switched > 10);
+}
+
+/* A stick with a negative Delassus scalar ends where |lambda| = mu, and the
+ * slip of that side is the one that ends with it: lambda = mu leaves h < 0. */
+TEST(located_escaping_stick_lets_go_to_the_other_side) {
+  int released[2] = {0, 0};
+  for (int i = 0; i < 200000; i++) {
+    sim_t s = {.params = machine_at_random()};
+    s.params.dt = TF_R(1e-3);
+    s.params.rule = TF_RULE_PERSIST;
+    const unsigned mode = i % 2 ? TF_STICK_PLUS : TF_STICK_MINUS;
+    if (begin(&s, tap_uniform(-0.4, 0.4), tap_uniform(-1.5, 1.5), 0, mode) !=
+            TF_OK ||
+        s.state.mode != mode || !(s.report.delassus < TF_R(-0.05)))
+      continue;
+    const double mu = (double)s.machine.tyre.mu;
+    for (int n = 0; n < 200; n++) {
+      const sim_t before = s;
+      const double lambda = (double)s.report.force.F;
+      const tf_status_t status = locate(&s);
+      if (s.report.mode == mode && status == TF_OK) continue;
+      /* Only a plain release, where nothing else is near. */
+      if (fabs((double)s.report.slip.g) < 0.05 || fabs(lambda) < 0.9 * mu ||
+          before.report.delassus > TF_R(-0.05))
+        break;
+      const int side = lambda > 0 ? -1 : 1;
+      released[lambda > 0]++;
+      CHECK(status == TF_OK);
+      CHECK(s.report.mode == (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
+      CHECK(side * (double)s.report.slip.h > 0);
+      CHECK(side * (double)s.report.force.F > 0);
+      break;
+    }
+  }
+  printf("# let go at lambda = -mu %d times, at mu %d times\n", released[0],
+         released[1]);
+  CHECK(released[0] > 20 && released[1] > 20);
+}
+
+/* In stick the Delassus scalar reported is the paper's A(r, sign g). */
+TEST(located_delassus_is_that_of_the_side_of_g) {
+  int seen[2] = {0, 0};
+  for (int i = 0; i < 4000; i++) {
+    sim_t s = {.params = machine_at_random()};
+    s.params.dt = TF_R(1e-3);
+    const unsigned mode = i % 2 ? TF_STICK_PLUS : TF_STICK_MINUS;
+    if (begin(&s, tap_uniform(-0.8, 0.8), tap_uniform(-1.5, 1.5), 0, mode) !=
+            TF_OK ||
+        s.state.mode != mode || locate(&s) != TF_OK || s.report.mode != mode)
+      continue;
+    const paper_t paper = paper_of(&s.machine);
+    const int sign = mode == TF_STICK_PLUS ? 1 : -1;
+    const long double r = (long double)s.state.r;
+    const long double want = paper_delassus(&paper, r, sign);
+    const long double other = paper_delassus(&paper, r, -sign);
+    CHECK_NEAR((long double)s.report.delassus, want,
+               32 * (double)TF_REAL_EPSILON * (fabsl(want) + fabsl(other)));
+    seen[sign > 0] += fabsl(want - other) > 0.1L;
+  }
+  printf("# %d with g < 0, %d with g > 0\n", seen[0], seen[1]);
+  CHECK(seen[0] > 100 && seen[1] > 100);
+}
+
+/* A slider without contact that runs away: the step that would pass the limit
+ * is refused, the state stays as it was, and the report says which. */
+TEST(located_refuses_to_leave_the_range_of_states) {
+  sim_t s = {.params = tf_scenes[0]->params};
+  s.params.law = TF_TYRE_NONE;
+  s.params.dt = TF_R(0.125);
+  CHECK(begin(&s, 0, 0, 0, TF_MODES) == TF_OK);
+  s.state.w = 0;
+  s.state.v = TF_R(0.9) * (tf_real_t)TF_STATE_LIMIT;
+  tf_status_t status = TF_OK;
+  for (int n = 0; n < 8 && status >= TF_OK; n++) {
+    const tf_state_t before = s.state;
+    s.report.status = TF_OK;
+    status = locate(&s);
+    CHECK(s.report.status == status);
+    if (status >= TF_OK) continue;
+    CHECK(status == TF_DIVERGED);
+    CHECK(!memcmp(&before, &s.state, sizeof before));
+  }
+  CHECK(status == TF_DIVERGED);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(located_residual_is_that_of_the_law);
   RUN(located_switch_at_the_end_of_a_step);
+  RUN(located_angle_is_the_integral_of_the_speed);
+  RUN(located_escaping_stick_lets_go_to_the_other_side);
+  RUN(located_delassus_is_that_of_the_side_of_g);
+  RUN(located_refuses_to_leave_the_range_of_states);
   return tap_end();
 }
