@@ -265,6 +265,11 @@ TF_API tf_status_t tf_locate(const tf_machine_t *machine, tf_state_t *state,
   const bool stick = walk.mode > TF_SLIP_MINUS;
   const tf_real_t arm = state->r * k->cos_gamma;
   const tf_real_t kappa = slip.g < 0 ? -k->stick_kappa : k->stick_kappa;
+  // After the largest set of the step there may have been a smaller one.
+  if (!(walk.set & TF_MODE_BIT(walk.mode))) {
+    walk.set |= TF_MODE_BIT(walk.mode);
+    walk.choices++;
+  }
   report->mode = (uint8_t)walk.mode;
   report->set = (uint8_t)walk.set;
   report->choices = (uint8_t)walk.choices;

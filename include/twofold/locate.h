@@ -21,12 +21,12 @@
 /// state: in/out, from tf_begin, tf_step or tf_locate.
 /// input: in, within TF_STATE_LIMIT together with the state.
 /// report: out; force at the end of the step; set and choices: the largest set
-///   of futures met in the step. residual: how far force is from the law at the
-///   end of the step, by the law itself and not by the series: in stick and
-///   pinned tf_law_residual, in slip |F - law| + |M - law| of tf_tyre_force at
-///   report->slip, and |h| where its side is not that of the mode [N]. It falls
-///   with the tolerance; near h = g = 0 it is epsilon over the slip, which the
-///   angle is known to.
+///   of futures met in the step, and the mode taken. residual: how far force is
+///   from the law at the end of the step, by the law itself and not by the
+///   series: in stick and pinned tf_law_residual, in slip |F - law| + |M - law|
+///   of tf_tyre_force at report->slip, and |h| where its side is not that of
+///   the mode [N]. It falls with the tolerance; near h = g = 0 it is epsilon
+///   over the slip, which the angle is known to.
 /// Returns: TF_OK; TF_COARSE (TF_LOCATE_SEGMENTS segments were not enough: the
 ///   step was taken again with a tolerance of 1e-6, 1e-3 in float);
 ///   TF_FELL_BACK (nor were they then, or a series did not converge: the whole
@@ -44,7 +44,7 @@
 ///   located_angle_is_the_integral_of_the_speed,
 ///   located_escaping_stick_lets_go_to_the_other_side,
 ///   located_delassus_is_that_of_the_side_of_g,
-///   located_refuses_to_leave_the_range_of_states
+///   located_set_holds_the_mode, located_refuses_to_leave_the_range_of_states
 #define tf_locate TF_LINK(tf_locate)
 TF_API tf_status_t tf_locate(const tf_machine_t *machine, tf_state_t *state,
                              const tf_input_t *input, tf_report_t *report);

@@ -239,6 +239,34 @@ TEST(located_delassus_is_that_of_the_side_of_g) {
   CHECK(seen[0] > 100 && seen[1] > 100);
 }
 
+/* The set holds the mode taken, also where one with more futures was met
+ * before it in a long step; choices counts the set. */
+TEST(located_set_holds_the_mode) {
+  int steps = 0, open = 0;
+  for (int i = 0; i < 3000; i++) {
+    sim_t s = {.params = machine_at_random()};
+    s.params.dt = TF_R(0.25);
+    s.params.rule = (tf_rule_t)(i % 4);
+    if (begin(&s, tap_uniform(-0.4, 0.4), tap_uniform(-1.5, 1.5), 0,
+              (unsigned)i % TF_MODES) != TF_OK)
+      continue;
+    for (int n = 0; n < 20; n++) {
+      const tf_status_t status = locate(&s);
+      if (status < TF_OK) break;
+      if (status == TF_DEGRADED) continue;
+      int count = 0;
+      for (int mode = 0; mode < TF_MODES; mode++)
+        count += s.report.set >> mode & 1;
+      CHECK(s.report.set & TF_MODE_BIT(s.report.mode));
+      CHECK(s.report.choices == count);
+      steps++;
+      open += count > 1;
+    }
+  }
+  printf("# %d steps, %d with more than one future\n", steps, open);
+  CHECK(steps > 10000 && open > 100);
+}
+
 /* A slider without contact that runs away: the step that would pass the limit
  * is refused, the state stays as it was, and the report says which. */
 TEST(located_refuses_to_leave_the_range_of_states) {
@@ -268,6 +296,7 @@ int main(int argc, char **argv) {
   RUN(located_angle_is_the_integral_of_the_speed);
   RUN(located_escaping_stick_lets_go_to_the_other_side);
   RUN(located_delassus_is_that_of_the_side_of_g);
+  RUN(located_set_holds_the_mode);
   RUN(located_refuses_to_leave_the_range_of_states);
   return tap_end();
 }
