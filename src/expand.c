@@ -1,7 +1,7 @@
 // Series of a segment: each law of contact closes the recurrence its own way.
 #include "segment.h"
 
-#define MOST_SHORTENINGS 40
+#define MOST_SHORTENINGS 64
 
 // Slip: T(y) = tan(a atan y) with y = g/h makes T' = a (1 + T^2) psi', psi' =
 // (g' h - g h')/(h^2 + g^2), which is the same in (p, q): h, g are those

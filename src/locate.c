@@ -12,12 +12,16 @@
 #define TF_CLOSE TF_R(0x1p-6)
 // A fall into h = g = 0 is looked for in every so many segments.
 #define TF_CAPTURE_EVERY 5
-// The tolerance of the second attempt, where the first ran out of segments.
+// The coarsest tolerance that a step which is short of segments is given.
 #ifdef TF_REAL_FLOAT
 #define TF_COARSE_TOLERANCE TF_R(1e-3)
 #else
 #define TF_COARSE_TOLERANCE TF_R(1e-6)
 #endif
+// Beyond TF_LOCATE_SEGMENTS the pace is looked at every so many segments, and
+// made so much quicker at once at most.
+#define TF_PACE_EVERY 8
+#define TF_MOST_QUICKER 2
 
 // How far a segment goes, and how far off it may be there [m/s].
 typedef struct {
@@ -153,6 +157,25 @@ static bool is_stiff_near_corner(const tf_walk_t *walk, tf_real_t length) {
          R > 8 * a * length && R < 16 * a * s->machine->dt;
 }
 
+// When a stick reaches A = 0, where that is nearer than what the slip may be
+// off by can tell: N = lambda A is as near to 0 then, and shorter and shorter
+// segments would follow the error of lambda alone. 0 where it is not so.
+static tf_real_t when_at_twofold(const tf_walk_t *walk, tf_reach_t span) {
+  const tf_motion_t *s = &walk->motion;
+  const tf_machine_t *k = s->machine;
+  if (walk->segment.closure != TF_HOLD || k->stick_kappa == 0) return 0;
+  const tf_real_t r = s->r.c[0];
+  const tf_real_t arm =
+      (tf_real_t)walk->segment.roll * k->stick_kappa * k->cos_gamma;
+  const tf_real_t A = r * r + arm * r + k->beta2 * k->sin_gamma * k->sin_gamma;
+  const tf_real_t rate = (2 * r + arm) * s->r.c[1];
+  const tf_real_t when = A * rate < 0 ? -A / rate : 0;
+  const bool near = when > span.length && when <= walk->left &&
+                    tf_term_size(s, 1) * when <= TF_CAPTURE * span.error;
+  return near && magnitude(s->F.c[1]) * when <= TF_CLOSE * k->tyre.mu ? when
+                                                                      : 0;
+}
+
 // A switch at the very end of the step: the force is that of what follows.
 static bool settle(tf_walk_t *walk) {
   tf_motion_t *s = &walk->motion;
@@ -162,41 +185,83 @@ static bool settle(tf_walk_t *walk) {
   return true;
 }
 
-static bool walk_through(tf_walk_t *walk) {
-  if (!tf_enter(walk)) return false;
-  for (int i = 0; i < TF_LOCATE_SEGMENTS; i++) {
-    tf_motion_t *s = &walk->motion;
+// Changes the tolerance as the length of a segment to its order, between that
+// of the machine and the coarsest; false where it is not coarser then.
+static bool hurry(tf_walk_t *walk, tf_real_t quicker) {
+  const tf_real_t finest = walk->motion.machine->tolerance;
+  const tf_real_t before = walk->tolerance;
+  tf_real_t tolerance = before;
+  if (!(finest < TF_COARSE_TOLERANCE)) return false;
+  for (int n = 1; n < TF_ORDER; n++) tolerance *= quicker;
+  walk->tolerance = clip(tolerance, finest, TF_COARSE_TOLERANCE);
+  walk->coarse |= walk->tolerance > finest;
+  return walk->tolerance > before;
+}
+
+// In a step that is short of segments: what is left is to be done, at the pace
+// of the last ones, in three quarters of those that may still be spent. What
+// has been done stays as good as it is.
+static void keep_pace(tf_walk_t *walk, tf_real_t done, int in, int spare) {
+  const tf_real_t most = TF_MOST_QUICKER;
+  const tf_real_t reached = TF_R(0.75) * done * (tf_real_t)spare;
+  const tf_real_t wanted = walk->left * (tf_real_t)in;
+  tf_real_t quicker = most;
+  if (wanted < most * reached) quicker = wanted / reached;
+  hurry(walk, quicker > 1 / most ? quicker : 1 / most);
+}
+
+// One segment and its switch; false where there is none.
+static bool walk_on(tf_walk_t *walk, bool look_for_corner) {
+  tf_motion_t *s = &walk->motion;
+  begin_motion(s, s->machine, s->input, walk->omega, walk->at);
+  if (!tf_expand(s, &walk->segment)) return false;
+  const tf_reach_t span = reach(walk);
+  if (!(span.length > 0)) return hurry(walk, TF_MOST_QUICKER);
+  if (look_for_corner && is_stiff_near_corner(walk, span.length)) {
+    if (captured(walk, span.error + tf_walk_rounding(walk))) {
+      const bool at_corner = walk->at.p == 0 && walk->at.z == 0;
+      if (!at_corner) return true;
+      if (!tf_leave_corner(walk, walk->segment.roll < 0)) return false;
+      return walk->left > 0 || settle(walk);
+    }
     begin_motion(s, s->machine, s->input, walk->omega, walk->at);
     if (!tf_expand(s, &walk->segment)) return false;
-    const tf_reach_t span = reach(walk);
-    if (!(span.length > 0)) return false;
-    if (i % TF_CAPTURE_EVERY == TF_CAPTURE_EVERY - 1 &&
-        is_stiff_near_corner(walk, span.length)) {
-      if (captured(walk, span.error + tf_walk_rounding(walk))) {
-        if (walk->at.p == 0 && walk->at.z == 0) {
-          if (!tf_leave_corner(walk, walk->segment.roll < 0)) return false;
-          if (!(walk->left > 0)) return settle(walk);
-        }
-        if (!(walk->left > 0)) return true;
-        continue;
-      }
-      begin_motion(s, s->machine, s->input, walk->omega, walk->at);
-      if (!tf_expand(s, &walk->segment)) return false;
+  }
+  const tf_real_t twofold = when_at_twofold(walk, span);
+  if (twofold > 0) {
+    advance(walk, 0, twofold);
+    return pass(walk, TF_TWOFOLD) && (walk->left > 0 || settle(walk));
+  }
+  const tf_slip_t slip = tf_walk_slip(walk);
+  const tf_real_t close = TF_CLOSE * (magnitude(slip.h) + magnitude(slip.g));
+  const tf_real_t missed = TF_CAPTURE * span.error;
+  tf_real_t when;
+  const tf_switch_t what = tf_next_switch(
+      s, &walk->segment, span.length,
+      (missed < close ? missed : close) + tf_walk_rounding(walk), &when);
+  advance(walk, 0, when);
+  // The product r z of two cut series is off by its first left-out term.
+  if (walk->mode == TF_STICK_PLUS || walk->mode == TF_STICK_MINUS)
+    tf_project(walk);
+  if (what == TF_NO_SWITCH && !(walk->left > 0)) return true;
+  if (!pass(walk, what)) return false;
+  return walk->left > 0 || settle(walk);
+}
+
+static bool walk_through(tf_walk_t *walk) {
+  if (!tf_enter(walk)) return false;
+  tf_real_t before = walk->left;
+  int last = 0;
+  for (int i = 0; i < TF_LOCATE_MOST_SEGMENTS; i++) {
+    if (i >= TF_LOCATE_SEGMENTS && i % TF_PACE_EVERY == 0) {
+      keep_pace(walk, before - walk->left, i - last,
+                TF_LOCATE_MOST_SEGMENTS - TF_PACE_EVERY - i);
+      before = walk->left;
+      last = i;
     }
-    const tf_slip_t slip = tf_walk_slip(walk);
-    const tf_real_t close = TF_CLOSE * (magnitude(slip.h) + magnitude(slip.g));
-    const tf_real_t missed = TF_CAPTURE * span.error;
-    tf_real_t when;
-    const tf_switch_t what = tf_next_switch(
-        s, &walk->segment, span.length,
-        (missed < close ? missed : close) + tf_walk_rounding(walk), &when);
-    advance(walk, 0, when);
-    // The product r z of two cut series is off by its first left-out term.
-    if (walk->mode == TF_STICK_PLUS || walk->mode == TF_STICK_MINUS)
-      tf_project(walk);
-    if (what == TF_NO_SWITCH && !(walk->left > 0)) return true;
-    if (!pass(walk, what)) return false;
-    if (!(walk->left > 0)) return settle(walk);
+    if (!walk_on(walk, i % TF_CAPTURE_EVERY == TF_CAPTURE_EVERY - 1))
+      return false;
+    if (!(walk->left > 0)) return true;
   }
   return false;
 }
@@ -214,6 +279,7 @@ static void start(tf_walk_t *walk, const tf_machine_t *k,
   walk->left = k->dt;
   walk->phi = 0;
   walk->tolerance = tolerance;
+  walk->coarse = false;
   walk->mode = state->mode;
   walk->set = walk->choices = 0;
   walk->force = (tf_force_t){0, 0};
@@ -241,15 +307,9 @@ TF_API tf_status_t tf_locate(const tf_machine_t *machine, tf_state_t *state,
   if (state->mode >= TF_MODES || !in_range(state, input))
     return refuse(report, TF_BAD_STATE);
   tf_walk_t walk;
-  tf_status_t status = TF_OK;
   start(&walk, k, state, input, k->tolerance);
-  if (!walk_through(&walk)) {
-    if (!(k->tolerance < TF_COARSE_TOLERANCE))
-      return fall_back(k, state, input, report);
-    status = TF_COARSE;
-    start(&walk, k, state, input, TF_COARSE_TOLERANCE);
-    if (!walk_through(&walk)) return fall_back(k, state, input, report);
-  }
+  if (!walk_through(&walk)) return fall_back(k, state, input, report);
+  const tf_status_t status = walk.coarse ? TF_COARSE : TF_OK;
   const tf_real_t w = walk.at.z + input->omega0;
   const tf_real_t v = walk.at.p + k->d * walk.at.z;
   if (!within(magnitude(walk.at.r) + magnitude(v) + magnitude(w),

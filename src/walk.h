@@ -14,6 +14,7 @@ typedef struct {
   tf_real_t left;  // of the step [s]
   tf_real_t phi;   // turned since the start of the step
   tf_real_t tolerance;
+  bool coarse; // tolerance was above the machine's
   unsigned mode, set, choices;
   tf_force_t force;
   const tf_state_t *state;

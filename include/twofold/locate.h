@@ -6,9 +6,12 @@
 
 #include "twofold/step.h"
 
-/// Most segments that one step is split into, by switches of mode, by kinks of
-/// the force at g = 0 and where the series does not reach to the end.
+/// Segments that one step is split into at its tolerance, by switches of mode,
+/// by kinks of the force at g = 0 and where the series does not reach to the
+/// end. Where they are not enough the tolerance grows with what is left to do.
 #define TF_LOCATE_SEGMENTS 32
+/// Most segments of one step.
+#define TF_LOCATE_MOST_SEGMENTS (4 * TF_LOCATE_SEGMENTS)
 
 /// Advances the state by dt, with every switch of mode located inside.
 /// Scheme: Taylor series in time, of order 8 in double and 6 in float, from
@@ -27,17 +30,19 @@
 ///   of tf_tyre_force at report->slip, and |h| where its side is not that of
 ///   the mode [N]. It falls with the tolerance; near h = g = 0 it is epsilon
 ///   over the slip, which the angle is known to.
-/// Returns: TF_OK; TF_COARSE (TF_LOCATE_SEGMENTS segments were not enough: the
-///   step was taken again with a tolerance of 1e-6, 1e-3 in float);
-///   TF_FELL_BACK (nor were they then, or a series did not converge: the whole
-///   step was taken by tf_step, whose report this is); TF_DEGRADED (the same,
-///   and tf_step said so);
+/// Returns: TF_OK; TF_COARSE (TF_LOCATE_SEGMENTS segments were not enough: what
+///   was left of the step was done with a coarser tolerance, as fine as the
+///   segments up to TF_LOCATE_MOST_SEGMENTS allow and 1e-6 at most, 1e-3 in
+///   float); TF_FELL_BACK (nor were those, or a series did not converge: the
+///   whole step was taken by tf_step, whose report this is); TF_DEGRADED (the
+///   same, and tf_step said so);
 ///   TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
 ///   TF_STEP_TOO_LONG (state untouched, report holds the status).
 /// Cost: 1500 instructions a segment in stick on x86-64 in double, 2500 in
 ///   slip; one segment a step but where the motion switches. Stack: 4096 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: located_order_of_convergence, located_branch_and_events,
+///   located_finer_tolerance_is_no_worse, located_two_fold_in_one_step,
 ///   located_steps_keep_to_the_reference, located_falls_back_and_says_so,
 ///   located_residual_is_that_of_the_law,
 ///   located_switch_at_the_end_of_a_step,

@@ -104,6 +104,64 @@ TEST(located_order_of_convergence) {
   }
 }
 
+/* Where a step is short of segments a finer tolerance is no worse than a
+ * coarser one, but for a factor: what has been done is kept, and what is left
+ * is done as finely as can be. Steps of 0.1 s, of 20 and more segments. */
+TEST(located_finer_tolerance_is_no_worse) {
+  enum { STEPS = 20 };
+  tf_state_t exact[STEPS];
+  problem_t fine = crossings(2, 200000, 0);
+  for (int j = 0; j < STEPS; j++) {
+    advance(&fine, 200000 / STEPS);
+    exact[j] = fine.state;
+  }
+  double best = INFINITY, worst = 0;
+  long short_of = 0;
+  for (int i = 12; i <= 56; i++) {
+    problem_t p = crossings(2, STEPS, pow(10, -0.25 * i));
+    double error = 0;
+    for (int j = 0; j < STEPS; j++) {
+      short_of += advance(&p, 1);
+      error = fmax(error, apart(&p.state, &exact[j]));
+    }
+    worst = fmax(worst, error / best);
+    best = fmin(best, error);
+    if (IS_DOUBLE) CHECK(i < 36 || error <= 1e-6);
+  }
+  printf(
+      "# %ld steps short of segments; error %.2e at best, a finer one up to "
+      "%.0f times that of a coarser\n",
+      short_of, best, worst);
+  CHECK(!IS_DOUBLE || short_of > 50);
+  CHECK(best <= (IS_DOUBLE ? 1e-8 : 5e-3));
+  CHECK(worst <= 500);
+}
+
+/* The two-fold is passed within the tolerance, wherever in a step it falls. */
+TEST(located_two_fold_in_one_step) {
+  orbit_events_t ev;
+  orbit_chaos(&ev);
+  int met = 0;
+  for (int trial = 0; trial < 150; trial++) {
+    const long n = 200 + lrint(tap_uniform(0, 3000));
+    problem_t p = chaos(2.06, n, IS_DOUBLE ? 1e-8 : 1e-5);
+    const tf_input_t u = tf_input_default(&p.machine);
+    tf_report_t report;
+    int seen = 0;
+    for (long i = 0; i < n; i++) {
+      const tf_status_t status = tf_locate(&p.machine, &p.state, &u, &report);
+      if (IS_DOUBLE) CHECK(status == TF_OK);
+      const double when = (double)p.machine.dt * (double)(i + 1);
+      if (when < 1 || report.choices != 3 || seen++) continue;
+      CHECK(fabs(when - (double)ev.twofold.t) <=
+            (double)p.machine.dt + (IS_DOUBLE ? 1e-7 : 2e-2));
+    }
+    met += seen > 0;
+  }
+  printf("# met in %d of 150 runs\n", met);
+  CHECK(met >= (IS_DOUBLE ? 150 : 100)); /* float may miss it by its error */
+}
+
 /* The reference at t = 1 is past codimension two and the third of three
  * futures: every step size, from one step to 4000, has to be there. */
 TEST(located_branch_and_events) {
@@ -291,6 +349,8 @@ TEST(located_follows_a_ramp) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(located_order_of_convergence);
+  RUN(located_finer_tolerance_is_no_worse);
+  RUN(located_two_fold_in_one_step);
   RUN(located_branch_and_events);
   RUN(located_switches_are_in_the_right_step);
   RUN(located_stick_is_exact);
