@@ -169,8 +169,8 @@ static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
   const tf_machine_t *k = at->k;
   if (!all_finite(x, report)) worsen(cell, CELL_NON_FINITE);
   cell->degraded += report->status == TF_DEGRADED;
-  // The only other positive status: TF_FELL_BACK of tf_locate.
-  cell->fell_back += report->status > TF_DEGRADED;
+  cell->fell_back += report->status == TF_FELL_BACK;
+  cell->coarse += report->status == TF_COARSE;
   if (report->status == TF_DEGRADED) worsen(cell, CELL_DEGRADED);
   const long double after = slip_rounding(k, x, omega0);
   if (x->mode > TF_SLIP_MINUS && report->status != TF_DEGRADED) {

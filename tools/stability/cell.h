@@ -35,7 +35,7 @@ typedef struct {
   tf_status_t status; ///< TF_OK, or of the refusal
   tf_status_t finer;  ///< of dt/CELL_FINER from the last valid state
   long steps;         ///< accepted
-  long degraded, fell_back, sticks;
+  long degraded, fell_back, coarse, sticks;
   bool grows;            ///< k2 < m w^2 at the start
   bool conservative;     ///< no contact, no damping
   long double excess;    ///< largest E / (E0 + W), see CELL_CREATED

@@ -58,8 +58,10 @@ file == 1 {
   steps_of[c] += f[10]
   degraded[c] += f[11]
   fell_back[c] += f[12]
+  coarse[c] += f[22]
   if (f[11] > 0) degraded_in[sweep, c] += f[11]
   if (f[12] > 0) fell_back_in[sweep, c] += f[12]
+  if (f[22] > 0) coarse_in[sweep, c] += f[22]
   sticks[sweep, c] += f[13]
   drift[sweep, c] = max(drift[sweep, c], f[14] + 0)
   # Sizes come in rising order: the first that fails ends the stable ones.
@@ -154,21 +156,23 @@ function refusals_table(i, j, n, code) {
 function degraded_table(i, j, s, any, text) {
   print "## Degraded steps\n"
   print "Accepted steps in which no mode was consistent (TF_DEGRADED), and" \
-    "\nsteps that tf_locate left to tf_step (TF_FELL_BACK).\n"
-  head("| real, scheme | accepted steps | degraded | fell back |")
+    "\nsteps that tf_locate left to tf_step (TF_FELL_BACK) or took with a" \
+    "\ncoarser tolerance than asked for (TF_COARSE).\n"
+  head("| real, scheme | accepted steps | degraded | fell back | coarse |")
   for (i = 1; i <= combos; i++)
-    printf "| %s | %d | %d | %d |\n", combo[i], steps_of[combo[i]], \
-      degraded[combo[i]], fell_back[combo[i]]
-  print "\nWhere they are (degraded / fell back):\n"
+    printf "| %s | %d | %d | %d | %d |\n", combo[i], steps_of[combo[i]], \
+      degraded[combo[i]], fell_back[combo[i]], coarse[combo[i]]
+  print "\nWhere they are (degraded / fell back / coarse):\n"
   head("| sweep |" columns())
   for (i = 1; i <= names; i++) {
     s = name[i]
     any = 0
     text = "| " s " |"
     for (j = 1; j <= combos; j++) {
-      any += degraded_in[s, combo[j]] + fell_back_in[s, combo[j]]
+      any += degraded_in[s, combo[j]] + fell_back_in[s, combo[j]] + \
+        coarse_in[s, combo[j]]
       text = text " " degraded_in[s, combo[j]] + 0 " / " \
-        fell_back_in[s, combo[j]] + 0 " |"
+        fell_back_in[s, combo[j]] + 0 " / " coarse_in[s, combo[j]] + 0 " |"
     }
     if (any) print text
   }

@@ -50,8 +50,8 @@ static void print_cell(const sweep_t *sweep, int i, const char *scheme,
          cell->sticks);
   printf("%.3Lg,%.4Lg,%d,%d,", cell->stick, cell->excess, cell->grows,
          cell->conservative);
-  printf("%.3Lg,%.3Lg,%.3Lg,%.3Lg\n", cell->drift[0], cell->drift[1],
-         cell->end_drift, cell->largest);
+  printf("%.3Lg,%.3Lg,%.3Lg,%.3Lg,%ld\n", cell->drift[0], cell->drift[1],
+         cell->end_drift, cell->largest, cell->coarse);
 }
 
 static void run_sweep(const sweep_t *sweep) {
@@ -88,7 +88,7 @@ int main(int argc, char **argv) {
   puts(
       "sweep,index,value,real,scheme,dt,verdict,refusal,finer,steps,degraded,"
       "fell_back,sticks,stick_drift,energy_excess,grows,conservative,"
-      "drift_first_half,drift_second_half,drift_end,largest");
+      "drift_first_half,drift_second_half,drift_end,largest,coarse");
   for (int i = 0; i < SWEEPS; i++) {
     if (!wanted(sweeps[i].name, argc, argv)) continue;
     run_sweep(&sweeps[i]);
