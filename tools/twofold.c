@@ -24,7 +24,12 @@ static const struct {
 };
 #define COMMANDS (sizeof commands / sizeof commands[0])
 
+// The reports build several variants of the core, so they belong to make.
 static int unknown_command(const char *name) {
+  if (strcmp(name, "bench") == 0 || strcmp(name, "stability") == 0) {
+    return cli_complain(CLI_USAGE, "%s is a target of make: 'make %s'", name,
+                        name);
+  }
   cli_closest_t closest = cli_closest_to(name);
   for (size_t i = 0; i < COMMANDS; i++) {
     cli_closest_offer(&closest, commands[i].name);

@@ -1,6 +1,7 @@
 /// @file
-/// A scene is a constant: parameters, tyre law, scheme, selection rule, start
-/// and inputs. What a scene does not name is not in a build made for it alone.
+/// A scene is a constant: parameters, tyre law, selection rule, start and
+/// inputs. What a scene does not name is not in a build made for it alone. The
+/// scheme is not its part: the caller chooses it by the function that it calls.
 #ifndef TWOFOLD_SCENE_H
 #define TWOFOLD_SCENE_H
 

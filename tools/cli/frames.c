@@ -6,8 +6,8 @@
 size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
                          uint16_t *sequence, uint8_t out[CLI_FRAMES_ROOM]) {
   const tf_schema_t schema = {
-      &setup->params, setup->scene->name,        "twofold " TF_VERSION ", host",
-      setup->seed,    scheme->step == tf_locate, false};
+      &setup->params, setup->scene->name, "twofold " TF_VERSION ", host",
+      setup->seed,    scheme->code,       false};
   const uint64_t tick = setup->state.tick;
   size_t at = tf_send_schema(out, sequence, tick, &schema);
   at +=

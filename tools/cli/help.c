@@ -39,7 +39,7 @@ static const char run_usage[] =
     "  --scheme NAME        moreau: Moreau-Jean theta scheme (the default),\n"
     "                       set by theta; located: Taylor series from switch\n"
     "                       to switch, of high order, set by tolerance (laws\n"
-    "                       jump, coulomb, none)\n"
+    "                       jump, coulomb, none)\n" CLI_RUN_HELP_MORE
     "  --select RULE        where the future is open: persist, slip+, slip-,\n"
     "                       random[:SEED]; default: the scene's own\n"
     "  --set NAME=VALUE     a parameter, the start or the law; each NAME once\n"

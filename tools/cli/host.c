@@ -11,7 +11,9 @@
 
 #include "host.h"
 
+#include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <signal.h>
 #include <string.h>
 #include <time.h>
@@ -34,6 +36,15 @@ void cli_sleep(int milliseconds) {
   const struct timespec wait = {milliseconds / 1000,
                                 (long)(milliseconds % 1000) * 1000000L};
   (void)nanosleep(&wait, NULL);
+}
+
+// To an absolute time: what a wait oversleeps does not shift those after it.
+void cli_wait_until(double time) {
+  const double whole = floor(time);
+  const struct timespec until = {(time_t)whole, (long)((time - whole) * 1e9)};
+  while (!cli_stop_asked() && clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME,
+                                              &until, NULL) == EINTR) {
+  }
 }
 
 bool cli_is_terminal(int descriptor) { return isatty(descriptor) == 1; }

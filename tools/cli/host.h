@@ -13,6 +13,9 @@ double cli_now(void);
 /// Waits; a signal ends it early.
 void cli_sleep(int milliseconds);
 
+/// Waits until cli_now() has reached a time; a wish to stop ends it early.
+void cli_wait_until(double time);
+
 /// Whether a descriptor is a terminal.
 bool cli_is_terminal(int descriptor);
 

@@ -14,6 +14,8 @@
 
 #define FLUSH_EVERY 0.2 // [s]
 #define BATCH 1024      // steps between two looks at the clock
+#define IDLE 1e-3       // [s] of waiting in which rows are handed over, too
+#define LIVE_EVERY 0.02 // FLUSH_EVERY of a run in real time, for who watches
 #define MOST_STEPS 1e15 // counted exactly by a double
 
 double cli_run_time(const cli_run_t *run, uint64_t steps) {
@@ -28,10 +30,11 @@ static void write_row(cli_run_t *run) {
   const double started = cli_now();
   if (run->format == CLI_FORMAT_FRAMES) {
     bytes = (const char *)frames;
-    length = cli_frames_row(&run->sequence, &run->state, &run->report, frames);
+    length =
+        cli_frames_row(&run->sequence, &run->body.state, &run->report, frames);
   } else {
     const tf_real_t t = (tf_real_t)cli_run_time(run, run->done);
-    length = cli_row(run->format, t, &run->state, &run->report, row);
+    length = cli_row(run->format, t, &run->body.state, &run->report, row);
   }
   if (!cli_output_lines(&run->output, bytes, length)) {
     run->end = CLI_NOT_WRITTEN;
@@ -43,7 +46,7 @@ static void write_row(cli_run_t *run) {
 // Adds one finished step to what the summary will tell.
 static void observe(cli_run_t *run, const tf_report_t *after) {
   const double t = cli_run_time(run, run->done);
-  cli_events_observe(&run->events, &run->report, after, &run->state, t);
+  cli_events_observe(&run->events, &run->report, after, &run->body.state, t);
   if (after->choices > 1 && run->open_steps++ == 0) {
     run->open_since = t;
   }
@@ -61,8 +64,7 @@ static void take_step(cli_run_t *run) {
   const tf_real_t t = (tf_real_t)cli_run_time(run, run->done + 1);
   const tf_input_t input = tf_scene_input(setup->scene, &setup->machine, t);
   tf_report_t report;
-  run->status =
-      run->scheme->step(&setup->machine, &run->state, &input, &report);
+  run->status = run->scheme->step(&run->body, &input, &report);
   if (run->status < 0) {
     run->end = CLI_STEP_REFUSED;
     return;
@@ -72,11 +74,45 @@ static void take_step(cli_run_t *run) {
   run->report = report;
 }
 
+// Waits for the time of the step that comes next; what was written meanwhile
+// shall be seen.
+static void await_step(cli_run_t *run) {
+  const double before = cli_now();
+  const double time = run->start + cli_run_time(run, run->done + 1);
+  if (before >= time) {
+    return;
+  }
+  if (time - before >= IDLE && !cli_output_flush(&run->output)) {
+    run->end = CLI_NOT_WRITTEN;
+    return;
+  }
+  cli_wait_until(time);
+  run->idle_seconds += cli_now() - before;
+}
+
+// A step and its row have to be done before the next step's time. Time that was
+// lost is made up for: the steps after a late one do not wait.
+static void judge_time(cli_run_t *run) {
+  const double late =
+      cli_now() - (run->start + cli_run_time(run, run->done + 1));
+  if (late > 0) {
+    run->late++;
+    run->latest = fmax(run->latest, late);
+  }
+}
+
 // A batch of steps and the rows that fall into it.
 static void take_batch(cli_run_t *run) {
   const uint64_t left = run->steps - run->done;
-  const uint64_t until = run->done + (left < BATCH ? left : BATCH);
+  const uint64_t most = run->real_time ? 1 : BATCH;
+  const uint64_t until = run->done + (left < most ? left : most);
   while (run->done < until && run->end == CLI_ENDED) {
+    if (run->real_time) {
+      await_step(run);
+    }
+    if (run->end != CLI_ENDED) {
+      return;
+    }
     if (cli_stop_asked()) {
       run->end = CLI_INTERRUPTED;
       return;
@@ -85,17 +121,22 @@ static void take_batch(cli_run_t *run) {
     if (run->done - run->written == run->every) {
       write_row(run);
     }
+    if (run->real_time && run->end == CLI_ENDED) {
+      judge_time(run);
+    }
   }
 }
 
 static void step_through(cli_run_t *run) {
   const double started = cli_now();
+  const double flush_every = run->real_time ? LIVE_EVERY : FLUSH_EVERY;
   cli_progress_t progress = cli_progress_start(started, run->output.descriptor);
+  run->start = started;
   write_row(run);
   while (run->done < run->steps && run->end == CLI_ENDED) {
     take_batch(run);
     const double now = cli_now();
-    if (now - run->output.flushed >= FLUSH_EVERY) {
+    if (now - run->output.flushed >= flush_every) {
       if (!cli_output_flush(&run->output)) {
         run->end = CLI_NOT_WRITTEN;
       }
@@ -103,7 +144,7 @@ static void step_through(cli_run_t *run) {
     }
     cli_progress_poll(&progress, now, run);
   }
-  run->seconds = cli_now() - started - run->output_seconds;
+  run->seconds = cli_now() - started - run->output_seconds - run->idle_seconds;
   cli_progress_clear(&progress);
   if (run->written != run->done) {
     write_row(run);
@@ -201,8 +242,9 @@ int cli_run(int argc, char *const argv[]) {
   run->format = args.format;
   run->every = args.every;
   run->steps = steps;
-  run->state = setup.state;
+  run->real_time = args.real_time;
   run->report = setup.report;
+  cli_body_begin(&run->body, args.scheme, &setup, &run->report);
   run->events.limit = args.listed;
   run->end = CLI_ENDED;
   cli_setup_notes(&setup, args.scheme->idle, args.scheme->why);

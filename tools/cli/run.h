@@ -18,19 +18,37 @@ typedef enum {
   CLI_FORMAT_FRAMES
 } cli_format_t;
 
+/// What moves: the machine and its state, with the digits that the compensated
+/// scheme adds to both; other schemes leave those 0.
+typedef struct {
+  tf_compensated_t machine;
+  tf_state_t state;
+  tf_carry_t carry;
+} cli_body_t;
+
 /// One step of a scheme.
-typedef tf_status_t (*cli_step_t)(const tf_machine_t *machine,
-                                  tf_state_t *state, const tf_input_t *input,
+typedef tf_status_t (*cli_step_t)(cli_body_t *body, const tf_input_t *input,
                                   tf_report_t *report);
 
 /// How a run steps.
 typedef struct {
   const char *name; ///< as on the command line
+  uint8_t code;     ///< as in the schema frame
   cli_step_t step;
   unsigned laws;    ///< bit set of tf_tyre_law_t that it takes
   const char *idle; ///< name of a parameter that it leaves aside ...
   const char *why;  ///< ... and where: the end of "has no effect ..."
 } cli_scheme_t;
+
+#define CLI_SCHEMES 3
+/// The first is the default.
+extern const cli_scheme_t cli_schemes[CLI_SCHEMES];
+
+/// Puts a body where the setup begins; the compensated scheme with all digits
+/// of a start that was placed by its slip speed.
+/// report: in/out, of tf_begin.
+void cli_body_begin(cli_body_t *body, const cli_scheme_t *scheme,
+                    const cli_setup_t *setup, tf_report_t *report);
 
 /// The command line of `run`, read and validated.
 typedef struct {
@@ -42,6 +60,7 @@ typedef struct {
   cli_format_t format;
   uint64_t every;         ///< steps a row, >= 1
   uint64_t listed;        ///< events told in detail
+  bool real_time;         ///< a step waits for its time
   tf_real_t t_end;        ///< [s]
   const char *t_end_text; ///< as typed, NULL: the scene's own
 } cli_run_args_t;
@@ -64,10 +83,14 @@ typedef struct {
   const cli_scheme_t *scheme;
   cli_format_t format;
   uint64_t every, steps;
+  bool real_time;    ///< step n is taken n dt after the start
+  double start;      ///< cli_now() at t = 0
+  uint64_t late;     ///< steps that were done after the time of the next one
+  double latest;     ///< by how much at most [s]
   uint64_t done;     ///< steps taken
   uint64_t written;  ///< the last row's step
   uint16_t sequence; ///< of the next frame
-  tf_state_t state;
+  cli_body_t body;
   tf_report_t report; ///< of the last step that was taken
   tf_status_t status; ///< of the last step that was tried
   cli_end_t end;
@@ -81,6 +104,7 @@ typedef struct {
   double largest_rest;   ///< residual [N]
   double seconds;        ///< wall time of the steps, output left out
   double output_seconds; ///< wall time of the output
+  double idle_seconds;   ///< wall time spent waiting
   cli_output_t output;
 } cli_run_t;
 

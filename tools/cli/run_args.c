@@ -36,30 +36,21 @@ static int read_set(cli_run_args_t *args, const option_t *option) {
   return cli_settings_add(&args->settings, option->name, option->value);
 }
 
-#define LAW(name) (1u << TF_TYRE_##name)
-static const cli_scheme_t schemes[] = {
-    {"moreau", tf_step, (1u << TF_TYRE_LAWS) - 1, "tolerance",
-     "under --scheme moreau: it belongs to --scheme located"},
-    {"located", tf_locate, LAW(JUMP) | LAW(COULOMB) | LAW(NONE), "theta",
-     "under --scheme located but where a step falls back on moreau"},
-};
-#define SCHEMES (sizeof schemes / sizeof schemes[0])
-
 static int read_scheme(cli_run_args_t *args, const option_t *option) {
-  for (size_t i = 0; i < SCHEMES; i++) {
-    if (strcmp(option->value, schemes[i].name) == 0) {
-      args->scheme = &schemes[i];
+  for (size_t i = 0; i < CLI_SCHEMES; i++) {
+    if (strcmp(option->value, cli_schemes[i].name) == 0) {
+      args->scheme = &cli_schemes[i];
       return CLI_DONE;
     }
   }
   cli_closest_t closest = cli_closest_to(option->value);
-  for (size_t i = 0; i < SCHEMES; i++) {
-    cli_closest_offer(&closest, schemes[i].name);
+  for (size_t i = 0; i < CLI_SCHEMES; i++) {
+    cli_closest_offer(&closest, cli_schemes[i].name);
   }
   const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_complain(CLI_USAGE,
-                      "--scheme %s: unknown scheme; this version has moreau "
-                      "and located%s%s%s",
+                      "--scheme %s: unknown scheme; this version has moreau, "
+                      "located and compensated%s%s%s",
                       option->value, hint.before, hint.name, hint.after);
 }
 
@@ -115,13 +106,21 @@ static int read_events(cli_run_args_t *args, const option_t *option) {
                       option->value);
 }
 
+static int read_real_time(cli_run_args_t *args, const option_t *option) {
+  (void)option;
+  args->real_time = true;
+  return CLI_DONE;
+}
+
 static const struct {
   const char *name;
   int (*read)(cli_run_args_t *args, const option_t *option);
 } options[] = {
-    {"--t-end", read_t_end},   {"--dt", read_dt},   {"--scheme", read_scheme},
-    {"--select", read_select}, {"--set", read_set}, {"--every", read_every},
-    {"--format", read_format}, {"--out", read_out}, {"--events", read_events},
+    {"--t-end", read_t_end},   {"--dt", read_dt},
+    {"--scheme", read_scheme}, {"--select", read_select},
+    {"--set", read_set},       {"--every", read_every},
+    {"--format", read_format}, {"--out", read_out},
+    {"--events", read_events}, {"--realtime", read_real_time},
 };
 #define OPTIONS (sizeof options / sizeof options[0])
 
@@ -153,7 +152,12 @@ static int read_option(cli_run_args_t *args, int argc, char *const argv[],
     return unknown_option(word);
   }
   option_t option = {options[i].name, NULL};
-  if (word[length] == '=') {
+  if (options[i].read == read_real_time) {
+    option.value = "";
+    if (word[length] == '=') {
+      return cli_complain(CLI_USAGE, "%s: takes no value", word);
+    }
+  } else if (word[length] == '=') {
     option.value = word + length + 1;
   } else if (*at + 1 < argc) {
     option.value = argv[++*at];
@@ -163,8 +167,9 @@ static int read_option(cli_run_args_t *args, int argc, char *const argv[],
   const int code = options[i].read(args, &option);
   if (code == CLI_DONE && ((*seen >> i) & 1u) != 0 &&
       options[i].read != read_set) {
-    return cli_complain(CLI_USAGE, "%s %s: %s was already given", option.name,
-                        option.value, option.name);
+    return cli_complain(CLI_USAGE, "%s%s%s: %s was already given", option.name,
+                        option.value[0] != '\0' ? " " : "", option.value,
+                        option.name);
   }
   *seen |= 1u << i;
   return code;
@@ -172,7 +177,7 @@ static int read_option(cli_run_args_t *args, int argc, char *const argv[],
 
 int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]) {
   memset(args, 0, sizeof *args);
-  args->scheme = &schemes[0];
+  args->scheme = &cli_schemes[0];
   args->every = 1;
   args->listed = 20;
   unsigned seen = 0;

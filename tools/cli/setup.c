@@ -150,7 +150,8 @@ int cli_setup_start(cli_setup_t *setup) {
   state->phi = setup->start[CLI_START_PHI];
   state->seed = setup->seed;
   state->mode = TF_MODES;
-  if (code == CLI_DONE && !v_typed && (h_typed || !setup->scene->v_is_given)) {
+  setup->placed = !v_typed && (h_typed || !setup->scene->v_is_given);
+  if (code == CLI_DONE && setup->placed) {
     code = place_slip(setup);
   }
   if (code != CLI_DONE) {

@@ -67,6 +67,7 @@ typedef struct {
   tf_machine_t machine;
   tf_input_t input;   ///< at t = 0
   tf_state_t state;   ///< at t = 0, begun
+  bool placed;        ///< its v follows from h
   tf_report_t report; ///< of tf_begin
 } cli_setup_t;
 

@@ -48,13 +48,17 @@ static void print_quality(const cli_run_t *run) {
 }
 
 static void print_final(const cli_run_t *run) {
-  const tf_state_t *state = &run->state;
+  const tf_state_t *state = &run->body.state;
+  const tf_carry_t *carry = &run->body.carry;
   (void)fprintf(stderr,
                 "final      r = %.9g m, v = %.9g m/s, omega = %.9g "
                 "rad/s",
-                (double)state->r, (double)state->v, (double)state->w);
+                (double)state->r + (double)carry->r,
+                (double)state->v + (double)carry->v,
+                (double)state->w + (double)carry->w);
   if (run->setup->machine.with_angle) {
-    (void)fprintf(stderr, ", phi = %.9g rad", (double)state->phi);
+    (void)fprintf(stderr, ", phi = %.9g rad",
+                  (double)state->phi + (double)carry->phi);
   }
   (void)fprintf(stderr, "\n           h = %.9g m/s, g = %.9g m/s, %s\n",
                 (double)run->report.slip.h, (double)run->report.slip.g,
@@ -73,10 +77,19 @@ static void print_cost(const cli_run_t *run) {
                 run->output_seconds);
 }
 
+static void print_pace(const cli_run_t *run) {
+  if (run->real_time) {
+    (void)fprintf(stderr,
+                  "real time  %" PRIu64 " of %" PRIu64
+                  " steps late, by %.3g s at most\n",
+                  run->late, run->done, run->latest);
+  }
+}
+
 // The reason of an early end is a complaint like any other.
 static void print_end(const cli_run_t *run) {
   const double t = cli_run_time(run, run->done);
-  const tf_state_t *state = &run->state;
+  const tf_state_t *state = &run->body.state;
   switch (run->end) {
     case CLI_ENDED:
       break;
@@ -106,6 +119,7 @@ void cli_summary(const cli_run_t *run) {
   print_quality(run);
   print_final(run);
   print_cost(run);
+  print_pace(run);
   print_end(run);
   (void)fflush(stderr);
 }
