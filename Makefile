@@ -28,7 +28,7 @@ BENCH := tools/bench/steps.c tools/bench/race.c tools/bench/compensated.c \
 STABILITY := $(wildcard tools/stability/*.c)
 PEERS := hand twofold reference
 ORACLE := $(wildcard tools/oracle/*.c)
-REPORT := sweep scatter cost digits
+REPORT := sweep scatter cost digits scenes
 
 # One rounding per operation, everywhere: the same bits on every target.
 COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude

@@ -1,7 +1,7 @@
 // What is left of a step's accuracy in float where its rounding is carried.
 //
-//   digits   prints lines `part k real scheme r v w`: end states of runs whose
-//            step is 2^-k s, and in double the reference, as k = 0
+//   digits   prints lines `part dt real scheme r v w`: end states of runs whose
+//            step is dt [s], and in double the reference, the finest
 //
 // Parameters, start and step are rounded to float first in both real types, so
 // that nothing but the step differs.
@@ -52,7 +52,7 @@ static int print_end(const part_t *part, scheme_t scheme, int k,
     return 0;
   for (long i = 0; i < steps; i++)
     if (part_step(&run) < 0) return 0;
-  printf("%s %d %s %s %.17g %.17g %.17g\n", part->name, k, REAL, name,
+  printf("%s %.4g %s %s %.17g %.17g %.17g\n", part->name, dt, REAL, name,
          (double)run.state.r + (scheme == CARRIED ? (double)run.carry.r : 0),
          (double)run.state.v + (scheme == CARRIED ? (double)run.carry.v : 0),
          (double)run.state.w + (scheme == CARRIED ? (double)run.carry.w : 0));

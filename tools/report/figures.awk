@@ -1,5 +1,6 @@
 # The figures that the report should reach, each judged by what was measured.
-#   awk -f figures.awk -v peers=0|1 sweep.csv costs.csv digits.csv [peers.csv]
+#   awk -f figures.awk -v peers=0|1 -v step_rows=F -v step_why=F \
+#     sweep.csv costs.csv digits.csv [peers.csv]
 FNR == 1 { file++; next }
 file == 1 {
   split($0, f, ",")
@@ -24,9 +25,29 @@ file == 2 {
 file == 3 {
   split($0, f, ",")
   k = f[1]
+  if (index(k, "/")) { # a scene, and how many steps
+    sub(/.*\//, "", k)
+    if (!(k in runs)) lengths[++long_runs] = k
+    runs[k]++
+    within[k] += f[9] == "within 3"
+    below[k] += f[9] ~ /ulp/
+    scene = f[1]
+    sub(/\/.*/, "", scene)
+    if (f[9] == "not reached")
+      missed = missed sprintf("* Compensated float on `%s` is %s off, %s times" \
+        " the scheme's error.%s\n", f[1], f[6], f[7], (scene in own_error) ? \
+        sprintf(" The motion spreads what rounding F and M to floats begins:" \
+          " since `%s` that error has grown %.2g times and the scheme's own" \
+          " %.2g times.", shorter[scene], f[6] / float_error[scene],
+          f[3] / own_error[scene]) : "")
+    own_error[scene] = f[3]
+    float_error[scene] = f[6]
+    shorter[scene] = f[1]
+    next
+  }
   if (!(k in last)) digits[++problems] = k
-  if (f[6] > ratio[k]) { ratio[k] = f[6]; at[k] = f[2] }
-  last[k] = f[6]
+  if (f[7] > ratio[k]) { ratio[k] = f[7]; at[k] = f[2] }
+  last[k] = f[7]
   finest[k] = f[2]
   next
 }
@@ -67,10 +88,11 @@ function why(run, own) {
   run = "cycle,100,ns"
   own = least("chaos,located,", 1e-6)
   if (run in longest && own < 1e99)
-    printf "* `located` on `chaos`: one step, through h = g = 0, takes %.2g us" \
-      " of the %.2g us of the run to 1e-6; a usual step takes %.2g us. That" \
-      " step is also what is longer than 8 times the median.\n",
-      longest[run] / 1e3, own / 1e3, usual[run] / 1e3
+    printf "* `located` on `chaos`: the way through h = g = 0 costs most. At the" \
+      " tolerance 1e-8 and steps of 20 ms it is one step of %.2g us, where a" \
+      " usual step takes %.2g us; that step is also what is longer than 8 times" \
+      " the median. The run to 1e-6, in a longer step, takes %.2g us in all.\n",
+      longest[run] / 1e3, usual[run] / 1e3, own / 1e3
   run = "crossings,100,ns"
   own = least("crossings,located,", 1e-6)
   if (run in longest && own < 1e99)
@@ -98,8 +120,11 @@ function versus(problem, scheme, error, factor, own, peer, own_who) {
   if (own >= 1e99) print " not reached: no setting keeps this error |"
   else if (peer >= 1e99) print " reached: no peer keeps this error |"
   else printf " %s |\n", verdict(own <= peer * factor, sprintf(\
-    "not reached: %.2g of the best peer's time, %.2g times too slow", \
+    "not reached: %.2g of the best peer's time, %.3g times too slow", \
     own / peer, own / (peer * factor)))
+}
+function cat(name, line) {
+  while (name != "" && (getline line <name) > 0) print line
 }
 # Least time of each peer.
 function peers_table(i, s, seen, f, d, head) {
@@ -148,6 +173,15 @@ END {
       verdict(ratio[k] <= 3, sprintf("not reached: %.2g times too far",
                                      ratio[k] / 3))
   }
+  for (i = 1; i <= long_runs; i++) {
+    k = lengths[i]
+    printf "| compensated float over %s steps of 1 us, %d scenes, ends within 3" \
+      " times the scheme's error in double | so in %d, else below one ulp of a" \
+      " float in %d | 3 | %s |\n", k, runs[k], within[k], below[k],
+      verdict(within[k] == runs[k], sprintf("not reached in %d; in %d of these" \
+        " both errors are less than a float resolves (table below)",
+        runs[k] - within[k], below[k]))
+  }
   for (i = 1; i <= steps; i++) {
     w = worst_of[i]
     split(w, f, ",")
@@ -156,5 +190,8 @@ END {
       verdict(worst[w] <= 8, sprintf("not reached: %.2g times too long",
                                      worst[w] / 8))
   }
+  cat(step_rows)
   why()
+  printf "%s", missed
+  cat(step_why)
 }
