@@ -54,8 +54,8 @@ FLAGS_float := -DTF_REAL_FLOAT
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: help all run test bench bench-compensated bench-ensemble bench-frame \
-  bench-peers bench-steps stability keep-report oracle check clean firmware elf \
-  boards boards-list test-boards size deps FORCE
+  bench-peers bench-steps stability report keep-report oracle check clean \
+  firmware elf boards boards-list test-boards size deps FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -65,6 +65,7 @@ help:
 	@echo 'make run     simulate scene chaos for 10 s, write $(BUILD)/chaos.csv'
 	@echo 'make test    all tests, in double and in float'
 	@echo 'make bench   report: error against time, cost (gnuplot, valgrind)'
+	@echo 'make report  bench-peers, stability and bench in one go (minutes)'
 	@echo 'make keep-report  copies the reports of the build to docs/'
 	@echo 'make bench-steps   cost of a Moreau step alone (valgrind)'
 	@echo 'make stability  stiff and extreme cases: tables and map (gnuplot)'
@@ -168,6 +169,13 @@ keep-report:
 	cp $(BUILD)/report/*.svg docs/report/
 	if [ -e $(BUILD)/STABILITY.md ]; then cp $(BUILD)/STABILITY.md docs/ && \
 	  mkdir -p docs/stability && cp $(BUILD)/stability/*.svg docs/stability/; fi
+
+# All reports of one commit and compiler, one after the other: none disturbs
+# what another measures.
+report:
+	@$(MAKE) bench-peers
+	@$(MAKE) stability
+	@$(MAKE) bench
 
 bench-steps: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
 	@CC='$(CC)' BUILD='$(BUILD)' tools/bench/run

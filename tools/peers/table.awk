@@ -4,7 +4,8 @@
 # setting of the sweep. Where a peer has two settings (width of a smoothed law,
 # then step or tolerance), the best width counts, with the steps or tolerances
 # at that width. Fewer than three settings in a row are luck.
-# Usage: awk -F, -v csv=FILE -f table.awk ROWS
+# The first line of the CSV says what was measured.
+# Usage: awk -F, -v csv=FILE -v stamp=TEXT -f table.awk ROWS
 function median(list, n, x, i, j, keep) {
   n = split(list, x, " ")
   for (i = 2; i <= n; i++) {
@@ -90,6 +91,7 @@ NF != 7 { next }
   times[row] = times[row] " " $6
 }
 END {
+  print "# " stamp >csv
   print "problem,peer,setting,steps,error,ns,branch" >csv
   for (i = 1; i <= count; i++) {
     time_of[rows[i]] = median(times[rows[i]])

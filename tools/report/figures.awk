@@ -53,7 +53,7 @@ file == 3 {
 }
 file == 4 {
   split($0, f, ",")
-  if (f[2] ~ /^twofold/) next
+  if (f[1] == "problem" || f[2] ~ /^twofold/) next
   setting = f[3]
   s = f[1] "," f[2]
   if (split(setting, word, " ") > 1) s = s " " word[1]
@@ -159,10 +159,10 @@ END {
       name = p == 1 ? "chaos" : "crossings"
       for (d = 3; d <= 9; d += 3)
         printf "| `located` at 1e-%02d on `%s`, a third of the best peer's time" \
-          " | %s | - | not known: no peers.csv; run `make bench-peers` first |\n",
+          " | %s | - | not known: no peers of this commit; `make report` |\n",
           d, name, us(least(name ",located,", 10 ^ -d))
       printf "| `moreau` at 1e-03 on `%s`, faster than any peer | %s | - |" \
-        " not known: no peers.csv |\n", name, us(least(name ",moreau,", 1e-3))
+        " not known: no peers of this commit |\n", name, us(least(name ",moreau,", 1e-3))
     }
   }
   for (i = 1; i <= problems; i++) {
