@@ -34,8 +34,8 @@ static double seconds(void) {
 // function that steps.
 #ifdef REPORT_SPECIAL
 __attribute__((noinline, flatten)) static tf_status_t sample(run_t *run) {
-  const tf_status_t status =
-      REPORT_SPECIAL(&special_machine, &run->state, &run->input, &run->report);
+  const tf_status_t status = REPORT_SPECIAL(
+      &special_machine, SPECIAL_STATE(run), &run->input, &run->report);
 #else
 __attribute__((noinline)) static tf_status_t sample(run_t *run) {
   const tf_status_t status = part_step(run);
@@ -74,8 +74,9 @@ static int follow(run_t *run, long steps, int times) {
 static int print_end(run_t *run, long steps) {
   for (long i = 0; i < steps; i++)
     if (sample(run) < 0) return 1;
-  printf("%a %a %a %s\n", (double)run->state.r, (double)run->state.v,
-         (double)run->state.w, tf_mode_name(run->state.mode));
+  printf("%a %a %a %s, %a %a %a\n", (double)run->state.r, (double)run->state.v,
+         (double)run->state.w, tf_mode_name(run->state.mode),
+         (double)run->carry.r, (double)run->carry.v, (double)run->carry.w);
   return 0;
 }
 
@@ -91,8 +92,7 @@ static int print_end(run_t *run, long steps) {
 // clang-format on
 
 // A member that is missing here ends in other bits, which the report checks.
-static void print_machine(const tf_machine_t *k) {
-  printf("static const tf_machine_t special_machine = {\n");
+static void print_members(const tf_machine_t *k) {
 #define F(name) printf("  .%s = (tf_real_t)%a,\n", #name, (double)k->name);
   REALS(F)
 #undef F
@@ -104,8 +104,25 @@ static void print_machine(const tf_machine_t *k) {
            (double)k->tyre.T_series[i]);
   printf("  .exit_threshold = %lluu, .tyre.law = (tf_tyre_law_t)%d,\n",
          (unsigned long long)k->exit_threshold, (int)k->tyre.law);
-  printf("  .rule = (tf_rule_t)%d, .with_angle = %d};\n", (int)k->rule,
+  printf("  .rule = (tf_rule_t)%d, .with_angle = %d", (int)k->rule,
          (int)k->with_angle);
+}
+
+static void print_machine(const run_t *run) {
+  const tf_compensated_t *k = &run->machine;
+  if (run->scheme != CARRIED) {
+    puts("#define SPECIAL_STATE(run) &run->state");
+    puts("static const tf_machine_t special_machine = {");
+    print_members(&k->machine);
+    puts("};");
+    return;
+  }
+  puts("#define SPECIAL_STATE(run) &run->state, &run->carry");
+  puts("static const tf_compensated_t special_machine = {.machine = {");
+  print_members(&k->machine);
+  printf("},\n  .low_sin_gamma = (tf_real_t)%a,\n", (double)k->low_sin_gamma);
+  printf("  .low_cos_gamma = (tf_real_t)%a,\n", (double)k->low_cos_gamma);
+  printf("  .low_inertia = (tf_real_t)%a};\n", (double)k->low_inertia);
 }
 
 static int begin_run(run_t *run, char **argv) {
@@ -133,7 +150,7 @@ int main(int argc, char **argv) {
   if (strcmp(what, "count") == 0) return follow(&run, steps, 0);
   if (strcmp(what, "end") == 0) return print_end(&run, steps);
   if (strcmp(what, "machine") == 0) {
-    print_machine(&run.machine.machine);
+    print_machine(&run);
     return 0;
   }
   return 2;
