@@ -65,9 +65,9 @@ int main(int argc, char *argv[]) {
     return cli_version();
   }
   if (asks_for_help(argc - 2, argv + 2)) {
-    const int has_page = strcmp(name, "run") == 0 ||
-                         strcmp(name, "monitor") == 0 ||
-                         cli_analysis_page(name) != NULL;
+    const int has_page =
+        strcmp(name, "run") == 0 || strcmp(name, "monitor") == 0 ||
+        strcmp(name, "diverge") == 0 || cli_analysis_page(name) != NULL;
     return cli_help(has_page, argv + 1);
   }
   for (size_t i = 0; i < COMMANDS; i++) {

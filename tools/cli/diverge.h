@@ -20,11 +20,13 @@ typedef enum {
 } cli_by_t;
 #define CLI_BYS 5
 
-/// At h = g = 0, rule random: who is drawn.
+/// What --by random does where the wheel comes to h = g = 0.
 typedef enum {
-  CLI_CORNER_ATTRACTING, ///< the attracting stick where there is one
-  CLI_CORNER_EVEN        ///< each consistent mode alike
+  CLI_CORNER_REST,       ///< it rests where it may, as under `random` of run
+  CLI_CORNER_ATTRACTING, ///< the attracting stick where there is one: `persist`
+  CLI_CORNER_EVEN        ///< each consistent mode alike, by a draw
 } cli_corner_t;
+#define CLI_CORNERS 3
 
 /// The command line of `diverge`, read and validated but for the machine.
 typedef struct {
@@ -80,7 +82,6 @@ typedef struct {
   double r, omega, g; ///< [m], [rad/s], [m/s]
   double v;           ///< [m/s]
   double slope;       ///< dw/dr of the weak direction [rad/(s m)]
-  double strong;      ///< ratio of the eigenvalues, strong to weak
 } cli_twofold_t;
 
 /// Finds it.
@@ -304,5 +305,8 @@ size_t cli_return_row(char out[CLI_DIVERGE_ROW], uint64_t sample,
 /// `diverge`: argv[0] is the first argument behind it.
 /// Returns: the exit code.
 int cli_diverge(int argc, char *const argv[]);
+
+/// Its help page. Returns: the exit code.
+int cli_diverge_help(void);
 
 #endif

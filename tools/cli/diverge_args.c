@@ -82,13 +82,16 @@ static int read_by(cli_diverge_args_t *args, const option_t *option) {
 }
 
 static int read_corner(cli_diverge_args_t *args, const option_t *option) {
-  const bool even = strcmp(option->value, "even") == 0;
-  if (!even && strcmp(option->value, "attracting") != 0) {
-    return cli_complain(CLI_USAGE, "--corner %s: must be attracting or even",
-                        option->value);
+  static const char *const names[CLI_CORNERS] = {"rest", "attracting", "even"};
+  for (int i = 0; i < CLI_CORNERS; i++) {
+    if (strcmp(option->value, names[i]) == 0) {
+      args->corner = (cli_corner_t)i;
+      return CLI_DONE;
+    }
   }
-  args->corner = even ? CLI_CORNER_EVEN : CLI_CORNER_ATTRACTING;
-  return CLI_DONE;
+  return cli_complain(CLI_USAGE,
+                      "--corner %s: must be rest, attracting or even",
+                      option->value);
 }
 
 static int read_size(cli_diverge_args_t *args, const option_t *option) {

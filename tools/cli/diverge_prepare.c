@@ -77,7 +77,8 @@ int cli_diverge_prepare(cli_job_t *job, const cli_diverge_args_t *args) {
   job->dt = (double)setup->params.dt;
   job->rate = (double)setup->params.rate;
   job->params = setup->params;
-  job->params.rule = TF_RULE_RANDOM;
+  job->params.rule =
+      args->corner == CLI_CORNER_ATTRACTING ? TF_RULE_PERSIST : TF_RULE_RANDOM;
   job->params.rate = 0;
   (void)tf_prepare(&job->stay, &job->params, NULL);
   job->at_twofold = true;

@@ -4,7 +4,8 @@
 // an exponential law and then slips to a side drawn evenly; any other escaping
 // stick, alike; h = g = 0, where several modes are consistent; and a pinned
 // wheel. The machine of the steps itself never leaves what is open (its rule is
-// `random` at the rate 0), so that no choice is made that is not drawn here.
+// `random` at the rate 0, or `persist`), so that none of these choices is made
+// but by a draw here; what it takes at h = g = 0 was asked for by --corner.
 
 #include <math.h>
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "analysis.h"
+#include "diverge.h"
 #include "setup.h"
 #include "text.h"
 
@@ -26,6 +27,7 @@ static const char usage[] =
     "  regions SCENE ...  sliding, escaping, crossing: a grid of (r, omega)\n"
     "  design SCENE ...   kappa and k2 that put a two-fold at (r, omega)\n"
     "  atlas SCENE ...    which wished (r, omega) make a Teixeira singularity\n"
+    "  diverge SCENE ...  futures of a two-fold: exits, returns, statistics\n"
     "  help [COMMAND]     this text, or the options of a command\n"
     "  --version          version and number type\n"
     "\n"
@@ -130,6 +132,9 @@ int cli_help(int argc, char *const argv[]) {
   if (argc == 1 && strcmp(argv[0], "monitor") == 0) {
     (void)fputs(monitor_usage, stdout);
     return cli_finish_stdout();
+  }
+  if (argc == 1 && strcmp(argv[0], "diverge") == 0) {
+    return cli_diverge_help();
   }
   const char *page = argc == 1 ? cli_analysis_page(argv[0]) : NULL;
   if (page != NULL) {
