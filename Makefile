@@ -56,6 +56,8 @@ FLAGS_float := -DTF_REAL_FLOAT
 .PHONY: help all run test bench bench-compensated bench-ensemble bench-frame \
   bench-peers bench-steps stability report keep-report oracle check clean \
   firmware elf boards boards-list test-boards size deps FORCE
+  bench-peers bench-steps stability statistics keep-report oracle check clean firmware elf \
+  boards boards-list test-boards size deps FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -69,6 +71,7 @@ help:
 	@echo 'make keep-report  copies the reports of the build to docs/'
 	@echo 'make bench-steps   cost of a Moreau step alone (valgrind)'
 	@echo 'make stability  stiff and extreme cases: tables and map (gnuplot)'
+	@echo 'make statistics  exits and returns of chaos, counted (10 minutes)'
 	@echo 'make bench-compensated   errors of small steps, carried or not'
 	@echo 'make bench-ensemble   many states at once (try EXTRA=-mavx2)'
 	@echo 'make bench-frame      frames decoded and made, MB/s'
@@ -182,6 +185,13 @@ bench-steps: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
 
 stability: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/stability/sweep)
 	@BUILD='$(BUILD)' tools/stability/run
+
+$(BUILD)/statistics/nearest: $(BUILD)/double/tools/statistics/nearest.o
+	@mkdir -p $(@D)
+	$(link)
+
+statistics: $(BUILD)/double/twofold $(BUILD)/statistics/nearest
+	@BUILD='$(BUILD)' tools/statistics/study
 
 bench-compensated: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/compensated)
 	@BUILD='$(BUILD)' tools/bench/compensated.sh

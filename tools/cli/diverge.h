@@ -161,6 +161,7 @@ typedef struct {
   double exit_t, exit_r, exit_omega, exit_g;
   int side;          ///< of the exit, +1 or -1
   double phase;      ///< at the section [turns]; < 0: not there in slip
+  double section_t;  ///< when it passed there, where phase >= 0 [s]
   bool landed;       ///< on the upper sliding region
   double land_t;     ///< first time [s]
   double land_r;     ///< [m]
@@ -176,7 +177,7 @@ typedef struct {
   const cli_twofold_t *twofold;
   double section, patience;
   double stay; ///< so long within the band is on the surface [s]
-  cli_instant_t last;
+  cli_instant_t before, last;
   cli_cycle_t cycle;
   bool upper;       ///< on the upper sliding region at last
   double on_since;  ///< start of the present stay on the surface

@@ -52,7 +52,7 @@ static const char page[] =
     "                       omega [rad/s],g [m/s],side (slip+ or slip-),phase\n"
     "                       [windings, 0 to 1],how (left, or released: "
     "|lambda|\n"
-    "                       was mu)\n"
+    "                       was mu),section_time [s since the arrival]\n"
     "  --returns FILE       sample,cycle,outcome,time [s from exit to end],\n"
     "                       arrived [s],exit_r [m],landing_time [s from "
     "exit],\n"

@@ -34,7 +34,9 @@ static size_t put_name(char *out, uint64_t sample, uint64_t cycle) {
 }
 
 size_t cli_exit_header(char out[CLI_DIVERGE_ROW]) {
-  return put(out, 0, "sample,cycle,time,r,omega,g,side,phase,how\n");
+  return put(out, 0,
+             "sample,cycle,time,r,omega,g,side,phase,how,"
+             "section_time\n");
 }
 
 size_t cli_return_header(char out[CLI_DIVERGE_ROW]) {
@@ -56,7 +58,9 @@ size_t cli_exit_row(char out[CLI_DIVERGE_ROW], uint64_t sample, uint64_t cycle,
   at = put_real(out, at, true, what->exit_g);
   at = put(out, at, what->side < 0 ? ",slip-" : ",slip+");
   at = put_real(out, at, what->phase >= 0, what->phase);
-  return put(out, at, what->released ? ",released\n" : ",left\n");
+  at = put(out, at, what->released ? ",released" : ",left");
+  at = put_real(out, at, what->phase >= 0, what->section_t - what->arrived);
+  return put(out, at, "\n");
 }
 
 size_t cli_return_row(char out[CLI_DIVERGE_ROW], uint64_t sample,

@@ -33,7 +33,7 @@ static void begin_cycle(cli_tracker_t *tracker, double t) {
 
 void cli_track_start(cli_tracker_t *tracker, const cli_instant_t *at) {
   begin_cycle(tracker, at->t);
-  tracker->last = *at;
+  tracker->before = tracker->last = *at;
   tracker->slip_side = 0;
   tracker->on_since = at->t;
 }
@@ -137,15 +137,32 @@ static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
       tracker->up_last <= tracker->section_t && tracker->section_t <= up) {
     cycle->phase =
         (tracker->section_t - tracker->up_last) / (up - tracker->up_last);
+    cycle->section_t = tracker->section_t;
   }
   tracker->up_last = up;
+}
+
+// When h comes to 0 between two instants, the first of which is in slip, from
+// its slope before them; and how r has moved on until then.
+static void meet_surface(cli_tracker_t *tracker, const cli_instant_t *at) {
+  const cli_instant_t *last = &tracker->last, *before = &tracker->before;
+  const double v = last->at.p + (double)tracker->machine->d * last->at.z;
+  const double fall = (before->h - last->h) / (last->t - before->t);
+  double rest = at->t - last->t;
+  tracker->on_since = at->t;
+  tracker->on_r = at->at.r;
+  if (!before->on && before->t < last->t && before->h * last->h > 0 &&
+      last->h / fall > 0) {
+    rest = fmin(rest, last->h / fall);
+    tracker->on_since = last->t + rest;
+    tracker->on_r = last->at.r + v * rest;
+  }
 }
 
 static void watch_landing(cli_tracker_t *tracker, const cli_instant_t *at) {
   cli_cycle_t *cycle = &tracker->cycle;
   if (at->on && !tracker->last.on) {
-    tracker->on_since = at->t;
-    tracker->on_r = at->at.r;
+    meet_surface(tracker, at);
   }
   if (!at->on) {
     tracker->upper = false;
@@ -179,6 +196,7 @@ bool cli_track(cli_tracker_t *tracker, const cli_instant_t *at) {
       ended = true;
     }
   }
+  tracker->before = tracker->last;
   tracker->last = *at;
   return ended;
 }
