@@ -26,6 +26,7 @@ TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
 BENCH := tools/bench/steps.c tools/bench/race.c tools/bench/compensated.c \
   tools/bench/ensemble.c tools/bench/frame.c
 STABILITY := $(wildcard tools/stability/*.c)
+COUNTS := nearest machines
 PEERS := hand twofold reference
 ORACLE := $(wildcard tools/oracle/*.c)
 REPORT := sweep scatter cost digits scenes
@@ -54,10 +55,9 @@ FLAGS_float := -DTF_REAL_FLOAT
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: help all run test bench bench-compensated bench-ensemble bench-frame \
-  bench-peers bench-steps stability report keep-report oracle check clean \
-  firmware elf boards boards-list test-boards size deps FORCE
-  bench-peers bench-steps stability statistics keep-report oracle check clean firmware elf \
-  boards boards-list test-boards size deps FORCE
+  bench-peers bench-steps stability report keep-report oracle check \
+  clean firmware elf boards boards-list test-boards size deps statistics \
+  FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -186,11 +186,12 @@ bench-steps: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
 stability: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/stability/sweep)
 	@BUILD='$(BUILD)' tools/stability/run
 
-$(BUILD)/statistics/nearest: $(BUILD)/double/tools/statistics/nearest.o
+$(COUNTS:%=$(BUILD)/statistics/%): $(BUILD)/statistics/%: \
+    $(BUILD)/double/tools/statistics/%.o $(BUILD)/double/libtwofold.a
 	@mkdir -p $(@D)
 	$(link)
 
-statistics: $(BUILD)/double/twofold $(BUILD)/statistics/nearest
+statistics: $(BUILD)/double/twofold $(COUNTS:%=$(BUILD)/statistics/%)
 	@BUILD='$(BUILD)' tools/statistics/study
 
 bench-compensated: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/compensated)
