@@ -18,10 +18,14 @@
 // Headers declare more than is defined here: the other schemes.
 #pragma GCC diagnostic ignored "-Wunused-function"
 
+#include "twofold/link.h"
 #include "twofold/scene.h"
 #include "twofold/step.h"
+#include "twofold/text.h"
 #ifdef SCENE_HEADER
 #include SCENE_HEADER
+#endif
+#if defined(SCENE_HEADER) && !defined(UPLINK)
 #define TF_API_MACHINE(c) ((void)(c), &scene_machine)
 #endif
 
@@ -34,6 +38,7 @@
 // In the order of a step, then what a firmware of one scene needs none of.
 // NOLINTBEGIN(bugprone-suspicious-include): one translation unit on purpose.
 #include "../src/begin.c"
+#include "../src/frame.c"
 #include "../src/friction.c"
 #include "../src/kernel.c"
 #include "../src/machine.c"
@@ -41,15 +46,21 @@
 #include "../src/scene.c"
 #include "../src/scenes.c"
 #include "../src/select.c"
+#include "../src/session.c"
 #include "../src/status.c"
 #include "../src/step.c"
+#include "../src/telemetry.c"
+#include "../src/text.c"
+// Last, for the short names of its own.
+#include "../src/link.c"
+#undef R
 #include "../src/tyre.c"
 // NOLINTEND(bugprone-suspicious-include)
 
 #ifdef SCENE_HEADER
 
 #define SCENE_MACHINE (&scene_machine)
-#define SCENE (&scene_inputs)
+#define SCENE (&scene_constants)
 
 static inline void scene_begin(tf_state_t *state, tf_report_t *report) {
   *state = scene_start;

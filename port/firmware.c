@@ -1,11 +1,13 @@
-// The firmware: one scene in real time, text telemetry on the serial line.
+// The firmware: one scene in real time, telemetry on the serial line as text or
+// as frames.
 //
 // The loop runs at RATE, and so does the simulation: dt is 1/RATE. STEPS ends
 // it after so many steps, 0 never; its exit code says how it ended.
+// Locked (without UPLINK) the machine is a constant and nothing that comes in
+// is looked at. With UPLINK commands take effect at the tick after they came.
 #include "core.h"
 #include "loop.h"
 #include "port.h"
-#include "text.h"
 
 #ifndef RATE
 #define RATE 1000
@@ -16,6 +18,42 @@
 #ifndef EVERY
 #define EVERY (RATE / 50)
 #endif
+// What telemetry reads of them; text reads less.
+#pragma GCC diagnostic ignored "-Wunused-macros"
+
+static loop_counts_t counts;
+static uint32_t refused; // steps; the state stood still
+
+#ifdef UPLINK
+
+static tf_session_t session;
+static tf_link_t uplink;
+#define STATE session.state
+#define REPORT session.report
+#define PARAMS uplink.params
+#define TAKES_COMMANDS true
+
+static bool begin(void) {
+  tf_link_open(&uplink, SCENE, &SCENE->params);
+  return tf_session_open(&session, SCENE, &SCENE->params, 1) == TF_OK;
+}
+
+void app_receive(uint8_t byte) { tf_link_receive(&uplink, byte); }
+
+int app_latch(void) {
+  (void)tf_link_boundary(&uplink, &session);
+  return 0;
+}
+
+int app_step(void) {
+  if (!session.running) return 0;
+  const tf_input_t input = tf_session_input(&session, SCENE);
+  refused +=
+      tf_step(&session.machine, &session.state, &input, &session.report) < 0;
+  return 0;
+}
+
+#else
 
 static struct {
   tf_state_t state;
@@ -23,8 +61,15 @@ static struct {
   tf_input_t input;
   uint32_t steps;
 } sim;
+#define STATE sim.state
+#define REPORT sim.report
+#define PARAMS SCENE->params
+#define TAKES_COMMANDS false
 
-static loop_counts_t counts;
+static bool begin(void) {
+  scene_begin(&sim.state, &sim.report);
+  return true;
+}
 
 void app_receive(uint8_t byte) { (void)byte; }
 
@@ -35,51 +80,33 @@ int app_latch(void) {
 
 int app_step(void) {
   sim.steps++;
-  return tf_step(SCENE_MACHINE, &sim.state, &sim.input, &sim.report) < 0;
+  refused += tf_step(SCENE_MACHINE, &sim.state, &sim.input, &sim.report) < 0;
+  return refused != 0;
 }
+
+#endif
+#define REFUSED refused
+
+#ifdef FRAMES
+#include "tell_frames.h"
+#else
+#include "tell_text.h"
+#endif
 
 void app_output(void) {}
 
-static void number(text_t *text, const char *name, tf_real_t value) {
-  text_string(text, name);
-  text_real(text, value);
-}
-
-static void count(text_t *text, const char *name, uint32_t value) {
-  text_string(text, name);
-  text_whole(text, value, 1);
-}
-
-unsigned app_record(uint8_t to[]) {
-  text_t text = {to};
-  number(&text, "r:", sim.state.r);
-  number(&text, " v:", sim.state.v);
-  number(&text, " omega:", sim.state.w);
-  number(&text, " h:", sim.report.slip.h);
-  count(&text, " mode:", sim.report.mode);
-  count(&text, " choices:", sim.report.choices);
-  text_string(&text, "\r\n");
-  return (unsigned)(text.end - to);
-}
+unsigned app_record(uint8_t to[]) { return tell_record(to); }
 
 unsigned app_heartbeat(const loop_counts_t *c, uint8_t to[]) {
-  text_t text = {to};
-  count(&text, "steps:", c->steps);
-  count(&text, " overruns:", c->overruns);
-  count(&text, " skipped:", c->skipped);
-  count(&text, " sent:", c->sent);
-  count(&text, " dropped:", c->dropped);
-  count(&text, " min:", c->steps ? c->shortest : 0);
-  count(&text, " mean:", c->steps ? (uint32_t)(c->sum / c->steps) : 0);
-  count(&text, " max:", c->longest);
-  text_string(&text, "\r\n");
-  return (unsigned)(text.end - to);
+  return tell_heartbeat(c, to);
 }
+
+unsigned app_other(uint8_t to[]) { return tell_other(to); }
 
 int main(void) {
   static const loop_plan_t plan = {RATE, STEPS, EVERY, RATE, LOOP_SKIP};
   port_init();
-  scene_begin(&sim.state, &sim.report);
+  if (!begin()) port_halt(LOOP_REFUSED);
   const loop_end_t end = loop_run(&plan, &counts);
   port_halt((int)end);
 }

@@ -35,6 +35,7 @@ static int in_time(const loop_t *loop) {
 
 // Makes room for a record, if there is.
 static int fits(loop_t *loop) {
+  if (loop->first == loop->last) loop->first = loop->last = 0;
   if (LOOP_ROOM - (loop->last - loop->first) < LOOP_RECORD) return 0;
   if (LOOP_ROOM - loop->last < LOOP_RECORD) {
     unsigned to = 0;
@@ -48,7 +49,6 @@ static int fits(loop_t *loop) {
 
 // A heartbeat is dropped for want of room alone: it tells of want of time.
 static void tell(loop_t *loop, int heartbeat) {
-  if (loop->first == loop->last) loop->first = loop->last = 0;
   if (!fits(loop) || !(heartbeat || in_time(loop))) {
     loop->counts->dropped++;
     return;
@@ -59,6 +59,29 @@ static void tell(loop_t *loop, int heartbeat) {
   loop->last += heartbeat ? app_heartbeat(loop->counts, to) : app_record(to);
   const uint32_t time = port_clock() - begun;
   if (time > loop->longest_record) loop->longest_record = time;
+}
+
+static unsigned tell_other(loop_t *loop) {
+  const uint32_t begun = port_clock();
+  const unsigned bytes = app_other(loop->buffer + loop->last);
+  const uint32_t time = port_clock() - begun;
+  if (time > loop->longest_record) loop->longest_record = time;
+  loop->last += bytes;
+  return bytes;
+}
+
+// Before the first step, for a second at most: what describes the records. The
+// measured times then keep later ones from costing a step.
+static void introduce(loop_t *loop) {
+  bool more = true;
+  tell(loop, 1);
+  while ((more || loop->first != loop->last) && loop->tick < loop->plan->rate) {
+    if (more && fits(loop)) more = tell_other(loop) > 0;
+    use_spare_time(loop);
+    loop->tick = port_ticks();
+  }
+  loop->begun = port_clock();
+  tell(loop, 0);
 }
 
 static void measure(loop_counts_t *counts, uint32_t time) {
@@ -86,12 +109,12 @@ static void tell_what_is_due(loop_t *loop) {
     loop->until_record = loop->plan->every;
     tell(loop, 0);
   }
+  if (fits(loop) && in_time(loop)) (void)tell_other(loop);
 }
 
 static loop_end_t run(loop_t *loop) {
   loop_counts_t *counts = loop->counts;
-  tell(loop, 1); // also finds how long a record takes
-  tell(loop, 0);
+  introduce(loop);
   while (loop->plan->steps == 0 || counts->steps < loop->plan->steps) {
     use_spare_time(loop);
     const uint32_t now = port_ticks();

@@ -18,10 +18,12 @@
 #include <stdint.h>
 
 /// Bytes that wait for the line, and the largest record.
+#ifdef FRAMES
+#define LOOP_ROOM 544u
+#define LOOP_RECORD 264u
+#endif
 #ifndef LOOP_ROOM
 #define LOOP_ROOM 256u
-#endif
-#ifndef LOOP_RECORD
 #define LOOP_RECORD 128u
 #endif
 
@@ -76,6 +78,10 @@ void app_output(void);
 /// Writes the record of the present state; at most LOOP_RECORD bytes.
 /// Returns: how many.
 unsigned app_record(uint8_t to[]);
+
+/// Something else that is to be told: an answer, a description. Asked for when
+/// there is room and time, so never dropped. Returns: bytes; 0: nothing.
+unsigned app_other(uint8_t to[]);
 
 /// Writes a heartbeat, alike.
 unsigned app_heartbeat(const loop_counts_t *counts, uint8_t to[]);

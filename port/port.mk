@@ -6,6 +6,8 @@
 #   REAL=float       or double
 #   RATE=1000        steps a second; dt is 1/RATE
 #   STEPS=0          how many; 0 without end
+#   FORMAT=text      or frames (docs/PROTOCOL.md)
+#   UPLINK=          yes: takes commands (frames); else locked
 #   EVERY=           steps from record to record; else 50 records a second
 #   ONLY='host uno'  boards that `make test-boards` takes
 #   PROGRAM=firmware or trajectory, window (tests/target)
@@ -81,6 +83,12 @@ FIRMWARE_FLAGS := -std=c99 $(BOARD_OPT) -ffp-contract=off -fno-math-errno \
   $(BOARD_FLAGS) $(FLAGS_$(REAL)) -DSTEPS=$(STEPS)
 ifneq ($(FIRMWARE_RATE),)
 FIRMWARE_FLAGS += -DRATE=$(RATE) -DSCENE_RATE=$(RATE)
+endif
+ifeq ($(FORMAT),frames)
+FIRMWARE_FLAGS += -DFRAMES
+endif
+ifneq ($(UPLINK),)
+FIRMWARE_FLAGS += -DUPLINK
 endif
 ifneq ($(EVERY),)
 FIRMWARE_FLAGS += -DEVERY=$(EVERY)

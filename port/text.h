@@ -1,12 +1,9 @@
 /// @file
-/// Telemetry as text, without a C library: "name:value" in decimal, separated
-/// by blanks, a line a record. Arduino's and Serial Studio's plotters read it.
+/// Whole numbers and words as text, without a C library. Reals: twofold/text.h.
 #ifndef TWOFOLD_PORT_TEXT_H
 #define TWOFOLD_PORT_TEXT_H
 
 #include <stdint.h>
-
-#include "twofold/real.h"
 
 /// A line in the making. Who makes it sees to the room.
 typedef struct {
@@ -32,18 +29,10 @@ static inline void text_whole(text_t *text, uint32_t value, unsigned digits) {
   while (n > 0) text_byte(text, reversed[--n]);
 }
 
-/// A real, to six decimals; "over" where |value| >= 4000 or NaN.
-static inline void text_real(text_t *text, tf_real_t value) {
-  if (!(value > -4000 && value < 4000)) {
-    text_string(text, "over");
-    return;
-  }
-  const tf_real_t size = value < 0 ? -value : value;
-  const uint32_t millionths = (uint32_t)(size * TF_R(1e6) + TF_R(0.5));
-  if (value < 0 && millionths > 0) text_byte(text, '-');
-  text_whole(text, millionths / 1000000u, 1);
-  text_byte(text, '.');
-  text_whole(text, millionths % 1000000u, 6);
+/// A name and a whole number.
+static inline void text_pair(text_t *text, const char *name, uint32_t value) {
+  text_string(text, name);
+  text_whole(text, value, 1);
 }
 
 /// 64 bits in hexadecimal, 16 digits.

@@ -94,9 +94,23 @@ static void write_start(const tf_state_t *x, const tf_report_t *report) {
          report->mode, report->set, report->choices);
 }
 
-static void write_inputs(const tf_scene_t *scene) {
-  printf("static const tf_scene_t scene_inputs = {\n    .name = \"%s\",\n",
+static void write_scene(const tf_scene_t *scene, const tf_params_t *p) {
+  printf("static const tf_scene_t scene_constants = {\n    .name = \"%s\",\n",
          scene->name);
+  for (int i = 0; i < TF_PARAMETERS; i++) {
+    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+    tf_real_t value;
+    memcpy(&value, (const char *)p + range->offset, sizeof value);
+    printf("    .params.%s = %a" SUFFIX ",\n", range->name, (double)value);
+  }
+  printf("    .params.law = (tf_tyre_law_t)%d,\n", (int)p->law);
+  printf("    .params.rule = (tf_rule_t)%d,\n", (int)p->rule);
+  printf("    .params.with_angle = %d,\n", p->with_angle);
+  REAL(scene, r);
+  REAL(scene, omega);
+  REAL(scene, h);
+  REAL(scene, v);
+  printf("    .v_is_given = %d,\n", scene->v_is_given);
   printf("    .knots = %d,\n    .profile = {", scene->knots);
   for (int i = 0; i < TF_SCENE_KNOTS; i++)
     printf("{%a" SUFFIX ", %a" SUFFIX "}%s", (double)scene->profile[i].t,
@@ -122,7 +136,7 @@ static int write_header(const tf_scene_t *scene, const char *rate) {
   printf("// Scene %s, made by tools/firmware/constants.c.\n\n", scene->name);
   write_machine(&k);
   write_start(&x, &report);
-  write_inputs(scene);
+  write_scene(scene, &params);
   return ferror(stdout) || fflush(stdout) ? 4 : 0;
 }
 
