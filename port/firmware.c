@@ -18,6 +18,9 @@
 #ifndef EVERY
 #define EVERY (RATE / 50)
 #endif
+#ifndef OVERRUN
+#define OVERRUN LOOP_SKIP
+#endif
 // What telemetry reads of them; text reads less.
 #pragma GCC diagnostic ignored "-Wunused-macros"
 
@@ -34,8 +37,12 @@ static tf_link_t uplink;
 #define TAKES_COMMANDS true
 
 static bool begin(void) {
-  tf_link_open(&uplink, SCENE, &SCENE->params);
-  return tf_session_open(&session, SCENE, &SCENE->params, 1) == TF_OK;
+  tf_params_t params = SCENE->params;
+#ifdef SCENE_RATE
+  params.dt = TF_R(1.0) / SCENE_RATE;
+#endif
+  tf_link_open(&uplink, SCENE, &params);
+  return tf_session_open(&session, SCENE, &params, 1) == TF_OK;
 }
 
 void app_receive(uint8_t byte) { tf_link_receive(&uplink, byte); }
@@ -45,12 +52,22 @@ int app_latch(void) {
   return 0;
 }
 
-int app_step(void) {
-  if (!session.running) return 0;
+// Whatever commands do to the tick: records are of steps that are multiples of
+// EVERY, so that who drives the machine sees it at ticks known beforehand.
+loop_step_t app_step(void) {
+  static uint64_t expected = UINT64_MAX;
+  if (!session.running) {
+    expected = UINT64_MAX;
+    return LOOP_STOOD;
+  }
+  if (session.state.tick != expected)
+    loop_record_in(EVERY - (uint32_t)session.state.tick % EVERY);
+  expected = session.state.tick + 1;
   const tf_input_t input = tf_session_input(&session, SCENE);
-  refused +=
+  const bool stood =
       tf_step(&session.machine, &session.state, &input, &session.report) < 0;
-  return 0;
+  refused += stood;
+  return stood ? LOOP_STOOD : LOOP_STEPPED;
 }
 
 #else
@@ -78,10 +95,10 @@ int app_latch(void) {
   return 0;
 }
 
-int app_step(void) {
+loop_step_t app_step(void) {
   sim.steps++;
   refused += tf_step(SCENE_MACHINE, &sim.state, &sim.input, &sim.report) < 0;
-  return refused != 0;
+  return refused != 0 ? LOOP_BROKE : LOOP_STEPPED;
 }
 
 #endif
@@ -104,7 +121,7 @@ unsigned app_heartbeat(const loop_counts_t *c, uint8_t to[]) {
 unsigned app_other(uint8_t to[]) { return tell_other(to); }
 
 int main(void) {
-  static const loop_plan_t plan = {RATE, STEPS, EVERY, RATE, LOOP_SKIP};
+  static const loop_plan_t plan = {RATE, STEPS, EVERY, RATE, OVERRUN};
   port_init();
   if (!begin()) port_halt(LOOP_REFUSED);
   const loop_end_t end = loop_run(&plan, &counts);

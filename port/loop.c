@@ -15,15 +15,21 @@ typedef struct {
   uint8_t buffer[LOOP_ROOM];
 } loop_t;
 
-// Until the next tick: bytes out, bytes in, rest.
+static loop_t the_loop;
+
+void loop_record_in(uint32_t ticks) { the_loop.until_record = ticks; }
+
+// Until the next tick: bytes out, bytes in, and rest where there are none. A
+// flood of bytes in neither stops those out nor outlasts the tick.
 static void use_spare_time(loop_t *loop) {
   while (port_ticks() == loop->tick) {
     const int byte = port_get();
     if (byte >= 0) app_receive((uint8_t)byte);
-    if (loop->first == loop->last)
+    if (loop->first < loop->last) {
+      if (port_room() > 0) port_put(loop->buffer[loop->first++]);
+    } else if (byte < 0) {
       port_idle(loop->tick);
-    else if (port_room() > 0)
-      port_put(loop->buffer[loop->first++]);
+    }
   }
 }
 
@@ -122,10 +128,13 @@ static loop_end_t run(loop_t *loop) {
     loop->tick = now;
     loop->begun = port_clock();
     if (app_latch() != 0) return LOOP_ENDED;
-    if (app_step() != 0) return LOOP_REFUSED;
+    const loop_step_t step = app_step();
+    if (step == LOOP_BROKE) return LOOP_REFUSED;
     app_output();
-    counts->steps++;
-    measure(counts, port_clock() - loop->begun);
+    if (step == LOOP_STEPPED) {
+      counts->steps++;
+      measure(counts, port_clock() - loop->begun);
+    }
     const int stop = overran(loop);
     tell_what_is_due(loop);
     if (stop) return LOOP_OVERRAN;
@@ -134,20 +143,20 @@ static loop_end_t run(loop_t *loop) {
 }
 
 loop_end_t loop_run(const loop_plan_t *plan, loop_counts_t *counts) {
-  static loop_t loop;
+  loop_t *loop = &the_loop;
   *counts = (loop_counts_t){.shortest = UINT32_MAX};
-  loop.plan = plan;
-  loop.counts = counts;
-  loop.until_record = plan->every;
-  loop.until_heartbeat = plan->heartbeat;
+  loop->plan = plan;
+  loop->counts = counts;
+  loop->until_record = plan->every;
+  loop->until_heartbeat = plan->heartbeat;
   if (!port_tick_start(plan->rate)) return LOOP_NO_TIMER;
-  loop.period = port_clock_rate() / plan->rate;
-  loop.tick = port_ticks();
-  loop.begun = port_clock();
-  const loop_end_t end = run(&loop);
+  loop->period = port_clock_rate() / plan->rate;
+  loop->tick = port_ticks();
+  loop->begun = port_clock();
+  const loop_end_t end = run(loop);
   // What waits leaves, bounded in time: a second of ticks.
   const uint32_t until = port_ticks() + plan->rate;
-  while (loop.first != loop.last && port_ticks() - until > UINT32_MAX / 2)
-    if (port_room() > 0) port_put(loop.buffer[loop.first++]);
+  while (loop->first != loop->last && port_ticks() - until > UINT32_MAX / 2)
+    if (port_room() > 0) port_put(loop->buffer[loop->first++]);
   return end;
 }

@@ -29,18 +29,21 @@
 
 typedef enum { LOOP_SKIP, LOOP_STOP } loop_policy_t;
 
+/// What app_step did.
+typedef enum { LOOP_STEPPED, LOOP_STOOD, LOOP_BROKE } loop_step_t;
+
 typedef struct {
   uint32_t rate;        ///< of the tick [Hz]
   uint32_t steps;       ///< how many; 0: without end
-  uint32_t every;       ///< steps from record to record, > 0
-  uint32_t heartbeat;   ///< steps from heartbeat to heartbeat, > 0
+  uint32_t every;       ///< ticks from record to record, > 0
+  uint32_t heartbeat;   ///< ticks from heartbeat to heartbeat, > 0
   loop_policy_t policy; ///< of overruns
 } loop_plan_t;
 
 /// What the loop counts. Times are in units of port_clock, of latch, step and
 /// output together.
 typedef struct {
-  uint32_t steps;
+  uint32_t steps;    ///< taken; a tick at which the app stands adds none
   uint32_t overruns; ///< steps that ended after the next tick
   uint32_t skipped;  ///< ticks without a step
   uint32_t sent;     ///< records
@@ -52,7 +55,7 @@ typedef struct {
 /// How the loop ended.
 typedef enum {
   LOOP_DONE,     ///< all steps of the plan
-  LOOP_REFUSED,  ///< app_step said so
+  LOOP_REFUSED,  ///< app_step: LOOP_BROKE
   LOOP_OVERRAN,  ///< policy LOOP_STOP
   LOOP_NO_TIMER, ///< the board cannot tick at this rate
   LOOP_ENDED     ///< app_latch said so
@@ -60,6 +63,11 @@ typedef enum {
 
 /// Runs the loop. counts: out, and up to date in every call below.
 loop_end_t loop_run(const loop_plan_t *plan, loop_counts_t *counts);
+
+/// The next record is due after so many ticks, > 0; then every plan->every. For
+/// app_step: a run that starts, or jumps in time, has its records at the same
+/// steps as any other.
+void loop_record_in(uint32_t ticks);
 
 // What the firmware defines. Each is short, bounded and never waits.
 
@@ -69,8 +77,8 @@ void app_receive(uint8_t byte);
 /// What was received takes effect. Returns: 0; else the loop ends.
 int app_latch(void);
 
-/// One step. Returns: 0; else the loop ends.
-int app_step(void);
+/// One step, or none (LOOP_STOOD), or the end of the loop (LOOP_BROKE).
+loop_step_t app_step(void);
 
 /// What the world is to see of the step.
 void app_output(void);

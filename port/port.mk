@@ -8,6 +8,7 @@
 #   STEPS=0          how many; 0 without end
 #   FORMAT=text      or frames (docs/PROTOCOL.md)
 #   UPLINK=          yes: takes commands (frames); else locked
+#   OVERRUN=skip     or stop: what a step that ends too late does to the loop
 #   EVERY=           steps from record to record; else 50 records a second
 #   ONLY='host uno'  boards that `make test-boards` takes
 #   PROGRAM=firmware or trajectory, window (tests/target)
@@ -89,6 +90,9 @@ FIRMWARE_FLAGS += -DFRAMES
 endif
 ifneq ($(UPLINK),)
 FIRMWARE_FLAGS += -DUPLINK
+endif
+ifeq ($(OVERRUN),stop)
+FIRMWARE_FLAGS += -DOVERRUN=LOOP_STOP
 endif
 ifneq ($(EVERY),)
 FIRMWARE_FLAGS += -DEVERY=$(EVERY)

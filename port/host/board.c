@@ -6,13 +6,19 @@
 //   /dev/ttyACM0:115200 a serial device with its baud rate
 //   anything else       a file, written anew
 // Ticks are counted by the monotonic clock and slept for to absolute deadlines,
-// so that nothing adds up. Real-time priority and locked memory are taken where
-// the system allows them.
+// so that nothing adds up; how late the sleeper woke is told at the end on
+// standard error. Real-time priority and locked memory are taken where they are
+// asked for and allowed.
+//
+// A line that nobody reads fills up, and the loop drops records; a line that is
+// gone (device unplugged, pipe closed) ends the program with code 4. A reader
+// of a pseudo-terminal may come and go. SIGINT and SIGTERM end it with code 0.
 #define _XOPEN_SOURCE 700
 
 #include <errno.h>
 #include <fcntl.h>
 #include <sched.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,9 +35,20 @@ static struct {
   int in, out;
   unsigned used, sent; // of the bytes that wait
   uint8_t waiting[4096];
+  unsigned came, taken; // of the bytes that came in
+  uint8_t received[256];
   uint64_t start;  // [ns]
   uint64_t period; // [ns]
+  // How late it woke for a tick [ns].
+  uint64_t woke, late_sum, late_least, late_most;
 } host = {.in = STDIN_FILENO, .out = STDOUT_FILENO};
+
+static volatile sig_atomic_t stop_asked;
+
+static void ask_stop(int signal) {
+  (void)signal;
+  stop_asked = 1;
+}
 
 static void fail(const char *what) {
   fprintf(stderr, "host: %s: %s\n", what, strerror(errno));
@@ -102,8 +119,17 @@ static void open_file(const char *name) {
   if (host.out < 0) fail(name);
 }
 
+static void catch_signals(void) {
+  struct sigaction action = {.sa_handler = ask_stop};
+  (void)sigaction(SIGINT, &action, NULL);
+  (void)sigaction(SIGTERM, &action, NULL);
+  action.sa_handler = SIG_IGN; // writing to a closed pipe is an error instead
+  (void)sigaction(SIGPIPE, &action, NULL);
+}
+
 void port_init(void) {
   const char *port = getenv("TWOFOLD_PORT");
+  catch_signals();
   if (port != NULL && !strcmp(port, "pty"))
     open_terminal();
   else if (port != NULL && !strncmp(port, "/dev/", 5) && strrchr(port, ':'))
@@ -147,33 +173,63 @@ static bool flush(void) {
   return true;
 }
 
+static void measure_late(uint64_t late) {
+  if (host.woke == 0 || late < host.late_least) host.late_least = late;
+  if (late > host.late_most) host.late_most = late;
+  host.late_sum += late;
+  host.woke++;
+}
+
+static void sleep_to_next_tick(void) {
+  // The count of ticks in full, of which the caller has 32 bits.
+  const uint64_t tick = (now() - host.start) / host.period + 1;
+  const uint64_t at = host.start + tick * host.period;
+  const struct timespec deadline = {(time_t)(at / NANOSECONDS),
+                                    (long)(at % NANOSECONDS)};
+  if (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, NULL) == 0)
+    measure_late(now() - at);
+}
+
 unsigned port_room(void) {
-  if (host.used == sizeof host.waiting && !flush()) port_halt(4);
+  if (host.used == sizeof host.waiting) {
+    if (stop_asked) port_halt(0);
+    if (!flush()) port_halt(4);
+    // Nobody reads: rest, or the caller would ask without end.
+    if (host.used > 0 && host.period > 0) sleep_to_next_tick();
+  }
   return (unsigned)sizeof host.waiting - host.used;
 }
 
 void port_put(uint8_t byte) { host.waiting[host.used++] = byte; }
 
 int port_get(void) {
-  uint8_t byte;
-  return read(host.in, &byte, 1) == 1 ? byte : -1;
+  if (host.taken == host.came) {
+    const ssize_t n = read(host.in, host.received, sizeof host.received);
+    host.taken = 0;
+    host.came = n > 0 ? (unsigned)n : 0;
+    if (n <= 0) return -1;
+  }
+  return host.received[host.taken++];
 }
 
 void port_idle(uint32_t seen) {
+  if (stop_asked) port_halt(0);
   if (!flush()) port_halt(4);
-  const uint32_t gone = port_ticks();
-  if (gone != seen) return;
-  // The count of ticks in full, from the 32 bits that the caller has.
-  const uint64_t tick = (now() - host.start) / host.period + 1;
-  const uint64_t at = host.start + tick * host.period;
-  const struct timespec deadline = {(time_t)(at / NANOSECONDS),
-                                    (long)(at % NANOSECONDS)};
-  (void)clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, NULL);
+  if (port_ticks() == seen) sleep_to_next_tick();
 }
 
 void port_halt(int code) {
   const struct timespec moment = {0, 1000000};
   for (int i = 0; i < 1000 && flush() && host.used > 0; i++)
     (void)nanosleep(&moment, NULL);
+  if (host.woke > 0)
+    fprintf(stderr,
+            "host: woke for %llu ticks of %llu us; late by %.1f us at least, "
+            "%.1f in the mean, %.1f at most\n",
+            (unsigned long long)host.woke,
+            (unsigned long long)(host.period / 1000u),
+            (double)host.late_least * 1e-3,
+            (double)host.late_sum / (double)host.woke * 1e-3,
+            (double)host.late_most * 1e-3);
   exit(code);
 }

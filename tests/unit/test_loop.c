@@ -1,0 +1,200 @@
+/* The fixed-rate loop of port/loop.c on a board made of numbers: its clock goes
+ * on by what a step, a record and a look at the time are said to cost, so that
+ * every overrun and every dropped record here is exact and none hangs on the
+ * machine that tests. */
+#include "tap.h"
+/* The loop itself, with the board below. */
+#include "../../port/loop.c" /* NOLINT(bugprone-suspicious-include) */
+
+#define PERIOD 1000u /* [units of the clock] */
+
+static struct {
+  uint32_t clock;
+  uint32_t step_costs, record_costs, put_costs;
+  uint32_t slow_step, slow_costs; /* one step that costs more */
+  uint32_t stands_until;          /* ticks at which the app stands */
+  bool stalled;                   /* the line takes nothing */
+  bool flooded;                   /* a byte is always there */
+  bool broken;
+  uint32_t received, put, latched, stepped, records, beats, idled;
+  uint32_t last_tick, twice; /* steps in the same tick */
+  uint32_t record_step[64];
+} board;
+
+void port_init(void) {}
+void port_halt(int code) { exit(code); }
+bool port_tick_start(uint32_t rate) { return rate == 1000; }
+uint32_t port_ticks(void) { return ++board.clock / PERIOD; }
+uint32_t port_clock(void) { return board.clock; }
+uint32_t port_clock_rate(void) { return 1000u * PERIOD; }
+unsigned port_room(void) { return !board.stalled; }
+void port_put(uint8_t byte) {
+  (void)byte;
+  board.put++;
+  board.clock += board.put_costs;
+}
+int port_get(void) { return board.flooded ? 0x55 : -1; }
+void port_idle(uint32_t seen) {
+  if (board.clock / PERIOD == seen) board.clock = (seen + 1) * PERIOD;
+  board.idled++;
+}
+
+void app_receive(uint8_t byte) { board.received += byte == 0x55; }
+int app_latch(void) {
+  board.latched++;
+  return 0;
+}
+loop_step_t app_step(void) {
+  const uint32_t tick = board.clock / PERIOD;
+  if (board.latched <= board.stands_until) return LOOP_STOOD;
+  if (board.broken) return LOOP_BROKE;
+  board.twice += board.stepped > 0 && tick == board.last_tick;
+  board.last_tick = tick;
+  board.stepped++;
+  board.clock +=
+      board.stepped == board.slow_step ? board.slow_costs : board.step_costs;
+  return LOOP_STEPPED;
+}
+void app_output(void) {}
+unsigned app_record(uint8_t to[]) {
+  to[0] = 'r';
+  if (board.records < 64) board.record_step[board.records] = board.stepped;
+  board.records++;
+  board.clock += board.record_costs;
+  return 100;
+}
+unsigned app_other(uint8_t to[]) {
+  (void)to;
+  return 0;
+}
+unsigned app_heartbeat(const loop_counts_t *counts, uint8_t to[]) {
+  to[0] = (uint8_t)counts->steps;
+  board.beats++;
+  return 100;
+}
+
+static loop_counts_t counts;
+
+static loop_end_t run_loop(uint32_t steps, uint32_t every,
+                           loop_policy_t policy) {
+  const loop_plan_t plan = {1000, steps, every, 1000, policy};
+  return loop_run(&plan, &counts);
+}
+
+static void reset(uint32_t step_costs) {
+  memset(&board, 0, sizeof board);
+  memset(&the_loop, 0, sizeof the_loop);
+  board.step_costs = step_costs;
+  board.put_costs = 1;
+}
+
+TEST(every_tick_has_one_step) {
+  reset(300);
+  CHECK(run_loop(5000, 10, LOOP_SKIP) == LOOP_DONE);
+  CHECK(counts.steps == 5000 && board.stepped == 5000 && board.twice == 0);
+  CHECK(counts.overruns == 0 && counts.skipped == 0 && counts.dropped == 0);
+  CHECK(counts.sent == board.records + board.beats);
+  CHECK(board.records == 501 && board.beats == 6);
+  CHECK(board.put == 100 * counts.sent); /* all of it left */
+  CHECK(counts.shortest >= 300 && counts.longest <= 310);
+  CHECK(counts.sum / counts.steps >= 300 && counts.sum / counts.steps <= 310);
+  CHECK(board.idled > 0);
+}
+
+TEST(overrun_is_finished_and_skips_ticks) {
+  reset(300);
+  board.slow_step = 50;
+  board.slow_costs = 3500; /* three ticks come meanwhile */
+  CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
+  CHECK(counts.steps == 100 && board.stepped == 100 && board.twice == 0);
+  CHECK(counts.overruns == 1 && counts.skipped == 3);
+  CHECK(counts.longest >= 3500);
+}
+
+TEST(overrun_stops_where_asked) {
+  reset(300);
+  board.slow_step = 50;
+  board.slow_costs = 1100;
+  CHECK(run_loop(100, 10, LOOP_STOP) == LOOP_OVERRAN);
+  CHECK(counts.steps == 50 && counts.overruns == 1); /* it was finished */
+  reset(300);
+  CHECK(run_loop(100, 10, LOOP_STOP) == LOOP_DONE);
+}
+
+TEST(always_late_is_every_other_tick) {
+  reset(1500);
+  CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
+  CHECK(counts.steps == 100 && counts.overruns == 100 && board.twice == 0);
+  CHECK(counts.skipped == 100);
+}
+
+TEST(stalled_reader_costs_records_and_no_step) {
+  reset(300);
+  board.stalled = true;
+  CHECK(run_loop(10000, 10, LOOP_SKIP) == LOOP_DONE);
+  CHECK(counts.steps == 10000 && counts.overruns == 0 && counts.skipped == 0);
+  CHECK(counts.sent >= 1 && counts.sent * 100 <= LOOP_ROOM);
+  /* what was due: a record every 10 ticks and one before, 11 heartbeats */
+  CHECK(counts.sent + counts.dropped == 1001 + 11);
+  CHECK(board.put == 0);
+}
+
+TEST(flood_costs_neither_step_nor_record) {
+  reset(300);
+  board.flooded = true;
+  CHECK(run_loop(1000, 10, LOOP_SKIP) == LOOP_DONE);
+  CHECK(counts.steps == 1000 && counts.overruns == 0 && counts.skipped == 0);
+  CHECK(counts.dropped == 0 && board.put == 100 * counts.sent);
+  CHECK(board.received > 1000 * 100); /* what time there was */
+}
+
+TEST(record_that_would_take_too_long_is_dropped) {
+  reset(800);
+  board.record_costs = 400;
+  CHECK(run_loop(1000, 1, LOOP_SKIP) == LOOP_DONE);
+  CHECK(counts.steps == 1000 && counts.overruns == 0 && counts.skipped == 0);
+  /* the one before the first step is how the loop knows */
+  CHECK(board.records == 1 && counts.dropped == 1000);
+}
+
+TEST(standing_is_no_step) {
+  reset(300);
+  board.stands_until = 40;
+  CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
+  CHECK(counts.steps == 100 && board.latched == 140);
+  CHECK(board.records == 15); /* it is told of all the same */
+}
+
+/* A run that begins at any tick has its records at steps known beforehand. */
+TEST(records_can_be_moved_to_a_step) {
+  reset(300);
+  const loop_plan_t plan = {1000, 40, 10, 1000, LOOP_SKIP};
+  board.stands_until = 7;
+  CHECK(loop_run(&plan, &counts) == LOOP_DONE);
+  CHECK(board.record_step[1] == 3); /* the tenth tick, seven stood */
+  loop_record_in(4);
+  CHECK(the_loop.until_record == 4);
+}
+
+TEST(ends_are_told_apart) {
+  const loop_plan_t wrong = {7, 1, 1, 1, LOOP_SKIP};
+  reset(300);
+  CHECK(loop_run(&wrong, &counts) == LOOP_NO_TIMER);
+  board.broken = true;
+  CHECK(run_loop(10, 1, LOOP_SKIP) == LOOP_REFUSED && counts.steps == 0);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(every_tick_has_one_step);
+  RUN(overrun_is_finished_and_skips_ticks);
+  RUN(overrun_stops_where_asked);
+  RUN(always_late_is_every_other_tick);
+  RUN(stalled_reader_costs_records_and_no_step);
+  RUN(flood_costs_neither_step_nor_record);
+  RUN(record_that_would_take_too_long_is_dropped);
+  RUN(standing_is_no_step);
+  RUN(records_can_be_moved_to_a_step);
+  RUN(ends_are_told_apart);
+  return tap_end();
+}
