@@ -30,6 +30,8 @@ COUNTS := nearest machines
 PEERS := hand twofold reference
 ORACLE := $(wildcard tools/oracle/*.c)
 REPORT := sweep scatter cost digits scenes
+HIL := $(wildcard tools/hil/*.c) tools/cli/source.c tools/cli/host.c
+REPORT := sweep scatter cost digits
 
 # One rounding per operation, everywhere: the same bits on every target.
 COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude
@@ -126,6 +128,8 @@ $(REPORT:%=$(BUILD)/$(1)/tools/report/%): %: %.o \
     $(BUILD)/$(1)/tools/report/part.o $(BUILD)/$(1)/tools/report/truth.o \
     $(BUILD)/$(1)/libsupport.a $(BUILD)/$(1)/libtwofold.a
 	$$(link)
+$(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL)) $(BUILD)/$(1)/libtwofold.a
+	$$(link)
 $(BUILD)/$(1)/tools/stability/sweep: $$(call objects_of_$(1),$(STABILITY)) \
     $(BUILD)/$(1)/libtwofold.a
 	$$(link)
@@ -149,7 +153,7 @@ $(foreach v,$(VARIANTS),$(eval $(call rules,$(v))))
 
 all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
   $(call programs,$(TESTS),$(v)) $(call programs,$(BENCH),$(v)) \
-  $(BUILD)/$(v)/tools/stability/sweep \
+  $(BUILD)/$(v)/tools/stability/sweep $(BUILD)/$(v)/hil \
   $(REPORT:%=$(BUILD)/$(v)/tools/report/%))
 
 run: $(BUILD)/double/twofold

@@ -62,11 +62,11 @@ loop_step_t app_step(void) {
   }
   if (session.state.tick != expected)
     loop_record_in(EVERY - (uint32_t)session.state.tick % EVERY);
-  expected = session.state.tick + 1;
   const tf_input_t input = tf_session_input(&session, SCENE);
   const bool stood =
       tf_step(&session.machine, &session.state, &input, &session.report) < 0;
   refused += stood;
+  expected = session.state.tick;
   return stood ? LOOP_STOOD : LOOP_STEPPED;
 }
 

@@ -7,8 +7,13 @@
 
 #include <stdint.h>
 
-/// Room for RING_SIZE - 1 bytes; a power of two.
+/// Room for RING_SIZE - 1 bytes; a power of two, at most 256. With an uplink
+/// four of the longest commands fit, the queue behind it full of them.
+#ifdef UPLINK
+#define RING_SIZE 256u
+#else
 #define RING_SIZE 64u
+#endif
 
 typedef struct {
   volatile uint8_t written, read;

@@ -17,3 +17,5 @@ BOARD_RATES_double := 1000:3 100:6
 BOARD_LOADS := -kernel
 # Functions stay functions here: what a scene leaves out can be shown.
 BOARD_SYMBOLS := yes
+# A rate and shift at which every step is too late.
+BOARD_LATE := 500:6

@@ -18,3 +18,5 @@ BOARD_RATES_double := 1000:5 10000:5
 BOARD_LOADS := -kernel
 # Shift at which every step goes out as frames, at 10 kHz.
 BOARD_FRAMES := 2
+# Driven over its line by tools/hil.
+BOARD_LOOP := yes

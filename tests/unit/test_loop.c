@@ -11,10 +11,11 @@
 static struct {
   uint32_t clock;
   uint32_t step_costs, record_costs, put_costs;
-  uint32_t slow_step, slow_costs; /* one step that costs more */
-  uint32_t stands_until;          /* ticks at which the app stands */
-  bool stalled;                   /* the line takes nothing */
-  bool flooded;                   /* a byte is always there */
+  uint32_t slow_step, slow_costs;      /* one step that costs more */
+  uint32_t slow_record, outlier_costs; /* one record */
+  uint32_t stands_until;               /* ticks at which the app stands */
+  bool stalled;                        /* the line takes nothing */
+  bool flooded;                        /* a byte is always there */
   bool broken;
   uint32_t received, put, latched, stepped, records, beats, idled;
   uint32_t last_tick, twice; /* steps in the same tick */
@@ -60,7 +61,8 @@ unsigned app_record(uint8_t to[]) {
   to[0] = 'r';
   if (board.records < 64) board.record_step[board.records] = board.stepped;
   board.records++;
-  board.clock += board.record_costs;
+  board.clock += board.records == board.slow_record ? board.outlier_costs
+                                                    : board.record_costs;
   return 100;
 }
 unsigned app_other(uint8_t to[]) {
@@ -93,8 +95,8 @@ TEST(every_tick_has_one_step) {
   CHECK(run_loop(5000, 10, LOOP_SKIP) == LOOP_DONE);
   CHECK(counts.steps == 5000 && board.stepped == 5000 && board.twice == 0);
   CHECK(counts.overruns == 0 && counts.skipped == 0 && counts.dropped == 0);
-  CHECK(counts.sent == board.records + board.beats);
-  CHECK(board.records == 501 && board.beats == 6);
+  CHECK(counts.sent == board.records - 3 + board.beats);
+  CHECK(board.records == 3 + 501 && board.beats == 6);
   CHECK(board.put == 100 * counts.sent); /* all of it left */
   CHECK(counts.shortest >= 300 && counts.longest <= 310);
   CHECK(counts.sum / counts.steps >= 300 && counts.sum / counts.steps <= 310);
@@ -153,8 +155,21 @@ TEST(record_that_would_take_too_long_is_dropped) {
   board.record_costs = 400;
   CHECK(run_loop(1000, 1, LOOP_SKIP) == LOOP_DONE);
   CHECK(counts.steps == 1000 && counts.overruns == 0 && counts.skipped == 0);
-  /* the one before the first step is how the loop knows */
-  CHECK(board.records == 1 && counts.dropped == 1000);
+  /* those before the first step are how the loop knows */
+  CHECK(board.records == 3 + 1 && counts.dropped == 1000);
+}
+
+/* A moment that was not the record's own. */
+TEST(one_slow_record_does_not_end_telemetry) {
+  for (uint32_t slow = 1; slow < 8; slow++) {
+    reset(300);
+    board.record_costs = 50;
+    board.slow_record = slow;
+    board.outlier_costs = 5000;
+    CHECK(run_loop(100, 1, LOOP_SKIP) == LOOP_DONE);
+    CHECK(counts.steps == 100 && counts.dropped == 0);
+    CHECK(board.records == 3 + 101);
+  }
 }
 
 TEST(standing_is_no_step) {
@@ -162,7 +177,7 @@ TEST(standing_is_no_step) {
   board.stands_until = 40;
   CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
   CHECK(counts.steps == 100 && board.latched == 140);
-  CHECK(board.records == 15); /* it is told of all the same */
+  CHECK(board.records == 3 + 15); /* it is told of all the same */
 }
 
 /* A run that begins at any tick has its records at steps known beforehand. */
@@ -171,7 +186,7 @@ TEST(records_can_be_moved_to_a_step) {
   const loop_plan_t plan = {1000, 40, 10, 1000, LOOP_SKIP};
   board.stands_until = 7;
   CHECK(loop_run(&plan, &counts) == LOOP_DONE);
-  CHECK(board.record_step[1] == 3); /* the tenth tick, seven stood */
+  CHECK(board.record_step[4] == 3); /* the tenth tick, seven stood */
   loop_record_in(4);
   CHECK(the_loop.until_record == 4);
 }
@@ -193,6 +208,7 @@ int main(int argc, char **argv) {
   RUN(stalled_reader_costs_records_and_no_step);
   RUN(flood_costs_neither_step_nor_record);
   RUN(record_that_would_take_too_long_is_dropped);
+  RUN(one_slow_record_does_not_end_telemetry);
   RUN(standing_is_no_step);
   RUN(records_can_be_moved_to_a_step);
   RUN(ends_are_told_apart);

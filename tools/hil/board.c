@@ -1,0 +1,202 @@
+// The board's end: frames in, commands out. Whatever else comes over the line
+// (layouts, parameters, frames of later versions) is let pass.
+#include "hil/board.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/host.h"
+
+#define PATIENCE 2.0 // for an answer [s] ...
+#define TRIES 4      // ... so often
+#define GIVEN_UP 16  // states after which no answer is waited for
+
+hil_code_t hil_complain(hil_code_t code, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  (void)fputs("hil: ", stderr);
+  (void)vfprintf(stderr, format, arguments);
+  (void)fputc('\n', stderr);
+  va_end(arguments);
+  return code;
+}
+
+static const tf_scene_t *scene_named(const uint8_t *name, size_t length) {
+  for (int i = 0; i < TF_SCENES; i++)
+    if (strlen(tf_scenes[i]->name) == length &&
+        memcmp(tf_scenes[i]->name, name, length) == 0)
+      return tf_scenes[i];
+  return NULL;
+}
+
+// The machine on the board is known by its scene, its step and its hash.
+static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
+  const uint8_t *at = frame->payload;
+  const size_t R = TF_REAL_BYTES;
+  if (frame->length < 15 + R || at[0] != R)
+    return hil_complain(HIL_REFUSED, "the board computes in %s, this is %s",
+                        at[0] == 4 ? "float" : "double",
+                        R == 4 ? "float" : "double");
+  if (at[3] != 0 || (at[4] & 2u) == 0)
+    return hil_complain(HIL_REFUSED, "the board %s",
+                        at[3] != 0 ? "does not step by tf_step"
+                                   : "takes no commands (UPLINK=yes)");
+  const uint8_t *name = at + 13 + R;
+  const uint8_t *end = memchr(name, 0, frame->length - 13 - R);
+  board->scene = end == NULL ? NULL : scene_named(name, (size_t)(end - name));
+  if (board->scene == NULL)
+    return hil_complain(HIL_REFUSED, "the board's scene is not known here");
+  board->params = board->scene->params;
+  board->params.dt = tf_wire_get_real(at + 13);
+  board->seed = (uint32_t)tf_wire_get(at + 5, 4);
+  if (tf_params_hash(&board->params) != tf_wire_get(at + 9, 4))
+    return hil_complain(HIL_REFUSED,
+                        "the board's parameters are not those of scene %s",
+                        board->scene->name);
+  board->has_schema = true;
+  return HIL_EQUAL;
+}
+
+static void take_state(hil_board_t *board, const tf_frame_t *frame) {
+  if (!board->listens || board->count == board->room) return;
+  if (board->count > 0 && board->samples[board->count - 1].tick >= frame->tick)
+    return; // the board stands still
+  hil_sample_t *sample = &board->samples[board->count++];
+  memset(sample, 0, sizeof *sample);
+  sample->tick = frame->tick;
+  memcpy(sample->state, frame->payload, TF_STATE_BYTES);
+  board->has_new = true;
+}
+
+static void take_report(hil_board_t *board, const tf_frame_t *frame) {
+  hil_sample_t *last = &board->samples[board->count];
+  if (!board->listens || board->count == 0) return;
+  last--;
+  if (last->tick != frame->tick) return;
+  memcpy(last->report, frame->payload, TF_REPORT_BYTES);
+  last->has_report = true;
+}
+
+static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
+  const uint16_t sequence = (uint16_t)tf_wire_get(frame->payload, 2);
+  const uint8_t code = frame->payload[3];
+  const int value = code < 128 ? code : code - 256;
+  if (frame->payload[2] != TF_UP_INPUT) {
+    board->answered = sequence;
+    board->answer = value;
+    board->has_answer = true;
+    return;
+  }
+  for (size_t i = board->count; i > 0; i--) {
+    hil_sample_t *sample = &board->samples[i - 1];
+    if (!sample->sent || sample->answered || sample->sequence != sequence)
+      continue;
+    sample->answered = true;
+    sample->code = value;
+    sample->effect = frame->tick;
+    return;
+  }
+}
+
+static void take_heartbeat(hil_board_t *board, const tf_frame_t *frame) {
+  const uint8_t *at = frame->payload;
+  tf_heartbeat_t *beat = &board->heartbeat;
+  beat->overruns = (uint32_t)tf_wire_get(at + 8, 4);
+  beat->dropped = (uint32_t)tf_wire_get(at + 12, 4);
+  beat->bad = (uint32_t)tf_wire_get(at + 16, 4);
+  beat->ignored = (uint32_t)tf_wire_get(at + 20, 4);
+  board->has_heartbeat = true;
+}
+
+static hil_code_t take(hil_board_t *board, const tf_frame_t *frame) {
+  if (frame->type == TF_DOWN_SCHEMA) return take_schema(board, frame);
+  if (frame->type == TF_DOWN_STATE && frame->length == TF_STATE_BYTES)
+    take_state(board, frame);
+  if (frame->type == TF_DOWN_REPORT && frame->length == TF_REPORT_BYTES)
+    take_report(board, frame);
+  if (frame->type == TF_DOWN_ANSWER && frame->length >= 5)
+    take_answer(board, frame);
+  if (frame->type == TF_DOWN_HEARTBEAT && frame->length == TF_HEARTBEAT_BYTES)
+    take_heartbeat(board, frame);
+  return HIL_EQUAL;
+}
+
+hil_code_t hil_board_listen(hil_board_t *board, int milliseconds) {
+  uint8_t bytes[512];
+  size_t length = 0, taken = 0;
+  tf_frame_t frame;
+  const cli_source_found_t found = cli_source_read(
+      &board->source, bytes, sizeof bytes, milliseconds, &length);
+  if (cli_stop_asked()) return hil_complain(HIL_STOPPED, "interrupted");
+  if (found == CLI_SOURCE_GONE || found == CLI_SOURCE_END)
+    return hil_complain(HIL_STOPPED, "%s: the board went away",
+                        board->source.name);
+  for (const uint8_t *at = bytes;
+       tf_decoder_block(&board->decoder, at, length, &taken, &frame);) {
+    at += taken;
+    length -= taken;
+    const hil_code_t code = take(board, &frame);
+    if (code != HIL_EQUAL) return code;
+  }
+  return HIL_EQUAL;
+}
+
+hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
+                          const uint8_t *payload, size_t length) {
+  uint8_t wire[TF_FRAME_SIZE(TF_UP_PAYLOAD)];
+  if (length > 0) memcpy(wire + TF_FRAME_AT, payload, length);
+  const size_t size =
+      tf_frame_seal(wire, (uint8_t)type, length, &board->sequence, tick);
+  if (cli_source_write(&board->source, wire, size)) return HIL_EQUAL;
+  return hil_complain(HIL_STOPPED, "%s: %s", board->source.name,
+                      strerror(board->source.error));
+}
+
+// Said again where no answer comes: neither side tells which of the two was
+// lost, and none of these commands does more the second time.
+hil_code_t hil_board_order(hil_board_t *board, tf_type_t type) {
+  const uint16_t first = board->sequence;
+  double until = 0;
+  int tries = 0;
+  board->has_answer = false;
+  while (!board->has_answer || (uint16_t)(board->answered - first) >= tries) {
+    hil_code_t code = HIL_EQUAL;
+    if (cli_now() > until && tries == TRIES)
+      return hil_complain(HIL_STOPPED, "%s: no answer; does it take commands?",
+                          board->source.name);
+    if (cli_now() > until) {
+      code = hil_board_send(board, type, 0, NULL, 0);
+      until = cli_now() + PATIENCE;
+      tries++;
+    }
+    if (code == HIL_EQUAL) code = hil_board_listen(board, 100);
+    if (code != HIL_EQUAL) return code;
+  }
+  if (board->answer != 0)
+    return hil_complain(HIL_REFUSED, "the board refuses command %02X: %d",
+                        (unsigned)type, board->answer);
+  return HIL_EQUAL;
+}
+
+hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,
+                           uint64_t tick) {
+  uint8_t payload[5 * TF_REAL_BYTES];
+  uint8_t *at = payload;
+  const tf_input_t *input = &sample->input;
+  at = tf_wire_put_real(at, input->omega0);
+  at = tf_wire_put_real(at, input->r0);
+  at = tf_wire_put_real(at, input->force);
+  at = tf_wire_put_real(at, input->torque);
+  (void)tf_wire_put_real(at, input->alpha);
+  sample->sent = true;
+  sample->sequence = board->sequence;
+  return hil_board_send(board, TF_UP_INPUT, tick, payload, sizeof payload);
+}
+
+size_t hil_board_waiting(const hil_board_t *board) {
+  size_t waiting = 0;
+  for (size_t i = board->count; i > 0 && board->count - i < GIVEN_UP; i--)
+    waiting += board->samples[i - 1].sent && !board->samples[i - 1].answered;
+  return waiting;
+}

@@ -1,0 +1,142 @@
+// The twin is driven by its own states, never by the board's: what goes in is
+// the plan and, for inputs that came late, the ticks of their answers.
+#include "hil/twin.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct {
+  hil_board_t *board;
+  const hil_plan_t *plan;
+  const hil_control_t *control;
+  hil_verdict_t *verdict;
+  tf_session_t session;
+  size_t next;   // sample to meet
+  size_t effect; // sample whose input takes effect next
+  double squares;
+} twin_t;
+
+// The payload that a board in this state would send.
+static bool is_payload(const uint8_t *wire, size_t size, const uint8_t *payload,
+                       size_t length) {
+  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  tf_decoder_t decoder;
+  tf_frame_t frame = {0};
+  size_t taken = 0;
+  tf_decoder_init(&decoder, buffer, sizeof buffer);
+  // The zero in front, alone, is no frame.
+  return tf_decoder_block(&decoder, wire, size, &taken, &frame) &&
+         frame.length == length && memcmp(frame.payload, payload, length) == 0;
+}
+
+static bool same(const tf_session_t *session, const hil_sample_t *sample) {
+  uint8_t wire[TF_FRAME_SIZE(TF_REPORT_BYTES)];
+  uint16_t sequence = 0;
+  size_t size = tf_send_state(wire, &sequence, &session->state);
+  if (!is_payload(wire, size, sample->state, TF_STATE_BYTES)) return false;
+  if (!sample->has_report) return true;
+  size = tf_send_report(wire, &sequence, session->state.tick, &session->report);
+  return is_payload(wire, size, sample->report, TF_REPORT_BYTES);
+}
+
+static bool same_input(const tf_input_t *a, const tf_input_t *b) {
+  return memcmp(&a->omega0, &b->omega0, sizeof a->omega0) == 0 &&
+         memcmp(&a->r0, &b->r0, sizeof a->r0) == 0 &&
+         memcmp(&a->force, &b->force, sizeof a->force) == 0 &&
+         memcmp(&a->torque, &b->torque, sizeof a->torque) == 0 &&
+         memcmp(&a->alpha, &b->alpha, sizeof a->alpha) == 0;
+}
+
+static void note_difference(hil_verdict_t *verdict, uint64_t tick) {
+  if (verdict->differ == 0 && verdict->wrong == 0) verdict->first = tick;
+}
+
+// At a tick where the board was seen: the twin's state, and its input.
+static void meet(twin_t *twin) {
+  hil_verdict_t *verdict = twin->verdict;
+  hil_sample_t *sample = &twin->board->samples[twin->next];
+  const tf_session_t *session = &twin->session;
+  const tf_real_t lacks = twin->control->speed - session->state.w;
+  twin->squares += (double)lacks * (double)lacks;
+  verdict->compared++;
+  if (!same(session, sample)) {
+    note_difference(verdict, sample->tick);
+    verdict->differ++;
+  }
+  if (sample->sent) {
+    sample->own =
+        hil_control(twin->control, &session->machine, &session->state);
+    verdict->inputs++;
+    if (!same_input(&sample->own, &sample->input)) {
+      note_difference(verdict, sample->tick);
+      verdict->wrong++;
+    }
+  }
+  twin->next++;
+}
+
+// When the input of a sample takes effect: as planned, or as answered.
+static uint64_t effect_of(const twin_t *twin, const hil_sample_t *sample) {
+  return sample->answered ? sample->effect : sample->tick + twin->plan->delay;
+}
+
+static void apply(twin_t *twin) {
+  const hil_board_t *board = twin->board;
+  for (; twin->effect < twin->next; twin->effect++) {
+    const hil_sample_t *sample = &board->samples[twin->effect];
+    if (!sample->sent || !sample->answered || sample->code != 0) continue;
+    if (effect_of(twin, sample) > twin->session.state.tick) return;
+    twin->session.input = sample->own;
+    twin->session.driven = true;
+  }
+}
+
+// Inputs that could not take effect within the run are not sent.
+static void judge_times(const hil_board_t *board, const hil_plan_t *plan,
+                        hil_verdict_t *verdict) {
+  size_t met = 0;
+  for (size_t i = 0; i < board->count; i++) {
+    const hil_sample_t *sample = &board->samples[i];
+    met += sample->sent;
+    if (!sample->sent) continue;
+    verdict->unanswered += !sample->answered;
+    verdict->late +=
+        sample->answered && sample->effect != sample->tick + plan->delay;
+  }
+  if (plan->steps > plan->delay)
+    verdict->missing =
+        (size_t)((plan->steps - plan->delay - 1) / plan->every + 1) - met;
+}
+
+hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
+                            const hil_control_t *control,
+                            hil_verdict_t *verdict) {
+  static twin_t twin;
+  twin = (twin_t){
+      .board = board, .plan = plan, .control = control, .verdict = verdict};
+  *verdict = (hil_verdict_t){0};
+  judge_times(board, plan, verdict);
+  if (tf_session_open(&twin.session, board->scene, &board->params,
+                      board->seed) != TF_OK)
+    return hil_complain(HIL_REFUSED, "the scene cannot be started here");
+  tf_session_t *session = &twin.session;
+  while (session->state.tick <= plan->steps) {
+    const uint64_t tick = session->state.tick;
+    while (twin.next < board->count && board->samples[twin.next].tick == tick)
+      meet(&twin);
+    apply(&twin);
+    if (tick == plan->steps) break;
+    const tf_input_t input = tf_session_input(session, board->scene);
+    if (tf_step(&session->machine, &session->state, &input, &session->report) <
+        0)
+      return hil_complain(HIL_REFUSED, "step %lu is refused",
+                          (unsigned long)tick);
+  }
+  verdict->end = session->state;
+  if (verdict->compared > 0)
+    verdict->lacks = sqrt(twin.squares / (double)verdict->compared);
+  // An input without an answer was taken for one that never arrived.
+  return verdict->differ || verdict->wrong || verdict->compared < 2
+             ? HIL_DIFFERS
+             : HIL_EQUAL;
+}
