@@ -31,6 +31,7 @@ PEERS := hand twofold reference
 ORACLE := $(wildcard tools/oracle/*.c)
 REPORT := sweep scatter cost digits scenes
 HIL := $(wildcard tools/hil/*.c) tools/cli/source.c tools/cli/host.c
+HIL_PARTS := $(wildcard tools/hil/*.c) tools/cli/source.c tools/cli/host.c
 REPORT := sweep scatter cost digits
 
 # One rounding per operation, everywhere: the same bits on every target.
@@ -60,6 +61,8 @@ FLAGS_float := -DTF_REAL_FLOAT
   bench-peers bench-steps stability report keep-report oracle check \
   clean firmware elf boards boards-list test-boards size deps statistics \
   FORCE
+  bench-peers bench-steps stability keep-report oracle check clean firmware elf \
+  boards boards-list test-boards size deps hil $(VARIANTS:%=line-%) FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -85,6 +88,7 @@ help:
 	@echo 'make test-boards  bits and real time of every board, in emulators'
 	@echo 'make figures  the pictures of docs/FIGURES.md (gnuplot)'
 	@echo 'make keep-figures  copies them to docs/figures/'
+	@echo 'make hil BOARD=stm32f405   a controller drives it over its line'
 	@echo 'make size    flash, RAM, stack, instructions of every board'
 	@echo 'make all     compile everything: core, command line, tests, bench'
 	@echo 'make clean   remove $(BUILD)/'
@@ -128,7 +132,7 @@ $(REPORT:%=$(BUILD)/$(1)/tools/report/%): %: %.o \
     $(BUILD)/$(1)/tools/report/part.o $(BUILD)/$(1)/tools/report/truth.o \
     $(BUILD)/$(1)/libsupport.a $(BUILD)/$(1)/libtwofold.a
 	$$(link)
-$(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL)) $(BUILD)/$(1)/libtwofold.a
+$(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 $(BUILD)/$(1)/tools/stability/sweep: $$(call objects_of_$(1),$(STABILITY)) \
     $(BUILD)/$(1)/libtwofold.a
@@ -160,10 +164,20 @@ run: $(BUILD)/double/twofold
 	@$< run chaos --t-end 10 --dt 1e-4 --every 10 --out $(BUILD)/chaos.csv
 	@echo 'The trajectory is in $(BUILD)/chaos.csv.'
 
+# What tests of the line need: the host port's firmware, by a make of its own
+# with the same flags, for the board is chosen when a make begins.
+LINE := $(if $(filter %/test_line.c %/test_hil.sh,$(TESTS)),\
+  $(foreach v,$(VARIANTS),$(BUILD)/$(v)/hil line-$(v)))
+$(VARIANTS:%=line-%): line-%: $(BUILD)/%/constants
+	@MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf BOARD=host \
+	  CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' SCENE=chaos \
+	  REAL=$* RATE=1000 EVERY=1 STEPS=0 FORMAT=frames UPLINK=yes NAMED=-line
+
 test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) \
-  $(BUILD)/double/twofold
-	@TWOFOLD=$(BUILD)/double/twofold tests/run \
-	  $(filter-out $(BUILD)/double/twofold,$^) $(filter %.sh,$(TESTS))
+  $(BUILD)/double/twofold $(LINE)
+	@TWOFOLD=$(BUILD)/double/twofold FIRMWARE=$(BUILD)/boards/host/chaos \
+	  tests/run $(filter-out $(BUILD)/double/twofold $(LINE),$^) \
+	  $(filter %.sh,$(TESTS))
 
 bench: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)) \
   $(REPORT:%=$(BUILD)/$(v)/tools/report/%))

@@ -36,6 +36,11 @@ boards-list:
 test-boards:
 	@BUILD='$(BUILD)' tests/target/run $(ONLY)
 
+# HIL='--lockstep --steps 5000': options, listed by build/float/hil alone.
+hil:
+	@BUILD='$(BUILD)' REAL='$(REAL)' SCENE='$(SCENE)' RATE='$(RATE)' \
+	  EVERY='$(or $(EVERY),10)' tools/hil/run $(BOARD) $(HIL)
+
 size:
 	@BUILD='$(BUILD)' tools/size/run $(ONLY)
 

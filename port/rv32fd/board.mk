@@ -17,5 +17,3 @@ BOARD_RATES_double := 1000:4 10000:4
 BOARD_LOADS := -kernel
 # Shift at which every step goes out as frames, at 10 kHz.
 BOARD_FRAMES := 2
-# Driven over its line by tools/hil.
-BOARD_LOOP := yes

@@ -59,7 +59,9 @@ static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
 }
 
 static void take_state(hil_board_t *board, const tf_frame_t *frame) {
-  if (!board->listens || board->count == board->room) return;
+  if (!board->listens || board->count == board->room ||
+      frame->tick % board->every != 0)
+    return;
   if (board->count > 0 && board->samples[board->count - 1].tick >= frame->tick)
     return; // the board stands still
   hil_sample_t *sample = &board->samples[board->count++];

@@ -52,7 +52,9 @@ typedef struct {
   uint16_t answered;
   bool has_answer;
   int answer;
-  // The states of the run, in order; those of a tick seen before are not kept.
+  // The states of the run, in order, of ticks that are multiples of `every`;
+  // one of a tick seen before is not kept.
+  uint32_t every;
   hil_sample_t *samples;
   size_t count, room;
   bool listens; ///< states are kept

@@ -28,8 +28,8 @@ static hil_code_t usage(void) {
       "hil DEVICE: drives the board at the other end of a serial line\n"
       "  --baud B        speed of the line; else as it is\n"
       "  --steps N       to take (2000)\n"
-      "  --every N       steps from one state to the next, as the board sends\n"
-      "                  them (EVERY of its firmware; 10)\n"
+      "  --every N       steps from input to input (10): a multiple of what\n"
+      "                  lies between two states of the board (its EVERY)\n"
       "  --delay N       steps from a state to the effect of its input, at\n"
       "                  most twice --every (20)\n"
       "  --lockstep      no delay: the board stands until its input is there\n"
@@ -151,8 +151,7 @@ static hil_code_t respond(hil_board_t *board, const options_t *options) {
   tf_machine_t machine;
   tf_state_t state;
   board->has_new = false;
-  if (sample->tick % plan->every != 0 ||
-      sample->tick + plan->delay >= plan->steps ||
+  if (sample->tick + plan->delay >= plan->steps ||
       hil_board_waiting(board) >= OUTSTANDING)
     return HIL_EQUAL;
   (void)tf_prepare(&machine, &board->params, NULL);
@@ -165,7 +164,7 @@ static hil_code_t respond(hil_board_t *board, const options_t *options) {
 static hil_code_t respond_in_lockstep(hil_board_t *board,
                                       const options_t *options) {
   const uint64_t tick = last_tick(board);
-  if (tick % options->plan.every != 0)
+  if (tick != (board->count - 1) * options->plan.every)
     return hil_complain(HIL_STOPPED, "step %" PRIu64 ": a command was lost",
                         tick);
   hil_code_t code =
@@ -279,6 +278,7 @@ int main(int argc, char **argv) {
   if (code != HIL_EQUAL) return (int)code;
   hil_board_t *board = calloc(1, sizeof *board);
   if (board == NULL) return HIL_STOPPED;
+  board->every = options.plan.every;
   board->room = (size_t)(options.plan.steps / options.plan.every) + 64;
   board->samples = calloc(board->room, sizeof *board->samples);
   if (board->samples != NULL) {
