@@ -11,7 +11,7 @@
 #   OVERRUN=skip     or stop: what a step that ends too late does to the loop
 #   EVERY=           steps from record to record; else 50 records a second
 #   ONLY='host uno'  boards that `make test-boards` takes
-#   PROGRAM=firmware or trajectory, window (tests/target)
+#   PROGRAM=firmware or trajectory, window, stack (tests/target)
 
 BOARDS := $(filter-out template,$(patsubst port/%/board.mk,%,\
   $(wildcard port/*/board.mk)))
@@ -73,6 +73,7 @@ endif
 BOARD_CC ?= $(BOARD_TOOLS)gcc
 
 RATE_OF_firmware := $(RATE)
+RATE_OF_stack := $(RATE)
 FIRMWARE_RATE := $(RATE_OF_$(PROGRAM))
 PLACE := $(BUILD)/boards/$(BOARD)/$(SCENE)-$(REAL)
 # What sets programs of one kind apart is in the name.
@@ -80,6 +81,7 @@ FIRMWARE := $(PLACE)/$(PROGRAM)$(NAMED).elf
 
 SOURCE_firmware := port/firmware.c port/loop.c
 SOURCE_trajectory := tests/target/trajectory.c
+SOURCE_stack := tests/target/stack.c port/loop.c
 SOURCE_window := tests/target/window.c
 FIRMWARE_SOURCES := $(SOURCE_$(PROGRAM)) $(wildcard port/$(BOARD)/*.c) \
   $(BOARD_SOURCES)

@@ -19,3 +19,5 @@ BOARD_LOADS := -kernel
 BOARD_SYMBOLS := yes
 # A rate and shift at which every step is too late.
 BOARD_LATE := 500:6
+# The painted stack is held against the call graph.
+BOARD_PAINT := yes

@@ -20,3 +20,5 @@ BOARD_LOADS := -kernel
 BOARD_FRAMES := 1
 # Driven over its line by tools/hil.
 BOARD_LOOP := yes
+# The painted stack is held against the call graph.
+BOARD_PAINT := yes

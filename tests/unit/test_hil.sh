@@ -60,7 +60,7 @@ drive() {
 for real in double float; do
   plug "$real"
   check "$real: in real time" drive "$real" 0
-  check "$real: told" grep -q '61 states .* inputs: the same bits' "$D/out"
+  check "$real: told" grep -q 'states .* inputs: the same bits' "$D/out"
   check "$real: late inputs" drive "$real" 0 --delay 0
   check "$real: late inputs are told" grep -q '[1-9][0-9]* late' "$D/out"
   check "$real: in lockstep" drive "$real" 0 --lockstep --csv "$D/one"

@@ -1,0 +1,66 @@
+// On the target: how deep the stack of the firmware gets. What lies below the
+// stack is painted before the firmware's main begins and looked at when it
+// halts; interrupts are on and take their part. Prints "stack BYTES".
+#include <stddef.h>
+#include <stdint.h>
+
+int firmware_main(void);
+
+// The firmware, with its begin and its end in our hands.
+#define main firmware_main
+#define port_halt painted_halt
+#include "../../port/firmware.c" // NOLINT(bugprone-suspicious-include)
+#undef main
+#undef port_halt
+
+void port_halt(int code);
+
+#define PAINT 0xA5u
+#define DEPTH 8192u // looked at, where there is so much
+#define OURS 48u    // of main's frame, at most
+
+// Ends of the memory under the stack, from the linker script or, on AVR, from
+// the C library's.
+#ifdef __AVR__
+extern uint8_t __bss_end;
+#define LOWEST (&__bss_end)
+#define TOP ((uint8_t *)RAMEND + 1)
+#include <avr/io.h>
+#else
+extern uint8_t bss_end[], stack_top[];
+#define LOWEST bss_end
+#define TOP stack_top
+#endif
+
+static uint8_t *floor_of(void) {
+  uint8_t *top = TOP;
+  return (size_t)(top - LOWEST) > DEPTH ? top - DEPTH : LOWEST;
+}
+
+static void say(const uint8_t *from, const uint8_t *to) {
+  while (from < to)
+    if (port_room() > 0) port_put(*from++);
+}
+
+void painted_halt(int code) {
+  static uint8_t line[32];
+  text_t text = {line};
+  const volatile uint8_t *at = floor_of();
+  while (at < TOP && *at == PAINT) at++;
+  text_string(&text, "\r\nstack ");
+  text_whole(&text, (uint32_t)(TOP - at), 1);
+  text_string(&text, "\r\n");
+  say(line, text.end);
+  port_halt(code);
+  for (;;) {
+  }
+}
+
+int main(void) {
+  volatile uint8_t here = 0;
+  // All but our own frame. Interrupts are not on yet.
+  const uintptr_t until = (uintptr_t)&here - OURS;
+  for (volatile uint8_t *at = floor_of(); (uintptr_t)at < until; at++)
+    *at = PAINT;
+  return firmware_main();
+}
