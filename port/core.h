@@ -18,7 +18,9 @@
 // Headers declare more than is defined here: the other schemes.
 #pragma GCC diagnostic ignored "-Wunused-function"
 
+#include "twofold/compensated.h"
 #include "twofold/link.h"
+#include "twofold/locate.h"
 #include "twofold/scene.h"
 #include "twofold/step.h"
 #include "twofold/text.h"
@@ -55,6 +57,27 @@
 #include "../src/link.c"
 #undef R
 #include "../src/tyre.c"
+// The other schemes, of which a program holds the one that it calls. Names that
+// two files use for their own are set apart.
+#ifdef SCHEME_LOCATED
+#define product located_product
+#define refuse located_refuse
+#define size_of located_size_of
+#include "../src/corner.c"
+#include "../src/expand.c"
+#include "../src/locate.c"
+#include "../src/polynomial.c"
+#include "../src/switch.c"
+#include "../src/walk.c"
+#endif
+#ifdef SCHEME_COMPENSATED
+#define finish compensated_finish
+#define step_degraded compensated_step_degraded
+#define step_single_valued compensated_step_single_valued
+#define step_under compensated_step_under
+#include "../src/compensated.c"
+#include "../src/prepare_compensated.c"
+#endif
 // NOLINTEND(bugprone-suspicious-include)
 
 #ifdef SCENE_HEADER
@@ -93,6 +116,41 @@ static inline void scene_begin(tf_state_t *state, tf_report_t *report) {
                             scene->h, &state->v);
   (void)tf_begin(&scene_machine, state, &input, report);
 }
+#endif
+
+// The scheme, by its number in the schema. Moreau-Jean where none is named.
+#if defined(SCHEME_LOCATED)
+#define SCHEME 1
+#define scheme_step tf_locate
+static inline bool scheme_begin(void) { return true; }
+#elif defined(SCHEME_COMPENSATED)
+#ifdef UPLINK
+#error "commands change a machine without its pairs: no UPLINK here"
+#endif
+#define SCHEME 2
+static tf_compensated_t scheme_machine;
+static tf_carry_t scheme_carry;
+
+static inline bool scheme_begin(void) {
+  tf_params_t params = SCENE->params;
+#ifdef SCENE_RATE
+  params.dt = TF_R(1.0) / SCENE_RATE;
+#endif
+  return tf_prepare_compensated(&scheme_machine, &params, 0) == TF_OK;
+}
+
+static inline tf_status_t scheme_step(const tf_machine_t *machine,
+                                      tf_state_t *state,
+                                      const tf_input_t *input,
+                                      tf_report_t *report) {
+  (void)machine;
+  return tf_step_compensated(&scheme_machine, state, &scheme_carry, input,
+                             report);
+}
+#else
+#define SCHEME 0
+#define scheme_step tf_step
+static inline bool scheme_begin(void) { return true; }
 #endif
 
 /// The inputs of the step that ends after so many steps.

@@ -63,8 +63,8 @@ loop_step_t app_step(void) {
   if (session.state.tick != expected)
     loop_record_in(EVERY - (uint32_t)session.state.tick % EVERY);
   const tf_input_t input = tf_session_input(&session, SCENE);
-  const bool stood =
-      tf_step(&session.machine, &session.state, &input, &session.report) < 0;
+  const bool stood = scheme_step(&session.machine, &session.state, &input,
+                                 &session.report) < 0;
   refused += stood;
   expected = session.state.tick;
   return stood ? LOOP_STOOD : LOOP_STEPPED;
@@ -97,7 +97,8 @@ int app_latch(void) {
 
 loop_step_t app_step(void) {
   sim.steps++;
-  refused += tf_step(SCENE_MACHINE, &sim.state, &sim.input, &sim.report) < 0;
+  refused +=
+      scheme_step(SCENE_MACHINE, &sim.state, &sim.input, &sim.report) < 0;
   return refused != 0 ? LOOP_BROKE : LOOP_STEPPED;
 }
 
@@ -123,7 +124,7 @@ unsigned app_other(uint8_t to[]) { return tell_other(to); }
 int main(void) {
   static const loop_plan_t plan = {RATE, STEPS, EVERY, RATE, OVERRUN};
   port_init();
-  if (!begin()) port_halt(LOOP_REFUSED);
+  if (!begin() || !scheme_begin()) port_halt(LOOP_REFUSED);
   const loop_end_t end = loop_run(&plan, &counts);
   port_halt((int)end);
 }

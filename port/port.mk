@@ -4,6 +4,7 @@
 #   START=chaos      the scene that a generic firmware runs
 #   BOARD=host       a folder of port/
 #   REAL=float       or double
+#   SCHEME=moreau    or located, compensated
 #   RATE=1000        steps a second; dt is 1/RATE
 #   STEPS=0          how many; 0 without end
 #   FORMAT=text      or frames (docs/PROTOCOL.md)
@@ -11,7 +12,7 @@
 #   OVERRUN=skip     or stop: what a step that ends too late does to the loop
 #   EVERY=           steps from record to record; else 50 records a second
 #   ONLY='host uno'  boards that `make test-boards` takes
-#   PROGRAM=firmware or trajectory, window, stack (tests/target)
+#   PROGRAM=firmware or trajectory, window, stack (tests/target); wasm32: module
 
 BOARDS := $(filter-out template,$(patsubst port/%/board.mk,%,\
   $(wildcard port/*/board.mk)))
@@ -98,6 +99,12 @@ endif
 ifneq ($(UPLINK),)
 FIRMWARE_FLAGS += -DUPLINK
 endif
+ifneq ($(filter-out moreau,$(SCHEME)),)
+ifeq ($(filter located compensated,$(SCHEME)),)
+$(error SCHEME is moreau, located or compensated, not $(SCHEME))
+endif
+FIRMWARE_FLAGS += -DSCHEME_$(shell echo $(SCHEME) | tr a-z A-Z)
+endif
 ifeq ($(OVERRUN),stop)
 FIRMWARE_FLAGS += -DOVERRUN=LOOP_STOP
 endif
@@ -127,7 +134,7 @@ $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
 	  -Wl,--gc-sections $(BOARD_LINK) -o $@
 
 # One file for each program, for their flags differ.
-$(FIRMWARE).flags: FORCE
+$(FIRMWARE).flags: $(BUILD)/$(REAL)/constants FORCE
 	@mkdir -p $(@D)
 	@echo "$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(START)" >$@.new
 	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@

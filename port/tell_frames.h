@@ -42,6 +42,7 @@ static size_t tell_schema(uint8_t *to) {
                               .scene = SCENE->name,
                               .build = "twofold",
                               .seed = STATE.seed,
+                              .scheme = SCHEME,
                               .takes_commands = TAKES_COMMANDS};
   return tf_send_schema(to, &tell_sequence, STATE.tick, &schema);
 }

@@ -20,3 +20,5 @@ BOARD_LOADS := -kernel
 BOARD_FRAMES := 2
 # Driven over its line by tools/hil.
 BOARD_LOOP := yes
+# Real types in which the other schemes are tested.
+BOARD_SCHEMES := double

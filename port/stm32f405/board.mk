@@ -22,3 +22,5 @@ BOARD_FRAMES := 1
 BOARD_LOOP := yes
 # The painted stack is held against the call graph.
 BOARD_PAINT := yes
+# Real types in which the other schemes are tested.
+BOARD_SCHEMES := float

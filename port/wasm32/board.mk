@@ -4,9 +4,14 @@ BOARD_PACKAGES := clang lld nodejs
 BOARD_FLAGS := --target=wasm32 -ffreestanding
 BOARD_OPT := -O2
 BOARD_SOURCES := port/arch/memory.c
-BOARD_LINK := -nostdlib -Wl,--no-entry -Wl,--export=main
+BOARD_LINK := -nostdlib -Wl,--no-entry -Wl,--export-if-defined=main
 BOARD_REALS := float double
 BOARD_RUN := node port/wasm32/run.mjs
 BOARD_STEPS := 100000
 BOARD_RATES_float := 1000
 BOARD_SHARED := yes
+# Real types in which the other schemes are tested.
+BOARD_SCHEMES := float double
+# PROGRAM=module: begin, step, state for a page or a program in node.
+SOURCE_module := port/wasm32/module/module.c
+BOARD_CHECK_MODULE := node port/wasm32/module/check.mjs

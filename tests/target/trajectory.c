@@ -21,9 +21,10 @@ static uint64_t trajectory_hash(uint32_t steps) {
   static tf_report_t report;
   uint64_t hash = 0xCBF29CE484222325u;
   scene_begin(&x, &report);
+  if (!scheme_begin()) return 0;
   for (uint32_t i = 1; i <= steps; i++) {
     const tf_input_t input = scene_input(i);
-    if (tf_step(SCENE_MACHINE, &x, &input, &report) < 0) return 0;
+    if (scheme_step(SCENE_MACHINE, &x, &input, &report) < 0) return 0;
     // + 0 makes -0 a 0, as the golden hashes have it.
     const tf_real_t bits[4] = {x.r + 0, x.v + 0, x.w + 0, x.phi + 0};
     const unsigned char modes[2] = {report.mode, report.set};

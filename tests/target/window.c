@@ -17,12 +17,13 @@ static tf_report_t report;
 int main(void) {
   port_init();
   scene_begin(&x, &report);
+  if (!scheme_begin()) port_halt(1);
   window_open();
   window_close();
   for (uint32_t i = 1; i <= STEPS; i++) {
     window_open();
     const tf_input_t input = scene_input(i);
-    const tf_status_t status = tf_step(SCENE_MACHINE, &x, &input, &report);
+    const tf_status_t status = scheme_step(SCENE_MACHINE, &x, &input, &report);
     window_close();
     if (status < 0) port_halt(1);
   }

@@ -1,0 +1,83 @@
+// The simulator as a module that imports nothing: a page or a program in node
+// begins a scene, steps, and reads the state in the module's memory.
+#include "../../core.h"
+
+#define EXPORT(symbol) __attribute__((export_name(#symbol))) symbol
+
+static tf_session_t session;
+static const tf_scene_t *scene;
+
+// In double, whatever the real type: for a view of the memory.
+static double told[14];
+
+uint32_t EXPORT(twofold_scenes)(void);
+const char *EXPORT(twofold_name)(uint32_t number);
+int32_t EXPORT(twofold_begin)(uint32_t number, double dt, uint32_t rule,
+                              uint32_t seed);
+int32_t EXPORT(twofold_drive)(double omega0, double r0, double force,
+                              double torque);
+int32_t EXPORT(twofold_step)(uint32_t steps);
+const double *EXPORT(twofold_state)(void);
+
+uint32_t twofold_scenes(void) { return TF_SCENES; }
+
+// Text that ends with a zero; 0 where there is no such scene.
+const char *twofold_name(uint32_t number) {
+  return number < TF_SCENES ? tf_scenes[number]->name : 0;
+}
+
+// dt: 0 for the scene's own. Returns: a tf_status_t, 0 where all is well.
+int32_t twofold_begin(uint32_t number, double dt, uint32_t rule,
+                      uint32_t seed) {
+  if (number >= TF_SCENES || rule >= TF_RULES) return TF_BAD_PARAMETER;
+  const tf_scene_t *wished = tf_scenes[number];
+  tf_params_t params = wished->params;
+  if (dt > 0 || dt < 0) params.dt = (tf_real_t)dt;
+  params.rule = (tf_rule_t)rule;
+  const tf_status_t status = tf_session_open(&session, wished, &params, seed);
+  scene = status == TF_OK ? wished : 0;
+  return status;
+}
+
+// Inputs from the next step on, in place of the scene's.
+int32_t twofold_drive(double omega0, double r0, double force, double torque) {
+  if (!scene) return TF_BAD_STATE;
+  session.input = (tf_input_t){.omega0 = (tf_real_t)omega0,
+                               .r0 = (tf_real_t)r0,
+                               .force = (tf_real_t)force,
+                               .torque = (tf_real_t)torque};
+  session.driven = true;
+  return TF_OK;
+}
+
+// Returns: the status of the last step; < 0: it was refused, and none follows.
+int32_t twofold_step(uint32_t steps) {
+  tf_status_t status = scene ? TF_OK : TF_BAD_STATE;
+  for (; steps > 0 && status >= 0; steps--) {
+    const tf_input_t input = tf_session_input(&session, scene);
+    status = tf_step(&session.machine, &session.state, &input, &session.report);
+  }
+  return status;
+}
+
+// t, r, v, omega, phi, h, g, F, M, Delassus, residual, mode, set, choices.
+const double *twofold_state(void) {
+  const tf_state_t *x = &session.state;
+  const tf_report_t *report = &session.report;
+  const double now[14] = {(double)((tf_real_t)x->tick * session.machine.dt),
+                          (double)x->r,
+                          (double)x->v,
+                          (double)x->w,
+                          (double)x->phi,
+                          (double)report->slip.h,
+                          (double)report->slip.g,
+                          (double)report->force.F,
+                          (double)report->force.M,
+                          (double)report->delassus,
+                          (double)report->residual,
+                          (double)report->mode,
+                          (double)report->set,
+                          (double)report->choices};
+  for (unsigned i = 0; i < 14; i++) told[i] = now[i];
+  return told;
+}
