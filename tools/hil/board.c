@@ -85,7 +85,7 @@ static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
   const uint8_t code = frame->payload[3];
   const int value = code < 128 ? code : code - 256;
   if (frame->payload[2] != TF_UP_INPUT) {
-    board->answered = sequence;
+    if ((uint16_t)(sequence - board->first) >= board->tries) return;
     board->answer = value;
     board->has_answer = true;
     return;
@@ -158,19 +158,19 @@ hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
 // Said again where no answer comes: neither side tells which of the two was
 // lost, and none of these commands does more the second time.
 hil_code_t hil_board_order(hil_board_t *board, tf_type_t type) {
-  const uint16_t first = board->sequence;
   double until = 0;
-  int tries = 0;
+  board->first = board->sequence;
+  board->tries = 0;
   board->has_answer = false;
-  while (!board->has_answer || (uint16_t)(board->answered - first) >= tries) {
+  while (!board->has_answer) {
     hil_code_t code = HIL_EQUAL;
-    if (cli_now() > until && tries == TRIES)
+    if (cli_now() > until && board->tries == TRIES)
       return hil_complain(HIL_STOPPED, "%s: no answer; does it take commands?",
                           board->source.name);
     if (cli_now() > until) {
       code = hil_board_send(board, type, 0, NULL, 0);
       until = cli_now() + PATIENCE;
-      tries++;
+      board->tries++;
     }
     if (code == HIL_EQUAL) code = hil_board_listen(board, 100);
     if (code != HIL_EQUAL) return code;

@@ -48,8 +48,9 @@ typedef struct {
   tf_params_t params;
   const tf_scene_t *scene;
   uint32_t seed;
-  // The last answer to anything but an input.
-  uint16_t answered;
+  // The command that waits for its answer, said `tries` times from `first` on.
+  uint16_t first;
+  int tries;
   bool has_answer;
   int answer;
   // The states of the run, in order, of ticks that are multiples of `every`;

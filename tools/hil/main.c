@@ -14,6 +14,7 @@
 #include "hil/twin.h"
 
 #define PATIENCE 5.0  // without a state [s]
+#define TRIES 8       // of an input to a board that stands
 #define OUTSTANDING 3 // inputs that the board may hold; its queue has four
 
 typedef struct {
@@ -169,8 +170,12 @@ static hil_code_t respond_in_lockstep(hil_board_t *board,
                         tick);
   hil_code_t code =
       hil_board_send(board, TF_UP_STOP, tick + options->plan.every, NULL, 0);
-  if (code == HIL_EQUAL) code = respond(board, options);
-  if (code == HIL_EQUAL) code = wait_for_answers(board, PATIENCE);
+  // The board stands: an input that is said twice takes effect once.
+  for (int tries = 0; code == HIL_EQUAL && tries < TRIES; tries++) {
+    code = respond(board, options);
+    if (code == HIL_EQUAL) code = wait_for_answers(board, 0.5);
+    if (hil_board_waiting(board) == 0) break;
+  }
   return code == HIL_EQUAL ? hil_board_order(board, TF_UP_START) : code;
 }
 
