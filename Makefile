@@ -60,9 +60,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .PHONY: help all run test bench bench-compensated bench-ensemble bench-frame \
   bench-peers bench-steps stability report keep-report oracle check \
   clean firmware elf boards boards-list test-boards size deps statistics \
-  FORCE
-  bench-peers bench-steps stability keep-report oracle check clean firmware elf \
-  boards boards-list test-boards size deps hil $(VARIANTS:%=line-%) FORCE
+  hil $(VARIANTS:%=line-%) FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
