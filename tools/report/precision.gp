@@ -1,8 +1,10 @@
 # Work and precision: error at the end over the time of the whole run, a panel a
 # part of the motion. Colours are Okabe and Ito's for colour-blind readers, and
 # every series has a symbol of its own. Failures have marks of their own. The
-# dashed line is the reference's own uncertainty.
-# Usage: gnuplot -e "work='D'; peers='F or nothing'; real='double'" precision.gp
+# dashed line is the reference's own uncertainty. The best peers are told apart,
+# the others are grey.
+# Usage: gnuplot -e "work='D'; peers='F or nothing'; best='PEER PEER'; \
+#   real='double'" precision.gp
 set terminal svg size 1700,1150 font 'Helvetica,26' background '#ffffff'
 set output sprintf('%s/precision-%s.svg', work, real)
 set datafile separator ','
@@ -29,6 +31,11 @@ info(p, field) = system(sprintf("awk -F, '$1==\"%s\" { print $%d }' '%s'", \
 has_peers = strlen(peers) > 0 && real eq 'double'
 rival(p) = sprintf("< awk -F, '$1==\"%s\" && $2 !~ /^twofold/ && $5 != \"inf\"'" \
   ." '%s'", info(p, 3), peers)
+known = has_peers ? words(best) : 0
+peer_colours = '#7B3294 #8B4513 #D40055 #4D7A00'
+peer_symbols = '5 9 13 11'
+one_rival(p, k) = sprintf("< awk -F, '$1==\"%s\" && $2==\"%s\" && " \
+  ."$5 != \"inf\"' '%s'", info(p, 3), word(best, k), peers)
 set multiplot title 'Error and time of a run in '.real font ',31'
 set xrange [3e-7:0.3]
 set yrange [low:top]
@@ -49,10 +56,13 @@ do for [p=1:5] {
     right tc rgb '#555555' font ',22'
   crowd = has_peers && (p == 2 || p == 4)
   plot for [k=1:crowd] rival(p) using ($6 * 1e-9):5 with points pt 7 ps 0.17 \
-      lc rgb '#999999', \
+      lc rgb '#bbbbbb', \
     for [i=1:8] rows(p, i, '$16=="ok" || $16=="flagged"') \
       using ($12 * 1e-9):($8 > low ? $8 : low) with linespoints \
       pt int(word(symbols, i)) ps 0.38 lw 1.5 lc rgb word(colours, i), \
+    for [k=1:crowd*known] one_rival(p, k) using ($6 * 1e-9):5 with points \
+      pt int(word(peer_symbols, k)) ps 0.32 \
+      lc rgb word(peer_colours, k), \
     every(p, '$16=="flagged"') using ($12 * 1e-9):8 with points pt 6 ps 0.75 \
       lw 1.5 lc rgb '#000000', \
     every(p, '$16=="branch"') using ($12 * 1e-9):($8 < top ? $8 : top * 0.6) \
@@ -75,7 +85,8 @@ set size 0.31, 0.46
 set lmargin 1
 set xrange [0:1]
 set yrange [0:1]
-set key at graph 0.02, 0.98 left top vertical Left reverse samplen 2 spacing 0.8
+set key at graph 0.02, 0.98 left top vertical Left reverse samplen 2 spacing 0.72 \
+  font ',23'
 plot for [i=1:8] NaN with linespoints pt int(word(symbols, i)) ps 0.55 lw 1.5 \
     lc rgb word(colours, i) title word(schemes, i).', '.word(dials, i) noenhanced, \
   NaN with points pt 6 ps 0.75 lw 1.5 lc rgb '#000000' \
@@ -83,6 +94,8 @@ plot for [i=1:8] NaN with linespoints pt int(word(symbols, i)) ps 0.55 lw 1.5 \
   NaN with points pt 2 ps 0.6 lw 2 lc rgb '#000000' title 'another branch', \
   NaN with points pt 1 ps 0.75 lw 2.5 lc rgb '#000000' title 'refused', \
   NaN with lines dt 2 lw 2 lc rgb '#555555' title 'doubt of the reference', \
-  for [k=1:has_peers] NaN with points pt 7 ps 0.3 lc rgb '#999999' \
-    title 'peers (make bench-peers)'
+  for [k=1:known] NaN with points pt int(word(peer_symbols, k)) ps 0.5 \
+    lc rgb word(peer_colours, k) title 'peer '.word(best, k) noenhanced, \
+  for [k=1:has_peers] NaN with points pt 7 ps 0.3 lc rgb '#bbbbbb' \
+    title 'other peers (make bench-peers)'
 unset multiplot
