@@ -95,9 +95,9 @@ static int print_scene(const tf_scene_t *scene, long steps) {
   const int located =
       law == TF_TYRE_JUMP || law == TF_TYRE_COULOMB || law == TF_TYRE_NONE;
   const long n = located ? (steps + COARSE - 1) / COARSE : steps * FINE;
-  if (sizeof(tf_real_t) == sizeof(double) &&
-      !print_end(scene, steps, located ? LOCATED : CARRIED, n,
-                 length / (double)n, "reference"))
+  const int wide = sizeof(tf_real_t) == 8;
+  if (wide && !print_end(scene, steps, located ? LOCATED : CARRIED, n,
+                         length / (double)n, "reference"))
     return 0;
   return print_end(scene, steps, CARRIED, steps, dt, "carried") &&
          print_end(scene, steps, MOREAU, steps, dt, "plain");
