@@ -8,6 +8,8 @@
  * where in a step a switch falls changes the error of one run by its size. */
 enum { GROUP = 8, PHASES = 64 };
 
+#define IS_DOUBLE (sizeof(tf_real_t) == 8)
+
 static tf_tyre_law_t law_named(const char *name) {
   static const char *const names[TF_TYRE_LAWS] = {
       "jump", "coulomb", "two-piece", "string", "smooth", "none"};
@@ -78,6 +80,8 @@ static int begin(sim_t *s, scheme_t *scheme, const reference_t *ref,
   tf_speed_for_slip(&s->machine, s->x.r, s->x.w, u.omega0, (tf_real_t)ref->h,
                     &s->x.v);
   CHECK(tf_begin(&s->machine, &s->x, &u, &s->report) == TF_OK);
+  /* A float does not know the side of so small an h. */
+  if (!IS_DOUBLE && fabsl(ref->h) < 1e-6L) return 1;
   return CHECK(s->x.mode == mode_named(ref->begins));
 }
 
@@ -119,16 +123,17 @@ static double group_error(const reference_t *ref, double dt) {
 }
 
 TEST(errors_fall_with_the_step) {
-  const double ratio = 32;
+  const double ratio = IS_DOUBLE ? 32 : 8, longest = IS_DOUBLE ? 1e-4 : 16e-4;
   for (int i = 0; i < REFERENCES; i++) {
     const reference_t *ref = references[i];
-    const double coarse = 1e-4 * (double)ref->t_grid, fine = coarse / ratio;
+    const double coarse = longest * (double)ref->t_grid, fine = coarse / ratio;
     const double first = group_error(ref, coarse);
     const double second = group_error(ref, fine);
     const double order = log(first / second) / log(ratio);
     printf("# %-12s error %.2e at dt = %.2e, %.2e at dt = %.2e: order %.2f\n",
            ref->name, first, coarse, second, fine, order);
-    CHECK(order >= 0.9);
+    /* In float the rounding of some thousand steps stands beside the scheme. */
+    CHECK(IS_DOUBLE ? order >= 0.9 : order >= 0.5 || second <= 1e-4);
   }
 }
 
@@ -159,7 +164,7 @@ static int phases_of(scheme_t *scheme, const reference_t *ref, double dt,
 
 static void check_phases(scheme_t *scheme, const reference_t *ref) {
   unsigned got[PHASES], want[PHASES];
-  const int n = phases_of(scheme, ref, 1e-4, got);
+  int n = phases_of(scheme, ref, IS_DOUBLE ? 1e-4 : 1e-3, got);
   int m = 0;
   want[m++] = mode_named(ref->begins);
   for (int j = 0; j < ref->events && m < PHASES; j++) {
@@ -167,8 +172,12 @@ static void check_phases(scheme_t *scheme, const reference_t *ref) {
     if (after < TF_MODES && after != want[m - 1]) want[m++] = after;
   }
   int same = 0;
+  if (!IS_DOUBLE && fabsl(ref->h) < 1e-6L && n > 1 && got[0] != want[0])
+    memmove(got, got + 1, (size_t)--n * sizeof *got); /* begun on the other */
   while (same < n && same < m && got[same] == want[same]) same++;
-  if (!CHECK(n == m && same == n))
+  /* Steps of float are 1 ms: they may see the event after the last too early. */
+  const int more = IS_DOUBLE ? 0 : 1;
+  if (!CHECK(same == m && n <= m + more))
     printf("#   %s: %d phases, %d of the reference, %d alike\n", ref->name, n,
            m, same);
 }
@@ -197,7 +206,7 @@ TEST(located_steps_keep_to_the_reference) {
       const double error = error_of(tf_locate, ref, steps[j], &coarse);
       printf("# %-12s error %.2e at dt = %.2e, %d coarse\n", ref->name, error,
              (double)ref->t_grid / 16 / steps[j], coarse);
-      CHECK(error <= (coarse ? 1e-6 : 1e-9));
+      CHECK(error <= (!IS_DOUBLE ? 5e-4 : coarse ? 1e-6 : 1e-9));
       CHECK(coarse <= 8);
     }
   }
@@ -205,11 +214,6 @@ TEST(located_steps_keep_to_the_reference) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  if (sizeof(tf_real_t) == 4) {
-    printf("1..0 # SKIP rounding of float hides the order\n");
-    printf("0 passed, 0 failed\n");
-    return 0;
-  }
   RUN(errors_fall_with_the_step);
   RUN(events_come_in_the_order_of_the_reference);
   RUN(located_steps_keep_to_the_reference);
