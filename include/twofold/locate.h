@@ -19,7 +19,8 @@
 ///   slip, |lambda| = mu, g = 0 and A = 0 in stick. Slip leaves h = g = 0 along
 ///   a limit direction, and stick passes the two-fold along its weak
 ///   direction, by series that solve the singular equations there; DESIGN.md
-///   section 10.
+///   section 10. The error falls with dt in its order, across switches too, but
+///   for h = g = 0 and two-folds: there the tolerance holds it, not the step.
 /// machine: in, prepared; law JUMP, COULOMB or NONE.
 /// state: in/out, from tf_begin, tf_step or tf_locate.
 /// input: in, within TF_STATE_LIMIT together with the state.
@@ -41,7 +42,8 @@
 /// Cost: 1500 instructions a segment in stick on x86-64 in double, 2500 in
 ///   slip; one segment a step but where the motion switches. Stack: 4096 B.
 /// Memory: caller's, no overlap, reentrant.
-/// Claims: located_order_of_convergence, located_branch_and_events,
+/// Claims: located_order_of_convergence, located_order_across_stick,
+///   located_branch_and_events,
 ///   located_finer_tolerance_is_no_worse, located_two_fold_in_one_step,
 ///   located_steps_keep_to_the_reference, located_falls_back_and_says_so,
 ///   located_residual_is_that_of_the_law,

@@ -43,6 +43,15 @@ static problem_t crossings(double t_end, long n, double tolerance) {
   return begin(p, 0.6, 0.5, -0.01, t_end, n, tolerance);
 }
 
+/* Problem `stickslip` of tests/data: sticks in between, far from g = 0. */
+static problem_t stickslip(double t_end, long n, double tolerance) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.beta = TF_R(0.2);
+  p.k2 = 20;
+  p.mu = 3;
+  return begin(p, 0.5, -0.8, -0.01, t_end, n, tolerance);
+}
+
 /* Steps on; returns how many steps did not return TF_OK. */
 static long advance(problem_t *p, long n) {
   const tf_input_t u = tf_input_default(&p->machine);
@@ -101,6 +110,45 @@ TEST(located_order_of_convergence) {
            worst[1], order);
     CHECK(worst[1] > 1e-14);
     CHECK(order >= cases[i].order);
+  }
+}
+
+/* The same across an entry into stick (0.674997 s) and an exit (0.695274 s),
+ * each alone: from a state before it to a time behind it. */
+TEST(located_order_across_stick) {
+  static const struct {
+    double from, to;
+    uint8_t before, after;
+    long coarse, fine;
+    double order;
+  } cases[] = {{0.62, 0.685, TF_SLIP_PLUS, TF_STICK_PLUS, 16, 32, 5},
+               {0.68, 0.72, TF_STICK_PLUS, TF_SLIP_PLUS, 12, 24, 5}};
+  for (int i = 0; i < 2; i++) {
+    const double length = cases[i].to - cases[i].from;
+    problem_t start = stickslip(cases[i].from, 20000, 0);
+    advance(&start, 20000);
+    CHECK(start.state.mode == cases[i].before);
+    problem_t exact = stickslip(length, 20000, 0);
+    exact.state = start.state;
+    advance(&exact, 20000);
+    CHECK(exact.state.mode == cases[i].after);
+    double worst[2] = {0, 0};
+    for (int k = 0; k < 16; k++)
+      for (int j = 0; j < 2; j++) {
+        const long n = (j ? cases[i].fine : cases[i].coarse) + (1 + j) * k;
+        problem_t p = stickslip(length, n, 1e-3);
+        p.state = start.state;
+        p.machine.tolerance = TF_R(0.1); /* no splits but at switches */
+        CHECK(advance(&p, n) == 0);
+        CHECK(p.state.mode == cases[i].after);
+        worst[j] = fmax(worst[j], apart(&p.state, &exact.state));
+      }
+    const double order = log2(worst[0] / worst[1]);
+    printf("# %s to %s: errors %.2e, %.2e, order %.2f\n",
+           tf_mode_name(cases[i].before), tf_mode_name(cases[i].after),
+           worst[0], worst[1], order);
+    CHECK(IS_DOUBLE ? order >= cases[i].order : worst[1] <= 2e-3);
+    CHECK(worst[1] > 1e-14);
   }
 }
 
@@ -349,6 +397,7 @@ TEST(located_follows_a_ramp) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(located_order_of_convergence);
+  RUN(located_order_across_stick);
   RUN(located_finer_tolerance_is_no_worse);
   RUN(located_two_fold_in_one_step);
   RUN(located_branch_and_events);
