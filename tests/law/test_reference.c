@@ -175,7 +175,7 @@ static void check_phases(scheme_t *scheme, const reference_t *ref) {
   if (!IS_DOUBLE && fabsl(ref->h) < 1e-6L && n > 1 && got[0] != want[0])
     memmove(got, got + 1, (size_t)--n * sizeof *got); /* begun on the other */
   while (same < n && same < m && got[same] == want[same]) same++;
-  /* Steps of float are 1 ms: they may see the event after the last too early. */
+  /* Steps of float are 1 ms: they may see one event after the last too soon. */
   const int more = IS_DOUBLE ? 0 : 1;
   if (!CHECK(same == m && n <= m + more))
     printf("#   %s: %d phases, %d of the reference, %d alike\n", ref->name, n,
