@@ -82,7 +82,11 @@ for real in double float; do
 done
 line=/dev/null
 check 'no board' drive double 4
-check 'usage: no device' sh -c "$builds/double/hil >/dev/null 2>&1; [ \$? -eq 2 ]"
+usage() {
+  "$builds/double/hil" >"$D/out" 2>&1
+  [ $? -eq 2 ]
+}
+check 'usage: no device' usage
 check 'usage: delay' drive double 2 --delay 21
 check 'usage: number' drive double 2 --speed fast
 echo "1..$count"

@@ -75,12 +75,12 @@ unsigned app_heartbeat(const loop_counts_t *counts, uint8_t to[]) {
   return 100;
 }
 
-static loop_counts_t counts;
+static loop_counts_t told;
 
 static loop_end_t run_loop(uint32_t steps, uint32_t every,
                            loop_policy_t policy) {
   const loop_plan_t plan = {1000, steps, every, 1000, policy};
-  return loop_run(&plan, &counts);
+  return loop_run(&plan, &told);
 }
 
 static void reset(uint32_t step_costs) {
@@ -93,13 +93,13 @@ static void reset(uint32_t step_costs) {
 TEST(every_tick_has_one_step) {
   reset(300);
   CHECK(run_loop(5000, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counts.steps == 5000 && board.stepped == 5000 && board.twice == 0);
-  CHECK(counts.overruns == 0 && counts.skipped == 0 && counts.dropped == 0);
-  CHECK(counts.sent == board.records - 3 + board.beats);
+  CHECK(told.steps == 5000 && board.stepped == 5000 && board.twice == 0);
+  CHECK(told.overruns == 0 && told.skipped == 0 && told.dropped == 0);
+  CHECK(told.sent == board.records - 3 + board.beats);
   CHECK(board.records == 3 + 501 && board.beats == 6);
-  CHECK(board.put == 100 * counts.sent); /* all of it left */
-  CHECK(counts.shortest >= 300 && counts.longest <= 310);
-  CHECK(counts.sum / counts.steps >= 300 && counts.sum / counts.steps <= 310);
+  CHECK(board.put == 100 * told.sent); /* all of it left */
+  CHECK(told.shortest >= 300 && told.longest <= 310);
+  CHECK(told.sum / told.steps >= 300 && told.sum / told.steps <= 310);
   CHECK(board.idled > 0);
 }
 
@@ -108,9 +108,9 @@ TEST(overrun_is_finished_and_skips_ticks) {
   board.slow_step = 50;
   board.slow_costs = 3500; /* three ticks come meanwhile */
   CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counts.steps == 100 && board.stepped == 100 && board.twice == 0);
-  CHECK(counts.overruns == 1 && counts.skipped == 3);
-  CHECK(counts.longest >= 3500);
+  CHECK(told.steps == 100 && board.stepped == 100 && board.twice == 0);
+  CHECK(told.overruns == 1 && told.skipped == 3);
+  CHECK(told.longest >= 3500);
 }
 
 TEST(overrun_stops_where_asked) {
@@ -118,7 +118,7 @@ TEST(overrun_stops_where_asked) {
   board.slow_step = 50;
   board.slow_costs = 1100;
   CHECK(run_loop(100, 10, LOOP_STOP) == LOOP_OVERRAN);
-  CHECK(counts.steps == 50 && counts.overruns == 1); /* it was finished */
+  CHECK(told.steps == 50 && told.overruns == 1); /* it was finished */
   reset(300);
   CHECK(run_loop(100, 10, LOOP_STOP) == LOOP_DONE);
 }
@@ -126,18 +126,18 @@ TEST(overrun_stops_where_asked) {
 TEST(always_late_is_every_other_tick) {
   reset(1500);
   CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counts.steps == 100 && counts.overruns == 100 && board.twice == 0);
-  CHECK(counts.skipped == 100);
+  CHECK(told.steps == 100 && told.overruns == 100 && board.twice == 0);
+  CHECK(told.skipped == 100);
 }
 
 TEST(stalled_reader_costs_records_and_no_step) {
   reset(300);
   board.stalled = true;
   CHECK(run_loop(10000, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counts.steps == 10000 && counts.overruns == 0 && counts.skipped == 0);
-  CHECK(counts.sent >= 1 && counts.sent * 100 <= LOOP_ROOM);
+  CHECK(told.steps == 10000 && told.overruns == 0 && told.skipped == 0);
+  CHECK(told.sent >= 1 && told.sent * 100 <= LOOP_ROOM);
   /* what was due: a record every 10 ticks and one before, 11 heartbeats */
-  CHECK(counts.sent + counts.dropped == 1001 + 11);
+  CHECK(told.sent + told.dropped == 1001 + 11);
   CHECK(board.put == 0);
 }
 
@@ -145,8 +145,8 @@ TEST(flood_costs_neither_step_nor_record) {
   reset(300);
   board.flooded = true;
   CHECK(run_loop(1000, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counts.steps == 1000 && counts.overruns == 0 && counts.skipped == 0);
-  CHECK(counts.dropped == 0 && board.put == 100 * counts.sent);
+  CHECK(told.steps == 1000 && told.overruns == 0 && told.skipped == 0);
+  CHECK(told.dropped == 0 && board.put == 100 * told.sent);
   CHECK(board.received > 1000 * 100); /* what time there was */
 }
 
@@ -154,9 +154,9 @@ TEST(record_that_would_take_too_long_is_dropped) {
   reset(800);
   board.record_costs = 400;
   CHECK(run_loop(1000, 1, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counts.steps == 1000 && counts.overruns == 0 && counts.skipped == 0);
+  CHECK(told.steps == 1000 && told.overruns == 0 && told.skipped == 0);
   /* those before the first step are how the loop knows */
-  CHECK(board.records == 3 + 1 && counts.dropped == 1000);
+  CHECK(board.records == 3 + 1 && told.dropped == 1000);
 }
 
 /* A moment that was not the record's own. */
@@ -167,7 +167,7 @@ TEST(one_slow_record_does_not_end_telemetry) {
     board.slow_record = slow;
     board.outlier_costs = 5000;
     CHECK(run_loop(100, 1, LOOP_SKIP) == LOOP_DONE);
-    CHECK(counts.steps == 100 && counts.dropped == 0);
+    CHECK(told.steps == 100 && told.dropped == 0);
     CHECK(board.records == 3 + 101);
   }
 }
@@ -176,7 +176,7 @@ TEST(standing_is_no_step) {
   reset(300);
   board.stands_until = 40;
   CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counts.steps == 100 && board.latched == 140);
+  CHECK(told.steps == 100 && board.latched == 140);
   CHECK(board.records == 3 + 15); /* it is told of all the same */
 }
 
@@ -185,7 +185,7 @@ TEST(records_can_be_moved_to_a_step) {
   reset(300);
   const loop_plan_t plan = {1000, 40, 10, 1000, LOOP_SKIP};
   board.stands_until = 7;
-  CHECK(loop_run(&plan, &counts) == LOOP_DONE);
+  CHECK(loop_run(&plan, &told) == LOOP_DONE);
   CHECK(board.record_step[4] == 3); /* the tenth tick, seven stood */
   loop_record_in(4);
   CHECK(the_loop.until_record == 4);
@@ -196,7 +196,7 @@ TEST(ends_are_told_apart) {
   reset(300);
   CHECK(loop_run(&wrong, &counts) == LOOP_NO_TIMER);
   board.broken = true;
-  CHECK(run_loop(10, 1, LOOP_SKIP) == LOOP_REFUSED && counts.steps == 0);
+  CHECK(run_loop(10, 1, LOOP_SKIP) == LOOP_REFUSED && told.steps == 0);
 }
 
 int main(int argc, char **argv) {
