@@ -194,7 +194,7 @@ TEST(records_can_be_moved_to_a_step) {
 TEST(ends_are_told_apart) {
   const loop_plan_t wrong = {7, 1, 1, 1, LOOP_SKIP};
   reset(300);
-  CHECK(loop_run(&wrong, &counts) == LOOP_NO_TIMER);
+  CHECK(loop_run(&wrong, &told) == LOOP_NO_TIMER);
   board.broken = true;
   CHECK(run_loop(10, 1, LOOP_SKIP) == LOOP_REFUSED && told.steps == 0);
 }
