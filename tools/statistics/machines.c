@@ -3,10 +3,10 @@
 //
 //   machines [COUNT [SEED]]     default 1000000 1
 //
-// m = 1 (the unit of mass). Drawn evenly in the logarithm: d, beta, r0 in [0.01,
-// 1] m, kappa in [0.01, 1] m, mu in [0.01, 1] N, k2 in [0.1, 10] N/m, c1 and c2
-// in [1e-4, 0.1], |omega0| in [0.1, 10] rad/s of either sign; gamma evenly in
-// [-pi, pi]. Shares hang on these ranges; that a count occurs does not.
+// m = 1 (the unit of mass). Drawn evenly in the logarithm: d, beta, r0, kappa
+// in [0.01, 1] m, mu in [0.01, 1] N, k2 in [0.1, 10] N/m, c1 and c2 in [1e-4,
+// 0.1], |omega0| in [0.1, 10] rad/s of either sign; gamma evenly in [-pi, pi].
+// Shares hang on these ranges; that a count occurs does not.
 
 #include <math.h>
 #include <stdio.h>
