@@ -135,7 +135,8 @@ TEST(located_order_across_stick) {
     double worst[2] = {0, 0};
     for (int k = 0; k < 16; k++)
       for (int j = 0; j < 2; j++) {
-        const long n = (j ? cases[i].fine : cases[i].coarse) + (long)k * (1 + j);
+        const long n =
+            (j ? cases[i].fine : cases[i].coarse) + (long)k * (1 + j);
         problem_t p = stickslip(length, n, 1e-3);
         p.state = start.state;
         p.machine.tolerance = TF_R(0.1); /* no splits but at switches */
