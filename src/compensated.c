@@ -98,7 +98,7 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   // What goes on under every rule is not asked of tf_select.
   if (signs == 3 && !(s.set & TF_MODE_BIT(mode)) &&
       met_rest(machine, state, carry, input, s.set, s.attracting))
-    mode = TF_PINNED;
+    s.set |= (uint8_t)TF_MODE_BIT(mode = TF_PINNED);
   else if (!(s.set & TF_MODE_BIT(mode) & (SLIPS | s.attracting)))
     mode = select_again(k, state, s.set, s.near_stick, s.h_limit[0],
                         s.h_limit[1], s.attracting);

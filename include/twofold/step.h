@@ -10,9 +10,8 @@
 /// What happened in one step.
 typedef struct {
   uint8_t mode;       ///< tf_mode_t, taken
-  uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode); the
-                      ///< mode taken is one of them, but of a step that is
-                      ///< degraded or that meets h = g = 0 (see tf_step)
+  uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode); of a
+                      ///< step that meets h = g = 0 (see tf_step) pinned too
   uint8_t choices;    ///< how many they are
   tf_force_t force;   ///< F [N], M [N m], mean over the step
   tf_slip_t slip;     ///< h, g [m/s] at the end of the step
@@ -47,9 +46,8 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   gyroscopic terms; the friction law holds at the end of the step; DESIGN.md
 ///   equations (1)-(12). Order 2 in smooth phases for theta = 1/2, else 1.
 ///   A step within which a slip or a stick ends at h = g = 0, with no
-///   attracting stick to go on in, ends there: mode pinned, not in the set, the
-///   force a mean of those before and behind, the residual its distance from
-///   the law.
+///   attracting stick to go on in, ends there, pinned: the force is a mean of
+///   those before and behind, the residual its distance from the law.
 ///   The next step chooses, from that point.
 /// machine: in, prepared.
 /// state: in/out, from tf_begin.
