@@ -72,6 +72,7 @@
 #endif
 #ifdef SCHEME_COMPENSATED
 #define finish compensated_finish
+#define met_rest compensated_met_rest
 #define step_degraded compensated_step_degraded
 #define step_single_valued compensated_step_single_valued
 #define step_under compensated_step_under

@@ -12,7 +12,7 @@ BOARD_RUN := qemu-system-arm -M microbit -display none -monitor none \
 # Shift 6 is 15.6 instructions a microsecond: one a cycle would be 16. A step
 # at 1 kHz takes a faster chip of this kind.
 BOARD_STEPS := 100000
-BOARD_RATES_float := 1000:4 250:6
+BOARD_RATES_float := 1000:3 200:6
 BOARD_RATES_double := 1000:3 100:6
 BOARD_LOADS := -kernel
 # Functions stay functions here: what a scene leaves out can be shown.
