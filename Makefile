@@ -80,6 +80,8 @@ help:
 	@echo 'make bench-frame      frames decoded and made, MB/s'
 	@echo 'make bench-peers  error over time beside other tools (SUNDIALS, ...)'
 	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
+	@echo 'make fuzz SECONDS=30   random inputs against the promises (clang)'
+	@echo 'make soak STEPS=1e9    chaos for so many steps, then a replay'
 	@echo 'make oracle  remake tests/data/reference*.h (minutes; libquadmath)'
 	@echo 'make firmware SCENE=chaos BOARD=microbit REAL=float   (port/port.mk)'
 	@echo 'make boards  firmware of every board;  make deps installs compilers'
@@ -258,6 +260,7 @@ oracle: $(BUILD)/oracle
 
 include port/port.mk
 include tools/figures/figures.mk
+include tools/fuzz/fuzz.mk
 
 # The checks choose their own compilers and flags.
 check:

@@ -1,0 +1,15 @@
+#!/bin/sh
+# Every fuzz target for 30 s from its corpus: SECONDS_EACH says how long.
+. "$(dirname "$0")/lib.sh"
+need clang clang
+seconds=${SECONDS_EACH:-30}
+quietly "$MAKE" -s --no-print-directory BUILD="$BUILD/fuzz" fuzz-clang || {
+  echo 'missing: libFuzzer of clang (apt-get install libclang-rt-dev)'
+  exit 3
+}
+log=$BUILD/fuzz-runs.log
+"$MAKE" -s --no-print-directory BUILD="$BUILD/fuzz" SECONDS="$seconds" fuzz \
+  >"$log" 2>&1 || wrong "a fuzz target found something"
+cat "$log"
+checked "$(tail -n 1 "$log"); $(awk '$5 == "ok" { runs += $2 }
+  END { print runs }' "$log") runs, $seconds s a target"

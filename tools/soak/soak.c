@@ -1,0 +1,157 @@
+// Soak: chaos under the rule `random` for very many steps, and a replay.
+//   soak STEPS          (as 1e9 or 1000000000)
+// A snapshot is taken halfway, as a plain copy of the state. The second half is
+// then stepped again from it: the trail of all its bits must be the same.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/host.h"
+#include "twofold.h"
+
+#define LEAST_STEPS 1000.0
+#define MOST_STEPS 1e15
+#define RATE TF_R(10.0) // of leaving an open stick [1/s]
+#define SEED 2014u
+#define PROGRESS 5.0     // [s]
+#define BATCH (1u << 16) // steps between two looks at the clock
+
+typedef struct {
+  tf_machine_t machine;
+  tf_input_t input;
+  tf_state_t state;
+  uint64_t trail; // of the bits of all states so far
+  // Steps that broke a promise.
+  uint64_t refused, not_finite, drifted, miscounted;
+  // What happened.
+  uint64_t modes[TF_MODES], degraded, open;
+  double drift; // largest |h| in stick, in its rounding
+} soak_t;
+
+static int finite(tf_real_t x) { return x >= -TF_REAL_MAX && x <= TF_REAL_MAX; }
+
+// What |h| is off by in stick: its terms are known to a rounding each.
+static double rounding(const soak_t *s) {
+  const tf_state_t *x = &s->state;
+  const double z = fabs((double)x->w) + fabs((double)s->input.omega0);
+  const double reach = fabs((double)s->machine.d) + fabs((double)x->r);
+  return (double)TF_REAL_EPSILON * (fabs((double)x->v) + reach * z);
+}
+
+static uint64_t mix(uint64_t trail, tf_real_t x) {
+  uint64_t bits = 0;
+  memcpy(&bits, &x, sizeof x);
+  trail = (trail ^ bits) * UINT64_C(0x9E3779B97F4A7C15);
+  return trail ^ trail >> 29;
+}
+
+static void judge(soak_t *s, const tf_report_t *report, uint64_t step,
+                  double before) {
+  const tf_state_t *x = &s->state;
+  unsigned choices = 0;
+  for (unsigned set = report->set; set != 0; set &= set - 1) choices++;
+  if (!finite(x->r) || !finite(x->v) || !finite(x->w) ||
+      !finite(report->force.F) || !finite(report->force.M) ||
+      !finite(report->slip.h) || !finite(report->slip.g) ||
+      !finite(report->delassus) || !finite(report->residual))
+    s->not_finite++;
+  if (x->tick != step || report->choices != choices || x->mode >= TF_MODES ||
+      report->mode != x->mode || x->seed != SEED ||
+      (report->status == TF_OK && !(report->set & TF_MODE_BIT(x->mode)))) {
+    s->miscounted++;
+    return;
+  }
+  s->modes[x->mode]++;
+  s->degraded += report->status == TF_DEGRADED;
+  s->open += choices > 1;
+  if (x->mode <= TF_SLIP_MINUS) return;
+  // The bound of `stick_is_exact`: rounding on both sides of the step.
+  const double drift = fabs((double)report->slip.h) / (before + rounding(s));
+  if (drift > s->drift) s->drift = drift;
+  if (!(drift <= 1)) s->drifted++;
+}
+
+static void step_through(soak_t *s, uint64_t from, uint64_t to, double *shown,
+                         uint64_t all) {
+  for (uint64_t step = from + 1; step <= to; step++) {
+    tf_report_t report;
+    const double before = rounding(s);
+    if (tf_step(&s->machine, &s->state, &s->input, &report) < 0) {
+      s->refused++;
+      return; // it would be refused for ever
+    }
+    judge(s, &report, step, before);
+    s->trail = mix(s->trail, s->state.r);
+    s->trail = mix(s->trail, s->state.v);
+    s->trail = mix(s->trail, s->state.w) + s->state.mode;
+    if (step % BATCH != 0 || cli_now() - *shown < PROGRESS) continue;
+    *shown = cli_now();
+    (void)fprintf(stderr, "soak: step %.3g of %.3g, %.3g open, |h| <= %.2f\n",
+                  (double)step, (double)all, (double)s->open, s->drift);
+  }
+}
+
+static int start(soak_t *s) {
+  const tf_scene_t *scene = tf_scenes[0];
+  tf_params_t params = scene->params;
+  tf_session_t session;
+  params.rule = TF_RULE_RANDOM;
+  params.rate = RATE;
+  memset(s, 0, sizeof *s);
+  if (tf_session_open(&session, scene, &params, SEED) != TF_OK) return 0;
+  s->machine = session.machine;
+  s->state = session.state;
+  s->input = tf_session_input(&session, scene);
+  return 1;
+}
+
+static int passed, failed;
+
+static void tell(int ok, const char *what, double figure) {
+  *(ok ? &passed : &failed) += 1;
+  printf("%-6s %s: %.6g\n", ok ? "ok" : "FAILED", what, figure);
+}
+
+int main(int argc, char *argv[]) {
+  static soak_t s, again;
+  char *end = NULL;
+  const double wished = argc == 2 ? strtod(argv[1], &end) : 0;
+  if (!(wished >= LEAST_STEPS && wished <= MOST_STEPS) || *end != '\0') {
+    (void)fprintf(stderr, "usage: soak STEPS, 1e3 to 1e15\n");
+    return 2;
+  }
+  const uint64_t steps = (uint64_t)wished, half = steps / 2;
+  const double began = cli_now();
+  double shown = began;
+  if (!start(&s) || !start(&again)) return 3;
+  step_through(&s, 0, half, &shown, steps);
+  tf_state_t snapshot;
+  memcpy(&snapshot, &s.state, sizeof snapshot);
+  const uint64_t trail = s.trail;
+  step_through(&s, half, steps, &shown, steps);
+  memcpy(&again.state, &snapshot, sizeof snapshot);
+  again.trail = trail;
+  step_through(&again, half, steps, &shown, steps);
+
+  printf("chaos, rule random, %s: %.6g steps in %.1f s, half of them twice\n",
+         sizeof(tf_real_t) == 4 ? "float" : "double", (double)steps,
+         cli_now() - began);
+  for (unsigned mode = 0; mode < TF_MODES; mode++)
+    printf("# %s: %.6g steps\n", tf_mode_name(mode), (double)s.modes[mode]);
+  printf("# with a choice: %.6g; degraded: %.6g\n", (double)s.open,
+         (double)s.degraded);
+  tell(s.refused == 0, "steps refused", (double)s.refused);
+  tell(s.not_finite == 0, "steps with what is not finite",
+       (double)s.not_finite);
+  tell(s.drifted == 0, "largest |h| in stick over its rounding", s.drift);
+  tell(s.miscounted == 0 && s.state.tick == steps,
+       "steps whose counters disagree", (double)s.miscounted);
+  tell(s.open > 0 && s.modes[TF_STICK_PLUS] > 0 && s.modes[TF_STICK_MINUS] > 0,
+       "steps with a choice, of sticks of both signs", (double)s.open);
+  tell(again.trail == s.trail && again.state.tick == steps &&
+           memcmp(&again.state, &s.state, sizeof s.state) == 0,
+       "steps replayed from the snapshot, bit for bit", (double)(steps - half));
+  printf("%d passed, %d failed\n", passed, failed);
+  return failed > 0;
+}
