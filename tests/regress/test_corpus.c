@@ -15,12 +15,14 @@
 static void replay(const char *path, fuzz_target_t target) {
   static uint8_t data[LONGEST];
   FILE *file = fopen(path, "rb");
-  if (!CHECK(file != NULL)) return;
+  CHECK(file != NULL);
+  if (file == NULL) return;
   const size_t size = fread(data, 1, sizeof data, file);
   fclose(file);
   /* A copy of its own size, for the sanitizers. */
   uint8_t *copy = malloc(size + 1);
-  if (!CHECK(copy != NULL)) return;
+  CHECK(copy != NULL);
+  if (copy == NULL) return;
   memcpy(copy, data, size);
   const char *broken = target(copy, size);
   if (!CHECK(broken == NULL)) printf("#   %s: %s\n", path, broken);
@@ -32,7 +34,8 @@ static int replay_all(const char *room, const char *prefix,
                       fuzz_target_t target) {
   int count = 0;
   DIR *directory = opendir(room);
-  if (!CHECK(directory != NULL)) return 0;
+  CHECK(directory != NULL);
+  if (directory == NULL) return 0;
   for (struct dirent *at; (at = readdir(directory)) != NULL;) {
     char path[512];
     if (at->d_name[0] == '.' ||

@@ -163,9 +163,9 @@ static size_t make_command(board_t *b, uint8_t *wire) {
   const uint8_t type = fuzz_byte(&b->in);
   const uint8_t form = fuzz_byte(&b->in);
   size_t length = form & 63u;
-  uint64_t tick = form & 64u ? b->session.state.tick + fuzz_byte(&b->in) : 0;
+  uint64_t due = form & 64u ? b->session.state.tick + fuzz_byte(&b->in) : 0;
   uint8_t *at = wire + TF_FRAME_AT;
-  if (form & 128u) tick <<= 8;
+  if (form & 128u) due <<= 8;
   if (type == TF_UP_PARAMETER) {
     *at++ = (uint8_t)(length % (TF_PARAMETERS + 1));
     at = tf_wire_put_real(at, fuzz_real(&b->in));
@@ -180,7 +180,7 @@ static size_t make_command(board_t *b, uint8_t *wire) {
     for (; length > 0; length--) *at++ = fuzz_byte(&b->in);
   }
   return tf_frame_seal(wire, type, (size_t)(at - wire) - TF_FRAME_AT, &b->up,
-                       tick);
+                       due);
 }
 
 static const char *take_answers(board_t *b, unsigned most) {
