@@ -2,7 +2,6 @@
 // and the first word is the command. All commands read and check everything
 // before they open a file, and only that part is called here, so that no input
 // writes anything. What is accepted is in its ranges and ready to run.
-#include <math.h>
 #include <stdlib.h>
 
 #include "cli/analysis.h"
@@ -16,11 +15,6 @@
 
 static int is_code(int code) {
   return code == CLI_DONE || code == CLI_USAGE || code == CLI_REFUSED;
-}
-
-static int within_reach(const tf_state_t *x) {
-  return fabs((double)x->r) + fabs((double)x->v) + fabs((double)x->w) <=
-         1.0001 * (double)TF_STATE_LIMIT;
 }
 
 // Every parameter that the law needs lies in its range.
@@ -49,7 +43,7 @@ static const char *run(int argc, char *const argv[]) {
   FUZZ_HOLD(is_code(code));
   cli_setup_notes(&setup, args.scheme->idle, args.scheme->why);
   if (code != CLI_DONE) return NULL;
-  FUZZ_HOLD(within_reach(&setup.state) && setup.state.mode < TF_MODES);
+  FUZZ_HOLD(fuzz_in_reach(&setup.state) && setup.state.mode < TF_MODES);
   FUZZ_HOLD(fuzz_finite(setup.state.phi) && setup.state.tick == 0);
   return NULL;
 }

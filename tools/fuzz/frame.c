@@ -213,14 +213,15 @@ static const char *tick(board_t *b) {
                    offsetof(tf_machine_t, exit_threshold)) == 0);
   FUZZ_HOLD(machine.rule == b->session.machine.rule);
   const tf_input_t input = tf_session_input(&b->session, b->scene);
+  FUZZ_HOLD(fuzz_finite(input.omega0) && fuzz_finite(input.r0));
+  FUZZ_HOLD(fuzz_finite(input.force) && fuzz_finite(input.torque));
+  FUZZ_HOLD(fuzz_finite(input.alpha));
   if (!b->session.running) return NULL;
   const tf_status_t status = tf_step(&b->session.machine, &b->session.state,
                                      &input, &b->session.report);
   FUZZ_HOLD(status >= 0 ||
             memcmp(&after.state, &b->session.state, sizeof after.state) == 0);
-  FUZZ_HOLD(fuzz_finite(b->session.state.r));
-  FUZZ_HOLD(fuzz_finite(b->session.state.v));
-  FUZZ_HOLD(fuzz_finite(b->session.state.w));
+  FUZZ_HOLD(fuzz_in_reach(&b->session.state));
   return NULL;
 }
 

@@ -61,6 +61,13 @@ static inline int fuzz_finite(tf_real_t x) {
   return x >= -TF_REAL_MAX && x <= TF_REAL_MAX;
 }
 
+/// Whether a state is one that a step may return.
+static inline int fuzz_in_reach(const tf_state_t *x) {
+  const tf_real_t r = x->r < 0 ? -x->r : x->r, v = x->v < 0 ? -x->v : x->v;
+  const tf_real_t w = x->w < 0 ? -x->w : x->w;
+  return r + v + w <= TF_STATE_LIMIT;
+}
+
 /// The same bits, or both not a number.
 static inline int fuzz_same(tf_real_t a, tf_real_t b) {
   return memcmp(&a, &b, sizeof a) == 0 ||

@@ -99,8 +99,7 @@ static const char *judge_step(const tf_state_t *was, const tf_state_t *state,
   }
   FUZZ_HOLD(status == TF_OK || status == TF_DEGRADED || status == TF_COARSE ||
             status == TF_FELL_BACK);
-  FUZZ_HOLD(fuzz_finite(state->r) && fuzz_finite(state->v));
-  FUZZ_HOLD(fuzz_finite(state->w));
+  FUZZ_HOLD(fuzz_in_reach(state));
   FUZZ_HOLD(state->tick == was->tick + 1 && state->seed == was->seed);
   // phi is the caller's own: only what was small stays finite.
   if (was->phi >= -TF_STATE_LIMIT && was->phi <= TF_STATE_LIMIT)
