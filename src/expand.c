@@ -133,12 +133,8 @@ static bool expand_hold(tf_motion_t *s, const tf_segment_t *g) {
 // linearly, through term n of the motion. Two trials give the line.
 static bool expand_through(tf_motion_t *s, const tf_segment_t *g) {
   extend(s, 0);
-  for (int n = 1; n <= TF_ORDER; n++) {
+  for (int n = 1; n < TF_ORDER; n++) {
     tf_real_t rest[2];
-    if (n == TF_ORDER) { // lambda_(N-1) would need term N + 1: it is left 0
-      apply_lambda(s, g, n - 1, 0);
-      return true;
-    }
     for (int trial = 0; trial < 2; trial++) {
       extend(s, n - 1);
       apply_lambda(s, g, n - 1, (tf_real_t)trial);
@@ -151,6 +147,8 @@ static bool expand_through(tf_motion_t *s, const tf_segment_t *g) {
     apply_lambda(s, g, n - 1, rest[0] / slope);
     extend(s, n);
   }
+  // lambda_(N-1) would need term N + 1: it is left 0.
+  apply_lambda(s, g, TF_ORDER - 1, 0);
   return true;
 }
 
@@ -208,9 +206,9 @@ TF_API bool tf_expand(tf_motion_t *s, const tf_segment_t *g) {
     case TF_THROUGH:
       return expand_through(s, g);
     case TF_PIN:
+    default:
       return expand_pin(s);
   }
-  return false;
 }
 
 TF_API tf_real_t tf_turned(const tf_motion_t *s, tf_real_t t) {

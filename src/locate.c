@@ -142,9 +142,9 @@ static bool pass(tf_walk_t *walk, tf_switch_t what) {
       segment->g_is_0 = false;
       return true;
     case TF_UNPINNED:
+    default:
       return tf_leave_corner(walk, false);
   }
-  return false;
 }
 
 // Whether slip is near h = g = 0 and its series much shorter than its way from

@@ -108,6 +108,7 @@ static void prepare_tyre(tf_tyre_t *tyre, const tf_params_t *params) {
       break;
     case TF_TYRE_COULOMB:
     case TF_TYRE_NONE:
+    default:
       break;
   }
 }

@@ -25,9 +25,10 @@ static unsigned stick_of(unsigned sticks, const tf_solutions_t *solutions) {
 
 // The n-th mode of a set that has more than n.
 static unsigned nth_mode(unsigned set, unsigned n) {
+  unsigned found = TF_MODES;
   for (unsigned mode = 0; mode < TF_MODES; mode++)
-    if (has(set, mode) && n-- == 0) return mode;
-  return TF_MODES;
+    if (has(set, mode) && n-- == 0) found = mode;
+  return found;
 }
 
 static unsigned size_of(unsigned set) {
@@ -70,6 +71,7 @@ static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold, unsigned set,
     case TF_RULE_RANDOM:
       return random_exit(exit_threshold, set, mode, tick, seed);
     case TF_RULE_PERSIST:
+    default:
       break;
   }
   return mode;

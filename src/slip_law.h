@@ -3,7 +3,7 @@
 #ifndef TF_SLIP_LAW_H
 #define TF_SLIP_LAW_H
 
-#include "twofold/tyre.h"
+#include "twofold/machine.h"
 #include "tyre_core.h"
 
 // |F - law| + |M - law|, and how far h is on the other side, with 1 m/s counted

@@ -109,6 +109,7 @@ TF_API tf_switch_t tf_next_switch(const tf_motion_t *s, const tf_segment_t *g,
     case TF_PIN:
       return switch_of_pin(s, when);
     case TF_FREE:
+    default:
       break;
   }
   return TF_NO_SWITCH;

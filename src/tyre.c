@@ -72,6 +72,7 @@ TF_API tf_force_t tf_tyre_force(const tf_tyre_t *tyre, tf_real_t side,
     case TF_TYRE_SMOOTH:
       return smooth_force(tyre, h, g);
     case TF_TYRE_NONE:
+    default:
       break;
   }
   return (tf_force_t){0, 0};

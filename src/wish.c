@@ -8,11 +8,12 @@
 #define LEAST_HOLD TF_R(1e-6) // of sin(gamma) on v, as in tf_speed_for_slip
 
 static bool in_its_range(size_t offset, tf_real_t value) {
+  bool in = true;
   for (int i = 0; i < TF_PARAMETERS; i++)
     if (tf_parameter_ranges[i].offset == offset)
-      return value >= tf_parameter_ranges[i].low &&
-             value <= tf_parameter_ranges[i].high;
-  return false;
+      in = value >= tf_parameter_ranges[i].low &&
+           value <= tf_parameter_ranges[i].high;
+  return in;
 }
 
 // What can be told before anything is computed.

@@ -46,6 +46,20 @@ TEST(a_lost_slip_reports_what_was_consistent) {
     CHECK(report.set == f->set && report.choices == 1);
     CHECK(!(report.set & TF_MODE_BIT(report.mode))); /* it was not entered */
     CHECK(report.delassus != 0);
+    /* The step that carries its rounding says the same. */
+    tf_compensated_t more;
+    tf_carry_t carry = {0};
+    tf_report_t other;
+    tf_state_t y = {.r = (tf_real_t)f->r,
+                    .v = (tf_real_t)f->v,
+                    .w = (tf_real_t)f->w,
+                    .mode = f->mode};
+    CHECK(tf_prepare_compensated(&more, &p, NULL) == TF_OK);
+    CHECK(tf_step_compensated(&more, &y, &carry, &u, &other) == TF_DEGRADED);
+    CHECK(other.set == report.set && other.mode == report.mode);
+    CHECK(other.choices == 1 && y.mode == x.mode && y.tick == 1);
+    CHECK_NEAR(y.r, x.r, 1e-14);
+    CHECK_NEAR(y.w, x.w, 1e-13);
   }
 }
 

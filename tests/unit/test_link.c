@@ -180,6 +180,47 @@ TEST(session_is_the_run_of_the_command_line) {
   CHECK(tf_session_open(&session, tf_scenes[0], &params, 0) == TF_BAD_STATE);
 }
 
+/* A start with h < 0 slips to that side; one that is out of reach is refused,
+ * and a session under way stays as it was. */
+TEST(session_starts_on_either_side) {
+  tf_scene_t scene = *scene_named("chaos");
+  tf_session_t session;
+  for (int side = -1; side <= 1; side += 2) {
+    scene.h = (tf_real_t)side * TF_R(0.01);
+    CHECK(tf_session_open(&session, &scene, &scene.params, 0) == TF_OK);
+    CHECK(session.state.mode == (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
+    CHECK_NEAR(session.report.slip.h, scene.h, 8 * TF_REAL_EPSILON);
+  }
+  const tf_session_t before = session;
+  scene.v_is_given = true;
+  scene.r = 2 * TF_STATE_LIMIT;
+  CHECK(tf_session_start(&session, &scene, 7) == TF_BAD_STATE);
+  CHECK(same_state(&session.state, &before.state));
+  CHECK(session.report.mode == before.report.mode);
+}
+
+/* A line that was opened with parameters which no machine has: a command that
+ * does not mend them is refused and undone, one that does is taken. */
+TEST(parameters_of_no_machine_are_refused_until_mended) {
+  board_t board;
+  power_up(&board, "chaos");
+  tf_params_t params = board.scene->params;
+  params.m = -1;
+  tf_link_open(&board.link, board.scene, &params);
+  const acting_t before = acting(&board);
+  const uint8_t rule[5] = {TF_RULE_RANDOM, 1, 2, 3, 4};
+  send_parameter(&board, 0, index_of("mu"), 2);
+  send(&board, TF_UP_RULE, 0, rule, sizeof rule);
+  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  CHECK(code_of(&board) == TF_BAD_PARAMETER);
+  CHECK(code_of(&board) == TF_BAD_PARAMETER);
+  CHECK(acts_alike(&board, &before) && board.session.state.seed == 5);
+  send_parameter(&board, 0, index_of("m"), 1);
+  send(&board, TF_UP_RULE, 0, rule, sizeof rule);
+  CHECK(tf_link_boundary(&board.link, &board.session) == 2);
+  CHECK(board.session.machine.rule == TF_RULE_RANDOM);
+}
+
 TEST(set_parameter_takes_effect_only_at_the_boundary) {
   board_t board;
   power_up(&board, "chaos");
@@ -478,6 +519,8 @@ TEST(no_byte_changes_a_parameter_by_itself) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(session_is_the_run_of_the_command_line);
+  RUN(session_starts_on_either_side);
+  RUN(parameters_of_no_machine_are_refused_until_mended);
   RUN(set_parameter_takes_effect_only_at_the_boundary);
   RUN(set_parameter_is_validated_and_answered);
   RUN(lengths_types_and_dates_are_checked);

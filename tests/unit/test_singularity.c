@@ -322,6 +322,55 @@ TEST(machines_without_two_folds_say_why) {
   CHECK(count == 77);
 }
 
+/* A spring at rest at a singular radius, over a turntable that rests: N is 0
+ * for g = 0 alone, which has no side and is no place. */
+TEST(balance_at_rest_is_no_two_fold) {
+  tf_params_t params = tf_scenes[0]->params;
+  params.c1 = params.c2 = 0;
+  const tf_machine_t machine = prepared(&params);
+  tf_input_t input = tf_input_default(&machine);
+  tf_place_t at[TF_TWO_FOLDS];
+  int count = 0;
+  CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK && count > 0);
+  input = (tf_input_t){.r0 = at[0].r};
+  const tf_real_t rest = at[0].r;
+  CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
+  for (int i = 0; i < count; i++) CHECK(at[i].r != rest && at[i].g != 0);
+}
+
+/* At the ends of what is allowed a normal form may be out of the real type:
+ * then it is refused, and nothing that is not finite is written. */
+TEST(normal_forms_are_finite_or_refused) {
+  int refused = 0, given = 0;
+  for (int i = 0; i < 4000; i++) {
+    tf_params_t params = tf_scenes[0]->params;
+    params.m = (tf_real_t)pow(10, tap_uniform(-11.9, 11.9));
+    params.d = (tf_real_t)pow(10, tap_uniform(-5.9, 5.9));
+    params.beta = (tf_real_t)pow(10, tap_uniform(-8.9, 5.9));
+    params.k2 = (tf_real_t)pow(10, tap_uniform(-9, 14.9));
+    params.mu = (tf_real_t)pow(10, tap_uniform(-9, 8.9));
+    params.kappa = (tf_real_t)pow(10, tap_uniform(-8.9, 5.9));
+    const tf_machine_t machine = prepared(&params);
+    const tf_input_t input = tf_input_default(&machine);
+    const tf_place_t place = {(tf_real_t)pow(10, tap_uniform(-30, 8)),
+                              uniform(-4e8, 4e8), uniform(-4e8, 4e8),
+                              tap_bits() & 1u ? TF_R(1.0) : TF_R(-1.0)};
+    tf_two_fold_t form;
+    memset(&form, 77, sizeof form);
+    const tf_two_fold_t before = form;
+    if (tf_normal_form(&machine, &input, &place, &form) == TF_OK) {
+      given++;
+      CHECK(isfinite(wide(form.Kpp)) && isfinite(wide(form.Kpm)));
+      CHECK(isfinite(wide(form.Kmp)) && isfinite(wide(form.Kmm)));
+      CHECK(isfinite(wide(form.plus.w)) && isfinite(wide(form.minus.w)));
+    } else {
+      refused++;
+      CHECK(!memcmp(&form, &before, sizeof form));
+    }
+  }
+  CHECK(given > 0 && (refused > 0) == (sizeof(tf_real_t) == 4));
+}
+
 static unsigned obstacle(const tf_params_t *params, double r, double w) {
   const tf_machine_t machine = prepared(params);
   const tf_input_t input = tf_input_default(&machine);
@@ -385,6 +434,8 @@ int main(int argc, char **argv) {
   RUN(gamma_zero_has_a_continuous_two_fold);
   RUN(gamma_right_has_no_two_fold);
   RUN(machines_without_two_folds_say_why);
+  RUN(balance_at_rest_is_no_two_fold);
+  RUN(normal_forms_are_finite_or_refused);
   RUN(wishes_that_cannot_be_granted_say_why);
   return tap_end();
 }

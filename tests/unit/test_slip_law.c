@@ -1,0 +1,36 @@
+/* How far a force is from the law of slip, where slip is none: h = g = 0. */
+#include "tap.h"
+#include "twofold.h"
+/* After twofold.h: of the core itself. */
+#include "slip_law.h"
+
+typedef long double real;
+
+/* At h = g = 0 every angle is in the law: forces of all of them leave nothing
+ * open, others what they are off by. */
+TEST(slip_law_at_rest_is_that_of_every_angle) {
+  tf_machine_t machine;
+  CHECK(tf_prepare(&machine, &tf_scenes[0]->params, NULL) == TF_OK);
+  const tf_tyre_t *tyre = &machine.tyre;
+  const real size = (real)tyre->mu * (1 + (real)tyre->kappa);
+  const real close = 32 * (real)TF_REAL_EPSILON * (1 + size);
+  const tf_slip_t rest = {0, 0};
+  for (int i = 0; i < 400; i++) {
+    const int side = i % 2 ? 1 : -1;
+    const double angle = tap_uniform(0, 6.283185307);
+    const tf_force_t law = tf_tyre_force(tyre, (tf_real_t)side,
+                                         (tf_real_t)(side * fabs(cos(angle))),
+                                         (tf_real_t)sin(angle));
+    const tf_force_t off = {law.F, law.M + (law.M < 0 ? TF_R(-1.0) : 1)};
+    CHECK_NEAR(slip_law_residual(tyre, side, law, rest), 0, close);
+    CHECK_NEAR(slip_law_residual(tyre, side, off, rest), 1, close);
+  }
+  const tf_force_t backward = {-tyre->mu, 0};
+  CHECK(slip_law_residual(tyre, 1, backward, rest) >= 2 * tyre->mu);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(slip_law_at_rest_is_that_of_every_angle);
+  return tap_end();
+}
