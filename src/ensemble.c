@@ -230,7 +230,7 @@ static void step_lane(const tf_machine_t *k, tf_state_block_t *b,
                       const tf_state_t *before, const tf_report_t *last) {
   tf_state_t state = *before;
   tf_report_t report = *last;
-  tf_step(k, &state, u, &report);
+  (void)tf_step(k, &state, u, &report);
   tf_ensemble_put(b, i, &state);
   out->F[i] = report.force.F;
   out->M[i] = report.force.M;

@@ -21,8 +21,9 @@ TF_API const char *tf_status_name(tf_status_t status) {
       return "the motion leaves the range of states";
     case TF_STEP_TOO_LONG:
       return "step too long for this motion";
+    default:
+      return "unknown status";
   }
-  return "unknown status";
 }
 
 TF_API const char *tf_mode_name(unsigned mode) {

@@ -23,7 +23,7 @@ TF_API uint32_t tf_params_hash(const tf_params_t *params) {
   uint32_t crc = 0;
   uint8_t bytes[sizeof(tf_real_t)];
   for (unsigned i = 0; i < TF_PARAMETERS; i++) {
-    tf_wire_put_real(bytes, value_of(params, i));
+    (void)tf_wire_put_real(bytes, value_of(params, i));
     crc = tf_crc32(crc, bytes, sizeof bytes);
   }
   const uint8_t choices[3] = {(uint8_t)params->law, (uint8_t)params->rule,

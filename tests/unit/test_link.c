@@ -138,67 +138,6 @@ static int same_state(const tf_state_t *a, const tf_state_t *b) {
          a->seed == b->seed && a->mode == b->mode;
 }
 
-TEST(session_is_the_run_of_the_command_line) {
-  for (int i = 0; i < TF_SCENES; i++) {
-    const tf_scene_t *scene = tf_scenes[i];
-    tf_session_t session;
-    CHECK(tf_session_open(&session, scene, &scene->params, 0) == TF_OK);
-    tf_state_t state;
-    memset(&state, 0, sizeof state);
-    tf_input_t input = tf_scene_input(scene, &session.machine, 0);
-    state.r = scene->r;
-    state.w = scene->omega;
-    state.v = scene->v;
-    state.mode = TF_MODES;
-    if (!scene->v_is_given) {
-      CHECK(tf_speed_for_slip(&session.machine, state.r, state.w, input.omega0,
-                              scene->h, &state.v) == TF_OK);
-      if (scene->h > 0) state.mode = TF_SLIP_PLUS;
-    }
-    tf_report_t report;
-    CHECK(tf_begin(&session.machine, &state, &input, &report) == TF_OK);
-    CHECK(same_state(&state, &session.state));
-    CHECK(report.choices == session.report.choices && session.running);
-    for (int n = 1; n <= 30000; n++) {
-      input =
-          tf_scene_input(scene, &session.machine,
-                         (tf_real_t)((double)n * (double)session.machine.dt));
-      tf_step(&session.machine, &state, &input, &report);
-      const tf_input_t own = tf_session_input(&session, scene);
-      CHECK(own.omega0 == input.omega0 && own.alpha == input.alpha);
-      tf_step(&session.machine, &session.state, &own, &session.report);
-    }
-    CHECK(same_state(&state, &session.state));
-  }
-  tf_session_t session;
-  tf_params_t params = tf_scenes[0]->params;
-  params.m = -1;
-  CHECK(tf_session_open(&session, tf_scenes[0], &params, 0) ==
-        TF_BAD_PARAMETER);
-  params.m = 1;
-  params.gamma = 0; /* h has no hold on v there */
-  CHECK(tf_session_open(&session, tf_scenes[0], &params, 0) == TF_BAD_STATE);
-}
-
-/* A start with h < 0 slips to that side; one that is out of reach is refused,
- * and a session under way stays as it was. */
-TEST(session_starts_on_either_side) {
-  tf_scene_t scene = *scene_named("chaos");
-  tf_session_t session;
-  for (int side = -1; side <= 1; side += 2) {
-    scene.h = (tf_real_t)side * TF_R(0.01);
-    CHECK(tf_session_open(&session, &scene, &scene.params, 0) == TF_OK);
-    CHECK(session.state.mode == (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
-    CHECK_NEAR(session.report.slip.h, scene.h, 8 * TF_REAL_EPSILON);
-  }
-  const tf_session_t before = session;
-  scene.v_is_given = true;
-  scene.r = 2 * TF_STATE_LIMIT;
-  CHECK(tf_session_start(&session, &scene, 7) == TF_BAD_STATE);
-  CHECK(same_state(&session.state, &before.state));
-  CHECK(session.report.mode == before.report.mode);
-}
-
 /* A line that was opened with parameters which no machine has: a command that
  * does not mend them is refused and undone, one that does is taken. */
 TEST(parameters_of_no_machine_are_refused_until_mended) {
@@ -518,8 +457,6 @@ TEST(no_byte_changes_a_parameter_by_itself) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(session_is_the_run_of_the_command_line);
-  RUN(session_starts_on_either_side);
   RUN(parameters_of_no_machine_are_refused_until_mended);
   RUN(set_parameter_takes_effect_only_at_the_boundary);
   RUN(set_parameter_is_validated_and_answered);

@@ -1,0 +1,42 @@
+#!/bin/sh
+# Lines and branches of src/ that the tests of the host reach, both real types
+# together: what no test reaches is not known to work, so it is wrong. The
+# parts of a step are functions here, so that each counts once (kernel.h).
+. "$(dirname "$0")/lib.sh"
+need gcov gcc
+
+# Of the branches, the share below which the check fails: what is reached now,
+# in thousandths. Those left are halves of conditions that guard against what
+# no test has found a state for: see BUILD/coverage.txt for each. Where a
+# change reaches more, this number goes up with it.
+LEAST_BRANCHES=950
+
+# Programs, not the command line: who breaks the core is to be told by a test
+# that names what broke. test_extremes is left out for its time without
+# optimisation, test_line and test_device for the programs that they start.
+tests=$(files_in 'test_*.c' tests/unit tests/law tests/golden tests/regress |
+  grep -vE "/test_(device|extremes|line)\.c\$" | tr "\n" " ")
+place=$BUILD/coverage
+rm -rf "$place"
+programs=
+for real in double float; do
+  for test in $tests; do programs="$programs $place/$real/${test%.c}"; done
+done
+# shellcheck disable=SC2086  # a list of programs
+build CC=gcc BUILD="$place" OPT=-O0 TESTS="$tests" \
+  EXTRA='--coverage -DTF_INLINE=static -Wno-unused-function' $programs ||
+  wrong "tests do not compile for coverage"
+export TIMEOUT=900
+# shellcheck disable=SC2086  # a list of programs
+quietly tests/run $programs || wrong "tests fail"
+
+for real in double float; do
+  for data in "$place/$real"/src/*.gcda; do
+    gcov -t -b -c -r "$data" 2>/dev/null
+  done
+done >"$BUILD/coverage.gcov"
+awk -v least="$LEAST_BRANCHES" -f tools/check/coverage.awk \
+  "$BUILD/coverage.gcov" >"$BUILD/coverage.txt" ||
+  wrong "a line is reached by no test, or fewer branches than before"
+cat "$BUILD/coverage.txt"
+checked "$(tail -n 1 "$BUILD/coverage.txt")"
