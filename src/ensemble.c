@@ -348,8 +348,7 @@ TF_API size_t tf_ensemble_step(const tf_machine_t *machine,
                                tf_state_block_t *states, size_t n,
                                const tf_input_t *input,
                                tf_report_block_t *reports) {
-  const bool fast =
-      machine->tyre.law == TF_TYRE_JUMP && machine->stick_kappa > 0;
+  const bool fast = machine->stick_kappa > 0; // of the jump law alone
   const size_t whole = fast ? n / TF_LANES : 0;
   size_t alone = 0;
   for (size_t i = 0; i < whole; i++)

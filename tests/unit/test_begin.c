@@ -236,6 +236,19 @@ TEST(begin_at_codimension_two_is_pinned) {
   CHECK(begun(&without, &x, TF_MODES).mode != TF_PINNED);
 }
 
+/* gamma = 0 and r = 0: no force acts on h, and none is needed. */
+TEST(begin_where_no_force_acts_on_h) {
+  tf_params_t params = tf_scenes[0]->params;
+  params.gamma = 0;
+  const tf_machine_t machine = prepared(&params);
+  for (int side = -1; side <= 1; side += 2) {
+    const tf_state_t x = {.v = (tf_real_t)side, .w = params.omega0};
+    const tf_report_t report = begun(&machine, &x, TF_MODES);
+    CHECK(report.mode == (side < 0 ? TF_STICK_PLUS : TF_STICK_MINUS));
+    CHECK(report.force.F == 0 && report.choices == 1);
+  }
+}
+
 /* The two ends of a wish that real numbers cannot keep: stick where only slip
  * is possible, slip where only stick is. */
 TEST(begin_ignores_impossible_wishes) {
@@ -260,6 +273,7 @@ int main(int argc, char **argv) {
   RUN(begin_off_the_surface);
   RUN(begin_counts_rounding_as_zero);
   RUN(begin_at_codimension_two_is_pinned);
+  RUN(begin_where_no_force_acts_on_h);
   RUN(begin_ignores_impossible_wishes);
   return tap_end();
 }

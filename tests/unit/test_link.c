@@ -231,6 +231,12 @@ TEST(set_parameter_is_validated_and_answered) {
   CHECK(answer.code == TF_BAD_PARAMETER && answer.length == 5);
   CHECK(answer_of(&board).code == TF_BAD_PARAMETER);
   CHECK(answer_of(&board).length == 0);
+  /* One that is not even looked at tells nothing of a parameter. */
+  send_parameter(&board, TF_LINK_AHEAD + 1, mu, 1);
+  tf_link_boundary(&board.link, &board.session);
+  answer = answer_of(&board);
+  CHECK(answer.code == TF_ANSWER_FAR && answer.length == 5);
+  CHECK(answer.index == 255);
 }
 
 TEST(lengths_types_and_dates_are_checked) {

@@ -193,6 +193,16 @@ TEST(schema_says_what_runs) {
   CHECK(!strcmp((const char *)at + 13 + R, "chaos"));
   CHECK(!strcmp((const char *)at + 13 + R + 6, "demo"));
   CHECK(received.frame.length == 13 + R + 6 + 5);
+  /* Each flag has a bit of its own. */
+  for (unsigned flags = 0; flags < 4; flags++) {
+    tf_params_t flagged = *params;
+    tf_schema_t variant = schema;
+    flagged.with_angle = flags & 1u;
+    variant.takes_commands = flags & 2u;
+    variant.params = &flagged;
+    receive(&received, wire, tf_send_schema(wire, &sequence, 0, &variant));
+    CHECK(received.frame.payload[4] == flags);
+  }
   /* Names that do not fit are cut off, and both still end. */
   char name[400];
   memset(name, 'x', sizeof name);

@@ -400,6 +400,10 @@ TEST(wishes_that_cannot_be_granted_say_why) {
   params.gamma = (tf_real_t)(PAPER_PI / 2);
   CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GAMMA);
   params = tf_scenes[0]->params;
+  CHECK(obstacle(&params, 1e8, -1.037) == TF_WISH_KAPPA); /* too long */
+  params.mu = 0;
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_LAW);
+  params = tf_scenes[0]->params;
   params.law = TF_TYRE_COULOMB;
   CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_LAW);
   const tf_machine_t machine = prepared(&params);

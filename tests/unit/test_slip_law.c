@@ -25,6 +25,14 @@ TEST(slip_law_at_rest_is_that_of_every_angle) {
     CHECK_NEAR(slip_law_residual(tyre, side, law, rest), 0, close);
     CHECK_NEAR(slip_law_residual(tyre, side, off, rest), 1, close);
   }
+  /* On h = 0 alone the angle is known: one force, and how far from it. */
+  for (int side = -1; side <= 1; side += 2) {
+    const tf_slip_t slip = {0, TF_R(0.25)};
+    tf_force_t force = tf_tyre_force(tyre, (tf_real_t)side, 0, slip.g);
+    CHECK(slip_law_residual(tyre, side, force, slip) == 0);
+    force.M += 1;
+    CHECK_NEAR(slip_law_residual(tyre, side, force, slip), 1, close);
+  }
   const tf_force_t backward = {-tyre->mu, 0};
   CHECK(slip_law_residual(tyre, 1, backward, rest) >= 2 * tyre->mu);
 }
