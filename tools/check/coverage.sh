@@ -9,18 +9,21 @@ need gcov gcc
 # in thousandths. Those left are halves of conditions that guard against what
 # no test has found a state for: see BUILD/coverage.txt for each. Where a
 # change reaches more, this number goes up with it.
-LEAST_BRANCHES=950
+LEAST_BRANCHES=955
 
 # Programs, not the command line: who breaks the core is to be told by a test
-# that names what broke. test_extremes is left out for its time without
-# optimisation, test_line and test_device for the programs that they start.
+# that names what broke. Without optimisation test_extremes takes minutes in
+# double and is run in float; test_line and test_device start programs.
 tests=$(files_in 'test_*.c' tests/unit tests/law tests/golden tests/regress |
-  grep -vE "/test_(device|extremes|line)\.c\$" | tr "\n" " ")
+  grep -vE "/test_(device|line)\.c\$" | tr "\n" " ")
 place=$BUILD/coverage
 rm -rf "$place"
 programs=
 for real in double float; do
-  for test in $tests; do programs="$programs $place/$real/${test%.c}"; done
+  for test in $tests; do
+    [ "$real ${test##*/}" != "double test_extremes.c" ] || continue
+    programs="$programs $place/$real/${test%.c}"
+  done
 done
 # shellcheck disable=SC2086  # a list of programs
 build CC=gcc BUILD="$place" OPT=-O0 TESTS="$tests" \
@@ -30,10 +33,9 @@ export TIMEOUT=900
 # shellcheck disable=SC2086  # a list of programs
 quietly tests/run $programs || wrong "tests fail"
 
-for real in double float; do
-  for data in "$place/$real"/src/*.gcda; do
-    gcov -t -b -c -r "$data" 2>/dev/null
-  done
+# Headers are also reached from within a test.
+files_in '*.gcda' "$place" | while read -r data; do
+  gcov -t -b -c -r "$data" 2>/dev/null
 done >"$BUILD/coverage.gcov"
 awk -v least="$LEAST_BRANCHES" -f tools/check/coverage.awk \
   "$BUILD/coverage.gcov" >"$BUILD/coverage.txt" ||
