@@ -30,9 +30,7 @@ COUNTS := nearest machines
 PEERS := hand twofold reference
 ORACLE := $(wildcard tools/oracle/*.c)
 REPORT := sweep scatter cost digits scenes
-HIL := $(wildcard tools/hil/*.c) tools/cli/source.c tools/cli/host.c
 HIL_PARTS := $(wildcard tools/hil/*.c) tools/cli/source.c tools/cli/host.c
-REPORT := sweep scatter cost digits
 
 # One rounding per operation, everywhere: the same bits on every target.
 COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude
