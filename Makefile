@@ -187,7 +187,7 @@ keep-report:
 	mkdir -p docs/report
 	cp $(BUILD)/report/*.svg docs/report/
 	if [ -e $(BUILD)/STABILITY.md ]; then cp $(BUILD)/STABILITY.md docs/ && \
-	  mkdir -p docs/stability && cp $(BUILD)/stability/*.svg docs/stability/; fi
+	  mkdir -p docs/stability && cp $(BUILD)/stability/*.png docs/stability/; fi
 
 # All reports of one commit and compiler, one after the other: none disturbs
 # what another measures.
@@ -200,7 +200,7 @@ bench-steps: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
 	@CC='$(CC)' BUILD='$(BUILD)' tools/bench/run
 
 stability: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/stability/sweep)
-	@BUILD='$(BUILD)' tools/stability/run
+	@CC='$(CC)' BUILD='$(BUILD)' tools/stability/run
 
 $(COUNTS:%=$(BUILD)/statistics/%): $(BUILD)/statistics/%: \
     $(BUILD)/double/tools/statistics/%.o $(BUILD)/double/libtwofold.a

@@ -3,7 +3,8 @@
 # darker than what is stable. SETTINGS and DATA come from map.awk.
 # Usage: gnuplot -e "settings='F'; data='F'; out='F'" map.gp
 load settings
-set terminal svg size 1500,2400 font 'Helvetica,21' background '#ffffff'
+# Of cells by the thousand an SVG has two megabytes, a PNG a fiftieth of it.
+set terminal pngcairo size 1000,1600 font 'Helvetica,11' background '#ffffff'
 set output out
 means = "'stable' 'stable, some steps degraded' 'the motion leaves the range' " \
   ."'refused: step too long' 'refused: scheme diverged' 'energy created' " \
@@ -13,7 +14,7 @@ array colour[8] = [0xCFE8F5, 0xF0E442, 0x0072B2, 0xE69F00, 0xD55E00, 0x000000, \
 columns = 4
 lines = (panels + columns) / columns
 set multiplot title 'Stability of '.heading.': verdict after 4000 steps' \
-  font ',24'
+  font ',13'
 set tics out nomirror
 set xrange [-6.25:-0.75]
 set format x '10^{%g}'
