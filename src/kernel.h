@@ -11,11 +11,8 @@
 
 // The parts of a step are one function to the compiler: handing their structs
 // over through memory would double its instructions. What a step hardly ever
-// needs is kept out of it. Who builds for something else than speed, as for
-// coverage, where a function is to count once, defines TF_INLINE before.
-#ifndef TF_INLINE
+// needs is kept out of it.
 #define TF_INLINE static inline __attribute__((always_inline))
-#endif
 #define TF_RARE static __attribute__((noinline, cold))
 
 // A compiler that knows the instruction uses it; a soft-float target calls

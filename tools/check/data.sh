@@ -5,8 +5,7 @@
 . "$(dirname "$0")/lib.sh"
 need objdump binutils
 for real in double float; do
-  library=$BUILD/gcc/$real/libtwofold.a
-  build CC=gcc BUILD="$BUILD/gcc" EXTRA=-Werror "$library" ||
+  core_library "$real" ||
     wrong "$library does not compile"
   objdump -t "$library" | awk -v library="$library" '
     { section = ""

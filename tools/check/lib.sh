@@ -33,14 +33,25 @@ checked() {
 
 # quietly COMMAND...: its output only where it fails.
 quietly() {
-  "$@" >"$BUILD/quietly.log" 2>&1 && return
-  cat "$BUILD/quietly.log"
-  return 1
+  quiet_log=$BUILD/quietly-$$.log
+  "$@" >"$quiet_log" 2>&1 || {
+    cat "$quiet_log"
+    return 1
+  }
+  rm -f "$quiet_log"
 }
 
 # build VARIABLE=VALUE... TARGET...: make, its output only where it fails.
 build() {
   quietly "$MAKE" --no-print-directory "$@"
+}
+
+# core_library REAL: sets `library` to the core's, by gcc. Checks run side by
+# side: one of them builds it, the others wait.
+core_library() {
+  library=$BUILD/core/$1/libtwofold.a
+  quietly flock "$BUILD/core.lock" "$MAKE" --no-print-directory CC=gcc \
+    BUILD="$BUILD/core" EXTRA=-Werror "$library"
 }
 
 # files_in PATTERN ROOM...: files of the rooms that exist, one a line, sorted.

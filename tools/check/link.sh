@@ -14,8 +14,7 @@ END
 for real in double float; do
   suffix=_f64 define=
   [ "$real" = double ] || suffix=_f32 define=-DTF_REAL_FLOAT
-  library=$BUILD/gcc/$real/libtwofold.a
-  build CC=gcc BUILD="$BUILD/gcc" EXTRA=-Werror "$library" ||
+  core_library "$real" ||
     wrong "$library does not compile"
   nm -g --defined-only -f posix "$library" |
     awk -v suffix="$suffix\$" 'NF > 1 && $1 !~ suffix { print $1; bad = 1 }
@@ -26,7 +25,8 @@ for real in double float; do
 done
 for user in double float; do
   for real in double float; do
-    gcc "$BUILD/user-$user.o" "$BUILD/gcc/$real/libtwofold.a" \
+    core_library "$real"
+    gcc "$BUILD/user-$user.o" "$library" \
       -o "$BUILD/user" >"$BUILD/user.log" 2>&1
     linked=$?
     if [ "$user" = "$real" ]; then

@@ -22,8 +22,7 @@ awk '/^```c$/ { inside = 1; next } /^```/ { if (inside) exit } inside' \
 for real in double float; do
   define=-UTF_REAL_FLOAT
   [ "$real" = double ] || define=-DTF_REAL_FLOAT
-  library=$BUILD/gcc/$real/libtwofold.a
-  build CC=gcc BUILD="$BUILD/gcc" EXTRA=-Werror "$library" ||
+  core_library "$real" ||
     wrong "$library does not compile"
   if ! quietly gcc -std=c99 -O2 -Wall -Wextra -pedantic -Wconversion \
     -Wdouble-promotion -Werror "$define" -ffp-contract=off -Iinclude \

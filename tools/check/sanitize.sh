@@ -5,9 +5,9 @@
 need "$1" "$1"
 FLAGS='-g -fsanitize=address,undefined,float-cast-overflow'
 FLAGS="$FLAGS -fno-sanitize-recover=all"
-echo 'int main(void) { return 0; }' >"$BUILD/empty.c"
+echo 'int main(void) { return 0; }' >"$BUILD/empty-$1.c"
 # shellcheck disable=SC2086  # a list of flags
-"$1" $FLAGS "$BUILD/empty.c" -o "$BUILD/empty" || {
+"$1" $FLAGS "$BUILD/empty-$1.c" -o "$BUILD/empty-$1" || {
   echo "missing: the sanitizers of $1 (apt-get install libclang-rt-dev)"
   exit 3
 }

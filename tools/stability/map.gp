@@ -4,7 +4,7 @@
 # Usage: gnuplot -e "settings='F'; data='F'; out='F'" map.gp
 load settings
 # Of cells by the thousand an SVG has two megabytes, a PNG a fiftieth of it.
-set terminal pngcairo size 1000,1600 font 'Helvetica,11' background '#ffffff'
+set terminal pngcairo size 1100,1750 font 'Helvetica,11' background '#ffffff'
 set output out
 means = "'stable' 'stable, some steps degraded' 'the motion leaves the range' " \
   ."'refused: step too long' 'refused: scheme diverged' 'energy created' " \
@@ -26,10 +26,10 @@ do for [n = 1:panels] {
   line = (n - 1) / columns
   set origin column / real(columns), 0.965 - 0.965 * (line + 1) / lines
   set size 1.0 / columns, 0.965 / lines
-  set lmargin 11
-  set rmargin 3
+  set lmargin 13
+  set rmargin 2
   set tmargin 1.4
-  set bmargin 2.9
+  set bmargin 3.3
   set yrange [-0.5:rows[n] + 0.5]
   eval(value(sprintf('ticks%d', n)))
   set ytics noenhanced
@@ -50,7 +50,7 @@ unset ytics
 unset border
 set xrange [0:1]
 set yrange [0:9]
-set lmargin 2
+set lmargin 4
 do for [k = 1:8] {
   set object k rectangle from 0.0, 8.6 - k to 0.1, 9.2 - k \
     fillcolor rgb colour[k] fillstyle solid 1 border lc rgb '#666666'
