@@ -16,12 +16,17 @@
 /// Returns: NULL, or the promise that was broken, as "file:line: condition".
 typedef const char *(*fuzz_target_t)(const uint8_t *data, size_t size);
 
-/// Raw bits as parameters, states, inputs, and steps of every scheme.
+/// Raw bits as parameters, states, inputs; steps of every scheme, analysis.
 const char *fuzz_machine(const uint8_t *data, size_t size);
 /// Bytes to the decoder of frames, commands to the uplink.
 const char *fuzz_frame(const uint8_t *data, size_t size);
 /// Words, split at zeros, to the arguments of the command line.
 const char *fuzz_arguments(const uint8_t *data, size_t size);
+
+/// The analysis of a machine at one state; its phi serves as the g of a place.
+/// Returns: as a target.
+const char *fuzz_analysis(const tf_machine_t *machine, const tf_input_t *input,
+                          const tf_state_t *state);
 
 #define FUZZ_TEXT(x) #x
 #define FUZZ_LINE(line) FUZZ_TEXT(line)

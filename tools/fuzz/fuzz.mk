@@ -17,7 +17,8 @@ FUZZ_RUNS := $(foreach t,$(FUZZ),$(if $(filter machine,$(t)),\
 fuzzdir := $(BUILD)/fuzz
 FUZZ_FLAGS := -g -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
   -fsanitize=address,undefined,float-cast-overflow
-FUZZ_PARTS := $(ALL_FUZZ:%=tools/fuzz/%.c) $(wildcard tools/cli/*.c) $(CORE)
+FUZZ_PARTS := $(ALL_FUZZ:%=tools/fuzz/%.c) tools/fuzz/analysis.c \
+  $(wildcard tools/cli/*.c) $(CORE)
 SOAK_STEPS := $(if $(filter command line environment,$(origin STEPS)),\
   $(STEPS),1e7)
 

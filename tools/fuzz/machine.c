@@ -1,7 +1,8 @@
-// Raw bits as parameters, states and inputs, and steps of every scheme. The
-// input is a program: an operation a byte, its operands behind it. Parameters
-// that are refused stay as wished, so that several can change before the
-// machine takes them; it keeps the last that it took.
+// Raw bits as parameters, states and inputs; steps of every scheme and the
+// analysis of the machine. The input is a program: an operation a byte, its
+// operands behind it. Parameters that are refused stay as wished, so that
+// several can change before the machine takes them; it keeps the last that it
+// took.
 #include "fuzz/fuzz.h"
 
 #define MOST_OPERATIONS 64
@@ -290,6 +291,8 @@ static const char *operate(subject_t *s, uint8_t operation) {
       return take_scene(s, which);
     case 11:
       return place(s, which ? fuzz_real(&s->in) : 0);
+    case 15:
+      return fuzz_analysis(&s->machine.machine, &s->input, &s->state);
     default:
       set_member(s, which);
       return NULL;
