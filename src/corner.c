@@ -5,24 +5,6 @@
 
 #define MOST_HALVINGS 24
 
-TF_API void tf_surface_futures(const tf_machine_t *k, const tf_rates_t *a,
-                               int s, tf_futures_t *out) {
-  const tf_real_t Amu = a->A[s] * k->tyre.mu;
-  const bool plus = a->N - Amu > 0, minus = a->N + Amu < 0;
-  const unsigned stick = TF_STICK_PLUS + (unsigned)s;
-  tf_solutions_t *set = &out->solutions;
-  *out = (tf_futures_t){.roll = {s ? -1 : 1, s ? -1 : 1}};
-  set->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
-  set->near_stick = (uint8_t)stick;
-  set->h_limit[0] = a->N - Amu;
-  set->h_limit[1] = a->N + Amu;
-  if (a->A[s] > 0) set->attracting = (uint8_t)TF_MODE_BIT(stick);
-  if (plus != minus) return;
-  set->set |= (uint8_t)TF_MODE_BIT(stick);
-  if (a->A[s] != 0) // the vertical line of a two-fold: any lambda, 0 the least
-    out->lambda[s] = clip(a->N / a->A[s], -k->tyre.mu, k->tyre.mu);
-}
-
 // One quadrant of the (g, h) plane: accelerations along roll g and side h as
 // affine functions of T = cot(psi).
 typedef struct {

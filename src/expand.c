@@ -161,9 +161,9 @@ static void expand_constant(tf_motion_t *s, tf_real_t F) {
 
 // Pinned: r rests, w goes with the turntable, and F and M are whatever keeps
 // them there: F = -(Q_r + m d alpha)/sin gamma, M from the balance of torques.
-static bool expand_pin(tf_motion_t *s) {
+// With sin gamma = 0 nothing is pinned (rates.h).
+static void expand_pin(tf_motion_t *s) {
   const tf_machine_t *k = s->machine;
-  if (k->sin_gamma == 0) return false;
   const tf_real_t r = s->r.c[0], w = s->w.c[0], alpha = s->input->alpha;
   for (int n = 0; n <= TF_ORDER; n++)
     s->r.c[n] = s->p.c[n] = s->z.c[n] = s->w.c[n] = s->q.c[n] = s->F.c[n] =
@@ -183,7 +183,6 @@ static bool expand_pin(tf_motion_t *s) {
     s->F.c[n] = F / k->sin_gamma;
     s->M.c[n] = -Q_phi - s->F.c[n] * s->arm;
   }
-  return true;
 }
 
 TF_API bool tf_expand(tf_motion_t *s, const tf_segment_t *g) {
@@ -207,7 +206,8 @@ TF_API bool tf_expand(tf_motion_t *s, const tf_segment_t *g) {
       return expand_through(s, g);
     case TF_PIN:
     default:
-      return expand_pin(s);
+      expand_pin(s);
+      return true;
   }
 }
 

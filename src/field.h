@@ -36,10 +36,9 @@ TF_INLINE tf_rate_t field(const tf_machine_t *k, const tf_input_t *input,
                      z + input->alpha};
 }
 
-// One sum: NaN and infinity survive into it.
-TF_INLINE bool is_finite_rate(const tf_rate_t *f) {
-  return within(magnitude(f->r) + magnitude(f->v) + magnitude(f->w),
-                TF_REAL_MAX);
+// For a look at several at once: NaN and infinity survive into a sum.
+TF_INLINE tf_real_t size_of_rate(const tf_rate_t *f) {
+  return magnitude(f->r) + magnitude(f->v) + magnitude(f->w);
 }
 
 #endif

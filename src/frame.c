@@ -53,14 +53,13 @@ static void stuff(uint8_t *code, const uint8_t *end) {
 
 // The way back. Returns: whether the chain of distances meets the end.
 static bool unstuff(uint8_t *code, size_t length) {
-  size_t at = code[0];
-  while (at < length) {
-    const uint8_t step = code[at];
-    if (step == 0) return false;
-    code[at] = 0;
-    at += step;
-  }
-  return at == length;
+  size_t next = code[0];
+  for (size_t at = 1; at < length; at++)
+    if (at == next) {
+      next += code[at];
+      code[at] = 0;
+    }
+  return next == length;
 }
 
 TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,

@@ -72,7 +72,7 @@ static bool captured(tf_walk_t *walk, tf_real_t allowed) {
     if (!tf_corner_attractor(k, &rates, ray.roll, ray.side, &ray.T))
       return false;
     begin_motion(s, k, s->input, omega, (tf_point_t){r, 0, 0});
-    if (!tf_expand(s, &ray)) return false;
+    (void)tf_expand(s, &ray); // TF_DEPART always can be
     const tf_real_t p1 = s->p.c[1], q1 = s->q.c[1];
     const tf_real_t a2 = p1 * p1 + q1 * q1;
     const tf_real_t ahead = at.p * p1 + q_now * q1;
@@ -176,15 +176,6 @@ static tf_real_t when_at_twofold(const tf_walk_t *walk, tf_reach_t span) {
                                                                       : 0;
 }
 
-// A switch at the very end of the step: the force is that of what follows.
-static bool settle(tf_walk_t *walk) {
-  tf_motion_t *s = &walk->motion;
-  begin_motion(s, s->machine, s->input, walk->omega, walk->at);
-  if (!tf_expand(s, &walk->segment)) return false;
-  walk->force = (tf_force_t){s->F.c[0], s->M.c[0]};
-  return true;
-}
-
 // Changes the tolerance as the length of a segment to its order, between that
 // of the machine and the coarsest; false where it is not coarser then.
 static bool hurry(tf_walk_t *walk, tf_real_t quicker) {
@@ -210,27 +201,32 @@ static void keep_pace(tf_walk_t *walk, tf_real_t done, int in, int spare) {
   hurry(walk, quicker > 1 / most ? quicker : 1 / most);
 }
 
-// One segment and its switch; false where there is none.
+// One segment and its switch; false where there is none. After a switch at the
+// very end of the step the force is that of what follows.
 static bool walk_on(tf_walk_t *walk, bool look_for_corner) {
   tf_motion_t *s = &walk->motion;
   begin_motion(s, s->machine, s->input, walk->omega, walk->at);
   if (!tf_expand(s, &walk->segment)) return false;
+  if (!(walk->left > 0)) {
+    walk->force = (tf_force_t){s->F.c[0], s->M.c[0]};
+    walk->is_over = true;
+    return true;
+  }
   const tf_reach_t span = reach(walk);
   if (!(span.length > 0)) return hurry(walk, TF_MOST_QUICKER);
   if (look_for_corner && is_stiff_near_corner(walk, span.length)) {
     if (captured(walk, span.error + tf_walk_rounding(walk))) {
-      const bool at_corner = walk->at.p == 0 && walk->at.z == 0;
-      if (!at_corner) return true;
-      if (!tf_leave_corner(walk, walk->segment.roll < 0)) return false;
-      return walk->left > 0 || settle(walk);
+      const bool at_corner = magnitude(walk->at.p) + magnitude(walk->at.z) == 0;
+      walk->is_over = !at_corner && !(walk->left > 0);
+      return !at_corner || tf_leave_corner(walk, walk->segment.roll < 0);
     }
     begin_motion(s, s->machine, s->input, walk->omega, walk->at);
-    if (!tf_expand(s, &walk->segment)) return false;
+    (void)tf_expand(s, &walk->segment); // as above
   }
   const tf_real_t twofold = when_at_twofold(walk, span);
   if (twofold > 0) {
     advance(walk, 0, twofold);
-    return pass(walk, TF_TWOFOLD) && (walk->left > 0 || settle(walk));
+    return pass(walk, TF_TWOFOLD);
   }
   const tf_slip_t slip = tf_walk_slip(walk);
   const tf_real_t close = TF_CLOSE * (magnitude(slip.h) + magnitude(slip.g));
@@ -243,9 +239,8 @@ static bool walk_on(tf_walk_t *walk, bool look_for_corner) {
   // The product r z of two cut series is off by its first left-out term.
   if (walk->mode == TF_STICK_PLUS || walk->mode == TF_STICK_MINUS)
     tf_project(walk);
-  if (what == TF_NO_SWITCH && !(walk->left > 0)) return true;
-  if (!pass(walk, what)) return false;
-  return walk->left > 0 || settle(walk);
+  walk->is_over = what == TF_NO_SWITCH && !(walk->left > 0);
+  return walk->is_over || pass(walk, what);
 }
 
 static bool walk_through(tf_walk_t *walk) {
@@ -261,7 +256,7 @@ static bool walk_through(tf_walk_t *walk) {
     }
     if (!walk_on(walk, i % TF_CAPTURE_EVERY == TF_CAPTURE_EVERY - 1))
       return false;
-    if (!(walk->left > 0)) return true;
+    if (walk->is_over) return true;
   }
   return false;
 }
@@ -279,7 +274,7 @@ static void start(tf_walk_t *walk, const tf_machine_t *k,
   walk->left = k->dt;
   walk->phi = 0;
   walk->tolerance = tolerance;
-  walk->coarse = false;
+  walk->coarse = walk->is_over = false;
   walk->mode = state->mode;
   walk->set = walk->choices = 0;
   walk->force = (tf_force_t){0, 0};

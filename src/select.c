@@ -1,7 +1,7 @@
 // Which of several futures: see the rules in select.h.
 #include "twofold/select.h"
 
-#include "kernel.h"
+#include "mode_set.h"
 
 TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]) {
   uint32_t left = (uint32_t)counter, right = (uint32_t)(counter >> 32);
@@ -15,8 +15,6 @@ TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]) {
   out[1] = right;
 }
 
-static bool has(unsigned set, unsigned mode) { return (set >> mode) & 1u; }
-
 // The one of a non-empty set of sticks; of two, the one at the present g.
 static unsigned stick_of(unsigned sticks, const tf_solutions_t *solutions) {
   if (has(sticks, solutions->near_stick)) return solutions->near_stick;
@@ -29,12 +27,6 @@ static unsigned nth_mode(unsigned set, unsigned n) {
   for (unsigned mode = 0; mode < TF_MODES; mode++)
     if (has(set, mode) && n-- == 0) found = mode;
   return found;
-}
-
-static unsigned size_of(unsigned set) {
-  unsigned n = 0;
-  for (unsigned mode = 0; mode < TF_MODES; mode++) n += (set >> mode) & 1u;
-  return n;
 }
 
 // Whether a constant rate of exit ends the present mode in this step. 63 bits

@@ -61,7 +61,7 @@ static int singular_radii(tf_real_t b, tf_real_t beta2, tf_real_t sine,
                           tf_real_t r[2]) {
   const tf_real_t size = magnitude(b);
   const tf_real_t reach = 2 * square_root(beta2) * magnitude(sine);
-  if (size == 0 || !(size >= reach)) return 0;
+  if (!(size >= reach)) return 0; // size = 0: cos = 0, then sin is not
   const tf_real_t root = square_root((size - reach) * (size + reach));
   const tf_real_t outer = (size + root) / 2;
   const tf_real_t inner = beta2 * sine / outer * sine;
@@ -163,12 +163,12 @@ static tf_real_t slope_of_A(const tf_machine_t *k, const point_t *x) {
   return (darm * (x->turn + x->arm) - x->arm * x->lever * dJ) / x->J;
 }
 
+// plus is not 0.
 static tf_direction_t ray_of(const tf_two_fold_t *at, tf_real_t value,
                              tf_real_t plus, tf_real_t minus, tf_real_t mu) {
   tf_direction_t ray = {.value = value};
   const tf_real_t size = magnitude(plus) + magnitude(minus);
-  if (!(size > 0)) return ray;
-  const tf_real_t unit = plus < 0 || (plus == 0 && minus < 0) ? -size : size;
+  const tf_real_t unit = plus < 0 ? -size : size;
   ray.plus = plus / unit;
   ray.minus = minus / unit;
   ray.sticks = ray.minus >= 0;
@@ -179,9 +179,12 @@ static tf_direction_t ray_of(const tf_two_fold_t *at, tf_real_t value,
   return ray;
 }
 
-static unsigned type_of(const tf_machine_t *k, const tf_two_fold_t *at) {
+// scale = sqrt|K++ K--| is 0 only where one of them is: a root of the least
+// number is far from the least number.
+static unsigned type_of(const tf_machine_t *k, const tf_two_fold_t *at,
+                        tf_real_t scale) {
   if (within(k->sin_gamma, NO_SINE)) return TF_FOLDS_CONTINUOUS;
-  if (at->Kpp == 0 || at->Kmm == 0) return TF_FOLDS_DEGENERATE;
+  if (!(scale > 0)) return TF_FOLDS_DEGENERATE;
   if ((at->Kpp > 0) == (at->Kmm > 0)) return TF_FOLDS_MIXED;
   return at->Kpp < 0 ? TF_FOLDS_INVISIBLE : TF_FOLDS_VISIBLE;
 }
@@ -203,7 +206,7 @@ static void classify(const tf_machine_t *k, tf_two_fold_t *at,
   const tf_real_t mu = k->tyre.mu;
   const tf_real_t scale =
       square_root(magnitude(at->Kpp)) * square_root(magnitude(at->Kmm));
-  at->type = (uint8_t)type_of(k, at);
+  at->type = (uint8_t)type_of(k, at, scale);
   if (!(scale > 0)) return;
   at->J1 = at->Kmp / scale;
   at->J2 = -at->Kpm / scale;
@@ -238,9 +241,9 @@ TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
                       .plus = field(k, input, &x, mu),
                       .minus = field(k, input, &x, -mu)};
   if (!within(magnitude(at.Kpp) + magnitude(at.Kpm) + magnitude(at.Kmp) +
-                  magnitude(at.Kmm),
-              TF_REAL_MAX) ||
-      !is_finite_rate(&at.plus) || !is_finite_rate(&at.minus))
+                  magnitude(at.Kmm) + size_of_rate(&at.plus) +
+                  size_of_rate(&at.minus),
+              TF_REAL_MAX))
     return TF_BAD_STATE;
   classify(k, &at, 2 * slope);
   *out = at;

@@ -9,6 +9,7 @@
 #include "carry.h"
 #include "friction_core.h"
 #include "linear.h"
+#include "mode_set.h"
 #include "twofold/step.h"
 #include "tyre_core.h"
 
@@ -170,12 +171,9 @@ TF_INLINE tf_status_t record(tf_state_t *state, tf_end_t end, tf_slip_t slip,
                              tf_real_t rest, unsigned mode, unsigned set,
                              tf_real_t delassus, tf_status_t status,
                              tf_report_t *report) {
-  static const uint8_t size_of[1u << TF_MODES] = {
-      0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4,
-      1, 2, 2, 3, 2, 3, 3, 4, 2, 3, 3, 4, 3, 4, 4, 5};
   report->mode = (uint8_t)mode;
   report->set = (uint8_t)set;
-  report->choices = size_of[set];
+  report->choices = (uint8_t)size_of(set);
   report->force = end.force;
   report->slip = slip;
   report->delassus = delassus;

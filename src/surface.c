@@ -2,8 +2,8 @@
 // same enumeration of futures that the located step uses.
 #include "twofold/surface.h"
 
-#include "corner.h"
 #include "field.h"
+#include "futures.h"
 
 TF_API const char *tf_region_name(unsigned region) {
   static const char *const names[TF_REGIONS] = {
@@ -40,7 +40,7 @@ static tf_surface_t look(const tf_machine_t *k, const tf_input_t *input,
                          const point_t *x, tf_slip_t slip) {
   tf_surface_t out = {.slip = slip};
   tf_futures_t futures;
-  tf_surface_futures(k, &x->a, x->s, &futures);
+  surface_futures(k, &x->a, x->s, &futures);
   const tf_real_t A = x->a.A[x->s], lambda = x->a.N / A;
   out.region = (uint8_t)region_of(futures.solutions.set);
   out.lie_plus = futures.solutions.h_limit[0];
@@ -70,9 +70,10 @@ TF_API tf_status_t tf_surface_at(const tf_machine_t *machine,
   }
   const point_t x = point_at(machine, input, r, v, w, slip.g < 0);
   const tf_surface_t seen = look(machine, input, &x, slip);
-  if (!is_finite_rate(&seen.plus) || !is_finite_rate(&seen.minus) ||
-      !is_finite_rate(&seen.scaled) || !within(seen.lie_plus, TF_REAL_MAX) ||
-      !within(seen.lie_minus, TF_REAL_MAX))
+  if (!within(size_of_rate(&seen.plus) + size_of_rate(&seen.minus) +
+                  size_of_rate(&seen.scaled) + magnitude(seen.lie_plus) +
+                  magnitude(seen.lie_minus),
+              TF_REAL_MAX))
     return TF_BAD_STATE;
   *out = seen;
   return TF_OK;

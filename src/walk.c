@@ -1,11 +1,7 @@
 // Where a located step begins, and which way it leaves a switch.
 #include "walk.h"
 
-static unsigned size_of(unsigned set) {
-  unsigned n = 0;
-  for (unsigned mode = 0; mode < TF_MODES; mode++) n += (set >> mode) & 1u;
-  return n;
-}
+#include "mode_set.h"
 
 TF_API void tf_meet(tf_walk_t *walk, unsigned set) {
   const unsigned n = size_of(set);
@@ -58,7 +54,7 @@ TF_API bool tf_leave_surface(tf_walk_t *walk) {
   const tf_rates_t rates = tf_walk_rates(walk);
   tf_futures_t futures;
   tf_project(walk);
-  tf_surface_futures(k, &rates, s, &futures);
+  surface_futures(k, &rates, s, &futures);
   tf_meet(walk, futures.solutions.set);
   const unsigned mode =
       tf_select(k->rule, k->exit_threshold, &futures.solutions, walk->mode,

@@ -14,7 +14,8 @@ typedef struct {
   tf_real_t left;  // of the step [s]
   tf_real_t phi;   // turned since the start of the step
   tf_real_t tolerance;
-  bool coarse; // tolerance was above the machine's
+  bool coarse;  // tolerance was above the machine's
+  bool is_over; // nothing is left, and the force is that of the end
   unsigned mode, set, choices;
   tf_force_t force;
   const tf_state_t *state;

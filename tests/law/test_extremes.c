@@ -3,95 +3,34 @@
  * accepted leaves finite numbers only, in the state and in the report; a step
  * that is refused leaves the state as it was, bit for bit; the report has the
  * status that was returned. */
-#include "tap.h"
-#include "twofold.h"
+#include "extremes.h"
 
-#ifdef __has_include
-#if __has_include("twofold/locate.h")
-#include "twofold/locate.h"
-#define HAS_LOCATE
-#endif
-#endif
-
-typedef tf_status_t step_t(const tf_machine_t *, tf_state_t *,
+typedef tf_status_t step_t(const tf_compensated_t *, tf_state_t *,
                            const tf_input_t *, tf_report_t *);
-static step_t *const schemes[] = {
-    tf_step,
-#ifdef HAS_LOCATE
-    tf_locate,
-#endif
-};
+
+static tf_status_t moreau(const tf_compensated_t *k, tf_state_t *x,
+                          const tf_input_t *u, tf_report_t *report) {
+  return tf_step(&k->machine, x, u, report);
+}
+
+static tf_status_t located(const tf_compensated_t *k, tf_state_t *x,
+                           const tf_input_t *u, tf_report_t *report) {
+  return tf_locate(&k->machine, x, u, report);
+}
+
+/* One step at a time: nothing to carry along. */
+static tf_status_t compensated(const tf_compensated_t *k, tf_state_t *x,
+                               const tf_input_t *u, tf_report_t *report) {
+  tf_carry_t carry = {0};
+  const tf_status_t status = tf_step_compensated(k, x, &carry, u, report);
+  CHECK(isfinite(carry.r) && isfinite(carry.v) && isfinite(carry.w));
+  return status;
+}
+
+static step_t *const schemes[] = {moreau, located, compensated};
 #define SCHEMES (sizeof schemes / sizeof *schemes)
 
 static long accepted, refused[-TF_STEP_TOO_LONG + 1];
-
-static bool one_in(unsigned n) { return tap_bits() % n == 0; }
-
-/* Each decade is as likely as any other. */
-static tf_real_t spread(tf_real_t low, tf_real_t high) {
-  const double a = log((double)low), b = log((double)high);
-  const tf_real_t x = (tf_real_t)exp(tap_uniform(a, b));
-  return x < low ? low : x > high ? high : x;
-}
-
-/* Of any size down to the subnormal ones, of either sign, 0 or the limit. */
-static tf_real_t anything(tf_real_t limit) {
-  const tf_real_t least =
-      one_in(4) ? TF_REAL_MIN * TF_REAL_EPSILON : limit * TF_R(1e-18);
-  const tf_real_t size = one_in(8)   ? 0
-                         : one_in(8) ? limit
-                                     : spread(least, limit);
-  return one_in(2) ? -size : size;
-}
-
-static tf_real_t *member(tf_params_t *p, int i) {
-  return (tf_real_t *)(void *)((char *)p + tf_parameter_ranges[i].offset);
-}
-
-static void draw_member(tf_params_t *p, int i) {
-  const tf_parameter_range_t *range = &tf_parameter_ranges[i];
-  tf_real_t x;
-  if (range->low < 0)
-    x = anything(range->high);
-  else if (range->low > 0)
-    x = spread(range->low, range->high);
-  else
-    x = (tf_real_t)fabs((double)anything(range->high));
-  if (one_in(8)) x = one_in(2) ? range->low : range->high;
-  *member(p, i) = x;
-}
-
-/* Multiples of pi/4 too: there a sine or cosine is 0 or nearly so. */
-static tf_real_t draw_gamma(void) {
-  const double pi = 3.14159265358979323846;
-  if (one_in(2)) return (tf_real_t)tap_uniform(-pi, pi);
-  const tf_real_t gamma = (tf_real_t)(((double)(tap_bits() % 8) - 3) * pi / 4);
-  return gamma;
-}
-
-/* Half of the machines are a scene with three members driven to extremes,
- * half are extreme throughout. */
-static tf_params_t draw_machine(void) {
-  const tf_scene_t *scene = tf_scenes[tap_bits() % TF_SCENES];
-  tf_params_t p = scene->params;
-  p.law = (tf_tyre_law_t)(tap_bits() % TF_TYRE_LAWS);
-  p.rule = (tf_rule_t)(tap_bits() % TF_RULES);
-  p.with_angle = one_in(2);
-  p.kappa = TF_R(0.27);
-  p.epsilon = TF_R(1e-4);
-  p.k = p.delta = p.sigma = p.a = 1;
-  p.rho = TF_R(0.5);
-  if (one_in(2)) {
-    for (int n = 0; n < 3; n++)
-      draw_member(&p, (int)(tap_bits() % TF_PARAMETERS));
-  } else {
-    for (int i = 0; i < TF_PARAMETERS; i++) draw_member(&p, i);
-  }
-  p.gamma = draw_gamma();
-  p.dt = spread(TF_R(1e-9), 1);
-  p.theta = one_in(3) ? 1 : one_in(2) ? TF_R(0.5) : p.theta;
-  return p;
-}
 
 static int all_finite(const tf_state_t *x, const tf_report_t *o) {
   return isfinite(x->r) && isfinite(x->v) && isfinite(x->w) &&
@@ -120,9 +59,9 @@ static void tell(const tf_machine_t *k, const tf_params_t *p,
 /* Up to `steps` steps of one machine, until one is refused. */
 static void run(step_t *step, const tf_params_t *p, tf_state_t x,
                 const tf_input_t *input, int steps) {
-  tf_machine_t k;
-  if (!CHECK(tf_prepare(&k, p, NULL) == TF_OK)) return;
-  const tf_input_t u = input ? *input : tf_input_default(&k);
+  tf_compensated_t k;
+  if (!CHECK(tf_prepare_compensated(&k, p, NULL) == TF_OK)) return;
+  const tf_input_t u = input ? *input : tf_input_default(&k.machine);
   for (int n = 0; n < steps; n++) {
     tf_state_t old;
     tf_report_t report;
@@ -140,7 +79,7 @@ static void run(step_t *step, const tf_params_t *p, tf_state_t x,
     CHECK(report.mode == x.mode && x.mode < TF_MODES);
     CHECK(x.tick == old.tick + 1);
     if (!CHECK(all_finite(&x, &report))) {
-      tell(&k, p, &old, &report);
+      tell(&k.machine, p, &old, &report);
       return;
     }
   }
@@ -156,19 +95,6 @@ static void tell_counts(void) {
       "# accepted %ld, refused: parameter %ld, state %ld, diverged %ld, too "
       "long %ld\n",
       accepted, refused[1], refused[2], refused[3], refused[4]);
-}
-
-static tf_state_t draw_state(tf_real_t limit) {
-  tf_state_t x;
-  memset(&x, 0, sizeof x);
-  x.r = anything(limit);
-  x.v = anything(limit);
-  x.w = anything(limit);
-  x.phi = anything(10);
-  x.tick = tap_bits();
-  x.seed = (uint32_t)tap_bits();
-  x.mode = (uint8_t)(tap_bits() % TF_MODES);
-  return x;
 }
 
 TEST(random_machines_keep_every_number_finite) {
@@ -190,6 +116,27 @@ TEST(random_machines_keep_every_number_finite) {
   tell_counts();
   CHECK(accepted > 100000 && refused[2] > 10 && refused[3] > 100);
   CHECK(refused[4] > 100);
+}
+
+/* Forces, speeds and places of one tiny size, whose squares are 0. */
+TEST(tiny_machines_keep_every_number_finite) {
+  count_again();
+  for (int n = 0; n < 10000; n++) {
+    tf_params_t p = tf_scenes[0]->params;
+    const tf_real_t tiny = spread(TF_REAL_MIN * TF_REAL_EPSILON, TF_R(1e-18));
+    p.mu = tiny * (tf_real_t)tap_uniform(0, 1);
+    p.k2 = p.c1 = p.c2 = one_in(2) ? 0 : tiny;
+    p.r0 = one_in(2) ? 0 : tiny;
+    p.omega0 = one_in(2) ? 0 : tiny;
+    tf_state_t x = draw_state(1);
+    x.r = tiny * (tf_real_t)tap_uniform(-1, 1);
+    x.w = p.omega0 + tiny * (tf_real_t)tap_uniform(-1, 1);
+    x.v = one_in(2) ? p.d * (x.w - p.omega0)
+                    : tiny * (tf_real_t)tap_uniform(-1, 1);
+    for (size_t s = 0; s < SCHEMES; s++) run(schemes[s], &p, x, NULL, 4);
+  }
+  tell_counts();
+  CHECK(accepted > 50000);
 }
 
 /* Every value of the state and of an input that is no number, or too large. */
@@ -321,6 +268,7 @@ TEST(captured_overflow_of_a_slope) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(random_machines_keep_every_number_finite);
+  RUN(tiny_machines_keep_every_number_finite);
   RUN(what_is_no_state_is_refused_untouched);
   RUN(corners_of_the_ranges);
   RUN(listed_corners);

@@ -63,42 +63,6 @@ TEST(numbers_of_the_paper) {
   CHECK_NEAR(wide(n.rest), 0, 16 * EPSILON);
 }
 
-TEST(wish_gives_the_numbers_of_the_paper) {
-  const tf_machine_t machine = prepared(&tf_scenes[0]->params);
-  const tf_input_t input = tf_input_default(&machine);
-  tf_wish_t wish;
-  CHECK(tf_two_fold_wish(&machine, &input, (tf_real_t)PAPER_R_STAR,
-                         (tf_real_t)PAPER_W_STAR, &wish) == TF_OK);
-  CHECK(wish.obstacle == TF_WISH_GRANTED);
-  CHECK_NEAR(wide(wish.kappa), 0.27241153714062027818L, 4 * EPSILON);
-  CHECK_NEAR(wide(wish.k2), 2.2270992253886014441L, 32 * EPSILON);
-  CHECK_NEAR(wide(wish.at.J1), -1.0635141712155655L, 64 * EPSILON);
-  CHECK_NEAR(wide(wish.at.rest), 0, 8 * EPSILON);
-}
-
-TEST(wished_two_folds_are_found_again) {
-  for (int i = 0; i < 5000; i++) {
-    const sample_t c = random_two_fold();
-    const tf_place_t *wanted = &c.wish.at.place;
-    tf_place_t at[TF_TWO_FOLDS];
-    int count = 0, hits = 0;
-    /* A double root is found to the root of the rounding. */
-    const real close = 64 * sqrtl(EPSILON);
-    CHECK(tf_two_folds(&c.machine, &c.input, at, &count, NULL) == TF_OK);
-    for (int j = 0; j < count; j++)
-      hits += fabsl(wide(at[j].r) - wide(wanted->r)) < close &&
-              fabsl(wide(at[j].w) - wide(wanted->w)) < close &&
-              (at[j].g > 0) == (wanted->g > 0);
-    const real edge = c.x[0] * c.x[0] - c.paper.beta * c.paper.beta *
-                                            sinl(c.paper.gamma) *
-                                            sinl(c.paper.gamma);
-    if (fabsl(edge) > 0.01L * c.x[0] * c.x[0] && fabsl(wide(wanted->g)) > 0.01L)
-      CHECK(hits >= 1);
-    CHECK_NEAR(paper_lie(&c.paper, c.x, c.paper.mu, c.s), 0, 1e4L * EPSILON);
-    CHECK_NEAR(paper_lie(&c.paper, c.x, -c.paper.mu, c.s), 0, 1e4L * EPSILON);
-  }
-}
-
 /* w of h_x.f(x, 0) = 0 at one r: the quadratic through three values. */
 static int balanced(const paper_t *p, real r, int s, real w[2]) {
   real at[3];
@@ -338,6 +302,46 @@ TEST(balance_at_rest_is_no_two_fold) {
   for (int i = 0; i < count; i++) CHECK(at[i].r != rest && at[i].g != 0);
 }
 
+/* Where the quadratic of A has a double root, its r counts once. */
+TEST(a_double_root_counts_once) {
+  tf_params_t params = tf_scenes[0]->params;
+  params.rule = TF_RULE_PERSIST;
+  const tf_machine_t scene = prepared(&params);
+  const tf_real_t reach = 2 * (tf_real_t)sqrt((double)scene.beta2) *
+                          (tf_real_t)fabs((double)scene.sin_gamma);
+  const tf_real_t cosine = (tf_real_t)fabs((double)scene.cos_gamma);
+  params.kappa = reach / cosine;
+  tf_real_t *const kappa = &params.kappa;
+  for (int i = 0; i < 8 && *kappa * cosine < reach; i++)
+    *kappa += *kappa * TF_REAL_EPSILON;
+  for (int i = 0; i < 8 && *kappa * cosine > reach; i++)
+    *kappa -= *kappa * TF_REAL_EPSILON / 2;
+  CHECK(*kappa * cosine == reach);
+  const tf_machine_t machine = prepared(&params);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_place_t at[TF_TWO_FOLDS];
+  int count = 0;
+  CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
+  CHECK(count > 0);
+  for (int i = 0; i < count; i++) {
+    CHECK_NEAR(fabsl(wide(at[i].r)), wide(reach) / 2, 4 * EPSILON);
+    for (int j = 0; j < i; j++) CHECK(at[i].g != at[j].g || at[i].r != at[j].r);
+  }
+}
+
+/* Where nothing acts, neither slip curves. */
+TEST(a_machine_on_which_nothing_acts_is_degenerate) {
+  tf_params_t params = tf_scenes[0]->params;
+  params.mu = params.k2 = params.c1 = params.c2 = params.d = params.omega0 = 0;
+  const tf_machine_t machine = prepared(&params);
+  const tf_input_t input = tf_input_default(&machine);
+  const tf_place_t place = {TF_R(0.2), 0, 0, 1};
+  tf_two_fold_t form;
+  CHECK(tf_normal_form(&machine, &input, &place, &form) == TF_OK);
+  CHECK(form.type == TF_FOLDS_DEGENERATE && form.regime == 0);
+  CHECK(form.Kpp == 0 && form.Kmm == 0 && form.J1 == 0 && form.J2 == 0);
+}
+
 /* At the ends of what is allowed a normal form may be out of the real type:
  * then it is refused, and nothing that is not finite is written. */
 TEST(normal_forms_are_finite_or_refused) {
@@ -371,75 +375,19 @@ TEST(normal_forms_are_finite_or_refused) {
   CHECK(given > 0 && (refused > 0) == (sizeof(tf_real_t) == 4));
 }
 
-static unsigned obstacle(const tf_params_t *params, double r, double w) {
-  const tf_machine_t machine = prepared(params);
-  const tf_input_t input = tf_input_default(&machine);
-  tf_wish_t wish;
-  const tf_status_t status =
-      tf_two_fold_wish(&machine, &input, (tf_real_t)r, (tf_real_t)w, &wish);
-  CHECK((status == TF_OK) == (wish.obstacle == TF_WISH_GRANTED));
-  CHECK(status == TF_OK || status == TF_BAD_PARAMETER);
-  CHECK((wish.at.clock > 0) ==
-        (wish.obstacle == TF_WISH_GRANTED || wish.obstacle >= TF_WISH_KAPPA));
-  return wish.obstacle;
-}
-
-TEST(wishes_that_cannot_be_granted_say_why) {
-  tf_params_t params = tf_scenes[0]->params;
-  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GRANTED);
-  CHECK(obstacle(&params, 0, -1.037) == TF_WISH_R);
-  CHECK(obstacle(&params, NAN, -1.037) == TF_WISH_R);
-  CHECK(obstacle(&params, 2e9, -1.037) == TF_WISH_R);
-  CHECK(obstacle(&params, 0.1859, -1) == TF_WISH_OMEGA);
-  CHECK(obstacle(&params, 0.1859, NAN) == TF_WISH_OMEGA);
-  CHECK(obstacle(&params, (double)params.r0, -1.037) == TF_WISH_SPRING);
-  CHECK(obstacle(&params, 0.1859, 1) == TF_WISH_KAPPA); /* g < 0 there */
-  CHECK(obstacle(&params, 0.05, -2.5) == TF_WISH_K2);
-  params.gamma = 0;
-  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GAMMA);
-  params.gamma = (tf_real_t)(PAPER_PI / 2);
-  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GAMMA);
-  params = tf_scenes[0]->params;
-  CHECK(obstacle(&params, 1e8, -1.037) == TF_WISH_KAPPA); /* too long */
-  params.mu = 0;
-  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_LAW);
-  params = tf_scenes[0]->params;
-  params.law = TF_TYRE_COULOMB;
-  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_LAW);
-  const tf_machine_t machine = prepared(&params);
-  const tf_input_t input = tf_input_default(&machine);
-  tf_two_fold_t n, before;
-  memset(&n, 77, sizeof n);
-  before = n;
-  tf_place_t place = {TF_R(0.2), 0, 0, 0};
-  CHECK(tf_normal_form(&machine, &input, &place, &n) == TF_BAD_STATE);
-  place.g = 1;
-  place.r = 0;
-  CHECK(tf_normal_form(&machine, &input, &place, &n) == TF_BAD_STATE);
-  place.r = (tf_real_t)NAN;
-  CHECK(tf_normal_form(&machine, &input, &place, &n) == TF_BAD_STATE);
-  params.law = TF_TYRE_SMOOTH;
-  params.epsilon = 1;
-  const tf_machine_t smooth = prepared(&params);
-  place.r = 1;
-  CHECK(tf_normal_form(&smooth, &input, &place, &n) == TF_BAD_PARAMETER);
-  CHECK(!memcmp(&n, &before, sizeof n));
-}
-
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(reasons_and_types_have_names);
   RUN(two_fold_of_the_paper_is_found);
   RUN(numbers_of_the_paper);
-  RUN(wish_gives_the_numbers_of_the_paper);
-  RUN(wished_two_folds_are_found_again);
   RUN(every_two_fold_is_found);
   RUN(a_machine_may_have_eight_two_folds);
   RUN(gamma_zero_has_a_continuous_two_fold);
   RUN(gamma_right_has_no_two_fold);
   RUN(machines_without_two_folds_say_why);
   RUN(balance_at_rest_is_no_two_fold);
+  RUN(a_double_root_counts_once);
+  RUN(a_machine_on_which_nothing_acts_is_degenerate);
   RUN(normal_forms_are_finite_or_refused);
-  RUN(wishes_that_cannot_be_granted_say_why);
   return tap_end();
 }

@@ -1,0 +1,17 @@
+// Sets of modes, bits TF_MODE_BIT(mode).
+#ifndef TF_MODE_SET_H
+#define TF_MODE_SET_H
+
+#include "kernel.h"
+#include "twofold/friction.h"
+
+TF_INLINE bool has(unsigned set, unsigned mode) { return (set >> mode) & 1u; }
+
+TF_INLINE unsigned size_of(unsigned set) {
+  static const uint8_t sizes[1u << TF_MODES] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2,
+                                                3, 2, 3, 3, 4, 1, 2, 2, 3, 2, 3,
+                                                3, 4, 2, 3, 3, 4, 3, 4, 4, 5};
+  return sizes[set];
+}
+
+#endif

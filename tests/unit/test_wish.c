@@ -1,0 +1,124 @@
+/* Machines with a two-fold at a wished place, against the paper in long
+ * double, and why a wish cannot be granted. */
+#include "sample.h"
+
+TEST(wish_gives_the_numbers_of_the_paper) {
+  const tf_machine_t machine = prepared(&tf_scenes[0]->params);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_wish_t wish;
+  CHECK(tf_two_fold_wish(&machine, &input, (tf_real_t)PAPER_R_STAR,
+                         (tf_real_t)PAPER_W_STAR, &wish) == TF_OK);
+  CHECK(wish.obstacle == TF_WISH_GRANTED);
+  CHECK_NEAR(wide(wish.kappa), 0.27241153714062027818L, 4 * EPSILON);
+  CHECK_NEAR(wide(wish.k2), 2.2270992253886014441L, 32 * EPSILON);
+  CHECK_NEAR(wide(wish.at.J1), -1.0635141712155655L, 64 * EPSILON);
+  CHECK_NEAR(wide(wish.at.rest), 0, 8 * EPSILON);
+}
+
+TEST(wished_two_folds_are_found_again) {
+  for (int i = 0; i < 5000; i++) {
+    const sample_t c = random_two_fold();
+    const tf_place_t *wanted = &c.wish.at.place;
+    tf_place_t at[TF_TWO_FOLDS];
+    int count = 0, hits = 0;
+    /* A double root is found to the root of the rounding. */
+    const real close = 64 * sqrtl(EPSILON);
+    CHECK(tf_two_folds(&c.machine, &c.input, at, &count, NULL) == TF_OK);
+    for (int j = 0; j < count; j++)
+      hits += fabsl(wide(at[j].r) - wide(wanted->r)) < close &&
+              fabsl(wide(at[j].w) - wide(wanted->w)) < close &&
+              (at[j].g > 0) == (wanted->g > 0);
+    const real edge = c.x[0] * c.x[0] - c.paper.beta * c.paper.beta *
+                                            sinl(c.paper.gamma) *
+                                            sinl(c.paper.gamma);
+    if (fabsl(edge) > 0.01L * c.x[0] * c.x[0] && fabsl(wide(wanted->g)) > 0.01L)
+      CHECK(hits >= 1);
+    CHECK_NEAR(paper_lie(&c.paper, c.x, c.paper.mu, c.s), 0, 1e4L * EPSILON);
+    CHECK_NEAR(paper_lie(&c.paper, c.x, -c.paper.mu, c.s), 0, 1e4L * EPSILON);
+  }
+}
+
+static unsigned obstacle(const tf_params_t *params, double r, double w) {
+  const tf_machine_t machine = prepared(params);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_wish_t wish;
+  const tf_status_t status =
+      tf_two_fold_wish(&machine, &input, (tf_real_t)r, (tf_real_t)w, &wish);
+  CHECK((status == TF_OK) == (wish.obstacle == TF_WISH_GRANTED));
+  CHECK(status == TF_OK || status == TF_BAD_PARAMETER);
+  CHECK((wish.at.clock > 0) ==
+        (wish.obstacle == TF_WISH_GRANTED || wish.obstacle >= TF_WISH_KAPPA));
+  return wish.obstacle;
+}
+
+/* Near the axis a two-fold takes a longer arm than the real type can name, or
+ * forces whose products it cannot hold. */
+TEST(wishes_near_the_axis_overflow) {
+  const tf_real_t least = 4 * TF_REAL_MIN;
+  tf_params_t params = tf_scenes[0]->params;
+  params.beta = TF_R(1e6);
+  /* kappa = beta^2 sin^2 / (r cos) is a number, times w it is none. */
+  const double near_axis = 1e15 / (double)TF_REAL_MAX;
+  CHECK(obstacle(&params, (double)(least * 1000), -1.037) == TF_WISH_R);
+  CHECK(obstacle(&params, near_axis, -1e8) == TF_WISH_R);
+  params.beta = TF_R(1e-9);
+  const tf_machine_t machine = prepared(&params);
+  tf_input_t input = tf_input_default(&machine);
+  input.r0 = 2 * least;
+  input.force = TF_R(1e8);
+  tf_wish_t wish;
+  CHECK(tf_two_fold_wish(&machine, &input, least, TF_R(-1.037), &wish) ==
+        TF_BAD_PARAMETER);
+  CHECK(wish.obstacle == TF_WISH_SPRING && wish.k2 == 0);
+}
+
+TEST(wishes_that_cannot_be_granted_say_why) {
+  tf_params_t params = tf_scenes[0]->params;
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GRANTED);
+  CHECK(obstacle(&params, 0, -1.037) == TF_WISH_R);
+  CHECK(obstacle(&params, NAN, -1.037) == TF_WISH_R);
+  CHECK(obstacle(&params, 2e9, -1.037) == TF_WISH_R);
+  CHECK(obstacle(&params, 0.1859, -1) == TF_WISH_OMEGA);
+  CHECK(obstacle(&params, 0.1859, NAN) == TF_WISH_OMEGA);
+  CHECK(obstacle(&params, (double)params.r0, -1.037) == TF_WISH_SPRING);
+  CHECK(obstacle(&params, 0.1859, 1) == TF_WISH_KAPPA); /* g < 0 there */
+  CHECK(obstacle(&params, 0.05, -2.5) == TF_WISH_K2);
+  params.gamma = 0;
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GAMMA);
+  params.gamma = (tf_real_t)(PAPER_PI / 2);
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GAMMA);
+  params = tf_scenes[0]->params;
+  CHECK(obstacle(&params, 1e8, -1.037) == TF_WISH_KAPPA); /* too long */
+  params.mu = 0;
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_LAW);
+  params = tf_scenes[0]->params;
+  params.law = TF_TYRE_COULOMB;
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_LAW);
+  const tf_machine_t machine = prepared(&params);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_two_fold_t n, before;
+  memset(&n, 77, sizeof n);
+  before = n;
+  tf_place_t place = {TF_R(0.2), 0, 0, 0};
+  CHECK(tf_normal_form(&machine, &input, &place, &n) == TF_BAD_STATE);
+  place.g = 1;
+  place.r = 0;
+  CHECK(tf_normal_form(&machine, &input, &place, &n) == TF_BAD_STATE);
+  place.r = (tf_real_t)NAN;
+  CHECK(tf_normal_form(&machine, &input, &place, &n) == TF_BAD_STATE);
+  params.law = TF_TYRE_SMOOTH;
+  params.epsilon = 1;
+  const tf_machine_t smooth = prepared(&params);
+  place.r = 1;
+  CHECK(tf_normal_form(&smooth, &input, &place, &n) == TF_BAD_PARAMETER);
+  CHECK(!memcmp(&n, &before, sizeof n));
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(wish_gives_the_numbers_of_the_paper);
+  RUN(wished_two_folds_are_found_again);
+  RUN(wishes_near_the_axis_overflow);
+  RUN(wishes_that_cannot_be_granted_say_why);
+  return tap_end();
+}
