@@ -99,7 +99,7 @@ static void tell_counts(void) {
 
 TEST(random_machines_keep_every_number_finite) {
   count_again();
-  for (int n = 0; n < 200000; n++) {
+  for (int n = 0; n < 50000; n++) {
     const tf_params_t p = draw_machine();
     const tf_real_t limit = one_in(4) ? TF_STATE_LIMIT / 2 : 10;
     const tf_state_t x = draw_state(limit);
@@ -180,7 +180,7 @@ static void corner(const tf_params_t *p, tf_real_t scale) {
       x.v = scale * (start == 2 ? -10 : start == 1 ? 0 : TF_R(0.02));
       x.w = scale * (start == 1 ? 0 : TF_R(-1.037));
       x.mode = (uint8_t)(start == 3 ? TF_STICK_PLUS : TF_PINNED);
-      for (size_t s = 0; s < SCHEMES; s++) run(schemes[s], &q, x, NULL, 20);
+      for (size_t s = 0; s < SCHEMES; s++) run(schemes[s], &q, x, NULL, 8);
     }
   }
 }
