@@ -62,7 +62,6 @@
 #ifdef SCHEME_LOCATED
 #define product located_product
 #define refuse located_refuse
-#define size_of located_size_of
 #include "../src/corner.c"
 #include "../src/expand.c"
 #include "../src/locate.c"
