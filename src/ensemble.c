@@ -11,8 +11,8 @@
 #include "twofold/ensemble.h"
 
 #include "lanes_solve.h"
+#include "mode_set.h"
 
-#define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 // So many slips cost less one by one than all lanes in vectors.
 #define FEW 3
 
@@ -129,7 +129,7 @@ TF_INLINE tf_real_t lane_tau(const work_t *w, mask_t minus, int i) {
   return pick(known, turn_sign(negative, 1), w->root[2][i]);
 }
 
-// slip_end() of step.c for one lane that slips; others keep what they have.
+// slip_end() of step_core.h for one lane that slips; others keep what they have.
 TF_INLINE void slip_lane(const tf_machine_t *restrict k,
                          const tf_state_block_t *restrict b, tf_real_t omega0,
                          work_t *restrict w, int i) {

@@ -3,6 +3,7 @@
 #include "twofold/locate.h"
 
 #include "friction_core.h"
+#include "mode_set.h"
 #include "slip_law.h"
 #include "walk.h"
 
@@ -135,8 +136,7 @@ static bool pass(tf_walk_t *walk, tf_switch_t what) {
     }
     case TF_TWOFOLD:
       tf_project(walk);
-      tf_meet(walk, TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS) |
-                        TF_MODE_BIT(walk->mode));
+      tf_meet(walk, SLIPS | TF_MODE_BIT(walk->mode));
       segment->closure = TF_THROUGH;
       segment->A_is_0 = true;
       segment->g_is_0 = false;

@@ -5,6 +5,9 @@
 #include "kernel.h"
 #include "twofold/friction.h"
 
+#define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
+#define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))
+
 TF_INLINE bool has(unsigned set, unsigned mode) { return (set >> mode) & 1u; }
 
 TF_INLINE unsigned size_of(unsigned set) {

@@ -40,10 +40,8 @@ static bool exits_now(uint64_t exit_threshold, const uint32_t word[2]) {
 // bits of the second word pick: exits_now leaves them almost unused.
 static unsigned random_exit(uint64_t exit_threshold, unsigned set,
                             unsigned mode, uint64_t tick, uint32_t seed) {
-  const unsigned slips =
-      set & (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS));
   const unsigned others =
-      mode == TF_PINNED ? set & ~TF_MODE_BIT(TF_PINNED) : slips;
+      set & (mode == TF_PINNED ? ~TF_MODE_BIT(TF_PINNED) : SLIPS);
   const unsigned n = size_of(others);
   uint32_t word[2];
   if (n == 0) return mode;
@@ -73,8 +71,7 @@ TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
                           const tf_solutions_t *solutions, unsigned mode,
                           uint64_t tick, uint32_t seed) {
   const unsigned set = solutions->set;
-  const unsigned sticks =
-      set & (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS));
+  const unsigned sticks = set & STICKS;
   const unsigned safe = sticks & solutions->attracting;
   const bool slipping = mode <= TF_SLIP_MINUS;
   const bool lost = !has(set, mode);

@@ -16,8 +16,6 @@
 // How near to h = g = 0 the way of a slip must pass, as a share of its length.
 #define TF_NEAR TF_R(0.5)
 
-#define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
-
 // What the parts of one step read.
 typedef struct {
   const tf_machine_t *machine;
@@ -220,11 +218,9 @@ TF_INLINE bool passes_near(tf_slip_t from, tf_slip_t to) {
 // square that is the convex hull of the law at h = g = 0.
 TF_INLINE bool meets_rest(const motion_t *c, const tf_inclusion_t *in,
                           unsigned set, unsigned attracting) {
-  const unsigned sticks =
-      TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS);
   const unsigned mode = c->state->mode;
   const unsigned going_on =
-      (attracting & sticks) | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
+      (attracting & STICKS) | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
   if (mode == TF_PINNED || set & going_on || !in->has_moment ||
       !within(in->pin_x, 1) || !within(in->pin_y, 1))
     return false;
