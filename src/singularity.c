@@ -61,7 +61,7 @@ static int singular_radii(tf_real_t b, tf_real_t beta2, tf_real_t sine,
                           tf_real_t r[2]) {
   const tf_real_t size = magnitude(b);
   const tf_real_t reach = 2 * square_root(beta2) * magnitude(sine);
-  if (size == 0 || !(size >= reach)) return 0;
+  if (!(size >= reach)) return 0;
   const tf_real_t root = square_root((size - reach) * (size + reach));
   const tf_real_t outer = (size + root) / 2;
   const tf_real_t inner = beta2 * sine / outer * sine;

@@ -239,6 +239,18 @@ TEST(angle_kernel_constants) {
 }
 
 /* What a law does not have is 0, and only JUMP carries a moment in stick. */
+/* Without friction, or with less than a normal number, nothing is divided by
+ * it: what is a share of it is none. */
+TEST(no_friction_has_no_inverse) {
+  const tf_real_t none[] = {0, TF_REAL_MIN / 2};
+  for (int i = 0; i < 2; i++) {
+    tf_params_t p = valid(TF_TYRE_JUMP);
+    p.mu = none[i];
+    const tf_machine_t k = accepted(&p);
+    CHECK(k.inv_mu == 0 && k.inv_kappa_mu == 0 && k.inv_mu_dt == 0);
+  }
+}
+
 TEST(each_law_gets_its_own_constants) {
   for (int n = 0; n < TF_TYRE_LAWS; n++) {
     const tf_params_t p = valid((tf_tyre_law_t)n);
@@ -286,6 +298,7 @@ int main(int argc, char **argv) {
   RUN(derived_constants_against_long_double);
   RUN(exit_threshold_at_its_ends);
   RUN(angle_kernel_constants);
+  RUN(no_friction_has_no_inverse);
   RUN(each_law_gets_its_own_constants);
   RUN(a_state_is_small);
   RUN(every_scene_prepares);
