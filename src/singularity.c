@@ -167,8 +167,7 @@ static tf_direction_t ray_of(const tf_two_fold_t *at, tf_real_t value,
                              tf_real_t plus, tf_real_t minus, tf_real_t mu) {
   tf_direction_t ray = {.value = value};
   const tf_real_t size = magnitude(plus) + magnitude(minus);
-  if (!(size > 0)) return ray;
-  const tf_real_t unit = plus < 0 || (plus == 0 && minus < 0) ? -size : size;
+  const tf_real_t unit = plus < 0 ? -size : size;
   ray.plus = plus / unit;
   ray.minus = minus / unit;
   ray.sticks = ray.minus >= 0;
