@@ -8,7 +8,7 @@
   count[$3, $1]++
   if ($1 == "survived") {
     text = $0
-    sub(/^([^ ]* ){6}/, "", text)
+    for (i = 0; i < 6; i++) sub(/^[^ ]* /, "", text)
     survivors = survivors sprintf("%s:%d:%d: %s\n", $3, $5, $6, text)
   }
 }
