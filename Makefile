@@ -58,7 +58,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .PHONY: help all run test bench bench-compensated bench-ensemble bench-frame \
   bench-peers bench-steps stability report keep-report oracle check \
   clean firmware elf boards boards-list test-boards size deps statistics \
-  hil $(VARIANTS:%=line-%) FORCE
+  hil mutation $(VARIANTS:%=line-%) FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -80,6 +80,7 @@ help:
 	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
 	@echo 'make fuzz SECONDS=30   random inputs against the promises (clang)'
 	@echo 'make soak STEPS=1e9    chaos for so many steps, then a replay'
+	@echo 'make mutation SAMPLE=60   wrong changes of src/ for tests to notice'
 	@echo 'make oracle  remake tests/data/reference*.h (minutes; libquadmath)'
 	@echo 'make firmware SCENE=chaos BOARD=microbit REAL=float   (port/port.mk)'
 	@echo 'make boards  firmware of every board;  make deps installs compilers'
@@ -263,6 +264,15 @@ include tools/fuzz/fuzz.mk
 # The checks choose their own compilers and flags.
 check:
 	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' tools/check/run $(CHECKS)
+
+# SAMPLE=0 tries every change (hours), SEED=2 others than SEED=1, AGAIN=1 goes
+# on where a run was stopped and tries again what survived.
+SAMPLE ?= 60
+SEED ?= 1
+AGAIN ?=
+mutation:
+	@CC='$(CC)' BUILD='$(BUILD)' SAMPLE='$(SAMPLE)' SEED='$(SEED)' \
+	  AGAIN='$(AGAIN)' tools/mutation/run
 
 clean:
 	rm -rf $(BUILD)

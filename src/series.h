@@ -29,7 +29,7 @@ typedef struct {
   tf_real_t exponent;  // of TF_DEPART: its neighbours go with t^exponent
 } tf_motion_t;
 
-// 1/1, 1/2 ...: a division less per term.
+// 1/1, 1/2 ... to 1/(TF_ORDER + 1): a division less per term.
 static const tf_real_t tf_inverse[] = {
     0,
     TF_R(1.0) / 1,
@@ -41,11 +41,6 @@ static const tf_real_t tf_inverse[] = {
     TF_R(1.0) / 7,
     TF_R(1.0) / 8,
     TF_R(1.0) / 9,
-    TF_R(1.0) / 10,
-    TF_R(1.0) / 11,
-    TF_R(1.0) / 12,
-    TF_R(1.0) / 13,
-    TF_R(1.0) / 14,
 };
 
 // Sum of a_i b_(k-i), i = 0 to k. The newest term of b comes last: all before

@@ -273,6 +273,11 @@ TF_INLINE least_t least_violating(const motion_t *c) {
   return best;
 }
 
+// A single-valued law does not read the side.
+TF_INLINE tf_force_t single_valued_law(const tf_machine_t *k, tf_slip_t at) {
+  return tf_tyre_force(&k->tyre, at.h, at.h, at.g);
+}
+
 // (11): a single-valued law may still be stiff in h. Its secant F = c h at the
 // predicted slip is taken implicitly where that damps (the end of the step
 // answers with E < 0) and explicitly where it drives. The secant never
@@ -280,7 +285,7 @@ TF_INLINE least_t least_violating(const motion_t *c) {
 TF_INLINE tf_force_t secant_force(const motion_t *c, tf_slip_t at,
                                   tf_real_t h_now) {
   const tf_machine_t *k = TF_API_MACHINE(c);
-  const tf_force_t f = tf_tyre_force(&k->tyre, at.h < 0 ? -1 : 1, at.h, at.g);
+  const tf_force_t f = single_valued_law(k, at);
   if (at.h == 0) return f;
   const tf_answer_t a = answer_of(k, response(k, &c->linear, f));
   const tf_real_t E = turned(k, a.p, c->r * a.z + c->z * a.r).h / at.h;
@@ -300,9 +305,7 @@ TF_INLINE unsigned mode_under(const motion_t *c, tf_force_t force, end_t *end,
   *end = end_under(c, force, change);
   const tf_real_t h = slip_of(c, end).h;
   const tf_slip_t slip = slip_at_theta(c, change);
-  const tf_real_t law =
-      tf_tyre_force(&k->tyre, slip.h < 0 ? -1 : 1, slip.h, slip.g).F;
-  *rest = magnitude(force.F - law);
+  *rest = magnitude(force.F - single_valued_law(k, slip).F);
   return h > 0   ? TF_SLIP_PLUS
          : h < 0 ? TF_SLIP_MINUS
                  : c->state->mode & 1u; // as it was at h = 0

@@ -1,7 +1,8 @@
 /* tap.h - the whole test harness: named checks, TAP on standard output, and
  * for each failure the one command that replays it. A test file is one
  * program: `TEST(name) { ... }` functions, then a main of RUN lines between
- * tap_begin and tap_end. Options: --seed N, --only NAME. */
+ * tap_begin and tap_end. Options: --seed N, --only NAME. With TAP_BAIL in the
+ * environment a program ends at the first test that fails. */
 #ifndef TAP_H
 #define TAP_H
 
@@ -70,6 +71,7 @@ static inline void tap_run(const char *name, void (*test)(void)) {
     printf("# replay: %s --only %s --seed %" PRIu64 "\n", tap.program, name,
            tap.seed);
   fflush(stdout);
+  if (tap.bad && getenv("TAP_BAIL")) exit(1);
 }
 #define TEST(name) static void name(void)
 #define RUN(name) tap_run(#name, name)

@@ -40,6 +40,7 @@ static inline tf_machine_t prepared(const tf_params_t *params) {
 
 static inline tf_params_t random_params(void) {
   tf_params_t p = tf_scenes[0]->params;
+  p.m = uniform(0.25, 4);
   p.d = uniform(-2, 2);
   p.beta = uniform(0.02, 0.2);
   p.kappa = uniform(0.05, 1);

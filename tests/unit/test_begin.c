@@ -143,9 +143,15 @@ static void judge_contact(const tf_machine_t *machine, const contact_t *c,
   wishes_are_honoured(machine, &c->x);
 }
 
+/* The same motion of twice the mass under twice the forces. */
+static void heavier(tf_params_t *p) {
+  p->m *= 2, p->k2 *= 2, p->c1 *= 2, p->c2 *= 2, p->mu *= 2;
+}
+
 TEST(begin_finds_the_mode) {
   int seen[2][3] = {{0, 0, 0}, {0, 0, 0}};
-  const tf_params_t params = tf_scenes[0]->params;
+  tf_params_t params = tf_scenes[0]->params;
+  heavier(&params);
   const tf_machine_t machine = prepared(&params);
   const real kappa = wide(params.kappa);
   for (int i = 0; i < 100000; i++) {
@@ -164,6 +170,7 @@ TEST(begin_finds_the_mode) {
 /* Without a moment no region escapes, and stick carries none. */
 TEST(begin_without_a_moment) {
   tf_params_t params = tf_scenes[0]->params;
+  heavier(&params);
   params.law = TF_TYRE_COULOMB;
   const tf_machine_t machine = prepared(&params);
   for (int i = 0; i < 20000; i++) {
@@ -227,6 +234,10 @@ TEST(begin_at_codimension_two_is_pinned) {
     const tf_report_t report = begun(&machine, &x, TF_MODES);
     CHECK(report.mode == TF_PINNED && report.choices == 1);
     CHECK(report.slip.h == 0 && report.slip.g == 0);
+    /* g = 0 counts as rolling forwards. */
+    const paper_t p = paper_of(&params, wide(params.kappa));
+    const real A = paper_delassus(&p, wide(x.r), 1);
+    CHECK_NEAR(wide(report.delassus), A, 32 * EPSILON * (1 + fabsl(A)));
     wishes_are_honoured(&machine, &x);
   }
   tf_params_t coulomb = params;
@@ -266,6 +277,30 @@ TEST(begin_ignores_impossible_wishes) {
   CHECK(begun(&machine, &x, stick).mode == slip);
 }
 
+/* The limit is one of sums: of the state, of the inputs; each alone may be as
+ * large, and two of either sign may not. */
+TEST(begin_refuses_sums_beyond_the_limit) {
+  const tf_machine_t machine = prepared(&tf_scenes[0]->params);
+  for (int i = 0; i < 8; i++)
+    for (int j = 0; j < 8; j++)
+      for (int signs = 0; signs < 4; signs++) {
+        tf_real_t value[8] = {0};
+        value[i] = (signs & 1 ? TF_R(-0.75) : TF_R(0.75)) * TF_STATE_LIMIT;
+        value[j] = (signs & 2 ? TF_R(-0.75) : TF_R(0.75)) * TF_STATE_LIMIT;
+        tf_state_t x = {.r = value[0], .v = value[1], .w = value[2]};
+        const tf_input_t u = {value[3], value[4], value[5], value[6], value[7]};
+        const bool apart = i == j || (i < 3) != (j < 3);
+        tf_report_t report;
+        x.mode = TF_MODES;
+        CHECK(tf_begin(&machine, &x, &u, &report) ==
+              (apart ? TF_OK : TF_BAD_STATE));
+        if (apart) continue;
+        x.mode = TF_SLIP_PLUS;
+        CHECK(tf_step(&machine, &x, &u, &report) == TF_BAD_STATE);
+        CHECK(tf_locate(&machine, &x, &u, &report) == TF_BAD_STATE);
+      }
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(begin_finds_the_mode);
@@ -275,5 +310,6 @@ int main(int argc, char **argv) {
   RUN(begin_at_codimension_two_is_pinned);
   RUN(begin_where_no_force_acts_on_h);
   RUN(begin_ignores_impossible_wishes);
+  RUN(begin_refuses_sums_beyond_the_limit);
   return tap_end();
 }

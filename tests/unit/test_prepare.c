@@ -126,7 +126,8 @@ TEST(an_unknown_law_or_rule_is_blamed_on_neither_member) {
 }
 
 /* Which law needs which member, from the comments of tf_params_t. */
-TEST(the_table_is_complete) {
+TEST(the_table_is_the_contract) {
+  const double PI = 3.14159265358979323846;
   const unsigned all = (1u << TF_TYRE_LAWS) - 1;
   const unsigned kappa =
       1u << TF_TYRE_JUMP | 1u << TF_TYRE_TWO_PIECE | 1u << TF_TYRE_SMOOTH;
@@ -134,32 +135,34 @@ TEST(the_table_is_complete) {
   const struct {
     const char *name;
     unsigned laws;
-  } want[TF_PARAMETERS] = {{"m", all},
-                           {"d", all},
-                           {"beta", all},
-                           {"k2", all},
-                           {"c1", all},
-                           {"c2", all},
-                           {"r0", all},
-                           {"omega0", all},
-                           {"mu", all},
-                           {"kappa", kappa},
-                           {"gamma", all},
-                           {"epsilon", 1u << TF_TYRE_SMOOTH},
-                           {"k", string | 1u << TF_TYRE_TWO_PIECE},
-                           {"delta", string},
-                           {"sigma", string},
-                           {"rho", string},
-                           {"a", string},
-                           {"theta", all},
-                           {"dt", all},
-                           {"rate", all},
-                           {"tolerance", all}};
+    double low, high;
+  } want[TF_PARAMETERS] = {{"m", all, 1e-12, 1e12},
+                           {"d", all, -1e6, 1e6},
+                           {"beta", all, 1e-9, 1e6},
+                           {"k2", all, 0, 1e15},
+                           {"c1", all, 0, 1e12},
+                           {"c2", all, 0, 1e12},
+                           {"r0", all, -1e6, 1e6},
+                           {"omega0", all, -1e6, 1e6},
+                           {"mu", all, 0, 1e9},
+                           {"kappa", kappa, 1e-9, 1e6},
+                           {"gamma", all, -PI, PI},
+                           {"epsilon", 1u << TF_TYRE_SMOOTH, 1e-12, 1e6},
+                           {"k", string | 1u << TF_TYRE_TWO_PIECE, 1e-9, 1e12},
+                           {"delta", string, 1e-9, 1e9},
+                           {"sigma", string, 0, 1e6},
+                           {"rho", string, 1e-6, 1},
+                           {"a", string, 1e-9, 1e6},
+                           {"theta", all, 0.5, 1},
+                           {"dt", all, 1e-9, 1},
+                           {"rate", all, 0, 1e9},
+                           {"tolerance", all, 0, 1e-3}};
   for (int i = 0; i < TF_PARAMETERS; i++) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
     CHECK(strcmp(range->name, want[i].name) == 0);
     CHECK(range->laws == want[i].laws);
-    CHECK(range->low < range->high);
+    CHECK(range->low == (tf_real_t)want[i].low);
+    CHECK(range->high == (tf_real_t)want[i].high);
     CHECK(range->unit && range->unit[0]);
     CHECK(range->offset == (size_t)i * sizeof(tf_real_t));
   }
@@ -239,6 +242,18 @@ TEST(angle_kernel_constants) {
 }
 
 /* What a law does not have is 0, and only JUMP carries a moment in stick. */
+/* Without friction, or with less than a normal number, nothing is divided by
+ * it: what is a share of it is none. */
+TEST(no_friction_has_no_inverse) {
+  const tf_real_t none[] = {0, TF_REAL_MIN / 2};
+  for (int i = 0; i < 2; i++) {
+    tf_params_t p = valid(TF_TYRE_JUMP);
+    p.mu = none[i];
+    const tf_machine_t k = accepted(&p);
+    CHECK(k.inv_mu == 0 && k.inv_kappa_mu == 0 && k.inv_mu_dt == 0);
+  }
+}
+
 TEST(each_law_gets_its_own_constants) {
   for (int n = 0; n < TF_TYRE_LAWS; n++) {
     const tf_params_t p = valid((tf_tyre_law_t)n);
@@ -282,10 +297,11 @@ int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(prepare_names_the_first_broken_rule);
   RUN(an_unknown_law_or_rule_is_blamed_on_neither_member);
-  RUN(the_table_is_complete);
+  RUN(the_table_is_the_contract);
   RUN(derived_constants_against_long_double);
   RUN(exit_threshold_at_its_ends);
   RUN(angle_kernel_constants);
+  RUN(no_friction_has_no_inverse);
   RUN(each_law_gets_its_own_constants);
   RUN(a_state_is_small);
   RUN(every_scene_prepares);

@@ -160,6 +160,24 @@ TEST(driven_profile_is_followed) {
 }
 
 /* No knots: the parameters' own, and those may have been altered. */
+/* Two knots at one time are a jump: the step that ends there has the later
+ * speed, and takes all of the jump as its acceleration. */
+TEST(a_profile_may_jump) {
+  run_t run = started(scene_named("driven"));
+  tf_scene_t scene = *run.scene;
+  const tf_knot_t knots[] = {{0, 1}, {1, 2}, {1, -1}, {2, -3}};
+  memcpy(scene.profile, knots, sizeof knots);
+  scene.knots = 4;
+  run.machine.dt = TF_R(0.25);
+  const real want[] = {1, 1.25L, 1.5L, 1.75L, -1, -1.5L, -2, -2.5L, -3, -3};
+  for (int i = 0; i < 10; i++) {
+    const tf_real_t t = (tf_real_t)i / 4;
+    const tf_input_t u = tf_scene_input(&scene, &run.machine, t);
+    CHECK(wide(u.omega0) == want[i]);
+    CHECK(wide(u.alpha) == (i > 0 ? 4 * (want[i] - want[i - 1]) : 0));
+  }
+}
+
 TEST(other_scenes_have_constant_inputs) {
   for (int i = 0; i < TF_SCENES; i++) {
     const tf_scene_t *scene = tf_scenes[i];
@@ -239,6 +257,7 @@ int main(int argc, char **argv) {
   RUN(scenes_begin_and_run);
   RUN(chaos_starts_as_the_contract_says);
   RUN(driven_profile_is_followed);
+  RUN(a_profile_may_jump);
   RUN(other_scenes_have_constant_inputs);
   RUN(rolling_never_slips);
   RUN(coulomb_has_one_future);

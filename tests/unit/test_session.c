@@ -78,9 +78,33 @@ TEST(session_starts_on_either_side) {
   CHECK(session.report.mode == before.report.mode);
 }
 
+/* Where h = 0 escapes, the side on which a start lies decides even where the
+ * real type cannot tell its h from 0; h = 0 itself rests in the stick. */
+TEST(session_keeps_the_side_of_a_start_below_rounding) {
+  int open = 0;
+  for (int i = 0; i < 20000; i++) {
+    tf_scene_t scene = *scene_named("chaos");
+    scene.r = (tf_real_t)tap_uniform(-0.2, 0.2);
+    scene.omega = (tf_real_t)tap_uniform(-1.4, -0.6);
+    scene.h = 0;
+    tf_session_t session;
+    CHECK(tf_session_open(&session, &scene, &scene.params, 0) == TF_OK);
+    if (session.report.choices != 3) continue;
+    open++;
+    CHECK(session.state.mode > TF_SLIP_MINUS);
+    for (int side = -1; side <= 1; side += 2) {
+      scene.h = (tf_real_t)side * TF_REAL_MIN;
+      CHECK(tf_session_start(&session, &scene, 0) == TF_OK);
+      CHECK(session.state.mode == (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
+    }
+  }
+  CHECK(open > 10);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(session_is_the_run_of_the_command_line);
   RUN(session_starts_on_either_side);
+  RUN(session_keeps_the_side_of_a_start_below_rounding);
   return tap_end();
 }

@@ -33,12 +33,30 @@ TEST(slip_law_at_rest_is_that_of_every_angle) {
     force.M += 1;
     CHECK_NEAR(slip_law_residual(tyre, side, force, slip), 1, close);
   }
+  /* Nothing of the law is larger than 4/3 mu, and that goes without a moment. */
+  const tf_force_t strong = {2 * tyre->mu, 0};
+  CHECK_NEAR(slip_law_residual(tyre, 1, strong, rest), 2 * (real)tyre->mu / 3,
+             close);
   const tf_force_t backward = {-tyre->mu, 0};
   CHECK(slip_law_residual(tyre, 1, backward, rest) >= 2 * tyre->mu);
+}
+
+/* Without contact every force is off, whatever slips. */
+TEST(no_contact_has_no_force) {
+  tf_params_t params = tf_scenes[0]->params;
+  params.law = TF_TYRE_NONE;
+  tf_machine_t machine;
+  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
+  const tf_slip_t slip = {TF_R(0.5), TF_R(-0.25)};
+  for (int i = 0; i < 4; i++) {
+    const tf_force_t force = {i & 1 ? 2 : -2, i & 2 ? 4 : -4};
+    CHECK(slip_law_residual(&machine.tyre, 1, force, slip) == 6);
+  }
 }
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(slip_law_at_rest_is_that_of_every_angle);
+  RUN(no_contact_has_no_force);
   return tap_end();
 }

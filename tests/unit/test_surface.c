@@ -187,6 +187,25 @@ TEST(rescaled_field_is_regular_at_the_two_fold) {
   CHECK(fabsl(wide(at.plus.w)) > 0.1L && fabsl(wide(at.minus.w)) > 0.1L);
 }
 
+/* Everything at rest without friction: h' = 0 on both sides, and what neither
+ * side leaves is not crossed. */
+TEST(what_rests_is_not_crossed) {
+  tf_params_t p = random_params();
+  p.law = TF_TYRE_COULOMB;
+  p.mu = p.omega0 = 0;
+  p.r0 = TF_R(0.25);
+  const tf_machine_t machine = prepared(&p);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_surface_t at;
+  CHECK(tf_surface_at(&machine, &input, p.r0, 0, 0, &at) == TF_OK);
+  CHECK(at.lie_plus == 0 && at.lie_minus == 0);
+  CHECK(at.region == TF_REGION_SLIDING);
+  tf_state_t x = {.r = p.r0, .mode = TF_MODES};
+  tf_report_t report;
+  CHECK(tf_begin(&machine, &x, &input, &report) == TF_OK);
+  CHECK(report.choices == 1 && report.mode > TF_SLIP_MINUS);
+}
+
 TEST(surface_refuses_what_it_cannot_see) {
   tf_machine_t machine;
   tf_params_t params = tf_scenes[0]->params;
@@ -234,6 +253,7 @@ int main(int argc, char **argv) {
   RUN(sliding_field_against_the_paper);
   RUN(regions_are_what_slip_does);
   RUN(rescaled_field_is_regular_at_the_two_fold);
+  RUN(what_rests_is_not_crossed);
   RUN(surface_refuses_what_it_cannot_see);
   return tap_end();
 }

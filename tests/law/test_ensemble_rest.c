@@ -1,0 +1,90 @@
+/* The ensemble near h = g = 0, where every mode may be possible and a motion
+ * may end a step at rest: a block has the bits of single steps there too, and
+ * the passes without branches do most of it. */
+#include "sample.h"
+
+static int same_bits(tf_real_t a, tf_real_t b) {
+  return memcmp(&a, &b, sizeof a) == 0;
+}
+
+static int same(const tf_state_t *x, const tf_state_t *y, const tf_report_t *a,
+                const tf_report_t *b) {
+  return same_bits(x->r, y->r) && same_bits(x->v, y->v) &&
+         same_bits(x->w, y->w) && same_bits(x->phi, y->phi) &&
+         x->mode == y->mode && x->tick == y->tick && a->mode == b->mode &&
+         a->set == b->set && a->choices == b->choices &&
+         a->status == b->status && same_bits(a->force.F, b->force.F) &&
+         same_bits(a->force.M, b->force.M) && same_bits(a->slip.h, b->slip.h) &&
+         same_bits(a->slip.g, b->slip.g) &&
+         same_bits(a->delassus, b->delassus) &&
+         same_bits(a->residual, b->residual);
+}
+
+/* A state that friction can bring to h = g = 0 within a few steps. */
+static tf_state_t near_rest(const tf_machine_t *k, const tf_input_t *u) {
+  const double reach = 4 * (double)k->dt;
+  tf_state_t x = {.r = uniform(-0.6, 0.6),
+                  .seed = (uint32_t)tap_bits(),
+                  .mode = (uint8_t)(tap_bits() % TF_MODES)};
+  x.w = u->omega0 + uniform(-reach, reach) / (tf_real_t)0.05;
+  x.v = uniform(-reach, reach);
+  if (tap_bits() % 4 == 0) x.v = 0, x.w = u->omega0; /* it rests */
+  if (tap_bits() % 4 == 0)
+    (void)tf_speed_for_slip(k, x.r, x.w, u->omega0, 0, &x.v);
+  return x;
+}
+
+TEST(ensemble_comes_to_rest_as_single_steps_do) {
+  static tf_state_block_t block;
+  static tf_report_block_t reported;
+  size_t alone = 0, steps = 0, differ = 0, rests = 0;
+  size_t taken[TF_MODES] = {0}, choices[TF_MODES + 1] = {0};
+  for (int i = 0; i < 4000; i++) {
+    tf_params_t p = random_params();
+    p.beta = uniform(0.02, 0.5);
+    p.dt = (tf_real_t)exp(tap_uniform(log(1e-4), log(2e-2)));
+    p.rule = (tf_rule_t)(i % 4);
+    p.rate = 200;
+    p.with_angle = i % 2;
+    const tf_machine_t k = prepared(&p);
+    const tf_input_t u = tf_input_default(&k);
+    tf_state_t x[TF_LANES];
+    tf_report_t report[TF_LANES];
+    memset(report, 0, sizeof report);
+    memset(&reported, 0, sizeof reported);
+    for (size_t lane = 0; lane < TF_LANES; lane++) {
+      x[lane] = near_rest(&k, &u);
+      tf_ensemble_put(&block, lane, &x[lane]);
+    }
+    for (int n = 0; n < 8; n++) {
+      alone += tf_ensemble_step(&k, &block, TF_LANES, &u, &reported);
+      steps += TF_LANES;
+      for (size_t lane = 0; lane < TF_LANES; lane++) {
+        const unsigned before = x[lane].mode;
+        (void)tf_step(&k, &x[lane], &u, &report[lane]);
+        const tf_state_t y = tf_ensemble_get(&block, lane);
+        const tf_report_t other = tf_ensemble_report(&reported, lane);
+        differ += !same(&x[lane], &y, &report[lane], &other);
+        rests += before != TF_PINNED && x[lane].mode == TF_PINNED;
+        taken[report[lane].mode]++;
+        choices[report[lane].choices]++;
+      }
+    }
+  }
+  CHECK(differ == 0);
+  printf("# %zu of %zu lanes done alone, %zu came to rest; modes", alone, steps,
+         rests);
+  for (int i = 0; i < TF_MODES; i++) printf(" %zu", taken[i]);
+  printf("; choices");
+  for (int i = 0; i <= TF_MODES; i++) printf(" %zu", choices[i]);
+  printf("\n");
+  CHECK(rests > 1000 && alone * 4 < steps);
+  for (int i = 0; i < TF_MODES; i++) CHECK(taken[i] > 1000);
+  for (int i = 1; i <= 3; i++) CHECK(choices[i] > 100);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(ensemble_comes_to_rest_as_single_steps_do);
+  return tap_end();
+}

@@ -1,0 +1,82 @@
+/* A wheel at rest on the turntable, h = g = 0, while that speeds up: the force
+ * and the moment that keep it there are what the paper's equations ask for, and
+ * it stays as long as the law has them, whichever of its two limits they reach
+ * first and on whichever side. */
+#include "sample.h"
+
+typedef struct {
+  real F, M;
+} hold_t;
+
+/* F and M under which r rests and w follows the turntable: the paper's
+ * equations are affine in both. */
+static hold_t hold(const paper_t *p, real r, real w, real alpha) {
+  const real x[3] = {r, 0, w};
+  real none[3], force[3], moment[3];
+  paper_t turning = *p;
+  turning.omega0 = w;
+  paper_rhs_mass(&turning, x, 0, 0, none);
+  paper_rhs_mass(&turning, x, 1, 0, force);
+  paper_rhs_mass(&turning, x, 0, 1, moment);
+  const real a = force[1] - none[1], b = moment[1] - none[1], e = -none[1];
+  const real c = force[2] - none[2], d = moment[2] - none[2];
+  const real f = alpha - none[2], det = a * d - b * c;
+  return (hold_t){(e * d - b * f) / det, (a * f - e * c) / det};
+}
+
+/* How far both are from their limits; < 0 beyond one. */
+static real margin(const paper_t *p, hold_t by) {
+  return fminl(p->mu - fabsl(by.F), p->kappa * fabsl(by.F) - fabsl(by.M));
+}
+
+TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
+  int left[2][2] = {{0, 0}, {0, 0}}, steps = 0, fell_back = 0;
+  for (int i = 0; i < 60000; i++) {
+    tf_params_t q = random_params();
+    q.dt = TF_R(0.05);
+    q.tolerance = TF_R(1e-6);
+    const paper_t p = paper_of(&q);
+    const tf_machine_t k = prepared(&q);
+    tf_input_t u = tf_input_default(&k);
+    tf_state_t x = {.r = uniform(-0.5, 0.5), .w = u.omega0, .mode = TF_PINNED};
+    tf_report_t report;
+    u.alpha = uniform(-3, 3);
+    const real size = 1 + p.mu + p.k2 + p.m * (4 + p.omega0 * p.omega0);
+    const real slack = 1e4L * EPSILON * size * (1 + fabsl(1 / sinl(p.gamma)));
+    hold_t by = hold(&p, wide(x.r), wide(u.omega0), wide(u.alpha));
+    for (int n = 0; n < 40 && margin(&p, by) > slack; n++) {
+      const hold_t before = by;
+      const tf_real_t start = x.r;
+      const real half = wide(u.omega0) + wide(u.alpha) * wide(k.dt) / 2;
+      const hold_t midway = hold(&p, wide(x.r), half, wide(u.alpha));
+      u.omega0 += u.alpha * k.dt;
+      by = hold(&p, wide(x.r), wide(u.omega0), wide(u.alpha));
+      const tf_status_t status = tf_locate(&k, &x, &u, &report);
+      const bool rests = x.mode == TF_PINNED && x.r == start;
+      if (status == TF_OK && rests) CHECK(margin(&p, by) >= -slack);
+      if (rests && fminl(margin(&p, midway), margin(&p, by)) > slack) {
+        steps++;
+        fell_back += status != TF_OK;
+        if (status != TF_OK) continue;
+        CHECK_NEAR(wide(report.force.F), by.F, slack);
+        CHECK_NEAR(wide(report.force.M), by.M, slack);
+        continue;
+      }
+      /* Left for a stick, that may be before: it attracts. */
+      if (n == 0 || x.mode > TF_SLIP_MINUS || margin(&p, by) > 0) break;
+      left[before.F > 0][p.mu - fabsl(by.F) < 0]++;
+      break;
+    }
+  }
+  printf("# let go: by F < 0 at M %d, at F %d; by F > 0 at M %d, at F %d\n",
+         left[0][0], left[0][1], left[1][0], left[1][1]);
+  printf("# %d steps at rest, %d of them by tf_step\n", steps, fell_back);
+  CHECK(steps > 1000 && fell_back <= steps / 1000);
+  for (int j = 0; j < 4; j++) CHECK(left[j / 2][j % 2] > (j % 2 ? 20 : 0));
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(pinned_wheel_stays_as_long_as_the_law_has_its_force);
+  return tap_end();
+}

@@ -1,0 +1,196 @@
+/* Every kind of step, and what is said of two-folds, in other units of mass
+ * and time and seen from the other side. All maps are sign changes and powers
+ * of two, which no rounding disturbs, so what comes out agrees bit for bit, on
+ * random machines of any mass: a quantity that is not of the unit that it has
+ * to be, or a constant with a unit, shows here. */
+#include "sample.h"
+
+enum { MIRROR, REVERSAL, HALF_TURN, MASS, TIME, MAPS };
+
+/* What a map does to a machine, its inputs and a state:
+ *   mirror     d, gamma, omega, torque -> -           h -> -h
+ *   reversal   r, v, r0, d, force -> -                h, g -> -h, -g
+ *   half turn  gamma + pi                             h, g -> -h, -g
+ *   mass       4 kg are the new unit
+ *   time       half a second is the new unit */
+static void map_params(int map, tf_params_t *p) {
+  if (map == MIRROR) {
+    p->d = -p->d, p->gamma = -p->gamma, p->omega0 = -p->omega0;
+    if (p->rule == TF_RULE_SLIP_PLUS)
+      p->rule = TF_RULE_SLIP_MINUS;
+    else if (p->rule == TF_RULE_SLIP_MINUS)
+      p->rule = TF_RULE_SLIP_PLUS;
+  }
+  if (map == REVERSAL || map == HALF_TURN) {
+    if (p->rule == TF_RULE_SLIP_PLUS)
+      p->rule = TF_RULE_SLIP_MINUS;
+    else if (p->rule == TF_RULE_SLIP_MINUS)
+      p->rule = TF_RULE_SLIP_PLUS;
+  }
+  if (map == REVERSAL) p->d = -p->d, p->r0 = -p->r0;
+  if (map == MASS) p->m *= 4, p->k2 *= 4, p->c1 *= 4, p->c2 *= 4, p->mu *= 4;
+  if (map == TIME) {
+    p->dt /= 2, p->k2 *= 4, p->mu *= 4, p->c1 *= 2, p->c2 *= 2;
+    p->omega0 *= 2;
+  }
+}
+
+static void turn_wheel(tf_machine_t *k) {
+  k->sin_gamma = -k->sin_gamma;
+  k->minus_sin_gamma = -k->minus_sin_gamma;
+  k->cos_gamma = -k->cos_gamma;
+  k->d_sin_gamma = -k->d_sin_gamma;
+  k->mu_sin_gamma = -k->mu_sin_gamma;
+  k->mu_d_sin_gamma = -k->mu_d_sin_gamma;
+}
+
+static tf_machine_t mapped_machine(int map, tf_params_t p) {
+  map_params(map, &p);
+  tf_machine_t k = prepared(&p);
+  if (map == HALF_TURN) turn_wheel(&k);
+  return k;
+}
+
+static tf_input_t mapped_input(int map, tf_input_t u) {
+  const tf_real_t turn = map == MIRROR ? TF_R(-1.0) : TF_R(1.0);
+  const tf_real_t back = map == REVERSAL ? TF_R(-1.0) : TF_R(1.0);
+  const tf_real_t size = map == MASS || map == TIME ? TF_R(4.0) : TF_R(1.0);
+  const tf_real_t fast = map == TIME ? TF_R(2.0) : TF_R(1.0);
+  return (tf_input_t){.omega0 = turn * fast * u.omega0,
+                      .r0 = back * u.r0,
+                      .force = back * size * u.force,
+                      .torque = turn * size * u.torque,
+                      .alpha = turn * fast * fast * u.alpha};
+}
+
+static unsigned mapped_mode(int map, unsigned mode) {
+  static const uint8_t to[MAPS][TF_MODES + 1] = {{1, 0, 2, 3, 4, 5},
+                                                 {1, 0, 3, 2, 4, 5},
+                                                 {1, 0, 3, 2, 4, 5},
+                                                 {0, 1, 2, 3, 4, 5},
+                                                 {0, 1, 2, 3, 4, 5}};
+  return to[map][mode];
+}
+
+static unsigned mapped_set(int map, unsigned set) {
+  unsigned out = 0;
+  for (unsigned mode = 0; mode < TF_MODES; mode++)
+    if (set >> mode & 1u) out |= (unsigned)TF_MODE_BIT(mapped_mode(map, mode));
+  return out;
+}
+
+static tf_state_t mapped_state(int map, tf_state_t x) {
+  if (map == MIRROR) x.w = -x.w, x.phi = -x.phi;
+  if (map == REVERSAL) x.r = -x.r, x.v = -x.v;
+  if (map == TIME) x.v *= 2, x.w *= 2;
+  x.mode = (uint8_t)mapped_mode(map, x.mode);
+  return x;
+}
+
+/* Bits, but for the sign of 0 and of what is no number. */
+static int same(tf_real_t a, tf_real_t b) {
+  return a == b || (isnan((double)a) && isnan((double)b));
+}
+
+static int same_state(const tf_state_t *a, const tf_state_t *b) {
+  return same(a->r, b->r) && same(a->v, b->v) && same(a->w, b->w) &&
+         same(a->phi, b->phi) && a->mode == b->mode && a->tick == b->tick;
+}
+
+static int same_report(int map, const tf_report_t *a, const tf_report_t *b) {
+  const int seen_back = map == REVERSAL || map == HALF_TURN;
+  const tf_real_t force = map == MASS || map == TIME ? 4 : 1;
+  const tf_real_t fast = map == TIME ? 2 : 1;
+  const tf_real_t h = map == MIRROR || seen_back ? -fast : fast;
+  const tf_real_t g = seen_back ? -fast : fast;
+  const tf_real_t F = map == MIRROR || seen_back ? -force : force;
+  const tf_real_t M = map == MIRROR ? -force : force;
+  return mapped_mode(map, a->mode) == b->mode &&
+         mapped_set(map, a->set) == b->set && a->choices == b->choices &&
+         a->status == b->status && same(h * a->slip.h, b->slip.h) &&
+         same(g * a->slip.g, b->slip.g) && same(F * a->force.F, b->force.F) &&
+         same(M * a->force.M, b->force.M) &&
+         ((map < MASS && a->slip.g == 0) || /* it is that of g > 0 there */
+          same(a->delassus, map == MASS ? 4 * b->delassus : b->delassus));
+}
+
+typedef tf_status_t step_t(const tf_machine_t *, tf_state_t *,
+                           const tf_input_t *, tf_report_t *);
+
+typedef struct {
+  step_t *step;
+  const char *name;
+  double shortest, longest; /* dt */
+} kind_t;
+
+static tf_params_t params_at_random(const kind_t *kind) {
+  tf_params_t p = random_params();
+  p.law = tap_bits() % 4 ? TF_TYRE_JUMP : TF_TYRE_COULOMB;
+  p.beta = uniform(0.02, 0.5);
+  p.mu = uniform(0.05, 2);
+  p.k2 = uniform(0, 30);
+  p.dt = (tf_real_t)exp(tap_uniform(log(kind->shortest), log(kind->longest)));
+  p.theta = tap_bits() % 2 ? TF_R(0.5) : uniform(0.5, 1);
+  p.tolerance = TF_R(1e-6);
+  p.rule = (tf_rule_t)(tap_bits() % 3);
+  p.with_angle = true;
+  return p;
+}
+
+static tf_state_t state_at_random(const tf_machine_t *k, const tf_input_t *u) {
+  tf_state_t x = {.r = uniform(-0.8, 0.8),
+                  .w = uniform(-1.5, 1.5),
+                  .phi = uniform(-1, 1),
+                  .mode = (uint8_t)(tap_bits() % (TF_MODES + 1))};
+  const tf_real_t h = tap_bits() % 2 ? 0 : uniform(-0.2, 0.2);
+  if (tap_bits() % 8 == 0)
+    x.w = u->omega0;
+  else
+    CHECK(tf_speed_for_slip(k, x.r, x.w, u->omega0, h, &x.v) == TF_OK);
+  return x;
+}
+
+/* One motion under one map; returns how many of its steps agreed, of `most`.
+ * Of two futures that only a convention tells apart the map gives the other:
+ * there the motions may part. */
+static int agreeing(const kind_t *kind, int map, int most) {
+  const tf_params_t p = params_at_random(kind);
+  const tf_machine_t a = prepared(&p), b = mapped_machine(map, p);
+  tf_input_t u = tf_input_default(&a);
+  u.force = uniform(-0.1, 0.1);
+  u.torque = uniform(-0.1, 0.1);
+  u.alpha = kind->step == tf_locate ? uniform(-0.5, 0.5) : 0;
+  const tf_input_t v = mapped_input(map, u);
+  tf_state_t x = state_at_random(&a, &u), y = mapped_state(map, x);
+  tf_report_t first = {.status = TF_OK}, second = {.status = TF_OK};
+  CHECK(tf_begin(&a, &x, &u, &first) == TF_OK);
+  CHECK(tf_begin(&b, &y, &v, &second) == TF_OK);
+  if (map < MASS && first.slip.g == 0) return most;
+  for (int n = 0; n < most; n++) {
+    const tf_state_t want = mapped_state(map, x);
+    if (!same_state(&want, &y) || !same_report(map, &first, &second)) return n;
+    if (kind->step(&a, &x, &u, &first) < 0) return most;
+    (void)kind->step(&b, &y, &v, &second);
+    if (map < MASS && first.choices > 1) return most;
+  }
+  return most;
+}
+
+TEST(steps_in_other_units) {
+  static const kind_t kinds[] = {{tf_step, "step", 1e-4, 5e-2},
+                                 {tf_locate, "locate", 1e-3, 0.3}};
+  for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+    for (int map = 0; map < MAPS; map++)
+      for (int trial = 0; trial < 1500; trial++) {
+        const int n = agreeing(&kinds[i], map, 12);
+        if (!CHECK(n == 12))
+          printf("#   %s, map %d, trial %d: parts at step %d\n", kinds[i].name,
+                 map, trial, n);
+      }
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(steps_in_other_units);
+  return tap_end();
+}

@@ -1,0 +1,139 @@
+/* The enumeration of futures on its borders, by inclusions written by hand in
+ * numbers that are exact: what holds there is decided by the law (a slip needs
+ * h off 0, a stick an |x| <= 1, a stick with a moment g off 0), not by
+ * rounding. */
+#include "tap.h"
+#include "twofold.h"
+
+#define BIT(mode) ((unsigned)TF_MODE_BIT(mode))
+#define STICKS (BIT(TF_STICK_PLUS) | BIT(TF_STICK_MINUS))
+
+static tf_real_t num(double x) { return (tf_real_t)x; }
+
+static tf_form_t affine(double c0, double F, double M) {
+  return (tf_form_t){.c0 = num(c0), .F = num(F), .M = num(M)};
+}
+
+/* h = c0 + F x and g = c0 + M y, out of reach of pinning. */
+static tf_inclusion_t inclusion(double h0, double hF, double g0, double gM) {
+  return (tf_inclusion_t){.h = affine(h0, hF, 0),
+                          .g = affine(g0, 0, gM),
+                          .g_now = num(g0),
+                          .has_moment = true,
+                          .pin_x = 2,
+                          .pin_y = 2};
+}
+
+static unsigned set_of(const tf_inclusion_t *in) {
+  tf_solutions_t out;
+  memset(&out, 0, sizeof out);
+  tf_friction_solve(in, &out);
+  return out.set;
+}
+
+/* One sign of g takes it at no force and at all four corners. */
+TEST(signs_of_g_are_those_of_its_corners) {
+  for (int corner = 0; corner < 4; corner++)
+    for (int sign = -1; sign <= 1; sign += 2) {
+      const double s = sign, F = corner & 1 ? 1 : -1, M = corner & 2 ? 1 : -1;
+      tf_inclusion_t in = inclusion(1, 0, 0, 0);
+      in.g = affine(s * 0.75, F * 0.25, M * 0.25); /* 0.25 at least */
+      CHECK(tf_friction_signs(&in) == (sign > 0 ? 1 : 2));
+      in.g = affine(s * 0.5, F * 0.25, M * 0.25); /* 0 at one corner */
+      CHECK(tf_friction_signs(&in) == 3);
+      in.g = affine(s * 0.25, F * 0.25, M * 0.25);
+      CHECK(tf_friction_signs(&in) == 3);
+      /* the terms of second order count as well */
+      in.g = affine(s * 0.75, 0, 0);
+      in.g.FF = in.g.MM = num(-s * 0.5);
+      CHECK(tf_friction_signs(&in) == 3);
+      in.g.FF = in.g.MM = num(-s * 0.25);
+      CHECK(tf_friction_signs(&in) == (sign > 0 ? 1 : 2));
+      in.g.FM = num(F * M * 0.375);
+      CHECK(tf_friction_signs(&in) == 3);
+    }
+  const tf_inclusion_t at_0 = inclusion(1, 0, 0, 0);
+  CHECK(tf_friction_signs(&at_0) == 3);
+}
+
+/* A slip that would end on h = 0 is none: the stick at x = +-1 is. */
+TEST(slip_needs_h_off_0) {
+  for (int side = -1; side <= 1; side += 2)
+    for (int sign = -1; sign <= 1; sign += 2) {
+      const unsigned stick = BIT(sign > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
+      tf_inclusion_t in = inclusion(side, -1, 8 * sign, 1);
+      CHECK(set_of(&in) == stick);
+      in = inclusion(side, -1, sign * 0.125, 1); /* both signs of g */
+      in.pin_x = num(side);
+      in.pin_y = num(sign * -0.125);
+      CHECK(set_of(&in) == (BIT(TF_PINNED) | (side > 0 ? STICKS : 0u)));
+      /* an escaping one: from 0 on the other side leaves as well */
+      in = inclusion(side, 1, 8 * sign, 1);
+      CHECK(set_of(&in) == BIT(side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
+    }
+}
+
+/* With a moment a stick that ends at g = 0 is the pinned wheel; without one it
+ * is a stick like others, and g = 0 goes with g > 0. */
+TEST(stick_with_a_moment_needs_g_off_0) {
+  tf_inclusion_t in = inclusion(0, -1, 0, 1);
+  CHECK(set_of(&in) == 0);
+  in.pin_x = in.pin_y = 0;
+  CHECK(set_of(&in) == BIT(TF_PINNED));
+  in = inclusion(0, -1, 0, 0);
+  in.has_moment = false;
+  CHECK(set_of(&in) == BIT(TF_STICK_PLUS));
+}
+
+/* |x| <= 1 and |y| <= |x|, both borders included. */
+TEST(pinned_needs_a_force_of_the_law) {
+  static const struct {
+    double x, y;
+    int holds;
+  } cases[] = {{1, 1, 1},      {1, -1, 1},      {-1, 1, 1},
+               {-1, -1, 1},    {1.25, 0, 0},    {-1.25, 0, 0},
+               {0.5, 0.75, 0}, {0.5, -0.75, 0}, {-0.5, 0.75, 0},
+               {-0.5, 0.5, 1}, {0.75, -0.5, 1}, {0, 0, 1}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    tf_inclusion_t in = inclusion(0, -1, 0, 1);
+    in.pin_x = num(cases[i].x);
+    in.pin_y = num(cases[i].y);
+    CHECK(set_of(&in) == (cases[i].holds ? BIT(TF_PINNED) : 0));
+    in.has_moment = false;
+    CHECK(!(set_of(&in) & BIT(TF_PINNED)));
+  }
+}
+
+/* Three futures of a negative Delassus scalar, one of a positive one; the
+ * stick is where h vanishes, and the sign of the scalar says if it attracts. */
+TEST(futures_of_either_delassus_scalar) {
+  for (int i = -3; i <= 3; i++)
+    for (int sign = -1; sign <= 1; sign += 2) {
+      const unsigned stick = BIT(sign > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
+      for (int slope = -1; slope <= 1; slope += 2) {
+        tf_inclusion_t in = inclusion(i * 0.25, slope, 8 * sign, 1);
+        tf_solutions_t out;
+        memset(&out, 0, sizeof out);
+        tf_friction_solve(&in, &out);
+        CHECK(out.set ==
+              (slope < 0 ? stick
+                         : stick | BIT(TF_SLIP_PLUS) | BIT(TF_SLIP_MINUS)));
+        CHECK(out.attracting == (slope < 0 ? stick : 0));
+        CHECK(out.x[sign < 0] == num(-i * 0.25 / slope));
+        CHECK(out.h_limit[0] == num(i * 0.25 + slope));
+        CHECK(out.h_limit[1] == num(i * 0.25 - slope));
+        CHECK(out.tau[0] == sign && out.tau[1] == sign);
+        CHECK(out.near_stick == (sign > 0 ? TF_STICK_PLUS : TF_STICK_MINUS));
+      }
+    }
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(signs_of_g_are_those_of_its_corners);
+  RUN(slip_needs_h_off_0);
+  RUN(stick_with_a_moment_needs_g_off_0);
+  RUN(pinned_needs_a_force_of_the_law);
+  RUN(futures_of_either_delassus_scalar);
+  return tap_end();
+}
