@@ -27,9 +27,10 @@ static unsigned first_mode(unsigned set, unsigned wished) {
   static const unsigned order[TF_MODES] = {
       TF_STICK_PLUS, TF_STICK_MINUS, TF_PINNED, TF_SLIP_PLUS, TF_SLIP_MINUS};
   if (has(set, wished)) return wished;
-  int i = 0;
-  while (!has(set, order[i])) i++; // the set is never empty
-  return order[i];
+  unsigned mode = wished; // the set is never empty
+  for (int i = TF_MODES - 1; i >= 0; i--)
+    if (has(set, order[i])) mode = order[i];
+  return mode;
 }
 
 TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
