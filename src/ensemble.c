@@ -37,7 +37,7 @@ static bool all_go_on(const tf_state_block_t *restrict b,
   }
   for (int i = 0; i < TF_LANES; i++) {
     const unsigned mode = b->mode[i];
-    bit[i] = mode < TF_PINNED ? (uint8_t)TF_MODE_BIT(mode) : 0;
+    bit[i] = (uint8_t)(mode < TF_PINNED ? TF_MODE_BIT(mode) : 0u);
   }
   for (int i = 0; i < TF_LANES; i++)
     lost |= (uint8_t)((bit[i] & set[i] & lasting[i]) == 0 ? 1 : 0);
