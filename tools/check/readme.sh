@@ -1,7 +1,8 @@
 #!/bin/sh
 # README.md: at most 120 lines; its C program compiles without a warning
-# against the library in both real types, runs and prints something; its
-# commands are those that continuous integration runs.
+# against the library in both real types, runs and prints what is said; its
+# commands are those that continuous integration runs; each promise names a test
+# that exists. What the documents link to is there.
 . "$(dirname "$0")/lib.sh"
 [ -e README.md ] || {
   wrong "there is no README.md"
@@ -48,4 +49,31 @@ quietly sh "$BUILD/readme-line.sh" ||
 "$BUILD/readme-line" >"$BUILD/readme.line"
 "$BUILD/readme-double" | cmp - "$BUILD/readme.line" ||
   wrong "the program prints otherwise when compiled by the line of README.md"
-checked "$lines lines; its program of $(wc -l <"$program") lines runs"
+# shellcheck disable=SC2016  # marks of code
+said=$(sed -n 's/^It prints `\([^`]*\)`.*/\1/p' README.md)
+if [ -z "$said" ] || ! grep -qxF "$said" "$BUILD/readme.line"; then
+  wrong "the program does not print: $said"
+fi
+
+# The last column of the table of promises: a test, or a file of tests.
+# shellcheck disable=SC2016
+sed -n '/^## Promises/,/^## More/s/^| .* | `\([^`]*\)` |$/\1/p' README.md \
+  >"$BUILD/readme.promises"
+[ -s "$BUILD/readme.promises" ] || wrong "README.md has no table of promises"
+while read -r test; do
+  [ -f "$test" ] || grep -qrE "^(TEST|LAW)\($test\)" tests ||
+    wrong "README.md promises by a test that does not exist: $test"
+done <"$BUILD/readme.promises"
+
+# Links of all documents, from where each lies.
+for document in *.md docs/*.md; do
+  grep -oE '\]\([^)#:]+\)' "$document" | sed 's/^](//; s/)$//' |
+    while read -r target; do
+      [ -e "$(dirname "$document")/$target" ] || echo "$document: $target"
+    done
+done >"$BUILD/readme.dead"
+while read -r dead; do wrong "a link leads nowhere: $dead"; done \
+  <"$BUILD/readme.dead"
+
+promises=$(wc -l <"$BUILD/readme.promises")
+checked "$lines lines, $promises promises with a test, links; its program of $(wc -l <"$program") lines runs"
