@@ -34,7 +34,7 @@ typedef struct {
 /// input: in.
 /// report: out; choices counts the futures of the instant.
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched).
-/// Cost: about half a tf_step. Stack: 192 B.
+/// Cost: about half a tf_step. Stack: 608 B.
 /// Memory: caller's, reentrant.
 /// Claims: begin_finds_the_mode
 #define tf_begin TF_LINK(tf_begin)
@@ -58,7 +58,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
 /// Cost: about 510 instructions on x86-64 in double in stick, 800 in slip, 80
-///   more within reach of h = g = 0; no data-dependent loop. Stack: 512 B.
+///   more within reach of h = g = 0; no data-dependent loop. Stack: 1344 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,
