@@ -31,7 +31,7 @@ typedef enum {
 /// Scheme: none.
 /// mode: in.
 /// Returns: a constant string, never NULL.
-/// Cost: one table look-up. Stack: 16 B.
+/// Cost: at most 7 instructions. Stack: 16 B.
 /// Memory: static storage, reentrant.
 /// Claims: mode_names_are_the_contract
 #define tf_mode_name TF_LINK(tf_mode_name)
@@ -55,7 +55,7 @@ typedef struct {
 /// Scheme: the sign of g at no force and at the corners |x| = |y| = 1; between
 ///   them g is affine but for terms of third order in dt.
 /// inclusion: in. Returns: 1, 2 or 3.
-/// Cost: 12 operations, 10 comparisons. Stack: 144 B.
+/// Cost: at most 46 instructions. Stack: 144 B.
 /// Memory: none kept, reentrant.
 /// Claims: enumeration_against_grid_search
 #define tf_friction_signs TF_LINK(tf_friction_signs)
@@ -78,7 +78,7 @@ typedef struct {
 /// inclusion: in, all members finite; pin as said there.
 /// solutions: out.
 /// Returns: nothing; an empty set is possible (friction is not associated).
-/// Cost: 70 operations, 3 divisions and a square root a stick. Stack: 352 B.
+/// Cost: at most 450 instructions. Stack: 352 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: enumeration_against_grid_search, one_or_three_solutions
 #define tf_friction_solve TF_LINK(tf_friction_solve)
@@ -95,7 +95,7 @@ TF_API void tf_friction_solve(const tf_inclusion_t *inclusion,
 /// force: in.
 /// h, g: in, slip [m/s].
 /// Returns: residual >= 0 [N]; of rounding size at a solution.
-/// Cost: 14 operations. Stack: 128 B.
+/// Cost: at most 28 instructions. Stack: 128 B.
 /// Memory: none kept, reentrant.
 /// Claims: residual_vanishes_at_solutions_only
 #define tf_law_residual TF_LINK(tf_law_residual)

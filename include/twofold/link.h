@@ -68,7 +68,7 @@ typedef struct {
 /// link: out; it keeps a pointer into itself, so it must not move.
 /// scene: kept, for TF_UP_RESET. params: in, those of the session's machine.
 /// Returns: nothing.
-/// Cost: one copy of params. Stack: 32 B.
+/// Cost: at most 40 instructions. Stack: 32 B.
 /// Memory: caller's, reentrant.
 /// Claims: set_parameter_is_validated_and_answered
 #define tf_link_open TF_LINK(tf_link_open)
@@ -79,7 +79,8 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
 /// Scheme: none.
 /// link: in/out. byte: in.
 /// Returns: nothing.
-/// Cost: tf_decoder_push, and a copy of a command at its end. Stack: 96 B.
+/// Cost: at most 1700 instructions; the last byte of a command; else 20.
+///   Stack: 96 B.
 /// Memory: caller's; not reentrant for the same link: an interrupt handler
 ///   should put the byte into a queue of its own.
 /// Claims: uplink_flood_changes_nothing, no_byte_changes_a_parameter_by_itself
@@ -90,8 +91,8 @@ TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
 /// Scheme: none.
 /// link, session: in/out. A command that is refused changes neither.
 /// Returns: how many took effect.
-/// Cost: TF_LINK_QUEUE commands at most, the longest tf_prepare or
-///   tf_session_start; none: 10 operations. Stack: 1072 B.
+/// Cost: at most 5000 instructions, for TF_LINK_QUEUE commands, the longest
+///   tf_prepare or tf_session_start; none: 10. Stack: 1072 B.
 /// Memory: caller's, no overlap.
 /// Claims: set_parameter_takes_effect_only_at_the_boundary,
 ///   set_parameter_is_validated_and_answered, inputs_act_at_their_tick,
@@ -105,7 +106,7 @@ TF_API unsigned tf_link_boundary(tf_link_t *link, tf_session_t *session);
 /// wire: out, TF_FRAME_SIZE(TF_ANSWER_BYTES).
 /// sequence: in/out, of the frames that go down.
 /// Returns: bytes of the frame; 0 where no answer waits (wire untouched).
-/// Cost: 20 operations a byte, and a move of the queue. Stack: 96 B.
+/// Cost: at most 1300 instructions. Stack: 96 B.
 /// Memory: caller's, no overlap.
 /// Claims: set_parameter_is_validated_and_answered,
 ///   uplink_flood_changes_nothing, documented_frames_decode

@@ -123,7 +123,7 @@ typedef struct {
 ///   member out of range, or TF_PARAMETERS where law or rule is no member of
 ///   its enum.
 /// Returns: TF_OK; TF_BAD_PARAMETER (machine untouched).
-/// Cost: 1500 operations, once. Stack: 320 B.
+/// Cost: at most 1200 instructions; once a machine. Stack: 320 B.
 /// Memory: caller's; machine and params must not overlap; reentrant.
 /// Claims: prepare_names_the_first_broken_rule, sine_kernel_error_bound
 #define tf_prepare TF_LINK(tf_prepare)
@@ -134,7 +134,7 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
 /// Scheme: none.
 /// machine: in, prepared.
 /// Returns: omega0 and r0 of the parameters, no force, no torque.
-/// Cost: 4 moves. Stack: 32 B.
+/// Cost: at most 8 instructions. Stack: 32 B.
 /// Memory: reentrant.
 /// Claims: inputs_at_rest_change_nothing
 #define tf_input_default TF_LINK(tf_input_default)
@@ -152,7 +152,7 @@ typedef struct {
 /// machine: in, prepared.
 /// r [m], v [m/s], w, omega0 [rad/s]: in, finite.
 /// Returns: h, g.
-/// Cost: 11 operations. Stack: 112 B.
+/// Cost: at most 17 instructions. Stack: 112 B.
 /// Memory: none kept, reentrant.
 /// Claims: kinematics_against_the_paper
 #define tf_slip TF_LINK(tf_slip)
@@ -166,7 +166,7 @@ TF_API tf_slip_t tf_slip(const tf_machine_t *machine, tf_real_t r, tf_real_t v,
 /// v: out [m/s].
 /// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < 1e-6, so that v has no
 ///   hold on h (v untouched).
-/// Cost: 1 division, 8 operations. Stack: 112 B.
+/// Cost: at most 16 instructions. Stack: 112 B.
 /// Memory: caller's, reentrant.
 /// Claims: placed_slip_speed_reads_back
 #define tf_speed_for_slip TF_LINK(tf_speed_for_slip)
@@ -180,7 +180,7 @@ TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
 /// state: in.
 /// r0: in [m].
 /// Returns: energy [J].
-/// Cost: 14 operations. Stack: 128 B.
+/// Cost: at most 24 instructions. Stack: 128 B.
 /// Memory: none kept, reentrant.
 /// Claims: dissipation_without_moment
 #define tf_energy TF_LINK(tf_energy)

@@ -40,7 +40,8 @@ typedef enum {
 /// counter, key: in, any.
 /// out: out, 2 words.
 /// Returns: nothing.
-/// Cost: 10 multiplications 32 x 32 -> 64. Stack: 64 B.
+/// Cost: at most 110 instructions; 10 multiplications 32 x 32 -> 64.
+///   Stack: 64 B.
 /// Memory: caller's, reentrant.
 /// Claims: philox_known_answers
 #define tf_philox TF_LINK(tf_philox)
@@ -56,8 +57,7 @@ TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]);
 /// tick, seed: in, counter and key (RANDOM only).
 /// Returns: a tf_mode_t of solutions->set, or TF_MODES where none of it is
 ///   admissible.
-/// Cost: 30 instructions; RANDOM in an escaping stick: tf_philox on top.
-///   Stack: 112 B.
+/// Cost: at most 270 instructions; RANDOM with a draw. Stack: 112 B.
 /// Memory: none kept, reentrant.
 /// Claims: slip_never_enters_an_escaping_stick, rules_choose_as_declared,
 ///   random_exit_rate_is_independent_of_dt

@@ -70,7 +70,7 @@ typedef struct {
 ///   as on the wire, then law, rule and with_angle, a byte each.
 /// params: in.
 /// Returns: the hash.
-/// Cost: 12 operations a byte of params. Stack: 80 B.
+/// Cost: at most 3900 instructions. Stack: 80 B.
 /// Memory: caller's, reentrant.
 /// Claims: schema_says_what_runs
 #define tf_params_hash TF_LINK(tf_params_hash)
@@ -81,7 +81,7 @@ TF_API uint32_t tf_params_hash(const tf_params_t *params);
 /// wire: out, TF_FRAME_SIZE(TF_SCHEMA_BYTES).
 /// sequence: in/out. tick: in. schema: in.
 /// Returns: bytes of the frame.
-/// Cost: once: 6000 operations. Stack: 144 B.
+/// Cost: at most 11000 instructions; names that fill the frame. Stack: 144 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: schema_says_what_runs, documented_frames_decode
 #define tf_send_schema TF_LINK(tf_send_schema)
@@ -106,7 +106,7 @@ TF_API_DATA const char *const tf_layout_heartbeat;
 /// sequence: in/out. tick: in.
 /// type: in, whose payload is described. layout: in, one of those above.
 /// Returns: bytes of the frame.
-/// Cost: 20 operations a byte. Stack: 112 B.
+/// Cost: at most 6900 instructions; text that fills the frame. Stack: 112 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: layouts_describe_the_payloads
 #define tf_send_layout TF_LINK(tf_send_layout)
@@ -118,7 +118,7 @@ TF_API size_t tf_send_layout(uint8_t *wire, uint16_t *sequence, uint64_t tick,
 /// wire: out, TF_FRAME_SIZE(TF_STATE_BYTES).
 /// sequence: in/out. state: in.
 /// Returns: bytes of the frame.
-/// Cost: 20 operations a byte. Stack: 112 B.
+/// Cost: at most 1500 instructions. Stack: 112 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: state_and_report_survive_the_line, documented_frames_decode
 #define tf_send_state TF_LINK(tf_send_state)
@@ -131,7 +131,7 @@ TF_API size_t tf_send_state(uint8_t *wire, uint16_t *sequence,
 /// sequence: in/out. tick: in, of the state that the report belongs to.
 /// report: in.
 /// Returns: bytes of the frame.
-/// Cost: 20 operations a byte. Stack: 112 B.
+/// Cost: at most 1900 instructions. Stack: 112 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: state_and_report_survive_the_line, documented_frames_decode
 #define tf_send_report TF_LINK(tf_send_report)
@@ -143,7 +143,7 @@ TF_API size_t tf_send_report(uint8_t *wire, uint16_t *sequence, uint64_t tick,
 /// wire: out, TF_FRAME_SIZE(TF_COMPACT_BYTES).
 /// sequence: in/out. state, report: in.
 /// Returns: bytes of the frame.
-/// Cost: 20 operations a byte. Stack: 112 B.
+/// Cost: at most 1200 instructions. Stack: 112 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: state_and_report_survive_the_line, documented_frames_decode
 #define tf_send_compact TF_LINK(tf_send_compact)
@@ -156,7 +156,7 @@ TF_API size_t tf_send_compact(uint8_t *wire, uint16_t *sequence,
 /// wire: out, TF_FRAME_SIZE(TF_HEARTBEAT_BYTES).
 /// sequence: in/out. tick: in. heartbeat: in.
 /// Returns: bytes of the frame.
-/// Cost: 20 operations a byte. Stack: 160 B.
+/// Cost: at most 1700 instructions. Stack: 160 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: heartbeat_survives_the_line, documented_frames_decode
 #define tf_send_heartbeat TF_LINK(tf_send_heartbeat)
@@ -169,7 +169,7 @@ TF_API size_t tf_send_heartbeat(uint8_t *wire, uint16_t *sequence,
 /// sequence: in/out. tick: in. params: in.
 /// index: in, into tf_parameter_ranges.
 /// Returns: bytes of the frame; 0 where there is no such parameter.
-/// Cost: 20 operations a byte. Stack: 128 B.
+/// Cost: at most 1500 instructions. Stack: 128 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: parameters_are_described, documented_frames_decode
 #define tf_send_parameter TF_LINK(tf_send_parameter)
@@ -182,7 +182,7 @@ TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,
 /// payload: in, TF_STATE_BYTES. tick: in, from the header of its frame.
 /// state: out, not validated.
 /// Returns: nothing.
-/// Cost: 5 operations a byte. Stack: 80 B.
+/// Cost: at most 260 instructions. Stack: 80 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: state_and_report_survive_the_line
 #define tf_read_state TF_LINK(tf_read_state)
@@ -193,7 +193,7 @@ TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
 /// Scheme: none.
 /// payload: in, TF_REPORT_BYTES. report: out, not validated.
 /// Returns: nothing.
-/// Cost: 5 operations a byte. Stack: 96 B.
+/// Cost: at most 340 instructions. Stack: 96 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: state_and_report_survive_the_line
 #define tf_read_report TF_LINK(tf_read_report)

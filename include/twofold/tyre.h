@@ -57,7 +57,7 @@ typedef struct {
 /// G, H: in, [m/s], 0 to 1e30.
 /// Returns: T in [0, 6 kappa], error <= 16 ULP for all kappa in range; 0 where
 ///   G = H = 0 (the slip angle is undefined).
-/// Cost: 2 divisions, 35 other operations, no loop over data. Stack: 128 B.
+/// Cost: at most 120 instructions. Stack: 128 B.
 /// Memory: none kept, reentrant.
 /// Claims: angle_kernel_error_bound
 #define tf_tyre_cot_psi TF_LINK(tf_tyre_cot_psi)
@@ -72,7 +72,7 @@ TF_API tf_real_t tf_tyre_cot_psi(const tf_tyre_t *tyre, tf_real_t G,
 /// h, g: in, [m/s], finite.
 /// Returns: F, M; both 0 at h = 0 for the laws that are continuous there, and
 ///   at h = g = 0 for those where the angle is undefined.
-/// Cost: tf_tyre_cot_psi and 10 operations. Stack: 320 B.
+/// Cost: at most 180 instructions. Stack: 320 B.
 /// Memory: none kept, reentrant.
 /// Claims: tyre_identity_against_the_paper, string_law_against_quadrature,
 ///   two_piece_law_is_the_string_law
@@ -84,7 +84,7 @@ TF_API tf_force_t tf_tyre_force(const tf_tyre_t *tyre, tf_real_t side,
 /// Scheme: none.
 /// law: in.
 /// Returns: 1 for JUMP and COULOMB, else 0.
-/// Cost: 1 comparison. Stack: 16 B.
+/// Cost: at most 4 instructions. Stack: 16 B.
 /// Memory: none kept, reentrant.
 /// Claims: enumeration_against_grid_search
 static inline int tf_tyre_is_set_valued(tf_tyre_law_t law) {

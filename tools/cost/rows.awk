@@ -1,11 +1,12 @@
 # Puts figures into the rows of a header:
 #   awk -f rows.awk FIGURES HEADER >NEW
-# Lines of FIGURES: "name Stack BYTES" or "name Cost A [B]", for rows
-# "Stack: N B" and "Cost: at most A instructions [and B a UNIT]". Words around
-# the numbers stay, and so does what FIGURES does not name.
+# Lines of FIGURES: "name Stack BYTES" or "name Cost A B W", for rows
+# "Stack: N B" and "Cost: at most A instructions [and B a UNIT]" and "more than
+# W". Words around the numbers stay, and so does what FIGURES does not name.
 FNR == NR {
   first[$1, $2] = $3
   second[$1, $2] = $4
+  third[$1, $2] = $5
   next
 }
 
@@ -27,8 +28,8 @@ function put(pattern, text) {
     if ((name, "Cost") in first) {
       put("at most [0-9]+ instructions", \
         "at most " first[name, "Cost"] " instructions")
-      if (second[name, "Cost"] != "")
-        put("and [0-9]+ a", "and " second[name, "Cost"] " a")
+      put("and [0-9]+ a", "and " second[name, "Cost"] " a")
+      put("more than [0-9]+", "more than " third[name, "Cost"])
     }
   }
   for (i = 1; i <= lines; i++) print line[i]

@@ -1,0 +1,41 @@
+#!/bin/sh
+# Cost of every public function: a search for the dearest inputs, begun at the
+# dearest that were found before (tools/cost/worst.double), finds no call that
+# takes more instructions than its header says, and none says more than 1.25
+# times what was found. The counter itself is held against single steps.
+. "$(dirname "$0")/lib.sh"
+need gcc gcc
+[ "$(uname -m)" = x86_64 ] || {
+  echo 'missing: a processor of type x86-64, of which the rows speak'
+  exit 3
+}
+EVALUATIONS=${EVALUATIONS:-2000}
+build CC=gcc BUILD="$BUILD/costs" OPT=-O2 "$BUILD/costs/double/cost" ||
+  wrong "tools/cost does not build"
+cost=$BUILD/costs/double/cost
+worst=tools/cost/worst.double
+
+files_in '*.h' include | xargs awk -f tools/cost/claims.awk \
+  >"$BUILD/cost.claims"
+while read -r name first _; do
+  [ "$first" != none ] ||
+    wrong "$name: its row does not say \"Cost: at most N instructions\""
+done <"$BUILD/cost.claims"
+
+"$cost" search "$EVALUATIONS" <"$worst" >"$BUILD/cost.found" ||
+  wrong "the search failed"
+tools/cost/paths double "$BUILD/costs" >"$BUILD/cost.ways" ||
+  wrong "the ways through the code are not understood"
+awk -f tools/cost/judge.awk "$BUILD/cost.claims" "$BUILD/cost.ways" \
+  "$BUILD/cost.found" >"$BUILD/cost.wrong"
+while IFS= read -r line; do
+  wrong "$line"
+done <"$BUILD/cost.wrong"
+
+# Functions without repeated string instructions, of which each step is one.
+for name in step friction_solve begin surface_at; do
+  grep "^tf_$name " "$BUILD/cost.found" | "$cost" step "$name" ||
+    wrong "tf_$name: other instructions were counted than stepped through"
+done
+checked "$(wc -l <"$BUILD/cost.claims") functions," \
+  "$EVALUATIONS calls each beside the dearest known; gcc -O2, double"

@@ -1,0 +1,32 @@
+# Instructions of the public functions (tools/cost), on x86-64 only. The core
+# is compiled with -O2 and counts itself. Included by the Makefile.
+
+COST := $(wildcard tools/cost/*.c)
+COUNTED := $(CORE:src/%.c=%) inline memory
+EVALUATIONS ?= 1000000
+
+define cost_rules
+$(BUILD)/$(1)/counted/%.s: src/%.c $(BUILD)/$(1)/flags
+	$$(call assemble,$$(CORE_FLAGS) $$(SRC_FLAGS_$$(*F)) $$(FLAGS_$(1)))
+$(BUILD)/$(1)/counted/inline.s: tools/cost/inline.c $(BUILD)/$(1)/flags
+	$$(call assemble,$$(CORE_FLAGS) -Itools $$(FLAGS_$(1)))
+$(BUILD)/$(1)/counted/memory.s: port/arch/memory.c $(BUILD)/$(1)/flags
+	$$(call assemble,$$(CORE_FLAGS))
+$(BUILD)/$(1)/counted/%.o: $(BUILD)/$(1)/counted/%.s tools/cost/count.awk
+	@awk -f tools/cost/count.awk $$< >$$(@:.o=.counting)
+	@$$(CC) -x assembler -c $$(@:.o=.counting) -o $$@
+$(BUILD)/$(1)/cost: $(COUNTED:%=$(BUILD)/$(1)/counted/%.o) \
+    $(patsubst %.c,$(BUILD)/$(1)/%.o,$(filter-out %/inline.c,$(COST)))
+	$$(link)
+endef
+
+define assemble
+	@mkdir -p $(@D)
+	@echo '  COUNT $@'
+	@$(CC) $(1) -O2 -MMD -MP -S $< -o $@
+endef
+
+$(foreach v,$(VARIANTS),$(eval $(call cost_rules,$(v))))
+
+bounds: $(VARIANTS:%=$(BUILD)/%/cost)
+	@BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' tools/cost/run

@@ -1,0 +1,51 @@
+# Whether rows "Cost" hold: judge.awk CLAIMS WAYS FOUND, with lines "name A B W",
+# "name longest way" and "name units count genes". A count above A + B units
+# breaks the promise; where the row says more than 1.25 times the most that was
+# found, its figure no longer holds. So with W and the longest way, which no
+# count is above. Prints what is wrong.
+FNR == 1 { part++ }
+
+part == 1 {
+  claimed[$1] = $2
+  slope[$1] = $3
+  ways[$1] = $4
+  next
+}
+
+part == 2 {
+  if ($2 != "-") longest[$1] = $2
+  next
+}
+
+$1 in longest && $3 > longest[$1] {
+  print $1 ": took " $3 ", its longest way has " longest[$1]
+}
+
+{
+  bound = claimed[$1] + slope[$1] * $2
+  if (!($1 in claimed)) print $1 ": no row of a header has its cost"
+  else if ($3 > bound)
+    print $1 ": its header says " bound " instructions for " $2 \
+      " units, it took " $3 " (" $4 ")"
+  if (!($1 in most) || $2 + 0 >= units[$1]) {
+    if ($2 + 0 > units[$1] || $3 > most[$1]) most[$1] = $3
+    units[$1] = $2 + 0
+  }
+}
+
+END {
+  for (name in claimed) {
+    if (!(name in most)) {
+      print name ": tools/cost does not call it"
+      continue
+    }
+    bound = claimed[name] + slope[name] * units[name]
+    if (bound > 1.25 * most[name])
+      print name ": its header says " bound " instructions, " most[name] \
+        " is the most that was found"
+    if (ways[name] > 0 && \
+        (ways[name] < longest[name] || ways[name] > 1.25 * longest[name]))
+      print name ": its header says that no way has more than " ways[name] \
+        " instructions, the longest has " longest[name]
+  }
+}

@@ -1,0 +1,282 @@
+// Functions of machines, states, friction and two-folds.
+#include <string.h>
+
+#include "cost/calls.h"
+#include "cost/count.h"
+#include "cost/inline.h"
+
+#define GENE(n) (s->genes->gene[OWN_GENES + (n)])
+#define REAL(n) real_of(GENE(n))
+#define K (&s->machine.machine)
+
+// The dearest of the names of numbers, unknown ones among them.
+#define NAMES(function, type)                            \
+  static uint32_t count_##function(const subject_t *s) { \
+    uint32_t worst = 0;                                  \
+    (void)s;                                             \
+    for (int i = -8; i < 24; i++) {                      \
+      const uint32_t n = COUNT(tf_##function((type)i));  \
+      if (n > worst) worst = n;                          \
+    }                                                    \
+    return worst;                                        \
+  }
+NAMES(status_name, tf_status_t)
+NAMES(mode_name, unsigned)
+NAMES(region_name, unsigned)
+NAMES(lack_name, unsigned)
+NAMES(folds_name, unsigned)
+
+#define CALL(function) static uint32_t count_##function(const subject_t *s)
+
+CALL(tyre_is_set_valued) {
+  return COUNT(cost_is_set_valued((tf_tyre_law_t)(GENE(0) % 6)));
+}
+CALL(tyre_cot_psi) {
+  const tf_real_t G = REAL(0), H = REAL(1);
+  return COUNT(tf_tyre_cot_psi(&K->tyre, G < 0 ? -G : G, H < 0 ? -H : H));
+}
+CALL(tyre_force) {
+  const tf_real_t h = REAL(0), g = REAL(1);
+  return COUNT(tf_tyre_force(&K->tyre, GENE(2) & 1u ? 1 : -1, h, g));
+}
+
+static tf_form_t form_of(const subject_t *s, unsigned at, bool has_moment) {
+  tf_form_t form = {REAL(at), REAL(at + 1), 0, REAL(at + 2), 0, 0};
+  if (has_moment) {
+    form.M = REAL(at + 3);
+    form.FM = REAL(at + 4);
+    form.MM = REAL(at + 5);
+  }
+  return form;
+}
+
+static tf_inclusion_t inclusion_of(const subject_t *s) {
+  const bool has_moment = (GENE(12) & 1u) != 0;
+  return (tf_inclusion_t){.h = form_of(s, 0, has_moment),
+                          .g = form_of(s, 6, has_moment),
+                          .g_now = REAL(13),
+                          .has_moment = has_moment,
+                          .pin_x = REAL(14),
+                          .pin_y = REAL(15)};
+}
+
+CALL(friction_signs) {
+  const tf_inclusion_t in = inclusion_of(s);
+  return COUNT(tf_friction_signs(&in));
+}
+CALL(friction_solve) {
+  const tf_inclusion_t in = inclusion_of(s);
+  tf_solutions_t out;
+  return COUNT(tf_friction_solve(&in, &out));
+}
+CALL(law_residual) {
+  const tf_force_t force = {REAL(0), REAL(1)};
+  const tf_real_t h = REAL(2), g = REAL(3), mu = REAL(4), kappa = REAL(5);
+  return COUNT(
+      tf_law_residual(mu < 0 ? -mu : mu, kappa < 0 ? 0 : kappa, force, h, g));
+}
+CALL(philox) {
+  uint32_t out[2];
+  return COUNT(tf_philox(GENE(0), GENE(1), out));
+}
+CALL(select) {
+  const tf_solutions_t in = {
+      .set = (uint8_t)(GENE(0) % 32),
+      .attracting = (uint8_t)(GENE(0) & GENE(1) & 12u),
+      .near_stick = GENE(2) & 1u ? TF_STICK_PLUS : TF_STICK_MINUS,
+      .x = {REAL(3), REAL(4)},
+      .tau = {REAL(5), REAL(6)},
+      .h_limit = {REAL(7), REAL(8)}};
+  const uint64_t threshold = (uint64_t)GENE(9) << 31;
+  return COUNT(tf_select((tf_rule_t)(GENE(10) % TF_RULES), threshold, &in,
+                         GENE(11) % TF_MODES, GENE(12), GENE(13)));
+}
+
+CALL(prepare) {
+  tf_machine_t machine;
+  int offender;
+  return COUNT(tf_prepare(&machine, &s->params, &offender));
+}
+CALL(prepare_compensated) {
+  tf_compensated_t machine;
+  int offender;
+  return COUNT(tf_prepare_compensated(&machine, &s->params, &offender));
+}
+CALL(input_default) { return COUNT(tf_input_default(K)); }
+CALL(slip) {
+  return COUNT(tf_slip(K, s->state.r, s->state.v, s->state.w, s->input.omega0));
+}
+CALL(speed_for_slip) {
+  tf_real_t v;
+  const tf_real_t h = REAL(0);
+  return COUNT(
+      tf_speed_for_slip(K, s->state.r, s->state.w, s->input.omega0, h, &v));
+}
+CALL(energy) { return COUNT(tf_energy(K, &s->state, s->input.r0)); }
+CALL(place_compensated) {
+  tf_state_t state = s->state;
+  tf_carry_t carry = s->carry;
+  const tf_real_t h = REAL(0);
+  return COUNT(
+      tf_place_compensated(&s->machine, &state, &carry, s->input.omega0, h));
+}
+CALL(begin) {
+  tf_state_t state = s->state;
+  tf_report_t report;
+  state.mode = (uint8_t)(GENE(0) % (TF_MODES + 1));
+  return COUNT(tf_begin(K, &state, &s->input, &report));
+}
+CALL(step) {
+  tf_state_t state = s->state;
+  tf_report_t report;
+  return COUNT(tf_step(K, &state, &s->input, &report));
+}
+CALL(locate) {
+  tf_state_t state = s->state;
+  tf_report_t report;
+  return COUNT(tf_locate(K, &state, &s->input, &report));
+}
+CALL(step_compensated) {
+  tf_state_t state = s->state;
+  tf_carry_t carry = s->carry;
+  tf_report_t report;
+  return COUNT(
+      tf_step_compensated(&s->machine, &state, &carry, &s->input, &report));
+}
+
+// As many equal states as there are units.
+#define MOST_STATES (4 * TF_LANES)
+CALL(ensemble_step) {
+  static tf_state_block_t blocks[TF_BLOCKS(MOST_STATES)];
+  static tf_report_block_t reports[TF_BLOCKS(MOST_STATES)];
+  for (unsigned i = 0; i < s->units; i++) tf_ensemble_put(blocks, i, &s->state);
+  return COUNT(tf_ensemble_step(K, blocks, s->units, &s->input, reports));
+}
+CALL(ensemble_put) {
+  tf_state_block_t blocks[2];
+  return COUNT(tf_ensemble_put(blocks, TF_LANES + 3, &s->state));
+}
+CALL(ensemble_get) {
+  tf_state_block_t blocks[1];
+  tf_ensemble_put(blocks, 3, &s->state);
+  return COUNT(tf_ensemble_get(blocks, 3));
+}
+CALL(ensemble_report) {
+  tf_report_block_t reports[1];
+  memset(reports, (int)(GENE(0) & 127u), sizeof reports);
+  return COUNT(tf_ensemble_report(reports, 3));
+}
+
+// A scene of these parameters, with a profile.
+static tf_scene_t scene_of(const subject_t *s) {
+  tf_scene_t scene = *tf_scenes[0];
+  scene.params = s->params;
+  scene.r = s->state.r;
+  scene.omega = s->state.w;
+  scene.v = s->state.v;
+  scene.h = sized_of(GENE(0), -40, 4);
+  scene.v_is_given = (GENE(1) & 1u) != 0;
+  scene.knots = (uint8_t)(GENE(1) >> 4 & 8u);
+  for (unsigned i = 0; i < TF_SCENE_KNOTS; i++)
+    scene.profile[i] =
+        (tf_knot_t){(tf_real_t)i / 8, s->params.omega0 * (tf_real_t)(i % 3)};
+  return scene;
+}
+
+CALL(scene_input) {
+  const tf_scene_t scene = scene_of(s);
+  const tf_real_t t = sized_of(GENE(2), -4, 1);
+  return COUNT(tf_scene_input(&scene, K, t));
+}
+CALL(session_input) {
+  const tf_scene_t scene = scene_of(s);
+  tf_session_t session;
+  memset(&session, 0, sizeof session);
+  session.machine = *K;
+  session.state = s->state;
+  session.state.tick = GENE(2) >> (GENE(3) % 32);
+  session.driven = (GENE(3) & 32u) != 0;
+  return COUNT(tf_session_input(&session, &scene));
+}
+CALL(session_start) {
+  const tf_scene_t scene = scene_of(s);
+  tf_session_t session;
+  memset(&session, 0, sizeof session);
+  session.machine = *K;
+  return COUNT(tf_session_start(&session, &scene, GENE(2)));
+}
+CALL(session_open) {
+  const tf_scene_t scene = scene_of(s);
+  tf_session_t session;
+  memset(&session, 0, sizeof session);
+  return COUNT(tf_session_open(&session, &scene, &s->params, GENE(2)));
+}
+
+CALL(two_folds) {
+  tf_place_t places[TF_TWO_FOLDS];
+  tf_lack_t lack;
+  int count;
+  return COUNT(tf_two_folds(K, &s->input, places, &count, &lack));
+}
+CALL(normal_form) {
+  tf_place_t places[TF_TWO_FOLDS];
+  tf_two_fold_t out;
+  int count = 0;
+  if (tf_two_folds(K, &s->input, places, &count, NULL) != TF_OK || count == 0)
+    return 0;
+  return COUNT(
+      tf_normal_form(K, &s->input, &places[GENE(0) % (unsigned)count], &out));
+}
+CALL(two_fold_wish) {
+  tf_wish_t out;
+  return COUNT(tf_two_fold_wish(K, &s->input, s->state.r, s->state.w, &out));
+}
+CALL(surface_at) {
+  tf_surface_t out;
+  return COUNT(
+      tf_surface_at(K, &s->input, s->state.r, s->state.v, s->state.w, &out));
+}
+
+#define WEIGHED(function, weight) \
+  { #function, count_##function, NULL, 0, weight }
+#define ENTRY(function) WEIGHED(function, 1)
+const call_t machine_calls[] = {
+    WEIGHED(step, 8),
+    WEIGHED(step_compensated, 4),
+    ENTRY(locate),
+    {"ensemble_step", count_ensemble_step, "state", MOST_STATES, 1},
+    ENTRY(begin),
+    ENTRY(prepare),
+    ENTRY(prepare_compensated),
+    ENTRY(place_compensated),
+    ENTRY(input_default),
+    ENTRY(slip),
+    ENTRY(speed_for_slip),
+    ENTRY(energy),
+    ENTRY(tyre_cot_psi),
+    ENTRY(tyre_force),
+    ENTRY(tyre_is_set_valued),
+    ENTRY(friction_signs),
+    ENTRY(friction_solve),
+    ENTRY(law_residual),
+    ENTRY(philox),
+    ENTRY(select),
+    ENTRY(ensemble_put),
+    ENTRY(ensemble_get),
+    ENTRY(ensemble_report),
+    ENTRY(scene_input),
+    ENTRY(session_input),
+    ENTRY(session_start),
+    ENTRY(session_open),
+    ENTRY(two_folds),
+    ENTRY(normal_form),
+    ENTRY(two_fold_wish),
+    ENTRY(surface_at),
+    ENTRY(status_name),
+    ENTRY(mode_name),
+    ENTRY(region_name),
+    ENTRY(lack_name),
+    ENTRY(folds_name),
+};
+const unsigned machine_call_count =
+    sizeof machine_calls / sizeof machine_calls[0];

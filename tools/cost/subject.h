@@ -1,0 +1,42 @@
+// What functions are called with: a machine, a state, inputs and a few numbers,
+// all of them spelled by genes, so that a search can vary any of it and the
+// worst that it finds can be called again.
+#ifndef COST_SUBJECT_H
+#define COST_SUBJECT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "twofold.h"
+
+#define GENES 64
+typedef struct {
+  uint32_t gene[GENES];
+} genes_t;
+
+// Genes from here on are the functions' own.
+#define OWN_GENES 44
+
+typedef struct {
+  const genes_t *genes;
+  tf_params_t params;
+  tf_compensated_t machine;
+  tf_state_t state;
+  tf_carry_t carry;
+  tf_input_t input;
+  unsigned units; // bytes or states that the function gets
+  bool valid;     // false: tf_prepare or tf_begin refused
+} subject_t;
+
+// The subject that the genes spell.
+subject_t subject_of(const genes_t *genes);
+
+// A real of any size and sign, 0, subnormals and simple numbers among them.
+tf_real_t real_of(uint32_t gene);
+// One with a magnitude between two powers of two, or 0.
+tf_real_t sized_of(uint32_t gene, int low, int high);
+
+// Prints parameters, state and inputs.
+void subject_print(const subject_t *s);
+
+#endif
