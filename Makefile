@@ -58,7 +58,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .PHONY: help all run test bench bench-compensated bench-ensemble bench-frame \
   bench-peers bench-steps stability report keep-report oracle check \
   clean firmware elf boards boards-list test-boards size deps statistics \
-  hil mutation bounds $(VARIANTS:%=line-%) FORCE
+  hil mutation bounds keep-bounds $(VARIANTS:%=line-%) FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -89,7 +89,8 @@ help:
 	@echo 'make keep-figures  copies them to docs/figures/'
 	@echo 'make hil BOARD=stm32f405   a controller drives it over its line'
 	@echo 'make size    flash, RAM, stack, instructions of every board'
-	@echo 'make bounds EVALUATIONS=1e6   worst cost and stack of every function'
+	@echo 'make bounds EVALUATIONS=100000   worst cost, stack of every function'
+	@echo 'make keep-bounds  copies them to docs/ and into the headers'
 	@echo 'make all     compile everything: core, command line, tests, bench'
 	@echo 'make clean   remove $(BUILD)/'
 	@echo 'Variables: CC OPT EXTRA BUILD TESTS; see the top of the Makefile.'

@@ -3,7 +3,7 @@
 
 COST := $(wildcard tools/cost/*.c)
 COUNTED := $(CORE:src/%.c=%) inline memory
-EVALUATIONS ?= 1000000
+EVALUATIONS ?= 100000
 
 define cost_rules
 $(BUILD)/$(1)/counted/%.s: src/%.c $(BUILD)/$(1)/flags
@@ -29,4 +29,12 @@ endef
 $(foreach v,$(VARIANTS),$(eval $(call cost_rules,$(v))))
 
 bounds: $(VARIANTS:%=$(BUILD)/%/cost)
-	@BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' tools/cost/run
+	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' tools/cost/run
+
+# Into docs/, the seeds of the next search and the rows of the headers.
+keep-bounds:
+	cp $(BUILD)/BOUNDS.md docs/
+	cp $(BUILD)/bounds/worst.double $(BUILD)/bounds/worst.float tools/cost/
+	for header in include/twofold/*.h; do \
+	  awk -f tools/cost/rows.awk $(BUILD)/bounds/figures $$header \
+	    >$(BUILD)/bounds/header && cp $(BUILD)/bounds/header $$header; done

@@ -21,10 +21,14 @@ $1 in longest && $3 > longest[$1] {
   print $1 ": took " $3 ", its longest way has " longest[$1]
 }
 
+!($1 in claimed) {
+  print $1 ": no row of a header has its cost"
+  next
+}
+
 {
   bound = claimed[$1] + slope[$1] * $2
-  if (!($1 in claimed)) print $1 ": no row of a header has its cost"
-  else if ($3 > bound)
+  if ($3 > bound)
     print $1 ": its header says " bound " instructions for " $2 \
       " units, it took " $3 " (" $4 ")"
   if (!($1 in most) || $2 + 0 >= units[$1]) {

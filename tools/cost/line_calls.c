@@ -72,6 +72,7 @@ typedef struct {
 } line_t;
 
 static void line_of(const subject_t *s, unsigned payload, line_t *line) {
+  memset(line, 0, sizeof *line);
   uint16_t sequence = (uint16_t)GENE(1);
   const uint64_t tick = GENE(2) & 1u ? 0 : UINT64_MAX;
   fill(line->wire + TF_FRAME_AT, payload, GENE(0));
@@ -106,6 +107,13 @@ CALL(decoder_block) {
   const unsigned around = TF_FRAME_SIZE(0);
   line_of(s, s->units > around ? s->units - around : 0, &line);
   if (s->units < line.size) line.size = s->units;
+  // Or bytes between zeros that are no frames.
+  if (GENE(8) & 1u) {
+    line.size = s->units;
+    fill(line.wire, line.size, GENE(9));
+    for (size_t i = GENE(8) >> 4; GENE(8) & 2u && i < line.size; i += 2)
+      line.wire[i] = 1;
+  }
   return COUNT(
       tf_decoder_block(&line.decoder, line.wire, line.size, &taken, &frame));
 }
@@ -204,8 +212,8 @@ static uint32_t send_commands(const subject_t *s, uplink_t *u, unsigned n) {
 }
 
 CALL(link_open) {
-  uplink_t u;
-  return COUNT(tf_link_open(&u.link, tf_scenes[0], &s->params));
+  tf_link_t link;
+  return COUNT(tf_link_open(&link, tf_scenes[0], &s->params));
 }
 CALL(link_receive) {
   uplink_t u;

@@ -28,6 +28,11 @@ static const call_t *call_at(unsigned i) {
                                 : &line_calls[i - machine_call_count];
 }
 
+// With or without its tf_.
+static const char *short_of(const char *name) {
+  return strncmp(name, "tf_", 3) == 0 ? name + 3 : name;
+}
+
 static const call_t *call_named(const char *name) {
   for (unsigned i = 0; i < call_count(); i++)
     if (strcmp(call_at(i)->name, name) == 0) return call_at(i);
@@ -119,8 +124,7 @@ static int search_call(const call_t *call, long evaluations) {
 
 static int is_wanted(const call_t *call, int argc, char **argv) {
   for (int i = 3; i < argc; i++)
-    if (strcmp(argv[i] + 3 * !strncmp(argv[i], "tf_", 3), call->name) == 0)
-      return 1;
+    if (strcmp(short_of(argv[i]), call->name) == 0) return 1;
   return argc <= 3;
 }
 
@@ -163,9 +167,9 @@ int main(int argc, char **argv) {
   if (strcmp(what, "search") == 0 && argc >= 3) code = search_all(argc, argv);
   if (strcmp(what, "replay") == 0) code = replay();
   if (strcmp(what, "show") == 0 && argc == 3)
-    code = with_seed(argv[2] + 3 * !strncmp(argv[2], "tf_", 3), 0);
+    code = with_seed(short_of(argv[2]), 0);
   if (strcmp(what, "step") == 0 && argc == 3)
-    code = with_seed(argv[2] + 3 * !strncmp(argv[2], "tf_", 3), 1);
+    code = with_seed(short_of(argv[2]), 1);
   if (code == 2) fputs("usage: see tools/cost/main.c\n", stderr);
   free(seeds);
   return code;

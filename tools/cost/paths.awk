@@ -1,6 +1,6 @@
 # The longest way through the code of each function, whatever its inputs, in
 # instructions, from the assembly of x86-64 (gcc -S):
-#   awk -v trips='NAME=N:M,...' -f paths.awk FILE.s...
+#   awk -v trips='FILE/NAME=N:M,...' -f paths.awk FILE.s...
 # prints "name instructions". What is called and what is jumped to is a part
 # of the way. The longest way through a loop counts N times, through a loop in
 # it M times; where trips says nothing of them, and where a jump goes through a
@@ -11,7 +11,9 @@ BEGIN {
 }
 
 FNR == 1 {
-  file++
+  file_name[++file] = FILENAME
+  sub(/.*\//, "", file_name[file])
+  sub(/\..*/, "", file_name[file])
   here = 0
 }
 
@@ -155,7 +157,7 @@ function way(f, region, entry, depth, orders, i, k, n, list, b, sum, far, \
   for (; k > 0; k--) { # from the last on
     sum = 0
     if (many[k] > 1 || k in loop) {
-      if (split(trips_of[plain(f)], turns, ":") <= depth) return -1
+      if (split(trips_of[file_name[f + 0] "/" plain(f)], turns, ":") <= depth) return -1
       inner = ++regions
       for (i = 1; i <= orders; i++)
         if (knot[region, left[region, i]] == k)

@@ -21,8 +21,7 @@ static double share_of(uint32_t gene) { return (double)(gene >> 8) * 0x1p-24; }
 
 tf_real_t sized_of(uint32_t gene, int low, int high) {
   if ((gene & 7u) == 0) return 0;
-  const double place = low + (high - low) * share_of(gene);
-  const double size = exp2(place);
+  const double size = exp2(low + (high - low) * share_of(gene));
   return (tf_real_t)(gene & 8u ? -size : size);
 }
 
