@@ -1,11 +1,11 @@
-// Half of the trials are at random, half change one of the best by a few genes
-// and go on from what is no better but not worse: the count is a staircase, and
-// its plateaus are walked along.
+// A quarter of the trials are at random, the others mix two of the best or change
+// one of them by a few genes, and go on from what is no better but not worse: the
+// count is a staircase, and its plateaus are walked along.
 #include "cost/search.h"
 
 #include <string.h>
 
-#define BEST 16
+#define BEST 32
 // Trials of one search; more of them begin anew.
 #define ROUND 100000
 
@@ -42,6 +42,9 @@ static genes_t random_genes(dice_t *dice) {
 static genes_t changed(const found_t *best, dice_t *dice) {
   genes_t genes = best[roll(dice) % BEST].genes;
   const genes_t *other = &best[roll(dice) % BEST].genes;
+  if (roll(dice) % 8 == 0)
+    for (unsigned i = 0; i < GENES; i++)
+      if (roll(dice) & 1u) genes.gene[i] = other->gene[i];
   for (unsigned n = 1 + roll(dice) % 4; n > 0; n--) {
     uint32_t *gene = &genes.gene[roll(dice) % GENES];
     switch (roll(dice) % 5) {
@@ -103,7 +106,7 @@ static found_t search_once(const call_t *call, unsigned units,
   }
   for (long i = 0; i < evaluations; i++) {
     found_t one;
-    one.genes = 2 * i < evaluations ? random_genes(dice) : changed(best, dice);
+    one.genes = 4 * i < evaluations ? random_genes(dice) : changed(best, dice);
     one.count = count_of(call, units, &one.genes);
     keep(best, &one);
   }
