@@ -58,11 +58,12 @@ function number(line) {
   return line + 0
 }
 
-# By how much an instruction deepens the stack.
+# By how much an instruction deepens the stack; one that pops on a condition may
+# not have done so.
 function change(line) {
   if (line ~ /^(v?push|stmdb)/) return (line ~ /stmdb/ && line !~ /sp!/) ? \
     0 : size_of(line)
-  if (line ~ /^(v?pop|ldmia)/) return (line ~ /ldmia/ && line !~ /sp!/) ? \
+  if (line ~ /^(v?pop|ldmia)[.w]*\t/) return (line ~ /ldmia/ && line !~ /sp!/) ? \
     0 : -size_of(line)
   if (line ~ /^sub[.w]*\tsp, (sp, )?#/) return number(line)
   if (line ~ /^add[.w]*\tsp, (sp, )?#/) return -number(line)
@@ -70,7 +71,7 @@ function change(line) {
     sub(/\]!.*/, "", line)
     return -number(line)
   }
-  if (line ~ /\[sp\], #/) return -number(line)
+  if (line ~ /^v?ldrd?[.w]*\t.*\[sp\], #/) return -number(line)
   if (line ~ /^(c\.)?add(i|i16sp)?\tsp,sp,-?[0-9]/) return -number(line)
   if (line ~ /^sub\tsp,sp,t1/) return t1
   if (line ~ /^[a-z.0-9]+\tsp *,/ && line !~ /^(cmp|str|sw|sd|s[bh])/)
@@ -133,8 +134,7 @@ function pass(i, line, deep, target) {
     follow(at[target], deep)
     return
   }
-  if (line ~ /^(jal|jalr|bl[a-z]*|blx)\t/ && line !~ /^bl[et][.nw]*\t/ &&
-      line !~ /^bl(s|tu|eu|tz|ez|e|t)[.nw]*\t/) {
+  if (line ~ /^(jalr?|bl[a-z]*)\t/ && line !~ /^bl(s|tu|eu|tz|ez|e|t)\t/) {
     if (target == "") refuse(line ": a call through a pointer")
     else calls[walk] = calls[walk] " " at[target] ":" deep
     if (line ~ /__gnu_thumb1_case/) open_table(i, deep)

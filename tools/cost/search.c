@@ -1,6 +1,6 @@
-// A quarter of the trials are at random, the others mix two of the best or change
-// one of them by a few genes, and go on from what is no better but not worse: the
-// count is a staircase, and its plateaus are walked along.
+// A quarter of the trials are at random, the others mix two of the best or
+// change one of them by a few genes, and go on from what is no better but not
+// worse: the count is a staircase, and its plateaus are walked along.
 #include "cost/search.h"
 
 #include <string.h>

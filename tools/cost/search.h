@@ -15,8 +15,8 @@ typedef struct {
 uint32_t count_of(const call_t *call, unsigned units, const genes_t *genes);
 
 // Tries `evaluations` genes, times the call's weight: at random, then by
-// changing the best of them, and the `count` of `from`. Genes that do not matter
-// are 0 in the end.
+// changing the best of them, and the `count` of `from`. Genes that do not
+// matter are 0 in the end.
 found_t search(const call_t *call, unsigned units, const genes_t *from,
                size_t count, long evaluations);
 

@@ -19,9 +19,15 @@
 // [0, 1) from the high bits.
 static double share_of(uint32_t gene) { return (double)(gene >> 8) * 0x1p-24; }
 
+// 2^x, straight between whole x: exact, and the same with every libm.
+static double power_of_2(double x) {
+  const double whole = floor(x);
+  return ldexp(1 + (x - whole), (int)whole);
+}
+
 tf_real_t sized_of(uint32_t gene, int low, int high) {
   if ((gene & 7u) == 0) return 0;
-  const double size = exp2(low + (high - low) * share_of(gene));
+  const double size = power_of_2(low + (high - low) * share_of(gene));
   return (tf_real_t)(gene & 8u ? -size : size);
 }
 
@@ -72,7 +78,9 @@ static tf_real_t parameter_of(uint32_t gene, const tf_parameter_range_t *range,
       break;
     case 4: { // anywhere, by its order of magnitude
       const double least = low > 0 ? low : 1e-12;
-      value = least * pow(high / least, share_of(gene));
+      int size;
+      (void)frexp(high / least, &size);
+      value = least * power_of_2(size * share_of(gene));
       if (low < 0 && gene & 8u) value = -value;
       break;
     }
@@ -80,7 +88,7 @@ static tf_real_t parameter_of(uint32_t gene, const tf_parameter_range_t *range,
       value = gene & 8u ? 0 : 1;
       break;
     default: // about as usual
-      value = (value == 0 ? 1 : value) * exp2(8 * share_of(gene) - 4);
+      value = (value == 0 ? 1 : value) * power_of_2(8 * share_of(gene) - 4);
       if (low < 0 && gene & 8u) value = -value;
       break;
   }
