@@ -243,7 +243,7 @@ CALL(surface_at) {
 const call_t machine_calls[] = {
     WEIGHED(step, 8),
     WEIGHED(step_compensated, 4),
-    WEIGHED(locate, 2),
+    ENTRY(locate),
     {"ensemble_step", count_ensemble_step, "state", MOST_STATES, 1},
     ENTRY(begin),
     ENTRY(prepare),

@@ -49,6 +49,7 @@ static void print_found(const call_t *call, unsigned units,
     separator = ",";
   }
   puts(*separator == '\0' ? "-" : "");
+  fflush(stdout);
 }
 
 // One line of SEEDS; the count in it is left to be made again.
