@@ -90,10 +90,10 @@ TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
 ///   status is written, as tf_step does.
 /// Returns: how many lanes were done by tf_step, one by one: those that cost
 ///   more, whatever came of them; their status is in the reports.
-/// Cost: at most 31 instructions and 3900 a state, the worst found by search:
+/// Cost: at most 31 instructions and 4000 a state, the worst found by search:
 ///   tf_step for every lane behind the common path, which alone takes about 230
 ///   with AVX2 in double, 135 in float. In double gcc needs SSE4.2 or more, or
-///   the lanes take twice as long as with it. Stack: 13632 B.
+///   the lanes take twice as long as with it. Stack: 13584 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: ensemble_is_the_single_step, ensemble_of_any_size,
 ///   ensemble_of_every_scene, ensemble_of_difficult_states,

@@ -79,7 +79,7 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
 /// Scheme: none.
 /// link: in/out. byte: in.
 /// Returns: nothing.
-/// Cost: at most 1700 instructions; the last byte of a command; else 20.
+/// Cost: at most 1800 instructions; the last byte of a command; else 20.
 ///   Stack: 96 B.
 /// Memory: caller's; not reentrant for the same link: an interrupt handler
 ///   should put the byte into a queue of its own.
@@ -92,7 +92,7 @@ TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
 /// link, session: in/out. A command that is refused changes neither.
 /// Returns: how many took effect.
 /// Cost: at most 5000 instructions, for TF_LINK_QUEUE commands, the longest
-///   tf_prepare or tf_session_start; none: 10. Stack: 1072 B.
+///   tf_prepare or tf_session_start; none: 10. Stack: 1264 B.
 /// Memory: caller's, no overlap.
 /// Claims: set_parameter_takes_effect_only_at_the_boundary,
 ///   set_parameter_is_validated_and_answered, inputs_act_at_their_tick,

@@ -57,7 +57,7 @@ TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]);
 /// tick, seed: in, counter and key (RANDOM only).
 /// Returns: a tf_mode_t of solutions->set, or TF_MODES where none of it is
 ///   admissible.
-/// Cost: at most 270 instructions; RANDOM with a draw. Stack: 112 B.
+/// Cost: at most 230 instructions; RANDOM with a draw. Stack: 112 B.
 /// Memory: none kept, reentrant.
 /// Claims: slip_never_enters_an_escaping_stick, rules_choose_as_declared,
 ///   random_exit_rate_is_independent_of_dt

@@ -68,7 +68,7 @@ typedef struct {
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law is single-valued: no surface),
 ///   TF_BAD_STATE (state or input out of range, or a product overflows); out
 ///   is untouched then.
-/// Cost: at most 480 instructions. Stack: 1040 B.
+/// Cost: at most 450 instructions. Stack: 944 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: lie_derivatives_against_the_paper, sliding_field_against_the_paper,
 ///   regions_are_what_slip_does, rescaled_field_is_regular_at_the_two_fold,
