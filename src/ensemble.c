@@ -129,7 +129,7 @@ TF_INLINE tf_real_t lane_tau(const work_t *w, mask_t minus, int i) {
   return pick(known, turn_sign(negative, 1), w->root[2][i]);
 }
 
-// slip_end() of step_core.h for one lane that slips; others keep what they have.
+// slip_end() of step_core.h for one lane that slips; others keep theirs.
 TF_INLINE void slip_lane(const tf_machine_t *restrict k,
                          const tf_state_block_t *restrict b, tf_real_t omega0,
                          work_t *restrict w, int i) {

@@ -76,4 +76,5 @@ while read -r dead; do wrong "a link leads nowhere: $dead"; done \
   <"$BUILD/readme.dead"
 
 promises=$(wc -l <"$BUILD/readme.promises")
-checked "$lines lines, $promises promises with a test, links; its program of $(wc -l <"$program") lines runs"
+checked "$lines lines, $promises promises with a test, links; its program of" \
+  "$(wc -l <"$program") lines runs"
