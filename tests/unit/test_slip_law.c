@@ -33,7 +33,7 @@ TEST(slip_law_at_rest_is_that_of_every_angle) {
     force.M += 1;
     CHECK_NEAR(slip_law_residual(tyre, side, force, slip), 1, close);
   }
-  /* Nothing of the law is larger than 4/3 mu, and that goes without a moment. */
+  /* Nothing of the law is larger than 4/3 mu, which goes without a moment. */
   const tf_force_t strong = {2 * tyre->mu, 0};
   CHECK_NEAR(slip_law_residual(tyre, 1, strong, rest), 2 * (real)tyre->mu / 3,
              close);
