@@ -20,6 +20,12 @@ static int same(const tf_state_t *x, const tf_state_t *y, const tf_report_t *a,
          same_bits(a->residual, b->residual);
 }
 
+/* The states of a block, one by one. */
+typedef struct {
+  tf_state_t x[TF_LANES];
+  tf_report_t report[TF_LANES];
+} singles_t;
+
 /* A state that friction can bring to h = g = 0 within a few steps. */
 static tf_state_t near_rest(const tf_machine_t *k, const tf_input_t *u) {
   const double reach = 4 * (double)k->dt;
@@ -48,26 +54,25 @@ TEST(ensemble_comes_to_rest_as_single_steps_do) {
     p.with_angle = i % 2;
     const tf_machine_t k = prepared(&p);
     const tf_input_t u = tf_input_default(&k);
-    tf_state_t x[TF_LANES];
-    tf_report_t report[TF_LANES];
-    memset(report, 0, sizeof report);
+    singles_t one;
+    memset(&one, 0, sizeof one);
     memset(&reported, 0, sizeof reported);
     for (size_t lane = 0; lane < TF_LANES; lane++) {
-      x[lane] = near_rest(&k, &u);
-      tf_ensemble_put(&block, lane, &x[lane]);
+      one.x[lane] = near_rest(&k, &u);
+      tf_ensemble_put(&block, lane, &one.x[lane]);
     }
     for (int n = 0; n < 8; n++) {
       alone += tf_ensemble_step(&k, &block, TF_LANES, &u, &reported);
       steps += TF_LANES;
       for (size_t lane = 0; lane < TF_LANES; lane++) {
-        const unsigned before = x[lane].mode;
-        (void)tf_step(&k, &x[lane], &u, &report[lane]);
+        const unsigned before = one.x[lane].mode;
+        (void)tf_step(&k, &one.x[lane], &u, &one.report[lane]);
         const tf_state_t y = tf_ensemble_get(&block, lane);
         const tf_report_t other = tf_ensemble_report(&reported, lane);
-        differ += !same(&x[lane], &y, &report[lane], &other);
-        rests += before != TF_PINNED && x[lane].mode == TF_PINNED;
-        taken[report[lane].mode]++;
-        choices[report[lane].choices]++;
+        differ += !same(&one.x[lane], &y, &one.report[lane], &other);
+        rests += before != TF_PINNED && one.x[lane].mode == TF_PINNED;
+        taken[one.report[lane].mode]++;
+        choices[one.report[lane].choices]++;
       }
     }
   }

@@ -122,7 +122,7 @@ TEST(futures_of_either_delassus_scalar) {
         CHECK(out.x[sign < 0] == num(-i * 0.25 / slope));
         CHECK(out.h_limit[0] == num(i * 0.25 + slope));
         CHECK(out.h_limit[1] == num(i * 0.25 - slope));
-        CHECK(out.tau[0] == sign && out.tau[1] == sign);
+        CHECK(out.tau[0] == num(sign) && out.tau[1] == num(sign));
         CHECK(out.near_stick == (sign > 0 ? TF_STICK_PLUS : TF_STICK_MINUS));
       }
     }
