@@ -1,0 +1,58 @@
+// The check of the parameters and what is derived from them.
+#include <stddef.h>
+
+#include "any.h"
+#include "twofold/compensated.h"
+
+// Any numbers; law: one that exists, or TF_TYRE_LAWS for any other.
+static tf_params_t any_params(int law) {
+  tf_params_t params;
+  ANY_BITS(params);
+  //@ loop unroll TF_PARAMETERS;
+  for (int i = 0; i < TF_PARAMETERS; i++) *member_of(&params, i) = any_real();
+  params.with_angle = any_bool();
+  if (law < TF_TYRE_LAWS)
+    params.law = (tf_tyre_law_t)law;
+  else
+    params.law = (tf_tyre_law_t)Frama_C_unsigned_int_interval(law, ~0u);
+  return params;
+}
+
+// Any bits: no undefined behaviour, and none left once they were accepted.
+void prepare_any(void);
+void prepare_any(void) {
+  const int law = Frama_C_interval(0, TF_TYRE_LAWS);
+  tf_compensated_t machine;
+  tf_params_t params;
+  int offender;
+  //@ split law;
+  params = any_params(law);
+  tf_prepare(&machine.machine, &params, any_bool() ? &offender : NULL);
+  tf_prepare_compensated(&machine, &params, any_bool() ? &offender : NULL);
+}
+
+// All parameters in their ranges: accepted, and every number on the way is
+// finite. kappa goes in slices, from one to the double of it: the tangents of
+// the angle kernel are far apart in size over its whole range, but not in one.
+void prepare_in_range(void);
+void prepare_in_range(void) {
+  const int law = Frama_C_interval(0, TF_TYRE_LAWS - 1);
+  tf_params_t params;
+  //@ split law;
+  params.law = (tf_tyre_law_t)law;
+  params.with_angle = any_bool();
+  //@ loop unroll TF_PARAMETERS;
+  for (int i = 0; i < TF_PARAMETERS; i++)
+    *member_of(&params, i) =
+        REAL_BETWEEN(tf_parameter_ranges[i].low, tf_parameter_ranges[i].high);
+  params.rule = (tf_rule_t)Frama_C_interval(0, TF_RULES - 1);
+  //@ loop unroll 50;
+  for (tf_real_t low = TF_R(1e-9); low < TF_R(1e6); low *= 2) {
+    tf_machine_t machine;
+    tf_status_t status;
+    params.kappa =
+        REAL_BETWEEN(low, 2 * low < TF_R(1e6) ? 2 * low : TF_R(1e6));
+    status = tf_prepare(&machine, &params, NULL);
+    //@ check status == TF_OK;
+  }
+}
