@@ -27,21 +27,23 @@ static unsigned read_whole(const tf_frame_t *frame) {
   return sum;
 }
 
+static void push_once(tf_decoder_t *decoder) {
+  tf_frame_t frame;
+  if (tf_decoder_push(decoder, Frama_C_unsigned_char_interval(0, 255), &frame))
+    read_whole(&frame);
+}
+
 // One byte after the other, without an end, into the largest buffer and into
 // one that holds no whole frame.
 void push_any(void);
 void push_any(void) {
   static uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
   tf_decoder_t decoder;
-  tf_frame_t frame;
   const int room = any_bool() ? (int)sizeof buffer : 3;
   //@ split room;
   tf_decoder_init(&decoder, buffer, (uint16_t)room);
   //@ loop widen_hints "all", 3, sizeof(buffer);
-  while (any_bool())
-    if (tf_decoder_push(&decoder, Frama_C_unsigned_char_interval(0, 255),
-                        &frame))
-      read_whole(&frame);
+  while (any_bool()) push_once(&decoder);
 }
 
 // The same in blocks of any length.

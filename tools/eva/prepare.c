@@ -32,26 +32,30 @@ void prepare_any(void) {
 }
 
 // All parameters in their ranges: accepted, and every number on the way is
-// finite. kappa goes in slices, from one to the double of it: the tangents of
-// the angle kernel are far apart in size over its whole range, but not in one.
+// finite. The tangents of the angle kernel are far apart in size over the whole
+// range of kappa, but not in a slice of it: so kappa goes slice by slice.
 void prepare_in_range(void);
 void prepare_in_range(void) {
-  const int law = Frama_C_interval(0, TF_TYRE_LAWS - 1);
   tf_params_t params;
-  //@ split law;
-  params.law = (tf_tyre_law_t)law;
-  params.with_angle = any_bool();
+  tf_machine_t machine;
+  tf_status_t status;
   //@ loop unroll TF_PARAMETERS;
   for (int i = 0; i < TF_PARAMETERS; i++)
     *member_of(&params, i) =
         REAL_BETWEEN(tf_parameter_ranges[i].low, tf_parameter_ranges[i].high);
   params.rule = (tf_rule_t)Frama_C_interval(0, TF_RULES - 1);
+  params.with_angle = any_bool();
+  //@ loop unroll TF_TYRE_LAWS;
+  for (int law = 0; law < TF_TYRE_LAWS; law++) {
+    if (law == TF_TYRE_JUMP || law == TF_TYRE_SMOOTH) continue;
+    params.law = (tf_tyre_law_t)law;
+    status = tf_prepare(&machine, &params, NULL);
+    //@ check status == TF_OK;
+  }
+  params.law = any_bool() ? TF_TYRE_JUMP : TF_TYRE_SMOOTH;
   //@ loop unroll 50;
   for (tf_real_t low = TF_R(1e-9); low < TF_R(1e6); low *= 2) {
-    tf_machine_t machine;
-    tf_status_t status;
-    params.kappa =
-        REAL_BETWEEN(low, 2 * low < TF_R(1e6) ? 2 * low : TF_R(1e6));
+    params.kappa = REAL_BETWEEN(low, 2 * low < TF_R(1e6) ? 2 * low : TF_R(1e6));
     status = tf_prepare(&machine, &params, NULL);
     //@ check status == TF_OK;
   }

@@ -18,6 +18,14 @@ static inline bool told_reach(const tf_real_t *r, const tf_real_t *v,
   return true;
 }
 
+// The same of the state and the inputs that a step begins with.
+static inline bool told_range(const tf_state_t *x, const tf_input_t *u) {
+  //@ admit IN_REACH(x->r) && IN_REACH(x->v) && IN_REACH(x->w);
+  //@ admit IN_REACH(u->omega0) && IN_REACH(u->r0) && IN_REACH(u->force);
+  //@ admit IN_REACH(u->torque) && IN_REACH(u->alpha);
+  return true;
+}
+
 // |x| <= limit, and limit is a number: x is neither NaN nor infinite.
 static inline bool told_within(const tf_real_t *x) {
   //@ admit \is_finite(*x);
@@ -44,6 +52,7 @@ static inline tf_multipliers_t told_multipliers(const tf_tyre_t *tyre,
 }
 
 #define in_reach(r, v, w) (in_reach(r, v, w) && told_reach(&(r), &(v), &(w)))
+#define in_range(x, u) (in_range(x, u) && told_range(x, u))
 #define within(x, limit) (within(x, limit) && told_within(&(x)))
 #define clip(x, low, high) told_clip(x, low, high)
 #define jump_multipliers told_multipliers
