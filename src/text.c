@@ -2,6 +2,7 @@
 #include "twofold/text.h"
 
 #define DIGITS 6
+#define MOST_POWER 400 // of ten, beyond those of any real type
 
 static char *put(char *at, const char *text) {
   while (*text != '\0') *at++ = *text++;
@@ -12,8 +13,8 @@ static char *put(char *at, const char *text) {
 // power: out, of the first digit.
 static uint32_t six_digits(tf_real_t value, int *power) {
   *power = DIGITS - 1;
-  for (; value >= TF_R(999999.5); value /= 10) ++*power;
-  for (; value < TF_R(99999.5); value *= 10) --*power;
+  for (; value >= TF_R(999999.5) && *power < MOST_POWER; value /= 10) ++*power;
+  for (; value < TF_R(99999.5) && *power > -MOST_POWER; value *= 10) --*power;
   return (uint32_t)(value + TF_R(0.5));
 }
 

@@ -9,8 +9,7 @@ void surface_any(void) {
   const tf_machine_t machine = any_machine();
   const tf_input_t input = any_input();
   tf_surface_t surface;
-  tf_surface_at(&machine, &input, any_real(), any_real(), any_real(),
-                &surface);
+  tf_surface_at(&machine, &input, any_real(), any_real(), any_real(), &surface);
 }
 
 void two_folds_any(void);

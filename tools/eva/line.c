@@ -58,8 +58,8 @@ void block_any(void) {
   while (any_bool()) {
     size_t taken;
     ANY_BITS(bytes);
-    tf_decoder_block(&decoder, bytes,
-                     Frama_C_size_t_interval(0, sizeof bytes), &taken, &frame);
+    tf_decoder_block(&decoder, bytes, Frama_C_size_t_interval(0, sizeof bytes),
+                     &taken, &frame);
   }
 }
 
