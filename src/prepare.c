@@ -158,7 +158,8 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
   machine->mu_d_sin_gamma = mu * machine->d_sin_gamma;
   machine->kappa_mu = machine->stick_kappa * mu;
   machine->inv_mu = inverse_or_0(mu);
-  machine->inv_kappa_mu = inverse_or_0(machine->kappa_mu);
+  machine->inv_kappa_mu =
+      machine->inv_mu > 0 ? inverse_or_0(machine->kappa_mu) : 0;
   machine->inv_mu_dt = inverse_or_0(mu * dt);
   const tf_real_t p = tf_exit_probability(params->rate * dt);
   // Below this a series has only rounding left to lose.
