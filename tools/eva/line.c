@@ -67,7 +67,7 @@ void block_any(void) {
 // the analyser knows that what is appended fits what is left.
 void block_small(void);
 void block_small(void) {
-  uint8_t buffer[TF_DECODER_ROOM(2)], bytes[5];
+  uint8_t buffer[TF_DECODER_ROOM(2)], bytes[3];
   tf_decoder_t decoder;
   tf_frame_t frame;
   size_t taken;
