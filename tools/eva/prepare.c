@@ -31,6 +31,11 @@ void prepare_any(void) {
   tf_prepare_compensated(&machine, &params, any_bool() ? &offender : NULL);
 }
 
+static void accepted(tf_status_t status) {
+  //@ check status == TF_OK;
+  (void)status;
+}
+
 // All parameters in their ranges: accepted, and every number on the way is
 // finite. The tangents of the angle kernel are far apart in size over the whole
 // range of kappa, but not in a slice of it: so kappa goes slice by slice.
@@ -38,7 +43,6 @@ void prepare_in_range(void);
 void prepare_in_range(void) {
   tf_params_t params;
   tf_machine_t machine;
-  tf_status_t status;
   //@ loop unroll TF_PARAMETERS;
   for (int i = 0; i < TF_PARAMETERS; i++)
     *member_of(&params, i) =
@@ -49,14 +53,12 @@ void prepare_in_range(void) {
   for (int law = 0; law < TF_TYRE_LAWS; law++) {
     if (law == TF_TYRE_JUMP || law == TF_TYRE_SMOOTH) continue;
     params.law = (tf_tyre_law_t)law;
-    status = tf_prepare(&machine, &params, NULL);
-    //@ check status == TF_OK;
+    accepted(tf_prepare(&machine, &params, NULL));
   }
   params.law = any_bool() ? TF_TYRE_JUMP : TF_TYRE_SMOOTH;
   //@ loop unroll 50;
   for (tf_real_t low = TF_R(1e-9); low < TF_R(1e6); low *= 2) {
     params.kappa = REAL_BETWEEN(low, 2 * low < TF_R(1e6) ? 2 * low : TF_R(1e6));
-    status = tf_prepare(&machine, &params, NULL);
-    //@ check status == TF_OK;
+    accepted(tf_prepare(&machine, &params, NULL));
   }
 }
