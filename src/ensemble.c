@@ -348,8 +348,7 @@ TF_API size_t tf_ensemble_step(const tf_machine_t *machine,
                                tf_state_block_t *states, size_t n,
                                const tf_input_t *input,
                                tf_report_block_t *reports) {
-  // Of the jump law alone, and where there is friction: see inclusion().
-  const bool fast = machine->inv_kappa_mu > 0;
+  const bool fast = machine->stick_kappa > 0; // of the jump law alone
   const size_t whole = fast ? n / TF_LANES : 0;
   size_t alone = 0;
   for (size_t i = 0; i < whole; i++)

@@ -134,10 +134,8 @@ TF_INLINE end_t mode_end(const motion_t *c, const tf_solutions_t *s,
   return end_by(c, (tf_multipliers_t){x, mode == TF_STICK_PLUS ? x : -x});
 }
 
-// Where friction counts as none (inverse_or_0) it carries no moment either, and
-// nothing can be pinned.
 TF_INLINE tf_inclusion_t inclusion(const motion_t *c) {
-  tf_inclusion_t in = {.has_moment = TF_API_MACHINE(c)->inv_kappa_mu > 0};
+  tf_inclusion_t in = {.has_moment = TF_API_MACHINE(c)->stick_kappa > 0};
   slip_forms(TF_API_MACHINE(c), c->r, c->z, c->free, &c->F, &c->M, &in.h,
              &in.g);
   return in;

@@ -78,7 +78,7 @@ typedef struct {
   tf_real_t stick_kappa;    ///< kappa where stick carries a moment, else 0
   tf_real_t kappa_mu;       ///< stick_kappa mu [N m]
   tf_real_t inv_mu;         ///< 1 / mu, 0 where mu is 0 [1/N]
-  tf_real_t inv_kappa_mu;   ///< 1 / kappa_mu, 0 where inv_mu is [1/(N m)]
+  tf_real_t inv_kappa_mu;   ///< 1 / kappa_mu, 0 where that is 0 [1/(N m)]
   tf_real_t inv_mu_dt;      ///< 1 / (mu dt), 0 where mu is 0 [1/(N s)]
   uint64_t exit_threshold;  ///< (1 - exp(-rate dt)) 2^63
   tf_real_t tolerance;      ///< at least 64 epsilon of the real type
