@@ -43,7 +43,7 @@ TF_API size_t tf_text_real(char *out, tf_real_t value) {
   char digits[DIGITS];
   uint32_t left = six_digits(value, &power);
   for (int i = DIGITS; i > 0; left /= 10) digits[--i] = (char)('0' + left % 10);
-  while (digits[count - 1] == '0') count--; // the first is none
+  while (count > 1 && digits[count - 1] == '0') count--;
   const bool plain = power >= -5 && power < DIGITS;
   const int whole = plain ? power + 1 : 1; // digits before the point
   if (whole <= 0) at = put(at, "0.");
