@@ -58,7 +58,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .PHONY: help all run test bench bench-compensated bench-ensemble bench-frame \
   bench-peers bench-steps stability report keep-report oracle check \
   clean firmware elf boards boards-list test-boards size deps statistics \
-  hil mutation bounds keep-bounds $(VARIANTS:%=line-%) FORCE
+  hil mutation eva valgrind bounds keep-bounds $(VARIANTS:%=line-%) FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -81,6 +81,8 @@ help:
 	@echo 'make fuzz SECONDS=30   random inputs against the promises (clang)'
 	@echo 'make soak STEPS=1e9    chaos for so many steps, then a replay'
 	@echo 'make mutation SAMPLE=60   wrong changes of src/ for tests to notice'
+	@echo 'make eva     undefined behaviour, by Frama-C Eva: all entries (minutes)'
+	@echo 'make valgrind  all quick tests under memcheck, minutes (valgrind)'
 	@echo 'make oracle  remake tests/data/reference*.h (minutes; libquadmath)'
 	@echo 'make firmware SCENE=chaos BOARD=microbit REAL=float   (port/port.mk)'
 	@echo 'make boards  firmware of every board;  make deps installs compilers'
@@ -263,6 +265,14 @@ include port/port.mk
 include tools/figures/figures.mk
 include tools/fuzz/fuzz.mk
 include tools/cost/cost.mk
+
+# Every entry of the analysis; check `eva` has the short ones.
+eva:
+	@BUILD='$(BUILD)' tools/eva/run $(ENTRIES)
+
+# Tests that need over a minute there stand in tools/check/valgrind.sh.
+valgrind:
+	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' tools/check/valgrind.sh all
 
 # The checks choose their own compilers and flags.
 check:

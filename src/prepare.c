@@ -118,6 +118,13 @@ static tf_real_t inverse_or_0(tf_real_t x) {
   return x >= TF_REAL_MIN ? 1 / x : 0;
 }
 
+// Whether stick carries a moment. Where friction counts as none it does not:
+// else every force would pass as one that pins the wheel, for 1/mu is 0 then.
+static bool carries_moment(const tf_params_t *params) {
+  return params->law == TF_TYRE_JUMP && inverse_or_0(params->mu) > 0 &&
+         inverse_or_0(params->kappa * params->mu) > 0;
+}
+
 TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
                               int *offender) {
   const int first = first_offender(params);
@@ -153,7 +160,7 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
   machine->minus_sin_gamma = -machine->sin_gamma;
   machine->d_sin_gamma = d * machine->sin_gamma;
   const tf_real_t mu = params->mu;
-  machine->stick_kappa = params->law == TF_TYRE_JUMP ? params->kappa : 0;
+  machine->stick_kappa = carries_moment(params) ? params->kappa : 0;
   machine->mu_sin_gamma = mu * machine->sin_gamma;
   machine->mu_d_sin_gamma = mu * machine->d_sin_gamma;
   machine->kappa_mu = machine->stick_kappa * mu;

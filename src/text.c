@@ -38,11 +38,12 @@ TF_API size_t tf_text_real(char *out, tf_real_t value) {
     at = put(at, value >= 0 && !(value > 0) ? "0" : word);
     return (size_t)(at - out);
   }
-  int power = 0, count = DIGITS;
+  int power = 0, count = 1; // of digits up to the last that is not 0
   char digits[DIGITS];
   uint32_t left = six_digits(value, &power);
   for (int i = DIGITS; i > 0; left /= 10) digits[--i] = (char)('0' + left % 10);
-  while (digits[count - 1] == '0') count--; // the first is none
+  for (int i = 1; i < DIGITS; i++)
+    if (digits[i] != '0') count = i + 1;
   const bool plain = power >= -5 && power < DIGITS;
   const int whole = plain ? power + 1 : 1; // digits before the point
   if (whole <= 0) at = put(at, "0.");

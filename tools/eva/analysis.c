@@ -1,0 +1,38 @@
+// Analysis and text, on any machine, point and number.
+#include "any.h"
+#include "twofold/singularity.h"
+#include "twofold/surface.h"
+#include "twofold/text.h"
+
+void surface_any(void);
+void surface_any(void) {
+  const tf_machine_t machine = any_machine();
+  const tf_input_t input = any_input();
+  tf_surface_t surface;
+  tf_surface_at(&machine, &input, any_real(), any_real(), any_real(), &surface);
+}
+
+void two_folds_any(void);
+void two_folds_any(void) {
+  const tf_machine_t machine = any_machine();
+  const tf_input_t input = any_input();
+  tf_place_t places[TF_TWO_FOLDS], place;
+  tf_two_fold_t form;
+  tf_wish_t wish;
+  tf_lack_t lack;
+  int count;
+  tf_two_folds(&machine, &input, places, &count, &lack);
+  ANY_BITS(place);
+  tf_normal_form(&machine, &input, &place, &form);
+  tf_two_fold_wish(&machine, &input, any_real(), any_real(), &wish);
+}
+
+void text_any(void);
+void text_any(void) {
+  char number[TF_TEXT_REAL_ROOM], row[TF_TEXT_ROW_ROOM];
+  const tf_state_t state = any_state();
+  tf_report_t report;
+  ANY_BITS(report);
+  tf_text_real(number, any_real());
+  tf_text_row(row, &state, &report);
+}

@@ -1,0 +1,160 @@
+// The line: any byte at any time, any length up to the longest.
+#include <stddef.h>
+
+#include "any.h"
+#include "twofold/frame.h"
+#include "twofold/link.h"
+#include "twofold/telemetry.h"
+
+static uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
+
+// A frame of any length around any payload. A length beyond the longest is
+// refused.
+void seal_any(void);
+void seal_any(void) {
+  uint16_t sequence;
+  ANY_BITS(wire);
+  ANY_BITS(sequence);
+  tf_frame_seal(wire, Frama_C_unsigned_char_interval(0, 255),
+                Frama_C_size_t_interval(0, ~(size_t)0), &sequence,
+                Frama_C_unsigned_long_interval(0, ~0ul));
+}
+
+// The payload of a frame is all there.
+static unsigned read_whole(const tf_frame_t *frame) {
+  unsigned sum = 0;
+  for (unsigned i = 0; i < frame->length; i++) sum += frame->payload[i];
+  return sum;
+}
+
+static void push_once(tf_decoder_t *decoder) {
+  tf_frame_t frame;
+  if (tf_decoder_push(decoder, Frama_C_unsigned_char_interval(0, 255), &frame))
+    read_whole(&frame);
+}
+
+// One byte after the other, without an end, into the largest buffer and into
+// one that holds no whole frame.
+void push_any(void);
+void push_any(void) {
+  static uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  tf_decoder_t decoder;
+  const int room = any_bool() ? (int)sizeof buffer : 3;
+  //@ split room;
+  tf_decoder_init(&decoder, buffer, (uint16_t)room);
+  //@ loop widen_hints "all", 3, sizeof(buffer);
+  while (any_bool()) push_once(&decoder);
+}
+
+// The same in blocks of any length.
+void block_any(void);
+void block_any(void) {
+  static uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  uint8_t bytes[40];
+  tf_decoder_t decoder;
+  tf_frame_t frame;
+  tf_decoder_init(&decoder, buffer, sizeof buffer);
+  //@ loop widen_hints "all", sizeof(buffer);
+  while (any_bool()) {
+    size_t taken;
+    ANY_BITS(bytes);
+    tf_decoder_block(&decoder, bytes, Frama_C_size_t_interval(0, sizeof bytes),
+                     &taken, &frame);
+  }
+}
+
+// And of a few bytes into a small buffer, with every fill of it apart: there
+// the analyser knows that what is appended fits what is left.
+void block_small(void);
+void block_small(void) {
+  uint8_t buffer[TF_DECODER_ROOM(2)], bytes[3];
+  tf_decoder_t decoder;
+  tf_frame_t frame;
+  size_t taken;
+  tf_decoder_init(&decoder, buffer, sizeof buffer);
+  const int used = Frama_C_interval(0, sizeof buffer);
+  //@ split used;
+  const int length = Frama_C_interval(0, sizeof bytes);
+  //@ split length;
+  ANY_BITS(buffer);
+  ANY_BITS(bytes);
+  decoder.used = (uint16_t)used;
+  decoder.overflowed = any_bool();
+  decoder.started = any_bool();
+  tf_decoder_block(&decoder, bytes, (size_t)length, &taken, &frame);
+}
+
+static tf_scene_t any_scene(void) {
+  tf_scene_t scene;
+  ANY_BITS(scene);
+  scene.v_is_given = any_bool();
+  scene.knots = Frama_C_unsigned_char_interval(0, TF_SCENE_KNOTS);
+  scene.params.with_angle = any_bool();
+  return scene;
+}
+
+// The uplink: bytes come, boundaries pass, answers go, in any order.
+void link_any(void);
+void link_any(void) {
+  static tf_link_t link;
+  static tf_session_t session;
+  static uint8_t answer[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
+  const tf_scene_t scene = any_scene();
+  uint16_t sequence = 0;
+  if (tf_session_open(&session, &scene, &scene.params, 0) != TF_OK) return;
+  tf_link_open(&link, &scene, &scene.params);
+  //@ loop widen_hints "all", TF_LINK_QUEUE, sizeof(link.buffer);
+  while (any_bool()) {
+    tf_link_receive(&link, Frama_C_unsigned_char_interval(0, 255));
+    if (any_bool()) tf_link_boundary(&link, &session);
+    if (any_bool()) tf_link_answer(&link, answer, &sequence);
+    if (any_bool()) session.state = any_state();
+  }
+}
+
+// Inputs of a scene and a session at any time.
+void session_any(void);
+void session_any(void) {
+  tf_session_t session;
+  const tf_scene_t scene = any_scene();
+  ANY_BITS(session);
+  session.machine = any_machine();
+  session.driven = any_bool();
+  tf_session_input(&session, &scene);
+  tf_session_start(&session, &scene, 0);
+}
+
+// Everything that goes down, made in a buffer of exactly its size, and read.
+void send_any(void);
+void send_any(void) {
+  static uint8_t state_wire[TF_FRAME_SIZE(TF_STATE_BYTES)];
+  static uint8_t report_wire[TF_FRAME_SIZE(TF_REPORT_BYTES)];
+  static uint8_t compact_wire[TF_FRAME_SIZE(TF_COMPACT_BYTES)];
+  static uint8_t heartbeat_wire[TF_FRAME_SIZE(TF_HEARTBEAT_BYTES)];
+  static uint8_t parameter_wire[TF_FRAME_SIZE(TF_PARAMETER_BYTES)];
+  tf_state_t state = any_state();
+  tf_params_t params;
+  tf_report_t report;
+  tf_heartbeat_t heartbeat;
+  uint16_t sequence = 0;
+  ANY_BITS(params);
+  params.law = (tf_tyre_law_t)Frama_C_interval(0, TF_TYRE_LAWS - 1);
+  params.with_angle = any_bool();
+  ANY_BITS(report);
+  ANY_BITS(heartbeat);
+  tf_send_state(state_wire, &sequence, &state);
+  tf_send_report(report_wire, &sequence, 0, &report);
+  tf_send_compact(compact_wire, &sequence, &state, &report);
+  tf_send_heartbeat(heartbeat_wire, &sequence, 0, &heartbeat);
+  const int index = Frama_C_interval(0, TF_PARAMETERS);
+  //@ split index;
+  tf_send_parameter(parameter_wire, &sequence, 0, &params, (unsigned)index);
+  const tf_schema_t schema = {&params, "scene", "build", 0, 0, any_bool()};
+  tf_send_schema(wire, &sequence, 0, &schema);
+  tf_send_layout(wire, &sequence, 0, TF_DOWN_STATE, tf_layout_state);
+  tf_send_layout(wire, &sequence, 0, TF_DOWN_REPORT, tf_layout_report);
+  tf_send_layout(wire, &sequence, 0, TF_DOWN_HEARTBEAT, tf_layout_heartbeat);
+  ANY_BITS(wire);
+  tf_read_state(wire + TF_FRAME_AT, 0, &state);
+  tf_read_report(wire + TF_FRAME_AT, &report);
+}
