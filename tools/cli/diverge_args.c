@@ -1,19 +1,15 @@
-// Reading the command line of `diverge`. Everything is read and checked before
-// a file is opened; ranges of what goes into the machine are asked of
-// tf_prepare, later and once.
+// The command line of `diverge`. Ranges of what goes into the machine are asked
+// of tf_prepare, later and once.
 
 #include <stdio.h>
 #include <string.h>
 
 #include "diverge.h"
+#include "options.h"
 #include "text.h"
 
 #define MOST 1000000000000000u // samples and cycles, exact in a double
 #define MOST_SAMPLES 4294967295u
-
-typedef struct {
-  const char *name, *value;
-} option_t;
 
 const cli_kind_t cli_kinds[CLI_BYS] = {
     {"random", "", 1e-2, 10, 1, &cli_random_motion},
@@ -24,8 +20,8 @@ const cli_kind_t cli_kinds[CLI_BYS] = {
 };
 
 // Reads a real number in [low, high] (low itself out of range if open).
-static int read_real(const option_t *option, bool open, double low, double high,
-                     const char *unit, double *out) {
+static int read_real(const cli_given_t *option, bool open, double low,
+                     double high, const char *unit, double *out) {
   const char *why = "";
   tf_real_t value = 0;
   if (!cli_read_real(option->value, &value, &why)) {
@@ -42,33 +38,18 @@ static int read_real(const option_t *option, bool open, double low, double high,
   return CLI_DONE;
 }
 
-static int read_count(const option_t *option, uint64_t low, uint64_t high,
-                      uint64_t *out) {
-  if (cli_read_whole(option->value, low, high, out)) {
-    return CLI_DONE;
-  }
-  return cli_complain(CLI_USAGE, "%s %s: must be a whole number in [%g, %g]",
-                      option->name, option->value, (double)low, (double)high);
+static int read_exits(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  return cli_read_path(option, &args->exits);
 }
 
-static int read_path(const option_t *option, const char **out) {
-  if (option->value[0] == '\0') {
-    return cli_complain(CLI_USAGE, "%s: the name of the file is empty",
-                        option->name);
-  }
-  *out = option->value;
-  return CLI_DONE;
+static int read_returns(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  return cli_read_path(option, &args->returns);
 }
 
-static int read_exits(cli_diverge_args_t *args, const option_t *option) {
-  return read_path(option, &args->exits);
-}
-
-static int read_returns(cli_diverge_args_t *args, const option_t *option) {
-  return read_path(option, &args->returns);
-}
-
-static int read_by(cli_diverge_args_t *args, const option_t *option) {
+static int read_by(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   for (int i = 0; i < CLI_BYS; i++) {
     if (strcmp(option->value, cli_kinds[i].name) == 0) {
       args->by = (cli_by_t)i;
@@ -81,7 +62,8 @@ static int read_by(cli_diverge_args_t *args, const option_t *option) {
                       option->value);
 }
 
-static int read_corner(cli_diverge_args_t *args, const option_t *option) {
+static int read_corner(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   static const char *const names[CLI_CORNERS] = {"rest", "attracting", "even"};
   for (int i = 0; i < CLI_CORNERS; i++) {
     if (strcmp(option->value, names[i]) == 0) {
@@ -94,44 +76,53 @@ static int read_corner(cli_diverge_args_t *args, const option_t *option) {
                       option->value);
 }
 
-static int read_size(cli_diverge_args_t *args, const option_t *option) {
+static int read_size(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   args->size_text = option->value;
   return read_real(option, true, 0, 1, "", &args->size);
 }
 
-static int read_spread(cli_diverge_args_t *args, const option_t *option) {
+static int read_spread(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   return read_real(option, false, 1, 1e6, "", &args->spread);
 }
 
-static int read_near(cli_diverge_args_t *args, const option_t *option) {
+static int read_near(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   return read_real(option, false, 1, 1e6, "", &args->near_ratio);
 }
 
-static int read_patience(cli_diverge_args_t *args, const option_t *option) {
+static int read_patience(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   return read_real(option, true, 0, 1e9, "s", &args->patience);
 }
 
-static int read_section(cli_diverge_args_t *args, const option_t *option) {
+static int read_section(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   return read_real(option, true, 0, 1e3, "m", &args->section);
 }
 
-static int read_samples(cli_diverge_args_t *args, const option_t *option) {
-  return read_count(option, 1, MOST_SAMPLES, &args->samples);
+static int read_samples(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  return cli_read_count(option, 1, MOST_SAMPLES, &args->samples);
 }
 
-static int read_cycles(cli_diverge_args_t *args, const option_t *option) {
-  return read_count(option, 1, MOST, &args->cycles);
+static int read_cycles(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  return cli_read_count(option, 1, MOST, &args->cycles);
 }
 
-static int read_seed(cli_diverge_args_t *args, const option_t *option) {
+static int read_seed(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   uint64_t seed = 0;
-  const int code = read_count(option, 0, UINT32_MAX, &seed);
+  const int code = cli_read_count(option, 0, UINT32_MAX, &seed);
   args->seed = (uint32_t)seed;
   return code;
 }
 
 // I/N, both whole numbers, 1 <= I <= N.
-static int read_shard(cli_diverge_args_t *args, const option_t *option) {
+static int read_shard(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   char first[CLI_REAL_ROOM];
   const size_t length = strcspn(option->value, "/");
   const char *second = option->value + length;
@@ -152,111 +143,97 @@ static int read_shard(cli_diverge_args_t *args, const option_t *option) {
   return CLI_DONE;
 }
 
-static int read_rate(cli_diverge_args_t *args, const option_t *option) {
+static int read_rate(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   return cli_settings_add_named(&args->settings, option->name, "rate",
                                 option->value);
 }
 
-static int read_dt(cli_diverge_args_t *args, const option_t *option) {
+static int read_dt(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   return cli_settings_add_named(&args->settings, option->name, "dt",
                                 option->value);
 }
 
-static int read_set(cli_diverge_args_t *args, const option_t *option) {
+static int read_set(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   return cli_settings_add(&args->settings, option->name, option->value);
 }
 
-static int read_branches(cli_diverge_args_t *args, const option_t *option) {
-  return read_path(option, &args->branches);
+static int read_branches(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  return cli_read_path(option, &args->branches);
 }
 
-static int read_depth(cli_diverge_args_t *args, const option_t *option) {
-  return read_count(option, 1, 1000, &args->depth);
+static int read_depth(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  return cli_read_count(option, 1, 1000, &args->depth);
 }
 
-static int read_nodes(cli_diverge_args_t *args, const option_t *option) {
-  return read_count(option, 1, 1000000, &args->count);
+static int read_nodes(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  return cli_read_count(option, 1, 1000000, &args->count);
 }
 
-static int read_grid(cli_diverge_args_t *args, const option_t *option) {
+static int read_grid(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
   return read_real(option, false, 1e-6, 1e3, "s", &args->grid);
 }
 
-static const struct {
-  const char *name;
-  int (*read)(cli_diverge_args_t *args, const option_t *option);
-} options[] = {
-    {"--by", read_by},           {"--rate", read_rate},
-    {"--size", read_size},       {"--spread", read_spread},
-    {"--corner", read_corner},   {"--samples", read_samples},
-    {"--cycles", read_cycles},   {"--seed", read_seed},
-    {"--shard", read_shard},     {"--patience", read_patience},
-    {"--section", read_section}, {"--dt", read_dt},
-    {"--near", read_near},       {"--set", read_set},
-    {"--exits", read_exits},     {"--returns", read_returns},
-    {"--depth", read_depth},     {"--count", read_nodes},
-    {"--grid", read_grid},       {"--branches", read_branches},
+static int read_header(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  (void)option;
+  args->header = true;
+  return CLI_DONE;
+}
+
+static int read_exhaustive(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  (void)option;
+  args->exhaustive = true;
+  return CLI_DONE;
+}
+
+static int take(void *to, const char *word) {
+  cli_diverge_args_t *args = to;
+  return cli_take_scene(&args->scene, word);
+}
+
+// Of what is given again the last counts, but for a name of the settings.
+static const cli_option_t options[] = {
+    {"--by", read_by, CLI_AGAIN},
+    {"--rate", read_rate, CLI_AGAIN},
+    {"--size", read_size, CLI_AGAIN},
+    {"--spread", read_spread, CLI_AGAIN},
+    {"--corner", read_corner, CLI_AGAIN},
+    {"--samples", read_samples, CLI_AGAIN},
+    {"--cycles", read_cycles, CLI_AGAIN},
+    {"--seed", read_seed, CLI_AGAIN},
+    {"--shard", read_shard, CLI_AGAIN},
+    {"--patience", read_patience, CLI_AGAIN},
+    {"--section", read_section, CLI_AGAIN},
+    {"--dt", read_dt, CLI_AGAIN},
+    {"--near", read_near, CLI_AGAIN},
+    {"--set", read_set, CLI_AGAIN},
+    {"--exits", read_exits, CLI_AGAIN},
+    {"--returns", read_returns, CLI_AGAIN},
+    {"--depth", read_depth, CLI_AGAIN},
+    {"--count", read_nodes, CLI_AGAIN},
+    {"--grid", read_grid, CLI_AGAIN},
+    {"--branches", read_branches, CLI_AGAIN},
+    {"--header", read_header, CLI_FLAG + CLI_AGAIN},
+    {"--exhaustive", read_exhaustive, CLI_FLAG + CLI_AGAIN},
 };
-#define OPTIONS (sizeof options / sizeof options[0])
-
-static int unknown_option(const char *name) {
-  cli_closest_t closest = cli_closest_to(name);
-  for (size_t i = 0; i < OPTIONS; i++) {
-    cli_closest_offer(&closest, options[i].name);
-  }
-  cli_closest_offer(&closest, "--header");
-  cli_closest_offer(&closest, "--exhaustive");
-  const cli_hint_t hint = cli_closest_hint(&closest);
-  return cli_complain(
-      CLI_USAGE, "unknown option %s%s%s%s ('twofold help diverge' lists them)",
-      name, hint.before, hint.name, hint.after);
-}
-
-// Reads one option that starts at argv[*at] and moves *at to its last word.
-static int read_option(cli_diverge_args_t *args, int argc, char *const *argv,
-                       int *at) {
-  const char *word = argv[*at];
-  const size_t length = strcspn(word, "=");
-  size_t i = 0;
-  if (strcmp(word, "--header") == 0) {
-    args->header = true;
-    return CLI_DONE;
-  }
-  if (strcmp(word, "--exhaustive") == 0) {
-    args->exhaustive = true;
-    return CLI_DONE;
-  }
-  while (i < OPTIONS && (strlen(options[i].name) != length ||
-                         strncmp(options[i].name, word, length) != 0)) {
-    i++;
-  }
-  if (i == OPTIONS) {
-    return unknown_option(word);
-  }
-  option_t option = {options[i].name, NULL};
-  if (word[length] == '=') {
-    option.value = word + length + 1;
-  } else if (*at + 1 < argc) {
-    option.value = argv[++*at];
-  } else {
-    return cli_complain(CLI_USAGE, "%s: expected a value", option.name);
-  }
-  return options[i].read(args, &option);
-}
 
 // What goes together, once all is read.
 static int check_together(cli_diverge_args_t *args) {
   const cli_kind_t *kind = &cli_kinds[args->by];
   const bool sized = args->by != CLI_BY_RANDOM;
-  if (args->scene == NULL) {
-    return cli_complain(CLI_USAGE,
-                        "diverge: which scene? ('twofold scenes' lists them)");
-  }
   if (args->exhaustive && (sized || args->exits != NULL ||
                            args->returns != NULL || args->shards > 1)) {
     return cli_complain(CLI_USAGE,
                         "--exhaustive: writes --branches FILE; it takes no "
-                        "--by, --exits, --returns and --shard");
+                        "--by, --exits, --returns or --shard");
   }
   if (sized && args->size_text == NULL) {
     return cli_complain(CLI_USAGE, "--by %s: give --size VALUE in %s",
@@ -282,6 +259,8 @@ static int check_together(cli_diverge_args_t *args) {
 }
 
 int cli_diverge_args(cli_diverge_args_t *args, int argc, char *const argv[]) {
+  static const cli_syntax_t syntax = {"diverge", options,
+                                      sizeof options / sizeof options[0], take};
   memset(args, 0, sizeof *args);
   args->samples = 100;
   args->cycles = 1;
@@ -292,20 +271,9 @@ int cli_diverge_args(cli_diverge_args_t *args, int argc, char *const argv[]) {
   args->depth = 3;
   args->count = 1000;
   args->grid = 1e-2;
-  for (int at = 0; at < argc; at++) {
-    int code = CLI_DONE;
-    if (argv[at][0] == '-') {
-      code = read_option(args, argc, argv, &at);
-    } else if (args->scene != NULL) {
-      code = cli_complain(CLI_USAGE, "%s: one scene at a time (%s was given)",
-                          argv[at], args->scene->name);
-    } else {
-      args->scene = cli_find_scene(argv[at]);
-      code = args->scene != NULL ? CLI_DONE : CLI_USAGE;
-    }
-    if (code != CLI_DONE) {
-      return code;
-    }
+  int code = cli_read_words(&syntax, args, argc, argv);
+  if (code == CLI_DONE) {
+    code = cli_need_scene(args->scene, "diverge");
   }
-  return check_together(args);
+  return code == CLI_DONE ? check_together(args) : code;
 }

@@ -9,8 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
-#include "command.h"
 #include "picture.h"
 #include "source.h"
 #include "text.h"
@@ -18,16 +18,10 @@
 
 #define WAIT 100 // for bytes, and between two looks at a device that left [ms]
 #define BLOCK 65536
+#define FLUSH_EVERY 0.2 // [s]
 
 typedef struct {
-  const char *path, *out;
-  uint64_t baud;
-  bool csv, follow;
-  cli_commands_t commands;
-} options_t;
-
-typedef struct {
-  options_t options;
+  cli_monitor_args_t args;
   cli_source_t source;
   cli_output_t output;
   cli_picture_t picture;
@@ -50,14 +44,13 @@ static bool take_block(monitor_t *monitor, size_t length) {
     at += taken;
     length -= taken;
     if (frame.type == TF_DOWN_ANSWER) {
-      cli_commands_answer(&monitor->options.commands, &frame,
-                          &monitor->picture);
+      cli_commands_answer(&monitor->args.commands, &frame, &monitor->picture);
     }
     if (!cli_picture_take(&monitor->picture, &frame, &row)) {
       continue;
     }
     cli_view_note(&monitor->view, monitor->picture.mode);
-    if (monitor->options.csv &&
+    if (monitor->args.csv &&
         !cli_output_lines(&monitor->output, line, cli_csv_row(&row, line))) {
       return false;
     }
@@ -76,17 +69,16 @@ static int complain_output(const monitor_t *monitor) {
 static int wait_for_device(monitor_t *monitor) {
   cli_source_t *source = &monitor->source;
   const char *why = source->error == 0 ? "it ended" : strerror(source->error);
-  if (!monitor->options.follow) {
+  if (!monitor->args.follow) {
     return cli_complain(CLI_STOPPED, "%s: the device went away: %s",
                         source->name, why);
   }
   (void)cli_complain(CLI_DONE, "%s: the device went away: %s; waiting",
                      source->name, why);
   cli_source_close(source);
-  const options_t *options = &monitor->options;
-  while (!cli_stop_asked() &&
-         !cli_source_open(source, options->path, options->baud,
-                          options->commands.count > 0)) {
+  const cli_monitor_args_t *args = &monitor->args;
+  while (!cli_stop_asked() && !cli_source_open(source, args->path, args->baud,
+                                               args->commands.count > 0)) {
     cli_sleep(WAIT);
   }
   if (!cli_stop_asked()) {
@@ -97,7 +89,7 @@ static int wait_for_device(monitor_t *monitor) {
 
 // Sends what is due. Returns: CLI_DONE or, without an answer, CLI_STOPPED.
 static int send_commands(monitor_t *monitor) {
-  cli_commands_t *commands = &monitor->options.commands;
+  cli_commands_t *commands = &monitor->args.commands;
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
   const double now = cli_now();
   const size_t length =
@@ -115,9 +107,9 @@ static int send_commands(monitor_t *monitor) {
 }
 
 static int follow_stream(monitor_t *monitor) {
-  const options_t *options = &monitor->options;
-  const cli_commands_t *commands = &options->commands;
-  const bool live = !options->csv && cli_is_terminal(1);
+  const cli_monitor_args_t *args = &monitor->args;
+  const cli_commands_t *commands = &args->commands;
+  const bool live = !args->csv && cli_is_terminal(STDOUT_FILENO);
   while (!cli_stop_asked()) {
     size_t count = 0;
     const int sent = send_commands(monitor);
@@ -125,7 +117,7 @@ static int follow_stream(monitor_t *monitor) {
       return sent;
     }
     if (commands->count > 0 && commands->next == commands->count &&
-        !options->csv && !live) {
+        !args->csv && !live) {
       return CLI_DONE; // nothing left to do or to show
     }
     const cli_source_found_t found =
@@ -139,13 +131,13 @@ static int follow_stream(monitor_t *monitor) {
                     monitor->source.name, now);
     }
     // What a slow board has told is on its way before the next pause.
-    if (options->csv &&
-        (found != CLI_SOURCE_BYTES || now - monitor->output.flushed >= 0.2)) {
+    if (args->csv && (found != CLI_SOURCE_BYTES ||
+                      now - monitor->output.flushed >= FLUSH_EVERY)) {
       if (!cli_output_flush(&monitor->output)) {
         return complain_output(monitor);
       }
     }
-    if (found == CLI_SOURCE_END && !options->follow) {
+    if (found == CLI_SOURCE_END && !args->follow) {
       return CLI_DONE;
     }
     if (found == CLI_SOURCE_END) {
@@ -200,122 +192,42 @@ static void summarise(const monitor_t *monitor) {
   }
 }
 
-static int unknown_option(const char *word) {
-  static const char *const names[] = {"--csv", "--follow", "--baud", "--out",
-                                      "--send"};
-  cli_closest_t closest = cli_closest_to(word);
-  for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-    cli_closest_offer(&closest, names[i]);
-  }
-  const cli_hint_t hint = cli_closest_hint(&closest);
-  return cli_complain(
-      CLI_USAGE, "unknown option %s%s%s%s ('twofold help monitor' lists them)",
-      word, hint.before, hint.name, hint.after);
-}
-
-// value: what follows, or NULL. used: out, whether the option takes it.
-static int read_option(options_t *options, const char *word, const char *value,
-                       bool *used) {
-  *used = false;
-  if (strcmp(word, "--csv") == 0) {
-    options->csv = true;
-    return CLI_DONE;
-  }
-  if (strcmp(word, "--follow") == 0) {
-    options->follow = true;
-    return CLI_DONE;
-  }
-  const bool is_baud = strcmp(word, "--baud") == 0;
-  const bool is_send = strcmp(word, "--send") == 0;
-  if (!is_baud && !is_send && strcmp(word, "--out") != 0) {
-    return unknown_option(word);
-  }
-  if (value == NULL) {
-    return cli_complain(CLI_USAGE, "%s: expected a value", word);
-  }
-  *used = true;
-  if (is_send) {
-    return cli_commands_add(&options->commands, value);
-  }
-  if (!is_baud) {
-    options->out = value;
-  } else if (!cli_read_whole(value, 1, 100000000, &options->baud)) {
-    return cli_complain(CLI_USAGE, "--baud %s: must be a whole number", value);
-  }
-  return CLI_DONE;
-}
-
-static int read_options(options_t *options, int argc, char *const argv[]) {
-  memset(options, 0, sizeof *options);
-  // Whatever is sent, the schema has to be known first.
-  (void)cli_commands_add(&options->commands, "describe");
-  for (int at = 0; at < argc; at++) {
-    int code = CLI_DONE;
-    if (argv[at][0] == '-' && argv[at][1] != '\0') {
-      bool used = false;
-      const char *value = at + 1 < argc ? argv[at + 1] : NULL;
-      code = read_option(options, argv[at], value, &used);
-      at += used;
-    } else if (options->path != NULL) {
-      code = cli_complain(CLI_USAGE, "%s: one source at a time (%s was given)",
-                          argv[at], options->path);
-    } else {
-      options->path = argv[at];
-    }
-    if (code != CLI_DONE) {
-      return code;
-    }
-  }
-  if (options->path == NULL) {
-    return cli_complain(CLI_USAGE,
-                        "monitor: which file or device? (- is "
-                        "standard input)");
-  }
-  if (options->commands.count == 1) {
-    options->commands.count = 0;
-  }
-  if (options->out != NULL && !options->csv) {
-    return cli_complain(CLI_USAGE, "--out %s: only with --csv", options->out);
-  }
-  return CLI_DONE;
-}
-
 static int perform(monitor_t *monitor) {
-  const options_t *options = &monitor->options;
+  const cli_monitor_args_t *args = &monitor->args;
   char header[CLI_ROW_ROOM];
-  if (!cli_source_open(&monitor->source, options->path, options->baud,
-                       options->commands.count > 0)) {
-    return cli_complain(CLI_STOPPED, "%s: %s", options->path,
-                        monitor->source.error == EINVAL && options->baud != 0
+  if (!cli_source_open(&monitor->source, args->path, args->baud,
+                       args->commands.count > 0)) {
+    return cli_complain(CLI_STOPPED, "%s: %s", args->path,
+                        monitor->source.error == EINVAL && args->baud != 0
                             ? "the device does not take this --baud"
                             : strerror(monitor->source.error));
   }
-  if (options->csv) {
-    if (!cli_output_open(&monitor->output, options->out)) {
+  if (args->csv) {
+    if (!cli_output_open(&monitor->output, args->out)) {
       return complain_output(monitor);
     }
     (void)cli_output_lines(&monitor->output, header,
                            cli_header(CLI_FORMAT_CSV, header));
   }
   int code = follow_stream(monitor);
-  if (options->csv && !cli_output_close(&monitor->output) && code == CLI_DONE) {
+  if (args->csv && !cli_output_close(&monitor->output) && code == CLI_DONE) {
     code = complain_output(monitor);
   }
   cli_source_close(&monitor->source);
   summarise(monitor);
-  if (code == CLI_DONE && options->commands.refused > 0) {
+  if (code == CLI_DONE && args->commands.refused > 0) {
     code = CLI_REFUSED;
   }
   if (code == CLI_DONE && monitor->decoder.frames == 0) {
     code = cli_complain(CLI_STOPPED, "%s: no frame of protocol version %d",
-                        options->path, TF_FRAME_VERSION);
+                        args->path, TF_FRAME_VERSION);
   }
   return code;
 }
 
 int cli_monitor(int argc, char *const argv[]) {
-  options_t options;
-  int code = read_options(&options, argc, argv);
+  cli_monitor_args_t args;
+  int code = cli_monitor_args(&args, argc, argv);
   if (code != CLI_DONE) {
     return code;
   }
@@ -323,7 +235,7 @@ int cli_monitor(int argc, char *const argv[]) {
   if (monitor == NULL) {
     return cli_complain(CLI_STOPPED, "out of memory");
   }
-  monitor->options = options;
+  monitor->args = args;
   tf_decoder_init(&monitor->decoder, monitor->buffer, sizeof monitor->buffer);
   cli_catch_signals();
   code = perform(monitor);

@@ -16,7 +16,6 @@
 #define BATCH 1024      // steps between two looks at the clock
 #define IDLE 1e-3       // [s] of waiting in which rows are handed over, too
 #define LIVE_EVERY 0.02 // FLUSH_EVERY of a run in real time, for who watches
-#define MOST_STEPS 1e15 // counted exactly by a double
 
 double cli_run_time(const cli_run_t *run, uint64_t steps) {
   return (double)steps * (double)run->setup->machine.dt;
@@ -186,12 +185,13 @@ static int count_steps(const cli_run_args_t *args, const cli_setup_t *setup,
                        uint64_t *steps) {
   const double dt = (double)setup->machine.dt;
   const double count = round((double)args->t_end / dt);
-  if (!(args->t_end >= 0 && count <= MOST_STEPS)) {
+  const double most = (double)CLI_MOST_STEPS;
+  if (!(args->t_end >= 0 && count <= most)) {
     return cli_complain(CLI_REFUSED,
                         "--t-end %s: t-end must lie in [0, %g] s (at most 1e15 "
                         "steps of dt = %g s)",
                         args->t_end_text != NULL ? args->t_end_text : "",
-                        MOST_STEPS * dt, dt);
+                        most * dt, dt);
   }
   *steps = (uint64_t)count;
   return CLI_DONE;

@@ -50,6 +50,9 @@ extern const cli_scheme_t cli_schemes[CLI_SCHEMES];
 void cli_body_begin(cli_body_t *body, const cli_scheme_t *scheme,
                     const cli_setup_t *setup, tf_report_t *report);
 
+/// Most steps of a run, and between two rows: counted exactly by a double.
+#define CLI_MOST_STEPS 1000000000000000u
+
 /// The command line of `run`, read and validated.
 typedef struct {
   const tf_scene_t *scene;

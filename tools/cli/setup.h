@@ -71,9 +71,14 @@ typedef struct {
   tf_report_t report; ///< of tf_begin
 } cli_setup_t;
 
-/// Finds a scene by its name.
-/// Returns: NULL where there is none (complained, with the closest name).
-const tf_scene_t *cli_find_scene(const char *name);
+/// Takes a word for the name of the scene.
+/// scene: in/out, NULL before the first.
+/// Returns: CLI_DONE, or CLI_USAGE where there is no such scene or it is the
+/// second (complained, with the closest name).
+int cli_take_scene(const tf_scene_t **scene, const char *word);
+
+/// Whether a scene was given. Returns: CLI_DONE or CLI_USAGE (complained).
+int cli_need_scene(const tf_scene_t *scene, const char *command);
 
 /// Names for people: laws and rules in the order of their enums.
 const char *cli_law_name(tf_tyre_law_t law);
