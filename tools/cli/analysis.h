@@ -4,6 +4,7 @@
 #ifndef TWOFOLD_CLI_ANALYSIS_H
 #define TWOFOLD_CLI_ANALYSIS_H
 
+#include "buffer.h"
 #include "host.h"
 #include "setup.h"
 
@@ -67,17 +68,8 @@ typedef int (*cli_grid_row_t)(const cli_analysis_t *a, tf_real_t r,
 int cli_analysis_grid(cli_analysis_t *a, const char *header,
                       cli_grid_row_t row);
 
-/// Text that grows in a buffer; what does not fit is left out and noticed.
-typedef struct {
-  char *text;
-  size_t used, room;
-  bool cut;
-} cli_text_t;
-void cli_add(cli_text_t *text, const char *what);
-void cli_add_real(cli_text_t *text, tf_real_t value);
-
 /// One two-fold as a JSON object; margin stands before every line of it.
-void cli_add_two_fold(cli_text_t *text, const tf_two_fold_t *at,
+void cli_add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at,
                       const char *margin);
 
 /// The help page of one of the commands, NULL where it is none of them.

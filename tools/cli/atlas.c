@@ -15,7 +15,7 @@ static const char header[] =
 
 static int write_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
                      char out[CLI_GRID_ROOM], size_t *length) {
-  cli_text_t text = {out, 0, CLI_GRID_ROOM, false};
+  cli_buffer_t text = {out, 0, CLI_GRID_ROOM, false};
   tf_wish_t wish;
   (void)tf_two_fold_wish(&a->setup.machine, &a->setup.input, r, omega, &wish);
   const bool open = wish.obstacle == TF_WISH_GRANTED ||

@@ -68,7 +68,7 @@ static int refuse(const cli_analysis_t *a, const tf_wish_t *wish) {
 }
 
 static void describe(const cli_analysis_t *a, const tf_wish_t *wish,
-                     cli_text_t *text) {
+                     cli_buffer_t *text) {
   cli_add(text, "{\n  \"scene\": \"");
   cli_add(text, a->scene->name);
   cli_add(text, "\",\n  \"kappa\": ");
@@ -88,7 +88,7 @@ int cli_design(int argc, char *const argv[]) {
   cli_analysis_t a;
   tf_wish_t wish;
   char room[ROOM];
-  cli_text_t text = {room, 0, sizeof room, false};
+  cli_buffer_t text = {room, 0, sizeof room, false};
   int code = cli_analysis_read(&a, "design", CLI_TAKES_POINT, true, argc, argv);
   if (code == CLI_DONE) {
     code = cli_analysis_needs_jump(&a, true);

@@ -1,79 +1,78 @@
 // The rows of `diverge`: one of each file for every cycle. What did not happen
 // in a cycle is an empty field, never a number that means none.
 
-#include <inttypes.h>
-#include <stdio.h>
-#include <string.h>
-
+#include "buffer.h"
 #include "diverge.h"
-#include "text.h"
 
-static size_t put(char *out, size_t at, const char *text) {
-  const size_t length = strlen(text);
-  memcpy(out + at, text, length + 1);
-  return at + length;
+static cli_buffer_t empty(char out[CLI_DIVERGE_ROW]) {
+  out[0] = '\0';
+  const cli_buffer_t text = {out, 0, CLI_DIVERGE_ROW, false};
+  return text;
 }
 
 // A comma and a number, or a comma alone.
-static size_t put_real(char *out, size_t at, bool is, double value) {
-  char text[CLI_REAL_ROOM] = "";
+static void add_field(cli_buffer_t *text, bool is, double value) {
+  cli_add(text, ",");
   if (is) {
-    (void)cli_write_real(text, (tf_real_t)value);
+    cli_add_real(text, (tf_real_t)value);
   }
-  return put(out, put(out, at, ","), text);
 }
 
-static size_t put_count(char *out, size_t at, uint64_t value) {
-  char text[CLI_REAL_ROOM];
-  (void)snprintf(text, sizeof text, "%" PRIu64, value);
-  return put(out, at, text);
-}
-
-static size_t put_name(char *out, uint64_t sample, uint64_t cycle) {
-  return put_count(out, put(out, put_count(out, 0, sample), ","), cycle);
+static void add_name(cli_buffer_t *text, uint64_t sample, uint64_t cycle) {
+  cli_add_count(text, sample);
+  cli_add(text, ",");
+  cli_add_count(text, cycle);
 }
 
 size_t cli_exit_header(char out[CLI_DIVERGE_ROW]) {
-  return put(out, 0,
-             "sample,cycle,time,r,omega,g,side,phase,how,"
-             "section_time\n");
+  cli_buffer_t text = empty(out);
+  cli_add(&text, "sample,cycle,time,r,omega,g,side,phase,how,section_time\n");
+  return text.used;
 }
 
 size_t cli_return_header(char out[CLI_DIVERGE_ROW]) {
-  return put(out, 0,
-             "sample,cycle,outcome,time,arrived,exit_r,landing_time,"
-             "landing_r,landings,windings\n");
+  cli_buffer_t text = empty(out);
+  cli_add(&text,
+          "sample,cycle,outcome,time,arrived,exit_r,landing_time,"
+          "landing_r,landings,windings\n");
+  return text.used;
 }
 
 size_t cli_exit_row(char out[CLI_DIVERGE_ROW], uint64_t sample, uint64_t cycle,
                     const cli_cycle_t *what) {
+  cli_buffer_t text = empty(out);
   if (!what->left) {
-    out[0] = '\0';
     return 0;
   }
-  size_t at = put_name(out, sample, cycle);
-  at = put_real(out, at, true, what->exit_t - what->arrived);
-  at = put_real(out, at, true, what->exit_r);
-  at = put_real(out, at, true, what->exit_omega);
-  at = put_real(out, at, true, what->exit_g);
-  at = put(out, at, what->side < 0 ? ",slip-" : ",slip+");
-  at = put_real(out, at, what->phase >= 0, what->phase);
-  at = put(out, at, what->released ? ",released" : ",left");
-  at = put_real(out, at, what->phase >= 0, what->section_t - what->arrived);
-  return put(out, at, "\n");
+  add_name(&text, sample, cycle);
+  add_field(&text, true, what->exit_t - what->arrived);
+  add_field(&text, true, what->exit_r);
+  add_field(&text, true, what->exit_omega);
+  add_field(&text, true, what->exit_g);
+  cli_add(&text, what->side < 0 ? ",slip-" : ",slip+");
+  add_field(&text, what->phase >= 0, what->phase);
+  cli_add(&text, what->released ? ",released" : ",left");
+  add_field(&text, what->phase >= 0, what->section_t - what->arrived);
+  cli_add(&text, "\n");
+  return text.used;
 }
 
 size_t cli_return_row(char out[CLI_DIVERGE_ROW], uint64_t sample,
                       uint64_t cycle, const cli_cycle_t *what) {
-  size_t at = put_name(out, sample, cycle);
-  at = put(out, put(out, at, ","), cli_outcome_name(what->outcome));
-  at = put_real(out, at, true,
-                what->ended - (what->left ? what->exit_t : what->arrived));
-  at = put_real(out, at, true, what->arrived);
-  at = put_real(out, at, what->left, what->exit_r);
-  at = put_real(out, at, what->landed, what->land_t - what->exit_t);
-  at = put_real(out, at, what->landed, what->land_r);
-  at = put_count(out, put(out, at, ","), what->landings);
-  at = put_count(out, put(out, at, ","), what->windings);
-  return put(out, at, "\n");
+  cli_buffer_t text = empty(out);
+  add_name(&text, sample, cycle);
+  cli_add(&text, ",");
+  cli_add(&text, cli_outcome_name(what->outcome));
+  add_field(&text, true,
+            what->ended - (what->left ? what->exit_t : what->arrived));
+  add_field(&text, true, what->arrived);
+  add_field(&text, what->left, what->exit_r);
+  add_field(&text, what->landed, what->land_t - what->exit_t);
+  add_field(&text, what->landed, what->land_r);
+  cli_add(&text, ",");
+  cli_add_count(&text, what->landings);
+  cli_add(&text, ",");
+  cli_add_count(&text, what->windings);
+  cli_add(&text, "\n");
+  return text.used;
 }

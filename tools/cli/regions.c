@@ -8,7 +8,7 @@
 static int write_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
                      char out[CLI_GRID_ROOM], size_t *length) {
   const cli_setup_t *setup = &a->setup;
-  cli_text_t text = {out, 0, CLI_GRID_ROOM, false};
+  cli_buffer_t text = {out, 0, CLI_GRID_ROOM, false};
   tf_surface_t at;
   tf_real_t v = 0;
   tf_status_t status = tf_speed_for_slip(&setup->machine, r, omega,

@@ -2,39 +2,30 @@
 // on, so nothing is ever appended; the plotter format is what the serial
 // plotter of the Arduino IDE draws, label:value pairs on one line.
 
+#include "buffer.h"
 #include "run.h"
-#include "text.h"
-
-static size_t append_text(char *out, size_t at, const char *text) {
-  while (*text != '\0') {
-    out[at++] = *text++;
-  }
-  return at;
-}
-
-static size_t append_real(char *out, size_t at, tf_real_t value) {
-  return at + cli_write_real(out + at, value);
-}
 
 size_t cli_header(cli_format_t format, char out[CLI_ROW_ROOM]) {
-  return format == CLI_FORMAT_CSV
-             ? append_text(out, 0, "t,r,v,omega,h,g,F,M,mode,choices\n")
-             : 0;
+  cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
+  if (format == CLI_FORMAT_CSV) {
+    cli_add(&text, "t,r,v,omega,h,g,F,M,mode,choices\n");
+  }
+  return text.used;
 }
 
 size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
-  size_t at = 0;
+  cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
   for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
     if (i < row->columns) {
-      at += cli_write_number(out + at, row->column[i], row->is_float);
+      cli_add_number(&text, row->column[i], row->is_float);
     }
-    out[at++] = ',';
+    cli_add(&text, ",");
   }
-  at = append_text(out, at, tf_mode_name(row->mode));
-  out[at++] = ',';
-  out[at++] = (char)('0' + row->choices); // at most TF_MODES, one digit
-  out[at++] = '\n';
-  return at;
+  cli_add(&text, tf_mode_name(row->mode));
+  cli_add(&text, ",");
+  cli_add_count(&text, row->choices);
+  cli_add(&text, "\n");
+  return text.used;
 }
 
 static size_t csv_row(tf_real_t t, const tf_state_t *state,
@@ -55,13 +46,13 @@ static size_t plotter_row(const tf_state_t *state, const tf_report_t *report,
   static const char *const labels[5] = {"r:", " v:", " omega:", " h:", " g:"};
   const tf_real_t values[5] = {state->r, state->v, state->w, report->slip.h,
                                report->slip.g};
-  size_t at = 0;
+  cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
   for (size_t i = 0; i < 5; i++) {
-    at = append_text(out, at, labels[i]);
-    at = append_real(out, at, values[i]);
+    cli_add(&text, labels[i]);
+    cli_add_real(&text, values[i]);
   }
-  out[at++] = '\n';
-  return at;
+  cli_add(&text, "\n");
+  return text.used;
 }
 
 size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,

@@ -126,7 +126,7 @@ typedef struct {
   unsigned mode, choices;
 } cli_csv_t;
 
-/// Writes a row of CSV with its newline. choices: 0 to 9.
+/// Writes a row of CSV with its newline.
 /// Returns: the length.
 size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
 

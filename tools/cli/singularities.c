@@ -6,7 +6,7 @@
 
 #define ROOM 32768 // eight two-folds take less than half of it
 
-static int describe(const cli_analysis_t *a, cli_text_t *text) {
+static int describe(const cli_analysis_t *a, cli_buffer_t *text) {
   tf_place_t places[TF_TWO_FOLDS];
   tf_lack_t lack = TF_LACK_NONE;
   int count = 0;
@@ -46,7 +46,7 @@ static int describe(const cli_analysis_t *a, cli_text_t *text) {
 int cli_singularities(int argc, char *const argv[]) {
   cli_analysis_t a;
   char room[ROOM];
-  cli_text_t text = {room, 0, sizeof room, false};
+  cli_buffer_t text = {room, 0, sizeof room, false};
   int code = cli_analysis_read(&a, "singularities", CLI_TAKES_NOTHING, false,
                                argc, argv);
   if (code == CLI_DONE) {

@@ -1,29 +1,9 @@
-// A two-fold as JSON. Numbers are the shortest decimals that read back to the
-// same bits; all of them are finite, for the core refuses what is not.
-
-#include <string.h>
+// A two-fold as JSON. All numbers are finite, for the core refuses what is not.
 
 #include "analysis.h"
-#include "text.h"
-
-void cli_add(cli_text_t *text, const char *what) {
-  const size_t length = strlen(what);
-  if (length >= text->room - text->used) {
-    text->cut = true;
-    return;
-  }
-  memcpy(text->text + text->used, what, length + 1);
-  text->used += length;
-}
-
-void cli_add_real(cli_text_t *text, tf_real_t value) {
-  char digits[CLI_REAL_ROOM];
-  (void)cli_write_real(digits, value);
-  cli_add(text, digits);
-}
 
 // "name": value
-static void add_pair(cli_text_t *text, const char *name, tf_real_t value) {
+static void add_pair(cli_buffer_t *text, const char *name, tf_real_t value) {
   cli_add(text, "\"");
   cli_add(text, name);
   cli_add(text, "\": ");
@@ -31,7 +11,7 @@ static void add_pair(cli_text_t *text, const char *name, tf_real_t value) {
 }
 
 // A line of pairs; more says that the object goes on.
-static void add_pairs(cli_text_t *text, const char *margin,
+static void add_pairs(cli_buffer_t *text, const char *margin,
                       const char *const *names, const tf_real_t *values,
                       int count) {
   cli_add(text, margin);
@@ -42,7 +22,8 @@ static void add_pairs(cli_text_t *text, const char *margin,
   }
 }
 
-static void add_K(cli_text_t *text, const tf_two_fold_t *at, tf_real_t scale) {
+static void add_K(cli_buffer_t *text, const tf_two_fold_t *at,
+                  tf_real_t scale) {
   static const char *const names[] = {"K++", "K+-", "K-+", "K--"};
   const tf_real_t values[] = {at->Kpp, at->Kpm, at->Kmp, at->Kmm};
   for (int i = 0; i < 4; i++) {
@@ -51,7 +32,7 @@ static void add_K(cli_text_t *text, const tf_two_fold_t *at, tf_real_t scale) {
   }
 }
 
-static void add_direction(cli_text_t *text, const tf_direction_t *ray) {
+static void add_direction(cli_buffer_t *text, const tf_direction_t *ray) {
   cli_add(text, "{");
   add_pair(text, "eigenvalue", ray->value);
   cli_add(text, ", \"velocity\": [");
@@ -69,7 +50,7 @@ static void add_direction(cli_text_t *text, const tf_direction_t *ray) {
   cli_add(text, ray->sticks ? ", \"sticks\": true}" : ", \"sticks\": false}");
 }
 
-void cli_add_two_fold(cli_text_t *text, const tf_two_fold_t *at,
+void cli_add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at,
                       const char *margin) {
   static const char *const place_names[] = {"r", "v", "omega", "g"};
   static const char *const form_names[] = {"J1", "J2"};
