@@ -9,30 +9,13 @@
 
 #define FLUSH_EVERY 0.2 // [s]
 
-static int open_output(cli_analysis_t *a) {
-  cli_catch_signals();
-  if (cli_output_open(&a->output, a->out)) {
-    return CLI_DONE;
-  }
-  return cli_complain(CLI_STOPPED, "--out %s: %s", a->out,
-                      strerror(a->output.error));
-}
-
-static int close_output(cli_analysis_t *a) {
-  if (cli_output_close(&a->output)) {
-    return CLI_DONE;
-  }
-  return cli_complain(CLI_STOPPED, "%s: %s", a->output.name,
-                      strerror(a->output.error));
-}
-
 int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length) {
-  const int code = open_output(a);
+  const int code = cli_output_begin(&a->output, "--out", a->out);
   if (code != CLI_DONE) {
     return code;
   }
   (void)cli_output_lines(&a->output, text, length);
-  return close_output(a);
+  return cli_output_end(&a->output);
 }
 
 static tf_real_t value_at(const cli_range_t *range, uint64_t i) {
@@ -57,7 +40,7 @@ static int write_line(cli_analysis_t *a, tf_real_t r, cli_grid_row_t row) {
       return code;
     }
     if (!cli_output_lines(&a->output, text, length)) {
-      return CLI_STOPPED; // close_output complains
+      return CLI_STOPPED; // cli_output_end complains
     }
     if (cli_now() - a->output.flushed >= FLUSH_EVERY) {
       (void)cli_output_flush(&a->output);
@@ -68,7 +51,7 @@ static int write_line(cli_analysis_t *a, tf_real_t r, cli_grid_row_t row) {
 
 int cli_analysis_grid(cli_analysis_t *a, const char *header,
                       cli_grid_row_t row) {
-  int code = open_output(a);
+  int code = cli_output_begin(&a->output, "--out", a->out);
   if (code != CLI_DONE) {
     return code;
   }
@@ -76,6 +59,6 @@ int cli_analysis_grid(cli_analysis_t *a, const char *header,
   for (uint64_t i = 0; i < a->r.count && code == CLI_DONE; i++) {
     code = write_line(a, value_at(&a->r, i), row);
   }
-  const int closed = close_output(a);
+  const int closed = cli_output_end(&a->output);
   return code != CLI_DONE ? code : closed;
 }

@@ -72,7 +72,8 @@ static bool follow(work_t *work, const cli_motion_t *motion, bool from_it) {
   return true;
 }
 
-// What the tracker is told of the surface.
+// So long within the band is on the surface; a stick that is known as such at
+// once.
 static double least_stay(const cli_mover_t *mover) {
   return mover->job->args->by == CLI_BY_RANDOM
              ? 0
@@ -83,11 +84,7 @@ static bool do_sample(work_t *work, uint64_t sample) {
   const cli_job_t *job = work->job;
   const cli_motion_t *motion = cli_kinds[job->args->by].motion;
   cli_mover_t *mover = &work->mover;
-  const cli_tracker_t tracker = {.machine = &job->stay,
-                                 .twofold = &job->twofold,
-                                 .section = job->args->section,
-                                 .patience = job->args->patience};
-  work->tracker = tracker;
+  work->tracker = cli_tracker_of(job);
   mover->job = job;
   mover->tracker = &work->tracker;
   mover->draws.seed = job->args->seed;
@@ -159,7 +156,6 @@ static int perform(work_t *work, const cli_diverge_args_t *args) {
   work->first += args->shard - 1 < rest ? args->shard - 1 : rest;
   work->last = work->first + args->samples / args->shards +
                (args->shard - 1 < rest ? 1 : 0);
-  cli_catch_signals();
   int code = cli_files_open(work->files, args);
   if (code != CLI_DONE) {
     return code;

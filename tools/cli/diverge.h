@@ -42,7 +42,7 @@ typedef struct {
   double size;     ///< unit by kind; 0: not given
   double spread;   ///< 0: not given; sizes are drawn from [size / spread, size]
   double patience; ///< longest cycle [s]
-  double section;  ///< where the phase is read, below the two-fold [m]
+  double section;  ///< where the phase is read, past the two-fold [m]
   double near_ratio; ///< dt / step near the two-fold; 0: not given
   double grid;       ///< --exhaustive: between two exits of a stick [s]
   uint64_t samples, cycles;
@@ -260,8 +260,21 @@ cli_branch_t cli_random_branch(cli_mover_t *mover, unsigned mode,
 /// `diverge --exhaustive`. Returns: the exit code.
 int cli_diverge_exhaust(const cli_job_t *job);
 
+/// A tracker of the job's motions; `stay` is still to be told.
+cli_tracker_t cli_tracker_of(const cli_job_t *job);
+
+/// State from which a motion starts that has to arrive at the two-fold first,
+/// or the start that was typed.
+tf_state_t cli_mover_start(const cli_job_t *job);
+
+/// Prepares the machine of the short steps. params: of the long ones.
+void cli_prepare_near(cli_mover_t *mover, const tf_params_t *params);
+
 /// Length of step where the motion is: short near the two-fold [s].
 double cli_step_here(const cli_mover_t *mover, cli_place_t at, double g);
+
+/// The present instant of a motion for which the band stands for the surface.
+cli_instant_t cli_instant_in_band(const cli_mover_t *mover, cli_place_t at);
 
 /// Ends the cycle where a step was refused. Returns: true.
 bool cli_refuse_cycle(cli_mover_t *mover);

@@ -68,14 +68,10 @@ static uint64_t node_at(search_t *search, const node_t *node) {
 static void follow(search_t *search, const node_t *from, uint64_t index,
                    unsigned mode, double stick_time) {
   cli_mover_t *mover = &search->mover;
-  const cli_tracker_t tracker = {.machine = &search->job->stay,
-                                 .twofold = &search->job->twofold,
-                                 .section = search->job->args->section,
-                                 .patience = search->job->args->patience};
   char row[CLI_DIVERGE_ROW];
   char to[CLI_REAL_ROOM] = "";
   node_t next = {.depth = from->depth + 1};
-  search->tracker = tracker;
+  search->tracker = cli_tracker_of(search->job);
   const tf_state_t left = mover->state;
   const cli_branch_t end = cli_random_branch(mover, mode, &next.set);
   const char *name = "unfinished";
@@ -189,14 +185,15 @@ int cli_diverge_exhaust(const cli_job_t *job) {
   if (output == NULL || search.nodes == NULL) {
     code = cli_complain(CLI_STOPPED, "out of memory");
   } else if (!cli_output_open(output, job->args->branches)) {
-    code = cli_complain(CLI_STOPPED, "--branches %s: cannot be written",
-                        job->args->branches);
+    code = cli_complain(CLI_STOPPED, "--branches %s: cannot be written: %s",
+                        job->args->branches, cli_output_reason(output));
   } else {
     cli_catch_signals();
     (void)cli_output_lines(output, header, sizeof header - 1);
     code = visit_all(&search);
-    if (!cli_output_close(output)) {
-      code = cli_complain(CLI_STOPPED, "%s: not written", output->name);
+    const int closed = cli_output_end(output);
+    if (closed != CLI_DONE) {
+      code = closed;
     } else if (cli_stop_asked()) {
       code = cli_complain(CLI_STOPPED,
                           "stopped by a signal; the branches that "

@@ -54,21 +54,18 @@ double cli_delassus(const tf_machine_t *k, double r, double g) {
          arm * (arm + kappa) / ((double)k->m * ((double)k->beta2 + r * r));
 }
 
-// The place on h = 0 at (r, z).
 cli_place_t cli_on_surface(const tf_machine_t *k, double r, double z) {
   const cli_place_t at = {
       r, -r * z * (double)k->cos_gamma / (double)k->sin_gamma, z};
   return at;
 }
 
-// h' without friction, at a place on h = 0.
 double cli_free_rate(const tf_machine_t *k, cli_place_t at) {
   const cli_place_t f = cli_flow(k, at, 0, 0);
   return -f.p * (double)k->sin_gamma -
          (f.r * at.z + at.r * f.z) * (double)k->cos_gamma;
 }
 
-// The sliding field times A, which is regular at A = 0: (r', z').
 void cli_sliding_field(const tf_machine_t *k, double r, double z, double s,
                        double out[2]) {
   const cli_place_t at = cli_on_surface(k, r, z);

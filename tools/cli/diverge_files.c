@@ -6,18 +6,11 @@
 #define _POSIX_C_SOURCE 200809L
 #endif
 
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "diverge.h"
 #include "text.h"
-
-static int refuse(const char *option, const cli_output_t *output,
-                  const char *path) {
-  return cli_complain(CLI_STOPPED, "%s %s: %s", option, path,
-                      strerror(output->error));
-}
 
 static void remove_if_empty(const char *path) {
   struct stat status;
@@ -32,13 +25,18 @@ int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args) {
   const bool header = args->header || args->shard == 1;
   files->has_exits = args->exits != NULL;
   files->has_returns = args->returns != NULL;
-  if (args->exits != NULL && !cli_output_open(&files->exits, args->exits)) {
-    return refuse("--exits", &files->exits, args->exits);
+  int code = CLI_DONE;
+  if (files->has_exits) {
+    code = cli_output_begin(&files->exits, "--exits", args->exits);
   }
-  if (args->returns != NULL &&
-      !cli_output_open(&files->returns, args->returns)) {
-    const int code = refuse("--returns", &files->returns, args->returns);
-    if (args->exits != NULL) {
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (files->has_returns) {
+    code = cli_output_begin(&files->returns, "--returns", args->returns);
+  }
+  if (code != CLI_DONE) {
+    if (files->has_exits) {
       (void)cli_output_close(&files->exits);
       remove_if_empty(args->exits);
     }
@@ -74,16 +72,9 @@ bool cli_files_flush(cli_files_t *files) {
   return exits && returns;
 }
 
-static int close_one(bool open, cli_output_t *output) {
-  if (!open || cli_output_close(output)) {
-    return CLI_DONE;
-  }
-  return cli_complain(CLI_STOPPED, "%s: %s", output->name,
-                      strerror(output->error));
-}
-
 int cli_files_close(cli_files_t *files) {
-  const int exits = close_one(files->has_exits, &files->exits);
-  const int returns = close_one(files->has_returns, &files->returns);
+  const int exits = files->has_exits ? cli_output_end(&files->exits) : CLI_DONE;
+  const int returns =
+      files->has_returns ? cli_output_end(&files->returns) : CLI_DONE;
   return exits != CLI_DONE ? exits : returns;
 }

@@ -9,7 +9,6 @@
 
 #include "diverge.h"
 
-#define BEFORE 4e-3    // [m], of a start before the two-fold
 #define REFINE 5       // Newton's steps on the way to a change of side
 #define CLOSE 1e-4     // what they may leave of the way, as a part of it
 #define THERE 1e-15    // |h - level| from which no crossing is sought [m/s]
@@ -87,37 +86,20 @@ static double step_until(const tf_machine_t *k, cli_place_t *at, int side,
   return x;
 }
 
-static cli_instant_t instant(const cli_mover_t *mover) {
-  const tf_slip_t slip = cli_place_slip(&mover->far, mover->at);
-  const bool on = fabs((double)slip.h) <= mover->band;
-  const bool rest = fabs((double)slip.g) <= CLI_REST * mover->band;
-  const cli_instant_t now = {.t = mover->t,
-                             .at = mover->at,
-                             .h = (double)slip.h,
-                             .g = (double)slip.g,
-                             .on = on,
-                             .pinned = on && rest};
-  return now;
-}
-
 static void start(cli_mover_t *mover) {
   const cli_job_t *job = mover->job;
-  tf_params_t params = job->params;
   mover->far = job->stay;
-  params.dt = (tf_real_t)(job->dt / job->args->near_ratio);
-  (void)tf_prepare(&mover->near, &params, NULL);
+  cli_prepare_near(mover, &job->params);
   mover->band = job->args->by == CLI_BY_DELAY
                     ? RATE_BOUND * mover->size * (double)job->stay.tyre.mu /
                           (double)job->stay.m
                     : mover->size * OVER;
-  const tf_state_t at =
-      job->at_twofold ? cli_before_twofold(&job->stay, &job->twofold, BEFORE)
-                      : job->setup.state;
+  const tf_state_t at = cli_mover_start(job);
   mover->at = cli_state_place(&job->stay, &at);
   mover->t = 0;
   mover->side = cli_draw_uniform(&mover->draws) < 0.5 ? -1 : 1;
   mover->pendings = 0;
-  const cli_instant_t now = instant(mover);
+  const cli_instant_t now = cli_instant_in_band(mover, mover->at);
   cli_track_start(mover->tracker, &now);
 }
 
@@ -174,7 +156,7 @@ static bool move(cli_mover_t *mover) {
   } else {
     move_hysteresis(mover, dt);
   }
-  const cli_instant_t now = instant(mover);
+  const cli_instant_t now = cli_instant_in_band(mover, mover->at);
   if (!(fabs(now.at.r) + fabs(now.at.p) + fabs(now.at.z) < 1e9)) {
     return cli_refuse_cycle(mover);
   }

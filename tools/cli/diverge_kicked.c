@@ -12,16 +12,7 @@
 
 #include "diverge.h"
 
-#define BEFORE 4e-3    // [m], of a start before the two-fold
-#define NEAR 0.011     // short steps within so much of r of the two-fold
 #define SMOOTH_BAND 10 // widths within which smoothed stick stays
-
-double cli_step_here(const cli_mover_t *mover, cli_place_t at, double g) {
-  const cli_twofold_t *twofold = &mover->job->twofold;
-  const bool near =
-      g * twofold->g > 0 && fabs(at.r - twofold->r) < NEAR * fabs(twofold->r);
-  return near ? (double)mover->near.dt : (double)mover->far.dt;
-}
 
 // Change of A mu in time, where stick runs through the two-fold.
 static double weakening(const cli_job_t *job) {
@@ -33,17 +24,8 @@ static double weakening(const cli_job_t *job) {
 }
 
 static cli_instant_t instant(const cli_mover_t *mover) {
-  const cli_place_t at = cli_state_place(&mover->far, &mover->state);
-  const tf_slip_t slip = cli_place_slip(&mover->far, at);
-  const bool on = fabs((double)slip.h) <= mover->band;
-  const bool rest = fabs((double)slip.g) <= CLI_REST * mover->band;
-  const cli_instant_t now = {.t = mover->t,
-                             .at = at,
-                             .h = (double)slip.h,
-                             .g = (double)slip.g,
-                             .on = on,
-                             .pinned = on && rest};
-  return now;
+  return cli_instant_in_band(mover,
+                             cli_state_place(&mover->far, &mover->state));
 }
 
 static void start(cli_mover_t *mover) {
@@ -61,12 +43,9 @@ static void start(cli_mover_t *mover) {
   }
   params.dt = (tf_real_t)job->dt;
   (void)tf_prepare(&mover->far, &params, NULL);
-  params.dt = (tf_real_t)(job->dt / job->args->near_ratio);
-  (void)tf_prepare(&mover->near, &params, NULL);
+  cli_prepare_near(mover, &params);
   mover->t = 0;
-  mover->state = job->at_twofold
-                     ? cli_before_twofold(&job->stay, &job->twofold, BEFORE)
-                     : job->setup.state;
+  mover->state = cli_mover_start(job);
   (void)tf_begin(&mover->far, &mover->state, &input, &report);
   const cli_instant_t now = instant(mover);
   cli_track_start(mover->tracker, &now);

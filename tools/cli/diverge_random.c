@@ -20,12 +20,6 @@ static bool is_stick(unsigned mode) {
   return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
 }
 
-bool cli_refuse_cycle(cli_mover_t *mover) {
-  mover->tracker->cycle.ended = mover->t;
-  mover->tracker->cycle.outcome = CLI_CYCLE_REFUSED;
-  return true;
-}
-
 static cli_instant_t instant(const cli_mover_t *mover) {
   const cli_place_t at = cli_state_place(&mover->job->stay, &mover->state);
   const tf_slip_t slip = cli_place_slip(&mover->job->stay, at);
@@ -87,10 +81,8 @@ static bool pass_twofold(cli_mover_t *mover) {
 
 static void start(cli_mover_t *mover) {
   const cli_job_t *job = mover->job;
-  tf_params_t params = job->params;
   mover->far = job->stay;
-  params.dt = (tf_real_t)(job->dt / job->args->near_ratio);
-  (void)tf_prepare(&mover->near, &params, NULL);
+  cli_prepare_near(mover, &job->params);
   mover->clock = -1;
   mover->t = 0;
   if (!job->at_twofold) {

@@ -42,8 +42,7 @@ void cli_track_next(cli_tracker_t *tracker) {
   begin_cycle(tracker, tracker->cycle.ended);
 }
 
-// When r passes a value between two instants: the cubic that has r and v at
-// both, by halving.
+// The cubic that has r and v at both instants, by halving.
 double cli_passing(const cli_tracker_t *tracker, const cli_instant_t *a,
                    const cli_instant_t *b, double r) {
   const double d = (double)tracker->machine->d;

@@ -46,6 +46,18 @@ typedef struct {
 /// Returns: whether it is open; else error is set.
 bool cli_output_open(cli_output_t *output, const char *path);
 
+/// Opens it for a command: from now on signals are caught as by
+/// cli_catch_signals. option: that named the path, for the complaint.
+/// Returns: CLI_DONE or CLI_STOPPED (complained).
+int cli_output_begin(cli_output_t *output, const char *option,
+                     const char *path);
+
+/// Closes it for a command. Returns: CLI_DONE or CLI_STOPPED (complained).
+int cli_output_end(cli_output_t *output);
+
+/// What went wrong, in words; output->error is not 0.
+const char *cli_output_reason(const cli_output_t *output);
+
 /// Appends one or more whole lines, at most CLI_OUTPUT_ROOM bytes.
 /// Returns: whether all is well so far; once false, nothing more is written.
 bool cli_output_lines(cli_output_t *output, const char *lines, size_t length);

@@ -60,9 +60,7 @@ static bool take_block(monitor_t *monitor, size_t length) {
 
 static int complain_output(const monitor_t *monitor) {
   return cli_complain(CLI_STOPPED, "%s: %s", monitor->output.name,
-                      monitor->output.error == EPIPE
-                          ? "closed by its reader"
-                          : strerror(monitor->output.error));
+                      cli_output_reason(&monitor->output));
 }
 
 // The device went away. Returns: CLI_DONE once it is back or a stop was asked.

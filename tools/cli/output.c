@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include "host.h"
+#include "text.h"
 
 bool cli_output_open(cli_output_t *output, const char *path) {
   output->error = 0;
@@ -109,4 +110,27 @@ bool cli_output_close(cli_output_t *output) {
     }
   }
   return output->error == 0;
+}
+
+const char *cli_output_reason(const cli_output_t *output) {
+  return output->error == EPIPE ? "closed by its reader"
+                                : strerror(output->error);
+}
+
+int cli_output_begin(cli_output_t *output, const char *option,
+                     const char *path) {
+  cli_catch_signals();
+  if (cli_output_open(output, path)) {
+    return CLI_DONE;
+  }
+  return cli_complain(CLI_STOPPED, "%s %s: %s", option, path,
+                      cli_output_reason(output));
+}
+
+int cli_output_end(cli_output_t *output) {
+  if (cli_output_close(output)) {
+    return CLI_DONE;
+  }
+  return cli_complain(CLI_STOPPED, "%s: %s", output->name,
+                      cli_output_reason(output));
 }

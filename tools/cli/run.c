@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "frames.h"
 #include "text.h"
@@ -166,10 +165,9 @@ static void write_header(cli_run_t *run) {
 
 // Opens, runs, closes, tells.
 static int perform(cli_run_t *run, const char *path) {
-  cli_catch_signals();
-  if (!cli_output_open(&run->output, path)) {
-    return cli_complain(CLI_STOPPED, "--out %s: %s", path,
-                        strerror(run->output.error));
+  const int code = cli_output_begin(&run->output, "--out", path);
+  if (code != CLI_DONE) {
+    return code;
   }
   write_header(run);
   step_through(run);

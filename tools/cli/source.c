@@ -1,6 +1,6 @@
-// Reading from a line that may go away. Files and pipes have an end; a device
-// that says "end" has been unplugged. Only POSIX is used, so a speed is one of
-// those that POSIX names, or of the two that every system adds.
+// A line that may go away. Files and pipes have an end; a device that says
+// "end" has been unplugged. Only POSIX is used, so a speed is one of those that
+// it names, or of the usual faster ones where the system has them.
 
 #ifndef _DEFAULT_SOURCE
 #define _DEFAULT_SOURCE

@@ -3,10 +3,8 @@
 // the future was open, because that is what the simulator is about. All of it
 // goes to standard error; the rows have standard output to themselves.
 
-#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "run.h"
 #include "text.h"
@@ -105,10 +103,8 @@ static void print_end(const cli_run_t *run) {
                          (double)state->r, (double)state->v, (double)state->w);
       break;
     case CLI_NOT_WRITTEN:
-      (void)cli_complain(
-          CLI_STOPPED, "stopped at t = %.9g s: %s: %s", t, run->output.name,
-          run->output.error == EPIPE ? "closed by its reader"
-                                     : strerror(run->output.error));
+      (void)cli_complain(CLI_STOPPED, "stopped at t = %.9g s: %s: %s", t,
+                         run->output.name, cli_output_reason(&run->output));
       break;
   }
 }

@@ -18,8 +18,7 @@ typedef struct {
   size_t used;
 } cli_view_t;
 
-/// Notes a row in the ribbon: one mark where the mode changes, and at least one
-/// a drawing.
+/// Notes the mode of a row in the ribbon: a mark where it changes.
 void cli_view_note(cli_view_t *view, uint8_t mode);
 
 /// Draws, if it is time.
