@@ -54,8 +54,7 @@ int main(int argc, char *argv[]) {
   cli_guard_descriptors();
   if (argc < 2) {
     return cli_complain(CLI_USAGE,
-                        "which command? ('twofold help' lists "
-                        "them)");
+                        "which command? ('twofold help' lists them)");
   }
   const char *name = argv[1];
   if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
@@ -65,10 +64,7 @@ int main(int argc, char *argv[]) {
     return cli_version();
   }
   if (asks_for_help(argc - 2, argv + 2)) {
-    const int has_page =
-        strcmp(name, "run") == 0 || strcmp(name, "monitor") == 0 ||
-        strcmp(name, "diverge") == 0 || cli_analysis_page(name) != NULL;
-    return cli_help(has_page, argv + 1);
+    return cli_help(cli_has_page(name) ? 1 : 0, argv + 1);
   }
   for (size_t i = 0; i < COMMANDS; i++) {
     if (strcmp(commands[i].name, name) == 0) {

@@ -320,7 +320,7 @@ size_t cli_return_row(char out[CLI_DIVERGE_ROW], uint64_t sample,
 /// Returns: the exit code.
 int cli_diverge(int argc, char *const argv[]);
 
-/// Its help page. Returns: the exit code.
-int cli_diverge_help(void);
+/// Prints its help page.
+void cli_diverge_help(void);
 
 #endif

@@ -4,7 +4,6 @@
 #include <stdio.h>
 
 #include "diverge.h"
-#include "text.h"
 
 static const char page[] =
     "usage: twofold diverge SCENE [OPTION]...\n"
@@ -36,7 +35,7 @@ static const char page[] =
     "how much:\n"
     "  --samples N          in [1, 4294967295], default 100\n"
     "  --cycles N           of a sample at most, default 1\n"
-    "  --patience T         longest cycle [s], default 100\n"
+    "  --patience T         longest cycle [s], in (0, 1e9], default 100\n"
     "  --seed N             in [0, 4294967295], default 1\n"
     "  --shard I/N          only the samples of part I of N; the parts, one "
     "behind\n"
@@ -45,7 +44,7 @@ static const char page[] =
     "K\n"
     "  --near K             in [1, 1e6]\n"
     "  --section D          phase is read where r is D past the two-fold [m],\n"
-    "                       default 0.001\n"
+    "                       in (0, 1000], default 0.001\n"
     "  --set NAME=VALUE     as in 'twofold help run'\n"
     "files, CSV:\n"
     "  --exits FILE         sample,cycle,time [s since the arrival],r [m],\n"
@@ -83,7 +82,7 @@ static const char page[] =
     "'to'\n"
     "\n";
 
-int cli_diverge_help(void) {
+void cli_diverge_help(void) {
   (void)fputs(page, stdout);
   (void)puts("kind        unit of S   default DT, K, Q");
   for (int i = 0; i < CLI_BYS; i++) {
@@ -97,5 +96,4 @@ int cli_diverge_help(void) {
       "exit codes: 0 done, 2 usage, 3 refused: nothing diverges, or out of\n"
       "range, 4 stopped (what has ended is written) or a file not written\n",
       stdout);
-  return cli_finish_stdout();
 }

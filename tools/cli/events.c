@@ -14,7 +14,6 @@
 
 #include "events.h"
 
-#include <inttypes.h>
 #include <stdlib.h>
 
 static bool is_slip(unsigned mode) { return mode <= TF_SLIP_MINUS; }
@@ -148,95 +147,6 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
   event->has_lambda = !is_slip(after->mode) || !is_slip(before->mode);
   event->lambda =
       (double)(is_slip(after->mode) ? before->force.F : after->force.F);
-}
-
-// "1st", "2nd", "3rd", "4th", "11th", ...
-static const char *ordinal_ending(uint64_t n) {
-  static const char *const endings[4] = {"th", "st", "nd", "rd"};
-  const uint64_t last = n % 10;
-  return last > 3 || (n / 10) % 10 == 1 ? endings[0] : endings[last];
-}
-
-#define EVENT_ROOM 96
-
-// What happened, in words: the change of mode, then what makes it special.
-static void describe(const cli_event_t *event, char text[EVENT_ROOM]) {
-  const bool two_fold = ((event->kinds >> CLI_TWO_FOLD) & 1u) != 0;
-  const bool special = ((event->kinds >> CLI_CODIMENSION_TWO) & 1u) != 0;
-  char modes[24] = "";
-  char place[64] = "";
-  if (event->from != event->to) {
-    (void)snprintf(modes, sizeof modes, "%s to %s", tf_mode_name(event->from),
-                   tf_mode_name(event->to));
-  }
-  if (two_fold && event->arrival == 1) {
-    (void)snprintf(place, sizeof place, "two-fold reached");
-  } else if (two_fold) {
-    const uint64_t n = event->arrival - 1;
-    (void)snprintf(place, sizeof place,
-                   "returned to the two-fold (%" PRIu64 "%s time)", n,
-                   ordinal_ending(n));
-  } else if ((event->kinds >> CLI_RETURNED) & 1u) {
-    (void)snprintf(place, sizeof place,
-                   "returned after %" PRIu64 " changes of slip",
-                   event->windings);
-  } else if (special) {
-    (void)snprintf(place, sizeof place, "codimension two");
-  }
-  (void)snprintf(text, EVENT_ROOM, "%s%s%s", modes,
-                 modes[0] != '\0' && place[0] != '\0' ? ", " : "", place);
-}
-
-static void print_merged(uint64_t merged, FILE *file) {
-  if (merged > 0) {
-    (void)fprintf(file, "  ... %" PRIu64 " x slip to slip (--events all)\n",
-                  merged);
-  }
-}
-
-static void print_list(const cli_events_t *events, FILE *file) {
-  uint64_t told = events->told;
-  if (events->used > 0) {
-    (void)fprintf(file, "  %-11s%11s%15s%12s%12s  %s\n", "t [s]", "r [m]",
-                  "omega [rad/s]", "g [m/s]", "lambda [N]", "event");
-  }
-  for (size_t i = 0; i < events->used; i++) {
-    const cli_event_t *event = &events->list[i];
-    char text[EVENT_ROOM];
-    char lambda[16] = "-";
-    print_merged(event->merged, file);
-    describe(event, text);
-    if (event->has_lambda) {
-      (void)snprintf(lambda, sizeof lambda, "%.5g", event->lambda);
-    }
-    (void)fprintf(file, "  %-11.7g%11.5g%15.5g%12.5g%12s  %s\n", event->t,
-                  event->r, event->omega, event->g, lambda, text);
-  }
-  if (events->used < events->limit) {
-    print_merged(events->merged, file);
-    told += events->merged;
-  }
-  if (events->steps > told) {
-    (void)fprintf(file, "  ... %" PRIu64 " more events (--events all)\n",
-                  events->steps - told);
-  }
-}
-
-void cli_events_print(const cli_events_t *events, FILE *file) {
-  static const char *const names[CLI_EVENT_KINDS] = {
-      "slip to stick",   "stick to slip",    "slip to slip", "pinned to stick",
-      "codimension two", "two-fold reached", "returned"};
-  const char *separator = "";
-  (void)fputs("events     ", file);
-  for (size_t i = 0; i < CLI_EVENT_KINDS; i++) {
-    if (events->counts[i] > 0) {
-      (void)fprintf(file, "%s%s %" PRIu64, separator, names[i],
-                    events->counts[i]);
-      separator = ", ";
-    }
-  }
-  (void)fprintf(file, "%s\n", events->steps > 0 ? "" : "none");
-  print_list(events, file);
 }
 
 void cli_events_free(cli_events_t *events) {

@@ -41,7 +41,11 @@ static const char run_usage[] =
     "  --scheme NAME        moreau: Moreau-Jean theta scheme (the default),\n"
     "                       set by theta; located: Taylor series from switch\n"
     "                       to switch, of high order, set by tolerance (laws\n"
-    "                       jump, coulomb, none)\n" CLI_RUN_HELP_MORE
+    "                       jump, coulomb, none)\n"
+    "                       compensated: moreau that carries its rounding\n"
+    "                       along, for small steps in float\n"
+    "  --realtime           a step waits for its time on the wall clock; the\n"
+    "                       summary counts those that were late\n"
     "  --select RULE        where the future is open: persist, slip+, slip-,\n"
     "                       random[:SEED]; default: the scene's own\n"
     "  --set NAME=VALUE     a parameter, the start or the law; each NAME once\n"
@@ -119,32 +123,48 @@ static void print_names(void) {
       stdout);
 }
 
+static void print_run(void) {
+  (void)fputs(run_usage, stdout);
+  print_names();
+}
+
+static void print_monitor(void) { (void)fputs(monitor_usage, stdout); }
+
+// Pages that are more than a text, or have no file of their own.
+static const struct {
+  const char *command;
+  void (*print)(void);
+} pages[] = {{"run", print_run},
+             {"monitor", print_monitor},
+             {"diverge", cli_diverge_help}};
+#define PAGES (sizeof pages / sizeof pages[0])
+
+static size_t page_of(const char *command) {
+  size_t i = 0;
+  while (i < PAGES && strcmp(pages[i].command, command) != 0) {
+    i++;
+  }
+  return i;
+}
+
+bool cli_has_page(const char *command) {
+  return page_of(command) < PAGES || cli_analysis_page(command) != NULL;
+}
+
 int cli_help(int argc, char *const argv[]) {
   if (argc == 0) {
     (void)fputs(usage, stdout);
-    return cli_finish_stdout();
+  } else if (argc == 1 && page_of(argv[0]) < PAGES) {
+    pages[page_of(argv[0])].print();
+  } else if (argc == 1 && cli_analysis_page(argv[0]) != NULL) {
+    (void)fputs(cli_analysis_page(argv[0]), stdout);
+  } else {
+    return cli_complain(CLI_USAGE,
+                        "help: no help on '%s'; try 'twofold help' or "
+                        "'twofold help run'",
+                        argv[argc - 1]);
   }
-  if (argc == 1 && strcmp(argv[0], "run") == 0) {
-    (void)fputs(run_usage, stdout);
-    print_names();
-    return cli_finish_stdout();
-  }
-  if (argc == 1 && strcmp(argv[0], "monitor") == 0) {
-    (void)fputs(monitor_usage, stdout);
-    return cli_finish_stdout();
-  }
-  if (argc == 1 && strcmp(argv[0], "diverge") == 0) {
-    return cli_diverge_help();
-  }
-  const char *page = argc == 1 ? cli_analysis_page(argv[0]) : NULL;
-  if (page != NULL) {
-    (void)fputs(page, stdout);
-    return cli_finish_stdout();
-  }
-  return cli_complain(CLI_USAGE,
-                      "help: no help on '%s'; try 'twofold help' or "
-                      "'twofold help run'",
-                      argv[argc - 1]);
+  return cli_finish_stdout();
 }
 
 int cli_version(void) {

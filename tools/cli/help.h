@@ -3,16 +3,14 @@
 #ifndef TWOFOLD_CLI_HELP_H
 #define TWOFOLD_CLI_HELP_H
 
-/// Of `twofold help run`: what follows the schemes that switch.
-#define CLI_RUN_HELP_MORE                                                     \
-  "                       compensated: moreau that carries its rounding\n"    \
-  "                       along, for small steps in float\n"                  \
-  "  --realtime           a step waits for its time on the wall clock; the\n" \
-  "                       summary counts those that were late\n"
+#include <stdbool.h>
 
 /// `twofold help [COMMAND]`.
 /// Returns: CLI_DONE, CLI_STOPPED (not writable) or CLI_USAGE (complained).
 int cli_help(int argc, char *const argv[]);
+
+/// Whether `twofold help COMMAND` has a page.
+bool cli_has_page(const char *command);
 
 /// `twofold --version`.
 int cli_version(void);
