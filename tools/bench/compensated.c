@@ -11,9 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rounded.h"
 #include "twofold.h"
-
-#define TO_FLOAT(x) ((tf_real_t)(float)(x))
 
 // A scene or a variant of it.
 typedef struct {
@@ -61,13 +60,7 @@ static tf_status_t begin(run_t *run, const problem_t *problem, tf_real_t dt) {
     run->state.r = TO_FLOAT(problem->r);
     run->state.w = TO_FLOAT(problem->omega);
   }
-  for (int i = 0; i < TF_PARAMETERS; i++) {
-    char *member = (char *)&params + tf_parameter_ranges[i].offset;
-    tf_real_t value;
-    memcpy(&value, member, sizeof value);
-    value = TO_FLOAT(value);
-    memcpy(member, &value, sizeof value);
-  }
+  round_params(&params);
   params.dt = dt;
   params.with_angle = true;
   tf_status_t status = tf_prepare_compensated(&run->machine, &params, NULL);

@@ -9,9 +9,9 @@
 // The two ways have to end in the same bits, or the race would be void.
 #define _POSIX_C_SOURCE 200809L
 
-#include <time.h>
 
 #include "chaos.h"
+#include "timing.h"
 
 #define N 256     // states and reports of both ways stay within 64 KiB
 #define STEPS 100 // a round, short enough that few are interrupted
@@ -30,12 +30,6 @@ typedef struct {
 } ensemble_t;
 
 static ensemble_t ensemble;
-
-static double seconds(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static void advance(ensemble_t *e, tf_state_t *x, int steps) {
   tf_report_t report;
@@ -62,12 +56,12 @@ static void begin_seeds(ensemble_t *e) {
 
 static double time_steps(ensemble_t *e) {
   memcpy(e->states, e->start, sizeof e->states);
-  const double begin = seconds();
+  const double begin = timing_process();
   for (int n = 0; n < STEPS; n++)
     for (size_t i = 0; i < N; i++)
       tf_step(&e->chaos.machine, &e->states[i], &e->chaos.input,
               &e->reports[i]);
-  return (seconds() - begin) / STEPS / N;
+  return (timing_process() - begin) / STEPS / N;
 }
 
 // Returns how many lanes left the common path.
@@ -86,9 +80,9 @@ static void begin_ensemble(ensemble_t *e) {
 
 static double time_ensemble(ensemble_t *e) {
   begin_ensemble(e);
-  const double begin = seconds();
+  const double begin = timing_process();
   run_ensemble(e, STEPS);
-  return (seconds() - begin) / STEPS / N;
+  return (timing_process() - begin) / STEPS / N;
 }
 
 static double share_alone(ensemble_t *e) {
@@ -109,11 +103,6 @@ static void compare(const ensemble_t *e) {
   }
 }
 
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 static void race(const char *name, ensemble_t *e) {
   double step[ROUNDS], lanes[ROUNDS], ratio[ROUNDS];
   time_steps(e); // warms up
@@ -124,9 +113,9 @@ static void race(const char *name, ensemble_t *e) {
     lanes[i] = time_ensemble(e);
     ratio[i] = step[i] / lanes[i];
   }
-  qsort(step, ROUNDS, sizeof *step, ascending);
-  qsort(lanes, ROUNDS, sizeof *lanes, ascending);
-  qsort(ratio, ROUNDS, sizeof *ratio, ascending);
+  timing_sort(step, ROUNDS);
+  timing_sort(lanes, ROUNDS);
+  timing_sort(ratio, ROUNDS);
   printf("%s\n", name);
   printf("step %.1f\n", 1e9 * step[ROUNDS / 2]);
   printf("ensemble %.1f\n", 1e9 * lanes[ROUNDS / 2]);

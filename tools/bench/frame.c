@@ -5,9 +5,8 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
 
+#include "timing.h"
 #include "twofold.h"
 
 #define STEPS 20000
@@ -16,12 +15,6 @@
 #define BLOCK 65536
 
 static uint8_t line[STEPS * PAIR];
-
-static double seconds(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 // A motion with a mantissa full of digits. Returns: bytes made.
 static size_t make_stream(const tf_session_t *start, const tf_scene_t *scene) {
@@ -72,11 +65,6 @@ static uint32_t seal_frames(tf_decoder_t *decoder, size_t length) {
   return 2 * STEPS;
 }
 
-static int by_size(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 static int race(const char *name, size_t length,
                 uint32_t (*way)(tf_decoder_t *, size_t)) {
   static uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
@@ -84,11 +72,11 @@ static int race(const char *name, size_t length,
   for (int i = 0; i < ROUNDS; i++) {
     tf_decoder_t decoder;
     tf_decoder_init(&decoder, buffer, sizeof buffer);
-    const double started = seconds();
+    const double started = timing_process();
     if (way(&decoder, length) != 2 * STEPS) return 1;
-    rate[i] = 1e-6 * (double)length / (seconds() - started);
+    rate[i] = 1e-6 * (double)length / (timing_process() - started);
   }
-  qsort(rate, ROUNDS, sizeof rate[0], by_size);
+  timing_sort(rate, ROUNDS);
   printf("%-8s %6.0f %6.0f %6.0f MB/s\n", name, rate[ROUNDS / 2], rate[0],
          rate[ROUNDS - 1]);
   return 0;

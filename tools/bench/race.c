@@ -5,39 +5,33 @@
 // they are the same motion up to the smoothing, or the race would be void.
 #define _POSIX_C_SOURCE 200809L
 
-#include <time.h>
 
 #include "chaos.h"
+#include "timing.h"
 
 #define ROUNDS 41
 #define BATCH 100000 // steps: 10 s of motion, all its phases
 #define APART 10000  // steps: 1 s, before the two-fold ends the comparison
-
-static double seconds(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static volatile tf_real_t sink; // no result, no work
 
 static double time_twofold(const chaos_t *c) {
   tf_state_t state = c->start;
   tf_report_t report;
-  const double begin = seconds();
+  const double begin = timing_wall();
   for (int i = 0; i < BATCH; i++) {
     tf_step(&c->machine, &state, &c->input, &report);
   }
   sink = state.r;
-  return (seconds() - begin) / BATCH;
+  return (timing_wall() - begin) / BATCH;
 }
 
 static double time_rk4(const chaos_t *c) {
   rk4_state_t state = c->smooth_start;
-  const double begin = seconds();
+  const double begin = timing_wall();
   for (int i = 0; i < BATCH; i++) rk4_smooth_step(&c->smooth, &state);
   sink = state.r;
-  return (seconds() - begin) / BATCH;
+  return (timing_wall() - begin) / BATCH;
 }
 
 static void print_apart(const chaos_t *c) {
@@ -53,11 +47,6 @@ static void print_apart(const chaos_t *c) {
   printf("apart %g %.2g\n", t, apart < 0 ? -apart : apart);
 }
 
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 int main(void) {
   const chaos_t c = chaos_begin();
   double step[ROUNDS], rk4[ROUNDS], ratio[ROUNDS];
@@ -68,9 +57,9 @@ int main(void) {
     rk4[i] = time_rk4(&c);
     ratio[i] = rk4[i] / step[i];
   }
-  qsort(step, ROUNDS, sizeof *step, ascending);
-  qsort(rk4, ROUNDS, sizeof *rk4, ascending);
-  qsort(ratio, ROUNDS, sizeof *ratio, ascending);
+  timing_sort(step, ROUNDS);
+  timing_sort(rk4, ROUNDS);
+  timing_sort(ratio, ROUNDS);
   printf("state %zu\n", sizeof(tf_state_t));
   printf("step %.1f\n", 1e9 * step[ROUNDS / 2]);
   printf("rk4 %.1f\n", 1e9 * rk4[ROUNDS / 2]);

@@ -7,23 +7,12 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
+
+#include "bench/timing.h"
 
 #define SEED 20240607u
 #define RUNS 25     // at most, in one round
 #define ENOUGH 1e-2 // [s] of runs in a row
-
-static double seconds(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
 
 long sweep_steps(const problem_t *problem, double dt) {
   const double steps = ceil(problem->t_end / dt);
@@ -45,16 +34,16 @@ static double setting_of(const peer_t *peer, int number, int i) {
 static double median_time(const problem_t *problem, const peer_t *peer,
                           double setting, answer_t *answer) {
   double time[RUNS];
-  const double begin = seconds();
+  const double begin = timing_wall();
   int n = 0;
   double now = begin;
   while (n == 0 || (n < RUNS && now - begin < ENOUGH)) {
-    const double start = seconds();
+    const double start = timing_wall();
     peer->solve(problem, setting, peer->width, answer);
-    now = seconds();
+    now = timing_wall();
     time[n++] = now - start;
   }
-  qsort(time, (size_t)n, sizeof *time, ascending);
+  timing_sort(time, (size_t)n);
   return time[n / 2];
 }
 

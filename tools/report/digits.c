@@ -9,20 +9,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "bench/rounded.h"
 #include "part.h"
 
-#define REAL (sizeof(tf_real_t) == 8 ? "double" : "float")
 #define FINEST 20
-
-static void round_params(tf_params_t *params) {
-  for (int i = 0; i < TF_PARAMETERS; i++) {
-    char *member = (char *)params + tf_parameter_ranges[i].offset;
-    tf_real_t value;
-    memcpy(&value, member, sizeof value);
-    value = (tf_real_t)(float)value;
-    memcpy(member, &value, sizeof value);
-  }
-}
 
 static int print_end(const part_t *part, scheme_t scheme, int k,
                      const char *name) {
@@ -40,11 +30,11 @@ static int print_end(const part_t *part, scheme_t scheme, int k,
   params.tolerance = 0;
   if (tf_prepare_compensated(&run.machine, &params, NULL) != TF_OK) return 0;
   run.input = tf_input_default(&run.machine.machine);
-  run.state.r = (tf_real_t)(float)start.x[0];
-  run.state.w = (tf_real_t)(float)start.x[2];
+  run.state.r = TO_FLOAT(start.x[0]);
+  run.state.w = TO_FLOAT(start.x[2]);
   run.state.mode = truth_mode(part->problem, part->from);
   // The start has its slip to all digits: rounding v would turn its sign.
-  const tf_real_t h = (tf_real_t)(float)truth_start_slip(part->problem);
+  const tf_real_t h = TO_FLOAT(truth_start_slip(part->problem));
   if (tf_place_compensated(&run.machine, &run.state, &run.carry,
                            run.input.omega0, h) != TF_OK)
     return 0;
@@ -52,10 +42,8 @@ static int print_end(const part_t *part, scheme_t scheme, int k,
     return 0;
   for (long i = 0; i < steps; i++)
     if (part_step(&run) < 0) return 0;
-  printf("%s %.4g %s %s %.17g %.17g %.17g\n", part->name, dt, REAL, name,
-         (double)run.state.r + (scheme == CARRIED ? (double)run.carry.r : 0),
-         (double)run.state.v + (scheme == CARRIED ? (double)run.carry.v : 0),
-         (double)run.state.w + (scheme == CARRIED ? (double)run.carry.w : 0));
+  printf("%s ", part->name);
+  part_print_end(&run, dt, name);
   return 1;
 }
 

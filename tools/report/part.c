@@ -6,6 +6,7 @@
 #include "part.h"
 
 #include <math.h>
+#include <stdio.h>
 
 const part_t parts[PARTS] = {
     {"smooth", "(a) smooth slip", "crossings", 0.5L, 0.625L, 1, 0.5},
@@ -44,6 +45,17 @@ tf_status_t part_begin(run_t *run, const part_t *part,
   run->state.mode = truth_mode(part->problem, part->from);
   return tf_begin(&run->machine.machine, &run->state, &run->input,
                   &run->report);
+}
+
+void part_print_end(const run_t *run, double dt, const char *name) {
+  const tf_state_t *s = &run->state;
+  const tf_carry_t *c = &run->carry;
+  const tf_real_t high[3] = {s->r, s->v, s->w}, low[3] = {c->r, c->v, c->w};
+  printf("%.4g %s %s", dt, REAL, name);
+  for (int i = 0; i < 3; i++)
+    printf(" %.17g",
+           (double)high[i] + (run->scheme == CARRIED ? (double)low[i] : 0));
+  printf("\n");
 }
 
 double part_error(const run_t *run, const truth_state_t *truth) {

@@ -19,6 +19,8 @@ extern const part_t parts[PARTS];
 
 typedef enum { MOREAU, CARRIED, LOCATED } scheme_t;
 #define SCHEMES 3
+/// The real type of this build.
+#define REAL (sizeof(tf_real_t) == 8 ? "double" : "float")
 extern const char *const scheme_names[SCHEMES];
 
 /// A machine in motion.
@@ -52,6 +54,10 @@ static inline tf_status_t part_step(run_t *run) {
                      &run->report);
   }
 }
+
+/// Prints `dt real scheme r v w`, the end of a run by `name`. A run that
+/// carries its rounding ends at the sum.
+void part_print_end(const run_t *run, double dt, const char *name);
 
 /// Largest difference of r [m], v [m/s] and w [rad/s]; infinity for no number.
 double part_error(const run_t *run, const truth_state_t *truth);

@@ -13,11 +13,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "bench/timing.h"
 #include "part.h"
 
-#define REAL (sizeof(tf_real_t) == 8 ? "double" : "float")
 #define MOST 40000
 // What randomises: a kick at the two-fold, h uniform within so many m/s, and
 // the rule with its rate. Without a kick the rule alone decides nothing: a
@@ -32,17 +31,6 @@ typedef struct {
   double ns; // of one run
   double r[MOST];
 } sample_t;
-
-static double seconds(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
 
 // A machine at the two-fold; the part's own start is not used.
 static int begin(run_t *run, scheme_t scheme, long steps, double tolerance,
@@ -70,7 +58,7 @@ static int begin(run_t *run, scheme_t scheme, long steps, double tolerance,
 static void draw(sample_t *out, scheme_t scheme, long steps, double tolerance,
                  int runs, uint32_t first_seed) {
   out->n = out->refused = 0;
-  const double start = seconds();
+  const double start = timing_wall();
   for (int i = 0; i < runs; i++) {
     const uint32_t seed = first_seed + (uint32_t)i;
     const double kick = KICK * (2 * part_random(902, seed) - 1);
@@ -82,8 +70,8 @@ static void draw(sample_t *out, scheme_t scheme, long steps, double tolerance,
     else
       out->refused++;
   }
-  out->ns = 1e9 * (seconds() - start) / runs;
-  qsort(out->r, (size_t)out->n, sizeof *out->r, ascending);
+  out->ns = 1e9 * (timing_wall() - start) / runs;
+  timing_sort(out->r, (size_t)out->n);
 }
 
 // Kolmogorov and Smirnov: the largest difference of the two distributions.

@@ -14,12 +14,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bench/rounded.h"
 #include "part.h"
 
-#define REAL (sizeof(tf_real_t) == 8 ? "double" : "float")
 #define COARSE 244 // small steps in one of the reference: 4096 a second
 #define FINE 8     // steps of the reference in a small one
-#define TO_FLOAT(x) ((tf_real_t)(float)(x))
 
 // Turntable's speed in double, whatever the real type.
 static double speed_at(const tf_scene_t *scene, double t) {
@@ -46,13 +45,7 @@ static tf_input_t input_at(const run_t *run, const tf_scene_t *scene, double t,
 
 static int begin(run_t *run, const tf_scene_t *scene, double dt) {
   tf_params_t params = scene->params;
-  for (int i = 0; i < TF_PARAMETERS; i++) {
-    char *member = (char *)&params + tf_parameter_ranges[i].offset;
-    tf_real_t value;
-    memcpy(&value, member, sizeof value);
-    value = TO_FLOAT(value);
-    memcpy(member, &value, sizeof value);
-  }
+  round_params(&params);
   params.dt = (tf_real_t)dt;
   params.tolerance = 0;
   params.with_angle = false;
@@ -81,11 +74,8 @@ static int print_end(const tf_scene_t *scene, long of, scheme_t scheme, long n,
       run.input = input_at(&run, scene, (double)(i + 1) * dt, dt, rounded);
     if (part_step(&run) < 0) return 0;
   }
-  printf("%s/%.0e %.4g %s %s %.17g %.17g %.17g\n", scene->name, (double)of, dt,
-         REAL, name,
-         (double)run.state.r + (scheme == CARRIED ? (double)run.carry.r : 0),
-         (double)run.state.v + (scheme == CARRIED ? (double)run.carry.v : 0),
-         (double)run.state.w + (scheme == CARRIED ? (double)run.carry.w : 0));
+  printf("%s/%.0e ", scene->name, (double)of);
+  part_print_end(&run, dt, name);
   return 1;
 }
 

@@ -10,11 +10,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "bench/timing.h"
 #include "part.h"
 
-#define REAL (sizeof(tf_real_t) == 8 ? "double" : "float")
 #define RUNS 25 // at most, for the time of one
 #define LEAST 3
 #define ENOUGH 4e-3 // [s] of runs in a row
@@ -151,36 +150,25 @@ static result_t watch(const course_t *course, const setting_t *set) {
   return out;
 }
 
-static double seconds(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b) {
-  const double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 static volatile tf_real_t sink; // no result, no work
 
 // Median time of a run from nothing: preparation, begin, all steps [ns].
 static double time_of(const course_t *course, const setting_t *set) {
   double time[RUNS];
-  const double begin = seconds();
+  const double begin = timing_wall();
   double now = begin;
   int n = 0;
   while (n < LEAST || (n < RUNS && now - begin < ENOUGH)) {
-    const double start = seconds();
+    const double start = timing_wall();
     run_t run;
     tf_status_t status = part_begin(&run, course->part, &course->at[0],
                                     set->scheme, set->n, set->tolerance);
     for (long i = 0; i < set->n && status >= 0; i++) status = part_step(&run);
     sink = run.state.r;
-    now = seconds();
+    now = timing_wall();
     time[n++] = now - start;
   }
-  qsort(time, (size_t)n, sizeof *time, ascending);
+  timing_sort(time, (size_t)n);
   return 1e9 * time[n / 2];
 }
 
