@@ -16,7 +16,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "twofold.h"
+#include "arrow.h"
+#include "place.h"
 
 static const double unit = 0.02; // [rad/s]
 
@@ -28,18 +29,8 @@ typedef struct {
   double size;       // S
 } chart_t;
 
-static tf_surface_t surface_at(const chart_t *k, double r, double w) {
-  tf_surface_t at = {.region = TF_REGION_CORNER};
-  tf_real_t v = 0;
-  (void)tf_speed_for_slip(&k->machine, (tf_real_t)r, (tf_real_t)w,
-                          k->input.omega0, 0, &v);
-  (void)tf_surface_at(&k->machine, &k->input, (tf_real_t)r, v, (tf_real_t)w,
-                      &at);
-  return at;
-}
-
 static void coordinates(const chart_t *k, double r, double w, double out[2]) {
-  const tf_surface_t at = surface_at(k, r, w);
+  const tf_surface_t at = surface_at(&k->machine, &k->input, r, w);
   out[0] = (double)at.lie_minus / sqrt((double)k->fold.Kmm) / k->size;
   out[1] = -(double)at.lie_plus / sqrt(-(double)k->fold.Kpp) / k->size;
 }
@@ -108,7 +99,7 @@ static void advance(const chart_t *k, int true_field, double step, double x[2],
   }
   double mid[2] = {y[0], y[1]};
   for (int stage = 0; stage < 2; stage++) {
-    const tf_surface_t at = surface_at(k, mid[0], mid[1]);
+    const tf_surface_t at = surface_at(&k->machine, &k->input, mid[0], mid[1]);
     const double dr = (double)at.stick.r, dw = (double)at.stick.w;
     const double det = k->a * k->d - k->b * k->c;
     const double length =
@@ -144,13 +135,10 @@ static void orbit(const chart_t *k, int true_field, double r, double w) {
       path[at][1] = x[1];
     }
   }
-  const int middle = (first + last) / 2;
   for (int i = first; i <= last; i += EVERY) {
-    const int next = i + EVERY < last ? i + EVERY : last;
-    const int arrow = i <= middle && middle < next;
+    const arrow_t arrow = arrow_at(path, first, last, i, EVERY);
     printf("%d %.4f %.4f %.4f %.4f\n", true_field, path[i][0], path[i][1],
-           arrow ? path[next][0] - path[i][0] : 0,
-           arrow ? path[next][1] - path[i][1] : 0);
+           arrow.x, arrow.y);
   }
   printf("\n");
 }

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arrow.h"
 #include "twofold.h"
 
 static const double r_low = 0.10, r_high = 0.28;
@@ -110,13 +111,9 @@ static void orbit(const tf_machine_t *k, double r, double rho, double phi) {
       path[at][1] = exp(x) * sin(y);
     }
   }
-  const int middle = (first + last) / 2;
   for (int i = first; i <= last; i += EVERY) {
-    const int next = i + EVERY < last ? i + EVERY : last;
-    const int arrow = i <= middle && middle < next;
-    printf("%.4f %.4f %.4f %.4f\n", path[i][0], path[i][1],
-           arrow ? path[next][0] - path[i][0] : 0,
-           arrow ? path[next][1] - path[i][1] : 0);
+    const arrow_t arrow = arrow_at(path, first, last, i, EVERY);
+    printf("%.4f %.4f %.4f %.4f\n", path[i][0], path[i][1], arrow.x, arrow.y);
   }
   printf("\n");
 }

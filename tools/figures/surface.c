@@ -11,7 +11,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "twofold.h"
+#include "arrow.h"
+#include "place.h"
 
 static const double r_low = 0.10, r_high = 0.28;
 static const double w_low = -1.16, w_high = -0.88;
@@ -21,20 +22,9 @@ typedef struct {
   tf_input_t input;
 } scene_t;
 
-// The surface over (r, omega).
-static tf_surface_t surface_at(const scene_t *scene, double r, double w) {
-  tf_surface_t at = {.region = TF_REGION_CORNER};
-  tf_real_t v = 0;
-  (void)tf_speed_for_slip(&scene->machine, (tf_real_t)r, (tf_real_t)w,
-                          scene->input.omega0, 0, &v);
-  (void)tf_surface_at(&scene->machine, &scene->input, (tf_real_t)r, v,
-                      (tf_real_t)w, &at);
-  return at;
-}
-
 // h' just off the surface.
 static double leave(const scene_t *scene, double r, double w, int side) {
-  const tf_surface_t at = surface_at(scene, r, w);
+  const tf_surface_t at = surface_at(&scene->machine, &scene->input, r, w);
   return (double)(side > 0 ? at.lie_plus : at.lie_minus);
 }
 
@@ -91,7 +81,8 @@ static void borders(const scene_t *scene) {
 // everywhere.
 static int way(const scene_t *scene, const double y[2], double step,
                double out[2]) {
-  const tf_surface_t at = surface_at(scene, y[0], y[1]);
+  const tf_surface_t at =
+      surface_at(&scene->machine, &scene->input, y[0], y[1]);
   const double dr = (double)at.stick.r, dw = (double)at.stick.w;
   const double length = hypot(dr / (r_high - r_low), dw / (w_high - w_low));
   if (!(length > 0)) {
@@ -104,7 +95,8 @@ static int way(const scene_t *scene, const double y[2], double step,
 
 // One midpoint step; 0 where it leaves its region or the plot.
 static int advance(const scene_t *scene, double y[2], double step) {
-  const unsigned here = surface_at(scene, y[0], y[1]).region;
+  const unsigned here =
+      surface_at(&scene->machine, &scene->input, y[0], y[1]).region;
   const double w0 = (double)scene->input.omega0;
   double dy[2];
   if (!way(scene, y, step, dy)) {
@@ -112,13 +104,15 @@ static int advance(const scene_t *scene, double y[2], double step) {
   }
   const double mid[2] = {y[0] + dy[0] / 2, y[1] + dy[1] / 2};
   if ((y[1] - w0) * (mid[1] - w0) <= 0 ||
-      surface_at(scene, mid[0], mid[1]).region != here ||
+      surface_at(&scene->machine, &scene->input, mid[0], mid[1]).region !=
+          here ||
       !way(scene, mid, step, dy)) {
     return 0;
   }
   const double r = y[0] + dy[0], w = y[1] + dy[1];
-  if (surface_at(scene, r, w).region != here || (y[1] - w0) * (w - w0) <= 0 ||
-      r < r_low || r > r_high || w < w_low || w > w_high) {
+  if (surface_at(&scene->machine, &scene->input, r, w).region != here ||
+      (y[1] - w0) * (w - w0) <= 0 || r < r_low || r > r_high || w < w_low ||
+      w > w_high) {
     return 0;
   }
   y[0] = r;
@@ -141,22 +135,20 @@ static unsigned char *cell_of(const double y[2]) {
 }
 
 static void print_path(int first, int last, int sticks) {
-  const int middle = first + (last - first) / 2;
   for (int i = first; i <= last; i++) {
     *cell_of(path[i]) = 1;
   }
   for (int i = first; i <= last; i += EVERY) {
-    const int next = i + EVERY < last ? i + EVERY : last;
-    const int arrow = i <= middle && middle < next;
-    printf("%.5f %.5f %d %.5f %.5f\n", path[i][0], path[i][1], sticks,
-           arrow ? path[next][0] - path[i][0] : 0,
-           arrow ? path[next][1] - path[i][1] : 0);
+    const arrow_t arrow = arrow_at(path, first, last, i, EVERY);
+    printf("%.5f %.5f %d %.5f %.5f\n", path[i][0], path[i][1], sticks, arrow.x,
+           arrow.y);
   }
   printf("\n");
 }
 
 static void orbit(const scene_t *scene, double r, double w) {
-  const unsigned region = surface_at(scene, r, w).region;
+  const unsigned region =
+      surface_at(&scene->machine, &scene->input, r, w).region;
   const double start[2] = {r, w};
   int first = LONGEST, last = LONGEST;
   if ((region != TF_REGION_SLIDING && region != TF_REGION_ESCAPING) ||
