@@ -9,7 +9,6 @@
 // The two ways have to end in the same bits, or the race would be void.
 #define _POSIX_C_SOURCE 200809L
 
-
 #include "chaos.h"
 #include "timing.h"
 

@@ -5,7 +5,6 @@
 // they are the same motion up to the smoothing, or the race would be void.
 #define _POSIX_C_SOURCE 200809L
 
-
 #include "chaos.h"
 #include "timing.h"
 

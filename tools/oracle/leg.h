@@ -26,7 +26,7 @@ typedef enum {
   END_H,       // h = 0
   END_G,       // g = 0
   END_ZONE,    // another zone of the string
-  END_PLUS,    // h' of slip+ turns its sign; pinned: F or M out of reach
+  END_PLUS,    // h' of slip+ turns its sign
   END_MINUS,   // h' of slip- does
   END_FALL,    // into h = g = 0
   END_CHART,   // other coordinates are better

@@ -3,8 +3,8 @@
 // a relay by
 //   F = lambda (4/3 - T / (18 kappa)),  M = lambda sign(g) T / 6,
 //   lambda in mu Sgn(h)
-// so that x' = f(x) + B (-lambda): its relay is -y in N(lambda). B is taken at the middle of the step, guessed
-// from the step before.
+// so that x' = f(x) + B (-lambda): its relay is -y in N(lambda). B is taken at
+// the middle of the step, guessed from the step before.
 #include <SiconosKernel.hpp>
 #include <cstdio>
 

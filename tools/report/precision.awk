@@ -3,9 +3,9 @@
 # Slopes are least squares of log(error) over log(dial) on settings that are
 # neither another branch nor flagged, coarser than the one of least error, 30
 # times above that error, which rounding or the other dial sets, and below a
-# tenth of the part's border. `Error for T`: the least error that a setting of at most that time has,
-# its two neighbours on the grid included, so that no lucky setting counts.
-# `Time to E`: the least time of a setting that has it, the next two included.
+# tenth of the part's border. `Error for T`: the least error that a setting of at
+# most that time has, its two neighbours on the grid included, so that no lucky
+# setting counts. `Time to E`: the least time of a setting that has it, the next two included.
 FNR == 1 { file++ }
 file == 1 {
   split($0, f, ",")

@@ -15,7 +15,8 @@ typedef struct {
   const tf_scene_t *scene; ///< of the inputs; NULL: inputs at rest
 } case_t;
 
-/// One sweep. Values are 10^(low + i / per_decade) unless `value` says else.
+/// One sweep. Values are 10^(low + i / per_decade); where per_decade is 0,
+/// sweep_value has them.
 typedef struct {
   const char *name;
   const char *axis;  ///< what is varied

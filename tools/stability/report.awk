@@ -1,6 +1,6 @@
 # Writes STABILITY.md from the list of sweeps and from all cells. Exit code 1
 # where a promise of the core is broken.
-#   awk -f report.awk -v work=DIR -v seconds=S LIST CELLS
+#   awk -f report.awk -v seconds=S LIST CELLS
 
 function stable(verdict) { return verdict == "ok" || verdict == "degraded" }
 

@@ -9,13 +9,6 @@
 
 #include "cell.h"
 
-#ifdef __has_include
-#if __has_include("twofold/locate.h")
-#include "twofold/locate.h"
-#define HAS_LOCATE
-#endif
-#endif
-
 static const struct {
   const char *name;
   step_t *step;
@@ -23,9 +16,7 @@ static const struct {
 } schemes[] = {
     {"moreau-0.5", tf_step, TF_R(0.5)},
     {"moreau-1", tf_step, TF_R(1.0)},
-#ifdef HAS_LOCATE
     {"located", tf_locate, TF_R(0.5)},
-#endif
 };
 
 // The codes by their names in status.h: tf_status_name has words with commas.
