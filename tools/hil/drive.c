@@ -1,0 +1,107 @@
+// The closed loop, as the controller's end sees it: states come, inputs go.
+#include "hil/drive.h"
+
+#include <inttypes.h>
+
+#include "cli/host.h"
+
+#define PATIENCE 5.0  // without a state [s]
+#define TRIES 8       // of an input to a board that stands
+#define OUTSTANDING 3 // inputs that the board may hold; its queue has four
+
+// What another host left in the queue is cleared; frames on their way are let
+// pass until an answer comes.
+hil_code_t hil_prepare(hil_board_t *board) {
+  static const tf_type_t orders[] = {TF_UP_STOP, TF_UP_RESET, TF_UP_DESCRIBE};
+  hil_code_t code = hil_board_send(board, TF_UP_CLEAR, 0, NULL, 0);
+  for (size_t i = 0; i < 3 && code == HIL_EQUAL; i++)
+    code = hil_board_order(board, orders[i]);
+  const double until = cli_now() + PATIENCE;
+  board->listens = true;
+  while (code == HIL_EQUAL && !(board->has_schema && board->count > 0)) {
+    code = hil_board_listen(board, 100);
+    if (code == HIL_EQUAL && cli_now() > until)
+      code = hil_complain(HIL_STOPPED, "the board tells no state");
+  }
+  if (code == HIL_EQUAL && board->samples[0].tick != 0)
+    code = hil_complain(HIL_STOPPED, "the board did not go to its start");
+  return code;
+}
+
+static uint64_t last_tick(const hil_board_t *board) {
+  return board->samples[board->count - 1].tick;
+}
+
+static hil_code_t wait_for_state(hil_board_t *board) {
+  const double until = cli_now() + PATIENCE;
+  while (!board->has_new) {
+    const hil_code_t code = hil_board_listen(board, 100);
+    if (code != HIL_EQUAL) return code;
+    if (!board->has_new && cli_now() > until)
+      return hil_complain(HIL_STOPPED, "no state after step %" PRIu64,
+                          last_tick(board));
+  }
+  return HIL_EQUAL;
+}
+
+// What stays without one is told at the end.
+static hil_code_t wait_for_answers(hil_board_t *board, double patience) {
+  const double until = cli_now() + patience;
+  hil_code_t code = HIL_EQUAL;
+  while (code == HIL_EQUAL && hil_board_waiting(board) > 0 && cli_now() < until)
+    code = hil_board_listen(board, 100);
+  return code;
+}
+
+// The input for the newest state, if the board has room for it.
+static hil_code_t respond(hil_board_t *board, const hil_plan_t *plan,
+                          const hil_control_t *control) {
+  hil_sample_t *sample = &board->samples[board->count - 1];
+  tf_machine_t machine;
+  tf_state_t state;
+  board->has_new = false;
+  if (sample->tick + plan->delay >= plan->steps ||
+      hil_board_waiting(board) >= OUTSTANDING)
+    return HIL_EQUAL;
+  (void)tf_prepare(&machine, &board->params, NULL);
+  tf_read_state(sample->state, sample->tick, &state);
+  sample->input = hil_control(control, &machine, &state);
+  return hil_board_drive(board, sample, sample->tick + plan->delay);
+}
+
+// The stop comes first: from the start on the board does not wait for us.
+static hil_code_t respond_in_lockstep(hil_board_t *board,
+                                      const hil_plan_t *plan,
+                                      const hil_control_t *control) {
+  const uint64_t tick = last_tick(board);
+  if (tick != (board->count - 1) * plan->every)
+    return hil_complain(HIL_STOPPED, "step %" PRIu64 ": a command was lost",
+                        tick);
+  hil_code_t code =
+      hil_board_send(board, TF_UP_STOP, tick + plan->every, NULL, 0);
+  // The board stands: an input that is said twice takes effect once.
+  for (int tries = 0; code == HIL_EQUAL && tries < TRIES; tries++) {
+    code = respond(board, plan, control);
+    if (code == HIL_EQUAL) code = wait_for_answers(board, 0.5);
+    if (hil_board_waiting(board) == 0) break;
+  }
+  return code == HIL_EQUAL ? hil_board_order(board, TF_UP_START) : code;
+}
+
+hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
+                     const hil_control_t *control) {
+  hil_code_t code = HIL_EQUAL;
+  board->has_new = true; // the start
+  while (code == HIL_EQUAL && last_tick(board) < plan->steps &&
+         board->count < board->room) {
+    if (board->has_new)
+      code = plan->in_lockstep ? respond_in_lockstep(board, plan, control)
+                               : respond(board, plan, control);
+    if (code == HIL_EQUAL && last_tick(board) == 0 && !plan->in_lockstep)
+      code = hil_board_order(board, TF_UP_START);
+    if (code == HIL_EQUAL) code = wait_for_state(board);
+  }
+  if (code != HIL_EQUAL) return code;
+  code = hil_board_order(board, TF_UP_STOP);
+  return code == HIL_EQUAL ? wait_for_answers(board, 1) : code;
+}

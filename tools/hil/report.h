@@ -1,0 +1,17 @@
+/// @file
+/// What a run of the closed loop leaves behind: its rows and its summary.
+#ifndef TWOFOLD_HIL_REPORT_H
+#define TWOFOLD_HIL_REPORT_H
+
+#include "hil/board.h"
+#include "hil/twin.h"
+
+/// Writes a row for every state that was read.
+/// Returns: HIL_EQUAL or HIL_STOPPED (complained).
+hil_code_t hil_write_csv(const hil_board_t *board, const char *name);
+
+/// Prints what the run added up to.
+void hil_report(const hil_board_t *board, const hil_plan_t *plan,
+                const hil_verdict_t *v);
+
+#endif
