@@ -99,13 +99,22 @@ static tf_machine_t scene_machine;
 
 #define SCENE_MACHINE ((const tf_machine_t *)&scene_machine)
 #define SCENE (tf_scenes[chosen_scene])
+#endif
 
+/// The step of the parameters becomes that of the firmware, if it has its own.
+static inline void scene_pace(tf_params_t *params) {
+#ifdef SCENE_RATE
+  params->dt = TF_R(1.0) / SCENE_RATE;
+#else
+  (void)params;
+#endif
+}
+
+#ifndef SCENE_HEADER
 static inline void scene_begin(tf_state_t *state, tf_report_t *report) {
   const tf_scene_t *scene = SCENE;
   tf_params_t params = scene->params;
-#ifdef SCENE_RATE
-  params.dt = TF_R(1.0) / SCENE_RATE;
-#endif
+  scene_pace(&params);
   (void)tf_prepare(&scene_machine, &params, 0);
   const tf_input_t input = tf_scene_input(scene, &scene_machine, 0);
   *state = (tf_state_t){.r = scene->r, .w = scene->omega, .v = scene->v};
@@ -133,9 +142,7 @@ static tf_carry_t scheme_carry;
 
 static inline bool scheme_begin(void) {
   tf_params_t params = SCENE->params;
-#ifdef SCENE_RATE
-  params.dt = TF_R(1.0) / SCENE_RATE;
-#endif
+  scene_pace(&params);
   return tf_prepare_compensated(&scheme_machine, &params, 0) == TF_OK;
 }
 

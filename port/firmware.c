@@ -38,9 +38,7 @@ static tf_link_t uplink;
 
 static bool begin(void) {
   tf_params_t params = SCENE->params;
-#ifdef SCENE_RATE
-  params.dt = TF_R(1.0) / SCENE_RATE;
-#endif
+  scene_pace(&params);
   tf_link_open(&uplink, SCENE, &params);
   return tf_session_open(&session, SCENE, &params, 1) == TF_OK;
 }

@@ -1,9 +1,7 @@
 // Startup of a Cortex-M: vector table, memory, FPU; see cortex_m.h.
 #include "cortex_m.h"
 
-// From the linker script.
-extern uint32_t data_source[], data_begin[], data_end[];
-extern uint32_t bss_begin[], bss_end[], stack_top[];
+#include "sections.h"
 
 int main(void);
 void cortex_m_reset(void);
@@ -44,8 +42,6 @@ __attribute__((noreturn)) void cortex_m_reset(void) {
   REGISTER(0xE000ED88u) |= 0xFu << 20; // CPACR
   __asm__ volatile("dsb\n\tisb" ::: "memory");
 #endif
-  const uint32_t *from = data_source;
-  for (uint32_t *to = data_begin; to < data_end;) *to++ = *from++;
-  for (uint32_t *to = bss_begin; to < bss_end;) *to++ = 0;
+  sections_fill();
   cortex_m_halt(main());
 }

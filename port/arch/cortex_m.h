@@ -5,8 +5,7 @@
 
 #include <stdint.h>
 
-/// A register of the hardware.
-#define REGISTER(address) (*(volatile uint32_t *)(address))
+#include "register.h"
 
 /// Interrupts of the board that the vector table has room for.
 #define CORTEX_M_INTERRUPTS 48

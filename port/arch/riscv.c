@@ -2,6 +2,8 @@
 // usual addresses; see riscv.h.
 #include "riscv.h"
 
+#include "sections.h"
+
 #define MTIMECMP_LOW REGISTER(0x02004000u)
 #define MTIMECMP_HIGH REGISTER(0x02004004u)
 #define MTIME_LOW REGISTER(0x0200BFF8u)
@@ -18,10 +20,6 @@ int main(void);
 void riscv_start(void);
 void riscv_main(void);
 void riscv_trap(void);
-
-// From the linker script.
-extern uint32_t data_source[], data_begin[], data_end[];
-extern uint32_t bss_begin[], bss_end[];
 
 static volatile uint32_t ticks;
 static uint64_t next;
@@ -40,9 +38,7 @@ __attribute__((naked, section(".startup"))) void riscv_start(void) {
 }
 
 void riscv_main(void) {
-  const uint32_t *from = data_source;
-  for (uint32_t *to = data_begin; to < data_end;) *to++ = *from++;
-  for (uint32_t *to = bss_begin; to < bss_end;) *to++ = 0;
+  sections_fill();
   __asm__ volatile("csrs mstatus, 8" ::: "memory"); // interrupts
   riscv_halt(main());
 }

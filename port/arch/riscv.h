@@ -4,11 +4,9 @@
 #ifndef TWOFOLD_PORT_RISCV_H
 #define TWOFOLD_PORT_RISCV_H
 
-#include <stdbool.h>
 #include <stdint.h>
 
-/// A register of the hardware.
-#define REGISTER(address) (*(volatile uint32_t *)(address))
+#include "register.h"
 
 /// The board's handler of external interrupt `source`.
 void riscv_interrupt(uint32_t source);
