@@ -1,8 +1,8 @@
-// Clock, descriptors and signals. A simulation may run for hours and be stopped by hand; it
-// then finishes its step and writes its last row, so a signal only raises a
-// flag. The handler resets itself: a second signal ends the program at once,
-// should it wait for a reader that never reads. The two signals are caught
-// even where the parent ignored them, as shells do for background jobs,
+// Clock, descriptors and signals. A simulation may run for hours and be stopped
+// by hand; it then finishes its step and writes its last row, so a signal only
+// raises a flag. The handler resets itself: a second signal ends the program at
+// once, should it wait for a reader that never reads. The two signals are
+// caught even where the parent ignored them, as shells do for background jobs,
 // because a run without an end must stay stoppable.
 
 #ifndef _POSIX_C_SOURCE

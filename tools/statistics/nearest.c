@@ -11,7 +11,7 @@
 //
 //   nearest FAMILY RUNS
 //
-// Both files are of tools/statistics/paths. The curve is the chords between
+// Both files are of tools/statistics/passages. The curve is the chords between
 // members that follow one another in the time of exit, to the same side; a gap
 // of more than a tenth of the spread is none. Prints one distance a run.
 
