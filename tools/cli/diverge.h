@@ -225,7 +225,6 @@ typedef struct {
   tf_report_t report;
   double t;
   double clock;   ///< until an open stick or a pinned wheel is left; < 0: none
-  uint64_t kicks; ///< so many steps so far
   cli_place_t at; ///< of a forced motion
   int side;       ///< on which its friction is
   double pending[CLI_PENDING]; ///< when that side changes [s]

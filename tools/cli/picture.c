@@ -52,11 +52,6 @@ static bool take_schema(cli_picture_t *picture, const tf_frame_t *frame) {
   }
   const double before = picture->dt;
   picture->is_float = at[0] == 4;
-  picture->law = at[1];
-  picture->rule = at[2];
-  picture->scheme = at[3];
-  picture->flags = at[4];
-  picture->seed = (uint32_t)tf_wire_get(at + 5, 4);
   picture->hash = (uint32_t)tf_wire_get(at + 9, 4);
   at = reals_at(picture, at + 13, &picture->dt, 1);
   at = text_at(at, end, picture->scene);
@@ -104,9 +99,7 @@ static bool take_report(cli_picture_t *picture, const tf_frame_t *frame,
     return false;
   }
   picture->mode = at[0];
-  picture->set = at[1];
   picture->choices = at[2];
-  picture->status = at[3] < 128 ? at[3] : at[3] - 256;
   picture->has_state = false;
   picture->rows++;
   fill_row(picture, CLI_CSV_COLUMNS, row);
@@ -188,9 +181,6 @@ bool cli_picture_take(cli_picture_t *picture, const tf_frame_t *frame,
       take_heartbeat(picture, frame);
       return false;
     case TF_DOWN_ANSWER:
-      picture->answers++;
-      picture->refusals += frame->length > 3 && frame->payload[3] != 0;
-      return false;
     case TF_DOWN_LAYOUT:
     case TF_DOWN_PARAMETER:
       return false;

@@ -11,17 +11,15 @@
 typedef struct {
   bool has_schema;
   bool is_float;
-  double dt;   ///< [s]
-  double base; ///< time = base + tick dt; not 0 once dt was changed [s]
-  uint32_t seed, hash;
-  uint8_t law, rule, scheme, flags;
+  double dt;     ///< [s]
+  double base;   ///< time = base + tick dt; not 0 once dt was changed [s]
+  uint32_t hash; ///< of the parameters
   char scene[CLI_PICTURE_TEXT], build[CLI_PICTURE_TEXT];
 
   uint64_t tick;    ///< of the state
   double state[4];  ///< r, v, omega, phi
   double report[6]; ///< h, g, F, M, delassus, residual
-  uint8_t mode, set, choices;
-  int status;
+  uint8_t mode, choices;
   bool has_state; ///< a state came and its report is still awaited
 
   bool has_heartbeat;
@@ -30,7 +28,6 @@ typedef struct {
   uint64_t rows;       ///< complete: state and report of one tick, or compact
   uint64_t incomplete; ///< states without their report, or before a schema
   uint64_t unknown;    ///< frames of a type or length that is not known here
-  uint64_t answers, refusals;
 } cli_picture_t;
 
 /// Takes a frame.

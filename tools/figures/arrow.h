@@ -15,8 +15,9 @@ static inline arrow_t arrow_at(double path[][2], int first, int last, int i,
   const int next = i + every < last ? i + every : last;
   const int here = i <= middle && middle < next;
   const arrow_t none = {0, 0};
-  const arrow_t way = {path[next][0] - path[i][0], path[next][1] - path[i][1]};
-  return here ? way : none;
+  const arrow_t forth = {path[next][0] - path[i][0],
+                         path[next][1] - path[i][1]};
+  return here ? forth : none;
 }
 
 #endif
