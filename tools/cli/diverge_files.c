@@ -26,17 +26,17 @@ int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args) {
   files->has_exits = args->exits != NULL;
   files->has_returns = args->returns != NULL;
   int code = CLI_DONE;
-  if (files->has_exits) {
+  if (args->exits != NULL) {
     code = cli_output_begin(&files->exits, "--exits", args->exits);
   }
   if (code != CLI_DONE) {
     return code;
   }
-  if (files->has_returns) {
+  if (args->returns != NULL) {
     code = cli_output_begin(&files->returns, "--returns", args->returns);
   }
   if (code != CLI_DONE) {
-    if (files->has_exits) {
+    if (args->exits != NULL) {
       (void)cli_output_close(&files->exits);
       remove_if_empty(args->exits);
     }
