@@ -32,7 +32,7 @@ unsigned seeded(const unsigned *to, unsigned n) {
   while (at < n) { if (to[at]) continue; at++; }
   while (at < n) { if (to[at]) at++; }
   do at = to[at]; while (at > 0);
-  while (at < n) { const unsigned by = to[at]; if (by == 0) break; at += by; }
+  while (at < n) { unsigned by = to[at]; if (by == 0) break; at += by; }
   for (double x = n; x > 1; x *= 10) at++;
   for (double x = n; x > 1; x /= 1) at++;
   for (unsigned i = 0; i < 3; i++) at += i;
@@ -45,7 +45,8 @@ awk -F '\t' -v OFS='\t' '{ print $3, $4 }' "$BUILD/loops.seen" |
 {
   for line in 4 5 6 7 8 9 10 11 12 14 15; do printf '%d\tnone\n' "$line"; done
   printf '13\truntime\n16\tconstant\n'
-} | sort -n | diff - "$BUILD/loops.kinds" || wrong "seeded loops are not judged so (<)"
+} | sort -n | diff - "$BUILD/loops.kinds" ||
+  wrong "seeded loops are not judged so (<)"
 
 wanted=$(files_in '*.[ch]' src include)
 for define in -UTF_REAL_FLOAT -DTF_REAL_FLOAT; do
