@@ -79,10 +79,11 @@ help:
 	@echo 'make bench-peers  error over time beside other tools (SUNDIALS, ...)'
 	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
 	@echo 'make fuzz SECONDS=30   random inputs against the promises (clang)'
+	@echo 'make fuzz-merge     what fuzzing found, into tests/corpus'
 	@echo 'make soak STEPS=1e9    chaos for so many steps, then a replay'
 	@echo 'make mutation SAMPLE=60   wrong changes of src/ for tests to notice'
 	@echo 'make eva     undefined behaviour, by Frama-C Eva: all entries (minutes)'
-	@echo 'make valgrind  all quick tests under memcheck, minutes (valgrind)'
+	@echo 'make valgrind  every test for a minute of memcheck (valgrind)'
 	@echo 'make oracle  remake tests/data/reference*.h (minutes; libquadmath)'
 	@echo 'make firmware SCENE=chaos BOARD=microbit REAL=float   (port/port.mk)'
 	@echo 'make boards  firmware of every board;  make deps installs compilers'
@@ -270,7 +271,7 @@ include tools/cost/cost.mk
 eva:
 	@BUILD='$(BUILD)' tools/eva/run $(ENTRIES)
 
-# Tests that need over a minute there stand in tools/check/valgrind.sh.
+# Each test program for a minute at most; check `valgrind` takes the quick ones.
 valgrind:
 	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' tools/check/valgrind.sh all
 

@@ -8,12 +8,11 @@
 #define LEAST_HOLD TF_R(1e-6) // of sin(gamma) on v, as in tf_speed_for_slip
 
 static bool in_its_range(size_t offset, tf_real_t value) {
-  bool in = true;
-  for (int i = 0; i < TF_PARAMETERS; i++)
-    if (tf_parameter_ranges[i].offset == offset)
-      in = value >= tf_parameter_ranges[i].low &&
-           value <= tf_parameter_ranges[i].high;
-  return in;
+  int i = 0;
+  for (int n = 0; n < TF_PARAMETERS; n++)
+    if (tf_parameter_ranges[n].offset == offset) i = n;
+  return value >= tf_parameter_ranges[i].low &&
+         value <= tf_parameter_ranges[i].high;
 }
 
 // What can be told before anything is computed.

@@ -73,8 +73,8 @@ TF_API tf_status_t tf_place_compensated(const tf_compensated_t *machine,
 /// report: out; slip and residual are those of state + carry.
 /// Returns: as tf_step; where it refuses, state and carry are untouched.
 /// Cost: at most 5400 instructions, the worst found by search;
-///   no way through its code has more than 7700. About 2300 in stick, 2500 in
-///   slip, four times tf_step; no data-dependent loop. Stack: 2432 B.
+///   no way through its code has more than 7700; no data-dependent loop.
+///   Stack: 2432 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: rounding_is_carried, compensated_stick_is_exact,
 ///   compensated_step_is_the_step, compensated_refusals_touch_nothing

@@ -58,7 +58,7 @@ TF_API void tf_ensemble_put(tf_state_block_t *blocks, size_t index,
 /// blocks: in, TF_BLOCKS(n) of them.
 /// index: in, 0 to n - 1.
 /// Returns: the state.
-/// Cost: at most 20 instructions. Stack: 48 B.
+/// Cost: at most 22 instructions. Stack: 48 B.
 /// Memory: caller's, reentrant.
 /// Claims: ensemble_reads_back_what_was_put
 #define tf_ensemble_get TF_LINK(tf_ensemble_get)
@@ -69,7 +69,7 @@ TF_API tf_state_t tf_ensemble_get(const tf_state_block_t *blocks, size_t index);
 /// blocks: in, TF_BLOCKS(n) of them.
 /// index: in, 0 to n - 1.
 /// Returns: the report.
-/// Cost: at most 26 instructions. Stack: 64 B.
+/// Cost: at most 29 instructions. Stack: 64 B.
 /// Memory: caller's, reentrant.
 /// Claims: ensemble_is_the_single_step
 #define tf_ensemble_report TF_LINK(tf_ensemble_report)
@@ -91,9 +91,9 @@ TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
 /// Returns: how many lanes were done by tf_step, one by one: those that cost
 ///   more, whatever came of them; their status is in the reports.
 /// Cost: at most 31 instructions and 4000 a state, the worst found by search:
-///   tf_step for every lane behind the common path, which alone takes about 230
-///   with AVX2 in double, 135 in float. In double gcc needs SSE4.2 or more, or
-///   the lanes take twice as long as with it. Stack: 13584 B.
+///   tf_step for every lane behind the common path, which is all that most
+///   blocks take (`make bench-ensemble`). For vectors of double gcc needs
+///   SSE4.2 or more. Stack: 13584 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: ensemble_is_the_single_step, ensemble_of_any_size,
 ///   ensemble_of_every_scene, ensemble_of_difficult_states,

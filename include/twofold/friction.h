@@ -95,7 +95,7 @@ TF_API void tf_friction_solve(const tf_inclusion_t *inclusion,
 /// force: in.
 /// h, g: in, slip [m/s].
 /// Returns: residual >= 0 [N]; of rounding size at a solution.
-/// Cost: at most 28 instructions. Stack: 128 B.
+/// Cost: at most 32 instructions. Stack: 128 B.
 /// Memory: none kept, reentrant.
 /// Claims: residual_vanishes_at_solutions_only
 #define tf_law_residual TF_LINK(tf_law_residual)

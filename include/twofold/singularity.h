@@ -139,7 +139,7 @@ typedef struct {
 /// out: out.
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law does not jump), TF_BAD_STATE
 ///   (place or input out of range, or a product overflows); out is untouched.
-/// Cost: at most 680 instructions. Stack: 1040 B.
+/// Cost: at most 690 instructions. Stack: 1040 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: normal_form_against_the_paper, numbers_of_the_paper,
 ///   sliding_motion_follows_the_normal_form, paper_cases_1_to_3,
@@ -180,7 +180,7 @@ typedef struct {
 /// out: out.
 /// Returns: TF_OK (obstacle GRANTED); TF_BAD_PARAMETER (any other obstacle, out
 ///   as said there).
-/// Cost: at most 1100 instructions. Stack: 2032 B.
+/// Cost: at most 1200 instructions. Stack: 2032 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: wished_two_folds_are_found_again,
 ///   wish_gives_the_numbers_of_the_paper, wishes_that_cannot_be_granted_say_why

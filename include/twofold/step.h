@@ -58,9 +58,8 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
 /// Cost: at most 3200 instructions, the worst found by search;
-///   no way through its code has more than 5600. About 510 in stick, 800 in
-///   slip, 80 more within reach of h = g = 0; no data-dependent loop.
-///   Stack: 1296 B.
+///   no way through its code has more than 5600; no data-dependent loop. The
+///   worst is a degraded step: see `make bench` for others. Stack: 1296 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,

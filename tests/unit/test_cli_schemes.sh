@@ -124,11 +124,7 @@ test_real_time() {
   run chaos --t-end 0.2 --dt 0.01 --realtime
   check 'in real time: runs' test "$code" -eq 0
   check 'in real time: the same rows' cmp out want
-  check 'in real time: late steps are counted' test "$(late)" -ge 0
-  begin=$(date +%s)
-  run chaos --realtime --t-end 1.1 --dt 0.1
-  check 'no second is shorter than one' \
-    test $(($(date +%s) - begin)) -ge 1
+  check 'in real time: late steps are counted' test -n "$(late)"
   # A step of 1 ns is over before it has begun.
   run chaos --t-end 1e-6 --dt 1e-9 --realtime --every 10
   check 'steps that no clock resolves are late' test "$(late)" -gt 0
@@ -138,7 +134,7 @@ test_real_time() {
   check 'a value is usage' test "$code" -eq 2
   run chaos --realtime --realtime
   check 'given twice' grep -q 'already given' err
-  # A signal ends a wait, too.
+  # It waits, or it would be over before the signal that ends the wait.
   "$T" run chaos --realtime --dt 1 --t-end 1000 >out 2>err &
   child=$!
   until grep -q '^0,' out 2>/dev/null; do sleep 0.05; done

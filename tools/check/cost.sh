@@ -11,7 +11,7 @@ need gcc gcc
 }
 EVALUATIONS=${EVALUATIONS:-2000}
 build CC=gcc BUILD="$BUILD/costs" OPT=-O2 EXTRA=-Werror \
-  "$BUILD/costs/double/cost" ||
+  "$BUILD/costs/double/cost" "$BUILD/costs/float/cost" ||
   wrong "tools/cost does not build"
 cost=$BUILD/costs/double/cost
 
@@ -22,22 +22,24 @@ while read -r name first _; do
     wrong "$name: its row does not say \"Cost: at most N instructions\""
 done <"$BUILD/cost.claims"
 
-cat tools/cost/worst.* | "$cost" search "$EVALUATIONS" >"$BUILD/cost.found" ||
-  wrong "the search failed"
+for real in double float; do
+  cat tools/cost/worst.* | "$BUILD/costs/$real/cost" search "$EVALUATIONS" \
+    >"$BUILD/cost.$real" || wrong "the search failed"
+done
 tools/cost/paths double "$BUILD/costs" >"$BUILD/cost.ways" ||
   wrong "the ways through the code are not understood"
 awk -f tools/cost/judge.awk "$BUILD/cost.claims" "$BUILD/cost.ways" \
-  "$BUILD/cost.found" >"$BUILD/cost.wrong"
+  "$BUILD/cost.double" "$BUILD/cost.float" >"$BUILD/cost.wrong"
 while IFS= read -r line; do
   wrong "$line"
 done <"$BUILD/cost.wrong"
 
 # Functions without repeated string instructions, of which each step is one.
 for name in step friction_solve begin surface_at; do
-  grep "^tf_$name " "$BUILD/cost.found" | "$cost" step "$name" ||
+  grep "^tf_$name " "$BUILD/cost.double" | "$cost" step "$name" ||
     wrong "tf_$name: other instructions were counted than stepped through"
 done
 [ "$BAD" -eq 0 ] ||
   echo 'figures that hold, into the rows: make bounds && make keep-bounds'
 checked "$(wc -l <"$BUILD/cost.claims") functions," \
-  "$EVALUATIONS calls each beside the dearest known; gcc -O2, double"
+  "$EVALUATIONS calls each beside the dearest known; gcc -O2, both real types"

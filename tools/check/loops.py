@@ -179,6 +179,31 @@ def scales_on(body, step, name, up):
             any(always(part, node) for part in (body, step) if part))
 
 
+LARGEST = {"unsigned char": 255, "uint8_t": 255, "signed char": 127,
+           "int8_t": 127, "unsigned short": 65535, "uint16_t": 65535,
+           "short": 32767, "int16_t": 32767, "int": 2**31 - 1,
+           "unsigned int": 2**32 - 1, "uint32_t": 2**32 - 1}
+
+
+def fits(var, op, number, up, body, step, name):
+    """Whether the counter can pass a constant limit without wrapping round: a
+    move from the last value that goes on stays in its type."""
+    if number is None:
+        return True  # a constant of its own type
+    by = max(abs(value(amount) or 1) if amount else 1
+             for part in (body, step) if part
+             for target, _, amount, _ in writes(part) if target == name)
+    kind = bare(var)["type"]
+    kind = kind.get("desugaredQualType", kind["qualType"])
+    kind = kind.replace("const ", "")
+    largest = LARGEST.get(kind, 2**63 - 1)
+    least = 0 if "unsigned" in kind or "uint" in kind or "size_t" in kind \
+        else -largest - 1
+    if up:
+        return number - (op in ("<", ">")) + by <= largest
+    return number + (op in ("<", ">")) - by >= least
+
+
 def amount_type(node):
     kind = bare(node)
     return kind["type"].get("desugaredQualType", "") + kind["type"]["qualType"]
@@ -250,6 +275,8 @@ def bound_of(test, body, step):
             continue
         if constant(limit):
             number = value(limit)
+            if not fits(var, op, number, up, body, step, name):
+                continue
             return "constant", name, text(limit) if number is None else \
                 str(number)
         small = SMALL.get(bare(limit)["type"]["qualType"].replace("const ", ""))

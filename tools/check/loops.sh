@@ -33,6 +33,9 @@ unsigned seeded(const unsigned *to, unsigned n) {
   while (at < n) { if (to[at]) at++; }
   do at = to[at]; while (at > 0);
   while (at < n) { unsigned by = to[at]; if (by == 0) break; at += by; }
+  for (unsigned char i = 0; i < 250; i += 128) at++;
+  for (unsigned char i = 0; i <= 255; i++) at++;
+  for (unsigned i = 9; i >= 0; i--) at++;
   for (double x = n; x > 1; x *= 10) at++;
   for (double x = n; x > 1; x /= 1) at++;
   for (unsigned i = 0; i < 3; i++) at += i;
@@ -43,8 +46,10 @@ tree -UTF_REAL_FLOAT "$seed" "$seed" >"$BUILD/loops.seen"
 awk -F '\t' -v OFS='\t' '{ print $3, $4 }' "$BUILD/loops.seen" |
   sort -n >"$BUILD/loops.kinds"
 {
-  for line in 4 5 6 7 8 9 10 11 12 14 15; do printf '%d\tnone\n' "$line"; done
-  printf '13\truntime\n16\tconstant\n'
+  for line in 4 5 6 7 8 9 10 11 12 14 15 16 17 18; do
+    printf '%d\tnone\n' "$line"
+  done
+  printf '13\truntime\n19\tconstant\n'
 } | sort -n | diff - "$BUILD/loops.kinds" ||
   wrong "seeded loops are not judged so (<)"
 

@@ -7,4 +7,5 @@ need gcc gcc
 CC=gcc SAMPLE=${MUTATIONS:-24} SEED=1 BUILD=$BUILD AGAIN='' \
   tools/mutation/run 2>&1 ||
   wrong "a wrong change of src/ survives, or an excuse fits none"
+[ "$BAD" -eq 0 ] || exit 1
 checked "$(tail -n 2 "$BUILD/mutation/REPORT" | head -n 1 | cut -d ';' -f 1)"

@@ -10,6 +10,33 @@ need gcc gcc
 
 fact() { "$MAKE" -s --no-print-directory "board-$2" BOARD="$1"; }
 
+# Recursion, of tail calls too, which a compiler that optimises them turns into
+# jumps that no call graph has. It must find one that is planted.
+# recursion PLACE FILE...: fails where there is any.
+recursion() {
+  place=$1
+  shift
+  rm -rf "$place"
+  mkdir -p "$place"
+  for file; do
+    (cd "$place" && gcc -std=c99 -O1 -fno-optimize-sibling-calls -fno-inline \
+      -ffreestanding -I"$OLDPWD/include" -fcallgraph-info=su -S "$OLDPWD/$file")
+  done
+  awk -f tools/check/stack.awk "$place"/*.ci >"$place/worst" 2>"$place/said"
+}
+cat >"$BUILD/recursion-seed.c" <<'END'
+unsigned hail(unsigned n, unsigned steps);
+unsigned hail(unsigned n, unsigned steps) {
+  return n == 1 ? steps : hail(n % 2 ? 3 * n + 1 : n / 2, steps + 1);
+}
+END
+recursion "$BUILD/recursion-seed" "$BUILD/recursion-seed.c" &&
+  wrong "a planted recursion is not found"
+recursion "$BUILD/recursion" src/*.c || {
+  cat "$BUILD/recursion/said"
+  wrong "the core calls itself"
+}
+
 # "name bytes" of every public function.
 # shellcheck disable=SC2016  # awk's own variables
 files_in '*.h' include | xargs awk '

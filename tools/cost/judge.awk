@@ -1,5 +1,6 @@
-# Whether rows "Cost" hold: judge.awk CLAIMS WAYS FOUND, with lines "name A B W",
-# "name longest way" and "name units count genes". A count above A + B units
+# Whether rows "Cost" hold: judge.awk CLAIMS WAYS FOUND FOUND, with lines "name A
+# B W", "name longest way" of double and "name units count genes" of double, then
+# of float. A count above A + B units
 # breaks the promise; where the row says more than 1.25 times the most that was
 # found, its figure no longer holds. So with W and the longest way, which no
 # count is above. Prints what is wrong.
@@ -17,7 +18,7 @@ part == 2 {
   next
 }
 
-$1 in longest && $3 > longest[$1] {
+part == 3 && $1 in longest && $3 > longest[$1] {
   print $1 ": took " $3 ", its longest way has " longest[$1]
 }
 

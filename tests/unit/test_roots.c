@@ -1,0 +1,69 @@
+/* The first root of a series in an interval: of products of known factors. */
+#include "polynomial.h"
+#include "sample.h"
+
+static tf_series_t times(const tf_series_t *s, double root) {
+  tf_series_t out;
+  for (int n = 0; n <= TF_ORDER; n++)
+    out.c[n] = (n > 0 ? s->c[n - 1] : 0) - (tf_real_t)root * s->c[n];
+  return out;
+}
+
+/* Positive at 0: as many factors as roots, of either sign. */
+static tf_series_t with_roots(const double *root, int count) {
+  tf_series_t s;
+  memset(&s, 0, sizeof s);
+  s.c[0] = count % 2 ? -1 : 1;
+  for (int i = 0; i < count; i++) s = times(&s, root[i]);
+  return s;
+}
+
+TEST(first_of_several_roots_is_found) {
+  int found[4] = {0};
+  for (int n = 0; n < 3000; n++) {
+    const int count = 1 + n % 3;
+    double root[3], first = 1;
+    for (int i = 0; i < count; i++) root[i] = tap_uniform(0.02, 1.5);
+    for (int i = 0; i < count; i++) first = root[i] < first ? root[i] : first;
+    int near = 0;
+    for (int i = 0; i < count; i++)
+      near += fabs(root[i] - first) < 0.02 || fabs(root[i] - 1) < 0.02;
+    if (near > (first < 1)) continue; /* nearly a touch, or at the end */
+    const tf_series_t s = with_roots(root, count);
+    tf_real_t when = -1;
+    if (!CHECK(tf_first_root(&s, 1, &when) == (first < 1))) continue;
+    if (first < 1) {
+      CHECK_NEAR(wide(when), (real)first, 20000 * EPSILON);
+      CHECK(!is_rootless(&s, 1));
+    }
+    found[first < 1 ? count : 0]++;
+  }
+  for (int i = 0; i < 4; i++) CHECK(found[i] > 50);
+}
+
+/* A pair of roots close to each other is told from none as far as halving of
+ * the interval goes. */
+TEST(close_roots_are_parted) {
+  for (int n = 2; n < 12; n++) {
+    const double root[2] = {0.3, 0.3 + ldexp(1, -n)};
+    const tf_series_t s = with_roots(root, 2);
+    tf_real_t when = -1;
+    CHECK(tf_first_root(&s, 1, &when));
+    CHECK_NEAR(wide(when), 0.3L, ldexpl(64 * EPSILON, 2 * n));
+  }
+  /* (t - 1/2)^2 + 1/100 stays above 0. */
+  tf_series_t above;
+  memset(&above, 0, sizeof above);
+  above.c[0] = TF_R(0.26);
+  above.c[1] = -1;
+  above.c[2] = 1;
+  tf_real_t when = -1;
+  CHECK(!tf_first_root(&above, 1, &when) && when == -1);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(first_of_several_roots_is_found);
+  RUN(close_roots_are_parted);
+  return tap_end();
+}
