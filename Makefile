@@ -102,15 +102,17 @@ help:
 programs = $(patsubst %.c,$(BUILD)/$(2)/%,$(filter %.c,$(1)))
 
 # The rules of one variant. The file `flags` changes when the compiler, a flag
-# or the list of files does; all else in the variant is older than it then.
+# or the list of files does; all else in the variant is older than it then. The
+# name of the new one is its maker's own: boards are tested side by side.
 define rules
 objects_of_$(1) = $$(patsubst %.c,$(BUILD)/$(1)/%.o,$$(1))
 
 $(BUILD)/$(1)/flags: FORCE
 	@mkdir -p $$(@D)
-	@echo '$$(CC) $$(CORE_FLAGS) $$(TOOL_FLAGS) $$(TEST_FLAGS) $$(EXTRA)' \
-	  '$$(CORE) $$(CLI) $$(SUPPORT)' >$$@.new
-	@cmp -s $$@.new $$@ && rm $$@.new || mv $$@.new $$@
+	@new=$$@.$$$$$$$$; \
+	echo '$$(CC) $$(CORE_FLAGS) $$(TOOL_FLAGS) $$(TEST_FLAGS) $$(EXTRA)' \
+	  '$$(CORE) $$(CLI) $$(SUPPORT)' >$$$$new; \
+	if cmp -s $$$$new $$@; then rm $$$$new; else mv $$$$new $$@; fi
 
 $(BUILD)/$(1)/src/%.o: src/%.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(CORE_FLAGS) $$(SRC_FLAGS_$$(*F)) $$(FLAGS_$(1)))

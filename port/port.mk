@@ -136,8 +136,9 @@ $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
 # One file for each program, for their flags differ.
 $(FIRMWARE).flags: $(BUILD)/$(REAL)/constants FORCE
 	@mkdir -p $(@D)
-	@echo "$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(START)" >$@.new
-	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+	@new=$@.$$$$; \
+	echo "$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(START)" >$$new; \
+	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
 
 firmware: $(FIRMWARE)
 	@echo '$(FIRMWARE)'
