@@ -1,4 +1,5 @@
 /* Laws that the simulated motion must obey, whatever the implementation. */
+#include "scene_named.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -17,13 +18,6 @@ static void start(const tf_scene_t *scene, const tf_params_t *params,
   x->mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_MODES);
   const tf_input_t u = tf_scene_input(scene, machine, 0);
   CHECK(tf_begin(machine, x, &u, &report) == TF_OK);
-}
-
-static const tf_scene_t *scene_named(const char *name) {
-  for (int i = 0; i < TF_SCENES; i++)
-    if (!strcmp(tf_scenes[i]->name, name)) return tf_scenes[i];
-  CHECK(0);
-  return tf_scenes[0];
 }
 
 /* Rounding of the terms of h, for speeds of the turntable up to 2 rad/s. */

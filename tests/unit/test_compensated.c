@@ -1,5 +1,6 @@
 /* The compensated step: what it adds to a step is digits and nothing else. */
 #include "paper.h"
+#include "scene_named.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -23,13 +24,6 @@ static tf_real_t uniform(double low, double high) {
 
 static real pair(tf_real_t high, tf_real_t low) {
   return (real)high + (real)low;
-}
-
-static const tf_scene_t *scene_named(const char *name) {
-  for (int i = 0; i < TF_SCENES; i++)
-    if (!strcmp(tf_scenes[i]->name, name)) return tf_scenes[i];
-  CHECK(0);
-  return tf_scenes[0];
 }
 
 static run_t begun(const tf_scene_t *scene, double dt) {

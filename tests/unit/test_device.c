@@ -34,7 +34,7 @@ typedef struct {
 } bench_t;
 
 static bench_t bench;
-static char place[] = "/tmp/twofold-device.XXXXXX";
+static char place[] = P_tmpdir "/twofold-device.XXXXXX";
 static char device[64];
 
 /* A pseudo-terminal; `device` becomes a link to its other end. */

@@ -1,15 +1,11 @@
 /* Commands over a line: validated, applied at the boundary between two steps
  * and nowhere else, answered; and bytes that are no commands. */
+#include "same_state.h"
+#include "scene_named.h"
 #include "tap.h"
 #include "twofold.h"
 
 #define R TF_REAL_BYTES
-static const tf_scene_t *scene_named(const char *name) {
-  for (int i = 0; i < TF_SCENES; i++)
-    if (!strcmp(tf_scenes[i]->name, name)) return tf_scenes[i];
-  CHECK(0); /* no such scene */
-  return tf_scenes[0];
-}
 
 /* A board: what a firmware keeps, and its two lines. */
 typedef struct {
@@ -129,13 +125,6 @@ static acting_t acting(const board_t *board) {
 static int acts_alike(const board_t *board, const acting_t *before) {
   const acting_t now = acting(board);
   return memcmp(&now, before, sizeof now) == 0;
-}
-static int same_state(const tf_state_t *a, const tf_state_t *b) {
-  return memcmp(&a->r, &b->r, sizeof a->r) == 0 &&
-         memcmp(&a->v, &b->v, sizeof a->v) == 0 &&
-         memcmp(&a->w, &b->w, sizeof a->w) == 0 &&
-         memcmp(&a->phi, &b->phi, sizeof a->phi) == 0 && a->tick == b->tick &&
-         a->seed == b->seed && a->mode == b->mode;
 }
 
 /* A line that was opened with parameters which no machine has: a command that

@@ -2,6 +2,7 @@
  * inputs over time, and what the text of some of them promises about the
  * motion, stepped to the end. */
 #include "paper.h"
+#include "scene_named.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -10,14 +11,6 @@ typedef long double real;
 #define EPSILON ((real)TF_REAL_EPSILON)
 
 static real wide(tf_real_t x) { return (real)x; }
-
-static const tf_scene_t *scene_named(const char *name) {
-  for (int i = 0; i < TF_SCENES; i++)
-    if (!strcmp(tf_scenes[i]->name, name)) return tf_scenes[i];
-  printf("# no scene is called %s\n", name);
-  CHECK(0);
-  return tf_scenes[0];
-}
 
 /* A scene at its start. */
 typedef struct {

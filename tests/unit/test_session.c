@@ -1,21 +1,9 @@
 /* A scene under way is what the command line runs, and starts where its scene
  * says or not at all. */
+#include "same_state.h"
+#include "scene_named.h"
 #include "tap.h"
 #include "twofold.h"
-
-static const tf_scene_t *scene_named(const char *name) {
-  for (int i = 0; i < TF_SCENES; i++)
-    if (!strcmp(tf_scenes[i]->name, name)) return tf_scenes[i];
-  CHECK(0); /* no such scene */
-  return tf_scenes[0];
-}
-static int same_state(const tf_state_t *a, const tf_state_t *b) {
-  return memcmp(&a->r, &b->r, sizeof a->r) == 0 &&
-         memcmp(&a->v, &b->v, sizeof a->v) == 0 &&
-         memcmp(&a->w, &b->w, sizeof a->w) == 0 &&
-         memcmp(&a->phi, &b->phi, sizeof a->phi) == 0 && a->tick == b->tick &&
-         a->seed == b->seed && a->mode == b->mode;
-}
 
 TEST(session_is_the_run_of_the_command_line) {
   for (int i = 0; i < TF_SCENES; i++) {

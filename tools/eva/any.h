@@ -31,6 +31,18 @@ static inline tf_real_t *member_of(tf_params_t *params, int i) {
   return (tf_real_t *)(void *)((char *)params + tf_parameter_ranges[i].offset);
 }
 
+// Every set of parameters in its ranges; its law is the caller's.
+static inline tf_params_t params_in_range(void) {
+  tf_params_t params;
+  //@ loop unroll TF_PARAMETERS;
+  for (int i = 0; i < TF_PARAMETERS; i++)
+    *member_of(&params, i) =
+        REAL_BETWEEN(tf_parameter_ranges[i].low, tf_parameter_ranges[i].high);
+  params.rule = (tf_rule_t)Frama_C_interval(0, TF_RULES - 1);
+  params.with_angle = any_bool();
+  return params;
+}
+
 // Every machine that tf_prepare could have made, and many more: any numbers,
 // but a law and a rule that exist.
 static inline tf_machine_t any_machine(void) {

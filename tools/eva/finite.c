@@ -26,14 +26,8 @@ static void step_of(const tf_machine_t *machine, int mode) {
 
 void step_finite(void);
 void step_finite(void) {
-  tf_params_t params;
+  tf_params_t params = params_in_range();
   tf_machine_t machine;
-  //@ loop unroll TF_PARAMETERS;
-  for (int i = 0; i < TF_PARAMETERS; i++)
-    *member_of(&params, i) =
-        REAL_BETWEEN(tf_parameter_ranges[i].low, tf_parameter_ranges[i].high);
-  params.rule = (tf_rule_t)Frama_C_interval(0, TF_RULES - 1);
-  params.with_angle = any_bool();
   //@ loop unroll TF_TYRE_LAWS;
   for (int law = 0; law < TF_TYRE_LAWS; law++) {
     params.law = (tf_tyre_law_t)law;

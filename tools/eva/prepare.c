@@ -41,14 +41,8 @@ static void accepted(tf_status_t status) {
 // range of kappa, but not in a slice of it: so kappa goes slice by slice.
 void prepare_in_range(void);
 void prepare_in_range(void) {
-  tf_params_t params;
+  tf_params_t params = params_in_range();
   tf_machine_t machine;
-  //@ loop unroll TF_PARAMETERS;
-  for (int i = 0; i < TF_PARAMETERS; i++)
-    *member_of(&params, i) =
-        REAL_BETWEEN(tf_parameter_ranges[i].low, tf_parameter_ranges[i].high);
-  params.rule = (tf_rule_t)Frama_C_interval(0, TF_RULES - 1);
-  params.with_angle = any_bool();
   //@ loop unroll TF_TYRE_LAWS;
   for (int law = 0; law < TF_TYRE_LAWS; law++) {
     if (law == TF_TYRE_JUMP || law == TF_TYRE_SMOOTH) continue;
