@@ -52,7 +52,8 @@
 ///   located_angle_is_the_integral_of_the_speed,
 ///   located_escaping_stick_lets_go_to_the_other_side,
 ///   located_delassus_is_that_of_the_side_of_g,
-///   located_set_holds_the_mode, located_refuses_to_leave_the_range_of_states
+///   located_set_holds_the_mode, located_is_coarse_only_where_it_has_to_be,
+///   located_refuses_to_leave_the_range_of_states
 #define tf_locate TF_LINK(tf_locate)
 TF_API tf_status_t tf_locate(const tf_machine_t *machine, tf_state_t *state,
                              const tf_input_t *input, tf_report_t *report);

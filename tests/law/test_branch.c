@@ -83,6 +83,87 @@ TEST(branch_at_rest_is_independent_of_the_step_size) {
   }
 }
 
+typedef struct {
+  double kappa, gamma, mu, beta, k2, d, m, dt, r, v, w;
+} long_step_t;
+
+/* One step in slip, by either scheme. */
+static tf_state_t one_step(const long_step_t *s, step_t *step,
+                           tf_report_t *report) {
+  tf_params_t p = tf_scenes[0]->params;
+  tf_machine_t machine;
+  p.kappa = (tf_real_t)s->kappa;
+  p.gamma = (tf_real_t)s->gamma;
+  p.mu = (tf_real_t)s->mu;
+  p.beta = (tf_real_t)s->beta;
+  p.k2 = (tf_real_t)s->k2;
+  p.d = (tf_real_t)s->d;
+  p.m = (tf_real_t)s->m;
+  p.dt = (tf_real_t)s->dt;
+  CHECK(tf_prepare(&machine, &p, NULL) == TF_OK);
+  const tf_input_t u = tf_input_default(&machine);
+  tf_state_t x = {.r = (tf_real_t)s->r,
+                  .v = (tf_real_t)s->v,
+                  .w = (tf_real_t)s->w,
+                  .mode = TF_MODES};
+  CHECK(tf_begin(&machine, &x, &u, report) == TF_OK);
+  CHECK(x.mode <= TF_SLIP_MINUS);
+  CHECK(step(&machine, &x, &u, report) == TF_OK);
+  return x;
+}
+
+/* Slips that pass h = g = 0 within one long step: none rolls in along a stick
+ * that escapes, though one solves behind; all end the step at rest. */
+TEST(no_slip_rolls_in_along_an_escaping_stick) {
+  static const long_step_t steps[] = {
+      {0.098697269977551683, -1.1684614780541989, 2.0220742694162981,
+       0.026462708724490969, 3.8100778763687213, 0.38262640085026556, 1,
+       0.091429904390534458, -0.053469588581679162, 0.020106246973436347,
+       -0.94644435929265769},
+      {0.15678930701635055, -0.29880270363307648, 1.1913922945763549,
+       0.11738769433858454, 0.6595875264193668, 1, 0.30591242841701899,
+       0.060901327733782908, -0.033641483678386541, 0.10702643372492561,
+       -0.8822862369483554},
+      {0.17729162061130704, 2.3304746779799665, 1.3498853904857733,
+       0.11464730054981971, 3.7146660617402687, 0.53181172794389497,
+       1.049151127484502, 0.19882775942261885, 0.041580628959356547,
+       0.10078482791893278, -0.95558597697077807}};
+  for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+    tf_report_t report;
+    const tf_state_t x = one_step(&steps[i], tf_step, &report);
+    CHECK(report.set &
+          (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS)));
+    CHECK(x.mode == TF_PINNED && report.set & TF_MODE_BIT(TF_PINNED));
+    CHECK_NEAR((double)report.slip.h, 0, 4 * (double)TF_REAL_EPSILON);
+    CHECK_NEAR((double)report.slip.g, 0, 4 * (double)TF_REAL_EPSILON);
+  }
+}
+
+/* Slips that change sides in one step beside h = g = 0, where a force of the
+ * law could hold them: they pass it by, as `located` says. */
+TEST(a_slip_that_passes_by_does_not_rest) {
+  static const long_step_t steps[] = {
+      {0.38463576213288581, -0.57704493839499271, 1.8040759847212153,
+       0.082841089435375381, 3.8224401850042482, 0.5594449840114184,
+       0.72368709592905911, 0.0087940781800101495, -0.11969430329182351,
+       0.0063466622550175308, -0.9565805808646004},
+      {0.36134782517850322, 2.5780718132401703, 1.4955991532514656,
+       0.077940700298470403, 2.7468864974586005, 1, 1, 0.011071720753463212,
+       -0.061156936731837912, 0.052374890910592116, -0.93670774556068681},
+      {0.31911925189730489, 1.0726546341185039, 1.9910510453998935,
+       0.033868625877838336, 3.7497036916912212, -0.75150448635341727, 1,
+       0.0095380791418691237, -0.05370452991191043, 0.17096536072382232,
+       -1.2505324425414717}};
+  for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+    tf_report_t report;
+    const tf_state_t x = one_step(&steps[i], tf_step, &report);
+    const unsigned set = report.set;
+    const tf_state_t located = one_step(&steps[i], tf_locate, &report);
+    CHECK(located.mode <= TF_SLIP_MINUS);
+    CHECK(x.mode == located.mode && set == TF_MODE_BIT(x.mode));
+  }
+}
+
 /* Random machines on which `located` itself does not depend on its step and
  * ends in stick. Of two slips that leave h = g = 0 the faster is taken, which
  * tf_step tells by the force at h -> 0 and tf_locate by the limit direction:
@@ -125,6 +206,8 @@ TEST(random_machines_take_one_branch) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(branch_at_rest_is_independent_of_the_step_size);
+  RUN(no_slip_rolls_in_along_an_escaping_stick);
+  RUN(a_slip_that_passes_by_does_not_rest);
   RUN(random_machines_take_one_branch);
   return tap_end();
 }

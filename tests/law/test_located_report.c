@@ -119,7 +119,7 @@ TEST(located_switch_at_the_end_of_a_step) {
       x.params.dt = low + (high - low) / 2;
       if (!(x.params.dt > low && x.params.dt < high)) break;
       if (tf_prepare(&x.machine, &x.params, NULL) != TF_OK) break;
-      if (locate(&x) != TF_OK) break;
+      CHECK(locate(&x) == TF_OK);
       if (x.state.mode == mode) {
         low = x.params.dt;
       } else {
@@ -267,6 +267,28 @@ TEST(located_set_holds_the_mode) {
   CHECK(steps > 10000 && open > 100);
 }
 
+/* Segments beyond TF_LOCATE_SEGMENTS are coarser only where those that may still
+ * be spent would not do: on a slider without contact, whose segments are of
+ * one length, and at a tolerance that allows hardly longer ones, no step is
+ * called coarse that is far from falling back. */
+TEST(located_is_coarse_only_where_it_has_to_be) {
+  double coarse = 0, fell_back = 0;
+  for (double dt = 0.01; dt <= 1 && fell_back == 0; dt *= 1.05) {
+    sim_t s = {.params = tf_scenes[0]->params};
+    s.params.law = TF_TYRE_NONE;
+    s.params.k2 = TF_R(1e5); /* 50 Hz */
+    s.params.tolerance = IS_DOUBLE ? TF_R(0.99e-6) : TF_R(0.99e-3);
+    s.params.dt = (tf_real_t)dt;
+    CHECK(begin(&s, 0.1, -1, 0.1, TF_MODES) == TF_OK);
+    const tf_status_t status = locate(&s);
+    if (coarse == 0 && status == TF_COARSE) coarse = dt;
+    if (status != TF_OK && status != TF_COARSE) fell_back = dt;
+  }
+  printf("# coarse from %.3g s on, falls back from %.3g s on\n", coarse,
+         fell_back);
+  CHECK(fell_back > 0 && coarse > fell_back / 2);
+}
+
 /* A slider without contact that runs away: the step that would pass the limit
  * is refused, the state stays as it was, and the report says which. */
 TEST(located_refuses_to_leave_the_range_of_states) {
@@ -297,6 +319,7 @@ int main(int argc, char **argv) {
   RUN(located_escaping_stick_lets_go_to_the_other_side);
   RUN(located_delassus_is_that_of_the_side_of_g);
   RUN(located_set_holds_the_mode);
+  RUN(located_is_coarse_only_where_it_has_to_be);
   RUN(located_refuses_to_leave_the_range_of_states);
   return tap_end();
 }

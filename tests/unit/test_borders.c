@@ -52,8 +52,32 @@ TEST(signs_of_g_are_those_of_its_corners) {
       in.g.FM = num(F * M * 0.375);
       CHECK(tf_friction_signs(&in) == 3);
     }
-  const tf_inclusion_t at_0 = inclusion(1, 0, 0, 0);
+  tf_inclusion_t at_0 = inclusion(1, 0, 0, 0);
   CHECK(tf_friction_signs(&at_0) == 3);
+  for (int sign = -1; sign <= 1; sign += 2) { /* 0 at no force alone */
+    at_0.g.FF = at_0.g.MM = num(sign * 0.5);
+    CHECK(tf_friction_signs(&at_0) == 3);
+  }
+}
+
+/* Where neither sign of g ends as it began, the share s of the moment in a slip
+ * is the root of g: it is 1 or -1 where g vanishes there, and never beyond. */
+TEST(share_of_the_moment_ends_at_1) {
+  for (int i = 1; i <= 200; i++)
+    for (int n = 0; n < 8; n++) {
+      const int slip = n & 1, end = n & 2 ? -1 : 1, x = slip == 0 ? 1 : -1;
+      const tf_real_t slope = -num(x) * 3 / 7;
+      const tf_real_t bend = num(i) / (n & 4 ? 1024 : 1 << 22);
+      tf_inclusion_t in = inclusion(1, 1, 0, 0);
+      tf_solutions_t out;
+      memset(&out, 0, sizeof out);
+      in.g.c0 = -num(x * end) * slope - bend; /* g = 0 at y = x end */
+      in.g.M = slope;
+      in.g.MM = bend;
+      tf_friction_solve(&in, &out);
+      CHECK(out.tau[slip] >= -1 && out.tau[slip] <= 1);
+      CHECK_NEAR((double)out.tau[slip], end, 64 * (double)TF_REAL_EPSILON);
+    }
 }
 
 /* A slip that would end on h = 0 is none: the stick at x = +-1 is. */
@@ -131,6 +155,7 @@ TEST(futures_of_either_delassus_scalar) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(signs_of_g_are_those_of_its_corners);
+  RUN(share_of_the_moment_ends_at_1);
   RUN(slip_needs_h_off_0);
   RUN(stick_with_a_moment_needs_g_off_0);
   RUN(pinned_needs_a_force_of_the_law);

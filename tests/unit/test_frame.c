@@ -330,6 +330,14 @@ TEST(lost_frames_are_counted) {
   accepted(&receiver, wire, make(wire, 50000, 4));
   accepted(&receiver, wire, make(wire, 0, 4));
   CHECK(receiver.decoder.lost == 0 && receiver.decoder.restarts == 1);
+  /* Half of all gaps: from 0 a loss of 32767 at most. */
+  for (uint64_t gap = 32767; gap <= 32768; gap++) {
+    open_receiver(&receiver);
+    accepted(&receiver, wire, make(wire, 0, 4));
+    accepted(&receiver, wire, make(wire, 1 + gap, 4));
+    CHECK(receiver.decoder.lost == (gap < 32768 ? gap : 0));
+    CHECK(receiver.decoder.restarts == (gap < 32768 ? 0 : 1));
+  }
   /* An answer that is older than the row before it, after a loss. */
   open_receiver(&receiver);
   accepted(&receiver, wire, make(wire, 500, 4));

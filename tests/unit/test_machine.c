@@ -98,6 +98,8 @@ TEST(no_slip_speed_where_v_has_no_hold) {
     machine = prepared(&p);
     CHECK(tf_speed_for_slip(&machine, 1, 1, -1, 0, &v) == TF_OK);
     CHECK(v != 77);
+    machine.sin_gamma = i % 2 ? TF_R(-1e-6) : TF_R(1e-6); /* the border */
+    CHECK(tf_speed_for_slip(&machine, 1, 1, -1, 0, &v) == TF_OK);
   }
 }
 
