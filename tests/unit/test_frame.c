@@ -344,6 +344,13 @@ TEST(lost_frames_are_counted) {
   uint16_t sequence = 503;
   accepted(&receiver, wire, tf_frame_seal(wire, 8, 5, &sequence, 400));
   CHECK(receiver.decoder.lost == 2 && receiver.decoder.restarts == 0);
+  /* Where 0 was the next number it was not gone through. */
+  open_receiver(&receiver);
+  sequence = 65535;
+  accepted(&receiver, wire, tf_frame_seal(wire, 8, 5, &sequence, 500));
+  sequence = 3;
+  accepted(&receiver, wire, tf_frame_seal(wire, 8, 5, &sequence, 400));
+  CHECK(receiver.decoder.lost == 3 && receiver.decoder.restarts == 0);
   /* The same frame twice. */
   open_receiver(&receiver);
   accepted(&receiver, wire, make(wire, 0, 4));

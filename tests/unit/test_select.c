@@ -4,12 +4,11 @@
  * bounds of five standard deviations that a fixed seed keeps or breaks. */
 #include <stdbool.h>
 
+#include "mode_set.h"
 #include "tap.h"
 #include "twofold.h"
 
 #define BIT(mode) ((unsigned)TF_MODE_BIT(mode))
-#define SLIPS (BIT(TF_SLIP_PLUS) | BIT(TF_SLIP_MINUS))
-#define STICKS (BIT(TF_STICK_PLUS) | BIT(TF_STICK_MINUS))
 #define NEVER UINT64_C(0)
 #define ALWAYS (UINT64_C(1) << 63)
 
@@ -281,8 +280,17 @@ TEST(random_draws_are_even) {
   }
 }
 
+TEST(sets_are_counted) {
+  for (unsigned set = 0; set < 1u << TF_MODES; set++) {
+    unsigned size = 0;
+    for (unsigned mode = 0; mode < TF_MODES; mode++) size += has(set, mode);
+    CHECK(size_of(set) == size);
+  }
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
+  RUN(sets_are_counted);
   RUN(rules_choose_as_declared);
   RUN(an_escaping_stick_is_the_rules_to_end);
   RUN(slip_never_enters_an_escaping_stick);

@@ -1,0 +1,153 @@
+/* The passes of an ensemble that find its solution sets, against the
+ * enumeration, on inclusions of small whole numbers: ties and zeros of every
+ * kind are common there, and each number is exact. */
+#include "lanes_solve.h"
+#include "sample.h"
+
+/* -1.5, -1, ... 1.5; 0 more often. */
+static tf_real_t small(void) {
+  const int n = (int)(tap_bits() % 9);
+  return n > 6 ? 0 : (tf_real_t)(n - 3) / 2;
+}
+
+static tf_form_t small_form(void) {
+  tf_form_t f = {.c0 = small(), .F = small(), .M = small()};
+  if (tap_bits() % 2) {
+    f.FF = small() / 64;
+    f.FM = small() / 64;
+    f.MM = small() / 64;
+  }
+  return f;
+}
+
+/* A machine whose g is r z, and whose pinning force is read off p and z. */
+static const tf_machine_t upright = {.sin_gamma = 1,
+                                     .minus_sin_gamma = -1,
+                                     .inv_mu = 1,
+                                     .inv_kappa_mu = 1,
+                                     .tyre = {.mu = 1}};
+
+static void put(tf_state_block_t *block, work_t *work, const tf_inclusion_t *in,
+                int i) {
+  put_form(&work->h, &in->h, i);
+  put_form(&work->g, &in->g, i);
+  block->r[i] = in->g_now;
+  work->z[i] = 1;
+  work->free_z[i] = -1 - in->pin_y;
+  work->p[i] = 0;
+  work->free_p[i] = -in->pin_x;
+  work->p_b[i] = work->z_t[i] = 1;
+}
+
+static unsigned counted[TF_MODES + 1], odd;
+
+static void compare(const work_t *work, const tf_inclusion_t *in, int i) {
+  tf_solutions_t want;
+  memset(&want, 0, sizeof want);
+  if (work->odd[i]) { /* tf_step does it */
+    odd++;
+    return;
+  }
+  tf_friction_solve(in, &want);
+  CHECK(work->set[i] == want.set);
+  CHECK(work->attracting[i] == want.attracting);
+  CHECK((work->nearer_minus[i] ? TF_STICK_MINUS : TF_STICK_PLUS) ==
+        want.near_stick);
+  for (unsigned s = 0; s < 2; s++) {
+    CHECK(work->h_limit[s][i] == want.h_limit[s]);
+    if (want.set & TF_MODE_BIT(TF_STICK_PLUS + s))
+      CHECK(work->root[s][i] == want.x[s]);
+  }
+  unsigned size = 0;
+  for (unsigned mode = 0; mode < TF_MODES; mode++) size += want.set >> mode & 1;
+  counted[size]++;
+}
+
+TEST(lanes_find_the_sets_of_the_enumeration) {
+  static tf_state_block_t block;
+  static work_t work;
+  tf_inclusion_t in[TF_LANES];
+  const unsigned long blocks = 100000;
+  for (unsigned long n = 0; n < blocks; n++) {
+    memset(&block, 0, sizeof block);
+    memset(&work, 0, sizeof work);
+    for (int i = 0; i < TF_LANES; i++) {
+      in[i] = (tf_inclusion_t){.h = small_form(),
+                               .g = small_form(),
+                               .g_now = small(),
+                               .has_moment = true,
+                               .pin_x = small(),
+                               .pin_y = small()};
+      put(&block, &work, &in[i], i);
+    }
+    pin_all(&upright, &work);
+    g_rays_all(&work);
+    h_rays_all(&upright, &block, &work);
+    roots_all(&work);
+    sticks_all(&work);
+    slips_all(&work);
+    for (int i = 0; i < TF_LANES; i++) compare(&work, &in[i], i);
+  }
+  printf("# %u odd; sets of 0 to 5 modes: %u %u %u %u %u %u\n", odd, counted[0],
+         counted[1], counted[2], counted[3], counted[4], counted[5]);
+  CHECK(odd < blocks * TF_LANES / 2);
+  for (int size = 0; size <= TF_MODES; size++) CHECK(counted[size] > 100);
+}
+
+/* The slip of a form under a force of the step. */
+static real slip_by(const lane_form_t *form, const tf_machine_t *k,
+                    tf_force_t force, int i) {
+  const tf_form_t f = form_of(form, i);
+  const real x = wide(force.F * k->inv_mu), y = wide(force.M * k->inv_kappa_mu);
+  return wide(f.c0) + x * wide(f.F) + y * wide(f.M) + x * x * wide(f.FF) +
+         x * y * wide(f.FM) + y * y * wide(f.MM);
+}
+
+/* A lane is left to tf_step where that refuses it; where it sticks, the forms
+ * of the lane vanish under its force. */
+TEST(lanes_have_the_forms_of_the_step) {
+  static tf_state_block_t block;
+  static work_t work;
+  int sticks = 0, rests = 0, refused = 0;
+  for (int n = 0; n < 2000; n++) {
+    tf_params_t params = random_params();
+    params.theta = uniform(0, 1) < TF_R(0.5) ? TF_R(0.5) : 1;
+    const tf_machine_t k = prepared(&params);
+    const tf_input_t u = tf_input_default(&k);
+    for (int i = 0; i < TF_LANES; i++) {
+      block.r[i] = uniform(-0.5, 0.5);
+      block.w[i] = n % 4 ? uniform(-2, 2) : u.omega0;
+      CHECK(tf_speed_for_slip(&k, block.r[i], block.w[i], u.omega0, 0,
+                              &block.v[i]) == TF_OK);
+      if (i == n % TF_LANES && n % 3 == 0)
+        block.w[i] =
+            n % 2 ? TF_R(2.0) * (tf_real_t)TF_STATE_LIMIT : (tf_real_t)NAN;
+    }
+    linearise_all(&k, &block, &u, &work);
+    forms_all(&k, &work);
+    for (int i = 0; i < TF_LANES; i++) {
+      tf_state_t x = {.r = block.r[i], .v = block.v[i], .w = block.w[i]};
+      tf_report_t report;
+      const tf_status_t status = tf_step(&k, &x, &u, &report);
+      CHECK((work.odd[i] != 0) == (status < TF_OK));
+      refused += status < TF_OK;
+      if (status != TF_OK || x.mode <= TF_SLIP_MINUS) continue;
+      const real tolerance = 1e3L * EPSILON;
+      CHECK(fabsl(slip_by(&work.h, &k, report.force, i)) < tolerance);
+      sticks++;
+      if (x.mode != TF_PINNED) continue;
+      CHECK(fabsl(slip_by(&work.g, &k, report.force, i)) < tolerance);
+      rests++;
+    }
+  }
+  printf("# %d sticks, %d of them at rest, %d refused\n", sticks, rests,
+         refused);
+  CHECK(sticks > 1000 && rests > 100 && refused > 100);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(lanes_find_the_sets_of_the_enumeration);
+  RUN(lanes_have_the_forms_of_the_step);
+  return tap_end();
+}
