@@ -61,9 +61,30 @@ TEST(close_roots_are_parted) {
   CHECK(!tf_first_root(&above, 1, &when) && when == -1);
 }
 
+/* (t + a) (b - t) rises at first and has its root b all the same; what stays
+ * above 0 for want of slope needs no further look. */
+TEST(no_root_is_taken_for_none) {
+  for (int n = 0; n < 1000; n++) {
+    const tf_real_t a = uniform(0, 0.1), b = uniform(0.001, 1);
+    const tf_real_t length = b * uniform(1.01, 3);
+    tf_series_t s;
+    memset(&s, 0, sizeof s);
+    s.c[0] = a * b;
+    s.c[1] = b - a;
+    s.c[2] = -1;
+    tf_real_t when = -1;
+    CHECK(!is_rootless(&s, length));
+    CHECK(tf_first_root(&s, length, &when));
+    CHECK_NEAR(wide(when), wide(b), 64 * EPSILON);
+    s.c[0] = (a + b + length) * length;
+    CHECK(is_rootless(&s, length) && !tf_first_root(&s, length, &when));
+  }
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(first_of_several_roots_is_found);
   RUN(close_roots_are_parted);
+  RUN(no_root_is_taken_for_none);
   return tap_end();
 }
