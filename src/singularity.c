@@ -27,7 +27,7 @@ TF_API const char *tf_folds_name(unsigned type) {
 TF_INLINE tf_real_t largest(tf_real_t a, tf_real_t b) { return a > b ? a : b; }
 
 // Real roots of a x^2 + b x + c, the one of larger magnitude first; equal ones
-// once. Scaled by the largest coefficient, so that no square overflows.
+// once, and 0 not where it is a double one. Scaled by the largest coefficient, so that no square overflows.
 static int roots(tf_real_t a, tf_real_t b, tf_real_t c, tf_real_t x[2]) {
   const tf_real_t size =
       largest(magnitude(a), largest(magnitude(b), magnitude(c)));
@@ -44,10 +44,7 @@ static int roots(tf_real_t a, tf_real_t b, tf_real_t c, tf_real_t x[2]) {
   if (!(discriminant >= 0)) return 0;
   const tf_real_t root = square_root(discriminant);
   const tf_real_t q = -(b < 0 ? b - root : b + root) / 2;
-  if (q == 0) { // b = c = 0
-    x[0] = 0;
-    return 1;
-  }
+  if (q == 0) return 0; // b = c = 0
   x[0] = q / a;
   x[1] = c / q;
   return root > 0 ? 2 : 1;

@@ -289,6 +289,21 @@ TEST(located_is_coarse_only_where_it_has_to_be) {
   CHECK(fell_back > 0 && coarse > fell_back / 2);
 }
 
+/* Without contact a wheel that rests at h = 0 keeps the side that it had. */
+TEST(located_without_contact_keeps_its_side_at_rest) {
+  for (unsigned mode = TF_SLIP_PLUS; mode <= TF_SLIP_MINUS; mode++) {
+    sim_t s = {.params = tf_scenes[0]->params};
+    s.params.law = TF_TYRE_NONE;
+    s.params.omega0 = 0;
+    CHECK(begin(&s, (double)s.params.r0, 0, 0, mode) == TF_OK);
+    s.state.mode = (uint8_t)mode;
+    for (int n = 0; n < 3; n++) {
+      CHECK(locate(&s) == TF_OK);
+      CHECK(s.report.slip.h == 0 && s.state.mode == mode);
+    }
+  }
+}
+
 /* A slider without contact that runs away: the step that would pass the limit
  * is refused, the state stays as it was, and the report says which. */
 TEST(located_refuses_to_leave_the_range_of_states) {
@@ -320,6 +335,7 @@ int main(int argc, char **argv) {
   RUN(located_delassus_is_that_of_the_side_of_g);
   RUN(located_set_holds_the_mode);
   RUN(located_is_coarse_only_where_it_has_to_be);
+  RUN(located_without_contact_keeps_its_side_at_rest);
   RUN(located_refuses_to_leave_the_range_of_states);
   return tap_end();
 }

@@ -152,6 +152,32 @@ TEST(futures_of_either_delassus_scalar) {
     }
 }
 
+/* h = (x - 1/2) (x + 1/4) bends so much that stick solves twice beside one slip:
+ * the one with its sign of g is taken, that nearer to 0 if both have it. */
+TEST(stick_of_two_has_its_sign_of_g) {
+  static const struct {
+    double g0, slope; /* of s g along the ray */
+    double x;         /* 0: no stick */
+  } cases[] = {{0.0625, 0.125, -0.25}, {0.5, 0.5, -0.25},
+               {0.0625, -0.5, -0.25},  {0.0625, 0.5, 0.5},
+               {-0.5, 4, 0.5},         {-0.5, 0.5, 0},
+               {0.125, 0.5, 0},        {0.25, -0.5, -0.25}};
+  for (int side = -1; side <= 1; side += 2)
+    for (int s = -1; s <= 1; s += 2)
+      for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const unsigned stick = BIT(s > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
+        tf_inclusion_t in = inclusion(-0.125 * side, -0.25 * side, 0, 0);
+        in.h.FF = num(side);
+        in.g.c0 = num(s * cases[i].g0);
+        in.g.F = num(s * cases[i].slope);
+        tf_solutions_t out;
+        memset(&out, 0, sizeof out);
+        tf_friction_solve(&in, &out);
+        CHECK(!(out.set & stick) == (cases[i].x == 0));
+        if (cases[i].x != 0) CHECK(out.x[s < 0] == num(cases[i].x));
+      }
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(signs_of_g_are_those_of_its_corners);
@@ -160,5 +186,6 @@ int main(int argc, char **argv) {
   RUN(stick_with_a_moment_needs_g_off_0);
   RUN(pinned_needs_a_force_of_the_law);
   RUN(futures_of_either_delassus_scalar);
+  RUN(stick_of_two_has_its_sign_of_g);
   return tap_end();
 }

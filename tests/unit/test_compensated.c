@@ -223,6 +223,8 @@ static int same_step(const run_t *at, real *worst) {
   CHECK(rb.choices >= (rb.status == TF_OK));
   CHECK_NEAR(ra.slip.h, rb.slip.h, 50 * EPSILON * scale);
   CHECK_NEAR(ra.slip.g, rb.slip.g, 50 * EPSILON * scale);
+  if (fabsl((real)ra.slip.g) > 100 * EPSILON * scale) /* known in sign */
+    CHECK_NEAR(ra.delassus, rb.delassus, 400 * EPSILON);
   return 1;
 }
 

@@ -256,6 +256,14 @@ TEST(lengths_types_and_dates_are_checked) {
   CHECK(tf_link_boundary(&board.link, &board.session) == 0);
   CHECK(code_of(&board) == TF_ANSWER_FAR && code_of(&board) == TF_ANSWER_FAR);
   CHECK(answer_of(&board).length == 0 && board.link.waiting == 1);
+  /* How far ahead counts from the present tick, however long the board runs. */
+  board.link.waiting = 0;
+  board.session.state.tick = TF_LINK_AHEAD + 5;
+  send(&board, TF_UP_STOP, 2 * TF_LINK_AHEAD + 6, NULL, 0);
+  send(&board, TF_UP_STOP, 2 * TF_LINK_AHEAD + 5, NULL, 0);
+  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  CHECK(code_of(&board) == TF_ANSWER_FAR);
+  CHECK(answer_of(&board).length == 0 && board.link.waiting == 1);
   /* Longer than any command: counted by the decoder, not written. */
   uint8_t much[TF_FRAME_PAYLOAD];
   memset(much, 7, sizeof much);

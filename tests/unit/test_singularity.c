@@ -123,6 +123,33 @@ static int searched(const paper_t *p, const tf_place_t *list, int listed,
   return count;
 }
 
+/* Under heavy damping one of the two balances at a radius is a thousand times as
+ * near to g = 0 as the other, and is known to as many digits. */
+TEST(damped_two_folds_keep_their_digits) {
+  int places = 0;
+  real worst = 0;
+  for (int i = 0; i < 400; i++) {
+    tf_params_t params = random_params();
+    params.c2 = uniform(500, 5000);
+    const tf_machine_t machine = prepared(&params);
+    const tf_input_t input = tf_input_default(&machine);
+    tf_place_t at[TF_TWO_FOLDS];
+    int count = -1;
+    CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
+    for (int j = 0; j < count; j++) {
+      if (fabsl(wide(at[j].g)) > 0.1L) continue;
+      tf_two_fold_t n;
+      CHECK(tf_normal_form(&machine, &input, &at[j], &n) == TF_OK);
+      const real pull = wide(params.k2) * (fabsl(wide(at[j].r)) + 1) + 10;
+      worst = fmaxl(worst, wide(n.rest) * wide(params.m) / pull / EPSILON);
+      places++;
+    }
+  }
+  printf("# %d places, N at most %.2Lg epsilon of its terms\n", places, worst);
+  CHECK(worst < 5000);
+  CHECK(places > 50);
+}
+
 TEST(every_two_fold_is_found) {
   int seen[TF_TWO_FOLDS + 1] = {0};
   for (int i = 0; i < 400; i++) {
@@ -380,6 +407,7 @@ int main(int argc, char **argv) {
   RUN(reasons_and_types_have_names);
   RUN(two_fold_of_the_paper_is_found);
   RUN(numbers_of_the_paper);
+  RUN(damped_two_folds_keep_their_digits);
   RUN(every_two_fold_is_found);
   RUN(a_machine_may_have_eight_two_folds);
   RUN(gamma_zero_has_a_continuous_two_fold);
