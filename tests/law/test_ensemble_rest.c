@@ -35,6 +35,10 @@ static tf_state_t near_rest(const tf_machine_t *k, const tf_input_t *u) {
   x.w = u->omega0 + uniform(-reach, reach) / (tf_real_t)0.05;
   x.v = uniform(-reach, reach);
   if (tap_bits() % 4 == 0) x.v = 0, x.w = u->omega0; /* it rests */
+  if (tap_bits() % 4 == 0) { /* or all but rests: products of slips vanish */
+    x.v = uniform(-2, 2) * TF_REAL_MIN * (tf_real_t)exp(tap_uniform(0, 20));
+    x.w = u->omega0;
+  }
   if (tap_bits() % 4 == 0)
     (void)tf_speed_for_slip(k, x.r, x.w, u->omega0, 0, &x.v);
   return x;

@@ -119,6 +119,14 @@ TEST(placed_start_has_its_slip) {
   CHECK(tf_place_compensated(&run.machine, &run.state, &run.carry, -1, 0) ==
         TF_BAD_STATE);
   CHECK(run.state.v == v && run.carry.v == 0);
+  run = begun(tf_scenes[0], 1e-4);
+  for (int i = -1; i <= 1; i++) { /* about the border of 1e-6 rad */
+    run.params.gamma = TF_R(1e-6) * (1 + TF_R(0.1) * (tf_real_t)i);
+    CHECK(tf_prepare_compensated(&run.machine, &run.params, NULL) == TF_OK);
+    if (i == 0) run.machine.machine.sin_gamma = TF_R(-1e-6);
+    CHECK(tf_place_compensated(&run.machine, &run.state, &run.carry, -1, 0) ==
+          (i < 0 ? TF_BAD_STATE : TF_OK));
+  }
 }
 
 /* Classical Runge-Kutta on the paper's sliding field, g < 0, and the angle. */
@@ -279,8 +287,15 @@ static void refused(run_t run, tf_status_t want) {
 TEST(compensated_refusals_touch_nothing) {
   const run_t good = begun(tf_scenes[0], 1e-4);
   run_t run = good;
-  run.carry.w = (tf_real_t)NAN;
-  refused(run, TF_BAD_STATE);
+  for (int i = 0; i < 16; i++) { /* one member of the carry, or two */
+    tf_real_t *const member[] = {&run.carry.r, &run.carry.v, &run.carry.w,
+                                 &run.carry.phi};
+    *member[i % 4] = *member[i / 4] = 2 * (tf_real_t)TF_STATE_LIMIT;
+    refused(run, TF_BAD_STATE);
+    *member[i % 4] = (tf_real_t)NAN;
+    refused(run, TF_BAD_STATE);
+    run.carry = good.carry;
+  }
   run = good;
   run.state.r = (tf_real_t)INFINITY;
   refused(run, TF_BAD_STATE);
