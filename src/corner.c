@@ -125,7 +125,7 @@ TF_API bool tf_corner_attractor(const tf_machine_t *k, const tf_rates_t *a,
 static void exit_on(const tf_machine_t *k, const tf_rates_t *a, int side,
                     tf_futures_t *out) {
   const int slip = side > 0 ? 0 : 1;
-  quadrant_t where = {0, 0, 0, 0};
+  quadrant_t where = {.g0 = 0};
   limit_t best = {.speed = 0};
   for (int roll = -1; roll <= 1; roll += 2) {
     const quadrant_t q = quadrant(k, a, roll, side);

@@ -91,7 +91,6 @@ static int set_parameter(tf_link_t *link, tf_session_t *session,
 static int set_rule(tf_link_t *link, tf_session_t *session,
                     const tf_command_t *command) {
   if (command->length != 5) return TF_ANSWER_LENGTH;
-  if (command->payload[0] >= TF_RULES) return TF_BAD_PARAMETER;
   const tf_rule_t before = link->params.rule;
   link->params.rule = (tf_rule_t)command->payload[0];
   const tf_status_t status = tf_prepare(&session->machine, &link->params, NULL);

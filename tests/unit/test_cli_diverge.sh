@@ -214,6 +214,13 @@ test_refusals() {
   expect 'a driven scene' 3 'driven' driven "$@"
   expect 'an unknown kind' 2 'unknown kind' chaos --by luck "$@"
   expect 'an unknown option' 2 'did you mean' chaos --sample 3
+  expect 'an option twice' 2 '--seed was already given' chaos --seed 1 --seed 2
+  expect 'a flag twice' 2 '--header was already given' chaos --header --header
+  for option in '--depth 2' '--count 5' '--grid 0.1' '--branches b.csv'; do
+    # shellcheck disable=SC2086  # an option and its value
+    expect "$option without --exhaustive" 2 'only with --exhaustive' chaos \
+      $option "$@"
+  done
   expect 'an unknown scene' 2 'unknown scene' chaoss
   expect 'one file for both' 2 'two files' chaos --exits x --returns x
   expect 'a file that cannot be written' 4 'No such' chaos --exits e.csv \

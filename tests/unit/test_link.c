@@ -283,7 +283,7 @@ TEST(inputs_act_at_their_tick) {
       input.torque = TF_R(-0.125) * pure.state.w;
       input.force = TF_R(0.0625);
       input.omega0 = -1;
-      input.alpha = 0;
+      input.alpha = now < 200 ? TF_R(0.25) : 0; /* the table speeds up */
       send_input(&board, now, &input);
     }
     tick(&board);

@@ -159,6 +159,8 @@ check 'usage: unknown option' monitor 2 frames --cvs
 check 'usage: the closest' told "did you mean '--csv'?"
 check 'usage: --out alone' monitor 2 frames --out x
 check 'usage: --baud' monitor 2 frames --baud fast
+check 'usage: an option twice' monitor 2 frames --baud 1 --baud 2
+check 'usage: the option, told' told '--baud was already given'
 check 'usage: value missing' monitor 2 frames --csv --out
 for bad in strat set:mu set:muu=1 set:mu=1x select:rand select:random:x \
   input:1,2,3 input:1,2,3,4,5 input:1,,3,4; do

@@ -35,7 +35,8 @@ typedef struct {
   const char *exits, *returns; ///< paths, NULL: not written, "-": stdout
   const char *branches;        ///< likewise, of --exhaustive
   bool exhaustive;
-  bool header; ///< asked for, whatever the shard
+  const char *only_exhaustive; ///< NULL, or an option that goes with it alone
+  bool header;                 ///< asked for, whatever the shard
   cli_by_t by;
   const char *size_text; ///< as typed, NULL: not given
   cli_corner_t corner;

@@ -162,21 +162,25 @@ static int read_set(void *to, const cli_given_t *option) {
 
 static int read_branches(void *to, const cli_given_t *option) {
   cli_diverge_args_t *args = to;
+  args->only_exhaustive = option->name;
   return cli_read_path(option, &args->branches);
 }
 
 static int read_depth(void *to, const cli_given_t *option) {
   cli_diverge_args_t *args = to;
+  args->only_exhaustive = option->name;
   return cli_read_count(option, 1, 1000, &args->depth);
 }
 
 static int read_nodes(void *to, const cli_given_t *option) {
   cli_diverge_args_t *args = to;
+  args->only_exhaustive = option->name;
   return cli_read_count(option, 1, 1000000, &args->count);
 }
 
 static int read_grid(void *to, const cli_given_t *option) {
   cli_diverge_args_t *args = to;
+  args->only_exhaustive = option->name;
   return read_real(option, false, 1e-6, 1e3, "s", &args->grid);
 }
 
@@ -199,30 +203,29 @@ static int take(void *to, const char *word) {
   return cli_take_scene(&args->scene, word);
 }
 
-// Of what is given again the last counts, but for a name of the settings.
 static const cli_option_t options[] = {
-    {"--by", read_by, CLI_AGAIN},
-    {"--rate", read_rate, CLI_AGAIN},
-    {"--size", read_size, CLI_AGAIN},
-    {"--spread", read_spread, CLI_AGAIN},
-    {"--corner", read_corner, CLI_AGAIN},
-    {"--samples", read_samples, CLI_AGAIN},
-    {"--cycles", read_cycles, CLI_AGAIN},
-    {"--seed", read_seed, CLI_AGAIN},
-    {"--shard", read_shard, CLI_AGAIN},
-    {"--patience", read_patience, CLI_AGAIN},
-    {"--section", read_section, CLI_AGAIN},
-    {"--dt", read_dt, CLI_AGAIN},
-    {"--near", read_near, CLI_AGAIN},
+    {"--by", read_by, CLI_ONCE},
+    {"--rate", read_rate, CLI_ONCE},
+    {"--size", read_size, CLI_ONCE},
+    {"--spread", read_spread, CLI_ONCE},
+    {"--corner", read_corner, CLI_ONCE},
+    {"--samples", read_samples, CLI_ONCE},
+    {"--cycles", read_cycles, CLI_ONCE},
+    {"--seed", read_seed, CLI_ONCE},
+    {"--shard", read_shard, CLI_ONCE},
+    {"--patience", read_patience, CLI_ONCE},
+    {"--section", read_section, CLI_ONCE},
+    {"--dt", read_dt, CLI_ONCE},
+    {"--near", read_near, CLI_ONCE},
     {"--set", read_set, CLI_AGAIN},
-    {"--exits", read_exits, CLI_AGAIN},
-    {"--returns", read_returns, CLI_AGAIN},
-    {"--depth", read_depth, CLI_AGAIN},
-    {"--count", read_nodes, CLI_AGAIN},
-    {"--grid", read_grid, CLI_AGAIN},
-    {"--branches", read_branches, CLI_AGAIN},
-    {"--header", read_header, CLI_FLAG + CLI_AGAIN},
-    {"--exhaustive", read_exhaustive, CLI_FLAG + CLI_AGAIN},
+    {"--exits", read_exits, CLI_ONCE},
+    {"--returns", read_returns, CLI_ONCE},
+    {"--depth", read_depth, CLI_ONCE},
+    {"--count", read_nodes, CLI_ONCE},
+    {"--grid", read_grid, CLI_ONCE},
+    {"--branches", read_branches, CLI_ONCE},
+    {"--header", read_header, CLI_FLAG},
+    {"--exhaustive", read_exhaustive, CLI_FLAG},
 };
 
 // What goes together, once all is read.
@@ -234,6 +237,10 @@ static int check_together(cli_diverge_args_t *args) {
     return cli_complain(CLI_USAGE,
                         "--exhaustive: writes --branches FILE; it takes no "
                         "--by, --exits, --returns or --shard");
+  }
+  if (!args->exhaustive && args->only_exhaustive != NULL) {
+    return cli_complain(CLI_USAGE, "%s: only with --exhaustive",
+                        args->only_exhaustive);
   }
   if (sized && args->size_text == NULL) {
     return cli_complain(CLI_USAGE, "--by %s: give --size VALUE in %s",

@@ -47,12 +47,10 @@ static int take_source(void *to, const char *word) {
   return CLI_DONE;
 }
 
-// Of what is given again the last counts; every --send is sent.
+// Every --send is sent.
 static const cli_option_t options[] = {
-    {"--csv", read_csv, CLI_FLAG + CLI_AGAIN},
-    {"--follow", read_follow, CLI_FLAG + CLI_AGAIN},
-    {"--baud", read_baud, CLI_AGAIN},
-    {"--out", read_out, CLI_AGAIN},
+    {"--csv", read_csv, CLI_FLAG},    {"--follow", read_follow, CLI_FLAG},
+    {"--baud", read_baud, CLI_ONCE},  {"--out", read_out, CLI_ONCE},
     {"--send", read_send, CLI_AGAIN},
 };
 
