@@ -178,6 +178,30 @@ TEST(stick_of_two_has_its_sign_of_g) {
       }
 }
 
+/* The root of h along a ray, where a series gives it and where the formula does:
+ * as good as its rounding. */
+TEST(stick_is_where_h_vanishes) {
+  long double worst = 0;
+  for (int n = 0; n < 20000; n++) {
+    const double q = exp2(tap_uniform(-16, -6)) * (n % 2 ? 1 : -1);
+    const double c1 = tap_uniform(-2, -0.5), x1 = tap_uniform(0.1, 0.9);
+    tf_inclusion_t in = inclusion(-x1 * c1, c1, 8, 1);
+    in.h.FF = num(q * c1 / x1);
+    tf_solutions_t out;
+    memset(&out, 0, sizeof out);
+    tf_friction_solve(&in, &out);
+    if (!CHECK(out.set == BIT(TF_STICK_PLUS))) continue;
+    const long double a = (long double)in.h.FF, b = (long double)in.h.F;
+    const long double c = (long double)in.h.c0;
+    const long double want = -2 * c / (b - sqrtl(b * b - 4 * a * c));
+    const long double off = fabsl((long double)out.x[0] - want) / want;
+    worst = off > worst ? off : worst;
+  }
+  printf("# off by %.3Lg epsilon at most\n",
+         worst / (long double)TF_REAL_EPSILON);
+  CHECK_NEAR(worst, 0, 3 * (double)TF_REAL_EPSILON);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(signs_of_g_are_those_of_its_corners);
@@ -187,5 +211,6 @@ int main(int argc, char **argv) {
   RUN(pinned_needs_a_force_of_the_law);
   RUN(futures_of_either_delassus_scalar);
   RUN(stick_of_two_has_its_sign_of_g);
+  RUN(stick_is_where_h_vanishes);
   return tap_end();
 }
