@@ -36,20 +36,44 @@ static tf_real_t leaving(const quadrant_t *q, tf_real_t T, tf_real_t C,
          square_root(C * C + S * S);
 }
 
-// A limit direction between two anchors of the angle kernel, by halving and
-// secants (Illinois), on the chord between them: T depends on G/H alone.
-static tf_real_t direction(const tf_machine_t *k, const quadrant_t *q,
-                           int anchor, tf_real_t f0, tf_real_t f1, tf_real_t *C,
-                           tf_real_t *S) {
-  tf_real_t low = 0, high = 1, T = 0;
+// How fast `turning` rises with the angle, of which T' = a (1 + T^2).
+static tf_real_t rising(const tf_machine_t *k, const quadrant_t *q, tf_real_t T,
+                        tf_real_t C, tf_real_t S) {
+  const tf_real_t dT = k->tyre.T_series[0] * (1 + T * T);
+  return (q->g1 * dT - q->h0 - q->h1 * T) * C -
+         (q->h1 * dT + q->g0 + q->g1 * T) * S;
+}
+
+// At a share of the chord between an anchor of the angle kernel and the next:
+// T, which depends on G/H alone, and the chord's own cosine and sine.
+static tf_real_t on_chord(const tf_machine_t *k, int anchor, tf_real_t x,
+                          tf_real_t *C, tf_real_t *S) {
+  *C = anchor_cos[anchor] + x * (anchor_cos[anchor + 1] - anchor_cos[anchor]);
+  *S = anchor_cos[8 - anchor] +
+       x * (anchor_cos[7 - anchor] - anchor_cos[8 - anchor]);
+  return cot_psi(&k->tyre, *S, *C);
+}
+
+// One limit direction of a quadrant, known to lie in a part of a chord.
+typedef struct {
+  tf_real_t low, high; // shares of the chord
+  tf_real_t f0, f1;    // turning at both
+  tf_real_t speed;     // outwards, at about the direction [m/s^2]
+  int anchor;          // the lower one
+  bool attracts;       // its neighbours turn to it as time runs on
+} limit_t;
+
+// Halving and secants (Illinois). Makes the speed that of the direction, and
+// returns its T.
+static tf_real_t resolve(const tf_machine_t *k, const quadrant_t *q,
+                         limit_t *limit) {
+  tf_real_t low = limit->low, high = limit->high;
+  tf_real_t f0 = limit->f0, f1 = limit->f1, T = 0, C = 1, S = 0;
   int kept = 0;
   for (int i = 0; i < MOST_HALVINGS; i++) {
     const tf_real_t x = (f0 * high - f1 * low) / (f0 - f1);
-    *C = anchor_cos[anchor] + x * (anchor_cos[anchor + 1] - anchor_cos[anchor]);
-    *S = anchor_cos[8 - anchor] +
-         x * (anchor_cos[7 - anchor] - anchor_cos[8 - anchor]);
-    T = cot_psi(&k->tyre, *S, *C);
-    const tf_real_t f = turning(q, T, *C, *S);
+    T = on_chord(k, limit->anchor, x, &C, &S);
+    const tf_real_t f = turning(q, T, C, S);
     if (!(high - low > 4 * TF_REAL_EPSILON) || f == 0) break;
     if ((f > 0) == (f0 > 0)) {
       if (!(x - low > TF_REAL_EPSILON * x)) break;
@@ -65,63 +89,91 @@ static tf_real_t direction(const tf_machine_t *k, const quadrant_t *q,
       kept = -1;
     }
   }
-  return T;
-}
-
-// One limit direction of a quadrant, known to lie between two anchors.
-typedef struct {
-  tf_real_t f0, f1; // turning at both
-  tf_real_t speed;  // outwards, at about the direction [m/s^2]
-  int anchor;       // the lower one
-  bool attracts;    // its neighbours turn to it as time runs on
-} limit_t;
-
-static tf_real_t resolve(const tf_machine_t *k, const quadrant_t *q,
-                         limit_t *limit) {
-  tf_real_t C, S;
-  const tf_real_t T =
-      direction(k, q, limit->anchor, limit->f0, limit->f1, &C, &S);
   limit->speed = leaving(q, T, C, S);
   return T;
 }
 
-// The limit directions of one quadrant, one between two anchors at most;
-// returns how many. Which way they lead shows at the anchors, but where those
-// differ.
-static int limits(const tf_machine_t *k, const quadrant_t *q,
-                  limit_t found[8]) {
+// Between anchors where `turning` has one sign and falls to 0 from both: a
+// share of the chord where it has the other sign, and its value there. Where
+// there is none, any value of the same sign.
+static tf_real_t beyond_0(const tf_machine_t *k, const quadrant_t *q,
+                          int anchor, bool above, tf_real_t *f) {
+  tf_real_t low = 0, high = 1, x = 1;
+  for (int i = 0; i < MOST_HALVINGS; i++) {
+    tf_real_t C, S;
+    x = (low + high) / 2;
+    const tf_real_t T = on_chord(k, anchor, x, &C, &S);
+    *f = turning(q, T, C, S);
+    if ((*f > 0) != above) break;
+    if ((rising(k, q, T, C, S) > 0) == above)
+      high = x;
+    else
+      low = x;
+  }
+  return x;
+}
+
+// Of the ways out the better one is that to which its neighbours turn, then the
+// faster one; of all limit directions the first that attracts.
+static bool is_better(const limit_t *next, const limit_t *best, bool out) {
+  if (!out) return next->attracts && !best->attracts;
+  if (!(next->speed > 0)) return false;
+  return next->attracts == best->attracts ? next->speed > best->speed
+                                          : next->attracts;
+}
+
+// Looks for a limit direction that is better than the best one so far, in one
+// quadrant: whether it has one. There are three at most in a quadrant: with
+// T = tan(a psi), a < 1, cos(a psi) `turning` is a sum of cosines and sines of
+// (1 + a) psi and (1 - a) psi. So there is one between two anchors where the
+// sign changes, and none or two where it does not; two only where `turning`
+// falls to 0 from both.
+static bool improve(const tf_machine_t *k, const quadrant_t *q, bool out,
+                    limit_t *best) {
   tf_real_t f0 = turning(q, 0, 1, 0), speed0 = leaving(q, 0, 1, 0);
-  int n = 0;
+  tf_real_t up0 = rising(k, q, 0, 1, 0);
+  bool improved = false;
   for (int i = 0; i < 8; i++) {
     const tf_real_t T = k->tyre.T_anchor[i + 1];
     const tf_real_t C = anchor_cos[i + 1], S = anchor_cos[7 - i];
     const tf_real_t f1 = turning(q, T, C, S), speed1 = leaving(q, T, C, S);
-    if ((f0 > 0) != (f1 > 0)) {
-      limit_t *limit = &found[n++];
-      *limit = (limit_t){f0, f1, (speed0 + speed1) / 2, i, f0 > 0};
-      if ((speed0 > 0) != (speed1 > 0)) resolve(k, q, limit);
+    const tf_real_t up1 = rising(k, q, T, C, S);
+    const bool above = f0 > 0;
+    tf_real_t x = 1, f = f1;
+    if ((f1 > 0) == above && (up0 > 0) != above && (up1 > 0) == above)
+      x = beyond_0(k, q, i, above, &f);
+    for (int part = 0; part < 2; part++) {
+      const tf_real_t from = part == 0 ? f0 : f, to = part == 0 ? f : f1;
+      if ((from > 0) == (to > 0)) continue;
+      limit_t next = {part == 0 ? 0 : x,
+                      part == 0 ? x : 1,
+                      from,
+                      to,
+                      (speed0 + speed1) / 2,
+                      i,
+                      from > 0};
+      resolve(k, q, &next);
+      if (!is_better(&next, best, out)) continue;
+      *best = next;
+      improved = true;
     }
     f0 = f1;
     speed0 = speed1;
+    up0 = up1;
   }
-  return n;
+  return improved;
 }
 
 TF_API bool tf_corner_attractor(const tf_machine_t *k, const tf_rates_t *a,
                                 int roll, int side, tf_real_t *T) {
   const quadrant_t q = quadrant(k, a, roll, side);
-  limit_t found[8];
-  const int n = limits(k, &q, found);
-  for (int i = 0; i < n; i++)
-    if (found[i].attracts) {
-      *T = resolve(k, &q, &found[i]);
-      return true;
-    }
-  return false;
+  limit_t best = {.speed = 0};
+  if (!improve(k, &q, false, &best)) return false;
+  *T = resolve(k, &q, &best);
+  return true;
 }
 
-// The exit on one side of h = 0: of several that to which its neighbours turn,
-// then the fastest.
+// The exit on one side of h = 0.
 static void exit_on(const tf_machine_t *k, const tf_rates_t *a, int side,
                     tf_futures_t *out) {
   const int slip = side > 0 ? 0 : 1;
@@ -129,17 +181,9 @@ static void exit_on(const tf_machine_t *k, const tf_rates_t *a, int side,
   limit_t best = {.speed = 0};
   for (int roll = -1; roll <= 1; roll += 2) {
     const quadrant_t q = quadrant(k, a, roll, side);
-    limit_t found[8];
-    const int n = limits(k, &q, found);
-    for (int i = 0; i < n; i++) {
-      const bool better = found[i].attracts == best.attracts
-                              ? found[i].speed > best.speed
-                              : found[i].attracts;
-      if (!(found[i].speed > 0 && better)) continue;
-      best = found[i];
-      where = q;
-      out->roll[slip] = roll;
-    }
+    if (!improve(k, &q, true, &best)) continue;
+    where = q;
+    out->roll[slip] = roll;
   }
   if (!(best.speed > 0)) return;
   out->T[slip] = resolve(k, &where, &best);
