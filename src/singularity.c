@@ -27,7 +27,8 @@ TF_API const char *tf_folds_name(unsigned type) {
 TF_INLINE tf_real_t largest(tf_real_t a, tf_real_t b) { return a > b ? a : b; }
 
 // Real roots of a x^2 + b x + c, the one of larger magnitude first; equal ones
-// once, and 0 not where it is a double one. Scaled by the largest coefficient, so that no square overflows.
+// once, and 0 not where it is a double one. Scaled by the largest coefficient,
+// so that no square overflows.
 static int roots(tf_real_t a, tf_real_t b, tf_real_t c, tf_real_t x[2]) {
   const tf_real_t size =
       largest(magnitude(a), largest(magnitude(b), magnitude(c)));

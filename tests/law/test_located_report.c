@@ -267,9 +267,9 @@ TEST(located_set_holds_the_mode) {
   CHECK(steps > 10000 && open > 100);
 }
 
-/* Segments beyond TF_LOCATE_SEGMENTS are coarser only where those that may still
- * be spent would not do: on a slider without contact, whose segments are of
- * one length, and at a tolerance that allows hardly longer ones, no step is
+/* Segments beyond TF_LOCATE_SEGMENTS are coarser only where those that may
+ * still be spent would not do: on a slider without contact, whose segments are
+ * of one length, and at a tolerance that allows hardly longer ones, no step is
  * called coarse that is far from falling back. */
 TEST(located_is_coarse_only_where_it_has_to_be) {
   double coarse = 0, fell_back = 0;

@@ -152,8 +152,8 @@ TEST(futures_of_either_delassus_scalar) {
     }
 }
 
-/* h = (x - 1/2) (x + 1/4) bends so much that stick solves twice beside one slip:
- * the one with its sign of g is taken, that nearer to 0 if both have it. */
+/* h = (x - 1/2) (x + 1/4) bends so much that stick solves twice beside one
+ * slip: the one with its sign of g is taken, that nearer to 0 if both have. */
 TEST(stick_of_two_has_its_sign_of_g) {
   static const struct {
     double g0, slope; /* of s g along the ray */
@@ -178,8 +178,8 @@ TEST(stick_of_two_has_its_sign_of_g) {
       }
 }
 
-/* The root of h along a ray, where a series gives it and where the formula does:
- * as good as its rounding. */
+/* The root of h along a ray, where a series gives it and where the formula
+ * does: as good as its rounding. */
 TEST(stick_is_where_h_vanishes) {
   long double worst = 0;
   for (int n = 0; n < 20000; n++) {

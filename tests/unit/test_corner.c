@@ -48,8 +48,8 @@ typedef struct {
   bool attracts;
 } exit_t;
 
-/* Of those that their neighbours turn to, or else of all, the fastest; on a grid
- * of angles, which two near to each other escape. */
+/* Of those that their neighbours turn to, or else of all, the fastest; on a
+ * grid of angles, which two near to each other escape. */
 static exit_t search(const rest_t *at, int side) {
   enum { ANGLES = 100 };
   const real quarter = PAPER_PI / 2, edge = 1e-7L;

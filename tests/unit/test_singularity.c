@@ -123,8 +123,8 @@ static int searched(const paper_t *p, const tf_place_t *list, int listed,
   return count;
 }
 
-/* Under heavy damping one of the two balances at a radius is a thousand times as
- * near to g = 0 as the other, and is known to as many digits. */
+/* Under heavy damping one of the two balances at a radius is a thousand times
+ * as near to g = 0 as the other, and is known to as many digits. */
 TEST(damped_two_folds_keep_their_digits) {
   int places = 0;
   real worst = 0;
