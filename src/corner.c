@@ -54,43 +54,44 @@ static tf_real_t on_chord(const tf_machine_t *k, int anchor, tf_real_t x,
   return cot_psi(&k->tyre, *S, *C);
 }
 
-// One limit direction of a quadrant, known to lie in a part of a chord.
+// A limit direction of a quadrant.
 typedef struct {
-  tf_real_t low, high; // shares of the chord
-  tf_real_t f0, f1;    // turning at both
-  tf_real_t speed;     // outwards, at about the direction [m/s^2]
-  int anchor;          // the lower one
-  bool attracts;       // its neighbours turn to it as time runs on
+  tf_real_t T;     // its cot(psi)
+  tf_real_t speed; // outwards [m/s^2]
+  bool attracts;   // its neighbours turn to it as time runs on
 } limit_t;
 
-// Halving and secants (Illinois). Makes the speed that of the direction, and
-// returns its T.
-static tf_real_t resolve(const tf_machine_t *k, const quadrant_t *q,
-                         limit_t *limit) {
-  tf_real_t low = limit->low, high = limit->high;
-  tf_real_t f0 = limit->f0, f1 = limit->f1, T = 0, C = 1, S = 0;
+// A part of a chord, by shares, and `turning` at its ends: of opposite signs.
+typedef struct {
+  tf_real_t low, high, f0, f1;
+} bracket_t;
+
+// By halving and secants (Illinois).
+static limit_t limit_in(const tf_machine_t *k, const quadrant_t *q, int anchor,
+                        bracket_t in) {
+  const bool attracts = in.f0 > 0;
+  tf_real_t T = 0, C = 1, S = 0;
   int kept = 0;
   for (int i = 0; i < MOST_HALVINGS; i++) {
-    const tf_real_t x = (f0 * high - f1 * low) / (f0 - f1);
-    T = on_chord(k, limit->anchor, x, &C, &S);
+    const tf_real_t x = (in.f0 * in.high - in.f1 * in.low) / (in.f0 - in.f1);
+    T = on_chord(k, anchor, x, &C, &S);
     const tf_real_t f = turning(q, T, C, S);
-    if (!(high - low > 4 * TF_REAL_EPSILON) || f == 0) break;
-    if ((f > 0) == (f0 > 0)) {
-      if (!(x - low > TF_REAL_EPSILON * x)) break;
-      low = x;
-      f0 = f;
-      if (kept == 1) f1 /= 2;
+    if (!(in.high - in.low > 4 * TF_REAL_EPSILON) || f == 0) break;
+    if ((f > 0) == attracts) {
+      if (!(x - in.low > TF_REAL_EPSILON * x)) break;
+      in.low = x;
+      in.f0 = f;
+      if (kept == 1) in.f1 /= 2;
       kept = 1;
     } else {
-      if (!(high - x > TF_REAL_EPSILON * x)) break;
-      high = x;
-      f1 = f;
-      if (kept == -1) f0 /= 2;
+      if (!(in.high - x > TF_REAL_EPSILON * x)) break;
+      in.high = x;
+      in.f1 = f;
+      if (kept == -1) in.f0 /= 2;
       kept = -1;
     }
   }
-  limit->speed = leaving(q, T, C, S);
-  return T;
+  return (limit_t){T, leaving(q, T, C, S), attracts};
 }
 
 // Between anchors where `turning` has one sign and falls to 0 from both: a
@@ -113,63 +114,53 @@ static tf_real_t beyond_0(const tf_machine_t *k, const quadrant_t *q,
   return x;
 }
 
-// Of the ways out the better one is that to which its neighbours turn, then the
-// faster one; of all limit directions the first that attracts.
-static bool is_better(const limit_t *next, const limit_t *best, bool out) {
-  if (!out) return next->attracts && !best->attracts;
+// Of two ways out that to which its neighbours turn, then the faster one.
+static bool is_better(const limit_t *next, const limit_t *best) {
   if (!(next->speed > 0)) return false;
   return next->attracts == best->attracts ? next->speed > best->speed
                                           : next->attracts;
 }
 
-// Looks for a limit direction that is better than the best one so far, in one
-// quadrant: whether it has one. There are three at most in a quadrant: with
-// T = tan(a psi), a < 1, cos(a psi) `turning` is a sum of cosines and sines of
-// (1 + a) psi and (1 - a) psi. So there is one between two anchors where the
-// sign changes, and none or two where it does not; two only where `turning`
-// falls to 0 from both.
-static bool improve(const tf_machine_t *k, const quadrant_t *q, bool out,
-                    limit_t *best) {
-  tf_real_t f0 = turning(q, 0, 1, 0), speed0 = leaving(q, 0, 1, 0);
-  tf_real_t up0 = rising(k, q, 0, 1, 0);
-  bool improved = false;
+// Looks through the limit directions of one quadrant: for a better way out than
+// the best one so far, or for the one that attracts. Returns whether there is
+// one. There are three at most in a quadrant: with T = tan(a psi), a < 1,
+// cos(a psi) `turning` is a sum of cosines and sines of (1 + a) psi and
+// (1 - a) psi. So there is one between two anchors where the sign changes, and
+// none or two where it does not; two only where `turning` falls to 0 from both.
+static bool look_for(const tf_machine_t *k, const quadrant_t *q, bool way_out,
+                     limit_t *best) {
+  tf_real_t f0 = turning(q, 0, 1, 0), up0 = rising(k, q, 0, 1, 0);
+  bool found = false;
   for (int i = 0; i < 8; i++) {
     const tf_real_t T = k->tyre.T_anchor[i + 1];
     const tf_real_t C = anchor_cos[i + 1], S = anchor_cos[7 - i];
-    const tf_real_t f1 = turning(q, T, C, S), speed1 = leaving(q, T, C, S);
-    const tf_real_t up1 = rising(k, q, T, C, S);
+    const tf_real_t f1 = turning(q, T, C, S), up1 = rising(k, q, T, C, S);
     const bool above = f0 > 0;
     tf_real_t x = 1, f = f1;
     if ((f1 > 0) == above && (up0 > 0) != above && (up1 > 0) == above)
       x = beyond_0(k, q, i, above, &f);
-    for (int part = 0; part < 2; part++) {
-      const tf_real_t from = part == 0 ? f0 : f, to = part == 0 ? f : f1;
-      if ((from > 0) == (to > 0)) continue;
-      limit_t next = {part == 0 ? 0 : x,
-                      part == 0 ? x : 1,
-                      from,
-                      to,
-                      (speed0 + speed1) / 2,
-                      i,
-                      from > 0};
-      resolve(k, q, &next);
-      if (!is_better(&next, best, out)) continue;
+    const bracket_t parts[2] = {{0, x, f0, f}, {x, 1, f, f1}};
+    for (int n = 0; n < 2; n++) {
+      const bool attracts = parts[n].f0 > 0;
+      if (attracts == (parts[n].f1 > 0)) continue;
+      if (!way_out && !attracts) continue;
+      const limit_t next = limit_in(k, q, i, parts[n]);
+      if (way_out && !is_better(&next, best)) continue;
       *best = next;
-      improved = true;
+      found = true;
     }
     f0 = f1;
-    speed0 = speed1;
     up0 = up1;
   }
-  return improved;
+  return found;
 }
 
 TF_API bool tf_corner_attractor(const tf_machine_t *k, const tf_rates_t *a,
                                 int roll, int side, tf_real_t *T) {
   const quadrant_t q = quadrant(k, a, roll, side);
   limit_t best = {.speed = 0};
-  if (!improve(k, &q, false, &best)) return false;
-  *T = resolve(k, &q, &best);
+  if (!look_for(k, &q, false, &best)) return false;
+  *T = best.T;
   return true;
 }
 
@@ -177,16 +168,13 @@ TF_API bool tf_corner_attractor(const tf_machine_t *k, const tf_rates_t *a,
 static void exit_on(const tf_machine_t *k, const tf_rates_t *a, int side,
                     tf_futures_t *out) {
   const int slip = side > 0 ? 0 : 1;
-  quadrant_t where = {.g0 = 0};
   limit_t best = {.speed = 0};
   for (int roll = -1; roll <= 1; roll += 2) {
     const quadrant_t q = quadrant(k, a, roll, side);
-    if (!improve(k, &q, true, &best)) continue;
-    where = q;
-    out->roll[slip] = roll;
+    if (look_for(k, &q, true, &best)) out->roll[slip] = roll;
   }
   if (!(best.speed > 0)) return;
-  out->T[slip] = resolve(k, &where, &best);
+  out->T[slip] = best.T;
   out->solutions.set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
   out->solutions.h_limit[slip] = (tf_real_t)side * best.speed;
 }

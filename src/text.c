@@ -35,7 +35,7 @@ TF_API size_t tf_text_real(char *out, tf_real_t value) {
   }
   if (!(value > 0 && value <= TF_REAL_MAX)) {
     const char *word = value > 0 ? "inf" : "nan";
-    at = put(at, value >= 0 && !(value > 0) ? "0" : word);
+    at = put(at, value == 0 ? "0" : word);
     return (size_t)(at - out);
   }
   int power = 0, count = 1; // of digits up to the last that is not 0

@@ -92,8 +92,44 @@ TEST(ensemble_comes_to_rest_as_single_steps_do) {
   for (int i = 1; i <= 3; i++) CHECK(choices[i] > 100);
 }
 
+/* Loads that bring speeds up to the limit of a state within one step, and past
+ * it: lanes are refused where single steps are. */
+TEST(ensemble_refuses_what_single_steps_do) {
+  static tf_state_block_t block;
+  static tf_report_block_t reported;
+  size_t refused = 0, differ = 0;
+  for (int i = 0; i < 2000; i++) {
+    tf_params_t p = random_params();
+    p.m = TF_R(0.001);
+    p.c1 = p.c2 = p.d = 0;
+    const tf_machine_t k = prepared(&p);
+    tf_input_t u = tf_input_default(&k);
+    u.force = uniform(-1, 1) * (tf_real_t)TF_STATE_LIMIT;
+    u.torque = uniform(-1, 1) * (tf_real_t)TF_STATE_LIMIT * k.inertia / k.dt;
+    singles_t one;
+    memset(&one, 0, sizeof one);
+    memset(&reported, 0, sizeof reported);
+    for (size_t lane = 0; lane < TF_LANES; lane++) {
+      one.x[lane].r = (tf_real_t)exp(tap_uniform(log(1e-12), log(1)));
+      one.x[lane].mode = (uint8_t)(tap_bits() % TF_MODES);
+      tf_ensemble_put(&block, lane, &one.x[lane]);
+    }
+    (void)tf_ensemble_step(&k, &block, TF_LANES, &u, &reported);
+    for (size_t lane = 0; lane < TF_LANES; lane++) {
+      (void)tf_step(&k, &one.x[lane], &u, &one.report[lane]);
+      const tf_state_t y = tf_ensemble_get(&block, lane);
+      const tf_report_t other = tf_ensemble_report(&reported, lane);
+      refused += one.report[lane].status < 0;
+      differ += !same(&one.x[lane], &y, &one.report[lane], &other);
+    }
+  }
+  printf("# %zu refused\n", refused);
+  CHECK(differ == 0 && refused > 1000 && refused < 1999 * TF_LANES);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(ensemble_comes_to_rest_as_single_steps_do);
+  RUN(ensemble_refuses_what_single_steps_do);
   return tap_end();
 }

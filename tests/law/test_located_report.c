@@ -289,6 +289,62 @@ TEST(located_is_coarse_only_where_it_has_to_be) {
   CHECK(fell_back > 0 && coarse > fell_back / 2);
 }
 
+/* Where h is 0 to the last bit no mode is believed: what goes on is one of the
+ * futures that the surface has there. */
+TEST(located_believes_no_slip_at_h_0) {
+  int exact = 0, others = 0;
+  for (int i = 0; i < 20000; i++) {
+    sim_t s = {.params = machine_at_random()};
+    s.params.dt = TF_R(1e-9);
+    if (begin(&s, tap_uniform(-0.8, 0.8), tap_uniform(-1.5, 1.5), 0,
+              TF_MODES) != TF_OK ||
+        s.report.slip.h != 0 || fabs((double)s.report.slip.g) < 0.01)
+      continue;
+    const unsigned set = s.report.set;
+    s.state.mode = (uint8_t)(i % 2 ? TF_SLIP_PLUS : TF_SLIP_MINUS);
+    others += !(set & TF_MODE_BIT(s.state.mode));
+    exact++;
+    CHECK(locate(&s) == TF_OK);
+    CHECK(set & TF_MODE_BIT(s.state.mode) && s.report.set == set);
+  }
+  printf("# %d starts, %d of them in a mode that is none\n", exact, others);
+  CHECK(exact > 300 && others > 100);
+}
+
+/* Slip that starts at g = 0, where the law has a kink, one way or the other:
+ * as in many steps. gamma = 0, where g is the speed of the slider. */
+TEST(located_starts_at_the_kink) {
+  for (int i = 0; i < 200; i++) {
+    sim_t s = {.params = machine_at_random()}, fine;
+    s.params.gamma = 0;
+    s.params.d = 0;
+    s.params.dt = TF_R(0.02);
+    s.params.tolerance = IS_DOUBLE ? TF_R(1e-10) : TF_R(1e-6);
+    s.params.r0 = (tf_real_t)tap_uniform(-1, 1);
+    CHECK(tf_prepare(&s.machine, &s.params, NULL) == TF_OK);
+    s.input = tf_input_default(&s.machine);
+    const double turn = tap_uniform(0.2, 1) * (i % 2 ? 1 : -1);
+    s.state = (tf_state_t){.r = (tf_real_t)tap_uniform(0.1, 0.5),
+                           .w = s.input.omega0 + (tf_real_t)turn,
+                           .mode = TF_MODES};
+    CHECK(tf_begin(&s.machine, &s.state, &s.input, &s.report) == TF_OK);
+    CHECK(s.report.slip.g == 0 && s.report.slip.h != 0);
+    fine = s;
+    fine.params.dt = TF_R(0.02) / 64;
+    CHECK(tf_prepare(&fine.machine, &fine.params, NULL) == TF_OK);
+    fine.state.v = -(tf_real_t)TF_REAL_EPSILON; /* off the kink */
+    const sim_t start = fine;
+    for (int side = 0; side < 2; side++) {
+      fine = start;
+      if (side) fine.state.v = -start.state.v;
+      for (int n = 0; n < 64; n++) CHECK(locate(&fine) == TF_OK);
+      if (side == 0) CHECK(locate(&s) == TF_OK);
+      CHECK_NEAR(s.state.r, fine.state.r, IS_DOUBLE ? 1e-10 : 1e-5);
+      CHECK_NEAR(s.state.w, fine.state.w, IS_DOUBLE ? 1e-9 : 1e-4);
+    }
+  }
+}
+
 /* Without contact a wheel that rests at h = 0 keeps the side that it had. */
 TEST(located_without_contact_keeps_its_side_at_rest) {
   for (unsigned mode = TF_SLIP_PLUS; mode <= TF_SLIP_MINUS; mode++) {
@@ -335,6 +391,8 @@ int main(int argc, char **argv) {
   RUN(located_delassus_is_that_of_the_side_of_g);
   RUN(located_set_holds_the_mode);
   RUN(located_is_coarse_only_where_it_has_to_be);
+  RUN(located_believes_no_slip_at_h_0);
+  RUN(located_starts_at_the_kink);
   RUN(located_without_contact_keeps_its_side_at_rest);
   RUN(located_refuses_to_leave_the_range_of_states);
   return tap_end();

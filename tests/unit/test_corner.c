@@ -139,8 +139,47 @@ TEST(slip_leaves_rest_as_a_search_finds) {
   CHECK(found[0] > 300 && found[1] > 300 && none > 300);
 }
 
+/* A wheel across its slot (gamma = pi/2) rests where the law holds force and
+ * moment that it takes; along it (gamma = 0) none holds the slider. */
+TEST(wheel_rests_where_the_law_allows) {
+  int rests = 0, moves = 0;
+  for (int n = 0; n < 4000; n++) {
+    tf_params_t params = random_params();
+    params.gamma = n % 4 ? TF_R(1.5707963267948966) : 0;
+    params.d = 0;
+    tf_machine_t k = prepared(&params);
+    if (n % 4) { /* to the last bit */
+      k.sin_gamma = 1;
+      k.minus_sin_gamma = -1;
+      k.cos_gamma = 0;
+    }
+    const tf_input_t u = tf_input_default(&k);
+    const tf_real_t r = uniform(-0.6, 0.6);
+    const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
+    tf_futures_t out;
+    tf_corner_futures(&k, &rates, &out);
+    const real w = wide(u.omega0);
+    const real F =
+        -(wide(k.k2) * (wide(k.r0) - wide(r)) + wide(k.m) * wide(r) * w * w);
+    const real M = wide(k.c1) * w, mu = wide(params.mu);
+    if (fabsl(fabsl(F) - mu) < 1e-4L ||
+        fabsl(fabsl(M) - wide(params.kappa) * fabsl(F)) < 1e-4L)
+      continue;
+    const bool holds =
+        n % 4 && fabsl(F) < mu && fabsl(M) < wide(params.kappa) * fabsl(F);
+    CHECK(holds == !!(out.solutions.set & TF_MODE_BIT(TF_PINNED)));
+    if (holds)
+      rests++;
+    else
+      moves++;
+  }
+  printf("# %d rest, %d move\n", rests, moves);
+  CHECK(rests > 300 && moves > 1000);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(slip_leaves_rest_as_a_search_finds);
+  RUN(wheel_rests_where_the_law_allows);
   return tap_end();
 }

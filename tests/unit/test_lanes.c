@@ -145,9 +145,36 @@ TEST(lanes_have_the_forms_of_the_step) {
   CHECK(sticks > 1000 && rests > 100 && refused > 100);
 }
 
+/* The slip law of a lane is that of a single step, on the borders between its
+ * anchors and at equal components too. */
+TEST(lanes_have_the_law_of_the_step) {
+  tf_params_t params = tf_scenes[0]->params;
+  unsigned long done = 0;
+  for (int n = 0; n < 100000; n++) {
+    params.kappa = uniform(0.01, 2);
+    const tf_machine_t k = prepared(&params);
+    const tf_real_t side = n % 2 ? TF_R(1.0) : TF_R(-1.0);
+    const tf_real_t share = n % 3   ? border[tap_bits() % 4]
+                            : n % 2 ? 1
+                                    : uniform(0, 1);
+    tf_slip_t slip = {side, share};
+    if (tap_bits() % 2) slip = (tf_slip_t){side * share, 1};
+    if (tap_bits() % 2) slip.g = -slip.g;
+    if (tap_bits() % 8 == 0) slip.h = -slip.h; /* behind the jump */
+    const lane_law_t lane = lane_law(&k.tyre, side, slip);
+    const tf_multipliers_t step =
+        jump_multipliers(&k.tyre, side, slip.h, slip.g);
+    if (lane.odd) continue;
+    CHECK(lane.x == step.x && lane.y == step.y);
+    done++;
+  }
+  CHECK(done > 90000);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(lanes_find_the_sets_of_the_enumeration);
+  RUN(lanes_have_the_law_of_the_step);
   RUN(lanes_have_the_forms_of_the_step);
   return tap_end();
 }

@@ -81,10 +81,29 @@ TEST(no_root_is_taken_for_none) {
   }
 }
 
+/* At c0 = 0 the root that is there is not meant: t (t + a) has no other one,
+ * t (b - t) has b. */
+TEST(root_at_the_start_is_not_meant) {
+  for (int n = 0; n < 1000; n++) {
+    const tf_real_t a = uniform(0.01, 1), b = uniform(0.01, 1);
+    tf_series_t s;
+    tf_real_t when = -1;
+    memset(&s, 0, sizeof s);
+    s.c[1] = a;
+    s.c[2] = 1;
+    CHECK(!tf_first_root(&s, 1, &when));
+    s.c[1] = b;
+    s.c[2] = -1;
+    CHECK(tf_first_root(&s, 1, &when));
+    CHECK_NEAR(wide(when), wide(b), 64 * EPSILON);
+  }
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(first_of_several_roots_is_found);
   RUN(close_roots_are_parted);
   RUN(no_root_is_taken_for_none);
+  RUN(root_at_the_start_is_not_meant);
   return tap_end();
 }
