@@ -3,11 +3,32 @@
 #include "corner.h"
 #include "sample.h"
 
-/* The machine at rest on the turntable. */
+/* The machine at rest on the turntable: its accelerations of h and g without
+ * friction, by F = 1 N and by M = 1 N m. */
 typedef struct {
   paper_t paper;
-  real x[3];
+  real h[3], g[3];
 } rest_t;
+
+static rest_t rest_at(const tf_params_t *params, tf_real_t r) {
+  rest_t at = {.paper = paper_of(params)};
+  const real x[3] = {wide(r), 0, at.paper.omega0};
+  real h_x[3], g_x[3];
+  paper_h_x(&at.paper, x, h_x);
+  paper_g_x(&at.paper, x, g_x);
+  for (int by = 0; by < 3; by++) {
+    real dx[3];
+    paper_rhs_time(&at.paper, x, by == 1, by == 2, dx);
+    for (int i = 0; i < 3; i++) {
+      at.h[by] += h_x[i] * dx[i];
+      at.g[by] += g_x[i] * dx[i];
+    }
+    if (by == 0) continue;
+    at.h[by] -= at.h[0];
+    at.g[by] -= at.g[0];
+  }
+  return at;
+}
 
 /* Slip of 1 m/s at an angle from the h axis of one side: how fast it turns to
  * larger angles, and grows. */
@@ -17,15 +38,10 @@ typedef struct {
 
 static rate_t rate_at(const rest_t *at, int side, real angle) {
   const real h = (real)side * cosl(angle), g = sinl(angle);
-  real F, M, dx[3], h_x[3], g_x[3], dh = 0, dg = 0;
+  real F, M;
   paper_friction(&at->paper, h, g, &F, &M);
-  paper_rhs_time(&at->paper, at->x, F, M, dx);
-  paper_h_x(&at->paper, at->x, h_x);
-  paper_g_x(&at->paper, at->x, g_x);
-  for (int i = 0; i < 3; i++) {
-    dh += h_x[i] * dx[i];
-    dg += g_x[i] * dx[i];
-  }
+  const real dh = at->h[0] + F * at->h[1] + M * at->h[2];
+  const real dg = at->g[0] + F * at->g[1] + M * at->g[2];
   return (rate_t){(real)side * (dg * h - dh * g), dh * h + dg * g};
 }
 
@@ -80,11 +96,12 @@ static real angle_of(const rest_t *at, real T, int roll) {
   return (real)roll * (PAPER_PI / 2) * atanl(T) / atanl(6 * at->paper.kappa);
 }
 
-/* Half of the machines as in the other tests, half of all kinds. */
+/* Some of the machines as in the other tests, most of extreme shapes, where two
+ * directions of one kind are more often close to each other. */
 static tf_params_t any_params(int n) {
   tf_params_t params = random_params();
   params.omega0 = uniform(-2, 2);
-  if (n % 2 == 0) return params;
+  if (n % 4 == 0) return params;
   params.kappa = uniform(0.5, 20);
   params.beta = uniform(0.001, 0.5);
   params.d = uniform(-5, 5);
@@ -93,12 +110,12 @@ static tf_params_t any_params(int n) {
 
 TEST(slip_leaves_rest_as_a_search_finds) {
   int found[2] = {0}, none = 0, escaped = 0;
-  for (int n = 0; n < 1600; n++) {
+  for (int n = 0; n < 4000; n++) {
     const tf_params_t params = any_params(n);
     const tf_machine_t k = prepared(&params);
     const tf_input_t u = tf_input_default(&k);
     const tf_real_t r = uniform(-0.6, 0.6);
-    const rest_t at = {paper_of(&params), {wide(r), 0, wide(u.omega0)}};
+    const rest_t at = rest_at(&params, r);
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
     const real size =
         1 + fabsl(wide(rates.p)) + fabsl(wide(rates.q)) +
@@ -136,7 +153,7 @@ TEST(slip_leaves_rest_as_a_search_finds) {
       "# ways out: %d with h > 0, %d with h < 0; %d times none; %d of them too "
       "narrow for the search\n",
       found[0], found[1], none, escaped);
-  CHECK(found[0] > 300 && found[1] > 300 && none > 300);
+  CHECK(found[0] > 500 && found[1] > 500 && none > 500);
 }
 
 /* A wheel across its slot (gamma = pi/2) rests where the law holds force and

@@ -401,11 +401,15 @@ TEST(other_versions_and_lengths_are_counted) {
   reseal(wire, size);
   CHECK(accepted(&receiver, wire, size) == 0);
   CHECK(receiver.decoder.bad == 1);
+  /* No more than the checksum of nothing. */
+  static const uint8_t nothing[] = {0, 0x80, 0x80, 0x80, 0x80, 0x80, 0};
+  CHECK(accepted(&receiver, nothing, sizeof nothing) == 0);
+  CHECK(receiver.decoder.bad == 2 && receiver.decoder.bad_version == 1);
   make(wire, 3, 9);
   wire[1] = 0xff; /* a chain of COBS that leaves the frame */
   reseal(wire, size);
   CHECK(accepted(&receiver, wire, size) == 0);
-  CHECK(receiver.decoder.bad == 2);
+  CHECK(receiver.decoder.bad == 3);
 }
 
 TEST(block_decoder_is_the_byte_decoder) {

@@ -212,6 +212,11 @@ TEST(schema_says_what_runs) {
   CHECK(received.frame.length == TF_FRAME_PAYLOAD);
   CHECK(received.frame.payload[TF_FRAME_PAYLOAD - 2] == 0);
   CHECK(received.frame.payload[TF_FRAME_PAYLOAD - 1] == 0);
+  schema.scene = "short"; /* the whole rest is the other's */
+  receive(&received, wire, tf_send_schema(wire, &sequence, 0, &schema));
+  CHECK(received.frame.length == TF_FRAME_PAYLOAD);
+  CHECK(received.frame.payload[TF_FRAME_PAYLOAD - 2] == 'x');
+  CHECK(received.frame.payload[TF_FRAME_PAYLOAD - 1] == 0);
   /* The hash sees every parameter. */
   const uint32_t hash = tf_params_hash(params);
   for (unsigned i = 0; i < TF_PARAMETERS; i++) {

@@ -76,6 +76,10 @@ TEST(wishes_that_cannot_be_granted_say_why) {
   tf_params_t params = tf_scenes[0]->params;
   CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GRANTED);
   CHECK(obstacle(&params, 0, -1.037) == TF_WISH_R);
+  CHECK(obstacle(&params, 1, -1.037) != TF_WISH_R);
+  params.r0 = 0; /* though the spring is at rest there */
+  CHECK(obstacle(&params, 0, -1.037) == TF_WISH_R);
+  params.r0 = tf_scenes[0]->params.r0;
   CHECK(obstacle(&params, NAN, -1.037) == TF_WISH_R);
   CHECK(obstacle(&params, 2e9, -1.037) == TF_WISH_R);
   CHECK(obstacle(&params, 0.1859, -1) == TF_WISH_OMEGA);
