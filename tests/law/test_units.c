@@ -6,12 +6,13 @@
 #include "sample.h"
 
 enum { MIRROR, REVERSAL, HALF_TURN, MASS, TIME, MAPS };
+#define HEAVY 16384 /* a power of two */
 
 /* What a map does to a machine, its inputs and a state:
  *   mirror     d, gamma, omega, torque -> -           h -> -h
  *   reversal   r, v, r0, d, force -> -                h, g -> -h, -g
  *   half turn  gamma + pi                             h, g -> -h, -g
- *   mass       4 kg are the new unit
+ *   mass       16 t are the old kilogram
  *   time       half a second is the new unit */
 static void map_params(int map, tf_params_t *p) {
   if (map == MIRROR) {
@@ -28,7 +29,9 @@ static void map_params(int map, tf_params_t *p) {
       p->rule = TF_RULE_SLIP_PLUS;
   }
   if (map == REVERSAL) p->d = -p->d, p->r0 = -p->r0;
-  if (map == MASS) p->m *= 4, p->k2 *= 4, p->c1 *= 4, p->c2 *= 4, p->mu *= 4;
+  if (map == MASS)
+    p->m *= HEAVY, p->k2 *= HEAVY, p->c1 *= HEAVY, p->c2 *= HEAVY,
+        p->mu *= HEAVY;
   if (map == TIME) {
     p->dt /= 2, p->k2 *= 4, p->mu *= 4, p->c1 *= 2, p->c2 *= 2;
     p->omega0 *= 2;
@@ -54,7 +57,9 @@ static tf_machine_t mapped_machine(int map, tf_params_t p) {
 static tf_input_t mapped_input(int map, tf_input_t u) {
   const tf_real_t turn = map == MIRROR ? TF_R(-1.0) : TF_R(1.0);
   const tf_real_t back = map == REVERSAL ? TF_R(-1.0) : TF_R(1.0);
-  const tf_real_t size = map == MASS || map == TIME ? TF_R(4.0) : TF_R(1.0);
+  const tf_real_t size = map == MASS   ? HEAVY
+                         : map == TIME ? TF_R(4.0)
+                                       : TF_R(1.0);
   const tf_real_t fast = map == TIME ? TF_R(2.0) : TF_R(1.0);
   return (tf_input_t){.omega0 = turn * fast * u.omega0,
                       .r0 = back * u.r0,
@@ -99,7 +104,7 @@ static int same_state(const tf_state_t *a, const tf_state_t *b) {
 
 static int same_report(int map, const tf_report_t *a, const tf_report_t *b) {
   const int seen_back = map == REVERSAL || map == HALF_TURN;
-  const tf_real_t force = map == MASS || map == TIME ? 4 : 1;
+  const tf_real_t force = map == MASS ? HEAVY : map == TIME ? 4 : 1;
   const tf_real_t fast = map == TIME ? 2 : 1;
   const tf_real_t h = map == MIRROR || seen_back ? -fast : fast;
   const tf_real_t g = seen_back ? -fast : fast;
@@ -111,7 +116,7 @@ static int same_report(int map, const tf_report_t *a, const tf_report_t *b) {
          same(g * a->slip.g, b->slip.g) && same(F * a->force.F, b->force.F) &&
          same(M * a->force.M, b->force.M) &&
          ((map < MASS && a->slip.g == 0) || /* it is that of g > 0 there */
-          same(a->delassus, map == MASS ? 4 * b->delassus : b->delassus));
+          same(a->delassus, map == MASS ? HEAVY * b->delassus : b->delassus));
 }
 
 typedef tf_status_t step_t(const tf_machine_t *, tf_state_t *,
