@@ -156,6 +156,37 @@ TEST(slip_leaves_rest_as_a_search_finds) {
   CHECK(found[0] > 500 && found[1] > 500 && none > 500);
 }
 
+/* Where the wheel may roll off either way the side of g that it came from
+ * decides, by however little. */
+TEST(of_two_sticks_the_near_one_is_taken) {
+  int taken[2] = {0};
+  for (int n = 0; n < 20000; n++) {
+    tf_params_t params = any_params(n);
+    params.dt = TF_R(1e-6);
+    const tf_machine_t k = prepared(&params);
+    const tf_input_t u = tf_input_default(&k);
+    const tf_real_t r = uniform(-0.6, 0.6);
+    const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
+    const unsigned sticks =
+        TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS);
+    tf_futures_t out;
+    tf_report_t report;
+    tf_corner_futures(&k, &rates, &out);
+    if ((out.solutions.set & out.solutions.attracting & sticks) != sticks)
+      continue;
+    tf_state_t x = {
+        .r = r, .v = TF_REAL_EPSILON * uniform(-1e-4, 1e-4), .w = u.omega0};
+    const tf_slip_t slip = tf_slip(&k, x.r, x.v, x.w, u.omega0);
+    x.mode = slip.h > 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS; /* not believed */
+    if (tf_locate(&k, &x, &u, &report) != TF_OK || x.mode == TF_PINNED)
+      continue;
+    CHECK(x.mode == (slip.g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS));
+    taken[x.mode == TF_STICK_MINUS]++;
+  }
+  printf("# stick+ %d times, stick- %d times\n", taken[0], taken[1]);
+  CHECK(taken[0] > 20 && taken[1] > 20);
+}
+
 /* A wheel across its slot (gamma = pi/2) rests where the law holds force and
  * moment that it takes; along it (gamma = 0) none holds the slider. */
 TEST(wheel_rests_where_the_law_allows) {
@@ -197,6 +228,7 @@ TEST(wheel_rests_where_the_law_allows) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(slip_leaves_rest_as_a_search_finds);
+  RUN(of_two_sticks_the_near_one_is_taken);
   RUN(wheel_rests_where_the_law_allows);
   return tap_end();
 }
