@@ -3,7 +3,8 @@
 
 #include "tyre_core.h"
 
-#define MOST_HALVINGS 24
+#define MOST_HALVINGS 64
+#define PLACES 3
 
 // One quadrant of the (g, h) plane: accelerations along roll g and side h as
 // affine functions of T = cot(psi).
@@ -34,14 +35,6 @@ static tf_real_t leaving(const quadrant_t *q, tf_real_t T, tf_real_t C,
                          tf_real_t S) {
   return ((q->g0 + q->g1 * T) * S + (q->h0 + q->h1 * T) * C) /
          square_root(C * C + S * S);
-}
-
-// How fast `turning` rises with the angle, of which T' = a (1 + T^2).
-static tf_real_t rising(const tf_machine_t *k, const quadrant_t *q, tf_real_t T,
-                        tf_real_t C, tf_real_t S) {
-  const tf_real_t dT = k->tyre.T_series[0] * (1 + T * T);
-  return (q->g1 * dT - q->h0 - q->h1 * T) * C -
-         (q->h1 * dT + q->g0 + q->g1 * T) * S;
 }
 
 // At a share of the chord between an anchor of the angle kernel and the next:
@@ -76,7 +69,7 @@ static limit_t limit_in(const tf_machine_t *k, const quadrant_t *q, int anchor,
     const tf_real_t x = (in.f0 * in.high - in.f1 * in.low) / (in.f0 - in.f1);
     T = on_chord(k, anchor, x, &C, &S);
     const tf_real_t f = turning(q, T, C, S);
-    if (!(in.high - in.low > 4 * TF_REAL_EPSILON) || f == 0) break;
+    if (!(in.high - in.low > 4 * TF_REAL_EPSILON)) break;
     if ((f > 0) == attracts) {
       if (!(x - in.low > TF_REAL_EPSILON * x)) break;
       in.low = x;
@@ -94,24 +87,50 @@ static limit_t limit_in(const tf_machine_t *k, const quadrant_t *q, int anchor,
   return (limit_t){T, leaving(q, T, C, S), attracts};
 }
 
-// Between anchors where `turning` has one sign and falls to 0 from both: a
-// share of the chord where it has the other sign, and its value there. Where
-// there is none, any value of the same sign.
-static tf_real_t beyond_0(const tf_machine_t *k, const quadrant_t *q,
-                          int anchor, bool above, tf_real_t *f) {
-  tf_real_t low = 0, high = 1, x = 1;
-  for (int i = 0; i < MOST_HALVINGS; i++) {
+// The share of the chord at which T is that given.
+static tf_real_t share_at(const tf_machine_t *k, int anchor, tf_real_t T) {
+  tf_real_t low = 0, high = 1;
+  for (int n = 0; n < MOST_HALVINGS && high - low > 2 * TF_REAL_EPSILON; n++) {
+    const tf_real_t x = (low + high) / 2;
     tf_real_t C, S;
-    x = (low + high) / 2;
-    const tf_real_t T = on_chord(k, anchor, x, &C, &S);
-    *f = turning(q, T, C, S);
-    if ((*f > 0) != above) break;
-    if ((rising(k, q, T, C, S) > 0) == above)
-      high = x;
-    else
+    if (on_chord(k, anchor, x, &C, &S) < T)
       low = x;
+    else
+      high = x;
   }
-  return x;
+  return high;
+}
+
+// `turning` vanishes where (h0 + h1 T, g0 + g1 T) has the angle psi of the
+// slip, T = tan(a psi), or that and pi. The difference of both grows where
+//   a (1 + T^2) (h0 g1 - g0 h1) > (h0 + h1 T)^2 + (g0 + g1 T)^2
+// and falls elsewhere; and the line of these vectors turns by pi at most in
+// all, by half of that on either side of its point next to 0. So between the
+// places found here, three at most, and within pi/16 of psi, the difference
+// changes in one sense and by less than pi: `turning` has one zero where its
+// sign changes, else none. In order; one that is none is -1.
+static void find_places(const tf_machine_t *k, const quadrant_t *q,
+                        tf_real_t T[PLACES]) {
+  const tf_real_t slope = q->h1 * q->h1 + q->g1 * q->g1;
+  const tf_real_t half = q->h0 * q->h1 + q->g0 * q->g1;
+  const tf_real_t swing = k->tyre.T_series[0] * (q->h0 * q->g1 - q->g0 * q->h1);
+  const tf_real_t constant = swing - q->h0 * q->h0 - q->g0 * q->g0;
+  const tf_real_t discriminant = half * half - (swing - slope) * constant;
+  T[0] = -half / slope;
+  T[1] = T[2] = -1;
+  if (!(discriminant > 0)) return;
+  const tf_real_t root = square_root(discriminant);
+  const tf_real_t sum = half < 0 ? half - root : half + root;
+  T[1] = sum / (swing - slope);
+  T[2] = constant / sum;
+  for (int i = 0; i < PLACES; i++) {
+    const int n = i == 1 ? 1 : 0; // pairs 0 1, 1 2, 0 1
+    if (T[n] > T[n + 1]) {
+      const tf_real_t larger = T[n];
+      T[n] = T[n + 1];
+      T[n + 1] = larger;
+    }
+  }
 }
 
 // Of two ways out that to which its neighbours turn, then the faster one.
@@ -123,34 +142,35 @@ static bool is_better(const limit_t *next, const limit_t *best) {
 
 // Looks through the limit directions of one quadrant: for a better way out than
 // the best one so far, or for the one that attracts. Returns whether there is
-// one. There are three at most in a quadrant: with T = tan(a psi), a < 1,
-// cos(a psi) `turning` is a sum of cosines and sines of (1 + a) psi and
-// (1 - a) psi. So there is one between two anchors where the sign changes, and
-// none or two where it does not; two only where `turning` falls to 0 from both.
+// one. They lie where `turning` changes its sign between two neighbours of the
+// anchors and of the places above.
 static bool look_for(const tf_machine_t *k, const quadrant_t *q, bool way_out,
                      limit_t *best) {
-  tf_real_t f0 = turning(q, 0, 1, 0), up0 = rising(k, q, 0, 1, 0);
+  tf_real_t at[PLACES];
+  find_places(k, q, at);
+  tf_real_t from = turning(q, 0, 1, 0);
   bool found = false;
   for (int i = 0; i < 8; i++) {
-    const tf_real_t T = k->tyre.T_anchor[i + 1];
-    const tf_real_t C = anchor_cos[i + 1], S = anchor_cos[7 - i];
-    const tf_real_t f1 = turning(q, T, C, S), up1 = rising(k, q, T, C, S);
-    const bool above = f0 > 0;
-    tf_real_t x = 1, f = f1;
-    if ((f1 > 0) == above && (up0 > 0) != above && (up1 > 0) == above)
-      x = beyond_0(k, q, i, above, &f);
-    const bracket_t parts[2] = {{0, x, f0, f}, {x, 1, f, f1}};
-    for (int n = 0; n < 2; n++) {
-      const bool attracts = parts[n].f0 > 0;
-      if (attracts == (parts[n].f1 > 0)) continue;
-      if (!way_out && !attracts) continue;
-      const limit_t next = limit_in(k, q, i, parts[n]);
+    const tf_real_t low = k->tyre.T_anchor[i], high = k->tyre.T_anchor[i + 1];
+    tf_real_t begin = 0;
+    for (int n = 0; n <= PLACES; n++) {
+      tf_real_t end = 1, C = anchor_cos[i + 1], S = anchor_cos[7 - i], T = high;
+      if (n < PLACES) {
+        if (!(at[n] > low && at[n] < high)) continue;
+        end = share_at(k, i, at[n]);
+        T = on_chord(k, i, end, &C, &S);
+      }
+      const tf_real_t to = turning(q, T, C, S);
+      const bracket_t part = {begin, end, from, to};
+      begin = end;
+      from = to;
+      const bool attracts = part.f0 > 0;
+      if (attracts == (to > 0) || !(way_out || attracts)) continue;
+      const limit_t next = limit_in(k, q, i, part);
       if (way_out && !is_better(&next, best)) continue;
       *best = next;
       found = true;
     }
-    f0 = f1;
-    up0 = up1;
   }
   return found;
 }

@@ -34,8 +34,10 @@ static void put_crc(uint8_t *at, uint32_t crc) {
 
 static bool has_crc(const uint8_t *at, uint32_t crc) {
   unsigned wrong = 0;
-  for (unsigned i = 0; i < CRC_BYTES; i++, crc >>= 7)
+  for (unsigned i = 0; i < CRC_BYTES; i++) {
     wrong |= at[i] ^ (0x80u | (unsigned)(crc & 0x7fu));
+    crc >>= 7;
+  }
   return wrong == 0;
 }
 

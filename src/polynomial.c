@@ -54,7 +54,9 @@ static tf_real_t refine(const tf_series_t *s, tf_real_t low, tf_real_t high) {
 
 TF_API bool tf_first_root(const tf_series_t *s, tf_real_t length,
                           tf_real_t *root) {
-  tf_real_t low = 0, high = length;
+  tf_real_t low = 0, high = length, size = 0;
+  for (int k = 0; k <= TF_ORDER; k++) size += magnitude(s->c[k]);
+  if (size == 0) return false; // 0 throughout: it does not cross
   for (int i = 0; i < MOST_INTERVALS; i++) {
     const int changes = sign_changes(s, low, high);
     if (changes == 1) {
@@ -66,8 +68,9 @@ TF_API bool tf_first_root(const tf_series_t *s, tf_real_t length,
       continue;
     }
     if (!(high < length)) return false;
+    const tf_real_t wider = high + 2 * (high - low);
     low = high;
-    high = length;
+    high = wider < length ? wider : length;
   }
   // So near to touching zero that halving does not tell: it does not cross.
   return false;

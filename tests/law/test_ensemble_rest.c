@@ -93,7 +93,7 @@ TEST(ensemble_comes_to_rest_as_single_steps_do) {
 }
 
 /* Loads that bring speeds up to the limit of a state within one step, and past
- * it: lanes are refused where single steps are. */
+ * it, and modes that are none: lanes are refused where single steps are. */
 TEST(ensemble_refuses_what_single_steps_do) {
   static tf_state_block_t block;
   static tf_report_block_t reported;
@@ -112,6 +112,7 @@ TEST(ensemble_refuses_what_single_steps_do) {
     for (size_t lane = 0; lane < TF_LANES; lane++) {
       one.x[lane].r = (tf_real_t)exp(tap_uniform(log(1e-12), log(1)));
       one.x[lane].mode = (uint8_t)(tap_bits() % TF_MODES);
+      if (i % 16 == 0) one.x[lane].mode = (uint8_t)(32 * (1 + lane % 7));
       tf_ensemble_put(&block, lane, &one.x[lane]);
     }
     (void)tf_ensemble_step(&k, &block, TF_LANES, &u, &reported);

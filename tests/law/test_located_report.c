@@ -289,6 +289,23 @@ TEST(located_is_coarse_only_where_it_has_to_be) {
   CHECK(fell_back > 0 && coarse > fell_back / 2);
 }
 
+/* A wheel that nothing pulls rests, with no force, without falling back. */
+TEST(located_rests_under_no_load) {
+  for (int i = 0; i < 100; i++) {
+    sim_t s = {.params = machine_at_random()};
+    s.params.omega0 = 0;
+    s.params.r0 = (tf_real_t)tap_uniform(-0.5, 0.5);
+    CHECK(begin(&s, (double)s.params.r0, 0, 0, TF_PINNED) == TF_OK);
+    const tf_state_t start = s.state;
+    for (int n = 0; n < 10; n++) {
+      CHECK(locate(&s) == TF_OK);
+      CHECK(s.state.mode == TF_PINNED && s.state.r == start.r);
+      CHECK(s.state.v == 0 && s.state.w == 0);
+      CHECK(s.report.force.F == 0 && s.report.force.M == 0);
+    }
+  }
+}
+
 /* Where h is 0 to the last bit no mode is believed: what goes on is one of the
  * futures that the surface has there. */
 TEST(located_believes_no_slip_at_h_0) {
@@ -391,6 +408,7 @@ int main(int argc, char **argv) {
   RUN(located_delassus_is_that_of_the_side_of_g);
   RUN(located_set_holds_the_mode);
   RUN(located_is_coarse_only_where_it_has_to_be);
+  RUN(located_rests_under_no_load);
   RUN(located_believes_no_slip_at_h_0);
   RUN(located_starts_at_the_kink);
   RUN(located_without_contact_keeps_its_side_at_rest);

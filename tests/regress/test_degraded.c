@@ -85,6 +85,32 @@ TEST(a_lost_slip_reports_what_was_consistent) {
   }
 }
 
+/* Where nothing is consistent, and no mode violates the law but little: the
+ * least of the five is taken, and no other. */
+TEST(a_degraded_step_ends_in_a_mode) {
+  tf_params_t p = tf_scenes[0]->params;
+  tf_machine_t machine;
+  tf_report_t report;
+  p.kappa = TF_R(0.34071053678282642);
+  p.gamma = TF_R(0.8761187299346731);
+  p.mu = TF_R(1.9638739255078601);
+  p.beta = TF_R(0.039203627592531848);
+  p.k2 = TF_R(2.921458491529672);
+  p.d = 1;
+  p.m = TF_R(0.61967870641702716);
+  p.dt = TF_R(0.11007773400885956);
+  p.theta = TF_R(0.5);
+  CHECK(tf_prepare(&machine, &p, NULL) == TF_OK);
+  const tf_input_t u = tf_input_default(&machine);
+  tf_state_t x = {.r = TF_R(-0.1531537343066019),
+                  .v = TF_R(-0.033563999169673439),
+                  .w = TF_R(-0.9623806134843218),
+                  .mode = TF_SLIP_PLUS};
+  CHECK(tf_step(&machine, &x, &u, &report) == TF_DEGRADED);
+  CHECK(report.set == 0 && report.choices == 0);
+  CHECK(x.mode < TF_MODES && x.mode == report.mode);
+}
+
 /* Both fields point away from an escaping stick: that with a negative Delassus
  * scalar. */
 TEST(no_step_enters_an_escaping_stick_from_slip) {
@@ -123,6 +149,7 @@ TEST(no_step_enters_an_escaping_stick_from_slip) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(a_lost_slip_reports_what_was_consistent);
+  RUN(a_degraded_step_ends_in_a_mode);
   RUN(no_step_enters_an_escaping_stick_from_slip);
   return tap_end();
 }

@@ -99,11 +99,36 @@ TEST(root_at_the_start_is_not_meant) {
   }
 }
 
+/* A double crossing before a third root: the first of them is found as far as
+ * the halving goes. */
+TEST(close_roots_hide_none_behind_them) {
+  const double least = sizeof(tf_real_t) == 8 ? 1e-3 : 2e-2;
+  int found = 0, tried = 0;
+  for (int n = 0; n < 20000; n++) {
+    const double a = tap_uniform(0.02, 0.8);
+    const double gap = exp(tap_uniform(log(least), log(0.1)));
+    const double root[3] = {a, a + gap, tap_uniform(a + gap + 0.02, 0.98)};
+    if (root[2] < a + gap) continue;
+    const tf_series_t s = with_roots(root, 3);
+    tf_real_t when = -1;
+    tried++;
+    if (!CHECK(tf_first_root(&s, 1, &when))) continue;
+    found += fabsl(wide(when) - (real)a) < 1e3L * EPSILON / (real)gap;
+  }
+  printf("# %d of %d\n", found, tried);
+  CHECK(tried > 5000 && found == tried);
+  tf_series_t nothing;
+  tf_real_t when = -1;
+  memset(&nothing, 0, sizeof nothing);
+  CHECK(!tf_first_root(&nothing, 1, &when) && when == -1);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(first_of_several_roots_is_found);
   RUN(close_roots_are_parted);
   RUN(no_root_is_taken_for_none);
   RUN(root_at_the_start_is_not_meant);
+  RUN(close_roots_hide_none_behind_them);
   return tap_end();
 }

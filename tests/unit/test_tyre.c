@@ -282,7 +282,8 @@ TEST(every_law_is_odd_and_dissipates) {
   }
 }
 
-/* F and M hang on g / h alone, to the last bit, down to the least normal slip. */
+/* F and M hang on g / h alone, to the last bit, down to the least normal
+ * slip. */
 TEST(jump_law_knows_no_size_of_slip) {
   for (int i = 0; i < 20000; i++) {
     const tf_params_t params = random_params(TF_TYRE_JUMP);
