@@ -3,7 +3,8 @@
 
 #include "tyre_core.h"
 
-#define MOST_HALVINGS 64
+#define MOST_HALVINGS 48
+#define SHARE_BITS 32
 #define PLACES 3
 
 // One quadrant of the (g, h) plane: accelerations along roll g and side h as
@@ -87,10 +88,10 @@ static limit_t limit_in(const tf_machine_t *k, const quadrant_t *q, int anchor,
   return (limit_t){T, leaving(q, T, C, S), attracts};
 }
 
-// The share of the chord at which T is that given.
+// The share of the chord at which T is that given, to SHARE_BITS.
 static tf_real_t share_at(const tf_machine_t *k, int anchor, tf_real_t T) {
   tf_real_t low = 0, high = 1;
-  for (int n = 0; n < MOST_HALVINGS && high - low > 2 * TF_REAL_EPSILON; n++) {
+  for (int n = 0; n < SHARE_BITS; n++) {
     const tf_real_t x = (low + high) / 2;
     tf_real_t C, S;
     if (on_chord(k, anchor, x, &C, &S) < T)

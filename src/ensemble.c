@@ -49,7 +49,7 @@ static bool all_go_on(const tf_state_block_t *restrict b,
 static bool may_meet_rest(const tf_machine_t *k, const work_t *w, int i,
                           unsigned mode) {
   const unsigned going_on =
-      (w->attracting[i] & ~SLIPS) | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
+      (unsigned)w->attracting[i] | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
   return !(w->set[i] & going_on) && !(w->above[i] | w->below[i]) &&
          within(w->pin_F[i] * k->inv_mu, 1) &&
          within(w->pin_M[i] * k->inv_kappa_mu, 1);

@@ -220,7 +220,7 @@ TF_INLINE bool meets_rest(const motion_t *c, const tf_inclusion_t *in,
                           unsigned set, unsigned attracting) {
   const unsigned mode = c->state->mode;
   const unsigned going_on =
-      (attracting & STICKS) | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
+      attracting | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
   if (mode == TF_PINNED || set & going_on || !in->has_moment ||
       !within(in->pin_x, 1) || !within(in->pin_y, 1))
     return false;

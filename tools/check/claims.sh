@@ -1,6 +1,6 @@
 #!/bin/sh
 # Public functions say all that they promise, row by row, and every test that
-# a promise names exists.
+# a promise names is run.
 . "$(dirname "$0")/lib.sh"
 files_in '*.h' include >"$BUILD/claims.headers"
 files_in '*.[ch]*' tests >"$BUILD/claims.tests"
@@ -38,11 +38,11 @@ xargs awk -v names="$BUILD/claims.names" -v count="$BUILD/claims.count" \
 # Kernels claim in prose: words in a comment of src/ that look like tests are
 # not searched; only the rows are a contract.
 grep . "$BUILD/claims.names" | sort -u >"$BUILD/claims.wanted"
-xargs sed -nE 's/^(TEST|LAW)\(([a-z0-9_]+)\).*/\2/p' <"$BUILD/claims.tests" |
+xargs sed -nE 's/^ +RUN\(([a-z0-9_]+)\);.*/\1/p' <"$BUILD/claims.tests" |
   sort -u >"$BUILD/claims.have"
 comm -23 "$BUILD/claims.wanted" "$BUILD/claims.have" >"$BUILD/claims.missing"
 while read -r name; do
-  wrong "no test is named $name: $(grep -rn "\b$name\b" include | head -n 1)"
+  wrong "no test is run as $name: $(grep -rn "\b$name\b" include | head -n 1)"
 done <"$BUILD/claims.missing"
 checked "$(cat "$BUILD/claims.count") functions," \
   "$(wc -l <"$BUILD/claims.wanted") claims, each held up by a test"
