@@ -3,7 +3,7 @@
 
 #include "tyre_core.h"
 
-#define MOST_HALVINGS 48
+#define MOST_HALVINGS 32
 #define SHARE_BITS 32
 #define PLACES 3
 

@@ -164,6 +164,48 @@ TEST(slip_leaves_rest_as_a_search_finds) {
   CHECK(found[0] > 500 && found[1] > 500 && none > 500);
 }
 
+/* A torque at which two directions meet and the way out ends: up to it, as near
+ * as numbers go, it is found, and is one. */
+TEST(way_out_ends_where_two_directions_meet) {
+  tf_params_t params = tf_scenes[0]->params;
+  params.mu = TF_R(1.4275264971601307);
+  params.kappa = TF_R(1.63676920002369);
+  params.beta = TF_R(0.24305677444984738);
+  params.d = TF_R(-1.2904105885501247);
+  params.gamma = TF_R(2.5423606082106533);
+  params.k2 = TF_R(3.6521055557989159);
+  params.r0 = TF_R(0.4050161972248435);
+  params.omega0 = TF_R(-0.15350910904364845);
+  params.m = TF_R(3.4708997806674069);
+  params.c1 = TF_R(0.051323058735277698);
+  params.c2 = TF_R(0.015880019630477717);
+  const tf_machine_t k = prepared(&params);
+  const tf_real_t r = TF_R(-0.55555597584075833);
+  tf_real_t with = 0, without = 50;
+  int ways = 0;
+  for (int n = 0; n < 60; n++) {
+    tf_input_t u = tf_input_default(&k);
+    u.torque = n == 0 ? with : n == 1 ? without : with + (without - with) / 2;
+    const rest_t at = rest_at(&params, &u, r);
+    const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
+    tf_futures_t out;
+    tf_corner_futures(&k, &rates, &out);
+    const bool is = out.solutions.set & TF_MODE_BIT(TF_SLIP_PLUS);
+    if (n < 2) CHECK(is == (n == 0));
+    if (is)
+      with = u.torque;
+    else
+      without = u.torque;
+    if (!is) continue;
+    const real angle = angle_of(&at, wide(out.T[0]), out.roll[0]);
+    CHECK_NEAR(rate_at(&at, 1, angle).turns, 0, 1e6L * EPSILON);
+    ways++;
+  }
+  printf("# ends at %.9Lg N m, seen %d times\n", wide(with), ways);
+  CHECK(ways > 20);
+  CHECK_NEAR(wide(with), 0.04724L, 1e-4L);
+}
+
 /* Where the wheel may roll off either way the side of g that it came from
  * decides, by however little. */
 TEST(of_two_sticks_the_near_one_is_taken) {
@@ -239,6 +281,7 @@ TEST(wheel_rests_where_the_law_allows) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(slip_leaves_rest_as_a_search_finds);
+  RUN(way_out_ends_where_two_directions_meet);
   RUN(of_two_sticks_the_near_one_is_taken);
   RUN(wheel_rests_where_the_law_allows);
   return tap_end();
