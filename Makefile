@@ -58,7 +58,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .PHONY: help all run test bench bench-compensated bench-ensemble bench-frame \
   bench-peers bench-steps stability report keep-report oracle check \
   clean firmware elf boards boards-list test-boards size deps statistics \
-  hil mutation eva valgrind bounds keep-bounds $(VARIANTS:%=line-%) FORCE
+  hil mutation witnesses eva valgrind bounds keep-bounds $(VARIANTS:%=line-%) FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -82,6 +82,7 @@ help:
 	@echo 'make fuzz-merge     what fuzzing found, into tests/corpus'
 	@echo 'make soak STEPS=1e9    chaos for so many steps, then a replay'
 	@echo 'make mutation SAMPLE=60   wrong changes of src/ for tests to notice'
+	@echo 'make witnesses SAMPLE=300  for each test a change that it fails for'
 	@echo 'make eva     undefined behaviour, by Frama-C Eva: all entries (minutes)'
 	@echo 'make valgrind  every test for a minute of memcheck (valgrind)'
 	@echo 'make oracle  remake tests/data/reference*.h (minutes; libquadmath)'
@@ -286,9 +287,9 @@ check:
 SAMPLE ?= 60
 SEED ?= 1
 AGAIN ?=
-mutation:
+mutation witnesses:
 	@CC='$(CC)' BUILD='$(BUILD)' SAMPLE='$(SAMPLE)' SEED='$(SEED)' \
-	  AGAIN='$(AGAIN)' tools/mutation/run
+	  AGAIN='$(AGAIN)' tools/mutation/run $(filter witnesses,$@)
 
 clean:
 	rm -rf $(BUILD)

@@ -125,7 +125,7 @@ TEST(ensemble_refuses_what_single_steps_do) {
     }
   }
   printf("# %zu refused\n", refused);
-  CHECK(differ == 0 && refused > 1000 && refused < 1999 * TF_LANES);
+  CHECK(differ == 0 && refused > 1000 && refused < (size_t)1999 * TF_LANES);
 }
 
 int main(int argc, char **argv) {
