@@ -36,18 +36,24 @@ static const start_t found[] = {
 typedef tf_status_t step_t(const tf_machine_t *, tf_state_t *,
                            const tf_input_t *, tf_report_t *);
 
+static tf_params_t params_of(double kappa, double gamma, double mu, double beta,
+                             double k2) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.kappa = (tf_real_t)kappa;
+  p.gamma = (tf_real_t)gamma;
+  p.mu = (tf_real_t)mu;
+  p.beta = (tf_real_t)beta;
+  p.k2 = (tf_real_t)k2;
+  return p;
+}
+
 /* The state of a motion at t = end, by n steps; how many were no plain ones, or
  * -1 where it is refused. */
 static long run(const start_t *s, step_t *step, double end, long n,
                 tf_state_t *x) {
-  tf_params_t p = tf_scenes[0]->params;
+  tf_params_t p = params_of(s->kappa, s->gamma, s->mu, s->beta, s->k2);
   tf_machine_t machine;
   tf_report_t report;
-  p.kappa = (tf_real_t)s->kappa;
-  p.gamma = (tf_real_t)s->gamma;
-  p.mu = (tf_real_t)s->mu;
-  p.beta = (tf_real_t)s->beta;
-  p.k2 = (tf_real_t)s->k2;
   p.dt = (tf_real_t)(end / (double)n);
   p.tolerance = (tf_real_t)(sizeof(tf_real_t) == 8 ? 1e-10 : 1e-5);
   if (tf_prepare(&machine, &p, NULL) != TF_OK) return -1;
@@ -90,13 +96,8 @@ typedef struct {
 /* One step in slip, by either scheme. */
 static tf_state_t one_step(const long_step_t *s, step_t *step,
                            tf_report_t *report) {
-  tf_params_t p = tf_scenes[0]->params;
+  tf_params_t p = params_of(s->kappa, s->gamma, s->mu, s->beta, s->k2);
   tf_machine_t machine;
-  p.kappa = (tf_real_t)s->kappa;
-  p.gamma = (tf_real_t)s->gamma;
-  p.mu = (tf_real_t)s->mu;
-  p.beta = (tf_real_t)s->beta;
-  p.k2 = (tf_real_t)s->k2;
   p.d = (tf_real_t)s->d;
   p.m = (tf_real_t)s->m;
   p.dt = (tf_real_t)s->dt;
