@@ -58,7 +58,8 @@ FLAGS_float := -DTF_REAL_FLOAT
 .PHONY: help all run test bench bench-compensated bench-ensemble bench-frame \
   bench-peers bench-steps stability report keep-report oracle check \
   clean firmware elf boards boards-list test-boards size deps statistics \
-  hil mutation witnesses eva valgrind bounds keep-bounds $(VARIANTS:%=line-%) FORCE
+  hil mutation witnesses eva valgrind bounds keep-bounds \
+  $(VARIANTS:%=line-%) FORCE
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:

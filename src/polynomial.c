@@ -72,6 +72,6 @@ TF_API bool tf_first_root(const tf_series_t *s, tf_real_t length,
     low = high;
     high = wider < length ? wider : length;
   }
-  // So near to touching zero that halving does not tell: it does not cross.
+  // So near to touching zero that halving does not tell: taken for a touch.
   return false;
 }
