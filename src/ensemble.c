@@ -218,9 +218,9 @@ static void turn_all(const tf_machine_t *restrict k,
     b->phi[i] += k->explicit_dt * b->w[i] + k->theta_dt * w->w[i];
 }
 
-static bool any(const mask_t *mask) {
+static bool any_odd(const work_t *w) {
   mask_t all = 0;
-  for (int i = 0; i < TF_LANES; i++) all |= mask[i];
+  for (int i = 0; i < TF_LANES; i++) all |= w->odd[i];
   return all != 0;
 }
 
@@ -297,7 +297,7 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
   else if (slips > 0)
     slip_few(k, b, u->omega0, &work, slips);
   ends_all(k, u->omega0, &work);
-  if (any(work.odd)) return step_some(k, b, u, &work, out);
+  if (any_odd(&work)) return step_some(k, b, u, &work, out);
   if (k->with_angle) turn_all(k, b, &work);
   finish_all(k, b, u->omega0, &work, out);
   record_all(b, &work, out);

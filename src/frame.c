@@ -118,9 +118,9 @@ static bool finish(tf_decoder_t *decoder, tf_frame_t *frame) {
     decoder->too_long++;
     return false;
   }
-  if (used == 0) return false; // two zeros in a row
-  const size_t stuffed = used < SHORTEST ? 0 : used - CRC_BYTES;
-  if (stuffed == 0 || !has_crc(code + stuffed, tf_crc32(0, code, stuffed)) ||
+  if (used == 0) return false;             // two zeros in a row
+  const size_t stuffed = used - CRC_BYTES; // where there is so much
+  if (used < SHORTEST || !has_crc(code + stuffed, tf_crc32(0, code, stuffed)) ||
       !unstuff(code, stuffed)) {
     decoder->bad++;
     return false;

@@ -10,7 +10,7 @@ typedef struct {
   tf_solutions_t solutions;
   tf_real_t lambda[2]; // of stick+, stick-, where in the set
   tf_real_t T[2];      // cot(psi) along which slip+, slip- leave h = g = 0
-  int roll[2];         // sign of g there
+  int roll[2];         // and the sign of g there
 } tf_futures_t;
 
 // At g != 0; s: 0 where g > 0, 1 where g < 0.
@@ -20,7 +20,7 @@ TF_INLINE void surface_futures(const tf_machine_t *k, const tf_rates_t *a,
   const bool plus = a->N - Amu > 0, minus = a->N + Amu < 0;
   const unsigned stick = TF_STICK_PLUS + (unsigned)s;
   tf_solutions_t *set = &out->solutions;
-  *out = (tf_futures_t){.roll = {s ? -1 : 1, s ? -1 : 1}};
+  *out = (tf_futures_t){.lambda = {0, 0}};
   set->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
   set->near_stick = (uint8_t)stick;
   set->h_limit[0] = a->N - Amu;

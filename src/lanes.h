@@ -83,7 +83,8 @@ TF_INLINE lane_root_t lane_root(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
   const tf_real_t x1 = -c0 * inverse, q = c2 * inverse * x1;
   const tf_real_t x = x1 * (1 - q * (1 - q * (2 - q * (5 - 14 * q))));
   const mask_t small = when(magnitude(q) < TF_R(0x1p-12));
-  return (lane_root_t){x, ~(small & when(magnitude(x) <= 1))};
+  const mask_t normal = when(magnitude(c1) >= TF_REAL_MIN);
+  return (lane_root_t){x, ~(small & normal & when(magnitude(x) <= 1))};
 }
 
 // moment_share() where it is +1 or -1: whether it is -1. Masks: g+ > 0 follows

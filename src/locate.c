@@ -218,7 +218,7 @@ static bool walk_on(tf_walk_t *walk, bool look_for_corner) {
     if (captured(walk, span.error + tf_walk_rounding(walk))) {
       const bool at_corner = magnitude(walk->at.p) + magnitude(walk->at.z) == 0;
       walk->is_over = !at_corner && !(walk->left > 0);
-      return !at_corner || tf_leave_corner(walk, walk->segment.roll < 0);
+      return !at_corner || pass(walk, TF_CORNER);
     }
     begin_motion(s, s->machine, s->input, walk->omega, walk->at);
     (void)tf_expand(s, &walk->segment); // as above

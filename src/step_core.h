@@ -219,8 +219,7 @@ TF_INLINE bool passes_near(tf_slip_t from, tf_slip_t to) {
 TF_INLINE bool meets_rest(const motion_t *c, const tf_inclusion_t *in,
                           unsigned set, unsigned attracting) {
   const unsigned mode = c->state->mode;
-  const unsigned going_on =
-      attracting | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
+  const unsigned going_on = attracting | TF_MODE_BIT(TF_PINNED);
   if (mode == TF_PINNED || set & going_on || !in->has_moment ||
       !within(in->pin_x, 1) || !within(in->pin_y, 1))
     return false;

@@ -50,9 +50,7 @@ TF_API size_t tf_text_real(char *out, tf_real_t value) {
   for (int i = whole; i < 0; i++) *at++ = '0';
   for (int i = 0; i < count || i < whole; i++) {
     if (i == whole && i > 0) *at++ = '.';
-    char digit = '0';
-    if (i < count) digit = digits[i];
-    *at++ = digit;
+    *at++ = digits[i];
   }
   if (!plain) at = put_power(at, power);
   return (size_t)(at - out);

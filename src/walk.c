@@ -125,8 +125,9 @@ TF_API bool tf_enter(tf_walk_t *walk) {
                      : walk->mode == TF_STICK_MINUS ? slip.g < 0
                                                     : false;
   if (h_is_0 && !slips) {
+    // A pinned wheel comes from no side, whatever the rounding of omega0 is.
     if (k->stick_kappa > 0 && !rolls && within(slip.g, rounding))
-      return tf_leave_corner(walk, slip.g < 0);
+      return tf_leave_corner(walk, walk->mode != TF_PINNED && slip.g < 0);
     return tf_leave_surface(walk);
   }
   walk->mode = slip.h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS;

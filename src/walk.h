@@ -52,7 +52,7 @@ TF_API void tf_go_on_in(tf_walk_t *walk, unsigned mode, tf_closure_t slip,
 #define tf_leave_surface TF_LINK(tf_leave_surface)
 TF_API bool tf_leave_surface(tf_walk_t *walk);
 
-// The same at h = g = 0; from_minus: reached at g < 0.
+// The same at h = g = 0; from_minus: reached at g < 0, and not pinned there.
 #define tf_leave_corner TF_LINK(tf_leave_corner)
 TF_API bool tf_leave_corner(tf_walk_t *walk, bool from_minus);
 

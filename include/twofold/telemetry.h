@@ -104,11 +104,12 @@ TF_API_DATA const char *const tf_layout_heartbeat;
 /// Scheme: none.
 /// wire: out, TF_FRAME_SIZE(TF_LAYOUT_BYTES).
 /// sequence: in/out. tick: in.
-/// type: in, whose payload is described. layout: in, one of those above.
+/// type: in, whose payload is described. layout: in, one of those above; a
+///   longer text is cut off at the end of the frame.
 /// Returns: bytes of the frame.
 /// Cost: at most 6900 instructions; text that fills the frame. Stack: 112 B.
 /// Memory: caller's, no overlap, reentrant.
-/// Claims: layouts_describe_the_payloads
+/// Claims: layouts_describe_the_payloads, long_layout_fills_its_frame
 #define tf_send_layout TF_LINK(tf_send_layout)
 TF_API size_t tf_send_layout(uint8_t *wire, uint16_t *sequence, uint64_t tick,
                              tf_type_t type, const char *layout);

@@ -1,5 +1,6 @@
 /* A slip that is lost while only an escaping stick is consistent: the step used
  * to enter that stick and to report that nothing was consistent. */
+#include "sample.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -146,10 +147,39 @@ TEST(no_step_enters_an_escaping_stick_from_slip) {
   CHECK(slips > 100000);
 }
 
+/* Where nothing is consistent the compensated step picks as the plain one. */
+TEST(a_degraded_step_is_the_same_compensated) {
+  int modes[TF_MODES] = {0};
+  for (int n = 0; n < 300000; n++) {
+    tf_params_t p = random_params();
+    tf_compensated_t k;
+    tf_report_t report, twin;
+    tf_carry_t carry = {0, 0, 0, 0};
+    p.dt = (tf_real_t)pow(10, tap_uniform(-3, -0.3));
+    p.theta = uniform(0.5, 1);
+    p.kappa = uniform(0.05, 3);
+    CHECK(tf_prepare_compensated(&k, &p, NULL) == TF_OK);
+    const tf_input_t u = tf_input_default(&k.machine);
+    tf_state_t x = {.r = uniform(-0.3, 0.3),
+                    .v = uniform(-0.1, 0.1),
+                    .w = u.omega0 + uniform(-0.1, 0.1),
+                    .mode = (uint8_t)(tap_bits() % TF_MODES)};
+    tf_state_t y = x;
+    if (tf_step(&k.machine, &x, &u, &report) != TF_DEGRADED ||
+        tf_step_compensated(&k, &y, &carry, &u, &twin) != TF_DEGRADED)
+      continue;
+    CHECK(twin.mode == report.mode && twin.set == report.set);
+    modes[twin.mode]++;
+  }
+  printf("# %d pinned\n", modes[TF_PINNED]);
+  for (int mode = 0; mode < TF_MODES; mode++) CHECK(modes[mode] > 2);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(a_lost_slip_reports_what_was_consistent);
   RUN(a_degraded_step_ends_in_a_mode);
   RUN(no_step_enters_an_escaping_stick_from_slip);
+  RUN(a_degraded_step_is_the_same_compensated);
   return tap_end();
 }

@@ -63,17 +63,21 @@ static void compare(const work_t *work, const tf_inclusion_t *in, int i) {
   counted[size]++;
 }
 
-TEST(lanes_find_the_sets_of_the_enumeration) {
+static tf_form_t scaled(tf_form_t f, tf_real_t scale) {
+  return (tf_form_t){f.c0 * scale, f.F * scale,  f.M * scale,
+                     f.FF * scale, f.FM * scale, f.MM * scale};
+}
+
+static void compare_blocks(unsigned long blocks, tf_real_t scale) {
   static tf_state_block_t block;
   static work_t work;
   tf_inclusion_t in[TF_LANES];
-  const unsigned long blocks = 100000;
   for (unsigned long n = 0; n < blocks; n++) {
     memset(&block, 0, sizeof block);
     memset(&work, 0, sizeof work);
     for (int i = 0; i < TF_LANES; i++) {
-      in[i] = (tf_inclusion_t){.h = small_form(),
-                               .g = small_form(),
+      in[i] = (tf_inclusion_t){.h = scaled(small_form(), scale),
+                               .g = scaled(small_form(), scale),
                                .g_now = small(),
                                .has_moment = true,
                                .pin_x = small(),
@@ -88,10 +92,40 @@ TEST(lanes_find_the_sets_of_the_enumeration) {
     slips_all(&work);
     for (int i = 0; i < TF_LANES; i++) compare(&work, &in[i], i);
   }
+}
+
+TEST(lanes_find_the_sets_of_the_enumeration) {
+  const unsigned long blocks = 100000;
+  compare_blocks(blocks, 1);
   printf("# %u odd; sets of 0 to 5 modes: %u %u %u %u %u %u\n", odd, counted[0],
          counted[1], counted[2], counted[3], counted[4], counted[5]);
   CHECK(odd < blocks * TF_LANES / 2);
   for (int size = 0; size <= TF_MODES; size++) CHECK(counted[size] > 100);
+}
+
+/* Sums of such numbers are infinite; with a halving or two they are not. */
+TEST(lanes_find_them_next_to_the_largest_number) {
+  const unsigned before = counted[1];
+  for (int n = 2; n < 10; n++)
+    compare_blocks(2000, TF_REAL_MAX / (tf_real_t)(1 << n));
+  CHECK(counted[1] > before);
+}
+
+/* The root by its series alone has the bits of the whole function, or is left
+ * to that: from q = 2^-12 on. */
+TEST(lane_root_is_the_root_within) {
+  const tf_real_t edge = TF_R(0x1p-10), c0 = TF_R(-0.25);
+  for (int sign = -1; sign <= 1; sign += 2) {
+    const tf_real_t c2 = (tf_real_t)sign * edge;
+    CHECK(lane_root(c0, 1, c2).odd);
+    const tf_real_t less = c2 * (1 - TF_REAL_EPSILON);
+    CHECK(!lane_root(c0, 1, less).odd);
+    CHECK(lane_root(c0, 1, less).x == root_within(c0, 1, less));
+    /* A slope that is no normal number has the root 0 there. */
+    const tf_real_t least = (tf_real_t)sign * TF_REAL_MIN;
+    CHECK(!lane_root(least / 4, least, 0).odd);
+    CHECK(lane_root(least / 8, least / 2, 0).odd);
+  }
 }
 
 /* The slip of a form under a force of the step. */
@@ -174,6 +208,8 @@ TEST(lanes_have_the_law_of_the_step) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(lanes_find_the_sets_of_the_enumeration);
+  RUN(lanes_find_them_next_to_the_largest_number);
+  RUN(lane_root_is_the_root_within);
   RUN(lanes_have_the_law_of_the_step);
   RUN(lanes_have_the_forms_of_the_step);
   return tap_end();

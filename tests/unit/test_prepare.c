@@ -252,6 +252,15 @@ TEST(no_friction_has_no_inverse) {
     const tf_machine_t k = accepted(&p);
     CHECK(k.inv_mu == 0 && k.inv_kappa_mu == 0 && k.inv_mu_dt == 0);
   }
+  tf_params_t p = valid(TF_TYRE_JUMP);
+  p.mu = TF_REAL_MIN; /* the least normal one has an inverse */
+  const tf_machine_t k = accepted(&p);
+  CHECK(k.inv_mu * TF_REAL_MIN == 1);
+  p.kappa = TF_R(0.125);
+  for (int i = 2; i <= 32; i *= 2) { /* nor does stick carry less */
+    p.mu = (tf_real_t)i * TF_REAL_MIN;
+    CHECK((accepted(&p).stick_kappa > 0) == (i >= 8));
+  }
 }
 
 TEST(each_law_gets_its_own_constants) {

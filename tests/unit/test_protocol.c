@@ -314,6 +314,20 @@ TEST(layouts_describe_the_payloads) {
   }
 }
 
+TEST(long_layout_fills_its_frame) {
+  char text[2 * TF_FRAME_PAYLOAD];
+  uint8_t wire[2 * LONGEST];
+  uint16_t sequence = 0;
+  received_t received;
+  memset(text, 'x', sizeof text);
+  text[sizeof text - 1] = '\0';
+  receive(&received, wire,
+          tf_send_layout(wire, &sequence, 0, TF_DOWN_STATE, text));
+  CHECK(received.frame.length == TF_FRAME_PAYLOAD);
+  CHECK(received.frame.payload[0] == TF_DOWN_STATE);
+  CHECK(!memcmp(received.frame.payload + 1, text, TF_FRAME_PAYLOAD - 1));
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(documented_frames_decode);
@@ -322,5 +336,6 @@ int main(int argc, char **argv) {
   RUN(schema_says_what_runs);
   RUN(parameters_are_described);
   RUN(layouts_describe_the_payloads);
+  RUN(long_layout_fills_its_frame);
   return tap_end();
 }

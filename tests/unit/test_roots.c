@@ -123,6 +123,17 @@ TEST(close_roots_hide_none_behind_them) {
   CHECK(!tf_first_root(&nothing, 1, &when) && when == -1);
 }
 
+/* The end of an interval belongs to it. */
+TEST(root_at_the_end_is_one) {
+  for (int n = -8; n <= 8; n++) {
+    const double end[1] = {ldexp(1, n)};
+    const tf_series_t s = with_roots(end, 1);
+    tf_real_t when = -1;
+    CHECK(tf_first_root(&s, (tf_real_t)end[0], &when));
+    CHECK(when == (tf_real_t)end[0]);
+  }
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(first_of_several_roots_is_found);
@@ -130,5 +141,6 @@ int main(int argc, char **argv) {
   RUN(no_root_is_taken_for_none);
   RUN(root_at_the_start_is_not_meant);
   RUN(close_roots_hide_none_behind_them);
+  RUN(root_at_the_end_is_one);
   return tap_end();
 }

@@ -244,6 +244,23 @@ TEST(other_scenes_do_what_they_show) {
              2 * EPSILON);
 }
 
+/* What stands behind the last knot in memory is none. */
+TEST(profile_ends_at_its_last_knot) {
+  static const tf_knot_t knot[] = {{0, 1}, {1, 3}, {2, 100}, {3, 200}};
+  tf_scene_t scene = *tf_scenes[0];
+  tf_machine_t machine;
+  memset(&machine, 0, sizeof machine);
+  CHECK(tf_prepare(&machine, &scene.params, NULL) == TF_OK);
+  memcpy(scene.profile, knot, sizeof knot);
+  for (int knots = 1; knots <= 2; knots++) {
+    scene.knots = (uint8_t)knots;
+    for (int t = 1; t < 5; t++) {
+      const tf_input_t u = tf_scene_input(&scene, &machine, (tf_real_t)t + 1);
+      CHECK(u.omega0 == knot[knots - 1].omega0 && u.alpha == 0);
+    }
+  }
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(scene_texts_are_usable);
@@ -255,5 +272,6 @@ int main(int argc, char **argv) {
   RUN(rolling_never_slips);
   RUN(coulomb_has_one_future);
   RUN(other_scenes_do_what_they_show);
+  RUN(profile_ends_at_its_last_knot);
   return tap_end();
 }

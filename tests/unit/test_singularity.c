@@ -3,9 +3,11 @@
 #include "sample.h"
 
 TEST(reasons_and_types_have_names) {
-  for (unsigned i = 0; i < TF_LACKS; i++)
+  for (unsigned i = 0; i < TF_LACKS; i++) {
+    CHECK(tf_lack_name(i)[0]);
     for (unsigned j = 0; j < i; j++)
       CHECK(strcmp(tf_lack_name(i), tf_lack_name(j)) != 0);
+  }
   static const char *const types[] = {"invisible",         "visible",
                                       "visible-invisible", "degenerate",
                                       "continuous",        "unknown"};

@@ -118,11 +118,30 @@ TEST(wishes_that_cannot_be_granted_say_why) {
   CHECK(!memcmp(&n, &before, sizeof n));
 }
 
+/* A spring that holds h as much as its stretch is long, to the last bit. */
+TEST(spring_of_unit_hold_is_as_good) {
+  tf_params_t params = tf_scenes[0]->params;
+  params.d = 0;
+  params.gamma = 1;
+  const tf_machine_t first = prepared(&params);
+  params.m = first.sin_gamma; /* hold = sin(gamma) / m (r0 - r) */
+  params.r0 = 2;
+  const tf_machine_t machine = prepared(&params);
+  const tf_input_t input = tf_input_default(&machine);
+  tf_wish_t wish;
+  CHECK(machine.sin_gamma / machine.m == 1);
+  const tf_status_t status =
+      tf_two_fold_wish(&machine, &input, 1, machine.omega0 - TF_R(0.25), &wish);
+  CHECK(status == TF_OK || wish.obstacle == TF_WISH_K2);
+  CHECK_NEAR(wide(wish.at.rest), 0, 64 * EPSILON * fabsl(wide(wish.k2)));
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(wish_gives_the_numbers_of_the_paper);
   RUN(wished_two_folds_are_found_again);
   RUN(wishes_near_the_axis_overflow);
   RUN(wishes_that_cannot_be_granted_say_why);
+  RUN(spring_of_unit_hold_is_as_good);
   return tap_end();
 }
