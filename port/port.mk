@@ -12,7 +12,8 @@
 #   OVERRUN=skip     or stop: what a step that ends too late does to the loop
 #   EVERY=           steps from record to record; else 50 records a second
 #   ONLY='host uno'  boards that `make test-boards` takes
-#   PROGRAM=firmware or trajectory, window, stack (tests/target); wasm32: module
+#   PROGRAM=firmware or trajectory, population, window, stack (tests/target);
+#                    wasm32: module
 
 BOARDS := $(filter-out template,$(patsubst port/%/board.mk,%,\
   $(wildcard port/*/board.mk)))
@@ -82,6 +83,7 @@ FIRMWARE := $(PLACE)/$(PROGRAM)$(NAMED).elf
 
 SOURCE_firmware := port/firmware.c port/loop.c
 SOURCE_trajectory := tests/target/trajectory.c
+SOURCE_population := tests/target/population.c
 SOURCE_stack := tests/target/stack.c port/loop.c
 SOURCE_window := tests/target/window.c
 FIRMWARE_SOURCES := $(SOURCE_$(PROGRAM)) $(wildcard port/$(BOARD)/*.c) \
@@ -124,7 +126,8 @@ $(CONSTANTS): $(BUILD)/$(REAL)/constants
 endif
 
 $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
-    $(wildcard port/*.[ch] port/arch/* port/$(BOARD)/* tests/target/*.c) \
+    $(wildcard port/*.[ch] port/arch/* port/$(BOARD)/* tests/target/*.c \
+      tests/golden/*.h) \
     $(wildcard src/*.[ch] include/twofold/*.h)
 	@command -v $(BOARD_CC) >/dev/null || { echo '$(BOARD): $(BOARD_CC) is' \
 	  'missing (Debian: apt-get install $(BOARD_PACKAGES))'; exit 3; }

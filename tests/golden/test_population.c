@@ -1,0 +1,232 @@
+/* Hashes over machines and states of all kinds, one for each thing that the
+ * core computes, the same for every compiler, optimisation level and target of
+ * a real type. A hash changes only in a commit that says which arithmetic
+ * changed and why. */
+#include "population.h"
+#include "tap.h"
+#include "twofold.h"
+
+static const struct {
+  const char *name;
+  uint64_t f64, f32;
+} golden[] = {
+#include "population.inc"
+};
+
+static void check_golden(const char *name, uint64_t got) {
+  uint64_t want = 0;
+  for (size_t i = 0; i < sizeof golden / sizeof *golden; i++)
+    if (!strcmp(golden[i].name, name))
+      want = sizeof(tf_real_t) == 8 ? golden[i].f64 : golden[i].f32;
+  if (!CHECK(got == want)) printf("#   %s: 0x%016" PRIX64 "\n", name, got);
+}
+
+TEST(golden_steps) {
+  check_golden("step", hash_of_steps(tf_step, 40000, 12));
+  check_golden("step on a board", hash_of_steps(tf_step, 300, 6));
+}
+
+TEST(golden_located_steps) {
+  check_golden("locate", hash_of_steps(tf_locate, 12000, 6));
+  check_golden("locate on a board", hash_of_steps(tf_locate, 100, 2));
+}
+
+TEST(golden_compensated_steps) {
+  draw_t d = population(2);
+  for (unsigned n = 0; n < 16000; n++) {
+    const tf_params_t p = any_params(&d, n);
+    tf_compensated_t k;
+    memset(&k, 0, sizeof k);
+    if (tf_prepare_compensated(&k, &p, NULL) != TF_OK) continue;
+    mix_real(&d, k.low_sin_gamma);
+    mix_real(&d, k.low_cos_gamma);
+    mix_real(&d, k.low_inertia);
+    tf_input_t u = any_input(&d, &k.machine);
+    tf_state_t x = any_state(&d, &k.machine, &u);
+    tf_report_t report;
+    tf_carry_t carry = {0, 0, 0, 0};
+    const tf_status_t begun = tf_begin(&k.machine, &x, &u, &report);
+    if (n % 2) {
+      const tf_real_t h = between(&d, -1, 1);
+      const tf_status_t placed =
+          tf_place_compensated(&k, &x, &carry, u.omega0, h);
+      mix_small(&d, (unsigned)placed);
+    }
+    for (int i = 0; i < 8 && begun == TF_OK; i++) {
+      const tf_status_t done = tf_step_compensated(&k, &x, &carry, &u, &report);
+      mix_small(&d, (unsigned)done);
+      if (done < 0) break;
+      mix_step(&d, &x, &report);
+      mix_real(&d, carry.r);
+      mix_real(&d, carry.v);
+      mix_real(&d, carry.w);
+      mix_real(&d, carry.phi);
+    }
+  }
+  check_golden("compensated", d.hash);
+}
+
+/* Forms with small whole numbers, among which ties are common, and others. */
+static tf_form_t any_form(draw_t *d, bool has_moment) {
+  tf_form_t form = {.c0 = 0};
+  tf_real_t *const member[6] = {&form.c0, &form.F,  &form.M,
+                                &form.FF, &form.FM, &form.MM};
+  const bool whole = one_of(d, 2);
+  for (int i = 0; i < 6; i++)
+    *member[i] = whole ? (tf_real_t)((int)below(d, 7) - 3)
+                       : of_any_sign(d, up_to(d, i < 3 ? 1 : TF_R(0.25), 20));
+  if (!has_moment) form.M = form.FM = form.MM = 0;
+  return form;
+}
+
+TEST(golden_inclusions) {
+  draw_t d = population(3);
+  for (int n = 0; n < 40000; n++) {
+    tf_inclusion_t in = {.has_moment = !one_of(&d, 4)};
+    in.h = any_form(&d, in.has_moment);
+    in.g = any_form(&d, in.has_moment);
+    in.g_now = one_of(&d, 4) ? 0 : between(&d, -1, 1);
+    in.pin_x = (tf_real_t)((int)below(&d, 9) - 4) / 2;
+    in.pin_y = (tf_real_t)((int)below(&d, 9) - 4) / 2;
+    tf_solutions_t s = {0};
+    tf_friction_solve(&in, &s);
+    mix_small(&d, tf_friction_signs(&in));
+    mix_small(&d, s.set);
+    mix_small(&d, s.attracting);
+    mix_small(&d, s.near_stick);
+    for (int i = 0; i < 2; i++) {
+      mix_real(&d, s.x[i]);
+      mix_real(&d, s.tau[i]);
+      mix_real(&d, s.h_limit[i]);
+    }
+    const tf_force_t force = {in.pin_x, in.pin_y};
+    mix_real(&d, tf_law_residual(1, TF_R(0.5), force, in.h.c0, in.g.c0));
+    const unsigned rule = below(&d, TF_RULES);
+    const unsigned mode = below(&d, TF_MODES);
+    mix_small(&d, tf_select((tf_rule_t)rule, (uint64_t)1 << 62, &s, mode,
+                            (uint64_t)n, 7));
+  }
+  check_golden("inclusion", d.hash);
+}
+
+TEST(golden_tyre_forces) {
+  draw_t d = population(4);
+  for (unsigned n = 0; n < 40000; n++) {
+    tf_machine_t k;
+    if (any_machine(&d, n, &k) != TF_OK) continue;
+    const tf_real_t h = one_of(&d, 8) ? 0 : of_any_sign(&d, up_to(&d, 1, 40));
+    const tf_real_t g = one_of(&d, 8) ? 0 : of_any_sign(&d, up_to(&d, 1, 40));
+    const tf_force_t f = tf_tyre_force(&k.tyre, of_any_sign(&d, 1), h, g);
+    mix_real(&d, f.F);
+    mix_real(&d, f.M);
+  }
+  check_golden("tyre", d.hash);
+}
+
+static void mix_rate(draw_t *d, const tf_rate_t *rate) {
+  mix_real(d, rate->r);
+  mix_real(d, rate->v);
+  mix_real(d, rate->w);
+}
+
+static void mix_direction(draw_t *d, const tf_direction_t *direction) {
+  mix_real(d, direction->value);
+  mix_real(d, direction->plus);
+  mix_real(d, direction->minus);
+  mix_rate(d, &direction->velocity);
+  mix_real(d, direction->lambda);
+  mix_small(d, direction->sticks);
+}
+
+static void mix_two_fold(draw_t *d, const tf_two_fold_t *at) {
+  const tf_real_t reals[] = {at->place.r, at->place.v, at->place.w, at->place.g,
+                             at->rest,    at->clock,   at->Kpp,     at->Kpm,
+                             at->Kmp,     at->Kmm,     at->J1,      at->J2};
+  for (size_t i = 0; i < sizeof reals / sizeof *reals; i++)
+    mix_real(d, reals[i]);
+  mix_direction(d, &at->through);
+  mix_direction(d, &at->across);
+  mix_rate(d, &at->plus);
+  mix_rate(d, &at->minus);
+  mix_small(d, at->type);
+  mix_small(d, at->regime);
+}
+
+TEST(golden_surfaces) {
+  draw_t d = population(5);
+  for (unsigned n = 0; n < 20000; n++) {
+    tf_machine_t k;
+    if (any_machine(&d, n, &k) != TF_OK) continue;
+    const tf_input_t u = any_input(&d, &k);
+    const tf_state_t x = any_state(&d, &k, &u);
+    tf_surface_t at;
+    const tf_status_t status = tf_surface_at(&k, &u, x.r, x.v, x.w, &at);
+    mix_small(&d, (unsigned)status);
+    if (status != TF_OK) continue;
+    mix_real(&d, at.lie_plus);
+    mix_real(&d, at.lie_minus);
+    mix_real(&d, at.delassus);
+    mix_real(&d, at.lambda);
+    mix_rate(&d, &at.plus);
+    mix_rate(&d, &at.minus);
+    mix_rate(&d, &at.stick);
+    mix_rate(&d, &at.scaled);
+    mix_small(&d, at.region);
+    mix_small(&d, at.lambda_is_given);
+  }
+  check_golden("surface", d.hash);
+}
+
+TEST(golden_two_folds) {
+  draw_t d = population(6);
+  for (unsigned n = 0; n < 20000; n++) {
+    tf_machine_t k;
+    if (any_machine(&d, n, &k) != TF_OK) continue;
+    const tf_input_t u = any_input(&d, &k);
+    tf_place_t places[TF_TWO_FOLDS];
+    int count = 0;
+    tf_lack_t lack = TF_LACK_NONE;
+    const tf_status_t status = tf_two_folds(&k, &u, places, &count, &lack);
+    mix_small(&d, (unsigned)status);
+    mix_small(&d, (unsigned)count);
+    mix_small(&d, (unsigned)lack);
+    for (int i = 0; i < count; i++) {
+      tf_two_fold_t at;
+      const tf_status_t formed = tf_normal_form(&k, &u, &places[i], &at);
+      mix_small(&d, (unsigned)formed);
+      if (formed == TF_OK) mix_two_fold(&d, &at);
+    }
+  }
+  check_golden("two-folds", d.hash);
+}
+
+TEST(golden_wishes) {
+  draw_t d = population(7);
+  for (unsigned n = 0; n < 20000; n++) {
+    tf_machine_t k;
+    if (any_machine(&d, n, &k) != TF_OK) continue;
+    const tf_input_t u = any_input(&d, &k);
+    const tf_state_t x = any_state(&d, &k, &u);
+    tf_wish_t wish;
+    const tf_status_t status = tf_two_fold_wish(&k, &u, x.r, x.w, &wish);
+    mix_small(&d, (unsigned)status);
+    mix_real(&d, wish.kappa);
+    mix_real(&d, wish.k2);
+    mix_small(&d, wish.obstacle);
+    mix_two_fold(&d, &wish.at);
+  }
+  check_golden("wish", d.hash);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(golden_steps);
+  RUN(golden_located_steps);
+  RUN(golden_compensated_steps);
+  RUN(golden_inclusions);
+  RUN(golden_tyre_forces);
+  RUN(golden_surfaces);
+  RUN(golden_two_folds);
+  RUN(golden_wishes);
+  return tap_end();
+}
