@@ -39,7 +39,7 @@
 ///   same, and tf_step said so);
 ///   TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
 ///   TF_STEP_TOO_LONG (state untouched, report holds the status).
-/// Cost: at most 3900000 instructions, the worst found by search, of
+/// Cost: at most 3800000 instructions, the worst found by search, of
 ///   TF_LOCATE_MOST_SEGMENTS segments and a tf_step; one segment where the
 ///   motion does not switch (`make bench`). Stack: 2832 B.
 /// Memory: caller's, no overlap, reentrant.

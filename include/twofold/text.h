@@ -34,7 +34,7 @@ TF_API size_t tf_text_real(char *out, tf_real_t value);
 /// out: out, TF_TEXT_ROW_ROOM characters.
 /// state, report: in.
 /// Returns: the length.
-/// Cost: at most 8100 instructions; 5 such numbers. Stack: 144 B.
+/// Cost: at most 8000 instructions; 5 such numbers. Stack: 144 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: text_rows_are_label_value_pairs
 #define tf_text_row TF_LINK(tf_text_row)
