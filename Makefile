@@ -83,7 +83,7 @@ help:
 	@echo 'make fuzz-merge     what fuzzing found, into tests/corpus'
 	@echo 'make soak STEPS=1e9    chaos for so many steps, then a replay'
 	@echo 'make mutation SAMPLE=60   wrong changes of src/ for tests to notice'
-	@echo 'make witnesses SAMPLE=300  for each test a change that it fails for'
+	@echo 'make witnesses SAMPLE=2000 for each test a change that it fails for'
 	@echo 'make eva     undefined behaviour, by Frama-C Eva: all entries (minutes)'
 	@echo 'make valgrind  every test for a minute of memcheck (valgrind)'
 	@echo 'make oracle  remake tests/data/reference*.h (minutes; libquadmath)'

@@ -8,10 +8,10 @@
 // `if (a {< -> <=} b)`. The order is a hash of file, text and seed: a sample
 // of the first few stays the same when other lines change.
 //
-// Changed are comparisons, arithmetic and logical operators, signs, literals
-// and truth values, where the layout of clang-format tells a binary operator
-// (blanks around it) from a unary one or a pointer. Comments, strings,
-// directives, case labels, assertions and sizes of arrays are left.
+// Changed are comparisons, arithmetic and logical operators, signs, literals,
+// truth values and strings, where the layout of clang-format tells a binary
+// operator (blanks around it) from a unary one or a pointer. Comments,
+// characters, directives, case labels, assertions and sizes of arrays are left.
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdbool.h>
@@ -171,6 +171,8 @@ static void each(visit_t *visit, job_t *job) {
     }
     fresh = source[at] == '\n';
     const size_t past = past_text(at);
+    if (source[at] == '"' && past > at + 2)
+      tell(at, past - at, "\"\"", visit, job);
     if (past != at)
       at = past;
     else if (isdigit((unsigned char)source[at]))
