@@ -118,15 +118,15 @@ static void chaos_twins(tf_rule_t rule, size_t n, int steps) {
 }
 
 TEST(ensemble_is_the_single_step) {
-  chaos_twins(TF_RULE_RANDOM, 70, 100000);
-  chaos_twins(TF_RULE_PERSIST, MOST, 30000);
+  chaos_twins(TF_RULE_RANDOM, 70, 40000);
+  chaos_twins(TF_RULE_PERSIST, MOST, 15000);
   chaos_twins(TF_RULE_SLIP_PLUS, MOST, 10000);
   chaos_twins(TF_RULE_SLIP_MINUS, MOST, 10000);
 }
 
 /* Or nothing would be gained. */
 TEST(few_lanes_are_done_alone) {
-  chaos_twins(TF_RULE_PERSIST, 64, 30000);
+  chaos_twins(TF_RULE_PERSIST, 64, 15000);
   CHECK(twins.alone * 1000 < twins.steps);
   CHECK(twins.seen[TF_OK - TF_STEP_TOO_LONG] == twins.steps);
 }

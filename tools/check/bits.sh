@@ -11,11 +11,10 @@ settings=0
 first=
 for compiler in gcc clang; do
   for opt in -O0 -O1 -O2 -O3 -Os "-O3 $native"; do
-    place=$BUILD/bits-$compiler$(echo "$opt" | tr -d ' =')
-    set -- CC="$compiler" OPT="$opt" BUILD="$place" TESTS="$tests"
-    build "$@" test || wrong "$compiler $opt gives other hashes"
+    setting "$compiler" "$opt"
+    in_common TESTS="$tests" test || wrong "$compiler $opt gives other hashes"
     for real in double float; do
-      if ! build "$@" "$place/$real/twofold" ||
+      if ! in_common "$place/$real/twofold" ||
         ! quietly "$place/$real/twofold" run chaos --t-end 10 --every 100 \
           --out "$place/$real.csv"; then
         wrong "$compiler $opt $real: twofold run failed"

@@ -7,22 +7,21 @@
 need gcov gcc
 
 # Programs, not the command line: who breaks the core is to be told by a test
-# that names what broke. Without optimisation some take long and are run in one
-# real type; test_line and test_device start programs.
-tests=$(files_in 'test_*.c' tests/unit tests/law tests/golden tests/regress |
-  grep -vE "/test_(device|line)\.c\$" | tr "\n" " ")
+# that names what broke. Those of units in double and those of laws in float
+# are enough, and without two that take long; test_line and test_device start
+# programs.
+programs_of() { # REAL PLACE...: names of programs
+  real=$1
+  shift
+  files_in 'test_*.c' "$@" |
+    grep -vE "/test_(device|line|ensemble|branch)\.c\$" |
+    sed "s|^|$place/$real/|; s|\.c\$||"
+}
 place=$BUILD/coverage
 rm -rf "$place"
-programs=
-for real in double float; do
-  for test in $tests; do
-    case "$real ${test##*/}" in
-    'double test_extremes.c' | 'double test_reference.c' | \
-      'float test_ensemble.c') continue ;;
-    esac
-    programs="$programs $place/$real/${test%.c}"
-  done
-done
+programs=$(programs_of double tests/unit tests/regress
+  programs_of float tests/law tests/golden)
+tests=$(files_in 'test_*.c' tests | tr "\n" " ")
 # shellcheck disable=SC2086  # a list of programs
 build CC=gcc BUILD="$place" OPT=-O0 TESTS="$tests" \
   EXTRA='--coverage -Dalways_inline=unused' $programs ||

@@ -8,10 +8,10 @@ libraries=0
 for compiler in gcc clang; do
   command -v "$compiler" >/dev/null || continue
   for opt in -O0 -O2 -Os; do
-    place=$BUILD/free-$compiler$opt
+    setting "$compiler" "$opt"
     for real in double float; do
       library=$place/$real/libtwofold.a
-      build CC="$compiler" OPT="$opt" BUILD="$place" "$library" || {
+      in_common "$library" || {
         wrong "$library does not compile"
         continue
       }

@@ -46,12 +46,25 @@ build() {
   quietly "$MAKE" --no-print-directory "$@"
 }
 
-# core_library REAL: sets `library` to the core's, by gcc. Checks run side by
-# side: one of them builds it, the others wait.
+# setting COMPILER OPTIMISATION: sets `place` to where what is compiled so is.
+setting() {
+  compiler=$1 opt=$2
+  place=$BUILD/$compiler$(echo "$opt" | tr -d ' =')
+}
+
+# in_common [VARIABLE=VALUE...] TARGET...: make in `place`, its output only
+# where it fails. Checks share what is there and run side by side: one of them
+# builds, the others wait.
+in_common() {
+  quietly flock "$place.lock" "$MAKE" --no-print-directory CC="$compiler" \
+    OPT="$opt" BUILD="$place" EXTRA=-Werror "$@"
+}
+
+# core_library REAL: sets `library` to the core's, by gcc.
 core_library() {
-  library=$BUILD/core/$1/libtwofold.a
-  quietly flock "$BUILD/core.lock" "$MAKE" --no-print-directory CC=gcc \
-    BUILD="$BUILD/core" EXTRA=-Werror "$library"
+  setting gcc -O3
+  library=$place/$1/libtwofold.a
+  in_common "$library"
 }
 
 # files_in PATTERN ROOM...: files of the rooms that exist, one a line, sorted.

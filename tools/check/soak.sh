@@ -2,11 +2,11 @@
 # A soak of chaos, short enough for every check: SOAK_STEPS says how long.
 . "$(dirname "$0")/lib.sh"
 log=$BUILD/soak-runs.log
-build BUILD="$BUILD/soak" "$BUILD/soak/double/soak" "$BUILD/soak/float/soak" ||
-  exit 1
+setting gcc -O3
+in_common "$place/double/soak" "$place/float/soak" || exit 1
 : >"$log"
 for real in double float; do
-  "$BUILD/soak/$real/soak" "${SOAK_STEPS:-1e7}" >>"$log" 2>&1 ||
+  "$place/$real/soak" "${SOAK_STEPS:-1e7}" >>"$log" 2>&1 ||
     wrong "a promise did not hold in $real"
 done
 cat "$log"

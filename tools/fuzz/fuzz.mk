@@ -15,7 +15,7 @@ FUZZ_REALS ?= double float
 FUZZ_RUNS := $(foreach t,$(FUZZ),$(if $(filter machine,$(t)),\
   $(FUZZ_REALS:%=%/$(t)),double/$(t)))
 fuzzdir := $(BUILD)/fuzz
-FUZZ_FLAGS := -g -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
+FUZZ_FLAGS := -g1 -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
   -fsanitize=address,undefined,float-cast-overflow
 FUZZ_PARTS := $(ALL_FUZZ:%=tools/fuzz/%.c) tools/fuzz/analysis.c \
   $(wildcard tools/cli/*.c) $(CORE)
