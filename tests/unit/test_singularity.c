@@ -14,6 +14,8 @@ TEST(reasons_and_types_have_names) {
   for (unsigned i = 0; i <= TF_FOLDS; i++)
     CHECK(!strcmp(tf_folds_name(i), types[i]));
   CHECK(!strcmp(tf_lack_name(TF_LACKS), "unknown"));
+  for (unsigned i = TF_LACK_MOMENT; i <= TF_LACK_ARM; i++)
+    CHECK(strstr(tf_lack_name(i), "positive everywhere"));
 }
 
 TEST(two_fold_of_the_paper_is_found) {
