@@ -77,7 +77,8 @@ TF_API tf_status_t tf_place_compensated(const tf_compensated_t *machine,
 ///   Stack: 2432 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: rounding_is_carried, compensated_stick_is_exact,
-///   compensated_step_is_the_step, compensated_refusals_touch_nothing
+///   compensated_step_is_the_step, compensated_refusals_touch_nothing,
+///   compensated_departures_do_not_stall
 #define tf_step_compensated TF_LINK(tf_step_compensated)
 TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
                                        tf_state_t *state, tf_carry_t *carry,

@@ -21,6 +21,7 @@
 ///   direction, by series that solve the singular equations there; DESIGN.md
 ///   section 10. The error falls with dt in its order, across switches too, but
 ///   for h = g = 0 and two-folds: there the tolerance holds it, not the step.
+///   In float it may stand still after a rest, as tf_step, even at dt = 1e-2.
 /// machine: in, prepared; law JUMP, COULOMB or NONE.
 /// state: in/out, from tf_begin, tf_step or tf_locate.
 /// input: in, within TF_STATE_LIMIT together with the state.

@@ -322,6 +322,34 @@ TEST(compensated_refusals_touch_nothing) {
   }
 }
 
+/* From rest a motion departs with less than the rounding of r in a step: plain
+ * steps of a float would stand still for ever. The wheel sticks for 1.9 s, and
+ * what is left to the draw takes 0.1 s. */
+TEST(compensated_departures_do_not_stall) {
+  static const uint32_t seeds[] = {1, 2, 5};
+  for (size_t i = 0; i < sizeof seeds / sizeof *seeds; i++) {
+    run_t run = begun(tf_scenes[0], 1e-4);
+    run.params.rule = TF_RULE_RANDOM;
+    run.params.rate = 10;
+    CHECK(tf_prepare_compensated(&run.machine, &run.params, NULL) == TF_OK);
+    run.state.seed = seeds[i];
+    unsigned mode = run.state.mode;
+    long stay = 0, longest = 0, changes = 0;
+    for (int n = 0; n < 250000; n++) {
+      tf_report_t report;
+      if (!CHECK(tf_step_compensated(&run.machine, &run.state, &run.carry,
+                                     &run.input, &report) >= TF_OK))
+        return;
+      stay = run.state.mode == mode ? stay + 1 : 0;
+      changes += run.state.mode != mode;
+      mode = run.state.mode;
+      if (stay > longest) longest = stay;
+    }
+    CHECK(longest < 30000);
+    CHECK(changes > 60);
+  }
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(constants_have_twice_the_digits);
@@ -330,5 +358,6 @@ int main(int argc, char **argv) {
   RUN(compensated_stick_is_exact);
   RUN(compensated_step_is_the_step);
   RUN(compensated_refusals_touch_nothing);
+  RUN(compensated_departures_do_not_stall);
   return tap_end();
 }

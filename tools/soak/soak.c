@@ -1,7 +1,9 @@
 // Soak: chaos under the rule `random` for very many steps, and a replay.
 //   soak STEPS          (as 1e9 or 1000000000)
 // A snapshot is taken halfway, as a plain copy of the state. The second half is
-// then stepped again from it: the trail of all its bits must be the same.
+// then stepped again from it: the trail of all its bits must be the same. In
+// double by tf_step, in float by tf_step_compensated: plain steps of a float
+// come to stand where dt v is below the rounding of r (DESIGN.md, section 11).
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,19 +16,22 @@
 #define MOST_STEPS 1e15
 #define RATE TF_R(10.0) // of leaving an open stick [1/s]
 #define SEED 2014u
+#define LONGEST_STAY 5.0 // in one mode [s]: it sticks for 2, rests for 0.1
 #define PROGRESS 5.0     // [s]
 #define BATCH (1u << 16) // steps between two looks at the clock
 
 typedef struct {
-  tf_machine_t machine;
+  tf_compensated_t machine;
   tf_input_t input;
   tf_state_t state;
-  uint64_t trail; // of the bits of all states so far
+  tf_carry_t carry; // 0 in double
+  uint64_t trail;   // of the bits of all states so far
   // Steps that broke a promise.
   uint64_t refused, not_finite, drifted, miscounted;
   // What happened.
   uint64_t modes[TF_MODES], degraded, open;
-  double drift; // largest |h| in stick, in its rounding
+  uint64_t changed, stay; // last change of the mode, most steps without one
+  double drift;           // largest |h| in stick, in its rounding
 } soak_t;
 
 static int finite(tf_real_t x) { return x >= -TF_REAL_MAX && x <= TF_REAL_MAX; }
@@ -35,8 +40,15 @@ static int finite(tf_real_t x) { return x >= -TF_REAL_MAX && x <= TF_REAL_MAX; }
 static double rounding(const soak_t *s) {
   const tf_state_t *x = &s->state;
   const double z = fabs((double)x->w) + fabs((double)s->input.omega0);
-  const double reach = fabs((double)s->machine.d) + fabs((double)x->r);
+  const double reach = fabs((double)s->machine.machine.d) + fabs((double)x->r);
   return (double)TF_REAL_EPSILON * (fabs((double)x->v) + reach * z);
+}
+
+static tf_status_t advance(soak_t *s, tf_report_t *report) {
+  return sizeof(tf_real_t) == 4
+             ? tf_step_compensated(&s->machine, &s->state, &s->carry, &s->input,
+                                   report)
+             : tf_step(&s->machine.machine, &s->state, &s->input, report);
 }
 
 static uint64_t mix(uint64_t trail, tf_real_t x) {
@@ -77,11 +89,14 @@ static void step_through(soak_t *s, uint64_t from, uint64_t to, double *shown,
   for (uint64_t step = from + 1; step <= to; step++) {
     tf_report_t report;
     const double before = rounding(s);
-    if (tf_step(&s->machine, &s->state, &s->input, &report) < 0) {
+    const unsigned mode = s->state.mode;
+    if (advance(s, &report) < 0) {
       s->refused++;
       return; // it would be refused for ever
     }
     judge(s, &report, step, before);
+    if (s->state.mode != mode) s->changed = step;
+    if (step - s->changed > s->stay) s->stay = step - s->changed;
     s->trail = mix(s->trail, s->state.r);
     s->trail = mix(s->trail, s->state.v);
     s->trail = mix(s->trail, s->state.w) + s->state.mode;
@@ -99,8 +114,9 @@ static int start(soak_t *s) {
   params.rule = TF_RULE_RANDOM;
   params.rate = RATE;
   memset(s, 0, sizeof *s);
-  if (tf_session_open(&session, scene, &params, SEED) != TF_OK) return 0;
-  s->machine = session.machine;
+  if (tf_session_open(&session, scene, &params, SEED) != TF_OK ||
+      tf_prepare_compensated(&s->machine, &params, NULL) != TF_OK)
+    return 0;
   s->state = session.state;
   s->input = tf_session_input(&session, scene);
   return 1;
@@ -126,17 +142,15 @@ int main(int argc, char *argv[]) {
   double shown = began;
   if (!start(&s) || !start(&again)) return 3;
   step_through(&s, 0, half, &shown, steps);
-  tf_state_t snapshot;
-  memcpy(&snapshot, &s.state, sizeof snapshot);
-  const uint64_t trail = s.trail;
+  memcpy(&again.state, &s.state, sizeof s.state);
+  memcpy(&again.carry, &s.carry, sizeof s.carry);
+  again.trail = s.trail;
   step_through(&s, half, steps, &shown, steps);
-  memcpy(&again.state, &snapshot, sizeof snapshot);
-  again.trail = trail;
   step_through(&again, half, steps, &shown, steps);
 
   printf("chaos, rule random, %s: %.6g steps in %.1f s, half of them twice\n",
-         sizeof(tf_real_t) == 4 ? "float" : "double", (double)steps,
-         cli_now() - began);
+         sizeof(tf_real_t) == 4 ? "float, compensated" : "double",
+         (double)steps, cli_now() - began);
   for (unsigned mode = 0; mode < TF_MODES; mode++)
     printf("# %s: %.6g steps\n", tf_mode_name(mode), (double)s.modes[mode]);
   printf("# with a choice: %.6g; degraded: %.6g\n", (double)s.open,
@@ -149,8 +163,11 @@ int main(int argc, char *argv[]) {
        "steps whose counters disagree", (double)s.miscounted);
   tell(s.open > 0 && s.modes[TF_STICK_PLUS] > 0 && s.modes[TF_STICK_MINUS] > 0,
        "steps with a choice, of sticks of both signs", (double)s.open);
+  const double stay = (double)s.stay * (double)s.machine.machine.dt;
+  tell(stay <= LONGEST_STAY, "longest stay in a mode [s]", stay);
   tell(again.trail == s.trail && again.state.tick == steps &&
-           memcmp(&again.state, &s.state, sizeof s.state) == 0,
+           memcmp(&again.state, &s.state, sizeof s.state) == 0 &&
+           memcmp(&again.carry, &s.carry, sizeof s.carry) == 0,
        "steps replayed from the snapshot, bit for bit", (double)(steps - half));
   printf("%d passed, %d failed\n", passed, failed);
   return failed > 0;
