@@ -1,6 +1,6 @@
 #!/bin/sh
-# What holds for files as such: none over 500 lines, no line over 80 columns,
-# no marker of unfinished work, no path of one machine.
+# What holds for files as such: none over 500 lines, no line of C or of a *.sh
+# over 80 columns, no marker of unfinished work, no path of one machine.
 . "$(dirname "$0")/lib.sh"
 ROOMS='Makefile .ci include src port tests tools'
 
@@ -25,5 +25,6 @@ xargs grep -InE '\b(TO''DO|FIX''ME|X''XX|HA''CK)\b' <"$BUILD/files.all" &&
 # The brackets keep the pattern from finding itself.
 xargs grep -InE '(^|[^[:alnum:]_.}])/([w]ork|[h]ome|[r]oot|[U]sers)/' \
   <"$BUILD/files.all" && wrong "paths of one machine"
-checked "$(wc -l <"$BUILD/files.list") files <= 500 lines, 80 columns;" \
+checked "$(wc -l <"$BUILD/files.list") files <= 500 lines," \
+  "C and *.sh in 80 columns;" \
   "no markers, no machine's paths in $(wc -l <"$BUILD/files.all") files"

@@ -18,7 +18,7 @@ need() {
   exit 3
 }
 
-# wrong TEXT...: one thing that is wrong; finish reports it.
+# wrong TEXT...: one thing that is wrong; `checked` fails by it.
 wrong() {
   echo "$*"
   BAD=$((BAD + 1))

@@ -55,10 +55,15 @@ if [ -z "$said" ] || ! grep -qxF "$said" "$BUILD/readme.line"; then
   wrong "the program does not print: $said"
 fi
 
-# The last column of the table of promises: a test, or a file of tests.
+# The last column of the table of promises: a test, or a file of tests, in
+# every row.
+sed -n '/^## Promises/,/^## More/p' README.md |
+  grep '^|' | sed '1,2d' >"$BUILD/readme.rows"
 # shellcheck disable=SC2016
-sed -n '/^## Promises/,/^## More/s/^| .* | `\([^`]*\)` |$/\1/p' README.md \
+sed -n 's/^| [^|]* | `\([^`]*\)` |$/\1/p' "$BUILD/readme.rows" \
   >"$BUILD/readme.promises"
+[ "$(wc -l <"$BUILD/readme.rows")" -eq "$(wc -l <"$BUILD/readme.promises")" ] ||
+  wrong "README.md: each promise is a row | promise | \`test\` |"
 [ -s "$BUILD/readme.promises" ] || wrong "README.md has no table of promises"
 while read -r test; do
   [ -f "$test" ] || grep -qrE "^(TEST|LAW)\($test\)" tests ||
