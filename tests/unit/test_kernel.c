@@ -3,7 +3,7 @@
  * place (ULP) of the real type, over the whole range that the header admits
  * and at the points where such code breaks: borders of the range reduction,
  * subnormal arguments, the numbers next to multiples of pi/2. */
-#include "kernel.h"
+#include "linear.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -259,6 +259,58 @@ TEST(philox_known_answers) {
   }
 }
 
+/* Numbers at and around the limit of a state, and those that are none. */
+static tf_real_t at_the_limit(int i) {
+  static const tf_real_t some[] = {0,
+                                   TF_REAL_MIN,
+                                   1,
+                                   TF_STATE_LIMIT / 2,
+                                   TF_STATE_LIMIT,
+                                   TF_STATE_LIMIT * (1 + TF_REAL_EPSILON),
+                                   TF_STATE_LIMIT * 2,
+                                   TF_REAL_MAX,
+                                   (tf_real_t)INFINITY,
+                                   (tf_real_t)NAN};
+  return i % 2 ? -some[i / 2] : some[i / 2];
+}
+#define AT_THE_LIMIT 20
+
+static int is_in_reach(tf_real_t x) {
+  return isfinite(x) && x >= -TF_STATE_LIMIT && x <= TF_STATE_LIMIT;
+}
+
+/* What tools/eva/told.h admits: where the check of a step lets numbers pass,
+ * each of them is finite and within the limit; and nothing else is refused. */
+TEST(numbers_that_pass_are_finite_and_within_the_limit) {
+  int passed = 0;
+  for (int n = 0; n < AT_THE_LIMIT * AT_THE_LIMIT * AT_THE_LIMIT; n++) {
+    const tf_real_t r = at_the_limit(n % AT_THE_LIMIT);
+    const tf_real_t v = at_the_limit(n / AT_THE_LIMIT % AT_THE_LIMIT);
+    const tf_real_t w = at_the_limit(n / AT_THE_LIMIT / AT_THE_LIMIT);
+    const bool passes = in_reach(r, v, w);
+    if (passes) CHECK(is_in_reach(r) && is_in_reach(v) && is_in_reach(w));
+    const real sum = fabsl((real)r) + fabsl((real)v) + fabsl((real)w);
+    CHECK(passes || !(sum <= (real)TF_STATE_LIMIT * (1 - 4 * TF_REAL_EPSILON)));
+    passed += passes;
+  }
+  CHECK(passed > 100);
+  for (int i = 0; i < AT_THE_LIMIT; i++) {
+    for (int j = 0; j < 5 * AT_THE_LIMIT; j++) {
+      const tf_state_t x = {.r = at_the_limit(i)};
+      tf_input_t u;
+      memset(&u, 0, sizeof u);
+      tf_real_t *const inputs[] = {&u.omega0, &u.r0, &u.force, &u.torque,
+                                   &u.alpha};
+      *inputs[j % 5] = at_the_limit(j / 5);
+      CHECK(in_range(&x, &u) ==
+            (is_in_reach(x.r) && is_in_reach(*inputs[j % 5])));
+      CHECK(within(x.r, TF_STATE_LIMIT) == is_in_reach(x.r));
+      const tf_real_t y = clip(x.r, -1, 1);
+      CHECK(y >= -1 && y <= 1);
+    }
+  }
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(angle_kernel_error_bound);
@@ -267,5 +319,6 @@ int main(int argc, char **argv) {
   RUN(arctangent_kernel);
   RUN(exit_probability_kernel);
   RUN(philox_known_answers);
+  RUN(numbers_that_pass_are_finite_and_within_the_limit);
   return tap_end();
 }

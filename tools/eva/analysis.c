@@ -10,6 +10,7 @@ void surface_any(void) {
   const tf_input_t input = any_input();
   tf_surface_t surface;
   tf_surface_at(&machine, &input, any_real(), any_real(), any_real(), &surface);
+  //@ check reached: \false;
 }
 
 void two_folds_any(void);
@@ -25,6 +26,7 @@ void two_folds_any(void) {
   ANY_BITS(place);
   tf_normal_form(&machine, &input, &place, &form);
   tf_two_fold_wish(&machine, &input, any_real(), any_real(), &wish);
+  //@ check reached: \false;
 }
 
 void text_any(void);

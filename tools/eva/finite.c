@@ -37,4 +37,5 @@ void step_finite(void) {
     //@ loop unroll TF_MODES;
     for (int mode = 0; mode < modes; mode++) step_of(&machine, mode);
   }
+  //@ check reached: \false;
 }

@@ -18,6 +18,7 @@ void seal_any(void) {
   tf_frame_seal(wire, Frama_C_unsigned_char_interval(0, 255),
                 Frama_C_size_t_interval(0, ~(size_t)0), &sequence,
                 Frama_C_unsigned_long_interval(0, ~0ul));
+  //@ check reached: \false;
 }
 
 // The payload of a frame is all there.
@@ -44,6 +45,7 @@ void push_any(void) {
   tf_decoder_init(&decoder, buffer, (uint16_t)room);
   //@ loop widen_hints "all", 3, sizeof(buffer);
   while (any_bool()) push_once(&decoder);
+  //@ check reached: \false;
 }
 
 // The same in blocks of any length.
@@ -61,6 +63,7 @@ void block_any(void) {
     tf_decoder_block(&decoder, bytes, Frama_C_size_t_interval(0, sizeof bytes),
                      &taken, &frame);
   }
+  //@ check reached: \false;
 }
 
 // And of a few bytes into a small buffer, with every fill of it apart: there
@@ -82,6 +85,7 @@ void block_small(void) {
   decoder.overflowed = any_bool();
   decoder.started = any_bool();
   tf_decoder_block(&decoder, bytes, (size_t)length, &taken, &frame);
+  //@ check reached: \false;
 }
 
 static tf_scene_t any_scene(void) {
@@ -110,6 +114,7 @@ void link_any(void) {
     if (any_bool()) tf_link_answer(&link, answer, &sequence);
     if (any_bool()) session.state = any_state();
   }
+  //@ check reached: \false;
 }
 
 // Inputs of a scene and a session at any time.
@@ -122,6 +127,7 @@ void session_any(void) {
   session.driven = any_bool();
   tf_session_input(&session, &scene);
   tf_session_start(&session, &scene, 0);
+  //@ check reached: \false;
 }
 
 // Everything that goes down, made in a buffer of exactly its size, and read.
@@ -157,4 +163,5 @@ void send_any(void) {
   ANY_BITS(wire);
   tf_read_state(wire + TF_FRAME_AT, 0, &state);
   tf_read_report(wire + TF_FRAME_AT, &report);
+  //@ check reached: \false;
 }

@@ -29,6 +29,7 @@ void prepare_any(void) {
   params = any_params(law);
   tf_prepare(&machine.machine, &params, any_bool() ? &offender : NULL);
   tf_prepare_compensated(&machine, &params, any_bool() ? &offender : NULL);
+  //@ check reached: \false;
 }
 
 static void accepted(tf_status_t status) {
@@ -55,4 +56,5 @@ void prepare_in_range(void) {
     params.kappa = REAL_BETWEEN(low, 2 * low < TF_R(1e6) ? 2 * low : TF_R(1e6));
     accepted(tf_prepare(&machine, &params, NULL));
   }
+  //@ check reached: \false;
 }

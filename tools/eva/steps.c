@@ -24,6 +24,7 @@ void step_any(void) {
   const tf_input_t input = any_input();
   tf_report_t report;
   tf_step(&machine, &state, &input, &report);
+  //@ check reached: \false;
 }
 
 void begin_any(void);
@@ -33,6 +34,7 @@ void begin_any(void) {
   const tf_input_t input = any_input();
   tf_report_t report;
   tf_begin(&machine, &state, &input, &report);
+  //@ check reached: \false;
 }
 
 void locate_any(void);
@@ -42,6 +44,7 @@ void locate_any(void) {
   const tf_input_t input = any_input();
   tf_report_t report;
   tf_locate(&machine, &state, &input, &report);
+  //@ check reached: \false;
 }
 
 void compensated_any(void);
@@ -56,6 +59,7 @@ void compensated_any(void) {
   tf_report_t report;
   tf_place_compensated(&machine, &state, &carry, any_real(), any_real());
   tf_step_compensated(&machine, &state, &carry, &input, &report);
+  //@ check reached: \false;
 }
 
 // Of any number of states up to two blocks and a bit.
@@ -71,4 +75,5 @@ void ensemble_any(void) {
   ANY_BITS(states);
   ANY_BITS(reports);
   tf_ensemble_step(&machine, states, n, &input, reports);
+  //@ check reached: \false;
 }
