@@ -2,6 +2,7 @@
 # Public functions say all that they promise, row by row, and every test that
 # a promise names is run.
 . "$(dirname "$0")/lib.sh"
+need gcc gcc
 files_in '*.h' include >"$BUILD/claims.headers"
 files_in 'test_*.c' tests/unit tests/law tests/golden tests/regress \
   >"$BUILD/claims.tests"

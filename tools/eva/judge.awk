@@ -31,13 +31,13 @@ files == 1 && /^why: ./ { # all since the last reason have one
 files == 1 { next } # the reason goes on
 FNR == 1 { next }
 FNR == 2 { ends[FILENAME] = run }
-$4 ~ /^(Frama_C_|__builtin_)/ { next } # the analyser's own library
 $5 == "user check" && $7 == "\\false" {
   if ($4 == run && $6 != "Valid" && $6 != "Dead") reached[FILENAME] = 1
   next
 }
-$6 == "Valid" { proven++; next }
-$6 == "Considered valid" || $6 == "Dead" { next }
+$6 == "Valid" && $4 !~ /^(Frama_C_|__builtin_)/ { proven++ }
+$6 == "Valid" || $6 == "Considered valid" || $6 == "Dead" { next }
+$4 ~ /^Frama_C_/ { next } # the analyser's own library
 {
   expression = $7
   gsub(/_f(64|32)/, "", $4)
