@@ -18,7 +18,7 @@ VARIANTS := double float
 MAKEFLAGS += --no-builtin-rules -j$(shell nproc 2>/dev/null || echo 2)
 
 # The parts.
-CORE := $(wildcard src/*.c)
+CORE := $(wildcard src/*/*.c)
 CLI := $(wildcard tools/*.c tools/cli/*.c)
 SUPPORT := $(wildcard tests/support/*.c)
 TEST_ROOMS := tests/unit tests/law tests/golden tests/regress

@@ -33,41 +33,41 @@
 
 #ifdef BOARD_SMALL
 // Where flash is short the parts of a step are functions: half the size.
-#include "../src/kernel.h"
+#include "../src/num/kernel.h"
 #undef TF_INLINE
 #define TF_INLINE static
 #endif
 // In the order of a step, then what a firmware of one scene needs none of.
 // NOLINTBEGIN(bugprone-suspicious-include): one translation unit on purpose.
-#include "../src/begin.c"
-#include "../src/frame.c"
-#include "../src/friction.c"
-#include "../src/kernel.c"
-#include "../src/machine.c"
-#include "../src/prepare.c"
-#include "../src/scene.c"
-#include "../src/scenes.c"
-#include "../src/select.c"
-#include "../src/session.c"
-#include "../src/status.c"
-#include "../src/step.c"
-#include "../src/telemetry.c"
-#include "../src/text.c"
+#include "../src/moreau/begin.c"
+#include "../src/link/frame.c"
+#include "../src/friction/friction.c"
+#include "../src/num/kernel.c"
+#include "../src/model/machine.c"
+#include "../src/model/prepare.c"
+#include "../src/scene/scene.c"
+#include "../src/scene/scenes.c"
+#include "../src/friction/select.c"
+#include "../src/scene/session.c"
+#include "../src/model/status.c"
+#include "../src/moreau/step.c"
+#include "../src/link/telemetry.c"
+#include "../src/link/text.c"
 // Last, for the short names of its own.
-#include "../src/link.c"
+#include "../src/link/link.c"
 #undef R
-#include "../src/tyre.c"
+#include "../src/model/tyre.c"
 // The other schemes, of which a program holds the one that it calls. Names that
 // two files use for their own are set apart.
 #ifdef SCHEME_LOCATED
 #define product located_product
 #define refuse located_refuse
-#include "../src/corner.c"
-#include "../src/expand.c"
-#include "../src/locate.c"
-#include "../src/polynomial.c"
-#include "../src/switch.c"
-#include "../src/walk.c"
+#include "../src/friction/codim2.c"
+#include "../src/event/taylor.c"
+#include "../src/event/located.c"
+#include "../src/num/polynomial.c"
+#include "../src/event/event.c"
+#include "../src/event/trajectory.c"
 #endif
 #ifdef SCHEME_COMPENSATED
 #define finish compensated_finish
@@ -75,8 +75,8 @@
 #define step_degraded compensated_step_degraded
 #define step_single_valued compensated_step_single_valued
 #define step_under compensated_step_under
-#include "../src/compensated.c"
-#include "../src/prepare_compensated.c"
+#include "../src/moreau/compensated.c"
+#include "../src/moreau/prepare_compensated.c"
 #endif
 // NOLINTEND(bugprone-suspicious-include)
 

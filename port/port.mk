@@ -128,7 +128,7 @@ endif
 $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
     $(wildcard port/*.[ch] port/arch/* port/$(BOARD)/* tests/target/*.c \
       tests/golden/*.h) \
-    $(wildcard src/*.[ch] include/twofold/*.h)
+    $(wildcard src/*/*.[ch] include/twofold/*.h)
 	@command -v $(BOARD_CC) >/dev/null || { echo '$(BOARD): $(BOARD_CC) is' \
 	  'missing (Debian: apt-get install $(BOARD_PACKAGES))'; exit 3; }
 	@mkdir -p $(@D)

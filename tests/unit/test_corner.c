@@ -1,8 +1,8 @@
 /* Slips that leave h = g = 0, against a search through all angles with the
  * paper's law and field. */
-#include "corner.h"
+#include "friction/codim2.h"
 #include "sample.h"
-#include "segment.h"
+#include "event/segment.h"
 
 #define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))
 

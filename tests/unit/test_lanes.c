@@ -1,7 +1,7 @@
 /* The passes of an ensemble that find its solution sets, against the
  * enumeration, on inclusions of small whole numbers: ties and zeros of every
  * kind are common there, and each number is exact. */
-#include "lanes_solve.h"
+#include "moreau/lanes_solve.h"
 #include "sample.h"
 
 /* -1.5, -1, ... 1.5; 0 more often. */

@@ -2,7 +2,7 @@
  * of 64 bits and the fused multiply-add, and what the others may be off by. */
 #include <stdint.h>
 
-#include "pair.h"
+#include "num/pair.h"
 #include "sample.h"
 
 #define DIGITS (sizeof(tf_real_t) == 8 ? 53 : 24)

@@ -1,5 +1,5 @@
 /* The first root of a series in an interval: of products of known factors. */
-#include "polynomial.h"
+#include "num/polynomial.h"
 #include "sample.h"
 
 static tf_series_t times(const tf_series_t *s, double root) {

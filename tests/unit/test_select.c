@@ -4,7 +4,7 @@
  * bounds of five standard deviations that a fixed seed keeps or breaks. */
 #include <stdbool.h>
 
-#include "mode_set.h"
+#include "friction/mode_set.h"
 #include "tap.h"
 #include "twofold.h"
 

@@ -2,7 +2,7 @@
 #include "tap.h"
 #include "twofold.h"
 /* After twofold.h: of the core itself. */
-#include "slip_law.h"
+#include "friction/slip_residual.h"
 
 typedef long double real;
 

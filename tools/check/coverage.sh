@@ -35,7 +35,7 @@ quietly tests/run $programs || wrong "tests fail"
 files_in '*.gcno' "$place" | while read -r notes; do
   gcov -t -b -c -r "$notes" 2>/dev/null
 done >"$BUILD/coverage.gcov"
-for source in src/*.c; do
+for source in src/*/*.c; do
   [ -e "$place/double/${source%.c}.gcno" ] ||
     wrong "$source: is compiled for no test"
 done

@@ -8,7 +8,7 @@ while IFS= read -r line; do
   name=$(echo "$line" | sed -n 's/.*#include "\([^"]*\)".*/\1/p')
   if [ -z "$name" ]; then
     wrong "$line"
-  elif [ ! -e "src/$name" ] && [ ! -e "include/$name" ]; then
+  elif [ ! -e "$(dirname "${line%%:*}")/$name" ] && [ ! -e "include/$name" ]; then
     wrong "$line: neither in src/ nor in include/"
   fi
 done <"$BUILD/own"

@@ -55,7 +55,7 @@ awk -F '\t' -v OFS='\t' '{ print $3, $4 }' "$BUILD/loops.seen" |
 
 wanted=$(files_in '*.[ch]' src include)
 for define in -UTF_REAL_FLOAT -DTF_REAL_FLOAT; do
-  for file in src/*.c; do
+  for file in src/*/*.c; do
     # shellcheck disable=SC2086  # a list of files
     tree "$define" "$file" $wanted || wrong "$file cannot be read"
   done

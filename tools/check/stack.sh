@@ -32,7 +32,7 @@ unsigned hail(unsigned n, unsigned steps) {
 END
 recursion "$BUILD/recursion-seed" "$BUILD/recursion-seed.c" &&
   wrong "a planted recursion is not found"
-recursion "$BUILD/recursion" src/*.c || {
+recursion "$BUILD/recursion" src/*/*.c || {
   cat "$BUILD/recursion/said"
   wrong "the core calls itself"
 }
@@ -64,7 +64,7 @@ graphs() {
   root=$PWD
   (cd "$place" && "$@" -std=c99 -ffp-contract=off -fno-math-errno \
     -ffreestanding -I"$root/include" -I"$root/src" -fcallgraph-info=su -S \
-    "$root"/src/*.c) || wrong "$place: the core does not compile"
+    "$root"/src/*/*.c) || wrong "$place: the core does not compile"
   (cd "$place" && "$@" -std=c99 -ffreestanding -I"$root/include" -S \
     -fcallgraph-info=su -fkeep-inline-functions inline.c) ||
     wrong "$place: the inline functions do not compile"

@@ -1,5 +1,5 @@
 // What the analyser is told, not shown, in the entry step_finite: put before
-// src/step.c there. It lets NaN pass a comparison, which IEEE 754 and so the
+// src/moreau/step.c there. It lets NaN pass a comparison, which IEEE 754 and so the
 // language (Annex F) do not, and knows no relation between two numbers. Each
 // line below that says "admit" is the whole of one argument; that the code is
 // as the arguments say is not analysed but executed, at and around every limit:
@@ -7,8 +7,8 @@
 #ifndef TF_EVA_TOLD_H
 #define TF_EVA_TOLD_H
 
-#include "linear.h"
-#include "tyre_core.h"
+#include "moreau/linear.h"
+#include "model/tyre_law.h"
 
 #define IN_REACH(x) (\is_finite(x) && -1e9 <= (x) <= 1e9)
 

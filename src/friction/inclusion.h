@@ -1,0 +1,171 @@
+// The solution set of one step's inclusion (incl), by enumeration. Inline: the
+// step has it within itself.
+//
+// Existence is decided by the signs of h at x = +1 and x = -1 alone. For one s:
+//   slip+ solves iff h(1, s) > 0, slip- iff h(-1, -s) < 0, and a stick lies
+//   between iff both or neither do (intermediate value theorem):
+// neither: one solution, the stick of a positive Delassus scalar; both: three,
+// the stick of a negative one. A division by a scalar near 0 decides nothing.
+#ifndef TF_FRICTION_CORE_H
+#define TF_FRICTION_CORE_H
+
+#include "../num/kernel.h"
+#include "twofold/friction.h"
+
+// A form along y = s x: c0 + c1 x + c2 x^2, and its values at x = 1, -1.
+typedef struct {
+  tf_real_t c0, c1, c2, plus, minus;
+} ray_t;
+
+TF_INLINE ray_t along(const tf_form_t *f, int s) {
+  ray_t ray = {f->c0, s ? f->F - f->M : f->F + f->M, 0, 0, 0};
+  ray.c2 = s ? f->FF + f->MM - f->FM : f->FF + f->MM + f->FM;
+  ray.plus = f->c0 + ray.c2 + ray.c1;
+  ray.minus = f->c0 + ray.c2 - ray.c1;
+  return ray;
+}
+
+// See tf_friction_signs. NaN ends at both.
+TF_INLINE unsigned signs_of(const tf_form_t *g) {
+  const ray_t a = along(g, 0), b = along(g, 1);
+  if (g->c0 > 0 && a.plus > 0 && a.minus > 0 && b.plus > 0 && b.minus > 0)
+    return 1;
+  if (g->c0 < 0 && a.plus < 0 && a.minus < 0 && b.plus < 0 && b.minus < 0)
+    return 2;
+  return 3;
+}
+
+// The root of c0 + c1 x + c2 x^2 that is the perturbed -c0/c1; it is the one
+// in [-1, 1] where just one is. With x1 = -c0/c1 and q = c2 x1/c1 the root is
+// x1 y, q y^2 + y - 1 = 0, y = 2/(1 + sqrt(1 + 4 q)): no squares of small
+// numbers, no cancellation. q is of third order in dt; below 2^-12 the series
+// of y to q^4 is exact to 42 q^5 = 4e-17 and saves a root and a division. At
+// c1 = 0 (the vertical line of a two-fold) any x solves; 0 is the least.
+TF_INLINE tf_real_t root_within(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
+  if (magnitude(c1) < TF_REAL_MIN) return 0;
+  const tf_real_t inverse = 1 / c1;
+  const tf_real_t x1 = -c0 * inverse, q = c2 * inverse * x1;
+  if (magnitude(q) < TF_R(0x1p-12))
+    return clip(x1 * (1 - q * (1 - q * (2 - q * (5 - 14 * q)))), -1, 1);
+  const tf_real_t discriminant = 1 + 4 * q;
+  const tf_real_t root = discriminant > 0 ? square_root(discriminant) : 0;
+  return clip(2 * x1 / (1 + root), -1, 1);
+}
+
+// Where just one slip solves, h keeps its sign from x = -1 to 1 or dips through
+// 0 and back: then stick solves twice. It takes a step so long that the change
+// of r bends h inside [-1, 1].
+TF_INLINE bool dips(const ray_t *h, bool above) {
+  return magnitude(h->c1) < 2 * magnitude(h->c2) && (h->c2 > 0) == above &&
+         h->c1 * h->c1 > 4 * h->c0 * h->c2;
+}
+
+// Whether a stick on a ray ends with the sign of g that the ray is for. Without
+// a moment both rays are one; it goes by the sign of g, and g = 0 has to go
+// somewhere.
+TF_INLINE bool rolls_as(tf_real_t g_end, int s, bool has_moment) {
+  return s ? g_end < 0 : g_end > 0 || (g_end == 0 && !has_moment);
+}
+
+// The stick of one s, if there is one.
+TF_INLINE void solve_stick(const ray_t *h, const ray_t *g, int s,
+                           bool has_moment, tf_solutions_t *out) {
+  const bool above = h->plus > 0, one = above != (h->minus < 0);
+  const bool two = one && dips(h, above);
+  if (h->c1 < 0) out->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  if (one && !two) return; // one slip, no stick
+  tf_real_t x = root_within(h->c0, h->c1, h->c2);
+  tf_real_t g_end = g->c0 + x * (g->c1 + x * g->c2);
+  if (two && (s ? g_end > 0 : g_end < 0)) { // g = 0 is the pinned wheel's
+    x = -h->c1 / h->c2 - x;
+    g_end = g->c0 + x * (g->c1 + x * g->c2);
+  }
+  out->x[s] = x;
+  if (rolls_as(g_end, s, has_moment))
+    out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+}
+
+// The share s of the moment in a slip at h -> 0, where g(s) is the quadratic
+// through g_plus at 1 and g_minus at -1 with leading term bend. Where g+ is > 0
+// for s = +1 and < 0 for s = -1 both solve; then the present sign of g is kept
+// unless it contradicts the slip. Where neither solves, the angle passes
+// through g = 0 at an s between them.
+TF_INLINE tf_real_t moment_share(tf_real_t g_plus, tf_real_t g_minus,
+                                 tf_real_t bend, bool plus_slips,
+                                 bool minus_slips, bool prefer_plus) {
+  if (g_plus > 0 && g_minus < 0)
+    return (prefer_plus ? plus_slips : !minus_slips) ? TF_R(1.0) : TF_R(-1.0);
+  if (g_plus > 0) return 1;
+  if (g_minus < 0) return -1;
+  return root_within((g_plus + g_minus) / 2 - bend, (g_plus - g_minus) / 2,
+                     bend);
+}
+
+// One side: the slip at h -> 0, whatever its share of the moment.
+TF_INLINE void solve_slip(const tf_inclusion_t *in, int slip, tf_real_t side,
+                          tf_real_t h_plus, tf_real_t h_minus, tf_real_t g_plus,
+                          tf_real_t g_minus, tf_solutions_t *out) {
+  const tf_real_t tau =
+      moment_share(g_plus, g_minus, in->g.MM, side * h_plus > 0,
+                   side * h_minus > 0, in->g_now >= 0);
+  const tf_real_t h_end = ((1 + tau) * h_plus + (1 - tau) * h_minus) / 2 -
+                          (1 - tau * tau) * in->h.MM;
+  out->tau[slip] = tau;
+  out->h_limit[slip] = h_end;
+  if (side * h_end > 0) out->set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
+}
+
+// All g+ have the sign of one s.
+TF_INLINE void solve_one_sign(const tf_inclusion_t *in, int s,
+                              tf_solutions_t *out) {
+  const ray_t h = along(&in->h, s);
+  const bool plus = h.plus > 0, minus = h.minus < 0;
+  out->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
+  out->attracting = (uint8_t)(h.c1 < 0 ? TF_MODE_BIT(TF_STICK_PLUS + s) : 0);
+  out->tau[0] = out->tau[1] = s ? TF_R(-1.0) : TF_R(1.0);
+  out->h_limit[0] = h.plus;
+  out->h_limit[1] = h.minus;
+  if (plus != minus && !dips(&h, plus)) return;
+  out->x[s] = root_within(h.c0, h.c1, h.c2);
+  out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+}
+
+// g+ may have either sign: codimension two is within reach of this step.
+TF_INLINE void solve_both_signs(const tf_inclusion_t *in, tf_solutions_t *out) {
+  const ray_t h0 = along(&in->h, 0), h1 = along(&in->h, 1);
+  const ray_t g0 = along(&in->g, 0), g1 = along(&in->g, 1);
+  out->set = 0;
+  out->attracting = 0;
+  solve_stick(&h0, &g0, 0, in->has_moment, out);
+  solve_stick(&h1, &g1, 1, in->has_moment, out);
+  solve_slip(in, 0, 1, h0.plus, h1.plus, g0.plus, g1.plus, out);
+  solve_slip(in, 1, -1, h0.minus, h1.minus, g0.minus, g1.minus, out);
+  // Without a moment a pinned wheel is a stick with g+ = 0: not a sixth mode.
+  if (in->has_moment && within(in->pin_x, 1) &&
+      within(in->pin_y, magnitude(in->pin_x)))
+    out->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
+}
+
+TF_INLINE void solve(const tf_inclusion_t *in, unsigned signs,
+                     tf_solutions_t *out) {
+  const bool at_plus = signs == 3 ? in->g_now >= 0 : signs == 1;
+  out->near_stick = at_plus ? TF_STICK_PLUS : TF_STICK_MINUS;
+  if (signs == 3)
+    solve_both_signs(in, out);
+  else if (signs == 1)
+    solve_one_sign(in, 0, out);
+  else
+    solve_one_sign(in, 1, out);
+}
+
+// See tf_law_residual.
+TF_INLINE tf_real_t law_residual(tf_real_t mu, tf_real_t kappa,
+                                 tf_force_t force, tf_real_t h, tf_real_t g) {
+  const tf_real_t M = kappa * force.F; // that goes with g > 0
+  const tf_real_t rest = magnitude(force.F - clip(force.F + h, -mu, mu));
+  if (g > 0) return rest + magnitude(force.M - M);
+  if (g < 0) return rest + magnitude(force.M + M);
+  return rest + magnitude(force.M - clip(force.M, -magnitude(M), magnitude(M)));
+}
+
+#endif

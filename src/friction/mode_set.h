@@ -1,0 +1,20 @@
+// Sets of modes, bits TF_MODE_BIT(mode).
+#ifndef TF_MODE_SET_H
+#define TF_MODE_SET_H
+
+#include "../num/kernel.h"
+#include "twofold/friction.h"
+
+#define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
+#define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))
+
+TF_INLINE bool has(unsigned set, unsigned mode) { return (set >> mode) & 1u; }
+
+TF_INLINE unsigned size_of(unsigned set) {
+  static const uint8_t sizes[1u << TF_MODES] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2,
+                                                3, 2, 3, 3, 4, 1, 2, 2, 3, 2, 3,
+                                                3, 4, 2, 3, 3, 4, 3, 4, 4, 5};
+  return sizes[set];
+}
+
+#endif

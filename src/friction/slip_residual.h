@@ -1,0 +1,26 @@
+// How far a force is from the law of slip at the slip that a step ends with:
+// what law_residual leaves open, because it knows the angle in stick alone.
+#ifndef TF_SLIP_LAW_H
+#define TF_SLIP_LAW_H
+
+#include "twofold/machine.h"
+#include "../model/tyre_law.h"
+
+// |F - law| + |M - law|, and how far h is on the other side, with 1 m/s counted
+// as 1 N and 1 N m as 1 N. At h = g = 0 every angle is in the law, and what F
+// and M have in common is asked: M = 3 kappa (4/3 mu - |F|) over the angles.
+TF_INLINE tf_real_t slip_law_residual(const tf_tyre_t *tyre, int side,
+                                      tf_force_t force, tf_slip_t slip) {
+  if (tyre->law == TF_TYRE_NONE) return magnitude(force.F) + magnitude(force.M);
+  const tf_real_t sign = (tf_real_t)side, beyond = -sign * slip.h;
+  if (tyre->law == TF_TYRE_JUMP && slip.h == 0 && slip.g == 0) {
+    const tf_real_t F = clip(sign * force.F, tyre->mu, tyre->mu * 4 / 3);
+    const tf_real_t M = 3 * tyre->kappa * (tyre->mu * 4 / 3 - F);
+    return magnitude(force.F - sign * F) + magnitude(magnitude(force.M) - M);
+  }
+  const tf_force_t law = tf_tyre_force(tyre, sign, slip.h, slip.g);
+  return magnitude(force.F - law.F) + magnitude(force.M - law.M) +
+         (beyond > 0 ? beyond : 0);
+}
+
+#endif

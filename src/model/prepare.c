@@ -1,0 +1,176 @@
+// From parameters to a machine: validate once at the border, derive the
+// constants, trust them from then on. Not on the path of a step.
+#include <stddef.h>
+
+#include "../num/kernel.h"
+#include "twofold/machine.h"
+
+#define ALL_LAWS ((1u << TF_TYRE_LAWS) - 1u)
+#define LAW(name) (1u << TF_TYRE_##name)
+#define KAPPA_LAWS (LAW(JUMP) | LAW(TWO_PIECE) | LAW(SMOOTH))
+#define STRING_LAWS (LAW(STRING) | LAW(TWO_PIECE))
+#define RANGE(member, unit, laws, low, high) \
+  { #member, unit, offsetof(tf_params_t, member), laws, TF_R(low), TF_R(high) }
+// The nearest number to pi and no more: gamma beyond would name an angle twice.
+#define PI_HERE TF_R(3.14159265358979323846)
+
+TF_API const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS] = {
+    RANGE(m, "kg", ALL_LAWS, 1e-12, 1e12),
+    RANGE(d, "m", ALL_LAWS, -1e6, 1e6),
+    RANGE(beta, "m", ALL_LAWS, 1e-9, 1e6),
+    RANGE(k2, "N/m", ALL_LAWS, 0.0, 1e15),
+    RANGE(c1, "N m s", ALL_LAWS, 0.0, 1e12),
+    RANGE(c2, "N s/m", ALL_LAWS, 0.0, 1e12),
+    RANGE(r0, "m", ALL_LAWS, -1e6, 1e6),
+    RANGE(omega0, "rad/s", ALL_LAWS, -1e6, 1e6),
+    RANGE(mu, "N", ALL_LAWS, 0.0, 1e9),
+    RANGE(kappa, "m", KAPPA_LAWS, 1e-9, 1e6),
+    {"gamma", "rad", offsetof(tf_params_t, gamma), ALL_LAWS, -PI_HERE, PI_HERE},
+    RANGE(epsilon, "m/s", LAW(SMOOTH), 1e-12, 1e6),
+    RANGE(k, "1/m^2", STRING_LAWS, 1e-9, 1e12),
+    RANGE(delta, "1/m", LAW(STRING), 1e-9, 1e9),
+    RANGE(sigma, "m", LAW(STRING), 0.0, 1e6),
+    RANGE(rho, "1", LAW(STRING), 1e-6, 1.0),
+    RANGE(a, "m", LAW(STRING), 1e-9, 1e6),
+    RANGE(theta, "1", ALL_LAWS, 0.5, 1.0),
+    RANGE(dt, "s", ALL_LAWS, 1e-9, 1.0),
+    RANGE(rate, "1/s", ALL_LAWS, 0.0, 1e9),
+    RANGE(tolerance, "1", ALL_LAWS, 0.0, 1e-3)};
+
+// Index of the first offender, or -1. Members that the law does not need are
+// not looked at: a scene leaves them 0. NaN fails every comparison.
+static int first_offender(const tf_params_t *params) {
+  if ((unsigned)params->law >= TF_TYRE_LAWS) return TF_PARAMETERS;
+  if ((unsigned)params->rule >= TF_RULES) return TF_PARAMETERS;
+  for (int i = 0; i < TF_PARAMETERS; i++) {
+    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+    const tf_real_t *value =
+        (const tf_real_t *)(const void *)((const char *)params + range->offset);
+    const bool needed = (range->laws >> params->law) & 1u;
+    if (needed && !(*value >= range->low && *value <= range->high)) return i;
+  }
+  return -1;
+}
+
+// T at the anchors from T(inf) = 6 kappa by halving and adding angles, then
+// its Taylor series at 0 from (1 + y^2) T' = a (1 + T^2):
+//   (2n+1) c_n = a [w^(2n)] T^2 - (2n-1) c_(n-1),   c_0 = a.
+static void prepare_angle_kernel(tf_tyre_t *tyre, tf_real_t kappa) {
+  tf_real_t *T = tyre->T_anchor, *c = tyre->T_series;
+  T[0] = 0;
+  T[8] = 6 * kappa;
+  T[4] = half_tangent(T[8]);
+  T[2] = half_tangent(T[4]);
+  T[1] = half_tangent(T[2]);
+  T[3] = (T[2] + T[1]) / (1 - T[2] * T[1]);
+  // Above pi/4 from T(inf) downwards: a sum of angles would multiply the
+  // rounding of its terms by (1 + T^2)/T.
+  T[5] = (T[8] - T[3]) / (1 + T[8] * T[3]);
+  T[6] = (T[8] - T[2]) / (1 + T[8] * T[2]);
+  T[7] = (T[8] - T[1]) / (1 + T[8] * T[1]);
+  const tf_real_t a =
+      tf_small_arctangent(half_tangent(T[1])) * TF_R(10.185916357881301489);
+  c[0] = a;
+  for (int n = 1; n < TF_TYRE_TERMS; n++) {
+    tf_real_t square = 0;
+    for (int i = 0; i < n; i++) square += c[i] * c[n - 1 - i];
+    c[n] = (a * square - (tf_real_t)(2 * n - 1) * c[n - 1]) /
+           (tf_real_t)(2 * n + 1);
+  }
+  tyre->inv_18_kappa = 1 / (18 * kappa);
+  tyre->inv_6_kappa = 1 / (6 * kappa);
+}
+
+static void prepare_tyre(tf_tyre_t *tyre, const tf_params_t *params) {
+  *tyre = (tf_tyre_t){.law = params->law, .mu = params->mu};
+  switch (params->law) {
+    case TF_TYRE_SMOOTH:
+      tyre->epsilon = params->epsilon;
+      tyre->kappa = params->kappa;
+      prepare_angle_kernel(tyre, params->kappa);
+      break;
+    case TF_TYRE_JUMP:
+      tyre->kappa = params->kappa;
+      prepare_angle_kernel(tyre, params->kappa);
+      break;
+    case TF_TYRE_TWO_PIECE: // Appendix B's choice of constants
+      tyre->k = params->k;
+      tyre->delta = 1 / (3 * params->kappa);
+      tyre->rho = TF_R(2.0) / 3;
+      tyre->a = 3 * params->kappa;
+      break;
+    case TF_TYRE_STRING:
+      tyre->k = params->k;
+      tyre->delta = params->delta;
+      tyre->sigma = params->sigma;
+      tyre->rho = params->rho;
+      tyre->a = params->a;
+      break;
+    case TF_TYRE_COULOMB:
+    case TF_TYRE_NONE:
+    default:
+      break;
+  }
+}
+
+// 1/x stays finite: a friction below the least normal number counts as none.
+static tf_real_t inverse_or_0(tf_real_t x) {
+  return x >= TF_REAL_MIN ? 1 / x : 0;
+}
+
+// Whether stick carries a moment. Where friction counts as none it does not:
+// else every force would pass as one that pins the wheel, for 1/mu is 0 then.
+static bool carries_moment(const tf_params_t *params) {
+  return params->law == TF_TYRE_JUMP && inverse_or_0(params->mu) > 0 &&
+         inverse_or_0(params->kappa * params->mu) > 0;
+}
+
+TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
+                              int *offender) {
+  const int first = first_offender(params);
+  if (first >= 0) {
+    if (offender) *offender = first;
+    return TF_BAD_PARAMETER;
+  }
+  const tf_real_t m = params->m, d = params->d, dt = params->dt;
+  const tf_real_t theta_dt = params->theta * dt;
+  const tf_real_t a = theta_dt * (params->c2 + theta_dt * params->k2);
+  const tf_real_t beta2 = params->beta * params->beta;
+  *machine = (tf_machine_t){.m = m,
+                            .d = d,
+                            .k2 = params->k2,
+                            .c1 = params->c1,
+                            .c2 = params->c2,
+                            .r0 = params->r0,
+                            .omega0 = params->omega0,
+                            .beta2 = beta2,
+                            .dt = dt,
+                            .theta = params->theta,
+                            .theta_dt = theta_dt,
+                            .explicit_dt = dt - theta_dt,
+                            .a = a,
+                            .d_a = d * a,
+                            .m_plus_a = m + a,
+                            .m_a_d2 = m * a * d * d,
+                            .inertia = m * beta2 + theta_dt * params->c1,
+                            .rule = params->rule,
+                            .with_angle = params->with_angle};
+  prepare_tyre(&machine->tyre, params);
+  tf_sine_cosine(params->gamma, &machine->sin_gamma, &machine->cos_gamma);
+  machine->minus_sin_gamma = -machine->sin_gamma;
+  machine->d_sin_gamma = d * machine->sin_gamma;
+  const tf_real_t mu = params->mu;
+  machine->stick_kappa = carries_moment(params) ? params->kappa : 0;
+  machine->mu_sin_gamma = mu * machine->sin_gamma;
+  machine->mu_d_sin_gamma = mu * machine->d_sin_gamma;
+  machine->kappa_mu = machine->stick_kappa * mu;
+  machine->inv_mu = inverse_or_0(mu);
+  machine->inv_kappa_mu = inverse_or_0(machine->kappa_mu);
+  machine->inv_mu_dt = inverse_or_0(mu * dt);
+  const tf_real_t p = tf_exit_probability(params->rate * dt);
+  // Below this a series has only rounding left to lose.
+  const tf_real_t finest = 64 * TF_REAL_EPSILON;
+  machine->tolerance = params->tolerance > finest ? params->tolerance : finest;
+  machine->exit_threshold = (uint64_t)(p * TF_R(9223372036854775808.0));
+  return TF_OK;
+}

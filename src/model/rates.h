@@ -1,0 +1,54 @@
+// Accelerations at an instant. In (p, q), p = v - d z, q = r z, z = w - omega0:
+//   m p' = Q_r + F sin(gamma) + m d alpha
+//   J z' = Q_phi + d Q_r + F r cos(gamma) + M - J alpha,  q' = r z' + v z
+// On h = 0 with F = lambda, M = s kappa lambda:  h' = N - A(s) lambda.
+#ifndef TF_RATES_H
+#define TF_RATES_H
+
+#include "../moreau/linear.h"
+
+typedef struct {
+  tf_real_t p, q;     // p', q' without friction [m/s^2]
+  tf_real_t z;        // z' without friction [rad/s^2]
+  tf_real_t Fp, Fq;   // of F = 1 N
+  tf_real_t Mq;       // of M = 1 N m
+  tf_real_t N;        // h' without friction [m/s^2]
+  tf_real_t A[2];     // Delassus scalar for s = +1, -1 [1/kg]
+  tf_real_t vz, rz;   // the two parts of q' at most: v z, r z' [m/s^2]
+  tf_force_t pinning; // that keeps v = 0 and w = omega0 where they are so
+} tf_rates_t;
+
+TF_INLINE tf_rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
+                              tf_real_t r, tf_real_t p, tf_real_t z,
+                              tf_real_t omega) {
+  const tf_real_t v = p + k->d * z, w = z + omega, mr = k->m * r;
+  const tf_real_t Q_r =
+      k->k2 * (input->r0 - r) - k->c2 * v + mr * w * w + input->force;
+  const tf_real_t Q_phi = input->torque - k->c1 * w - 2 * mr * v * w;
+  const tf_real_t J = k->m * (k->beta2 + r * r);
+  const tf_real_t arm = r * k->cos_gamma, alpha = input->alpha;
+  const tf_real_t push = Q_r / k->m + k->d * alpha;
+  const tf_real_t turn = (Q_phi + k->d * Q_r) / J - alpha;
+  tf_rates_t a;
+  a.p = push;
+  a.z = turn;
+  a.q = r * turn + v * z;
+  a.Fp = k->sin_gamma / k->m;
+  a.Fq = r * arm / J;
+  a.Mq = r / J;
+  a.N = -a.p * k->sin_gamma - a.q * k->cos_gamma;
+  for (int s = 0; s < 2; s++)
+    a.A[s] = k->sin_gamma * k->sin_gamma / k->m +
+             arm * (arm + (s ? -k->stick_kappa : k->stick_kappa)) / J;
+  a.vz = magnitude(v * z);
+  a.rz = magnitude(r) *
+         (magnitude(turn) + k->tyre.mu * (magnitude(arm) + k->stick_kappa) / J);
+  // Out of reach where the wheel turns already, and with sin gamma = 0, where
+  // no friction force can keep the slider from moving.
+  a.pinning.F =
+      z != 0 || k->sin_gamma == 0 ? TF_REAL_MAX : -push * k->m / k->sin_gamma;
+  a.pinning.M = -turn * J - a.pinning.F * arm;
+  return a;
+}
+
+#endif

@@ -1,0 +1,71 @@
+// The paper's tyre law, which is evaluated twice in a step of slip; tyre.c has
+// the other laws.
+#ifndef TF_TYRE_CORE_H
+#define TF_TYRE_CORE_H
+
+#include "../num/kernel.h"
+#include "twofold/tyre.h"
+
+// cos(k pi/16); sin(k pi/16) is the same table read backwards.
+static const tf_real_t anchor_cos[TF_TYRE_ANCHORS] = {
+    TF_R(1.0),
+    TF_R(0.98078528040323044913),
+    TF_R(0.92387953251128675613),
+    TF_R(0.83146961230254523708),
+    TF_R(0.70710678118654752440),
+    TF_R(0.55557023301960222474),
+    TF_R(0.38268343236508977173),
+    TF_R(0.19509032201612826785),
+    TF_R(0.0)};
+
+// tan((2k+1) pi/32): borders between the anchors below pi/4.
+static const tf_real_t border[4] = {
+    TF_R(0.098491403357164253077), TF_R(0.30334668360734239168),
+    TF_R(0.53451113595079172950), TF_R(0.82067879082866033097)};
+
+// tan x and tan y give tan(x + y): T = (T_k + u) / (1 - T_k u), where
+// u = T(w) is a short odd series because |w| <= tan(pi/32) = 0.0985: its first
+// left-out term is below w^16/17 = 5e-18 (double), w^8/9 = 1e-9 (float) of the
+// first. The denominator is >= 1 - tan(a 7 pi/16) tan(a pi/32) > 0.5.
+TF_INLINE tf_real_t cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H) {
+  const bool steep = G > H;
+  tf_real_t low = steep ? H : G, high = steep ? G : H;
+  if (high < TF_REAL_MIN / TF_REAL_EPSILON) {
+    // Products with the anchors would lose bits to underflow; a power of two
+    // changes no quotient.
+    const tf_real_t scale = 1 / (TF_REAL_MIN * 2);
+    G *= scale;
+    H *= scale;
+    low *= scale;
+    high *= scale;
+    if (high == 0) return 0;
+  }
+  const int k = (low > border[0] * high) + (low > border[1] * high) +
+                (low > border[2] * high) + (low > border[3] * high);
+  const int anchor = steep ? 8 - k : k;
+  const tf_real_t c = anchor_cos[anchor], s = anchor_cos[8 - anchor];
+  const tf_real_t w = (G * c - H * s) / (H * c + G * s);
+  const tf_real_t w2 = w * w;
+  tf_real_t sum = tyre->T_series[TF_TYRE_TERMS - 1];
+  for (int n = TF_TYRE_TERMS - 2; n >= 0; n--)
+    sum = sum * w2 + tyre->T_series[n];
+  const tf_real_t T = tyre->T_anchor[anchor], u = w * sum;
+  return (T + u) / (1 - T * u);
+}
+
+// (force), (moment) for one side of h = 0, in units of mu and kappa mu.
+typedef struct {
+  tf_real_t x, y;
+} tf_multipliers_t;
+
+TF_INLINE tf_multipliers_t jump_multipliers(const tf_tyre_t *tyre,
+                                            tf_real_t side, tf_real_t h,
+                                            tf_real_t g) {
+  const tf_real_t H = side * h;
+  const tf_real_t T = cot_psi(tyre, magnitude(g), H > 0 ? H : 0);
+  const tf_real_t x = TF_R(4.0) / 3 - T * tyre->inv_18_kappa;
+  const tf_real_t y = T * tyre->inv_6_kappa;
+  return (tf_multipliers_t){side * x, g < 0 ? -(side * y) : side * y};
+}
+
+#endif

@@ -1,0 +1,364 @@
+// Many states at once. A block of lanes goes through tf_step's work in passes,
+// which are loops over the lanes without a branch on their data, so that the
+// compiler makes vector instructions of them:
+//   solve    (lanes_solve.h) the whole solution set of each lane
+//   choose   goes the present mode on? Else tf_select, lane by lane
+//   contact  the multipliers of the chosen mode; those of slip only where some
+//            lane slips, and lane by lane where few do
+//   finish   the end of the step, its report
+// Lanes that a pass finds odd - refused, out of range, without a mode, a root
+// without a series - are done by tf_step from the state that they had.
+#include "twofold/ensemble.h"
+
+#include "lanes_solve.h"
+#include "../friction/mode_set.h"
+
+// So many slips cost less one by one than all lanes in vectors.
+#define FEW 3
+
+static unsigned select_lane(const tf_machine_t *k, const tf_state_block_t *b,
+                            const work_t *w, int i) {
+  const tf_solutions_t solutions = {
+      .set = (uint8_t)w->set[i],
+      .attracting = (uint8_t)w->attracting[i],
+      .near_stick = w->nearer_minus[i] ? TF_STICK_MINUS : TF_STICK_PLUS,
+      .h_limit = {w->h_limit[0][i], w->h_limit[1][i]}};
+  return tf_select(k->rule, k->exit_threshold, &solutions, b->mode[i],
+                   b->tick[i], b->seed[i]);
+}
+
+// Whether the mode of every lane goes on under every rule.
+static bool all_go_on(const tf_state_block_t *restrict b,
+                      const work_t *restrict w) {
+  uint8_t bit[TF_LANES], set[TF_LANES], lasting[TF_LANES], lost = 0;
+  for (int i = 0; i < TF_LANES; i++) {
+    set[i] = (uint8_t)(w->set[i] & ~w->odd[i]);
+    lasting[i] = (uint8_t)(w->attracting[i] | SLIPS);
+  }
+  for (int i = 0; i < TF_LANES; i++) {
+    const unsigned mode = b->mode[i];
+    bit[i] = (uint8_t)(mode < TF_PINNED ? TF_MODE_BIT(mode) : 0u);
+  }
+  for (int i = 0; i < TF_LANES; i++)
+    lost |= (uint8_t)((bit[i] & set[i] & lasting[i]) == 0 ? 1 : 0);
+  return lost == 0;
+}
+
+// Whether tf_step has to find out if this lane ends at rest, its mode lost: see
+// meets_rest().
+static bool may_meet_rest(const tf_machine_t *k, const work_t *w, int i,
+                          unsigned mode) {
+  const unsigned going_on =
+      (unsigned)w->attracting[i] | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
+  return !(w->set[i] & going_on) && !(w->above[i] | w->below[i]) &&
+         within(w->pin_F[i] * k->inv_mu, 1) &&
+         within(w->pin_M[i] * k->inv_kappa_mu, 1);
+}
+
+// The mode of one lane at the end of the step.
+static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
+                          work_t *w, int i) {
+  unsigned mode = b->mode[i];
+  if (mode >= TF_MODES || w->odd[i] || may_meet_rest(k, w, i, mode))
+    mode = TF_MODES;
+  else if (!(w->set[i] & TF_MODE_BIT(mode) & (SLIPS | w->attracting[i])))
+    mode = select_lane(k, b, w, i);
+  if (mode == TF_MODES) w->odd[i] = when(true);
+  return mode;
+}
+
+// Returns how many lanes slip.
+static int choose(const tf_machine_t *restrict k,
+                  const tf_state_block_t *restrict b, work_t *restrict w) {
+  int slips = 0;
+  const bool same = all_go_on(b, w);
+  for (int i = 0; i < TF_LANES; i++)
+    w->mode[i] = same ? b->mode[i] : (uint8_t)next_mode(k, b, w, i);
+  for (int i = 0; i < TF_LANES; i++) {
+    const int mode = w->mode[i];
+    w->side[i] = (tf_real_t)((mode == TF_SLIP_PLUS) - (mode == TF_SLIP_MINUS));
+    w->roll[i] =
+        (tf_real_t)((mode == TF_STICK_PLUS) - (mode == TF_STICK_MINUS));
+  }
+  for (int i = 0; i < TF_LANES; i++) {
+    w->slipping[slips] = (uint8_t)i;
+    slips += w->mode[i] <= TF_SLIP_MINUS;
+  }
+  return slips;
+}
+
+// end_after() for the multipliers of one lane.
+TF_INLINE tf_end_t lane_end(const tf_machine_t *k, const work_t *w,
+                            tf_real_t omega0, int i, tf_real_t x, tf_real_t y) {
+  const tf_linear_t l = {.omega0 = omega0,
+                         .p = w->p[i],
+                         .z = w->z[i],
+                         .free = {w->free_p[i], w->free_z[i]},
+                         .r_explicit = w->r_explicit[i]};
+  const tf_change_t change = {x * w->F_p[i] + y * w->M_p[i],
+                              x * w->F_z[i] + y * w->M_z[i]};
+  return end_after(k, &l, (tf_force_t){x * k->tyre.mu, y * k->kappa_mu},
+                   change);
+}
+
+TF_INLINE tf_slip_t lane_theta_slip(const tf_machine_t *k,
+                                    const tf_state_block_t *b, const work_t *w,
+                                    int i, tf_real_t x, tf_real_t y) {
+  const tf_linear_t l = {
+      .p = w->p[i], .z = w->z[i], .free = {w->free_p[i], w->free_z[i]}};
+  const tf_change_t change = {x * w->F_p[i] + y * w->M_p[i],
+                              x * w->F_z[i] + y * w->M_z[i]};
+  return theta_slip(k, &l, b->r[i] + k->theta_dt * b->v[i], change);
+}
+
+static void stick_all(work_t *restrict w) {
+  for (int i = 0; i < TF_LANES; i++) {
+    const mask_t minus = when(w->roll[i] < 0);
+    const tf_real_t x = pick(minus, w->root[1][i], w->root[0][i]);
+    w->x[i] = x;
+    w->y[i] = turn_sign(minus, x);
+  }
+}
+
+// Share of the moment in a slip at h -> 0: tau of tf_solutions_t.
+TF_INLINE tf_real_t lane_tau(const work_t *w, mask_t minus, int i) {
+  const mask_t up = w->g_plus[0][i] | w->g_minus[0][i];
+  const mask_t down = w->g_plus[1][i] | w->g_minus[1][i];
+  const mask_t known = (up & ~minus) | (down & minus);
+  const mask_t negative = (w->down[0][i] & ~minus) | (w->down[1][i] & minus);
+  return pick(known, turn_sign(negative, 1), w->root[2][i]);
+}
+
+// slip_end() of step_core.h for one lane that slips; others keep theirs.
+TF_INLINE void slip_lane(const tf_machine_t *restrict k,
+                         const tf_state_block_t *restrict b, tf_real_t omega0,
+                         work_t *restrict w, int i) {
+  const mask_t slips = when(w->side[i] != 0), minus = when(w->side[i] < 0);
+  const tf_real_t side = turn_sign(minus, 1);
+  const tf_real_t tau = lane_tau(w, minus, i);
+  const tf_slip_t now = turned(k, w->p[i], b->r[i] * w->z[i]);
+  const lane_law_t first = lane_law(&k->tyre, side, now);
+  const tf_slip_t at = lane_theta_slip(k, b, w, i, first.x, first.y);
+  const lane_law_t law = lane_law(&k->tyre, side, at);
+  const tf_end_t end = lane_end(k, w, omega0, i, law.x, law.y);
+  const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - omega0);
+  const mask_t stays = when(side * slip.h > 0);
+  w->x[i] = pick(slips, pick(stays, law.x, side), w->x[i]);
+  w->y[i] = pick(slips, pick(stays, law.y, tau * side), w->y[i]);
+  w->odd[i] |= slips & (first.odd | law.odd);
+}
+
+static void slip_all(const tf_machine_t *restrict k,
+                     const tf_state_block_t *restrict b, tf_real_t omega0,
+                     work_t *restrict w) {
+  for (int i = 0; i < TF_LANES; i++) slip_lane(k, b, omega0, w, i);
+}
+
+static void slip_few(const tf_machine_t *restrict k,
+                     const tf_state_block_t *restrict b, tf_real_t omega0,
+                     work_t *restrict w, int slips) {
+  for (int n = 0; n < slips; n++) {
+    const int i = w->slipping[n];
+    const tf_real_t side = w->side[i], tau = lane_tau(w, when(side < 0), i);
+    const tf_slip_t now = turned(k, w->p[i], b->r[i] * w->z[i]);
+    const tf_multipliers_t first =
+        jump_multipliers(&k->tyre, side, now.h, now.g);
+    const tf_slip_t at = lane_theta_slip(k, b, w, i, first.x, first.y);
+    const tf_multipliers_t m = jump_multipliers(&k->tyre, side, at.h, at.g);
+    const tf_end_t end = lane_end(k, w, omega0, i, m.x, m.y);
+    const bool stays =
+        side * slip_speeds(k, end.r, end.v, end.w - omega0).h > 0;
+    w->x[i] = stays ? m.x : side;
+    w->y[i] = stays ? m.y : tau * side;
+  }
+}
+
+static void ends_all(const tf_machine_t *restrict k, tf_real_t omega0,
+                     work_t *restrict w) {
+  for (int i = 0; i < TF_LANES; i++) {
+    const mask_t moves = when(w->side[i] != 0) | when(w->roll[i] != 0);
+    const tf_end_t by = lane_end(k, w, omega0, i, w->x[i], w->y[i]);
+    const tf_real_t r = pick(moves, by.r, w->r_explicit[i]);
+    const tf_real_t v = keep(moves, by.v), omega = pick(moves, by.w, omega0);
+    const tf_real_t size = magnitude(r) + magnitude(v) + magnitude(omega);
+    w->F[i] = pick(moves, by.force.F, w->pin_F[i]);
+    w->M[i] = pick(moves, by.force.M, w->pin_M[i]);
+    w->r[i] = r;
+    w->v[i] = v;
+    w->w[i] = omega;
+    w->odd[i] |= ~when(within(size, TF_STATE_LIMIT));
+  }
+}
+
+static void finish_all(const tf_machine_t *restrict k,
+                       tf_state_block_t *restrict b, tf_real_t omega0,
+                       const work_t *restrict w,
+                       tf_report_block_t *restrict out) {
+  for (int i = 0; i < TF_LANES; i++) {
+    const tf_force_t force = {w->F[i], w->M[i]};
+    const tf_slip_t slip = slip_speeds(k, w->r[i], w->v[i], w->w[i] - omega0);
+    const mask_t minus = w->below[i] | (~w->above[i] & when(slip.g < 0));
+    const tf_real_t h1 = w->h.F[i] + turn_sign(minus, w->h.M[i]);
+    b->r[i] = w->r[i];
+    b->v[i] = w->v[i];
+    b->w[i] = w->w[i];
+    out->F[i] = force.F;
+    out->M[i] = force.M;
+    out->h[i] = slip.h;
+    out->g[i] = slip.g;
+    out->delassus[i] = -h1 * k->inv_mu_dt;
+    out->residual[i] = lane_residual(k, w->side[i], force, slip);
+  }
+}
+
+// (12)
+static void turn_all(const tf_machine_t *restrict k,
+                     tf_state_block_t *restrict b, const work_t *restrict w) {
+  for (int i = 0; i < TF_LANES; i++)
+    b->phi[i] += k->explicit_dt * b->w[i] + k->theta_dt * w->w[i];
+}
+
+static bool any_odd(const work_t *w) {
+  mask_t all = 0;
+  for (int i = 0; i < TF_LANES; i++) all |= w->odd[i];
+  return all != 0;
+}
+
+// tf_step for one lane, from a state and the last report.
+static void step_lane(const tf_machine_t *k, tf_state_block_t *b,
+                      const tf_input_t *u, tf_report_block_t *out, size_t i,
+                      const tf_state_t *before, const tf_report_t *last) {
+  tf_state_t state = *before;
+  tf_report_t report = *last;
+  (void)tf_step(k, &state, u, &report);
+  tf_ensemble_put(b, i, &state);
+  out->F[i] = report.force.F;
+  out->M[i] = report.force.M;
+  out->h[i] = report.slip.h;
+  out->g[i] = report.slip.g;
+  out->delassus[i] = report.delassus;
+  out->residual[i] = report.residual;
+  out->mode[i] = report.mode;
+  out->set[i] = report.set;
+  out->choices[i] = report.choices;
+  out->status[i] = (int8_t)report.status;
+}
+
+// Modes, sets and ticks.
+static void record_all(tf_state_block_t *restrict b, const work_t *restrict w,
+                       tf_report_block_t *restrict out) {
+  for (int i = 0; i < TF_LANES; i++) out->set[i] = (uint8_t)w->set[i];
+  for (int i = 0; i < TF_LANES; i++) {
+    const uint8_t set = out->set[i];
+    out->choices[i] = (uint8_t)((set & 1) + (set >> 1 & 1) + (set >> 2 & 1) +
+                                (set >> 3 & 1) + (set >> 4));
+    out->mode[i] = b->mode[i] = w->mode[i];
+    out->status[i] = TF_OK;
+  }
+  for (int i = 0; i < TF_LANES; i++) b->tick[i]++;
+}
+
+// The end of a block some of whose lanes are odd: those are kept as they were
+// while all others advance, and then done one by one. Returns how many.
+static size_t step_some(const tf_machine_t *k, tf_state_block_t *b,
+                        const tf_input_t *u, const work_t *w,
+                        tf_report_block_t *out) {
+  const tf_state_block_t before = *b;
+  const tf_report_block_t reported = *out;
+  size_t odd = 0;
+  if (k->with_angle) turn_all(k, b, w);
+  finish_all(k, b, u->omega0, w, out);
+  record_all(b, w, out);
+  for (size_t i = 0; i < TF_LANES; i++) {
+    if (!w->odd[i]) continue;
+    const tf_state_t state = tf_ensemble_get(&before, i);
+    const tf_report_t report = tf_ensemble_report(&reported, i);
+    step_lane(k, b, u, out, i, &state, &report);
+    odd++;
+  }
+  return odd;
+}
+
+static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
+                         const tf_input_t *u, tf_report_block_t *out) {
+  work_t work;
+  linearise_all(k, b, u, &work);
+  forms_all(k, &work);
+  pin_all(k, &work);
+  g_rays_all(&work);
+  h_rays_all(k, b, &work);
+  roots_all(&work);
+  sticks_all(&work);
+  slips_all(&work);
+  const int slips = choose(k, b, &work);
+  stick_all(&work);
+  if (slips > FEW)
+    slip_all(k, b, u->omega0, &work);
+  else if (slips > 0)
+    slip_few(k, b, u->omega0, &work, slips);
+  ends_all(k, u->omega0, &work);
+  if (any_odd(&work)) return step_some(k, b, u, &work, out);
+  if (k->with_angle) turn_all(k, b, &work);
+  finish_all(k, b, u->omega0, &work, out);
+  record_all(b, &work, out);
+  return 0;
+}
+
+TF_API void tf_ensemble_put(tf_state_block_t *blocks, size_t index,
+                            const tf_state_t *state) {
+  tf_state_block_t *b = blocks + index / TF_LANES;
+  const size_t i = index % TF_LANES;
+  b->r[i] = state->r;
+  b->v[i] = state->v;
+  b->w[i] = state->w;
+  b->phi[i] = state->phi;
+  b->tick[i] = state->tick;
+  b->seed[i] = state->seed;
+  b->mode[i] = state->mode;
+}
+
+TF_API tf_state_t tf_ensemble_get(const tf_state_block_t *blocks,
+                                  size_t index) {
+  const tf_state_block_t *b = blocks + index / TF_LANES;
+  const size_t i = index % TF_LANES;
+  return (tf_state_t){.r = b->r[i],
+                      .v = b->v[i],
+                      .w = b->w[i],
+                      .phi = b->phi[i],
+                      .tick = b->tick[i],
+                      .seed = b->seed[i],
+                      .mode = b->mode[i]};
+}
+
+TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
+                                      size_t index) {
+  const tf_report_block_t *b = blocks + index / TF_LANES;
+  const size_t i = index % TF_LANES;
+  return (tf_report_t){.mode = b->mode[i],
+                       .set = b->set[i],
+                       .choices = b->choices[i],
+                       .force = {b->F[i], b->M[i]},
+                       .slip = {b->h[i], b->g[i]},
+                       .delassus = b->delassus[i],
+                       .residual = b->residual[i],
+                       .status = (tf_status_t)b->status[i]};
+}
+
+TF_API size_t tf_ensemble_step(const tf_machine_t *machine,
+                               tf_state_block_t *states, size_t n,
+                               const tf_input_t *input,
+                               tf_report_block_t *reports) {
+  const bool fast = machine->stick_kappa > 0; // of the jump law alone
+  const size_t whole = fast ? n / TF_LANES : 0;
+  size_t alone = 0;
+  for (size_t i = 0; i < whole; i++)
+    alone += step_block(machine, states + i, input, reports + i);
+  for (size_t i = whole * TF_LANES; i < n; i++) {
+    const tf_state_t state = tf_ensemble_get(states, i);
+    const tf_report_t report = tf_ensemble_report(reports, i);
+    step_lane(machine, states + i / TF_LANES, input, reports + i / TF_LANES,
+              i % TF_LANES, &state, &report);
+    alone++;
+  }
+  return alone;
+}

@@ -1,0 +1,175 @@
+// Pieces of a step that tf_step has with branches, for one lane of a block and
+// without: every value is computed, then one is picked by a mask, so that the
+// compiler can do several lanes at once. The expressions are those of step.c,
+// friction_core.h and tyre_core.h, operation by operation, hence the same bits.
+// Where a rare case needs more (a square root, a rescaling) the lane is called
+// odd and left to tf_step.
+//
+// Masks, because compilers do not keep ?: free of branches: gcc moves what is
+// computed for one side into a branch and then cannot bring it out again, since
+// every operation on reals may trap.
+#ifndef TF_LANES_H
+#define TF_LANES_H
+
+#include "../friction/inclusion.h"
+#include "linear.h"
+#include "../model/tyre_law.h"
+
+// As wide as tf_real_t: all ones for true, 0 for false.
+#ifdef TF_REAL_FLOAT
+typedef uint32_t mask_t;
+#else
+typedef uint64_t mask_t;
+#endif
+
+typedef union {
+  tf_real_t real;
+  mask_t bits;
+} lane_bits_t;
+
+TF_INLINE mask_t bits_of(tf_real_t x) { return (lane_bits_t){.real = x}.bits; }
+
+TF_INLINE tf_real_t real_of(mask_t bits) {
+  return (lane_bits_t){.bits = bits}.real;
+}
+
+TF_INLINE mask_t when(bool condition) {
+  return bits_of(condition ? real_of(~(mask_t)0) : 0);
+}
+
+// mask ? a : b
+TF_INLINE tf_real_t pick(mask_t mask, tf_real_t a, tf_real_t b) {
+  return real_of((mask & bits_of(a)) | (~mask & bits_of(b)));
+}
+
+// mask ? a : 0
+TF_INLINE tf_real_t keep(mask_t mask, tf_real_t a) {
+  return real_of(mask & bits_of(a));
+}
+
+// mask ? -a : a
+TF_INLINE tf_real_t turn_sign(mask_t mask, tf_real_t a) {
+  return real_of(bits_of(a) ^ (mask & bits_of(TF_R(-0.0))));
+}
+
+// motion() of step.c: the end of the step without friction, answers to F = mu
+// and M = kappa mu.
+typedef struct {
+  tf_real_t r, z;
+  tf_slip_t free;
+  tf_answer_t F, M;
+} lane_motion_t;
+
+TF_INLINE lane_motion_t lane_motion(const tf_machine_t *k,
+                                    const tf_linear_t *l) {
+  lane_motion_t c;
+  const tf_real_t p = l->p + l->free.p;
+  c.z = l->z + l->free.z;
+  c.r = l->r_explicit + k->theta_dt * (p + k->d * c.z);
+  c.free = turned(k, p, c.r * c.z);
+  c.F = answer_of(k, force_response(k, l));
+  c.M = answer_of(k, moment_response(k, l));
+  return c;
+}
+
+// root_within() where its series will do and needs no clipping.
+typedef struct {
+  tf_real_t x;
+  mask_t odd;
+} lane_root_t;
+
+TF_INLINE lane_root_t lane_root(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
+  const tf_real_t inverse = 1 / c1;
+  const tf_real_t x1 = -c0 * inverse, q = c2 * inverse * x1;
+  const tf_real_t x = x1 * (1 - q * (1 - q * (2 - q * (5 - 14 * q))));
+  const mask_t small = when(magnitude(q) < TF_R(0x1p-12));
+  const mask_t normal = when(magnitude(c1) >= TF_REAL_MIN);
+  return (lane_root_t){x, ~(small & normal & when(magnitude(x) <= 1))};
+}
+
+// moment_share() where it is +1 or -1: whether it is -1. Masks: g+ > 0 follows
+// from s = +1, g+ < 0 from s = -1 (if neither, the share is a root between);
+// the slip solves with s = +1, with s = -1; the present g prefers s = +1.
+TF_INLINE mask_t share_down(mask_t g_plus, mask_t g_minus, mask_t plus_slips,
+                            mask_t minus_slips, mask_t prefer_plus) {
+  const mask_t tie = (prefer_plus & plus_slips) | ~(prefer_plus | minus_slips);
+  return ~(g_plus & (tie | ~g_minus));
+}
+
+// pinning_force() without its way out.
+TF_INLINE tf_force_t lane_pin(const tf_machine_t *k, const tf_linear_t *l) {
+  const tf_real_t p = l->p + l->free.p, z = l->z + l->free.z;
+  const tf_real_t P = l->p_b + k->d * l->p_c, T = l->p_t - l->p_c;
+  const tf_real_t B = l->p_t + k->d * l->z_c, Z = l->z_t + l->z_c;
+  const tf_real_t det = P * Z + T * B;
+  const tf_real_t b = (T * z - Z * p) / det, t = -(P * z + B * p) / det;
+  const mask_t held = when(k->sin_gamma != 0);
+  const tf_real_t F = b / k->sin_gamma;
+  return (tf_force_t){pick(held, F, TF_REAL_MAX), keep(held, t - F * l->arm)};
+}
+
+// Which borders between the anchors of cot_psi() lie below the angle, and
+// whether it is measured from pi/2.
+typedef struct {
+  mask_t b0, b1, b2, b3, steep;
+} lane_angle_t;
+
+// Entry k or 8 - k of a table of anchors, k counted by the borders crossed.
+TF_INLINE tf_real_t anchored(const tf_real_t table[TF_TYRE_ANCHORS],
+                             lane_angle_t at, mask_t steep) {
+  const tf_real_t t0 = pick(steep, table[8], table[0]);
+  const tf_real_t t1 = pick(steep, table[7], table[1]);
+  const tf_real_t t2 = pick(steep, table[6], table[2]);
+  const tf_real_t t3 = pick(steep, table[5], table[3]);
+  return pick(at.b3, table[4],
+              pick(at.b2, t3, pick(at.b1, t2, pick(at.b0, t1, t0))));
+}
+
+// jump_multipliers() off the neighbourhood of h = g = 0 in which products with
+// the anchors would lose bits.
+typedef struct {
+  tf_real_t x, y;
+  mask_t odd;
+} lane_law_t;
+
+TF_INLINE lane_law_t lane_law(const tf_tyre_t *tyre, tf_real_t side,
+                              tf_slip_t slip) {
+  const tf_real_t h = side * slip.h, H = keep(when(h > 0), h);
+  const tf_real_t G = magnitude(slip.g);
+  const mask_t steep = when(G > H);
+  const tf_real_t low = pick(steep, H, G), high = pick(steep, G, H);
+  const lane_angle_t at = {
+      when(low > border[0] * high), when(low > border[1] * high),
+      when(low > border[2] * high), when(low > border[3] * high), steep};
+  const tf_real_t c = anchored(anchor_cos, at, steep);
+  const tf_real_t s = anchored(anchor_cos, at, ~steep);
+  const tf_real_t w = (G * c - H * s) / (H * c + G * s);
+  const tf_real_t w2 = w * w;
+  tf_real_t sum = tyre->T_series[TF_TYRE_TERMS - 1];
+  for (int n = TF_TYRE_TERMS - 2; n >= 0; n--)
+    sum = sum * w2 + tyre->T_series[n];
+  const tf_real_t Tk = anchored(tyre->T_anchor, at, steep), u = w * sum;
+  const tf_real_t T = (Tk + u) / (1 - Tk * u);
+  const tf_real_t x = TF_R(4.0) / 3 - T * tyre->inv_18_kappa;
+  const tf_real_t y = T * tyre->inv_6_kappa;
+  return (lane_law_t){side * x, turn_sign(when(slip.g < 0), side * y),
+                      when(high < TF_REAL_MIN / TF_REAL_EPSILON)};
+}
+
+// law_residual() as residual() of step.c calls it: in slip only the side is
+// checked. side: +1 or -1 in slip, else 0.
+TF_INLINE tf_real_t lane_residual(const tf_machine_t *k, tf_real_t side,
+                                  tf_force_t force, tf_slip_t slip) {
+  const mask_t slips = when(side != 0);
+  const tf_real_t F = pick(slips, side, force.F);
+  const tf_real_t mu = pick(slips, 1, k->tyre.mu);
+  const tf_real_t rest = magnitude(F - clip(F + slip.h, -mu, mu));
+  const tf_real_t M = k->stick_kappa * force.F, most = magnitude(M);
+  const tf_real_t rolling = magnitude(force.M - turn_sign(when(slip.g < 0), M));
+  const tf_real_t between = magnitude(force.M - clip(force.M, -most, most));
+  const tf_real_t off =
+      pick(when(slip.g > 0) | when(slip.g < 0), rolling, between);
+  return rest + keep(~slips, off);
+}
+
+#endif
