@@ -19,9 +19,10 @@ MAKEFLAGS += --no-builtin-rules -j$(shell nproc 2>/dev/null || echo 2)
 
 # The parts.
 CORE := $(wildcard src/*/*.c)
-CLI := $(wildcard tools/*.c tools/cli/*.c)
+CLI := $(wildcard tools/*.c tools/cli/*.c tools/cli/*/*.c)
 SUPPORT := $(wildcard tests/support/*.c)
-TEST_ROOMS := tests/unit tests/law tests/golden tests/regress
+TEST_ROOMS := tests/unit tests/unit/* tests/cli tests/line tests/law tests/golden \
+  tests/regress
 TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
 BENCH := tools/bench/steps.c tools/bench/race.c tools/bench/compensated.c \
   tools/bench/ensemble.c tools/bench/frame.c

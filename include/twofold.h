@@ -7,11 +7,12 @@
 #define TWOFOLD_H
 
 #include "twofold/compensated.h"
+#include "twofold/design.h"
 #include "twofold/ensemble.h"
 #include "twofold/frame.h"
 #include "twofold/friction.h"
 #include "twofold/link.h"
-#include "twofold/locate.h"
+#include "twofold/located.h"
 #include "twofold/machine.h"
 #include "twofold/real.h"
 #include "twofold/scene.h"

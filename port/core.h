@@ -20,7 +20,7 @@
 
 #include "twofold/compensated.h"
 #include "twofold/link.h"
-#include "twofold/locate.h"
+#include "twofold/located.h"
 #include "twofold/scene.h"
 #include "twofold/step.h"
 #include "twofold/text.h"
@@ -39,20 +39,20 @@
 #endif
 // In the order of a step, then what a firmware of one scene needs none of.
 // NOLINTBEGIN(bugprone-suspicious-include): one translation unit on purpose.
-#include "../src/moreau/begin.c"
-#include "../src/link/frame.c"
 #include "../src/friction/friction.c"
-#include "../src/num/kernel.c"
-#include "../src/model/machine.c"
-#include "../src/model/prepare.c"
-#include "../src/scene/scene.c"
-#include "../src/scene/scenes.c"
 #include "../src/friction/select.c"
-#include "../src/scene/session.c"
-#include "../src/model/status.c"
-#include "../src/moreau/step.c"
+#include "../src/link/frame.c"
 #include "../src/link/telemetry.c"
 #include "../src/link/text.c"
+#include "../src/model/machine.c"
+#include "../src/model/prepare.c"
+#include "../src/model/status.c"
+#include "../src/moreau/begin.c"
+#include "../src/moreau/step.c"
+#include "../src/num/kernel.c"
+#include "../src/scene/scene.c"
+#include "../src/scene/scenes.c"
+#include "../src/scene/session.c"
 // Last, for the short names of its own.
 #include "../src/link/link.c"
 #undef R
@@ -62,12 +62,12 @@
 #ifdef SCHEME_LOCATED
 #define product located_product
 #define refuse located_refuse
-#include "../src/friction/codim2.c"
-#include "../src/event/taylor.c"
-#include "../src/event/located.c"
-#include "../src/num/polynomial.c"
 #include "../src/event/event.c"
+#include "../src/event/located.c"
+#include "../src/event/taylor.c"
 #include "../src/event/trajectory.c"
+#include "../src/friction/codim2.c"
+#include "../src/num/polynomial.c"
 #endif
 #ifdef SCHEME_COMPENSATED
 #define finish compensated_finish
@@ -130,7 +130,7 @@ static inline void scene_begin(tf_state_t *state, tf_report_t *report) {
 // The scheme, by its number in the schema. Moreau-Jean where none is named.
 #if defined(SCHEME_LOCATED)
 #define SCHEME 1
-#define scheme_step tf_locate
+#define scheme_step tf_step_located
 static inline bool scheme_begin(void) { return true; }
 #elif defined(SCHEME_COMPENSATED)
 #ifdef UPLINK
@@ -138,7 +138,7 @@ static inline bool scheme_begin(void) { return true; }
 #endif
 #define SCHEME 2
 static tf_compensated_t scheme_machine;
-static tf_carry_t scheme_carry;
+static tf_compensation_t scheme_carry;
 
 static inline bool scheme_begin(void) {
   tf_params_t params = SCENE->params;

@@ -19,7 +19,7 @@ typedef struct {
   tf_real_t v;   ///< [m/s]
   tf_real_t w;   ///< [rad/s]
   tf_real_t phi; ///< [rad], 0 unless with_angle
-} tf_carry_t;
+} tf_compensation_t;
 
 /// A machine, and what the rounding of its constants has left out.
 typedef struct {
@@ -55,10 +55,10 @@ TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
 /// Cost: at most 250 instructions. Stack: 368 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: placed_start_has_its_slip
-#define tf_place_compensated TF_LINK(tf_place_compensated)
-TF_API tf_status_t tf_place_compensated(const tf_compensated_t *machine,
-                                        tf_state_t *state, tf_carry_t *carry,
-                                        tf_real_t omega0, tf_real_t h);
+#define tf_speed_for_slip_compensated TF_LINK(tf_speed_for_slip_compensated)
+TF_API tf_status_t tf_speed_for_slip_compensated(
+    const tf_compensated_t *machine, tf_state_t *state,
+    tf_compensation_t *carry, tf_real_t omega0, tf_real_t h);
 
 /// tf_step with the rounding of r, v, w and phi carried along.
 /// Scheme: DESIGN.md (1)-(12) as tf_step. The slip at the start of the step is
@@ -81,7 +81,8 @@ TF_API tf_status_t tf_place_compensated(const tf_compensated_t *machine,
 ///   compensated_departures_do_not_stall
 #define tf_step_compensated TF_LINK(tf_step_compensated)
 TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
-                                       tf_state_t *state, tf_carry_t *carry,
+                                       tf_state_t *state,
+                                       tf_compensation_t *carry,
                                        const tf_input_t *input,
                                        tf_report_t *report);
 

@@ -10,9 +10,19 @@
 #include <stdint.h>
 
 #include "twofold/real.h"
-#include "twofold/select.h"
 #include "twofold/status.h"
 #include "twofold/tyre.h"
+
+/// Which of several futures is taken; select.h has what every rule shares.
+typedef enum {
+  TF_RULE_PERSIST,    ///< stay while it is consistent (default)
+  TF_RULE_SLIP_PLUS,  ///< slip to h > 0 as soon as that is consistent
+  TF_RULE_SLIP_MINUS, ///< slip to h < 0 as soon as that is consistent
+  TF_RULE_RANDOM      ///< leave at a constant rate [1/s], by an even draw: an
+                      ///< escaping stick among the slips, a pinned wheel among
+                      ///< all other modes that are consistent
+} tf_rule_t;
+#define TF_RULES 4
 
 /// What the machine and its scheme are made of. Ranges: tf_parameter_ranges.
 typedef struct {
@@ -36,11 +46,12 @@ typedef struct {
   tf_real_t theta;   ///< of the theta scheme, dimensionless
   tf_real_t dt;      ///< step [s]
   tf_real_t rate;    ///< exit rate of rule `random` [1/s]
-  tf_real_t tolerance; ///< of tf_locate: error of a segment of its series,
-                       ///< relative to the velocities; dimensionless
-  tf_tyre_law_t law;   ///< which tyre
-  tf_rule_t rule;      ///< which of several futures
-  bool with_angle;     ///< integrate phi (it is cyclic: nothing depends on it)
+  tf_real_t
+      tolerance;     ///< of tf_step_located: error of a segment of its series,
+                     ///< relative to the velocities; dimensionless
+  tf_tyre_law_t law; ///< which tyre
+  tf_rule_t rule;    ///< which of several futures
+  bool with_angle;   ///< integrate phi (it is cyclic: nothing depends on it)
 } tf_params_t;
 
 /// Range of one real-valued member of tf_params_t.
@@ -107,7 +118,7 @@ typedef struct {
   tf_real_t force;  ///< on the slider, along r [N]
   tf_real_t torque; ///< on the disc [N m]
   tf_real_t alpha;  ///< acceleration of the turntable during the step
-                    ///< [rad/s^2]; 0: omega0 held (tf_locate only)
+                    ///< [rad/s^2]; 0: omega0 held (tf_step_located only)
 } tf_input_t;
 
 /// Largest sum of |r| [m], |v| [m/s] and |w| [rad/s] that is accepted, and of

@@ -21,17 +21,7 @@
 #include <stdint.h>
 
 #include "twofold/friction.h"
-#include "twofold/real.h"
-
-typedef enum {
-  TF_RULE_PERSIST,    ///< stay while it is consistent (default)
-  TF_RULE_SLIP_PLUS,  ///< slip to h > 0 as soon as that is consistent
-  TF_RULE_SLIP_MINUS, ///< slip to h < 0 as soon as that is consistent
-  TF_RULE_RANDOM      ///< leave at a constant rate [1/s], by an even draw: an
-                      ///< escaping stick among the slips, a pinned wheel among
-                      ///< all other modes that are consistent
-} tf_rule_t;
-#define TF_RULES 4
+#include "twofold/machine.h"
 
 /// Philox-2x32-10 (Salmon et al. 2011): a counter-based generator, so that a
 /// state carries no stream position but its tick, and a replay needs no

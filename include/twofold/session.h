@@ -1,6 +1,6 @@
 /// @file
 /// A scene under way: what a program that steps in real time keeps between two
-/// ticks. The program calls tf_step or tf_locate itself, so that a build holds
+/// ticks. The program calls tf_step or tf_step_located itself, so that a build holds
 /// the one scheme that it names:
 ///
 ///   tf_input_t input = tf_session_input(&session, scene);

@@ -1,8 +1,8 @@
 /// @file
 /// Two-folds: the points of h = 0 where the surface is tangent to both slips.
 /// There lambda is open, stick runs from a sliding into an escaping region or
-/// back, and the future is not unique. Where they lie, what kind they are, and
-/// which kappa and k2 put one at a wished place; all of it in closed form.
+/// back, and the future is not unique. Where they lie and what kind they are, in
+/// closed form.
 #ifndef TWOFOLD_SINGULARITY_H
 #define TWOFOLD_SINGULARITY_H
 
@@ -19,7 +19,7 @@ typedef struct {
   tf_real_t v; ///< [m/s]
   tf_real_t w; ///< [rad/s]
   tf_real_t g; ///< rolling speed, never 0 [m/s]
-} tf_place_t;
+} tf_surface_point_t;
 
 /// Most two-folds of a machine: two r, two g for each, two signs of g. Few have
 /// so many; the paper's has two.
@@ -27,14 +27,14 @@ typedef struct {
 
 /// Why a machine has no two-fold; the first that applies.
 typedef enum {
-  TF_LACK_NONE,   ///< it has one
-  TF_LACK_LAW,    ///< the law does not jump at h = 0, or mu = 0
-  TF_LACK_MOMENT, ///< stick has no moment (law COULOMB): A > 0 everywhere
-  TF_LACK_ARM, ///< kappa |cos(gamma)| < 2 beta |sin(gamma)|: A > 0 everywhere
-  TF_LACK_BALANCE ///< A vanishes, but nowhere on h = 0 does h_x . f(x, 0) with
-                  ///< the sign of g that it takes, within TF_STATE_LIMIT
-} tf_lack_t;
-#define TF_LACKS 5
+  TF_ABSENCE_NONE,   ///< it has one
+  TF_ABSENCE_LAW,    ///< the law does not jump at h = 0, or mu = 0
+  TF_ABSENCE_MOMENT, ///< stick has no moment (law COULOMB): A > 0 everywhere
+  TF_ABSENCE_ARM, ///< kappa |cos(gamma)| < 2 beta |sin(gamma)|: A > 0 everywhere
+  TF_ABSENCE_BALANCE ///< A vanishes, but nowhere on h = 0 does h_x . f(x, 0) with
+                     ///< the sign of g that it takes, within TF_STATE_LIMIT
+} tf_absence_t;
+#define TF_ABSENCES 5
 
 /// What lack stands for, in words.
 /// Scheme: none.
@@ -43,8 +43,8 @@ typedef enum {
 /// Cost: at most 7 instructions. Stack: 16 B.
 /// Memory: static storage, reentrant.
 /// Claims: reasons_and_types_have_names
-#define tf_lack_name TF_LINK(tf_lack_name)
-TF_API const char *tf_lack_name(unsigned lack);
+#define tf_absence_name TF_LINK(tf_absence_name)
+TF_API const char *tf_absence_name(unsigned lack);
 
 /// Every two-fold at g != 0.
 /// Scheme: (2foldcond). A(r, s) = 0 is a quadratic in r. On h = 0, v and w are
@@ -67,8 +67,8 @@ TF_API const char *tf_lack_name(unsigned lack);
 #define tf_two_folds TF_LINK(tf_two_folds)
 TF_API tf_status_t tf_two_folds(const tf_machine_t *machine,
                                 const tf_input_t *input,
-                                tf_place_t places[TF_TWO_FOLDS], int *count,
-                                tf_lack_t *lack);
+                                tf_surface_point_t places[TF_TWO_FOLDS],
+                                int *count, tf_absence_t *lack);
 
 /// Which way the slips curve, by h'' = K++ of slip+ and K-- of slip-. A fold is
 /// visible where its slip curves away from h = 0, into its own side.
@@ -107,7 +107,7 @@ typedef struct {
 /// rescaled time, is clock^2 K. J, eigenvalues and directions are the same in
 /// both.
 typedef struct {
-  tf_place_t place;
+  tf_surface_point_t place;
   tf_real_t rest;     ///< largest |h_x . f(x, +-mu)| left over [m/s^2]
   tf_real_t clock;    ///< m (beta^2 + r^2) = dt/dtau, without unit
   tf_real_t Kpp, Kpm; ///< K++, K+- [m/s^3]
@@ -135,7 +135,7 @@ typedef struct {
 ///   acceleration.
 /// machine: in, prepared for a law that jumps.
 /// input: in.
-/// place: in, from tf_two_folds or tf_two_fold_wish; r != 0, g != 0.
+/// place: in, from tf_two_folds or tf_design_two_fold; r != 0, g != 0.
 /// out: out.
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law does not jump), TF_BAD_STATE
 ///   (place or input out of range, or a product overflows); out is untouched.
@@ -148,45 +148,7 @@ typedef struct {
 #define tf_normal_form TF_LINK(tf_normal_form)
 TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
                                   const tf_input_t *input,
-                                  const tf_place_t *place, tf_two_fold_t *out);
-
-/// What stands in the way of a wished two-fold; the first that applies.
-typedef enum {
-  TF_WISH_GRANTED,
-  TF_WISH_LAW,    ///< stick has no moment under this law, or mu = 0
-  TF_WISH_GAMMA,  ///< |sin(gamma)| < 1e-6 (w = omega0 follows, r = -+kappa), or
-                  ///< |cos(gamma)| < 1e-6 (A > 0 whatever kappa)
-  TF_WISH_R,      ///< r = 0, out of range, or overflowing products
-  TF_WISH_OMEGA,  ///< w = omega0 (then g = 0), or out of range
-  TF_WISH_SPRING, ///< r = r0 or p2(r) = 0: k2 has no hold on h
-  TF_WISH_KAPPA,  ///< kappa would be out of its range
-  TF_WISH_K2      ///< k2 would be out of its range
-} tf_wish_obstacle_t;
-
-/// kappa and k2 that make a wished point a two-fold.
-typedef struct {
-  tf_real_t kappa;  ///< [m]
-  tf_real_t k2;     ///< [N/m]
-  tf_two_fold_t at; ///< the normal form under them
-  uint8_t obstacle; ///< tf_wish_obstacle_t; with KAPPA and K2 the rest is
-                    ///< filled none the less, else it is 0
-} tf_wish_t;
-
-/// Puts a two-fold at (r, w).
-/// Scheme: (stickV), (singKappa) with sign(g), (singK2) with p2(r).
-/// machine: in, prepared; its own kappa and k2 do not matter.
-/// input: in.
-/// r [m], w [rad/s]: in.
-/// out: out.
-/// Returns: TF_OK (obstacle GRANTED); TF_BAD_PARAMETER (any other obstacle, out
-///   as said there).
-/// Cost: at most 1200 instructions. Stack: 2032 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: wished_two_folds_are_found_again,
-///   wish_gives_the_numbers_of_the_paper, wishes_that_cannot_be_granted_say_why
-#define tf_two_fold_wish TF_LINK(tf_two_fold_wish)
-TF_API tf_status_t tf_two_fold_wish(const tf_machine_t *machine,
-                                    const tf_input_t *input, tf_real_t r,
-                                    tf_real_t w, tf_wish_t *out);
+                                  const tf_surface_point_t *place,
+                                  tf_two_fold_t *out);
 
 #endif

@@ -11,9 +11,9 @@ typedef enum {
   TF_OK = 0,
   TF_DEGRADED = 1,       ///< no mode was consistent, or none that a slip may
                          ///< enter: smallest residual taken
-  TF_COARSE = 3,         ///< tf_locate ran out of segments: advanced, but
+  TF_COARSE = 3,         ///< tf_step_located ran out of segments: advanced, but
                          ///< further off than the tolerance
-  TF_FELL_BACK = 2,      ///< tf_locate took the step by tf_step
+  TF_FELL_BACK = 2,      ///< tf_step_located took the step by tf_step
   TF_BAD_PARAMETER = -1, ///< a parameter or option is out of its range
   TF_BAD_STATE = -2,     ///< state or input not finite or out of its range
   TF_DIVERGED = -3,      ///< the next state would leave the range of states

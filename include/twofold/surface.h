@@ -25,7 +25,7 @@ typedef enum {
   TF_REGION_ESCAPING, ///< both slips lead away: stick may end, A < 0
   TF_REGION_UP,       ///< crossed from h < 0 to h > 0
   TF_REGION_DOWN,     ///< crossed from h > 0 to h < 0
-  TF_REGION_CORNER    ///< h = g = 0: s is open, codimension two
+  TF_REGION_CODIM2    ///< h = g = 0: s is open, codimension two
 } tf_region_t;
 #define TF_REGIONS 5
 

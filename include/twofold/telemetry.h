@@ -47,7 +47,7 @@ typedef struct {
   const tf_params_t *params;
   const char *scene, *build; ///< names; what does not fit is cut off
   uint32_t seed;
-  uint8_t scheme;      ///< 0: tf_step, 1: tf_locate, 2: tf_step_compensated
+  uint8_t scheme; ///< 0: tf_step, 1: tf_step_located, 2: tf_step_compensated
   bool takes_commands; ///< an uplink is built in
 } tf_schema_t;
 

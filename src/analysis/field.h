@@ -14,11 +14,11 @@ typedef struct {
   tf_real_t turn;   // arm + s kappa [m]
   tf_real_t lever;  // z' of lambda = 1 N
   int s;            // 0 where g > 0, 1 where g < 0
-} point_t;
+} field_point_t;
 
-TF_INLINE point_t point_at(const tf_machine_t *k, const tf_input_t *input,
-                           tf_real_t r, tf_real_t v, tf_real_t w, int s) {
-  point_t x = {.r = r, .v = v, .w = w, .z = w - input->omega0, .s = s};
+TF_INLINE field_point_t point_at(const tf_machine_t *k, const tf_input_t *input,
+                                 tf_real_t r, tf_real_t v, tf_real_t w, int s) {
+  field_point_t x = {.r = r, .v = v, .w = w, .z = w - input->omega0, .s = s};
   x.p = v - k->d * x.z;
   x.a = rates_at(k, input, r, x.p, x.z, input->omega0);
   x.J = k->m * (k->beta2 + r * r);
@@ -30,7 +30,7 @@ TF_INLINE point_t point_at(const tf_machine_t *k, const tf_input_t *input,
 
 // (VF)
 TF_INLINE tf_rate_t field(const tf_machine_t *k, const tf_input_t *input,
-                          const point_t *x, tf_real_t lambda) {
+                          const field_point_t *x, tf_real_t lambda) {
   const tf_real_t z = x->a.z + lambda * x->lever;
   return (tf_rate_t){x->v, x->a.p + lambda * x->a.Fp + k->d * z,
                      z + input->alpha};

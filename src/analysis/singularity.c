@@ -7,15 +7,15 @@
 // Below this sin(gamma) is rounding of gamma = 0 or pi.
 #define NO_SINE (4 * TF_REAL_EPSILON)
 
-TF_API const char *tf_lack_name(unsigned lack) {
-  static const char *const names[TF_LACKS] = {
+TF_API const char *tf_absence_name(unsigned lack) {
+  static const char *const names[TF_ABSENCES] = {
       "there is one", "the friction does not jump at h = 0",
       "without a moment in stick the Delassus scalar is positive everywhere",
       "kappa |cos gamma| < 2 beta |sin gamma|: the Delassus scalar is positive "
       "everywhere",
       "where the Delassus scalar vanishes, nothing balances h with the sign of "
       "g that this takes"};
-  return lack < TF_LACKS ? names[lack] : "unknown";
+  return lack < TF_ABSENCES ? names[lack] : "unknown";
 }
 
 TF_API const char *tf_folds_name(unsigned type) {
@@ -89,15 +89,16 @@ static void balance(const tf_machine_t *k, const tf_input_t *input,
 
 // The places of one r and s.
 static int places_at(const tf_machine_t *k, const tf_input_t *input,
-                     tf_real_t sine, tf_real_t r, bool minus, tf_place_t *out) {
+                     tf_real_t sine, tf_real_t r, bool minus,
+                     tf_surface_point_t *out) {
   tf_real_t n[3], g[2];
   balance(k, input, sine, r, n);
   const int most = roots(n[2], n[1], n[0], g);
   int count = 0;
   for (int i = 0; i < most; i++) {
     const tf_real_t z = sine / r * g[i];
-    const tf_place_t place = {r, k->d * z - k->cos_gamma * g[i],
-                              input->omega0 + z, g[i]};
+    const tf_surface_point_t place = {r, k->d * z - k->cos_gamma * g[i],
+                                      input->omega0 + z, g[i]};
     if ((minus ? g[i] < 0 : g[i] > 0) && in_reach(r, place.v, place.w))
       out[count++] = place;
   }
@@ -105,42 +106,43 @@ static int places_at(const tf_machine_t *k, const tf_input_t *input,
 }
 
 // What there is no two-fold without, whatever the motion.
-static tf_lack_t lack_of(const tf_machine_t *k, tf_real_t sine) {
+static tf_absence_t lack_of(const tf_machine_t *k, tf_real_t sine) {
   tf_real_t r[2];
   if (!tf_tyre_is_set_valued(k->tyre.law) || !(k->tyre.mu > 0))
-    return TF_LACK_LAW;
-  if (!(k->stick_kappa > 0)) return TF_LACK_MOMENT;
+    return TF_ABSENCE_LAW;
+  if (!(k->stick_kappa > 0)) return TF_ABSENCE_MOMENT;
   return singular_radii(k->stick_kappa * k->cos_gamma, k->beta2, sine, r) > 0
-             ? TF_LACK_NONE
-             : TF_LACK_ARM;
+             ? TF_ABSENCE_NONE
+             : TF_ABSENCE_ARM;
 }
 
 TF_API tf_status_t tf_two_folds(const tf_machine_t *machine,
                                 const tf_input_t *input,
-                                tf_place_t places[TF_TWO_FOLDS], int *count,
-                                tf_lack_t *lack) {
+                                tf_surface_point_t places[TF_TWO_FOLDS],
+                                int *count, tf_absence_t *lack) {
   const tf_machine_t *k = machine;
   const tf_state_t still = {.r = 0};
   if (!in_range(&still, input)) return TF_BAD_STATE;
   const tf_real_t sine =
       within(k->sin_gamma, NO_SINE) ? TF_R(0.0) : k->sin_gamma;
   const tf_real_t b = k->stick_kappa * k->cos_gamma;
-  const tf_lack_t why = lack_of(k, sine);
+  const tf_absence_t why = lack_of(k, sine);
   int found = 0;
-  for (int s = 0; s < 2 && why == TF_LACK_NONE; s++) {
+  for (int s = 0; s < 2 && why == TF_ABSENCE_NONE; s++) {
     tf_real_t r[2];
     const int radii = singular_radii(s ? -b : b, k->beta2, sine, r);
     for (int i = 0; i < radii; i++)
       found += places_at(k, input, sine, r[i], s > 0, places + found);
   }
   *count = found;
-  if (lack) *lack = why != TF_LACK_NONE || found > 0 ? why : TF_LACK_BALANCE;
+  if (lack)
+    *lack = why != TF_ABSENCE_NONE || found > 0 ? why : TF_ABSENCE_BALANCE;
   return TF_OK;
 }
 
 // d/dt of N along f(x, lambda).
 static tf_real_t slope_of_N(const tf_machine_t *k, const tf_input_t *input,
-                            const point_t *x, tf_real_t lambda) {
+                            const field_point_t *x, tf_real_t lambda) {
   const tf_rate_t f = field(k, input, x, lambda);
   const tf_real_t r = x->r, v = x->v, w = x->w, m = k->m, J = x->J;
   const tf_real_t dr = f.r, dv = f.v, dw = f.w, dz = f.w - input->alpha;
@@ -156,7 +158,7 @@ static tf_real_t slope_of_N(const tf_machine_t *k, const tf_input_t *input,
 
 // d/dt of A = sin^2(gamma)/m + arm (arm + s kappa)/J, under any lambda: A
 // depends on r alone, and dr/dt = v.
-static tf_real_t slope_of_A(const tf_machine_t *k, const point_t *x) {
+static tf_real_t slope_of_A(const tf_machine_t *k, const field_point_t *x) {
   const tf_real_t darm = x->v * k->cos_gamma, dJ = 2 * k->m * x->r * x->v;
   return (darm * (x->turn + x->arm) - x->arm * x->lever * dJ) / x->J;
 }
@@ -215,7 +217,8 @@ static void classify(const tf_machine_t *k, tf_two_fold_t *at,
 
 TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
                                   const tf_input_t *input,
-                                  const tf_place_t *place, tf_two_fold_t *out) {
+                                  const tf_surface_point_t *place,
+                                  tf_two_fold_t *out) {
   const tf_machine_t *k = machine;
   const tf_state_t state = {.r = place->r, .v = place->v, .w = place->w};
   const tf_real_t mu = k->tyre.mu;
@@ -223,7 +226,7 @@ TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
   if (!in_range(&state, input) || place->r == 0 ||
       !(place->g > 0 || place->g < 0))
     return TF_BAD_STATE;
-  const point_t x =
+  const field_point_t x =
       point_at(k, input, place->r, place->v, place->w, place->g < 0);
   const tf_real_t A = x.a.A[x.s];
   const tf_real_t plus = slope_of_N(k, input, &x, mu);

@@ -2,8 +2,8 @@
 // same enumeration of futures that the located step uses.
 #include "twofold/surface.h"
 
-#include "field.h"
 #include "../friction/consistent.h"
+#include "field.h"
 
 TF_API const char *tf_region_name(unsigned region) {
   static const char *const names[TF_REGIONS] = {
@@ -29,7 +29,7 @@ static unsigned region_of(unsigned set) {
 
 // A (svf) = A f(x, 0) + N f_lambda. Its r component is A v.
 static tf_rate_t scaled_field(const tf_machine_t *k, const tf_input_t *input,
-                              const point_t *x, tf_real_t A) {
+                              const field_point_t *x, tf_real_t A) {
   const tf_rate_t f0 = field(k, input, x, 0);
   const tf_real_t N = x->a.N;
   return (tf_rate_t){A * f0.r, A * f0.v + N * (x->a.Fp + k->d * x->lever),
@@ -37,10 +37,10 @@ static tf_rate_t scaled_field(const tf_machine_t *k, const tf_input_t *input,
 }
 
 static tf_surface_t look(const tf_machine_t *k, const tf_input_t *input,
-                         const point_t *x, tf_slip_t slip) {
+                         const field_point_t *x, tf_slip_t slip) {
   tf_surface_t out = {.slip = slip};
-  tf_futures_t futures;
-  surface_futures(k, &x->a, x->s, &futures);
+  tf_consistent_t futures;
+  surface_modes(k, &x->a, x->s, &futures);
   const tf_real_t A = x->a.A[x->s], lambda = x->a.N / A;
   out.region = (uint8_t)region_of(futures.solutions.set);
   out.lie_plus = futures.solutions.h_limit[0];
@@ -65,10 +65,10 @@ TF_API tf_status_t tf_surface_at(const tf_machine_t *machine,
   const tf_slip_t slip = slip_speeds(machine, r, v, w - input->omega0);
   // Without a moment s has no say, and h = g = 0 is a point like any other.
   if (machine->stick_kappa > 0 && !(slip.g > 0) && !(slip.g < 0)) {
-    *out = (tf_surface_t){.slip = slip, .region = TF_REGION_CORNER};
+    *out = (tf_surface_t){.slip = slip, .region = TF_REGION_CODIM2};
     return TF_OK;
   }
-  const point_t x = point_at(machine, input, r, v, w, slip.g < 0);
+  const field_point_t x = point_at(machine, input, r, v, w, slip.g < 0);
   const tf_surface_t seen = look(machine, input, &x, slip);
   if (!within(size_of_rate(&seen.plus) + size_of_rate(&seen.minus) +
                   size_of_rate(&seen.scaled) + magnitude(seen.lie_plus) +

@@ -1,6 +1,6 @@
 // One step with its switches located: segments of Taylor series, from switch to
 // switch, until the step is over.
-#include "twofold/locate.h"
+#include "twofold/located.h"
 
 #include "../friction/inclusion.h"
 #include "../friction/mode_set.h"
@@ -19,7 +19,7 @@
 #else
 #define TF_COARSE_TOLERANCE TF_R(1e-6)
 #endif
-// Beyond TF_LOCATE_SEGMENTS the pace is looked at every so many segments, and
+// Beyond TF_LOCATED_SEGMENTS the pace is looked at every so many segments, and
 // made so much quicker at once at most.
 #define TF_PACE_EVERY 8
 #define TF_MOST_QUICKER 2
@@ -31,22 +31,22 @@ typedef struct {
 
 // Allowed is the tolerance times what the velocities are and may change by in
 // the rest of the step.
-static tf_reach_t reach(const tf_walk_t *walk) {
-  const tf_motion_t *s = &walk->motion;
+static tf_reach_t reach(const tf_trajectory_t *walk) {
+  const tf_taylor_t *s = &walk->motion;
   const tf_real_t allowed =
       walk->tolerance * (tf_term_size(s, 0) + tf_term_size(s, 1) * walk->left);
-  return (tf_reach_t){tf_longest(s, walk->left, allowed), allowed};
+  return (tf_reach_t){tf_segment_length(s, walk->left, allowed), allowed};
 }
 
 // Goes along the series from one of its times to another.
-static void advance(tf_walk_t *walk, tf_real_t from, tf_real_t to) {
-  const tf_motion_t *s = &walk->motion;
+static void advance(tf_trajectory_t *walk, tf_real_t from, tf_real_t to) {
+  const tf_taylor_t *s = &walk->motion;
   const tf_real_t t = to - from;
-  walk->at = (tf_point_t){value_at(&s->r, to), value_at(&s->p, to),
-                          value_at(&s->z, to)};
+  walk->at = (tf_phase_point_t){value_at(&s->r, to), value_at(&s->p, to),
+                                value_at(&s->z, to)};
   walk->force = (tf_force_t){value_at(&s->F, to), value_at(&s->M, to)};
   if (s->machine->with_angle)
-    walk->phi += tf_turned(s, to) - tf_turned(s, from);
+    walk->phi += tf_angle_change(s, to) - tf_angle_change(s, from);
   walk->omega += s->input->alpha * t;
   walk->left = t < walk->left ? walk->left - t : 0;
 }
@@ -57,23 +57,24 @@ static void advance(tf_walk_t *walk, tf_real_t from, tf_real_t to) {
 // there is long. Finds where and when that is, to second order in the slip by
 // the first series and to fourth by the second; what it is off across will be
 // turned away with t^exponent. Then goes along it, to h = g = 0 at most.
-static bool captured(tf_walk_t *walk, tf_real_t allowed) {
-  tf_motion_t *s = &walk->motion;
+static bool captured(tf_trajectory_t *walk, tf_real_t allowed) {
+  tf_taylor_t *s = &walk->motion;
   const tf_machine_t *k = s->machine;
-  const tf_point_t at = walk->at;
+  const tf_phase_point_t at = walk->at;
   const tf_real_t q_now = at.r * at.z;
   tf_segment_t ray = walk->segment;
   tf_real_t r = at.r, t = 0, scale = 0, missed = 0;
-  ray.closure = TF_DEPART;
+  ray.closure = TF_CONTACT_CODIM2_SLIP;
   ray.h_zeros = 1;
   ray.g_is_0 = true;
   for (int i = 0; i < 2; i++) {
     const tf_real_t omega = walk->omega - s->input->alpha * t;
     const tf_rates_t rates = rates_at(k, s->input, r, 0, 0, omega);
-    if (!tf_corner_attractor(k, &rates, ray.roll, ray.side, &ray.T))
+    if (!tf_codim2_attractor(k, &rates, ray.roll, ray.side, &ray.T))
       return false;
-    begin_motion(s, k, s->input, omega, (tf_point_t){r, 0, 0});
-    (void)tf_expand(s, &ray); // TF_DEPART always can be
+    begin_taylor(s, k, s->input, omega, (tf_phase_point_t){r, 0, 0});
+    (void)tf_taylor_coefficients(s,
+                                 &ray); // TF_CONTACT_CODIM2_SLIP always can be
     const tf_real_t p1 = s->p.c[1], q1 = s->q.c[1];
     const tf_real_t a2 = p1 * p1 + q1 * q1;
     const tf_real_t ahead = at.p * p1 + q_now * q1;
@@ -87,83 +88,89 @@ static bool captured(tf_walk_t *walk, tf_real_t allowed) {
     scale = 1 + k->tyre.mu * (magnitude(rates.Fp) + magnitude(rates.Fq)) /
                     (square_root(a2) * (1 + magnitude(s->exponent)));
   }
-  if (!(missed * scale <= allowed && tf_longest(s, t, allowed) == t))
+  if (!(missed * scale <= allowed && tf_segment_length(s, t, allowed) == t))
     return false;
   tf_real_t end = t + walk->left, when;
   if (t < 0 && end > 0) end = 0;
   if (t > 0) {
-    end = tf_longest(s, end, allowed);
-    if (!(end > t) || tf_next_switch(s, &ray, end, 0, &when)) return false;
+    end = tf_segment_length(s, end, allowed);
+    if (!(end > t) || tf_next_event(s, &ray, end, 0, &when)) return false;
   }
   advance(walk, t, end);
   return true;
 }
 
 // After a switch: what comes next.
-static bool pass(tf_walk_t *walk, tf_switch_t what) {
+static bool pass(tf_trajectory_t *walk, tf_event_t what) {
   tf_segment_t *segment = &walk->segment;
   const bool up = walk->force.F > 0;
   switch (what) {
-    case TF_NO_SWITCH: // the same goes on
-      if (segment->closure == TF_DEPART) segment->closure = TF_SLIDE;
-      if (segment->closure == TF_THROUGH) segment->closure = TF_HOLD;
+    case TF_EVENT_NONE: // the same goes on
+      if (segment->closure == TF_CONTACT_CODIM2_SLIP)
+        segment->closure = TF_CONTACT_SLIP;
+      if (segment->closure == TF_CONTACT_TWO_FOLD_STICK)
+        segment->closure = TF_CONTACT_STICK;
       segment->h_zeros = 0;
       segment->g_is_0 = segment->A_is_0 = false;
       return true;
-    case TF_KINK:
-      segment->closure = TF_SLIDE;
+    case TF_EVENT_G_ZERO:
+      segment->closure = TF_CONTACT_SLIP;
       segment->roll = -segment->roll;
       segment->h_zeros = 0;
       segment->g_is_0 = true;
       return true;
-    case TF_LANDING:
+    case TF_EVENT_H_ZERO:
       tf_project(walk);
-      return tf_leave_surface(walk);
-    case TF_CORNER:
-      return tf_leave_corner(walk, segment->roll < 0);
-    case TF_RELEASE: {
+      return tf_leave_h_zero(walk);
+    case TF_EVENT_CODIM2:
+      return tf_leave_codim2(walk, segment->roll < 0);
+    case TF_EVENT_RELEASE: {
       // An attracting stick lets go to the side that F pushed to, where h
       // starts with t^2; an escaping one to the other.
-      const bool attracting = tf_walk_rates(walk).A[segment->roll < 0] > 0;
+      const bool attracting =
+          tf_trajectory_rates(walk).A[segment->roll < 0] > 0;
       const unsigned mode = up == attracting ? TF_SLIP_PLUS : TF_SLIP_MINUS;
       tf_project(walk);
-      tf_meet(walk, TF_MODE_BIT(mode));
-      tf_go_on_in(walk, mode, TF_SLIDE,
-                  (tf_segment_t){.side = mode == TF_SLIP_PLUS ? 1 : -1,
-                                 .roll = segment->roll,
-                                 .h_zeros = attracting ? 2 : 1});
+      tf_keep_largest_set(walk, TF_MODE_BIT(mode));
+      tf_enter_mode(walk, mode, TF_CONTACT_SLIP,
+                    (tf_segment_t){.side = mode == TF_SLIP_PLUS ? 1 : -1,
+                                   .roll = segment->roll,
+                                   .h_zeros = attracting ? 2 : 1});
       return true;
     }
-    case TF_TWOFOLD:
+    case TF_EVENT_TWO_FOLD:
       tf_project(walk);
-      tf_meet(walk, SLIPS | TF_MODE_BIT(walk->mode));
-      segment->closure = TF_THROUGH;
+      tf_keep_largest_set(walk, SLIPS | TF_MODE_BIT(walk->mode));
+      segment->closure = TF_CONTACT_TWO_FOLD_STICK;
       segment->A_is_0 = true;
       segment->g_is_0 = false;
       return true;
-    case TF_UNPINNED:
+    case TF_EVENT_UNPINNED:
     default:
-      return tf_leave_corner(walk, false);
+      return tf_leave_codim2(walk, false);
   }
 }
 
 // Whether slip is near h = g = 0 and its series much shorter than its way from
 // or to there: then it may be stiff.
-static bool is_stiff_near_corner(const tf_walk_t *walk, tf_real_t length) {
-  const tf_motion_t *s = &walk->motion;
+static bool is_stiff_near_corner(const tf_trajectory_t *walk,
+                                 tf_real_t length) {
+  const tf_taylor_t *s = &walk->motion;
   const tf_real_t R = magnitude(s->p.c[0]) + magnitude(s->q.c[0]);
   const tf_real_t a = magnitude(s->p.c[1]) + magnitude(s->q.c[1]);
-  return walk->segment.closure == TF_SLIDE && s->machine->stick_kappa > 0 &&
-         R > 8 * a * length && R < 16 * a * s->machine->dt;
+  return walk->segment.closure == TF_CONTACT_SLIP &&
+         s->machine->stick_kappa > 0 && R > 8 * a * length &&
+         R < 16 * a * s->machine->dt;
 }
 
 // When a stick reaches A = 0, where that is nearer than what the slip may be
 // off by can tell: N = lambda A is as near to 0 then, and shorter and shorter
 // segments would follow the error of lambda alone. 0 where it is not so.
-static tf_real_t when_at_twofold(const tf_walk_t *walk, tf_reach_t span) {
-  const tf_motion_t *s = &walk->motion;
+static tf_real_t when_at_twofold(const tf_trajectory_t *walk, tf_reach_t span) {
+  const tf_taylor_t *s = &walk->motion;
   const tf_machine_t *k = s->machine;
-  if (walk->segment.closure != TF_HOLD || k->stick_kappa == 0) return 0;
+  if (walk->segment.closure != TF_CONTACT_STICK || k->stick_kappa == 0)
+    return 0;
   const tf_real_t r = s->r.c[0];
   const tf_real_t arm =
       (tf_real_t)walk->segment.roll * k->stick_kappa * k->cos_gamma;
@@ -178,7 +185,7 @@ static tf_real_t when_at_twofold(const tf_walk_t *walk, tf_reach_t span) {
 
 // Changes the tolerance as the length of a segment to its order, between that
 // of the machine and the coarsest; false where it is not coarser then.
-static bool hurry(tf_walk_t *walk, tf_real_t quicker) {
+static bool coarsen(tf_trajectory_t *walk, tf_real_t quicker) {
   const tf_real_t finest = walk->motion.machine->tolerance;
   const tf_real_t before = walk->tolerance;
   tf_real_t tolerance = before;
@@ -192,76 +199,77 @@ static bool hurry(tf_walk_t *walk, tf_real_t quicker) {
 // In a step that is short of segments: what is left is to be done, at the pace
 // of the last ones, in three quarters of those that may still be spent. What
 // has been done stays as good as it is.
-static void keep_pace(tf_walk_t *walk, tf_real_t done, int in, int spare) {
+static void keep_pace(tf_trajectory_t *walk, tf_real_t done, int in,
+                      int spare) {
   const tf_real_t most = TF_MOST_QUICKER;
   const tf_real_t reached = TF_R(0.75) * done * (tf_real_t)spare;
   const tf_real_t wanted = walk->left * (tf_real_t)in;
   tf_real_t quicker = most;
   if (wanted < most * reached) quicker = wanted / reached;
-  hurry(walk, quicker > 1 / most ? quicker : 1 / most);
+  coarsen(walk, quicker > 1 / most ? quicker : 1 / most);
 }
 
 // One segment and its switch; false where there is none. After a switch at the
 // very end of the step the force is that of what follows.
-static bool walk_on(tf_walk_t *walk, bool look_for_corner) {
-  tf_motion_t *s = &walk->motion;
-  begin_motion(s, s->machine, s->input, walk->omega, walk->at);
-  if (!tf_expand(s, &walk->segment)) return false;
+static bool integrate_segment(tf_trajectory_t *walk, bool look_for_corner) {
+  tf_taylor_t *s = &walk->motion;
+  begin_taylor(s, s->machine, s->input, walk->omega, walk->at);
+  if (!tf_taylor_coefficients(s, &walk->segment)) return false;
   if (!(walk->left > 0)) {
     walk->force = (tf_force_t){s->F.c[0], s->M.c[0]};
     walk->is_over = true;
     return true;
   }
   const tf_reach_t span = reach(walk);
-  if (!(span.length > 0)) return hurry(walk, TF_MOST_QUICKER);
+  if (!(span.length > 0)) return coarsen(walk, TF_MOST_QUICKER);
   if (look_for_corner && is_stiff_near_corner(walk, span.length)) {
-    if (captured(walk, span.error + tf_walk_rounding(walk))) {
+    if (captured(walk, span.error + tf_trajectory_rounding(walk))) {
       const bool at_corner = magnitude(walk->at.p) + magnitude(walk->at.z) == 0;
       walk->is_over = !at_corner && !(walk->left > 0);
-      return !at_corner || pass(walk, TF_CORNER);
+      return !at_corner || pass(walk, TF_EVENT_CODIM2);
     }
-    begin_motion(s, s->machine, s->input, walk->omega, walk->at);
-    (void)tf_expand(s, &walk->segment); // as above
+    begin_taylor(s, s->machine, s->input, walk->omega, walk->at);
+    (void)tf_taylor_coefficients(s, &walk->segment); // as above
   }
   const tf_real_t twofold = when_at_twofold(walk, span);
   if (twofold > 0) {
     advance(walk, 0, twofold);
-    return pass(walk, TF_TWOFOLD);
+    return pass(walk, TF_EVENT_TWO_FOLD);
   }
-  const tf_slip_t slip = tf_walk_slip(walk);
+  const tf_slip_t slip = tf_trajectory_slip(walk);
   const tf_real_t close = TF_CLOSE * (magnitude(slip.h) + magnitude(slip.g));
   const tf_real_t missed = TF_CAPTURE * span.error;
   tf_real_t when;
-  const tf_switch_t what = tf_next_switch(
+  const tf_event_t what = tf_next_event(
       s, &walk->segment, span.length,
-      (missed < close ? missed : close) + tf_walk_rounding(walk), &when);
+      (missed < close ? missed : close) + tf_trajectory_rounding(walk), &when);
   advance(walk, 0, when);
   // The product r z of two cut series is off by its first left-out term.
   if (walk->mode == TF_STICK_PLUS || walk->mode == TF_STICK_MINUS)
     tf_project(walk);
-  walk->is_over = what == TF_NO_SWITCH && !(walk->left > 0);
+  walk->is_over = what == TF_EVENT_NONE && !(walk->left > 0);
   return walk->is_over || pass(walk, what);
 }
 
-static bool walk_through(tf_walk_t *walk) {
-  if (!tf_enter(walk)) return false;
+static bool integrate_step(tf_trajectory_t *walk) {
+  if (!tf_first_segment(walk)) return false;
   tf_real_t before = walk->left;
   int last = 0;
-  for (int i = 0; i < TF_LOCATE_MOST_SEGMENTS; i++) {
-    if (i >= TF_LOCATE_SEGMENTS && i % TF_PACE_EVERY == 0) {
+  for (int i = 0; i < TF_LOCATED_MOST_SEGMENTS; i++) {
+    if (i >= TF_LOCATED_SEGMENTS && i % TF_PACE_EVERY == 0) {
       keep_pace(walk, before - walk->left, i - last,
-                TF_LOCATE_MOST_SEGMENTS - TF_PACE_EVERY - i);
+                TF_LOCATED_MOST_SEGMENTS - TF_PACE_EVERY - i);
       before = walk->left;
       last = i;
     }
-    if (!walk_on(walk, i % TF_CAPTURE_EVERY == TF_CAPTURE_EVERY - 1))
+    if (!integrate_segment(walk, i % TF_CAPTURE_EVERY == TF_CAPTURE_EVERY - 1))
       return false;
     if (walk->is_over) return true;
   }
   return false;
 }
 
-static void start(tf_walk_t *walk, const tf_machine_t *k,
+static void start(tf_trajectory_t *walk, const tf_machine_t *k,
                   const tf_state_t *state, const tf_input_t *input,
                   tf_real_t tolerance) {
   walk->state = state;
@@ -293,17 +301,18 @@ static tf_status_t refuse(tf_report_t *report, tf_status_t status) {
   return status;
 }
 
-TF_API tf_status_t tf_locate(const tf_machine_t *machine, tf_state_t *state,
-                             const tf_input_t *input, tf_report_t *report) {
+TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
+                                   tf_state_t *state, const tf_input_t *input,
+                                   tf_report_t *report) {
   const tf_machine_t *k = machine;
   const tf_tyre_law_t law = k->tyre.law;
   if (!tf_tyre_is_set_valued(law) && law != TF_TYRE_NONE)
     return refuse(report, TF_BAD_PARAMETER);
   if (state->mode >= TF_MODES || !in_range(state, input))
     return refuse(report, TF_BAD_STATE);
-  tf_walk_t walk;
+  tf_trajectory_t walk;
   start(&walk, k, state, input, k->tolerance);
-  if (!walk_through(&walk)) return fall_back(k, state, input, report);
+  if (!integrate_step(&walk)) return fall_back(k, state, input, report);
   const tf_status_t status = walk.coarse ? TF_COARSE : TF_OK;
   const tf_real_t w = walk.at.z + input->omega0;
   const tf_real_t v = walk.at.p + k->d * walk.at.z;

@@ -10,13 +10,13 @@
 #ifndef TF_SERIES_H
 #define TF_SERIES_H
 
-#include "../moreau/linear.h"
-#include "../num/polynomial.h"
+#include "../model/kinematics.h"
 #include "../model/tyre_law.h"
+#include "../num/polynomial.h"
 
 typedef struct {
   tf_real_t r, p, z;
-} tf_point_t;
+} tf_phase_point_t;
 
 typedef struct {
   const tf_machine_t *machine;
@@ -26,8 +26,9 @@ typedef struct {
   tf_real_t inverse_m;
   tf_real_t inverse_J; // 1 / (m (beta^2 + r^2)) at the start
   tf_real_t arm;       // r cos(gamma) at the start
-  tf_real_t exponent;  // of TF_DEPART: its neighbours go with t^exponent
-} tf_motion_t;
+  tf_real_t
+      exponent; // of TF_CONTACT_CODIM2_SLIP: its neighbours go with t^exponent
+} tf_taylor_t;
 
 // 1/1, 1/2 ... to 1/(TF_ORDER + 1): a division less per term.
 static const tf_real_t tf_inverse[] = {
@@ -60,9 +61,9 @@ TF_INLINE tf_real_t square(const tf_series_t *a, int k) {
   return k == 0 ? sum : sum + 2 * a->c[0] * a->c[k];
 }
 
-TF_INLINE void begin_motion(tf_motion_t *s, const tf_machine_t *k,
+TF_INLINE void begin_taylor(tf_taylor_t *s, const tf_machine_t *k,
                             const tf_input_t *input, tf_real_t omega,
-                            tf_point_t at) {
+                            tf_phase_point_t at) {
   s->machine = k;
   s->input = input;
   s->r.c[0] = at.r;
@@ -77,7 +78,7 @@ TF_INLINE void begin_motion(tf_motion_t *s, const tf_machine_t *k,
 }
 
 // Term n+1 of the motion without the n-th terms of F and M.
-TF_INLINE void extend(tf_motion_t *s, int n) {
+TF_INLINE void extend(tf_taylor_t *s, int n) {
   const tf_machine_t *k = s->machine;
   const tf_real_t v = s->p.c[n] + k->d * s->z.c[n];
   const tf_real_t over = tf_inverse[n + 1];
@@ -106,7 +107,7 @@ TF_INLINE void extend(tf_motion_t *s, int n) {
 }
 
 // Adds what the n-th terms of F and M do to term n+1.
-TF_INLINE void apply(tf_motion_t *s, int n, tf_real_t F, tf_real_t M) {
+TF_INLINE void apply(tf_taylor_t *s, int n, tf_real_t F, tf_real_t M) {
   const tf_machine_t *k = s->machine;
   const tf_real_t over = tf_inverse[n + 1];
   const tf_real_t dz = (F * s->arm + M) * (s->inverse_J * over);

@@ -14,7 +14,7 @@ typedef struct {
 
 // Term n of p' q - q' p from terms low to n + 1 - low of p and q: low is 1
 // where both start with t.
-TF_INLINE tf_real_t cross(const tf_motion_t *s, int n, int low) {
+TF_INLINE tf_real_t cross(const tf_taylor_t *s, int n, int low) {
   tf_real_t sum = 0;
   for (int i = low; i <= n + 1 - low; i++)
     sum += (tf_real_t)(2 * i - (n + 1)) * s->p.c[i] * s->q.c[n + 1 - i];
@@ -35,7 +35,7 @@ TF_INLINE tf_real_t T_term(const angle_t *a, const tf_series_t *square_T,
   return exponent * sum * tf_inverse[n];
 }
 
-TF_INLINE void apply_T(tf_motion_t *s, const tf_segment_t *g, int n,
+TF_INLINE void apply_T(tf_taylor_t *s, const tf_segment_t *g, int n,
                        tf_real_t T) {
   const tf_tyre_t *tyre = &s->machine->tyre;
   tf_real_t F = -(tf_real_t)g->roll * tyre->mu * tyre->inv_18_kappa * T;
@@ -43,9 +43,9 @@ TF_INLINE void apply_T(tf_motion_t *s, const tf_segment_t *g, int n,
   apply(s, n, F, tyre->mu / 6 * T);
 }
 
-static void expand_slide(tf_motion_t *s, const tf_segment_t *g) {
+static void taylor_slip(tf_taylor_t *s, const tf_segment_t *g) {
   const tf_tyre_t *tyre = &s->machine->tyre;
-  const tf_slip_t slip = turned(s->machine, s->p.c[0], s->q.c[0]);
+  const tf_slip_t slip = slip_from_pq(s->machine, s->p.c[0], s->q.c[0]);
   const tf_real_t H = (tf_real_t)g->side * slip.h;
   const tf_real_t G = (tf_real_t)g->roll * slip.g;
   angle_t a = {.inverse_R2 =
@@ -69,7 +69,7 @@ static void expand_slide(tf_motion_t *s, const tf_segment_t *g) {
 // term n - 1 needs terms n + 1 of p and q, which T_n enters linearly: T_n is
 // what it would be without, over 1 - gain. The gain is the pull of the limit
 // direction; away from a resonance it is not 1.
-static void expand_depart(tf_motion_t *s, const tf_segment_t *g) {
+static void taylor_codim2_slip(tf_taylor_t *s, const tf_segment_t *g) {
   const tf_tyre_t *tyre = &s->machine->tyre;
   angle_t a = {.inverse_R2 = 0};
   tf_series_t TT;
@@ -101,24 +101,24 @@ static void expand_depart(tf_motion_t *s, const tf_segment_t *g) {
 }
 
 // The lateral slip that term n of p and q holds.
-TF_INLINE tf_real_t lateral(const tf_motion_t *s, int n) {
-  return turned(s->machine, s->p.c[n], s->q.c[n]).h;
+TF_INLINE tf_real_t lateral(const tf_taylor_t *s, int n) {
+  return slip_from_pq(s->machine, s->p.c[n], s->q.c[n]).h;
 }
 
 // Stick: term n + 1 of h is (n+1)^-1 (what it is without lambda_n - A
 // lambda_n) and has to be 0.
-TF_INLINE void apply_lambda(tf_motion_t *s, const tf_segment_t *g, int n,
+TF_INLINE void apply_lambda(tf_taylor_t *s, const tf_segment_t *g, int n,
                             tf_real_t lambda) {
   apply(s, n, lambda, (tf_real_t)g->roll * s->machine->stick_kappa * lambda);
 }
 
-TF_INLINE tf_real_t delassus(const tf_motion_t *s, int roll) {
+TF_INLINE tf_real_t delassus(const tf_taylor_t *s, int roll) {
   const tf_machine_t *k = s->machine;
   return k->sin_gamma * k->sin_gamma / k->m +
          s->arm * (s->arm + (tf_real_t)roll * k->stick_kappa) * s->inverse_J;
 }
 
-static bool expand_hold(tf_motion_t *s, const tf_segment_t *g) {
+static bool taylor_stick(tf_taylor_t *s, const tf_segment_t *g) {
   const tf_real_t A = delassus(s, g->roll);
   if (A == 0) return false;
   const tf_real_t inverse = 1 / A;
@@ -131,7 +131,7 @@ static bool expand_hold(tf_motion_t *s, const tf_segment_t *g) {
 
 // At a two-fold A = 0: term n + 1 of h no longer holds lambda_n but lambda_n-1,
 // linearly, through term n of the motion. Two trials give the line.
-static bool expand_through(tf_motion_t *s, const tf_segment_t *g) {
+static bool taylor_two_fold(tf_taylor_t *s, const tf_segment_t *g) {
   extend(s, 0);
   for (int n = 1; n < TF_ORDER; n++) {
     tf_real_t rest[2];
@@ -152,7 +152,7 @@ static bool expand_through(tf_motion_t *s, const tf_segment_t *g) {
   return true;
 }
 
-static void expand_constant(tf_motion_t *s, tf_real_t F) {
+static void taylor_constant(tf_taylor_t *s, tf_real_t F) {
   for (int n = 0; n < TF_ORDER; n++) {
     extend(s, n);
     apply(s, n, n == 0 ? F : 0, 0);
@@ -162,7 +162,7 @@ static void expand_constant(tf_motion_t *s, tf_real_t F) {
 // Pinned: r rests, w goes with the turntable, and F and M are whatever keeps
 // them there: F = -(Q_r + m d alpha)/sin gamma, M from the balance of torques.
 // With sin gamma = 0 nothing is pinned (rates.h).
-static void expand_pin(tf_motion_t *s) {
+static void taylor_pinned(tf_taylor_t *s) {
   const tf_machine_t *k = s->machine;
   const tf_real_t r = s->r.c[0], w = s->w.c[0], alpha = s->input->alpha;
   for (int n = 0; n <= TF_ORDER; n++)
@@ -185,33 +185,33 @@ static void expand_pin(tf_motion_t *s) {
   }
 }
 
-TF_API bool tf_expand(tf_motion_t *s, const tf_segment_t *g) {
+TF_API bool tf_taylor_coefficients(tf_taylor_t *s, const tf_segment_t *g) {
   s->F.c[TF_ORDER] = s->M.c[TF_ORDER] = 0;
   switch (g->closure) {
-    case TF_FREE:
-      expand_constant(s, 0);
+    case TF_CONTACT_NONE:
+      taylor_constant(s, 0);
       return true;
-    case TF_SLIDE:
+    case TF_CONTACT_SLIP:
       if (s->machine->tyre.law == TF_TYRE_COULOMB)
-        expand_constant(s, (tf_real_t)g->side * s->machine->tyre.mu);
+        taylor_constant(s, (tf_real_t)g->side * s->machine->tyre.mu);
       else
-        expand_slide(s, g);
+        taylor_slip(s, g);
       return true;
-    case TF_DEPART:
-      expand_depart(s, g);
+    case TF_CONTACT_CODIM2_SLIP:
+      taylor_codim2_slip(s, g);
       return true;
-    case TF_HOLD:
-      return expand_hold(s, g);
-    case TF_THROUGH:
-      return expand_through(s, g);
-    case TF_PIN:
+    case TF_CONTACT_STICK:
+      return taylor_stick(s, g);
+    case TF_CONTACT_TWO_FOLD_STICK:
+      return taylor_two_fold(s, g);
+    case TF_CONTACT_PINNED:
     default:
-      expand_pin(s);
+      taylor_pinned(s);
       return true;
   }
 }
 
-TF_API tf_real_t tf_turned(const tf_motion_t *s, tf_real_t t) {
+TF_API tf_real_t tf_angle_change(const tf_taylor_t *s, tf_real_t t) {
   tf_real_t sum = 0;
   for (int n = TF_ORDER; n >= 0; n--)
     sum = (sum + s->w.c[n] * tf_inverse[n + 1]) * t;
@@ -219,13 +219,13 @@ TF_API tf_real_t tf_turned(const tf_motion_t *s, tf_real_t t) {
 }
 
 // The radius of gyration turns rad/s into m/s where r is 0.
-TF_API tf_real_t tf_term_size(const tf_motion_t *s, int n) {
+TF_API tf_real_t tf_term_size(const tf_taylor_t *s, int n) {
   const tf_real_t gyration = square_root(s->machine->beta2 + s->rr.c[0]);
   return magnitude(s->p.c[n]) + gyration * magnitude(s->z.c[n]);
 }
 
-TF_API tf_real_t tf_longest(const tf_motion_t *s, tf_real_t time,
-                            tf_real_t allowed) {
+TF_API tf_real_t tf_segment_length(const tf_taylor_t *s, tf_real_t time,
+                                   tf_real_t allowed) {
   const tf_real_t last = tf_term_size(s, TF_ORDER);
   const tf_real_t before = tf_term_size(s, TF_ORDER - 1);
   for (int i = 0; i < MOST_SHORTENINGS; i++) {

@@ -2,24 +2,26 @@
 #include "trajectory.h"
 
 #include "../friction/mode_set.h"
+#include "twofold/select.h"
 
-TF_API void tf_meet(tf_walk_t *walk, unsigned set) {
+TF_API void tf_keep_largest_set(tf_trajectory_t *walk, unsigned set) {
   const unsigned n = size_of(set);
   if (n < walk->choices) return;
   walk->choices = n;
   walk->set = set;
 }
 
-TF_API tf_slip_t tf_walk_slip(const tf_walk_t *walk) {
-  return turned(walk->motion.machine, walk->at.p, walk->at.r * walk->at.z);
+TF_API tf_slip_t tf_trajectory_slip(const tf_trajectory_t *walk) {
+  return slip_from_pq(walk->motion.machine, walk->at.p,
+                      walk->at.r * walk->at.z);
 }
 
-TF_API tf_rates_t tf_walk_rates(const tf_walk_t *walk) {
+TF_API tf_rates_t tf_trajectory_rates(const tf_trajectory_t *walk) {
   return rates_at(walk->motion.machine, walk->motion.input, walk->at.r,
                   walk->at.p, walk->at.z, walk->omega);
 }
 
-TF_API tf_real_t tf_walk_rounding(const tf_walk_t *walk) {
+TF_API tf_real_t tf_trajectory_rounding(const tf_trajectory_t *walk) {
   const tf_machine_t *k = walk->motion.machine;
   const tf_real_t w = magnitude(walk->at.z + walk->omega);
   return 4 * TF_REAL_EPSILON *
@@ -27,50 +29,50 @@ TF_API tf_real_t tf_walk_rounding(const tf_walk_t *walk) {
                                       (w + magnitude(walk->omega)));
 }
 
-TF_API void tf_project(tf_walk_t *walk) {
+TF_API void tf_project(tf_trajectory_t *walk) {
   const tf_machine_t *k = walk->motion.machine;
   const tf_real_t arm = walk->at.r * k->cos_gamma;
   const tf_real_t inertia = k->beta2 + walk->at.r * walk->at.r;
   const tf_real_t A =
       k->sin_gamma * k->sin_gamma + arm * arm / inertia; // times m
   if (A == 0) return;
-  const tf_real_t impulse = tf_walk_slip(walk).h / A;
+  const tf_real_t impulse = tf_trajectory_slip(walk).h / A;
   walk->at.p += impulse * k->sin_gamma;
   walk->at.z += impulse * arm / inertia;
 }
 
-TF_API void tf_go_on_in(tf_walk_t *walk, unsigned mode, tf_closure_t slip,
-                        tf_segment_t segment) {
-  segment.closure = mode == TF_PINNED       ? TF_PIN
+TF_API void tf_enter_mode(tf_trajectory_t *walk, unsigned mode,
+                          tf_contact_t slip, tf_segment_t segment) {
+  segment.closure = mode == TF_PINNED       ? TF_CONTACT_PINNED
                     : mode <= TF_SLIP_MINUS ? slip
-                                            : TF_HOLD;
+                                            : TF_CONTACT_STICK;
   walk->mode = mode;
   walk->segment = segment;
 }
 
-TF_API bool tf_leave_surface(tf_walk_t *walk) {
+TF_API bool tf_leave_h_zero(tf_trajectory_t *walk) {
   const tf_machine_t *k = walk->motion.machine;
-  const int s = tf_walk_slip(walk).g < 0;
-  const tf_rates_t rates = tf_walk_rates(walk);
-  tf_futures_t futures;
+  const int s = tf_trajectory_slip(walk).g < 0;
+  const tf_rates_t rates = tf_trajectory_rates(walk);
+  tf_consistent_t futures;
   tf_project(walk);
-  surface_futures(k, &rates, s, &futures);
-  tf_meet(walk, futures.solutions.set);
+  surface_modes(k, &rates, s, &futures);
+  tf_keep_largest_set(walk, futures.solutions.set);
   const unsigned mode =
       tf_select(k->rule, k->exit_threshold, &futures.solutions, walk->mode,
                 walk->state->tick, walk->state->seed);
   if (mode == TF_MODES) return false;
-  tf_go_on_in(walk, mode, TF_SLIDE,
-              (tf_segment_t){.side = mode == TF_SLIP_MINUS ? -1 : 1,
-                             .roll = s ? -1 : 1,
-                             .h_zeros = 1});
+  tf_enter_mode(walk, mode, TF_CONTACT_SLIP,
+                (tf_segment_t){.side = mode == TF_SLIP_MINUS ? -1 : 1,
+                               .roll = s ? -1 : 1,
+                               .h_zeros = 1});
   return true;
 }
 
 // h = g = 0 means p = 0 and r z = 0: the wheel turns with the turntable, or the
 // slider passes the axis, whichever of them moves r z now.
-static void put_into_corner(tf_walk_t *walk) {
-  const tf_rates_t rates = tf_walk_rates(walk);
+static void put_into_corner(tf_trajectory_t *walk) {
+  const tf_rates_t rates = tf_trajectory_rates(walk);
   walk->at.p = 0;
   if (rates.vz > rates.rz)
     walk->at.r = 0;
@@ -78,14 +80,14 @@ static void put_into_corner(tf_walk_t *walk) {
     walk->at.z = 0;
 }
 
-TF_API bool tf_leave_corner(tf_walk_t *walk, bool from_minus) {
+TF_API bool tf_leave_codim2(tf_trajectory_t *walk, bool from_minus) {
   const tf_machine_t *k = walk->motion.machine;
   put_into_corner(walk);
-  const tf_rates_t rates = tf_walk_rates(walk);
-  tf_futures_t futures;
-  tf_corner_futures(k, &rates, &futures);
+  const tf_rates_t rates = tf_trajectory_rates(walk);
+  tf_consistent_t futures;
+  tf_codim2_modes(k, &rates, &futures);
   futures.solutions.near_stick = from_minus ? TF_STICK_MINUS : TF_STICK_PLUS;
-  tf_meet(walk, futures.solutions.set);
+  tf_keep_largest_set(walk, futures.solutions.set);
   const unsigned mode =
       tf_select(k->rule, k->exit_threshold, &futures.solutions, walk->mode,
                 walk->state->tick, walk->state->seed);
@@ -99,20 +101,21 @@ TF_API bool tf_leave_corner(tf_walk_t *walk, bool from_minus) {
     segment.side = 1;
     segment.roll = mode == TF_STICK_MINUS ? -1 : 1;
   }
-  tf_go_on_in(walk, mode, TF_DEPART, segment);
+  tf_enter_mode(walk, mode, TF_CONTACT_CODIM2_SLIP, segment);
   return true;
 }
 
-TF_API bool tf_enter(tf_walk_t *walk) {
+TF_API bool tf_first_segment(tf_trajectory_t *walk) {
   const tf_machine_t *k = walk->motion.machine;
-  const tf_slip_t slip = tf_walk_slip(walk);
-  const tf_real_t rounding = tf_walk_rounding(walk);
+  const tf_slip_t slip = tf_trajectory_slip(walk);
+  const tf_real_t rounding = tf_trajectory_rounding(walk);
   if (k->tyre.law == TF_TYRE_NONE) {
     walk->mode = slip.h < 0   ? TF_SLIP_MINUS
                  : slip.h > 0 ? TF_SLIP_PLUS
                               : walk->mode & 1u;
-    walk->segment = (tf_segment_t){.closure = TF_FREE, .side = 1, .roll = 1};
-    tf_meet(walk, TF_MODE_BIT(walk->mode));
+    walk->segment =
+        (tf_segment_t){.closure = TF_CONTACT_NONE, .side = 1, .roll = 1};
+    tf_keep_largest_set(walk, TF_MODE_BIT(walk->mode));
     return true;
   }
   // Where the mode and the signs agree they are believed, however small h or g:
@@ -127,13 +130,13 @@ TF_API bool tf_enter(tf_walk_t *walk) {
   if (h_is_0 && !slips) {
     // A pinned wheel comes from no side, whatever the rounding of omega0 is.
     if (k->stick_kappa > 0 && !rolls && within(slip.g, rounding))
-      return tf_leave_corner(walk, walk->mode != TF_PINNED && slip.g < 0);
-    return tf_leave_surface(walk);
+      return tf_leave_codim2(walk, walk->mode != TF_PINNED && slip.g < 0);
+    return tf_leave_h_zero(walk);
   }
   walk->mode = slip.h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS;
-  walk->segment = (tf_segment_t){.closure = TF_SLIDE,
+  walk->segment = (tf_segment_t){.closure = TF_CONTACT_SLIP,
                                  .side = slip.h > 0 ? 1 : -1,
                                  .roll = slip.g < 0 ? -1 : 1};
-  tf_meet(walk, TF_MODE_BIT(walk->mode));
+  tf_keep_largest_set(walk, TF_MODE_BIT(walk->mode));
   return true;
 }

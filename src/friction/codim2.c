@@ -19,8 +19,8 @@ static quadrant_t quadrant(const tf_machine_t *k, const tf_rates_t *a, int roll,
   const tf_real_t F0 = s * k->tyre.mu * 4 / 3;
   const tf_real_t F1 = -s * k->tyre.mu * k->tyre.inv_18_kappa;
   const tf_real_t M1 = both * k->tyre.mu / 6;
-  const tf_slip_t at0 = turned(k, a->p + F0 * a->Fp, a->q + F0 * a->Fq);
-  const tf_slip_t at1 = turned(k, F1 * a->Fp, F1 * a->Fq + M1 * a->Mq);
+  const tf_slip_t at0 = slip_from_pq(k, a->p + F0 * a->Fp, a->q + F0 * a->Fq);
+  const tf_slip_t at1 = slip_from_pq(k, F1 * a->Fp, F1 * a->Fq + M1 * a->Mq);
   const tf_real_t turn = (tf_real_t)roll;
   return (quadrant_t){turn * at0.g, turn * at1.g, s * at0.h, s * at1.h};
 }
@@ -176,7 +176,7 @@ static bool look_for(const tf_machine_t *k, const quadrant_t *q, bool way_out,
   return found;
 }
 
-TF_API bool tf_corner_attractor(const tf_machine_t *k, const tf_rates_t *a,
+TF_API bool tf_codim2_attractor(const tf_machine_t *k, const tf_rates_t *a,
                                 int roll, int side, tf_real_t *T) {
   const quadrant_t q = quadrant(k, a, roll, side);
   limit_t best = {.speed = 0};
@@ -187,7 +187,7 @@ TF_API bool tf_corner_attractor(const tf_machine_t *k, const tf_rates_t *a,
 
 // The exit on one side of h = 0.
 static void exit_on(const tf_machine_t *k, const tf_rates_t *a, int side,
-                    tf_futures_t *out) {
+                    tf_consistent_t *out) {
   const int slip = side > 0 ? 0 : 1;
   limit_t best = {.speed = 0};
   for (int roll = -1; roll <= 1; roll += 2) {
@@ -200,10 +200,10 @@ static void exit_on(const tf_machine_t *k, const tf_rates_t *a, int side,
   out->solutions.h_limit[slip] = (tf_real_t)side * best.speed;
 }
 
-TF_API void tf_corner_futures(const tf_machine_t *k, const tf_rates_t *a,
-                              tf_futures_t *out) {
+TF_API void tf_codim2_modes(const tf_machine_t *k, const tf_rates_t *a,
+                            tf_consistent_t *out) {
   const tf_real_t mu = k->tyre.mu;
-  *out = (tf_futures_t){.solutions = {.near_stick = TF_STICK_PLUS}};
+  *out = (tf_consistent_t){.solutions = {.near_stick = TF_STICK_PLUS}};
   tf_solutions_t *set = &out->solutions;
   exit_on(k, a, 1, out);
   exit_on(k, a, -1, out);
@@ -211,9 +211,9 @@ TF_API void tf_corner_futures(const tf_machine_t *k, const tf_rates_t *a,
     const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
     const tf_real_t lambda = a->N / a->A[s];
     const tf_real_t moment = sign * k->stick_kappa * lambda;
-    const tf_real_t g =
-        turned(k, a->p + lambda * a->Fp, a->q + lambda * a->Fq + moment * a->Mq)
-            .g;
+    const tf_real_t g = slip_from_pq(k, a->p + lambda * a->Fp,
+                                     a->q + lambda * a->Fq + moment * a->Mq)
+                            .g;
     if (a->A[s] > 0) set->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
     if (!within(lambda, mu) || !(sign * g > 0)) continue;
     set->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);

@@ -1,6 +1,6 @@
 // Which futures an instant has on the surface h = 0.
-#ifndef TF_FUTURES_H
-#define TF_FUTURES_H
+#ifndef TF_CONSISTENT_H
+#define TF_CONSISTENT_H
 
 #include "../model/rates.h"
 #include "twofold/friction.h"
@@ -11,16 +11,16 @@ typedef struct {
   tf_real_t lambda[2]; // of stick+, stick-, where in the set
   tf_real_t T[2];      // cot(psi) along which slip+, slip- leave h = g = 0
   int roll[2];         // and the sign of g there
-} tf_futures_t;
+} tf_consistent_t;
 
 // At g != 0; s: 0 where g > 0, 1 where g < 0.
-TF_INLINE void surface_futures(const tf_machine_t *k, const tf_rates_t *a,
-                               int s, tf_futures_t *out) {
+TF_INLINE void surface_modes(const tf_machine_t *k, const tf_rates_t *a, int s,
+                             tf_consistent_t *out) {
   const tf_real_t Amu = a->A[s] * k->tyre.mu;
   const bool plus = a->N - Amu > 0, minus = a->N + Amu < 0;
   const unsigned stick = TF_STICK_PLUS + (unsigned)s;
   tf_solutions_t *set = &out->solutions;
-  *out = (tf_futures_t){.lambda = {0, 0}};
+  *out = (tf_consistent_t){.lambda = {0, 0}};
   set->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
   set->near_stick = (uint8_t)stick;
   set->h_limit[0] = a->N - Amu;

@@ -6,8 +6,8 @@
 //   between iff both or neither do (intermediate value theorem):
 // neither: one solution, the stick of a positive Delassus scalar; both: three,
 // the stick of a negative one. A division by a scalar near 0 decides nothing.
-#ifndef TF_FRICTION_CORE_H
-#define TF_FRICTION_CORE_H
+#ifndef TF_INCLUSION_H
+#define TF_INCLUSION_H
 
 #include "../num/kernel.h"
 #include "twofold/friction.h"

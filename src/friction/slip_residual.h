@@ -1,10 +1,10 @@
 // How far a force is from the law of slip at the slip that a step ends with:
 // what law_residual leaves open, because it knows the angle in stick alone.
-#ifndef TF_SLIP_LAW_H
-#define TF_SLIP_LAW_H
+#ifndef TF_SLIP_RESIDUAL_H
+#define TF_SLIP_RESIDUAL_H
 
-#include "twofold/machine.h"
 #include "../model/tyre_law.h"
+#include "twofold/machine.h"
 
 // |F - law| + |M - law|, and how far h is on the other side, with 1 m/s counted
 // as 1 N and 1 N m as 1 N. At h = g = 0 every angle is in the law, and what F

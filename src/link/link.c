@@ -3,7 +3,7 @@
 // refused changes nothing.
 #include "twofold/link.h"
 
-#include "../moreau/linear.h"
+#include "../model/kinematics.h"
 
 #define REAL TF_REAL_BYTES
 

@@ -1,7 +1,7 @@
 // Kinematics and energy of the prepared machine.
 #include "twofold/machine.h"
 
-#include "../moreau/linear.h"
+#include "kinematics.h"
 
 TF_API tf_input_t tf_input_default(const tf_machine_t *machine) {
   return (tf_input_t){machine->omega0, machine->r0, 0, 0, 0};

@@ -5,7 +5,7 @@
 #ifndef TF_RATES_H
 #define TF_RATES_H
 
-#include "../moreau/linear.h"
+#include "kinematics.h"
 
 typedef struct {
   tf_real_t p, q;     // p', q' without friction [m/s^2]

@@ -1,7 +1,5 @@
-// Names of the codes and modes: the only text in the core.
+// Names of the status codes.
 #include "twofold/status.h"
-
-#include "twofold/friction.h"
 
 TF_API const char *tf_status_name(tf_status_t status) {
   switch (status) {
@@ -24,10 +22,4 @@ TF_API const char *tf_status_name(tf_status_t status) {
     default:
       return "unknown status";
   }
-}
-
-TF_API const char *tf_mode_name(unsigned mode) {
-  static const char *const names[TF_MODES] = {"slip+", "slip-", "stick+",
-                                              "stick-", "pinned"};
-  return mode < TF_MODES ? names[mode] : "unknown mode";
 }

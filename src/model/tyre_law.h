@@ -1,7 +1,7 @@
 // The paper's tyre law, which is evaluated twice in a step of slip; tyre.c has
 // the other laws.
-#ifndef TF_TYRE_CORE_H
-#define TF_TYRE_CORE_H
+#ifndef TF_TYRE_LAW_H
+#define TF_TYRE_LAW_H
 
 #include "../num/kernel.h"
 #include "twofold/tyre.h"

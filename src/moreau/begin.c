@@ -8,14 +8,14 @@ static unsigned possible_modes(const tf_machine_t *k, tf_slip_t slip,
                                tf_real_t rounding, const tf_rates_t *rates,
                                tf_real_t *lambda) {
   const int s = slip.g < 0;
-  tf_futures_t futures;
+  tf_consistent_t futures;
   if (!tf_tyre_is_set_valued(k->tyre.law))
     return TF_MODE_BIT(slip.h < 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS);
   if (slip.h > rounding) return TF_MODE_BIT(TF_SLIP_PLUS);
   if (slip.h < -rounding) return TF_MODE_BIT(TF_SLIP_MINUS);
   if (within(slip.g, rounding) && k->stick_kappa > 0)
     return TF_MODE_BIT(TF_PINNED);
-  surface_futures(k, rates, s, &futures);
+  surface_modes(k, rates, s, &futures);
   *lambda = futures.lambda[s];
   return futures.solutions.set;
 }

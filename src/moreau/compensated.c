@@ -9,7 +9,7 @@
 // a step ends with, its pairs and those of the step need no stack together.
 // `figure` is the Delassus scalar or, of a single-valued law, the residual.
 static __attribute__((noinline)) tf_status_t finish(
-    const tf_compensated_t *more, tf_state_t *state, tf_carry_t *carry,
+    const tf_compensated_t *more, tf_state_t *state, tf_compensation_t *carry,
     const tf_input_t *input, tf_report_t *report, unsigned set_and_mode,
     tf_status_t status, tf_real_t F, tf_real_t M, tf_real_t dp, tf_real_t dz,
     tf_real_t figure) {
@@ -33,7 +33,8 @@ static __attribute__((noinline)) tf_status_t finish(
 }
 
 TF_RARE tf_status_t step_degraded(const tf_compensated_t *k, tf_state_t *state,
-                                  tf_carry_t *carry, const tf_input_t *input,
+                                  tf_compensation_t *carry,
+                                  const tf_input_t *input,
                                   tf_report_t *report) {
   const motion_t c = motion(&k->machine, state, &(digits_t){k, carry}, input);
   const least_t best = least_violating(&c);
@@ -44,7 +45,7 @@ TF_RARE tf_status_t step_degraded(const tf_compensated_t *k, tf_state_t *state,
 }
 
 TF_RARE bool met_rest(const tf_compensated_t *k, const tf_state_t *state,
-                      const tf_carry_t *carry, const tf_input_t *input,
+                      const tf_compensation_t *carry, const tf_input_t *input,
                       unsigned set, unsigned attracting) {
   const motion_t c = motion(&k->machine, state, &(digits_t){k, carry}, input);
   tf_inclusion_t in = inclusion(&c);
@@ -54,8 +55,9 @@ TF_RARE bool met_rest(const tf_compensated_t *k, const tf_state_t *state,
 
 // Apart from the search of the force for the sake of the stack.
 TF_RARE tf_status_t step_under(const tf_compensated_t *k, tf_state_t *state,
-                               tf_carry_t *carry, const tf_input_t *input,
-                               tf_report_t *report, tf_real_t F, tf_real_t M) {
+                               tf_compensation_t *carry,
+                               const tf_input_t *input, tf_report_t *report,
+                               tf_real_t F, tf_real_t M) {
   const motion_t c = motion(&k->machine, state, &(digits_t){k, carry}, input);
   end_t to;
   tf_real_t rest;
@@ -65,7 +67,8 @@ TF_RARE tf_status_t step_under(const tf_compensated_t *k, tf_state_t *state,
 }
 
 TF_RARE tf_status_t step_single_valued(const tf_compensated_t *k,
-                                       tf_state_t *state, tf_carry_t *carry,
+                                       tf_state_t *state,
+                                       tf_compensation_t *carry,
                                        const tf_input_t *input,
                                        tf_report_t *report) {
   const motion_t c = motion(&k->machine, state, &(digits_t){k, carry}, input);
@@ -75,7 +78,8 @@ TF_RARE tf_status_t step_single_valued(const tf_compensated_t *k,
 }
 
 TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
-                                       tf_state_t *state, tf_carry_t *carry,
+                                       tf_state_t *state,
+                                       tf_compensation_t *carry,
                                        const tf_input_t *input,
                                        tf_report_t *report) {
   const tf_machine_t *k = &machine->machine;

@@ -6,17 +6,17 @@
 // * at the end the increments of p and z are refined once: the residual of (6)
 //   is formed in pairs, and the inverse that solved for them solves for what
 //   they lack. So an epsilon in a coefficient costs an epsilon of an epsilon.
-#ifndef TF_CARRY_H
-#define TF_CARRY_H
+#ifndef TF_COMPENSATION_H
+#define TF_COMPENSATION_H
 
-#include "linear.h"
 #include "../num/pair.h"
+#include "linear.h"
 #include "twofold/compensated.h"
 
 // What is known beyond tf_real_t.
 typedef struct {
   const tf_compensated_t *constants;
-  const tf_carry_t *carry;
+  const tf_compensation_t *carry;
 } digits_t;
 
 // The state, all digits.
@@ -24,7 +24,7 @@ typedef struct {
   pair_t r, v, w;
 } whole_t;
 
-TF_INLINE whole_t whole(const tf_state_t *x, const tf_carry_t *carry) {
+TF_INLINE whole_t whole(const tf_state_t *x, const tf_compensation_t *carry) {
   return (whole_t){{x->r, carry->r}, {x->v, carry->v}, {x->w, carry->w}};
 }
 
@@ -71,7 +71,7 @@ TF_INLINE tf_slip_t slip_after(const tf_machine_t *k, const tf_state_t *x,
                                const tf_linear_t *l, tf_slip_t now,
                                tf_change_t c) {
   const tf_real_t dr = k->dt * x->v + k->theta_dt * (c.p + k->d * c.z);
-  const tf_slip_t by = turned(k, c.p, x->r * c.z + (l->z + c.z) * dr);
+  const tf_slip_t by = slip_from_pq(k, c.p, x->r * c.z + (l->z + c.z) * dr);
   return (tf_slip_t){now.h + by.h, now.g + by.g};
 }
 
@@ -155,7 +155,7 @@ TF_INLINE whole_t whole_rest(const tf_machine_t *k, const whole_t *x,
 
 // The carry of the new state and, where asked for, its angle.
 TF_INLINE void carry_on(const tf_compensated_t *more, tf_state_t *state,
-                        tf_carry_t *carry, const whole_t *to) {
+                        tf_compensation_t *carry, const whole_t *to) {
   const tf_machine_t *k = &more->machine;
   pair_t phi = {state->phi, carry->phi};
   if (k->with_angle) {
@@ -163,7 +163,7 @@ TF_INLINE void carry_on(const tf_compensated_t *more, tf_state_t *state,
     phi = travelled(k, phi, w, difference(to->w, w).hi);
   }
   state->phi = phi.hi;
-  *carry = (tf_carry_t){to->r.lo, to->v.lo, to->w.lo, phi.lo};
+  *carry = (tf_compensation_t){to->r.lo, to->v.lo, to->w.lo, phi.lo};
 }
 
 #endif

@@ -10,8 +10,9 @@
 // without a series - are done by tf_step from the state that they had.
 #include "twofold/ensemble.h"
 
-#include "lanes_solve.h"
 #include "../friction/mode_set.h"
+#include "lanes_solve.h"
+#include "twofold/select.h"
 
 // So many slips cost less one by one than all lanes in vectors.
 #define FEW 3
@@ -136,7 +137,7 @@ TF_INLINE void slip_lane(const tf_machine_t *restrict k,
   const mask_t slips = when(w->side[i] != 0), minus = when(w->side[i] < 0);
   const tf_real_t side = turn_sign(minus, 1);
   const tf_real_t tau = lane_tau(w, minus, i);
-  const tf_slip_t now = turned(k, w->p[i], b->r[i] * w->z[i]);
+  const tf_slip_t now = slip_from_pq(k, w->p[i], b->r[i] * w->z[i]);
   const lane_law_t first = lane_law(&k->tyre, side, now);
   const tf_slip_t at = lane_theta_slip(k, b, w, i, first.x, first.y);
   const lane_law_t law = lane_law(&k->tyre, side, at);
@@ -160,7 +161,7 @@ static void slip_few(const tf_machine_t *restrict k,
   for (int n = 0; n < slips; n++) {
     const int i = w->slipping[n];
     const tf_real_t side = w->side[i], tau = lane_tau(w, when(side < 0), i);
-    const tf_slip_t now = turned(k, w->p[i], b->r[i] * w->z[i]);
+    const tf_slip_t now = slip_from_pq(k, w->p[i], b->r[i] * w->z[i]);
     const tf_multipliers_t first =
         jump_multipliers(&k->tyre, side, now.h, now.g);
     const tf_slip_t at = lane_theta_slip(k, b, w, i, first.x, first.y);

@@ -12,8 +12,8 @@
 #define TF_LANES_H
 
 #include "../friction/inclusion.h"
-#include "linear.h"
 #include "../model/tyre_law.h"
+#include "linear.h"
 
 // As wide as tf_real_t: all ones for true, 0 for false.
 #ifdef TF_REAL_FLOAT
@@ -57,7 +57,7 @@ TF_INLINE tf_real_t turn_sign(mask_t mask, tf_real_t a) {
 typedef struct {
   tf_real_t r, z;
   tf_slip_t free;
-  tf_answer_t F, M;
+  tf_response_t F, M;
 } lane_motion_t;
 
 TF_INLINE lane_motion_t lane_motion(const tf_machine_t *k,
@@ -66,9 +66,9 @@ TF_INLINE lane_motion_t lane_motion(const tf_machine_t *k,
   const tf_real_t p = l->p + l->free.p;
   c.z = l->z + l->free.z;
   c.r = l->r_explicit + k->theta_dt * (p + k->d * c.z);
-  c.free = turned(k, p, c.r * c.z);
-  c.F = answer_of(k, force_response(k, l));
-  c.M = answer_of(k, moment_response(k, l));
+  c.free = slip_from_pq(k, p, c.r * c.z);
+  c.F = response_at_end(k, force_response(k, l));
+  c.M = response_at_end(k, moment_response(k, l));
   return c;
 }
 

@@ -161,7 +161,7 @@ static void h_rays_all(const tf_machine_t *restrict k,
     const mask_t one0 = up0 ^ down0, one1 = up1 ^ down1;
     const mask_t dips0 = when(magnitude(h0.c1) < 2 * magnitude(h0.c2));
     const mask_t dips1 = when(magnitude(h1.c1) < 2 * magnitude(h1.c2));
-    const tf_slip_t now = turned(k, w->p[i], b->r[i] * w->z[i]);
+    const tf_slip_t now = slip_from_pq(k, w->p[i], b->r[i] * w->z[i]);
     const mask_t prefer = when(now.g >= 0);
     w->down[0][i] =
         share_down(w->g_plus[0][i], w->g_minus[0][i], up0, up1, prefer);

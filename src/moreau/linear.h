@@ -6,31 +6,8 @@
 #ifndef TF_LINEAR_H
 #define TF_LINEAR_H
 
-#include "../num/kernel.h"
-#include "twofold/machine.h"
-
-// (h), (g): slip is (p, q) turned by gamma, with q = r z.
-TF_INLINE tf_slip_t turned(const tf_machine_t *k, tf_real_t p, tf_real_t q) {
-  return (tf_slip_t){p * k->minus_sin_gamma - q * k->cos_gamma,
-                     q * k->sin_gamma - p * k->cos_gamma};
-}
-
-TF_INLINE tf_slip_t slip_speeds(const tf_machine_t *k, tf_real_t r, tf_real_t v,
-                                tf_real_t z) {
-  return turned(k, v - k->d * z, r * z);
-}
-
-// One sum instead of three comparisons: NaN and infinity survive into it.
-TF_INLINE bool in_reach(tf_real_t r, tf_real_t v, tf_real_t w) {
-  return within(magnitude(r) + magnitude(v) + magnitude(w), TF_STATE_LIMIT);
-}
-
-TF_INLINE bool in_range(const tf_state_t *x, const tf_input_t *u) {
-  return in_reach(x->r, x->v, x->w) &&
-         within(magnitude(u->omega0) + magnitude(u->r0) + magnitude(u->force) +
-                    magnitude(u->torque) + magnitude(u->alpha),
-                TF_STATE_LIMIT);
-}
+#include "../model/kinematics.h"
+#include "twofold/friction.h"
 
 // A change of the velocities.
 typedef struct {
@@ -140,26 +117,26 @@ TF_INLINE tf_slip_t theta_slip(const tf_machine_t *k, const tf_linear_t *l,
                                tf_real_t r_theta, tf_change_t friction) {
   const tf_real_t p = l->p + k->theta * (l->free.p + friction.p);
   const tf_real_t z = l->z + k->theta * (l->free.z + friction.z);
-  return turned(k, p, r_theta * z);
+  return slip_from_pq(k, p, r_theta * z);
 }
 
 // (8): answers of p, z and r at the end of the step to x and y alone, that is
 // to F = mu and to M = kappa mu.
 typedef struct {
   tf_real_t p, z, r;
-} tf_answer_t;
+} tf_response_t;
 
-TF_INLINE tf_answer_t answer_of(const tf_machine_t *k, tf_change_t c) {
-  return (tf_answer_t){c.p, c.z, k->theta_dt * (c.p + k->d * c.z)};
+TF_INLINE tf_response_t response_at_end(const tf_machine_t *k, tf_change_t c) {
+  return (tf_response_t){c.p, c.z, k->theta_dt * (c.p + k->d * c.z)};
 }
 
 // h and g at the end of the step as forms of x and y: from p+ affine in them
 // and q+ = r+ z+ a product of two affine functions.
 TF_INLINE void slip_forms(const tf_machine_t *k, tf_real_t r, tf_real_t z,
-                          tf_slip_t free, const tf_answer_t *F,
-                          const tf_answer_t *M, tf_form_t *h, tf_form_t *g) {
-  const tf_slip_t f = turned(k, F->p, r * F->z + z * F->r);
-  const tf_slip_t m = turned(k, M->p, r * M->z + z * M->r);
+                          tf_slip_t free, const tf_response_t *F,
+                          const tf_response_t *M, tf_form_t *h, tf_form_t *g) {
+  const tf_slip_t f = slip_from_pq(k, F->p, r * F->z + z * F->r);
+  const tf_slip_t m = slip_from_pq(k, M->p, r * M->z + z * M->r);
   const tf_real_t FF = F->r * F->z, MM = M->r * M->z;
   const tf_real_t FM = F->r * M->z + M->r * F->z;
   *h = (tf_form_t){free.h,

@@ -49,9 +49,9 @@ TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
   return TF_OK;
 }
 
-TF_API tf_status_t tf_place_compensated(const tf_compensated_t *machine,
-                                        tf_state_t *state, tf_carry_t *carry,
-                                        tf_real_t omega0, tf_real_t h) {
+TF_API tf_status_t tf_speed_for_slip_compensated(
+    const tf_compensated_t *machine, tf_state_t *state,
+    tf_compensation_t *carry, tf_real_t omega0, tf_real_t h) {
   const tf_machine_t *k = &machine->machine;
   if (!(magnitude(k->sin_gamma) >= TF_R(1e-6))) return TF_BAD_STATE;
   const pair_t r = {state->r, carry->r}, w = {state->w, carry->w};

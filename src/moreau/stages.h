@@ -1,17 +1,18 @@
 // The parts of a step of set-valued or single-valued friction, inline, for two
 // steps: with `more` NULL the plain one, else the compensated one (carry.h).
 // Which is known where these are inlined, so neither has a thing of the other.
-#ifndef TF_STEP_CORE_H
-#define TF_STEP_CORE_H
+#ifndef TF_STAGES_H
+#define TF_STAGES_H
 
 #include <stddef.h>
 
-#include "compensation.h"
 #include "../friction/inclusion.h"
-#include "linear.h"
 #include "../friction/mode_set.h"
-#include "twofold/step.h"
 #include "../model/tyre_law.h"
+#include "compensation.h"
+#include "linear.h"
+#include "twofold/select.h"
+#include "twofold/step.h"
 
 // How near to h = g = 0 the way of a slip must pass, as a share of its length.
 #define TF_NEAR TF_R(0.5)
@@ -23,9 +24,9 @@ typedef struct {
   const digits_t *more; // NULL: a plain step
   tf_slip_t now;        // slip at the start, of a compensated step
   tf_linear_t linear;
-  tf_real_t r, z;   // end of the step without friction
-  tf_slip_t free;   // its slip
-  tf_answer_t F, M; // answers to F = mu, M = kappa mu
+  tf_real_t r, z;     // end of the step without friction
+  tf_slip_t free;     // its slip
+  tf_response_t F, M; // answers to F = mu, M = kappa mu
 } motion_t;
 
 // The machine of a motion. A build for one scene knows it where it compiles.
@@ -44,15 +45,16 @@ TF_INLINE motion_t motion(const tf_machine_t *k, const tf_state_t *state,
   c.z = c.linear.z + c.linear.free.z;
   c.r = c.linear.r_explicit + k->theta_dt * (p + k->d * c.z);
   c.free = more ? slip_after(k, state, &c.linear, c.now, c.linear.free)
-                : turned(k, p, c.r * c.z);
-  c.F = answer_of(k, force_response(k, &c.linear));
-  c.M = answer_of(k, moment_response(k, &c.linear));
+                : slip_from_pq(k, p, c.r * c.z);
+  c.F = response_at_end(k, force_response(k, &c.linear));
+  c.M = response_at_end(k, moment_response(k, &c.linear));
   return c;
 }
 
 TF_INLINE tf_slip_t slip_now(const motion_t *c) {
   if (c->more) return c->now;
-  return turned(TF_API_MACHINE(c), c->linear.p, c->state->r * c->linear.z);
+  return slip_from_pq(TF_API_MACHINE(c), c->linear.p,
+                      c->state->r * c->linear.z);
 }
 
 TF_INLINE tf_slip_t slip_at_theta(const motion_t *c, tf_change_t friction) {
@@ -286,8 +288,8 @@ TF_INLINE tf_force_t secant_force(const motion_t *c, tf_slip_t at,
   const tf_machine_t *k = TF_API_MACHINE(c);
   const tf_force_t f = single_valued_law(k, at);
   if (at.h == 0) return f;
-  const tf_answer_t a = answer_of(k, response(k, &c->linear, f));
-  const tf_real_t E = turned(k, a.p, c->r * a.z + c->z * a.r).h / at.h;
+  const tf_response_t a = response_at_end(k, response(k, &c->linear, f));
+  const tf_real_t E = slip_from_pq(k, a.p, c->r * a.z + c->z * a.r).h / at.h;
   if (!(E < 0)) return f;
   const tf_real_t h =
       (h_now + k->theta * (c->free.h - h_now)) / (1 - k->theta * E);

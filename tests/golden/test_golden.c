@@ -16,12 +16,13 @@ typedef enum { MOREAU, LOCATED, COMPENSATED } scheme_t;
 
 typedef struct {
   tf_compensated_t machine;
-  tf_carry_t carry;
+  tf_compensation_t carry;
 } build_t;
 
 static tf_status_t step(scheme_t scheme, build_t *b, tf_state_t *x,
                         const tf_input_t *u, tf_report_t *report) {
-  if (scheme == LOCATED) return tf_locate(&b->machine.machine, x, u, report);
+  if (scheme == LOCATED)
+    return tf_step_located(&b->machine.machine, x, u, report);
   if (scheme == COMPENSATED)
     return tf_step_compensated(&b->machine, x, &b->carry, u, report);
   return tf_step(&b->machine.machine, x, u, report);

@@ -27,8 +27,8 @@ TEST(golden_steps) {
 }
 
 TEST(golden_located_steps) {
-  check_golden("locate", hash_of_steps(tf_locate, 12000, 6));
-  check_golden("locate on a board", hash_of_steps(tf_locate, 100, 2));
+  check_golden("locate", hash_of_steps(tf_step_located, 12000, 6));
+  check_golden("locate on a board", hash_of_steps(tf_step_located, 100, 2));
 }
 
 TEST(golden_compensated_steps) {
@@ -44,12 +44,12 @@ TEST(golden_compensated_steps) {
     tf_input_t u = any_input(&d, &k.machine);
     tf_state_t x = any_state(&d, &k.machine, &u);
     tf_report_t report;
-    tf_carry_t carry = {0, 0, 0, 0};
+    tf_compensation_t carry = {0, 0, 0, 0};
     const tf_status_t begun = tf_begin(&k.machine, &x, &u, &report);
     if (n % 2) {
       const tf_real_t h = between(&d, -1, 1);
       const tf_status_t placed =
-          tf_place_compensated(&k, &x, &carry, u.omega0, h);
+          tf_speed_for_slip_compensated(&k, &x, &carry, u.omega0, h);
       mix_small(&d, (unsigned)placed);
     }
     for (int i = 0; i < 8 && begun == TF_OK; i++) {
@@ -183,9 +183,9 @@ TEST(golden_two_folds) {
     tf_machine_t k;
     if (any_machine(&d, n, &k) != TF_OK) continue;
     const tf_input_t u = any_input(&d, &k);
-    tf_place_t places[TF_TWO_FOLDS];
+    tf_surface_point_t places[TF_TWO_FOLDS];
     int count = 0;
-    tf_lack_t lack = TF_LACK_NONE;
+    tf_absence_t lack = TF_ABSENCE_NONE;
     const tf_status_t status = tf_two_folds(&k, &u, places, &count, &lack);
     mix_small(&d, (unsigned)status);
     mix_small(&d, (unsigned)count);
@@ -207,8 +207,8 @@ TEST(golden_wishes) {
     if (any_machine(&d, n, &k) != TF_OK) continue;
     const tf_input_t u = any_input(&d, &k);
     const tf_state_t x = any_state(&d, &k, &u);
-    tf_wish_t wish;
-    const tf_status_t status = tf_two_fold_wish(&k, &u, x.r, x.w, &wish);
+    tf_design_t wish;
+    const tf_status_t status = tf_design_two_fold(&k, &u, x.r, x.w, &wish);
     mix_small(&d, (unsigned)status);
     mix_real(&d, wish.kappa);
     mix_real(&d, wish.k2);

@@ -79,7 +79,7 @@ TEST(branch_at_rest_is_independent_of_the_step_size) {
   const double finest = sizeof(tf_real_t) == 8 ? 1e-5 : 1e-4;
   for (size_t i = 0; i < sizeof found / sizeof *found; i++) {
     tf_state_t located, x;
-    CHECK(run(&found[i], tf_locate, 1, 997, &located) == 0);
+    CHECK(run(&found[i], tf_step_located, 1, 997, &located) == 0);
     for (int j = 0; j < 60; j++) {
       const long n = steps_between(finest, 1e-3, 1);
       CHECK(run(&found[i], tf_step, 1, n, &x) == 0);
@@ -159,7 +159,7 @@ TEST(a_slip_that_passes_by_does_not_rest) {
     tf_report_t report;
     const tf_state_t x = one_step(&steps[i], tf_step, &report);
     const unsigned set = report.set;
-    const tf_state_t located = one_step(&steps[i], tf_locate, &report);
+    const tf_state_t located = one_step(&steps[i], tf_step_located, &report);
     CHECK(located.mode <= TF_SLIP_MINUS);
     CHECK(x.mode == located.mode && set == TF_MODE_BIT(x.mode));
   }
@@ -167,7 +167,7 @@ TEST(a_slip_that_passes_by_does_not_rest) {
 
 /* Random machines on which `located` itself does not depend on its step and
  * ends in stick. Of two slips that leave h = g = 0 the faster is taken, which
- * tf_step tells by the force at h -> 0 and tf_locate by the limit direction:
+ * tf_step tells by the force at h -> 0 and tf_step_located by the limit direction:
  * where those disagree so do the schemes. A motion that just misses h = g = 0
  * needs a step small enough to see that. */
 TEST(random_machines_take_one_branch) {
@@ -187,8 +187,9 @@ TEST(random_machines_take_one_branch) {
                  .omega = tap_uniform(-1.15, -0.85)};
     if (i % 2) s.h = tap_uniform(-0.1, 0.1);
     tf_state_t a, b, x;
-    if (run(&s, tf_locate, end, 600, &a) != 0) continue;
-    if (run(&s, tf_locate, end, 211, &b) != 0 || a.mode != b.mode) continue;
+    if (run(&s, tf_step_located, end, 600, &a) != 0) continue;
+    if (run(&s, tf_step_located, end, 211, &b) != 0 || a.mode != b.mode)
+      continue;
     if (a.mode <= TF_SLIP_MINUS || fabs((double)(a.r - b.r)) > 1e-6) continue;
     met++;
     for (int j = 0; j < 4; j++) {

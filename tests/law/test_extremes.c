@@ -15,13 +15,13 @@ static tf_status_t moreau(const tf_compensated_t *k, tf_state_t *x,
 
 static tf_status_t located(const tf_compensated_t *k, tf_state_t *x,
                            const tf_input_t *u, tf_report_t *report) {
-  return tf_locate(&k->machine, x, u, report);
+  return tf_step_located(&k->machine, x, u, report);
 }
 
 /* One step at a time: nothing to carry along. */
 static tf_status_t compensated(const tf_compensated_t *k, tf_state_t *x,
                                const tf_input_t *u, tf_report_t *report) {
-  tf_carry_t carry = {0};
+  tf_compensation_t carry = {0};
   const tf_status_t status = tf_step_compensated(k, x, &carry, u, report);
   CHECK(isfinite(carry.r) && isfinite(carry.v) && isfinite(carry.w));
   return status;

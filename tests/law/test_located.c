@@ -58,7 +58,7 @@ static long advance(problem_t *p, long n) {
   tf_report_t report;
   long not_ok = 0;
   for (long i = 0; i < n; i++)
-    not_ok += tf_locate(&p->machine, &p->state, &u, &report) != TF_OK;
+    not_ok += tf_step_located(&p->machine, &p->state, &u, &report) != TF_OK;
   return not_ok;
 }
 
@@ -198,7 +198,8 @@ TEST(located_two_fold_in_one_step) {
     tf_report_t report;
     int seen = 0;
     for (long i = 0; i < n; i++) {
-      const tf_status_t status = tf_locate(&p.machine, &p.state, &u, &report);
+      const tf_status_t status =
+          tf_step_located(&p.machine, &p.state, &u, &report);
       if (IS_DOUBLE) CHECK(status == TF_OK);
       const double when = (double)p.machine.dt * (double)(i + 1);
       if (when < 1 || report.choices != 3 || seen++) continue;
@@ -256,7 +257,7 @@ TEST(located_switches_are_in_the_right_step) {
     int seen = 0;
     for (long i = 0; i < n && seen < 4; i++) {
       const uint8_t mode = p.state.mode;
-      tf_locate(&p.machine, &p.state, &u, &report);
+      tf_step_located(&p.machine, &p.state, &u, &report);
       /* The two-fold shows by its three futures. */
       if (mode == p.state.mode && !(seen == 3 && report.choices == 3)) continue;
       CHECK(mode == before[seen]);
@@ -276,7 +277,7 @@ TEST(located_stick_is_exact) {
   tf_report_t report;
   int sticks = 0;
   for (long i = 0; i < 100000; i++) {
-    CHECK(tf_locate(&p.machine, &p.state, &u, &report) >= 0);
+    CHECK(tf_step_located(&p.machine, &p.state, &u, &report) >= 0);
     if (report.mode != TF_STICK_PLUS && report.mode != TF_STICK_MINUS) continue;
     sticks++;
     CHECK(fabs((double)report.slip.h) <= 4 * (double)TF_REAL_EPSILON);
@@ -298,7 +299,7 @@ TEST(located_falls_back_and_says_so) {
   for (int i = 0; i < 100; i++) {
     tf_state_t same = p.state;
     tf_report_t report, same_report;
-    const tf_status_t s = tf_locate(&p.machine, &p.state, &u, &report);
+    const tf_status_t s = tf_step_located(&p.machine, &p.state, &u, &report);
     const tf_status_t t = tf_step(&p.machine, &same, &u, &same_report);
     if (s != TF_FELL_BACK) continue;
     fell_back++;
@@ -319,15 +320,16 @@ TEST(located_refuses_what_it_cannot_take) {
   tf_report_t report;
   for (int i = 0; i < 3; i++) {
     p.machine.tyre.law = single[i];
-    CHECK(tf_locate(&p.machine, &p.state, &u, &report) == TF_BAD_PARAMETER);
+    CHECK(tf_step_located(&p.machine, &p.state, &u, &report) ==
+          TF_BAD_PARAMETER);
     CHECK(!memcmp(&p.state, &start, sizeof start));
   }
   p.machine.tyre.law = TF_TYRE_JUMP;
   p.state.v = (tf_real_t)NAN;
-  CHECK(tf_locate(&p.machine, &p.state, &u, &report) == TF_BAD_STATE);
+  CHECK(tf_step_located(&p.machine, &p.state, &u, &report) == TF_BAD_STATE);
   p.state = start;
   p.state.mode = TF_MODES;
-  CHECK(tf_locate(&p.machine, &p.state, &u, &report) == TF_BAD_STATE);
+  CHECK(tf_step_located(&p.machine, &p.state, &u, &report) == TF_BAD_STATE);
   CHECK(report.status == TF_BAD_STATE);
 }
 
@@ -353,7 +355,7 @@ TEST(located_agrees_with_moreau) {
     q.dt = TF_R(2e-5);
     CHECK(tf_prepare(&b.machine, &q, NULL) == TF_OK);
     for (int j = 0; j < 50; j++) {
-      CHECK(tf_locate(&a.machine, &a.state, &u, &report) >= 0);
+      CHECK(tf_step_located(&a.machine, &a.state, &u, &report) >= 0);
       open += report.choices > 1;
     }
     for (int j = 0; j < 25000; j++) {
@@ -386,7 +388,7 @@ TEST(located_follows_a_ramp) {
     for (long j = 0; j < n; j++) {
       const tf_input_t u = tf_scene_input(
           scene, &p.machine, (tf_real_t)(3.0 * (double)(j + 1) / (double)n));
-      CHECK(tf_locate(&p.machine, &p.state, &u, &report) >= 0);
+      CHECK(tf_step_located(&p.machine, &p.state, &u, &report) >= 0);
     }
     end[i] = p.state;
   }

@@ -29,7 +29,7 @@ static tf_status_t begin(sim_t *s, double r, double w, double h,
 }
 
 static tf_status_t locate(sim_t *s) {
-  return tf_locate(&s->machine, &s->state, &s->input, &s->report);
+  return tf_step_located(&s->machine, &s->state, &s->input, &s->report);
 }
 
 static paper_t paper_of(const tf_machine_t *k) {
@@ -268,7 +268,7 @@ TEST(located_set_holds_the_mode) {
   CHECK(steps > 10000 && open > 100);
 }
 
-/* Segments beyond TF_LOCATE_SEGMENTS are coarser only where those that may
+/* Segments beyond TF_LOCATED_SEGMENTS are coarser only where those that may
  * still be spent would not do: on a slider without contact, whose segments are
  * of one length, and at a tolerance that allows hardly longer ones, no step is
  * called coarse that is far from falling back. */

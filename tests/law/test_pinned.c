@@ -51,7 +51,7 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
       const hold_t midway = hold(&p, wide(x.r), half, wide(u.alpha));
       u.omega0 += u.alpha * k.dt;
       by = hold(&p, wide(x.r), wide(u.omega0), wide(u.alpha));
-      const tf_status_t status = tf_locate(&k, &x, &u, &report);
+      const tf_status_t status = tf_step_located(&k, &x, &u, &report);
       const bool rests = x.mode == TF_PINNED && x.r == start;
       if (status == TF_OK && rests) CHECK(margin(&p, by) >= -slack);
       if (rests && fminl(margin(&p, midway), margin(&p, by)) > slack) {
@@ -88,7 +88,8 @@ TEST(machine_at_rest_stays_pinned) {
       tf_report_t report;
       CHECK(tf_begin(&k, &x, &u, &report) == TF_OK);
       for (int n = 0; n < 5; n++) {
-        CHECK((scheme ? tf_locate : tf_step)(&k, &x, &u, &report) >= TF_OK);
+        CHECK((scheme ? tf_step_located : tf_step)(&k, &x, &u, &report) >=
+              TF_OK);
         CHECK(x.mode == TF_PINNED && x.r == q.r0 && x.v == 0 && x.w == 0);
         CHECK(report.force.F == 0 && report.force.M == 0);
         CHECK(!(report.set &

@@ -190,7 +190,7 @@ static int is_located(const reference_t *ref) {
 TEST(events_come_in_the_order_of_the_reference) {
   for (int i = 0; i < REFERENCES; i++) {
     check_phases(tf_step, references[i]);
-    if (is_located(references[i])) check_phases(tf_locate, references[i]);
+    if (is_located(references[i])) check_phases(tf_step_located, references[i]);
   }
 }
 
@@ -203,7 +203,7 @@ TEST(located_steps_keep_to_the_reference) {
     if (!is_located(ref)) continue;
     for (int j = 0; j < 2; j++) {
       int coarse = 0;
-      const double error = error_of(tf_locate, ref, steps[j], &coarse);
+      const double error = error_of(tf_step_located, ref, steps[j], &coarse);
       printf("# %-12s error %.2e at dt = %.2e, %d coarse\n", ref->name, error,
              (double)ref->t_grid / 16 / steps[j], coarse);
       CHECK(error <= (!IS_DOUBLE ? 5e-4 : coarse ? 1e-6 : 1e-9));

@@ -164,7 +164,7 @@ static int agreeing(const kind_t *kind, int map, int most) {
   tf_input_t u = tf_input_default(&a);
   u.force = uniform(-0.1, 0.1);
   u.torque = uniform(-0.1, 0.1);
-  u.alpha = kind->step == tf_locate ? uniform(-0.5, 0.5) : 0;
+  u.alpha = kind->step == tf_step_located ? uniform(-0.5, 0.5) : 0;
   const tf_input_t v = mapped_input(map, u);
   tf_state_t x = state_at_random(&a, &u), y = mapped_state(map, x);
   tf_report_t first = {.status = TF_OK}, second = {.status = TF_OK};
@@ -183,7 +183,7 @@ static int agreeing(const kind_t *kind, int map, int most) {
 
 TEST(steps_in_other_units) {
   static const kind_t kinds[] = {{tf_step, "step", 1e-4, 5e-2},
-                                 {tf_locate, "locate", 1e-3, 0.3}};
+                                 {tf_step_located, "locate", 1e-3, 0.3}};
   for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
     for (int map = 0; map < MAPS; map++)
       for (int trial = 0; trial < 1500; trial++) {

@@ -71,7 +71,7 @@ TEST(a_lost_slip_reports_what_was_consistent) {
     CHECK(off[report.slip.g < 0] < off[report.slip.g >= 0]);
     /* The step that carries its rounding says the same. */
     tf_compensated_t more;
-    tf_carry_t carry = {0};
+    tf_compensation_t carry = {0};
     tf_report_t other;
     tf_state_t y = {.r = (tf_real_t)f->r,
                     .v = (tf_real_t)f->v,
@@ -154,7 +154,7 @@ TEST(a_degraded_step_is_the_same_compensated) {
     tf_params_t p = random_params();
     tf_compensated_t k;
     tf_report_t report, twin;
-    tf_carry_t carry = {0, 0, 0, 0};
+    tf_compensation_t carry = {0, 0, 0, 0};
     p.dt = (tf_real_t)pow(10, tap_uniform(-3, -0.3));
     p.theta = uniform(0.5, 1);
     p.kappa = uniform(0.05, 3);

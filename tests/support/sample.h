@@ -61,7 +61,7 @@ typedef struct {
   tf_machine_t machine;
   tf_input_t input;
   paper_t paper;
-  tf_wish_t wish;
+  tf_design_t wish;
   real x[3], c2; /* clock^2 */
   int s;
 } sample_t;
@@ -75,7 +75,7 @@ static inline sample_t random_two_fold(void) {
     c.input = tf_input_default(&c.machine);
     const tf_real_t r = uniform(-0.6, 0.6);
     const tf_real_t w = c.input.omega0 + uniform(-2, 2);
-    if (tf_two_fold_wish(&c.machine, &c.input, r, w, &c.wish) != TF_OK)
+    if (tf_design_two_fold(&c.machine, &c.input, r, w, &c.wish) != TF_OK)
       continue;
     if (c.wish.k2 > 100 || c.wish.kappa > 5) continue;
     c.params.kappa = c.wish.kappa;

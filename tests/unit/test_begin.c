@@ -297,7 +297,7 @@ TEST(begin_refuses_sums_beyond_the_limit) {
         if (apart) continue;
         x.mode = TF_SLIP_PLUS;
         CHECK(tf_step(&machine, &x, &u, &report) == TF_BAD_STATE);
-        CHECK(tf_locate(&machine, &x, &u, &report) == TF_BAD_STATE);
+        CHECK(tf_step_located(&machine, &x, &u, &report) == TF_BAD_STATE);
       }
 }
 

@@ -219,7 +219,7 @@ TEST(no_inertia_left_is_refused) {
       const tf_input_t u = tf_input_default(&k.machine);
       tf_state_t x = {.r = 1, .v = num(less ? -0.75 : -1), .w = 1};
       tf_state_t twin = x;
-      tf_carry_t carry = {0, 0, 0, 0};
+      tf_compensation_t carry = {0, 0, 0, 0};
       tf_report_t report;
       const tf_status_t status = tf_step(&k.machine, &x, &u, &report);
       CHECK((status == TF_STEP_TOO_LONG) == !less);

@@ -14,7 +14,7 @@ typedef struct {
   tf_compensated_t machine;
   tf_params_t params;
   tf_state_t state;
-  tf_carry_t carry;
+  tf_compensation_t carry;
   tf_input_t input;
 } run_t;
 
@@ -39,8 +39,8 @@ static run_t begun(const tf_scene_t *scene, double dt) {
   run.state.v = scene->v;
   run.state.seed = 1;
   if (!scene->v_is_given)
-    CHECK(tf_place_compensated(&run.machine, &run.state, &run.carry,
-                               run.input.omega0, scene->h) == TF_OK);
+    CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state, &run.carry,
+                                        run.input.omega0, scene->h) == TF_OK);
   run.state.mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_MODES);
   CHECK(tf_begin(&run.machine.machine, &run.state, &run.input, &report) ==
         TF_OK);
@@ -106,8 +106,8 @@ TEST(placed_start_has_its_slip) {
     run.carry.r = run.state.r * TF_REAL_EPSILON * uniform(-0.25, 0.25);
     run.carry.w = run.state.w * TF_REAL_EPSILON * uniform(-0.25, 0.25);
     const tf_real_t h = uniform(0, 1) * (i % 2 ? 1 : TF_R(1e-10));
-    CHECK(tf_place_compensated(&run.machine, &run.state, &run.carry,
-                               run.input.omega0, h) == TF_OK);
+    CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state, &run.carry,
+                                        run.input.omega0, h) == TF_OK);
     const paper_t paper = paper_of(&run.params);
     real x[4];
     whole_state(&run, x);
@@ -116,16 +116,17 @@ TEST(placed_start_has_its_slip) {
   }
   run_t run = begun(scene_named("gamma_zero"), 1e-4);
   const tf_real_t v = run.state.v;
-  CHECK(tf_place_compensated(&run.machine, &run.state, &run.carry, -1, 0) ==
-        TF_BAD_STATE);
+  CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state, &run.carry, -1,
+                                      0) == TF_BAD_STATE);
   CHECK(run.state.v == v && run.carry.v == 0);
   run = begun(tf_scenes[0], 1e-4);
   for (int i = -1; i <= 1; i++) { /* about the border of 1e-6 rad */
     run.params.gamma = TF_R(1e-6) * (1 + TF_R(0.1) * (tf_real_t)i);
     CHECK(tf_prepare_compensated(&run.machine, &run.params, NULL) == TF_OK);
     if (i == 0) run.machine.machine.sin_gamma = TF_R(-1e-6);
-    CHECK(tf_place_compensated(&run.machine, &run.state, &run.carry, -1, 0) ==
-          (i < 0 ? TF_BAD_STATE : TF_OK));
+    CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state, &run.carry,
+                                        -1,
+                                        0) == (i < 0 ? TF_BAD_STATE : TF_OK));
   }
 }
 

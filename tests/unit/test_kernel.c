@@ -3,7 +3,7 @@
  * place (ULP) of the real type, over the whole range that the header admits
  * and at the points where such code breaks: borders of the range reduction,
  * subnormal arguments, the numbers next to multiples of pi/2. */
-#include "moreau/linear.h"
+#include "model/kinematics.h"
 #include "tap.h"
 #include "twofold.h"
 

@@ -166,12 +166,12 @@ TEST(driven_two_fold_is_the_second_rate) {
     input.force = uniform(-1, 1);
     input.torque = uniform(-0.5, 0.5);
     input.alpha = uniform(-1, 1);
-    tf_place_t at[TF_TWO_FOLDS];
+    tf_surface_point_t at[TF_TWO_FOLDS];
     int count = 0;
     CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
     for (int j = 0; j < count; j++) {
       tf_two_fold_t n;
-      const tf_place_t *x = &at[j];
+      const tf_surface_point_t *x = &at[j];
       CHECK(tf_normal_form(&machine, &input, x, &n) == TF_OK);
       const real speed = fabsl(wide(n.plus.v)) + fabsl(wide(n.plus.w)) +
                          fabsl(wide(n.minus.v)) + fabsl(wide(n.minus.w));

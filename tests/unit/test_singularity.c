@@ -3,30 +3,30 @@
 #include "sample.h"
 
 TEST(reasons_and_types_have_names) {
-  for (unsigned i = 0; i < TF_LACKS; i++) {
-    CHECK(tf_lack_name(i)[0]);
+  for (unsigned i = 0; i < TF_ABSENCES; i++) {
+    CHECK(tf_absence_name(i)[0]);
     for (unsigned j = 0; j < i; j++)
-      CHECK(strcmp(tf_lack_name(i), tf_lack_name(j)) != 0);
+      CHECK(strcmp(tf_absence_name(i), tf_absence_name(j)) != 0);
   }
   static const char *const types[] = {"invisible",         "visible",
                                       "visible-invisible", "degenerate",
                                       "continuous",        "unknown"};
   for (unsigned i = 0; i <= TF_FOLDS; i++)
     CHECK(!strcmp(tf_folds_name(i), types[i]));
-  CHECK(!strcmp(tf_lack_name(TF_LACKS), "unknown"));
-  for (unsigned i = TF_LACK_MOMENT; i <= TF_LACK_ARM; i++)
-    CHECK(strstr(tf_lack_name(i), "positive everywhere"));
+  CHECK(!strcmp(tf_absence_name(TF_ABSENCES), "unknown"));
+  for (unsigned i = TF_ABSENCE_MOMENT; i <= TF_ABSENCE_ARM; i++)
+    CHECK(strstr(tf_absence_name(i), "positive everywhere"));
 }
 
 TEST(two_fold_of_the_paper_is_found) {
   const tf_params_t params = tf_scenes[0]->params;
   const tf_machine_t machine = prepared(&params);
   const tf_input_t input = tf_input_default(&machine);
-  tf_place_t at[TF_TWO_FOLDS];
-  tf_lack_t lack = TF_LACK_LAW;
+  tf_surface_point_t at[TF_TWO_FOLDS];
+  tf_absence_t lack = TF_ABSENCE_LAW;
   int count = -1;
   CHECK(tf_two_folds(&machine, &input, at, &count, &lack) == TF_OK);
-  CHECK(count == 2 && lack == TF_LACK_NONE);
+  CHECK(count == 2 && lack == TF_ABSENCE_NONE);
   CHECK_NEAR(wide(at[0].r), PAPER_R_STAR, 8 * EPSILON);
   CHECK_NEAR(wide(at[0].w), PAPER_W_STAR, 16 * EPSILON);
   CHECK_NEAR(wide(at[0].v), -0.0301217L, 16 * EPSILON);
@@ -43,7 +43,7 @@ TEST(two_fold_of_the_paper_is_found) {
 TEST(numbers_of_the_paper) {
   const tf_machine_t machine = prepared(&tf_scenes[0]->params);
   const tf_input_t input = tf_input_default(&machine);
-  tf_place_t at[TF_TWO_FOLDS];
+  tf_surface_point_t at[TF_TWO_FOLDS];
   int count = 0;
   tf_two_fold_t n;
   CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
@@ -98,8 +98,8 @@ static real bisected(const paper_t *p, real low, real high, int s) {
 
 /* Counts the two-folds of one machine by a search, and those of them that are
  * in the list; -1 where a double root is too near to tell. */
-static int searched(const paper_t *p, const tf_place_t *list, int listed,
-                    int *hits) {
+static int searched(const paper_t *p, const tf_surface_point_t *list,
+                    int listed, int *hits) {
   int count = 0;
   for (int k = 0; k < 4; k++) {
     const int s = k & 1 ? 1 : -1, side = k & 2 ? 1 : -1;
@@ -137,7 +137,7 @@ TEST(damped_two_folds_keep_their_digits) {
     params.c2 = uniform(500, 5000);
     const tf_machine_t machine = prepared(&params);
     const tf_input_t input = tf_input_default(&machine);
-    tf_place_t at[TF_TWO_FOLDS];
+    tf_surface_point_t at[TF_TWO_FOLDS];
     int count = -1;
     CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
     for (int j = 0; j < count; j++) {
@@ -164,7 +164,7 @@ TEST(every_two_fold_is_found) {
     const real edge = paper.kappa * fabsl(cosl(paper.gamma)) -
                       2 * paper.beta * fabsl(sinl(paper.gamma));
     if (fabsl(edge) < 0.02L) continue;
-    tf_place_t at[TF_TWO_FOLDS];
+    tf_surface_point_t at[TF_TWO_FOLDS];
     int count = -1, hits = 0;
     CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
     const int want = searched(&paper, at, count, &hits);
@@ -196,7 +196,7 @@ TEST(a_machine_may_have_eight_two_folds) {
   const tf_machine_t machine = prepared(&params);
   const tf_input_t input = tf_input_default(&machine);
   const paper_t paper = paper_of(&params);
-  tf_place_t at[TF_TWO_FOLDS];
+  tf_surface_point_t at[TF_TWO_FOLDS];
   int count = 0, hits = 0, first_cases = 0;
   CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
   CHECK(count == 8);
@@ -225,7 +225,7 @@ TEST(gamma_zero_has_a_continuous_two_fold) {
     const tf_machine_t machine = prepared(&params);
     const tf_input_t input = tf_input_default(&machine);
     const paper_t p = paper_of(&params);
-    tf_place_t at[TF_TWO_FOLDS];
+    tf_surface_point_t at[TF_TWO_FOLDS];
     int count = 0;
     CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
     CHECK(count == 1);
@@ -254,11 +254,11 @@ TEST(gamma_zero_has_a_continuous_two_fold) {
   }
 }
 
-static tf_lack_t lack_of(const tf_params_t *params, int *count) {
+static tf_absence_t lack_of(const tf_params_t *params, int *count) {
   const tf_machine_t machine = prepared(params);
   const tf_input_t input = tf_input_default(&machine);
-  tf_place_t at[TF_TWO_FOLDS];
-  tf_lack_t lack = TF_LACK_NONE;
+  tf_surface_point_t at[TF_TWO_FOLDS];
+  tf_absence_t lack = TF_ABSENCE_NONE;
   *count = -1;
   CHECK(tf_two_folds(&machine, &input, at, count, &lack) == TF_OK);
   return lack;
@@ -270,7 +270,7 @@ TEST(gamma_right_has_no_two_fold) {
   for (int i = 0; i < 200; i++) {
     params.gamma = (tf_real_t)(i & 1 ? PAPER_PI / 2 : -PAPER_PI / 2);
     params.kappa = uniform(0.001, 5);
-    CHECK(lack_of(&params, &count) == TF_LACK_ARM);
+    CHECK(lack_of(&params, &count) == TF_ABSENCE_ARM);
     CHECK(count == 0);
     const paper_t p = paper_of(&params);
     /* The borders of stick are 2 mu / m apart, everywhere. */
@@ -288,29 +288,29 @@ TEST(gamma_right_has_no_two_fold) {
 TEST(machines_without_two_folds_say_why) {
   tf_params_t params = tf_scenes[0]->params;
   int count = -1;
-  CHECK(lack_of(&params, &count) == TF_LACK_NONE && count == 2);
+  CHECK(lack_of(&params, &count) == TF_ABSENCE_NONE && count == 2);
   params.mu = 0;
-  CHECK(lack_of(&params, &count) == TF_LACK_LAW && count == 0);
+  CHECK(lack_of(&params, &count) == TF_ABSENCE_LAW && count == 0);
   params = tf_scenes[0]->params;
   params.law = TF_TYRE_COULOMB;
-  CHECK(lack_of(&params, &count) == TF_LACK_MOMENT && count == 0);
+  CHECK(lack_of(&params, &count) == TF_ABSENCE_MOMENT && count == 0);
   params.law = TF_TYRE_NONE;
-  CHECK(lack_of(&params, &count) == TF_LACK_LAW && count == 0);
+  CHECK(lack_of(&params, &count) == TF_ABSENCE_LAW && count == 0);
   params = tf_scenes[0]->params;
   params.kappa = TF_R(0.0999); /* 2 beta tan(gamma) = 0.1 */
-  CHECK(lack_of(&params, &count) == TF_LACK_ARM && count == 0);
+  CHECK(lack_of(&params, &count) == TF_ABSENCE_ARM && count == 0);
   params.kappa = TF_R(0.1001);
-  CHECK(lack_of(&params, &count) != TF_LACK_ARM);
+  CHECK(lack_of(&params, &count) != TF_ABSENCE_ARM);
   bool seen = false;
   for (int i = 0; i < 1000 && !seen; i++) {
     params = random_params();
-    seen = lack_of(&params, &count) == TF_LACK_BALANCE;
+    seen = lack_of(&params, &count) == TF_ABSENCE_BALANCE;
     CHECK(!seen || count == 0);
   }
   CHECK(seen);
   const tf_machine_t machine = prepared(&params);
   tf_input_t input = tf_input_default(&machine);
-  tf_place_t at[TF_TWO_FOLDS];
+  tf_surface_point_t at[TF_TWO_FOLDS];
   input.torque = (tf_real_t)NAN;
   count = 77;
   CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_BAD_STATE);
@@ -324,7 +324,7 @@ TEST(balance_at_rest_is_no_two_fold) {
   params.c1 = params.c2 = 0;
   const tf_machine_t machine = prepared(&params);
   tf_input_t input = tf_input_default(&machine);
-  tf_place_t at[TF_TWO_FOLDS];
+  tf_surface_point_t at[TF_TWO_FOLDS];
   int count = 0;
   CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK && count > 0);
   input = (tf_input_t){.r0 = at[0].r};
@@ -350,7 +350,7 @@ TEST(a_double_root_counts_once) {
   CHECK(*kappa * cosine == reach);
   const tf_machine_t machine = prepared(&params);
   const tf_input_t input = tf_input_default(&machine);
-  tf_place_t at[TF_TWO_FOLDS];
+  tf_surface_point_t at[TF_TWO_FOLDS];
   int count = 0;
   CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
   CHECK(count > 0);
@@ -366,7 +366,7 @@ TEST(a_machine_on_which_nothing_acts_is_degenerate) {
   params.mu = params.k2 = params.c1 = params.c2 = params.d = params.omega0 = 0;
   const tf_machine_t machine = prepared(&params);
   const tf_input_t input = tf_input_default(&machine);
-  const tf_place_t place = {TF_R(0.2), 0, 0, 1};
+  const tf_surface_point_t place = {TF_R(0.2), 0, 0, 1};
   tf_two_fold_t form;
   CHECK(tf_normal_form(&machine, &input, &place, &form) == TF_OK);
   CHECK(form.type == TF_FOLDS_DEGENERATE && form.regime == 0);
@@ -387,9 +387,9 @@ TEST(normal_forms_are_finite_or_refused) {
     params.kappa = (tf_real_t)pow(10, tap_uniform(-8.9, 5.9));
     const tf_machine_t machine = prepared(&params);
     const tf_input_t input = tf_input_default(&machine);
-    const tf_place_t place = {(tf_real_t)pow(10, tap_uniform(-30, 8)),
-                              uniform(-4e8, 4e8), uniform(-4e8, 4e8),
-                              tap_bits() & 1u ? TF_R(1.0) : TF_R(-1.0)};
+    const tf_surface_point_t place = {(tf_real_t)pow(10, tap_uniform(-30, 8)),
+                                      uniform(-4e8, 4e8), uniform(-4e8, 4e8),
+                                      tap_bits() & 1u ? TF_R(1.0) : TF_R(-1.0)};
     tf_two_fold_t form;
     memset(&form, 77, sizeof form);
     const tf_two_fold_t before = form;

@@ -214,7 +214,7 @@ TEST(surface_refuses_what_it_cannot_see) {
   tf_input_t input = tf_input_default(&machine);
   /* w = omega0 on the surface: h = g = 0 */
   CHECK(tf_surface_at(&machine, &input, TF_R(0.2), 0, -1, &at) == TF_OK);
-  CHECK(at.region == TF_REGION_CORNER && !at.lambda_is_given);
+  CHECK(at.region == TF_REGION_CODIM2 && !at.lambda_is_given);
   CHECK(at.lie_plus == 0 && at.plus.w == 0 && at.delassus == 0);
   memset(&at, 77, sizeof at);
   const tf_surface_t before = at;

@@ -43,7 +43,7 @@ static const tf_scene_t *scene_of(const problem_t *problem) {
 typedef struct {
   tf_compensated_t machine;
   tf_state_t state;
-  tf_carry_t carry;
+  tf_compensation_t carry;
   tf_input_t input;
 } run_t;
 
@@ -69,8 +69,9 @@ static tf_status_t begin(run_t *run, const problem_t *problem, tf_real_t dt) {
   run->state.mode = scene->h > 0 ? TF_SLIP_PLUS : TF_MODES;
   run->state.v = problem->v;
   if (!(problem->mu > 0))
-    status = tf_place_compensated(&run->machine, &run->state, &run->carry,
-                                  run->input.omega0, TO_FLOAT(scene->h));
+    status =
+        tf_speed_for_slip_compensated(&run->machine, &run->state, &run->carry,
+                                      run->input.omega0, TO_FLOAT(scene->h));
   if (status != TF_OK) return status;
   return tf_begin(&run->machine.machine, &run->state, &run->input, &report);
 }
@@ -95,7 +96,7 @@ static int go(run_t *run, long steps, int carried) {
       worst = fmax(worst, fabs((double)report.slip.h));
   }
   const tf_state_t *x = &run->state;
-  const tf_carry_t *c = &run->carry;
+  const tf_compensation_t *c = &run->carry;
   printf("%.17g %.17g %.17g %.17g %.2g %ld\n", (double)x->r + (double)c->r,
          (double)x->v + (double)c->v, (double)x->w + (double)c->w,
          (double)x->phi + (double)c->phi, worst, changes);

@@ -16,11 +16,11 @@ static const char header[] =
 static int write_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
                      char out[CLI_GRID_ROOM], size_t *length) {
   cli_buffer_t text = {out, 0, CLI_GRID_ROOM, false};
-  tf_wish_t wish;
-  (void)tf_two_fold_wish(&a->setup.machine, &a->setup.input, r, omega, &wish);
-  const bool open = wish.obstacle == TF_WISH_GRANTED ||
-                    wish.obstacle == TF_WISH_KAPPA ||
-                    wish.obstacle == TF_WISH_K2;
+  tf_design_t wish;
+  (void)tf_design_two_fold(&a->setup.machine, &a->setup.input, r, omega, &wish);
+  const bool open = wish.obstacle == TF_DESIGN_FOUND ||
+                    wish.obstacle == TF_DESIGN_KAPPA ||
+                    wish.obstacle == TF_DESIGN_K2;
   const tf_two_fold_t *at = &wish.at;
   const tf_real_t c2 = at->clock * at->clock;
   const tf_real_t values[VALUES] = {

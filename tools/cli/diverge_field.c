@@ -80,7 +80,7 @@ void cli_sliding_field(const tf_machine_t *k, double r, double z, double s,
 
 bool cli_find_twofold(const tf_machine_t *k, cli_twofold_t *out) {
   const tf_input_t input = tf_input_default(k);
-  tf_place_t places[TF_TWO_FOLDS];
+  tf_surface_point_t places[TF_TWO_FOLDS];
   tf_two_fold_t form;
   int count = 0;
   if (tf_two_folds(k, &input, places, &count, NULL) != TF_OK) {

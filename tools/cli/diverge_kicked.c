@@ -1,6 +1,6 @@
 // Motions by the project's steppers under a perturbation of h.
 //
-// noise: the set-valued law, stepped by tf_locate, and after every step a
+// noise: the set-valued law, stepped by tf_step_located, and after every step a
 //   normal draw of standard deviation size sqrt(dt) is added to h: Euler's
 //   method for the stochastic differential inclusion. Where the surface
 //   attracts, the next step takes the wheel back onto it, whatever dt; what dt
@@ -68,7 +68,7 @@ static bool move(cli_mover_t *mover) {
   const tf_input_t input = tf_input_default(k);
   const bool noisy = mover->job->args->by == CLI_BY_NOISE;
   const tf_status_t status =
-      noisy ? tf_locate(k, &mover->state, &input, &mover->report)
+      noisy ? tf_step_located(k, &mover->state, &input, &mover->report)
             : tf_step(k, &mover->state, &input, &mover->report);
   if (status < 0) {
     return cli_refuse_cycle(mover);

@@ -1,4 +1,4 @@
-// A motion that draws where the future is open, between draws by tf_locate.
+// A motion that draws where the future is open, between draws by tf_step_located.
 //
 // Open are: the two-fold, from which the wheel sticks on for a time drawn from
 // an exponential law and then slips to a side drawn evenly; any other escaping
@@ -100,7 +100,7 @@ static void start(cli_mover_t *mover) {
 
 static tf_status_t step(cli_mover_t *mover, const tf_machine_t *machine) {
   const tf_input_t input = tf_input_default(machine);
-  return tf_locate(machine, &mover->state, &input, &mover->report);
+  return tf_step_located(machine, &mover->state, &input, &mover->report);
 }
 
 // A step of another length.

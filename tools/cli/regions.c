@@ -31,7 +31,7 @@ static int write_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
     cli_add_real(&text, at.lambda);
   }
   cli_add(&text, ",");
-  if (at.region != TF_REGION_CORNER) {
+  if (at.region != TF_REGION_CODIM2) {
     cli_add_real(&text, at.delassus);
   }
   cli_add(&text, "\n");

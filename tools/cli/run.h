@@ -23,7 +23,7 @@ typedef enum {
 typedef struct {
   tf_compensated_t machine;
   tf_state_t state;
-  tf_carry_t carry;
+  tf_compensation_t carry;
 } cli_body_t;
 
 /// One step of a scheme.

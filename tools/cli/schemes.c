@@ -12,7 +12,7 @@ static tf_status_t step_moreau(cli_body_t *body, const tf_input_t *input,
 
 static tf_status_t step_located(cli_body_t *body, const tf_input_t *input,
                                 tf_report_t *report) {
-  return tf_locate(&body->machine.machine, &body->state, input, report);
+  return tf_step_located(&body->machine.machine, &body->state, input, report);
 }
 
 static tf_status_t step_compensated(cli_body_t *body, const tf_input_t *input,
@@ -42,8 +42,9 @@ void cli_body_begin(cli_body_t *body, const cli_scheme_t *scheme,
   // The setup has prepared and begun the same machine: neither can fail.
   (void)tf_prepare_compensated(&body->machine, &setup->params, NULL);
   if (setup->placed) {
-    (void)tf_place_compensated(&body->machine, &body->state, &body->carry,
-                               setup->input.omega0, setup->start[CLI_START_H]);
+    (void)tf_speed_for_slip_compensated(&body->machine, &body->state,
+                                        &body->carry, setup->input.omega0,
+                                        setup->start[CLI_START_H]);
     (void)tf_begin(&body->machine.machine, &body->state, &setup->input, report);
   }
 }

@@ -7,8 +7,8 @@
 #define ROOM 32768 // eight two-folds take less than half of it
 
 static int describe(const cli_analysis_t *a, cli_buffer_t *text) {
-  tf_place_t places[TF_TWO_FOLDS];
-  tf_lack_t lack = TF_LACK_NONE;
+  tf_surface_point_t places[TF_TWO_FOLDS];
+  tf_absence_t lack = TF_ABSENCE_NONE;
   int count = 0;
   const cli_setup_t *setup = &a->setup;
   tf_status_t status =
@@ -18,9 +18,9 @@ static int describe(const cli_analysis_t *a, cli_buffer_t *text) {
   cli_add(text, "\",\n  \"count\": ");
   cli_add_real(text, (tf_real_t)count);
   cli_add(text, ",\n  \"reason\": ");
-  if (lack != TF_LACK_NONE) {
+  if (lack != TF_ABSENCE_NONE) {
     cli_add(text, "\"");
-    cli_add(text, tf_lack_name(lack));
+    cli_add(text, tf_absence_name(lack));
     cli_add(text, "\"");
   } else {
     cli_add(text, "null");

@@ -47,7 +47,7 @@ static void print_quality(const cli_run_t *run) {
 
 static void print_final(const cli_run_t *run) {
   const tf_state_t *state = &run->body.state;
-  const tf_carry_t *carry = &run->body.carry;
+  const tf_compensation_t *carry = &run->body.carry;
   (void)fprintf(stderr,
                 "final      r = %.9g m, v = %.9g m/s, omega = %.9g "
                 "rad/s",

@@ -23,7 +23,7 @@
 NAMES(status_name, tf_status_t)
 NAMES(mode_name, unsigned)
 NAMES(region_name, unsigned)
-NAMES(lack_name, unsigned)
+NAMES(absence_name, unsigned)
 NAMES(folds_name, unsigned)
 
 #define CALL(function) static uint32_t count_##function(const subject_t *s)
@@ -113,12 +113,12 @@ CALL(speed_for_slip) {
       tf_speed_for_slip(K, s->state.r, s->state.w, s->input.omega0, h, &v));
 }
 CALL(energy) { return COUNT(tf_energy(K, &s->state, s->input.r0)); }
-CALL(place_compensated) {
+CALL(speed_for_slip_compensated) {
   tf_state_t state = s->state;
-  tf_carry_t carry = s->carry;
+  tf_compensation_t carry = s->carry;
   const tf_real_t h = REAL(0);
-  return COUNT(
-      tf_place_compensated(&s->machine, &state, &carry, s->input.omega0, h));
+  return COUNT(tf_speed_for_slip_compensated(&s->machine, &state, &carry,
+                                             s->input.omega0, h));
 }
 CALL(begin) {
   tf_state_t state = s->state;
@@ -131,14 +131,14 @@ CALL(step) {
   tf_report_t report;
   return COUNT(tf_step(K, &state, &s->input, &report));
 }
-CALL(locate) {
+CALL(step_located) {
   tf_state_t state = s->state;
   tf_report_t report;
-  return COUNT(tf_locate(K, &state, &s->input, &report));
+  return COUNT(tf_step_located(K, &state, &s->input, &report));
 }
 CALL(step_compensated) {
   tf_state_t state = s->state;
-  tf_carry_t carry = s->carry;
+  tf_compensation_t carry = s->carry;
   tf_report_t report;
   return COUNT(
       tf_step_compensated(&s->machine, &state, &carry, &s->input, &report));
@@ -213,13 +213,13 @@ CALL(session_open) {
 }
 
 CALL(two_folds) {
-  tf_place_t places[TF_TWO_FOLDS];
-  tf_lack_t lack;
+  tf_surface_point_t places[TF_TWO_FOLDS];
+  tf_absence_t lack;
   int count;
   return COUNT(tf_two_folds(K, &s->input, places, &count, &lack));
 }
 CALL(normal_form) {
-  tf_place_t places[TF_TWO_FOLDS];
+  tf_surface_point_t places[TF_TWO_FOLDS];
   tf_two_fold_t out;
   int count = 0;
   if (tf_two_folds(K, &s->input, places, &count, NULL) != TF_OK || count == 0)
@@ -227,9 +227,9 @@ CALL(normal_form) {
   return COUNT(
       tf_normal_form(K, &s->input, &places[GENE(0) % (unsigned)count], &out));
 }
-CALL(two_fold_wish) {
-  tf_wish_t out;
-  return COUNT(tf_two_fold_wish(K, &s->input, s->state.r, s->state.w, &out));
+CALL(design_two_fold) {
+  tf_design_t out;
+  return COUNT(tf_design_two_fold(K, &s->input, s->state.r, s->state.w, &out));
 }
 CALL(surface_at) {
   tf_surface_t out;
@@ -243,12 +243,12 @@ CALL(surface_at) {
 const call_t machine_calls[] = {
     WEIGHED(step, 8),
     WEIGHED(step_compensated, 4),
-    ENTRY(locate),
+    ENTRY(step_located),
     {"ensemble_step", count_ensemble_step, "state", MOST_STATES, 1},
     ENTRY(begin),
     ENTRY(prepare),
     ENTRY(prepare_compensated),
-    ENTRY(place_compensated),
+    ENTRY(speed_for_slip_compensated),
     ENTRY(input_default),
     ENTRY(slip),
     ENTRY(speed_for_slip),
@@ -270,12 +270,12 @@ const call_t machine_calls[] = {
     ENTRY(session_open),
     ENTRY(two_folds),
     ENTRY(normal_form),
-    ENTRY(two_fold_wish),
+    ENTRY(design_two_fold),
     ENTRY(surface_at),
     ENTRY(status_name),
     ENTRY(mode_name),
     ENTRY(region_name),
-    ENTRY(lack_name),
+    ENTRY(absence_name),
     ENTRY(folds_name),
 };
 const unsigned machine_call_count =

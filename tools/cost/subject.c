@@ -144,12 +144,12 @@ static void place(subject_t *s) {
       return;
     }
     default: {
-      tf_place_t places[TF_TWO_FOLDS];
+      tf_surface_point_t places[TF_TWO_FOLDS];
       int count = 0;
       if (tf_two_folds(k, &s->input, places, &count, NULL) != TF_OK ||
           count == 0)
         return;
-      const tf_place_t *at = &places[(gene[27] >> 4) % (unsigned)count];
+      const tf_surface_point_t *at = &places[(gene[27] >> 4) % (unsigned)count];
       x->r = at->r + sized_of(gene[28], -40, -4);
       x->w = at->w + sized_of(gene[29], -40, -4);
       x->v = at->v;
@@ -193,7 +193,7 @@ subject_t subject_of(const genes_t *genes) {
   // A place that the motion comes to by itself.
   for (unsigned n = gene[40] & 16u ? gene[40] % 16u : 0; s.valid && n > 0; n--)
     if (gene[40] & 32u)
-      (void)tf_locate(k, &s.state, &s.input, &report);
+      (void)tf_step_located(k, &s.state, &s.input, &report);
     else
       (void)tf_step(k, &s.state, &s.input, &report);
   if (gene[41] & 16u) {

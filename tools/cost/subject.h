@@ -22,7 +22,7 @@ typedef struct {
   tf_params_t params;
   tf_compensated_t machine;
   tf_state_t state;
-  tf_carry_t carry;
+  tf_compensation_t carry;
   tf_input_t input;
   unsigned units; // bytes or states that the function gets
   bool valid;     // false: tf_prepare or tf_begin refused

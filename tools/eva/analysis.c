@@ -17,15 +17,15 @@ void two_folds_any(void);
 void two_folds_any(void) {
   const tf_machine_t machine = any_machine();
   const tf_input_t input = any_input();
-  tf_place_t places[TF_TWO_FOLDS], place;
+  tf_surface_point_t places[TF_TWO_FOLDS], place;
   tf_two_fold_t form;
-  tf_wish_t wish;
-  tf_lack_t lack;
+  tf_design_t wish;
+  tf_absence_t lack;
   int count;
   tf_two_folds(&machine, &input, places, &count, &lack);
   ANY_BITS(place);
   tf_normal_form(&machine, &input, &place, &form);
-  tf_two_fold_wish(&machine, &input, any_real(), any_real(), &wish);
+  tf_design_two_fold(&machine, &input, any_real(), any_real(), &wish);
   //@ check reached: \false;
 }
 

@@ -4,7 +4,7 @@
 #include "any.h"
 #include "twofold/compensated.h"
 #include "twofold/ensemble.h"
-#include "twofold/locate.h"
+#include "twofold/located.h"
 #include "twofold/step.h"
 
 // Every state; modes that exist are looked at one by one.
@@ -43,7 +43,7 @@ void locate_any(void) {
   tf_state_t state = any_state();
   const tf_input_t input = any_input();
   tf_report_t report;
-  tf_locate(&machine, &state, &input, &report);
+  tf_step_located(&machine, &state, &input, &report);
   //@ check reached: \false;
 }
 
@@ -53,11 +53,12 @@ void compensated_any(void) {
   ANY_BITS(machine);
   machine.machine = any_machine();
   tf_state_t state = state_by_mode();
-  tf_carry_t carry;
+  tf_compensation_t carry;
   ANY_BITS(carry);
   const tf_input_t input = any_input();
   tf_report_t report;
-  tf_place_compensated(&machine, &state, &carry, any_real(), any_real());
+  tf_speed_for_slip_compensated(&machine, &state, &carry, any_real(),
+                                any_real());
   tf_step_compensated(&machine, &state, &carry, &input, &report);
   //@ check reached: \false;
 }

@@ -37,7 +37,7 @@ static void coordinates(const chart_t *k, double r, double w, double out[2]) {
 
 // The Teixeira singularity of case 1, and its chart by differences.
 static int make_chart(chart_t *k) {
-  tf_place_t places[TF_TWO_FOLDS];
+  tf_surface_point_t places[TF_TWO_FOLDS];
   int count = 0, found = 0;
   if (tf_prepare(&k->machine, &tf_scenes[0]->params, NULL) != TF_OK) {
     return 0;

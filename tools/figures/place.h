@@ -8,7 +8,7 @@
 static inline tf_surface_t surface_at(const tf_machine_t *machine,
                                       const tf_input_t *input, double r,
                                       double w) {
-  tf_surface_t at = {.region = TF_REGION_CORNER};
+  tf_surface_t at = {.region = TF_REGION_CODIM2};
   tf_real_t v = 0;
   (void)tf_speed_for_slip(machine, (tf_real_t)r, (tf_real_t)w, input->omega0, 0,
                           &v);

@@ -32,7 +32,7 @@ static const char *judge_two_fold(const tf_two_fold_t *at) {
 
 static const char *normal_form(const tf_machine_t *machine,
                                const tf_input_t *input,
-                               const tf_place_t *place) {
+                               const tf_surface_point_t *place) {
   tf_two_fold_t at, was;
   memset(&at, 0x5a, sizeof at);
   memcpy(&was, &at, sizeof was);
@@ -45,9 +45,9 @@ static const char *normal_form(const tf_machine_t *machine,
 
 static const char *two_folds(const tf_machine_t *machine,
                              const tf_input_t *input) {
-  tf_place_t places[TF_TWO_FOLDS];
+  tf_surface_point_t places[TF_TWO_FOLDS];
   int count = -1;
-  tf_lack_t lack = TF_LACK_NONE;
+  tf_absence_t lack = TF_ABSENCE_NONE;
   const tf_status_t status =
       tf_two_folds(machine, input, places, &count, &lack);
   if (status != TF_OK) {
@@ -55,9 +55,10 @@ static const char *two_folds(const tf_machine_t *machine,
     return NULL;
   }
   FUZZ_HOLD(count >= 0 && count <= TF_TWO_FOLDS);
-  FUZZ_HOLD((count == 0) == (lack != TF_LACK_NONE) && (int)lack < TF_LACKS);
+  FUZZ_HOLD((count == 0) == (lack != TF_ABSENCE_NONE) &&
+            (int)lack < TF_ABSENCES);
   for (int i = 0; i < count; i++) {
-    const tf_place_t *at = &places[i];
+    const tf_surface_point_t *at = &places[i];
     const tf_state_t x = {.r = at->r, .v = at->v, .w = at->w};
     FUZZ_HOLD(fuzz_finite(at->g) && at->g != 0 && at->r != 0);
     FUZZ_HOLD(i == 0 || at->g < 0 || places[i - 1].g > 0);
@@ -90,13 +91,14 @@ static const char *surface(const tf_machine_t *machine, const tf_input_t *input,
 
 static const char *wish(const tf_machine_t *machine, const tf_input_t *input,
                         const tf_state_t *x) {
-  tf_wish_t out;
+  tf_design_t out;
   memset(&out, 0x5a, sizeof out);
-  const tf_status_t status = tf_two_fold_wish(machine, input, x->r, x->w, &out);
-  FUZZ_HOLD((status == TF_OK) == (out.obstacle == TF_WISH_GRANTED));
-  FUZZ_HOLD(out.obstacle <= TF_WISH_K2);
+  const tf_status_t status =
+      tf_design_two_fold(machine, input, x->r, x->w, &out);
+  FUZZ_HOLD((status == TF_OK) == (out.obstacle == TF_DESIGN_FOUND));
+  FUZZ_HOLD(out.obstacle <= TF_DESIGN_K2);
   FUZZ_HOLD(fuzz_finite(out.kappa) && fuzz_finite(out.k2));
-  if (out.obstacle == TF_WISH_GRANTED || out.obstacle >= TF_WISH_KAPPA)
+  if (out.obstacle == TF_DESIGN_FOUND || out.obstacle >= TF_DESIGN_KAPPA)
     return judge_two_fold(&out.at);
   FUZZ_HOLD(out.kappa == 0 && out.k2 == 0);
   return NULL;
@@ -104,7 +106,7 @@ static const char *wish(const tf_machine_t *machine, const tf_input_t *input,
 
 const char *fuzz_analysis(const tf_machine_t *machine, const tf_input_t *input,
                           const tf_state_t *state) {
-  const tf_place_t here = {state->r, state->v, state->w, state->phi};
+  const tf_surface_point_t here = {state->r, state->v, state->w, state->phi};
   FUZZ_HOLD_ALL(two_folds(machine, input));
   FUZZ_HOLD_ALL(normal_form(machine, input, &here));
   FUZZ_HOLD_ALL(surface(machine, input, state));

@@ -14,7 +14,7 @@ typedef struct {
   tf_params_t params;
   tf_compensated_t machine;
   tf_state_t state;
-  tf_carry_t carry;
+  tf_compensation_t carry;
   tf_input_t input;
   int steps;
 } subject_t;
@@ -141,7 +141,7 @@ static const char *step(subject_t *s) {
 
 static const char *step_compensated(subject_t *s) {
   tf_state_t was;
-  tf_carry_t kept;
+  tf_compensation_t kept;
   tf_report_t report;
   memset(&report, 0, sizeof report);
   memcpy(&was, &s->state, sizeof was);
@@ -163,7 +163,7 @@ static const char *locate(subject_t *s) {
   memset(&s->carry, 0, sizeof s->carry);
   s->steps += 15; // what it costs more than tf_step
   const tf_status_t status =
-      tf_locate(&s->machine.machine, &s->state, &s->input, &report);
+      tf_step_located(&s->machine.machine, &s->state, &s->input, &report);
   return judge_step(&was, &s->state, &report, status);
 }
 

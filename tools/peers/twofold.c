@@ -42,12 +42,12 @@ static void moreau(const problem_t *problem, double dt, double width,
 static void located(const problem_t *problem, double dt, double width,
                     answer_t *answer) {
   (void)width;
-  run(tf_locate, problem, dt, 1e-8, answer);
+  run(tf_step_located, problem, dt, 1e-8, answer);
 }
 
 static void tolerant(const problem_t *problem, double tolerance, double step,
                      answer_t *answer) {
-  run(tf_locate, problem, step, tolerance, answer);
+  run(tf_step_located, problem, step, tolerance, answer);
 }
 
 int main(void) {

@@ -35,8 +35,8 @@ static int print_end(const part_t *part, scheme_t scheme, int k,
   run.state.mode = truth_mode(part->problem, part->from);
   // The start has its slip to all digits: rounding v would turn its sign.
   const tf_real_t h = TO_FLOAT(truth_start_slip(part->problem));
-  if (tf_place_compensated(&run.machine, &run.state, &run.carry,
-                           run.input.omega0, h) != TF_OK)
+  if (tf_speed_for_slip_compensated(&run.machine, &run.state, &run.carry,
+                                    run.input.omega0, h) != TF_OK)
     return 0;
   if (tf_begin(&run.machine.machine, &run.state, &run.input, &run.report) < 0)
     return 0;

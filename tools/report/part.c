@@ -49,7 +49,7 @@ tf_status_t part_begin(run_t *run, const part_t *part,
 
 void part_print_end(const run_t *run, double dt, const char *name) {
   const tf_state_t *s = &run->state;
-  const tf_carry_t *c = &run->carry;
+  const tf_compensation_t *c = &run->carry;
   const tf_real_t high[3] = {s->r, s->v, s->w}, low[3] = {c->r, c->v, c->w};
   printf("%.4g %s %s", dt, REAL, name);
   for (int i = 0; i < 3; i++)
@@ -60,7 +60,7 @@ void part_print_end(const run_t *run, double dt, const char *name) {
 
 double part_error(const run_t *run, const truth_state_t *truth) {
   const tf_state_t *s = &run->state;
-  const tf_carry_t *c = &run->carry;
+  const tf_compensation_t *c = &run->carry;
   const int whole = run->scheme == CARRIED;
   const tf_real_t high[3] = {s->r, s->v, s->w}, low[3] = {c->r, c->v, c->w};
   double worst = 0;

@@ -28,7 +28,7 @@ typedef struct {
   scheme_t scheme;
   tf_compensated_t machine;
   tf_state_t state;
-  tf_carry_t carry; // used by CARRIED
+  tf_compensation_t carry; // used by CARRIED
   tf_input_t input;
   tf_report_t report;
 } run_t;
@@ -46,8 +46,8 @@ static inline tf_status_t part_step(run_t *run) {
       return tf_step_compensated(&run->machine, &run->state, &run->carry,
                                  &run->input, &run->report);
     case LOCATED:
-      return tf_locate(&run->machine.machine, &run->state, &run->input,
-                       &run->report);
+      return tf_step_located(&run->machine.machine, &run->state, &run->input,
+                             &run->report);
     case MOREAU:
     default:
       return tf_step(&run->machine.machine, &run->state, &run->input,

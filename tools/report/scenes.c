@@ -55,9 +55,9 @@ static int begin(run_t *run, const tf_scene_t *scene, double dt) {
   run->state.v = TO_FLOAT(scene->v);
   run->state.w = TO_FLOAT(scene->omega);
   run->state.mode = scene->h > 0 ? TF_SLIP_PLUS : TF_MODES;
-  if (!scene->v_is_given &&
-      tf_place_compensated(&run->machine, &run->state, &run->carry,
-                           run->input.omega0, TO_FLOAT(scene->h)) != TF_OK)
+  if (!scene->v_is_given && tf_speed_for_slip_compensated(
+                                &run->machine, &run->state, &run->carry,
+                                run->input.omega0, TO_FLOAT(scene->h)) != TF_OK)
     return 0;
   return tf_begin(&run->machine.machine, &run->state, &run->input,
                   &run->report) >= 0;

@@ -24,9 +24,9 @@ typedef struct {
   tf_compensated_t machine;
   tf_input_t input;
   tf_state_t state;
-  bool carried;     // by tf_step_compensated
-  tf_carry_t carry; // else 0
-  uint64_t trail;   // of the bits of all states so far
+  bool carried;            // by tf_step_compensated
+  tf_compensation_t carry; // else 0
+  uint64_t trail;          // of the bits of all states so far
   // Steps that broke a promise.
   uint64_t refused, not_finite, drifted, miscounted;
   // What happened.

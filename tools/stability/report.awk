@@ -156,7 +156,7 @@ function refusals_table(i, j, n, code) {
 function degraded_table(i, j, s, any, text) {
   print "## Degraded steps\n"
   print "Accepted steps in which no mode was consistent (TF_DEGRADED), and" \
-    "\nsteps that tf_locate left to tf_step (TF_FELL_BACK) or took with a" \
+    "\nsteps that tf_step_located left to tf_step (TF_FELL_BACK) or took with a" \
     "\ncoarser tolerance than asked for (TF_COARSE).\n"
   head("| real, scheme | accepted steps | degraded | fell back | coarse |")
   for (i = 1; i <= combos; i++)

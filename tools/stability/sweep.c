@@ -16,7 +16,7 @@ static const struct {
 } schemes[] = {
     {"moreau-0.5", tf_step, TF_R(0.5)},
     {"moreau-1", tf_step, TF_R(1.0)},
-    {"located", tf_locate, TF_R(0.5)},
+    {"located", tf_step_located, TF_R(0.5)},
 };
 
 // The codes by their names in status.h: tf_status_name has words with commas.

@@ -58,7 +58,7 @@ int main(int argc, char *argv[]) {
   for (unsigned long i = 0; i < count; i++) {
     const tf_params_t params = machine_of(&draws);
     tf_machine_t machine;
-    tf_place_t places[TF_TWO_FOLDS];
+    tf_surface_point_t places[TF_TWO_FOLDS];
     int found = 0, of_case_1 = 0;
     if (tf_prepare(&machine, &params, NULL) != TF_OK) {
       continue;

@@ -5,10 +5,10 @@
 TEST(wish_gives_the_numbers_of_the_paper) {
   const tf_machine_t machine = prepared(&tf_scenes[0]->params);
   const tf_input_t input = tf_input_default(&machine);
-  tf_wish_t wish;
-  CHECK(tf_two_fold_wish(&machine, &input, (tf_real_t)PAPER_R_STAR,
-                         (tf_real_t)PAPER_W_STAR, &wish) == TF_OK);
-  CHECK(wish.obstacle == TF_WISH_GRANTED);
+  tf_design_t wish;
+  CHECK(tf_design_two_fold(&machine, &input, (tf_real_t)PAPER_R_STAR,
+                           (tf_real_t)PAPER_W_STAR, &wish) == TF_OK);
+  CHECK(wish.obstacle == TF_DESIGN_FOUND);
   CHECK_NEAR(wide(wish.kappa), 0.27241153714062027818L, 4 * EPSILON);
   CHECK_NEAR(wide(wish.k2), 2.2270992253886014441L, 32 * EPSILON);
   CHECK_NEAR(wide(wish.at.J1), -1.0635141712155655L, 64 * EPSILON);
@@ -18,8 +18,8 @@ TEST(wish_gives_the_numbers_of_the_paper) {
 TEST(wished_two_folds_are_found_again) {
   for (int i = 0; i < 5000; i++) {
     const sample_t c = random_two_fold();
-    const tf_place_t *wanted = &c.wish.at.place;
-    tf_place_t at[TF_TWO_FOLDS];
+    const tf_surface_point_t *wanted = &c.wish.at.place;
+    tf_surface_point_t at[TF_TWO_FOLDS];
     int count = 0, hits = 0;
     /* A double root is found to the root of the rounding. */
     const real close = 64 * sqrtl(EPSILON);
@@ -41,13 +41,13 @@ TEST(wished_two_folds_are_found_again) {
 static unsigned obstacle(const tf_params_t *params, double r, double w) {
   const tf_machine_t machine = prepared(params);
   const tf_input_t input = tf_input_default(&machine);
-  tf_wish_t wish;
+  tf_design_t wish;
   const tf_status_t status =
-      tf_two_fold_wish(&machine, &input, (tf_real_t)r, (tf_real_t)w, &wish);
-  CHECK((status == TF_OK) == (wish.obstacle == TF_WISH_GRANTED));
+      tf_design_two_fold(&machine, &input, (tf_real_t)r, (tf_real_t)w, &wish);
+  CHECK((status == TF_OK) == (wish.obstacle == TF_DESIGN_FOUND));
   CHECK(status == TF_OK || status == TF_BAD_PARAMETER);
   CHECK((wish.at.clock > 0) ==
-        (wish.obstacle == TF_WISH_GRANTED || wish.obstacle >= TF_WISH_KAPPA));
+        (wish.obstacle == TF_DESIGN_FOUND || wish.obstacle >= TF_DESIGN_KAPPA));
   return wish.obstacle;
 }
 
@@ -59,51 +59,51 @@ TEST(wishes_near_the_axis_overflow) {
   params.beta = TF_R(1e6);
   /* kappa = beta^2 sin^2 / (r cos) is a number, times w it is none. */
   const double near_axis = 1e15 / (double)TF_REAL_MAX;
-  CHECK(obstacle(&params, (double)(least * 1000), -1.037) == TF_WISH_R);
-  CHECK(obstacle(&params, near_axis, -1e8) == TF_WISH_R);
+  CHECK(obstacle(&params, (double)(least * 1000), -1.037) == TF_DESIGN_R);
+  CHECK(obstacle(&params, near_axis, -1e8) == TF_DESIGN_R);
   params.beta = TF_R(1e-9);
   const tf_machine_t machine = prepared(&params);
   tf_input_t input = tf_input_default(&machine);
   input.r0 = 2 * least;
   input.force = TF_R(1e8);
-  tf_wish_t wish;
-  CHECK(tf_two_fold_wish(&machine, &input, least, TF_R(-1.037), &wish) ==
+  tf_design_t wish;
+  CHECK(tf_design_two_fold(&machine, &input, least, TF_R(-1.037), &wish) ==
         TF_BAD_PARAMETER);
-  CHECK(wish.obstacle == TF_WISH_SPRING && wish.k2 == 0);
+  CHECK(wish.obstacle == TF_DESIGN_SPRING && wish.k2 == 0);
 }
 
 TEST(wishes_that_cannot_be_granted_say_why) {
   tf_params_t params = tf_scenes[0]->params;
-  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GRANTED);
-  CHECK(obstacle(&params, 0, -1.037) == TF_WISH_R);
-  CHECK(obstacle(&params, 1, -1.037) != TF_WISH_R);
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_DESIGN_FOUND);
+  CHECK(obstacle(&params, 0, -1.037) == TF_DESIGN_R);
+  CHECK(obstacle(&params, 1, -1.037) != TF_DESIGN_R);
   params.r0 = 0; /* though the spring is at rest there */
-  CHECK(obstacle(&params, 0, -1.037) == TF_WISH_R);
+  CHECK(obstacle(&params, 0, -1.037) == TF_DESIGN_R);
   params.r0 = tf_scenes[0]->params.r0;
-  CHECK(obstacle(&params, NAN, -1.037) == TF_WISH_R);
-  CHECK(obstacle(&params, 2e9, -1.037) == TF_WISH_R);
-  CHECK(obstacle(&params, 0.1859, -1) == TF_WISH_OMEGA);
-  CHECK(obstacle(&params, 0.1859, NAN) == TF_WISH_OMEGA);
-  CHECK(obstacle(&params, (double)params.r0, -1.037) == TF_WISH_SPRING);
-  CHECK(obstacle(&params, 0.1859, 1) == TF_WISH_KAPPA); /* g < 0 there */
-  CHECK(obstacle(&params, 0.05, -2.5) == TF_WISH_K2);
+  CHECK(obstacle(&params, NAN, -1.037) == TF_DESIGN_R);
+  CHECK(obstacle(&params, 2e9, -1.037) == TF_DESIGN_R);
+  CHECK(obstacle(&params, 0.1859, -1) == TF_DESIGN_OMEGA);
+  CHECK(obstacle(&params, 0.1859, NAN) == TF_DESIGN_OMEGA);
+  CHECK(obstacle(&params, (double)params.r0, -1.037) == TF_DESIGN_SPRING);
+  CHECK(obstacle(&params, 0.1859, 1) == TF_DESIGN_KAPPA); /* g < 0 there */
+  CHECK(obstacle(&params, 0.05, -2.5) == TF_DESIGN_K2);
   params.gamma = 0;
-  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GAMMA);
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_DESIGN_GAMMA);
   params.gamma = (tf_real_t)(PAPER_PI / 2);
-  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_GAMMA);
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_DESIGN_GAMMA);
   params = tf_scenes[0]->params;
-  CHECK(obstacle(&params, 1e8, -1.037) == TF_WISH_KAPPA); /* too long */
+  CHECK(obstacle(&params, 1e8, -1.037) == TF_DESIGN_KAPPA); /* too long */
   params.mu = 0;
-  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_LAW);
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_DESIGN_LAW);
   params = tf_scenes[0]->params;
   params.law = TF_TYRE_COULOMB;
-  CHECK(obstacle(&params, 0.1859, -1.037) == TF_WISH_LAW);
+  CHECK(obstacle(&params, 0.1859, -1.037) == TF_DESIGN_LAW);
   const tf_machine_t machine = prepared(&params);
   const tf_input_t input = tf_input_default(&machine);
   tf_two_fold_t n, before;
   memset(&n, 77, sizeof n);
   before = n;
-  tf_place_t place = {TF_R(0.2), 0, 0, 0};
+  tf_surface_point_t place = {TF_R(0.2), 0, 0, 0};
   CHECK(tf_normal_form(&machine, &input, &place, &n) == TF_BAD_STATE);
   place.g = 1;
   place.r = 0;
@@ -128,11 +128,11 @@ TEST(spring_of_unit_hold_is_as_good) {
   params.r0 = 2;
   const tf_machine_t machine = prepared(&params);
   const tf_input_t input = tf_input_default(&machine);
-  tf_wish_t wish;
+  tf_design_t wish;
   CHECK(machine.sin_gamma / machine.m == 1);
-  const tf_status_t status =
-      tf_two_fold_wish(&machine, &input, 1, machine.omega0 - TF_R(0.25), &wish);
-  CHECK(status == TF_OK || wish.obstacle == TF_WISH_K2);
+  const tf_status_t status = tf_design_two_fold(
+      &machine, &input, 1, machine.omega0 - TF_R(0.25), &wish);
+  CHECK(status == TF_OK || wish.obstacle == TF_DESIGN_K2);
   CHECK_NEAR(wide(wish.at.rest), 0, 64 * EPSILON * fabsl(wide(wish.k2)));
 }
 

@@ -1,17 +1,17 @@
 /// @file
 /// One step of the machine with its switches located: a second scheme beside
 /// tf_step, of high order, with the same solution set, rule and report.
-#ifndef TWOFOLD_LOCATE_H
-#define TWOFOLD_LOCATE_H
+#ifndef TWOFOLD_LOCATED_H
+#define TWOFOLD_LOCATED_H
 
 #include "twofold/step.h"
 
 /// Segments that one step is split into at its tolerance, by switches of mode,
 /// by kinks of the force at g = 0 and where the series does not reach to the
 /// end. Where they are not enough the tolerance grows with what is left to do.
-#define TF_LOCATE_SEGMENTS 32
+#define TF_LOCATED_SEGMENTS 32
 /// Most segments of one step.
-#define TF_LOCATE_MOST_SEGMENTS (4 * TF_LOCATE_SEGMENTS)
+#define TF_LOCATED_MOST_SEGMENTS (4 * TF_LOCATED_SEGMENTS)
 
 /// Advances the state by dt, with every switch of mode located inside.
 /// Scheme: Taylor series in time, of order 8 in double and 6 in float, from
@@ -23,7 +23,7 @@
 ///   for h = g = 0 and two-folds: there the tolerance holds it, not the step.
 ///   In float it may stand still after a rest, as tf_step, even at dt = 1e-2.
 /// machine: in, prepared; law JUMP, COULOMB or NONE.
-/// state: in/out, from tf_begin, tf_step or tf_locate.
+/// state: in/out, from tf_begin, tf_step or tf_step_located.
 /// input: in, within TF_STATE_LIMIT together with the state.
 /// report: out; force at the end of the step; set and choices: the largest set
 ///   of futures met in the step, and the mode taken. residual: how far force is
@@ -32,16 +32,16 @@
 ///   of tf_tyre_force at report->slip, and |h| where its side is not that of
 ///   the mode [N]. It falls with the tolerance; near h = g = 0 it is epsilon
 ///   over the slip, which the angle is known to.
-/// Returns: TF_OK; TF_COARSE (TF_LOCATE_SEGMENTS segments were not enough: what
+/// Returns: TF_OK; TF_COARSE (TF_LOCATED_SEGMENTS segments were not enough: what
 ///   was left of the step was done with a coarser tolerance, as fine as the
-///   segments up to TF_LOCATE_MOST_SEGMENTS allow and 1e-6 at most, 1e-3 in
+///   segments up to TF_LOCATED_MOST_SEGMENTS allow and 1e-6 at most, 1e-3 in
 ///   float); TF_FELL_BACK (nor were those, or a series did not converge: the
 ///   whole step was taken by tf_step, whose report this is); TF_DEGRADED (the
 ///   same, and tf_step said so);
 ///   TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
 ///   TF_STEP_TOO_LONG (state untouched, report holds the status).
 /// Cost: at most 3800000 instructions, the worst found by search, of
-///   TF_LOCATE_MOST_SEGMENTS segments and a tf_step; one segment where the
+///   TF_LOCATED_MOST_SEGMENTS segments and a tf_step; one segment where the
 ///   motion does not switch (`make bench`). Stack: 2832 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: located_order_of_convergence, located_order_across_stick,
@@ -55,8 +55,9 @@
 ///   located_delassus_is_that_of_the_side_of_g,
 ///   located_set_holds_the_mode, located_is_coarse_only_where_it_has_to_be,
 ///   located_refuses_to_leave_the_range_of_states
-#define tf_locate TF_LINK(tf_locate)
-TF_API tf_status_t tf_locate(const tf_machine_t *machine, tf_state_t *state,
-                             const tf_input_t *input, tf_report_t *report);
+#define tf_step_located TF_LINK(tf_step_located)
+TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
+                                   tf_state_t *state, const tf_input_t *input,
+                                   tf_report_t *report);
 
 #endif

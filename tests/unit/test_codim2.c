@@ -1,8 +1,8 @@
 /* Slips that leave h = g = 0, against a search through all angles with the
  * paper's law and field. */
+#include "event/segment.h"
 #include "friction/codim2.h"
 #include "sample.h"
-#include "event/segment.h"
 
 #define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))
 
@@ -132,8 +132,8 @@ TEST(slip_leaves_rest_as_a_search_finds) {
         1 + fabsl(wide(rates.p)) + fabsl(wide(rates.q)) +
         wide(params.mu) * (fabsl(wide(rates.Fp)) + fabsl(wide(rates.Fq)) +
                            fabsl(wide(params.kappa * rates.Mq)));
-    tf_futures_t out;
-    tf_corner_futures(&k, &rates, &out);
+    tf_consistent_t out;
+    tf_codim2_modes(&k, &rates, &out);
     for (int slip = 0; slip < 2; slip++) {
       const int side = slip == 0 ? 1 : -1, roll = out.roll[slip];
       const exit_t want = search(&at, side);
@@ -178,15 +178,15 @@ TEST(exponent_of_a_limit_direction) {
     const tf_real_t r = uniform(-0.6, 0.6);
     const rest_t at = rest_at(&params, &u, r);
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    tf_segment_t ray = {.closure = TF_DEPART,
+    tf_segment_t ray = {.closure = TF_CONTACT_CODIM2_SLIP,
                         .side = n & 1 ? 1 : -1,
                         .roll = n & 2 ? 1 : -1,
                         .h_zeros = 1,
                         .g_is_0 = true};
-    if (!tf_corner_attractor(&k, &rates, ray.roll, ray.side, &ray.T)) continue;
-    static tf_motion_t motion;
-    begin_motion(&motion, &k, &u, u.omega0, (tf_point_t){r, 0, 0});
-    CHECK(tf_expand(&motion, &ray));
+    if (!tf_codim2_attractor(&k, &rates, ray.roll, ray.side, &ray.T)) continue;
+    static tf_taylor_t motion;
+    begin_taylor(&motion, &k, &u, u.omega0, (tf_phase_point_t){r, 0, 0});
+    CHECK(tf_taylor_coefficients(&motion, &ray));
     const real angle = angle_of(&at, wide(ray.T), ray.roll), off = 1e-5L;
     const real v = rate_at(&at, ray.side, angle).grows;
     const real c = (rate_at(&at, ray.side, angle + off).turns -
@@ -226,8 +226,8 @@ TEST(way_out_ends_where_two_directions_meet) {
     u.torque = n == 0 ? with : n == 1 ? without : with + (without - with) / 2;
     const rest_t at = rest_at(&params, &u, r);
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    tf_futures_t out;
-    tf_corner_futures(&k, &rates, &out);
+    tf_consistent_t out;
+    tf_codim2_modes(&k, &rates, &out);
     const bool is = out.solutions.set & TF_MODE_BIT(TF_SLIP_PLUS);
     if (n < 2) CHECK(is == (n == 0));
     if (is)
@@ -255,9 +255,9 @@ TEST(of_two_sticks_the_near_one_is_taken) {
     const tf_input_t u = tf_input_default(&k);
     const tf_real_t r = uniform(-0.6, 0.6);
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    tf_futures_t out;
+    tf_consistent_t out;
     tf_report_t report;
-    tf_corner_futures(&k, &rates, &out);
+    tf_codim2_modes(&k, &rates, &out);
     if ((out.solutions.set & out.solutions.attracting & STICKS) != STICKS)
       continue;
     tf_state_t x = {
@@ -265,7 +265,7 @@ TEST(of_two_sticks_the_near_one_is_taken) {
     if (n % 8 == 0) x.v = 0; /* as from g > 0 */
     const tf_slip_t slip = tf_slip(&k, x.r, x.v, x.w, u.omega0);
     x.mode = slip.h > 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS; /* not believed */
-    if (tf_locate(&k, &x, &u, &report) != TF_OK || x.mode == TF_PINNED)
+    if (tf_step_located(&k, &x, &u, &report) != TF_OK || x.mode == TF_PINNED)
       continue;
     CHECK(x.mode == (slip.g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS));
     taken[x.mode == TF_STICK_MINUS]++;
@@ -317,12 +317,12 @@ TEST(a_fall_ends_on_the_stick_of_its_side) {
     for (int way = 0; way < 4; way++) {
       const int side = way & 1 ? -1 : 1, roll = way & 2 ? -1 : 1;
       tf_real_t T;
-      if (!tf_corner_attractor(&k, &rates, roll, side, &T)) continue;
+      if (!tf_codim2_attractor(&k, &rates, roll, side, &T)) continue;
       const real angle = angle_of(&at, wide(T), roll);
       if (!(rate_at(&at, side, angle).grows < 0)) continue;
       tf_state_t x = on_its_way(&k, &at, r, side, angle);
       tf_report_t report;
-      CHECK(tf_locate(&k, &x, &u, &report) == TF_OK);
+      CHECK(tf_step_located(&k, &x, &u, &report) == TF_OK);
       if ((report.set & STICKS) != STICKS) continue;
       CHECK(x.mode == (roll < 0 ? TF_STICK_MINUS : TF_STICK_PLUS));
       taken[x.mode == TF_STICK_MINUS]++;
@@ -342,15 +342,15 @@ TEST(a_wheel_let_go_has_no_side) {
     const tf_machine_t k = prepared(&params);
     tf_input_t u = tf_input_default(&k);
     tf_state_t x = {.r = uniform(-0.6, 0.6), .w = u.omega0, .mode = TF_PINNED};
-    tf_futures_t out;
+    tf_consistent_t out;
     tf_report_t report;
     const tf_rates_t rates = rates_at(&k, &u, x.r, 0, 0, u.omega0);
-    tf_corner_futures(&k, &rates, &out);
+    tf_codim2_modes(&k, &rates, &out);
     u.alpha = uniform(-100, 100);
     u.omega0 += u.alpha * k.dt;
     if (!(out.solutions.set & TF_MODE_BIT(TF_PINNED)) ||
         (out.solutions.attracting & STICKS) != STICKS ||
-        tf_locate(&k, &x, &u, &report) != TF_OK ||
+        tf_step_located(&k, &x, &u, &report) != TF_OK ||
         (report.set & STICKS) != STICKS || !(TF_MODE_BIT(x.mode) & STICKS))
       continue;
     CHECK(x.mode == TF_STICK_PLUS);
@@ -377,8 +377,8 @@ TEST(wheel_rests_where_the_law_allows) {
     const tf_input_t u = tf_input_default(&k);
     const tf_real_t r = n % 16 == 1 ? 0 : uniform(-0.6, 0.6);
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    tf_futures_t out;
-    tf_corner_futures(&k, &rates, &out);
+    tf_consistent_t out;
+    tf_codim2_modes(&k, &rates, &out);
     if (r == 0) /* nothing starts to roll on the axis */
       CHECK(!(out.solutions.set &
               (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))));

@@ -1,0 +1,48 @@
+/// @file
+/// Design of a machine: which kappa and k2 put a two-fold at a given point, in
+/// closed form.
+#ifndef TWOFOLD_DESIGN_H
+#define TWOFOLD_DESIGN_H
+
+#include "twofold/singularity.h"
+
+/// What stands in the way of a wished two-fold; the first that applies.
+typedef enum {
+  TF_DESIGN_FOUND,
+  TF_DESIGN_LAW,   ///< stick has no moment under this law, or mu = 0
+  TF_DESIGN_GAMMA, ///< |sin(gamma)| < 1e-6 (w = omega0 follows, r = -+kappa), or
+                   ///< |cos(gamma)| < 1e-6 (A > 0 whatever kappa)
+  TF_DESIGN_R,     ///< r = 0, out of range, or overflowing products
+  TF_DESIGN_OMEGA,  ///< w = omega0 (then g = 0), or out of range
+  TF_DESIGN_SPRING, ///< r = r0 or p2(r) = 0: k2 has no hold on h
+  TF_DESIGN_KAPPA,  ///< kappa would be out of its range
+  TF_DESIGN_K2      ///< k2 would be out of its range
+} tf_design_obstacle_t;
+
+/// kappa and k2 that make a wished point a two-fold.
+typedef struct {
+  tf_real_t kappa;  ///< [m]
+  tf_real_t k2;     ///< [N/m]
+  tf_two_fold_t at; ///< the normal form under them
+  uint8_t obstacle; ///< tf_design_obstacle_t; with KAPPA and K2 the rest is
+                    ///< filled none the less, else it is 0
+} tf_design_t;
+
+/// Puts a two-fold at (r, w).
+/// Scheme: (stickV), (singKappa) with sign(g), (singK2) with p2(r).
+/// machine: in, prepared; its own kappa and k2 do not matter.
+/// input: in.
+/// r [m], w [rad/s]: in.
+/// out: out.
+/// Returns: TF_OK (obstacle GRANTED); TF_BAD_PARAMETER (any other obstacle, out
+///   as said there).
+/// Cost: at most 1200 instructions. Stack: 2032 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: wished_two_folds_are_found_again,
+///   wish_gives_the_numbers_of_the_paper, wishes_that_cannot_be_granted_say_why
+#define tf_design_two_fold TF_LINK(tf_design_two_fold)
+TF_API tf_status_t tf_design_two_fold(const tf_machine_t *machine,
+                                      const tf_input_t *input, tf_real_t r,
+                                      tf_real_t w, tf_design_t *out);
+
+#endif

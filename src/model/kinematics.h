@@ -1,0 +1,32 @@
+// Kinematics: slip speeds of the wheel, and the range of states.
+#ifndef TF_KINEMATICS_H
+#define TF_KINEMATICS_H
+
+#include "../num/kernel.h"
+#include "twofold/machine.h"
+
+// (h), (g): slip is (p, q) turned by gamma, with q = r z.
+TF_INLINE tf_slip_t slip_from_pq(const tf_machine_t *k, tf_real_t p,
+                                 tf_real_t q) {
+  return (tf_slip_t){p * k->minus_sin_gamma - q * k->cos_gamma,
+                     q * k->sin_gamma - p * k->cos_gamma};
+}
+
+TF_INLINE tf_slip_t slip_speeds(const tf_machine_t *k, tf_real_t r, tf_real_t v,
+                                tf_real_t z) {
+  return slip_from_pq(k, v - k->d * z, r * z);
+}
+
+// One sum instead of three comparisons: NaN and infinity survive into it.
+TF_INLINE bool in_reach(tf_real_t r, tf_real_t v, tf_real_t w) {
+  return within(magnitude(r) + magnitude(v) + magnitude(w), TF_STATE_LIMIT);
+}
+
+TF_INLINE bool in_range(const tf_state_t *x, const tf_input_t *u) {
+  return in_reach(x->r, x->v, x->w) &&
+         within(magnitude(u->omega0) + magnitude(u->r0) + magnitude(u->force) +
+                    magnitude(u->torque) + magnitude(u->alpha),
+                TF_STATE_LIMIT);
+}
+
+#endif
