@@ -36,7 +36,7 @@ static tf_design_obstacle_t solve(const tf_machine_t *k,
                                   const tf_surface_point_t *place,
                                   tf_design_t *out) {
   const tf_real_t r = place->r, arm = r * k->cos_gamma;
-  const tf_real_t J = k->m * (k->beta2 + r * r);
+  const tf_real_t J = inertia_at(k, r);
   const tf_real_t sine = k->sin_gamma;
   const tf_real_t reach = (r * r + k->beta2 * sine * sine) / arm;
   tf_input_t slack = *input;

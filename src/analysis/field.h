@@ -21,9 +21,9 @@ TF_INLINE field_point_t point_at(const tf_machine_t *k, const tf_input_t *input,
   field_point_t x = {.r = r, .v = v, .w = w, .z = w - input->omega0, .s = s};
   x.p = v - k->d * x.z;
   x.a = rates_at(k, input, r, x.p, x.z, input->omega0);
-  x.J = k->m * (k->beta2 + r * r);
+  x.J = inertia_at(k, r);
   x.arm = r * k->cos_gamma;
-  x.turn = s ? x.arm - k->stick_kappa : x.arm + k->stick_kappa;
+  x.turn = x.arm + signed_kappa(k, s);
   x.lever = x.turn / x.J;
   return x;
 }

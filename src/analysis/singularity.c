@@ -80,7 +80,7 @@ static void balance(const tf_machine_t *k, const tf_input_t *input,
   const tf_real_t Q_phi[3] = {input->torque - k->c1 * w0,
                               -k->c1 * zeta - 2 * m * r * nu * w0,
                               -2 * m * nu * sine};
-  const tf_real_t share = cosine * r / (m * (k->beta2 + r * r));
+  const tf_real_t share = cosine * r / inertia_at(k, r);
   for (int i = 0; i < 3; i++)
     n[i] = -sine * Q_r[i] / m - share * (Q_phi[i] + k->d * Q_r[i]);
   n[0] += input->alpha * (r * cosine - k->d * sine);
@@ -146,10 +146,8 @@ static tf_real_t slope_of_N(const tf_machine_t *k, const tf_input_t *input,
   const tf_rate_t f = field(k, input, x, lambda);
   const tf_real_t r = x->r, v = x->v, w = x->w, m = k->m, J = x->J;
   const tf_real_t dr = f.r, dv = f.v, dw = f.w, dz = f.w - input->alpha;
-  const tf_real_t dQ_r =
-      -k->k2 * dr - k->c2 * dv + m * (dr * w * w + 2 * r * w * dw);
-  const tf_real_t dQ_phi =
-      -k->c1 * dw - 2 * m * (dr * v * w + r * dv * w + r * v * dw);
+  const tf_real_t dQ_r = radial_force_rate(k, r, w, dr, dv, dw);
+  const tf_real_t dQ_phi = disc_torque_rate(k, r, v, w, dr, dv, dw);
   const tf_real_t turn =
       (dQ_phi + k->d * dQ_r - (x->a.z + input->alpha) * 2 * m * r * dr) / J;
   const tf_real_t dq = dr * x->a.z + r * turn + dv * x->z + v * dz;

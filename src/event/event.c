@@ -65,10 +65,10 @@ static tf_event_t event_in_stick(const tf_taylor_t *s, const tf_segment_t *g,
   const tf_series_t roll = g_series(s, g->roll, g->g_is_0 ? 1 : 0);
   if (earlier(&roll, when)) found = TF_EVENT_CODIM2;
   // m (beta^2 + r^2) A(r, s): a quadratic of r, and no division.
-  const tf_real_t arm = (tf_real_t)g->roll * k->stick_kappa * k->cos_gamma;
+  const delassus_quadratic_t at = delassus_quadratic(k, (tf_real_t)g->roll);
   tf_series_t A;
-  for (int n = 0; n <= TF_ORDER; n++) A.c[n] = s->rr.c[n] + arm * s->r.c[n];
-  A.c[0] += k->beta2 * k->sin_gamma * k->sin_gamma;
+  for (int n = 0; n <= TF_ORDER; n++) A.c[n] = s->rr.c[n] + at.b * s->r.c[n];
+  A.c[0] += at.c;
   if (g->A_is_0) {
     for (int n = 0; n < TF_ORDER; n++) A.c[n] = A.c[n + 1];
     A.c[TF_ORDER] = 0;

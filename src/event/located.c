@@ -172,10 +172,10 @@ static tf_real_t when_at_twofold(const tf_trajectory_t *walk, tf_reach_t span) {
   if (walk->segment.closure != TF_CONTACT_STICK || k->stick_kappa == 0)
     return 0;
   const tf_real_t r = s->r.c[0];
-  const tf_real_t arm =
-      (tf_real_t)walk->segment.roll * k->stick_kappa * k->cos_gamma;
-  const tf_real_t A = r * r + arm * r + k->beta2 * k->sin_gamma * k->sin_gamma;
-  const tf_real_t rate = (2 * r + arm) * s->r.c[1];
+  const delassus_quadratic_t at =
+      delassus_quadratic(k, (tf_real_t)walk->segment.roll);
+  const tf_real_t A = r * r + at.b * r + at.c;
+  const tf_real_t rate = (2 * r + at.b) * s->r.c[1];
   const tf_real_t when = A * rate < 0 ? -A / rate : 0;
   const bool near = when > span.length && when <= walk->left &&
                     tf_term_size(s, 1) * when <= TF_CAPTURE * span.error;
@@ -327,8 +327,6 @@ TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
   state->tick++;
   const tf_slip_t slip = slip_speeds(k, state->r, v, w - input->omega0);
   const bool stick = walk.mode > TF_SLIP_MINUS;
-  const tf_real_t arm = state->r * k->cos_gamma;
-  const tf_real_t kappa = slip.g < 0 ? -k->stick_kappa : k->stick_kappa;
   // After the largest set of the step there may have been a smaller one.
   if (!(walk.set & TF_MODE_BIT(walk.mode))) {
     walk.set |= TF_MODE_BIT(walk.mode);
@@ -339,11 +337,10 @@ TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
   report->choices = (uint8_t)walk.choices;
   report->force = walk.force;
   report->slip = slip;
-  report->delassus =
-      law == TF_TYRE_NONE
-          ? 0
-          : k->sin_gamma * k->sin_gamma / k->m +
-                arm * (arm + kappa) / (k->m * (k->beta2 + state->r * state->r));
+  report->delassus = law == TF_TYRE_NONE
+                         ? 0
+                         : delassus_at(k, state->r * k->cos_gamma, slip.g < 0,
+                                       inertia_at(k, state->r));
   report->residual =
       stick
           ? law_residual(k->tyre.mu, k->stick_kappa, walk.force, slip.h, slip.g)

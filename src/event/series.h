@@ -10,7 +10,7 @@
 #ifndef TF_SERIES_H
 #define TF_SERIES_H
 
-#include "../model/kinematics.h"
+#include "../model/mechanics.h"
 #include "../model/tyre_law.h"
 #include "../num/polynomial.h"
 
@@ -46,14 +46,15 @@ static const tf_real_t tf_inverse[] = {
 
 // Sum of a_i b_(k-i), i = 0 to k. The newest term of b comes last: all before
 // it is added while that is still being computed.
-TF_INLINE tf_real_t product(const tf_series_t *a, const tf_series_t *b, int k) {
+TF_INLINE tf_real_t series_product(const tf_series_t *a, const tf_series_t *b,
+                                   int k) {
   tf_real_t sum = 0;
   for (int i = k; i > 0; i--) sum += a->c[i] * b->c[k - i];
   return sum + a->c[0] * b->c[k];
 }
 
 // The same for a = b.
-TF_INLINE tf_real_t square(const tf_series_t *a, int k) {
+TF_INLINE tf_real_t series_square(const tf_series_t *a, int k) {
   tf_real_t sum = 0;
   for (int i = (k - 1) / 2; i > 0; i--) sum += a->c[i] * a->c[k - i];
   sum += sum;
@@ -73,7 +74,7 @@ TF_INLINE void begin_taylor(tf_taylor_t *s, const tf_machine_t *k,
   s->q.c[0] = at.r * at.z;
   s->rr.c[0] = at.r * at.r;
   s->inverse_m = 1 / k->m;
-  s->inverse_J = 1 / (k->m * (k->beta2 + s->rr.c[0]));
+  s->inverse_J = 1 / inertia_at(k, at.r);
   s->arm = at.r * k->cos_gamma;
 }
 
@@ -83,16 +84,14 @@ TF_INLINE void extend(tf_taylor_t *s, int n) {
   const tf_real_t v = s->p.c[n] + k->d * s->z.c[n];
   const tf_real_t over = tf_inverse[n + 1];
   s->r.c[n + 1] = v * over;
-  s->w2.c[n] = square(&s->w, n);
-  tf_real_t Q_r =
-      k->m * product(&s->r, &s->w2, n) - k->k2 * s->r.c[n] - k->c2 * v;
-  if (n == 0) Q_r += k->k2 * s->input->r0 + s->input->force;
-  tf_real_t Q_phi = k->d * Q_r - k->c1 * s->w.c[n];
-  if (n == 0) Q_phi += s->input->torque;
+  s->w2.c[n] = series_square(&s->w, n);
+  const tf_real_t Q_r = radial_force_term(k, s->input, n, s->r.c[n], v,
+                                          series_product(&s->r, &s->w2, n));
+  tf_real_t Q_phi = momentum_rate_term(k, s->input, n, s->w.c[n], Q_r);
   tf_real_t moved = 0; // F r beyond the n-th term of F
   for (int i = 0; i < n; i++) moved += s->F.c[i] * s->r.c[n - i];
   Q_phi += moved * k->cos_gamma;
-  s->rr.c[n + 1] = square(&s->r, n + 1);
+  s->rr.c[n + 1] = series_square(&s->r, n + 1);
   tf_real_t carried = 0;
   for (int i = 1; i <= n + 1; i++) carried += s->rr.c[i] * s->w.c[n + 1 - i];
   s->p.c[n + 1] = Q_r * (s->inverse_m * over);
@@ -103,7 +102,7 @@ TF_INLINE void extend(tf_taylor_t *s, int n) {
     s->p.c[1] += k->d * s->input->alpha;
     s->z.c[1] -= s->input->alpha;
   }
-  s->q.c[n + 1] = product(&s->r, &s->z, n + 1);
+  s->q.c[n + 1] = series_product(&s->r, &s->z, n + 1);
 }
 
 // Adds what the n-th terms of F and M do to term n+1.

@@ -56,9 +56,9 @@ static void taylor_slip(tf_taylor_t *s, const tf_segment_t *g) {
   extend(s, 0);
   apply_T(s, g, 0, a.T.c[0]);
   for (int n = 1; n < TF_ORDER; n++) {
-    a.R2.c[n - 1] = square(&s->p, n - 1) + square(&s->q, n - 1);
+    a.R2.c[n - 1] = series_square(&s->p, n - 1) + series_square(&s->q, n - 1);
     a.psi.c[n - 1] = psi_term(&a, n - 1, cross(s, n - 1, 0));
-    TT.c[n - 1] = square(&a.T, n - 1);
+    TT.c[n - 1] = series_square(&a.T, n - 1);
     a.T.c[n] = T_term(&a, &TT, tyre->T_series[0], n);
     extend(s, n);
     apply_T(s, g, n, a.T.c[n]);
@@ -87,7 +87,7 @@ static void taylor_codim2_slip(tf_taylor_t *s, const tf_segment_t *g) {
   for (int n = 1; n < TF_ORDER; n++) {
     extend(s, n);
     a.psi.c[n - 1] = psi_term(&a, n - 1, cross(s, n + 1, 1));
-    TT.c[n - 1] = square(&a.T, n - 1);
+    TT.c[n - 1] = series_square(&a.T, n - 1);
     const tf_real_t T =
         T_term(&a, &TT, tyre->T_series[0], n) / (1 - gain * tf_inverse[n + 1]);
     a.T.c[n] = T;
@@ -114,8 +114,8 @@ TF_INLINE void apply_lambda(tf_taylor_t *s, const tf_segment_t *g, int n,
 
 TF_INLINE tf_real_t delassus(const tf_taylor_t *s, int roll) {
   const tf_machine_t *k = s->machine;
-  return k->sin_gamma * k->sin_gamma / k->m +
-         s->arm * (s->arm + (tf_real_t)roll * k->stick_kappa) * s->inverse_J;
+  const tf_real_t turn = s->arm + (tf_real_t)roll * k->stick_kappa;
+  return delassus_from(k, s->arm * turn * s->inverse_J);
 }
 
 static bool taylor_stick(tf_taylor_t *s, const tf_segment_t *g) {

@@ -1,7 +1,7 @@
 // Kinematics and energy of the prepared machine.
 #include "twofold/machine.h"
 
-#include "kinematics.h"
+#include "mechanics.h"
 
 TF_API tf_input_t tf_input_default(const tf_machine_t *machine) {
   return (tf_input_t){machine->omega0, machine->r0, 0, 0, 0};
@@ -25,7 +25,7 @@ TF_API tf_real_t tf_energy(const tf_machine_t *machine, const tf_state_t *state,
                            tf_real_t r0) {
   const tf_real_t p = state->v - machine->d * state->w;
   const tf_real_t stretch = state->r - r0;
-  const tf_real_t inertia = machine->m * (machine->beta2 + state->r * state->r);
+  const tf_real_t inertia = inertia_at(machine, state->r);
   return (machine->m * p * p + inertia * state->w * state->w +
           machine->k2 * stretch * stretch) /
          2;

@@ -5,7 +5,7 @@
 #ifndef TF_RATES_H
 #define TF_RATES_H
 
-#include "kinematics.h"
+#include "mechanics.h"
 
 typedef struct {
   tf_real_t p, q;     // p', q' without friction [m/s^2]
@@ -22,10 +22,9 @@ TF_INLINE tf_rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
                               tf_real_t r, tf_real_t p, tf_real_t z,
                               tf_real_t omega) {
   const tf_real_t v = p + k->d * z, w = z + omega, mr = k->m * r;
-  const tf_real_t Q_r =
-      k->k2 * (input->r0 - r) - k->c2 * v + mr * w * w + input->force;
-  const tf_real_t Q_phi = input->torque - k->c1 * w - 2 * mr * v * w;
-  const tf_real_t J = k->m * (k->beta2 + r * r);
+  const tf_real_t Q_r = radial_force(k, input, r, v, mr * w * w);
+  const tf_real_t Q_phi = disc_torque(k, input, w, 2 * mr * v * w);
+  const tf_real_t J = inertia_at(k, r);
   const tf_real_t arm = r * k->cos_gamma, alpha = input->alpha;
   const tf_real_t push = Q_r / k->m + k->d * alpha;
   const tf_real_t turn = (Q_phi + k->d * Q_r) / J - alpha;
@@ -37,9 +36,7 @@ TF_INLINE tf_rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
   a.Fq = r * arm / J;
   a.Mq = r / J;
   a.N = -a.p * k->sin_gamma - a.q * k->cos_gamma;
-  for (int s = 0; s < 2; s++)
-    a.A[s] = k->sin_gamma * k->sin_gamma / k->m +
-             arm * (arm + (s ? -k->stick_kappa : k->stick_kappa)) / J;
+  for (int s = 0; s < 2; s++) a.A[s] = delassus_at(k, arm, s, J);
   a.vz = magnitude(v * z);
   a.rz = magnitude(r) *
          (magnitude(turn) + k->tyre.mu * (magnitude(arm) + k->stick_kappa) / J);

@@ -87,12 +87,8 @@ TF_INLINE tf_change_t lacking(const tf_compensated_t *more, const whole_t *x,
   const tf_real_t hv = k->theta_dt * x->v.hi;
   const pair_t rt = plus_number(x->r, hv), mr = scaled(rt, k->m);
   const pair_t mrw = product(mr, x->w), mrwv = product(mrw, x->v);
-  const pair_t spring = scaled(plus_number(negative(rt), u->r0), k->k2);
-  const pair_t centrifugal = plus_number(product(mrw, x->w), u->force);
-  const pair_t Q_r =
-      difference(added(spring, centrifugal), scaled(x->v, k->c2));
-  const pair_t lost = added(scaled(x->w, k->c1), added(mrwv, mrwv));
-  const pair_t Q_phi = plus_number(negative(lost), u->torque);
+  const pair_t Q_r = radial_force_pair(k, u, rt, x->v, product(mrw, x->w));
+  const pair_t Q_phi = disc_torque_pair(k, u, x->w, added(mrwv, mrwv));
   const pair_t arm = product(rt, whole_cosine(more));
   const pair_t moment = plus_number(scaled(arm, f.F), f.M);
   const pair_t b = added(Q_r, scaled(whole_sine(more), f.F));

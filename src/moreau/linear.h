@@ -6,7 +6,7 @@
 #ifndef TF_LINEAR_H
 #define TF_LINEAR_H
 
-#include "../model/kinematics.h"
+#include "../model/mechanics.h"
 #include "twofold/friction.h"
 
 // A change of the velocities.
@@ -62,9 +62,8 @@ TF_INLINE tf_linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
   const tf_real_t hv = h * v, rt = state->r + hv;
   const tf_real_t mr = k->m * rt, mrw = mr * w, twice = mrw + mrw;
   // (2), (3)
-  const tf_real_t Q_r =
-      k->k2 * (input->r0 - rt) - k->c2 * v + mrw * w + input->force;
-  const tf_real_t Q_phi = input->torque - k->c1 * w - twice * v;
+  const tf_real_t Q_r = radial_force(k, input, rt, v, mrw * w);
+  const tf_real_t Q_phi = disc_torque(k, input, w, twice * v);
   // (4)
   const tf_real_t e = h * twice;
   const tf_real_t J = k->inertia + mr * (rt + 2 * hv);

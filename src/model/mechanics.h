@@ -1,0 +1,108 @@
+// The mechanics of the machine, each formula once: inertia, the smooth forces,
+// the Delassus scalar. With z = w - omega0, p = v - d z and q = r z the kinetic
+// energy relative to the turntable has no cross term, and
+//   m p' = Q_r + F sin(gamma) + m d alpha
+//   J z' = Q_phi + d Q_r + F r cos(gamma) + M - J alpha,   J = m (beta^2 + r^2)
+//   Q_r   = k2 (r0 - r) - c2 v + m r w^2 + force                        (2)
+//   Q_phi = torque - c1 w - 2 m r v w                                   (3)
+// The located step integrates the angular momentum J w instead of z. Its rate
+// has no term -2 m r v w, because that is part of (J w)':
+//   (J w)' = torque - c1 w + d Q_r + F r cos(gamma) + M                 (14)
+#ifndef TF_MECHANICS_H
+#define TF_MECHANICS_H
+
+#include "../num/pair.h"
+#include "kinematics.h"
+
+// J = m (beta^2 + r^2) [kg m^2].
+TF_INLINE tf_real_t inertia_at(const tf_machine_t *k, tf_real_t r) {
+  return k->m * (k->beta2 + r * r);
+}
+
+// (2). The caller forms m r w^2, because it needs m r w elsewhere as well.
+TF_INLINE tf_real_t radial_force(const tf_machine_t *k, const tf_input_t *u,
+                                 tf_real_t r, tf_real_t v,
+                                 tf_real_t centrifugal) {
+  return k->k2 * (u->r0 - r) - k->c2 * v + centrifugal + u->force;
+}
+
+// (3). The caller forms 2 m r v w.
+TF_INLINE tf_real_t disc_torque(const tf_machine_t *k, const tf_input_t *u,
+                                tf_real_t w, tf_real_t coriolis) {
+  return u->torque - k->c1 * w - coriolis;
+}
+
+// (2) and (3) in pairs.
+TF_INLINE pair_t radial_force_pair(const tf_machine_t *k, const tf_input_t *u,
+                                   pair_t r, pair_t v, pair_t centrifugal) {
+  const pair_t spring = scaled(plus_number(negative(r), u->r0), k->k2);
+  return difference(added(spring, plus_number(centrifugal, u->force)),
+                    scaled(v, k->c2));
+}
+
+TF_INLINE pair_t disc_torque_pair(const tf_machine_t *k, const tf_input_t *u,
+                                  pair_t w, pair_t coriolis) {
+  const pair_t lost = added(scaled(w, k->c1), coriolis);
+  return plus_number(negative(lost), u->torque);
+}
+
+// Term n of the Taylor series of (2), from the terms of r, v and r w^2.
+TF_INLINE tf_real_t radial_force_term(const tf_machine_t *k,
+                                      const tf_input_t *u, int n, tf_real_t r,
+                                      tf_real_t v, tf_real_t rw2) {
+  const tf_real_t Q_r = k->m * rw2 - k->k2 * r - k->c2 * v;
+  return n == 0 ? Q_r + (k->k2 * u->r0 + u->force) : Q_r;
+}
+
+// Term n of the Taylor series of torque - c1 w + d Q_r in (14).
+TF_INLINE tf_real_t momentum_rate_term(const tf_machine_t *k,
+                                       const tf_input_t *u, int n, tf_real_t w,
+                                       tf_real_t Q_r) {
+  const tf_real_t rate = k->d * Q_r - k->c1 * w;
+  return n == 0 ? rate + u->torque : rate;
+}
+
+// The time derivatives of (2) and (3) at (r, v, w) under the rates dr, dv, dw,
+// with the inputs held.
+TF_INLINE tf_real_t radial_force_rate(const tf_machine_t *k, tf_real_t r,
+                                      tf_real_t w, tf_real_t dr, tf_real_t dv,
+                                      tf_real_t dw) {
+  return -k->k2 * dr - k->c2 * dv + k->m * (dr * w * w + 2 * r * w * dw);
+}
+
+TF_INLINE tf_real_t disc_torque_rate(const tf_machine_t *k, tf_real_t r,
+                                     tf_real_t v, tf_real_t w, tf_real_t dr,
+                                     tf_real_t dv, tf_real_t dw) {
+  return -k->c1 * dw - 2 * k->m * (dr * v * w + r * dv * w + r * v * dw);
+}
+
+// s kappa, by the sign of g; `minus` where g < 0.
+TF_INLINE tf_real_t signed_kappa(const tf_machine_t *k, bool minus) {
+  return minus ? -k->stick_kappa : k->stick_kappa;
+}
+
+// The Delassus scalar of stick, h' = N - A lambda,
+//   A(r, s) = sin^2(gamma)/m + r cos(gamma) (r cos(gamma) + s kappa)/J,
+// from its second term, which is what lambda does to z': some callers have 1/J.
+TF_INLINE tf_real_t delassus_from(const tf_machine_t *k, tf_real_t rotation) {
+  return k->sin_gamma * k->sin_gamma / k->m + rotation;
+}
+
+// A at arm = r cos(gamma).
+TF_INLINE tf_real_t delassus_at(const tf_machine_t *k, tf_real_t arm,
+                                bool minus, tf_real_t J) {
+  return delassus_from(k, arm * (arm + signed_kappa(k, minus)) / J);
+}
+
+// A J, which vanishes with A and takes no division: r^2 + b r + c.
+typedef struct {
+  tf_real_t b, c; // s kappa cos(gamma) [m], beta^2 sin^2(gamma) [m^2]
+} delassus_quadratic_t;
+
+TF_INLINE delassus_quadratic_t delassus_quadratic(const tf_machine_t *k,
+                                                  tf_real_t sign_g) {
+  return (delassus_quadratic_t){sign_g * k->stick_kappa * k->cos_gamma,
+                                k->beta2 * k->sin_gamma * k->sin_gamma};
+}
+
+#endif
