@@ -49,7 +49,7 @@ TOOL_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -Itools
 TEST_FLAGS := $(COMMON) $(WARN) -Itests -Itests/support -Isrc
 # Short sums of products of numbers that were just computed: in vectors they
 # would wait for their stores (located step of chaos: 1.15 times the time).
-SRC_FLAGS_expand := -fno-tree-vectorize
+SRC_FLAGS_taylor := -fno-tree-vectorize
 FLAGS_double :=
 FLAGS_float := -DTF_REAL_FLOAT
 

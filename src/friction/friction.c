@@ -6,7 +6,7 @@ TF_API unsigned tf_friction_signs(const tf_inclusion_t *in) {
 }
 
 TF_API void tf_friction_solve(const tf_inclusion_t *in, tf_solutions_t *out) {
-  solve(in, signs_of(&in->g), out);
+  enumerate(in, signs_of(&in->g), out);
 }
 
 TF_API tf_real_t tf_law_residual(tf_real_t mu, tf_real_t kappa,

@@ -12,27 +12,32 @@
 #include "../num/kernel.h"
 #include "twofold/friction.h"
 
-// A form along y = s x: c0 + c1 x + c2 x^2, and its values at x = 1, -1.
+// A form of x and y along y = s x, which stick is held to: c0 + c1 x + c2 x^2,
+// and its values at x = 1 and x = -1. s: 0 for s = +1, 1 for s = -1.
 typedef struct {
   tf_real_t c0, c1, c2, plus, minus;
-} ray_t;
+} quadratic_t;
 
-TF_INLINE ray_t along(const tf_form_t *f, int s) {
-  ray_t ray = {f->c0, s ? f->F - f->M : f->F + f->M, 0, 0, 0};
-  ray.c2 = s ? f->FF + f->MM - f->FM : f->FF + f->MM + f->FM;
-  ray.plus = f->c0 + ray.c2 + ray.c1;
-  ray.minus = f->c0 + ray.c2 - ray.c1;
-  return ray;
+TF_INLINE quadratic_t along(const tf_form_t *f, int s) {
+  quadratic_t on = {f->c0, s ? f->F - f->M : f->F + f->M, 0, 0, 0};
+  on.c2 = s ? f->FF + f->MM - f->FM : f->FF + f->MM + f->FM;
+  on.plus = f->c0 + on.c2 + on.c1;
+  on.minus = f->c0 + on.c2 - on.c1;
+  return on;
 }
 
-// See tf_friction_signs. NaN ends at both.
+// Signs that g+ can have, see tf_friction_signs. NaN counts as both.
+#define PLUS_SIGN 1u
+#define MINUS_SIGN 2u
+#define BOTH_SIGNS 3u
+
 TF_INLINE unsigned signs_of(const tf_form_t *g) {
-  const ray_t a = along(g, 0), b = along(g, 1);
+  const quadratic_t a = along(g, 0), b = along(g, 1);
   if (g->c0 > 0 && a.plus > 0 && a.minus > 0 && b.plus > 0 && b.minus > 0)
-    return 1;
+    return PLUS_SIGN;
   if (g->c0 < 0 && a.plus < 0 && a.minus < 0 && b.plus < 0 && b.minus < 0)
-    return 2;
-  return 3;
+    return MINUS_SIGN;
+  return BOTH_SIGNS;
 }
 
 // The root of c0 + c1 x + c2 x^2 that is the perturbed -c0/c1; it is the one
@@ -55,20 +60,20 @@ TF_INLINE tf_real_t root_within(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
 // Where just one slip solves, h keeps its sign from x = -1 to 1 or dips through
 // 0 and back: then stick solves twice. It takes a step so long that the change
 // of r bends h inside [-1, 1].
-TF_INLINE bool dips(const ray_t *h, bool above) {
+TF_INLINE bool dips(const quadratic_t *h, bool above) {
   return magnitude(h->c1) < 2 * magnitude(h->c2) && (h->c2 > 0) == above &&
          h->c1 * h->c1 > 4 * h->c0 * h->c2;
 }
 
-// Whether a stick on a ray ends with the sign of g that the ray is for. Without
-// a moment both rays are one; it goes by the sign of g, and g = 0 has to go
-// somewhere.
+// Whether a stick under y = s x ends with the sign of g that s stands for.
+// Without a moment both s are one law: then the sign of g decides which stick it
+// is called, and g = 0 counts as g > 0.
 TF_INLINE bool rolls_as(tf_real_t g_end, int s, bool has_moment) {
   return s ? g_end < 0 : g_end > 0 || (g_end == 0 && !has_moment);
 }
 
 // The stick of one s, if there is one.
-TF_INLINE void solve_stick(const ray_t *h, const ray_t *g, int s,
+TF_INLINE void solve_stick(const quadratic_t *h, const quadratic_t *g, int s,
                            bool has_moment, tf_solutions_t *out) {
   const bool above = h->plus > 0, one = above != (h->minus < 0);
   const bool two = one && dips(h, above);
@@ -116,9 +121,9 @@ TF_INLINE void solve_slip(const tf_inclusion_t *in, int slip, tf_real_t side,
 }
 
 // All g+ have the sign of one s.
-TF_INLINE void solve_one_sign(const tf_inclusion_t *in, int s,
-                              tf_solutions_t *out) {
-  const ray_t h = along(&in->h, s);
+TF_INLINE void enumerate_one_sign(const tf_inclusion_t *in, int s,
+                                  tf_solutions_t *out) {
+  const quadratic_t h = along(&in->h, s);
   const bool plus = h.plus > 0, minus = h.minus < 0;
   out->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
   out->attracting = (uint8_t)(h.c1 < 0 ? TF_MODE_BIT(TF_STICK_PLUS + s) : 0);
@@ -131,9 +136,10 @@ TF_INLINE void solve_one_sign(const tf_inclusion_t *in, int s,
 }
 
 // g+ may have either sign: codimension two is within reach of this step.
-TF_INLINE void solve_both_signs(const tf_inclusion_t *in, tf_solutions_t *out) {
-  const ray_t h0 = along(&in->h, 0), h1 = along(&in->h, 1);
-  const ray_t g0 = along(&in->g, 0), g1 = along(&in->g, 1);
+TF_INLINE void enumerate_both_signs(const tf_inclusion_t *in,
+                                    tf_solutions_t *out) {
+  const quadratic_t h0 = along(&in->h, 0), h1 = along(&in->h, 1);
+  const quadratic_t g0 = along(&in->g, 0), g1 = along(&in->g, 1);
   out->set = 0;
   out->attracting = 0;
   solve_stick(&h0, &g0, 0, in->has_moment, out);
@@ -146,26 +152,27 @@ TF_INLINE void solve_both_signs(const tf_inclusion_t *in, tf_solutions_t *out) {
     out->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
 }
 
-TF_INLINE void solve(const tf_inclusion_t *in, unsigned signs,
-                     tf_solutions_t *out) {
-  const bool at_plus = signs == 3 ? in->g_now >= 0 : signs == 1;
+TF_INLINE void enumerate(const tf_inclusion_t *in, unsigned signs,
+                         tf_solutions_t *out) {
+  const bool at_plus =
+      signs == BOTH_SIGNS ? in->g_now >= 0 : signs == PLUS_SIGN;
   out->near_stick = at_plus ? TF_STICK_PLUS : TF_STICK_MINUS;
-  if (signs == 3)
-    solve_both_signs(in, out);
-  else if (signs == 1)
-    solve_one_sign(in, 0, out);
+  if (signs == BOTH_SIGNS)
+    enumerate_both_signs(in, out);
+  else if (signs == PLUS_SIGN)
+    enumerate_one_sign(in, 0, out);
   else
-    solve_one_sign(in, 1, out);
+    enumerate_one_sign(in, 1, out);
 }
 
 // See tf_law_residual.
 TF_INLINE tf_real_t law_residual(tf_real_t mu, tf_real_t kappa,
                                  tf_force_t force, tf_real_t h, tf_real_t g) {
   const tf_real_t M = kappa * force.F; // that goes with g > 0
-  const tf_real_t rest = magnitude(force.F - clip(force.F + h, -mu, mu));
-  if (g > 0) return rest + magnitude(force.M - M);
-  if (g < 0) return rest + magnitude(force.M + M);
-  return rest + magnitude(force.M - clip(force.M, -magnitude(M), magnitude(M)));
+  const tf_real_t off = magnitude(force.F - clip(force.F + h, -mu, mu));
+  if (g > 0) return off + magnitude(force.M - M);
+  if (g < 0) return off + magnitude(force.M + M);
+  return off + magnitude(force.M - clip(force.M, -magnitude(M), magnitude(M)));
 }
 
 #endif

@@ -88,7 +88,7 @@ static int choose(const tf_machine_t *restrict k,
   return slips;
 }
 
-// end_after() for the multipliers of one lane.
+// (7) for the multipliers of one lane.
 TF_INLINE tf_end_t lane_end(const tf_machine_t *k, const work_t *w,
                             tf_real_t omega0, int i, tf_real_t x, tf_real_t y) {
   const tf_linear_t l = {.omega0 = omega0,
@@ -98,8 +98,7 @@ TF_INLINE tf_end_t lane_end(const tf_machine_t *k, const work_t *w,
                          .r_explicit = w->r_explicit[i]};
   const tf_change_t change = {x * w->F_p[i] + y * w->M_p[i],
                               x * w->F_z[i] + y * w->M_z[i]};
-  return end_after(k, &l, (tf_force_t){x * k->tyre.mu, y * k->kappa_mu},
-                   change);
+  return end_after(k, &l, change);
 }
 
 TF_INLINE tf_slip_t lane_theta_slip(const tf_machine_t *k,
@@ -109,7 +108,7 @@ TF_INLINE tf_slip_t lane_theta_slip(const tf_machine_t *k,
       .p = w->p[i], .z = w->z[i], .free = {w->free_p[i], w->free_z[i]}};
   const tf_change_t change = {x * w->F_p[i] + y * w->M_p[i],
                               x * w->F_z[i] + y * w->M_z[i]};
-  return theta_slip(k, &l, b->r[i] + k->theta_dt * b->v[i], change);
+  return slip_at_theta(k, &l, b->r[i] + k->theta_dt * b->v[i], change);
 }
 
 static void stick_all(work_t *restrict w) {
@@ -117,7 +116,7 @@ static void stick_all(work_t *restrict w) {
     const mask_t minus = when(w->roll[i] < 0);
     const tf_real_t x = pick(minus, w->root[1][i], w->root[0][i]);
     w->x[i] = x;
-    w->y[i] = turn_sign(minus, x);
+    w->y[i] = flip_sign(minus, x);
   }
 }
 
@@ -127,7 +126,7 @@ TF_INLINE tf_real_t lane_tau(const work_t *w, mask_t minus, int i) {
   const mask_t down = w->g_plus[1][i] | w->g_minus[1][i];
   const mask_t known = (up & ~minus) | (down & minus);
   const mask_t negative = (w->down[0][i] & ~minus) | (w->down[1][i] & minus);
-  return pick(known, turn_sign(negative, 1), w->root[2][i]);
+  return pick(known, flip_sign(negative, 1), w->root[2][i]);
 }
 
 // slip_end() of step_core.h for one lane that slips; others keep theirs.
@@ -135,7 +134,7 @@ TF_INLINE void slip_lane(const tf_machine_t *restrict k,
                          const tf_state_block_t *restrict b, tf_real_t omega0,
                          work_t *restrict w, int i) {
   const mask_t slips = when(w->side[i] != 0), minus = when(w->side[i] < 0);
-  const tf_real_t side = turn_sign(minus, 1);
+  const tf_real_t side = flip_sign(minus, 1);
   const tf_real_t tau = lane_tau(w, minus, i);
   const tf_slip_t now = slip_from_pq(k, w->p[i], b->r[i] * w->z[i]);
   const lane_law_t first = lane_law(&k->tyre, side, now);
@@ -182,8 +181,8 @@ static void ends_all(const tf_machine_t *restrict k, tf_real_t omega0,
     const tf_real_t r = pick(moves, by.r, w->r_explicit[i]);
     const tf_real_t v = keep(moves, by.v), omega = pick(moves, by.w, omega0);
     const tf_real_t size = magnitude(r) + magnitude(v) + magnitude(omega);
-    w->F[i] = pick(moves, by.force.F, w->pin_F[i]);
-    w->M[i] = pick(moves, by.force.M, w->pin_M[i]);
+    w->F[i] = pick(moves, w->x[i] * k->tyre.mu, w->pin_F[i]);
+    w->M[i] = pick(moves, w->y[i] * k->kappa_mu, w->pin_M[i]);
     w->r[i] = r;
     w->v[i] = v;
     w->w[i] = omega;
@@ -199,7 +198,7 @@ static void finish_all(const tf_machine_t *restrict k,
     const tf_force_t force = {w->F[i], w->M[i]};
     const tf_slip_t slip = slip_speeds(k, w->r[i], w->v[i], w->w[i] - omega0);
     const mask_t minus = w->below[i] | (~w->above[i] & when(slip.g < 0));
-    const tf_real_t h1 = w->h.F[i] + turn_sign(minus, w->h.M[i]);
+    const tf_real_t h1 = w->h.F[i] + flip_sign(minus, w->h.M[i]);
     b->r[i] = w->r[i];
     b->v[i] = w->v[i];
     b->w[i] = w->w[i];
@@ -286,8 +285,8 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
   linearise_all(k, b, u, &work);
   forms_all(k, &work);
   pin_all(k, &work);
-  g_rays_all(&work);
-  h_rays_all(k, b, &work);
+  g_along_all(&work);
+  h_along_all(k, b, &work);
   roots_all(&work);
   sticks_all(&work);
   slips_all(&work);

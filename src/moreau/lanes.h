@@ -48,28 +48,8 @@ TF_INLINE tf_real_t keep(mask_t mask, tf_real_t a) {
 }
 
 // mask ? -a : a
-TF_INLINE tf_real_t turn_sign(mask_t mask, tf_real_t a) {
+TF_INLINE tf_real_t flip_sign(mask_t mask, tf_real_t a) {
   return real_of(bits_of(a) ^ (mask & bits_of(TF_R(-0.0))));
-}
-
-// motion() of step.c: the end of the step without friction, answers to F = mu
-// and M = kappa mu.
-typedef struct {
-  tf_real_t r, z;
-  tf_slip_t free;
-  tf_response_t F, M;
-} lane_motion_t;
-
-TF_INLINE lane_motion_t lane_motion(const tf_machine_t *k,
-                                    const tf_linear_t *l) {
-  lane_motion_t c;
-  const tf_real_t p = l->p + l->free.p;
-  c.z = l->z + l->free.z;
-  c.r = l->r_explicit + k->theta_dt * (p + k->d * c.z);
-  c.free = slip_from_pq(k, p, c.r * c.z);
-  c.F = response_at_end(k, force_response(k, l));
-  c.M = response_at_end(k, moment_response(k, l));
-  return c;
 }
 
 // root_within() where its series will do and needs no clipping.
@@ -96,16 +76,13 @@ TF_INLINE mask_t share_down(mask_t g_plus, mask_t g_minus, mask_t plus_slips,
   return ~(g_plus & (tie | ~g_minus));
 }
 
-// pinning_force() without its way out.
+// pinning_force() without its early return.
 TF_INLINE tf_force_t lane_pin(const tf_machine_t *k, const tf_linear_t *l) {
-  const tf_real_t p = l->p + l->free.p, z = l->z + l->free.z;
-  const tf_real_t P = l->p_b + k->d * l->p_c, T = l->p_t - l->p_c;
-  const tf_real_t B = l->p_t + k->d * l->z_c, Z = l->z_t + l->z_c;
-  const tf_real_t det = P * Z + T * B;
-  const tf_real_t b = (T * z - Z * p) / det, t = -(P * z + B * p) / det;
+  const tf_rest_load_t load = load_to_rest(k, l);
   const mask_t held = when(k->sin_gamma != 0);
-  const tf_real_t F = b / k->sin_gamma;
-  return (tf_force_t){pick(held, F, TF_REAL_MAX), keep(held, t - F * l->arm)};
+  const tf_real_t F = load.b / k->sin_gamma;
+  return (tf_force_t){pick(held, F, TF_REAL_MAX),
+                      keep(held, load.t - F * l->arm)};
 }
 
 // Which borders between the anchors of cot_psi() lie below the angle, and
@@ -152,7 +129,7 @@ TF_INLINE lane_law_t lane_law(const tf_tyre_t *tyre, tf_real_t side,
   const tf_real_t T = (Tk + u) / (1 - Tk * u);
   const tf_real_t x = TF_R(4.0) / 3 - T * tyre->inv_18_kappa;
   const tf_real_t y = T * tyre->inv_6_kappa;
-  return (lane_law_t){side * x, turn_sign(when(slip.g < 0), side * y),
+  return (lane_law_t){side * x, flip_sign(when(slip.g < 0), side * y),
                       when(high < TF_REAL_MIN / TF_REAL_EPSILON)};
 }
 
@@ -163,13 +140,13 @@ TF_INLINE tf_real_t lane_residual(const tf_machine_t *k, tf_real_t side,
   const mask_t slips = when(side != 0);
   const tf_real_t F = pick(slips, side, force.F);
   const tf_real_t mu = pick(slips, 1, k->tyre.mu);
-  const tf_real_t rest = magnitude(F - clip(F + slip.h, -mu, mu));
+  const tf_real_t natural = magnitude(F - clip(F + slip.h, -mu, mu));
   const tf_real_t M = k->stick_kappa * force.F, most = magnitude(M);
-  const tf_real_t rolling = magnitude(force.M - turn_sign(when(slip.g < 0), M));
+  const tf_real_t rolling = magnitude(force.M - flip_sign(when(slip.g < 0), M));
   const tf_real_t between = magnitude(force.M - clip(force.M, -most, most));
   const tf_real_t off =
       pick(when(slip.g > 0) | when(slip.g < 0), rolling, between);
-  return rest + keep(~slips, off);
+  return natural + keep(~slips, off);
 }
 
 #endif

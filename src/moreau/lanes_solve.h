@@ -100,13 +100,14 @@ static void linearise_all(const tf_machine_t *restrict k,
 static void forms_all(const tf_machine_t *restrict k, work_t *restrict w) {
   for (int i = 0; i < TF_LANES; i++) {
     const tf_linear_t l = linear_of(w, 0, i);
-    const lane_motion_t c = lane_motion(k, &l);
+    const tf_free_end_t end = free_end(k, &l);
+    const tf_slip_t free = slip_from_pq(k, end.p, end.r * end.z);
     tf_form_t h, g;
-    slip_forms(k, c.r, c.z, c.free, &c.F, &c.M, &h, &g);
-    w->F_p[i] = c.F.p;
-    w->F_z[i] = c.F.z;
-    w->M_p[i] = c.M.p;
-    w->M_z[i] = c.M.z;
+    slip_forms(k, &end, free, &h, &g);
+    w->F_p[i] = end.F.p;
+    w->F_z[i] = end.F.z;
+    w->M_p[i] = end.M.p;
+    w->M_z[i] = end.M.z;
     put_form(&w->h, &h, i);
     put_form(&w->g, &g, i);
   }
@@ -127,10 +128,10 @@ static void pin_all(const tf_machine_t *restrict k, work_t *restrict w) {
 // The signs of g+, and the root to be found for the share of the moment. At
 // most one slip has such a root: slip+ needs g.M <= 0 for it, slip- g.M >= 0,
 // up to the bends; slips_all() calls the lane odd where both have.
-static void g_rays_all(work_t *restrict w) {
+static void g_along_all(work_t *restrict w) {
   for (int i = 0; i < TF_LANES; i++) {
     const tf_form_t g = form_of(&w->g, i);
-    const ray_t g0 = along(&g, 0), g1 = along(&g, 1);
+    const quadratic_t g0 = along(&g, 0), g1 = along(&g, 1);
     const mask_t up0 = when(g0.plus > 0), down0 = when(g0.minus > 0);
     const mask_t up1 = when(g1.plus < 0), down1 = when(g1.minus < 0);
     const mask_t up = ~(up0 | up1);
@@ -150,11 +151,11 @@ static void g_rays_all(work_t *restrict w) {
   }
 }
 
-static void h_rays_all(const tf_machine_t *restrict k,
+static void h_along_all(const tf_machine_t *restrict k,
                        const tf_state_block_t *restrict b, work_t *restrict w) {
   for (int i = 0; i < TF_LANES; i++) {
     const tf_form_t h = form_of(&w->h, i);
-    const ray_t h0 = along(&h, 0), h1 = along(&h, 1);
+    const quadratic_t h0 = along(&h, 0), h1 = along(&h, 1);
     const mask_t above = w->above[i], below = w->below[i];
     const mask_t up0 = when(h0.plus > 0), down0 = when(h0.minus < 0);
     const mask_t up1 = when(h1.plus > 0), down1 = when(h1.minus < 0);
@@ -199,7 +200,7 @@ static void sticks_all(work_t *restrict w) {
     const mask_t above = w->above[i], below = w->below[i];
     const mask_t none0 = w->none[0][i], none1 = w->none[1][i];
     const tf_form_t g = form_of(&w->g, i);
-    const ray_t g0 = along(&g, 0), g1 = along(&g, 1);
+    const quadratic_t g0 = along(&g, 0), g1 = along(&g, 1);
     const tf_real_t x0 = w->root[0][i], x1 = w->root[1][i];
     const mask_t rolls0 = when(g0.c0 + x0 * (g0.c1 + x0 * g0.c2) > 0);
     const mask_t rolls1 = when(g1.c0 + x1 * (g1.c1 + x1 * g1.c2) < 0);

@@ -1,89 +1,101 @@
-// One step: linearise, enumerate what friction allows, choose, advance.
+// One step of the Moreau-Jean theta scheme. tf_step at the end of this file is
+// the scheme, stage by stage; what it needs seldom stands apart as functions of
+// their own that end in tail calls, so that their stacks do not add.
 #include "twofold/step.h"
 
+#include "codim2_end.h"
+#include "least_violation.h"
+#include "outcome.h"
+#include "single_valued.h"
 #include "stages.h"
 
-TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
-                             const tf_input_t *input, tf_end_t end,
-                             unsigned mode, unsigned set, tf_real_t delassus,
-                             tf_status_t status, tf_report_t *report) {
-  // A Delassus scalar that overflows tells that the slopes of h and g did.
-  if (!in_reach(end.r, end.v, end.w) || !within(delassus, TF_REAL_MAX))
-    return refuse(report, TF_DIVERGED);
-  const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
-  const tf_real_t rest = residual(k, mode, end.force, slip);
+// Commit: the state and the report, or the refusal. A Delassus scalar that
+// overflows shows that the slopes of h and g did.
+TF_INLINE tf_status_t commit(const free_motion_t *c, tf_state_t *state,
+                             const end_t *end, outcome_t what,
+                             tf_report_t *report) {
+  const tf_machine_t *k = TF_API_MACHINE(c);
+  if (!in_reach(end->at.r, end->at.v, end->at.w) ||
+      !within(what.delassus, TF_REAL_MAX))
+    return refuse_step(report, TF_DIVERGED);
+  const tf_slip_t slip = end_slip(c, end);
+  const tf_real_t off = residual(k, what.mode, end->force, slip);
   if (k->with_angle) // (12)
-    state->phi += k->explicit_dt * state->w + k->theta_dt * end.w;
-  return record(state, end, slip, rest, mode, set, delassus, status, report);
+    state->phi += k->explicit_dt * state->w + k->theta_dt * end->at.w;
+  return record(state, end->at, slip, end->force, off, what, report);
 }
 
-TF_RARE tf_status_t step_degraded(const tf_machine_t *k, tf_state_t *state,
+TF_RARE tf_status_t degraded_step(const tf_machine_t *k, tf_state_t *state,
                                   const tf_input_t *input,
                                   tf_report_t *report) {
-  const motion_t c = motion(k, state, NULL, input);
-  const least_t best = least_violating(&c);
-  return commit(k, state, input, best.end.at, best.mode, best.set,
-                best.delassus, TF_DEGRADED, report);
+  const free_motion_t c = plain_motion(k, state, input);
+  const violation_t best = least_violation(&c);
+  return commit(&c, state, &best.end, best.what, report);
 }
 
-TF_RARE bool met_rest(const tf_machine_t *k, const tf_state_t *state,
-                      const tf_input_t *input, unsigned set,
-                      unsigned attracting) {
-  const motion_t c = motion(k, state, NULL, input);
-  tf_inclusion_t in = inclusion(&c);
-  complete(&c, &in);
-  return meets_rest(&c, &in, set, attracting);
+TF_RARE bool step_reaches_codim2(const tf_machine_t *k, const tf_state_t *state,
+                                 const tf_input_t *input, unsigned set,
+                                 unsigned attracting) {
+  const free_motion_t c = plain_motion(k, state, input);
+  return reaches_codim2(&c, set, attracting);
 }
 
 // Apart from the search of the force for the sake of the stack.
-TF_RARE tf_status_t step_under(const tf_machine_t *k, tf_state_t *state,
-                               const tf_input_t *input, tf_report_t *report,
-                               tf_real_t F, tf_real_t M) {
-  const motion_t c = motion(k, state, NULL, input);
-  end_t end;
-  tf_real_t rest;
-  const unsigned mode = mode_under(&c, (tf_force_t){F, M}, &end, &rest);
-  const tf_status_t status = commit(k, state, input, end.at, mode,
-                                    TF_MODE_BIT(mode), 0, TF_OK, report);
-  if (status == TF_OK) report->residual = rest;
+TF_RARE tf_status_t step_under_force(const tf_machine_t *k, tf_state_t *state,
+                                     const tf_input_t *input,
+                                     tf_report_t *report, tf_real_t F,
+                                     tf_real_t M) {
+  const free_motion_t c = plain_motion(k, state, input);
+  const single_valued_end_t to = single_valued_end(&c, (tf_force_t){F, M});
+  const outcome_t what = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
+  const tf_status_t status = commit(&c, state, &to.end, what, report);
+  if (status == TF_OK) report->residual = to.off;
   return status;
 }
 
-TF_RARE tf_status_t step_single_valued(const tf_machine_t *k, tf_state_t *state,
+TF_RARE tf_status_t single_valued_step(const tf_machine_t *k, tf_state_t *state,
                                        const tf_input_t *input,
                                        tf_report_t *report) {
-  const motion_t c = motion(k, state, NULL, input);
-  if (!c.linear.definite) return refuse(report, TF_STEP_TOO_LONG);
+  const free_motion_t c = plain_motion(k, state, input);
+  if (!c.linear.definite) return refuse_step(report, TF_STEP_TOO_LONG);
   const tf_force_t force = single_valued_force(&c);
-  return step_under(k, state, input, report, force.F, force.M);
+  return step_under_force(k, state, input, report, force.F, force.M);
 }
 
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report) {
   const tf_machine_t *k = machine;
   unsigned mode = state->mode;
+  // Validate.
   if (mode >= TF_MODES || !in_range(state, input))
-    return refuse(report, TF_BAD_STATE);
+    return refuse_step(report, TF_BAD_STATE);
   if (!tf_tyre_is_set_valued(k->tyre.law))
-    return step_single_valued(k, state, input, report);
-  const motion_t c = motion(k, state, NULL, input);
-  if (!c.linear.definite) return refuse(report, TF_STEP_TOO_LONG);
+    return single_valued_step(k, state, input, report);
+  // Free motion, (1)-(7).
+  const free_motion_t c = plain_motion(k, state, input);
+  if (!c.linear.definite) return refuse_step(report, TF_STEP_TOO_LONG);
+  // Inclusion, (8).
   tf_inclusion_t in = inclusion(&c);
   const unsigned signs = signs_of(&in.g);
-  if (signs == 3) complete(&c, &in);
+  if (signs == BOTH_SIGNS) complete(&c, &in);
+  // Enumerate.
   tf_solutions_t s = {0};
-  solve(&in, signs, &s);
-  // What goes on under every rule is not asked of tf_select.
-  if (signs == 3 && !(s.set & TF_MODE_BIT(mode)) &&
-      met_rest(k, state, input, s.set, s.attracting))
-    s.set |= (uint8_t)TF_MODE_BIT(mode = TF_PINNED);
-  else if (!(s.set & TF_MODE_BIT(mode) & (SLIPS | s.attracting)))
-    mode = select_again(k, state, s.set, s.near_stick, s.h_limit[0],
-                        s.h_limit[1], s.attracting);
-  if (mode == TF_MODES) return step_degraded(k, state, input, report);
+  enumerate(&in, signs, &s);
+  // Choose.
+  if (signs == BOTH_SIGNS && !has(s.set, mode) &&
+      step_reaches_codim2(k, state, input, s.set, s.attracting)) {
+    mode = TF_PINNED;
+    s.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
+  } else if (!goes_on(&s, mode)) {
+    mode = select_mode(k, state, s.set, s.near_stick, s.h_limit[0],
+                       s.h_limit[1], s.attracting);
+  }
+  if (mode == TF_MODES) return degraded_step(k, state, input, report);
+  // End in the mode, (9), (10).
   const end_t end = mode_end(&c, &s, mode);
-  const bool minus = signs == 3 ? slip_of(&c, &end).g < 0 : signs == 2;
-  const tf_real_t h1 = minus ? in.h.F - in.h.M : in.h.F + in.h.M;
-  return commit(k, state, input, end.at, mode, s.set, -h1 * k->inv_mu_dt, TF_OK,
-                report);
+  // Commit.
+  const bool minus =
+      signs == BOTH_SIGNS ? end_slip(&c, &end).g < 0 : signs == MINUS_SIGN;
+  const outcome_t what = {mode, s.set, TF_OK, step_delassus(k, &in, minus)};
+  return commit(&c, state, &end, what, report);
 }

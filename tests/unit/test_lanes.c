@@ -85,8 +85,8 @@ static void compare_blocks(unsigned long blocks, tf_real_t scale) {
       put(&block, &work, &in[i], i);
     }
     pin_all(&upright, &work);
-    g_rays_all(&work);
-    h_rays_all(&upright, &block, &work);
+    g_along_all(&work);
+    h_along_all(&upright, &block, &work);
     roots_all(&work);
     sticks_all(&work);
     slips_all(&work);

@@ -1,0 +1,41 @@
+// The end of a degraded step: no mode is consistent, or none that a slip may
+// enter.
+#ifndef TF_LEAST_VIOLATION_H
+#define TF_LEAST_VIOLATION_H
+
+#include "outcome.h"
+#include "stages.h"
+
+// The end that a step takes where no mode is consistent, or none that a slip may
+// enter: of all that it may, the one that violates the law least.
+typedef struct {
+  end_t end;
+  outcome_t what;
+} violation_t;
+
+TF_INLINE violation_t least_violation(const free_motion_t *c) {
+  const tf_machine_t *k = TF_API_MACHINE(c);
+  tf_inclusion_t in = inclusion(c);
+  tf_solutions_t s = {0};
+  const unsigned signs = signs_of(&in.g);
+  complete(c, &in);
+  enumerate(&in, signs, &s);
+  violation_t best = {pinned_end(c), {TF_PINNED, s.set, TF_DEGRADED, 0}};
+  tf_real_t least = TF_REAL_MAX;
+  enumerate_both_signs(&in, &s); // candidates, whatever the sign of g would be
+  const bool slipping = c->state->mode <= TF_SLIP_MINUS;
+  for (unsigned mode = 0; mode < TF_MODES; mode++) {
+    const bool sticks = mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
+    if (slipping && sticks && !(s.attracting & TF_MODE_BIT(mode))) continue;
+    const end_t end = mode_end(c, &s, mode);
+    const tf_real_t off = residual(k, mode, end.force, end_slip(c, &end));
+    if (!(off < least)) continue;
+    least = off;
+    best.what.mode = mode;
+    best.end = end;
+  }
+  best.what.delassus = step_delassus(k, &in, end_slip(c, &best.end).g < 0);
+  return best;
+}
+
+#endif

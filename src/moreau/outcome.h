@@ -1,0 +1,51 @@
+// What a step ends with: its residual, and the report and state that it writes,
+// or the refusal.
+#ifndef TF_OUTCOME_H
+#define TF_OUTCOME_H
+
+#include "../friction/inclusion.h"
+#include "../friction/mode_set.h"
+#include "linear.h"
+#include "twofold/step.h"
+
+// What a step has decided.
+typedef struct {
+  unsigned mode, set;
+  tf_status_t status;
+  tf_real_t delassus;
+} outcome_t;
+
+// In slip the angle is not in question: only the side is checked.
+TF_INLINE tf_real_t residual(const tf_machine_t *k, unsigned mode,
+                             tf_force_t force, tf_slip_t slip) {
+  if (mode > TF_SLIP_MINUS)
+    return law_residual(k->tyre.mu, k->stick_kappa, force, slip.h, slip.g);
+  return law_residual(1, 0, (tf_force_t){mode == TF_SLIP_PLUS ? 1 : -1, 0},
+                      slip.h, slip.g);
+}
+
+TF_INLINE tf_status_t refuse_step(tf_report_t *report, tf_status_t status) {
+  report->status = status;
+  return status;
+}
+
+TF_INLINE tf_status_t record(tf_state_t *state, tf_end_t end, tf_slip_t slip,
+                             tf_force_t force, tf_real_t off, outcome_t what,
+                             tf_report_t *report) {
+  report->mode = (uint8_t)what.mode;
+  report->set = (uint8_t)what.set;
+  report->choices = (uint8_t)size_of(what.set);
+  report->force = force;
+  report->slip = slip;
+  report->delassus = what.delassus;
+  report->residual = off;
+  report->status = what.status;
+  state->r = end.r;
+  state->v = end.v;
+  state->w = end.w;
+  state->mode = (uint8_t)what.mode;
+  state->tick++;
+  return what.status;
+}
+
+#endif

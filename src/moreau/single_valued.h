@@ -1,0 +1,69 @@
+// The force of a single-valued law over a step, (11). No enumeration is needed,
+// but the law may still be stiff in h.
+#ifndef TF_SINGLE_VALUED_H
+#define TF_SINGLE_VALUED_H
+
+#include "stages.h"
+
+// A single-valued law does not read the side.
+TF_INLINE tf_force_t single_valued_law(const tf_machine_t *k, tf_slip_t at) {
+  return tf_tyre_force(&k->tyre, at.h, at.h, at.g);
+}
+
+TF_INLINE tf_slip_t slip_at_theta_under(const free_motion_t *c,
+                                        tf_change_t friction) {
+  const tf_machine_t *k = TF_API_MACHINE(c);
+  return slip_at_theta(k, &c->linear, c->state->r + k->theta_dt * c->state->v,
+                       friction);
+}
+
+// (11): the secant F = c h at the predicted slip is taken implicitly where that
+// damps (the end of the step responds with E < 0) and explicitly where it
+// drives. The secant never extrapolates: |share| <= 1.
+TF_INLINE tf_force_t secant_force(const free_motion_t *c, tf_slip_t at) {
+  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_real_t h_now = start_slip(c).h;
+  const tf_force_t f = single_valued_law(k, at);
+  if (at.h == 0) return f;
+  const tf_response_t a = response_at_end(k, response_to(k, &c->linear, f));
+  const tf_real_t E =
+      slip_from_pq(k, a.p, c->end.r * a.z + c->end.z * a.r).h / at.h;
+  if (!(E < 0)) return f;
+  const tf_real_t h =
+      (h_now + k->theta * (c->slip.h - h_now)) / (1 - k->theta * E);
+  const tf_real_t share = clip(h / at.h, -1, 1);
+  return (tf_force_t){share * f.F, share * f.M};
+}
+
+// The force for a step: predicted from the start, corrected at the theta point.
+TF_INLINE tf_force_t single_valued_force(const free_motion_t *c) {
+  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_force_t first = secant_force(c, start_slip(c));
+  const tf_slip_t at =
+      slip_at_theta_under(c, response_to(k, &c->linear, first));
+  return secant_force(c, at);
+}
+
+// The end under such a force, the mode that its slip has, and how far the force
+// is from the law at the theta point.
+typedef struct {
+  end_t end;
+  unsigned mode;
+  tf_real_t off;
+} single_valued_end_t;
+
+TF_INLINE single_valued_end_t single_valued_end(const free_motion_t *c,
+                                                tf_force_t force) {
+  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_change_t change = response_to(k, &c->linear, force);
+  single_valued_end_t out = {.end = end_under(c, force, change)};
+  const tf_slip_t at = slip_at_theta_under(c, change);
+  const tf_real_t h = end_slip(c, &out.end).h;
+  out.off = magnitude(force.F - single_valued_law(k, at).F);
+  out.mode = h > 0   ? TF_SLIP_PLUS
+             : h < 0 ? TF_SLIP_MINUS
+                     : c->state->mode & 1u; // as it was at h = 0
+  return out;
+}
+
+#endif
