@@ -1,19 +1,19 @@
 /// @file
-/// The compensated step: a machine and a state with the digits that their type
-/// lacks.
+/// The compensated step: tf_step with the rounding of its state kept, as in
+/// compensated summation.
 ///
-/// At dt = 1e-6 s a step changes the state by less than a float of it can
-/// tell, so that a plain step in float loses most of what it has computed.
-/// This one keeps what is left over beside the state, as the carry, and adds
-/// it again. A program that does not call it has nothing of it.
+/// At dt = 1e-6 s a step changes the state by less than the resolution of a
+/// float, so that a plain step in float loses most of what it has computed. This
+/// one keeps the remainder beside the state, as the compensation, and adds it in
+/// the next step. A program that does not call it does not contain it.
 #ifndef TWOFOLD_COMPENSATED_H
 #define TWOFOLD_COMPENSATED_H
 
 #include "twofold/machine.h"
 #include "twofold/step.h"
 
-/// What the members of a tf_state_t leave out: the machine is at state + carry.
-/// All 0 after tf_begin, or what rounding a more precise start has left over.
+/// What the rounding of a tf_state_t has left out: the machine is at state +
+/// compensation. All 0 after tf_begin, or the remainder of a more precise start.
 typedef struct {
   tf_real_t r;   ///< [m]
   tf_real_t v;   ///< [m/s]
@@ -21,7 +21,7 @@ typedef struct {
   tf_real_t phi; ///< [rad], 0 unless with_angle
 } tf_compensation_t;
 
-/// A machine, and what the rounding of its constants has left out.
+/// A machine, and what rounding has left out of its constants.
 typedef struct {
   tf_machine_t machine;    ///< for every other function
   tf_real_t low_sin_gamma; ///< sin(gamma) - machine.sin_gamma
@@ -43,13 +43,14 @@ TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
                                           const tf_params_t *params,
                                           int *offender);
 
-/// Speed v that gives a wished lateral slip speed h at (r, w), all digits: with
-/// tf_speed_for_slip the start would miss h by the rounding of v, and the first
-/// compensated step, which can tell, would undo that with a blow.
+/// Speed v for a given lateral slip speed h at (r, w), as precise as the
+/// compensated step: with tf_speed_for_slip the start would miss h by the
+/// rounding of v, and the first compensated step, which resolves that, would
+/// correct it by an impulse of friction.
 /// Scheme: (h) solved for v.
 /// machine: in, prepared.
 /// state: in/out; r, w are read, v is set [m/s].
-/// carry: in/out, likewise.
+/// compensation: in/out, likewise.
 /// omega0 [rad/s], h [m/s]: in.
 /// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < 1e-6 (nothing touched).
 /// Cost: at most 250 instructions. Stack: 368 B.
@@ -58,22 +59,22 @@ TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
 #define tf_speed_for_slip_compensated TF_LINK(tf_speed_for_slip_compensated)
 TF_API tf_status_t tf_speed_for_slip_compensated(
     const tf_compensated_t *machine, tf_state_t *state,
-    tf_compensation_t *carry, tf_real_t omega0, tf_real_t h);
+    tf_compensation_t *compensation, tf_real_t omega0, tf_real_t h);
 
-/// tf_step with the rounding of r, v, w and phi carried along.
+/// tf_step with the rounding of r, v, w and phi compensated.
 /// Scheme: DESIGN.md (1)-(12) as tf_step. The slip at the start of the step is
-///   that of state + carry; the changes of p and z are refined once by the
-///   residual of (6), formed in pairs of tf_real_t, and added to state + carry.
-///   F and M of a slip have the digits of tf_real_t: of the law JUMP they are
-///   what limits a float.
+///   that of state + compensation; the changes of p and z are refined once by the
+///   residual of (6), formed in pairs of tf_real_t, and added to state +
+///   compensation. F and M of a slip are as precise as tf_real_t: under the law
+///   JUMP they are what limits a float.
 /// machine: in, prepared.
 /// state: in/out, from tf_begin.
-/// carry: in/out, 0 after tf_begin; as large as rounding of the state.
-/// input: in, within TF_STATE_LIMIT together with state and carry.
-/// report: out; slip and residual are those of state + carry.
-/// Returns: as tf_step; where it refuses, state and carry are untouched.
+/// compensation: in/out, 0 after tf_begin; as large as the rounding of the state.
+/// input: in, within TF_STATE_LIMIT together with state and compensation.
+/// report: out; slip and residual are those of state + compensation.
+/// Returns: as tf_step; where it refuses, state and compensation are untouched.
 /// Cost: at most 5400 instructions, the worst found by search;
-///   no way through its code has more than 7700; no data-dependent loop.
+///   no path through its code has more than 7700; no data-dependent loop.
 ///   Stack: 2432 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: rounding_is_carried, compensated_stick_is_exact,
@@ -82,7 +83,7 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
 #define tf_step_compensated TF_LINK(tf_step_compensated)
 TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
                                        tf_state_t *state,
-                                       tf_compensation_t *carry,
+                                       tf_compensation_t *compensation,
                                        const tf_input_t *input,
                                        tf_report_t *report);
 

@@ -1,8 +1,7 @@
 /// @file
-/// Many independent states under one machine and one input, stepped together:
-/// the same bits as tf_step for each of them, in a fraction of the time on a
-/// processor with vector instructions. Statistics over starts and seeds are
-/// made of such ensembles.
+/// Many independent states of one machine under one input, stepped together:
+/// the bits of tf_step for each of them, in a fraction of the time on a processor
+/// with vector instructions. For statistics over starts and seeds.
 #ifndef TWOFOLD_ENSEMBLE_H
 #define TWOFOLD_ENSEMBLE_H
 
@@ -76,23 +75,23 @@ TF_API tf_state_t tf_ensemble_get(const tf_state_block_t *blocks, size_t index);
 TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
                                       size_t index);
 
-/// Advances n states by dt, each as tf_step does, to the bit: state, report
-/// and status. A state that is refused stays as it is and does not hold up the
-/// others. The lanes of the last block beyond n are neither read nor written.
+/// Advances n states by dt, each as tf_step does, bit for bit: state, report and
+/// status. A state that is refused stays as it is and does not stop the others.
+/// The lanes of the last block beyond n are neither read nor written.
 /// Scheme: tf_step, written without branches for the law TF_TYRE_JUMP; what
-///   only a branch can do (mode lost, refusal, no consistent mode) is done
-///   lane by lane, and so are other laws and a last block that is not full.
+///   needs a branch (mode lost, refusal, no consistent mode) is done lane by
+///   lane by tf_step, and so are other laws and a last block that is not full.
 /// machine: in, prepared.
 /// states: in/out, TF_BLOCKS(n) blocks of states from tf_begin.
 /// n: in, number of states, 0 or more.
 /// input: in, common to all states.
 /// reports: out, TF_BLOCKS(n) blocks. Of a state that is refused only the
 ///   status is written, as tf_step does.
-/// Returns: how many lanes were done by tf_step, one by one: those that cost
-///   more, whatever came of them; their status is in the reports.
+/// Returns: how many lanes were done by tf_step, one by one. They cost more;
+///   their status is in the reports.
 /// Cost: at most 31 instructions and 4000 a state, the worst found by search:
-///   tf_step for every lane behind the common path, which is all that most
-///   blocks take (`make bench-ensemble`). For vectors of double gcc needs
+///   tf_step for every lane after the common path, which is all that most blocks
+///   take (`make bench-ensemble`). For vectors of double gcc needs
 ///   SSE4.2 or more. Stack: 13600 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: ensemble_is_the_single_step, ensemble_of_any_size,

@@ -46,7 +46,7 @@ typedef struct {
 typedef struct {
   tf_form_t h, g;
   tf_real_t g_now;        ///< g before the step: decides a tie of s [m/s]
-  bool has_moment;        ///< false: M, FM, MM are 0 and stick has no s
+  bool has_moment;        ///< false: M, FM, MM are 0 and stick depends on no s
   tf_real_t pin_x, pin_y; ///< the x, y that end the step at h = g = 0; read
                           ///< only where tf_friction_signs says both signs
 } tf_inclusion_t;
@@ -74,7 +74,7 @@ typedef struct {
 /// Enumerates the consistent modes, in closed form, never by iteration.
 /// Scheme: (incl). Whether stick exists is read off the signs of h at x = +-1
 ///   (intermediate value theorem), so the count is 1 or 3 by construction and
-///   never hangs on a division by a Delassus scalar near 0.
+///   never depends on a division by a Delassus scalar near 0.
 /// inclusion: in, all members finite; pin as said there.
 /// solutions: out.
 /// Returns: nothing; an empty set is possible (friction is not associated).
@@ -91,7 +91,7 @@ TF_API void tf_friction_solve(const tf_inclusion_t *inclusion,
 ///   Sgn(g): |F - clip(F + h, -mu, mu)| + |M - kappa F sign(g)|, with 1 m/s
 ///   counted as 1 N and 1 N m as 1 N; at g = 0 the nearest of the segment.
 /// mu: in [N].
-/// kappa: in [m], 0 where no moment hangs on sign(g).
+/// kappa: in [m], 0 where no moment depends on sign(g).
 /// force: in.
 /// h, g: in, slip [m/s].
 /// Returns: residual >= 0 [N]; of rounding size at a solution.

@@ -1,8 +1,8 @@
 /// @file
 /// The machine: parameters, prepared constants, state, inputs, kinematics.
 ///
-/// A wheel under a slider (displacement r, speed v) in a disc (speed w) that
-/// turns over a turntable (speed omega0). Generalised velocity u = (v, w).
+/// A wheel under a slider (displacement r, speed v) in a disc (speed w) above a
+/// turntable (speed omega0). Generalised velocity u = (v, w).
 #ifndef TWOFOLD_MACHINE_H
 #define TWOFOLD_MACHINE_H
 
@@ -24,7 +24,7 @@ typedef enum {
 } tf_rule_t;
 #define TF_RULES 4
 
-/// What the machine and its scheme are made of. Ranges: tf_parameter_ranges.
+/// The parameters of a machine and of its scheme. Ranges: tf_parameter_ranges.
 typedef struct {
   tf_real_t m;       ///< mass of the slider [kg]
   tf_real_t d;       ///< distance of the slider's line from the axis [m]
@@ -69,7 +69,6 @@ typedef struct {
 TF_API_DATA const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS];
 
 /// A machine ready to step: constants only, no pointers, may live in flash.
-/// a is the implicit mass of spring and damper, theta dt (c2 + theta dt k2).
 typedef struct {
   tf_real_t m, d, k2, c1, c2, r0, omega0; ///< as in tf_params_t
   tf_real_t sin_gamma, cos_gamma;
@@ -79,7 +78,8 @@ typedef struct {
   tf_real_t dt, theta;
   tf_real_t theta_dt;       ///< theta dt [s]
   tf_real_t explicit_dt;    ///< (1 - theta) dt [s]
-  tf_real_t a;              ///< [kg]
+  tf_real_t a;              ///< theta dt (c2 + theta dt k2), implicit mass of
+                            ///< spring and damper, (4) [kg]
   tf_real_t d_a;            ///< d a [kg m]
   tf_real_t m_plus_a;       ///< [kg]
   tf_real_t m_a_d2;         ///< m a d^2 [kg^2 m^2]
@@ -111,7 +111,7 @@ typedef struct {
   uint8_t mode;  ///< tf_mode_t
 } tf_state_t;
 
-/// What a HIL loop may drive, constant over one step.
+/// The inputs, constant over one step.
 typedef struct {
   tf_real_t omega0; ///< speed of the turntable at the end of the step [rad/s]
   tf_real_t r0;     ///< rest position of the spring [m]
@@ -141,7 +141,7 @@ typedef struct {
 TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
                               int *offender);
 
-/// The inputs that leave the machine alone.
+/// The inputs of a machine that nothing drives.
 /// Scheme: none.
 /// machine: in, prepared.
 /// Returns: omega0 and r0 of the parameters, no force, no torque.
@@ -170,13 +170,13 @@ typedef struct {
 TF_API tf_slip_t tf_slip(const tf_machine_t *machine, tf_real_t r, tf_real_t v,
                          tf_real_t w, tf_real_t omega0);
 
-/// Speed v that gives a wished lateral slip speed h at (r, w).
+/// Speed v for a given lateral slip speed h at (r, w).
 /// Scheme: (h) solved for v.
 /// machine: in.
 /// r, w, omega0, h: in.
 /// v: out [m/s].
-/// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < 1e-6, so that v has no
-///   hold on h (v untouched).
+/// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < 1e-6, so that h does not
+///   depend on v (v untouched).
 /// Cost: at most 16 instructions. Stack: 112 B.
 /// Memory: caller's, reentrant.
 /// Claims: placed_slip_speed_reads_back

@@ -1,20 +1,21 @@
 /// @file
-/// Which of several possible futures: a declared rule, part of the scene.
+/// Which of several consistent modes a step takes: a declared rule, part of the
+/// scene.
 ///
 /// What every rule shares:
 /// 1. A slip that is still consistent goes on: off h = 0 the future is unique,
-///    and a second consistent mode next to it is an artefact of the finite step
+///    and a second consistent mode beside it is an artefact of the finite step
 ///    (it is reported all the same).
 /// 2. Admissibility: a slip never enters an escaping stick, because both fields
 ///    point away from it.
 /// 3. An attracting stick goes on.
 /// 4. Where the present mode is lost: attracting stick, pinned, slip (the
 ///    faster one if both), escaping stick, in this order.
-/// What is left to the rule: how an escaping stick ends, and what becomes of a
-/// wheel that comes to h = g = 0 where it may rest. All rules but RANDOM take
-/// it into an attracting stick where one is consistent: it then stands on the
-/// border of that region and leaves at the least disturbance. RANDOM lets it
-/// rest, pinned, until its draw.
+/// The rule decides how an escaping stick ends, and what a wheel does that comes
+/// to h = g = 0 where it may rest. All rules but RANDOM take it into an
+/// attracting stick where one is consistent, because it stands on the border of
+/// that region and any disturbance moves it in. RANDOM lets it rest, pinned,
+/// until its draw.
 #ifndef TWOFOLD_SELECT_H
 #define TWOFOLD_SELECT_H
 

@@ -10,9 +10,9 @@
 /// What happened in one step.
 typedef struct {
   uint8_t mode;       ///< tf_mode_t, taken
-  uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode); of a
-                      ///< step that meets h = g = 0 (see tf_step) pinned too
-  uint8_t choices;    ///< how many they are
+  uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode); with
+                      ///< pinned where the step ends at h = g = 0 (see tf_step)
+  uint8_t choices;    ///< how many modes that is
   tf_force_t force;   ///< F [N], M [N m], mean over the step
   tf_slip_t slip;     ///< h, g [m/s] at the end of the step
   tf_real_t delassus; ///< Delassus scalar of stick at sign(g) [1/kg]
@@ -21,10 +21,9 @@ typedef struct {
   tf_status_t status; ///< as returned
 } tf_report_t;
 
-/// Puts the state into motion: finds the mode that it starts in, and reports
-/// the law at that instant.
+/// Finds the mode in which a state starts, and reports the law at that instant.
 /// Scheme: slip by the sign of h; at h = 0 stick where |lambda| <= mu, else
-///   slip by the sign of dh/dt; at h = g = 0 pinned, and the first step tells
+///   slip by the sign of dh/dt; at h = g = 0 pinned, and the first step reports
 ///   what else is possible. |h| within rounding (8 epsilon times its terms)
 ///   counts as 0.
 /// machine: in, prepared.
@@ -32,7 +31,7 @@ typedef struct {
 ///   holds the one preferred where several are possible, or TF_MODES for none,
 ///   and ends as the mode taken. phi, tick and seed keep what they hold.
 /// input: in.
-/// report: out; choices counts the futures of the instant.
+/// report: out; choices counts the consistent modes of the instant.
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched).
 /// Cost: at most 490 instructions. Stack: 800 B.
 /// Memory: caller's, reentrant.
@@ -45,23 +44,23 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 /// Scheme: Moreau-Jean theta method, linearly implicit in spring, dampers and
 ///   gyroscopic terms; the friction law holds at the end of the step; DESIGN.md
 ///   equations (1)-(12). Order 2 in smooth phases for theta = 1/2, else 1.
-///   A step within which a slip or a stick ends at h = g = 0, with no
-///   attracting stick to go on in, ends there, pinned: the force is a mean of
-///   those before and behind, the residual its distance from the law.
-///   The next step chooses, from that point.
-///   In float a motion slower than the rounding of r in a step stands still,
-///   and so does one that departs from rest: scene `chaos` under RANDOM at
-///   dt = 1e-4 within minutes. Then take tf_step_compensated, or a longer dt.
+///   A step within which a slip or a stick comes to h = g = 0, with no
+///   attracting stick to continue in, ends there, pinned: its force is a mean of
+///   those before and after, its residual the distance of that from the law. The
+///   next step chooses from that point.
+///   In float a motion stands still where a step changes r by less than its
+///   rounding, and so does one that starts from rest: scene `chaos` under RANDOM
+///   at dt = 1e-4 within minutes. Use tf_step_compensated then, or a longer dt.
 /// machine: in, prepared.
 /// state: in/out, from tf_begin.
 /// input: in, within TF_STATE_LIMIT together with the state.
 /// report: out.
-/// Returns: TF_OK; TF_DEGRADED (advanced; no mode was consistent and
-///   admissible: report->set tells what was consistent);
+/// Returns: TF_OK; TF_DEGRADED (advanced, although no mode was consistent and
+///   admissible: report->set holds the consistent ones);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
 /// Cost: at most 3200 instructions, the worst found by search;
-///   no way through its code has more than 5600; no data-dependent loop. The
+///   no path through its code has more than 5600; no data-dependent loop. The
 ///   worst is a degraded step: see `make bench` for others. Stack: 1296 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,

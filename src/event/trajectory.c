@@ -95,7 +95,7 @@ TF_API bool tf_leave_codim2(tf_trajectory_t *walk, bool from_minus) {
   tf_segment_t segment = {.h_zeros = 1, .g_is_0 = true};
   if (mode <= TF_SLIP_MINUS) {
     segment.side = mode == TF_SLIP_PLUS ? 1 : -1;
-    segment.roll = futures.roll[mode];
+    segment.roll = futures.sign_g[mode];
     segment.T = futures.T[mode];
   } else {
     segment.side = 1;

@@ -192,7 +192,7 @@ static void exit_on(const tf_machine_t *k, const tf_rates_t *a, int side,
   limit_t best = {.speed = 0};
   for (int roll = -1; roll <= 1; roll += 2) {
     const quadrant_t q = quadrant(k, a, roll, side);
-    if (look_for(k, &q, true, &best)) out->roll[slip] = roll;
+    if (look_for(k, &q, true, &best)) out->sign_g[slip] = roll;
   }
   if (!(best.speed > 0)) return;
   out->T[slip] = best.T;

@@ -1,19 +1,22 @@
-// Which futures an instant has on the surface h = 0.
+// The modes that are consistent at an instant on the surface h = 0.
 #ifndef TF_CONSISTENT_H
 #define TF_CONSISTENT_H
 
 #include "../model/rates.h"
 #include "twofold/friction.h"
 
-// Solutions of an instant, for tf_select, and how slip leaves.
+// The consistent modes of an instant, as tf_select reads them, and how each slip
+// leaves.
 typedef struct {
   tf_solutions_t solutions;
-  tf_real_t lambda[2]; // of stick+, stick-, where in the set
+  tf_real_t lambda[2]; // of stick+ and stick-, where they are in the set
   tf_real_t T[2];      // cot(psi) along which slip+, slip- leave h = g = 0
-  int roll[2];         // and the sign of g there
+  int sign_g[2];       // and the sign of g there
 } tf_consistent_t;
 
-// At g != 0; s: 0 where g > 0, 1 where g < 0.
+// The regions of h = 0 at g != 0: both slips lead to it (stick alone is
+// consistent), both lead away (all three are), or one crosses it. s: 0 where
+// g > 0, 1 where g < 0.
 TF_INLINE void surface_modes(const tf_machine_t *k, const tf_rates_t *a, int s,
                              tf_consistent_t *out) {
   const tf_real_t Amu = a->A[s] * k->tyre.mu;
@@ -28,7 +31,8 @@ TF_INLINE void surface_modes(const tf_machine_t *k, const tf_rates_t *a, int s,
   if (a->A[s] > 0) set->attracting = (uint8_t)TF_MODE_BIT(stick);
   if (plus != minus) return;
   set->set |= (uint8_t)TF_MODE_BIT(stick);
-  if (a->A[s] != 0) // the vertical line of a two-fold: any lambda, 0 the least
+  // A = 0 is the vertical line of a two-fold: any lambda, 0 the smallest.
+  if (a->A[s] != 0)
     out->lambda[s] = clip(a->N / a->A[s], -k->tyre.mu, k->tyre.mu);
 }
 

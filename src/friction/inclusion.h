@@ -1,11 +1,12 @@
-// The solution set of one step's inclusion (incl), by enumeration. Inline: the
-// step has it within itself.
+// The solution set of the inclusion (incl) of one step, by enumeration; inline,
+// because it is a stage of the step.
 //
 // Existence is decided by the signs of h at x = +1 and x = -1 alone. For one s:
 //   slip+ solves iff h(1, s) > 0, slip- iff h(-1, -s) < 0, and a stick lies
 //   between iff both or neither do (intermediate value theorem):
 // neither: one solution, the stick of a positive Delassus scalar; both: three,
-// the stick of a negative one. A division by a scalar near 0 decides nothing.
+// of which the stick has a negative one. No division by a scalar near 0 decides
+// anything.
 #ifndef TF_INCLUSION_H
 #define TF_INCLUSION_H
 
@@ -40,12 +41,12 @@ TF_INLINE unsigned signs_of(const tf_form_t *g) {
   return BOTH_SIGNS;
 }
 
-// The root of c0 + c1 x + c2 x^2 that is the perturbed -c0/c1; it is the one
-// in [-1, 1] where just one is. With x1 = -c0/c1 and q = c2 x1/c1 the root is
+// The root of c0 + c1 x + c2 x^2 that -c0/c1 becomes where c2 is small; where
+// only one root lies in [-1, 1], it is this one. With x1 = -c0/c1 and q = c2 x1/c1 the root is
 // x1 y, q y^2 + y - 1 = 0, y = 2/(1 + sqrt(1 + 4 q)): no squares of small
 // numbers, no cancellation. q is of third order in dt; below 2^-12 the series
 // of y to q^4 is exact to 42 q^5 = 4e-17 and saves a root and a division. At
-// c1 = 0 (the vertical line of a two-fold) any x solves; 0 is the least.
+// c1 = 0 (the vertical line of a two-fold) any x solves; 0 is the smallest.
 TF_INLINE tf_real_t root_within(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
   if (magnitude(c1) < TF_REAL_MIN) return 0;
   const tf_real_t inverse = 1 / c1;
@@ -57,10 +58,10 @@ TF_INLINE tf_real_t root_within(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
   return clip(2 * x1 / (1 + root), -1, 1);
 }
 
-// Where just one slip solves, h keeps its sign from x = -1 to 1 or dips through
-// 0 and back: then stick solves twice. It takes a step so long that the change
-// of r bends h inside [-1, 1].
-TF_INLINE bool dips(const quadratic_t *h, bool above) {
+// Where only one slip solves, h either keeps its sign from x = -1 to 1, or it
+// passes 0 and comes back: then stick solves twice. That takes a step so long
+// that the change of r bends h visibly inside [-1, 1].
+TF_INLINE bool has_two_roots(const quadratic_t *h, bool above) {
   return magnitude(h->c1) < 2 * magnitude(h->c2) && (h->c2 > 0) == above &&
          h->c1 * h->c1 > 4 * h->c0 * h->c2;
 }
@@ -68,7 +69,7 @@ TF_INLINE bool dips(const quadratic_t *h, bool above) {
 // Whether a stick under y = s x ends with the sign of g that s stands for.
 // Without a moment both s are one law: then the sign of g decides which stick it
 // is called, and g = 0 counts as g > 0.
-TF_INLINE bool rolls_as(tf_real_t g_end, int s, bool has_moment) {
+TF_INLINE bool has_sign_of_g(tf_real_t g_end, int s, bool has_moment) {
   return s ? g_end < 0 : g_end > 0 || (g_end == 0 && !has_moment);
 }
 
@@ -76,17 +77,17 @@ TF_INLINE bool rolls_as(tf_real_t g_end, int s, bool has_moment) {
 TF_INLINE void solve_stick(const quadratic_t *h, const quadratic_t *g, int s,
                            bool has_moment, tf_solutions_t *out) {
   const bool above = h->plus > 0, one = above != (h->minus < 0);
-  const bool two = one && dips(h, above);
+  const bool two = one && has_two_roots(h, above);
   if (h->c1 < 0) out->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
   if (one && !two) return; // one slip, no stick
   tf_real_t x = root_within(h->c0, h->c1, h->c2);
   tf_real_t g_end = g->c0 + x * (g->c1 + x * g->c2);
-  if (two && (s ? g_end > 0 : g_end < 0)) { // g = 0 is the pinned wheel's
+  if (two && (s ? g_end > 0 : g_end < 0)) { // g = 0 belongs to the pinned wheel
     x = -h->c1 / h->c2 - x;
     g_end = g->c0 + x * (g->c1 + x * g->c2);
   }
   out->x[s] = x;
-  if (rolls_as(g_end, s, has_moment))
+  if (has_sign_of_g(g_end, s, has_moment))
     out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
 }
 
@@ -106,21 +107,25 @@ TF_INLINE tf_real_t moment_share(tf_real_t g_plus, tf_real_t g_minus,
                      bend);
 }
 
-// One side: the slip at h -> 0, whatever its share of the moment.
+// h and g at the end of a slip at h -> 0, with s = +1 and with s = -1.
+typedef struct {
+  tf_real_t h_plus, h_minus, g_plus, g_minus;
+} slip_ends_t;
+
+// The slip at h -> 0 on one side, whatever its share of the moment.
 TF_INLINE void solve_slip(const tf_inclusion_t *in, int slip, tf_real_t side,
-                          tf_real_t h_plus, tf_real_t h_minus, tf_real_t g_plus,
-                          tf_real_t g_minus, tf_solutions_t *out) {
+                          slip_ends_t at, tf_solutions_t *out) {
   const tf_real_t tau =
-      moment_share(g_plus, g_minus, in->g.MM, side * h_plus > 0,
-                   side * h_minus > 0, in->g_now >= 0);
-  const tf_real_t h_end = ((1 + tau) * h_plus + (1 - tau) * h_minus) / 2 -
+      moment_share(at.g_plus, at.g_minus, in->g.MM, side * at.h_plus > 0,
+                   side * at.h_minus > 0, in->g_now >= 0);
+  const tf_real_t h_end = ((1 + tau) * at.h_plus + (1 - tau) * at.h_minus) / 2 -
                           (1 - tau * tau) * in->h.MM;
   out->tau[slip] = tau;
   out->h_limit[slip] = h_end;
   if (side * h_end > 0) out->set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
 }
 
-// All g+ have the sign of one s.
+// Every g+ has the sign of one s.
 TF_INLINE void enumerate_one_sign(const tf_inclusion_t *in, int s,
                                   tf_solutions_t *out) {
   const quadratic_t h = along(&in->h, s);
@@ -130,7 +135,7 @@ TF_INLINE void enumerate_one_sign(const tf_inclusion_t *in, int s,
   out->tau[0] = out->tau[1] = s ? TF_R(-1.0) : TF_R(1.0);
   out->h_limit[0] = h.plus;
   out->h_limit[1] = h.minus;
-  if (plus != minus && !dips(&h, plus)) return;
+  if (plus != minus && !has_two_roots(&h, plus)) return;
   out->x[s] = root_within(h.c0, h.c1, h.c2);
   out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
 }
@@ -144,8 +149,10 @@ TF_INLINE void enumerate_both_signs(const tf_inclusion_t *in,
   out->attracting = 0;
   solve_stick(&h0, &g0, 0, in->has_moment, out);
   solve_stick(&h1, &g1, 1, in->has_moment, out);
-  solve_slip(in, 0, 1, h0.plus, h1.plus, g0.plus, g1.plus, out);
-  solve_slip(in, 1, -1, h0.minus, h1.minus, g0.minus, g1.minus, out);
+  const slip_ends_t up = {h0.plus, h1.plus, g0.plus, g1.plus};
+  const slip_ends_t down = {h0.minus, h1.minus, g0.minus, g1.minus};
+  solve_slip(in, 0, 1, up, out);
+  solve_slip(in, 1, -1, down, out);
   // Without a moment a pinned wheel is a stick with g+ = 0: not a sixth mode.
   if (in->has_moment && within(in->pin_x, 1) &&
       within(in->pin_y, magnitude(in->pin_x)))

@@ -1,4 +1,4 @@
-// Which of several futures: see the rules in select.h.
+// Which of several consistent modes a step takes: the rules are in select.h.
 #include "twofold/select.h"
 
 #include "mode_set.h"
@@ -15,7 +15,7 @@ TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]) {
   out[1] = right;
 }
 
-// The one of a non-empty set of sticks; of two, the one at the present g.
+// The stick of a non-empty set; of two, the one on the present side of g.
 static unsigned stick_of(unsigned sticks, const tf_solutions_t *solutions) {
   if (has(sticks, solutions->near_stick)) return solutions->near_stick;
   return has(sticks, TF_STICK_PLUS) ? TF_STICK_PLUS : TF_STICK_MINUS;
@@ -35,9 +35,9 @@ static bool exits_now(uint64_t exit_threshold, const uint32_t word[2]) {
   return (((uint64_t)word[0] << 31) | (word[1] >> 1)) < exit_threshold;
 }
 
-// RANDOM: the future is drawn from those that the physics allows. An escaping
-// stick ends by a slip; a pinned wheel by whatever else is consistent. Low
-// bits of the second word pick: exits_now leaves them almost unused.
+// RANDOM draws the next mode from those that the physics allows. An escaping
+// stick ends by a slip; a pinned wheel by whatever else is consistent. The low
+// bits of the second word pick, because exits_now hardly uses them.
 static unsigned random_exit(uint64_t exit_threshold, unsigned set,
                             unsigned mode, uint64_t tick, uint32_t seed) {
   const unsigned others =
@@ -77,7 +77,7 @@ TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
   const bool lost = !has(set, mode);
   const bool drawn = mode == TF_PINNED && rule == TF_RULE_RANDOM;
   if (!lost && (slipping || has(safe, mode))) return mode;
-  // Whether a step ends just before h = g = 0 or just behind must not matter.
+  // It must not matter whether a step ends just before h = g = 0 or just after.
   if (lost && rule == TF_RULE_RANDOM && has(set, TF_PINNED)) return TF_PINNED;
   if (safe && !drawn && (lost || mode == TF_PINNED))
     return stick_of(safe, solutions);

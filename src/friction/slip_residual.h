@@ -1,5 +1,5 @@
-// How far a force is from the law of slip at the slip that a step ends with:
-// what law_residual leaves open, because it knows the angle in stick alone.
+// How far a force is from the law of slip at the slip that a step ends with. The
+// residual of inclusion.h does not ask this: it reads the angle in stick alone.
 #ifndef TF_SLIP_RESIDUAL_H
 #define TF_SLIP_RESIDUAL_H
 
@@ -7,8 +7,9 @@
 #include "twofold/machine.h"
 
 // |F - law| + |M - law|, and how far h is on the other side, with 1 m/s counted
-// as 1 N and 1 N m as 1 N. At h = g = 0 every angle is in the law, and what F
-// and M have in common is asked: M = 3 kappa (4/3 mu - |F|) over the angles.
+// as 1 N and 1 N m as 1 N. At h = g = 0 the law holds every angle, and what is
+// left to ask is the curve of F and M over the angles: M = 3 kappa (4/3 mu -
+// |F|).
 TF_INLINE tf_real_t slip_law_residual(const tf_tyre_t *tyre, int side,
                                       tf_force_t force, tf_slip_t slip) {
   if (tyre->law == TF_TYRE_NONE) return magnitude(force.F) + magnitude(force.M);

@@ -5,7 +5,7 @@
 #include "../num/kernel.h"
 #include "twofold/machine.h"
 
-// (h), (g): slip is (p, q) turned by gamma, with q = r z.
+// (h), (g): the slip is (p, q) rotated by gamma, with q = r z.
 TF_INLINE tf_slip_t slip_from_pq(const tf_machine_t *k, tf_real_t p,
                                  tf_real_t q) {
   return (tf_slip_t){p * k->minus_sin_gamma - q * k->cos_gamma,

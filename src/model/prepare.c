@@ -1,5 +1,5 @@
-// From parameters to a machine: validate once at the border, derive the
-// constants, trust them from then on. Not on the path of a step.
+// From parameters to a machine: validate once, derive the constants, and trust
+// them from then on. No step calls this.
 #include <stddef.h>
 
 #include "../num/kernel.h"
@@ -11,7 +11,7 @@
 #define STRING_LAWS (LAW(STRING) | LAW(TWO_PIECE))
 #define RANGE(member, unit, laws, low, high) \
   { #member, unit, offsetof(tf_params_t, member), laws, TF_R(low), TF_R(high) }
-// The nearest number to pi and no more: gamma beyond would name an angle twice.
+// The nearest number to pi: a larger gamma would name an angle twice.
 #define PI_HERE TF_R(3.14159265358979323846)
 
 TF_API const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS] = {
@@ -37,8 +37,8 @@ TF_API const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS] = {
     RANGE(rate, "1/s", ALL_LAWS, 0.0, 1e9),
     RANGE(tolerance, "1", ALL_LAWS, 0.0, 1e-3)};
 
-// Index of the first offender, or -1. Members that the law does not need are
-// not looked at: a scene leaves them 0. NaN fails every comparison.
+// Index of the first member out of range, or -1. Members that the law does not
+// need are not checked: a scene leaves them 0. NaN fails every comparison.
 static int first_offender(const tf_params_t *params) {
   if ((unsigned)params->law >= TF_TYRE_LAWS) return TF_PARAMETERS;
   if ((unsigned)params->rule >= TF_RULES) return TF_PARAMETERS;
@@ -113,13 +113,13 @@ static void prepare_tyre(tf_tyre_t *tyre, const tf_params_t *params) {
   }
 }
 
-// 1/x stays finite: a friction below the least normal number counts as none.
+// 1/x, kept finite: friction below the smallest normal number counts as none.
 static tf_real_t inverse_or_0(tf_real_t x) {
   return x >= TF_REAL_MIN ? 1 / x : 0;
 }
 
 // Whether stick carries a moment. Where friction counts as none it does not:
-// else every force would pass as one that pins the wheel, for 1/mu is 0 then.
+// 1/mu is 0 then, and any force would pass as one that pins the wheel.
 static bool carries_moment(const tf_params_t *params) {
   return params->law == TF_TYRE_JUMP && inverse_or_0(params->mu) > 0 &&
          inverse_or_0(params->kappa * params->mu) > 0;
@@ -168,7 +168,7 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
   machine->inv_kappa_mu = inverse_or_0(machine->kappa_mu);
   machine->inv_mu_dt = inverse_or_0(mu * dt);
   const tf_real_t p = tf_exit_probability(params->rate * dt);
-  // Below this a series has only rounding left to lose.
+  // A finer tolerance would ask a series for less than its rounding.
   const tf_real_t finest = 64 * TF_REAL_EPSILON;
   machine->tolerance = params->tolerance > finest ? params->tolerance : finest;
   machine->exit_threshold = (uint64_t)(p * TF_R(9223372036854775808.0));

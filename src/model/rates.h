@@ -14,8 +14,8 @@ typedef struct {
   tf_real_t Mq;       // of M = 1 N m
   tf_real_t N;        // h' without friction [m/s^2]
   tf_real_t A[2];     // Delassus scalar for s = +1, -1 [1/kg]
-  tf_real_t vz, rz;   // the two parts of q' at most: v z, r z' [m/s^2]
-  tf_force_t pinning; // that keeps v = 0 and w = omega0 where they are so
+  tf_real_t vz, rz;   // bounds of the two parts of q', v z and r z' [m/s^2]
+  tf_force_t pinning; // keeps v = 0 and w = omega0 where they are so
 } tf_rates_t;
 
 TF_INLINE tf_rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
@@ -26,25 +26,25 @@ TF_INLINE tf_rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
   const tf_real_t Q_phi = disc_torque(k, input, w, 2 * mr * v * w);
   const tf_real_t J = inertia_at(k, r);
   const tf_real_t arm = r * k->cos_gamma, alpha = input->alpha;
-  const tf_real_t push = Q_r / k->m + k->d * alpha;
-  const tf_real_t turn = (Q_phi + k->d * Q_r) / J - alpha;
+  const tf_real_t p_rate = Q_r / k->m + k->d * alpha;
+  const tf_real_t z_rate = (Q_phi + k->d * Q_r) / J - alpha;
   tf_rates_t a;
-  a.p = push;
-  a.z = turn;
-  a.q = r * turn + v * z;
+  a.p = p_rate;
+  a.z = z_rate;
+  a.q = r * z_rate + v * z;
   a.Fp = k->sin_gamma / k->m;
   a.Fq = r * arm / J;
   a.Mq = r / J;
   a.N = -a.p * k->sin_gamma - a.q * k->cos_gamma;
   for (int s = 0; s < 2; s++) a.A[s] = delassus_at(k, arm, s, J);
   a.vz = magnitude(v * z);
-  a.rz = magnitude(r) *
-         (magnitude(turn) + k->tyre.mu * (magnitude(arm) + k->stick_kappa) / J);
-  // Out of reach where the wheel turns already, and with sin gamma = 0, where
-  // no friction force can keep the slider from moving.
+  a.rz = magnitude(r) * (magnitude(z_rate) +
+                         k->tyre.mu * (magnitude(arm) + k->stick_kappa) / J);
+  // Larger than any mu where the disc already turns against the turntable, and
+  // with sin gamma = 0, where friction cannot keep the slider from moving.
   a.pinning.F =
-      z != 0 || k->sin_gamma == 0 ? TF_REAL_MAX : -push * k->m / k->sin_gamma;
-  a.pinning.M = -turn * J - a.pinning.F * arm;
+      z != 0 || k->sin_gamma == 0 ? TF_REAL_MAX : -p_rate * k->m / k->sin_gamma;
+  a.pinning.M = -z_rate * J - a.pinning.F * arm;
   return a;
 }
 

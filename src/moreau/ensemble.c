@@ -1,20 +1,20 @@
-// Many states at once. A block of lanes goes through tf_step's work in passes,
-// which are loops over the lanes without a branch on their data, so that the
-// compiler makes vector instructions of them:
-//   solve    (lanes_solve.h) the whole solution set of each lane
-//   choose   goes the present mode on? Else tf_select, lane by lane
-//   contact  the multipliers of the chosen mode; those of slip only where some
+// Many states at once. A block of lanes goes through the stages of tf_step in
+// passes, which are loops over the lanes without a branch on their data, so that
+// the compiler makes vector instructions of them:
+//   solve    (lanes_solve.h) free motion, inclusion, enumerate
+//   choose   where a mode does not go on, tf_select, lane by lane
+//   end      the multipliers of the chosen mode; those of slip only where some
 //            lane slips, and lane by lane where few do
-//   finish   the end of the step, its report
-// Lanes that a pass finds odd - refused, out of range, without a mode, a root
-// without a series - are done by tf_step from the state that they had.
+//   commit   the state and the report
+// Lanes that a pass marks odd (refused, out of range, without a mode, a root
+// without a series) are done by tf_step from the state that they had.
 #include "twofold/ensemble.h"
 
 #include "../friction/mode_set.h"
 #include "lanes_solve.h"
 #include "twofold/select.h"
 
-// So many slips cost less one by one than all lanes in vectors.
+// Up to so many slips cost less one by one than all lanes in vectors.
 #define FEW 3
 
 static unsigned select_lane(const tf_machine_t *k, const tf_state_block_t *b,
@@ -45,10 +45,10 @@ static bool all_go_on(const tf_state_block_t *restrict b,
   return lost == 0;
 }
 
-// Whether tf_step has to find out if this lane ends at rest, its mode lost: see
-// meets_rest().
-static bool may_meet_rest(const tf_machine_t *k, const work_t *w, int i,
-                          unsigned mode) {
+// Whether this lane, its mode lost, may end at h = g = 0: tf_step finds out, see
+// reaches_codim2().
+static bool may_reach_codim2(const tf_machine_t *k, const work_t *w, int i,
+                             unsigned mode) {
   const unsigned going_on =
       (unsigned)w->attracting[i] | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
   return !(w->set[i] & going_on) && !(w->above[i] | w->below[i]) &&
@@ -60,7 +60,7 @@ static bool may_meet_rest(const tf_machine_t *k, const work_t *w, int i,
 static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
                           work_t *w, int i) {
   unsigned mode = b->mode[i];
-  if (mode >= TF_MODES || w->odd[i] || may_meet_rest(k, w, i, mode))
+  if (mode >= TF_MODES || w->odd[i] || may_reach_codim2(k, w, i, mode))
     mode = TF_MODES;
   else if (!(w->set[i] & TF_MODE_BIT(mode) & (SLIPS | w->attracting[i])))
     mode = select_lane(k, b, w, i);
@@ -129,7 +129,7 @@ TF_INLINE tf_real_t lane_tau(const work_t *w, mask_t minus, int i) {
   return pick(known, flip_sign(negative, 1), w->root[2][i]);
 }
 
-// slip_end() of step_core.h for one lane that slips; others keep theirs.
+// slip_end() of stages.h for a lane that slips; other lanes keep their values.
 TF_INLINE void slip_lane(const tf_machine_t *restrict k,
                          const tf_state_block_t *restrict b, tf_real_t omega0,
                          work_t *restrict w, int i) {

@@ -1,12 +1,11 @@
-// Pieces of a step that tf_step has with branches, for one lane of a block and
-// without: every value is computed, then one is picked by a mask, so that the
-// compiler can do several lanes at once. The expressions are those of step.c,
-// friction_core.h and tyre_core.h, operation by operation, hence the same bits.
-// Where a rare case needs more (a square root, a rescaling) the lane is called
-// odd and left to tf_step.
+// Functions of a step without branches, for one lane of a block: every value is
+// computed, then one is picked by a mask, so that the compiler can do several
+// lanes at once. The expressions are those of inclusion.h and tyre_law.h,
+// operation by operation, hence the same bits. Where a rare case needs more (a
+// square root, a rescaling) the lane is marked odd and left to tf_step.
 //
-// Masks, because compilers do not keep ?: free of branches: gcc moves what is
-// computed for one side into a branch and then cannot bring it out again, since
+// Masks are used because compilers do not keep ?: free of branches: gcc moves
+// what is computed for one side into a branch and cannot move it back, since
 // every operation on reals may trap.
 #ifndef TF_LANES_H
 #define TF_LANES_H
@@ -67,9 +66,9 @@ TF_INLINE lane_root_t lane_root(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
   return (lane_root_t){x, ~(small & normal & when(magnitude(x) <= 1))};
 }
 
-// moment_share() where it is +1 or -1: whether it is -1. Masks: g+ > 0 follows
-// from s = +1, g+ < 0 from s = -1 (if neither, the share is a root between);
-// the slip solves with s = +1, with s = -1; the present g prefers s = +1.
+// Whether moment_share() is -1, where it is +1 or -1. Masks: g+ > 0 follows from
+// s = +1, g+ < 0 from s = -1 (if neither, the share is a root between); the slip
+// solves with s = +1, with s = -1; the present g prefers s = +1.
 TF_INLINE mask_t share_down(mask_t g_plus, mask_t g_minus, mask_t plus_slips,
                             mask_t minus_slips, mask_t prefer_plus) {
   const mask_t tie = (prefer_plus & plus_slips) | ~(prefer_plus | minus_slips);
@@ -133,7 +132,7 @@ TF_INLINE lane_law_t lane_law(const tf_tyre_t *tyre, tf_real_t side,
                       when(high < TF_REAL_MIN / TF_REAL_EPSILON)};
 }
 
-// law_residual() as residual() of step.c calls it: in slip only the side is
+// law_residual() as residual() of outcome.h calls it: in slip only the side is
 // checked. side: +1 or -1 in slip, else 0.
 TF_INLINE tf_real_t lane_residual(const tf_machine_t *k, tf_real_t side,
                                   tf_force_t force, tf_slip_t slip) {

@@ -152,7 +152,8 @@ static void g_along_all(work_t *restrict w) {
 }
 
 static void h_along_all(const tf_machine_t *restrict k,
-                       const tf_state_block_t *restrict b, work_t *restrict w) {
+                        const tf_state_block_t *restrict b,
+                        work_t *restrict w) {
   for (int i = 0; i < TF_LANES; i++) {
     const tf_form_t h = form_of(&w->h, i);
     const quadratic_t h0 = along(&h, 0), h1 = along(&h, 1);
@@ -160,8 +161,8 @@ static void h_along_all(const tf_machine_t *restrict k,
     const mask_t up0 = when(h0.plus > 0), down0 = when(h0.minus < 0);
     const mask_t up1 = when(h1.plus > 0), down1 = when(h1.minus < 0);
     const mask_t one0 = up0 ^ down0, one1 = up1 ^ down1;
-    const mask_t dips0 = when(magnitude(h0.c1) < 2 * magnitude(h0.c2));
-    const mask_t dips1 = when(magnitude(h1.c1) < 2 * magnitude(h1.c2));
+    const mask_t two0 = when(magnitude(h0.c1) < 2 * magnitude(h0.c2));
+    const mask_t two1 = when(magnitude(h1.c1) < 2 * magnitude(h1.c2));
     const tf_slip_t now = slip_from_pq(k, w->p[i], b->r[i] * w->z[i]);
     const mask_t prefer = when(now.g >= 0);
     w->down[0][i] =
@@ -173,7 +174,7 @@ static void h_along_all(const tf_machine_t *restrict k,
     w->none[1][i] = one1 | above;
     w->attracting[i] = (when(h0.c1 < 0) & ~below & TF_MODE_BIT(TF_STICK_PLUS)) |
                        (when(h1.c1 < 0) & ~above & TF_MODE_BIT(TF_STICK_MINUS));
-    w->odd[i] |= (~below & one0 & dips0) | (~above & one1 & dips1);
+    w->odd[i] |= (~below & one0 & two0) | (~above & one1 & two1);
     w->c0[0][i] = w->c0[1][i] = h.c0;
     w->c1[0][i] = h0.c1;
     w->c1[1][i] = h1.c1;

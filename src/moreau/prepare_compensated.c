@@ -1,5 +1,5 @@
-// What goes before a compensated step: the constants with what rounding leaves
-// out of those of a machine, and a start that has its slip to the same digits.
+// What a compensated step needs before it starts: what rounding has left out of
+// the constants of a machine, and a start whose slip is as precise.
 #include "../num/pair.h"
 #include "twofold/compensated.h"
 
@@ -27,7 +27,7 @@ static void sine_cosine(tf_real_t x, pair_t *sine, pair_t *cosine) {
   *cosine = c;
 }
 
-// What the constant leaves out of the pair.
+// What rounding has left out of a constant.
 static tf_real_t left_out(pair_t exact, tf_real_t constant) {
   return (exact.hi - constant) + exact.lo;
 }
@@ -51,10 +51,10 @@ TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
 
 TF_API tf_status_t tf_speed_for_slip_compensated(
     const tf_compensated_t *machine, tf_state_t *state,
-    tf_compensation_t *carry, tf_real_t omega0, tf_real_t h) {
+    tf_compensation_t *compensation, tf_real_t omega0, tf_real_t h) {
   const tf_machine_t *k = &machine->machine;
   if (!(magnitude(k->sin_gamma) >= TF_R(1e-6))) return TF_BAD_STATE;
-  const pair_t r = {state->r, carry->r}, w = {state->w, carry->w};
+  const pair_t r = {state->r, compensation->r}, w = {state->w, compensation->w};
   const pair_t sine = {k->sin_gamma, machine->low_sin_gamma};
   const pair_t cosine = {k->cos_gamma, machine->low_cos_gamma};
   const pair_t z = tidy(plus_number(w, -omega0));
@@ -62,6 +62,6 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
       negative(quotient(plus_number(product(product(r, z), cosine), h), sine));
   const pair_t v = tidy(added(p, scaled(z, k->d)));
   state->v = v.hi;
-  carry->v = v.lo;
+  compensation->v = v.lo;
   return TF_OK;
 }
