@@ -3,9 +3,9 @@
 /// compensated summation.
 ///
 /// At dt = 1e-6 s a step changes the state by less than the resolution of a
-/// float, so that a plain step in float loses most of what it has computed. This
-/// one keeps the remainder beside the state, as the compensation, and adds it in
-/// the next step. A program that does not call it does not contain it.
+/// float, so that a plain step in float loses most of what it has computed.
+/// This one keeps the remainder beside the state, as the compensation, and adds
+/// it in the next step. A program that does not call it does not contain it.
 #ifndef TWOFOLD_COMPENSATED_H
 #define TWOFOLD_COMPENSATED_H
 
@@ -13,7 +13,8 @@
 #include "twofold/step.h"
 
 /// What the rounding of a tf_state_t has left out: the machine is at state +
-/// compensation. All 0 after tf_begin, or the remainder of a more precise start.
+/// compensation. All 0 after tf_begin, or the remainder of a more precise
+/// start.
 typedef struct {
   tf_real_t r;   ///< [m]
   tf_real_t v;   ///< [m/s]
@@ -63,13 +64,14 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
 
 /// tf_step with the rounding of r, v, w and phi compensated.
 /// Scheme: DESIGN.md (1)-(12) as tf_step. The slip at the start of the step is
-///   that of state + compensation; the changes of p and z are refined once by the
-///   residual of (6), formed in pairs of tf_real_t, and added to state +
+///   that of state + compensation; the changes of p and z are refined once by
+///   the residual of (6), formed in pairs of tf_real_t, and added to state +
 ///   compensation. F and M of a slip are as precise as tf_real_t: under the law
 ///   JUMP they are what limits a float.
 /// machine: in, prepared.
 /// state: in/out, from tf_begin.
-/// compensation: in/out, 0 after tf_begin; as large as the rounding of the state.
+/// compensation: in/out, 0 after tf_begin; as large as the rounding of the
+/// state.
 /// input: in, within TF_STATE_LIMIT together with state and compensation.
 /// report: out; slip and residual are those of state + compensation.
 /// Returns: as tf_step; where it refuses, state and compensation are untouched.

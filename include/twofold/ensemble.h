@@ -1,7 +1,7 @@
 /// @file
 /// Many independent states of one machine under one input, stepped together:
-/// the bits of tf_step for each of them, in a fraction of the time on a processor
-/// with vector instructions. For statistics over starts and seeds.
+/// the bits of tf_step for each of them, in a fraction of the time on a
+/// processor with vector instructions. For statistics over starts and seeds.
 #ifndef TWOFOLD_ENSEMBLE_H
 #define TWOFOLD_ENSEMBLE_H
 
@@ -75,9 +75,9 @@ TF_API tf_state_t tf_ensemble_get(const tf_state_block_t *blocks, size_t index);
 TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
                                       size_t index);
 
-/// Advances n states by dt, each as tf_step does, bit for bit: state, report and
-/// status. A state that is refused stays as it is and does not stop the others.
-/// The lanes of the last block beyond n are neither read nor written.
+/// Advances n states by dt, each as tf_step does, bit for bit: state, report
+/// and status. A state that is refused stays as it is and does not stop the
+/// others. The lanes of the last block beyond n are neither read nor written.
 /// Scheme: tf_step, written without branches for the law TF_TYRE_JUMP; what
 ///   needs a branch (mode lost, refusal, no consistent mode) is done lane by
 ///   lane by tf_step, and so are other laws and a last block that is not full.
@@ -90,8 +90,8 @@ TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
 /// Returns: how many lanes were done by tf_step, one by one. They cost more;
 ///   their status is in the reports.
 /// Cost: at most 31 instructions and 4000 a state, the worst found by search:
-///   tf_step for every lane after the common path, which is all that most blocks
-///   take (`make bench-ensemble`). For vectors of double gcc needs
+///   tf_step for every lane after the common path, which is all that most
+///   blocks take (`make bench-ensemble`). For vectors of double gcc needs
 ///   SSE4.2 or more. Stack: 13600 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: ensemble_is_the_single_step, ensemble_of_any_size,

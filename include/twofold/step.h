@@ -45,12 +45,13 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   gyroscopic terms; the friction law holds at the end of the step; DESIGN.md
 ///   equations (1)-(12). Order 2 in smooth phases for theta = 1/2, else 1.
 ///   A step within which a slip or a stick comes to h = g = 0, with no
-///   attracting stick to continue in, ends there, pinned: its force is a mean of
-///   those before and after, its residual the distance of that from the law. The
-///   next step chooses from that point.
+///   attracting stick to continue in, ends there, pinned: its force is a mean
+///   of those before and after, its residual the distance of that from the law.
+///   The next step chooses from that point.
 ///   In float a motion stands still where a step changes r by less than its
-///   rounding, and so does one that starts from rest: scene `chaos` under RANDOM
-///   at dt = 1e-4 within minutes. Use tf_step_compensated then, or a longer dt.
+///   rounding, and so does one that starts from rest: scene `chaos` under
+///   RANDOM at dt = 1e-4 within minutes. Use tf_step_compensated then, or a
+///   longer dt.
 /// machine: in, prepared.
 /// state: in/out, from tf_begin.
 /// input: in, within TF_STATE_LIMIT together with the state.

@@ -5,8 +5,8 @@
 #include "../model/rates.h"
 #include "twofold/friction.h"
 
-// The consistent modes of an instant, as tf_select reads them, and how each slip
-// leaves.
+// The consistent modes of an instant, as tf_select reads them, and how each
+// slip leaves.
 typedef struct {
   tf_solutions_t solutions;
   tf_real_t lambda[2]; // of stick+ and stick-, where they are in the set

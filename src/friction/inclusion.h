@@ -42,11 +42,12 @@ TF_INLINE unsigned signs_of(const tf_form_t *g) {
 }
 
 // The root of c0 + c1 x + c2 x^2 that -c0/c1 becomes where c2 is small; where
-// only one root lies in [-1, 1], it is this one. With x1 = -c0/c1 and q = c2 x1/c1 the root is
-// x1 y, q y^2 + y - 1 = 0, y = 2/(1 + sqrt(1 + 4 q)): no squares of small
-// numbers, no cancellation. q is of third order in dt; below 2^-12 the series
-// of y to q^4 is exact to 42 q^5 = 4e-17 and saves a root and a division. At
-// c1 = 0 (the vertical line of a two-fold) any x solves; 0 is the smallest.
+// only one root lies in [-1, 1], it is this one. With x1 = -c0/c1 and q = c2
+// x1/c1 the root is x1 y, q y^2 + y - 1 = 0, y = 2/(1 + sqrt(1 + 4 q)): no
+// squares of small numbers, no cancellation. q is of third order in dt; below
+// 2^-12 the series of y to q^4 is exact to 42 q^5 = 4e-17 and saves a root and
+// a division. At c1 = 0 (the vertical line of a two-fold) any x solves; 0 is
+// the smallest.
 TF_INLINE tf_real_t root_within(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
   if (magnitude(c1) < TF_REAL_MIN) return 0;
   const tf_real_t inverse = 1 / c1;
@@ -67,8 +68,8 @@ TF_INLINE bool has_two_roots(const quadratic_t *h, bool above) {
 }
 
 // Whether a stick under y = s x ends with the sign of g that s stands for.
-// Without a moment both s are one law: then the sign of g decides which stick it
-// is called, and g = 0 counts as g > 0.
+// Without a moment both s are one law: then the sign of g decides which stick
+// it is called, and g = 0 counts as g > 0.
 TF_INLINE bool has_sign_of_g(tf_real_t g_end, int s, bool has_moment) {
   return s ? g_end < 0 : g_end > 0 || (g_end == 0 && !has_moment);
 }

@@ -1,5 +1,6 @@
-// How far a force is from the law of slip at the slip that a step ends with. The
-// residual of inclusion.h does not ask this: it reads the angle in stick alone.
+// How far a force is from the law of slip at the slip that a step ends with.
+// The residual of inclusion.h does not ask this: it reads the angle in stick
+// alone.
 #ifndef TF_SLIP_RESIDUAL_H
 #define TF_SLIP_RESIDUAL_H
 

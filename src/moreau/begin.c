@@ -20,9 +20,9 @@ static unsigned possible_modes(const tf_machine_t *k, tf_slip_t slip,
   return modes.solutions.set;
 }
 
-// The preferred mode if it is in the set, else stick before slip. It is no error
-// to prefer a slip at an h below rounding where only stick is possible: the real
-// type cannot tell that h from 0.
+// The preferred mode if it is in the set, else stick before slip. It is no
+// error to prefer a slip at an h below rounding where only stick is possible:
+// the real type cannot tell that h from 0.
 static unsigned first_mode(unsigned set, unsigned preferred) {
   static const unsigned order[TF_MODES] = {
       TF_STICK_PLUS, TF_STICK_MINUS, TF_PINNED, TF_SLIP_PLUS, TF_SLIP_MINUS};

@@ -22,11 +22,11 @@ TF_INLINE bool passes_near(tf_slip_t from, tf_slip_t to) {
 
 // Whether a motion whose mode is lost in this step reaches h = g = 0 in it, and
 // finds there neither an attracting stick to continue in nor a force of the law
-// that keeps it at rest: a stick that solves, but with the other sign of g, or a
-// slip whose present force would take both h and g past 0. What follows is
-// decided at h = g = 0 and not by where a step happens to end. So this step ends
-// there, under a mean of the forces before and behind, which lies within the
-// square that is the convex hull of the law at h = g = 0.
+// that keeps it at rest: a stick that solves, but with the other sign of g, or
+// a slip whose present force would take both h and g past 0. What follows is
+// decided at h = g = 0 and not by where a step happens to end. So this step
+// ends there, under a mean of the forces before and behind, which lies within
+// the square that is the convex hull of the law at h = g = 0.
 TF_INLINE bool reaches_codim2(const free_motion_t *c, unsigned set,
                               unsigned attracting) {
   const unsigned mode = c->state->mode;

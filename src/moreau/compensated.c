@@ -26,9 +26,9 @@ TF_INLINE free_motion_t compensated_motion(const compensated_t *x) {
 }
 
 // Commit: the end of the step in pairs, the state and the report, or the
-// refusal. It derives the inverse of (6) anew: as a function of its own, which a
-// step ends with, its pairs and those of the step need no stack together. `off`
-// is the residual of a single-valued law.
+// refusal. It derives the inverse of (6) anew: as a function of its own, which
+// a step ends with, its pairs and those of the step need no stack together.
+// `off` is the residual of a single-valued law.
 static __attribute__((noinline)) tf_status_t commit_pairs(
     const compensated_t *x, tf_force_t force, tf_change_t friction,
     outcome_t what, tf_real_t off) {

@@ -1,6 +1,6 @@
 // Many states at once. A block of lanes goes through the stages of tf_step in
-// passes, which are loops over the lanes without a branch on their data, so that
-// the compiler makes vector instructions of them:
+// passes, which are loops over the lanes without a branch on their data, so
+// that the compiler makes vector instructions of them:
 //   solve    (lanes_solve.h) free motion, inclusion, enumerate
 //   choose   where a mode does not go on, tf_select, lane by lane
 //   end      the multipliers of the chosen mode; those of slip only where some
@@ -45,8 +45,8 @@ static bool all_go_on(const tf_state_block_t *restrict b,
   return lost == 0;
 }
 
-// Whether this lane, its mode lost, may end at h = g = 0: tf_step finds out, see
-// reaches_codim2().
+// Whether this lane, its mode lost, may end at h = g = 0: tf_step finds out,
+// see reaches_codim2().
 static bool may_reach_codim2(const tf_machine_t *k, const work_t *w, int i,
                              unsigned mode) {
   const unsigned going_on =

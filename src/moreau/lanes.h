@@ -66,9 +66,9 @@ TF_INLINE lane_root_t lane_root(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
   return (lane_root_t){x, ~(small & normal & when(magnitude(x) <= 1))};
 }
 
-// Whether moment_share() is -1, where it is +1 or -1. Masks: g+ > 0 follows from
-// s = +1, g+ < 0 from s = -1 (if neither, the share is a root between); the slip
-// solves with s = +1, with s = -1; the present g prefers s = +1.
+// Whether moment_share() is -1, where it is +1 or -1. Masks: g+ > 0 follows
+// from s = +1, g+ < 0 from s = -1 (if neither, the share is a root between);
+// the slip solves with s = +1, with s = -1; the present g prefers s = +1.
 TF_INLINE mask_t share_down(mask_t g_plus, mask_t g_minus, mask_t plus_slips,
                             mask_t minus_slips, mask_t prefer_plus) {
   const mask_t tie = (prefer_plus & plus_slips) | ~(prefer_plus | minus_slips);

@@ -6,7 +6,8 @@
 #include "outcome.h"
 #include "stages.h"
 
-// The end that a step takes where no mode is consistent, or none that a slip may
+// The end that a step takes where no mode is consistent, or none that a slip
+// may
 // enter: of all that it may, the one that violates the law least.
 typedef struct {
   end_t end;

@@ -1,6 +1,6 @@
 // The stages of one step under a set-valued law, inline, in the order in which
-// a step takes them: free motion (1)-(7), inclusion (8), choice, end in the mode
-// (9), (10). tf_step and tf_step_compensated are lists of these stages.
+// a step takes them: free motion (1)-(7), inclusion (8), choice, end in the
+// mode (9), (10). tf_step and tf_step_compensated are lists of these stages.
 #ifndef TF_STAGES_H
 #define TF_STAGES_H
 

@@ -6,9 +6,9 @@
 
 #include "kernel.h"
 
-// Order of the Taylor series of tf_step_located. In double 8 is the cheapest for
-// chaos to t = 1 at every error from 1e-6 to 1e-9: 6 needs 1.5 times its time,
-// 10 the same in few steps and 1.15 times in many.
+// Order of the Taylor series of tf_step_located. In double 8 is the cheapest
+// for chaos to t = 1 at every error from 1e-6 to 1e-9: 6 needs 1.5 times its
+// time, 10 the same in few steps and 1.15 times in many.
 #ifdef TF_REAL_FLOAT
 #define TF_ORDER 6
 #else
