@@ -15,7 +15,7 @@ done <"$BUILD/own"
 # A board or a scene is data or a folder under port/, never a branch in src/.
 xargs grep -nE '^[[:space:]]*#[[:space:]]*(if|elif|ifdef|ifndef)' \
   <"$BUILD/headers.list" |
-  grep -vE 'TF_[A-Z_]+_H$|TF_REAL_FLOAT|TF_API|TWOFOLD_[A-Z0-9_]*H$' |
+  grep -vE 'TF_[A-Z0-9_]+_H$|TF_REAL_FLOAT|TF_API|TWOFOLD_[A-Z0-9_]*H$' |
   grep -vE 'FLT_EVAL_METHOD|__FAST_MATH__' &&
   wrong "a branch of the preprocessor that is not about the real type"
 checked "$(wc -l <"$BUILD/headers.list") files of the core"

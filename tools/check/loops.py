@@ -15,6 +15,7 @@ Branches that jump over the move (continue) are not allowed, nor moves inside a
 condition. What the tool does not recognise is `none`, and the check fails.
 """
 import json
+import os
 import sys
 
 LOOPS = ("ForStmt", "WhileStmt", "DoStmt")
@@ -333,7 +334,8 @@ class Place:
     def follow(self, loc):
         for part in (loc.get("spellingLoc"), loc.get("expansionLoc"), loc):
             if part:
-                self.file = part.get("file", self.file)
+                if "file" in part:
+                    self.file = os.path.normpath(part["file"])
                 self.line = part.get("line", self.line)
 
 

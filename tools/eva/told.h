@@ -7,8 +7,8 @@
 #ifndef TF_EVA_TOLD_H
 #define TF_EVA_TOLD_H
 
-#include "model/tyre_law.h"
 #include "model/kinematics.h"
+#include "model/tyre_law.h"
 
 #define IN_REACH(x) (\is_finite(x) && -1e9 <= (x) <= 1e9)
 
