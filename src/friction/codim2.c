@@ -1,117 +1,142 @@
-// Futures of an instant, see corner.h.
+// The consistent modes at h = g = 0. The force of a slip depends there on the
+// direction of the slip in the (g, h) plane alone, and a slip can begin or end
+// in h = g = 0 only along a limit direction: one whose acceleration has no
+// component across it (Antali and Stepan 2018, for extended Filippov systems).
+// All limit directions are found, quadrant by quadrant.
 #include "codim2.h"
 
 #include "../model/tyre_law.h"
 
 #define MOST_HALVINGS 32
 #define SHARE_BITS 32
-#define PLACES 3
+#define SEPARATORS 3
 
-// One quadrant of the (g, h) plane: accelerations along roll g and side h as
-// affine functions of T = cot(psi).
+// One quadrant of the (g, h) plane: the accelerations sign_g g' = g0 + g1 T and
+// sign_h h' = h0 + h1 T, which are affine in T = cot(psi).
 typedef struct {
   tf_real_t g0, g1, h0, h1;
 } quadrant_t;
 
-static quadrant_t quadrant(const tf_machine_t *k, const tf_rates_t *a, int roll,
-                           int side) {
-  const tf_real_t s = (tf_real_t)side, both = (tf_real_t)(side * roll);
-  const tf_real_t F0 = s * k->tyre.mu * 4 / 3;
-  const tf_real_t F1 = -s * k->tyre.mu * k->tyre.inv_18_kappa;
-  const tf_real_t M1 = both * k->tyre.mu / 6;
-  const tf_slip_t at0 = slip_from_pq(k, a->p + F0 * a->Fp, a->q + F0 * a->Fq);
-  const tf_slip_t at1 = slip_from_pq(k, F1 * a->Fp, F1 * a->Fq + M1 * a->Mq);
-  const tf_real_t turn = (tf_real_t)roll;
-  return (quadrant_t){turn * at0.g, turn * at1.g, s * at0.h, s * at1.h};
+// By (force), (moment) and (h), (g).
+static quadrant_t quadrant_of(const tf_machine_t *k, const tf_rates_t *rates,
+                              int sign_g, int sign_h) {
+  const tf_real_t s_g = (tf_real_t)sign_g, s_h = (tf_real_t)sign_h;
+  const tf_real_t F0 = s_h * k->tyre.mu * 4 / 3;
+  const tf_real_t F1 = -s_h * k->tyre.mu * k->tyre.inv_18_kappa;
+  const tf_real_t M1 = (tf_real_t)(sign_h * sign_g) * k->tyre.mu / 6;
+  const tf_slip_t at0 =
+      slip_from_pq(k, rates->p + F0 * rates->Fp, rates->q + F0 * rates->Fq);
+  const tf_slip_t at1 =
+      slip_from_pq(k, F1 * rates->Fp, F1 * rates->Fq + M1 * rates->Mq);
+  return (quadrant_t){s_g * at0.g, s_g * at1.g, s_h * at0.h, s_h * at1.h};
 }
 
-// Turning towards larger |g/h|, at an angle with cosine C and sine S from the
-// h axis.
-static tf_real_t turning(const quadrant_t *q, tf_real_t T, tf_real_t C,
-                         tf_real_t S) {
-  return (q->g0 + q->g1 * T) * C - (q->h0 + q->h1 * T) * S;
-}
-
-static tf_real_t leaving(const quadrant_t *q, tf_real_t T, tf_real_t C,
-                         tf_real_t S) {
-  return ((q->g0 + q->g1 * T) * S + (q->h0 + q->h1 * T) * C) /
-         square_root(C * C + S * S);
-}
-
-// At a share of the chord between an anchor of the angle kernel and the next:
-// T, which depends on G/H alone, and the chord's own cosine and sine.
-static tf_real_t on_chord(const tf_machine_t *k, int anchor, tf_real_t x,
-                          tf_real_t *C, tf_real_t *S) {
-  *C = anchor_cos[anchor] + x * (anchor_cos[anchor + 1] - anchor_cos[anchor]);
-  *S = anchor_cos[8 - anchor] +
-       x * (anchor_cos[7 - anchor] - anchor_cos[8 - anchor]);
-  return cot_psi(&k->tyre, *S, *C);
-}
-
-// A limit direction of a quadrant.
+// A direction by cosine and sine of its angle from the h axis, which need no
+// common factor, and its T.
 typedef struct {
-  tf_real_t T;     // its cot(psi)
-  tf_real_t speed; // outwards [m/s^2]
-  bool attracts;   // its neighbours turn to it as time runs on
-} limit_t;
+  tf_real_t C, S, T;
+} direction_t;
 
-// A part of a chord, by shares, and `turning` at its ends: of opposite signs.
+// The acceleration across a direction, > 0 towards larger |g/h|, times the
+// length of (C, S): zero along a limit direction.
+static tf_real_t angular_rate(const quadrant_t *q, direction_t at) {
+  return (q->g0 + q->g1 * at.T) * at.C - (q->h0 + q->h1 * at.T) * at.S;
+}
+
+// The acceleration along a direction, > 0 away from h = g = 0.
+static tf_real_t radial_rate(const quadrant_t *q, direction_t at) {
+  return ((q->g0 + q->g1 * at.T) * at.S + (q->h0 + q->h1 * at.T) * at.C) /
+         square_root(at.C * at.C + at.S * at.S);
+}
+
+// The direction at a share of the chord between an anchor of the angle kernel
+// and the next one. T depends on the ratio of sine and cosine alone, so the
+// chord serves as well as the arc.
+static direction_t on_chord(const tf_machine_t *k, int anchor,
+                            tf_real_t share) {
+  const tf_real_t C = anchor_cos[anchor] +
+                      share * (anchor_cos[anchor + 1] - anchor_cos[anchor]);
+  const tf_real_t S = anchor_cos[8 - anchor] +
+                      share * (anchor_cos[7 - anchor] - anchor_cos[8 - anchor]);
+  return (direction_t){C, S, cot_psi(&k->tyre, S, C)};
+}
+
 typedef struct {
-  tf_real_t low, high, f0, f1;
+  tf_real_t T;       // its cot(psi)
+  tf_real_t speed;   // outwards [m/s^2]
+  bool is_attractor; // its neighbours turn to it as time runs on
+} limit_direction_t;
+
+// A part of a chord, by shares, and the angular rates at its ends, which have
+// opposite signs.
+typedef struct {
+  tf_real_t low, high, f_low, f_high;
 } bracket_t;
 
-// By halving and secants (Illinois).
-static limit_t limit_in(const tf_machine_t *k, const quadrant_t *q, int anchor,
-                        bracket_t in) {
-  const bool attracts = in.f0 > 0;
-  tf_real_t T = 0, C = 1, S = 0;
+// The zero of the angular rate in a bracket, by regula falsi with the Illinois
+// modification: an end that is kept twice has its value halved.
+static limit_direction_t limit_direction_in(const tf_machine_t *k,
+                                            const quadrant_t *q, int anchor,
+                                            bracket_t in) {
+  const bool attracts = in.f_low > 0;
+  direction_t at = {1, 0, 0};
   int kept = 0;
   for (int i = 0; i < MOST_HALVINGS; i++) {
-    const tf_real_t x = (in.f0 * in.high - in.f1 * in.low) / (in.f0 - in.f1);
-    T = on_chord(k, anchor, x, &C, &S);
-    const tf_real_t f = turning(q, T, C, S);
+    const tf_real_t share =
+        (in.f_low * in.high - in.f_high * in.low) / (in.f_low - in.f_high);
+    at = on_chord(k, anchor, share);
+    const tf_real_t f = angular_rate(q, at);
     if (!(in.high - in.low > 4 * TF_REAL_EPSILON)) break;
     if ((f > 0) == attracts) {
-      if (!(x - in.low > TF_REAL_EPSILON * x)) break;
-      in.low = x;
-      in.f0 = f;
-      if (kept == 1) in.f1 /= 2;
+      if (!(share - in.low > TF_REAL_EPSILON * share)) break;
+      in.low = share;
+      in.f_low = f;
+      if (kept == 1) in.f_high /= 2;
       kept = 1;
     } else {
-      if (!(in.high - x > TF_REAL_EPSILON * x)) break;
-      in.high = x;
-      in.f1 = f;
-      if (kept == -1) in.f0 /= 2;
+      if (!(in.high - share > TF_REAL_EPSILON * share)) break;
+      in.high = share;
+      in.f_high = f;
+      if (kept == -1) in.f_low /= 2;
       kept = -1;
     }
   }
-  return (limit_t){T, leaving(q, T, C, S), attracts};
+  return (limit_direction_t){at.T, radial_rate(q, at), attracts};
 }
 
-// The share of the chord at which T is that given, to SHARE_BITS.
-static tf_real_t share_at(const tf_machine_t *k, int anchor, tf_real_t T) {
+// The share of the chord at which T has this value, to SHARE_BITS.
+static tf_real_t share_of(const tf_machine_t *k, int anchor, tf_real_t T) {
   tf_real_t low = 0, high = 1;
   for (int n = 0; n < SHARE_BITS; n++) {
-    const tf_real_t x = (low + high) / 2;
-    tf_real_t C, S;
-    if (on_chord(k, anchor, x, &C, &S) < T)
-      low = x;
+    const tf_real_t share = (low + high) / 2;
+    if (on_chord(k, anchor, share).T < T)
+      low = share;
     else
-      high = x;
+      high = share;
   }
   return high;
 }
 
-// `turning` vanishes where (h0 + h1 T, g0 + g1 T) has the angle psi of the
-// slip, T = tan(a psi), or that and pi. The difference of both grows where
+static void order_two(tf_real_t T[2]) {
+  if (!(T[0] > T[1])) return;
+  const tf_real_t larger = T[0];
+  T[0] = T[1];
+  T[1] = larger;
+}
+
+// The values of T between which there is at most one limit direction, and one
+// exactly where the angular rate changes its sign; in order, -1 for none.
+//
+// The angular rate vanishes where (h0 + h1 T, g0 + g1 T) has the angle psi of
+// the slip, T = tan(a psi), or that and pi. The difference of both angles grows
+// where
 //   a (1 + T^2) (h0 g1 - g0 h1) > (h0 + h1 T)^2 + (g0 + g1 T)^2
-// and falls elsewhere; and the line of these vectors turns by pi at most in
-// all, by half of that on either side of its point next to 0. So between the
-// places found here, three at most, and within pi/16 of psi, the difference
-// changes in one sense and by less than pi: `turning` has one zero where its
-// sign changes, else none. In order; one that is none is -1.
-static void find_places(const tf_machine_t *k, const quadrant_t *q,
-                        tf_real_t T[PLACES]) {
+// and falls elsewhere, so it has its extrema at the roots of a quadratic. The
+// line of these vectors turns by pi at most in all, by half of that on either
+// side of its point next to 0. So between these three, and within pi/16 of psi,
+// the difference changes in one sense and by less than pi.
+static void find_separators(const tf_machine_t *k, const quadrant_t *q,
+                            tf_real_t T[SEPARATORS]) {
   const tf_real_t slope = q->h1 * q->h1 + q->g1 * q->g1;
   const tf_real_t half = q->h0 * q->h1 + q->g0 * q->g1;
   const tf_real_t swing = k->tyre.T_series[0] * (q->h0 * q->g1 - q->g0 * q->h1);
@@ -124,51 +149,50 @@ static void find_places(const tf_machine_t *k, const quadrant_t *q,
   const tf_real_t sum = half < 0 ? half - root : half + root;
   T[1] = sum / (swing - slope);
   T[2] = constant / sum;
-  for (int i = 0; i < PLACES; i++) {
-    const int n = i == 1 ? 1 : 0; // pairs 0 1, 1 2, 0 1
-    if (T[n] > T[n + 1]) {
-      const tf_real_t larger = T[n];
-      T[n] = T[n + 1];
-      T[n + 1] = larger;
-    }
-  }
+  order_two(T);
+  order_two(T + 1);
+  order_two(T);
 }
 
-// Of two ways out that to which its neighbours turn, then the faster one.
-static bool is_better(const limit_t *next, const limit_t *best) {
+typedef enum { FOR_ATTRACTOR, FOR_EXIT } search_t;
+
+// Of two exits the one to which its neighbours turn, then the faster one.
+static bool is_better_exit(const limit_direction_t *next,
+                           const limit_direction_t *best) {
   if (!(next->speed > 0)) return false;
-  return next->attracts == best->attracts ? next->speed > best->speed
-                                          : next->attracts;
+  return next->is_attractor == best->is_attractor ? next->speed > best->speed
+                                                  : next->is_attractor;
 }
 
-// Looks through the limit directions of one quadrant: for a better way out than
-// the best one so far, or for the one that attracts. Returns whether there is
-// one. They lie where `turning` changes its sign between two neighbours of the
-// anchors and of the places above.
-static bool look_for(const tf_machine_t *k, const quadrant_t *q, bool way_out,
-                     limit_t *best) {
-  tf_real_t at[PLACES];
-  find_places(k, q, at);
-  tf_real_t from = turning(q, 0, 1, 0);
+// Looks for the attractor of a quadrant, or for a better exit than the best one
+// so far. Limit directions lie where the angular rate changes its sign between
+// two neighbours of the anchors and the separators. Returns whether there is
+// one.
+static bool search_quadrant(const tf_machine_t *k, const quadrant_t *q,
+                            search_t search, limit_direction_t *best) {
+  tf_real_t separator[SEPARATORS];
+  find_separators(k, q, separator);
+  tf_real_t from = angular_rate(q, (direction_t){1, 0, 0});
   bool found = false;
   for (int i = 0; i < 8; i++) {
     const tf_real_t low = k->tyre.T_anchor[i], high = k->tyre.T_anchor[i + 1];
     tf_real_t begin = 0;
-    for (int n = 0; n <= PLACES; n++) {
-      tf_real_t end = 1, C = anchor_cos[i + 1], S = anchor_cos[7 - i], T = high;
-      if (n < PLACES) {
-        if (!(at[n] > low && at[n] < high)) continue;
-        end = share_at(k, i, at[n]);
-        T = on_chord(k, i, end, &C, &S);
+    for (int n = 0; n <= SEPARATORS; n++) {
+      tf_real_t end = 1;
+      direction_t at = {anchor_cos[i + 1], anchor_cos[7 - i], high};
+      if (n < SEPARATORS) {
+        if (!(separator[n] > low && separator[n] < high)) continue;
+        end = share_of(k, i, separator[n]);
+        at = on_chord(k, i, end);
       }
-      const tf_real_t to = turning(q, T, C, S);
+      const tf_real_t to = angular_rate(q, at);
       const bracket_t part = {begin, end, from, to};
       begin = end;
       from = to;
-      const bool attracts = part.f0 > 0;
-      if (attracts == (to > 0) || !(way_out || attracts)) continue;
-      const limit_t next = limit_in(k, q, i, part);
-      if (way_out && !is_better(&next, best)) continue;
+      const bool attracts = part.f_low > 0;
+      if (attracts == (to > 0) || !(search == FOR_EXIT || attracts)) continue;
+      const limit_direction_t next = limit_direction_in(k, q, i, part);
+      if (search == FOR_EXIT && !is_better_exit(&next, best)) continue;
       *best = next;
       found = true;
     }
@@ -176,50 +200,57 @@ static bool look_for(const tf_machine_t *k, const quadrant_t *q, bool way_out,
   return found;
 }
 
-TF_API bool tf_codim2_attractor(const tf_machine_t *k, const tf_rates_t *a,
-                                int roll, int side, tf_real_t *T) {
-  const quadrant_t q = quadrant(k, a, roll, side);
-  limit_t best = {.speed = 0};
-  if (!look_for(k, &q, false, &best)) return false;
-  *T = best.T;
+TF_API bool tf_codim2_attractor(const tf_machine_t *k, const tf_rates_t *rates,
+                                int sign_g, int sign_h, tf_real_t *T) {
+  const quadrant_t q = quadrant_of(k, rates, sign_g, sign_h);
+  limit_direction_t attractor = {.speed = 0};
+  if (!search_quadrant(k, &q, FOR_ATTRACTOR, &attractor)) return false;
+  *T = attractor.T;
   return true;
 }
 
-// The exit on one side of h = 0.
-static void exit_on(const tf_machine_t *k, const tf_rates_t *a, int side,
-                    tf_consistent_t *out) {
-  const int slip = side > 0 ? 0 : 1;
-  limit_t best = {.speed = 0};
-  for (int roll = -1; roll <= 1; roll += 2) {
-    const quadrant_t q = quadrant(k, a, roll, side);
-    if (look_for(k, &q, true, &best)) out->sign_g[slip] = roll;
+// The best exit into the side h > 0 or h < 0, from both of its quadrants.
+static void add_exit(const tf_machine_t *k, const tf_rates_t *rates, int sign_h,
+                     tf_consistent_t *out) {
+  const int slip = sign_h > 0 ? 0 : 1;
+  limit_direction_t best = {.speed = 0};
+  for (int sign_g = -1; sign_g <= 1; sign_g += 2) {
+    const quadrant_t q = quadrant_of(k, rates, sign_g, sign_h);
+    if (search_quadrant(k, &q, FOR_EXIT, &best)) out->sign_g[slip] = sign_g;
   }
   if (!(best.speed > 0)) return;
   out->T[slip] = best.T;
   out->solutions.set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
-  out->solutions.h_limit[slip] = (tf_real_t)side * best.speed;
+  out->solutions.h_limit[slip] = (tf_real_t)sign_h * best.speed;
 }
 
-TF_API void tf_codim2_modes(const tf_machine_t *k, const tf_rates_t *a,
-                            tf_consistent_t *out) {
-  const tf_real_t mu = k->tyre.mu;
-  *out = (tf_consistent_t){.solutions = {.near_stick = TF_STICK_PLUS}};
+// The stick with the sign s of g, if lambda = N/A is one of the law and g gets
+// that sign under it.
+static void add_stick(const tf_machine_t *k, const tf_rates_t *rates, int s,
+                      tf_consistent_t *out) {
   tf_solutions_t *set = &out->solutions;
-  exit_on(k, a, 1, out);
-  exit_on(k, a, -1, out);
-  for (int s = 0; s < 2; s++) {
-    const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
-    const tf_real_t lambda = a->N / a->A[s];
-    const tf_real_t moment = sign * k->stick_kappa * lambda;
-    const tf_real_t g = slip_from_pq(k, a->p + lambda * a->Fp,
-                                     a->q + lambda * a->Fq + moment * a->Mq)
-                            .g;
-    if (a->A[s] > 0) set->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
-    if (!within(lambda, mu) || !(sign * g > 0)) continue;
-    set->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
-    out->lambda[s] = lambda;
-  }
-  if (within(a->pinning.F, mu) &&
-      within(a->pinning.M, k->stick_kappa * magnitude(a->pinning.F)))
-    set->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
+  const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
+  const tf_real_t lambda = rates->N / rates->A[s];
+  const tf_real_t moment = sign * k->stick_kappa * lambda;
+  const tf_real_t g =
+      slip_from_pq(k, rates->p + lambda * rates->Fp,
+                   rates->q + lambda * rates->Fq + moment * rates->Mq)
+          .g;
+  if (rates->A[s] > 0)
+    set->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  if (!within(lambda, k->tyre.mu) || !(sign * g > 0)) return;
+  set->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  out->lambda[s] = lambda;
+}
+
+TF_API void tf_codim2_modes(const tf_machine_t *k, const tf_rates_t *rates,
+                            tf_consistent_t *out) {
+  *out = (tf_consistent_t){.solutions = {.near_stick = TF_STICK_PLUS}};
+  add_exit(k, rates, 1, out);
+  add_exit(k, rates, -1, out);
+  add_stick(k, rates, 0, out);
+  add_stick(k, rates, 1, out);
+  if (within(rates->pinning.F, k->tyre.mu) &&
+      within(rates->pinning.M, k->stick_kappa * magnitude(rates->pinning.F)))
+    out->solutions.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
 }

@@ -105,4 +105,37 @@ TF_INLINE delassus_quadratic_t delassus_quadratic(const tf_machine_t *k,
                                 k->beta2 * k->sin_gamma * k->sin_gamma};
 }
 
+// The value of A J at r, and its rate under dr.
+TF_INLINE tf_real_t delassus_quadratic_at(delassus_quadratic_t at,
+                                          tf_real_t r) {
+  return r * r + at.b * r + at.c;
+}
+
+TF_INLINE tf_real_t delassus_quadratic_rate(delassus_quadratic_t at,
+                                            tf_real_t r, tf_real_t dr) {
+  return (2 * r + at.b) * dr;
+}
+
+// The arm of lambda about the axis, r cos(gamma) + s kappa [m]: lambda acts on
+// z' by this arm over J.
+TF_INLINE tf_real_t stick_arm(const tf_machine_t *k, tf_real_t arm,
+                              bool minus) {
+  return arm + signed_kappa(k, minus);
+}
+
+// dA/dt under dr: A depends on r alone.
+TF_INLINE tf_real_t delassus_rate(const tf_machine_t *k, tf_real_t r,
+                                  tf_real_t dr, bool minus, tf_real_t J) {
+  const tf_real_t arm = r * k->cos_gamma, of_lambda = stick_arm(k, arm, minus);
+  const tf_real_t darm = dr * k->cos_gamma, dJ = 2 * k->m * r * dr;
+  return (darm * (of_lambda + arm) - arm * (of_lambda / J) * dJ) / J;
+}
+
+// m times the Delassus scalar of a force without moment (kappa = 0), from
+// J/m = beta^2 + r^2: what an impulse of that force does to h.
+TF_INLINE tf_real_t delassus_of_force(const tf_machine_t *k, tf_real_t arm,
+                                      tf_real_t J_over_m) {
+  return k->sin_gamma * k->sin_gamma + arm * arm / J_over_m;
+}
+
 #endif
