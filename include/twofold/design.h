@@ -1,41 +1,42 @@
 /// @file
-/// Design of a machine: which kappa and k2 put a two-fold at a given point, in
-/// closed form.
+/// Design of a machine: the kappa and k2 that put a two-fold at a given point,
+/// in closed form.
 #ifndef TWOFOLD_DESIGN_H
 #define TWOFOLD_DESIGN_H
 
 #include "twofold/singularity.h"
 
-/// What stands in the way of a wished two-fold; the first that applies.
+/// Why there can be no two-fold at the point; the first that applies.
 typedef enum {
-  TF_DESIGN_FOUND,
-  TF_DESIGN_LAW,   ///< stick has no moment under this law, or mu = 0
-  TF_DESIGN_GAMMA, ///< |sin(gamma)| < 1e-6 (w = omega0 follows, r = -+kappa), or
-                   ///< |cos(gamma)| < 1e-6 (A > 0 whatever kappa)
-  TF_DESIGN_R,     ///< r = 0, out of range, or overflowing products
+  TF_DESIGN_FOUND,  ///< there can
+  TF_DESIGN_LAW,    ///< stick has no moment under this law, or mu = 0
+  TF_DESIGN_GAMMA,  ///< |sin(gamma)| < 1e-6 (then w = omega0, r = -+kappa), or
+                    ///< |cos(gamma)| < 1e-6 (then A > 0 for every kappa)
+  TF_DESIGN_R,      ///< r = 0, out of range, or a product overflows
   TF_DESIGN_OMEGA,  ///< w = omega0 (then g = 0), or out of range
-  TF_DESIGN_SPRING, ///< r = r0 or p2(r) = 0: k2 has no hold on h
+  TF_DESIGN_SPRING, ///< r = r0 or p2(r) = 0: h' does not depend on k2
   TF_DESIGN_KAPPA,  ///< kappa would be out of its range
   TF_DESIGN_K2      ///< k2 would be out of its range
 } tf_design_obstacle_t;
 
-/// kappa and k2 that make a wished point a two-fold.
+/// kappa and k2 that make the given point a two-fold.
 typedef struct {
-  tf_real_t kappa;  ///< [m]
-  tf_real_t k2;     ///< [N/m]
-  tf_two_fold_t at; ///< the normal form under them
-  uint8_t obstacle; ///< tf_design_obstacle_t; with KAPPA and K2 the rest is
-                    ///< filled none the less, else it is 0
+  tf_real_t kappa;        ///< [m]
+  tf_real_t k2;           ///< [N/m]
+  tf_two_fold_t two_fold; ///< the normal form under them
+  uint8_t obstacle;       ///< tf_design_obstacle_t; where it is not FOUND the
+                          ///< other members are 0, but those of KAPPA and K2,
+                          ///< which are filled
 } tf_design_t;
 
 /// Puts a two-fold at (r, w).
 /// Scheme: (stickV), (singKappa) with sign(g), (singK2) with p2(r).
-/// machine: in, prepared; its own kappa and k2 do not matter.
+/// machine: in, prepared; its own kappa and k2 are not used.
 /// input: in.
 /// r [m], w [rad/s]: in.
 /// out: out.
-/// Returns: TF_OK (obstacle GRANTED); TF_BAD_PARAMETER (any other obstacle, out
-///   as said there).
+/// Returns: TF_OK (obstacle TF_DESIGN_FOUND); TF_BAD_PARAMETER (any other
+///   obstacle; out is filled as tf_design_t says).
 /// Cost: at most 1200 instructions. Stack: 2032 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: wished_two_folds_are_found_again,

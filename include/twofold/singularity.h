@@ -1,8 +1,9 @@
 /// @file
-/// Two-folds: the points of h = 0 where the surface is tangent to both slips.
-/// There lambda is open, stick runs from a sliding into an escaping region or
-/// back, and the future is not unique. Where they lie and what kind they are, in
-/// closed form.
+/// Two-folds: the points of h = 0 where the fields of both slips are tangent to
+/// the surface (Filippov 1988; Teixeira, Stability conditions for discontinuous
+/// vector fields, 1990). There lambda is not determined, stick passes from a
+/// sliding into an escaping region or back, and the future is not unique. Where
+/// they lie and what kind they are, in closed form.
 #ifndef TWOFOLD_SINGULARITY_H
 #define TWOFOLD_SINGULARITY_H
 
@@ -21,8 +22,8 @@ typedef struct {
   tf_real_t g; ///< rolling speed, never 0 [m/s]
 } tf_surface_point_t;
 
-/// Most two-folds of a machine: two r, two g for each, two signs of g. Few have
-/// so many; the paper's has two.
+/// The most two-folds that a machine can have: two r, two g for each, two signs
+/// of g. Few have so many; the paper's has two.
 #define TF_TWO_FOLDS 8
 
 /// Why a machine has no two-fold; the first that applies.
@@ -30,33 +31,34 @@ typedef enum {
   TF_ABSENCE_NONE,   ///< it has one
   TF_ABSENCE_LAW,    ///< the law does not jump at h = 0, or mu = 0
   TF_ABSENCE_MOMENT, ///< stick has no moment (law COULOMB): A > 0 everywhere
-  TF_ABSENCE_ARM, ///< kappa |cos(gamma)| < 2 beta |sin(gamma)|: A > 0 everywhere
-  TF_ABSENCE_BALANCE ///< A vanishes, but nowhere on h = 0 does h_x . f(x, 0) with
-                     ///< the sign of g that it takes, within TF_STATE_LIMIT
+  TF_ABSENCE_ARM,    ///< kappa |cos(gamma)| < 2 beta |sin(gamma)|: A > 0
+                     ///< everywhere
+  TF_ABSENCE_BALANCE ///< A vanishes, but h_x . f(x, 0) does not, on h = 0
+                     ///< within TF_STATE_LIMIT, with the sign of g that A takes
 } tf_absence_t;
 #define TF_ABSENCES 5
 
-/// What lack stands for, in words.
+/// What a tf_absence_t stands for, in words.
 /// Scheme: none.
-/// lack: in.
+/// absence: in.
 /// Returns: a constant string, never NULL; "unknown" for other values.
 /// Cost: at most 7 instructions. Stack: 16 B.
 /// Memory: static storage, reentrant.
 /// Claims: reasons_and_types_have_names
 #define tf_absence_name TF_LINK(tf_absence_name)
-TF_API const char *tf_absence_name(unsigned lack);
+TF_API const char *tf_absence_name(unsigned absence);
 
 /// Every two-fold at g != 0.
 /// Scheme: (2foldcond). A(r, s) = 0 is a quadratic in r. On h = 0, v and w are
 ///   affine in g: r (w - omega0) = g sin(gamma), v = d (w - omega0) - g
 ///   cos(gamma); so h_x . f(x, 0) = 0 is a quadratic in g, for gamma = 0 too.
-///   Not counted: r = 0 at sin(gamma) = 0 (within 4 epsilon), where A vanishes
-///   along the whole surface and nothing sticks.
+///   Not counted is r = 0 with sin(gamma) = 0 (within 4 epsilon), where A
+///   vanishes along the whole surface and no stick exists.
 /// machine: in, prepared.
-/// input: in; an accelerating turntable counts.
-/// places: out, [TF_TWO_FOLDS], those of g > 0 first.
+/// input: in; the acceleration of the turntable is part of h'.
+/// points: out, [TF_TWO_FOLDS], those of g > 0 first.
 /// count: out, how many were written.
-/// lack: out, may be NULL; why there is none.
+/// absence: out, may be NULL; why there is none.
 /// Returns: TF_OK; TF_BAD_STATE (input out of range; nothing touched).
 /// Cost: at most 1300 instructions; 760 for `chaos`. Stack: 560 B.
 /// Memory: caller's, no overlap, reentrant.
@@ -67,11 +69,11 @@ TF_API const char *tf_absence_name(unsigned lack);
 #define tf_two_folds TF_LINK(tf_two_folds)
 TF_API tf_status_t tf_two_folds(const tf_machine_t *machine,
                                 const tf_input_t *input,
-                                tf_surface_point_t places[TF_TWO_FOLDS],
-                                int *count, tf_absence_t *lack);
+                                tf_surface_point_t points[TF_TWO_FOLDS],
+                                int *count, tf_absence_t *absence);
 
 /// Which way the slips curve, by h'' = K++ of slip+ and K-- of slip-. A fold is
-/// visible where its slip curves away from h = 0, into its own side.
+/// visible where its slip curves away from h = 0 on its own side of it.
 typedef enum {
   TF_FOLDS_INVISIBLE,  ///< K++ < 0 < K--: Teixeira singularity, (Invisible)
   TF_FOLDS_VISIBLE,    ///< K++ > 0 > K--
@@ -98,32 +100,34 @@ typedef struct {
   tf_real_t plus;     ///< share of f(x, +mu) in the motion along it, and of
   tf_real_t minus;    ///< f(x, -mu); |plus| + |minus| = 1
   tf_rate_t velocity; ///< plus f(x, +mu) + minus f(x, -mu): its direction and,
-                      ///< where it sticks, the speed of the motion
-  tf_real_t lambda;   ///< along it, where it sticks, else 0 [N]
-  bool sticks;        ///< lies in sliding and escaping, not in crossing
+                      ///< where the motion sticks, its speed
+  tf_real_t lambda;   ///< along it where the motion sticks, else 0 [N]
+  bool sticks;        ///< it lies in sliding and escaping regions, not in
+                      ///< crossing ones
 } tf_direction_t;
 
-/// The normal form of a two-fold. K has physical time; the paper's, in its
-/// rescaled time, is clock^2 K. J, eigenvalues and directions are the same in
-/// both.
+/// The normal form of a two-fold. K is in physical time; the paper's, in its
+/// rescaled time tau, is time_scale^2 K. J, eigenvalues and directions are the
+/// same in both.
 typedef struct {
-  tf_surface_point_t place;
-  tf_real_t rest;     ///< largest |h_x . f(x, +-mu)| left over [m/s^2]
-  tf_real_t clock;    ///< m (beta^2 + r^2) = dt/dtau, without unit
-  tf_real_t Kpp, Kpm; ///< K++, K+- [m/s^3]
-  tf_real_t Kmp, Kmm; ///< K-+, K-- [m/s^3]
-  tf_real_t J1, J2;   ///< with sqrt|K++ K--|, defined for every type
-  /// (L+, L-) = (K++, K--), eigenvalue K-+ - K++ = 2 mu v dA/dr: sticks where
-  /// K++ K-- < 0, and leads from sliding to escaping where it is negative. The
-  /// paper's first eigenvector.
+  tf_surface_point_t point;
+  tf_real_t residual;   ///< largest |h_x . f(x, +-mu)|, 0 at an exact two-fold
+                        ///< [m/s^2]
+  tf_real_t time_scale; ///< m (beta^2 + r^2) = dt/dtau, without unit
+  tf_real_t Kpp, Kpm;   ///< K++, K+- [m/s^3]
+  tf_real_t Kmp, Kmm;   ///< K-+, K-- [m/s^3]
+  tf_real_t J1, J2;     ///< with sqrt|K++ K--|, defined for every type
+  /// (L+, L-) = (K++, K--), eigenvalue K-+ - K++ = 2 mu v dA/dr: it sticks
+  /// where K++ K-- < 0, and leads from sliding to escaping where the eigenvalue
+  /// is negative. The paper's first eigenvector.
   tf_direction_t through;
-  /// L+ = L-, eigenvalue K++ - K+-: lies in crossing along r = const, where A
-  /// stays 0. The paper's second eigenvector.
+  /// L+ = L-, eigenvalue K++ - K+-: it lies in crossing regions along r =
+  /// const, where A stays 0. The paper's second eigenvector.
   tf_direction_t across;
   tf_rate_t plus, minus; ///< f(x, +mu), f(x, -mu)
   uint8_t type;          ///< tf_folds_t
-  uint8_t regime;        ///< case 1, 2, 3 of the paper for type INVISIBLE,
-                         ///< else (and on their borders) 0
+  uint8_t paper_case;    ///< case 1, 2, 3 of the paper for type INVISIBLE; 0
+                         ///< for other types and on the borders of the cases
 } tf_two_fold_t;
 
 /// The normal form at a two-fold.
@@ -131,14 +135,15 @@ typedef struct {
 ///   (L+, L-) = h_x . f(x, +-mu) as coordinates:
 ///   (L- - L+) d/dt (L+, L-) = ((-K+-, K++), (-K--, K-+)) (L+, L-).
 ///   Because A depends on r alone K++ + K-- = K+- + K-+: both eigenvalues are
-///   real and rational in K. Inputs are held; the turntable keeps its
+///   real and rational in K. Inputs are held, but the turntable keeps its
 ///   acceleration.
 /// machine: in, prepared for a law that jumps.
 /// input: in.
-/// place: in, from tf_two_folds or tf_design_two_fold; r != 0, g != 0.
+/// point: in, from tf_two_folds or tf_design_two_fold; r != 0, g != 0.
 /// out: out.
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law does not jump), TF_BAD_STATE
-///   (place or input out of range, or a product overflows); out is untouched.
+///   (point or input out of range, or a product overflows). Where it is
+///   refused, out is untouched.
 /// Cost: at most 690 instructions. Stack: 1040 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: normal_form_against_the_paper, numbers_of_the_paper,
@@ -148,7 +153,7 @@ typedef struct {
 #define tf_normal_form TF_LINK(tf_normal_form)
 TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
                                   const tf_input_t *input,
-                                  const tf_surface_point_t *place,
+                                  const tf_surface_point_t *point,
                                   tf_two_fold_t *out);
 
 #endif

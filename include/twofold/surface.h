@@ -1,8 +1,10 @@
 /// @file
-/// The surface h = 0 without a step: where it holds the wheel, where it throws
-/// it off, where it is crossed, and the field of motion along it. All of it in
-/// physical time. F = lambda and M = s kappa lambda there, s = sign(g), so that
-/// f(x, lambda) is affine in lambda, |lambda| <= mu.
+/// The switching surface h = 0 as that of a Filippov system (Filippov,
+/// Differential Equations with Discontinuous Righthand Sides, 1988): its
+/// sliding, escaping and crossing regions, and the field along it, without a
+/// step. All of it is in physical time. On h = 0, F = lambda and M = s kappa
+/// lambda with s = sign(g), so that f(x, lambda) is affine in lambda, |lambda|
+/// <= mu.
 #ifndef TWOFOLD_SURFACE_H
 #define TWOFOLD_SURFACE_H
 
@@ -19,13 +21,14 @@ typedef struct {
   tf_real_t w; ///< dw/dt [rad/s^2]
 } tf_rate_t;
 
-/// What h = 0 does to the motion at a point of it; borders belong to SLIDING.
+/// What becomes of a motion at a point of h = 0. The borders of the regions
+/// belong to SLIDING.
 typedef enum {
   TF_REGION_SLIDING,  ///< both slips lead to it: attracting stick, A > 0
   TF_REGION_ESCAPING, ///< both slips lead away: stick may end, A < 0
   TF_REGION_UP,       ///< crossed from h < 0 to h > 0
   TF_REGION_DOWN,     ///< crossed from h > 0 to h < 0
-  TF_REGION_CODIM2    ///< h = g = 0: s is open, codimension two
+  TF_REGION_CODIM2    ///< h = g = 0, of codimension two: s may be either
 } tf_region_t;
 #define TF_REGIONS 5
 
@@ -42,32 +45,34 @@ TF_API const char *tf_region_name(unsigned region);
 
 /// The surface at one point.
 typedef struct {
-  tf_slip_t slip;       ///< h, g [m/s]; h tells how far off the point is
+  tf_slip_t slip;       ///< h, g [m/s]; h tells how far the point is from h = 0
   tf_real_t lie_plus;   ///< h_x . f(x, +mu) [m/s^2]
   tf_real_t lie_minus;  ///< h_x . f(x, -mu) [m/s^2]
   tf_real_t delassus;   ///< A = -h_x . f_lambda [1/kg]
-  tf_real_t lambda;     ///< (muCalc) [N], beyond mu where h = 0 is crossed
+  tf_real_t lambda;     ///< (muCalc) [N]; |lambda| > mu where h = 0 is crossed
   tf_rate_t plus;       ///< f(x, +mu)
   tf_rate_t minus;      ///< f(x, -mu)
-  tf_rate_t stick;      ///< (svf), where the surface holds a stick, else 0
+  tf_rate_t stick;      ///< (svf) in sliding and escaping regions, else 0
   tf_rate_t scaled;     ///< A (svf) [1/kg of it]: regular at a two-fold
   uint8_t region;       ///< tf_region_t
-  bool lambda_is_given; ///< false (and lambda 0) where A = 0 or too small
+  bool lambda_is_given; ///< false, with lambda = 0, where A is 0 or so small
+                        ///< that N/A overflows
 } tf_surface_t;
 
-/// Looks at the surface in one point.
+/// The surface at a point of it.
 /// Scheme: h' = N - A lambda, N = h_x . f(x, 0); (slidCond), (muCalc), (svf),
-///   and scaled = A f(x, 0) + N f_lambda, which is (slidRescale) with its sign
-///   turned, so that it leads as (svf) where A > 0 and against it where A < 0.
+///   and scaled = A f(x, 0) + N f_lambda, which is (slidRescale) with the
+///   opposite sign, so that it points along (svf) where A > 0 and against it
+///   where A < 0.
 /// machine: in, prepared for a law that jumps (JUMP, COULOMB).
-/// input: in, within TF_STATE_LIMIT together with the state. A turntable that
-///   accelerates counts: h' is the true rate.
+/// input: in, within TF_STATE_LIMIT together with the state. The acceleration
+///   of the turntable is part of h'.
 /// r [m], v [m/s], w [rad/s]: in; the caller puts them on h = 0
 ///   (tf_speed_for_slip).
-/// out: out. At a corner only slip, region and nothing else is set, the rest 0.
+/// out: out. At h = g = 0 slip and region are set and all else is 0.
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law is single-valued: no surface),
-///   TF_BAD_STATE (state or input out of range, or a product overflows); out
-///   is untouched then.
+///   TF_BAD_STATE (state or input out of range, or a product overflows). Where
+///   it is refused, out is untouched.
 /// Cost: at most 450 instructions. Stack: 944 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: lie_derivatives_against_the_paper, sliding_field_against_the_paper,

@@ -1,5 +1,6 @@
-// Where two-folds lie and what they are. h' = N - A lambda on h = 0, so that a
-// two-fold is A = N = 0. See the header for the scheme of each function.
+// Where two-folds lie and what they are (Filippov 1988, Teixeira 1990). On h =
+// 0, h' = N - A lambda, so that a two-fold is A = N = 0. See the header for the
+// scheme of each function.
 #include "twofold/singularity.h"
 
 #include "field.h"
@@ -7,7 +8,7 @@
 // Below this sin(gamma) is rounding of gamma = 0 or pi.
 #define NO_SINE (4 * TF_REAL_EPSILON)
 
-TF_API const char *tf_absence_name(unsigned lack) {
+TF_API const char *tf_absence_name(unsigned absence) {
   static const char *const names[TF_ABSENCES] = {
       "there is one", "the friction does not jump at h = 0",
       "without a moment in stick the Delassus scalar is positive everywhere",
@@ -15,7 +16,7 @@ TF_API const char *tf_absence_name(unsigned lack) {
       "everywhere",
       "where the Delassus scalar vanishes, nothing balances h with the sign of "
       "g that this takes"};
-  return lack < TF_ABSENCES ? names[lack] : "unknown";
+  return absence < TF_ABSENCES ? names[absence] : "unknown";
 }
 
 TF_API const char *tf_folds_name(unsigned type) {
@@ -26,10 +27,11 @@ TF_API const char *tf_folds_name(unsigned type) {
 
 TF_INLINE tf_real_t largest(tf_real_t a, tf_real_t b) { return a > b ? a : b; }
 
-// Real roots of a x^2 + b x + c, the one of larger magnitude first; equal ones
-// once, and 0 not where it is a double one. Scaled by the largest coefficient,
-// so that no square overflows.
-static int roots(tf_real_t a, tf_real_t b, tf_real_t c, tf_real_t x[2]) {
+// Real roots of a x^2 + b x + c, the one of larger magnitude first. A double
+// root is given once, and not if it is 0. Scaled by the largest coefficient, so
+// that no square overflows.
+static int quadratic_roots(tf_real_t a, tf_real_t b, tf_real_t c,
+                           tf_real_t x[2]) {
   const tf_real_t size =
       largest(magnitude(a), largest(magnitude(b), magnitude(c)));
   if (!(size > 0 && size <= TF_REAL_MAX)) return 0;
@@ -51,27 +53,27 @@ static int roots(tf_real_t a, tf_real_t b, tf_real_t c, tf_real_t x[2]) {
   return root > 0 ? 2 : 1;
 }
 
-// The r > 0 or r < 0 of A(r, s) = 0 for s kappa cos(gamma) = b:
-//   r^2 + b r + beta^2 sin^2(gamma) = 0.
-// Its discriminant is (|b| - 2 beta |sin|)(|b| + 2 beta |sin|): no square that
+// The radii of A(r, s) = 0, from A J = r^2 + b r + beta^2 sin^2(gamma). The
+// discriminant is (|b| - 2 beta |sin|)(|b| + 2 beta |sin|), in which no square
 // cancels another.
-static int singular_radii(tf_real_t b, tf_real_t beta2, tf_real_t sine,
+static int singular_radii(const tf_machine_t *k, tf_real_t sine, bool minus,
                           tf_real_t r[2]) {
+  const tf_real_t b = delassus_quadratic(k, minus ? TF_R(-1.0) : TF_R(1.0)).b;
   const tf_real_t size = magnitude(b);
-  const tf_real_t reach = 2 * square_root(beta2) * magnitude(sine);
-  if (!(size >= reach)) return 0; // size = 0: cos = 0, then sin is not
-  const tf_real_t root = square_root((size - reach) * (size + reach));
+  const tf_real_t least = 2 * square_root(k->beta2) * magnitude(sine);
+  if (!(size >= least)) return 0; // so size > 0: sine or cosine is not 0
+  const tf_real_t root = square_root((size - least) * (size + least));
   const tf_real_t outer = (size + root) / 2;
-  const tf_real_t inner = beta2 * sine / outer * sine;
+  const tf_real_t inner = k->beta2 * sine / outer * sine;
   r[0] = b > 0 ? -outer : outer;
   r[1] = b > 0 ? -inner : inner;
   return inner > 0 && inner < outer ? 2 : 1;
 }
 
-// N(g) = n[0] + n[1] g + n[2] g^2 along h = 0 at one r: w = omega0 + zeta g,
-// v = nu g. Q_r, Q_phi and v z collected by powers of g.
-static void balance(const tf_machine_t *k, const tf_input_t *input,
-                    tf_real_t sine, tf_real_t r, tf_real_t n[3]) {
+// N(g) = n[0] + n[1] g + n[2] g^2 along h = 0 at one r, where w = omega0 +
+// zeta g and v = nu g: (2), (3) and v z by powers of g.
+static void N_by_powers_of_g(const tf_machine_t *k, const tf_input_t *input,
+                             tf_real_t sine, tf_real_t r, tf_real_t n[3]) {
   const tf_real_t cosine = k->cos_gamma, m = k->m, w0 = input->omega0;
   const tf_real_t zeta = sine / r, nu = k->d * zeta - cosine;
   const tf_real_t Q_r[3] = {
@@ -87,98 +89,90 @@ static void balance(const tf_machine_t *k, const tf_input_t *input,
   n[2] -= cosine * nu * zeta;
 }
 
-// The places of one r and s.
-static int places_at(const tf_machine_t *k, const tf_input_t *input,
-                     tf_real_t sine, tf_real_t r, bool minus,
-                     tf_surface_point_t *out) {
+// The two-folds of one r and s.
+static int two_folds_at(const tf_machine_t *k, const tf_input_t *input,
+                        tf_real_t sine, tf_real_t r, bool minus,
+                        tf_surface_point_t *out) {
   tf_real_t n[3], g[2];
-  balance(k, input, sine, r, n);
-  const int most = roots(n[2], n[1], n[0], g);
+  N_by_powers_of_g(k, input, sine, r, n);
+  const int most = quadratic_roots(n[2], n[1], n[0], g);
   int count = 0;
   for (int i = 0; i < most; i++) {
     const tf_real_t z = sine / r * g[i];
-    const tf_surface_point_t place = {r, k->d * z - k->cos_gamma * g[i],
+    const tf_surface_point_t point = {r, k->d * z - k->cos_gamma * g[i],
                                       input->omega0 + z, g[i]};
-    if ((minus ? g[i] < 0 : g[i] > 0) && in_reach(r, place.v, place.w))
-      out[count++] = place;
+    if ((minus ? g[i] < 0 : g[i] > 0) && in_reach(r, point.v, point.w))
+      out[count++] = point;
   }
   return count;
 }
 
-// What there is no two-fold without, whatever the motion.
-static tf_absence_t lack_of(const tf_machine_t *k, tf_real_t sine) {
+// What keeps the machine from having a two-fold in any motion.
+static tf_absence_t absence_in(const tf_machine_t *k, tf_real_t sine) {
   tf_real_t r[2];
   if (!tf_tyre_is_set_valued(k->tyre.law) || !(k->tyre.mu > 0))
     return TF_ABSENCE_LAW;
   if (!(k->stick_kappa > 0)) return TF_ABSENCE_MOMENT;
-  return singular_radii(k->stick_kappa * k->cos_gamma, k->beta2, sine, r) > 0
-             ? TF_ABSENCE_NONE
-             : TF_ABSENCE_ARM;
+  return singular_radii(k, sine, false, r) > 0 ? TF_ABSENCE_NONE
+                                               : TF_ABSENCE_ARM;
 }
 
 TF_API tf_status_t tf_two_folds(const tf_machine_t *machine,
                                 const tf_input_t *input,
-                                tf_surface_point_t places[TF_TWO_FOLDS],
-                                int *count, tf_absence_t *lack) {
+                                tf_surface_point_t points[TF_TWO_FOLDS],
+                                int *count, tf_absence_t *absence) {
   const tf_machine_t *k = machine;
   const tf_state_t still = {.r = 0};
   if (!in_range(&still, input)) return TF_BAD_STATE;
   const tf_real_t sine =
       within(k->sin_gamma, NO_SINE) ? TF_R(0.0) : k->sin_gamma;
-  const tf_real_t b = k->stick_kappa * k->cos_gamma;
-  const tf_absence_t why = lack_of(k, sine);
+  const tf_absence_t why = absence_in(k, sine);
   int found = 0;
   for (int s = 0; s < 2 && why == TF_ABSENCE_NONE; s++) {
     tf_real_t r[2];
-    const int radii = singular_radii(s ? -b : b, k->beta2, sine, r);
+    const int radii = singular_radii(k, sine, s > 0, r);
     for (int i = 0; i < radii; i++)
-      found += places_at(k, input, sine, r[i], s > 0, places + found);
+      found += two_folds_at(k, input, sine, r[i], s > 0, points + found);
   }
   *count = found;
-  if (lack)
-    *lack = why != TF_ABSENCE_NONE || found > 0 ? why : TF_ABSENCE_BALANCE;
+  if (absence)
+    *absence = why != TF_ABSENCE_NONE || found > 0 ? why : TF_ABSENCE_BALANCE;
   return TF_OK;
 }
 
-// d/dt of N along f(x, lambda).
-static tf_real_t slope_of_N(const tf_machine_t *k, const tf_input_t *input,
-                            const field_point_t *x, tf_real_t lambda) {
-  const tf_rate_t f = field(k, input, x, lambda);
+// dN/dt along f(x, lambda), N = -sin(gamma) p' - cos(gamma) q' at lambda = 0.
+static tf_real_t rate_of_N(const tf_machine_t *k, const tf_input_t *input,
+                           const field_point_t *x, tf_real_t lambda) {
+  const tf_rate_t f = field_under(k, input, x, lambda);
   const tf_real_t r = x->r, v = x->v, w = x->w, m = k->m, J = x->J;
   const tf_real_t dr = f.r, dv = f.v, dw = f.w, dz = f.w - input->alpha;
   const tf_real_t dQ_r = radial_force_rate(k, r, w, dr, dv, dw);
   const tf_real_t dQ_phi = disc_torque_rate(k, r, v, w, dr, dv, dw);
-  const tf_real_t turn =
-      (dQ_phi + k->d * dQ_r - (x->a.z + input->alpha) * 2 * m * r * dr) / J;
-  const tf_real_t dq = dr * x->a.z + r * turn + dv * x->z + v * dz;
-  return -k->sin_gamma * dQ_r / m - k->cos_gamma * dq;
+  const tf_real_t ddz =
+      (dQ_phi + k->d * dQ_r - (x->rates.z + input->alpha) * 2 * m * r * dr) / J;
+  const tf_real_t ddq = dr * x->rates.z + r * ddz + dv * x->z + v * dz;
+  return -k->sin_gamma * dQ_r / m - k->cos_gamma * ddq;
 }
 
-// d/dt of A = sin^2(gamma)/m + arm (arm + s kappa)/J, under any lambda: A
-// depends on r alone, and dr/dt = v.
-static tf_real_t slope_of_A(const tf_machine_t *k, const field_point_t *x) {
-  const tf_real_t darm = x->v * k->cos_gamma, dJ = 2 * k->m * x->r * x->v;
-  return (darm * (x->turn + x->arm) - x->arm * x->lever * dJ) / x->J;
-}
-
-// plus is not 0.
-static tf_direction_t ray_of(const tf_two_fold_t *at, tf_real_t value,
-                             tf_real_t plus, tf_real_t minus, tf_real_t mu) {
-  tf_direction_t ray = {.value = value};
+// The straight orbit with these shares of f(x, +mu) and f(x, -mu); plus != 0.
+static tf_direction_t direction_of(const tf_two_fold_t *at, tf_real_t value,
+                                   tf_real_t plus, tf_real_t minus,
+                                   tf_real_t mu) {
+  tf_direction_t out = {.value = value};
   const tf_real_t size = magnitude(plus) + magnitude(minus);
   const tf_real_t unit = plus < 0 ? -size : size;
-  ray.plus = plus / unit;
-  ray.minus = minus / unit;
-  ray.sticks = ray.minus >= 0;
-  ray.lambda = ray.sticks ? mu * (ray.plus - ray.minus) : 0;
-  ray.velocity = (tf_rate_t){ray.plus * at->plus.r + ray.minus * at->minus.r,
-                             ray.plus * at->plus.v + ray.minus * at->minus.v,
-                             ray.plus * at->plus.w + ray.minus * at->minus.w};
-  return ray;
+  out.plus = plus / unit;
+  out.minus = minus / unit;
+  out.sticks = out.minus >= 0;
+  out.lambda = out.sticks ? mu * (out.plus - out.minus) : 0;
+  out.velocity = (tf_rate_t){out.plus * at->plus.r + out.minus * at->minus.r,
+                             out.plus * at->plus.v + out.minus * at->minus.v,
+                             out.plus * at->plus.w + out.minus * at->minus.w};
+  return out;
 }
 
-// scale = sqrt|K++ K--| is 0 only where one of them is: a root of the least
-// number is far from the least number.
+// scale = sqrt|K++ K--| is 0 only where one of them is, as the product of two
+// roots: the root of the smallest number is far larger than that.
 static unsigned type_of(const tf_machine_t *k, const tf_two_fold_t *at,
                         tf_real_t scale) {
   if (within(k->sin_gamma, NO_SINE)) return TF_FOLDS_CONTINUOUS;
@@ -187,8 +181,8 @@ static unsigned type_of(const tf_machine_t *k, const tf_two_fold_t *at,
   return at->Kpp < 0 ? TF_FOLDS_INVISIBLE : TF_FOLDS_VISIBLE;
 }
 
-// Cases 1 to 3; case 3 is J1 J2 < 1.
-static unsigned regime_of(const tf_two_fold_t *at) {
+// The paper's cases 1 to 3, 0 for none; case 3 is J1 J2 < 1.
+static unsigned paper_case_of(const tf_two_fold_t *at) {
   if (at->type != TF_FOLDS_INVISIBLE) return 0;
   const tf_real_t product = at->J1 * at->J2;
   if (product < 1) return 3;
@@ -197,8 +191,8 @@ static unsigned regime_of(const tf_two_fold_t *at) {
 }
 
 // A depends on r alone, so that K-+ - K++ = K-- - K+- = 2 mu dA/dt, and the
-// eigenvalues need no square root: (L+, L-) = (K++, K--) goes with the former,
-// and (1, 1), which is r = const, with K++ - K+-.
+// eigenvalues need no square root: that is the one of (L+, L-) = (K++, K--),
+// and K++ - K+- that of (1, 1), along which r is constant.
 static void classify(const tf_machine_t *k, tf_two_fold_t *at,
                      tf_real_t through) {
   const tf_real_t mu = k->tyre.mu;
@@ -208,37 +202,37 @@ static void classify(const tf_machine_t *k, tf_two_fold_t *at,
   if (!(scale > 0)) return;
   at->J1 = at->Kmp / scale;
   at->J2 = -at->Kpm / scale;
-  at->regime = (uint8_t)regime_of(at);
-  at->through = ray_of(at, through / scale, at->Kmm, -at->Kpp, mu);
-  at->across = ray_of(at, (at->Kpp - at->Kpm) / scale, 1, -1, mu);
+  at->paper_case = (uint8_t)paper_case_of(at);
+  at->through = direction_of(at, through / scale, at->Kmm, -at->Kpp, mu);
+  at->across = direction_of(at, (at->Kpp - at->Kpm) / scale, 1, -1, mu);
 }
 
 TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
                                   const tf_input_t *input,
-                                  const tf_surface_point_t *place,
+                                  const tf_surface_point_t *point,
                                   tf_two_fold_t *out) {
   const tf_machine_t *k = machine;
-  const tf_state_t state = {.r = place->r, .v = place->v, .w = place->w};
+  const tf_state_t state = {.r = point->r, .v = point->v, .w = point->w};
   const tf_real_t mu = k->tyre.mu;
   if (!tf_tyre_is_set_valued(k->tyre.law)) return TF_BAD_PARAMETER;
-  if (!in_range(&state, input) || place->r == 0 ||
-      !(place->g > 0 || place->g < 0))
+  if (!in_range(&state, input) || point->r == 0 ||
+      !(point->g > 0 || point->g < 0))
     return TF_BAD_STATE;
   const field_point_t x =
-      point_at(k, input, place->r, place->v, place->w, place->g < 0);
-  const tf_real_t A = x.a.A[x.s];
-  const tf_real_t plus = slope_of_N(k, input, &x, mu);
-  const tf_real_t minus = slope_of_N(k, input, &x, -mu);
-  const tf_real_t slope = mu * slope_of_A(k, &x);
-  tf_two_fold_t at = {.place = *place,
-                      .rest = magnitude(x.a.N) + mu * magnitude(A),
-                      .clock = x.J,
+      field_point_at(k, input, point->r, point->v, point->w, point->g < 0);
+  const tf_real_t A = x.rates.A[x.minus];
+  const tf_real_t plus = rate_of_N(k, input, &x, mu);
+  const tf_real_t minus = rate_of_N(k, input, &x, -mu);
+  const tf_real_t slope = mu * delassus_rate(k, x.r, x.v, x.minus, x.J);
+  tf_two_fold_t at = {.point = *point,
+                      .residual = magnitude(x.rates.N) + mu * magnitude(A),
+                      .time_scale = x.J,
                       .Kpp = plus - slope,
                       .Kpm = minus - slope,
                       .Kmp = plus + slope,
                       .Kmm = minus + slope,
-                      .plus = field(k, input, &x, mu),
-                      .minus = field(k, input, &x, -mu)};
+                      .plus = field_under(k, input, &x, mu),
+                      .minus = field_under(k, input, &x, -mu)};
   if (!within(magnitude(at.Kpp) + magnitude(at.Kpm) + magnitude(at.Kmp) +
                   magnitude(at.Kmm) + size_of_rate(&at.plus) +
                   size_of_rate(&at.minus),

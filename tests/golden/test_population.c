@@ -139,9 +139,10 @@ static void mix_direction(draw_t *d, const tf_direction_t *direction) {
 }
 
 static void mix_two_fold(draw_t *d, const tf_two_fold_t *at) {
-  const tf_real_t reals[] = {at->place.r, at->place.v, at->place.w, at->place.g,
-                             at->rest,    at->clock,   at->Kpp,     at->Kpm,
-                             at->Kmp,     at->Kmm,     at->J1,      at->J2};
+  const tf_real_t reals[] = {at->point.r, at->point.v,  at->point.w,
+                             at->point.g, at->residual, at->time_scale,
+                             at->Kpp,     at->Kpm,      at->Kmp,
+                             at->Kmm,     at->J1,       at->J2};
   for (size_t i = 0; i < sizeof reals / sizeof *reals; i++)
     mix_real(d, reals[i]);
   mix_direction(d, &at->through);
@@ -149,7 +150,7 @@ static void mix_two_fold(draw_t *d, const tf_two_fold_t *at) {
   mix_rate(d, &at->plus);
   mix_rate(d, &at->minus);
   mix_small(d, at->type);
-  mix_small(d, at->regime);
+  mix_small(d, at->paper_case);
 }
 
 TEST(golden_surfaces) {
@@ -213,7 +214,7 @@ TEST(golden_wishes) {
     mix_real(&d, wish.kappa);
     mix_real(&d, wish.k2);
     mix_small(&d, wish.obstacle);
-    mix_two_fold(&d, &wish.at);
+    mix_two_fold(&d, &wish.two_fold);
   }
   check_golden("wish", d.hash);
 }

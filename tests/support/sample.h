@@ -82,11 +82,11 @@ static inline sample_t random_two_fold(void) {
     c.params.k2 = c.wish.k2;
     c.machine = prepared(&c.params);
     c.paper = paper_of(&c.params);
-    c.x[0] = wide(c.wish.at.place.r);
-    c.x[1] = wide(c.wish.at.place.v);
-    c.x[2] = wide(c.wish.at.place.w);
-    c.c2 = wide(c.wish.at.clock) * wide(c.wish.at.clock);
-    c.s = c.wish.at.place.g > 0 ? 1 : -1;
+    c.x[0] = wide(c.wish.two_fold.point.r);
+    c.x[1] = wide(c.wish.two_fold.point.v);
+    c.x[2] = wide(c.wish.two_fold.point.w);
+    c.c2 = wide(c.wish.two_fold.time_scale) * wide(c.wish.two_fold.time_scale);
+    c.s = c.wish.two_fold.point.g > 0 ? 1 : -1;
     return c;
   }
 }

@@ -11,14 +11,14 @@ TEST(wish_gives_the_numbers_of_the_paper) {
   CHECK(wish.obstacle == TF_DESIGN_FOUND);
   CHECK_NEAR(wide(wish.kappa), 0.27241153714062027818L, 4 * EPSILON);
   CHECK_NEAR(wide(wish.k2), 2.2270992253886014441L, 32 * EPSILON);
-  CHECK_NEAR(wide(wish.at.J1), -1.0635141712155655L, 64 * EPSILON);
-  CHECK_NEAR(wide(wish.at.rest), 0, 8 * EPSILON);
+  CHECK_NEAR(wide(wish.two_fold.J1), -1.0635141712155655L, 64 * EPSILON);
+  CHECK_NEAR(wide(wish.two_fold.residual), 0, 8 * EPSILON);
 }
 
 TEST(wished_two_folds_are_found_again) {
   for (int i = 0; i < 5000; i++) {
     const sample_t c = random_two_fold();
-    const tf_surface_point_t *wanted = &c.wish.at.place;
+    const tf_surface_point_t *wanted = &c.wish.two_fold.point;
     tf_surface_point_t at[TF_TWO_FOLDS];
     int count = 0, hits = 0;
     /* A double root is found to the root of the rounding. */
@@ -46,7 +46,7 @@ static unsigned obstacle(const tf_params_t *params, double r, double w) {
       tf_design_two_fold(&machine, &input, (tf_real_t)r, (tf_real_t)w, &wish);
   CHECK((status == TF_OK) == (wish.obstacle == TF_DESIGN_FOUND));
   CHECK(status == TF_OK || status == TF_BAD_PARAMETER);
-  CHECK((wish.at.clock > 0) ==
+  CHECK((wish.two_fold.time_scale > 0) ==
         (wish.obstacle == TF_DESIGN_FOUND || wish.obstacle >= TF_DESIGN_KAPPA));
   return wish.obstacle;
 }
@@ -133,7 +133,8 @@ TEST(spring_of_unit_hold_is_as_good) {
   const tf_status_t status = tf_design_two_fold(
       &machine, &input, 1, machine.omega0 - TF_R(0.25), &wish);
   CHECK(status == TF_OK || wish.obstacle == TF_DESIGN_K2);
-  CHECK_NEAR(wide(wish.at.rest), 0, 64 * EPSILON * fabsl(wide(wish.k2)));
+  CHECK_NEAR(wide(wish.two_fold.residual), 0,
+             64 * EPSILON * fabsl(wide(wish.k2)));
 }
 
 int main(int argc, char **argv) {

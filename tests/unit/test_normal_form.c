@@ -18,7 +18,7 @@ static real bulk_of(const sample_t *c) {
 TEST(normal_form_against_the_paper) {
   for (int i = 0; i < 5000; i++) {
     const sample_t c = random_two_fold();
-    const tf_two_fold_t *at = &c.wish.at;
+    const tf_two_fold_t *at = &c.wish.two_fold;
     paper_twofold_t n;
     paper_twofold(&c.paper, c.x, c.s, &n);
     const real close = 256 * EPSILON * bulk_of(&c);
@@ -65,13 +65,13 @@ TEST(sliding_motion_follows_the_normal_form) {
   int seen = 0;
   for (int i = 0; i < 3000; i++) {
     const sample_t c = random_two_fold();
-    const tf_two_fold_t *at = &c.wish.at;
+    const tf_two_fold_t *at = &c.wish.two_fold;
     const real pp = wide(at->Kpp), pm = wide(at->Kpm);
     const real mp = wide(at->Kmp), mm = wide(at->Kmm);
     const real det = pp * mm - pm * mp, scale = fabsl(pp) + fabsl(mm);
     const real bulk = bulk_of(&c);
     if (fabsl(det) < 0.05L * scale * scale || scale < 0.05L * bulk) continue;
-    if (fabsl(wide(at->place.g)) < 0.05L || fabsl(c.x[0]) < 0.1L) continue;
+    if (fabsl(wide(at->point.g)) < 0.05L || fabsl(c.x[0]) < 0.1L) continue;
     const real speed = fabsl(wide(at->plus.v)) + fabsl(wide(at->plus.w)) +
                        fabsl(wide(at->minus.v)) + fabsl(wide(at->minus.w));
     const real push = c.paper.k2 * (fabsl(c.x[0]) + fabsl(c.paper.r0)) +
@@ -82,7 +82,7 @@ TEST(sliding_motion_follows_the_normal_form) {
     const real noise = EPSILON *
                        ((1 + fabsl(c.paper.d)) * push + fabsl(slope[0]) +
                         2 * fabsl(slope[1]) + 2 * fabsl(slope[2])) /
-                       wide(at->clock);
+                       wide(at->time_scale);
     if (sqrtl(EPSILON) * scale * 0.3L < 200 * noise) continue;
     /* In the cone, by (L+, L-) = step (-b, a): sliding, then escaping. */
     const real a = tap_uniform(0.2, 0.8), b = 1 - a;
@@ -128,17 +128,17 @@ TEST(paper_cases_1_to_3) {
   int seen[4] = {0};
   for (int i = 0; i < 5000; i++) {
     const sample_t c = random_two_fold();
-    const tf_two_fold_t *at = &c.wish.at;
+    const tf_two_fold_t *at = &c.wish.two_fold;
     if (at->type != TF_FOLDS_INVISIBLE) {
-      CHECK(at->regime == 0);
+      CHECK(at->paper_case == 0);
       continue;
     }
     const real J1 = wide(at->J1), J2 = wide(at->J2);
     if (fabsl(J1 * J2 - 1) < 0.05L || fabsl(J1) + fabsl(J2) > 20) continue;
-    seen[at->regime]++;
-    CHECK((J1 * J2 < 1) == (at->regime == 3));
-    CHECK((at->regime == 1) == (at->through.value < 0));
-    CHECK((at->regime == 2) == (at->across.value > 0));
+    seen[at->paper_case]++;
+    CHECK((J1 * J2 < 1) == (at->paper_case == 3));
+    CHECK((at->paper_case == 1) == (at->through.value < 0));
+    CHECK((at->paper_case == 2) == (at->across.value > 0));
     /* (SlidNormForm) after its time scaling, with xi, eta > 0 sliding. In case
      * 3 the sign of the time turns with the sliding quadrant. */
     real x = tap_uniform(0.1, 1), y = tap_uniform(0.1, 1);
@@ -149,7 +149,7 @@ TEST(paper_cases_1_to_3) {
     }
     CHECK(x > 0 && y > 0);
     const real growth = ((J1 + 1) * x + (J2 + 1) * y) / (x + y);
-    CHECK((growth < 0) == (at->regime == 1));
+    CHECK((growth < 0) == (at->paper_case == 1));
     CHECK_NEAR(growth, wide(at->through.value), 1e-9L + 1e3L * EPSILON);
   }
   CHECK(seen[1] > 20 && seen[2] > 20 && seen[3] > 20 && seen[0] == 0);
@@ -179,7 +179,7 @@ TEST(driven_two_fold_is_the_second_rate) {
       if (size > 10 || speed > 200 || fabsl(wide(x->g)) < 0.2L ||
           fabsl(wide(x->r)) < 0.1L)
         continue;
-      CHECK(wide(n.rest) < 1e4L * EPSILON * (1 + speed));
+      CHECK(wide(n.residual) < 1e4L * EPSILON * (1 + speed));
       const tf_real_t step = (tf_real_t)(cbrtl(EPSILON) / (1 + speed) / 10);
       real rate[2][2];
       for (int k = 0; k < 2; k++) {

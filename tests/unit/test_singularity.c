@@ -48,7 +48,7 @@ TEST(numbers_of_the_paper) {
   tf_two_fold_t n;
   CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
   CHECK(tf_normal_form(&machine, &input, &at[0], &n) == TF_OK);
-  const real c2 = wide(n.clock) * wide(n.clock), close = 64 * EPSILON;
+  const real c2 = wide(n.time_scale) * wide(n.time_scale), close = 64 * EPSILON;
   CHECK_NEAR(wide(n.Kpp) * c2, -0.0023567513838866354L, close * 0.01L);
   CHECK_NEAR(wide(n.Kpm) * c2, 0.0032510430314189251L, close * 0.01L);
   CHECK_NEAR(wide(n.Kmp) * c2, -0.0027567704314507111L, close * 0.01L);
@@ -61,10 +61,10 @@ TEST(numbers_of_the_paper) {
   CHECK_NEAR(wide(n.through.lambda), 0.094910507L, close + 5e-10L);
   CHECK_NEAR(wide(n.through.velocity.w) / wide(n.through.velocity.r),
              -10.2442529L, 16 * close + 5e-8L);
-  CHECK(n.type == TF_FOLDS_INVISIBLE && n.regime == 1);
+  CHECK(n.type == TF_FOLDS_INVISIBLE && n.paper_case == 1);
   CHECK(n.through.sticks && !n.across.sticks);
   CHECK(n.across.velocity.r == 0);
-  CHECK_NEAR(wide(n.rest), 0, 16 * EPSILON);
+  CHECK_NEAR(wide(n.residual), 0, 16 * EPSILON);
 }
 
 /* w of h_x.f(x, 0) = 0 at one r: the quadratic through three values. */
@@ -145,7 +145,7 @@ TEST(damped_two_folds_keep_their_digits) {
       tf_two_fold_t n;
       CHECK(tf_normal_form(&machine, &input, &at[j], &n) == TF_OK);
       const real pull = wide(params.k2) * (fabsl(wide(at[j].r)) + 1) + 10;
-      worst = fmaxl(worst, wide(n.rest) * wide(params.m) / pull / EPSILON);
+      worst = fmaxl(worst, wide(n.residual) * wide(params.m) / pull / EPSILON);
       places++;
     }
   }
@@ -209,7 +209,7 @@ TEST(a_machine_may_have_eight_two_folds) {
     CHECK_NEAR(paper_lie(&paper, x, paper.mu, s), 0, 256 * EPSILON);
     CHECK_NEAR(paper_lie(&paper, x, -paper.mu, s), 0, 256 * EPSILON);
     CHECK(tf_normal_form(&machine, &input, &at[i], &n) == TF_OK);
-    first_cases += n.regime == 1;
+    first_cases += n.paper_case == 1;
   }
   CHECK(first_cases == 2);
 }
@@ -241,7 +241,7 @@ TEST(gamma_zero_has_a_continuous_two_fold) {
     tf_two_fold_t n;
     tf_surface_t s;
     CHECK(tf_normal_form(&machine, &input, &at[0], &n) == TF_OK);
-    CHECK(n.type == TF_FOLDS_CONTINUOUS && n.regime == 0);
+    CHECK(n.type == TF_FOLDS_CONTINUOUS && n.paper_case == 0);
     CHECK_NEAR(wide(n.plus.v), wide(n.minus.v), 64 * EPSILON);
     CHECK_NEAR(wide(n.plus.w), wide(n.minus.w), 64 * EPSILON);
     CHECK_NEAR(wide(n.Kpp), wide(n.Kpm), 4096 * EPSILON);
@@ -369,7 +369,7 @@ TEST(a_machine_on_which_nothing_acts_is_degenerate) {
   const tf_surface_point_t place = {TF_R(0.2), 0, 0, 1};
   tf_two_fold_t form;
   CHECK(tf_normal_form(&machine, &input, &place, &form) == TF_OK);
-  CHECK(form.type == TF_FOLDS_DEGENERATE && form.regime == 0);
+  CHECK(form.type == TF_FOLDS_DEGENERATE && form.paper_case == 0);
   CHECK(form.Kpp == 0 && form.Kmm == 0 && form.J1 == 0 && form.J2 == 0);
 }
 

@@ -21,10 +21,10 @@ static int write_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
   const bool open = wish.obstacle == TF_DESIGN_FOUND ||
                     wish.obstacle == TF_DESIGN_KAPPA ||
                     wish.obstacle == TF_DESIGN_K2;
-  const tf_two_fold_t *at = &wish.at;
-  const tf_real_t c2 = at->clock * at->clock;
+  const tf_two_fold_t *at = &wish.two_fold;
+  const tf_real_t c2 = at->time_scale * at->time_scale;
   const tf_real_t values[VALUES] = {
-      at->place.v,  at->place.g,  wish.kappa,   wish.k2, c2 * at->Kpp,
+      at->point.v,  at->point.g,  wish.kappa,   wish.k2, c2 * at->Kpp,
       c2 * at->Kpm, c2 * at->Kmp, c2 * at->Kmm, at->J1,  at->J2};
   const bool holds[CONDITIONS] = {
       at->Kmm > 0,

@@ -80,7 +80,7 @@ static void describe(const cli_analysis_t *a, const tf_design_t *wish,
   cli_add(text, " --set k2=");
   cli_add_real(text, wish->k2);
   cli_add(text, "\",\n  \"two_fold\":\n");
-  cli_add_two_fold(text, &wish->at, "    ");
+  cli_add_two_fold(text, &wish->two_fold, "    ");
   cli_add(text, "\n}\n");
 }
 

@@ -92,8 +92,8 @@ bool cli_find_twofold(const tf_machine_t *k, cli_twofold_t *out) {
         form.through.sticks && form.through.value < 0 &&
         form.across.value < form.through.value) {
       const cli_twofold_t found = {
-          (double)form.place.r, (double)form.place.w, (double)form.place.g,
-          (double)form.place.v,
+          (double)form.point.r, (double)form.point.w, (double)form.point.g,
+          (double)form.point.v,
           (double)form.through.velocity.w / (double)form.through.velocity.r};
       *out = found;
       return true;

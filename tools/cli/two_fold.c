@@ -55,8 +55,8 @@ void cli_add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at,
   static const char *const place_names[] = {"r", "v", "omega", "g"};
   static const char *const form_names[] = {"J1", "J2"};
   static const char *const cases[] = {"null", "1", "2", "3"};
-  const tf_real_t place[] = {at->place.r, at->place.v, at->place.w,
-                             at->place.g};
+  const tf_real_t place[] = {at->point.r, at->point.v, at->point.w,
+                             at->point.g};
   const tf_real_t form[] = {at->J1, at->J2};
   const bool through_first = at->through.value > at->across.value;
   const tf_direction_t *first = through_first ? &at->through : &at->across;
@@ -66,7 +66,7 @@ void cli_add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at,
   add_pairs(text, margin, place_names, place, 4);
   cli_add(text, margin);
   cli_add(text, "  ");
-  add_K(text, at, at->clock * at->clock);
+  add_K(text, at, at->time_scale * at->time_scale);
   cli_add(text, ",\n");
   add_pairs(text, margin, form_names, form, 2);
   cli_add(text, margin);
@@ -87,13 +87,13 @@ void cli_add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at,
   cli_add(text, "  \"type\": \"");
   cli_add(text, tf_folds_name(at->type));
   cli_add(text, "\", \"case\": ");
-  cli_add(text, cases[at->regime]);
+  cli_add(text, cases[at->paper_case]);
   cli_add(text, ",\n");
   cli_add(text, margin);
   cli_add(text, "  ");
-  add_pair(text, "clock", at->clock);
+  add_pair(text, "clock", at->time_scale);
   cli_add(text, ", ");
-  add_pair(text, "rest", at->rest);
+  add_pair(text, "rest", at->residual);
   cli_add(text, ",\n");
   cli_add(text, margin);
   cli_add(text, "  \"physical\": {");

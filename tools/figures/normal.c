@@ -47,12 +47,12 @@ static int make_chart(chart_t *k) {
   for (int i = 0; i < count && !found; i++) {
     found =
         tf_normal_form(&k->machine, &k->input, &places[i], &k->fold) == TF_OK &&
-        k->fold.regime == 1;
+        k->fold.paper_case == 1;
   }
   if (!found) {
     return 0;
   }
-  const double r = (double)k->fold.place.r, w = (double)k->fold.place.w;
+  const double r = (double)k->fold.point.r, w = (double)k->fold.point.w;
   const double e = 1e-6;
   double up[2], down[2], right[2], left[2];
   k->size = 1;
@@ -145,7 +145,7 @@ static void orbit(const chart_t *k, int true_field, double r, double w) {
 
 static void orbits(const chart_t *k) {
   enum { RAYS = 9 };
-  const double r = (double)k->fold.place.r, w = (double)k->fold.place.w;
+  const double r = (double)k->fold.point.r, w = (double)k->fold.point.w;
   for (int sign = -1; sign <= 1; sign += 2) {
     for (int i = 1; i <= RAYS; i++) {
       const double turn = acos(-1.0) / 2 * i / (RAYS + 1);

@@ -18,10 +18,10 @@ static const char *judge_direction(const tf_direction_t *ray) {
 }
 
 static const char *judge_two_fold(const tf_two_fold_t *at) {
-  FUZZ_HOLD(at->type < TF_FOLDS && at->regime <= 3);
-  FUZZ_HOLD(at->regime == 0 || at->type == TF_FOLDS_INVISIBLE);
-  FUZZ_HOLD(fuzz_finite(at->rest) && at->rest >= 0);
-  FUZZ_HOLD(fuzz_finite(at->clock) && at->clock > 0);
+  FUZZ_HOLD(at->type < TF_FOLDS && at->paper_case <= 3);
+  FUZZ_HOLD(at->paper_case == 0 || at->type == TF_FOLDS_INVISIBLE);
+  FUZZ_HOLD(fuzz_finite(at->residual) && at->residual >= 0);
+  FUZZ_HOLD(fuzz_finite(at->time_scale) && at->time_scale > 0);
   FUZZ_HOLD(fuzz_finite(at->Kpp) && fuzz_finite(at->Kpm));
   FUZZ_HOLD(fuzz_finite(at->Kmp) && fuzz_finite(at->Kmm));
   FUZZ_HOLD(fuzz_finite(at->J1) && fuzz_finite(at->J2));
@@ -99,7 +99,7 @@ static const char *wish(const tf_machine_t *machine, const tf_input_t *input,
   FUZZ_HOLD(out.obstacle <= TF_DESIGN_K2);
   FUZZ_HOLD(fuzz_finite(out.kappa) && fuzz_finite(out.k2));
   if (out.obstacle == TF_DESIGN_FOUND || out.obstacle >= TF_DESIGN_KAPPA)
-    return judge_two_fold(&out.at);
+    return judge_two_fold(&out.two_fold);
   FUZZ_HOLD(out.kappa == 0 && out.k2 == 0);
   return NULL;
 }

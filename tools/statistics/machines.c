@@ -71,7 +71,7 @@ int main(int argc, char *argv[]) {
       tf_two_fold_t form;
       of_case_1 +=
           tf_normal_form(&machine, &input, &places[j], &form) == TF_OK &&
-          form.regime == 1;
+          form.paper_case == 1;
     }
     folds[found]++;
     first[of_case_1]++;
