@@ -35,15 +35,15 @@ TF_INLINE tf_real_t disc_torque(const tf_machine_t *k, const tf_input_t *u,
 // (2) and (3) in pairs.
 TF_INLINE pair_t radial_force_pair(const tf_machine_t *k, const tf_input_t *u,
                                    pair_t r, pair_t v, pair_t centrifugal) {
-  const pair_t spring = scaled(plus_number(negative(r), u->r0), k->k2);
-  return difference(added(spring, plus_number(centrifugal, u->force)),
-                    scaled(v, k->c2));
+  const pair_t spring = pair_times(pair_plus(pair_negative(r), u->r0), k->k2);
+  return pair_difference(pair_sum(spring, pair_plus(centrifugal, u->force)),
+                         pair_times(v, k->c2));
 }
 
 TF_INLINE pair_t disc_torque_pair(const tf_machine_t *k, const tf_input_t *u,
                                   pair_t w, pair_t coriolis) {
-  const pair_t lost = added(scaled(w, k->c1), coriolis);
-  return plus_number(negative(lost), u->torque);
+  const pair_t lost = pair_sum(pair_times(w, k->c1), coriolis);
+  return pair_plus(pair_negative(lost), u->torque);
 }
 
 // Term n of the Taylor series of (2), from the terms of r, v and r w^2.

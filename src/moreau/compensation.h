@@ -36,10 +36,12 @@ TF_INLINE pair_t cosine_pair(const tf_compensated_t *k) {
 // then it decides nothing: the leading parts of p and q are enough.
 TF_INLINE start_t slip_in_pairs(const tf_compensated_t *k,
                                 const state_pair_t *x, tf_real_t omega0) {
-  const pair_t z = tidy(plus_number(x->w, -omega0));
-  const pair_t p = tidy(difference(x->v, scaled(z, k->machine.d)));
-  const pair_t q = product(x->r, z);
-  const pair_t h = added(product(sine_pair(k), p), product(cosine_pair(k), q));
+  const pair_t z = pair_normalized(pair_plus(x->w, -omega0));
+  const pair_t p =
+      pair_normalized(pair_difference(x->v, pair_times(z, k->machine.d)));
+  const pair_t q = pair_product(x->r, z);
+  const pair_t h =
+      pair_sum(pair_product(sine_pair(k), p), pair_product(cosine_pair(k), q));
   const tf_real_t g = q.hi * k->machine.sin_gamma - p.hi * k->machine.cos_gamma;
   return (start_t){p.hi, z.hi, {-(h.hi + h.lo), g}, true};
 }
@@ -56,23 +58,24 @@ TF_INLINE tf_change_t refinement(const tf_compensated_t *constants,
                                  tf_real_t M_low, tf_change_t c) {
   const tf_machine_t *k = &constants->machine;
   const tf_real_t hv = k->theta_dt * x->v.hi;
-  const pair_t rt = plus_number(x->r, hv), mr = scaled(rt, k->m);
-  const pair_t mrw = product(mr, x->w), mrwv = product(mrw, x->v);
-  const pair_t Q_r = radial_force_pair(k, u, rt, x->v, product(mrw, x->w));
-  const pair_t Q_phi = disc_torque_pair(k, u, x->w, added(mrwv, mrwv));
-  const pair_t arm = product(rt, cosine_pair(constants));
-  const pair_t moment = plus_number(scaled(arm, f.F), f.M);
-  const pair_t b = added(Q_r, scaled(sine_pair(constants), f.F));
-  const pair_t t =
-      added(added(Q_phi, scaled(Q_r, k->d)), plus_number(moment, M_low));
-  const pair_t J = added((pair_t){k->inertia, constants->low_inertia},
-                         product(mr, plus_number(rt, 2 * hv)));
+  const pair_t rt = pair_plus(x->r, hv), mr = pair_times(rt, k->m);
+  const pair_t mrw = pair_product(mr, x->w), mrwv = pair_product(mrw, x->v);
+  const pair_t Q_r = radial_force_pair(k, u, rt, x->v, pair_product(mrw, x->w));
+  const pair_t Q_phi = disc_torque_pair(k, u, x->w, pair_sum(mrwv, mrwv));
+  const pair_t arm = pair_product(rt, cosine_pair(constants));
+  const pair_t moment = pair_plus(pair_times(arm, f.F), f.M);
+  const pair_t b = pair_sum(Q_r, pair_times(sine_pair(constants), f.F));
+  const pair_t t = pair_sum(pair_sum(Q_phi, pair_times(Q_r, k->d)),
+                            pair_plus(moment, M_low));
+  const pair_t J = pair_sum((pair_t){k->inertia, constants->low_inertia},
+                            pair_product(mr, pair_plus(rt, 2 * hv)));
   const tf_real_t e = 2 * k->theta_dt * mrw.hi;
   const tf_real_t a_dv = k->a * (c.p + k->d * c.z);
-  const pair_t row_b = difference(
-      scaled(b, k->dt), plus_number(two_product(k->m, c.p), a_dv - e * c.z));
-  const pair_t row_t = difference(
-      scaled(t, k->dt), plus_number(scaled(J, c.z), e * c.p + k->d * a_dv));
+  const pair_t row_b = pair_difference(
+      pair_times(b, k->dt), pair_plus(two_product(k->m, c.p), a_dv - e * c.z));
+  const pair_t row_t =
+      pair_difference(pair_times(t, k->dt),
+                      pair_plus(pair_times(J, c.z), e * c.p + k->d * a_dv));
   const tf_real_t off_b = (row_b.hi + row_b.lo) / k->dt;
   const tf_real_t off_t = (row_t.hi + row_t.lo) / k->dt;
   return change_under(l, off_b, off_t, off_t - k->d * off_b);
@@ -111,7 +114,7 @@ TF_INLINE state_pair_t end_in_pairs(const tf_compensated_t *constants,
   const tf_change_t low =
       refinement(constants, x, u, l, f, moment_remainder(k, mode, f), c);
   const pair_t dz = {c.z, low.z};
-  const pair_t dv = added((pair_t){c.p, low.p}, scaled(dz, k->d));
+  const pair_t dv = pair_sum((pair_t){c.p, low.p}, pair_times(dz, k->d));
   return (state_pair_t){travelled(k, x->r, x->v, dv.hi), moved(x->v, dv),
                         moved(x->w, dz)};
 }
@@ -130,7 +133,7 @@ TF_INLINE void store_compensation(const tf_machine_t *k, tf_state_t *state,
   pair_t phi = {state->phi, low->phi};
   if (k->with_angle) {
     const pair_t w = {state->w, low->w};
-    phi = travelled(k, phi, w, difference(to->w, w).hi);
+    phi = travelled(k, phi, w, pair_difference(to->w, w).hi);
   }
   state->phi = phi.hi;
   *low = (tf_compensation_t){to->r.lo, to->v.lo, to->w.lo, phi.lo};

@@ -9,19 +9,20 @@ static pair_t integer(int n) { return (pair_t){(tf_real_t)n, 0}; }
 // the square of epsilon (2^-104 in double) within 13 of each, then three times
 // the double angle.
 static void sine_cosine(tf_real_t x, pair_t *sine, pair_t *cosine) {
-  const pair_t y = {x / 8, 0}, minus_y2 = negative(product(y, y));
+  const pair_t y = {x / 8, 0}, minus_y2 = pair_negative(pair_product(y, y));
   pair_t s = y, c = {1, 0}, s_term = s, c_term = c;
   for (int n = 1; n <= 13; n++) {
-    c_term =
-        quotient(product(c_term, minus_y2), integer((2 * n - 1) * (2 * n)));
-    s_term = quotient(product(s_term, minus_y2), integer(2 * n * (2 * n + 1)));
-    c = added(c, c_term);
-    s = added(s, s_term);
+    c_term = pair_quotient(pair_product(c_term, minus_y2),
+                           integer((2 * n - 1) * (2 * n)));
+    s_term = pair_quotient(pair_product(s_term, minus_y2),
+                           integer(2 * n * (2 * n + 1)));
+    c = pair_sum(c, c_term);
+    s = pair_sum(s, s_term);
   }
   for (int i = 0; i < 3; i++) {
-    const pair_t ss = product(s, s), sc = product(s, c);
-    s = added(sc, sc);
-    c = difference((pair_t){1, 0}, added(ss, ss));
+    const pair_t ss = pair_product(s, s), sc = pair_product(s, c);
+    s = pair_sum(sc, sc);
+    c = pair_difference((pair_t){1, 0}, pair_sum(ss, ss));
   }
   *sine = s;
   *cosine = c;
@@ -41,8 +42,8 @@ TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
   pair_t sine, cosine;
   sine_cosine(params->gamma, &sine, &cosine);
   const pair_t inertia =
-      added(scaled(two_product(params->beta, params->beta), k->m),
-            two_product(k->theta_dt, k->c1));
+      pair_sum(pair_times(two_product(params->beta, params->beta), k->m),
+               two_product(k->theta_dt, k->c1));
   machine->low_sin_gamma = left_out(sine, k->sin_gamma);
   machine->low_cos_gamma = left_out(cosine, k->cos_gamma);
   machine->low_inertia = left_out(inertia, k->inertia);
@@ -57,10 +58,10 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
   const pair_t r = {state->r, compensation->r}, w = {state->w, compensation->w};
   const pair_t sine = {k->sin_gamma, machine->low_sin_gamma};
   const pair_t cosine = {k->cos_gamma, machine->low_cos_gamma};
-  const pair_t z = tidy(plus_number(w, -omega0));
-  const pair_t p =
-      negative(quotient(plus_number(product(product(r, z), cosine), h), sine));
-  const pair_t v = tidy(added(p, scaled(z, k->d)));
+  const pair_t z = pair_normalized(pair_plus(w, -omega0));
+  const pair_t p = pair_negative(pair_quotient(
+      pair_plus(pair_product(pair_product(r, z), cosine), h), sine));
+  const pair_t v = pair_normalized(pair_sum(p, pair_times(z, k->d)));
   state->v = v.hi;
   compensation->v = v.lo;
   return TF_OK;

@@ -25,9 +25,9 @@ TEST(sums_are_exact) {
     const pair_t f =
         magnitude(x) < magnitude(y) ? fast_two_sum(y, x) : fast_two_sum(x, y);
     CHECK(f.hi == s.hi && f.lo == s.lo);
-    const pair_t loose = {y, x}, tidied = tidy(loose);
+    const pair_t loose = {y, x}, tidied = pair_normalized(loose);
     CHECK(tidied.hi == s.hi && tidied.lo == s.lo);
-    CHECK(whole_of(negative(s)) == -a * scale - b);
+    CHECK(whole_of(pair_negative(s)) == -a * scale - b);
   }
 }
 
@@ -35,7 +35,7 @@ TEST(products_are_exact) {
   for (int n = 0; n < 100000; n++) {
     const int64_t a = whole(), b = whole();
     const tf_real_t x = (tf_real_t)a, y = (tf_real_t)b;
-    const pair_t xy = two_product(x, y), parts = halves(x);
+    const pair_t xy = two_product(x, y), parts = veltkamp_split(x);
     CHECK(xy.hi == x * y);
     CHECK(xy.lo == (sizeof x == 8
                         ? (tf_real_t)fma((double)x, (double)y, -(double)xy.hi)
@@ -51,7 +51,8 @@ static real value(pair_t a) { return wide(a.hi) + wide(a.lo); }
 
 static pair_t random_pair(void) {
   const tf_real_t hi = uniform(-2, 2);
-  return tidy((pair_t){hi, hi * TF_REAL_EPSILON * uniform(-0.5, 0.5)});
+  return pair_normalized(
+      (pair_t){hi, hi * TF_REAL_EPSILON * uniform(-0.5, 0.5)});
 }
 
 /* In units of what is lost, the square of epsilon or what long double loses. */
@@ -62,12 +63,12 @@ TEST(the_rest_loses_the_square_of_epsilon) {
     const tf_real_t s = uniform(-2, 2);
     const real x = value(a), y = value(b), z = wide(s);
     const real size = fabsl(x) + fabsl(y), with = fabsl(x) + fabsl(z);
-    CHECK(fabsl(value(product(a, b)) - x * y) <= 4 * unit * fabsl(x * y));
-    CHECK(fabsl(value(scaled(a, s)) - x * z) <= 4 * unit * fabsl(x * z));
-    CHECK(fabsl(value(added(a, b)) - (x + y)) <= 4 * unit * size);
-    CHECK(fabsl(value(difference(a, b)) - (x - y)) <= 4 * unit * size);
-    CHECK(fabsl(value(plus_number(a, s)) - (x + z)) <= 4 * unit * with);
-    CHECK(fabsl(value(quotient(a, b)) - x / y) <= 8 * unit * fabsl(x / y));
+    CHECK(fabsl(value(pair_product(a, b)) - x * y) <= 4 * unit * fabsl(x * y));
+    CHECK(fabsl(value(pair_times(a, s)) - x * z) <= 4 * unit * fabsl(x * z));
+    CHECK(fabsl(value(pair_sum(a, b)) - (x + y)) <= 4 * unit * size);
+    CHECK(fabsl(value(pair_difference(a, b)) - (x - y)) <= 4 * unit * size);
+    CHECK(fabsl(value(pair_plus(a, s)) - (x + z)) <= 4 * unit * with);
+    CHECK(fabsl(value(pair_quotient(a, b)) - x / y) <= 8 * unit * fabsl(x / y));
   }
 }
 
