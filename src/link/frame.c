@@ -108,7 +108,7 @@ static void count_accepted(tf_decoder_t *decoder, const tf_frame_t *frame) {
 }
 
 // What stands in the buffer, between two zeros. Returns: whether it is a frame.
-static bool finish(tf_decoder_t *decoder, tf_frame_t *frame) {
+static bool complete_frame(tf_decoder_t *decoder, tf_frame_t *frame) {
   uint8_t *code = decoder->buffer;
   const size_t used = decoder->used;
   const bool overflowed = decoder->overflowed;
@@ -145,7 +145,7 @@ static bool finish(tf_decoder_t *decoder, tf_frame_t *frame) {
 
 TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,
                             tf_frame_t *frame) {
-  if (byte == 0) return finish(decoder, frame);
+  if (byte == 0) return complete_frame(decoder, frame);
   if (decoder->used < decoder->room)
     decoder->buffer[decoder->used++] = byte;
   else
@@ -174,7 +174,7 @@ TF_API bool tf_decoder_block(tf_decoder_t *decoder, const uint8_t *bytes,
     at = end;
     if (at == length) break;
     at++;
-    if (finish(decoder, frame)) {
+    if (complete_frame(decoder, frame)) {
       *taken = at;
       return true;
     }

@@ -5,8 +5,6 @@
 
 #include "../model/kinematics.h"
 
-#define REAL TF_REAL_BYTES
-
 TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
                          const tf_params_t *params) {
   link->scene = scene;
@@ -48,12 +46,13 @@ static int set_input(tf_session_t *session, const tf_command_t *command) {
     session->driven = false;
     return TF_ANSWER_DONE;
   }
-  if (command->length != 5 * REAL) return TF_ANSWER_LENGTH;
+  const size_t R = TF_REAL_BYTES;
+  if (command->length != 5 * R) return TF_ANSWER_LENGTH;
   const uint8_t *at = command->payload;
-  const tf_input_t input = {tf_wire_get_real(at), tf_wire_get_real(at + REAL),
-                            tf_wire_get_real(at + 2 * REAL),
-                            tf_wire_get_real(at + 3 * REAL),
-                            tf_wire_get_real(at + 4 * REAL)};
+  const tf_input_t input = {tf_wire_get_real(at), tf_wire_get_real(at + R),
+                            tf_wire_get_real(at + 2 * R),
+                            tf_wire_get_real(at + 3 * R),
+                            tf_wire_get_real(at + 4 * R)};
   if (!in_range(&session->state, &input)) return TF_BAD_STATE;
   session->input = input;
   session->driven = true;
@@ -64,7 +63,7 @@ static int set_input(tf_session_t *session, const tf_command_t *command) {
 // cannot be prepared from them: a second copy would not fit a small stack.
 static int set_parameter(tf_link_t *link, tf_session_t *session,
                          tf_command_t *command) {
-  if (command->length != 1 + REAL) return TF_ANSWER_LENGTH;
+  if (command->length != 1 + TF_REAL_BYTES) return TF_ANSWER_LENGTH;
   const unsigned index = command->payload[0];
   command->index = (uint8_t)index;
   command->value = 0;
