@@ -1,8 +1,8 @@
 // Elementary functions that tf_prepare needs: see kernel.h for the claims.
 #include "kernel.h"
 
-// Horner in x^2; the coefficients are those of Taylor, whose first left-out
-// term is below 1e-18 of the first on the reduced range |x| <= pi/4.
+// Horner's rule in x^2, with Taylor coefficients: the first term left out is
+// below 1e-18 of the first one on the reduced range |x| <= pi/4.
 static tf_real_t polynomial(const tf_real_t *c, int terms, tf_real_t x2) {
   tf_real_t sum = c[terms - 1];
   for (int n = terms - 2; n >= 0; n--) sum = sum * x2 + c[n];
@@ -10,10 +10,9 @@ static tf_real_t polynomial(const tf_real_t *c, int terms, tf_real_t x2) {
 }
 
 // pi/2 in two parts: k HIGH is exact for |k| <= 2, x - k HIGH is exact because
-// the two agree in their leading bits, and LOW brings the digits of pi that
-// the real type cannot hold. So cos of the number nearest pi/2 comes out
-// right (6e-17 in double), not as 0. Both parts are positive, so that -0 stays
-// -0.
+// the two agree in their leading bits, and LOW holds the digits of pi that the
+// real type cannot. So cos of the number nearest pi/2 is right (6e-17 in
+// double), not 0. Both parts are positive, so that -0 stays -0.
 #ifdef TF_REAL_FLOAT
 #define HALF_PI_HIGH 0x1.921fb4p+0f
 #define HALF_PI_LOW 0x1.4442d2p-24f

@@ -1,7 +1,8 @@
-// Elementary functions of the core, because libm gives other bits on every
-// target. The step uses abs, sqrt and finiteness only; the rest serves
-// tf_prepare. Claimed errors stand here and angle_kernel_error_bound,
-// sine_kernel_error_bound and exit_probability_kernel execute them.
+// Elementary functions of the core, because the bits of libm differ from target
+// to target. A step uses only abs, sqrt and comparisons; the rest serves
+// tf_prepare. The error bounds claimed here are tested by
+// angle_kernel_error_bound, sine_kernel_error_bound and
+// exit_probability_kernel.
 #ifndef TF_KERNEL_H
 #define TF_KERNEL_H
 
@@ -9,9 +10,9 @@
 
 #include "twofold/real.h"
 
-// The parts of a step are one function to the compiler: handing their structs
-// over through memory would double its instructions. What a step hardly ever
-// needs is kept out of it.
+// The parts of a step are inlined into one function: passing their structs
+// through memory would double its instructions. TF_RARE keeps out of it what a
+// step hardly ever needs.
 #define TF_INLINE static inline __attribute__((always_inline))
 #define TF_RARE static __attribute__((noinline, cold))
 
@@ -39,7 +40,7 @@ TF_INLINE bool within(tf_real_t x, tf_real_t limit) {
   return magnitude(x) <= limit;
 }
 
-// NaN ends at low: the comparisons are written so that it cannot pass.
+// NaN becomes low: the comparisons are written so that it cannot pass.
 TF_INLINE tf_real_t clip(tf_real_t x, tf_real_t low, tf_real_t high) {
   return x > low ? (x < high ? x : high) : low;
 }

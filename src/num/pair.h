@@ -1,9 +1,9 @@
-// Numbers as unevaluated sums hi + lo of two tf_real_t (double-word arithmetic),
-// for the compensated step alone. The first four functions are error-free
-// transformations (Dekker 1971, Knuth, Shewchuk 1997): exact under rounding to
-// nearest without contraction, which real.h and the Makefile ensure. The others
-// are built from them. There is no fused multiply-add here, because a target
-// without the instruction would call a library for it.
+// Numbers as unevaluated sums hi + lo of two tf_real_t (double-word
+// arithmetic), for the compensated step alone. The first four functions are
+// error-free transformations (Dekker 1971, Knuth, Shewchuk 1997): exact under
+// rounding to nearest without contraction, which real.h and the Makefile
+// ensure. The others are built from them. There is no fused multiply-add here,
+// because a target without the instruction would call a library for it.
 #ifndef TF_PAIR_H
 #define TF_PAIR_H
 
@@ -45,9 +45,9 @@ TF_INLINE pair_t two_product(tf_real_t a, tf_real_t b) {
       hi, x.lo * y.lo - (((hi - x.hi * y.hi) - x.lo * y.hi) - x.hi * y.lo)};
 }
 
-// The operations below let lo grow to a few epsilon of the larger operand, which
-// costs the next operation nothing. Where operands may have cancelled, this
-// makes hi the number nearest to the pair again.
+// The operations below let lo grow to a few epsilon of the larger operand,
+// which does no harm to the next operation. Where operands may have cancelled,
+// this makes hi the number nearest to the pair again.
 TF_INLINE pair_t pair_normalized(pair_t a) { return two_sum(a.hi, a.lo); }
 
 // a b to about the square of epsilon.

@@ -4,7 +4,7 @@
 #define MOST_INTERVALS 40
 #define MOST_NEWTON 24
 
-// Signs of the Bernstein coefficients on [low, high]: how often they change.
+// How often the signs of the Bernstein coefficients on [low, high] change.
 static int sign_changes(const tf_series_t *s, tf_real_t low, tf_real_t high) {
   tf_real_t b[TF_ORDER + 1];
   for (int k = 0; k <= TF_ORDER; k++) b[k] = s->c[k];
@@ -21,7 +21,7 @@ static int sign_changes(const tf_series_t *s, tf_real_t low, tf_real_t high) {
   int changes = 0;
   bool above = true;
   for (int i = 0; i <= TF_ORDER; i++) {
-    if (b[i] == 0 && i == 0) continue; // a root at low is not meant
+    if (b[i] == 0 && i == 0) continue; // a root at low does not count
     if ((b[i] > 0) == above) continue;
     above = !above;
     changes++;
@@ -72,6 +72,7 @@ TF_API bool tf_first_root(const tf_series_t *s, tf_real_t length,
     low = high;
     high = wider < length ? wider : length;
   }
-  // So near to touching zero that halving does not tell: taken for a touch.
+  // The polynomial touches zero, or comes so near that halving cannot decide:
+  // no crossing.
   return false;
 }

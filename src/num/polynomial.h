@@ -1,14 +1,14 @@
 // Polynomials of degree TF_ORDER on [0, length]: value and first root. A root
-// is where the value falls from above 0 to 0; what rises is asked for with its
-// sign turned.
+// is where the value falls from above 0 to 0; for one where it rises, pass the
+// polynomial with its sign changed.
 #ifndef TF_POLYNOMIAL_H
 #define TF_POLYNOMIAL_H
 
 #include "kernel.h"
 
-// Order of the Taylor series of tf_step_located. In double 8 is the cheapest
-// for chaos to t = 1 at every error from 1e-6 to 1e-9: 6 needs 1.5 times its
-// time, 10 the same in few steps and 1.15 times in many.
+// Order of the Taylor series of tf_step_located. In double, 8 is the cheapest
+// for chaos to t = 1 at every error from 1e-6 to 1e-9: 6 takes 1.5 times as
+// long; 10 takes as long with few steps and 1.15 times as long with many.
 #ifdef TF_REAL_FLOAT
 #define TF_ORDER 6
 #else
@@ -25,8 +25,8 @@ TF_INLINE tf_real_t value_at(const tf_series_t *s, tf_real_t t) {
   return sum;
 }
 
-// Whether c0 outweighs all that the other terms can be within the length: then
-// there is no root, and most segments need no further look.
+// Whether c0 is larger than the other terms together can be within the length.
+// Then there is no root; most segments are settled by this.
 TF_INLINE bool is_rootless(const tf_series_t *s, tf_real_t length) {
   tf_real_t sum = magnitude(s->c[TF_ORDER]);
   for (int k = TF_ORDER - 1; k > 0; k--)
@@ -35,9 +35,9 @@ TF_INLINE bool is_rootless(const tf_series_t *s, tf_real_t length) {
 }
 
 // The smallest root in (0, length], by the signs of the Bernstein coefficients
-// (Descartes: no change, no root; one change, one root) of intervals that are
+// (Descartes: no change, no root; one change, one root) on intervals that are
 // halved from the left, then by Newton's method within the bracket. c0 > 0, or
-// c0 = 0 and the root there is not meant. Returns whether there is one.
+// c0 = 0, and then the root at 0 does not count. Returns whether there is one.
 #define tf_first_root TF_LINK(tf_first_root)
 TF_API bool tf_first_root(const tf_series_t *s, tf_real_t length,
                           tf_real_t *root);
