@@ -2,20 +2,20 @@
 /// The simulator within one translation unit, for one scene or for all.
 ///
 /// For one scene, SCENE_HEADER names a header of constants that
-/// tools/firmware/constants.c made: the prepared machine, the state in which
-/// the motion starts, the inputs. They are const and local, and so is every
-/// function of the core here; the compiler folds the constants through them
-/// and drops what the scene does not use, down to the branches of a step.
-/// Without SCENE_HEADER every scene is there, is prepared at run time, and
-/// which one runs is said by a number in another object (port/choice.c).
+/// tools/firmware/constants.c wrote: the prepared machine, the state in which
+/// the motion starts, the inputs. The constants are local to this translation
+/// unit, and so is every function of the core; the compiler propagates the
+/// constants through them and removes what the scene does not use, down to the
+/// branches of a step. Without SCENE_HEADER all scenes are here; the one that a
+/// number in another object (port/choice.c) names is prepared at run time.
 ///
 /// Both compute the bits that the library computes.
 #ifndef TWOFOLD_PORT_CORE_H
 #define TWOFOLD_PORT_CORE_H
 
-#define TF_API static __attribute__((unused))
+#define TF_API_STATIC
 
-// Headers declare more than is defined here: the other schemes.
+// The headers declare functions of other schemes, which are not defined here.
 #pragma GCC diagnostic ignored "-Wunused-function"
 
 #include "twofold/compensated.h"
@@ -32,11 +32,12 @@
 #endif
 
 #ifdef BOARD_SMALL
-// Where flash is short the parts of a step are functions: half the size.
+// Where flash is short, the parts of a step stay functions: half the size.
 #include "../src/num/kernel.h"
 #undef TF_INLINE
 #define TF_INLINE static
 #endif
+
 // In the order of a step, then what a firmware of one scene needs none of.
 // NOLINTBEGIN(bugprone-suspicious-include): one translation unit on purpose.
 #include "../src/friction/friction.c"
@@ -80,14 +81,26 @@
 #endif
 // NOLINTEND(bugprone-suspicious-include)
 
+/// The parameters of a scene as this firmware runs it: at dt = 1 / SCENE_RATE,
+/// where it has a rate of its own.
+static inline tf_params_t scene_params(const tf_scene_t *scene) {
+  tf_params_t params = scene->params;
+#ifdef SCENE_RATE
+  params.dt = TF_R(1.0) / SCENE_RATE;
+#endif
+  return params;
+}
+
+// scene_begin puts the scene that runs at its start. Returns: whether it could.
 #ifdef SCENE_HEADER
 
 #define SCENE_MACHINE (&scene_machine)
 #define SCENE (&scene_constants)
 
-static inline void scene_begin(tf_state_t *state, tf_report_t *report) {
+static inline bool scene_begin(tf_state_t *state, tf_report_t *report) {
   *state = scene_start;
   *report = scene_start_report;
+  return true;
 }
 
 #else
@@ -99,50 +112,37 @@ static tf_machine_t scene_machine;
 
 #define SCENE_MACHINE ((const tf_machine_t *)&scene_machine)
 #define SCENE (tf_scenes[chosen_scene])
-#endif
 
-/// The step of the parameters becomes that of the firmware, if it has its own.
-static inline void scene_pace(tf_params_t *params) {
-#ifdef SCENE_RATE
-  params->dt = TF_R(1.0) / SCENE_RATE;
-#else
-  (void)params;
-#endif
+static inline bool begin_scene(const tf_scene_t *scene, tf_state_t *state,
+                               tf_report_t *report) {
+  const tf_params_t params = scene_params(scene);
+  return tf_prepare(&scene_machine, &params, 0) == TF_OK &&
+         tf_scene_start(scene, &scene_machine, 1, state, report) == TF_OK;
 }
 
-#ifndef SCENE_HEADER
-static inline void scene_begin(tf_state_t *state, tf_report_t *report) {
-  const tf_scene_t *scene = SCENE;
-  tf_params_t params = scene->params;
-  scene_pace(&params);
-  (void)tf_prepare(&scene_machine, &params, 0);
-  const tf_input_t input = tf_scene_input(scene, &scene_machine, 0);
-  *state = (tf_state_t){.r = scene->r, .w = scene->omega, .v = scene->v};
-  state->seed = 1;
-  state->mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_MODES);
-  if (!scene->v_is_given)
-    (void)tf_speed_for_slip(&scene_machine, state->r, state->w, input.omega0,
-                            scene->h, &state->v);
-  (void)tf_begin(&scene_machine, state, &input, report);
+static inline bool scene_begin(tf_state_t *state, tf_report_t *report) {
+  return begin_scene(SCENE, state, report);
 }
+
 #endif
 
-// The scheme, by its number in the schema. Moreau-Jean where none is named.
+// The scheme, by its number in the schema frame. Moreau-Jean where none is
+// named.
 #if defined(SCHEME_LOCATED)
 #define SCHEME 1
 #define scheme_step tf_step_located
 static inline bool scheme_begin(void) { return true; }
 #elif defined(SCHEME_COMPENSATED)
 #ifdef UPLINK
-#error "commands change a machine without its pairs: no UPLINK here"
+#error \
+    "commands change the machine but not its compensated form: no UPLINK here"
 #endif
 #define SCHEME 2
 static tf_compensated_t scheme_machine;
 static tf_compensation_t scheme_carry;
 
 static inline bool scheme_begin(void) {
-  tf_params_t params = SCENE->params;
-  scene_pace(&params);
+  const tf_params_t params = scene_params(SCENE);
   return tf_prepare_compensated(&scheme_machine, &params, 0) == TF_OK;
 }
 

@@ -37,8 +37,7 @@ static tf_link_t uplink;
 #define TAKES_COMMANDS true
 
 static bool begin(void) {
-  tf_params_t params = SCENE->params;
-  scene_pace(&params);
+  const tf_params_t params = scene_params(SCENE);
   tf_link_open(&uplink, SCENE, &params);
   return tf_session_open(&session, SCENE, &params, 1) == TF_OK;
 }
@@ -82,8 +81,7 @@ static struct {
 #define TAKES_COMMANDS false
 
 static bool begin(void) {
-  scene_begin(&sim.state, &sim.report);
-  return true;
+  return scene_begin(&sim.state, &sim.report);
 }
 
 void app_receive(uint8_t byte) { (void)byte; }

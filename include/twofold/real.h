@@ -1,10 +1,11 @@
 /// @file
 /// The number type of a build, and what a build must promise about it.
 /// Equal bits on every target need three things from the compiler: each
-/// operation rounded once to tf_real_t (FLT_EVAL_METHOD 0), no contraction
-/// into fused multiply-add (-ffp-contract=off), no algebra (never -ffast-math).
-/// The first and the last are refused here; the second has no macro, so the
-/// Makefile sets it and the golden trajectory hashes notice if it is lost.
+/// operation is rounded once to tf_real_t (FLT_EVAL_METHOD is 0), none is
+/// contracted into a fused multiply-add (-ffp-contract=off), and none is
+/// reordered (never -ffast-math). A build that breaks the first or the last is
+/// refused here; for the second there is no macro, so the Makefile sets it and
+/// the golden trajectory hashes fail without it.
 #ifndef TWOFOLD_REAL_H
 #define TWOFOLD_REAL_H
 
@@ -37,10 +38,11 @@ typedef double tf_real_t;
 #endif
 
 /// Linkage of the core. A build for one scene includes the sources into one
-/// translation unit with TF_API defined as `static`, so that a constant scene
-/// folds through them; every other build leaves it empty. TF_API_DATA declares
-/// a table: `extern`, unless TF_API makes it local.
-#ifdef TF_API
+/// translation unit with TF_API_STATIC defined: all functions are local to it
+/// then, so that the compiler can propagate the constants of the scene through
+/// them. TF_API_DATA declares a table.
+#ifdef TF_API_STATIC
+#define TF_API static __attribute__((unused))
 #define TF_API_DATA TF_API
 #else
 #define TF_API

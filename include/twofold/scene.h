@@ -1,13 +1,16 @@
 /// @file
 /// A scene is a constant: parameters, tyre law, selection rule, start and
-/// inputs. What a scene does not name is not in a build made for it alone. The
-/// scheme is not its part: the caller chooses it by the function that it calls.
+/// inputs. A build for one scene contains only what that scene needs. The
+/// scheme is not part of it: the caller chooses one by the function that it
+/// calls.
 #ifndef TWOFOLD_SCENE_H
 #define TWOFOLD_SCENE_H
 
 #include "twofold/machine.h"
+#include "twofold/step.h"
 
-/// A knot of the turntable's speed, linear in between, constant outside.
+/// A knot of the turntable's speed, which is linear between knots and constant
+/// before the first and after the last.
 typedef struct {
   tf_real_t t;      ///< [s]
   tf_real_t omega0; ///< [rad/s]
@@ -19,8 +22,8 @@ typedef struct {
   const char *shows;      ///< one line
   const char *leaves_out; ///< one line
   tf_params_t params;
-  tf_real_t r, omega, h; ///< start; v follows from h ...
-  tf_real_t v;           ///< ... unless v_is_given
+  tf_real_t r, omega, h; ///< start; v follows from h, unless ...
+  tf_real_t v;           ///< ... it is given
   bool v_is_given;
   tf_real_t t_end; ///< default length [s]
   uint8_t knots;   ///< 0: omega0 of the parameters throughout
@@ -39,6 +42,24 @@ typedef struct {
 #define tf_scene_input TF_LINK(tf_scene_input)
 TF_API tf_input_t tf_scene_input(const tf_scene_t *scene,
                                  const tf_machine_t *machine, tf_real_t t);
+
+/// Start of a scene: state, mode and report at tick 0.
+/// Scheme: tf_speed_for_slip where the scene gives h, of which the sign is the
+///   preferred side (slip+ or slip-); then tf_begin under the inputs of t = 0.
+/// scene: in.
+/// machine: in, prepared from scene->params (or altered ones).
+/// seed: in, of rule `random`.
+/// state, report: out.
+/// Returns: TF_OK; TF_BAD_STATE (state and report untouched: the start is
+///   impossible with these parameters).
+/// Cost: at most 610 instructions. Stack: 944 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: negative_h_starts_in_slip_minus,
+///   sign_of_h_decides_where_both_slips_are_possible
+#define tf_scene_start TF_LINK(tf_scene_start)
+TF_API tf_status_t tf_scene_start(const tf_scene_t *scene,
+                                  const tf_machine_t *machine, uint32_t seed,
+                                  tf_state_t *state, tf_report_t *report);
 
 /// The scenes that come with the project.
 #define TF_SCENES 9

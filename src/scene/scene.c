@@ -1,4 +1,4 @@
-// What a scene does to the inputs over time.
+// How a scene starts, and its inputs over time.
 #include "twofold/scene.h"
 
 static tf_real_t speed_at(const tf_scene_t *scene, tf_real_t t) {
@@ -20,4 +20,25 @@ TF_API tf_input_t tf_scene_input(const tf_scene_t *scene,
   input.omega0 = speed_at(scene, t);
   input.alpha = (input.omega0 - speed_at(scene, t - dt)) / dt;
   return input;
+}
+
+TF_API tf_status_t tf_scene_start(const tf_scene_t *scene,
+                                  const tf_machine_t *machine, uint32_t seed,
+                                  tf_state_t *state, tf_report_t *report) {
+  const tf_input_t input = tf_scene_input(scene, machine, 0);
+  tf_state_t start = {.r = scene->r,
+                      .v = scene->v,
+                      .w = scene->omega,
+                      .seed = seed,
+                      .mode = TF_MODES};
+  if (!scene->v_is_given) {
+    const tf_status_t status = tf_speed_for_slip(
+        machine, start.r, start.w, input.omega0, scene->h, &start.v);
+    if (status != TF_OK) return status;
+    if (scene->h > 0) start.mode = TF_SLIP_PLUS;
+    if (scene->h < 0) start.mode = TF_SLIP_MINUS;
+  }
+  const tf_status_t status = tf_begin(machine, &start, &input, report);
+  if (status == TF_OK) *state = start;
+  return status;
 }

@@ -20,8 +20,7 @@ static uint64_t trajectory_hash(uint32_t steps) {
   static tf_state_t x;
   static tf_report_t report;
   uint64_t hash = 0xCBF29CE484222325u;
-  scene_begin(&x, &report);
-  if (!scheme_begin()) return 0;
+  if (!scene_begin(&x, &report) || !scheme_begin()) return 0;
   for (uint32_t i = 1; i <= steps; i++) {
     const tf_input_t input = scene_input(i);
     if (scheme_step(SCENE_MACHINE, &x, &input, &report) < 0) return 0;

@@ -16,8 +16,7 @@ static tf_report_t report;
 
 int main(void) {
   port_init();
-  scene_begin(&x, &report);
-  if (!scheme_begin()) port_halt(1);
+  if (!scene_begin(&x, &report) || !scheme_begin()) port_halt(1);
   window_open();
   window_close();
   for (uint32_t i = 1; i <= STEPS; i++) {

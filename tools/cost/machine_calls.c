@@ -188,6 +188,12 @@ CALL(scene_input) {
   const tf_real_t t = sized_of(GENE(2), -4, 1);
   return COUNT(tf_scene_input(&scene, K, t));
 }
+CALL(scene_start) {
+  const tf_scene_t scene = scene_of(s);
+  tf_state_t state;
+  tf_report_t report;
+  return COUNT(tf_scene_start(&scene, K, GENE(2), &state, &report));
+}
 CALL(session_input) {
   const tf_scene_t scene = scene_of(s);
   tf_session_t session;
@@ -265,6 +271,7 @@ const call_t machine_calls[] = {
     ENTRY(ensemble_get),
     ENTRY(ensemble_report),
     ENTRY(scene_input),
+    ENTRY(scene_start),
     ENTRY(session_input),
     ENTRY(session_start),
     ENTRY(session_open),
