@@ -1,6 +1,7 @@
 // The fixed-rate loop: see loop.h.
 #include "loop.h"
 
+#include "app.h"
 #include "port.h"
 
 typedef struct {
@@ -17,8 +18,6 @@ typedef struct {
 } loop_t;
 
 static loop_t the_loop;
-
-void loop_record_in(uint32_t ticks) { the_loop.until_record = ticks; }
 
 // Until the next tick: bytes out, bytes in, and rest where there are none. A
 // flood of bytes in neither stops those out nor outlasts the tick.
@@ -150,7 +149,7 @@ static loop_end_t run(loop_t *loop) {
     loop->tick = now;
     loop->begun = port_clock();
     if (app_latch() != 0) return LOOP_ENDED;
-    const loop_step_t step = app_step();
+    const loop_step_t step = app_step(&loop->until_record);
     if (step == LOOP_BROKE) return LOOP_REFUSED;
     app_output();
     if (step == LOOP_STEPPED) {

@@ -81,10 +81,10 @@ PLACE := $(BUILD)/boards/$(BOARD)/$(SCENE)-$(REAL)
 # What sets programs of one kind apart is in the name.
 FIRMWARE := $(PLACE)/$(PROGRAM)$(NAMED).elf
 
-SOURCE_firmware := port/firmware.c port/loop.c
+SOURCE_firmware := port/main.c port/firmware.c port/loop.c
 SOURCE_trajectory := tests/target/trajectory.c
 SOURCE_population := tests/target/population.c
-SOURCE_stack := tests/target/stack.c port/loop.c
+SOURCE_stack := tests/target/stack.c port/firmware.c port/loop.c
 SOURCE_window := tests/target/window.c
 FIRMWARE_SOURCES := $(SOURCE_$(PROGRAM)) $(wildcard port/$(BOARD)/*.c) \
   $(BOARD_SOURCES)

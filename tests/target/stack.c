@@ -1,23 +1,25 @@
-// On the target: how deep the stack of the firmware gets. What lies below the
-// stack is painted before the firmware's main begins and looked at when it
-// halts; interrupts are on and take their part. Prints "stack BYTES".
+// On the target: how deep the stack of the firmware gets. The memory below the
+// stack is painted before the firmware's main begins and examined when it
+// halts; interrupts are on and count too. Prints "stack BYTES".
 #include <stddef.h>
 #include <stdint.h>
 
+#include "../../port/text.h"
+
 int firmware_main(void);
 
-// The firmware, with its begin and its end in our hands.
+// The firmware's main, and the end of it, as functions of this program.
 #define main firmware_main
 #define port_halt painted_halt
-#include "../../port/firmware.c" // NOLINT(bugprone-suspicious-include)
+#include "../../port/main.c" // NOLINT(bugprone-suspicious-include)
 #undef main
 #undef port_halt
 
 void port_halt(int code);
 
 #define PAINT 0xA5u
-#define DEPTH 8192u // looked at, where there is so much
-#define OURS 48u    // of main's frame, at most
+#define DEPTH 8192u // painted, where there is so much
+#define OURS 48u    // the most that the frame of main below takes
 
 // Ends of the memory under the stack, from the linker script or, on AVR, from
 // the C library's.
@@ -58,7 +60,7 @@ void painted_halt(int code) {
 
 int main(void) {
   volatile uint8_t here = 0;
-  // All but our own frame. Interrupts are not on yet.
+  // All but the frame of this function. Interrupts are not on yet.
   const uintptr_t until = (uintptr_t)&here - OURS;
   for (volatile uint8_t *at = floor_of(); (uintptr_t)at < until; at++)
     *at = PAINT;

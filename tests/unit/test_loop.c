@@ -14,6 +14,7 @@ static struct {
   uint32_t slow_step, slow_costs;      /* one step that costs more */
   uint32_t slow_record, outlier_costs; /* one record */
   uint32_t stands_until;               /* ticks at which the app stands */
+  uint32_t moves_at, moves_to;         /* after these steps, the next record */
   bool stalled;                        /* the line takes nothing */
   bool flooded;                        /* a byte is always there */
   bool broken;
@@ -45,8 +46,10 @@ int app_latch(void) {
   board.latched++;
   return 0;
 }
-loop_step_t app_step(void) {
+loop_step_t app_step(uint32_t *until_record) {
   const uint32_t tick = board.clock / PERIOD;
+  if (board.moves_to > 0 && board.stepped == board.moves_at)
+    *until_record = board.moves_to;
   if (board.latched <= board.stands_until) return LOOP_STOOD;
   if (board.broken) return LOOP_BROKE;
   board.twice += board.stepped > 0 && tick == board.last_tick;
@@ -187,8 +190,12 @@ TEST(records_can_be_moved_to_a_step) {
   board.stands_until = 7;
   CHECK(loop_run(&plan, &told) == LOOP_DONE);
   CHECK(board.record_step[4] == 3); /* the tenth tick, seven stood */
-  loop_record_in(4);
-  CHECK(the_loop.until_record == 4);
+  reset(300);
+  board.moves_at = 24;
+  board.moves_to = 4;
+  CHECK(run_loop(40, 10, LOOP_SKIP) == LOOP_DONE);
+  CHECK(board.record_step[4] == 10 && board.record_step[5] == 20);
+  CHECK(board.record_step[6] == 28 && board.record_step[7] == 38);
 }
 
 TEST(ends_are_told_apart) {

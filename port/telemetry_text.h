@@ -1,21 +1,24 @@
 /// @file
-/// Telemetry as lines that a plotter reads: tf_text_row with mode and choices,
-/// and a heartbeat of the same form; its times are in units of port_clock.
-#ifndef TWOFOLD_PORT_TELL_TEXT_H
-#define TWOFOLD_PORT_TELL_TEXT_H
+/// Telemetry as lines of label:value pairs for a serial plotter: tf_text_row
+/// with mode and choices, and a heartbeat of the same form, whose times are in
+/// units of port_clock.
+#ifndef TWOFOLD_PORT_TELEMETRY_TEXT_H
+#define TWOFOLD_PORT_TELEMETRY_TEXT_H
 
+#include "sim.h"
 #include "text.h"
 
-static unsigned tell_record(uint8_t *to) {
+static unsigned telemetry_record(uint8_t *to) {
   text_t text = {to};
-  text.end += tf_text_row((char *)to, &STATE, &REPORT) - 1; // its newline
-  text_pair(&text, " mode:", REPORT.mode);
-  text_pair(&text, " choices:", REPORT.choices);
+  text.end +=
+      tf_text_row((char *)to, &SIM_STATE, &SIM_REPORT) - 1; // its newline
+  text_pair(&text, " mode:", SIM_REPORT.mode);
+  text_pair(&text, " choices:", SIM_REPORT.choices);
   text_string(&text, "\r\n");
   return (unsigned)(text.end - to);
 }
 
-static unsigned tell_heartbeat(const loop_counts_t *c, uint8_t *to) {
+static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   text_t text = {to};
   text_pair(&text, "steps:", c->steps);
   text_pair(&text, " overruns:", c->overruns);
@@ -29,7 +32,7 @@ static unsigned tell_heartbeat(const loop_counts_t *c, uint8_t *to) {
   return (unsigned)(text.end - to);
 }
 
-static unsigned tell_other(uint8_t *to) {
+static unsigned telemetry_other(uint8_t *to) {
   (void)to;
   return 0;
 }

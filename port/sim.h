@@ -1,0 +1,92 @@
+/// @file
+/// The simulation of a firmware, from tick to tick.
+///
+/// Locked (without UPLINK) the machine is a constant and bytes that come in are
+/// ignored. With UPLINK they are commands, which take effect at the first tick
+/// after they came.
+#ifndef TWOFOLD_PORT_SIM_H
+#define TWOFOLD_PORT_SIM_H
+
+#include "app.h"
+#include "core.h"
+
+#ifndef RATE
+#define RATE 1000
+#endif
+#ifndef EVERY
+#define EVERY (RATE / 50)
+#endif
+
+#ifdef UPLINK
+
+static struct {
+  tf_session_t session;
+  tf_link_t link;
+  uint32_t refused;  // steps, at which the state stood still
+  uint64_t expected; // tick of the next step, unless a command changes it
+} sim;
+#define SIM_STATE sim.session.state
+#define SIM_REPORT sim.session.report
+#define SIM_PARAMS sim.link.params
+#define SIM_TAKES_COMMANDS true
+
+static bool sim_begin(void) {
+  const tf_params_t params = scene_params(SCENE);
+  sim.expected = UINT64_MAX;
+  tf_link_open(&sim.link, SCENE, &params);
+  return tf_session_open(&sim.session, SCENE, &params, 1) == TF_OK;
+}
+
+static void sim_receive(uint8_t byte) { tf_link_receive(&sim.link, byte); }
+
+static void sim_latch(void) { (void)tf_link_boundary(&sim.link, &sim.session); }
+
+// Whatever commands do to the tick, records are of ticks that are multiples of
+// EVERY: a program that drives the machine knows beforehand which it will see.
+static loop_step_t sim_step(uint32_t *until_record) {
+  tf_session_t *session = &sim.session;
+  if (!session->running) {
+    sim.expected = UINT64_MAX;
+    return LOOP_STOOD;
+  }
+  if (session->state.tick != sim.expected)
+    *until_record = EVERY - (uint32_t)session->state.tick % EVERY;
+  const tf_input_t input = tf_session_input(session, SCENE);
+  const bool stood = scheme_step(&session->machine, &session->state, &input,
+                                 &session->report) < 0;
+  sim.refused += stood;
+  sim.expected = session->state.tick;
+  return stood ? LOOP_STOOD : LOOP_STEPPED;
+}
+
+#else
+
+static struct {
+  tf_state_t state;
+  tf_report_t report;
+  tf_input_t input;
+  uint32_t steps;
+  uint32_t refused; // steps: the first ends the loop
+} sim;
+#define SIM_STATE sim.state
+#define SIM_REPORT sim.report
+#define SIM_PARAMS SCENE->params
+#define SIM_TAKES_COMMANDS false
+
+static bool sim_begin(void) { return scene_begin(&sim.state, &sim.report); }
+
+static void sim_receive(uint8_t byte) { (void)byte; }
+
+static void sim_latch(void) { sim.input = scene_input(sim.steps + 1); }
+
+static loop_step_t sim_step(uint32_t *until_record) {
+  (void)until_record;
+  sim.steps++;
+  sim.refused +=
+      scheme_step(SCENE_MACHINE, &sim.state, &sim.input, &sim.report) < 0;
+  return sim.refused != 0 ? LOOP_BROKE : LOOP_STEPPED;
+}
+
+#endif
+
+#endif

@@ -1,0 +1,85 @@
+/// @file
+/// Telemetry as frames (docs/PROTOCOL.md): state and report in every record,
+/// heartbeats, and after each heartbeat the schema and the layouts once more,
+/// so that a reader who connects late can decode the rest.
+#ifndef TWOFOLD_PORT_TELEMETRY_FRAMES_H
+#define TWOFOLD_PORT_TELEMETRY_FRAMES_H
+
+#include "port.h"
+#include "sim.h"
+
+static uint16_t telemetry_sequence;
+static uint8_t telemetry_description; // its next part
+
+static unsigned telemetry_record(uint8_t *to) {
+  const size_t n = tf_send_state(to, &telemetry_sequence, &SIM_STATE);
+  return (unsigned)(n + tf_send_report(to + n, &telemetry_sequence,
+                                       SIM_STATE.tick, &SIM_REPORT));
+}
+
+static uint32_t nanoseconds(uint64_t time) {
+  return (uint32_t)(time * 1000000000u / port_clock_rate());
+}
+
+static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
+  tf_heartbeat_t beat = {.steps = c->steps,
+                         .refused = sim.refused,
+                         .overruns = c->overruns,
+                         .dropped = c->dropped,
+                         .exec_max = nanoseconds(c->longest),
+                         .period = 1000000000u / RATE};
+  if (c->steps > 0) {
+    beat.exec_min = nanoseconds(c->shortest);
+    beat.exec_mean = nanoseconds(c->sum / c->steps);
+  }
+#ifdef UPLINK
+  beat.bad = sim.link.decoder.bad + sim.link.decoder.lost;
+  beat.ignored = sim.link.ignored;
+#endif
+  telemetry_description = 0;
+  return (unsigned)tf_send_heartbeat(to, &telemetry_sequence, SIM_STATE.tick,
+                                     &beat);
+}
+
+static size_t telemetry_schema(uint8_t *to) {
+  const tf_schema_t schema = {.params = &SIM_PARAMS,
+                              .scene = SCENE->name,
+                              .build = "twofold",
+                              .seed = SIM_STATE.seed,
+                              .scheme = SCHEME,
+                              .takes_commands = SIM_TAKES_COMMANDS};
+  return tf_send_schema(to, &telemetry_sequence, SIM_STATE.tick, &schema);
+}
+
+static size_t telemetry_layout(uint8_t *to, tf_type_t type,
+                               const char *layout) {
+  return tf_send_layout(to, &telemetry_sequence, SIM_STATE.tick, type, layout);
+}
+
+static unsigned telemetry_other(uint8_t *to) {
+#ifdef UPLINK
+  const size_t n = tf_link_answer(&sim.link, to, &telemetry_sequence);
+  if (n > 0) return (unsigned)n;
+  if (sim.link.describe) telemetry_description = 0;
+  sim.link.describe = false;
+#endif
+  switch (telemetry_description) {
+    case 0:
+      telemetry_description++;
+      return (unsigned)telemetry_schema(to);
+    case 1:
+      telemetry_description++;
+      return (unsigned)telemetry_layout(to, TF_DOWN_STATE, tf_layout_state);
+    case 2:
+      telemetry_description++;
+      return (unsigned)telemetry_layout(to, TF_DOWN_REPORT, tf_layout_report);
+    case 3:
+      telemetry_description++;
+      return (unsigned)telemetry_layout(to, TF_DOWN_HEARTBEAT,
+                                        tf_layout_heartbeat);
+    default:
+      return 0;
+  }
+}
+
+#endif
