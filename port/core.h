@@ -38,47 +38,46 @@
 #define TF_INLINE static
 #endif
 
-// In the order of a step, then what a firmware of one scene needs none of.
+// Room by room, each after those that it uses; files of a room by name. Names
+// local to a file are unique in all of src/, so no order would be wrong. A
+// program contains one scheme beside tf_step at most.
 // NOLINTBEGIN(bugprone-suspicious-include): one translation unit on purpose.
-#include "../src/friction/friction.c"
-#include "../src/friction/select.c"
-#include "../src/link/frame.c"
-#include "../src/link/telemetry.c"
-#include "../src/link/text.c"
+#include "../src/num/kernel.c"
+#ifdef SCHEME_LOCATED
+#include "../src/num/polynomial.c"
+#endif
+
 #include "../src/model/machine.c"
 #include "../src/model/prepare.c"
 #include "../src/model/status.c"
-#include "../src/moreau/begin.c"
-#include "../src/moreau/step.c"
-#include "../src/num/kernel.c"
-#include "../src/scene/scene.c"
-#include "../src/scene/scenes.c"
-#include "../src/scene/session.c"
-// Last, for the short names of its own.
-#include "../src/link/link.c"
-#undef R
 #include "../src/model/tyre.c"
-// The other schemes, of which a program holds the one that it calls. Names that
-// two files use for their own are set apart.
+
 #ifdef SCHEME_LOCATED
-#define product located_product
-#define refuse located_refuse
+#include "../src/friction/codim2.c"
+#endif
+#include "../src/friction/friction.c"
+#include "../src/friction/select.c"
+#include "../src/moreau/begin.c"
+#ifdef SCHEME_COMPENSATED
+#include "../src/moreau/compensated.c"
+#include "../src/moreau/prepare_compensated.c"
+#endif
+#include "../src/moreau/step.c"
+
+#ifdef SCHEME_LOCATED
 #include "../src/event/event.c"
 #include "../src/event/located.c"
 #include "../src/event/taylor.c"
 #include "../src/event/trajectory.c"
-#include "../src/friction/codim2.c"
-#include "../src/num/polynomial.c"
 #endif
-#ifdef SCHEME_COMPENSATED
-#define finish compensated_finish
-#define met_rest compensated_met_rest
-#define step_degraded compensated_step_degraded
-#define step_single_valued compensated_step_single_valued
-#define step_under compensated_step_under
-#include "../src/moreau/compensated.c"
-#include "../src/moreau/prepare_compensated.c"
-#endif
+
+#include "../src/link/frame.c"
+#include "../src/link/link.c"
+#include "../src/link/telemetry.c"
+#include "../src/link/text.c"
+#include "../src/scene/scene.c"
+#include "../src/scene/scenes.c"
+#include "../src/scene/session.c"
 // NOLINTEND(bugprone-suspicious-include)
 
 /// The parameters of a scene as this firmware runs it: at dt = 1 / SCENE_RATE,
