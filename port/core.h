@@ -71,6 +71,8 @@
 #include "../src/event/trajectory.c"
 #endif
 
+#include "../src/link/crc.c"
+#include "../src/link/decimal.c"
 #include "../src/link/frame.c"
 #include "../src/link/link.c"
 #include "../src/link/telemetry.c"

@@ -80,7 +80,7 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
 /// link: in/out. byte: in.
 /// Returns: nothing.
 /// Cost: at most 1800 instructions; the last byte of a command; else 20.
-///   Stack: 96 B.
+///   Stack: 112 B.
 /// Memory: caller's; not reentrant for the same link: an interrupt handler
 ///   should put the byte into a queue of its own.
 /// Claims: uplink_flood_changes_nothing, no_byte_changes_a_parameter_by_itself

@@ -3,26 +3,12 @@
 // means.
 #include "twofold/frame.h"
 
+#include "crc.h"
 #include "twofold/wire.h"
 
 #define CRC_BYTES 5
 // COBS code, header and CRC: nothing shorter is a frame.
 #define SHORTEST (1 + TF_FRAME_HEADER + CRC_BYTES)
-
-TF_API uint32_t tf_crc32(uint32_t crc, const uint8_t *bytes, size_t length) {
-  static const uint32_t table[16] = {
-      0x00000000u, 0x1db71064u, 0x3b6e20c8u, 0x26d930acu,
-      0x76dc4190u, 0x6b6b51f4u, 0x4db26158u, 0x5005713cu,
-      0xedb88320u, 0xf00f9344u, 0xd6d6a3e8u, 0xcb61b38cu,
-      0x9b64c2b0u, 0x86d3d2d4u, 0xa00ae278u, 0xbdbdf21cu};
-  crc = ~crc;
-  for (size_t i = 0; i < length; i++) {
-    crc ^= bytes[i];
-    crc = crc >> 4 ^ table[crc & 15u];
-    crc = crc >> 4 ^ table[crc & 15u];
-  }
-  return ~crc;
-}
 
 // Seven bits a byte, the lowest first, and the top bit set: no zero, and the
 // bits follow the data in the order in which the CRC is a code word, so that
@@ -107,19 +93,11 @@ static void count_accepted(tf_decoder_t *decoder, const tf_frame_t *frame) {
   decoder->frames++;
 }
 
-// What stands in the buffer, between two zeros. Returns: whether it is a frame.
-static bool complete_frame(tf_decoder_t *decoder, tf_frame_t *frame) {
+// The bytes of the buffer as a frame. Returns: whether they are one.
+static bool unpack_frame(tf_decoder_t *decoder, size_t used,
+                         tf_frame_t *frame) {
   uint8_t *code = decoder->buffer;
-  const size_t used = decoder->used;
-  const bool overflowed = decoder->overflowed;
-  decoder->used = 0;
-  decoder->overflowed = false;
-  if (overflowed) {
-    decoder->too_long++;
-    return false;
-  }
-  if (used == 0) return false;             // two zeros in a row
-  const size_t stuffed = used - CRC_BYTES; // where there is so much
+  const size_t stuffed = used - CRC_BYTES; // if there are so many
   if (used < SHORTEST || !has_crc(code + stuffed, tf_crc32(0, code, stuffed)) ||
       !unstuff(code, stuffed)) {
     decoder->bad++;
@@ -141,6 +119,20 @@ static bool complete_frame(tf_decoder_t *decoder, tf_frame_t *frame) {
                         .payload = header + TF_FRAME_HEADER};
   count_accepted(decoder, frame);
   return true;
+}
+
+// A zero ends what stands in the buffer. Returns: whether it is a frame.
+static bool complete_frame(tf_decoder_t *decoder, tf_frame_t *frame) {
+  const size_t used = decoder->used;
+  const bool overflowed = decoder->overflowed;
+  decoder->used = 0;
+  decoder->overflowed = false;
+  if (overflowed) {
+    decoder->too_long++;
+    return false;
+  }
+  if (used == 0) return false; // two zeros in a row
+  return unpack_frame(decoder, used, frame);
 }
 
 TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,

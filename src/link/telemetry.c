@@ -2,6 +2,8 @@
 // so nothing is copied.
 #include "twofold/telemetry.h"
 
+#include "crc.h"
+
 // Appends text; the room ends at `end`. Returns: the byte after it.
 static uint8_t *put_text(uint8_t *at, const uint8_t *end, const char *text) {
   while (*text != '\0' && at < end) *at++ = (uint8_t)*text++;

@@ -1,5 +1,6 @@
 /* Frames on a line that is not to be trusted: errors of bits, bursts, bytes
  * that are dropped, doubled or inserted, garbage; and what is not an error. */
+#include "link/crc.h"
 #include "tap.h"
 #include "twofold.h"
 

@@ -1,12 +1,13 @@
 /* The text mode: numbers as printf would write them, in labelled pairs. */
+#include "link/decimal.h"
 #include "tap.h"
 #include "twofold.h"
 
 static const char *text(tf_real_t value) {
-  static char out[TF_TEXT_REAL_ROOM + 2];
+  static char out[TF_DECIMAL_ROOM + 2];
   memset(out, '~', sizeof out);
-  const size_t length = tf_text_real(out, value);
-  CHECK(length >= 1 && length <= TF_TEXT_REAL_ROOM && out[length] == '~');
+  const size_t length = tf_decimal(out, value);
+  CHECK(length >= 1 && length <= TF_DECIMAL_ROOM && out[length] == '~');
   out[length] = '\0';
   return out;
 }

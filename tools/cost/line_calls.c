@@ -44,11 +44,6 @@ CALL(wire_get_real) {
   fill(at, sizeof at, GENE(0));
   return COUNT(cost_wire_get_real(at));
 }
-CALL(crc32) {
-  uint8_t bytes[WIRE];
-  fill(bytes, sizeof bytes, GENE(0));
-  return COUNT(tf_crc32(GENE(1), bytes, s->units));
-}
 CALL(frame_seal) {
   uint8_t wire[WIRE];
   uint16_t sequence = (uint16_t)GENE(1);
@@ -320,11 +315,6 @@ CALL(read_report) {
 }
 
 // Numbers as text: long ones, and those that take many powers of ten.
-CALL(text_real) {
-  char out[TF_TEXT_REAL_ROOM];
-  const tf_real_t value = real_of(GENE(0));
-  return COUNT(tf_text_real(out, value));
-}
 CALL(text_row) {
   char out[TF_TEXT_ROW_ROOM];
   tf_report_t report = report_of(s);
@@ -342,7 +332,6 @@ const call_t line_calls[] = {
     BYTES(wire_get, 8),
     ENTRY(wire_put_real),
     ENTRY(wire_get_real),
-    BYTES(crc32, TF_FRAME_PAYLOAD),
     BYTES(frame_seal, TF_FRAME_PAYLOAD),
     ENTRY(decoder_init),
     BYTES(decoder_push, TF_FRAME_PAYLOAD),
@@ -361,7 +350,6 @@ const call_t line_calls[] = {
     ENTRY(send_parameter),
     ENTRY(read_state),
     ENTRY(read_report),
-    ENTRY(text_real),
     ENTRY(text_row),
 };
 const unsigned line_call_count = sizeof line_calls / sizeof line_calls[0];

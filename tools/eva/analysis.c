@@ -1,5 +1,6 @@
 // Analysis and text, on any machine, point and number.
 #include "any.h"
+#include "link/decimal.h"
 #include "twofold/singularity.h"
 #include "twofold/surface.h"
 #include "twofold/text.h"
@@ -31,10 +32,10 @@ void two_folds_any(void) {
 
 void text_any(void);
 void text_any(void) {
-  char number[TF_TEXT_REAL_ROOM], row[TF_TEXT_ROW_ROOM];
+  char number[TF_DECIMAL_ROOM], row[TF_TEXT_ROW_ROOM];
   const tf_state_t state = any_state();
   tf_report_t report;
   ANY_BITS(report);
-  tf_text_real(number, any_real());
+  tf_decimal(number, any_real());
   tf_text_row(row, &state, &report);
 }
