@@ -1,18 +1,18 @@
 /// @file
-/// Frames on a serial line. docs/PROTOCOL.md has them byte by byte:
+/// Frames on a serial line. docs/PROTOCOL.md describes them byte by byte:
 ///
 ///   00 | COBS( version type length sequence tick payload ) | CRC | 00
 ///
-/// The CRC is taken over the bytes as they go over the line, after COBS, and
-/// is spelled in five bytes that are never 0. Taken before COBS, as is usual,
-/// it would promise nothing about a burst: one wrong bit in a code byte of COBS
-/// moves zeros anywhere in the frame. So every burst of up to 32 bits is found
-/// before anything is unpacked. A burst that makes or removes a zero cuts or
-/// joins frames, which the length finds. The zero in front keeps what went
-/// wrong before a frame from costing the frame.
+/// The CRC is computed over the bytes as they go over the line, after COBS, and
+/// is sent as five bytes that are never 0. Computed before COBS, as is usual,
+/// it would not be certain to detect any burst, because one wrong bit in a code
+/// byte of COBS moves zeros anywhere in the frame. As it is, every burst of up
+/// to 32 bits is detected before anything is decoded, unless it makes or
+/// removes a zero; then it cuts or joins frames, which their length field
+/// shows. With the zero in front, errors before a frame cannot damage it.
 ///
-/// A payload has at most TF_FRAME_PAYLOAD bytes, so that COBS always costs one
-/// byte and works in place, in both directions.
+/// A payload has at most TF_FRAME_PAYLOAD bytes, so that COBS always takes one
+/// more byte and works in place, in both directions.
 #ifndef TWOFOLD_FRAME_H
 #define TWOFOLD_FRAME_H
 
@@ -25,19 +25,19 @@
 #define TF_FRAME_VERSION 1
 /// Version, type, length, sequence (2) and tick (8).
 #define TF_FRAME_HEADER 13
-/// Where the payload stands before tf_frame_seal.
+/// Where the payload has to be for tf_frame_seal.
 #define TF_FRAME_AT (2 + TF_FRAME_HEADER)
 /// Longest payload.
 #define TF_FRAME_PAYLOAD 240
-/// Bytes on the line, exactly, of a frame with such a payload.
+/// Bytes that a frame with so long a payload takes on the line.
 #define TF_FRAME_SIZE(payload) ((payload) + TF_FRAME_HEADER + 8)
-/// Buffer of a decoder that takes payloads of up to so many bytes.
+/// Size of the buffer of a decoder for payloads of up to so many bytes.
 #define TF_DECODER_ROOM(payload) ((payload) + TF_FRAME_HEADER + 6)
 
 /// A frame as received.
 typedef struct {
-  uint64_t tick;     ///< steps taken by the machine when it was made
-  uint16_t sequence; ///< one more than in the frame before, modulo 2^16
+  uint64_t tick;     ///< steps that the machine had taken when it was sent
+  uint16_t sequence; ///< one more than that of the frame before, modulo 2^16
   uint8_t type;
   uint8_t length;         ///< of the payload [bytes]
   const uint8_t *payload; ///< in the decoder's buffer, until its next byte
@@ -45,26 +45,26 @@ typedef struct {
 
 /// A decoder. Its counters only grow (modulo 2^32).
 typedef struct {
-  uint8_t *buffer; ///< caller's
+  uint8_t *buffer; ///< the caller's
   uint16_t room, used;
-  uint16_t sequence;    ///< expected next
-  bool started;         ///< a frame was accepted before
+  uint16_t sequence;    ///< that is expected next
+  bool started;         ///< a frame has been accepted
   bool overflowed;      ///< the present frame is longer than the buffer
   uint64_t tick;        ///< of the last frame
   uint32_t frames;      ///< accepted
   uint32_t bad;         ///< CRC, COBS or length wrong
   uint32_t too_long;    ///< longer than the buffer
-  uint32_t bad_version; ///< whole, but of another version of the protocol
-  uint32_t lost;        ///< by gaps of the sequence number
-  uint32_t restarts;    ///< the sequence went back: the sender started again
+  uint32_t bad_version; ///< correct, but of another version of the protocol
+  uint32_t lost;        ///< missing sequence numbers
+  uint32_t restarts;    ///< the sequence went back: the sender was restarted
 } tf_decoder_t;
 
 /// Completes a frame around its payload.
 /// Scheme: none.
-/// wire: in/out, TF_FRAME_SIZE(length) bytes; the payload stands at
-///   wire + TF_FRAME_AT. Holds the bytes for the line.
+/// wire: in/out, TF_FRAME_SIZE(length) bytes; in, the payload at
+///   wire + TF_FRAME_AT; out, the bytes for the line.
 /// type: in. length: in, of the payload, 0 to TF_FRAME_PAYLOAD.
-/// sequence: in/out, number of this frame; one more.
+/// sequence: in/out, number of this frame; then that of the next.
 /// tick: in.
 /// Returns: TF_FRAME_SIZE(length); 0 where length is too large (wire and
 ///   sequence untouched).
@@ -78,7 +78,7 @@ TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,
 /// Prepares a decoder.
 /// Scheme: none.
 /// decoder: out.
-/// buffer: kept, room bytes; TF_DECODER_ROOM gives the room.
+/// buffer: kept, room bytes (TF_DECODER_ROOM).
 /// Returns: nothing.
 /// Cost: at most 7 instructions. Stack: 16 B.
 /// Memory: caller's, reentrant.
@@ -87,10 +87,10 @@ TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,
 TF_API void tf_decoder_init(tf_decoder_t *decoder, uint8_t *buffer,
                             uint16_t room);
 
-/// Takes one byte from the line. Any byte at any time is allowed.
+/// Takes one byte from the line; it may be any byte at any time.
 /// Scheme: none.
 /// decoder: in/out. byte: in.
-/// frame: out, written where a frame is complete.
+/// frame: out, written when a frame is complete.
 /// Returns: whether frame holds a frame.
 /// Cost: at most 490 instructions and 22 a byte of the payload, for the last
 ///   byte of a frame; else 10. Stack: 64 B.
@@ -104,11 +104,11 @@ TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,
 
 /// Takes bytes from the line until a frame is complete.
 /// Scheme: none.
-/// decoder: in/out, as tf_decoder_push would leave it.
+/// decoder: in/out, left as tf_decoder_push would leave it.
 /// bytes: in, length of them.
-/// taken: out, how many were used; call again with the rest.
-/// frame: out, written where a frame is complete.
-/// Returns: whether frame holds a frame; false: all bytes were taken.
+/// taken: out, how many were taken; call again with the others.
+/// frame: out, written when a frame is complete.
+/// Returns: whether frame holds a frame; if not, all bytes were taken.
 /// Cost: at most 30 instructions and 33 a byte. Stack: 128 B.
 /// Memory: caller's, no overlap with the buffer, reentrant.
 /// Claims: block_decoder_is_the_byte_decoder

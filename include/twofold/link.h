@@ -1,15 +1,15 @@
 /// @file
 /// The uplink: commands that come over a line, applied at the boundary between
-/// two steps. A program that never calls these functions has none of them: its
-/// parameters cannot be changed from outside.
+/// two steps. A program that never calls these functions does not contain them,
+/// and its parameters cannot be changed from outside.
 ///
-/// Bytes go in by tf_link_receive whenever they come. A whole, valid command
-/// waits in a queue until tf_link_boundary finds that its tick has come. Its
-/// answer waits there too, until tf_link_answer has been asked for it, so
-/// memory is bounded and no answer is lost; a command that finds the queue full
-/// is counted and gets none.
+/// Bytes are handed to tf_link_receive as they arrive. A complete command waits
+/// in a queue until tf_link_boundary is called at its tick or later. Its answer
+/// waits in the same place until tf_link_answer is called, so memory is bounded
+/// and no answer is lost. A command that finds the queue full is counted and
+/// gets no answer.
 ///
-///   for each byte that came:          tf_link_receive(&link, byte);
+///   for each byte received:           tf_link_receive(&link, byte);
 ///   at a tick, before the step:       tf_link_boundary(&link, &session);
 ///   while the line has room:          n = tf_link_answer(&link, wire, &seq);
 #ifndef TWOFOLD_LINK_H
@@ -19,7 +19,7 @@
 #include "twofold/session.h"
 #include "twofold/telemetry.h"
 
-/// Commands that wait, or whose answers do.
+/// Commands that can wait, or whose answers can.
 #define TF_LINK_QUEUE 4
 /// How far ahead a command may be dated [steps].
 #define TF_LINK_AHEAD 65536
@@ -33,13 +33,13 @@ typedef enum {
   TF_ANSWER_DONE = 0,      ///< it took effect
   TF_ANSWER_UNKNOWN = -16, ///< no such type of command
   TF_ANSWER_LENGTH = -17,  ///< its payload is too long or too short
-  TF_ANSWER_EMPTY = -18,   ///< nothing was saved that could be restored
+  TF_ANSWER_EMPTY = -18,   ///< there is no snapshot to restore
   TF_ANSWER_FAR = -19      ///< dated too far ahead
 } tf_answer_code_t;
 
-/// A command and what became of it.
+/// A command and its result.
 typedef struct {
-  uint64_t tick; ///< not before; once done: of the state that it found
+  uint64_t tick; ///< when it is to take effect; once done, when it did
   uint16_t sequence;
   uint8_t type, length;
   int8_t code; ///< tf_answer_code_t or tf_status_t
@@ -54,8 +54,8 @@ typedef struct {
   tf_params_t params; ///< in effect
   tf_state_t saved;
   bool has_saved;
-  bool describe;    ///< schema and layouts are to be sent (again); the program
-                    ///< clears it
+  bool describe;    ///< schema and layouts have to be sent; the program that
+                    ///< sends them clears it
   uint8_t waiting;  ///< entries of the queue in use, in order of arrival
   uint32_t ignored; ///< commands without an answer: queue full, or cleared
   tf_decoder_t decoder;
@@ -75,11 +75,11 @@ typedef struct {
 TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
                          const tf_params_t *params);
 
-/// Takes one byte from the line. Any byte at any time is allowed.
+/// Takes one byte from the line; it may be any byte at any time.
 /// Scheme: none.
 /// link: in/out. byte: in.
 /// Returns: nothing.
-/// Cost: at most 1800 instructions; the last byte of a command; else 20.
+/// Cost: at most 1800 instructions for the last byte of a command, else 20.
 ///   Stack: 112 B.
 /// Memory: caller's; not reentrant for the same link: an interrupt handler
 ///   should put the byte into a queue of its own.
@@ -87,7 +87,7 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
 #define tf_link_receive TF_LINK(tf_link_receive)
 TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
 
-/// Applies the commands whose tick has come, in order of arrival.
+/// Applies the commands that are due, in order of arrival.
 /// Scheme: none.
 /// link, session: in/out. A command that is refused changes neither.
 /// Returns: how many took effect.
@@ -100,12 +100,12 @@ TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
 #define tf_link_boundary TF_LINK(tf_link_boundary)
 TF_API unsigned tf_link_boundary(tf_link_t *link, tf_session_t *session);
 
-/// Makes the frame of the next answer and forgets the command.
+/// Makes the frame of the next answer and removes the command from the queue.
 /// Scheme: none.
 /// link: in/out.
 /// wire: out, TF_FRAME_SIZE(TF_ANSWER_BYTES).
 /// sequence: in/out, of the frames that go down.
-/// Returns: bytes of the frame; 0 where no answer waits (wire untouched).
+/// Returns: bytes of the frame; 0 if no answer is waiting (wire untouched).
 /// Cost: at most 1300 instructions. Stack: 96 B.
 /// Memory: caller's, no overlap.
 /// Claims: set_parameter_is_validated_and_answered,

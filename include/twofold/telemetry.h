@@ -1,8 +1,8 @@
 /// @file
-/// What a machine tells over a line: the payloads of the frames that go down,
-/// from the board to the host. docs/PROTOCOL.md has them byte by byte. Each
-/// function makes one whole frame and knows nothing of a line; a program links
-/// those that it calls.
+/// Telemetry: the frames that go down, from the board to the host.
+/// docs/PROTOCOL.md describes their payloads byte by byte. Each function writes
+/// one complete frame into memory; sending it is up to the program, which
+/// contains only the functions that it calls.
 #ifndef TWOFOLD_TELEMETRY_H
 #define TWOFOLD_TELEMETRY_H
 
@@ -11,16 +11,16 @@
 #include "twofold/step.h"
 #include "twofold/wire.h"
 
-/// Types of frames. Below 0x40 they go down, from there on up.
+/// Types of frames: those below 0x40 go down, the others up.
 typedef enum {
-  TF_DOWN_SCHEMA = 0x01,    ///< what runs, and in which numbers
+  TF_DOWN_SCHEMA = 0x01,    ///< scene, parameters, scheme, real type
   TF_DOWN_LAYOUT = 0x02,    ///< names, types, scales, units of one payload
-  TF_DOWN_STATE = 0x03,     ///< the state, whole
-  TF_DOWN_REPORT = 0x04,    ///< what the last step met
+  TF_DOWN_STATE = 0x03,     ///< the complete state
+  TF_DOWN_REPORT = 0x04,    ///< tf_report_t of the last step
   TF_DOWN_COMPACT = 0x05,   ///< state and mode for a slow line
   TF_DOWN_HEARTBEAT = 0x06, ///< counters of the real-time loop
   TF_DOWN_PARAMETER = 0x07, ///< one parameter: value, range, name, unit
-  TF_DOWN_ANSWER = 0x08,    ///< what became of a command
+  TF_DOWN_ANSWER = 0x08,    ///< the result of a command
   TF_UP_INPUT = 0x41,
   TF_UP_PARAMETER = 0x42,
   TF_UP_RULE = 0x43,
@@ -33,7 +33,7 @@ typedef enum {
   TF_UP_DESCRIBE = 0x4A
 } tf_type_t;
 
-/// Bytes of the payloads; those with text at the end have at most so many.
+/// Bytes of the payloads; at most, of those that end with text.
 #define TF_SCHEMA_BYTES TF_FRAME_PAYLOAD
 #define TF_LAYOUT_BYTES TF_FRAME_PAYLOAD
 #define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
@@ -42,32 +42,32 @@ typedef enum {
 #define TF_HEARTBEAT_BYTES 40u
 #define TF_PARAMETER_BYTES (3 * TF_REAL_BYTES + 32)
 
-/// What a schema frame says.
+/// Contents of a schema frame.
 typedef struct {
   const tf_params_t *params;
-  const char *scene, *build; ///< names; what does not fit is cut off
+  const char *scene, *build; ///< names, cut off where they do not fit
   uint32_t seed;
   uint8_t scheme; ///< 0: tf_step, 1: tf_step_located, 2: tf_step_compensated
-  bool takes_commands; ///< an uplink is built in
+  bool takes_commands; ///< the build has an uplink
 } tf_schema_t;
 
 /// Counters of a real-time loop, each modulo 2^32.
 typedef struct {
   uint32_t steps;     ///< taken
   uint32_t refused;   ///< by the scheme; the state stood still
-  uint32_t overruns;  ///< ticks that came before the last one was done
-  uint32_t dropped;   ///< telemetry frames left out for want of room
+  uint32_t overruns;  ///< steps that ended after the next tick
+  uint32_t dropped;   ///< telemetry records, for lack of room or time
   uint32_t bad;       ///< broken or lost frames from the host
   uint32_t ignored;   ///< commands without an answer: queue full, cleared
-  uint32_t exec_min;  ///< of a step, from input to output [ns] ...
-  uint32_t exec_mean; ///< ... since the heartbeat before ...
-  uint32_t exec_max;  ///< ... or since the start, as the board says
-  uint32_t period;    ///< of the tick, wished [ns]
+  uint32_t exec_min;  ///< execution time of a step, from input to output ...
+  uint32_t exec_mean; ///< ... since the start ...
+  uint32_t exec_max;  ///< ... [ns]
+  uint32_t period;    ///< nominal period of the tick [ns]
 } tf_heartbeat_t;
 
-/// Hash of all that the motion depends on, equal on every board.
-/// Scheme: tf_crc32 over every parameter in the order of tf_parameter_ranges,
-///   as on the wire, then law, rule and with_angle, a byte each.
+/// Hash of all parameters that the motion depends on, the same on every board.
+/// Scheme: CRC-32 over every parameter in the order of tf_parameter_ranges, as
+///   it is sent, then law, rule and with_angle, a byte each.
 /// params: in.
 /// Returns: the hash.
 /// Cost: at most 3900 instructions. Stack: 80 B.
@@ -89,8 +89,8 @@ TF_API size_t tf_send_schema(uint8_t *wire, uint16_t *sequence, uint64_t tick,
                              const tf_schema_t *schema);
 
 /// Names, types, scales and units of the payloads, for tf_send_layout:
-/// "name,type,scale,unit" joined by ";". Types: real (as the schema says), u8,
-/// i8, u16, u32, u64. Number times scale is in the unit.
+/// "name,type,scale,unit", separated by ";". Types: real (of the size in the
+/// schema), u8, i8, u16, u32, u64. The number times the scale is in the unit.
 #define tf_layout_state TF_LINK(tf_layout_state)
 TF_API_DATA const char *const tf_layout_state;
 #define tf_layout_report TF_LINK(tf_layout_report)
@@ -104,8 +104,8 @@ TF_API_DATA const char *const tf_layout_heartbeat;
 /// Scheme: none.
 /// wire: out, TF_FRAME_SIZE(TF_LAYOUT_BYTES).
 /// sequence: in/out. tick: in.
-/// type: in, whose payload is described. layout: in, one of those above; a
-///   longer text is cut off at the end of the frame.
+/// type: in, of the frames that are described. layout: in, one of those above;
+///   a longer text is cut off at the end of the frame.
 /// Returns: bytes of the frame.
 /// Cost: at most 6900 instructions; text that fills the frame. Stack: 112 B.
 /// Memory: caller's, no overlap, reentrant.
@@ -114,7 +114,7 @@ TF_API_DATA const char *const tf_layout_heartbeat;
 TF_API size_t tf_send_layout(uint8_t *wire, uint16_t *sequence, uint64_t tick,
                              tf_type_t type, const char *layout);
 
-/// Frame TF_DOWN_STATE: with its tick, all that tf_step needs to go on.
+/// Frame TF_DOWN_STATE: with its tick, all that tf_step needs to continue.
 /// Scheme: none.
 /// wire: out, TF_FRAME_SIZE(TF_STATE_BYTES).
 /// sequence: in/out. state: in.
@@ -169,7 +169,7 @@ TF_API size_t tf_send_heartbeat(uint8_t *wire, uint16_t *sequence,
 /// wire: out, TF_FRAME_SIZE(TF_PARAMETER_BYTES).
 /// sequence: in/out. tick: in. params: in.
 /// index: in, into tf_parameter_ranges.
-/// Returns: bytes of the frame; 0 where there is no such parameter.
+/// Returns: bytes of the frame; 0 if there is no such parameter.
 /// Cost: at most 1500 instructions. Stack: 128 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: parameters_are_described, documented_frames_decode
@@ -178,7 +178,7 @@ TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,
                                 uint64_t tick, const tf_params_t *params,
                                 unsigned index);
 
-/// Reads the payload of TF_DOWN_STATE, of a sender of the same real type.
+/// Reads the payload of TF_DOWN_STATE, from a sender of the same real type.
 /// Scheme: none.
 /// payload: in, TF_STATE_BYTES. tick: in, from the header of its frame.
 /// state: out, not validated.
@@ -190,7 +190,7 @@ TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,
 TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                           tf_state_t *state);
 
-/// Reads the payload of TF_DOWN_REPORT, of a sender of the same real type.
+/// Reads the payload of TF_DOWN_REPORT, from a sender of the same real type.
 /// Scheme: none.
 /// payload: in, TF_REPORT_BYTES. report: out, not validated.
 /// Returns: nothing.

@@ -1,6 +1,6 @@
 /// @file
-/// Numbers as bytes: little endian, whatever the processor. A real goes as the
-/// bits of its own type, so that nothing is rounded on the way.
+/// Numbers as bytes: little endian, whatever the processor. A real is sent as
+/// the bits of its own type, so that nothing is rounded on the way.
 #ifndef TWOFOLD_WIRE_H
 #define TWOFOLD_WIRE_H
 
@@ -9,7 +9,7 @@
 
 #include "twofold/real.h"
 
-/// The unsigned integer of the size of tf_real_t.
+/// The unsigned integer that is as wide as tf_real_t.
 #ifdef TF_REAL_FLOAT
 typedef uint32_t tf_bits_t;
 #else
@@ -17,7 +17,7 @@ typedef uint64_t tf_bits_t;
 #endif
 /// Bytes of a real on the wire: 4 or 8.
 #define TF_REAL_BYTES sizeof(tf_real_t)
-/// Refused where double has 4 bytes (avr-gcc): build for float there.
+/// Does not compile where double has 4 bytes (avr-gcc): build for float there.
 typedef char
     tf_real_is_as_wide_as_its_bits[sizeof(tf_real_t) == sizeof(tf_bits_t) ? 1
                                                                           : -1];

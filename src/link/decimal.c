@@ -1,4 +1,5 @@
-// Numbers as text in little room: no library, no table of powers.
+// A real is scaled into six digits by multiplying or dividing by ten, so that no
+// table of powers is needed.
 #include "decimal.h"
 
 #include <stdbool.h>
@@ -12,7 +13,7 @@ static char *put(char *at, const char *text) {
 }
 
 // Scales to [1e5, 1e6) and rounds. Returns: the digits as a whole number;
-// power: out, of the first digit.
+// power: out, the power of ten of the first digit.
 static uint32_t six_digits(tf_real_t value, int *power) {
   *power = DIGITS - 1;
   for (; value >= TF_R(999999.5); value /= 10) ++*power;
@@ -41,7 +42,7 @@ TF_API size_t tf_decimal(char *out, tf_real_t value) {
     at = put(at, value == 0 ? "0" : word);
     return (size_t)(at - out);
   }
-  int power = 0, count = 1; // of digits up to the last that is not 0
+  int power = 0, count = 1; // digits up to the last one that is not 0
   char digits[DIGITS];
   uint32_t left = six_digits(value, &power);
   for (int i = DIGITS; i > 0; left /= 10) digits[--i] = (char)('0' + left % 10);

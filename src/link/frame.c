@@ -1,18 +1,17 @@
-// Frames on a serial line: COBS in place, CRC over the bytes of the line, and
-// a decoder that takes any byte at any time. Nothing here knows what a payload
-// means.
+// Frames on a serial line: COBS in place, the CRC over the bytes of the line,
+// and a decoder that takes any byte at any time. Payloads are only bytes here.
 #include "twofold/frame.h"
 
 #include "crc.h"
 #include "twofold/wire.h"
 
 #define CRC_BYTES 5
-// COBS code, header and CRC: nothing shorter is a frame.
+// Of a frame without its zeros: COBS code, header and CRC.
 #define SHORTEST (1 + TF_FRAME_HEADER + CRC_BYTES)
 
-// Seven bits a byte, the lowest first, and the top bit set: no zero, and the
-// bits follow the data in the order in which the CRC is a code word, so that
-// its promise about bursts holds across the seam.
+// Seven bits a byte, the lowest first, and the top bit set: no byte is zero.
+// The bits follow the data in the order of a code word of the CRC, so that
+// bursts are detected across the boundary of the two as well.
 static void put_crc(uint8_t *at, uint32_t crc) {
   for (unsigned i = 0; i < CRC_BYTES; i++, crc >>= 7)
     at[i] = (uint8_t)(0x80u | (crc & 0x7fu));
@@ -28,7 +27,7 @@ static bool has_crc(const uint8_t *at, uint32_t crc) {
 }
 
 // COBS of fewer than 255 bytes: each zero becomes the distance to the next
-// one, or to the end; the distance to the first stands in front.
+// zero, or to the end; the distance to the first one is in front.
 static void stuff(uint8_t *code, const uint8_t *end) {
   uint8_t *last = code;
   for (uint8_t *at = code + 1; at < end; at++) {
@@ -39,7 +38,7 @@ static void stuff(uint8_t *code, const uint8_t *end) {
   *last = (uint8_t)(end - last);
 }
 
-// The way back. Returns: whether the chain of distances meets the end.
+// The inverse. Returns: whether the chain of distances ends at the end.
 static bool unstuff(uint8_t *code, size_t length) {
   size_t next = code[0];
   for (size_t at = 1; at < length; at++)
@@ -74,10 +73,10 @@ TF_API void tf_decoder_init(tf_decoder_t *decoder, uint8_t *buffer,
   *decoder = (tf_decoder_t){.buffer = buffer, .room = room};
 }
 
-// A gap of the sequence is a loss, unless the number went back: then the sender
-// started anew. Half of all gaps may be either; where the number went through 0
-// time decides. (Time alone does not: an answer may be older than the rows that
-// went before it.)
+// A gap in the sequence is a loss, unless the number went back: then the sender
+// was restarted. A gap of less than half of all numbers that passes 0 may be
+// either; there the tick decides. (The tick alone cannot: an answer may have an
+// earlier tick than the records that were sent before it.)
 static void count_accepted(tf_decoder_t *decoder, const tf_frame_t *frame) {
   const uint16_t gap = (uint16_t)(frame->sequence - decoder->sequence);
   if (decoder->started && gap != 0) {

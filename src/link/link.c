@@ -1,5 +1,5 @@
-// Commands from a line, applied between two steps. Everything that comes in is
-// validated here, by the same functions that validate a command line; what is
+// Commands from a line, applied between two steps. Every command is validated
+// here, by the functions that validate a command line as well; one that is
 // refused changes nothing.
 #include "twofold/link.h"
 
@@ -16,7 +16,8 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
   tf_decoder_init(&link->decoder, link->buffer, sizeof link->buffer);
 }
 
-// At once, not in its turn: what it clears may be what blocks the queue.
+// Acts on arrival and not in its turn, because it may be needed to empty a
+// queue that is blocked.
 static void clear(tf_link_t *link) {
   link->ignored += link->waiting;
   link->waiting = 0;
@@ -36,7 +37,7 @@ TF_API void tf_link_receive(tf_link_t *link, uint8_t byte) {
   command->type = frame.type;
   command->length = frame.length;
   command->done = false;
-  // The decoder's buffer is the bound of length.
+  // The buffer of the decoder bounds the length.
   for (unsigned i = 0; i < frame.length; i++)
     command->payload[i] = frame.payload[i];
 }
@@ -59,8 +60,8 @@ static int set_input(tf_session_t *session, const tf_command_t *command) {
   return TF_ANSWER_DONE;
 }
 
-// The parameters are changed in place and changed back where the machine
-// cannot be prepared from them: a second copy would not fit a small stack.
+// The parameters are changed in place, and changed back if the machine cannot
+// be prepared from them: a second copy would not fit a small stack.
 static int set_parameter(tf_link_t *link, tf_session_t *session,
                          tf_command_t *command) {
   if (command->length != 1 + TF_REAL_BYTES) return TF_ANSWER_LENGTH;
@@ -71,18 +72,19 @@ static int set_parameter(tf_link_t *link, tf_session_t *session,
   const tf_parameter_range_t *range = &tf_parameter_ranges[index];
   tf_real_t *member =
       (tf_real_t *)(void *)((char *)&link->params + range->offset);
-  const tf_real_t wished = tf_wire_get_real(command->payload + 1);
+  const tf_real_t value = tf_wire_get_real(command->payload + 1);
   const tf_real_t before = *member;
   command->value = before;
-  // Looked at even where the law leaves the parameter out.
-  if (!(wished >= range->low && wished <= range->high)) return TF_BAD_PARAMETER;
-  *member = wished;
+  // tf_prepare ignores a parameter that the law does not use; here its range
+  // holds nevertheless.
+  if (!(value >= range->low && value <= range->high)) return TF_BAD_PARAMETER;
+  *member = value;
   const tf_status_t status = tf_prepare(&session->machine, &link->params, NULL);
   if (status != TF_OK) {
     *member = before;
     return status;
   }
-  command->value = wished;
+  command->value = value;
   link->describe = true;
   return TF_ANSWER_DONE;
 }
@@ -102,8 +104,8 @@ static int set_rule(tf_link_t *link, tf_session_t *session,
   return TF_ANSWER_DONE;
 }
 
-// Without a payload: what was saved on the board. With one: a state that the
-// host kept, its tick first.
+// Without a payload: the snapshot on the board. With one: a state that the host
+// has kept, its tick first.
 static int restore(const tf_link_t *link, tf_session_t *session,
                    const tf_command_t *command) {
   if (command->length == 0) {
@@ -141,7 +143,7 @@ static int perform_plain(tf_link_t *link, tf_session_t *session,
     case TF_UP_DESCRIBE:
       link->describe = true;
       break;
-    default: // TF_UP_CLEAR: it was, on its arrival
+    default: // TF_UP_CLEAR acted on its arrival
       break;
   }
   return TF_ANSWER_DONE;

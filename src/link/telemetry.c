@@ -1,10 +1,10 @@
-// The payloads that go down. Each is written where tf_frame_seal expects it,
-// so nothing is copied.
+// The payloads of telemetry. Each is written where tf_frame_seal expects it, so
+// that nothing is copied.
 #include "twofold/telemetry.h"
 
 #include "crc.h"
 
-// Appends text; the room ends at `end`. Returns: the byte after it.
+// Appends as much of a text as fits before `end`. Returns: the byte after it.
 static uint8_t *put_text(uint8_t *at, const uint8_t *end, const char *text) {
   while (*text != '\0' && at < end) *at++ = (uint8_t)*text++;
   return at;
@@ -161,7 +161,7 @@ TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
 TF_API void tf_read_report(const uint8_t *payload, tf_report_t *report) {
   const size_t R = TF_REAL_BYTES;
   const uint8_t *bytes = payload + 6 * R;
-  // The status travels in two's complement.
+  // The status is sent in two's complement.
   const int status = bytes[3] < 128 ? bytes[3] : (int)bytes[3] - 256;
   *report = (tf_report_t){
       .mode = bytes[0],

@@ -1,5 +1,5 @@
 // The scenes that come with the project: data only. No other file of the core
-// knows a name from here.
+// names one of them.
 #include "twofold/scene.h"
 
 // The paper's figure 6: kappa and k2 put the two-fold at r = 0.1859,

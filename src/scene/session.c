@@ -22,8 +22,8 @@ TF_API tf_status_t tf_session_open(tf_session_t *session,
   return tf_session_start(session, scene, seed);
 }
 
-// The tick is exact in double, and in float up to 2^24 steps: far beyond the
-// last knot of a scene, where the inputs are constant.
+// In float the tick is exact up to 2^24 steps: far beyond the last knot of a
+// scene, after which the inputs are constant.
 TF_API tf_input_t tf_session_input(const tf_session_t *session,
                                    const tf_scene_t *scene) {
   if (session->driven) return session->input;
