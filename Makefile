@@ -31,7 +31,8 @@ COUNTS := nearest machines
 PEERS := hand twofold reference
 ORACLE := $(wildcard tools/oracle/*.c)
 REPORT := sweep scatter cost digits scenes
-HIL_PARTS := $(wildcard tools/hil/*.c) tools/cli/source.c tools/cli/host.c
+HIL_PARTS := $(wildcard tools/hil/*.c) tools/cli/host/source.c \
+  tools/cli/host/host.c
 
 # One rounding per operation, everywhere: the same bits on every target.
 COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude

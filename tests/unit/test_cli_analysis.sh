@@ -214,7 +214,7 @@ test_design() {
     design chaos --r 0.05 --omega -2.5
   check 'its range is told' grep -qF '[0, 1e+15] N/m' err
   expect 'r = 0' 3 '--r 0: r must not be 0' design chaos --r 0 --omega 1
-  expect 'r = r0' 3 '--r 0.1: k2 has no hold' design chaos --r 0.1 --omega 1
+  expect 'r = r0' 3 '--r 0.1: k2 does not act' design chaos --r 0.1 --omega 1
   expect 'omega = omega0' 3 '--omega -1: omega must differ from omega0 = -1' \
     design chaos --r 0.2 --omega -1
   expect 'no moment' 3 'scene coulomb: design needs law jump' \

@@ -1,224 +1,131 @@
-// What --send says. Names and numbers are checked before anything is opened;
-// the board checks ranges, for they are its own. A number is turned into the
-// real type of the board at the last moment: rounded once, from its decimals.
+// The table of the commands: each has a function that performs it and, if it has
+// options, a help page. The folders of the command line and what they include:
+//
+//   .          command (this table), help         includes all folders
+//   run/       the command `run`: loop, rows, frames, events, summary
+//   monitor/   the command `monitor`: frames of a board to rows, a live view,
+//              commands to the board              includes run/row
+//   analysis/  singularities, regions, design, atlas: a machine is examined
+//              without running it
+//   diverge/   the command `diverge`: samples of the motions that can follow a
+//              two-fold
+//   setup/     scene, --set and --select to a machine with its initial state,
+//              and the schemes by name
+//   host/      POSIX: clock, signals, output files, serial lines
+//   text/      messages, numbers, options, text in buffers
+//
+// run, monitor, analysis and diverge include setup, host and text; setup and
+// host include text. No folder includes one that includes it. Within a command
+// NAME_args reads the command line and NAME_help has the help page.
 
 #include "command.h"
 
-#include <inttypes.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include <stdbool.h>
+#include <stddef.h>
 #include <string.h>
 
-#include "text.h"
+#include "analysis/analysis_help.h"
+#include "analysis/commands.h"
+#include "diverge/diverge.h"
+#include "diverge/diverge_help.h"
+#include "help.h"
+#include "monitor/monitor.h"
+#include "monitor/monitor_help.h"
+#include "run/run.h"
+#include "run/run_help.h"
+#include "text/closest.h"
+#include "text/message.h"
 
-#define PATIENCE 3.0 // for an answer [s]
-
-static const struct {
+typedef struct {
   const char *name;
-  uint8_t type;
-} plain[] = {{"describe", TF_UP_DESCRIBE}, {"start", TF_UP_START},
-             {"stop", TF_UP_STOP},         {"reset", TF_UP_RESET},
-             {"snapshot", TF_UP_SNAPSHOT}, {"restore", TF_UP_RESTORE},
-             {"clear", TF_UP_CLEAR},       {"input", TF_UP_INPUT}};
-#define PLAIN (sizeof plain / sizeof plain[0])
+  int (*perform)(int argc, char *const argv[]);
+  void (*help)(void); // NULL: no page
+} command_t;
 
-static int complain(const char *text, const char *why) {
-  return cli_complain(CLI_USAGE, "--send %s: %s", text, why);
-}
+static int perform_help(int argc, char *const argv[]);
 
-// Whether the text starts with so many characters of a name, and it is whole.
-static bool is_name(const char *name, const char *text, size_t length) {
-  return strlen(name) == length && strncmp(name, text, length) == 0;
-}
+static const command_t commands[] = {
+    {"scenes", cli_scenes, NULL},
+    {"run", cli_run, cli_run_help},
+    {"monitor", cli_monitor, cli_monitor_help},
+    {"singularities", cli_singularities, cli_singularities_help},
+    {"regions", cli_regions, cli_regions_help},
+    {"design", cli_design, cli_design_help},
+    {"atlas", cli_atlas, cli_atlas_help},
+    {"diverge", cli_diverge, cli_diverge_help},
+    {"help", perform_help, NULL},
+};
+#define COMMANDS (sizeof commands / sizeof commands[0])
 
-static int read_set(cli_command_t *command, const char *rest) {
-  const size_t length = strcspn(rest, "=");
-  const char *why = "";
-  tf_real_t value = 0;
-  unsigned i = 0;
-  while (i < TF_PARAMETERS &&
-         !is_name(tf_parameter_ranges[i].name, rest, length)) {
-    i++;
-  }
-  if (i == TF_PARAMETERS || rest[length] != '=') {
-    return complain(command->text,
-                    "expected set:NAME=VALUE with the name of a "
-                    "parameter ('twofold help run')");
-  }
-  command->type = TF_UP_PARAMETER;
-  command->index = (uint8_t)i;
-  command->number[0] = rest + length + 1;
-  return cli_read_real(command->number[0], &value, &why)
-             ? CLI_DONE
-             : complain(command->text, why);
-}
-
-static int read_select(cli_command_t *command, const char *rest) {
-  const size_t length = strcspn(rest, ":");
-  uint64_t seed = 0;
-  unsigned i = 0;
-  while (i < TF_RULES && !is_name(cli_rule_name((tf_rule_t)i), rest, length)) {
-    i++;
-  }
-  const bool seed_is_good =
-      rest[length] == '\0' ||
-      cli_read_whole(rest + length + 1, 0, UINT32_MAX, &seed);
-  if (i == TF_RULES || !seed_is_good) {
-    return complain(command->text,
-                    "expected select:RULE[:SEED] with one of persist, slip+, "
-                    "slip-, random");
-  }
-  command->type = TF_UP_RULE;
-  command->index = (uint8_t)i;
-  command->seed = (uint32_t)seed;
-  return CLI_DONE;
-}
-
-// Four numbers with commas between them. cli_read_real wants each alone.
-static int read_input(cli_command_t *command, const char *rest) {
-  command->type = TF_UP_INPUT;
-  for (command->numbers = 0; command->numbers < 4; command->numbers++) {
-    char number[CLI_REAL_ROOM];
-    const size_t length = strcspn(rest, ",");
-    const char *why = "";
-    tf_real_t value = 0;
-    (void)snprintf(number, sizeof number, "%.*s",
-                   (int)(length < sizeof number ? length : sizeof number - 1),
-                   rest);
-    command->number[command->numbers] = rest;
-    const bool last = command->numbers == 3;
-    if (length >= sizeof number || !cli_read_real(number, &value, &why) ||
-        (rest[length] == ',') == last) {
-      return complain(command->text,
-                      "expected input:OMEGA0,R0,FORCE,TORQUE in numbers");
-    }
-    rest += length + 1;
-  }
-  return CLI_DONE;
-}
-
-int cli_commands_add(cli_commands_t *commands, const char *text) {
-  if (commands->count == CLI_COMMANDS) {
-    return complain(text, "too many commands for one line");
-  }
-  cli_command_t *command = &commands->list[commands->count];
-  commands->count++;
-  *command = (cli_command_t){.text = text};
-  for (size_t i = 0; i < PLAIN; i++) {
-    if (strcmp(text, plain[i].name) == 0) {
-      command->type = plain[i].type;
-      return CLI_DONE;
+// The command of that name, NULL where there is none.
+static const command_t *find_command(const char *name) {
+  for (size_t i = 0; i < COMMANDS; i++) {
+    if (strcmp(commands[i].name, name) == 0) {
+      return &commands[i];
     }
   }
-  if (strncmp(text, "set:", 4) == 0) {
-    return read_set(command, text + 4);
+  return NULL;
+}
+
+// `twofold help [COMMAND]`.
+static int perform_help(int argc, char *const argv[]) {
+  const command_t *command = argc == 1 ? find_command(argv[0]) : NULL;
+  if (argc == 0) {
+    cli_overview();
+  } else if (command != NULL && command->help != NULL) {
+    command->help();
+  } else {
+    return cli_message(CLI_USAGE,
+                       "help: no help on '%s'; try 'twofold help' or "
+                       "'twofold help run'",
+                       argv[argc - 1]);
   }
-  if (strncmp(text, "select:", 7) == 0) {
-    return read_select(command, text + 7);
+  return cli_finish_stdout();
+}
+
+// The benchmarks need several builds of the core, so they belong to make.
+static int unknown_command(const char *name) {
+  if (strcmp(name, "bench") == 0 || strcmp(name, "stability") == 0) {
+    return cli_message(CLI_USAGE, "%s is a target of make: 'make %s'", name,
+                       name);
   }
-  if (strncmp(text, "input:", 6) == 0) {
-    return read_input(command, text + 6);
-  }
-  cli_closest_t closest = cli_closest_to(text);
-  for (size_t i = 0; i < PLAIN; i++) {
-    cli_closest_offer(&closest, plain[i].name);
+  cli_closest_t closest = cli_closest_to(name);
+  for (size_t i = 0; i < COMMANDS; i++) {
+    cli_closest_offer(&closest, commands[i].name);
   }
   const cli_hint_t hint = cli_closest_hint(&closest);
-  return cli_complain(CLI_USAGE,
-                      "--send %s: unknown command%s%s%s ('twofold help "
-                      "monitor' lists them)",
-                      text, hint.before, hint.name, hint.after);
+  return cli_message(CLI_USAGE,
+                     "unknown command '%s'%s%s%s ('twofold help' lists them)",
+                     name, hint.before, hint.name, hint.after);
 }
 
-static uint8_t *put_number(uint8_t *at, const char *text, bool is_float) {
-  if (is_float) {
-    const float value = strtof(text, NULL);
-    uint32_t bits = 0;
-    memcpy(&bits, &value, sizeof bits);
-    return tf_wire_put(at, bits, 4);
-  }
-  const double value = strtod(text, NULL);
-  uint64_t bits = 0;
-  memcpy(&bits, &value, sizeof bits);
-  return tf_wire_put(at, bits, 8);
+static bool is_help_option(const char *word) {
+  return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
 }
 
-static uint8_t *put_payload(uint8_t *at, const cli_command_t *command,
-                            bool is_float) {
-  if (command->type == TF_UP_PARAMETER) {
-    *at++ = command->index;
-    return put_number(at, command->number[0], is_float);
+static bool asks_for_help(int argc, char *const argv[]) {
+  for (int i = 0; i < argc; i++) {
+    if (is_help_option(argv[i])) {
+      return true;
+    }
   }
-  if (command->type == TF_UP_RULE) {
-    *at++ = command->index;
-    return tf_wire_put(at, command->seed, 4);
-  }
-  for (size_t i = 0; i < command->numbers; i++) {
-    at = put_number(at, command->number[i], is_float);
-  }
-  // The turntable's acceleration: held speeds.
-  return command->numbers > 0 ? put_number(at, "0", is_float) : at;
+  return false;
 }
 
-size_t cli_commands_next(cli_commands_t *commands, const cli_picture_t *picture,
-                         double now, uint8_t *wire) {
-  if (commands->waiting || commands->next == commands->count) {
-    return 0;
+int cli_command(int argc, char *const argv[]) {
+  if (argc < 1) {
+    return cli_message(CLI_USAGE, "which command? ('twofold help' lists them)");
   }
-  const cli_command_t *command = &commands->list[commands->next];
-  // The schema tells in which numbers; `describe` asks for it.
-  if (!picture->has_schema && command->type != TF_UP_DESCRIBE) {
-    return 0;
+  if (is_help_option(argv[0])) {
+    return perform_help(argc - 1, argv + 1);
   }
-  const uint8_t *end =
-      put_payload(wire + TF_FRAME_AT, command, picture->is_float);
-  commands->waiting = true;
-  commands->deadline = now + PATIENCE;
-  return tf_frame_seal(wire, command->type, (size_t)(end - wire) - TF_FRAME_AT,
-                       &commands->sequence, 0);
-}
-
-static const char *reason_of(int code) {
-  switch (code) {
-    case TF_ANSWER_UNKNOWN:
-      return "the board does not know it";
-    case TF_ANSWER_LENGTH:
-      return "its length is wrong";
-    case TF_ANSWER_EMPTY:
-      return "nothing was saved";
-    case TF_ANSWER_FAR:
-      return "dated too far ahead";
-    default:
-      return tf_status_name((tf_status_t)code);
+  if (strcmp(argv[0], "--version") == 0) {
+    return cli_version();
   }
-}
-
-void cli_commands_answer(cli_commands_t *commands, const tf_frame_t *frame,
-                         const cli_picture_t *picture) {
-  const uint8_t *at = frame->payload;
-  if (!commands->waiting || frame->length < 5 ||
-      tf_wire_get(at, 2) != (uint16_t)(commands->sequence - 1u)) {
-    return; // to another host, or to a command that was given up
+  const command_t *command = find_command(argv[0]);
+  if (asks_for_help(argc - 1, argv + 1)) {
+    return perform_help(command != NULL && command->help != NULL ? 1 : 0, argv);
   }
-  const cli_command_t *command = &commands->list[commands->next];
-  const int code = at[3] < 128 ? at[3] : at[3] - 256;
-  char range[3 * CLI_REAL_ROOM + 32] = "";
-  const size_t R = picture->is_float ? 4 : 8;
-  if (frame->length == 5 + 3 * R && at[4] < TF_PARAMETERS) {
-    char value[CLI_REAL_ROOM], low[CLI_REAL_ROOM], high[CLI_REAL_ROOM];
-    (void)cli_write_number(value, cli_picture_real(picture, at + 5),
-                           picture->is_float);
-    (void)cli_write_number(low, cli_picture_real(picture, at + 5 + R),
-                           picture->is_float);
-    (void)cli_write_number(high, cli_picture_real(picture, at + 5 + 2 * R),
-                           picture->is_float);
-    (void)snprintf(range, sizeof range, "; %s = %s, in [%s, %s]",
-                   tf_parameter_ranges[at[4]].name, value, low, high);
-  }
-  (void)cli_complain(CLI_DONE, "%s: %s%s at step %" PRIu64 "%s", command->text,
-                     code == 0 ? "took effect" : "refused, ",
-                     code == 0 ? "" : reason_of(code), frame->tick, range);
-  commands->refused += code != 0;
-  commands->waiting = false;
-  commands->next++;
+  return command != NULL ? command->perform(argc - 1, argv + 1)
+                         : unknown_command(argv[0]);
 }

@@ -1,21 +1,15 @@
 /// @file
-/// The help texts.
+/// The overview of the commands, the list of scenes and the version.
 #ifndef TWOFOLD_CLI_HELP_H
 #define TWOFOLD_CLI_HELP_H
 
-#include <stdbool.h>
+/// Prints one line per command.
+void cli_overview(void);
 
-/// `twofold help [COMMAND]`.
-/// Returns: CLI_DONE, CLI_STOPPED (not writable) or CLI_USAGE (complained).
-int cli_help(int argc, char *const argv[]);
-
-/// Whether `twofold help COMMAND` has a page.
-bool cli_has_page(const char *command);
-
-/// `twofold --version`.
+/// `twofold --version`. Returns: the exit code.
 int cli_version(void);
 
-/// `twofold scenes`: one line a scene.
+/// `twofold scenes`: one line per scene. Returns: the exit code.
 int cli_scenes(int argc, char *const argv[]);
 
 #endif

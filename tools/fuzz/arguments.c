@@ -4,11 +4,11 @@
 // writes anything. What is accepted is in its ranges and ready to run.
 #include <stdlib.h>
 
-#include "cli/analysis.h"
-#include "cli/command.h"
-#include "cli/diverge.h"
-#include "cli/run.h"
-#include "cli/text.h"
+#include "cli/analysis/analysis.h"
+#include "cli/diverge/diverge_args.h"
+#include "cli/monitor/board_command.h"
+#include "cli/run/run_args.h"
+#include "cli/text/message.h"
 #include "fuzz/fuzz.h"
 
 #define MOST_WORDS 64
@@ -41,7 +41,7 @@ static const char *run(int argc, char *const argv[]) {
   if (code != CLI_DONE) return NULL;
   code = cli_setup_start(&setup);
   FUZZ_HOLD(is_code(code));
-  cli_setup_notes(&setup, args.scheme->idle, args.scheme->why);
+  cli_setup_notes(&setup, args.scheme->unused, args.scheme->why);
   if (code != CLI_DONE) return NULL;
   FUZZ_HOLD(fuzz_in_reach(&setup.state) && setup.state.mode < TF_MODES);
   FUZZ_HOLD(fuzz_finite(setup.state.phi) && setup.state.tick == 0);
@@ -57,23 +57,23 @@ static const char *diverge(int argc, char *const argv[]) {
 }
 
 static const char *monitor(int argc, char *const argv[]) {
-  cli_commands_t commands;
-  cli_picture_t picture;
+  cli_board_commands_t commands;
+  cli_receiver_t receiver;
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
   memset(&commands, 0, sizeof commands);
-  memset(&picture, 0, sizeof picture);
+  memset(&receiver, 0, sizeof receiver);
   for (int i = 0; i < argc; i++) {
-    const int code = cli_commands_add(&commands, argv[i]);
+    const int code = cli_board_commands_add(&commands, argv[i]);
     FUZZ_HOLD(code == CLI_DONE || code == CLI_USAGE);
-    FUZZ_HOLD(commands.count <= CLI_COMMANDS);
+    FUZZ_HOLD(commands.count <= CLI_BOARD_COMMANDS);
     if (code != CLI_DONE) return NULL;
   }
-  picture.has_schema = true;
+  receiver.has_schema = true;
   for (size_t i = 0; i < commands.count; i++) {
-    picture.is_float = (i & 1u) != 0;
+    receiver.is_float = (i & 1u) != 0;
     commands.waiting = false;
     commands.next = i;
-    const size_t size = cli_commands_next(&commands, &picture, 0, wire);
+    const size_t size = cli_board_commands_next(&commands, &receiver, 0, wire);
     FUZZ_HOLD(size >= TF_FRAME_SIZE(0) && size <= sizeof wire);
   }
   return NULL;

@@ -2,7 +2,7 @@
 // as it is, and as a list of things to do: noise, whole frames, frames with a
 // byte changed, ticks. A decoder of its own, slow and plain, says what is a
 // frame; nothing else may be taken for one, and nothing may act without one.
-#include "cli/picture.h"
+#include "cli/monitor/receiver.h"
 #include "fuzz/fuzz.h"
 
 #define HALF_ROOM TF_DECODER_ROOM(TF_UP_PAYLOAD)
@@ -114,7 +114,7 @@ typedef struct {
   line_t line;       // what the uplink hears
   uint16_t up, down; // sequences
   uint32_t answers;
-  cli_picture_t picture; // what a host makes of the frames
+  cli_receiver_t receiver; // what a host makes of the frames
 } board_t;
 
 // All that acts, as bytes.
@@ -149,7 +149,7 @@ static const char *hear(board_t *b, const uint8_t *bytes, size_t length) {
                               (uint16_t)tf_wire_get(b->line.frame + 3, 2),
                               b->line.frame[1], b->line.frame[2],
                               b->line.frame + TF_FRAME_HEADER};
-    (void)cli_picture_take(&b->picture, &frame, &row);
+    (void)cli_receiver_take(&b->receiver, &frame, &row);
   }
   look(b, &after);
   FUZZ_HOLD(memcmp(&before, &after, sizeof before) == 0);

@@ -24,7 +24,7 @@ fuzzdir := $(BUILD)/fuzz
 FUZZ_FLAGS := -g1 -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
   -fsanitize=address,undefined,float-cast-overflow
 FUZZ_PARTS := $(ALL_FUZZ:%=tools/fuzz/%.c) tools/fuzz/analysis.c \
-  $(wildcard tools/cli/*.c) $(CORE)
+  $(wildcard tools/cli/*.c tools/cli/*/*.c) $(CORE)
 SOAK_STEPS := $(if $(filter command line environment,$(origin STEPS)),\
   $(STEPS),1e7)
 
@@ -65,7 +65,7 @@ $(BUILD)/$(1)/tests/regress/test_corpus \
 $(BUILD)/$(1)/tests/law/test_extreme_analysis: $(BUILD)/$(1)/libcorpus.a
 
 $(BUILD)/$(1)/soak: $(call objects_of_$(1),tools/soak/soak.c \
-    tools/cli/host.c) $(BUILD)/$(1)/libtwofold.a
+    tools/cli/host/host.c) $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 endef
 $(foreach v,$(VARIANTS),$(eval $(call fuzz-rules,$(v))))

@@ -6,13 +6,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/host.h"
+#include "cli/host/host.h"
 
 #define PATIENCE 2.0 // for an answer [s] ...
 #define TRIES 4      // ... so often
 #define GIVEN_UP 16  // states after which no answer is waited for
 
-hil_code_t hil_complain(hil_code_t code, const char *format, ...) {
+hil_code_t hil_message(hil_code_t code, const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
   (void)fputs("hil: ", stderr);
@@ -35,25 +35,25 @@ static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   const size_t R = TF_REAL_BYTES;
   if (frame->length < 15 + R || at[0] != R)
-    return hil_complain(HIL_REFUSED, "the board computes in %s, this is %s",
-                        at[0] == 4 ? "float" : "double",
-                        R == 4 ? "float" : "double");
+    return hil_message(HIL_REFUSED, "the board computes in %s, this is %s",
+                       at[0] == 4 ? "float" : "double",
+                       R == 4 ? "float" : "double");
   if (at[3] != 0 || (at[4] & 2u) == 0)
-    return hil_complain(HIL_REFUSED, "the board %s",
-                        at[3] != 0 ? "does not step by tf_step"
-                                   : "takes no commands (UPLINK=yes)");
+    return hil_message(HIL_REFUSED, "the board %s",
+                       at[3] != 0 ? "does not step by tf_step"
+                                  : "takes no commands (UPLINK=yes)");
   const uint8_t *name = at + 13 + R;
   const uint8_t *end = memchr(name, 0, frame->length - 13 - R);
   board->scene = end == NULL ? NULL : scene_named(name, (size_t)(end - name));
   if (board->scene == NULL)
-    return hil_complain(HIL_REFUSED, "the board's scene is not known here");
+    return hil_message(HIL_REFUSED, "the board's scene is not known here");
   board->params = board->scene->params;
   board->params.dt = tf_wire_get_real(at + 13);
   board->seed = (uint32_t)tf_wire_get(at + 5, 4);
   if (tf_params_hash(&board->params) != tf_wire_get(at + 9, 4))
-    return hil_complain(HIL_REFUSED,
-                        "the board's parameters are not those of scene %s",
-                        board->scene->name);
+    return hil_message(HIL_REFUSED,
+                       "the board's parameters are not those of scene %s",
+                       board->scene->name);
   board->has_schema = true;
   return HIL_EQUAL;
 }
@@ -130,10 +130,10 @@ hil_code_t hil_board_listen(hil_board_t *board, int milliseconds) {
   tf_frame_t frame;
   const cli_source_found_t found = cli_source_read(
       &board->source, bytes, sizeof bytes, milliseconds, &length);
-  if (cli_stop_asked()) return hil_complain(HIL_STOPPED, "interrupted");
+  if (cli_stop_asked()) return hil_message(HIL_STOPPED, "interrupted");
   if (found == CLI_SOURCE_GONE || found == CLI_SOURCE_END)
-    return hil_complain(HIL_STOPPED, "%s: the board went away",
-                        board->source.name);
+    return hil_message(HIL_STOPPED, "%s: the board went away",
+                       board->source.name);
   for (const uint8_t *at = bytes;
        tf_decoder_block(&board->decoder, at, length, &taken, &frame);) {
     at += taken;
@@ -151,8 +151,8 @@ hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
   const size_t size =
       tf_frame_seal(wire, (uint8_t)type, length, &board->sequence, tick);
   if (cli_source_write(&board->source, wire, size)) return HIL_EQUAL;
-  return hil_complain(HIL_STOPPED, "%s: %s", board->source.name,
-                      strerror(board->source.error));
+  return hil_message(HIL_STOPPED, "%s: %s", board->source.name,
+                     strerror(board->source.error));
 }
 
 // Said again where no answer comes: neither side tells which of the two was
@@ -165,8 +165,8 @@ hil_code_t hil_board_order(hil_board_t *board, tf_type_t type) {
   while (!board->has_answer) {
     hil_code_t code = HIL_EQUAL;
     if (cli_now() > until && board->tries == TRIES)
-      return hil_complain(HIL_STOPPED, "%s: no answer; does it take commands?",
-                          board->source.name);
+      return hil_message(HIL_STOPPED, "%s: no answer; does it take commands?",
+                         board->source.name);
     if (cli_now() > until) {
       code = hil_board_send(board, type, 0, NULL, 0);
       until = cli_now() + PATIENCE;
@@ -176,8 +176,8 @@ hil_code_t hil_board_order(hil_board_t *board, tf_type_t type) {
     if (code != HIL_EQUAL) return code;
   }
   if (board->answer != 0)
-    return hil_complain(HIL_REFUSED, "the board refuses command %02X: %d",
-                        (unsigned)type, board->answer);
+    return hil_message(HIL_REFUSED, "the board refuses command %02X: %d",
+                       (unsigned)type, board->answer);
   return HIL_EQUAL;
 }
 

@@ -4,7 +4,7 @@
 #ifndef TWOFOLD_HIL_BOARD_H
 #define TWOFOLD_HIL_BOARD_H
 
-#include "cli/source.h"
+#include "cli/host/source.h"
 #include "twofold.h"
 
 /// Exit codes.
@@ -21,7 +21,7 @@ typedef enum {
 __attribute__((format(printf, 2, 3)))
 #endif
 hil_code_t
-hil_complain(hil_code_t code, const char *format, ...);
+hil_message(hil_code_t code, const char *format, ...);
 
 /// A state as it came, with what the controller made of it. The payloads are
 /// kept as bytes: what is compared is what was on the line.

@@ -3,7 +3,7 @@
 
 #include <inttypes.h>
 
-#include "cli/host.h"
+#include "cli/host/host.h"
 
 #define PATIENCE 5.0  // without a state [s]
 #define TRIES 8       // of an input to a board that stands
@@ -21,10 +21,10 @@ hil_code_t hil_prepare(hil_board_t *board) {
   while (code == HIL_EQUAL && !(board->has_schema && board->count > 0)) {
     code = hil_board_listen(board, 100);
     if (code == HIL_EQUAL && cli_now() > until)
-      code = hil_complain(HIL_STOPPED, "the board tells no state");
+      code = hil_message(HIL_STOPPED, "the board tells no state");
   }
   if (code == HIL_EQUAL && board->samples[0].tick != 0)
-    code = hil_complain(HIL_STOPPED, "the board did not go to its start");
+    code = hil_message(HIL_STOPPED, "the board did not go to its start");
   return code;
 }
 
@@ -38,8 +38,8 @@ static hil_code_t wait_for_state(hil_board_t *board) {
     const hil_code_t code = hil_board_listen(board, 100);
     if (code != HIL_EQUAL) return code;
     if (!board->has_new && cli_now() > until)
-      return hil_complain(HIL_STOPPED, "no state after step %" PRIu64,
-                          last_tick(board));
+      return hil_message(HIL_STOPPED, "no state after step %" PRIu64,
+                         last_tick(board));
   }
   return HIL_EQUAL;
 }
@@ -75,8 +75,8 @@ static hil_code_t respond_in_lockstep(hil_board_t *board,
                                       const hil_control_t *control) {
   const uint64_t tick = last_tick(board);
   if (tick != (board->count - 1) * plan->every)
-    return hil_complain(HIL_STOPPED, "step %" PRIu64 ": a command was lost",
-                        tick);
+    return hil_message(HIL_STOPPED, "step %" PRIu64 ": a command was lost",
+                       tick);
   hil_code_t code =
       hil_board_send(board, TF_UP_STOP, tick + plan->every, NULL, 0);
   // The board stands: an input that is said twice takes effect once.

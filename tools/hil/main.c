@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/host.h"
+#include "cli/host/host.h"
 #include "hil/board.h"
 #include "hil/control.h"
 #include "hil/drive.h"
@@ -86,15 +86,15 @@ static hil_code_t read_options(options_t *options, int argc, char **argv) {
     } else if (argv[i][0] != '-') {
       options->device = argv[i];
     } else if (i + 1 == argc || !read_option(options, argv[i], argv[i + 1])) {
-      return hil_complain(HIL_USAGE, "%s %s: not understood", argv[i],
-                          i + 1 < argc ? argv[i + 1] : "");
+      return hil_message(HIL_USAGE, "%s %s: not understood", argv[i],
+                         i + 1 < argc ? argv[i + 1] : "");
     } else {
       i++;
     }
   }
   if (options->plan.in_lockstep) options->plan.delay = 0;
   if (options->plan.delay > 2 * options->plan.every)
-    return hil_complain(HIL_USAGE, "--delay is at most twice --every");
+    return hil_message(HIL_USAGE, "--delay is at most twice --every");
   return options->device == NULL ? usage() : HIL_EQUAL;
 }
 
@@ -102,8 +102,8 @@ static hil_code_t perform(hil_board_t *board, const options_t *options) {
   hil_verdict_t verdict;
   tf_decoder_init(&board->decoder, board->buffer, sizeof board->buffer);
   if (!cli_source_open(&board->source, options->device, options->baud, true))
-    return hil_complain(HIL_STOPPED, "%s: %s", options->device,
-                        strerror(board->source.error));
+    return hil_message(HIL_STOPPED, "%s: %s", options->device,
+                       strerror(board->source.error));
   hil_code_t code = hil_prepare(board);
   if (code == HIL_EQUAL)
     code = hil_drive(board, &options->plan, &options->control);
@@ -131,7 +131,7 @@ int main(int argc, char **argv) {
     code = perform(board, &options);
     if (ferror(stdout) || fflush(stdout)) code = HIL_STOPPED;
   } else {
-    code = hil_complain(HIL_STOPPED, "out of memory");
+    code = hil_message(HIL_STOPPED, "out of memory");
   }
   free(board->samples);
   free(board);

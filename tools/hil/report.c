@@ -7,7 +7,7 @@
 hil_code_t hil_write_csv(const hil_board_t *board, const char *name) {
   const int digits = TF_REAL_BYTES == 4 ? 9 : 17;
   FILE *file = fopen(name, "w");
-  if (file == NULL) return hil_complain(HIL_STOPPED, "%s: cannot write", name);
+  if (file == NULL) return hil_message(HIL_STOPPED, "%s: cannot write", name);
   (void)fputs("step,r,v,omega,mode,omega0,torque,effect\n", file);
   for (size_t i = 0; i < board->count; i++) {
     const hil_sample_t *sample = &board->samples[i];
@@ -25,7 +25,7 @@ hil_code_t hil_write_csv(const hil_board_t *board, const char *name) {
   }
   const bool bad = ferror(file) != 0;
   if (fclose(file) != 0 || bad)
-    return hil_complain(HIL_STOPPED, "%s: cannot write", name);
+    return hil_message(HIL_STOPPED, "%s: cannot write", name);
   return HIL_EQUAL;
 }
 

@@ -118,7 +118,7 @@ hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
   judge_times(board, plan, verdict);
   if (tf_session_open(&twin.session, board->scene, &board->params,
                       board->seed) != TF_OK)
-    return hil_complain(HIL_REFUSED, "the scene cannot be started here");
+    return hil_message(HIL_REFUSED, "the scene cannot be started here");
   tf_session_t *session = &twin.session;
   while (session->state.tick <= plan->steps) {
     const uint64_t tick = session->state.tick;
@@ -129,8 +129,8 @@ hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
     const tf_input_t input = tf_session_input(session, board->scene);
     if (tf_step(&session->machine, &session->state, &input, &session->report) <
         0)
-      return hil_complain(HIL_REFUSED, "step %lu is refused",
-                          (unsigned long)tick);
+      return hil_message(HIL_REFUSED, "step %lu is refused",
+                         (unsigned long)tick);
   }
   verdict->end = session->state;
   if (verdict->compared > 0)

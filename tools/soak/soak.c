@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/host.h"
+#include "cli/host/host.h"
 #include "twofold.h"
 
 #define LEAST_STEPS 1000.0

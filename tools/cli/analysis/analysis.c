@@ -1,0 +1,213 @@
+// Command line and machine of the commands that examine a machine without
+// running it.
+
+#include "analysis.h"
+
+#include <string.h>
+
+#include "../setup/names.h"
+#include "../setup/scene.h"
+#include "../text/message.h"
+#include "../text/number.h"
+#include "../text/options.h"
+
+#define MOST_VALUES 1000000u // in one range
+
+static int read_number(const char *option, const char *whole, const char *text,
+                       tf_real_t *value) {
+  const char *why = "";
+  if (!cli_read_real(text, value, &why)) {
+    return cli_message(CLI_USAGE, "%s %s: '%s' %s", option, whole, text, why);
+  }
+  if (!(*value >= -TF_STATE_LIMIT && *value <= TF_STATE_LIMIT)) {
+    return cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g] %s", option,
+                       whole, option + 2, -(double)TF_STATE_LIMIT,
+                       (double)TF_STATE_LIMIT,
+                       strcmp(option, "--r") == 0 ? "m" : "rad/s");
+  }
+  return CLI_DONE;
+}
+
+// A:B:N into its three parts.
+static int read_grid(const char *option, const char *value,
+                     cli_range_t *range) {
+  char parts[3][CLI_REAL_ROOM];
+  const char *rest = value;
+  for (int i = 0; i < 3; i++) {
+    const size_t length = strcspn(rest, ":");
+    if (length >= CLI_REAL_ROOM || (rest[length] == ':') != (i < 2)) {
+      return cli_message(CLI_USAGE, "%s %s: expected A:B:N", option, value);
+    }
+    memcpy(parts[i], rest, length);
+    parts[i][length] = '\0';
+    rest += length + (i < 2 ? 1 : 0);
+  }
+  if (!cli_read_whole(parts[2], 1, MOST_VALUES, &range->count)) {
+    return cli_message(CLI_USAGE, "%s %s: N must be a whole number in [1, %u]",
+                       option, value, MOST_VALUES);
+  }
+  int code = read_number(option, value, parts[0], &range->from);
+  if (code == CLI_DONE) {
+    code = read_number(option, value, parts[1], &range->to);
+  }
+  if (code == CLI_DONE && range->count == 1 &&
+      (range->to > range->from || range->to < range->from)) {
+    code = cli_message(CLI_USAGE, "%s %s: one value cannot be both %s and %s",
+                       option, value, parts[0], parts[1]);
+  }
+  return code;
+}
+
+static int read_range(const cli_analysis_t *a, const cli_given_t *option,
+                      cli_range_t *range) {
+  const char *value = option->value;
+  range->text = value;
+  if (a->takes == CLI_TAKES_GRID) {
+    return read_grid(option->name, value, range);
+  }
+  range->count = 1;
+  const int code = read_number(option->name, value, value, &range->from);
+  range->to = range->from;
+  return code;
+}
+
+static int read_set(void *to, const cli_given_t *option) {
+  cli_analysis_t *a = to;
+  return cli_settings_add(&a->settings, option->name, option->value);
+}
+
+static int read_out(void *to, const cli_given_t *option) {
+  cli_analysis_t *a = to;
+  return cli_read_path(option, &a->out);
+}
+
+static int read_r(void *to, const cli_given_t *option) {
+  cli_analysis_t *a = to;
+  return read_range(a, option, &a->r);
+}
+
+static int read_omega(void *to, const cli_given_t *option) {
+  cli_analysis_t *a = to;
+  return read_range(a, option, &a->omega);
+}
+
+static int take(void *to, const char *word) {
+  cli_analysis_t *a = to;
+  return cli_take_scene(&a->scene, word);
+}
+
+// Those from FIRST_OF_POINT on belong to commands that take a point or a grid.
+static const cli_option_t options[] = {
+    {"--set", read_set, CLI_REPEATABLE},
+    {"--out", read_out, CLI_ONCE},
+    {"--r", read_r, CLI_ONCE},
+    {"--omega", read_omega, CLI_ONCE},
+};
+#define OPTIONS (sizeof options / sizeof options[0])
+#define FIRST_OF_POINT 2
+
+static int read_words(cli_analysis_t *a, int argc, char *const argv[]) {
+  const cli_syntax_t syntax = {
+      a->command, options,
+      a->takes == CLI_TAKES_NOTHING ? FIRST_OF_POINT : OPTIONS, take};
+  int code = cli_read_words(&syntax, a, argc, argv);
+  if (code == CLI_DONE) {
+    code = cli_need_scene(a->scene, a->command);
+  }
+  if (code == CLI_DONE && a->takes != CLI_TAKES_NOTHING &&
+      (a->r.text == NULL || a->omega.text == NULL)) {
+    const bool grid = a->takes == CLI_TAKES_GRID;
+    code = cli_message(CLI_USAGE, "%s: %s %s is missing", a->command,
+                       a->r.text == NULL ? "--r" : "--omega",
+                       grid                ? "A:B:N"
+                       : a->r.text == NULL ? "R"
+                                           : "W");
+  }
+  return code;
+}
+
+// Tells which settings have no effect because only `run` uses them, or because
+// the command computes their value itself.
+static void print_notes(const cli_analysis_t *a, bool finds_kappa) {
+  static const char *const unused[] = {
+      "kappa", "k2", "dt", "theta", "tolerance", "r", "v", "omega", "h", "phi"};
+  cli_setup_notes(&a->setup, "", "");
+  for (size_t i = finds_kappa ? 0 : 2; i < sizeof unused / sizeof unused[0];
+       i++) {
+    const cli_setting_t *setting = cli_settings_find(&a->settings, unused[i]);
+    if (setting != NULL) {
+      (void)cli_message(CLI_DONE, "note: %s %s has no effect: %s %s",
+                        setting->option, setting->text, a->command,
+                        i < 2 ? "finds it" : "does not run");
+    }
+  }
+}
+
+int cli_analysis_read(cli_analysis_t *a, const char *command, cli_takes_t takes,
+                      bool finds_kappa, int argc, char *const argv[]) {
+  memset(a, 0, sizeof *a);
+  a->command = command;
+  a->takes = takes;
+  int code = read_words(a, argc, argv);
+  if (code == CLI_DONE) {
+    code = cli_setup_read(&a->setup, a->scene, &a->settings, NULL);
+  }
+  if (code == CLI_DONE && finds_kappa && !(a->setup.params.kappa > 0) &&
+      cli_settings_find(&a->settings, "kappa") == NULL) {
+    a->setup.params.kappa = 1; // any value in its range
+  }
+  if (code == CLI_DONE) {
+    code = cli_setup_machine(&a->setup);
+  }
+  if (code == CLI_DONE) {
+    print_notes(a, finds_kappa);
+  }
+  return code;
+}
+
+cli_origin_t cli_analysis_origin(const cli_analysis_t *a, const char *name) {
+  const cli_setting_t *setting = cli_settings_find(&a->settings, name);
+  const cli_origin_t scene = {"scene", a->scene->name};
+  const cli_origin_t typed = {setting != NULL ? setting->option : "",
+                              setting != NULL ? setting->text : ""};
+  return setting != NULL ? typed : scene;
+}
+
+int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment) {
+  const tf_tyre_law_t law = a->setup.params.law;
+  const cli_origin_t origin = cli_analysis_origin(a, "law");
+  if (needs_moment ? law == TF_TYRE_JUMP : tf_tyre_is_set_valued(law)) {
+    return CLI_DONE;
+  }
+  return cli_message(CLI_REFUSED, "%s %s: %s needs law %s, not %s: %s",
+                     origin.option, origin.text, a->command,
+                     needs_moment ? "jump" : "jump or coulomb",
+                     cli_law_name(law),
+                     tf_tyre_is_set_valued(law) ? "stick has no moment under it"
+                                                : "it does not jump at h = 0");
+}
+
+int cli_analysis_refuse_mu(const cli_analysis_t *a) {
+  const cli_origin_t mu = cli_analysis_origin(a, "mu");
+  return cli_message(CLI_REFUSED, "%s %s: %s needs mu > 0", mu.option, mu.text,
+                     a->command);
+}
+
+int cli_analysis_refuse_gamma(const cli_analysis_t *a) {
+  const cli_origin_t gamma = cli_analysis_origin(a, "gamma");
+  return cli_message(
+      CLI_REFUSED,
+      "%s %s: %s needs |sin(gamma)| and |cos(gamma)| in [1e-06, 1], they are "
+      "%g and %g",
+      gamma.option, gamma.text, a->command, (double)a->setup.machine.sin_gamma,
+      (double)a->setup.machine.cos_gamma);
+}
+
+int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length) {
+  const int code = cli_output_begin(&a->output, "--out", a->out);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  (void)cli_output_lines(&a->output, text, length);
+  return cli_output_end(&a->output);
+}

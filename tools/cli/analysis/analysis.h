@@ -1,0 +1,63 @@
+/// @file
+/// What the commands share that examine a machine without running it:
+/// singularities, regions, design and atlas.
+#ifndef TWOFOLD_CLI_ANALYSIS_H
+#define TWOFOLD_CLI_ANALYSIS_H
+
+#include "../host/output.h"
+#include "../setup/setup.h"
+
+/// What a command takes as --r and --omega.
+typedef enum {
+  CLI_TAKES_NOTHING,
+  CLI_TAKES_POINT, ///< one number each
+  CLI_TAKES_GRID   ///< A:B:N each
+} cli_takes_t;
+
+/// A value, or N of them from A to B, both included.
+typedef struct {
+  const char *text; ///< as typed, NULL: not given
+  tf_real_t from, to;
+  uint64_t count;
+} cli_range_t;
+
+/// One of the commands, ready to compute and write.
+typedef struct {
+  const char *command;
+  cli_takes_t takes;
+  const tf_scene_t *scene;
+  cli_settings_t settings;
+  const char *out; ///< path, NULL: standard output
+  cli_range_t r, omega;
+  cli_setup_t setup; ///< machine and input at t = 0
+  cli_output_t output;
+} cli_analysis_t;
+
+/// Reads the command line and prepares the machine. finds_kappa: the command
+/// computes kappa, so a scene without kappa is not refused.
+/// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
+int cli_analysis_read(cli_analysis_t *a, const char *command, cli_takes_t takes,
+                      bool finds_kappa, int argc, char *const argv[]);
+
+/// Where a value came from: "--set NAME=VALUE" if it was set, otherwise "scene
+/// NAME".
+typedef struct {
+  const char *option, *text;
+} cli_origin_t;
+cli_origin_t cli_analysis_origin(const cli_analysis_t *a, const char *name);
+
+/// Refuses a law without a jump at h = 0, or (with needs_moment) one without a
+/// moment in stick.
+/// Returns: CLI_DONE, or CLI_REFUSED after a message.
+int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment);
+
+/// Refuses mu = 0, and a gamma whose sine or cosine nearly vanishes.
+/// Returns: CLI_REFUSED, after a message.
+int cli_analysis_refuse_mu(const cli_analysis_t *a);
+int cli_analysis_refuse_gamma(const cli_analysis_t *a);
+
+/// Writes one text and closes the output.
+/// Returns: CLI_DONE, or CLI_STOPPED after a message.
+int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length);
+
+#endif

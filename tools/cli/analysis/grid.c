@@ -1,0 +1,55 @@
+// A grid, row by row. Rows reach the file whole.
+
+#include "grid.h"
+
+#include <string.h>
+
+#include "../host/host.h"
+#include "../text/message.h"
+
+#define FLUSH_EVERY 0.2 // [s]
+
+static tf_real_t value_at(const cli_range_t *range, uint64_t i) {
+  if (i + 1 == range->count) {
+    return range->to;
+  }
+  const double share = (double)i / (double)(range->count - 1);
+  return (tf_real_t)((double)range->from +
+                     ((double)range->to - (double)range->from) * share);
+}
+
+// The rows of one r.
+static int write_line(cli_analysis_t *a, tf_real_t r, cli_grid_row_t row) {
+  char text[CLI_GRID_ROOM];
+  for (uint64_t j = 0; j < a->omega.count; j++) {
+    size_t length = 0;
+    if (cli_stop_asked()) {
+      return cli_message(CLI_STOPPED, "interrupted at r = %g m", (double)r);
+    }
+    const int code = row(a, r, value_at(&a->omega, j), text, &length);
+    if (code != CLI_DONE) {
+      return code;
+    }
+    if (!cli_output_lines(&a->output, text, length)) {
+      return CLI_STOPPED; // the message is that of cli_output_end
+    }
+    if (cli_now() - a->output.flushed >= FLUSH_EVERY) {
+      (void)cli_output_flush(&a->output);
+    }
+  }
+  return CLI_DONE;
+}
+
+int cli_analysis_grid(cli_analysis_t *a, const char *header,
+                      cli_grid_row_t row) {
+  int code = cli_output_begin(&a->output, "--out", a->out);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  (void)cli_output_lines(&a->output, header, strlen(header));
+  for (uint64_t i = 0; i < a->r.count && code == CLI_DONE; i++) {
+    code = write_line(a, value_at(&a->r, i), row);
+  }
+  const int closed = cli_output_end(&a->output);
+  return code != CLI_DONE ? code : closed;
+}

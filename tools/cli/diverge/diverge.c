@@ -1,0 +1,221 @@
+// The command `diverge`: many motions from the same state, sample by sample, each
+// through a number of cycles from the two-fold to the two-fold. The rows of a
+// cycle are written when it has ended, so that whatever ends the program leaves
+// complete cycles. Memory is that of a single sample.
+
+#include "diverge.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "../host/host.h"
+#include "../text/message.h"
+#include "exhaustive.h"
+#include "files.h"
+#include "lagged.h"
+#include "perturbed.h"
+#include "random.h"
+
+#define FLUSH_EVERY 0.5 // [s]
+#define LOG_EVERY 10.0  // [s] between lines where standard error is no terminal
+#define BATCH 4096      // steps between two checks for a signal
+
+static const cli_stepper_t *const steppers[CLI_MECHANISMS] = {
+    &cli_random_stepper, &cli_perturbed_stepper, &cli_perturbed_stepper,
+    &cli_lagged_stepper, &cli_lagged_stepper};
+
+typedef struct {
+  const cli_job_t *job;
+  cli_files_t *files;
+  cli_motion_t motion;
+  cli_tracker_t tracker;
+  uint64_t first, last; ///< samples of this shard
+  uint64_t done;        ///< samples that have ended
+  uint64_t cycles;      ///< cycles that have ended
+  uint64_t outcomes[CLI_OUTCOMES];
+  double started, shown, flushed;
+  bool one_line, stopped, unwritten;
+} work_t;
+
+static void show_progress(work_t *work, double now) {
+  const double samples = (double)(work->last - work->first);
+  (void)fprintf(stderr,
+                "%s%.0f of %.0f samples, %" PRIu64 " cycles, %" PRIu64
+                " returned, %.3g cycles/s%s",
+                work->one_line ? "\r" : "twofold: ", (double)work->done,
+                samples, work->cycles, work->outcomes[CLI_CYCLE_RETURNED],
+                (double)work->cycles / (now - work->started),
+                work->one_line ? "\033[K" : "\n");
+  (void)fflush(stderr);
+  work->shown = now;
+}
+
+static void check_clock(work_t *work) {
+  const double now = cli_now();
+  if (cli_stop_asked()) {
+    work->stopped = true;
+  }
+  if (now - work->shown > (work->one_line ? 0.5 : LOG_EVERY)) {
+    show_progress(work, now);
+  }
+  if (now - work->flushed > FLUSH_EVERY) {
+    work->unwritten = !cli_files_flush(work->files) || work->unwritten;
+    work->flushed = now;
+  }
+}
+
+// Follows one cycle. from_it: it starts at the two-fold.
+// Returns: whether it ended; otherwise a signal has asked for a stop.
+static bool follow(work_t *work, const cli_stepper_t *stepper, bool from_it) {
+  bool ended = from_it && stepper->pass != NULL && stepper->pass(&work->motion);
+  for (int i = 1; !ended; i++) {
+    if (i % BATCH == 0) {
+      check_clock(work);
+      if (work->stopped) {
+        return false;
+      }
+    }
+    ended = stepper->advance(&work->motion);
+  }
+  return true;
+}
+
+// Time within the band that counts as on the surface; none where there are modes.
+static double least_dwell(const cli_motion_t *motion) {
+  return motion->job->args->mechanism == CLI_BY_RANDOM
+             ? 0
+             : 4 * (double)motion->job->machine.dt /
+                   motion->job->args->refinement;
+}
+
+static bool do_sample(work_t *work, uint64_t sample) {
+  const cli_job_t *job = work->job;
+  const cli_stepper_t *stepper = steppers[job->args->mechanism];
+  cli_motion_t *motion = &work->motion;
+  work->tracker = cli_tracker_of(job);
+  motion->job = job;
+  motion->tracker = &work->tracker;
+  motion->draws.seed = job->args->seed;
+  motion->draws.sample = (uint32_t)sample;
+  motion->draws.used = 0;
+  motion->size = job->args->size;
+  if (job->args->spread > 1) {
+    motion->size *= pow(job->args->spread, -cli_draw_uniform(&motion->draws));
+  }
+  stepper->start(motion);
+  work->tracker.dwell = least_dwell(motion);
+  // Without `pass` the sample starts before the two-fold and arrives there first.
+  bool from_it = job->at_two_fold && stepper->pass != NULL;
+  if (job->at_two_fold && !from_it) {
+    if (!follow(work, stepper, false)) {
+      return false;
+    }
+    if (work->tracker.cycle.outcome == CLI_CYCLE_RETURNED) {
+      cli_track_next(&work->tracker);
+    }
+  }
+  for (uint64_t cycle = 1; cycle <= job->args->cycles; cycle++) {
+    if (!follow(work, stepper, from_it)) {
+      return false;
+    }
+    const cli_outcome_t outcome = work->tracker.cycle.outcome;
+    work->unwritten |=
+        !cli_files_put(work->files, sample, cycle, &work->tracker.cycle);
+    work->cycles++;
+    work->outcomes[outcome]++;
+    check_clock(work);
+    if (outcome != CLI_CYCLE_RETURNED) {
+      break;
+    }
+    if (work->stopped || work->unwritten) {
+      return false;
+    }
+    cli_track_next(&work->tracker);
+    from_it = true;
+  }
+  return true;
+}
+
+static void summarise(work_t *work, double now) {
+  if (work->one_line) {
+    (void)fputs("\r\033[K", stderr);
+  }
+  (void)fprintf(stderr,
+                "samples    %" PRIu64 " of %" PRIu64
+                ", by %s\ncycles     "
+                "%" PRIu64,
+                work->done, work->last - work->first,
+                cli_mechanisms[work->job->args->mechanism].name, work->cycles);
+  for (int i = 1; i < CLI_OUTCOMES; i++) {
+    if (work->outcomes[i] > 0) {
+      (void)fprintf(stderr, ", %s %" PRIu64, cli_outcome_name((cli_outcome_t)i),
+                    work->outcomes[i]);
+    }
+  }
+  (void)fprintf(
+      stderr, "\ncost       %.3g s, %.3g ms a cycle\n", now - work->started,
+      work->cycles > 0 ? 1e3 * (now - work->started) / (double)work->cycles
+                       : 0.0);
+}
+
+static int perform(work_t *work, const cli_diverge_args_t *args) {
+  work->first = args->samples / args->shards * (args->shard - 1);
+  const uint64_t rest = args->samples % args->shards;
+  work->first += args->shard - 1 < rest ? args->shard - 1 : rest;
+  work->last = work->first + args->samples / args->shards +
+               (args->shard - 1 < rest ? 1 : 0);
+  int code = cli_files_open(work->files, args);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  work->one_line = cli_is_terminal(STDERR_FILENO);
+  work->started = work->shown = work->flushed = cli_now();
+  for (uint64_t i = work->first; i < work->last; i++) {
+    if (!do_sample(work, i)) {
+      break;
+    }
+    work->done++;
+    if (work->stopped || work->unwritten) {
+      break;
+    }
+  }
+  code = cli_files_close(work->files);
+  summarise(work, cli_now());
+  if (work->stopped && code == CLI_DONE) {
+    code = cli_message(CLI_STOPPED,
+                       "stopped by a signal after %" PRIu64
+                       " samples; what has ended is written",
+                       work->done);
+  }
+  return code;
+}
+
+int cli_diverge(int argc, char *const argv[]) {
+  static cli_diverge_args_t args;
+  static cli_job_t job;
+  int code = cli_diverge_args(&args, argc, argv);
+  if (code == CLI_DONE) {
+    code = cli_job_prepare(&job, &args);
+  }
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (args.exhaustive) {
+    return cli_exhaustive(&job);
+  }
+  work_t *work = calloc(1, sizeof *work);
+  cli_files_t *files = calloc(1, sizeof *files);
+  if (work == NULL || files == NULL) {
+    code = cli_message(CLI_STOPPED, "out of memory");
+  } else {
+    work->job = &job;
+    work->files = files;
+    code = perform(work, &args);
+  }
+  free(files);
+  free(work);
+  return code;
+}

@@ -1,0 +1,213 @@
+// All motions that can follow a state, as a graph bounded by depth and count.
+//
+// A node is a state with several consistent modes: the two-fold, a point with
+// h = g = 0, or a start that was typed. A branch leaves a node and ends at
+// another one, or elsewhere. From h = g = 0 one branch leaves in each mode of
+// the set. An escaping stick can be left at any time and to either side; it is
+// left at multiples of the grid, as long as the stick lasts. Branches that end
+// at the same node join: there is only one two-fold, and two points with
+// h = g = 0 are the same if their r agree to within JOIN. Nodes are visited in
+// the order in which they were found (breadth first), so depth is the least
+// number of branches from the start.
+
+#include "exhaustive.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "../host/host.h"
+#include "../host/output.h"
+#include "../text/message.h"
+#include "../text/number.h"
+#include "random.h"
+#include "rows.h"
+
+#define JOIN 1e-6 // [m]
+
+typedef struct {
+  tf_state_t state;
+  unsigned set;
+  uint64_t depth;
+  bool two_fold;
+} node_t;
+
+typedef struct {
+  const cli_job_t *job;
+  cli_output_t *output;
+  node_t *nodes; ///< args->count of them at most
+  uint64_t used, branches, joined, dropped;
+  cli_motion_t motion;
+  cli_tracker_t tracker;
+  bool unwritten;
+} search_t;
+
+static const char header[] =
+    "node,depth,kind,r,omega,mode,stick_time,exit_r,exit_omega,end,to,time,"
+    "end_r,landing_r,windings\n";
+
+// Index of a node: of a known one, or of a new one, or UINT64_MAX if there is no
+// room for it.
+static uint64_t node_at(search_t *search, const node_t *node) {
+  for (uint64_t i = 0; i < search->used; i++) {
+    const node_t *known = &search->nodes[i];
+    const bool same =
+        node->two_fold
+            ? known->two_fold
+            : !known->two_fold && known->state.mode == node->state.mode &&
+                  fabs((double)known->state.r - (double)node->state.r) < JOIN;
+    if (same) {
+      search->joined++;
+      return i;
+    }
+  }
+  if (search->used == search->job->args->count) {
+    search->dropped++;
+    return UINT64_MAX;
+  }
+  search->nodes[search->used] = *node;
+  return search->used++;
+}
+
+// Follows one branch from the state that the motion was put into.
+static void follow(search_t *search, const node_t *from, uint64_t index,
+                   unsigned mode, double stick_time) {
+  cli_motion_t *motion = &search->motion;
+  char row[CLI_DIVERGE_ROW];
+  char to[CLI_REAL_ROOM] = "";
+  node_t next = {.depth = from->depth + 1};
+  search->tracker = cli_tracker_of(search->job);
+  const tf_state_t left = motion->state;
+  const cli_branch_t end = cli_random_branch(motion, mode, &next.set);
+  const char *name = "unfinished";
+  uint64_t found = UINT64_MAX;
+  next.state = motion->state;
+  if (end == CLI_BRANCH_TWO_FOLD) {
+    name = "two-fold";
+    next.two_fold = true;
+    found = node_at(search, &next);
+  } else if (end == CLI_BRANCH_CODIM2) {
+    name = "corner";
+    found = node_at(search, &next);
+  } else if (end == CLI_BRANCH_ESCAPING) {
+    name = "escaping";
+  } else if (motion->state.mode == TF_PINNED) {
+    name = "pinned";
+  }
+  if (found != UINT64_MAX) {
+    (void)snprintf(to, sizeof to, "%" PRIu64, found);
+  }
+  const cli_cycle_t *cycle = &search->tracker.cycle;
+  char landing[CLI_REAL_ROOM] = "";
+  if (cycle->landed) {
+    (void)snprintf(landing, sizeof landing, "%.12g", cycle->land_r);
+  }
+  const int length =
+      snprintf(row, sizeof row,
+               "%" PRIu64 ",%" PRIu64
+               ",%s,%.12g,%.12g,%s,%.6g,%.12g,%.12g,%s,%s,%.9g,"
+               "%.12g,%s,%" PRIu64 "\n",
+               index, from->depth, from->two_fold ? "two-fold" : "corner",
+               (double)from->state.r, (double)from->state.w, tf_mode_name(mode),
+               stick_time, (double)left.r, (double)left.w, name, to, motion->t,
+               (double)motion->state.r, landing, cycle->windings);
+  search->branches++;
+  if (!cli_output_lines(search->output, row, (size_t)length)) {
+    search->unwritten = true;
+  }
+}
+
+// All branches that leave the canard.
+static void off_two_fold(search_t *search, const node_t *node, uint64_t index) {
+  const cli_job_t *job = search->job;
+  double reached = 0;
+  for (uint64_t i = 1; !search->unwritten && !cli_stop_asked(); i++) {
+    const double t = (double)i * job->args->grid;
+    cli_point_t at;
+    if (t > job->args->patience ||
+        !cli_canard_after(&job->canard, t, &at, &reached)) {
+      break;
+    }
+    for (unsigned mode = TF_SLIP_PLUS; mode <= TF_SLIP_MINUS; mode++) {
+      search->motion.state = cli_state_at(&job->machine, at);
+      follow(search, node, index, mode, t);
+    }
+  }
+}
+
+static void off_codim2(search_t *search, const node_t *node, uint64_t index) {
+  for (unsigned mode = 0; mode < TF_MODES; mode++) {
+    if ((node->set & TF_MODE_BIT(mode)) != 0 && !search->unwritten &&
+        !cli_stop_asked()) {
+      search->motion.state = node->state;
+      follow(search, node, index, mode, 0);
+    }
+  }
+}
+
+static int visit_all(search_t *search) {
+  const cli_job_t *job = search->job;
+  node_t first = {.set = 0, .two_fold = job->at_two_fold};
+  if (job->at_two_fold) {
+    first.state = cli_state_at(
+        &job->machine,
+        cli_point_on_surface(&job->machine, job->canard.r, job->canard.z));
+  } else {
+    first.state = job->setup.state;
+    first.set = job->setup.report.set;
+  }
+  search->motion.job = job;
+  search->motion.tracker = &search->tracker;
+  search->motion.long_steps = job->machine;
+  (void)node_at(search, &first);
+  for (uint64_t i = 0; i < search->used; i++) {
+    const node_t node = search->nodes[i];
+    if (search->unwritten || cli_stop_asked()) {
+      break;
+    }
+    if (node.depth >= job->args->depth) {
+      continue;
+    }
+    if (node.two_fold) {
+      off_two_fold(search, &node, i);
+    } else {
+      off_codim2(search, &node, i);
+    }
+  }
+  (void)fprintf(
+      stderr,
+      "nodes      %" PRIu64 "\nbranches   %" PRIu64 ", of which %" PRIu64
+      " joined a known node, %" PRIu64 " found no room (--count)\n",
+      search->used, search->branches, search->joined, search->dropped);
+  return CLI_DONE;
+}
+
+int cli_exhaustive(const cli_job_t *job) {
+  search_t search = {.job = job};
+  cli_output_t *output = calloc(1, sizeof *output);
+  search.output = output;
+  search.nodes = calloc((size_t)job->args->count, sizeof *search.nodes);
+  int code = CLI_DONE;
+  if (output == NULL || search.nodes == NULL) {
+    code = cli_message(CLI_STOPPED, "out of memory");
+  } else if (!cli_output_open(output, job->args->branches)) {
+    code = cli_message(CLI_STOPPED, "--branches %s: cannot be written: %s",
+                       job->args->branches, cli_output_reason(output));
+  } else {
+    cli_catch_signals();
+    (void)cli_output_lines(output, header, sizeof header - 1);
+    code = visit_all(&search);
+    const int closed = cli_output_end(output);
+    if (closed != CLI_DONE) {
+      code = closed;
+    } else if (cli_stop_asked()) {
+      code = cli_message(CLI_STOPPED,
+                         "stopped by a signal; the branches that "
+                         "have ended are written");
+    }
+  }
+  free(search.nodes);
+  free(output);
+  return code;
+}

@@ -1,0 +1,30 @@
+/// @file
+/// The two files of `diverge`: --exits and --returns.
+#ifndef TWOFOLD_CLI_FILES_H
+#define TWOFOLD_CLI_FILES_H
+
+#include "../host/output.h"
+#include "diverge_args.h"
+#include "tracker.h"
+
+typedef struct {
+  cli_output_t exits, returns;
+  bool has_exits, has_returns;
+} cli_files_t;
+
+/// Opens both.
+/// Returns: CLI_DONE; after a message CLI_STOPPED, and no new file is left.
+int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args);
+
+/// Writes the rows of a cycle.
+/// Returns: whether everything so far could be written.
+bool cli_files_put(cli_files_t *files, uint64_t sample, uint64_t cycle,
+                   const cli_cycle_t *what);
+
+/// Hands everything to the operating system. Returns: as cli_files_put.
+bool cli_files_flush(cli_files_t *files);
+
+/// Closes both. Returns: CLI_DONE, or CLI_STOPPED after a message.
+int cli_files_close(cli_files_t *files);
+
+#endif

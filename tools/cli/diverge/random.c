@@ -1,0 +1,305 @@
+// Motions that take a random exit where several modes are consistent. Between
+// two draws they are stepped by tf_step_located.
+//
+// Draws are made at the two-fold, where stick goes on for an exponentially
+// distributed time and then slips to either side with equal probability; in any
+// other escaping stick, in the same way; at h = g = 0 where several modes are
+// consistent; and while the wheel is pinned. The rule of the machine (`random`
+// at the rate 0, or `persist`) never leaves such a state, so that all of these
+// choices are made here. --corner decides what is done at h = g = 0.
+
+#include "random.h"
+
+#include <math.h>
+
+#define SHORTEST 2e-9 // [s], to which the time of h = g = 0 is bisected
+#define OFF 1e-5      // [s], length of the first step away from it
+// |h| + |g| at h = g = 0 is below this many tolerances of a velocity.
+#define CODIM2_TOLERANCES 4096
+#define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
+
+static bool is_stick(unsigned mode) {
+  return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
+}
+
+static cli_instant_t instant(const cli_motion_t *motion) {
+  const cli_point_t at = cli_point_of(&motion->job->machine, &motion->state);
+  const tf_slip_t slip = cli_slip_at(&motion->job->machine, at);
+  const cli_instant_t now = {.t = motion->t,
+                             .at = at,
+                             .h = (double)slip.h,
+                             .g = (double)slip.g,
+                             .on = motion->state.mode > TF_SLIP_MINUS,
+                             .pinned = motion->state.mode == TF_PINNED};
+  return now;
+}
+
+static double draw_time(cli_motion_t *motion) {
+  const double rate = motion->job->rate;
+  const double u = cli_draw_uniform(&motion->draws);
+  return rate > 0 ? -log(u) / rate : (double)INFINITY;
+}
+
+static unsigned draw_of(cli_motion_t *motion, unsigned set) {
+  unsigned modes[TF_MODES];
+  unsigned n = 0;
+  for (unsigned mode = 0; mode < TF_MODES; mode++) {
+    if ((set & TF_MODE_BIT(mode)) != 0) {
+      modes[n++] = mode;
+    }
+  }
+  if (n < 2) {
+    return n == 0 ? TF_MODES : modes[0];
+  }
+  return modes[(unsigned)(cli_draw_uniform(&motion->draws) * n) % n];
+}
+
+// Leaves an escaping stick for slip, to a random side.
+static bool leave_stick(cli_motion_t *motion, bool released) {
+  motion->state.mode = (uint8_t)draw_of(motion, SLIPS);
+  motion->wait = -1;
+  cli_instant_t now = instant(motion);
+  now.on = false;
+  now.released = released;
+  now.h = motion->state.mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
+  return cli_track(motion->tracker, &now);
+}
+
+// From the two-fold along the canard, then slip to a random side.
+static bool pass_two_fold(cli_motion_t *motion) {
+  const cli_job_t *job = motion->job;
+  cli_point_t at;
+  double reached = 0;
+  const double stay = draw_time(motion);
+  const bool escaping = cli_canard_after(&job->canard, stay, &at, &reached);
+  const double limit = motion->tracker->patience;
+  reached = reached < limit ? reached : limit;
+  motion->t += reached;
+  motion->state = cli_state_at(&job->machine, at);
+  motion->state.mode = job->canard.s < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
+  const cli_instant_t on = instant(motion);
+  return cli_track(motion->tracker, &on) || leave_stick(motion, !escaping);
+}
+
+static void start(cli_motion_t *motion) {
+  const cli_job_t *job = motion->job;
+  motion->long_steps = job->machine;
+  cli_prepare_near(motion, &job->params);
+  motion->wait = -1;
+  motion->t = 0;
+  if (!job->at_two_fold) {
+    motion->state = job->setup.state;
+    const cli_instant_t now = instant(motion);
+    cli_track_start(motion->tracker, &now);
+    return;
+  }
+  motion->state = cli_state_at(
+      &job->machine,
+      cli_point_on_surface(&job->machine, job->canard.r, job->canard.z));
+  motion->state.mode = job->canard.s < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
+  const cli_instant_t now = instant(motion);
+  cli_track_start(motion->tracker, &now);
+}
+
+static tf_status_t step(cli_motion_t *motion, const tf_machine_t *machine) {
+  const tf_input_t input = tf_input_default(machine);
+  return tf_step_located(machine, &motion->state, &input, &motion->report);
+}
+
+// A step of another length.
+static bool step_of(cli_motion_t *motion, double dt) {
+  tf_machine_t machine;
+  tf_params_t params = motion->job->params;
+  params.dt = (tf_real_t)dt;
+  return tf_prepare(&machine, &params, NULL) == TF_OK &&
+         step(motion, &machine) >= 0;
+}
+
+// Whether the motion was at h = g = 0, with several consistent modes, within the
+// last step, which began at `from`. If so it is put there; set gets the modes.
+static bool was_at_codim2(cli_motion_t *motion, const tf_state_t *from,
+                          double length, unsigned *set) {
+  const tf_machine_t *k = &motion->job->machine;
+  const cli_motion_t after = *motion;
+  double passed = 0;
+  *set = 0;
+  if (motion->report.choices < 2) {
+    return false;
+  }
+  motion->state = *from;
+  while (length > SHORTEST) {
+    const tf_state_t before = motion->state;
+    length /= 2;
+    if (!step_of(motion, length)) {
+      break;
+    }
+    if (motion->report.choices > 1) {
+      *set = motion->report.set;
+      motion->state = before;
+    } else {
+      passed += length;
+    }
+  }
+  const cli_instant_t now = instant(motion);
+  const double speed =
+      fabs((double)motion->state.v) + fabs((double)motion->state.w);
+  // Short steps may miss h = g = 0 where the long one hit it.
+  if (*set == 0 || length > SHORTEST ||
+      fabs(now.h) + fabs(now.g) >
+          CODIM2_TOLERANCES * (double)k->tolerance * speed) {
+    *motion = after;
+    return false;
+  }
+  const cli_point_t at = {now.at.r, 0, 0};
+  motion->state = cli_state_at(k, at);
+  motion->state.mode = TF_PINNED;
+  motion->t += passed;
+  return true;
+}
+
+// Leaves h = g = 0 in a mode by a short step, so that the next step does not
+// count as another arrival there.
+static bool leave_codim2(cli_motion_t *motion, unsigned mode) {
+  motion->state.mode = (uint8_t)mode;
+  motion->wait = -1;
+  if (mode != TF_PINNED) {
+    if (!step_of(motion, OFF)) {
+      return cli_refuse_cycle(motion);
+    }
+    motion->t += OFF;
+  }
+  const cli_instant_t now = instant(motion);
+  return cli_track(motion->tracker, &now);
+}
+
+static bool at_codim2(cli_motion_t *motion, unsigned set) {
+  cli_instant_t now = instant(motion);
+  now.on = false;
+  return cli_track(motion->tracker, &now) ||
+         leave_codim2(motion, draw_of(motion, set));
+}
+
+// Leaves h = g = 0 after a pinned wheel has waited, in one of the other modes
+// that a short step finds consistent.
+static bool leave_pinned(cli_motion_t *motion) {
+  const tf_state_t pinned = motion->state;
+  unsigned set = 0;
+  if (step_of(motion, OFF)) {
+    set = motion->report.set & ~TF_MODE_BIT(TF_PINNED);
+  }
+  motion->state = pinned;
+  return leave_codim2(motion, set != 0 ? draw_of(motion, set) : TF_PINNED);
+}
+
+static bool is_escaping_stick(const cli_motion_t *motion) {
+  const unsigned mode = motion->state.mode;
+  const double side = mode == TF_STICK_MINUS ? -1 : 1;
+  return is_stick(mode) &&
+         cli_delassus(&motion->job->machine, (double)motion->state.r, side) < 0;
+}
+
+// Ends the wait of an escaping stick or a pinned wheel within this step.
+static bool end_wait(cli_motion_t *motion) {
+  const unsigned mode = motion->state.mode;
+  if (motion->wait > SHORTEST && !step_of(motion, motion->wait)) {
+    return cli_refuse_cycle(motion);
+  }
+  motion->t += motion->wait;
+  motion->wait = -1;
+  const cli_instant_t now = instant(motion);
+  if (cli_track(motion->tracker, &now) || motion->state.mode != mode) {
+    return motion->tracker->cycle.outcome != CLI_CYCLE_OPEN;
+  }
+  return mode == TF_PINNED ? leave_pinned(motion) : leave_stick(motion, false);
+}
+
+// Passes the state after a step to the tracker. If stick passed the two-fold and
+// ended within the same step, it ended after the two-fold.
+static bool track(cli_motion_t *motion, const tf_state_t *from) {
+  const cli_instant_t *before = &motion->tracker->last;
+  cli_instant_t now = instant(motion);
+  const double side = from->mode == TF_STICK_MINUS ? -1 : 1;
+  const tf_machine_t *k = &motion->job->machine;
+  const unsigned through = SLIPS | TF_MODE_BIT(from->mode);
+  if (is_stick(from->mode) && motion->report.set == through &&
+      cli_delassus(k, before->at.r, side) > 0 &&
+      cli_delassus(k, now.at.r, side) < 0) {
+    now.on = true;
+    now.g = before->g;
+  }
+  if (!cli_track(motion->tracker, &now)) {
+    return false;
+  }
+  if (motion->tracker->cycle.outcome == CLI_CYCLE_RETURNED) {
+    motion->t = motion->tracker->cycle.ended;
+    motion->wait = -1;
+  }
+  return true;
+}
+
+static bool advance(cli_motion_t *motion) {
+  const cli_job_t *job = motion->job;
+  // Windings are counted by changes of the sign of h, which need short steps.
+  const tf_machine_t *k = motion->state.mode <= TF_SLIP_MINUS
+                              ? &motion->short_steps
+                              : &motion->long_steps;
+  const double dt = (double)k->dt;
+  const tf_state_t from = motion->state;
+  const bool waiting = from.mode == TF_PINNED || is_escaping_stick(motion);
+  unsigned set = 0;
+  if (waiting && motion->wait < 0) {
+    motion->wait = draw_time(motion);
+  }
+  if (waiting && motion->wait <= dt) {
+    return end_wait(motion);
+  }
+  if (step(motion, k) < 0) {
+    return cli_refuse_cycle(motion);
+  }
+  if (waiting) {
+    motion->wait = motion->state.mode == from.mode ? motion->wait - dt : -1;
+  } else if (job->args->codim2 == CLI_CODIM2_EVEN &&
+             was_at_codim2(motion, &from, dt, &set)) {
+    return at_codim2(motion, set);
+  }
+  motion->t += dt;
+  return track(motion, &from);
+}
+
+cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
+                               unsigned *set) {
+  const double dt = (double)motion->job->machine.dt;
+  motion->t = 0;
+  motion->wait = -1;
+  motion->state.mode = (uint8_t)mode;
+  cli_instant_t now = instant(motion);
+  cli_track_start(motion->tracker, &now);
+  if (mode <= TF_SLIP_MINUS) {
+    motion->tracker->last.on = true;
+    now.h = mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
+    (void)cli_track(motion->tracker, &now);
+  }
+  if (!step_of(motion, OFF)) {
+    return CLI_BRANCH_TIME;
+  }
+  motion->t += OFF;
+  while (motion->state.mode != TF_PINNED && !is_escaping_stick(motion)) {
+    const tf_state_t from = motion->state;
+    if (step(motion, &motion->long_steps) < 0) {
+      return CLI_BRANCH_TIME;
+    }
+    if (was_at_codim2(motion, &from, dt, set)) {
+      return CLI_BRANCH_CODIM2;
+    }
+    motion->t += dt;
+    if (track(motion, &from)) {
+      return motion->tracker->cycle.outcome == CLI_CYCLE_RETURNED
+                 ? CLI_BRANCH_TWO_FOLD
+                 : CLI_BRANCH_TIME;
+    }
+  }
+  return motion->state.mode == TF_PINNED ? CLI_BRANCH_TIME
+                                         : CLI_BRANCH_ESCAPING;
+}
+
+const cli_stepper_t cli_random_stepper = {start, advance, pass_two_fold};

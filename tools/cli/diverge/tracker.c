@@ -1,0 +1,204 @@
+// What happens between one arrival at the two-fold and the next, determined from
+// instants of a motion, in the same way for all mechanisms.
+//
+// "On the surface" means stick if the stepper has modes, otherwise |h| within a
+// band for the dwell time. The phase of the outgoing spiral is the fraction of
+// a winding, from one change from slip- to slip+ to the next, that is completed
+// when r passes the section. It tells where on the spiral the motion is, and
+// does not depend on how the exit is defined.
+
+#include "tracker.h"
+
+#include <math.h>
+
+// A motion that lands this often without coming back is in a small cycle.
+#define SMALL_LANDINGS 3
+
+const char *cli_outcome_name(cli_outcome_t outcome) {
+  static const char *const names[CLI_OUTCOMES] = {
+      "open", "returned", "small_cycle", "pinned", "timeout", "refused"};
+  return names[outcome];
+}
+
+// Whether g has the sign that it has at the two-fold.
+static bool two_fold_side(const cli_tracker_t *tracker, double g) {
+  return tracker->two_fold->g < 0 ? g < 0 : g > 0;
+}
+
+static void begin_cycle(cli_tracker_t *tracker, double t) {
+  const cli_cycle_t fresh = {.arrived = t, .phase = -1};
+  tracker->cycle = fresh;
+  tracker->upper = false;
+  tracker->up_last = -1;
+  tracker->section_t = -1;
+}
+
+void cli_track_start(cli_tracker_t *tracker, const cli_instant_t *at) {
+  begin_cycle(tracker, at->t);
+  tracker->before = tracker->last = *at;
+  tracker->slip_side = 0;
+  tracker->on_since = at->t;
+}
+
+void cli_track_next(cli_tracker_t *tracker) {
+  begin_cycle(tracker, tracker->cycle.ended);
+}
+
+// When r passes a value between two instants: bisection of the cubic that has r
+// and v of both.
+static double passage(const cli_tracker_t *tracker, const cli_instant_t *a,
+                      const cli_instant_t *b, double r) {
+  const double d = (double)tracker->machine->d;
+  const double dt = b->t - a->t;
+  const double va = (a->at.p + d * a->at.z) * dt;
+  const double vb = (b->at.p + d * b->at.z) * dt;
+  const double rise = b->at.r - a->at.r;
+  const bool down = a->at.r > r;
+  double low = 0, high = 1;
+  for (int i = 0; i < 50; i++) {
+    const double x = (low + high) / 2, y = 1 - x;
+    const double at =
+        a->at.r + rise * x * x * (3 - 2 * x) + x * y * (va * y - vb * x);
+    if ((at > r) == down) {
+      low = x;
+    } else {
+      high = x;
+    }
+  }
+  return a->t + dt * (low + high) / 2;
+}
+
+static bool has_arrived(cli_tracker_t *tracker, const cli_instant_t *at) {
+  const cli_instant_t *last = &tracker->last;
+  const double side = tracker->two_fold->g;
+  const tf_machine_t *k = tracker->machine;
+  if (!isfinite(tracker->two_fold->r) || !last->on || !at->on ||
+      !two_fold_side(tracker, last->g) || !two_fold_side(tracker, at->g) ||
+      at->t - tracker->on_since < tracker->dwell) {
+    return false;
+  }
+  if (!(cli_delassus(k, last->at.r, side) > 0 &&
+        cli_delassus(k, at->at.r, side) <= 0)) {
+    return false;
+  }
+  tracker->cycle.ended = passage(tracker, last, at, tracker->two_fold->r);
+  tracker->cycle.outcome = CLI_CYCLE_RETURNED;
+  return true;
+}
+
+static void watch_exit(cli_tracker_t *tracker, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &tracker->cycle;
+  const cli_instant_t *last = &tracker->last;
+  if (cycle->left || !last->on || at->on) {
+    return;
+  }
+  cycle->left = true;
+  cycle->released = at->released;
+  cycle->exit_t = last->t;
+  cycle->exit_r = last->at.r;
+  cycle->exit_omega = last->at.z + (double)tracker->machine->omega0;
+  cycle->exit_g = last->g;
+  cycle->side = at->h < 0 ? -1 : 1;
+  tracker->slip_side = cycle->side;
+}
+
+// When h changed its sign between two instants, by linear interpolation.
+static double crossing(const cli_instant_t *a, const cli_instant_t *b) {
+  if ((a->h < 0) == (b->h < 0) || a->h == b->h) {
+    return a->t;
+  }
+  return a->t - (b->t - a->t) * a->h / (b->h - a->h);
+}
+
+static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &tracker->cycle;
+  const cli_instant_t *last = &tracker->last;
+  const double section =
+      tracker->two_fold->r + copysign(tracker->section, tracker->two_fold->v);
+  if (!cycle->left || cycle->landed) {
+    return;
+  }
+  if ((last->at.r > section) != (at->at.r > section) &&
+      tracker->section_t < 0 && cycle->phase < 0) {
+    tracker->section_t = passage(tracker, last, at, section);
+  }
+  if (at->on) {
+    return;
+  }
+  const int side = at->h < 0 ? -1 : 1;
+  if (side == tracker->slip_side) {
+    return;
+  }
+  cycle->windings++;
+  tracker->slip_side = side;
+  if (side < 0) {
+    return;
+  }
+  const double up = crossing(last, at);
+  if (tracker->section_t >= 0 && cycle->phase < 0 && tracker->up_last >= 0 &&
+      tracker->up_last <= tracker->section_t && tracker->section_t <= up) {
+    cycle->phase =
+        (tracker->section_t - tracker->up_last) / (up - tracker->up_last);
+    cycle->section_t = tracker->section_t;
+  }
+  tracker->up_last = up;
+}
+
+// When and where h became 0 between two instants, the first of which is in slip:
+// extrapolated from the slope of h before them.
+static void reach_surface(cli_tracker_t *tracker, const cli_instant_t *at) {
+  const cli_instant_t *last = &tracker->last, *before = &tracker->before;
+  const double v = last->at.p + (double)tracker->machine->d * last->at.z;
+  const double fall = (before->h - last->h) / (last->t - before->t);
+  double dt = at->t - last->t;
+  tracker->on_since = at->t;
+  tracker->on_r = at->at.r;
+  if (!before->on && before->t < last->t && before->h * last->h > 0 &&
+      last->h / fall > 0) {
+    dt = fmin(dt, last->h / fall);
+    tracker->on_since = last->t + dt;
+    tracker->on_r = last->at.r + v * dt;
+  }
+}
+
+static void watch_landing(cli_tracker_t *tracker, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &tracker->cycle;
+  if (at->on && !tracker->last.on) {
+    reach_surface(tracker, at);
+  }
+  if (!at->on) {
+    tracker->upper = false;
+    return;
+  }
+  if (tracker->upper || at->g == 0 || two_fold_side(tracker, at->g) ||
+      at->pinned || at->t - tracker->on_since < tracker->dwell) {
+    return;
+  }
+  tracker->upper = true;
+  cycle->landings++;
+  if (!cycle->landed) {
+    cycle->landed = true;
+    cycle->land_t = tracker->on_since;
+    cycle->land_r = tracker->on_r;
+  }
+}
+
+bool cli_track(cli_tracker_t *tracker, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &tracker->cycle;
+  bool ended = has_arrived(tracker, at);
+  if (!ended) {
+    watch_exit(tracker, at);
+    watch_windings(tracker, at);
+    watch_landing(tracker, at);
+    if (at->t - cycle->arrived > tracker->patience) {
+      cycle->ended = at->t;
+      cycle->outcome = at->pinned                          ? CLI_CYCLE_PINNED
+                       : cycle->landings >= SMALL_LANDINGS ? CLI_CYCLE_SMALL
+                                                           : CLI_CYCLE_TIMEOUT;
+      ended = true;
+    }
+  }
+  tracker->before = tracker->last;
+  tracker->last = *at;
+  return ended;
+}

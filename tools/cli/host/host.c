@@ -1,0 +1,82 @@
+// Clock, descriptors and signals. A simulation may run for hours and be stopped
+// by hand. It then finishes its step and writes its last row, so a signal only
+// sets a flag. The handler resets itself: a second signal ends the program at
+// once, in case it is blocked by a reader that never reads. The two signals are
+// caught even where the parent ignores them, as shells do for background jobs,
+// because it must be possible to stop a run that has no end of its own.
+
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+
+#include "host.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <signal.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+static volatile sig_atomic_t stop_asked = 0;
+
+static void ask_for_stop(int number) {
+  (void)number;
+  stop_asked = 1;
+}
+
+double cli_now(void) {
+  struct timespec now = {0, 0};
+  (void)clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+void cli_sleep(int milliseconds) {
+  const struct timespec wait = {milliseconds / 1000,
+                                (long)(milliseconds % 1000) * 1000000L};
+  (void)nanosleep(&wait, NULL);
+}
+
+// The wait is to an absolute time, so that waking up late once does not delay
+// the waits that follow.
+void cli_wait_until(double time) {
+  const double whole = floor(time);
+  const struct timespec until = {(time_t)whole, (long)((time - whole) * 1e9)};
+  while (!cli_stop_asked() && clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME,
+                                              &until, NULL) == EINTR) {
+  }
+}
+
+bool cli_is_terminal(int descriptor) { return isatty(descriptor) == 1; }
+
+void cli_guard_descriptors(void) {
+  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO;
+       descriptor++) {
+    if (fcntl(descriptor, F_GETFD) == -1) {
+      // The lowest free number is the closed one; writing to it fails, because
+      // it is opened for reading only.
+      (void)open("/dev/null", O_RDONLY);
+    }
+  }
+}
+
+static void set_handler(int number, void (*handler)(int), int flags) {
+  struct sigaction action;
+  memset(&action, 0, sizeof action);
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  (void)sigemptyset(&action.sa_mask);
+  (void)sigaction(number, &action, NULL);
+}
+
+void cli_catch_signals(void) {
+  set_handler(SIGINT, ask_for_stop, (int)SA_RESETHAND);
+  set_handler(SIGTERM, ask_for_stop, (int)SA_RESETHAND);
+  set_handler(SIGPIPE, SIG_IGN, 0);
+#ifdef SIGXFSZ
+  set_handler(SIGXFSZ, SIG_IGN, 0);
+#endif
+}
+
+bool cli_stop_asked(void) { return stop_asked != 0; }

@@ -1,0 +1,32 @@
+/// @file
+/// What the program needs of POSIX: a monotonic clock, signals that ask for a
+/// stop, and standard descriptors that are safe to use.
+#ifndef TWOFOLD_CLI_HOST_H
+#define TWOFOLD_CLI_HOST_H
+
+#include <stdbool.h>
+
+/// Monotonic time in seconds.
+double cli_now(void);
+
+/// Waits; a signal ends the wait early.
+void cli_sleep(int milliseconds);
+
+/// Waits until cli_now() has reached a time; a request to stop ends it early.
+void cli_wait_until(double time);
+
+/// Whether a descriptor is a terminal.
+bool cli_is_terminal(int descriptor);
+
+/// Occupies closed standard descriptors, so that no opened file takes their
+/// number and receives messages; writing to them still fails.
+void cli_guard_descriptors(void);
+
+/// From now on SIGINT and SIGTERM ask for a stop (the second one kills), and a
+/// closed pipe or a full file quota is an error of write, not a signal.
+void cli_catch_signals(void);
+
+/// Whether a signal has asked for a stop.
+bool cli_stop_asked(void);
+
+#endif

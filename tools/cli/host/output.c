@@ -1,0 +1,137 @@
+// Rows on their way to a file. Every finished row reaches the file, whatever
+// ends the run, and no file ends in half a row: rows enter the buffer whole,
+// leave it in order, and where the system takes only part of them (a full disk)
+// the incomplete row is removed again from a regular file. stdio is not used,
+// because after a failed flush it does not tell how much has been written.
+
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+
+#include "output.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include "../text/message.h"
+#include "host.h"
+
+bool cli_output_open(cli_output_t *output, const char *path) {
+  output->error = 0;
+  output->used = 0;
+  output->last = '\n';
+  output->flushed = cli_now();
+  if (path == NULL || strcmp(path, "-") == 0) {
+    output->name = "standard output";
+    output->descriptor = STDOUT_FILENO;
+    return true;
+  }
+  output->name = path;
+  output->descriptor = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  if (output->descriptor < 0) {
+    output->error = errno;
+  }
+  return output->error == 0;
+}
+
+static bool is_regular(int descriptor) {
+  struct stat status;
+  return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+// Removes the bytes after the last whole line of what was written.
+static void drop_incomplete_row(const cli_output_t *output, size_t written) {
+  size_t whole = written;
+  while (whole > 0 && output->buffer[whole - 1] != output->last) {
+    whole--;
+  }
+  if (whole == written || !is_regular(output->descriptor)) {
+    return;
+  }
+  const off_t end = lseek(output->descriptor, 0, SEEK_CUR);
+  if (end >= (off_t)(written - whole)) {
+    // If this fails too, the first error is the one that is reported.
+    if (ftruncate(output->descriptor, end - (off_t)(written - whole)) != 0) {
+      return;
+    }
+  }
+}
+
+bool cli_output_flush(cli_output_t *output) {
+  size_t written = 0;
+  while (output->error == 0 && written < output->used) {
+    const ssize_t taken = write(output->descriptor, output->buffer + written,
+                                output->used - written);
+    if (taken > 0) {
+      written += (size_t)taken;
+    } else if (taken == 0) {
+      output->error = EIO;
+    } else if (errno == EAGAIN) {
+      // The reader made the pipe non-blocking: wait until it can take more.
+      struct pollfd ready = {output->descriptor, POLLOUT, 0};
+      (void)poll(&ready, 1, -1);
+    } else if (errno != EINTR) {
+      output->error = errno;
+    }
+  }
+  if (output->error != 0 && output->used > 0) {
+    drop_incomplete_row(output, written);
+  }
+  output->used = 0;
+  output->flushed = cli_now();
+  return output->error == 0;
+}
+
+bool cli_output_lines(cli_output_t *output, const char *lines, size_t length) {
+  if (length > CLI_OUTPUT_ROOM - output->used) {
+    (void)cli_output_flush(output);
+  }
+  if (output->error != 0) {
+    return false;
+  }
+  memcpy(output->buffer + output->used, lines, length);
+  output->used += length;
+  return true;
+}
+
+bool cli_output_close(cli_output_t *output) {
+  (void)cli_output_flush(output);
+  if (output->error == 0 && is_regular(output->descriptor) &&
+      fsync(output->descriptor) != 0 && errno != EINVAL && errno != EROFS) {
+    output->error = errno;
+  }
+  if (output->descriptor != STDOUT_FILENO && output->descriptor >= 0) {
+    if (close(output->descriptor) != 0 && output->error == 0) {
+      output->error = errno;
+    }
+  }
+  return output->error == 0;
+}
+
+const char *cli_output_reason(const cli_output_t *output) {
+  return output->error == EPIPE ? "closed by its reader"
+                                : strerror(output->error);
+}
+
+int cli_output_begin(cli_output_t *output, const char *option,
+                     const char *path) {
+  cli_catch_signals();
+  if (cli_output_open(output, path)) {
+    return CLI_DONE;
+  }
+  return cli_message(CLI_STOPPED, "%s %s: %s", option, path,
+                     cli_output_reason(output));
+}
+
+int cli_output_end(cli_output_t *output) {
+  if (cli_output_close(output)) {
+    return CLI_DONE;
+  }
+  return cli_message(CLI_STOPPED, "%s: %s", output->name,
+                     cli_output_reason(output));
+}

@@ -1,0 +1,49 @@
+/// @file
+/// Rows on their way to a file or to standard output, in whole lines.
+#ifndef TWOFOLD_CLI_OUTPUT_H
+#define TWOFOLD_CLI_OUTPUT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define CLI_OUTPUT_ROOM 65536
+typedef struct {
+  const char *name; ///< for messages
+  int descriptor;
+  int error;      ///< errno of the first failure, 0 while there was none
+  double flushed; ///< cli_now() of the last flush
+  char last;      ///< byte that ends a row: newline unless set otherwise
+  size_t used;
+  char buffer[CLI_OUTPUT_ROOM];
+} cli_output_t;
+
+/// Opens a file for writing, or standard output where path is NULL or "-".
+/// Returns: whether it is open; otherwise error is set.
+bool cli_output_open(cli_output_t *output, const char *path);
+
+/// Opens it for a command: from now on signals are caught as by
+/// cli_catch_signals. option: the option that gave the path, for the message.
+/// Returns: CLI_DONE, or CLI_STOPPED after a message.
+int cli_output_begin(cli_output_t *output, const char *option,
+                     const char *path);
+
+/// Closes it for a command. Returns: CLI_DONE, or CLI_STOPPED after a message.
+int cli_output_end(cli_output_t *output);
+
+/// The first failure in words; output->error must not be 0.
+const char *cli_output_reason(const cli_output_t *output);
+
+/// Appends one or more whole lines, at most CLI_OUTPUT_ROOM bytes.
+/// Returns: whether no failure has occurred so far; after the first failure
+/// nothing more is written.
+bool cli_output_lines(cli_output_t *output, const char *lines, size_t length);
+
+/// Hands everything to the operating system.
+/// Returns: as cli_output_lines.
+bool cli_output_flush(cli_output_t *output);
+
+/// Flushes, syncs to disk and closes (standard output is left open).
+/// Returns: as cli_output_lines.
+bool cli_output_close(cli_output_t *output);
+
+#endif

@@ -1,0 +1,137 @@
+// A source of bytes that may disappear. Files and pipes have an end; a device
+// that reports its end has been unplugged. Only POSIX is used, so the speeds are
+// those that it names, and the usual faster ones where the system has them.
+
+#ifndef _DEFAULT_SOURCE
+#define _DEFAULT_SOURCE
+#endif
+
+#include "source.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <termios.h>
+#include <unistd.h>
+
+static const struct {
+  uint64_t baud;
+  speed_t speed;
+} speeds[] = {
+    {9600, B9600},     {19200, B19200},   {38400, B38400},
+#ifdef B115200
+    {57600, B57600},   {115200, B115200}, {230400, B230400},
+#endif
+#ifdef B1000000
+    {460800, B460800}, {921600, B921600}, {1000000, B1000000},
+#endif
+};
+
+// Raw mode: no echo, no line editing, no translation of bytes.
+static bool make_raw(int descriptor, uint64_t baud) {
+  struct termios line;
+  if (tcgetattr(descriptor, &line) != 0) {
+    return false;
+  }
+  line.c_iflag &= ~(tcflag_t)(IGNBRK | BRKINT | PARMRK | ISTRIP | INLCR |
+                              IGNCR | ICRNL | IXON | IXOFF);
+  line.c_oflag &= ~(tcflag_t)OPOST;
+  line.c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
+  line.c_cflag &= ~(tcflag_t)(CSIZE | PARENB | CSTOPB);
+  line.c_cflag |= (tcflag_t)(CS8 | CREAD | CLOCAL);
+  line.c_cc[VMIN] = 1;
+  line.c_cc[VTIME] = 0;
+  size_t i = 0;
+  while (i < sizeof speeds / sizeof speeds[0] && speeds[i].baud != baud) {
+    i++;
+  }
+  if (i < sizeof speeds / sizeof speeds[0]) {
+    (void)cfsetispeed(&line, speeds[i].speed);
+    (void)cfsetospeed(&line, speeds[i].speed);
+  } else if (baud != 0) {
+    errno = EINVAL;
+    return false;
+  }
+  return tcsetattr(descriptor, TCSANOW, &line) == 0;
+}
+
+bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud,
+                     bool both_ways) {
+  source->error = 0;
+  source->is_device = false;
+  if (strcmp(path, "-") == 0) {
+    source->name = "standard input";
+    source->descriptor = STDIN_FILENO;
+  } else {
+    source->name = path;
+    // Opening a serial line must not block until there is a carrier; opening a
+    // named pipe has to block until there is a writer.
+    struct stat status;
+    const bool is_line = stat(path, &status) == 0 && S_ISCHR(status.st_mode);
+    source->descriptor = open(path, (both_ways ? O_RDWR : O_RDONLY) | O_NOCTTY |
+                                        (is_line ? O_NONBLOCK : 0));
+  }
+  if (source->descriptor < 0) {
+    source->error = errno;
+    return false;
+  }
+  if (source->descriptor != STDIN_FILENO && isatty(source->descriptor) == 1) {
+    source->is_device = true;
+    if (!make_raw(source->descriptor, baud)) {
+      source->error = errno;
+      cli_source_close(source);
+      return false;
+    }
+  }
+  return true;
+}
+
+cli_source_found_t cli_source_read(cli_source_t *source, uint8_t *bytes,
+                                   size_t room, int milliseconds,
+                                   size_t *count) {
+  struct pollfd ready = {source->descriptor, POLLIN, 0};
+  *count = 0;
+  if (poll(&ready, 1, milliseconds) <= 0) {
+    return CLI_SOURCE_QUIET; // after a signal too: the caller checks for it
+  }
+  const ssize_t got = read(source->descriptor, bytes, room);
+  if (got > 0) {
+    *count = (size_t)got;
+    return CLI_SOURCE_BYTES;
+  }
+  if (got < 0 && (errno == EAGAIN || errno == EINTR)) {
+    return CLI_SOURCE_QUIET;
+  }
+  source->error = got < 0 ? errno : 0;
+  return got == 0 && !source->is_device ? CLI_SOURCE_END : CLI_SOURCE_GONE;
+}
+
+bool cli_source_write(cli_source_t *source, const uint8_t *bytes,
+                      size_t length) {
+  while (length > 0) {
+    struct pollfd ready = {source->descriptor, POLLOUT, 0};
+    if (poll(&ready, 1, 1000) <= 0) {
+      source->error = ETIMEDOUT;
+      return false;
+    }
+    const ssize_t put = write(source->descriptor, bytes, length);
+    if (put > 0) {
+      bytes += put;
+      length -= (size_t)put;
+    } else if (put < 0 && errno != EAGAIN && errno != EINTR) {
+      source->error = errno;
+      return false;
+    }
+  }
+  return true;
+}
+
+void cli_source_close(cli_source_t *source) {
+  if (source->descriptor > STDERR_FILENO) {
+    (void)close(source->descriptor);
+  }
+  source->descriptor = -1;
+}

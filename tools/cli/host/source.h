@@ -1,0 +1,45 @@
+/// @file
+/// A source of frames: a file, a pipe, a terminal or a serial device.
+#ifndef TWOFOLD_CLI_SOURCE_H
+#define TWOFOLD_CLI_SOURCE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct {
+  const char *name;
+  int descriptor;
+  bool is_device; ///< a terminal: its end means that it was unplugged
+  int error;      ///< errno of the failure, or 0
+} cli_source_t;
+
+/// Outcome of a read.
+typedef enum {
+  CLI_SOURCE_BYTES, ///< at least one byte
+  CLI_SOURCE_QUIET, ///< no byte within the time allowed
+  CLI_SOURCE_END,   ///< end of a file or a pipe
+  CLI_SOURCE_GONE   ///< the device was unplugged, or an error
+} cli_source_found_t;
+
+/// Opens a path, or standard input for "-". A terminal is put into raw mode.
+/// baud: 0 leaves the speed as it is. both_ways: commands will be sent, too.
+/// Returns: whether it is open; otherwise error is set (EINVAL: unknown speed).
+bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud,
+                     bool both_ways);
+
+/// Waits for bytes, at most the given number of milliseconds.
+/// count: out, number of bytes read.
+cli_source_found_t cli_source_read(cli_source_t *source, uint8_t *bytes,
+                                   size_t room, int milliseconds,
+                                   size_t *count);
+
+/// Sends bytes; waits up to a second for room in the line's buffer.
+/// Returns: whether all were sent.
+bool cli_source_write(cli_source_t *source, const uint8_t *bytes,
+                      size_t length);
+
+/// Closes what was opened.
+void cli_source_close(cli_source_t *source);
+
+#endif

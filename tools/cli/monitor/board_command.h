@@ -1,0 +1,46 @@
+/// @file
+/// Commands to a board: those of --send as frames, one after the other, each
+/// after the answer to the one before.
+#ifndef TWOFOLD_CLI_BOARD_COMMAND_H
+#define TWOFOLD_CLI_BOARD_COMMAND_H
+
+#include "receiver.h"
+
+#define CLI_BOARD_COMMANDS 16 ///< at most, on one command line
+
+typedef struct {
+  const char *text;      ///< as typed
+  uint8_t type;          ///< tf_type_t
+  uint8_t index;         ///< of a parameter, or a rule
+  uint32_t seed;         ///< of a rule
+  const char *number[4]; ///< as typed, converted in the real type of the board
+  size_t numbers;
+} cli_board_command_t;
+
+typedef struct {
+  cli_board_command_t list[CLI_BOARD_COMMANDS];
+  size_t count;
+  size_t next;       ///< to be sent, or waiting for its answer
+  bool waiting;      ///< for the answer to list[next]
+  double deadline;   ///< cli_now() by which the answer must have come
+  uint16_t sequence; ///< of the next frame that is sent
+  size_t refused;
+} cli_board_commands_t;
+
+/// Reads the value of one --send.
+/// Returns: CLI_DONE, or CLI_USAGE after a message.
+int cli_board_commands_add(cli_board_commands_t *commands, const char *text);
+
+/// Makes the frame of the next command, if no answer is awaited.
+/// wire: out, TF_FRAME_SIZE(TF_FRAME_PAYLOAD).
+/// Returns: its length, or 0.
+size_t cli_board_commands_next(cli_board_commands_t *commands,
+                               const cli_receiver_t *receiver, double now,
+                               uint8_t *wire);
+
+/// Takes an answer and prints the outcome of the command on standard error.
+void cli_board_commands_answer(cli_board_commands_t *commands,
+                               const tf_frame_t *frame,
+                               const cli_receiver_t *receiver);
+
+#endif

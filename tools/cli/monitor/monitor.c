@@ -1,0 +1,248 @@
+// The command `monitor`. It reads as fast as bytes come and tells at the end
+// what was lost. A device that is unplugged is an error unless --follow waits
+// for it to come back.
+
+#include "monitor.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "../host/host.h"
+#include "../host/output.h"
+#include "../host/source.h"
+#include "../text/message.h"
+#include "monitor_args.h"
+#include "receiver.h"
+#include "view.h"
+
+#define WAIT 100 // for bytes, and between two attempts to open a device [ms]
+#define BLOCK 65536
+#define FLUSH_EVERY 0.2 // [s]
+
+typedef struct {
+  cli_monitor_args_t args;
+  cli_source_t source;
+  cli_output_t output;
+  cli_receiver_t receiver;
+  cli_view_t view;
+  tf_decoder_t decoder;
+  uint64_t bytes;
+  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  uint8_t block[BLOCK];
+} monitor_t;
+
+// Decodes what was read. Returns: whether the rows could be written.
+static bool take_block(monitor_t *monitor, size_t length) {
+  const uint8_t *at = monitor->block;
+  size_t taken = 0;
+  tf_frame_t frame;
+  cli_csv_t row;
+  char line[CLI_ROW_ROOM];
+  monitor->bytes += length;
+  while (tf_decoder_block(&monitor->decoder, at, length, &taken, &frame)) {
+    at += taken;
+    length -= taken;
+    if (frame.type == TF_DOWN_ANSWER) {
+      cli_board_commands_answer(&monitor->args.commands, &frame,
+                                &monitor->receiver);
+    }
+    if (!cli_receiver_take(&monitor->receiver, &frame, &row)) {
+      continue;
+    }
+    cli_view_note(&monitor->view, monitor->receiver.mode);
+    if (monitor->args.csv &&
+        !cli_output_lines(&monitor->output, line, cli_csv_row(&row, line))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static int output_failed(const monitor_t *monitor) {
+  return cli_message(CLI_STOPPED, "%s: %s", monitor->output.name,
+                     cli_output_reason(&monitor->output));
+}
+
+// The device was unplugged.
+// Returns: CLI_DONE once it is back or a signal has asked for a stop.
+static int wait_for_device(monitor_t *monitor) {
+  cli_source_t *source = &monitor->source;
+  const char *why = source->error == 0 ? "it ended" : strerror(source->error);
+  if (!monitor->args.follow) {
+    return cli_message(CLI_STOPPED, "%s: the device went away: %s",
+                       source->name, why);
+  }
+  (void)cli_message(CLI_DONE, "%s: the device went away: %s; waiting",
+                    source->name, why);
+  cli_source_close(source);
+  const cli_monitor_args_t *args = &monitor->args;
+  while (!cli_stop_asked() && !cli_source_open(source, args->path, args->baud,
+                                               args->commands.count > 0)) {
+    cli_sleep(WAIT);
+  }
+  if (!cli_stop_asked()) {
+    (void)cli_message(CLI_DONE, "%s: back", source->name);
+  }
+  return CLI_DONE;
+}
+
+// Sends the next command if it is time. Returns: CLI_DONE, or CLI_STOPPED
+// without an answer.
+static int send_commands(monitor_t *monitor) {
+  cli_board_commands_t *commands = &monitor->args.commands;
+  uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
+  const double now = cli_now();
+  const size_t length =
+      cli_board_commands_next(commands, &monitor->receiver, now, wire);
+  if (length > 0 && !cli_source_write(&monitor->source, wire, length)) {
+    return cli_message(CLI_STOPPED, "%s: %s", monitor->source.name,
+                       strerror(monitor->source.error));
+  }
+  if (commands->waiting && now > commands->deadline) {
+    return cli_message(CLI_STOPPED,
+                       "--send %s: no answer; does the board take commands?",
+                       commands->list[commands->next].text);
+  }
+  return CLI_DONE;
+}
+
+static int follow_stream(monitor_t *monitor) {
+  const cli_monitor_args_t *args = &monitor->args;
+  const cli_board_commands_t *commands = &args->commands;
+  const bool live = !args->csv && cli_is_terminal(STDOUT_FILENO);
+  while (!cli_stop_asked()) {
+    size_t count = 0;
+    const int sent = send_commands(monitor);
+    if (sent != CLI_DONE) {
+      return sent;
+    }
+    if (commands->count > 0 && commands->next == commands->count &&
+        !args->csv && !live) {
+      return CLI_DONE; // every command is answered, and nothing is shown
+    }
+    const cli_source_found_t found =
+        cli_source_read(&monitor->source, monitor->block, BLOCK, WAIT, &count);
+    const double now = cli_now();
+    if (found == CLI_SOURCE_BYTES && !take_block(monitor, count)) {
+      return output_failed(monitor);
+    }
+    if (live) {
+      cli_view_poll(&monitor->view, &monitor->receiver, &monitor->decoder,
+                    monitor->source.name, now);
+    }
+    // Rows of a slow board are flushed before the next wait.
+    if (args->csv && (found != CLI_SOURCE_BYTES ||
+                      now - monitor->output.flushed >= FLUSH_EVERY)) {
+      if (!cli_output_flush(&monitor->output)) {
+        return output_failed(monitor);
+      }
+    }
+    if (found == CLI_SOURCE_END && !args->follow) {
+      return CLI_DONE;
+    }
+    if (found == CLI_SOURCE_END) {
+      cli_sleep(WAIT); // a file may still grow
+    } else if (found == CLI_SOURCE_GONE) {
+      const int code = wait_for_device(monitor);
+      if (code != CLI_DONE) {
+        return code;
+      }
+    }
+  }
+  return CLI_DONE;
+}
+
+static void summarise(const monitor_t *monitor) {
+  const cli_receiver_t *receiver = &monitor->receiver;
+  const tf_decoder_t *decoder = &monitor->decoder;
+  if (receiver->has_schema) {
+    (void)fprintf(stderr, "sender     %s, scene %s, %s, dt = %g s, ",
+                  receiver->build, receiver->scene,
+                  receiver->is_float ? "float" : "double", receiver->dt);
+    (void)fprintf(stderr, "parameters %08" PRIx32 "\n", receiver->hash);
+  }
+  (void)fprintf(stderr,
+                "frames     %" PRIu32 " in %" PRIu64 " bytes, %" PRIu64
+                " rows, %" PRIu64 " without a match, %" PRIu64 " unknown\n",
+                decoder->frames, monitor->bytes, receiver->rows,
+                receiver->incomplete + receiver->has_state, receiver->unknown);
+  (void)fprintf(stderr,
+                "line       %" PRIu32 " lost, %" PRIu32 " broken, %" PRIu32
+                " too long, %" PRIu32 " of another version, %" PRIu32
+                " restarts\n",
+                decoder->lost, decoder->bad, decoder->too_long,
+                decoder->bad_version, decoder->restarts);
+  if (receiver->has_heartbeat) {
+    const tf_heartbeat_t *beat = &receiver->heartbeat;
+    (void)fprintf(stderr,
+                  "board      %" PRIu32 " steps, %" PRIu32 " overruns, %" PRIu32
+                  " frames dropped, %" PRIu32
+                  " steps refused; a step takes "
+                  "%" PRIu32 " to %" PRIu32 " ns, mean %" PRIu32 "\n",
+                  beat->steps, beat->overruns, beat->dropped, beat->refused,
+                  beat->exec_min, beat->exec_max, beat->exec_mean);
+  }
+  if (receiver->has_schema && receiver->rows > 0) {
+    (void)fprintf(stderr,
+                  "last       step %" PRIu64
+                  ", r = %.9g m, v = %.9g m/s, "
+                  "omega = %.9g rad/s, %s\n",
+                  receiver->tick, receiver->state[0], receiver->state[1],
+                  receiver->state[2], tf_mode_name(receiver->mode));
+  }
+}
+
+static int perform(monitor_t *monitor) {
+  const cli_monitor_args_t *args = &monitor->args;
+  char header[CLI_ROW_ROOM];
+  if (!cli_source_open(&monitor->source, args->path, args->baud,
+                       args->commands.count > 0)) {
+    return cli_message(CLI_STOPPED, "%s: %s", args->path,
+                       monitor->source.error == EINVAL && args->baud != 0
+                           ? "the device does not take this --baud"
+                           : strerror(monitor->source.error));
+  }
+  if (args->csv) {
+    if (!cli_output_open(&monitor->output, args->out)) {
+      return output_failed(monitor);
+    }
+    (void)cli_output_lines(&monitor->output, header,
+                           cli_header(CLI_FORMAT_CSV, header));
+  }
+  int code = follow_stream(monitor);
+  if (args->csv && !cli_output_close(&monitor->output) && code == CLI_DONE) {
+    code = output_failed(monitor);
+  }
+  cli_source_close(&monitor->source);
+  summarise(monitor);
+  if (code == CLI_DONE && args->commands.refused > 0) {
+    code = CLI_REFUSED;
+  }
+  if (code == CLI_DONE && monitor->decoder.frames == 0) {
+    code = cli_message(CLI_STOPPED, "%s: no frame of protocol version %d",
+                       args->path, TF_FRAME_VERSION);
+  }
+  return code;
+}
+
+int cli_monitor(int argc, char *const argv[]) {
+  cli_monitor_args_t args;
+  int code = cli_monitor_args(&args, argc, argv);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  monitor_t *monitor = calloc(1, sizeof *monitor);
+  if (monitor == NULL) {
+    return cli_message(CLI_STOPPED, "out of memory");
+  }
+  monitor->args = args;
+  tf_decoder_init(&monitor->decoder, monitor->buffer, sizeof monitor->buffer);
+  cli_catch_signals();
+  code = perform(monitor);
+  free(monitor);
+  return code;
+}

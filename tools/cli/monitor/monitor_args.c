@@ -1,0 +1,79 @@
+// The command line of `monitor`.
+
+#include "monitor_args.h"
+
+#include <string.h>
+
+#include "../text/message.h"
+#include "../text/options.h"
+
+#define MOST_BAUD 100000000u
+
+static int read_csv(void *to, const cli_given_t *option) {
+  cli_monitor_args_t *args = to;
+  (void)option;
+  args->csv = true;
+  return CLI_DONE;
+}
+
+static int read_follow(void *to, const cli_given_t *option) {
+  cli_monitor_args_t *args = to;
+  (void)option;
+  args->follow = true;
+  return CLI_DONE;
+}
+
+static int read_baud(void *to, const cli_given_t *option) {
+  cli_monitor_args_t *args = to;
+  return cli_read_count(option, 1, MOST_BAUD, &args->baud);
+}
+
+static int read_out(void *to, const cli_given_t *option) {
+  cli_monitor_args_t *args = to;
+  return cli_read_path(option, &args->out);
+}
+
+static int read_send(void *to, const cli_given_t *option) {
+  cli_monitor_args_t *args = to;
+  return cli_board_commands_add(&args->commands, option->value);
+}
+
+static int take_source(void *to, const char *word) {
+  cli_monitor_args_t *args = to;
+  if (args->path != NULL) {
+    return cli_message(CLI_USAGE, "%s: one source at a time (%s was given)",
+                       word, args->path);
+  }
+  args->path = word;
+  return CLI_DONE;
+}
+
+static const cli_option_t options[] = {
+    {"--csv", read_csv, CLI_FLAG},         {"--follow", read_follow, CLI_FLAG},
+    {"--baud", read_baud, CLI_ONCE},       {"--out", read_out, CLI_ONCE},
+    {"--send", read_send, CLI_REPEATABLE},
+};
+
+int cli_monitor_args(cli_monitor_args_t *args, int argc, char *const argv[]) {
+  static const cli_syntax_t syntax = {
+      "monitor", options, sizeof options / sizeof options[0], take_source};
+  memset(args, 0, sizeof *args);
+  // The schema has to be known before any other command can be sent.
+  (void)cli_board_commands_add(&args->commands, "describe");
+  const int code = cli_read_words(&syntax, args, argc, argv);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (args->path == NULL) {
+    return cli_message(CLI_USAGE,
+                       "monitor: which file or device? (- is "
+                       "standard input)");
+  }
+  if (args->commands.count == 1) {
+    args->commands.count = 0;
+  }
+  if (args->out != NULL && !args->csv) {
+    return cli_message(CLI_USAGE, "--out %s: only with --csv", args->out);
+  }
+  return CLI_DONE;
+}

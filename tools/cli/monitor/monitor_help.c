@@ -1,0 +1,30 @@
+// The help page of `monitor`.
+
+#include "monitor_help.h"
+
+#include <stdio.h>
+
+static const char page[] =
+    "usage: twofold monitor FILE|DEVICE|- [OPTION]...\n"
+    "\n"
+    "  --csv                rows as `run` writes them, with the digits of the\n"
+    "                       sender's number type; without this option a\n"
+    "                       terminal shows the state live\n"
+    "  --out FILE           with --csv: FILE instead of standard output\n"
+    "  --baud N             speed of a serial device; default: unchanged\n"
+    "  --send COMMAND       sends a command to the board and prints the "
+    "answer;\n"
+    "                       may be repeated. Commands: start, stop, reset,\n"
+    "                       snapshot, restore, describe, clear,\n"
+    "                       set:NAME=VALUE, select:RULE[:SEED], input (the\n"
+    "                       scene's own), input:OMEGA0,R0,FORCE,TORQUE. Ends\n"
+    "                       after the last answer unless there is --csv or a\n"
+    "                       live view\n"
+    "  --follow             wait for a device that was unplugged, or for a\n"
+    "                       file to grow\n"
+    "\n"
+    "Lost and broken frames are counted on standard error at the end.\n"
+    "exit codes: 0 done, 2 usage, 3 a command was refused, 4 no frame, no\n"
+    "answer, or the device was unplugged\n";
+
+void cli_monitor_help(void) { (void)fputs(page, stdout); }

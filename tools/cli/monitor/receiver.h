@@ -1,0 +1,44 @@
+/// @file
+/// What a stream of frames has reported so far, and the rows that it makes. The
+/// numbers are floats or doubles as the sender computes: a program built for
+/// double reads a board that computes in float.
+#ifndef TWOFOLD_CLI_RECEIVER_H
+#define TWOFOLD_CLI_RECEIVER_H
+
+#include "../run/row.h"
+#include "twofold.h"
+
+#define CLI_RECEIVED_TEXT 64
+
+typedef struct {
+  bool has_schema;
+  bool is_float;
+  double dt;     ///< [s]
+  double base;   ///< time = base + tick dt; not 0 once dt was changed [s]
+  uint32_t hash; ///< of the parameters
+  char scene[CLI_RECEIVED_TEXT], build[CLI_RECEIVED_TEXT];
+
+  uint64_t tick;    ///< of the state
+  double state[4];  ///< r, v, omega, phi
+  double report[6]; ///< h, g, F, M, delassus, residual
+  uint8_t mode, choices;
+  bool has_state; ///< a state has come, its report not yet
+
+  bool has_heartbeat;
+  tf_heartbeat_t heartbeat;
+
+  uint64_t rows;       ///< complete: state and report of one tick, or compact
+  uint64_t incomplete; ///< states without a report, or before the schema
+  uint64_t unknown;    ///< frames of unknown type or length
+} cli_receiver_t;
+
+/// Takes a frame.
+/// row: out, written if the frame completes a row.
+/// Returns: whether it does.
+bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
+                       cli_csv_t *row);
+
+/// Reads a real of the sender's type.
+double cli_receiver_real(const cli_receiver_t *receiver, const uint8_t *at);
+
+#endif

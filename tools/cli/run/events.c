@@ -1,0 +1,158 @@
+// Events are determined from consecutive reports alone, so that a recorded run
+// would show the same ones:
+//
+//   slip to stick, stick to slip, slip to slip, pinned to stick: the mode
+//     changed. The two remaining changes, stick to pinned and stick to stick,
+//     are codimension two, so that no change of mode is missed.
+//   codimension two: h and g vanish within one step. The wheel becomes pinned,
+//     or stick changes its sign, or g changes its sign as stick begins or ends.
+//   two-fold: in stick, where the Delassus scalar vanishes, both vector fields
+//     are tangent to h = 0. It is reached where stick of one sign goes on while
+//     the scalar changes from + to -, or where that stick ends in the very step
+//     in which the scalar does so, with g of the same sign.
+//   returned: the first stick in a sliding region after a two-fold.
+
+#include "events.h"
+
+#include <stdlib.h>
+
+static bool is_slip(unsigned mode) { return mode <= TF_SLIP_MINUS; }
+
+static bool is_stick(unsigned mode) {
+  return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
+}
+
+static bool changes_sign(tf_real_t a, tf_real_t b) {
+  return (a > 0 && b < 0) || (a < 0 && b > 0);
+}
+
+static bool is_codimension_two(const tf_report_t *before,
+                               const tf_report_t *after) {
+  if (after->mode == TF_PINNED) {
+    return before->mode != TF_PINNED;
+  }
+  if (is_stick(before->mode) && is_stick(after->mode)) {
+    return before->mode != after->mode;
+  }
+  return is_stick(before->mode) != is_stick(after->mode) &&
+         before->mode != TF_PINNED &&
+         changes_sign(before->slip.g, after->slip.g);
+}
+
+static bool is_two_fold(const tf_report_t *before, const tf_report_t *after) {
+  if (!is_stick(before->mode) || !(before->delassus > 0) ||
+      after->delassus > 0) {
+    return false;
+  }
+  if (is_stick(after->mode)) {
+    return before->mode == after->mode;
+  }
+  return is_slip(after->mode) && !changes_sign(before->slip.g, after->slip.g);
+}
+
+// Room for one more event, or NULL beyond the limit. If there is no memory left
+// the list ends there, so that it has no gap.
+static cli_event_t *new_event(cli_events_t *events) {
+  if (events->used >= events->limit) {
+    return NULL;
+  }
+  if (events->used == events->room) {
+    const size_t room = events->room == 0 ? 64 : 2 * events->room;
+    cli_event_t *list = NULL;
+    if (room <= SIZE_MAX / sizeof *list) {
+      list = realloc(events->list, room * sizeof *list);
+    }
+    if (list == NULL) {
+      events->limit = events->used;
+      return NULL;
+    }
+    events->list = list;
+    events->room = room;
+  }
+  return &events->list[events->used++];
+}
+
+// Whether stick begins in the sliding region, where the Delassus scalar is
+// positive.
+static bool is_attracting_stick(const tf_report_t *before,
+                                const tf_report_t *after) {
+  return before->mode != after->mode && is_stick(after->mode) &&
+         after->delassus > 0;
+}
+
+// The kinds of all events between two consecutive reports, as a bit set.
+static unsigned kinds_between(const tf_report_t *before,
+                              const tf_report_t *after) {
+  unsigned kinds = 0;
+  if (is_two_fold(before, after)) {
+    kinds |= 1u << CLI_TWO_FOLD;
+  }
+  if (before->mode == after->mode) {
+    return kinds;
+  }
+  if (is_slip(before->mode) && is_slip(after->mode)) {
+    kinds |= 1u << CLI_SLIP_TO_SLIP;
+  } else if (is_slip(before->mode)) {
+    kinds |= 1u << CLI_SLIP_TO_STICK;
+  } else if (is_slip(after->mode)) {
+    kinds |= 1u << CLI_STICK_TO_SLIP;
+  } else if (before->mode == TF_PINNED) {
+    kinds |= 1u << CLI_PINNED_TO_STICK;
+  }
+  if (is_codimension_two(before, after)) {
+    kinds |= 1u << CLI_CODIMENSION_TWO;
+  }
+  return kinds;
+}
+
+void cli_events_observe(cli_events_t *events, const tf_report_t *before,
+                        const tf_report_t *after, const tf_state_t *state,
+                        double t) {
+  unsigned kinds = kinds_between(before, after);
+  if (kinds == 0) {
+    return;
+  }
+  const bool winds = events->away && kinds == 1u << CLI_SLIP_TO_SLIP;
+  events->windings += winds;
+  if (kinds >> CLI_TWO_FOLD & 1u) {
+    events->away = true;
+    events->windings = 0;
+  } else if (events->away && is_attracting_stick(before, after)) {
+    events->away = false;
+    kinds |= 1u << CLI_RETURNED;
+  }
+  events->steps++;
+  for (unsigned kind = 0; kind < CLI_EVENT_KINDS; kind++) {
+    events->counts[kind] += (kinds >> kind) & 1u;
+  }
+  if (winds && events->limit < UINT64_MAX) {
+    events->merged++;
+    return;
+  }
+  cli_event_t *event = new_event(events);
+  if (event == NULL) {
+    return;
+  }
+  events->covered += events->merged + 1;
+  event->merged = events->merged;
+  events->merged = 0;
+  event->windings = events->windings;
+  event->kinds = kinds;
+  event->from = before->mode;
+  event->to = after->mode;
+  event->arrival = events->counts[CLI_TWO_FOLD];
+  event->t = t;
+  event->r = (double)state->r;
+  event->omega = (double)state->w;
+  event->g = (double)after->slip.g;
+  event->has_lambda = !is_slip(after->mode) || !is_slip(before->mode);
+  event->lambda =
+      (double)(is_slip(after->mode) ? before->force.F : after->force.F);
+}
+
+void cli_events_free(cli_events_t *events) {
+  free(events->list);
+  events->list = NULL;
+  events->used = 0;
+  events->room = 0;
+}

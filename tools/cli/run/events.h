@@ -1,0 +1,66 @@
+/// @file
+/// Events of a run: changes of the contact's mode, and passages through the
+/// singularities of the model.
+#ifndef TWOFOLD_CLI_EVENTS_H
+#define TWOFOLD_CLI_EVENTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "twofold.h"
+
+typedef enum {
+  CLI_SLIP_TO_STICK,   ///< pinned counts as stick
+  CLI_STICK_TO_SLIP,   ///< pinned counts as stick
+  CLI_SLIP_TO_SLIP,    ///< h changes sign without stick
+  CLI_PINNED_TO_STICK, ///< the wheel starts to roll
+  CLI_CODIMENSION_TWO, ///< h = 0 and g = 0 in one step
+  CLI_TWO_FOLD,        ///< the Delassus scalar changes from + to - in stick
+  CLI_RETURNED         ///< sliding region reached for the first time since
+} cli_event_kind_t;
+#define CLI_EVENT_KINDS 7
+
+/// The events of one step; several may coincide.
+typedef struct {
+  uint64_t merged;    ///< changes of slip just before that are not listed
+  unsigned kinds;     ///< bits 1 << cli_event_kind_t
+  uint8_t from, to;   ///< tf_mode_t
+  uint64_t arrival;   ///< number of the arrival at the two-fold, from 1
+  uint64_t windings;  ///< changes of slip since the two-fold
+  double t;           ///< end of the step [s]
+  double r, omega, g; ///< at t
+  bool has_lambda;
+  double lambda; ///< F in stick [N], at its begin or else at its end
+} cli_event_t;
+
+/// All events of a run: the first `limit` steps in detail, the others counted.
+/// The windings around the two-fold, from slip to slip, are listed one by one
+/// only if limit is UINT64_MAX. Otherwise a line between two events tells how
+/// many there were, so that every change of mode is either listed or counted.
+typedef struct {
+  uint64_t limit;
+  uint64_t steps;    ///< with at least one event
+  bool away;         ///< the two-fold was passed, without a return since
+  uint64_t windings; ///< changes of slip since then
+  uint64_t covered;  ///< steps that the list accounts for
+  uint64_t merged;   ///< changes of slip since the last event of the list
+  uint64_t counts[CLI_EVENT_KINDS];
+  cli_event_t *list; ///< from the heap, NULL while empty
+  size_t used, room;
+} cli_events_t;
+
+/// Looks for events between two consecutive reports.
+/// state, t: after the step that gave `after`.
+void cli_events_observe(cli_events_t *events, const tf_report_t *before,
+                        const tf_report_t *after, const tf_state_t *state,
+                        double t);
+
+/// Prints the counts, then one line per listed event.
+void cli_events_print(const cli_events_t *events, FILE *file);
+
+/// Frees the list.
+void cli_events_free(cli_events_t *events);
+
+#endif

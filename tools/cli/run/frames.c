@@ -1,0 +1,23 @@
+// A run as frames, made by the functions that a board calls, so that whatever
+// reads a board reads a recorded run as well.
+
+#include "frames.h"
+
+size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
+                         uint16_t *sequence, uint8_t out[CLI_FRAMES_ROOM]) {
+  const tf_schema_t schema = {
+      &setup->params, setup->scene->name, "twofold " TF_VERSION ", host",
+      setup->seed,    scheme->code,       false};
+  const uint64_t tick = setup->state.tick;
+  size_t at = tf_send_schema(out, sequence, tick, &schema);
+  at +=
+      tf_send_layout(out + at, sequence, tick, TF_DOWN_STATE, tf_layout_state);
+  return at + tf_send_layout(out + at, sequence, tick, TF_DOWN_REPORT,
+                             tf_layout_report);
+}
+
+size_t cli_frames_row(uint16_t *sequence, const tf_state_t *state,
+                      const tf_report_t *report, uint8_t out[CLI_FRAMES_ROOM]) {
+  const size_t at = tf_send_state(out, sequence, state);
+  return at + tf_send_report(out + at, sequence, state->tick, report);
+}

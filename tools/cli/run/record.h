@@ -1,0 +1,57 @@
+/// @file
+/// A run in progress: what it was asked to do, where it stands, and what it has
+/// counted so far. The loop writes it, progress line and summary read it.
+#ifndef TWOFOLD_CLI_RECORD_H
+#define TWOFOLD_CLI_RECORD_H
+
+#include "../host/output.h"
+#include "../setup/scheme.h"
+#include "events.h"
+#include "row.h"
+
+/// Why a run ended.
+typedef enum {
+  CLI_ENDED,        ///< all steps were taken
+  CLI_INTERRUPTED,  ///< by a signal
+  CLI_STEP_REFUSED, ///< by the scheme
+  CLI_NOT_WRITTEN   ///< the output failed
+} cli_end_t;
+
+typedef struct {
+  const cli_setup_t *setup;
+  const cli_scheme_t *scheme;
+  cli_format_t format;
+  uint64_t every, steps;
+  bool real_time;    ///< step n is taken n dt after the start
+  double start;      ///< cli_now() at t = 0
+  uint64_t late;     ///< steps that ended after the time of the next one
+  double latest;     ///< largest delay among them [s]
+  uint64_t done;     ///< steps taken
+  uint64_t written;  ///< step of the last row
+  uint16_t sequence; ///< of the next frame
+  cli_system_t system;
+  tf_report_t report; ///< of the last step that was taken
+  tf_status_t status; ///< of the last step that was tried
+  cli_end_t end;
+  cli_events_t events;
+  uint64_t ambiguous_steps; ///< with more than one consistent mode
+  double ambiguous_since;   ///< time of the first of them [s]
+  uint64_t degraded;        ///< steps without a consistent mode
+  uint64_t coarse;          ///< located steps that missed their tolerance
+  uint64_t fell_back;       ///< located steps taken by tf_step, none degraded
+  double largest_h;         ///< |h| in stick or pinned [m/s]
+  double largest_residual;  ///< [N]
+  double seconds;           ///< wall time of the steps without the output
+  double output_seconds;    ///< wall time of the output
+  double idle_seconds;      ///< wall time spent waiting
+  cli_output_t output;
+} cli_run_t;
+
+/// Time after the given number of steps, rounded once [s].
+double cli_run_time(const cli_run_t *run, uint64_t steps);
+
+/// Counts a finished step, and makes its report the last one.
+/// after: in, the report of the step; run->done counts the step already.
+void cli_run_observe(cli_run_t *run, const tf_report_t *after);
+
+#endif

@@ -1,0 +1,43 @@
+/// @file
+/// One row: an instant of the motion as text.
+#ifndef TWOFOLD_CLI_ROW_H
+#define TWOFOLD_CLI_ROW_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "twofold.h"
+
+/// How a row is written.
+typedef enum {
+  CLI_FORMAT_CSV,
+  CLI_FORMAT_PLOTTER,
+  CLI_FORMAT_FRAMES
+} cli_format_t;
+
+/// Room for the longest row or header.
+#define CLI_ROW_ROOM 512
+
+/// A row of CSV in numbers: t r v omega h g F M.
+#define CLI_CSV_COLUMNS 8
+typedef struct {
+  double column[CLI_CSV_COLUMNS];
+  size_t columns; ///< how many are known; the others stay empty
+  bool is_float;  ///< the numbers are floats
+  unsigned mode, choices;
+} cli_csv_t;
+
+/// Writes a row of CSV with its newline.
+/// Returns: the length.
+size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
+
+/// Writes the header of a format, which may be empty.
+/// Returns: the length.
+size_t cli_header(cli_format_t format, char out[CLI_ROW_ROOM]);
+
+/// Writes one row with its newline. format: CSV or PLOTTER.
+/// Returns: the length.
+size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,
+               const tf_report_t *report, char out[CLI_ROW_ROOM]);
+
+#endif

@@ -1,0 +1,237 @@
+// The command `run`: a scene over an interval of time, row by row. The loop
+// steps in short batches; between them it reads the clock, flushes the rows at
+// least every FLUSH_EVERY, and updates the progress line. Whatever ends it, the
+// last step that was taken becomes the last row.
+
+#include "run.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "../host/host.h"
+#include "../setup/names.h"
+#include "../text/message.h"
+#include "frames.h"
+#include "progress.h"
+#include "record.h"
+#include "run_args.h"
+#include "summary.h"
+
+#define FLUSH_EVERY 0.2 // [s]
+#define BATCH 1024      // steps between two readings of the clock
+#define IDLE 1e-3       // [s], a wait that is long enough for a flush
+#define LIVE_EVERY 0.02 // [s], FLUSH_EVERY of a run in real time
+
+static void write_row(cli_run_t *run) {
+  char row[CLI_ROW_ROOM];
+  uint8_t frames[CLI_FRAMES_ROOM];
+  const char *bytes = row;
+  size_t length = 0;
+  const double started = cli_now();
+  if (run->format == CLI_FORMAT_FRAMES) {
+    bytes = (const char *)frames;
+    length = cli_frames_row(&run->sequence, &run->system.state, &run->report,
+                            frames);
+  } else {
+    const tf_real_t t = (tf_real_t)cli_run_time(run, run->done);
+    length = cli_row(run->format, t, &run->system.state, &run->report, row);
+  }
+  if (!cli_output_lines(&run->output, bytes, length)) {
+    run->end = CLI_NOT_WRITTEN;
+  }
+  run->written = run->done;
+  run->output_seconds += cli_now() - started;
+}
+
+static void take_step(cli_run_t *run) {
+  const cli_setup_t *setup = run->setup;
+  const tf_real_t t = (tf_real_t)cli_run_time(run, run->done + 1);
+  const tf_input_t input = tf_scene_input(setup->scene, &setup->machine, t);
+  tf_report_t report;
+  run->status = run->scheme->step(&run->system, &input, &report);
+  if (run->status < 0) {
+    run->end = CLI_STEP_REFUSED;
+    return;
+  }
+  run->done++;
+  cli_run_observe(run, &report);
+}
+
+// Waits for the time of the next step, and uses a long wait to flush the rows.
+static void await_step(cli_run_t *run) {
+  const double before = cli_now();
+  const double time = run->start + cli_run_time(run, run->done + 1);
+  if (before >= time) {
+    return;
+  }
+  if (time - before >= IDLE && !cli_output_flush(&run->output)) {
+    run->end = CLI_NOT_WRITTEN;
+    return;
+  }
+  cli_wait_until(time);
+  run->idle_seconds += cli_now() - before;
+}
+
+// A step and its row have to be done before the time of the next step. Lost
+// time is made up for: the steps after a late one do not wait.
+static void check_time(cli_run_t *run) {
+  const double late =
+      cli_now() - (run->start + cli_run_time(run, run->done + 1));
+  if (late > 0) {
+    run->late++;
+    run->latest = fmax(run->latest, late);
+  }
+}
+
+// Takes a batch of steps and writes their rows.
+static void take_batch(cli_run_t *run) {
+  const uint64_t left = run->steps - run->done;
+  const uint64_t most = run->real_time ? 1 : BATCH;
+  const uint64_t until = run->done + (left < most ? left : most);
+  while (run->done < until && run->end == CLI_ENDED) {
+    if (run->real_time) {
+      await_step(run);
+    }
+    if (run->end != CLI_ENDED) {
+      return;
+    }
+    if (cli_stop_asked()) {
+      run->end = CLI_INTERRUPTED;
+      return;
+    }
+    take_step(run);
+    if (run->done - run->written == run->every) {
+      write_row(run);
+    }
+    if (run->real_time && run->end == CLI_ENDED) {
+      check_time(run);
+    }
+  }
+}
+
+static void step_through(cli_run_t *run) {
+  const double started = cli_now();
+  const double flush_every = run->real_time ? LIVE_EVERY : FLUSH_EVERY;
+  cli_progress_t progress = cli_progress_start(started, run->output.descriptor);
+  run->start = started;
+  write_row(run);
+  while (run->done < run->steps && run->end == CLI_ENDED) {
+    take_batch(run);
+    const double now = cli_now();
+    if (now - run->output.flushed >= flush_every) {
+      if (!cli_output_flush(&run->output)) {
+        run->end = CLI_NOT_WRITTEN;
+      }
+      run->output_seconds += cli_now() - now;
+    }
+    cli_progress_poll(&progress, now, run);
+  }
+  run->seconds = cli_now() - started - run->output_seconds - run->idle_seconds;
+  cli_progress_clear(&progress);
+  if (run->written != run->done) {
+    write_row(run);
+  }
+}
+
+static void write_header(cli_run_t *run) {
+  char header[CLI_ROW_ROOM];
+  uint8_t frames[CLI_FRAMES_ROOM];
+  if (run->format == CLI_FORMAT_FRAMES) {
+    const size_t length =
+        cli_frames_header(run->setup, run->scheme, &run->sequence, frames);
+    run->output.last = '\0';
+    (void)cli_output_lines(&run->output, (const char *)frames, length);
+  } else {
+    (void)cli_output_lines(&run->output, header,
+                           cli_header(run->format, header));
+  }
+}
+
+// Opens the output, runs, closes the output and prints the summary.
+static int perform(cli_run_t *run, const char *path) {
+  const int code = cli_output_begin(&run->output, "--out", path);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  write_header(run);
+  step_through(run);
+  if (!cli_output_close(&run->output)) {
+    run->end = CLI_NOT_WRITTEN;
+  }
+  cli_summary(run);
+  return run->end == CLI_ENDED ? CLI_DONE : CLI_STOPPED;
+}
+
+// The number of steps is the integer nearest to t_end / dt.
+static int count_steps(const cli_run_args_t *args, const cli_setup_t *setup,
+                       uint64_t *steps) {
+  const double dt = (double)setup->machine.dt;
+  const double count = round((double)args->t_end / dt);
+  const double most = (double)CLI_MOST_STEPS;
+  if (!(args->t_end >= 0 && count <= most)) {
+    return cli_message(CLI_REFUSED,
+                       "--t-end %s: t-end must lie in [0, %g] s (at most 1e15 "
+                       "steps of dt = %g s)",
+                       args->t_end_text != NULL ? args->t_end_text : "",
+                       most * dt, dt);
+  }
+  *steps = (uint64_t)count;
+  return CLI_DONE;
+}
+
+static int check_law(const cli_scheme_t *scheme, tf_tyre_law_t law) {
+  if (((scheme->laws >> (unsigned)law) & 1u) != 0) {
+    return CLI_DONE;
+  }
+  return cli_message(CLI_REFUSED,
+                     "--scheme %s: law must be jump, coulomb or none, not "
+                     "%s; --scheme moreau takes every law",
+                     scheme->name, cli_law_name(law));
+}
+
+static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
+                   uint64_t *steps) {
+  int code = cli_setup_read(setup, args->scene, &args->settings, args->select);
+  if (code == CLI_DONE) {
+    code = check_law(args->scheme, setup->params.law);
+  }
+  if (code == CLI_DONE) {
+    code = cli_setup_machine(setup);
+  }
+  if (code == CLI_DONE) {
+    code = cli_setup_start(setup);
+  }
+  return code == CLI_DONE ? count_steps(args, setup, steps) : code;
+}
+
+int cli_run(int argc, char *const argv[]) {
+  cli_run_args_t args;
+  cli_setup_t setup;
+  uint64_t steps = 0;
+  int code = cli_run_args(&args, argc, argv);
+  if (code == CLI_DONE) {
+    code = prepare(&args, &setup, &steps);
+  }
+  if (code != CLI_DONE) {
+    return code;
+  }
+  cli_run_t *run = calloc(1, sizeof *run);
+  if (run == NULL) {
+    return cli_message(CLI_STOPPED, "out of memory");
+  }
+  run->setup = &setup;
+  run->scheme = args.scheme;
+  run->format = args.format;
+  run->every = args.every;
+  run->steps = steps;
+  run->real_time = args.real_time;
+  run->report = setup.report;
+  cli_system_begin(&run->system, args.scheme, &setup, &run->report);
+  run->events.limit = args.listed;
+  run->end = CLI_ENDED;
+  cli_setup_notes(&setup, args.scheme->unused, args.scheme->why);
+  code = perform(run, args.out);
+  cli_events_free(&run->events);
+  free(run);
+  return code;
+}

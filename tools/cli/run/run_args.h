@@ -1,0 +1,33 @@
+/// @file
+/// The command line of `run`.
+#ifndef TWOFOLD_CLI_RUN_ARGS_H
+#define TWOFOLD_CLI_RUN_ARGS_H
+
+#include "../setup/scheme.h"
+#include "../setup/settings.h"
+#include "row.h"
+
+/// Largest number of steps of a run, and between two rows: a double holds every
+/// integer up to it.
+#define CLI_MOST_STEPS 1000000000000000u
+
+/// The command line, read and validated.
+typedef struct {
+  const tf_scene_t *scene;
+  const cli_scheme_t *scheme;
+  cli_settings_t settings;
+  const char *select; ///< RULE[:SEED], NULL: the scene's own rule
+  const char *out;    ///< path, NULL: standard output
+  cli_format_t format;
+  uint64_t every;         ///< steps between two rows, >= 1
+  uint64_t listed;        ///< number of events that the summary lists
+  bool real_time;         ///< every step waits for its time on the clock
+  tf_real_t t_end;        ///< [s]
+  const char *t_end_text; ///< as typed, NULL: the scene's own
+} cli_run_args_t;
+
+/// Reads the arguments after `run`.
+/// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
+int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]);
+
+#endif

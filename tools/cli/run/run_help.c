@@ -1,0 +1,83 @@
+// The help page of `run`. Names, units and ranges are printed from the tables
+// that validate them, so the page always agrees with the program.
+
+#include "run_help.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "../setup/names.h"
+#include "../setup/setup.h"
+
+static const char page[] =
+    "usage: twofold run SCENE [OPTION]...\n"
+    "\n"
+    "  --t-end S            length [s]; default: the scene's own\n"
+    "  --dt S               step [s]; the same as --set dt=S\n"
+    "  --scheme NAME        moreau: Moreau-Jean theta scheme (the default),\n"
+    "                       set by theta; located: Taylor series from event\n"
+    "                       to event, of high order, set by tolerance (laws\n"
+    "                       jump, coulomb, none);\n"
+    "                       compensated: moreau with compensated summation of\n"
+    "                       the state, for small steps in float\n"
+    "  --realtime           every step waits for its time on the wall clock;\n"
+    "                       the summary counts the late ones\n"
+    "  --select RULE        selects one of several consistent modes: persist,\n"
+    "                       slip+, slip-, random[:SEED]; default: the scene's\n"
+    "                       own\n"
+    "  --set NAME=VALUE     a parameter, an initial value or the law; each\n"
+    "                       NAME once\n"
+    "  --every N            a row every N steps (default 1); the first and\n"
+    "                       the last instant are always written\n"
+    "  --format csv         t,r,v,omega,h,g,F,M,mode,choices (the default)\n"
+    "  --format plotter     label:value pairs for a serial plotter\n"
+    "  --format frames      what a board sends: see docs/PROTOCOL.md\n"
+    "  --out FILE           instead of standard output\n"
+    "  --events N|all       events that the summary lists (default 20)\n"
+    "\n"
+    "No other option may be given twice. Numbers are decimal, or hexadecimal\n"
+    "as in C: 0x1.8p-3 is 0.1875 exactly, 0x10 is 16.\n"
+    "\n"
+    "After SIGINT or SIGTERM the program finishes the step, writes its row "
+    "and\n"
+    "stops; a second signal kills it. The summary goes to standard error.\n"
+    "\n"
+    "names of --set, with their ranges:\n";
+
+static void print_names(void) {
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+    (void)printf("  %-9s [%g, %g]%s%s", range->name, (double)range->low,
+                 (double)range->high, strcmp(range->unit, "1") == 0 ? "" : " ",
+                 strcmp(range->unit, "1") == 0 ? "" : range->unit);
+    if ((range->laws & (1u << TF_TYRE_COULOMB)) == 0) {
+      const char *separator = ", only in law ";
+      for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
+        if ((range->laws & (1u << law)) != 0) {
+          (void)printf("%s%s", separator, cli_law_name((tf_tyre_law_t)law));
+          separator = ", ";
+        }
+      }
+    }
+    (void)putchar('\n');
+  }
+  for (size_t i = 0; i < CLI_STARTS; i++) {
+    (void)printf("  %-9s [%g, %g] %s, at the start\n", cli_starts[i].name,
+                 -(double)TF_STATE_LIMIT, (double)TF_STATE_LIMIT,
+                 cli_starts[i].unit);
+  }
+  (void)printf("  %-9s ", "law");
+  for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
+    (void)printf("%s%s", law > 0 ? ", " : "", cli_law_name((tf_tyre_law_t)law));
+  }
+  (void)fputs(
+      "\n"
+      "h is an alternative to v; its sign selects the initial mode. With phi\n"
+      "the angle is integrated, too; nothing else depends on it.\n",
+      stdout);
+}
+
+void cli_run_help(void) {
+  (void)fputs(page, stdout);
+  print_names();
+}

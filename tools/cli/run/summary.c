@@ -1,0 +1,124 @@
+// The summary of a run, for a person. It repeats the request, because a log
+// often outlives its command line, and it tells how often more than one mode
+// was consistent, because that is what the simulator is about. All of it goes
+// to standard error, so that standard output has nothing but the rows.
+
+#include "summary.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "../setup/names.h"
+#include "../text/message.h"
+
+static void print_request(const cli_run_t *run) {
+  const cli_setup_t *setup = run->setup;
+  (void)fprintf(stderr, "scene      %s, law %s\n", setup->scene->name,
+                cli_law_name(setup->params.law));
+  (void)fprintf(stderr, "scheme     %s, rule %s", run->scheme->name,
+                cli_rule_name(setup->params.rule));
+  if (setup->params.rule == TF_RULE_RANDOM) {
+    (void)fprintf(stderr, ":%" PRIu32 ", exit rate %g /s", setup->seed,
+                  (double)setup->params.rate);
+  }
+  (void)fprintf(
+      stderr, "\nsteps      %" PRIu64 " of %" PRIu64 ", dt = %g s, t = %g s\n",
+      run->done, run->steps, (double)setup->machine.dt,
+      cli_run_time(run, run->done));
+}
+
+static void print_quality(const cli_run_t *run) {
+  const double steps = run->done > 0 ? (double)run->done : 1.0;
+  (void)fprintf(stderr, "futures    more than one in %" PRIu64 " steps",
+                run->ambiguous_steps);
+  if (run->ambiguous_steps > 0) {
+    (void)fprintf(stderr, " (%.3g %%), first at t = %g s",
+                  100 * (double)run->ambiguous_steps / steps,
+                  run->ambiguous_since);
+  }
+  (void)fprintf(stderr, "\ndegraded   %" PRIu64 " steps", run->degraded);
+  if (run->coarse > 0 || run->fell_back > 0) {
+    (void)fprintf(stderr,
+                  "; %" PRIu64 " missed the tolerance, %" PRIu64
+                  " fell back on moreau",
+                  run->coarse, run->fell_back);
+  }
+  (void)fputc('\n', stderr);
+  (void)fprintf(stderr, "largest    |h| in stick %.3g m/s, residual %.3g N\n",
+                run->largest_h, run->largest_residual);
+}
+
+static void print_final(const cli_run_t *run) {
+  const tf_state_t *state = &run->system.state;
+  const tf_compensation_t *compensation = &run->system.compensation;
+  (void)fprintf(stderr,
+                "final      r = %.9g m, v = %.9g m/s, omega = %.9g "
+                "rad/s",
+                (double)state->r + (double)compensation->r,
+                (double)state->v + (double)compensation->v,
+                (double)state->w + (double)compensation->w);
+  if (run->setup->machine.with_angle) {
+    (void)fprintf(stderr, ", phi = %.9g rad",
+                  (double)state->phi + (double)compensation->phi);
+  }
+  (void)fprintf(stderr, "\n           h = %.9g m/s, g = %.9g m/s, %s\n",
+                (double)run->report.slip.h, (double)run->report.slip.g,
+                tf_mode_name(state->mode));
+}
+
+static void print_cost(const cli_run_t *run) {
+  if (run->done == 0 || run->seconds <= 0) {
+    return;
+  }
+  const double rate = (double)run->done / run->seconds;
+  (void)fprintf(stderr,
+                "cost       %.0f ns a step, %.3g steps/s, %.3g x real "
+                "time (and %.3g s of output)\n",
+                1e9 / rate, rate, rate * (double)run->setup->machine.dt,
+                run->output_seconds);
+}
+
+static void print_pace(const cli_run_t *run) {
+  if (run->real_time) {
+    (void)fprintf(stderr,
+                  "real time  %" PRIu64 " of %" PRIu64
+                  " steps late, by %.3g s at most\n",
+                  run->late, run->done, run->latest);
+  }
+}
+
+// The reason of an early end is a message like any other.
+static void print_end(const cli_run_t *run) {
+  const double t = cli_run_time(run, run->done);
+  const tf_state_t *state = &run->system.state;
+  switch (run->end) {
+    case CLI_ENDED:
+      break;
+    case CLI_INTERRUPTED:
+      (void)cli_message(CLI_STOPPED, "stopped at t = %.9g s: interrupted", t);
+      break;
+    case CLI_STEP_REFUSED:
+      (void)cli_message(CLI_STOPPED,
+                        "stopped at t = %.9g s: step %" PRIu64
+                        " was refused: %s; r = %g m, v = %g m/s, omega = %g "
+                        "rad/s",
+                        t, run->done + 1, tf_status_name(run->status),
+                        (double)state->r, (double)state->v, (double)state->w);
+      break;
+    case CLI_NOT_WRITTEN:
+      (void)cli_message(CLI_STOPPED, "stopped at t = %.9g s: %s: %s", t,
+                        run->output.name, cli_output_reason(&run->output));
+      break;
+  }
+}
+
+void cli_summary(const cli_run_t *run) {
+  print_request(run);
+  cli_events_print(&run->events, stderr);
+  print_quality(run);
+  print_final(run);
+  print_cost(run);
+  print_pace(run);
+  print_end(run);
+  (void)fflush(stderr);
+}

@@ -1,0 +1,91 @@
+// Names of laws and rules, in the order of their enums.
+
+#include "names.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "../text/closest.h"
+#include "../text/message.h"
+#include "../text/number.h"
+
+#define NAME_ROOM 16 // longer than any name, with its terminating zero
+
+static const char *const law_names[TF_TYRE_LAWS] = {
+    "jump", "coulomb", "two_piece", "string", "smooth", "none"};
+static const char *const rule_names[TF_RULES] = {"persist", "slip+", "slip-",
+                                                 "random"};
+
+const char *cli_law_name(tf_tyre_law_t law) { return law_names[law]; }
+
+const char *cli_rule_name(tf_rule_t rule) { return rule_names[rule]; }
+
+size_t cli_parameter_index(const char *name) {
+  size_t i = 0;
+  while (i < TF_PARAMETERS && strcmp(tf_parameter_ranges[i].name, name) != 0) {
+    i++;
+  }
+  return i;
+}
+
+// Index of a name in a table, or count where it is not there; then hint is the
+// end of a message that suggests the closest one.
+static size_t find_name(const char *const *names, size_t count,
+                        const char *name, cli_hint_t *hint) {
+  cli_closest_t closest = cli_closest_to(name);
+  for (size_t i = 0; i < count; i++) {
+    if (strcmp(names[i], name) == 0) {
+      return i;
+    }
+    cli_closest_offer(&closest, names[i]);
+  }
+  *hint = cli_closest_hint(&closest);
+  return count;
+}
+
+int cli_find_law(const char *option, const char *text, const char *name,
+                 tf_tyre_law_t *law) {
+  cli_hint_t hint;
+  const size_t found = find_name(law_names, TF_TYRE_LAWS, name, &hint);
+  if (found == TF_TYRE_LAWS) {
+    return cli_message(CLI_USAGE,
+                       "%s %s: unknown law '%s'; laws are jump, coulomb, "
+                       "two_piece, string, smooth and none%s%s%s",
+                       option, text, name, hint.before, hint.name, hint.after);
+  }
+  *law = (tf_tyre_law_t)found;
+  return CLI_DONE;
+}
+
+int cli_read_rule(const char *select, tf_rule_t *rule, uint32_t *seed) {
+  char name[NAME_ROOM];
+  cli_hint_t hint;
+  const size_t length = strcspn(select, ":");
+  (void)snprintf(name, sizeof name, "%.*s",
+                 (int)(length < sizeof name ? length : sizeof name - 1),
+                 select);
+  const size_t found = find_name(rule_names, TF_RULES, name, &hint);
+  if (found == TF_RULES) {
+    return cli_message(CLI_USAGE,
+                       "--select %s: unknown rule '%s'; rules are persist, "
+                       "slip+, slip- and random[:SEED]%s%s%s",
+                       select, name, hint.before, hint.name, hint.after);
+  }
+  *rule = (tf_rule_t)found;
+  if (select[length] == '\0') {
+    return CLI_DONE;
+  }
+  if (*rule != TF_RULE_RANDOM) {
+    return cli_message(
+        CLI_USAGE, "--select %s: only the rule random takes a seed", select);
+  }
+  uint64_t value = 0;
+  if (!cli_read_whole(select + length + 1, 0, UINT32_MAX, &value)) {
+    return cli_message(CLI_USAGE,
+                       "--select %s: the seed must be a whole number in "
+                       "[0, 4294967295]",
+                       select);
+  }
+  *seed = (uint32_t)value;
+  return CLI_DONE;
+}

@@ -1,0 +1,29 @@
+/// @file
+/// Names of laws and rules, as typed on the command line.
+#ifndef TWOFOLD_CLI_NAMES_H
+#define TWOFOLD_CLI_NAMES_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "twofold.h"
+
+/// Name of a friction law, and of a rule that selects a mode.
+const char *cli_law_name(tf_tyre_law_t law);
+const char *cli_rule_name(tf_rule_t rule);
+
+/// Index of a parameter in tf_parameter_ranges, TF_PARAMETERS where no
+/// parameter has that name.
+size_t cli_parameter_index(const char *name);
+
+/// Finds a law by its name.
+/// option, text: in, for the message. name: in, as typed.
+/// Returns: CLI_DONE, or CLI_USAGE after a message with the closest name.
+int cli_find_law(const char *option, const char *text, const char *name,
+                 tf_tyre_law_t *law);
+
+/// Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
+/// Returns: CLI_DONE, or CLI_USAGE after a message.
+int cli_read_rule(const char *select, tf_rule_t *rule, uint32_t *seed);
+
+#endif

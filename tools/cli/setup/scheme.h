@@ -1,0 +1,40 @@
+/// @file
+/// The time stepping schemes of `run`, as functions of one signature.
+#ifndef TWOFOLD_CLI_SCHEME_H
+#define TWOFOLD_CLI_SCHEME_H
+
+#include "setup.h"
+
+/// Machine and state, with what the compensated scheme adds to both. The other
+/// schemes leave the compensation 0.
+typedef struct {
+  tf_compensated_t machine;
+  tf_state_t state;
+  tf_compensation_t compensation;
+} cli_system_t;
+
+/// One step of a scheme.
+typedef tf_status_t (*cli_step_t)(cli_system_t *system, const tf_input_t *input,
+                                  tf_report_t *report);
+
+typedef struct {
+  const char *name; ///< as on the command line
+  uint8_t code;     ///< as in the schema frame
+  cli_step_t step;
+  unsigned laws;      ///< bit set of the tf_tyre_law_t that it accepts
+  const char *unused; ///< name of a parameter that it does not use ...
+  const char *why;    ///< ... and the end of the message "... has no effect"
+} cli_scheme_t;
+
+#define CLI_SCHEMES 3
+/// The first is the default.
+extern const cli_scheme_t cli_schemes[CLI_SCHEMES];
+
+/// Puts a system into the initial state of a setup. Under the compensated
+/// scheme the speed that follows from a given slip speed h is computed with its
+/// compensation.
+/// report: in/out, of tf_begin.
+void cli_system_begin(cli_system_t *system, const cli_scheme_t *scheme,
+                      const cli_setup_t *setup, tf_report_t *report);
+
+#endif

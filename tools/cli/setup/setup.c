@@ -1,0 +1,192 @@
+// Preparing a machine and its initial state, with messages that tell what to
+// do. The core reports only which parameter is out of range; where the value
+// came from and what would be allowed is told here. A range may also be
+// violated by a value that nobody typed: a scene does not give the parameters
+// of laws that it does not use, so `--set law=string` may require them.
+
+#include "setup.h"
+
+#include <string.h>
+
+#include "../text/message.h"
+#include "../text/number.h"
+#include "names.h"
+
+static tf_real_t parameter_value(const cli_setup_t *setup, int i) {
+  tf_real_t value = 0;
+  memcpy(&value,
+         (const unsigned char *)&setup->params + tf_parameter_ranges[i].offset,
+         sizeof value);
+  return value;
+}
+
+static bool is_used(const cli_setup_t *setup, int i) {
+  return ((tf_parameter_ranges[i].laws >> (unsigned)setup->params.law) & 1u) !=
+         0;
+}
+
+static int refuse_parameter(const cli_setup_t *setup, int offender) {
+  if (offender < 0 || offender >= TF_PARAMETERS) {
+    return cli_message(CLI_REFUSED, "scene %s: law or rule is unknown",
+                       setup->scene->name);
+  }
+  const tf_parameter_range_t *range = &tf_parameter_ranges[offender];
+  const cli_setting_t *setting = setup->set_param[offender];
+  const bool plain = strcmp(range->unit, "1") == 0;
+  const char *space = plain ? "" : " ";
+  const char *unit = plain ? "" : range->unit;
+  if (setting != NULL) {
+    return cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g]%s%s",
+                       setting->option, setting->text, range->name,
+                       (double)range->low, (double)range->high, space, unit);
+  }
+  char text[CLI_REAL_ROOM];
+  (void)cli_write_real(text, parameter_value(setup, offender));
+  return cli_message(CLI_REFUSED,
+                     "scene %s with law %s: %s = %s must lie in [%g, %g]%s%s; "
+                     "give --set %s=VALUE",
+                     setup->scene->name, cli_law_name(setup->params.law),
+                     range->name, text, (double)range->low, (double)range->high,
+                     space, unit, range->name);
+}
+
+// First typed parameter that the law does not use, and that tf_prepare therefore
+// does not check, but that is out of its range. 0 is allowed: it means "none".
+// Returns: TF_PARAMETERS where there is no such parameter.
+static int unused_offender(const cli_setup_t *setup) {
+  int i = 0;
+  for (; i < TF_PARAMETERS; i++) {
+    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+    const tf_real_t value = parameter_value(setup, i);
+    if (setup->set_param[i] != NULL && !is_used(setup, i) &&
+        !(value >= 0 && value <= 0) &&
+        !(value >= range->low && value <= range->high)) {
+      break;
+    }
+  }
+  return i;
+}
+
+int cli_setup_machine(cli_setup_t *setup) {
+  int offender = TF_PARAMETERS;
+  setup->params.with_angle =
+      setup->params.with_angle || setup->set_start[CLI_START_PHI] != NULL;
+  if (tf_prepare(&setup->machine, &setup->params, &offender) != TF_OK) {
+    return refuse_parameter(setup, offender);
+  }
+  offender = unused_offender(setup);
+  if (offender < TF_PARAMETERS) {
+    return refuse_parameter(setup, offender);
+  }
+  setup->input = tf_scene_input(setup->scene, &setup->machine, TF_R(0.0));
+  return CLI_DONE;
+}
+
+static int check_starts(const cli_setup_t *setup) {
+  for (size_t i = 0; i < CLI_STARTS; i++) {
+    const cli_setting_t *setting = setup->set_start[i];
+    const tf_real_t value = setup->start[i];
+    if (setting != NULL &&
+        !(value >= -TF_STATE_LIMIT && value <= TF_STATE_LIMIT)) {
+      return cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g] %s",
+                         setting->option, setting->text, cli_starts[i].name,
+                         -(double)TF_STATE_LIMIT, (double)TF_STATE_LIMIT,
+                         cli_starts[i].unit);
+    }
+  }
+  return CLI_DONE;
+}
+
+// Computes the speed v from the slip speed h. The sign of h selects the mode.
+static int solve_v(cli_setup_t *setup) {
+  const tf_real_t h = setup->start[CLI_START_H];
+  const cli_setting_t *setting = setup->set_start[CLI_START_H];
+  tf_state_t *state = &setup->state;
+  if (tf_speed_for_slip(&setup->machine, state->r, state->w,
+                        setup->input.omega0, h, &state->v) != TF_OK) {
+    return cli_message(CLI_REFUSED,
+                       "%s %s: no speed v gives the slip speed h = %g m/s, "
+                       "because sin(gamma) = %g; give --set v=VALUE",
+                       setting != NULL ? setting->option : "scene",
+                       setting != NULL ? setting->text : setup->scene->name,
+                       (double)h, (double)setup->machine.sin_gamma);
+  }
+  if (h > 0) {
+    state->mode = TF_SLIP_PLUS;
+  } else if (h < 0) {
+    state->mode = TF_SLIP_MINUS;
+  }
+  return CLI_DONE;
+}
+
+int cli_setup_start(cli_setup_t *setup) {
+  const bool v_typed = setup->set_start[CLI_START_V] != NULL;
+  const bool h_typed = setup->set_start[CLI_START_H] != NULL;
+  if (v_typed && h_typed) {
+    return cli_message(CLI_USAGE,
+                       "--set %s, --set %s: give h or v, each follows from "
+                       "the other",
+                       setup->set_start[CLI_START_V]->text,
+                       setup->set_start[CLI_START_H]->text);
+  }
+  int code = check_starts(setup);
+  tf_state_t *state = &setup->state;
+  state->r = setup->start[CLI_START_R];
+  state->v = setup->start[CLI_START_V];
+  state->w = setup->start[CLI_START_OMEGA];
+  state->phi = setup->start[CLI_START_PHI];
+  state->seed = setup->seed;
+  state->mode = TF_MODES;
+  setup->v_from_h = !v_typed && (h_typed || !setup->scene->v_is_given);
+  if (code == CLI_DONE && setup->v_from_h) {
+    code = solve_v(setup);
+  }
+  if (code != CLI_DONE) {
+    return code;
+  }
+  const unsigned mode = state->mode;
+  const tf_status_t status =
+      tf_begin(&setup->machine, state, &setup->input, &setup->report);
+  if (status < 0) {
+    const tf_slip_t slip = tf_slip(&setup->machine, state->r, state->v,
+                                   state->w, setup->input.omega0);
+    return cli_message(
+        CLI_REFUSED,
+        "scene %s: the start r = %g m, v = %g m/s, omega = %g "
+        "rad/s, h = %g m/s%s%s is refused: %s",
+        setup->scene->name, (double)state->r, (double)state->v,
+        (double)state->w, (double)slip.h, mode < TF_MODES ? " in mode " : "",
+        mode < TF_MODES ? tf_mode_name(mode) : "", tf_status_name(status));
+  }
+  return CLI_DONE;
+}
+
+void cli_setup_notes(const cli_setup_t *setup, const char *unused,
+                     const char *why) {
+  for (int i = 0; i < TF_PARAMETERS; i++) {
+    const cli_setting_t *setting = setup->set_param[i];
+    const char *name = tf_parameter_ranges[i].name;
+    if (setting == NULL) {
+      continue;
+    }
+    if (!is_used(setup, i)) {
+      (void)cli_message(CLI_DONE,
+                        "note: %s %s has no effect: law %s does not use %s",
+                        setting->option, setting->text,
+                        cli_law_name(setup->params.law), name);
+    } else if (setup->scene->knots > 0 && strcmp(name, "omega0") == 0) {
+      (void)cli_message(CLI_DONE,
+                        "note: %s %s has no effect: scene %s drives omega0",
+                        setting->option, setting->text, setup->scene->name);
+    } else if (setup->params.rule != TF_RULE_RANDOM &&
+               strcmp(name, "rate") == 0) {
+      (void)cli_message(CLI_DONE,
+                        "note: %s %s has no effect: it belongs to --select "
+                        "random",
+                        setting->option, setting->text);
+    } else if (strcmp(name, unused) == 0) {
+      (void)cli_message(CLI_DONE, "note: %s %s has no effect %s",
+                        setting->option, setting->text, why);
+    }
+  }
+}

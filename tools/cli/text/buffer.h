@@ -1,0 +1,27 @@
+/// @file
+/// Text appended to a buffer of the caller: rows and JSON.
+#ifndef TWOFOLD_CLI_BUFFER_H
+#define TWOFOLD_CLI_BUFFER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "twofold/real.h"
+
+/// The text always ends with a zero. What does not fit is left out, and
+/// truncated is set.
+typedef struct {
+  char *text;
+  size_t used, room;
+  bool truncated;
+} cli_buffer_t;
+
+void cli_add(cli_buffer_t *buffer, const char *text);
+void cli_add_real(cli_buffer_t *buffer, tf_real_t value);
+void cli_add_count(cli_buffer_t *buffer, uint64_t value);
+
+/// A float (is_float) or a double, whichever type this program was built for.
+void cli_add_number(cli_buffer_t *buffer, double value, bool is_float);
+
+#endif

@@ -1,0 +1,31 @@
+/// @file
+/// Exit codes and messages of the program.
+///
+/// The exit codes are part of the command line's contract, so they are defined
+/// here alone and every failing path returns one of them by name.
+#ifndef TWOFOLD_CLI_MESSAGE_H
+#define TWOFOLD_CLI_MESSAGE_H
+
+/// Exit codes of the program.
+enum {
+  CLI_DONE = 0,    ///< everything asked for was done
+  CLI_USAGE = 2,   ///< unknown command, option or name, or unreadable number
+  CLI_REFUSED = 3, ///< a value was read but lies outside its range
+  CLI_STOPPED = 4  ///< interrupted, refused by a step, or not writable
+};
+
+#if defined(__GNUC__)
+#define CLI_PRINTF(text, first) __attribute__((format(printf, text, first)))
+#else
+#define CLI_PRINTF(text, first)
+#endif
+
+/// Writes "twofold: ", the message and a newline to standard error.
+/// Returns: code, so that a failing path is a single return statement.
+int cli_message(int code, const char *format, ...) CLI_PRINTF(2, 3);
+
+/// Flushes standard output and prints a message if that fails.
+/// Returns: CLI_DONE or CLI_STOPPED.
+int cli_finish_stdout(void);
+
+#endif

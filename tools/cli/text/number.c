@@ -1,0 +1,124 @@
+// Numbers in and out of text.
+//
+// In: the whole text is one number or it is refused. strtod alone would accept
+// leading blanks, "1x", and "1e-999" as 0; each of them is a typing error that
+// must not start a run. "nan", "inf" and "1e999", which is read as infinite,
+// are numbers: they are refused later by the range of the value, whose message
+// tells what is allowed. The text is read directly into tf_real_t, because a
+// decimal rounded to double and then to float may end at a different float.
+//
+// Out: the fewest digits that read back to the same bits. Any decimal of
+// FLT_DIG or DBL_DIG digits survives conversion to binary and back, so the
+// search starts there, and 9 or 17 digits always suffice. Subnormal numbers
+// have less precision and the search starts at one digit. At a power of two the
+// gap below is half the gap above, so the nearest decimal may fail to read back
+// where its upper neighbour does: both are tried. The program never leaves the
+// C locale, so the decimal point is always a point.
+
+#include "number.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Significant digits that always suffice.
+#define FLOAT_DIGITS 9
+#define DOUBLE_DIGITS 17
+
+static tf_real_t text_to_real(const char *text, char **end) {
+#ifdef TF_REAL_FLOAT
+  return strtof(text, end);
+#else
+  return strtod(text, end);
+#endif
+}
+
+bool cli_read_real(const char *text, tf_real_t *value, const char **why) {
+  char *end = NULL;
+  *why = "is not a number";
+  if (isspace((unsigned char)text[0])) {
+    return false;
+  }
+  errno = 0;
+  const tf_real_t read = text_to_real(text, &end);
+  if (end == text || *end != '\0') {
+    return false;
+  }
+  if (errno == ERANGE && read > -TF_REAL_MIN && read < TF_REAL_MIN) {
+    *why = "is too small for the number type of this build";
+    return false;
+  }
+  *value = read;
+  return true;
+}
+
+bool cli_read_whole(const char *text, uint64_t low, uint64_t high,
+                    uint64_t *value) {
+  uint64_t read = 0;
+  if (*text == '\0') {
+    return false;
+  }
+  for (const char *digit = text; *digit != '\0'; digit++) {
+    if (*digit < '0' || *digit > '9') {
+      return false;
+    }
+    const uint64_t next = (uint64_t)(*digit - '0');
+    if (next > high || read > (high - next) / 10) {
+      return false;
+    }
+    read = read * 10 + next;
+  }
+  if (read < low) {
+    return false;
+  }
+  *value = read;
+  return true;
+}
+
+// The number that a decimal reads back to, as a float or a double.
+static double read_back(const char *text, bool is_float) {
+  return is_float ? (double)strtof(text, NULL) : strtod(text, NULL);
+}
+
+// Writes the decimal with the given number of digits that is next above (in
+// magnitude) the nearest one. Returns: whether value is a power of two and the
+// decimal reads back to it.
+static bool write_above(char out[CLI_REAL_ROOM], int digits, double value,
+                        bool is_float) {
+  int exponent = 0;
+  const double fraction = frexp(value, &exponent);
+  if (fabs(fraction) > 0.5) {
+    return false;
+  }
+  (void)snprintf(out, CLI_REAL_ROOM, "%.*e", digits - 1, value);
+  char *e = strchr(out, 'e');
+  if (e == NULL || e == out || e[-1] < '0' || e[-1] > '8') {
+    return false;
+  }
+  e[-1]++;
+  return read_back(out, is_float) == value;
+}
+
+size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float) {
+  const double normal = is_float ? (double)FLT_MIN : DBL_MIN;
+  const bool subnormal = value > -normal && value < normal;
+  const int safe = is_float ? FLT_DIG : DBL_DIG;
+  const int enough = is_float ? FLOAT_DIGITS : DOUBLE_DIGITS;
+  for (int digits = subnormal ? 1 : safe; digits <= enough; digits++) {
+    (void)snprintf(out, CLI_REAL_ROOM, "%.*g", digits, value);
+    if (read_back(out, is_float) == value ||
+        (digits < enough && write_above(out, digits, value, is_float))) {
+      break;
+    }
+  }
+  return strlen(out);
+}
+
+size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value) {
+  return cli_write_number(out, (double)value,
+                          sizeof(tf_real_t) == sizeof(float));
+}

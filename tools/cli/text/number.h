@@ -1,0 +1,35 @@
+/// @file
+/// Numbers in and out of text.
+#ifndef TWOFOLD_CLI_NUMBER_H
+#define TWOFOLD_CLI_NUMBER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "twofold/real.h"
+
+/// Reads the whole text as one number, rounded once to tf_real_t: decimal, C's
+/// hexadecimal, nan or inf. Whether it lies in its range is checked later.
+/// why: out on failure, what is wrong with the text ("is not a number").
+/// Returns: whether value was set.
+bool cli_read_real(const char *text, tf_real_t *value, const char **why);
+
+/// Reads the whole text as a decimal integer in [low, high].
+/// Returns: whether value was set.
+bool cli_read_whole(const char *text, uint64_t low, uint64_t high,
+                    uint64_t *value);
+
+/// Room for any tf_real_t in decimal, with its terminating zero.
+#define CLI_REAL_ROOM 40
+
+/// Writes the shortest decimal that reads back to the same bits.
+/// out: out, zero-terminated. value: in, finite.
+/// Returns: the length without the zero.
+size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value);
+
+/// The same for a float (is_float) or a double, whichever type this program was
+/// built for.
+size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float);
+
+#endif
