@@ -1,6 +1,6 @@
 // The program `twofold`. It links libc, libm and the core; everything else is
-// under tools/cli. The table of the commands, and which folder holds what, is in
-// tools/cli/command.c.
+// under tools/cli. tools/cli/command.c has the table of the commands and tells
+// which folder holds what.
 
 #include "cli/command.h"
 #include "cli/host/host.h"

@@ -1,22 +1,23 @@
-// The table of the commands: each has a function that performs it and, if it has
-// options, a help page. The folders of the command line and what they include:
+// The table of the commands: a function that performs each one and, if it has
+// options, its help page. The command line is made of these folders; each line
+// includes only folders below it:
 //
-//   .          command (this table), help         includes all folders
-//   run/       the command `run`: loop, rows, frames, events, summary
-//   monitor/   the command `monitor`: frames of a board to rows, a live view,
-//              commands to the board              includes run/row
-//   analysis/  singularities, regions, design, atlas: a machine is examined
+//   .          command (this table), help (overview, scenes, version)
+//   monitor/   the command `monitor`: frames of a board become rows or a live
+//              view, and commands are sent to it; takes only row.h of run/
+//   run/       the command `run`: loop, rows, frames, events, progress, summary
+//   analysis/  singularities, regions, design and atlas: they examine a machine
 //              without running it
 //   diverge/   the command `diverge`: samples of the motions that can follow a
-//              two-fold
-//   setup/     scene, --set and --select to a machine with its initial state,
-//              and the schemes by name
-//   host/      POSIX: clock, signals, output files, serial lines
+//              two-fold. Bottom up: vector_field, canard, tracker, job, motion,
+//              the steppers random, perturbed and lagged, diverge
+//   setup/     a scene with --set and --select becomes a machine with its
+//              initial state; the schemes and their names
+//   host/      what POSIX provides: clock, signals, output files, serial lines
 //   text/      messages, numbers, options, text in buffers
 //
-// run, monitor, analysis and diverge include setup, host and text; setup and
-// host include text. No folder includes one that includes it. Within a command
-// NAME_args reads the command line and NAME_help has the help page.
+// run, analysis and diverge do not include each other. In the folder of a
+// command NAME_args reads its command line and NAME_help is its help page.
 
 #include "command.h"
 

@@ -30,9 +30,13 @@ static int write_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
       at->point.v,  at->point.g,  design.kappa, design.k2, c2 * at->Kpp,
       c2 * at->Kpm, c2 * at->Kmp, c2 * at->Kmm, at->J1,    at->J2};
   const bool holds[CONDITIONS] = {
-      at->Kmm > 0,
-      at->Kpp<0, at->J1<0, at->J2<0, at->J1 * at->J2> 1, design.kappa> 0,
-              design.k2> 0,
+      at->Kmm > 0,         // (b)
+      0 > at->Kpp,         // (c)
+      0 > at->J1,          // (d)
+      0 > at->J2,          // (e)
+      at->J1 * at->J2 > 1, // (f)
+      design.kappa > 0,    // (g)
+      design.k2 > 0,
   };
   bool all = exists;
   cli_add_real(&text, r);

@@ -17,6 +17,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../setup/modes.h"
 #include "twofold/singularity.h"
 
 #define TERMS CLI_CANARD_TERMS
@@ -50,8 +51,8 @@ static void residuals(const tf_machine_t *k, const cli_canard_t *canard,
   }
 }
 
-// Solves a x = b in place by elimination with partial pivoting. Returns: whether
-// a is regular.
+// Solves a x = b in place by elimination with partial pivoting.
+// Returns: whether a is regular.
 static bool solve(double a[TERMS][TERMS], double b[TERMS]) {
   for (int i = 0; i < TERMS; i++) {
     int pivot = i;
@@ -202,6 +203,6 @@ tf_state_t cli_before_two_fold(const tf_machine_t *k,
       cli_state_at(k, cli_point_on_surface(k, two_fold->r + e,
                                            two_fold->omega - (double)k->omega0 +
                                                two_fold->slope * e));
-  state.mode = s < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
+  state.mode = (uint8_t)cli_stick_mode(s);
   return state;
 }

@@ -1,7 +1,7 @@
-// The command `diverge`: many motions from the same state, sample by sample, each
-// through a number of cycles from the two-fold to the two-fold. The rows of a
-// cycle are written when it has ended, so that whatever ends the program leaves
-// complete cycles. Memory is that of a single sample.
+// The command `diverge`: many motions from the same state, sample by sample.
+// Each goes through a number of cycles from the two-fold to the two-fold. The
+// rows of a cycle are written when it has ended, so that whatever ends the
+// program leaves complete cycles. Memory is that of a single sample.
 
 #include "diverge.h"
 
@@ -24,8 +24,12 @@
 #define BATCH 4096      // steps between two checks for a signal
 
 static const cli_stepper_t *const steppers[CLI_MECHANISMS] = {
-    &cli_random_stepper, &cli_perturbed_stepper, &cli_perturbed_stepper,
-    &cli_lagged_stepper, &cli_lagged_stepper};
+    [CLI_BY_RANDOM] = &cli_random_stepper,
+    [CLI_BY_NOISE] = &cli_perturbed_stepper,
+    [CLI_BY_SMOOTHING] = &cli_perturbed_stepper,
+    [CLI_BY_HYSTERESIS] = &cli_lagged_stepper,
+    [CLI_BY_DELAY] = &cli_lagged_stepper,
+};
 
 typedef struct {
   const cli_job_t *job;
@@ -83,7 +87,8 @@ static bool follow(work_t *work, const cli_stepper_t *stepper, bool from_it) {
   return true;
 }
 
-// Time within the band that counts as on the surface; none where there are modes.
+// Time within the band that counts as on the surface. Random motions have modes
+// and need none.
 static double least_dwell(const cli_motion_t *motion) {
   return motion->job->args->mechanism == CLI_BY_RANDOM
              ? 0
@@ -107,7 +112,7 @@ static bool do_sample(work_t *work, uint64_t sample) {
   }
   stepper->start(motion);
   work->tracker.dwell = least_dwell(motion);
-  // Without `pass` the sample starts before the two-fold and arrives there first.
+  // Without `pass` the sample starts before the two-fold and first arrives.
   bool from_it = job->at_two_fold && stepper->pass != NULL;
   if (job->at_two_fold && !from_it) {
     if (!follow(work, stepper, false)) {
@@ -163,10 +168,10 @@ static void summarise(work_t *work, double now) {
 
 static int perform(work_t *work, const cli_diverge_args_t *args) {
   work->first = args->samples / args->shards * (args->shard - 1);
-  const uint64_t rest = args->samples % args->shards;
-  work->first += args->shard - 1 < rest ? args->shard - 1 : rest;
+  const uint64_t remainder = args->samples % args->shards;
+  work->first += args->shard - 1 < remainder ? args->shard - 1 : remainder;
   work->last = work->first + args->samples / args->shards +
-               (args->shard - 1 < rest ? 1 : 0);
+               (args->shard - 1 < remainder ? 1 : 0);
   int code = cli_files_open(work->files, args);
   if (code != CLI_DONE) {
     return code;

@@ -47,8 +47,8 @@ static const char header[] =
     "node,depth,kind,r,omega,mode,stick_time,exit_r,exit_omega,end,to,time,"
     "end_r,landing_r,windings\n";
 
-// Index of a node: of a known one, or of a new one, or UINT64_MAX if there is no
-// room for it.
+// Index of a node, which may be known or new; UINT64_MAX if there is no room
+// for a new one.
 static uint64_t node_at(search_t *search, const node_t *node) {
   for (uint64_t i = 0; i < search->used; i++) {
     const node_t *known = &search->nodes[i];
@@ -119,7 +119,8 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
 }
 
 // All branches that leave the canard.
-static void off_two_fold(search_t *search, const node_t *node, uint64_t index) {
+static void leave_two_fold(search_t *search, const node_t *node,
+                           uint64_t index) {
   const cli_job_t *job = search->job;
   double reached = 0;
   for (uint64_t i = 1; !search->unwritten && !cli_stop_asked(); i++) {
@@ -136,7 +137,7 @@ static void off_two_fold(search_t *search, const node_t *node, uint64_t index) {
   }
 }
 
-static void off_codim2(search_t *search, const node_t *node, uint64_t index) {
+static void leave_codim2(search_t *search, const node_t *node, uint64_t index) {
   for (unsigned mode = 0; mode < TF_MODES; mode++) {
     if ((node->set & TF_MODE_BIT(mode)) != 0 && !search->unwritten &&
         !cli_stop_asked()) {
@@ -170,9 +171,9 @@ static int visit_all(search_t *search) {
       continue;
     }
     if (node.two_fold) {
-      off_two_fold(search, &node, i);
+      leave_two_fold(search, &node, i);
     } else {
-      off_codim2(search, &node, i);
+      leave_codim2(search, &node, i);
     }
   }
   (void)fprintf(

@@ -4,8 +4,8 @@
 //   normally distributed number of standard deviation size sqrt(dt) is added to
 //   h: the Euler-Maruyama method for the stochastic differential inclusion. In
 //   the sliding region the next step returns to the surface for any dt. What dt
-//   has to resolve is the time (size / (dA/dt mu))^(2/3) in which noise prevails
-//   over the weak attraction near the two-fold.
+//   has to resolve is the time (size / (dA/dt mu))^(2/3) in which the noise is
+//   stronger than the weak attraction near the two-fold.
 // smoothing: the law SMOOTH of the width size, stepped by tf_step, no noise.
 
 #include "perturbed.h"

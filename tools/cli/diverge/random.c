@@ -12,15 +12,13 @@
 
 #include <math.h>
 
+#include "../setup/modes.h"
+
 #define SHORTEST 2e-9 // [s], to which the time of h = g = 0 is bisected
 #define OFF 1e-5      // [s], length of the first step away from it
 // |h| + |g| at h = g = 0 is below this many tolerances of a velocity.
 #define CODIM2_TOLERANCES 4096
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
-
-static bool is_stick(unsigned mode) {
-  return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
-}
 
 static cli_instant_t instant(const cli_motion_t *motion) {
   const cli_point_t at = cli_point_of(&motion->job->machine, &motion->state);
@@ -40,7 +38,8 @@ static double draw_time(cli_motion_t *motion) {
   return rate > 0 ? -log(u) / rate : (double)INFINITY;
 }
 
-static unsigned draw_of(cli_motion_t *motion, unsigned set) {
+// One mode of a set, all with equal probability; TF_MODES of an empty set.
+static unsigned draw_mode(cli_motion_t *motion, unsigned set) {
   unsigned modes[TF_MODES];
   unsigned n = 0;
   for (unsigned mode = 0; mode < TF_MODES; mode++) {
@@ -56,7 +55,7 @@ static unsigned draw_of(cli_motion_t *motion, unsigned set) {
 
 // Leaves an escaping stick for slip, to a random side.
 static bool leave_stick(cli_motion_t *motion, bool released) {
-  motion->state.mode = (uint8_t)draw_of(motion, SLIPS);
+  motion->state.mode = (uint8_t)draw_mode(motion, SLIPS);
   motion->wait = -1;
   cli_instant_t now = instant(motion);
   now.on = false;
@@ -76,7 +75,7 @@ static bool pass_two_fold(cli_motion_t *motion) {
   reached = reached < limit ? reached : limit;
   motion->t += reached;
   motion->state = cli_state_at(&job->machine, at);
-  motion->state.mode = job->canard.s < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
+  motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
   const cli_instant_t on = instant(motion);
   return cli_track(motion->tracker, &on) || leave_stick(motion, !escaping);
 }
@@ -96,7 +95,7 @@ static void start(cli_motion_t *motion) {
   motion->state = cli_state_at(
       &job->machine,
       cli_point_on_surface(&job->machine, job->canard.r, job->canard.z));
-  motion->state.mode = job->canard.s < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
+  motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
   const cli_instant_t now = instant(motion);
   cli_track_start(motion->tracker, &now);
 }
@@ -115,8 +114,9 @@ static bool step_of(cli_motion_t *motion, double dt) {
          step(motion, &machine) >= 0;
 }
 
-// Whether the motion was at h = g = 0, with several consistent modes, within the
-// last step, which began at `from`. If so it is put there; set gets the modes.
+// Whether within the last step, which began at `from`, the motion was at
+// h = g = 0 with several consistent modes. If so it is put there; set gets the
+// modes.
 static bool was_at_codim2(cli_motion_t *motion, const tf_state_t *from,
                           double length, unsigned *set) {
   const tf_machine_t *k = &motion->job->machine;
@@ -176,7 +176,7 @@ static bool at_codim2(cli_motion_t *motion, unsigned set) {
   cli_instant_t now = instant(motion);
   now.on = false;
   return cli_track(motion->tracker, &now) ||
-         leave_codim2(motion, draw_of(motion, set));
+         leave_codim2(motion, draw_mode(motion, set));
 }
 
 // Leaves h = g = 0 after a pinned wheel has waited, in one of the other modes
@@ -188,14 +188,14 @@ static bool leave_pinned(cli_motion_t *motion) {
     set = motion->report.set & ~TF_MODE_BIT(TF_PINNED);
   }
   motion->state = pinned;
-  return leave_codim2(motion, set != 0 ? draw_of(motion, set) : TF_PINNED);
+  return leave_codim2(motion, set != 0 ? draw_mode(motion, set) : TF_PINNED);
 }
 
 static bool is_escaping_stick(const cli_motion_t *motion) {
   const unsigned mode = motion->state.mode;
-  const double side = mode == TF_STICK_MINUS ? -1 : 1;
-  return is_stick(mode) &&
-         cli_delassus(&motion->job->machine, (double)motion->state.r, side) < 0;
+  return cli_is_stick(mode) &&
+         cli_delassus(&motion->job->machine, (double)motion->state.r,
+                      cli_stick_sign(mode)) < 0;
 }
 
 // Ends the wait of an escaping stick or a pinned wheel within this step.
@@ -213,15 +213,15 @@ static bool end_wait(cli_motion_t *motion) {
   return mode == TF_PINNED ? leave_pinned(motion) : leave_stick(motion, false);
 }
 
-// Passes the state after a step to the tracker. If stick passed the two-fold and
-// ended within the same step, it ended after the two-fold.
+// Passes the state after a step to the tracker. Stick that passed the two-fold
+// and ended within the same step ended after the two-fold.
 static bool track(cli_motion_t *motion, const tf_state_t *from) {
   const cli_instant_t *before = &motion->tracker->last;
   cli_instant_t now = instant(motion);
-  const double side = from->mode == TF_STICK_MINUS ? -1 : 1;
+  const double side = cli_stick_sign(from->mode);
   const tf_machine_t *k = &motion->job->machine;
   const unsigned through = SLIPS | TF_MODE_BIT(from->mode);
-  if (is_stick(from->mode) && motion->report.set == through &&
+  if (cli_is_stick(from->mode) && motion->report.set == through &&
       cli_delassus(k, before->at.r, side) > 0 &&
       cli_delassus(k, now.at.r, side) < 0) {
     now.on = true;
@@ -240,9 +240,8 @@ static bool track(cli_motion_t *motion, const tf_state_t *from) {
 static bool advance(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
   // Windings are counted by changes of the sign of h, which need short steps.
-  const tf_machine_t *k = motion->state.mode <= TF_SLIP_MINUS
-                              ? &motion->short_steps
-                              : &motion->long_steps;
+  const tf_machine_t *k = cli_is_slip(motion->state.mode) ? &motion->short_steps
+                                                          : &motion->long_steps;
   const double dt = (double)k->dt;
   const tf_state_t from = motion->state;
   const bool waiting = from.mode == TF_PINNED || is_escaping_stick(motion);
@@ -274,7 +273,7 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
   motion->state.mode = (uint8_t)mode;
   cli_instant_t now = instant(motion);
   cli_track_start(motion->tracker, &now);
-  if (mode <= TF_SLIP_MINUS) {
+  if (cli_is_slip(mode)) {
     motion->tracker->last.on = true;
     now.h = mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
     (void)cli_track(motion->tracker, &now);

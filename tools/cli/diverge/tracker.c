@@ -1,5 +1,5 @@
-// What happens between one arrival at the two-fold and the next, determined from
-// instants of a motion, in the same way for all mechanisms.
+// What happens between one arrival at the two-fold and the next. It is
+// determined from instants of a motion, in the same way for all mechanisms.
 //
 // "On the surface" means stick if the stepper has modes, otherwise |h| within a
 // band for the dwell time. The phase of the outgoing spiral is the fraction of
@@ -144,8 +144,8 @@ static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
   tracker->up_last = up;
 }
 
-// When and where h became 0 between two instants, the first of which is in slip:
-// extrapolated from the slope of h before them.
+// When and where h became 0 between two instants, the first of which is in
+// slip, by extrapolation of h from before them.
 static void reach_surface(cli_tracker_t *tracker, const cli_instant_t *at) {
   const cli_instant_t *last = &tracker->last, *before = &tracker->before;
   const double v = last->at.p + (double)tracker->machine->d * last->at.z;

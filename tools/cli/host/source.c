@@ -1,5 +1,5 @@
 // A source of bytes that may disappear. Files and pipes have an end; a device
-// that reports its end has been unplugged. Only POSIX is used, so the speeds are
+// that reports its end has been unplugged. Only POSIX is used. The speeds are
 // those that it names, and the usual faster ones where the system has them.
 
 #ifndef _DEFAULT_SOURCE

@@ -1,7 +1,7 @@
 // Commands to a board. Names and numbers are checked before anything is opened;
 // ranges are checked by the board, which knows its parameters. A number is
-// converted to the real type of the board when it is sent, so that it is rounded
-// once, from its decimals.
+// converted to the real type of the board when it is sent: it is rounded once,
+// from its decimals.
 
 #include "board_command.h"
 

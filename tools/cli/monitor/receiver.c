@@ -135,7 +135,7 @@ static void take_heartbeat(cli_receiver_t *receiver, const tf_frame_t *frame) {
   receiver->has_heartbeat = true;
 }
 
-// Bytes of a payload of fixed length; 0 where the length depends on the content.
+// Bytes of a payload of fixed length; 0 where the length depends on the data.
 static unsigned length_of(const cli_receiver_t *receiver, uint8_t type) {
   const unsigned R = real_bytes(receiver);
   switch (type) {

@@ -16,11 +16,7 @@
 
 #include <stdlib.h>
 
-static bool is_slip(unsigned mode) { return mode <= TF_SLIP_MINUS; }
-
-static bool is_stick(unsigned mode) {
-  return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
-}
+#include "../setup/modes.h"
 
 static bool changes_sign(tf_real_t a, tf_real_t b) {
   return (a > 0 && b < 0) || (a < 0 && b > 0);
@@ -31,23 +27,24 @@ static bool is_codimension_two(const tf_report_t *before,
   if (after->mode == TF_PINNED) {
     return before->mode != TF_PINNED;
   }
-  if (is_stick(before->mode) && is_stick(after->mode)) {
+  if (cli_is_stick(before->mode) && cli_is_stick(after->mode)) {
     return before->mode != after->mode;
   }
-  return is_stick(before->mode) != is_stick(after->mode) &&
+  return cli_is_stick(before->mode) != cli_is_stick(after->mode) &&
          before->mode != TF_PINNED &&
          changes_sign(before->slip.g, after->slip.g);
 }
 
 static bool is_two_fold(const tf_report_t *before, const tf_report_t *after) {
-  if (!is_stick(before->mode) || !(before->delassus > 0) ||
+  if (!cli_is_stick(before->mode) || !(before->delassus > 0) ||
       after->delassus > 0) {
     return false;
   }
-  if (is_stick(after->mode)) {
+  if (cli_is_stick(after->mode)) {
     return before->mode == after->mode;
   }
-  return is_slip(after->mode) && !changes_sign(before->slip.g, after->slip.g);
+  return cli_is_slip(after->mode) &&
+         !changes_sign(before->slip.g, after->slip.g);
 }
 
 // Room for one more event, or NULL beyond the limit. If there is no memory left
@@ -76,7 +73,7 @@ static cli_event_t *new_event(cli_events_t *events) {
 // positive.
 static bool is_attracting_stick(const tf_report_t *before,
                                 const tf_report_t *after) {
-  return before->mode != after->mode && is_stick(after->mode) &&
+  return before->mode != after->mode && cli_is_stick(after->mode) &&
          after->delassus > 0;
 }
 
@@ -90,11 +87,11 @@ static unsigned kinds_between(const tf_report_t *before,
   if (before->mode == after->mode) {
     return kinds;
   }
-  if (is_slip(before->mode) && is_slip(after->mode)) {
+  if (cli_is_slip(before->mode) && cli_is_slip(after->mode)) {
     kinds |= 1u << CLI_SLIP_TO_SLIP;
-  } else if (is_slip(before->mode)) {
+  } else if (cli_is_slip(before->mode)) {
     kinds |= 1u << CLI_SLIP_TO_STICK;
-  } else if (is_slip(after->mode)) {
+  } else if (cli_is_slip(after->mode)) {
     kinds |= 1u << CLI_STICK_TO_SLIP;
   } else if (before->mode == TF_PINNED) {
     kinds |= 1u << CLI_PINNED_TO_STICK;
@@ -145,9 +142,9 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
   event->r = (double)state->r;
   event->omega = (double)state->w;
   event->g = (double)after->slip.g;
-  event->has_lambda = !is_slip(after->mode) || !is_slip(before->mode);
+  event->has_lambda = !cli_is_slip(after->mode) || !cli_is_slip(before->mode);
   event->lambda =
-      (double)(is_slip(after->mode) ? before->force.F : after->force.F);
+      (double)(cli_is_slip(after->mode) ? before->force.F : after->force.F);
 }
 
 void cli_events_free(cli_events_t *events) {

@@ -78,7 +78,7 @@ static void print_cost(const cli_run_t *run) {
                 run->output_seconds);
 }
 
-static void print_pace(const cli_run_t *run) {
+static void print_real_time(const cli_run_t *run) {
   if (run->real_time) {
     (void)fprintf(stderr,
                   "real time  %" PRIu64 " of %" PRIu64
@@ -118,7 +118,7 @@ void cli_summary(const cli_run_t *run) {
   print_quality(run);
   print_final(run);
   print_cost(run);
-  print_pace(run);
+  print_real_time(run);
   print_end(run);
   (void)fflush(stderr);
 }

@@ -50,8 +50,8 @@ static int refuse_parameter(const cli_setup_t *setup, int offender) {
                      space, unit, range->name);
 }
 
-// First typed parameter that the law does not use, and that tf_prepare therefore
-// does not check, but that is out of its range. 0 is allowed: it means "none".
+// First typed parameter that is out of its range although the law does not use
+// it: tf_prepare does not check those. 0 is allowed, it means "none".
 // Returns: TF_PARAMETERS where there is no such parameter.
 static int unused_offender(const cli_setup_t *setup) {
   int i = 0;
