@@ -1,5 +1,5 @@
-// The board's end: frames in, commands out. Whatever else comes over the line
-// (layouts, parameters, frames of later versions) is let pass.
+// Frames from the board, commands to it. Frames of other types (layouts,
+// parameters, those of later versions) are ignored.
 #include "hil/board.h"
 
 #include <stdarg.h>
@@ -8,9 +8,9 @@
 
 #include "cli/host/host.h"
 
-#define PATIENCE 2.0 // for an answer [s] ...
-#define TRIES 4      // ... so often
-#define GIVEN_UP 16  // states after which no answer is waited for
+#define PATIENCE 2.0 // wait for an answer [s] ...
+#define TRIES 4      // ... before the command is sent again
+#define GIVEN_UP 16  // states after which an answer no longer counts as due
 
 hil_code_t hil_message(hil_code_t code, const char *format, ...) {
   va_list arguments;
@@ -30,7 +30,7 @@ static const tf_scene_t *scene_named(const uint8_t *name, size_t length) {
   return NULL;
 }
 
-// The machine on the board is known by its scene, its step and its hash.
+// Scene and step determine the machine on the board; the hash confirms it.
 static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   const size_t R = TF_REAL_BYTES;
@@ -63,7 +63,7 @@ static void take_state(hil_board_t *board, const tf_frame_t *frame) {
       frame->tick % board->every != 0)
     return;
   if (board->count > 0 && board->samples[board->count - 1].tick >= frame->tick)
-    return; // the board stands still
+    return; // the board is not running
   hil_sample_t *sample = &board->samples[board->count++];
   memset(sample, 0, sizeof *sample);
   sample->tick = frame->tick;
@@ -155,8 +155,8 @@ hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
                      strerror(board->source.error));
 }
 
-// Said again where no answer comes: neither side tells which of the two was
-// lost, and none of these commands does more the second time.
+// The command is sent again if no answer comes, whether it was lost or its
+// answer was. That is safe: executed twice it has no further effect.
 hil_code_t hil_board_order(hil_board_t *board, tf_type_t type) {
   double until = 0;
   board->first = board->sequence;

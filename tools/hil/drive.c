@@ -1,16 +1,16 @@
-// The closed loop, as the controller's end sees it: states come, inputs go.
+// The closed loop at the controller's end: states in, inputs out.
 #include "hil/drive.h"
 
 #include <inttypes.h>
 
 #include "cli/host/host.h"
 
-#define PATIENCE 5.0  // without a state [s]
-#define TRIES 8       // of an input to a board that stands
-#define OUTSTANDING 3 // inputs that the board may hold; its queue has four
+#define PATIENCE 5.0  // longest time without a state [s]
+#define TRIES 8       // attempts to send an input to a board that is stopped
+#define OUTSTANDING 3 // inputs that may wait on the board; its queue has four
 
-// What another host left in the queue is cleared; frames on their way are let
-// pass until an answer comes.
+// Commands that another host left in the queue are cleared. Frames that are
+// still on the line are ignored until the first answer comes.
 hil_code_t hil_prepare(hil_board_t *board) {
   static const tf_type_t orders[] = {TF_UP_STOP, TF_UP_RESET, TF_UP_DESCRIBE};
   hil_code_t code = hil_board_send(board, TF_UP_CLEAR, 0, NULL, 0);
@@ -21,7 +21,7 @@ hil_code_t hil_prepare(hil_board_t *board) {
   while (code == HIL_EQUAL && !(board->has_schema && board->count > 0)) {
     code = hil_board_listen(board, 100);
     if (code == HIL_EQUAL && cli_now() > until)
-      code = hil_message(HIL_STOPPED, "the board tells no state");
+      code = hil_message(HIL_STOPPED, "the board sends no state");
   }
   if (code == HIL_EQUAL && board->samples[0].tick != 0)
     code = hil_message(HIL_STOPPED, "the board did not go to its start");
@@ -44,7 +44,7 @@ static hil_code_t wait_for_state(hil_board_t *board) {
   return HIL_EQUAL;
 }
 
-// What stays without one is told at the end.
+// Inputs that stay without an answer are counted in the report.
 static hil_code_t wait_for_answers(hil_board_t *board, double patience) {
   const double until = cli_now() + patience;
   hil_code_t code = HIL_EQUAL;
@@ -53,7 +53,7 @@ static hil_code_t wait_for_answers(hil_board_t *board, double patience) {
   return code;
 }
 
-// The input for the newest state, if the board has room for it.
+// Sends the input for the newest state, if the board has room for it.
 static hil_code_t respond(hil_board_t *board, const hil_plan_t *plan,
                           const hil_control_t *control) {
   hil_sample_t *sample = &board->samples[board->count - 1];
@@ -69,7 +69,7 @@ static hil_code_t respond(hil_board_t *board, const hil_plan_t *plan,
   return hil_board_drive(board, sample, sample->tick + plan->delay);
 }
 
-// The stop comes first: from the start on the board does not wait for us.
+// The stop is sent first, because after the start the board does not wait.
 static hil_code_t respond_in_lockstep(hil_board_t *board,
                                       const hil_plan_t *plan,
                                       const hil_control_t *control) {
@@ -79,7 +79,7 @@ static hil_code_t respond_in_lockstep(hil_board_t *board,
                        tick);
   hil_code_t code =
       hil_board_send(board, TF_UP_STOP, tick + plan->every, NULL, 0);
-  // The board stands: an input that is said twice takes effect once.
+  // The board is stopped, so an input that is sent twice takes effect once.
   for (int tries = 0; code == HIL_EQUAL && tries < TRIES; tries++) {
     code = respond(board, plan, control);
     if (code == HIL_EQUAL) code = wait_for_answers(board, 0.5);

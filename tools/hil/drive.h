@@ -1,5 +1,5 @@
 /// @file
-/// Drives a board by its states.
+/// Drives a board in response to its states.
 #ifndef TWOFOLD_HIL_DRIVE_H
 #define TWOFOLD_HIL_DRIVE_H
 
@@ -7,11 +7,11 @@
 #include "hil/control.h"
 #include "hil/twin.h"
 
-/// Brings the board to rest at the start of its scene, and makes it known.
-/// Returns: HIL_EQUAL, or why it cannot go on (complained).
+/// Stops the board at the start of its scene and reads its schema.
+/// Returns: HIL_EQUAL; after a message another code.
 hil_code_t hil_prepare(hil_board_t *board);
 
-/// Lets the board run by the plan, then stops it. Returns: as above.
+/// Runs the board according to the plan, then stops it. Returns: as above.
 hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
                      const hil_control_t *control);
 

@@ -1,6 +1,6 @@
-// Hardware in the loop: a controller on this machine, the simulated machine on
-// a board, a serial line between them; and the proof that the closed loop is
-// what a pure run on this machine computes, bit for bit:
+// Hardware in the loop: a controller on this computer, the simulated machine on
+// a board, a serial line between them; and the proof that the closed loop has
+// the bits of a run on this computer alone:
 //   hil DEVICE [OPTION...]        `hil` alone lists the options
 // docs/HIL.md says why it is deterministic.
 #include <stdio.h>
@@ -24,19 +24,19 @@ typedef struct {
 static hil_code_t usage(void) {
   (void)fputs(
       "hil DEVICE: drives the board at the other end of a serial line\n"
-      "  --baud B        speed of the line; else as it is\n"
-      "  --steps N       to take (2000)\n"
-      "  --every N       steps from input to input (10): a multiple of what\n"
-      "                  lies between two states of the board (its EVERY)\n"
+      "  --baud B        speed of the line; default: unchanged\n"
+      "  --steps N       number of steps (2000)\n"
+      "  --every N       steps from input to input (10): a multiple of the\n"
+      "                  steps between two states of the board (its EVERY)\n"
       "  --delay N       steps from a state to the effect of its input, at\n"
       "                  most twice --every (20)\n"
-      "  --lockstep      no delay: the board stands until its input is there\n"
-      "  --speed W       wished of the disc [rad/s] (-0.9)\n"
+      "  --lockstep      no delay: the board waits for its input\n"
+      "  --speed W       set point of the disc's speed [rad/s] (-0.9)\n"
       "  --gain G        of the turntable's speed (0.1)\n"
-      "  --brake B       torque over speed where too fast [N m s] (0.2)\n"
-      "  --csv FILE      what was read and sent\n"
-      "Exit codes: 0 the loop has the bits of a pure host run, 1 it has not,\n"
-      "2 usage, 3 not a board for this, 4 the line failed.\n",
+      "  --brake B       torque / speed above the set point [N m s] (0.2)\n"
+      "  --csv FILE      states that were read, inputs that were sent\n"
+      "Exit codes: 0 the loop has the bits of a pure host run, 1 it does not,\n"
+      "2 usage, 3 the board cannot be driven, 4 the line failed.\n",
       stderr);
   return HIL_USAGE;
 }

@@ -1,4 +1,4 @@
-// What was read and sent, and what became of it.
+// The rows and the summary of a closed loop.
 #include "hil/report.h"
 
 #include <inttypes.h>
@@ -51,9 +51,10 @@ void hil_report(const hil_board_t *board, const hil_plan_t *plan,
            board->heartbeat.overruns, board->heartbeat.dropped,
            board->heartbeat.bad, board->heartbeat.ignored);
   printf(
-      "\ncontrol   omega off its wish by %.3g rad/s (rms); end: r = %.9g m, "
+      "\ncontrol   omega off its set point by %.3g rad/s (rms); end: r = %.9g "
+      "m, "
       "omega = %.9g rad/s, %s\n",
-      v->lacks, (double)end->r, (double)end->w, tf_mode_name(end->mode));
+      v->rms_error, (double)end->r, (double)end->w, tf_mode_name(end->mode));
   if (v->differ + v->wrong > 0)
     printf(
         "host run  DIFFERS: %zu of %zu states, %zu of %zu inputs, first at "

@@ -1,5 +1,5 @@
 /// @file
-/// What a run of the closed loop leaves behind: its rows and its summary.
+/// The rows and the summary of a closed loop.
 #ifndef TWOFOLD_HIL_REPORT_H
 #define TWOFOLD_HIL_REPORT_H
 
@@ -7,10 +7,10 @@
 #include "hil/twin.h"
 
 /// Writes a row for every state that was read.
-/// Returns: HIL_EQUAL or HIL_STOPPED (complained).
+/// Returns: HIL_EQUAL, or HIL_STOPPED after a message.
 hil_code_t hil_write_csv(const hil_board_t *board, const char *name);
 
-/// Prints what the run added up to.
+/// Prints the summary.
 void hil_report(const hil_board_t *board, const hil_plan_t *plan,
                 const hil_verdict_t *v);
 

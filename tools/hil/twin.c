@@ -1,5 +1,6 @@
-// The twin is driven by its own states, never by the board's: what goes in is
-// the plan and, for inputs that came late, the ticks of their answers.
+// The twin responds to its own states, never to those of the board. From the
+// board it takes only the ticks: of the samples, and at which each input took
+// effect.
 #include "hil/twin.h"
 
 #include <math.h>
@@ -7,16 +8,15 @@
 
 typedef struct {
   hil_board_t *board;
-  const hil_plan_t *plan;
   const hil_control_t *control;
   hil_verdict_t *verdict;
   tf_session_t session;
-  size_t next;   // sample to meet
+  size_t next;   // sample to compare next
   size_t effect; // sample whose input takes effect next
   double squares;
 } twin_t;
 
-// The payload that a board in this state would send.
+// Whether a frame on the wire has the given payload.
 static bool is_payload(const uint8_t *wire, size_t size, const uint8_t *payload,
                        size_t length) {
   uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
@@ -24,7 +24,7 @@ static bool is_payload(const uint8_t *wire, size_t size, const uint8_t *payload,
   tf_frame_t frame = {0};
   size_t taken = 0;
   tf_decoder_init(&decoder, buffer, sizeof buffer);
-  // The zero in front, alone, is no frame.
+  // The leading zero alone does not make a frame.
   return tf_decoder_block(&decoder, wire, size, &taken, &frame) &&
          frame.length == length && memcmp(frame.payload, payload, length) == 0;
 }
@@ -51,13 +51,13 @@ static void note_difference(hil_verdict_t *verdict, uint64_t tick) {
   if (verdict->differ == 0 && verdict->wrong == 0) verdict->first = tick;
 }
 
-// At a tick where the board was seen: the twin's state, and its input.
-static void meet(twin_t *twin) {
+// Compares the twin with the sample of this tick: state, report and input.
+static void compare(twin_t *twin) {
   hil_verdict_t *verdict = twin->verdict;
   hil_sample_t *sample = &twin->board->samples[twin->next];
   const tf_session_t *session = &twin->session;
-  const tf_real_t lacks = twin->control->speed - session->state.w;
-  twin->squares += (double)lacks * (double)lacks;
+  const tf_real_t error = twin->control->speed - session->state.w;
+  twin->squares += (double)error * (double)error;
   verdict->compared++;
   if (!same(session, sample)) {
     note_difference(verdict, sample->tick);
@@ -75,24 +75,21 @@ static void meet(twin_t *twin) {
   twin->next++;
 }
 
-// When the input of a sample takes effect: as planned, or as answered.
-static uint64_t effect_of(const twin_t *twin, const hil_sample_t *sample) {
-  return sample->answered ? sample->effect : sample->tick + twin->plan->delay;
-}
-
+// Applies the inputs that take effect at this tick.
 static void apply(twin_t *twin) {
   const hil_board_t *board = twin->board;
   for (; twin->effect < twin->next; twin->effect++) {
     const hil_sample_t *sample = &board->samples[twin->effect];
     if (!sample->sent || !sample->answered || sample->code != 0) continue;
-    if (effect_of(twin, sample) > twin->session.state.tick) return;
+    if (sample->effect > twin->session.state.tick) return;
     twin->session.input = sample->own;
     twin->session.driven = true;
   }
 }
 
-// Inputs that could not take effect within the run are not sent.
-static void judge_times(const hil_board_t *board, const hil_plan_t *plan,
+// Counts late, unanswered and missing inputs. Those that could not take effect
+// within the run are not sent.
+static void count_times(const hil_board_t *board, const hil_plan_t *plan,
                         hil_verdict_t *verdict) {
   size_t met = 0;
   for (size_t i = 0; i < board->count; i++) {
@@ -112,10 +109,9 @@ hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
                             const hil_control_t *control,
                             hil_verdict_t *verdict) {
   static twin_t twin;
-  twin = (twin_t){
-      .board = board, .plan = plan, .control = control, .verdict = verdict};
+  twin = (twin_t){.board = board, .control = control, .verdict = verdict};
   *verdict = (hil_verdict_t){0};
-  judge_times(board, plan, verdict);
+  count_times(board, plan, verdict);
   if (tf_session_open(&twin.session, board->scene, &board->params,
                       board->seed) != TF_OK)
     return hil_message(HIL_REFUSED, "the scene cannot be started here");
@@ -123,7 +119,7 @@ hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
   while (session->state.tick <= plan->steps) {
     const uint64_t tick = session->state.tick;
     while (twin.next < board->count && board->samples[twin.next].tick == tick)
-      meet(&twin);
+      compare(&twin);
     apply(&twin);
     if (tick == plan->steps) break;
     const tf_input_t input = tf_session_input(session, board->scene);
@@ -134,8 +130,8 @@ hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
   }
   verdict->end = session->state;
   if (verdict->compared > 0)
-    verdict->lacks = sqrt(twin.squares / (double)verdict->compared);
-  // An input without an answer was taken for one that never arrived.
+    verdict->rms_error = sqrt(twin.squares / (double)verdict->compared);
+  // An input without an answer counts as one that never arrived.
   return verdict->differ || verdict->wrong || verdict->compared < 2
              ? HIL_DIFFERS
              : HIL_EQUAL;
