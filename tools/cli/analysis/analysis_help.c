@@ -8,7 +8,7 @@
   "  --set NAME=VALUE     a parameter or the law, as in 'twofold help run'\n" \
   "  --out FILE           instead of standard output\n"                       \
   "\n"                                                                        \
-  "The inputs are those at t = 0. "
+  "The inputs are those at t = 0.\n"
 #define GRID_OPTIONS                                       \
   "  --r A:B:N            N values of r from A to B [m]\n" \
   "  --omega A:B:N        N values of omega from A to B [rad/s]\n"
@@ -21,15 +21,14 @@ void cli_singularities_help(void) {
       "or\n"
       "why there is none.\n"
       "\n" COMMON_OPTIONS
-      "K++ .. K-- are in the paper's\n"
-      "rescaled time tau, dt = clock dtau; those under \"physical\" are in\n"
-      "m/s^3. J1, J2 and the eigenvalues are the same in both. \"case\" is "
-      "the\n"
-      "paper's, for type invisible; case 3 is J1 J2 < 1. Along a direction in\n"
-      "which the wheel sticks the motion has the given velocity [m/s, m/s^2,\n"
-      "rad/s^2] and force lambda [N]; a negative eigenvalue leads from "
-      "sliding\n"
-      "to escaping.\n",
+      "K++ .. K-- are in the paper's rescaled time tau, dt = clock dtau; "
+      "those\n"
+      "under \"physical\" are in m/s^3. J1, J2 and the eigenvalues are the "
+      "same\n"
+      "in both. \"case\" is the paper's, for type invisible; case 3 is\n"
+      "J1 J2 < 1. Along a direction in which the wheel sticks the motion has\n"
+      "the given velocity [m/s, m/s^2, rad/s^2] and force lambda [N]; a\n"
+      "negative eigenvalue leads from sliding to escaping.\n",
       stdout);
 }
 
@@ -43,7 +42,7 @@ void cli_regions_help(void) {
       "(h = g = 0, where the last two columns are empty). lambda [N] is the\n"
       "force that would hold h = 0; where the surface is crossed it exceeds\n"
       "mu. delassus is in 1/kg.\n"
-      "\n" GRID_OPTIONS COMMON_OPTIONS "\n",
+      "\n" GRID_OPTIONS COMMON_OPTIONS,
       stdout);
 }
 
@@ -56,8 +55,8 @@ void cli_design_help(void) {
       "\n"
       "  --r R                r of the two-fold [m]\n"
       "  --omega W            omega of the two-fold [rad/s]\n" COMMON_OPTIONS
-      "kappa and k2 of the scene are\n"
-      "not used. Exit code 3 where no kappa and k2 in their ranges exist.\n",
+      "kappa and k2 of the scene are not used. Exit code 3 where no kappa and\n"
+      "k2 in their ranges exist.\n",
       stdout);
 }
 
@@ -74,6 +73,6 @@ void cli_atlas_help(void) {
       "paper's figure shows it with the other sign. Where no kappa and k2\n"
       "exist (r = 0, r = r0, omega = omega0) all columns but r, omega and\n"
       "overlap are empty.\n"
-      "\n" GRID_OPTIONS COMMON_OPTIONS "\n",
+      "\n" GRID_OPTIONS COMMON_OPTIONS,
       stdout);
 }
