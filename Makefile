@@ -1,10 +1,12 @@
-# twofold. `make help` says what can be made. Nothing but GNU make, a C
-# compiler, sh and coreutils is needed for `make run` and `make test`.
+# twofold: the build, the run and the tests, which need nothing but GNU make,
+# a C compiler, sh and coreutils. `make help` lists every target; what belongs
+# to one tool stands in a makefile beside that tool.
 #
 #   CC=clang             another compiler
 #   OPT='-O2'            another optimisation (default -O3)
 #   EXTRA='-Werror'      further flags, for compiling and linking
 #   BUILD=dir            another place for everything that is made
+#   VARIANTS=double      only this real type
 #   TESTS='tests/law/test_order.c'   only these tests
 
 ifeq ($(origin CC),default)
@@ -21,18 +23,9 @@ MAKEFLAGS += --no-builtin-rules -j$(shell nproc 2>/dev/null || echo 2)
 CORE := $(wildcard src/*/*.c)
 CLI := $(wildcard tools/*.c tools/cli/*.c tools/cli/*/*.c)
 SUPPORT := $(wildcard tests/support/*.c)
-TEST_ROOMS := tests/unit tests/unit/* tests/cli tests/line tests/law tests/golden \
-  tests/regress
+TEST_ROOMS := tests/unit tests/unit/* tests/cli tests/line tests/law \
+  tests/golden tests/regress
 TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
-BENCH := tools/bench/steps.c tools/bench/race.c tools/bench/compensated.c \
-  tools/bench/ensemble.c tools/bench/frame.c
-STABILITY := $(wildcard tools/stability/*.c)
-COUNTS := nearest machines
-PEERS := hand twofold reference
-ORACLE := $(wildcard tools/oracle/*.c)
-REPORT := sweep scatter cost digits scenes
-HIL_PARTS := $(wildcard tools/hil/*.c) tools/cli/host/source.c \
-  tools/cli/host/host.c
 
 # One rounding per operation, everywhere: the same bits on every target.
 COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude
@@ -57,52 +50,39 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help all run test bench bench-compensated bench-ensemble bench-frame \
-  bench-peers bench-steps stability report keep-report oracle check \
-  clean firmware elf boards boards-list test-boards size deps statistics \
-  hil mutation witnesses eva valgrind bounds keep-bounds \
-  $(VARIANTS:%=line-%) FORCE
+.PHONY: help run test quick all clean FORCE $(VARIANTS:%=line-%)
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-help:
-	@echo 'make run     simulate scene chaos for 10 s, write $(BUILD)/chaos.csv'
-	@echo 'make test    all tests, in double and in float'
-	@echo 'make bench   report: error against time, cost (gnuplot, valgrind)'
-	@echo 'make report  bench-peers, stability and bench in one go (minutes)'
-	@echo 'make keep-report  copies the reports of the build to docs/'
-	@echo 'make bench-steps   cost of a Moreau step alone (valgrind)'
-	@echo 'make stability  stiff and extreme cases: tables and map (gnuplot)'
-	@echo 'make statistics  exits and returns of chaos, counted (10 minutes)'
-	@echo 'make bench-compensated   errors of small steps, carried or not'
-	@echo 'make bench-ensemble   many states at once (try EXTRA=-mavx2)'
-	@echo 'make bench-frame      frames decoded and made, MB/s'
-	@echo 'make bench-peers  error over time beside other tools (SUNDIALS, ...)'
-	@echo 'make check   warnings, format, static analysis, sanitizers, promises'
-	@echo 'make fuzz SECONDS=30   random inputs against the promises (clang)'
-	@echo 'make fuzz-merge     what fuzzing found, into tests/corpus'
-	@echo 'make soak STEPS=1e9    chaos for so many steps, then a replay'
-	@echo 'make mutation SAMPLE=60   wrong changes of src/ for tests to notice'
-	@echo 'make witnesses SAMPLE=2000 for each test a change that it fails for'
-	@echo 'make eva     undefined behaviour, by Frama-C Eva: all entries (minutes)'
-	@echo 'make valgrind  every test for a minute of memcheck (valgrind)'
-	@echo 'make oracle  remake tests/data/reference*.h (minutes; libquadmath)'
-	@echo 'make firmware SCENE=chaos BOARD=microbit REAL=float   (port/port.mk)'
-	@echo 'make boards  firmware of every board;  make deps installs compilers'
-	@echo 'make test-boards  bits and real time of every board, in emulators'
-	@echo 'make figures  the pictures of docs/FIGURES.md (gnuplot)'
-	@echo 'make keep-figures  copies them to docs/figures/'
-	@echo 'make hil BOARD=stm32f405   a controller drives it over its line'
-	@echo 'make size    flash, RAM, stack, instructions of every board'
-	@echo 'make bounds EVALUATIONS=100000   worst cost, stack of every function'
-	@echo 'make keep-bounds  copies them to docs/ and into the headers'
-	@echo 'make all     compile everything: core, command line, tests, bench'
-	@echo 'make clean   remove $(BUILD)/'
-	@echo 'Variables: CC OPT EXTRA BUILD TESTS; see the top of the Makefile.'
+# The makefiles of the tools, in the groups of `make help`.
+BOARD_MAKEFILES := port/port.mk tools/hil/hil.mk tools/size/size.mk
+MEASURE_MAKEFILES := tools/bench/bench.mk tools/report/report.mk \
+  tools/peers/peers.mk tools/stability/stability.mk \
+  tools/statistics/statistics.mk tools/figures/figures.mk
+VERIFY_MAKEFILES := tools/check/check.mk tools/fuzz/fuzz.mk \
+  tools/soak/soak.mk tools/mutation/mutation.mk tools/eva/eva.mk \
+  tools/cost/cost.mk tools/oracle/oracle.mk
 
-# What is made in one variant: $(call programs,tests or bench,variant).
+# A target for users says what it does after `##`, on a line of its own; one
+# that only makefiles and scripts use has no such line and is named here or
+# beside its rule.
+HELPERS := FORCE $(VARIANTS:%=line-%)
+define group
+	@echo; echo '$(1)'
+	@sed -nE 's/^([a-z-]+): ## (.*)/  make \1\t\2/p' $(2) | expand -t 25
+endef
+help: ## this list
+	$(call group,Every day,Makefile)
+	$(call group,Boards,$(BOARD_MAKEFILES))
+	$(call group,Measurements and pictures,$(MEASURE_MAKEFILES))
+	$(call group,Verification,$(VERIFY_MAKEFILES))
+	@echo
+	@echo 'CC, OPT, EXTRA, BUILD, VARIANTS and TESTS: see the top of the'
+	@echo 'Makefile; other variables: see the makefile of the tool.'
+
+# What is made in one variant: $(call programs,list of sources,variant).
 programs = $(patsubst %.c,$(BUILD)/$(2)/%,$(filter %.c,$(1)))
 
 # The rules of one variant. The file `flags` changes when the compiler, a flag
@@ -135,18 +115,6 @@ $(BUILD)/$(1)/twofold: $$(call objects_of_$(1),$(CLI)) \
 $(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \
     $(BUILD)/$(1)/libtwofold.a
 	$$(link)
-$(call programs,$(BENCH),$(1)): %: %.o \
-    $(BUILD)/$(1)/tools/bench/rk4_smooth.o $(BUILD)/$(1)/libtwofold.a
-	$$(link)
-$(REPORT:%=$(BUILD)/$(1)/tools/report/%): %: %.o \
-    $(BUILD)/$(1)/tools/report/part.o $(BUILD)/$(1)/tools/report/truth.o \
-    $(BUILD)/$(1)/libsupport.a $(BUILD)/$(1)/libtwofold.a
-	$$(link)
-$(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) $(BUILD)/$(1)/libtwofold.a
-	$$(link)
-$(BUILD)/$(1)/tools/stability/sweep: $$(call objects_of_$(1),$(STABILITY)) \
-    $(BUILD)/$(1)/libtwofold.a
-	$$(link)
 endef
 
 define compile
@@ -165,11 +133,7 @@ endef
 
 $(foreach v,$(VARIANTS),$(eval $(call rules,$(v))))
 
-all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
-  $(call programs,$(TESTS),$(v)) $(call programs,$(BENCH),$(v)) \
-  $(BUILD)/$(v)/tools/stability/sweep $(BUILD)/$(v)/hil \
-  $(REPORT:%=$(BUILD)/$(v)/tools/report/%))
-
+run: ## simulate scene chaos for 10 s, write build/chaos.csv
 run: $(BUILD)/double/twofold
 	@$< run chaos --t-end 10 --dt 1e-4 --every 10 --out $(BUILD)/chaos.csv
 	@echo 'The trajectory is in $(BUILD)/chaos.csv.'
@@ -183,118 +147,32 @@ $(VARIANTS:%=line-%): line-%: $(BUILD)/%/constants
 	  CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' SCENE=chaos \
 	  REAL=$* RATE=1000 EVERY=1 STEPS=0 FORMAT=frames UPLINK=yes NAMED=-line
 
-test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) \
-  $(BUILD)/double/twofold $(LINE)
-	@TWOFOLD=$(BUILD)/double/twofold FIRMWARE=$(BUILD)/boards/host/chaos \
-	  tests/run $(filter-out $(BUILD)/double/twofold $(LINE),$^) \
-	  $(filter %.sh,$(TESTS))
+# The command line, for the tests that start it.
+PROGRAM := $(BUILD)/double/twofold
+test: ## all tests, in double and in float (or TESTS=...)
+test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) $(PROGRAM) $(LINE)
+	@TWOFOLD=$(PROGRAM) FIRMWARE=$(BUILD)/boards/host/chaos \
+	  tests/run $(filter-out $(PROGRAM) $(LINE),$^) $(filter %.sh,$(TESTS))
 
-bench: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)) \
-  $(REPORT:%=$(BUILD)/$(v)/tools/report/%))
-	@CC='$(CC)' OPT='$(OPT)' BUILD='$(BUILD)' tools/report/run
+# What one runs while working: one real type, compiled fast, and of the tests
+# those that then take half a second at most and start no program; `make test`
+# has them all.
+NOT_QUICK := branch codim2 compensated convergence corpus device ensemble \
+  extreme_analysis extremes frame friction golden line located located_report \
+  normal_form physics_numbers pinned reference tyre
+QUICK := $(filter-out $(NOT_QUICK:%=\%/test_%.c),$(filter %.c,$(TESTS)))
+quick: ## the quick tests, in double: what to run while working
+	@MAKEFLAGS= $(MAKE) -s --no-print-directory test VARIANTS=double OPT=-O1 \
+	  BUILD='$(BUILD)/quick' PROGRAM= TESTS='$(QUICK)'
 
-# The copies in docs/ are those of the last `make bench` and `make stability`.
-keep-report:
-	cp $(BUILD)/REPORT.md docs/
-	mkdir -p docs/report
-	cp $(BUILD)/report/*.svg docs/report/
-	if [ -e $(BUILD)/STABILITY.md ]; then cp $(BUILD)/STABILITY.md docs/ && \
-	  mkdir -p docs/stability && cp $(BUILD)/stability/*.png docs/stability/; fi
+all: ## compile everything: core, command line, tests, tools
+all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
+  $(call programs,$(TESTS),$(v)))
 
-# All reports of one commit and compiler, one after the other: none disturbs
-# what another measures.
-report:
-	@$(MAKE) bench-peers
-	@$(MAKE) stability
-	@$(MAKE) bench
-
-bench-steps: $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
-	@CC='$(CC)' BUILD='$(BUILD)' tools/bench/run
-
-stability: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/stability/sweep)
-	@CC='$(CC)' BUILD='$(BUILD)' tools/stability/run
-
-$(COUNTS:%=$(BUILD)/statistics/%): $(BUILD)/statistics/%: \
-    $(BUILD)/double/tools/statistics/%.o $(BUILD)/double/libtwofold.a
-	@mkdir -p $(@D)
-	$(link)
-
-statistics: $(BUILD)/double/twofold $(COUNTS:%=$(BUILD)/statistics/%)
-	@BUILD='$(BUILD)' tools/statistics/study
-
-bench-compensated: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/compensated)
-	@BUILD='$(BUILD)' tools/bench/compensated.sh
-
-bench-ensemble: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/ensemble)
-	@for v in $(VARIANTS); do echo "== $$v" && \
-	  $(BUILD)/$$v/tools/bench/ensemble || exit 1; done
-
-bench-frame: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/tools/bench/frame)
-	@for v in $(VARIANTS); do echo "== $$v" && \
-	  $(BUILD)/$$v/tools/bench/frame || exit 1; done
-
-# Other tools on the same problems. What is not the project's own may use all
-# that the processor has. SUNDIALS, Siconos and Octave are built or left out by
-# tools/peers/run; the rest is built here.
-RIVAL_FLAGS = $(TOOL_FLAGS) -march=native -ffp-contract=fast
-$(BUILD)/peers/%.o: tools/%.c $(BUILD)/double/flags
-	$(call compile,$(RIVAL_FLAGS))
-$(PEERS:%=$(BUILD)/peers/%): $(BUILD)/peers/%: $(BUILD)/peers/peers/%.o \
-    $(BUILD)/peers/peers/sweep.o $(BUILD)/peers/peers/problem.o \
-    $(BUILD)/peers/bench/rk4_smooth.o $(BUILD)/double/libtwofold.a
-	$(link)
-
-bench-peers: $(PEERS:%=$(BUILD)/peers/%)
-	@CC='$(CC)' BUILD='$(BUILD)' tools/peers/run
-
-# Reference solutions in quadruple precision, one process a problem. Always by
-# gcc: __float128 and libquadmath are its own.
-ORACLE_GCC ?= gcc
-$(BUILD)/oracle: $(ORACLE) $(wildcard tools/oracle/*.h)
-	@mkdir -p $(@D)
-	@echo '__float128 sqrtq(__float128); int main(int n, char **a)' \
-	  '{ (void)a; return sqrtq(n) < 0; }' | \
-	  $(ORACLE_GCC) -x c - -lquadmath -o $@ 2>/dev/null || { rm -f $@; \
-	  echo 'make oracle needs gcc with libquadmath, on a processor that it is' \
-	  'made for, as x86-64 (Debian: apt-get install gcc).'; exit 1; }
-	$(ORACLE_GCC) $(filter-out -Iinclude,$(COMMON)) $(WARN) $(EXTRA) \
-	  $(ORACLE) -lquadmath -o $@
-
-oracle: $(BUILD)/oracle
-	@$< names | xargs -P $(shell nproc 2>/dev/null || echo 2) -I NAME \
-	  sh -c '$< NAME >$(BUILD)/NAME.new && \
-	    mv $(BUILD)/NAME.new tests/data/reference_NAME.h'
-	@$< index >$(BUILD)/index.new && mv $(BUILD)/index.new \
-	  tests/data/reference.h
-	@echo 'The references are in tests/data/.'
-
-include port/port.mk
-include tools/figures/figures.mk
-include tools/fuzz/fuzz.mk
-include tools/cost/cost.mk
-
-# Every entry of the analysis; check `eva` has the short ones.
-eva:
-	@BUILD='$(BUILD)' tools/eva/run $(ENTRIES)
-
-# Each test program for a minute at most; check `valgrind` takes the quick ones.
-valgrind:
-	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' tools/check/valgrind.sh all
-
-# The checks choose their own compilers and flags.
-check:
-	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' tools/check/run $(CHECKS)
-
-# SAMPLE=0 tries every change (hours), SEED=2 others than SEED=1, AGAIN=1 goes
-# on where a run was stopped and tries again what survived.
-SAMPLE ?= 60
-SEED ?= 1
-AGAIN ?=
-mutation witnesses:
-	@CC='$(CC)' BUILD='$(BUILD)' SAMPLE='$(SAMPLE)' SEED='$(SEED)' \
-	  AGAIN='$(AGAIN)' tools/mutation/run $(filter witnesses,$@)
-
-clean:
+clean: ## remove what was made
 	rm -rf $(BUILD)
 
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+include $(BOARD_MAKEFILES) $(MEASURE_MAKEFILES) $(VERIFY_MAKEFILES)
+
+-include $(shell find $(BUILD) -path '$(BUILD)/check' -prune \
+  -o -path '$(BUILD)/quick' -prune -o -name '*.d' -print 2>/dev/null)

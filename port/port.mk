@@ -1,4 +1,4 @@
-# Firmware. Included by the Makefile; `make help` tells the commands.
+# Firmware. Included by the Makefile.
 #
 #   SCENE=chaos      a scene, or `generic`: all of them, chosen by START
 #   START=chaos      the scene that a generic firmware runs
@@ -32,27 +32,22 @@ $(VARIANTS:%=$(BUILD)/%/constants): $(BUILD)/%/constants: \
     $(BUILD)/%/tools/firmware/constants.o $(BUILD)/%/libtwofold.a
 	$(link)
 
+.PHONY: firmware boards test-boards deps elf boards-list
+HELPERS += elf boards-list
+firmware: ## of SCENE=chaos for BOARD=microbit in REAL=float
+
 boards-list:
 	@echo '$(BOARDS)'
 
-test-boards:
+test-boards: ## bits and real time of every board, in emulators
 	@BUILD='$(BUILD)' tests/target/run $(ONLY)
 
-# HIL='--lockstep --steps 5000': options, listed by build/float/hil alone.
-hil:
-	@BUILD='$(BUILD)' REAL='$(REAL)' SCENE='$(SCENE)' RATE='$(RATE)' \
-	  EVERY='$(or $(EVERY),10)' tools/hil/run $(BOARD) $(HIL)
-
-size:
-	@BUILD='$(BUILD)' tools/size/run $(ONLY)
-
-# Firmware of one scene for every board whose compiler is here.
-boards:
+boards: ## firmware for every board whose compiler is here
 	@for board in $(or $(ONLY),$(BOARDS)); do \
 	  $(MAKE) -s --no-print-directory firmware BOARD=$$board \
 	    SCENE=$(SCENE) || [ $$? -eq 2 ] || exit 1; done
 
-deps:
+deps: ## install compilers and emulators of the boards (apt-get)
 	apt-get install -y --no-install-recommends \
 	  $(sort $(shell sed -n 's/^BOARD_PACKAGES := //p; s/^  \(qemu[a-z-]*\)$$/\1/p' \
 	  $(wildcard port/*/board.mk) | tr -d '\\'))

@@ -1,5 +1,7 @@
 # Instructions of the public functions (tools/cost), on x86-64 only. The core
 # is compiled with -O2 and counts itself. Included by the Makefile.
+#
+#   EVALUATIONS=100000   calls of each function that the search tries
 
 COST := $(wildcard tools/cost/*.c)
 COUNTED := $(CORE:src/%.c=%) inline memory
@@ -28,11 +30,13 @@ endef
 
 $(foreach v,$(VARIANTS),$(eval $(call cost_rules,$(v))))
 
+.PHONY: bounds keep-bounds
+bounds: ## worst cost and stack of every public function
 bounds: $(VARIANTS:%=$(BUILD)/%/cost)
 	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' tools/cost/run
 
-# Into docs/, the seeds of the next search and the rows of the headers.
-keep-bounds:
+# Also the seeds of the next search.
+keep-bounds: ## copy them to docs/ and into the headers
 	cp $(BUILD)/BOUNDS.md docs/
 	cp $(BUILD)/bounds/worst.double $(BUILD)/bounds/worst.float tools/cost/
 	for header in include/twofold/*.h; do \

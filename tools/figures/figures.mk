@@ -26,9 +26,12 @@ BY_delay := --by delay --size 1e-3
 KINDS := random noise smoothing hysteresis delay
 
 .PHONY: figures keep-figures figures-gnuplot
+HELPERS += figures-gnuplot
+figures: ## the pictures of docs/FIGURES.md (gnuplot)
 figures: $(FIGURES:%=$(figdir)/%.svg) $(FIGURES:%=$(figdir)/%.png)
 	@echo 'The figures are in $(figdir)/: $(FIGURES)'
 
+keep-figures: ## copy them to docs/figures/
 keep-figures: $(ALL_FIGURES:%=$(figdir)/%.svg)
 	mkdir -p docs/figures
 	cp $^ docs/figures/

@@ -1,10 +1,10 @@
 # Fuzzing: `make fuzz SECONDS=30` runs each target so long from its corpus,
 # `make fuzz-merge` puts what a run found into the corpus, minimised. tests/
 # regress/test_corpus.c replays the corpus in every `make test`, without clang.
+# Included by the Makefile.
 #
 #   FUZZ='machine frame'   only these targets
 #   FUZZ_REALS=double      only this real type (of the target machine)
-# Soak: `make soak STEPS=1e9` steps chaos so often, in each of VARIANTS.
 
 ALL_FUZZ := machine frame arguments
 FUZZ ?= $(ALL_FUZZ)
@@ -24,14 +24,15 @@ fuzzdir := $(BUILD)/fuzz
 FUZZ_FLAGS := -g1 -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
   -fsanitize=address,undefined,float-cast-overflow
 FUZZ_PARTS := $(ALL_FUZZ:%=tools/fuzz/%.c) tools/fuzz/analysis.c \
-  $(wildcard tools/cli/*.c tools/cli/*/*.c) $(CORE)
-SOAK_STEPS := $(if $(filter command line environment,$(origin STEPS)),\
-  $(STEPS),1e7)
+  $(filter tools/cli/%,$(CLI)) $(CORE)
 
-.PHONY: fuzz fuzz-merge fuzz-clang soak
+.PHONY: fuzz fuzz-merge fuzz-clang
+HELPERS += fuzz-clang
+fuzz: ## random inputs, SECONDS=30 for each target (clang)
 fuzz: $(FUZZ_RUNS:%=$(fuzzdir)/%)
 	@BUILD='$(BUILD)' tools/fuzz/run $(SECONDS) $(FUZZ_RUNS)
 
+fuzz-merge: ## put what fuzzing found into tests/corpus
 fuzz-merge: $(FUZZ_RUNS:%=$(fuzzdir)/%)
 	@BUILD='$(BUILD)' tools/fuzz/merge $(FUZZ_RUNS)
 
@@ -63,12 +64,5 @@ $(BUILD)/$(1)/libcorpus.a: $(call objects_of_$(1),$(FUZZ_PARTS))
 	$$(archive)
 $(BUILD)/$(1)/tests/regress/test_corpus \
 $(BUILD)/$(1)/tests/law/test_extreme_analysis: $(BUILD)/$(1)/libcorpus.a
-
-$(BUILD)/$(1)/soak: $(call objects_of_$(1),tools/soak/soak.c \
-    tools/cli/host/host.c) $(BUILD)/$(1)/libtwofold.a
-	$$(link)
 endef
 $(foreach v,$(VARIANTS),$(eval $(call fuzz-rules,$(v))))
-
-soak: $(VARIANTS:%=$(BUILD)/%/soak)
-	@for p in $^; do $$p $(SOAK_STEPS) || exit 1; done

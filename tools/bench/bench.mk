@@ -1,0 +1,32 @@
+# Measurements of one kind of step alone. Included by the Makefile.
+
+BENCH := $(addprefix tools/bench/,steps.c race.c compensated.c ensemble.c frame.c)
+
+define bench_rules
+$(call programs,$(BENCH),$(1)): %: %.o \
+    $(BUILD)/$(1)/tools/bench/rk4_smooth.o $(BUILD)/$(1)/libtwofold.a
+	$$(link)
+endef
+$(foreach v,$(VARIANTS),$(eval $(call bench_rules,$(v))))
+BENCH_PROGRAMS := $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
+
+.PHONY: bench-steps bench-compensated bench-ensemble bench-frame
+all: $(BENCH_PROGRAMS)
+
+bench-steps: ## cost of a Moreau step alone (valgrind)
+bench-steps: $(BENCH_PROGRAMS)
+	@CC='$(CC)' BUILD='$(BUILD)' tools/bench/run
+
+bench-compensated: ## errors of small steps, compensated and not
+bench-compensated: $(VARIANTS:%=$(BUILD)/%/tools/bench/compensated)
+	@BUILD='$(BUILD)' tools/bench/compensated.sh
+
+bench-ensemble: ## many states at once (try EXTRA=-mavx2)
+bench-ensemble: $(VARIANTS:%=$(BUILD)/%/tools/bench/ensemble)
+	@for v in $(VARIANTS); do echo "== $$v" && \
+	  $(BUILD)/$$v/tools/bench/ensemble || exit 1; done
+
+bench-frame: ## frames decoded and made, MB/s
+bench-frame: $(VARIANTS:%=$(BUILD)/%/tools/bench/frame)
+	@for v in $(VARIANTS); do echo "== $$v" && \
+	  $(BUILD)/$$v/tools/bench/frame || exit 1; done

@@ -1,0 +1,7 @@
+# Undefined behaviour and numbers that are not finite, by Frama-C Eva. Included by the Makefile.
+#
+#   ENTRIES='step_any seal_any'   these entries; check `eva` has the short ones
+
+.PHONY: eva
+eva: ## all entries of Frama-C Eva (minutes)
+	@BUILD='$(BUILD)' tools/eva/run $(ENTRIES)

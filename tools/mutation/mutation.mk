@@ -1,0 +1,16 @@
+# Wrong changes of src/ for the tests to notice. Included by the Makefile.
+#
+#   SAMPLE=60    how many are tried; 0 tries every change (hours)
+#   SEED=1       SEED=2 tries others
+#   AGAIN=1      goes on where a run was stopped, and tries what survived again
+
+SAMPLE ?= 60
+SEED ?= 1
+AGAIN ?=
+
+.PHONY: mutation witnesses
+mutation: ## wrong changes of src/ for the tests to notice
+witnesses: ## for each test a change that fails it (SAMPLE=2000)
+mutation witnesses:
+	@CC='$(CC)' BUILD='$(BUILD)' SAMPLE='$(SAMPLE)' SEED='$(SEED)' \
+	  AGAIN='$(AGAIN)' tools/mutation/run $(filter witnesses,$@)

@@ -1,0 +1,34 @@
+# The report: error against time and cost. Included by the Makefile.
+
+REPORT := sweep scatter cost digits scenes
+
+define report_rules
+$(REPORT:%=$(BUILD)/$(1)/tools/report/%): %: %.o \
+    $(BUILD)/$(1)/tools/report/part.o $(BUILD)/$(1)/tools/report/truth.o \
+    $(BUILD)/$(1)/libsupport.a $(BUILD)/$(1)/libtwofold.a
+	$$(link)
+endef
+$(foreach v,$(VARIANTS),$(eval $(call report_rules,$(v))))
+REPORT_PROGRAMS := $(foreach v,$(VARIANTS),\
+  $(REPORT:%=$(BUILD)/$(v)/tools/report/%))
+
+.PHONY: bench report keep-report
+all: $(REPORT_PROGRAMS)
+
+# All reports of one commit and compiler, one after the other: none disturbs
+# what another measures.
+report: ## bench-peers, stability, bench, one by one (minutes)
+	@$(MAKE) bench-peers
+	@$(MAKE) stability
+	@$(MAKE) bench
+
+bench: ## error against time, cost (gnuplot, valgrind)
+bench: $(BENCH_PROGRAMS) $(REPORT_PROGRAMS)
+	@CC='$(CC)' OPT='$(OPT)' BUILD='$(BUILD)' tools/report/run
+
+keep-report: ## copy what bench and stability made to docs/
+	cp $(BUILD)/REPORT.md docs/
+	mkdir -p docs/report
+	cp $(BUILD)/report/*.svg docs/report/
+	if [ -e $(BUILD)/STABILITY.md ]; then cp $(BUILD)/STABILITY.md docs/ && \
+	  mkdir -p docs/stability && cp $(BUILD)/stability/*.png docs/stability/; fi

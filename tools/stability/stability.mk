@@ -1,0 +1,17 @@
+# Stiff and extreme machines. Included by the Makefile.
+
+STABILITY := $(wildcard tools/stability/*.c)
+
+define stability_rules
+$(BUILD)/$(1)/tools/stability/sweep: $$(call objects_of_$(1),$(STABILITY)) \
+    $(BUILD)/$(1)/libtwofold.a
+	$$(link)
+endef
+$(foreach v,$(VARIANTS),$(eval $(call stability_rules,$(v))))
+
+.PHONY: stability
+all: $(VARIANTS:%=$(BUILD)/%/tools/stability/sweep)
+
+stability: ## stiff and extreme cases: tables and map (gnuplot)
+stability: $(VARIANTS:%=$(BUILD)/%/tools/stability/sweep)
+	@CC='$(CC)' BUILD='$(BUILD)' tools/stability/run

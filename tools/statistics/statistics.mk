@@ -1,0 +1,13 @@
+# Exits from the two-fold and returns to it, counted. Included by the Makefile.
+
+COUNTS := nearest machines
+
+$(COUNTS:%=$(BUILD)/statistics/%): $(BUILD)/statistics/%: \
+    $(BUILD)/double/tools/statistics/%.o $(BUILD)/double/libtwofold.a
+	@mkdir -p $(@D)
+	$(link)
+
+.PHONY: statistics
+statistics: ## exits and returns of chaos, counted (20 minutes)
+statistics: $(BUILD)/double/twofold $(COUNTS:%=$(BUILD)/statistics/%)
+	@BUILD='$(BUILD)' tools/statistics/study
