@@ -56,6 +56,12 @@ ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
+# Makes a report: $(call of_this_core,file,command) runs the command and puts
+# after the title of the file that it makes of which core it is.
+define of_this_core
+	@core=$$(tools/stamp core) && $(2) && sed -i "1a \\\n$$core" $(1)
+endef
+
 # The makefiles of the tools, in the groups of `make help`.
 BOARD_MAKEFILES := port/port.mk tools/hil/hil.mk tools/size/size.mk
 MEASURE_MAKEFILES := tools/bench/bench.mk tools/report/report.mk \

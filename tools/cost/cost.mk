@@ -33,7 +33,8 @@ $(foreach v,$(VARIANTS),$(eval $(call cost_rules,$(v))))
 .PHONY: bounds keep-bounds
 bounds: ## worst cost and stack of every public function
 bounds: $(VARIANTS:%=$(BUILD)/%/cost)
-	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' tools/cost/run
+	$(call of_this_core,$(BUILD)/BOUNDS.md,MAKEFLAGS= MAKELEVEL= \
+	  BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' tools/cost/run)
 
 # Also the seeds of the next search.
 keep-bounds: ## copy them to docs/ and into the headers

@@ -35,6 +35,7 @@ keep-figures: ## copy them to docs/figures/
 keep-figures: $(ALL_FIGURES:%=$(figdir)/%.svg)
 	mkdir -p docs/figures
 	cp $^ docs/figures/
+	tools/check/reports.py --remade docs/FIGURES.md
 
 figures-gnuplot:
 	@command -v gnuplot >/dev/null || { \

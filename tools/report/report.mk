@@ -24,7 +24,8 @@ report: ## bench-peers, stability, bench, one by one (minutes)
 
 bench: ## error against time, cost (gnuplot, valgrind)
 bench: $(BENCH_PROGRAMS) $(REPORT_PROGRAMS)
-	@CC='$(CC)' OPT='$(OPT)' BUILD='$(BUILD)' tools/report/run
+	$(call of_this_core,$(BUILD)/REPORT.md,CC='$(CC)' OPT='$(OPT)' \
+	  BUILD='$(BUILD)' tools/report/run)
 
 keep-report: ## copy what bench and stability made to docs/
 	cp $(BUILD)/REPORT.md docs/

@@ -4,4 +4,5 @@
 
 .PHONY: size
 size: ## flash, RAM, stack, instructions of every board
-	@BUILD='$(BUILD)' tools/size/run $(ONLY)
+	$(call of_this_core,$(BUILD)/SIZE.md,BUILD='$(BUILD)' tools/size/run \
+	  $(ONLY))

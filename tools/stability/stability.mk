@@ -14,4 +14,5 @@ all: $(VARIANTS:%=$(BUILD)/%/tools/stability/sweep)
 
 stability: ## stiff and extreme cases: tables and map (gnuplot)
 stability: $(VARIANTS:%=$(BUILD)/%/tools/stability/sweep)
-	@CC='$(CC)' BUILD='$(BUILD)' tools/stability/run
+	$(call of_this_core,$(BUILD)/STABILITY.md,CC='$(CC)' BUILD='$(BUILD)' \
+	  tools/stability/run)

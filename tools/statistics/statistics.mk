@@ -10,4 +10,5 @@ $(COUNTS:%=$(BUILD)/statistics/%): $(BUILD)/statistics/%: \
 .PHONY: statistics
 statistics: ## exits and returns of chaos, counted (20 minutes)
 statistics: $(BUILD)/double/twofold $(COUNTS:%=$(BUILD)/statistics/%)
-	@BUILD='$(BUILD)' tools/statistics/study
+	$(call of_this_core,$(BUILD)/statistics/SUMMARY.md,BUILD='$(BUILD)' \
+	  tools/statistics/study)

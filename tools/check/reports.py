@@ -1,0 +1,124 @@
+#!/usr/bin/python3
+"""Reports say of which core they are: each has the line of `tools/stamp core`,
+"Of commit HASH of src/ and include/.", and where src/ or include/ is another
+now, the line after it says so.
+
+    reports.py                 holds that this is so
+    reports.py --write         writes or removes the lines that say so
+    reports.py --remade FILE   says that a report is of the present core
+
+Reports are not remade for every change, so one of an older core is told, and
+is no failure. A clone without the commit cannot tell; it says that instead.
+"""
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from findings import checked, need, wrong
+
+REPORTS = [f"docs/{name}.md" for name in (
+    "REPORT", "STABILITY", "SIZE", "statistics", "BOUNDS", "FIGURES",
+    "FINDINGS")]
+ORIGIN = re.compile(r"Of commit (.*) of src/ and include/(.*)\.")
+OLDER = "The core has changed since: what follows is of the older one."
+
+
+def git(*arguments):
+    return subprocess.run(["git", *arguments], stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL).returncode
+
+
+def is_older(commit):
+    """Whether the core is another one now; None where git does not know."""
+    if git("cat-file", "-e", commit + "^{commit}") != 0:
+        return None
+    return git("diff", "--quiet", commit, "--", "src", "include") != 0
+
+
+def origin(lines):
+    """(number of the line, commit, whether OLDER follows) or None."""
+    for i, line in enumerate(lines):
+        found = ORIGIN.fullmatch(line)
+        if found:
+            return i, found, lines[i + 1:i + 2] == [OLDER]
+    return None
+
+
+def judge(name, lines, older_than=is_older):
+    """(what is wrong or None, whether it is older) of one report."""
+    there = origin(lines)
+    if there is None:
+        return f"{name}: no line \"Of commit HASH of src/ and include/.\"", None
+    _, found, says_so = there
+    if not re.fullmatch("[0-9a-f]{7,40}", found[1]) or found[2]:
+        return f"{name}: is of no commit: {found[0]}", None
+    older = older_than(found[1])
+    if older and not says_so:
+        return f"{name}: of an older core and does not say so: make stale", True
+    if older is False and says_so:
+        return f"{name}: says that it is of an older core: make stale", False
+    return None, older
+
+
+def write(name):
+    lines = Path(name).read_text().split("\n")
+    there = origin(lines)
+    older = there and is_older(there[1][1])
+    if older is None:
+        print(f"{name}: not known of which core it is")
+        return
+    at, _, says_so = there
+    if older != says_so:
+        lines[at + 1:at + 1 + says_so] = [OLDER] if older else []
+        Path(name).write_text("\n".join(lines))
+    print(f"{name}: of {'an older' if older else 'the present'} core")
+
+
+def remade(name):
+    lines = Path(name).read_text().split("\n")
+    at, _, says_so = origin(lines)
+    lines[at:at + 1 + says_so] = [subprocess.run(
+        ["tools/stamp", "core"], stdout=subprocess.PIPE, text=True,
+        check=True).stdout.strip()]
+    Path(name).write_text("\n".join(lines))
+
+
+def judge_seeds():
+    """What is planted here must be found."""
+    line = "Of commit 0123456 of src/ and include/."
+    for lines, older, want in (
+            (["# Title"], False, "no line"),
+            ([line[:-1] + ", with changes."], False, "is of no commit"),
+            ([line], True, "does not say so"),
+            ([line, OLDER], False, "says that it is"),
+            ([line, OLDER], True, None), ([line], False, None),
+            ([line], None, None)):
+        said, _ = judge("planted", lines, lambda _, older=older: older)
+        if (want or "") not in (said or "") or (want is None) != (said is None):
+            wrong(f"a planted report is judged \"{said}\", not \"{want}\"")
+
+
+need("git", "git")
+if sys.argv[1:] == ["--write"]:
+    for report in REPORTS:
+        write(report)
+elif sys.argv[1:2] == ["--remade"]:
+    for report in sys.argv[2:]:
+        remade(report)
+else:
+    judge_seeds()
+    old, unknown = [], []
+    for report in REPORTS:
+        said, older = judge(report, Path(report).read_text().split("\n"))
+        if said:
+            wrong(said)
+        if older:
+            old.append(Path(report).stem)
+        if older is None:
+            unknown.append(Path(report).stem)
+    if unknown:
+        print("not in this clone's history:", *unknown)
+    checked(f"{len(REPORTS)} reports; of an older core and saying so: "
+            f"{' '.join(old) or 'none'}; not known without more history: "
+            f"{' '.join(unknown) or 'none'}")
