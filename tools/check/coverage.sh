@@ -5,6 +5,7 @@
 # that makes them one (kernel.h) is renamed to one without effect.
 . "$(dirname "$0")/lib.sh"
 need gcov gcc
+need gcovr gcovr
 
 # Programs, not the command line: who breaks the core is to be told by a test
 # that names what broke. Those of units in double and those of laws in float
@@ -19,7 +20,7 @@ programs_of() { # REAL PLACE...: names of programs
 }
 place=$BUILD/coverage
 rm -rf "$place"
-programs=$(programs_of double tests/unit tests/regress
+programs=$(programs_of double tests/unit tests/line tests/regress
   programs_of float tests/law tests/golden)
 tests=$(files_in 'test_*.c' tests | tr "\n" " ")
 # shellcheck disable=SC2086  # a list of programs
@@ -30,16 +31,39 @@ export TIMEOUT=900
 # shellcheck disable=SC2086  # a list of programs
 quietly tests/run $programs || wrong "tests fail"
 
-# Every object, run or not: what no test is linked with counts as not reached.
-# Headers are also reached from within a test.
-files_in '*.gcno' "$place" | while read -r notes; do
-  gcov -t -b -c -r "$notes" 2>/dev/null
-done >"$BUILD/coverage.gcov"
+# report PLACE SOURCES: what gcovr says of them; fails where a line or a branch
+# is not reached. Headers are also reached from within a test. An object that no
+# program was linked with counts as not reached.
+report() {
+  gcovr --filter "$2" "$1" && gcovr --filter "$2" --branches \
+    --print-summary --fail-under-line 100 --fail-under-branch 100 "$1"
+}
+
+# It must find a branch that is not taken, and a comment must not excuse it.
+seed=$BUILD/coverage-seed
+rm -rf "$seed"
+mkdir -p "$seed"
+cat >"$seed/seed.c" <<'END'
+int main(int n, char **words) {
+  (void)words;
+  return n > 9 ? n : 0;
+}
+END
+quietly gcc --coverage "$seed/seed.c" -o "$seed/seed" || exit 1
+"$seed/seed" || exit 1
+report "$seed" "$seed/" >"$BUILD/coverage.seed" 2>&1 &&
+  wrong "a branch that is not taken is not found"
+grep -q 'branches: 50.0% (1 out of 2)' "$BUILD/coverage.seed" ||
+  wrong "the planted branch is not counted"
+grep -rnE 'GCOVR?_EXCL|LCOV_EXCL' src && wrong "lines are left out"
+
 for source in src/*/*.c; do
   [ -e "$place/double/${source%.c}.gcno" ] ||
     wrong "$source: is compiled for no test"
 done
-awk -f tools/check/coverage.awk "$BUILD/coverage.gcov" >"$BUILD/coverage.txt" ||
+report "$place" src/ >"$BUILD/coverage.txt" 2>&1 ||
   wrong "a line or a branch is reached by no test"
 cat "$BUILD/coverage.txt"
-checked "$(tail -n 1 "$BUILD/coverage.txt")"
+checked "$(sed -nE 's/^(lines|branches): .*\(([0-9]+) out of ([0-9]+)\)/\2 of \3 \1/p' \
+  "$BUILD/coverage.txt" | sort -u | tr '\n' ',' | sed 's/,$//; s/,/, /')" \
+  "of src/; the planted branch is found"

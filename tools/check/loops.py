@@ -1,4 +1,5 @@
-"""Bounds of loops: clang -ast-dump=json ... | python3 loops.py FILE...
+#!/usr/bin/python3
+"""Bounds of loops: clang -ast-dump=json ... | loops.py FILE...
 
 Reads the syntax tree of one file and prints for each loop in FILE "file
 function line kind bound", kind being `constant`, `runtime` or `none`. A loop has

@@ -7,14 +7,14 @@
 # recursion: that is stack.sh's.
 . "$(dirname "$0")/lib.sh"
 need clang clang
-need python3 python3
+need /usr/bin/python3 python3
 
 # tree DEFINE FILE WANTED...: the loops of the wanted files.
 tree() {
   tree_define=$1 tree_file=$2
   shift 2
   clang -std=c99 "$tree_define" -Iinclude -fsyntax-only -Xclang \
-    -ast-dump=json "$tree_file" | python3 tools/check/loops.py "$@"
+    -ast-dump=json "$tree_file" | tools/check/loops.py "$@"
 }
 
 # It must find each of these, and the bound of the last two.

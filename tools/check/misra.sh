@@ -5,7 +5,7 @@
 # the checker is shown to find what it is there for.
 . "$(dirname "$0")/lib.sh"
 need cppcheck cppcheck
-need python3 python3
+need /usr/bin/python3 python3
 addon=
 for place in /usr/share/cppcheck/addons /usr/lib/*/cppcheck/addons \
   /usr/local/share/[Cc]ppcheck/addons; do
