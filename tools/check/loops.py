@@ -344,7 +344,8 @@ def visit(node, place, function, wanted, out):
     place.follow(node.get("loc", {}))
     span = node.get("range", {})
     place.follow(span.get("begin", {}))
-    file, line = place.file, place.line
+    # A header of another room is "src/event/../num/kernel.h".
+    file, line = os.path.normpath(place.file or "."), place.line
     if node.get("kind") == "FunctionDecl":
         function = node.get("name", "?")
     place.follow(span.get("end", {}))
