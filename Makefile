@@ -154,11 +154,11 @@ $(VARIANTS:%=line-%): line-%: $(BUILD)/%/constants
 	  REAL=$* RATE=1000 EVERY=1 STEPS=0 FORMAT=frames UPLINK=yes NAMED=-line
 
 # The command line, for the tests that start it.
-PROGRAM := $(BUILD)/double/twofold
+TWOFOLD := $(BUILD)/double/twofold
 test: ## all tests, in double and in float (or TESTS=...)
-test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) $(PROGRAM) $(LINE)
-	@TWOFOLD=$(PROGRAM) FIRMWARE=$(BUILD)/boards/host/chaos \
-	  tests/run $(filter-out $(PROGRAM) $(LINE),$^) $(filter %.sh,$(TESTS))
+test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) $(TWOFOLD) $(LINE)
+	@TWOFOLD=$(TWOFOLD) FIRMWARE=$(BUILD)/boards/host/chaos \
+	  tests/run $(filter-out $(TWOFOLD) $(LINE),$^) $(filter %.sh,$(TESTS))
 
 # What one runs while working: one real type, compiled fast, and of the tests
 # those that then take half a second at most and start no program; `make test`
@@ -169,7 +169,7 @@ NOT_QUICK := branch codim2 compensated convergence corpus device ensemble \
 QUICK := $(filter-out $(NOT_QUICK:%=\%/test_%.c),$(filter %.c,$(TESTS)))
 quick: ## the quick tests, in double: what to run while working
 	@MAKEFLAGS= $(MAKE) -s --no-print-directory test VARIANTS=double OPT=-O1 \
-	  BUILD='$(BUILD)/quick' PROGRAM= TESTS='$(QUICK)'
+	  BUILD='$(BUILD)/quick' TWOFOLD= TESTS='$(QUICK)'
 
 all: ## compile everything: core, command line, tests, tools
 all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \

@@ -4,7 +4,7 @@
 # as they are after inlining, some of which are no longer there and some twice,
 # and it calls 2^64 - 2 a bound.) A bound that is not a constant stands in
 # loops.bounds with what it is at most. BUILD/loops.txt is the table of all. No
-# recursion: that is stack.sh's.
+# recursion: that is stack.py's.
 . "$(dirname "$0")/lib.sh"
 need clang clang
 need /usr/bin/python3 python3
