@@ -28,11 +28,13 @@ def judge(function):
 
 
 def tests_that_run():
-    """The compiler takes the comments out: a test in one is not run."""
+    """The compiler takes the comments out: a test in one is not run. It says
+    that macros of both real types are there, which is no matter."""
     text = subprocess.run(
-        ["gcc", "-w", "-fpreprocessed", "-dD", "-E", "-P",
+        ["gcc", "-fpreprocessed", "-dD", "-E", "-P",
          *sorted(Path("tests").rglob("test_*.c"))],
-        stdout=subprocess.PIPE, text=True, check=True).stdout
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+        check=True).stdout
     return set(re.findall(r"^ *RUN\(([a-z0-9_]+)\);", text, re.M))
 
 
