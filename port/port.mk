@@ -49,7 +49,8 @@ boards: ## firmware for every board whose compiler is here
 
 deps: ## install compilers and emulators of the boards (apt-get)
 	apt-get install -y --no-install-recommends \
-	  $(sort $(shell sed -n 's/^BOARD_PACKAGES := //p; s/^  \(qemu[a-z-]*\)$$/\1/p' \
+	  $(sort $(shell sed -n \
+	  's/^BOARD_PACKAGES := //p; s/^  \(qemu[a-z-]*\)$$/\1/p' \
 	  $(wildcard port/*/board.mk) | tr -d '\\'))
 
 ifneq ($(filter firmware elf call-graph board-%,$(MAKECMDGOALS)),)
@@ -62,7 +63,7 @@ $(error $(BOARD) has REAL=$(BOARD_REALS), not $(REAL))
 endif
 
 ifneq ($(BOARD_SMALL),)
-ifneq ($(SCENE)$(filter-out text,$(FORMAT))$(UPLINK),$(filter-out generic,$(SCENE)))
+ifneq ($(filter generic,$(SCENE))$(filter-out text,$(FORMAT))$(UPLINK),)
 $(error $(BOARD) has room for one scene and text, locked)
 endif
 endif
@@ -110,7 +111,8 @@ FIRMWARE_FLAGS += -DEVERY=$(EVERY)
 endif
 ifeq ($(SCENE),generic)
 FIRMWARE_SOURCES += port/choice.c
-FIRMWARE_FLAGS += -DCHOSEN_SCENE=$$($(BUILD)/$(REAL)/constants --number $(START))
+FIRMWARE_FLAGS += \
+  -DCHOSEN_SCENE=$$($(BUILD)/$(REAL)/constants --number $(START))
 else
 CONSTANTS := $(PLACE)/constants$(FIRMWARE_RATE).h
 FIRMWARE_FLAGS += -DSCENE_HEADER='"constants$(FIRMWARE_RATE).h"'

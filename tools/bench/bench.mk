@@ -1,6 +1,7 @@
 # Measurements of one kind of step alone. Included by the Makefile.
 
-BENCH := $(addprefix tools/bench/,steps.c race.c compensated.c ensemble.c frame.c)
+BENCH := $(addprefix tools/bench/,steps.c race.c compensated.c ensemble.c \
+  frame.c)
 
 define bench_rules
 $(call programs,$(BENCH),$(1)): %: %.o \

@@ -60,7 +60,7 @@ def own_sources(files):
 
 
 def place(file, sources):
-    """(room, unit) of a file; a header and the source beside it are one unit."""
+    """(room, unit) of a file; a header and its source make one unit."""
     path = Path(file)
     unit = path.with_suffix("").as_posix()
     if file.startswith("src/"):
@@ -122,8 +122,8 @@ def names_twice(root, files):
     core = [f for f in files if is_core(f)]
     tags = subprocess.run(
         ["ctags", "--sort=no", "--output-format=json", "--kinds-C=dfgstuev",
-         "--language-force=C", "-D", "TF_API_DATA=extern", "-f", "-"] + core, cwd=root, check=True,
-        stdout=subprocess.PIPE, text=True).stdout
+         "--language-force=C", "-D", "TF_API_DATA=extern", "-f", "-"] + core,
+        cwd=root, check=True, stdout=subprocess.PIPE, text=True).stdout
     home, found, text = {}, [], {}
     for tag in map(json.loads, tags.splitlines()):
         name, file = tag["name"], tag["path"]

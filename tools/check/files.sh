@@ -1,6 +1,7 @@
 #!/bin/sh
-# What holds for files as such: none over 500 lines, no line of C or of a *.sh
-# over 80 columns, no marker of unfinished work, no path of one machine.
+# What holds for files as such: none over 500 lines, no line of C, Python, make
+# or of a *.sh over 80 columns, no marker of unfinished work, no path of one
+# machine.
 . "$(dirname "$0")/lib.sh"
 ROOMS='Makefile .ci include src port tests tools'
 
@@ -10,7 +11,7 @@ while read -r file; do
   lines=$(wc -l <"$file")
   [ "$lines" -le 500 ] || wrong "$file: $lines lines, at most 500"
   case $file in
-  *.c | *.h | *.sh) ;;
+  *.[ch] | *.sh | *.py | *.mk | Makefile) ;;
   *) continue ;;
   esac
   awk -v file="$file" '
@@ -26,5 +27,5 @@ xargs grep -InE '\b(TO''DO|FIX''ME|X''XX|HA''CK)\b' <"$BUILD/files.all" &&
 xargs grep -InE '(^|[^[:alnum:]_.}])/([w]ork|[h]ome|[r]oot|[U]sers)/' \
   <"$BUILD/files.all" && wrong "paths of one machine"
 checked "$(wc -l <"$BUILD/files.list") files <= 500 lines," \
-  "C and *.sh in 80 columns;" \
+  "C, Python, make and *.sh in 80 columns;" \
   "no markers, no machine's paths in $(wc -l <"$BUILD/files.all") files"

@@ -59,7 +59,7 @@ def in_the_text(files):
 
 
 def excused():
-    """(file, function, bound) of the lines "file function : bound : at most"."""
+    """(file, function, bound) of lines "file function : bound : at most"."""
     for line in KNOWN.read_text().splitlines():
         if not line or line.startswith("#"):
             continue
@@ -103,5 +103,5 @@ for file, function, line, kind, bound in sorted(loops):
 for loop in sorted(known - used):
     wrong(f"{KNOWN}: there is no such loop: {' '.join(loop)}")
 constant = len({(loop[0], loop[2]) for loop in loops if loop[3] == "constant"})
-checked(f"{found} loops, {constant} of constant bounds; seeded ones without are "
-        "found")
+checked(f"{found} loops, {constant} of constant bounds; seeded ones without "
+        "are found")

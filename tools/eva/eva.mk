@@ -1,4 +1,5 @@
-# Undefined behaviour and numbers that are not finite, by Frama-C Eva. Included by the Makefile.
+# Undefined behaviour and numbers that are not finite, by Frama-C Eva.
+# Included by the Makefile.
 #
 #   ENTRIES='step_any seal_any'   these entries; check `eva` has the short ones
 
