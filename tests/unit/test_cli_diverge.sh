@@ -145,17 +145,6 @@ test_statistics() {
     '$3 == "returned"' 0.95 1 r
   diverge --samples 40 --corner attracting --patience 20 --seed 4 > r
   share 'by the attracting stick there it is not' '$3 == "small_cycle"' 0.9 1 r
-  check 'summary tells shares with intervals' sh -c \
-    '"$0/statistics/summary" r e | grep -q "share 1\.0\|share 0\."' "$tools"
-  diverge --samples 500 --rate 200 --patience 0.2 --seed 8 --exits e2 \
-    --returns r2
-  "$tools/statistics/ks" e e2 time > got
-  check 'one law under two seeds: distance is chance' \
-    awk '{ exit !($NF > 0.001) }' got
-  diverge --samples 500 --rate 300 --patience 0.2 --seed 8 --exits e2 \
-    --returns r2
-  "$tools/statistics/ks" e e2 time > got
-  check 'two rates: distance is not' awk '{ exit !($NF < 1e-6) }' got
 }
 
 # Numbers of places are those of the first rows that lead to them.

@@ -11,9 +11,10 @@
 //
 //   nearest FAMILY RUNS
 //
-// Both files are of tools/statistics/passages. The curve is the chords between
-// members that follow one another in the time of exit, to the same side; a gap
-// of more than a tenth of the spread is none. Prints one distance a run.
+// Both files are of tools/statistics/passages.py. The curve is the chords
+// between members that follow one another in the time of exit, to the same
+// side; a gap of more than a tenth of the spread is none. Prints one distance a
+// run.
 
 #include <float.h>
 #include <math.h>

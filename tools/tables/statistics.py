@@ -1,0 +1,129 @@
+"""Intervals, quantiles, distances of distributions, survival.
+
+Every interval is of 95 %. scipy computes what it has; quantiles and Kaplan
+and Meier's estimate it has in versions after that of Debian 12.
+"""
+from __future__ import annotations
+
+import math
+from typing import NamedTuple, Sequence
+
+import numpy as np
+from scipy import stats
+
+LEVEL = 0.95
+
+
+class Estimate(NamedTuple):
+    """A value with its interval; a bound that no sample gives is NaN."""
+    value: float
+    low: float
+    high: float
+
+
+class Distance(NamedTuple):
+    """Kolmogorov and Smirnov's distance of two samples of n and m."""
+    n: int
+    m: int
+    value: float
+    band: float
+    p: float
+
+
+def _share(k: int, n: int, method: str) -> Estimate:
+    if n == 0:
+        return Estimate(math.nan, math.nan, math.nan)
+    found = stats.binomtest(k, n).proportion_ci(LEVEL, method)
+    low = 0.0 if k == 0 else float(found.low)
+    high = 1.0 if k == n else float(found.high)
+    return Estimate(k / n, low, high)
+
+
+def wilson(k: int, n: int) -> Estimate:
+    """The share k of n with Wilson's score interval."""
+    return _share(k, n, "wilson")
+
+
+def clopper_pearson(k: int, n: int) -> Estimate:
+    """The share k of n with the exact interval of Clopper and Pearson."""
+    return _share(k, n, "exact")
+
+
+def quantile(values: Sequence[float], p: float) -> Estimate:
+    """The least value that a share p of all does not exceed.
+
+    The interval is between order statistics and assumes nothing of the
+    distribution: how many values lie below the quantile is binomial. Of few
+    values it has an open end.
+    """
+    n = len(values)
+    if n == 0:
+        return Estimate(math.nan, math.nan, math.nan)
+    ordered = [math.nan, *sorted(values), math.nan]
+    tail = (1 - LEVEL) / 2
+    low = int(stats.binom.ppf(tail, n, p))
+    high = int(stats.binom.isf(tail, n, p)) + 1
+    value = float(np.quantile(values, p, method="inverted_cdf"))
+    return Estimate(value, ordered[low], ordered[high])
+
+
+def median(values: Sequence[float]) -> float:
+    """The lower median, so that it is one of the values."""
+    return quantile(values, 0.5).value
+
+
+def mean(values: Sequence[float]) -> Estimate:
+    """The mean with Student's interval."""
+    centre = float(np.mean(values))
+    if len(values) < 2:
+        return Estimate(centre, math.nan, math.nan)
+    half = stats.sem(values) * stats.t.isf((1 - LEVEL) / 2, len(values) - 1)
+    return Estimate(centre, centre - float(half), centre + float(half))
+
+
+def kolmogorov_smirnov(a: Sequence[float], b: Sequence[float]) -> Distance:
+    """The distance of two samples.
+
+    `p` is the probability of a distance as large if both were of one
+    distribution, exact up to 10000 values (`scipy.stats.ks_2samp`). `band` is
+    what the distance then stays below in 95 % of cases, by the distribution
+    of one sample of n m / (n + m).
+    """
+    found = stats.ks_2samp(a, b)
+    size = round(len(a) * len(b) / (len(a) + len(b)))
+    band = float(stats.kstwo.isf(1 - LEVEL, max(1, size)))
+    return Distance(len(a), len(b), float(found.statistic), band,
+                    float(found.pvalue))
+
+
+def kaplan_meier(at_risk: Sequence[int],
+                 lost: Sequence[int]) -> list[Estimate]:
+    """The share that survives the first, second, ... interval.
+
+    at_risk and lost: how many began each interval, and were lost in it. The
+    interval is Greenwood's on the scale log(-log), which keeps it in [0, 1];
+    there is none where nobody or everybody was lost.
+    """
+    survival, variance, shares = 1.0, 0.0, []
+    for risk, dead in zip(at_risk, lost):
+        survival *= 1 - dead / risk
+        if dead < risk:
+            variance += dead / (risk * (risk - dead))
+        if not 0 < survival < 1:
+            shares.append(Estimate(survival, math.nan, math.nan))
+            continue
+        z = float(stats.norm.isf((1 - LEVEL) / 2))
+        factor = math.exp(z * math.sqrt(variance) / -math.log(survival))
+        shares.append(Estimate(survival, survival ** factor,
+                               survival ** (1 / factor)))
+    return shares
+
+
+def chi_square_even(counts: Sequence[int]) -> float:
+    """chi^2 of counts against equal ones."""
+    return float(stats.chisquare(counts).statistic) if sum(counts) else 0.0
+
+
+def chi_square_limit(degrees: int) -> float:
+    """What chi^2 exceeds in 5 % of cases."""
+    return float(stats.chi2.isf(1 - LEVEL, degrees))

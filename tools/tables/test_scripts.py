@@ -1,0 +1,89 @@
+#!/usr/bin/python3 -B
+"""Tests of scripts that use the package, on small runs of the command line.
+
+usage: TWOFOLD=build/double/twofold test_scripts.py [unittest option]...
+"""
+from __future__ import annotations
+
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+TOOLS = Path(__file__).resolve().parents[1]
+
+
+def script(*command: object) -> str:
+    """What a script prints."""
+    return subprocess.run([str(word) for word in command], check=True,
+                          stdout=subprocess.PIPE, text=True).stdout
+
+
+class Statistics(unittest.TestCase):
+    """Exits of `twofold diverge`, of two rates and seeds."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.twofold = os.environ["TWOFOLD"]
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.diverge("one", 200, 3)
+        cls.diverge("alike", 200, 8)
+        cls.diverge("faster", 300, 8)
+
+    @classmethod
+    def file(cls, name: str) -> str:
+        """A file of the runs."""
+        return str(Path(cls.folder.name, name))
+
+    @classmethod
+    def diverge(cls, name: str, rate: int, seed: int) -> None:
+        """A run of 1000 samples that end soon behind the two-fold."""
+        script(cls.twofold, "diverge", "chaos", "--samples", 1000, "--rate",
+               rate, "--patience", 0.2, "--seed", seed, "--exits",
+               cls.file(f"{name}-exits"), "--returns",
+               cls.file(f"{name}-returns"))
+
+    def p(self, other: str) -> float:
+        """The probability that `ks` prints for the times of exit."""
+        said = script(TOOLS / "statistics/ks.py", self.file("one-exits"),
+                      self.file(f"{other}-exits"), "time").split()
+        self.assertEqual(said[:4], ["n", "1000", "m", "1000"])
+        return float(said[-1])
+
+    def test_one_law_under_two_seeds(self):
+        """Their distance is chance."""
+        self.assertGreater(self.p("alike"), 1e-3)
+
+    def test_two_rates(self):
+        """Their distance is not."""
+        self.assertLess(self.p("faster"), 1e-6)
+
+    def test_summary(self):
+        """Shares with their intervals."""
+        said = script(TOOLS / "statistics/summary.py",
+                      self.file("one-returns"), self.file("one-exits"))
+        self.assertIn("samples 1000, cycles 1000", said)
+        self.assertRegex(said, r"outcome timeout +99\d  share 0\.99\d+ \[0\.9")
+        self.assertRegex(said, r"slip\+ share 0\.[45]\d* \[0\.4")
+
+    def test_passages(self):
+        """One line of four a run that wound, in its order."""
+        said = script(TOOLS / "statistics/passages.py", self.file("one-exits"),
+                      self.file("one-returns"), 0).splitlines()
+        self.assertLessEqual(len(said), 1000)
+        self.assertTrue(all(len(line.split()) == 4 for line in said))
+
+    def test_a_column_that_is_not_there(self):
+        """The error names it and the file."""
+        said = subprocess.run(
+            [str(TOOLS / "statistics/ks.py"), self.file("one-exits"),
+             self.file("one-exits"), "speed"], stderr=subprocess.PIPE,
+            text=True, check=False)
+        self.assertEqual(said.returncode, 3)
+        self.assertIn("one-exits: there is no column 'speed'", said.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
