@@ -12,7 +12,7 @@ $(foreach v,$(VARIANTS),$(eval $(call stability_rules,$(v))))
 .PHONY: stability
 all: $(VARIANTS:%=$(BUILD)/%/tools/stability/sweep)
 
-stability: ## stiff and extreme cases: tables and map (gnuplot)
+stability: ## stiff and extreme cases: tables and map (matplotlib)
 stability: $(VARIANTS:%=$(BUILD)/%/tools/stability/sweep)
 	$(call of_this_core,$(BUILD)/STABILITY.md,CC='$(CC)' BUILD='$(BUILD)' \
 	  tools/stability/run)
