@@ -15,8 +15,8 @@ build CC=gcc BUILD="$BUILD/costs" OPT=-O2 EXTRA=-Werror \
   wrong "tools/cost does not build"
 cost=$BUILD/costs/double/cost
 
-files_in '*.h' include | xargs awk -f tools/cost/claims.awk \
-  >"$BUILD/cost.claims"
+files_in '*.h' include | xargs tools/cost/headers.py claims \
+  >"$BUILD/cost.claims" || wrong "the headers are not understood"
 while read -r name first _; do
   [ "$first" != none ] ||
     wrong "$name: its row does not say \"Cost: at most N instructions\""
@@ -26,13 +26,10 @@ for real in double float; do
   cat tools/cost/worst.* | "$BUILD/costs/$real/cost" search "$EVALUATIONS" \
     >"$BUILD/cost.$real" || wrong "the search failed"
 done
-tools/cost/paths double "$BUILD/costs" >"$BUILD/cost.ways" ||
+tools/cost/paths.py double "$BUILD/costs" >"$BUILD/cost.ways" ||
   wrong "the ways through the code are not understood"
-awk -f tools/cost/judge.awk "$BUILD/cost.claims" "$BUILD/cost.ways" \
-  "$BUILD/cost.double" "$BUILD/cost.float" >"$BUILD/cost.wrong"
-while IFS= read -r line; do
-  wrong "$line"
-done <"$BUILD/cost.wrong"
+tools/cost/judge.py "$BUILD/cost.claims" "$BUILD/cost.ways" \
+  "$BUILD/cost.double" "$BUILD/cost.float" || wrong "rows do not hold"
 
 # Functions without repeated string instructions, of which each step is one.
 for name in step friction_solve begin surface_at; do

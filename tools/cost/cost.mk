@@ -14,8 +14,8 @@ $(BUILD)/$(1)/counted/inline.s: tools/cost/inline.c $(BUILD)/$(1)/flags
 	$$(call assemble,$$(CORE_FLAGS) -Itools $$(FLAGS_$(1)))
 $(BUILD)/$(1)/counted/memory.s: port/arch/memory.c $(BUILD)/$(1)/flags
 	$$(call assemble,$$(CORE_FLAGS))
-$(BUILD)/$(1)/counted/%.o: $(BUILD)/$(1)/counted/%.s tools/cost/count.awk
-	@awk -f tools/cost/count.awk $$< >$$(@:.o=.counting)
+$(BUILD)/$(1)/counted/%.o: $(BUILD)/$(1)/counted/%.s tools/cost/count.py
+	@tools/cost/count.py $$< >$$(@:.o=.counting)
 	@$$(CC) -x assembler -c $$(@:.o=.counting) -o $$@
 $(BUILD)/$(1)/cost: $(COUNTED:%=$(BUILD)/$(1)/counted/%.o) \
     $(patsubst %.c,$(BUILD)/$(1)/%.o,$(filter-out %/inline.c,$(COST)))
@@ -40,6 +40,4 @@ bounds: $(VARIANTS:%=$(BUILD)/%/cost)
 keep-bounds: ## copy them to docs/ and into the headers
 	cp $(BUILD)/BOUNDS.md docs/
 	cp $(BUILD)/bounds/worst.double $(BUILD)/bounds/worst.float tools/cost/
-	for header in include/twofold/*.h; do \
-	  awk -f tools/cost/rows.awk $(BUILD)/bounds/figures $$header \
-	    >$(BUILD)/bounds/header && cp $(BUILD)/bounds/header $$header; done
+	tools/cost/headers.py put $(BUILD)/bounds/figures include/twofold/*.h

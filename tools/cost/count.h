@@ -1,5 +1,5 @@
 // A window in which instructions are counted: those of code that went through
-// count.awk, and no others.
+// count.py, and no others.
 #ifndef COST_COUNT_H
 #define COST_COUNT_H
 

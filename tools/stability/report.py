@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Iterable
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from tables import markdown, read  # noqa: E402
+from tables import read  # noqa: E402
 from tables.markdown import or_dash, table  # noqa: E402
 
 STABLE = "ok", "degraded"
@@ -120,7 +120,8 @@ def stable_share(rows: list[read.Row]) -> str:
 def sweeps_table(cells: Cells, sweeps: list[Sweep]) -> Iterable[str]:
     """A line a sweep."""
     yield "## Stable cells of each sweep\n"
-    yield "Stable (and, after a plus sign, ended by the motion itself) of all.\n"
+    yield ("Stable (and, after a plus sign, ended by the motion itself) of "
+           "all.\n")
     yield table(["sweep", "axis", "differs from scene chaos", *cells.combos],
                 [[s.name, s.axis, or_dash(s.where)] +
                  [stable_share(cells.of[s.name, combo])

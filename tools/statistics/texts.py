@@ -17,8 +17,8 @@ stick there.
 """
 
 PERTURBED = """\
-Perturbed, 20 samples followed for 20 cycles; lost within the patience (100 s, of
-hysteresis and delay 10 s).
+Perturbed, 20 samples followed for 20 cycles; lost within the patience (100 s,
+of hysteresis and delay 10 s).
 """
 
 SURVIVAL = """\
@@ -51,9 +51,9 @@ SET_VALUED = """\
 ## Samples of the set-valued motion
 
 Distance, in the plane of (time since the two-fold, phase) at the section, from
-the curve of what the law allows without a perturbation: stick for any time, then
-slip to either side. 1 is the spread of that family. The last column has the
-phases dealt to other runs: what chance would give.
+the curve of what the law allows without a perturbation: stick for any time,
+then slip to either side. 1 is the spread of that family. The last column has
+the phases dealt to other runs: what chance would give.
 """
 
 COST = """\
