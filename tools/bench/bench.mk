@@ -16,11 +16,11 @@ all: $(BENCH_PROGRAMS)
 
 bench-steps: ## cost of a Moreau step alone (valgrind)
 bench-steps: $(BENCH_PROGRAMS)
-	@CC='$(CC)' BUILD='$(BUILD)' tools/bench/run
+	@tools/bench/steps.py '$(BUILD)' --cc='$(CC)'
 
 bench-compensated: ## errors of small steps, compensated and not
 bench-compensated: $(VARIANTS:%=$(BUILD)/%/tools/bench/compensated)
-	@BUILD='$(BUILD)' tools/bench/compensated.sh
+	@tools/bench/compensated.py '$(BUILD)'
 
 bench-ensemble: ## many states at once (try EXTRA=-mavx2)
 bench-ensemble: $(VARIANTS:%=$(BUILD)/%/tools/bench/ensemble)

@@ -1,4 +1,4 @@
-// One run of one problem for tools/bench/compensated.sh: prints the end state
+// One run of one problem for tools/bench/compensated.py: prints the end state
 // r v w phi, the largest |h| in stick, changes of mode.
 //
 //   compensated PROBLEM DOUBLINGS STEPS plain|carried [REFINEMENT]

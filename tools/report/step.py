@@ -1,6 +1,6 @@
 """The figures of one Moreau step and of the ensemble step.
 
-They are taken from what tools/bench/run and ensembles have printed; only
+They are taken from what tools/bench/steps.py and ensembles have printed; only
 double has figures to reach.
 """
 from __future__ import annotations
@@ -40,7 +40,7 @@ def judge(measured: float, target: float, least: bool) -> str:
 
 
 class Bench:
-    """The lines of tools/bench/run about double, by their texts.
+    """The lines of tools/bench/steps.py about double, by their texts.
 
     A text that comes twice is followed by what stands above it.
     """
