@@ -83,7 +83,7 @@ class Bench:
                 return "?", "needs gcc 10 or later"
         files = [str(path) for end in ("ci", "s")
                  for path in sorted(place.glob(f"*.{end}"))]
-        for line in output("awk", "-f", "tools/check/stack.awk",
+        for line in output("tools/check/callgraph.py",
                            *files).splitlines():
             name, most, *by = line.split()
             if name == self.step:
