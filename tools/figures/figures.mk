@@ -92,7 +92,7 @@ $(eval $(call by-command,atlas,atlas chaos --r 0.0025:0.5:200 \
 $(eval $(call by-command,branches,diverge chaos --exhaustive --depth 1 \
   --grid 0.005 --patience 2.4 --branches -))
 
-$(figdir)/two-fold.dat: tools/figures/two-fold $(two) \
+$(figdir)/two-fold.dat: tools/figures/two_fold.py $(two) \
     tools/figures/figures.mk | figures-gnuplot
 	$(call quietly,$(two) singularities chaos | $<)
 
@@ -107,18 +107,19 @@ $(figdir)/returns-$(1).csv: $(two) tools/figures/figures.mk | figures-gnuplot
 endef
 $(foreach k,$(KINDS),$(eval $(call by-diverge,$(k))))
 
-# Trajectories, by tools/figures/paths and a list that awk makes.
-paths := tools/figures/paths
-$(figdir)/fans.dat: tools/figures/fans $(paths) $(two) \
-    tools/figures/figures.mk | figures-gnuplot
-	$(call quietly,tools/figures/fans | $(paths) $(two) 2e-5 0)
-$(figdir)/set.dat: tools/figures/leavers $(paths) $(figdir)/branches.csv \
+# Trajectories, from lists of starts.
+lists := tools/figures/lists.py
+paths := tools/figures/paths.py
+$(figdir)/fans.dat: $(lists) $(paths) $(two) tools/figures/figures.mk \
+    | figures-gnuplot
+	$(call quietly,$(lists) fans | $(paths) $(two) 2e-5 0)
+$(figdir)/set.dat: $(lists) $(paths) $(figdir)/branches.csv \
     tools/figures/figures.mk
-	$(call quietly,tools/figures/leavers $(figdir)/branches.csv | \
+	$(call quietly,$(lists) leavers $(figdir)/branches.csv | \
 	  $(paths) $(two) 2e-4 0.08)
-$(figdir)/loop.dat: tools/figures/loop $(paths) $(figdir)/branches.csv \
+$(figdir)/loop.dat: $(lists) $(paths) $(figdir)/branches.csv \
     tools/figures/figures.mk
-	$(call quietly,tools/figures/loop $(figdir)/branches.csv | \
+	$(call quietly,$(lists) loop $(figdir)/branches.csv | \
 	  $(paths) $(two) 2e-4 0.01)
 
 # What each picture is made of.
