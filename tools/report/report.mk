@@ -22,7 +22,7 @@ report: ## bench-peers, stability, bench, one by one (minutes)
 	@$(MAKE) stability
 	@$(MAKE) bench
 
-bench: ## error against time, cost (gnuplot, valgrind)
+bench: ## error against time, cost (matplotlib, valgrind)
 bench: $(BENCH_PROGRAMS) $(REPORT_PROGRAMS)
 	$(call of_this_core,$(BUILD)/REPORT.md,CC='$(CC)' OPT='$(OPT)' \
 	  BUILD='$(BUILD)' tools/report/run)

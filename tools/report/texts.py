@@ -23,10 +23,6 @@ mode or further off than half the way to another future, *refused* where a step
 was.
 """
 
-NO_PICTURES = """\
-No pictures: they need gnuplot (apt-get install gnuplot-nox).
-"""
-
 AFTER = """
 ## (f) After the two-fold
 

@@ -8,23 +8,20 @@ from __future__ import annotations
 import argparse
 import csv
 import re
-import shutil
-import subprocess
 import sys
 from pathlib import Path
-from typing import Iterable, Optional, Sequence
+from typing import Callable, Iterable, Optional, Sequence
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tables import markdown, read  # noqa: E402
 import costs  # noqa: E402
 import digits  # noqa: E402
 import figures  # noqa: E402
+import pictures  # noqa: E402
 import precision  # noqa: E402
+import scatter  # noqa: E402
 import texts  # noqa: E402
 from step import Ensembles  # noqa: E402
-
-HERE = Path(__file__).resolve().parent
-
 
 def write_csv(path: Path, columns: Sequence[str],
               rows: Iterable[Sequence[object]]) -> None:
@@ -84,16 +81,10 @@ class Report:
         # Where valgrind is missing the steps have not been counted.
         (self.work / "steps").touch()
 
-    def picture(self, name: str, text: str, settings: str = "",
-                script: str = "") -> None:
-        """Draws a picture by gnuplot, where that is, and shows it."""
-        if not shutil.which("gnuplot"):
-            return
-        best = " ".join(figures.best_peers(self.peers)) if self.peers else ""
-        known = (f"work='{self.work}'; peers='{self.peers or ''}'; "
-                 f"best='{best}'; {settings}")
-        subprocess.run(["gnuplot", "-e", known,
-                        str(HERE / f"{script or name}.gp")], check=True)
+    def picture(self, name: str, text: str,
+                draw: Callable[[Path], None]) -> None:
+        """Draws a picture and shows it."""
+        draw(self.work / f"{name}.svg")
         print(f"\n![{text}](report/{name}.svg)")
 
     def head(self, seconds: int, opt: str) -> None:
@@ -101,8 +92,6 @@ class Report:
         commit, compiler = self.stamp.split("; ", 1)
         print(texts.HEAD.format(seconds=seconds, commit=commit, opt=opt,
                                 compiler=compiler, processor=processor()))
-        if not shutil.which("gnuplot"):
-            print(texts.NO_PICTURES)
         print("## Figures\n")
         for line in figures.tables(self.file("sweep.csv"),
                                    self.file("costs.csv"),
@@ -113,17 +102,21 @@ class Report:
     def precision(self) -> None:
         """Work and precision, and what is after the two-fold."""
         print("\n## Work and precision")
+        data = pictures.Data(self.work, self.peers)
         for real in "double", "float":
             self.picture(f"precision-{real}", f"error against time in {real}",
-                         f"real='{real}'", "precision")
-        self.picture("dials", "error against the dial, with slopes")
-        self.picture("events", "times of events, drift")
+                         lambda out: pictures.precision(data, real, out))
+        self.picture("dials", "error against the dial, with slopes",
+                     lambda out: pictures.dials(data, out))
+        self.picture("events", "times of events, drift",
+                     lambda out: pictures.events(data, out))
         for text in precision.tables(self.file("parts.csv"),
                                      self.file("sweep.csv")):
             print(text)
         print(texts.AFTER, end="")
         self.picture("scatter",
-                     "distance of distributions after the two-fold")
+                     "distance of distributions after the two-fold",
+                     lambda out: scatter.draw(self.work, out))
         print("\n" + csv_table(self.work / "scatter.csv"))
 
     def costs(self) -> None:
