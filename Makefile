@@ -7,7 +7,7 @@
 #   EXTRA='-Werror'      further flags, for compiling and linking
 #   BUILD=dir            another place for everything that is made
 #   VARIANTS=double      only this real type
-#   TESTS='tests/law/test_order.c'   only these tests
+#   TESTS='tests/law/test_laws.c'   only these tests
 
 ifeq ($(origin CC),default)
 CC := gcc
@@ -23,8 +23,8 @@ MAKEFLAGS += --no-builtin-rules -j$(shell nproc 2>/dev/null || echo 2)
 CORE := $(wildcard src/*/*.c)
 CLI := $(wildcard tools/*.c tools/cli/*.c tools/cli/*/*.c)
 SUPPORT := $(wildcard tests/support/*.c)
-TEST_ROOMS := tests/unit tests/unit/* tests/cli tests/line tests/law \
-  tests/golden tests/regress
+TEST_ROOMS := tests/unit/* tests/cli tests/line tests/law tests/golden \
+  tests/regress
 TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
 
 # One rounding per operation, everywhere: the same bits on every target.
@@ -146,7 +146,7 @@ run: $(BUILD)/double/twofold
 
 # What tests of the line need: the host port's firmware, by a make of its own
 # with the same flags, for the board is chosen when a make begins.
-LINE := $(if $(filter %/test_line.c %/test_hil.sh,$(TESTS)),\
+LINE := $(if $(filter tests/line/test_line.c tests/line/test_hil.sh,$(TESTS)),\
   $(foreach v,$(VARIANTS),$(BUILD)/$(v)/hil line-$(v)))
 $(VARIANTS:%=line-%): line-%: $(BUILD)/%/constants
 	@MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf BOARD=host \

@@ -11,26 +11,23 @@ room=$BUILD/valgrind
 LIMIT=${LIMIT:-60}
 
 # Program, or program:test.
-few='unit/test_protocol unit/test_link unit/test_session unit/test_scene
-  unit/test_prepare unit/test_select unit/test_slip_law unit/test_text
-  unit/test_frame:frames_survive_the_line
-  unit/test_frame:long_runs_stay_in_the_buffer
-  unit/test_frame:block_decoder_is_the_byte_decoder
-  unit/test_frame:lost_frames_are_counted
-  unit/test_frame:other_versions_and_lengths_are_counted
-  unit/test_begin:begin_at_codimension_two_is_pinned
-  unit/test_ensemble:ensemble_of_any_size
+few='unit/link/test_protocol unit/link/test_link unit/link/test_text
+  unit/scene/test_session unit/scene/test_scene unit/model/test_prepare
+  unit/friction/test_select unit/friction/test_slip_law
+  unit/link/test_frame:frames_survive_the_line
+  unit/link/test_frame:long_runs_stay_in_the_buffer
+  unit/link/test_frame:block_decoder_is_the_byte_decoder
+  unit/link/test_frame:lost_frames_are_counted
+  unit/link/test_frame:other_versions_and_lengths_are_counted
+  unit/moreau/test_begin:begin_at_codimension_two_is_pinned
+  unit/moreau/test_ensemble:ensemble_of_any_size
   law/test_located_report:located_residual_is_that_of_the_law
   law/test_located_report:located_switch_at_the_end_of_a_step
   law/test_extremes:captured_overflow_of_a_slope
   regress/test_no_friction
   regress/test_degraded:a_lost_slip_reports_what_was_consistent'
 if [ "${1:-few}" = all ]; then
-  few=$(for test in tests/unit/*.c tests/law/*.c tests/golden/*.c \
-    tests/regress/*.c; do
-    test=${test#tests/}
-    echo "${test%.c}"
-  done)
+  few=$(files_in 'test_*.c' tests | sed 's|^tests/||; s|\.c$||')
 fi
 
 runs='' programs=''
