@@ -3,40 +3,7 @@
 #ifndef TESTS_SUPPORT_SAMPLE_H
 #define TESTS_SUPPORT_SAMPLE_H
 
-#include "paper.h"
-#include "tap.h"
-#include "twofold.h"
-
-typedef long double real;
-
-#define EPSILON ((real)TF_REAL_EPSILON)
-
-static inline real wide(tf_real_t x) { return (real)x; }
-
-static inline tf_real_t uniform(double low, double high) {
-  return (tf_real_t)tap_uniform(low, high);
-}
-
-static inline paper_t paper_of(const tf_params_t *p) {
-  return (paper_t){.m = wide(p->m),
-                   .d = wide(p->d),
-                   .beta = wide(p->beta),
-                   .k2 = wide(p->k2),
-                   .c1 = wide(p->c1),
-                   .c2 = wide(p->c2),
-                   .r0 = wide(p->r0),
-                   .omega0 = wide(p->omega0),
-                   .mu = wide(p->mu),
-                   .kappa = wide(p->kappa),
-                   .gamma = wide(p->gamma)};
-}
-
-static inline tf_machine_t prepared(const tf_params_t *params) {
-  tf_machine_t machine;
-  memset(&machine, 0, sizeof machine);
-  CHECK(tf_prepare(&machine, params, NULL) == TF_OK);
-  return machine;
-}
+#include "common.h"
 
 static inline tf_params_t random_params(void) {
   tf_params_t p = tf_scenes[0]->params;

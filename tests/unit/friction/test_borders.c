@@ -202,32 +202,6 @@ TEST(stick_is_where_h_vanishes) {
   CHECK_NEAR(worst, 0, 3 * (double)TF_REAL_EPSILON);
 }
 
-/* r moves in one step just so far that the disc has no inertia left, to the
- * last bit; Coriolis' force alone would make a number of it. */
-TEST(no_inertia_left_is_refused) {
-  tf_params_t p = tf_scenes[0]->params;
-  p.m = 1;
-  p.d = p.k2 = p.c1 = p.c2 = 0;
-  p.beta = p.dt = num(0.5);
-  p.theta = 1;
-  for (int law = 0; law < TF_TYRE_LAWS; law++) {
-    p.law = (tf_tyre_law_t)law;
-    p.epsilon = p.k = p.delta = p.a = p.rho = 1;
-    tf_compensated_t k;
-    CHECK(tf_prepare_compensated(&k, &p, NULL) == TF_OK);
-    for (int less = 0; less < 2; less++) {
-      const tf_input_t u = tf_input_default(&k.machine);
-      tf_state_t x = {.r = 1, .v = num(less ? -0.75 : -1), .w = 1};
-      tf_state_t twin = x;
-      tf_compensation_t carry = {0, 0, 0, 0};
-      tf_report_t report;
-      const tf_status_t status = tf_step(&k.machine, &x, &u, &report);
-      CHECK((status == TF_STEP_TOO_LONG) == !less);
-      CHECK(tf_step_compensated(&k, &twin, &carry, &u, &report) == status);
-    }
-  }
-}
-
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(signs_of_g_are_those_of_its_corners);
@@ -238,6 +212,5 @@ int main(int argc, char **argv) {
   RUN(futures_of_either_delassus_scalar);
   RUN(stick_of_two_has_its_sign_of_g);
   RUN(stick_is_where_h_vanishes);
-  RUN(no_inertia_left_is_refused);
   return tap_end();
 }

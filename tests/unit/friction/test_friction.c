@@ -3,6 +3,8 @@
  * 2 x 2 inverse, and searches the law's graph {(lambda, s kappa lambda)} on a
  * grid for points that lie on it at the end of the step. It shares neither
  * formulas nor variables with the enumeration. */
+#include <limits.h>
+
 #include "tap.h"
 #include "twofold.h"
 
@@ -287,11 +289,24 @@ TEST(residual_vanishes_at_solutions_only) {
 #undef RESIDUAL
 }
 
+TEST(mode_names_are_the_contract) {
+  const char *const name[] = {"slip+", "slip-", "stick+", "stick-", "pinned"};
+  const unsigned mode[] = {TF_SLIP_PLUS, TF_SLIP_MINUS, TF_STICK_PLUS,
+                           TF_STICK_MINUS, TF_PINNED};
+  for (unsigned i = 0; i < TF_MODES; i++) {
+    CHECK(!strcmp(tf_mode_name(mode[i]), name[i]));
+    CHECK(mode[i] == i && TF_MODE_BIT(i) == 1u << i);
+  }
+  CHECK(!strcmp(tf_mode_name(TF_MODES), "unknown mode"));
+  CHECK(!strcmp(tf_mode_name(UINT_MAX), "unknown mode"));
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(enumeration_against_grid_search);
   RUN(one_or_three_solutions);
   RUN(stick_solves_the_quadratic);
   RUN(residual_vanishes_at_solutions_only);
+  RUN(mode_names_are_the_contract);
   return tap_end();
 }

@@ -4,19 +4,7 @@
  * is tried at both ends, just outside them and at what is no number. */
 #include <stddef.h>
 
-#include "tap.h"
-#include "twofold.h"
-
-typedef long double real;
-
-#define EPSILON ((real)TF_REAL_EPSILON)
-#ifdef TF_REAL_FLOAT
-#define NEXT(x, to) nextafterf((x), (to))
-#else
-#define NEXT(x, to) nextafter((x), (to))
-#endif
-
-static real wide(tf_real_t x) { return (real)x; }
+#include "common.h"
 
 /* Members that every law accepts. */
 static tf_params_t valid(tf_tyre_law_t law) {

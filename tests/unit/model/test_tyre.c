@@ -2,24 +2,7 @@
  * Appendix B in long double (tests/support/paper.h), their limits at h -> 0
  * and epsilon -> 0, their mirror images bit for bit, and the sign of their
  * power. The kernel inside has its own test, test_kernel.c. */
-#include "paper.h"
-#include "tap.h"
-#include "twofold.h"
-
-typedef long double real;
-
-#define EPSILON ((real)TF_REAL_EPSILON)
-#ifdef TF_REAL_FLOAT
-#define NEXT(x, to) nextafterf((x), (to))
-#else
-#define NEXT(x, to) nextafter((x), (to))
-#endif
-
-static real wide(tf_real_t x) { return (real)x; }
-
-static tf_real_t log_uniform(double low, double high) {
-  return (tf_real_t)exp(tap_uniform(log(low), log(high)));
-}
+#include "common.h"
 
 static tf_real_t random_sign(void) {
   return tap_bits() & 1u ? TF_R(1.0) : TF_R(-1.0);

@@ -4,42 +4,10 @@
  * ignored elsewhere. */
 #include <stdbool.h>
 
-#include "paper.h"
-#include "tap.h"
-#include "twofold.h"
+#include "common.h"
 
-typedef long double real;
-
-#define EPSILON ((real)TF_REAL_EPSILON)
 #define BIT(mode) ((unsigned)TF_MODE_BIT(mode))
 #define SLIPS (BIT(TF_SLIP_PLUS) | BIT(TF_SLIP_MINUS))
-
-static real wide(tf_real_t x) { return (real)x; }
-
-static tf_real_t uniform(double low, double high) {
-  return (tf_real_t)tap_uniform(low, high);
-}
-
-static tf_machine_t prepared(const tf_params_t *params) {
-  tf_machine_t machine;
-  memset(&machine, 0, sizeof machine);
-  CHECK(tf_prepare(&machine, params, NULL) == TF_OK);
-  return machine;
-}
-
-static paper_t paper_of(const tf_params_t *p, real kappa) {
-  return (paper_t){.m = wide(p->m),
-                   .d = wide(p->d),
-                   .beta = wide(p->beta),
-                   .k2 = wide(p->k2),
-                   .c1 = wide(p->c1),
-                   .c2 = wide(p->c2),
-                   .r0 = wide(p->r0),
-                   .omega0 = wide(p->omega0),
-                   .mu = wide(p->mu),
-                   .kappa = kappa,
-                   .gamma = wide(p->gamma)};
-}
 
 /* tf_begin from x with a wish; what must hold of every answer is checked. */
 static tf_report_t begun(const tf_machine_t *machine, const tf_state_t *x,
@@ -88,7 +56,8 @@ typedef struct {
 static bool on_the_surface(const tf_params_t *params,
                            const tf_machine_t *machine, real kappa,
                            contact_t *c) {
-  const paper_t p = paper_of(params, kappa);
+  paper_t p = paper_of(params);
+  p.kappa = kappa;
   memset(c, 0, sizeof *c);
   const double reach = tap_bits() & 1u ? 1 : 0.2; /* most escape at small r */
   c->x.r = uniform(-reach, reach);
@@ -235,7 +204,7 @@ TEST(begin_at_codimension_two_is_pinned) {
     CHECK(report.mode == TF_PINNED && report.choices == 1);
     CHECK(report.slip.h == 0 && report.slip.g == 0);
     /* g = 0 counts as rolling forwards. */
-    const paper_t p = paper_of(&params, wide(params.kappa));
+    const paper_t p = paper_of(&params);
     const real A = paper_delassus(&p, wide(x.r), 1);
     CHECK_NEAR(wide(report.delassus), A, 32 * EPSILON * (1 + fabsl(A)));
     wishes_are_honoured(&machine, &x);

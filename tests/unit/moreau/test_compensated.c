@@ -1,12 +1,7 @@
 /* The compensated step: what it adds to a step is digits and nothing else. */
-#include "paper.h"
+#include "common.h"
 #include "scene_named.h"
-#include "tap.h"
-#include "twofold.h"
 
-typedef long double real;
-
-#define EPSILON ((real)TF_REAL_EPSILON)
 /* Of a pair, as far as long double can tell. */
 #define PAIR_EPSILON (EPSILON * EPSILON + LDBL_EPSILON)
 
@@ -17,10 +12,6 @@ typedef struct {
   tf_compensation_t carry;
   tf_input_t input;
 } run_t;
-
-static tf_real_t uniform(double low, double high) {
-  return (tf_real_t)tap_uniform(low, high);
-}
 
 static real pair(tf_real_t high, tf_real_t low) {
   return (real)high + (real)low;
@@ -45,20 +36,6 @@ static run_t begun(const tf_scene_t *scene, double dt) {
   CHECK(tf_begin(&run.machine.machine, &run.state, &run.input, &report) ==
         TF_OK);
   return run;
-}
-
-static paper_t paper_of(const tf_params_t *p) {
-  return (paper_t){.m = (real)p->m,
-                   .d = (real)p->d,
-                   .beta = (real)p->beta,
-                   .k2 = (real)p->k2,
-                   .c1 = (real)p->c1,
-                   .c2 = (real)p->c2,
-                   .r0 = (real)p->r0,
-                   .omega0 = (real)p->omega0,
-                   .mu = (real)p->mu,
-                   .kappa = (real)p->kappa,
-                   .gamma = (real)p->gamma};
 }
 
 static void whole_state(const run_t *run, real x[4]) {

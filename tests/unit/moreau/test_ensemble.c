@@ -1,8 +1,7 @@
 /* The ensemble against the single step, which is its definition: every member
  * of every state and report has to have the same bits, whatever the machine,
  * the input, the size of the ensemble and what has become of its states. */
-#include "tap.h"
-#include "twofold.h"
+#include "common.h"
 
 #define MOST 72 /* states: whole blocks and a rest */
 
@@ -171,10 +170,6 @@ TEST(ensemble_of_every_scene) {
     CHECK(differ == 0);
     if (differ) printf("# %s\n", scene->name);
   }
-}
-
-static tf_real_t log_uniform(double low, double high) {
-  return (tf_real_t)exp(tap_uniform(log(low), log(high)));
 }
 
 /* A state as tf_begin may not give it: near h = g = 0, in any mode. */

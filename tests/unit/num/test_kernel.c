@@ -3,11 +3,8 @@
  * place (ULP) of the real type, over the whole range that the header admits
  * and at the points where such code breaks: borders of the range reduction,
  * subnormal arguments, the numbers next to multiples of pi/2. */
+#include "common.h"
 #include "model/kinematics.h"
-#include "tap.h"
-#include "twofold.h"
-
-typedef long double real;
 
 /* Claimed bounds [ULP]. For tf_tyre_cot_psi over kappa in [1e-9, 1e6] the
  * largest error of 1.5e8 samples is 11.2 (double) and 9.8 (float). */
@@ -18,15 +15,11 @@ typedef long double real;
 
 #ifdef TF_REAL_FLOAT
 #define LEAST_EXPONENT (FLT_MIN_EXP - 1)
-#define NEXT(x, to) nextafterf((x), (to))
 #define PI_REAL 0x1.921fb6p+1f
 #else
 #define LEAST_EXPONENT (DBL_MIN_EXP - 1)
-#define NEXT(x, to) nextafter((x), (to))
 #define PI_REAL 0x1.921fb54442d18p+1
 #endif
-
-static real wide(tf_real_t x) { return (real)x; }
 
 /* Error of got in units in the last place of want. */
 static real ulps(tf_real_t got, real want) {
@@ -35,19 +28,11 @@ static real ulps(tf_real_t got, real want) {
   return fabsl(wide(got) - want) / ldexpl(wide(TF_REAL_EPSILON), exponent);
 }
 
-static tf_real_t log_uniform(double low, double high) {
-  return (tf_real_t)exp(tap_uniform(log(low), log(high)));
-}
-
-static tf_real_t uniform(double low, double high) {
-  return (tf_real_t)tap_uniform(low, high);
-}
-
 static int same_bits(tf_real_t x, tf_real_t y) {
   return memcmp(&x, &y, sizeof x) == 0;
 }
 
-static tf_tyre_t prepared(tf_real_t kappa) {
+static tf_tyre_t tyre_with(tf_real_t kappa) {
   tf_params_t params = tf_scenes[0]->params;
   tf_machine_t machine;
   params.law = TF_TYRE_JUMP;
@@ -129,14 +114,14 @@ TEST(angle_kernel_error_bound) {
   for (int b = 0; b < 4; b++) {
     real worst = 0;
     for (int i = 0; i < 1000; i++) {
-      const tf_tyre_t tyre = prepared(log_uniform(band[b].low, band[b].high));
+      const tf_tyre_t tyre = tyre_with(log_uniform(band[b].low, band[b].high));
       judge_ratios(&tyre, 30, &worst);
       if (i < 10) judge_extremes(&tyre, &worst);
     }
     printf("# kappa %g to %g: %.2Lf ULP\n", band[b].low, band[b].high, worst);
   }
   for (int i = 0; i < 3; i++) {
-    const tf_tyre_t tyre = prepared(end[i]);
+    const tf_tyre_t tyre = tyre_with(end[i]);
     judge_ratios(&tyre, 2000, &extreme);
     judge_extremes(&tyre, &extreme);
   }
@@ -147,7 +132,7 @@ TEST(angle_kernel_error_bound) {
  * ones strictly. */
 TEST(angle_kernel_is_monotone) {
   for (int i = 0; i < 300; i++) {
-    const tf_tyre_t tyre = prepared(log_uniform(1e-6, 1e3));
+    const tf_tyre_t tyre = tyre_with(log_uniform(1e-6, 1e3));
     const tf_real_t slack = 1 - 2 * COT_PSI_ULP * TF_REAL_EPSILON;
     tf_real_t previous = 0, distant = 0;
     for (int n = -400; n <= 400; n++) {

@@ -1,16 +1,8 @@
 /* The scenes that come with the project: their texts, their starts, their
  * inputs over time, and what the text of some of them promises about the
  * motion, stepped to the end. */
-#include "paper.h"
+#include "common.h"
 #include "scene_named.h"
-#include "tap.h"
-#include "twofold.h"
-
-typedef long double real;
-
-#define EPSILON ((real)TF_REAL_EPSILON)
-
-static real wide(tf_real_t x) { return (real)x; }
 
 /* A scene at its start. */
 typedef struct {

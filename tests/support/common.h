@@ -1,0 +1,52 @@
+/* common.h - what most tests of machines need: long double to judge in, random
+ * numbers of the real type, a machine made ready, the paper's view of it. */
+#ifndef TESTS_SUPPORT_COMMON_H
+#define TESTS_SUPPORT_COMMON_H
+
+#include "paper.h"
+#include "tap.h"
+#include "twofold.h"
+
+typedef long double real;
+
+#define EPSILON ((real)TF_REAL_EPSILON)
+#define IS_DOUBLE (sizeof(tf_real_t) == 8)
+#ifdef TF_REAL_FLOAT
+#define NEXT(x, to) nextafterf((x), (to))
+#else
+#define NEXT(x, to) nextafter((x), (to))
+#endif
+
+static inline real wide(tf_real_t x) { return (real)x; }
+
+static inline tf_real_t uniform(double low, double high) {
+  return (tf_real_t)tap_uniform(low, high);
+}
+
+/* Each decade is as likely as any other. */
+static inline tf_real_t log_uniform(double low, double high) {
+  return (tf_real_t)exp(tap_uniform(log(low), log(high)));
+}
+
+static inline paper_t paper_of(const tf_params_t *p) {
+  return (paper_t){.m = wide(p->m),
+                   .d = wide(p->d),
+                   .beta = wide(p->beta),
+                   .k2 = wide(p->k2),
+                   .c1 = wide(p->c1),
+                   .c2 = wide(p->c2),
+                   .r0 = wide(p->r0),
+                   .omega0 = wide(p->omega0),
+                   .mu = wide(p->mu),
+                   .kappa = wide(p->kappa),
+                   .gamma = wide(p->gamma)};
+}
+
+static inline tf_machine_t prepared(const tf_params_t *params) {
+  tf_machine_t machine;
+  memset(&machine, 0, sizeof machine);
+  CHECK(tf_prepare(&machine, params, NULL) == TF_OK);
+  return machine;
+}
+
+#endif
