@@ -1,47 +1,22 @@
 #!/bin/sh
-# test_hil.sh - a controller in one process, the host port's firmware in
-# another, a pseudo-terminal between them: the closed loop is that of a pure
-# run, in real time and in lockstep; and a loop that is not is found out.
-#
-# usage: test_hil.sh TWOFOLD, from the root of the project; `make test` has made
-# BUILD/REAL/hil and the firmware in $FIRMWARE-REAL/firmware-line.elf
-
-T=${1:?usage: test_hil.sh TWOFOLD}
+# A controller in one process, the host port's firmware in another, a
+# pseudo-terminal between them: the closed loop is that of a pure run, in real
+# time and in lockstep, and a loop that is not is found out. `make test` has
+# made BUILD/REAL/hil and the firmware $FIRMWARE-REAL/firmware-line.elf.
+# usage: test_hil.sh TWOFOLD
+. "$(dirname "$0")/../support/tap.sh"
 builds=${T%/*/twofold}
 firmware=${FIRMWARE:-build/boards/host/chaos}
-D=$(mktemp -d) || exit 1
+case $firmware in /*) ;; *) firmware=$root/$firmware ;; esac
 board=
-finish() {
-  [ -z "$board" ] || kill "$board" 2>/dev/null
-  rm -rf "$D"
-}
-trap finish EXIT
-count=0
-failed=0
-
-check() {
-  count=$((count + 1))
-  name=$1
-  shift
-  if "$@"; then
-    echo "ok $count - $name"
-  else
-    failed=$((failed + 1))
-    echo "not ok $count - $name"
-    sed 's/^/# /' "$D/out"
-  fi
-}
+at_exit() { [ -z "$board" ] || kill "$board" 2>/dev/null; }
 
 # plug REAL: a board on a line, whose name is in $line.
+named() { line=$(grep -o '^/dev/.*' said); }
 plug() {
-  : >"$D/said"
-  TWOFOLD_PORT=pty "$firmware-$1/firmware-line.elf" 2>"$D/said" </dev/null &
+  TWOFOLD_PORT=pty "$firmware-$1/firmware-line.elf" 2>said </dev/null &
   board=$!
-  tries=0
-  until line=$(grep -o '^/dev/.*' "$D/said") || [ "$tries" -eq 200 ]; do
-    tries=$((tries + 1))
-    sleep 0.05
-  done
+  poll named
 }
 unplug() {
   kill "$board"
@@ -49,46 +24,38 @@ unplug() {
   board=
 }
 
-# drive REAL CODE OPTION...: whether `hil` ends with that code.
+# drive NAME CODE REAL OPTION...: whether `hil` ends with that code.
 drive() {
-  program=$builds/$1/hil code=$2
-  shift 2
-  "$program" "$line" --steps 600 --every 10 "$@" >"$D/out" 2>&1
-  [ $? -eq "$code" ]
+  name=$1 want=$2 program=$builds/$3/hil
+  shift 3
+  "$program" "$line" --steps 600 --every 10 "$@" >err 2>&1
+  equal "$name" $? "$want"
 }
 
 for real in double float; do
-  plug "$real"
-  check "$real: in real time" drive "$real" 0
-  check "$real: told" grep -q 'states .* inputs: the same bits' "$D/out"
-  check "$real: late inputs" drive "$real" 0 --delay 0
-  check "$real: late inputs are told" grep -q '[1-9][0-9]* late' "$D/out"
-  check "$real: in lockstep" drive "$real" 0 --lockstep --csv "$D/one"
-  check "$real: in lockstep again" drive "$real" 0 --lockstep --csv "$D/two"
-  check "$real: lockstep hangs on no clock" cmp "$D/one" "$D/two"
-  check "$real: another wish" drive "$real" 0 --lockstep --speed -0.8 \
-    --csv "$D/two"
-  # shellcheck disable=SC2016  # the inner shell expands
-  check "$real: is another motion" sh -c '! cmp -s "$1" "$2"' sh \
-    "$D/one" "$D/two"
-  # The other real type is not one to compare with.
   other=float
-  [ "$real" = double ] || other=double
-  check "$real: not with $other" drive "$other" 3
+  [ $real = double ] || other=double
+  check "$real: a board on a line" plug $real
+  drive "$real: in real time" 0 $real
+  check "$real: told" grep -q 'states .* inputs: the same bits' err
+  drive "$real: late inputs" 0 $real --delay 0
+  check "$real: late inputs are told" grep -q '[1-9][0-9]* late' err
+  drive "$real: in lockstep" 0 $real --lockstep --csv one
+  drive "$real: in lockstep again" 0 $real --lockstep --csv two
+  check "$real: lockstep hangs on no clock" cmp one two
+  drive "$real: another speed is asked for" 0 $real --lockstep --speed -0.8 \
+    --csv two
+  check "$real: and is another motion" not cmp -s one two
+  drive "$real: does not compare with $other" 3 $other
   # A machine that is not the scene's is found by its hash.
-  "$T" monitor "$line" --send set:mu=1.5 >"$D/out" 2>&1
-  check "$real: other parameters" drive "$real" 3
+  run monitor "$line" --send set:mu=1.5
+  drive "$real: other parameters" 3 $real
   unplug
 done
 line=/dev/null
-check 'no board' drive double 4
-usage() {
-  "$builds/double/hil" >"$D/out" 2>&1
-  [ $? -eq 2 ]
-}
-check 'usage: no device' usage
-check 'usage: delay' drive double 2 --delay 21
-check 'usage: number' drive double 2 --speed fast
-echo "1..$count"
-echo "$((count - failed)) passed, $failed failed"
-[ "$failed" -eq 0 ]
+drive 'no board' 4 double
+drive 'usage: delay' 2 double --delay 21
+drive 'usage: number' 2 double --speed fast
+"$builds/double/hil" >err 2>&1
+equal 'usage: no device' $? 2
+finish
