@@ -1,8 +1,10 @@
 /* tap.h - the whole test harness: named checks, TAP on standard output, and
  * for each failure the one command that replays it. A test file is one
  * program: `TEST(name) { ... }` functions, then a main of RUN lines between
- * tap_begin and tap_end. Options: --seed N, --only NAME. With TAP_BAIL in the
- * environment a program ends at the first test that fails. */
+ * tap_begin and tap_end. A test that has nothing to say in this build returns by
+ * SKIP(reason): it is named, and is neither passed nor failed. Options: --seed
+ * N, --only NAME. With TAP_BAIL in the environment a program ends at the first
+ * test that fails. */
 #ifndef TAP_H
 #define TAP_H
 
@@ -14,9 +16,9 @@
 #include <string.h>
 
 static struct {
-  const char *program, *only, *name;
+  const char *program, *only, *skip; /* skip: why this test is, or NULL */
   uint64_t seed, state;
-  int run, failed, checks, bad;
+  int run, failed, skipped, checks, bad;
 } tap;
 
 static inline void tap_begin(int argc, char **argv) {
@@ -59,14 +61,17 @@ static inline int tap_near(long double got, long double want, long double tol,
 
 static inline void tap_run(const char *name, void (*test)(void)) {
   if (tap.only && strcmp(tap.only, name)) return;
-  tap.name = name;
+  tap.skip = NULL;
   tap.state = tap.seed;
   tap.checks = tap.bad = 0;
   test();
-  if (!tap.checks) printf("# %s asserts nothing\n", name), tap.bad = 1;
+  if (!tap.checks && !tap.skip)
+    printf("# %s checks nothing\n", name), tap.bad = 1;
   tap.run++;
   tap.failed += tap.bad > 0;
-  printf("%sok %d - %s\n", tap.bad ? "not " : "", tap.run, name);
+  tap.skipped += tap.skip && !tap.bad;
+  printf("%sok %d - %s%s%s\n", tap.bad ? "not " : "", tap.run, name,
+         tap.skip ? " # SKIP " : "", tap.skip ? tap.skip : "");
   if (tap.bad)
     printf("# replay: %s --only %s --seed %" PRIu64 "\n", tap.program, name,
            tap.seed);
@@ -75,9 +80,16 @@ static inline void tap_run(const char *name, void (*test)(void)) {
 }
 #define TEST(name) static void name(void)
 #define RUN(name) tap_run(#name, name)
+#define SKIP(reason)     \
+  do {                   \
+    tap.skip = (reason); \
+    return;              \
+  } while (0)
 
 static inline int tap_end(void) {
-  printf("1..%d\n%d passed, %d failed\n", tap.run, tap.run - tap.failed,
+  printf("1..%d\n", tap.run);
+  if (tap.skipped) printf("# %d skipped\n", tap.skipped);
+  printf("%d passed, %d failed\n", tap.run - tap.failed - tap.skipped,
          tap.failed);
   return tap.failed || !tap.run;
 }

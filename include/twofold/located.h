@@ -49,7 +49,7 @@
 ///   motion has no event (`make bench`). Stack: 2832 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: located_order_of_convergence, located_order_across_stick,
-///   located_branch_and_events,
+///   located_branch_is_independent_of_the_step_size,
 ///   located_finer_tolerance_is_no_worse, located_two_fold_in_one_step,
 ///   located_steps_keep_to_the_reference, located_falls_back_and_says_so,
 ///   located_residual_is_that_of_the_law,

@@ -2,8 +2,7 @@
  * a step happens to end: machines whose motion comes to h = g = 0, from slip
  * and from stick, over many step sizes, against `located`, which stops there.
  */
-#include "tap.h"
-#include "twofold.h"
+#include "common.h"
 
 typedef struct {
   double kappa, gamma, mu, beta, k2, r, omega, h;
@@ -55,7 +54,7 @@ static long run(const start_t *s, step_t *step, double end, long n,
   tf_machine_t machine;
   tf_report_t report;
   p.dt = (tf_real_t)(end / (double)n);
-  p.tolerance = (tf_real_t)(sizeof(tf_real_t) == 8 ? 1e-10 : 1e-5);
+  p.tolerance = (tf_real_t)(IS_DOUBLE ? 1e-10 : 1e-5);
   if (tf_prepare(&machine, &p, NULL) != TF_OK) return -1;
   const tf_input_t u = tf_input_default(&machine);
   *x = (tf_state_t){
@@ -76,7 +75,7 @@ static long steps_between(double fine, double coarse, double end) {
 }
 
 TEST(branch_at_rest_is_independent_of_the_step_size) {
-  const double finest = sizeof(tf_real_t) == 8 ? 1e-5 : 1e-4;
+  const double finest = IS_DOUBLE ? 1e-5 : 1e-4;
   for (size_t i = 0; i < sizeof found / sizeof *found; i++) {
     tf_state_t located, x;
     CHECK(run(&found[i], tf_step_located, 1, 997, &located) == 0);
@@ -171,10 +170,7 @@ TEST(a_slip_that_passes_by_does_not_rest) {
  * where those disagree so do the schemes. A motion that just misses h = g = 0
  * needs a step small enough to see that. */
 TEST(random_machines_take_one_branch) {
-  if (sizeof(tf_real_t) != 8) { /* float ends other events beside them */
-    CHECK(sizeof(tf_real_t) == 4);
-    return;
-  }
+  if (!IS_DOUBLE) SKIP("in float other events end these motions");
   const double end = 0.6;
   int met = 0, other = 0, split = 0;
   for (int i = 0; i < 1200; i++) {

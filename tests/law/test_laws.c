@@ -1,7 +1,6 @@
 /* Laws that the simulated motion must obey, whatever the implementation. */
+#include "common.h"
 #include "scene_named.h"
-#include "tap.h"
-#include "twofold.h"
 
 /* Prepares a scene's machine and places its start. */
 static void start(const tf_scene_t *scene, const tf_params_t *params,
@@ -179,7 +178,7 @@ TEST(dissipation_without_moment) {
     printf("# %s: largest rise of energy in a step %.2g J, at half dt %.2g\n",
            names[i], worst[0], worst[1]);
     CHECK(worst[0] < 2e-5);
-    if (sizeof(tf_real_t) == 8) CHECK(worst[1] <= worst[0] / 3);
+    if (IS_DOUBLE) CHECK(worst[1] <= worst[0] / 3);
   }
 }
 

@@ -1,14 +1,11 @@
 /* The simulator against the reference solutions of tests/data/reference.h:
  * every scene and two benchmarks, as far as their future is unique. */
 #include "../data/reference.h"
-#include "tap.h"
-#include "twofold.h"
+#include "common.h"
 
 /* Step sizes are taken in groups of neighbours and their errors averaged:
  * where in a step a switch falls changes the error of one run by its size. */
 enum { GROUP = 8, PHASES = 64 };
-
-#define IS_DOUBLE (sizeof(tf_real_t) == 8)
 
 static tf_tyre_law_t law_named(const char *name) {
   static const char *const names[TF_TYRE_LAWS] = {

@@ -127,7 +127,6 @@ static void true_stick(const paper_t *p, real x[4], real t) {
 
 /* A million steps of 1e-6 s, each below what a float of the state can tell. */
 TEST(rounding_is_carried) {
-  const int is_double = sizeof(tf_real_t) == 8;
   const long steps = 1000000;
   run_t run = begun(scene_named("rolling"), 1e-6), rounded = run;
   const paper_t paper = paper_of(&run.params);
@@ -146,7 +145,7 @@ TEST(rounding_is_carried) {
   whole_state(&rounded, plain);
   for (int j = 0; j < 4; j++) {
     /* The step's own error, 0.3 dt^2, and what pairs of floats add to it. */
-    CHECK_NEAR(got[j], want[j], is_double ? 5e-13L : 5e-10L);
+    CHECK_NEAR(got[j], want[j], IS_DOUBLE ? 5e-13L : 5e-10L);
     worst = fmaxl(worst, fabsl(got[j] - want[j]));
     worst_plain = fmaxl(worst_plain, fabsl(plain[j] - want[j]));
   }
