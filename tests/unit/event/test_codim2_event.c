@@ -15,19 +15,19 @@ TEST(exponent_of_a_limit_direction) {
     const tf_real_t r = uniform(-0.6, 0.6);
     const rest_t at = rest_at(&params, &u, r);
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    tf_segment_t ray = {.closure = TF_CONTACT_CODIM2_SLIP,
-                        .side = n & 1 ? 1 : -1,
-                        .roll = n & 2 ? 1 : -1,
-                        .h_zeros = 1,
-                        .g_is_0 = true};
-    if (!tf_codim2_attractor(&k, &rates, ray.roll, ray.side, &ray.T)) continue;
+    tf_segment_t ray = {.contact = TF_CONTACT_CODIM2_SLIP,
+                        .sign_h = n & 1 ? 1 : -1,
+                        .sign_g = n & 2 ? 1 : -1,
+                        .h_zero_order = 1,
+                        .g_starts_at_zero = true};
+    if (!tf_codim2_attractor(&k, &rates, ray.sign_g, ray.sign_h, &ray.T)) continue;
     static tf_taylor_t motion;
     begin_taylor(&motion, &k, &u, u.omega0, (tf_phase_point_t){r, 0, 0});
     CHECK(tf_taylor_coefficients(&motion, &ray));
-    const real angle = angle_of(&at, wide(ray.T), ray.roll), off = 1e-5L;
-    const real v = rate_at(&at, ray.side, angle).grows;
-    const real c = (rate_at(&at, ray.side, angle + off).turns -
-                    rate_at(&at, ray.side, angle - off).turns) /
+    const real angle = angle_of(&at, wide(ray.T), ray.sign_g), off = 1e-5L;
+    const real v = rate_at(&at, ray.sign_h, angle).grows;
+    const real c = (rate_at(&at, ray.sign_h, angle + off).turns -
+                    rate_at(&at, ray.sign_h, angle - off).turns) /
                    (2 * off);
     if (fabsl(v) < 0.1L || fabsl(angle) < 1e-2L ||
         PAPER_PI / 2 - fabsl(angle) < 1e-2L)
