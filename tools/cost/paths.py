@@ -2,11 +2,11 @@
 """The longest way through the code of each function, whatever its inputs.
 
 It is in instructions, from the assembly of x86-64 (gcc -S) that the Makefile
-has compiled for counting, as lines "name instructions". What is called and what
-is jumped to is a part of the way. The longest way through a loop counts as often
-as the loop is run, and so on for loops inside it. Where TRIPS says nothing of a
-loop, and where a jump goes through a table or a pointer, the function and its
-callers have no bound: "name -".
+has compiled for counting, as lines "name instructions". What is called and
+what is jumped to is a part of the way. The longest way through a loop counts as
+often as the loop is run, and so on for loops inside it. Where `trips` says
+nothing of a loop, and where a jump goes through a table or a pointer, the
+function and its callers have no bound: "name -".
 """
 from __future__ import annotations
 
