@@ -3,10 +3,10 @@
 
 ROWS are lines `problem,peer,setting,steps,error,ns,branch`; what is none is
 left out. The table has for each problem and peer the least time at which an
-error is reached and kept at every finer setting of the sweep. Where a peer has two
-settings (width of a smoothed law, then step or tolerance), the best width
-counts, with the steps or tolerances at that width. Fewer than three settings in
-a row are luck. The first line of the CSV file says what was measured.
+error is reached and kept at every finer setting of the sweep. Where a peer has
+two settings (width of a smoothed law, then step or tolerance), the best width
+counts, with the steps or tolerances at that width. Fewer than three settings
+in a row are luck. The first line of the CSV file says what was measured.
 """
 from __future__ import annotations
 
