@@ -1,8 +1,8 @@
 // Slip near h = g = 0. The field depends there on the angle of the slip alone,
 // which may turn to a limit direction (Antali and Stepan 2018) much faster than
 // the slip moves along it: that is stiff, and the series of the slip is short.
-// But the slip soon is the one solution that begins or ends in h = g = 0 along
-// the limit direction, whose own series, from h = g = 0, is long.
+// But soon the slip cannot be told from the one solution that begins or ends in
+// h = g = 0 along the limit direction, whose series from there is long.
 #include "limit_direction.h"
 
 // The solution along a limit direction.
@@ -13,8 +13,8 @@ typedef struct {
   tf_real_t friction; // at most, as acceleration of p and q [m/s^2]
 } limit_solution_t;
 
-// The shortest time to h = g = 0 is R/a. The factors say when a series is so
-// short and the step so near to there that a look is worth its cost.
+// The way to h = g = 0 takes about R/a. The search is worth its cost where that
+// is much longer than the series reaches, but not many steps.
 TF_API bool tf_may_be_stiff(const tf_trajectory_t *path, tf_real_t length) {
   const tf_taylor_t *x = &path->motion;
   const tf_real_t R = magnitude(x->p.c[0]) + magnitude(x->q.c[0]);
@@ -24,8 +24,8 @@ TF_API bool tf_may_be_stiff(const tf_trajectory_t *path, tf_real_t length) {
          R < 16 * a * x->machine->dt;
 }
 
-// Expands the solution that has h = g = 0 at r and at this time before now;
-// false where no limit direction attracts the slip.
+// Expands the solution that has h = g = 0 at limit->r, limit->time ago; false
+// where no limit direction attracts the slip.
 static bool expand_limit_solution(tf_trajectory_t *path,
                                   limit_solution_t *limit) {
   tf_taylor_t *x = &path->motion;
@@ -54,9 +54,9 @@ static tf_real_t time_along(const tf_taylor_t *x, tf_real_t p, tf_real_t q) {
   return t;
 }
 
-// Finds the limit solution next to the slip and whether it is near enough to
-// take its place: r and the time of its h = g = 0 are known to second order in
-// the slip from its first expansion and to fourth from the second.
+// Finds the limit solution next to the slip and tells whether it is near enough
+// to take its place. Its r and time are exact to second order in the slip after
+// the first expansion and to fourth after the second.
 static bool is_on_limit_solution(tf_trajectory_t *path, tf_real_t allowed,
                                  limit_solution_t *limit) {
   const tf_taylor_t *x = &path->motion;

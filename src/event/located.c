@@ -45,7 +45,8 @@ static void begin_trajectory(tf_trajectory_t *path, const tf_machine_t *k,
   path->force = (tf_force_t){0, 0};
 }
 
-// The force of what follows an event at the very end of the step.
+// After an event at the very end of the step the force is that of the contact
+// that follows.
 static bool end_in_new_segment(tf_trajectory_t *path) {
   path->force = (tf_force_t){path->motion.F.c[0], path->motion.M.c[0]};
   path->is_over = true;
@@ -58,9 +59,9 @@ static bool next_after_limit_direction(tf_trajectory_t *path) {
   return !at_codim2 || tf_next_segment(path, TF_EVENT_CODIM2);
 }
 
-// When a stick reaches A = 0, where that is nearer than the slip may be off by;
-// else 0. Both N and lambda A are as near to 0 there, so that lambda = N/A is
-// not known: shorter and shorter segments would follow its error alone.
+// The time at which a stick reaches the two-fold A = 0, if the velocities
+// change less on the way than they may be off by, else 0. So near to it
+// lambda = N/A is a quotient of two errors, which ever shorter segments follow.
 static tf_real_t time_of_near_two_fold(const tf_trajectory_t *path,
                                        tf_span_t span) {
   const tf_taylor_t *x = &path->motion;
@@ -89,7 +90,8 @@ static tf_event_t first_event(const tf_trajectory_t *path, tf_span_t span,
                        time);
 }
 
-// One segment and the choice of the next one; false where there is none.
+// One segment, up to its first event, and the choice of the next one; false
+// where there is none.
 static bool integrate_segment(tf_trajectory_t *path, bool ask_for_stiffness) {
   // Expand: (13), (14) with (15) or (16).
   if (!tf_expand(path)) return false;
@@ -99,7 +101,8 @@ static bool integrate_segment(tf_trajectory_t *path, bool ask_for_stiffness) {
   const tf_span_t span = tf_segment_span(path);
   if (!(span.length > 0)) return tf_lengthen_segments(path, TF_LARGEST_FACTOR);
 
-  // Where the series are short at a singular point another solution is near.
+  // Next to a singular point the series are short, and the motion is near to
+  // one through that point: slip to h = g = 0, stick to a two-fold.
   if (ask_for_stiffness && tf_may_be_stiff(path, span.length)) {
     const tf_real_t allowed = span.error + trajectory_rounding(path);
     if (tf_follow_limit_direction(path, allowed))
@@ -116,7 +119,7 @@ static bool integrate_segment(tf_trajectory_t *path, bool ask_for_stiffness) {
   tf_real_t time;
   const tf_event_t event = first_event(path, span, &time);
 
-  // Advance. In stick h = 0 holds but for the terms that q = r z is cut by.
+  // Advance. In stick the series of q = r z is truncated, which leaves an h.
   tf_advance(path, 0, time);
   if (path->mode == TF_STICK_PLUS || path->mode == TF_STICK_MINUS)
     tf_project(path);

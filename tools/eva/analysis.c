@@ -1,6 +1,7 @@
 // Analysis and text, on any machine, point and number.
 #include "any.h"
 #include "link/decimal.h"
+#include "twofold/design.h"
 #include "twofold/singularity.h"
 #include "twofold/surface.h"
 #include "twofold/text.h"
