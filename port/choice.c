@@ -1,5 +1,5 @@
-// Which scene a firmware that has all of them runs: in a file of its own, so
-// that the compiler of the others cannot know.
+// Which scene a firmware that contains all of them runs: in a file of its own,
+// so that the compiler cannot use it when it compiles the others.
 #include <stdint.h>
 
 extern const uint8_t chosen_scene;

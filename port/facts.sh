@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# What scripts ask of a board; they source this from the root of the project.
+# What scripts need to know of a board; source it from the root of the project.
 # Environment: MAKE BUILD.
 MAKE=${MAKE:-make}
 BUILD=${BUILD:-build}
@@ -11,5 +11,5 @@ make_board() {
   $MAKE -s --no-print-directory BUILD="$BUILD" BOARD="$made" "$@"
 }
 
-# fact BOARD NAME: what its board.mk says.
+# fact BOARD NAME: the value of BOARD_NAME in its board.mk.
 fact() { make_board "$1" "board-$2"; }

@@ -1,4 +1,5 @@
-// The fixed-rate loop: see loop.h.
+// The fixed-rate loop: see loop.h. The application writes records into a buffer
+// in the time that a tick leaves, and their bytes go to the line one by one.
 #include "loop.h"
 
 #include "app.h"
@@ -7,20 +8,20 @@
 typedef struct {
   const loop_plan_t *plan;
   loop_counts_t *counts;
-  uint32_t tick;   // whose step is due or done
-  uint32_t begun;  // clock at its begin
+  uint32_t tick;   // the present one
+  uint32_t begun;  // clock at its start
   uint32_t period; // [clock]
-  // To write what is told, and a record alone [clock].
+  // Time that writing takes [clock]: of anything, and of a record.
   uint32_t longest_record, shortest_record;
   uint32_t until_record, until_heartbeat;
-  unsigned first, last; // bytes that wait are buffer[first .. last - 1]
+  unsigned first, last; // the bytes to send are buffer[first .. last - 1]
   uint8_t buffer[LOOP_ROOM];
 } loop_t;
 
 static loop_t the_loop;
 
-// Until the next tick: bytes out, bytes in, and rest where there are none. A
-// flood of bytes in neither stops those out nor outlasts the tick.
+// Until the next tick: sends bytes, receives bytes, and idles if there are
+// none. However many bytes come in, sending goes on and the tick is not missed.
 static void use_spare_time(loop_t *loop) {
   while (port_ticks() == loop->tick) {
     const int byte = port_get();
@@ -33,13 +34,13 @@ static void use_spare_time(loop_t *loop) {
   }
 }
 
-// Records take a while that hardly changes and descriptions a few times as
-// long. What is beyond that was somebody else's time (an emulator, a machine
-// with other work), of which one moment must not end all telemetry.
+// The time that a record takes hardly varies, and descriptions take a few times
+// as long. A longer time was spent elsewhere (in an emulator, or on a computer
+// with other work), and one such moment must not end all telemetry.
 #define OUTLIER 8u
 
-// Whether a record would be done before the next tick.
-static int in_time(const loop_t *loop) {
+// Whether a record would be finished before the next tick.
+static int is_time_for_record(const loop_t *loop) {
   const uint32_t spent = port_clock() - loop->begun;
   uint32_t takes = loop->longest_record;
   if (takes / OUTLIER > loop->shortest_record)
@@ -47,8 +48,8 @@ static int in_time(const loop_t *loop) {
   return spent < loop->period && loop->period - spent > takes;
 }
 
-// Before anything is told, records that nobody gets: how long they take.
-static void rehearse(loop_t *loop) {
+// Writes records that are not sent, to measure how long they take.
+static void time_a_record(loop_t *loop) {
   loop->shortest_record = UINT32_MAX;
   for (int i = 0; i < 3; i++) {
     const uint32_t begun = port_clock();
@@ -59,8 +60,8 @@ static void rehearse(loop_t *loop) {
   loop->longest_record = loop->shortest_record;
 }
 
-// Makes room for a record, if there is.
-static int fits(loop_t *loop) {
+// Makes room for a record. Returns: whether there is.
+static int make_room(loop_t *loop) {
   if (loop->first == loop->last) loop->first = loop->last = 0;
   if (LOOP_ROOM - (loop->last - loop->first) < LOOP_RECORD) return 0;
   if (LOOP_ROOM - loop->last < LOOP_RECORD) {
@@ -73,9 +74,10 @@ static int fits(loop_t *loop) {
   return 1;
 }
 
-// A heartbeat is dropped for want of room alone: it tells of want of time.
-static void tell(loop_t *loop, int heartbeat) {
-  if (!fits(loop) || !(heartbeat || in_time(loop))) {
+// Writes a record or a heartbeat into the buffer, or drops it. A heartbeat is
+// dropped only for lack of room, because it reports the lack of time.
+static void queue_record(loop_t *loop, int heartbeat) {
+  if (!make_room(loop) || !(heartbeat || is_time_for_record(loop))) {
     loop->counts->dropped++;
     return;
   }
@@ -87,7 +89,7 @@ static void tell(loop_t *loop, int heartbeat) {
   if (time > loop->longest_record) loop->longest_record = time;
 }
 
-static unsigned tell_other(loop_t *loop) {
+static unsigned queue_other(loop_t *loop) {
   const uint32_t begun = port_clock();
   const unsigned bytes = app_other(loop->buffer + loop->last);
   const uint32_t time = port_clock() - begun;
@@ -96,19 +98,19 @@ static unsigned tell_other(loop_t *loop) {
   return bytes;
 }
 
-// Before the first step, for a second at most: what describes the records. The
-// measured times then keep later ones from costing a step.
-static void introduce(loop_t *loop) {
+// Sends what describes the records, before the first step and for a second at
+// most. The times measured here keep later descriptions from delaying a step.
+static void send_descriptions(loop_t *loop) {
   bool more = true;
-  rehearse(loop);
-  tell(loop, 1);
+  time_a_record(loop);
+  queue_record(loop, 1);
   while ((more || loop->first != loop->last) && loop->tick < loop->plan->rate) {
-    if (more && fits(loop)) more = tell_other(loop) > 0;
+    if (more && make_room(loop)) more = queue_other(loop) > 0;
     use_spare_time(loop);
     loop->tick = port_ticks();
   }
   loop->begun = port_clock();
-  tell(loop, 0);
+  queue_record(loop, 0);
 }
 
 static void measure(loop_counts_t *counts, uint32_t time) {
@@ -117,7 +119,7 @@ static void measure(loop_counts_t *counts, uint32_t time) {
   counts->sum += time;
 }
 
-// Counts the ticks that went by without a step; the next is waited for.
+// Counts the ticks that passed during a step; the loop goes on at the next one.
 static int overran(loop_t *loop) {
   const uint32_t late = port_ticks() - loop->tick;
   if (late == 0) return 0;
@@ -127,21 +129,21 @@ static int overran(loop_t *loop) {
   return loop->plan->policy == LOOP_STOP;
 }
 
-static void tell_what_is_due(loop_t *loop) {
+static void queue_what_is_due(loop_t *loop) {
   if (--loop->until_heartbeat == 0) {
     loop->until_heartbeat = loop->plan->heartbeat;
-    tell(loop, 1);
+    queue_record(loop, 1);
   }
   if (--loop->until_record == 0) {
     loop->until_record = loop->plan->every;
-    tell(loop, 0);
+    queue_record(loop, 0);
   }
-  if (fits(loop) && in_time(loop)) (void)tell_other(loop);
+  if (make_room(loop) && is_time_for_record(loop)) (void)queue_other(loop);
 }
 
 static loop_end_t run(loop_t *loop) {
   loop_counts_t *counts = loop->counts;
-  introduce(loop);
+  send_descriptions(loop);
   while (loop->plan->steps == 0 || counts->steps < loop->plan->steps) {
     use_spare_time(loop);
     const uint32_t now = port_ticks();
@@ -157,7 +159,7 @@ static loop_end_t run(loop_t *loop) {
       measure(counts, port_clock() - loop->begun);
     }
     const int stop = overran(loop);
-    tell_what_is_due(loop);
+    queue_what_is_due(loop);
     if (stop) return LOOP_OVERRAN;
   }
   return LOOP_DONE;
@@ -175,7 +177,7 @@ loop_end_t loop_run(const loop_plan_t *plan, loop_counts_t *counts) {
   loop->tick = port_ticks();
   loop->begun = port_clock();
   const loop_end_t end = run(loop);
-  // What waits leaves, bounded in time: a second of ticks.
+  // Sends the bytes that are left, for a second at most.
   const uint32_t until = port_ticks() + plan->rate;
   while (loop->first != loop->last && port_ticks() - until > UINT32_MAX / 2)
     if (port_room() > 0) port_put(loop->buffer[loop->first++]);

@@ -2,11 +2,12 @@
 /// What a board must be able to do: the whole contract between this project
 /// and a target. A board is one folder under port/ that defines the functions
 /// below, brings its startup code and linker script (port/arch has those of
-/// whole families) and says in board.mk how it is compiled and run. They are
-/// called by name: no table of pointers, and no board is named elsewhere.
+/// whole families), and says in board.mk how it is compiled and run. The
+/// functions are called by name, without a table of pointers; no other file
+/// names a board.
 ///
-/// All of them are called from the main program, never from an interrupt.
-/// Nothing here waits, but port_idle, which says until when.
+/// All of them are called from the main program, never from an interrupt. None
+/// waits except port_idle, which says until when.
 #ifndef TWOFOLD_PORT_H
 #define TWOFOLD_PORT_H
 
@@ -24,34 +25,34 @@ void port_init(void);
 ///   nothing was started.
 bool port_tick_start(uint32_t rate);
 
-/// Ticks since port_tick_start, counted by the board also while nobody looks.
-/// Wraps at 2^32.
+/// Ticks since port_tick_start, modulo 2^32. The board counts them whether or
+/// not this is called.
 uint32_t port_ticks(void);
 
-/// A clock that never goes back, running since port_tick_start; wraps at 2^32.
-/// Differences of two readings that lie less than half a wrap apart count.
+/// A clock that never goes back, running since port_tick_start, modulo 2^32.
+/// Only differences of readings less than 2^31 apart are used.
 uint32_t port_clock(void);
 
-/// Units of port_clock in one second: its resolution.
+/// Units of port_clock in one second.
 uint32_t port_clock_rate(void);
 
-/// How many bytes port_put takes at once. 0 where the line is busy.
+/// How many bytes port_put can take now; 0 while the line is busy.
 unsigned port_room(void);
 
-/// Hands one byte to the serial line. Only where port_room() > 0.
+/// Hands one byte to the serial line. Called only if port_room() > 0.
 void port_put(uint8_t byte);
 
-/// The next byte that came in, or -1. The board keeps at least 32 of them; it
-/// drops what comes beyond.
+/// The next byte received, or -1. The board keeps at least 32 of them and drops
+/// those that come when its buffer is full.
 int port_get(void);
 
-/// Rests until the next interrupt at the latest, but not at all where
-/// port_ticks() is no longer `seen`: a tick between the caller's look and the
-/// rest is not slept over. May return early.
+/// Waits for the next interrupt at most, and not at all if port_ticks() is no
+/// longer `seen`: a tick between the caller's check and the wait is not missed.
+/// May return early.
 void port_idle(uint32_t seen);
 
-/// Ends the program with an exit code, where a board has somebody to tell;
-/// else stops for good. The bytes handed over so far still leave.
+/// Ends the program with an exit code, if there is something that takes it;
+/// else stops for good. Bytes handed over before are still sent.
 #if defined(__GNUC__)
 __attribute__((noreturn))
 #endif

@@ -9,9 +9,9 @@
 #   STEPS=0          how many; 0 without end
 #   FORMAT=text      or frames (docs/PROTOCOL.md)
 #   UPLINK=          yes: takes commands (frames); else locked
-#   OVERRUN=skip     or stop: what a step that ends too late does to the loop
-#   EVERY=           steps from record to record; else 50 records a second
-#   ONLY='host uno'  boards that `make test-boards` takes
+#   OVERRUN=skip     or stop: what the loop does about a step that ends too late
+#   EVERY=           steps from record to record; by default 50 records a second
+#   ONLY='host uno'  the boards for `make test-boards`
 #   PROGRAM=firmware or trajectory, population, window, stack (tests/target);
 #                    wasm32: module
 
@@ -26,8 +26,8 @@ STEPS ?= 0
 PROGRAM ?= firmware
 BOARD_OPT ?= -Os
 
-# Constants of a scene, made on this machine. Programs of tests keep the
-# scene's own dt.
+# The constants of a scene are computed on the host. Test programs keep the dt
+# of the scene.
 $(VARIANTS:%=$(BUILD)/%/constants): $(BUILD)/%/constants: \
     $(BUILD)/%/tools/firmware/constants.o $(BUILD)/%/libtwofold.a
 	$(link)
@@ -74,7 +74,7 @@ RATE_OF_firmware := $(RATE)
 RATE_OF_stack := $(RATE)
 FIRMWARE_RATE := $(RATE_OF_$(PROGRAM))
 PLACE := $(BUILD)/boards/$(BOARD)/$(SCENE)-$(REAL)
-# What sets programs of one kind apart is in the name.
+# NAMED tells programs of one kind apart.
 FIRMWARE := $(PLACE)/$(PROGRAM)$(NAMED).elf
 
 SOURCE_firmware := port/main.c port/firmware.c port/loop.c
@@ -133,7 +133,7 @@ $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
 	@$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(FIRMWARE_SOURCES) \
 	  -Wl,--gc-sections $(BOARD_LINK) -o $@
 
-# One file for each program, for their flags differ.
+# One file for each program, because their flags differ.
 $(FIRMWARE).flags: $(BUILD)/$(REAL)/constants FORCE
 	@mkdir -p $(@D)
 	@new=$@.$$$$; \
@@ -144,7 +144,7 @@ firmware: $(FIRMWARE)
 	@echo '$(FIRMWARE)'
 elf: $(FIRMWARE)
 
-# For scripts: the call graph of a firmware with its frames, into GRAPH.
+# For scripts: the call graph of a firmware with stack frames, into GRAPH.
 call-graph: $(BUILD)/$(REAL)/constants $(CONSTANTS)
 	@for file in $(FIRMWARE_SOURCES); do \
 	  $(BOARD_CC) $(FIRMWARE_FLAGS) -fcallgraph-info=su -c $$file \

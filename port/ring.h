@@ -1,14 +1,14 @@
 /// @file
 /// Bytes from an interrupt to the main program: one writer, one reader, no
-/// lock. Each index is written by one side only and is one byte, which every
-/// target reads and writes at once. A full ring drops the newest byte.
+/// lock. Each index is written by one side only, and is one byte, which every
+/// target reads and writes atomically. A full ring drops the newest byte.
 #ifndef TWOFOLD_PORT_RING_H
 #define TWOFOLD_PORT_RING_H
 
 #include <stdint.h>
 
-/// Room for RING_SIZE - 1 bytes; a power of two, at most 256. With an uplink
-/// four of the longest commands fit, the queue behind it full of them.
+/// Room for RING_SIZE - 1 bytes; a power of two, at most 256. With an uplink it
+/// has room for four of the longest commands, as many as the queue of commands.
 #ifdef UPLINK
 #define RING_SIZE 256u
 #else

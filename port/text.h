@@ -1,11 +1,11 @@
 /// @file
-/// Whole numbers and words as text, without a C library. Reals: twofold/text.h.
+/// Whole numbers and words as text, without a C library.
 #ifndef TWOFOLD_PORT_TEXT_H
 #define TWOFOLD_PORT_TEXT_H
 
 #include <stdint.h>
 
-/// A line in the making. Who makes it sees to the room.
+/// A line being written. The caller provides room for it.
 typedef struct {
   uint8_t *end; ///< where the next byte goes
 } text_t;

@@ -8,7 +8,7 @@ void cortex_m_reset(void);
 
 __attribute__((noreturn)) void cortex_m_halt(int code) {
   // SYS_EXIT_EXTENDED with ADP_Stopped_ApplicationExit. Without a debugger the
-  // breakpoint is a fault, and the fault's handler ends here: locked up.
+  // breakpoint is a fault, whose handler ends here, in lockup.
   const uint32_t block[2] = {0x20026u, (uint32_t)code};
   register uint32_t operation __asm__("r0") = 0x20u;
   register const uint32_t *argument __asm__("r1") = block;
@@ -28,7 +28,7 @@ typedef struct {
   void (*interrupt[CORTEX_M_INTERRUPTS])(void);
 } vectors_t;
 
-// A range of designators is an extension of both compilers.
+// A range of designators is an extension of gcc and clang.
 #pragma GCC diagnostic ignored "-Wpedantic"
 extern const vectors_t vectors;
 __attribute__((section(".vectors"), used)) const vectors_t vectors = {

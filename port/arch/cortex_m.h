@@ -7,10 +7,10 @@
 
 #include "register.h"
 
-/// Interrupts of the board that the vector table has room for.
+/// How many interrupts of the board the vector table has room for.
 #define CORTEX_M_INTERRUPTS 48
 
-/// Handlers that a board may define; those that it does not halt.
+/// Handlers that a board may define; one that it does not define halts.
 void cortex_m_systick(void);
 void cortex_m_interrupt(void); ///< any of the board's
 
@@ -22,19 +22,19 @@ static inline void cortex_m_enable(unsigned number) {
 /// As port_idle, for a tick that an interrupt counts in *ticks.
 static inline void cortex_m_idle(const volatile uint32_t *ticks,
                                  uint32_t seen) {
-  // Masked, an interrupt still ends wfi: none is lost between look and rest.
+  // A masked interrupt still ends wfi, so none is lost between check and wait.
   __asm__ volatile("cpsid i" ::: "memory");
   if (*ticks == seen) __asm__ volatile("wfi" ::: "memory");
   __asm__ volatile("cpsie i" ::: "memory");
 }
 
-/// SysTick as tick and clock: started at so many cycles a tick (<= 2^24).
+/// SysTick as tick and clock, started with so many cycles a tick (<= 2^24).
 void cortex_m_tick_start(uint32_t cycles);
 uint32_t cortex_m_ticks(void);
 uint32_t cortex_m_clock(void);
 void cortex_m_tick_idle(uint32_t seen);
 
-/// Tells a debugger or an emulator the exit code, then stops for good.
+/// Passes the exit code to a debugger or an emulator, then stops for good.
 __attribute__((noreturn)) void cortex_m_halt(int code);
 
 #endif

@@ -26,7 +26,7 @@ void cortex_m_tick_idle(uint32_t seen) { cortex_m_idle(&ticks, seen); }
 
 uint32_t cortex_m_clock(void) {
   uint32_t tick, left;
-  do { // again where a tick fell in between, counted or pending
+  do { // again if a tick came in between, counted or pending
     tick = ticks;
     left = SYST_CVR;
   } while (tick != ticks || (ICSR & ICSR_PENDSTSET));

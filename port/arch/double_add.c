@@ -1,14 +1,14 @@
-// Addition of doubles in software, rounded as IEEE 754 has it, for Cortex-M3
-// and M4: that of libgcc for Thumb-2 is not always (docs/PORTS.md). The linker
-// puts these in its place (--wrap); arguments are the bits of doubles, in
-// registers as the run-time ABI has them.
+// Addition of doubles in software, rounded as IEEE 754 requires, for Cortex-M3
+// and M4: that of libgcc for Thumb-2 does not always do so (docs/PORTS.md). The
+// linker replaces it by these functions (--wrap); their arguments are the bits
+// of doubles, in the registers of the run-time ABI.
 #include <stdint.h>
 
 #define SIGN ((uint64_t)1 << 63)
 #define INFINITE ((uint64_t)0x7FF << 52)
 #define HIDDEN ((uint64_t)1 << 52)
 #define QUIET ((uint64_t)1 << 51)
-#define GUARD 10 // bits behind the last one, of which the least is sticky
+#define GUARD 10 // bits below the last one; the lowest is sticky
 
 uint64_t double_sum(uint64_t a, uint64_t b) __asm__("__wrap___aeabi_dadd");
 uint64_t double_difference(uint64_t a,
@@ -16,14 +16,14 @@ uint64_t double_difference(uint64_t a,
 uint64_t double_reversed(uint64_t a,
                          uint64_t b) __asm__("__wrap___aeabi_drsub");
 
-// The significand, and the exponent, which of a subnormal number is 1 as well.
+// The significand, and the exponent, which is 1 for subnormal numbers too.
 static inline uint64_t significand(uint64_t bits, unsigned *exponent) {
   const unsigned field = (unsigned)(bits >> 52);
   *exponent = field ? field : 1;
   return ((bits & (HIDDEN - 1)) | (field ? HIDDEN : 0)) << GUARD;
 }
 
-// x / 2^n, what is lost kept in the last bit.
+// x / 2^n; the last bit is set if any bit is lost.
 static inline uint64_t sticky_shift(uint64_t x, unsigned n) {
   if (n == 0) return x;
   if (n > 63) return x != 0;
@@ -45,7 +45,7 @@ static inline uint64_t rounded(uint64_t sum, unsigned exponent) {
   const uint64_t rest = sum & (2 * half - 1);
   sum >>= GUARD;
   sum += rest > half || (rest == half && (sum & 1));
-  // The hidden bit, or a carry into it, counts the exponent up.
+  // The hidden bit, or a carry into it, increments the exponent.
   const uint64_t bits = ((uint64_t)(exponent - 1) << 52) + sum;
   return bits < INFINITE ? bits : INFINITE;
 }

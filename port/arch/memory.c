@@ -6,7 +6,7 @@ void *memset(void *to, int value, size_t size);
 void *memcpy(void *restrict to, const void *restrict from, size_t size);
 void *memmove(void *to, const void *from, size_t size);
 
-// Without this the loops would be found out and call themselves.
+// Without this the compiler would replace the loops by calls of themselves.
 #ifdef __clang__
 #define ITSELF __attribute__((no_builtin))
 #else

@@ -1,4 +1,4 @@
-// Startup, traps, timer of a RISC-V of 32 bits with CLINT and PLIC at their
+// Startup, traps and timer of a 32-bit RISC-V with CLINT and PLIC at their
 // usual addresses; see riscv.h.
 #include "riscv.h"
 
@@ -46,7 +46,7 @@ void riscv_main(void) {
 __attribute__((weak)) void riscv_interrupt(uint32_t source) { (void)source; }
 
 static void timer_at(uint64_t time) {
-  MTIMECMP_HIGH = UINT32_MAX; // never early on the way
+  MTIMECMP_HIGH = UINT32_MAX; // never too early in between
   MTIMECMP_LOW = (uint32_t)time;
   MTIMECMP_HIGH = (uint32_t)(time >> 32);
 }
@@ -92,7 +92,7 @@ uint32_t riscv_ticks(void) { return ticks; }
 uint32_t riscv_clock(void) { return MTIME_LOW; }
 
 void riscv_idle(uint32_t seen) {
-  // Masked, an interrupt still ends wfi: none is lost between look and rest.
+  // A masked interrupt still ends wfi, so none is lost between check and wait.
   __asm__ volatile("csrc mstatus, 8" ::: "memory");
   if (ticks == seen) __asm__ volatile("wfi" ::: "memory");
   __asm__ volatile("csrs mstatus, 8" ::: "memory");

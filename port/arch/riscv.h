@@ -1,5 +1,5 @@
 /// @file
-/// What RISC-V boards of 32 bits share: startup, machine timer, external
+/// What 32-bit RISC-V boards share: startup, machine timer, external
 /// interrupts, semihosting.
 #ifndef TWOFOLD_PORT_RISCV_H
 #define TWOFOLD_PORT_RISCV_H
@@ -11,7 +11,7 @@
 /// The board's handler of external interrupt `source`.
 void riscv_interrupt(uint32_t source);
 
-/// Lets an external interrupt through; of one hart, machine mode.
+/// Enables an external interrupt, of the one hart, in machine mode.
 void riscv_enable(uint32_t source);
 
 /// The machine timer as tick, its counter as clock. period: in its units.
@@ -20,7 +20,7 @@ uint32_t riscv_ticks(void);
 uint32_t riscv_clock(void);
 void riscv_idle(uint32_t seen);
 
-/// Tells a debugger or an emulator the exit code, then stops for good.
+/// Passes the exit code to a debugger or an emulator, then stops for good.
 __attribute__((noreturn)) void riscv_halt(int code);
 
 #endif

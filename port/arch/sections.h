@@ -1,5 +1,5 @@
 /// @file
-/// What sections.ld tells a startup code, and what that does with it.
+/// What sections.ld provides for startup code, and its use.
 #ifndef TWOFOLD_PORT_SECTIONS_H
 #define TWOFOLD_PORT_SECTIONS_H
 
@@ -8,7 +8,7 @@
 extern uint32_t data_source[], data_begin[], data_end[];
 extern uint32_t bss_begin[], bss_end[], stack_top[];
 
-/// Data as the program has them, all else 0: before main.
+/// Initialises data and clears the rest, before main.
 static inline void sections_fill(void) {
   const uint32_t *from = data_source;
   for (uint32_t *to = data_begin; to < data_end;) *to++ = *from++;

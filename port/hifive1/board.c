@@ -37,8 +37,8 @@ static bool wait_for(volatile uint32_t *what) {
   return false;
 }
 
-// 256 MHz = 16 MHz / 2 x 64 / 2; the crystal alone where the PLL does not lock,
-// the internal oscillator where that does not start. Returns: what it got.
+// 256 MHz = 16 MHz / 2 x 64 / 2; the crystal itself if the PLL does not lock,
+// the internal oscillator if the crystal does not start. Returns: the rate.
 static uint32_t start_clock(void) {
   PRCI_HFXOSC = 1u << 30;
   if (!wait_for(&PRCI_HFXOSC)) return INTERNAL_HZ;
@@ -69,7 +69,7 @@ void port_init(void) {
   GPIO(0x3Cu) &= ~(3u << 16); // pins 16 and 17 are UART0's
   GPIO(0x38u) |= 3u << 16;
   UART_TXCTRL = 1;
-  UART_RXCTRL = 1; // interrupt where more than 0 bytes wait
+  UART_RXCTRL = 1; // interrupt if more than 0 bytes wait
   UART_IE = 2;
   riscv_enable(UART_IRQ);
 }
@@ -97,7 +97,7 @@ int port_get(void) { return ring_get(&received); }
 
 void port_idle(uint32_t seen) { riscv_idle(seen); }
 
-// Semihosting, SYS_EXIT_EXTENDED; the three instructions must lie as they are.
+// Semihosting, SYS_EXIT_EXTENDED; the three instructions are a fixed sequence.
 void riscv_halt(int code) {
   const uint32_t block[2] = {0x20026u, (uint32_t)code};
   register uint32_t operation __asm__("a0") = 0x20u;

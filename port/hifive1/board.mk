@@ -17,5 +17,5 @@ BOARD_STEPS := 100000
 BOARD_RATES_float := 1000:3
 BOARD_RATES_double := 1000:3
 BOARD_LOADS := -kernel
-# The painted stack is held against the call graph.
+# The painted stack is compared with the call graph.
 BOARD_PAINT := yes

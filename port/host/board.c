@@ -1,18 +1,19 @@
-// POSIX: the same firmware as a process. Where its serial line goes is said by
-// the environment variable TWOFOLD_PORT:
-//   -                   standard output and input (also where it is not set)
-//   pty                 a new pseudo-terminal; its name is told on standard
+// POSIX: the same firmware as a process. The environment variable TWOFOLD_PORT
+// says where its serial line goes:
+//   -                   standard output and input (the default)
+//   pty                 a new pseudo-terminal; its name is printed on standard
 //                       error
 //   /dev/ttyACM0:115200 a serial device with its baud rate
-//   anything else       a file, written anew
-// Ticks are counted by the monotonic clock and slept for to absolute deadlines,
-// so that nothing adds up; how late the sleeper woke is told at the end on
-// standard error. Real-time priority and locked memory are taken where they are
-// asked for and allowed.
+//   anything else       a file, overwritten
+// Ticks are counted by the monotonic clock. The process sleeps to absolute
+// deadlines, so that delays do not add up, and prints at the end on standard
+// error how late it woke. TWOFOLD_REALTIME asks for real-time priority and
+// locked memory.
 //
-// A line that nobody reads fills up, and the loop drops records; a line that is
-// gone (device unplugged, pipe closed) ends the program with code 4. A reader
-// of a pseudo-terminal may come and go. SIGINT and SIGTERM end it with code 0.
+// When nobody reads the line it fills up, and the loop drops records. When the
+// line is gone (device unplugged, pipe closed) the program ends with code 4.
+// The reader of a pseudo-terminal may come and go. SIGINT and SIGTERM end the
+// program with code 0.
 #define _XOPEN_SOURCE 700
 
 #include <errno.h>
@@ -33,9 +34,9 @@
 
 static struct {
   int in, out;
-  unsigned used, sent; // of the bytes that wait
+  unsigned used, sent; // of the bytes that wait to be sent
   uint8_t waiting[4096];
-  unsigned came, taken; // of the bytes that came in
+  unsigned came, taken; // of the bytes received
   uint8_t received[256];
   uint64_t start;  // [ns]
   uint64_t period; // [ns]
@@ -73,7 +74,7 @@ static speed_t speed_of(const char *baud) {
   exit(2);
 }
 
-// Bytes as they are: no echo, no lines, no signals.
+// Bytes are passed unchanged: no echo, no lines, no signals.
 static void make_raw(int line, speed_t speed) {
   struct termios how;
   if (tcgetattr(line, &how) != 0) fail("tcgetattr");
@@ -160,7 +161,7 @@ uint32_t port_clock(void) { return (uint32_t)(now() - host.start); }
 
 uint32_t port_clock_rate(void) { return NANOSECONDS; }
 
-// Hands over what waits. Returns: whether there is somebody to take it.
+// Writes the bytes that wait. Returns: whether the line still exists.
 static bool flush(void) {
   while (host.sent < host.used) {
     const ssize_t n =
@@ -181,7 +182,7 @@ static void measure_late(uint64_t late) {
 }
 
 static void sleep_to_next_tick(void) {
-  // The count of ticks in full, of which the caller has 32 bits.
+  // All bits of the count of ticks, of which the caller has 32.
   const uint64_t tick = (now() - host.start) / host.period + 1;
   const uint64_t at = host.start + tick * host.period;
   const struct timespec deadline = {(time_t)(at / NANOSECONDS),
@@ -194,7 +195,7 @@ unsigned port_room(void) {
   if (host.used == sizeof host.waiting) {
     if (stop_asked) port_halt(0);
     if (!flush()) port_halt(4);
-    // Nobody reads: rest, or the caller would ask without end.
+    // Nobody reads: sleep, or the caller would call again and again.
     if (host.used > 0 && host.period > 0) sleep_to_next_tick();
   }
   return (unsigned)sizeof host.waiting - host.used;

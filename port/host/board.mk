@@ -7,10 +7,11 @@ BOARD_REALS := float double
 BOARD_STEPS := 100000
 BOARD_LINK := -lm
 BOARD_RUN := env
-# In the time of a machine with other work: overruns are reported, not judged.
+# Its time is that of a computer with other work: overruns are reported, not
+# judged.
 BOARD_RATES_float := 1000
 BOARD_SHARED := yes
-# The command that gives it a pseudo-terminal and tells the name of that.
+# The command that gives it a pseudo-terminal and prints the name of that.
 BOARD_LINE := env TWOFOLD_PORT=pty
 # Driven over its line by tools/hil.
 BOARD_LOOP := yes

@@ -1,7 +1,8 @@
 // BBC micro:bit: nRF51822, Cortex-M0 at 16 MHz without FPU, 16 KB RAM. The chip
-// has no SysTick: TIMER0 counts to its compare register 0 and starts again, the
-// tick; TIMER1 runs free, the clock. Both count microseconds. (QEMU 7.2 loses
-// ticks of a timer that is read, and at 16 MHz stands still.)
+// has no SysTick. The tick is TIMER0, which counts to its compare register 0
+// and starts again; the clock is TIMER1, which runs freely. Both count
+// microseconds. (In QEMU 7.2 a timer that is read loses ticks, and at 16 MHz it
+// stands still.)
 #include "../arch/cortex_m.h"
 #include "../port.h"
 #include "../ring.h"

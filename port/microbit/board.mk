@@ -10,14 +10,14 @@ BOARD_REALS := float double
 BOARD_RUN := qemu-system-arm -M microbit -display none -monitor none \
   -semihosting-config enable=on,target=native -serial stdio
 # Shift 6 is 15.6 instructions a microsecond: one a cycle would be 16. A step
-# at 1 kHz takes a faster chip of this kind.
+# at 1 kHz needs a faster chip of this kind.
 BOARD_STEPS := 100000
 BOARD_RATES_float := 1000:3 200:6
 BOARD_RATES_double := 1000:3 100:6
 BOARD_LOADS := -kernel
-# Functions stay functions here: what a scene leaves out can be shown.
+# Functions are not inlined here, so symbols show what a scene leaves out.
 BOARD_SYMBOLS := yes
 # A rate and shift at which every step is too late.
 BOARD_LATE := 500:6
-# The painted stack is held against the call graph.
+# The painted stack is compared with the call graph.
 BOARD_PAINT := yes

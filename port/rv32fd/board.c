@@ -1,5 +1,5 @@
-// RV32IMAFDC as QEMU's machine `virt` has it: 16550 UART, CLINT at 10 MHz. No
-// silicon stands behind it; it is here for the instruction set.
+// RV32IMAFDC, as QEMU's machine `virt` has it: 16550 UART, CLINT at 10 MHz.
+// There is no such chip; the port is here for the instruction set.
 #include "../arch/riscv.h"
 #include "../port.h"
 #include "../ring.h"

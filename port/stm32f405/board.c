@@ -1,5 +1,5 @@
 // STM32F405: Cortex-M4F at 168 MHz; USART1 on PA9 and PA10. The PLL runs from a
-// crystal of 25 MHz, from the internal 16 MHz where that does not start; every
+// crystal of 25 MHz, or from the internal 16 MHz if that does not start; every
 // wait is bounded.
 #include "../arch/cortex_m.h"
 #include "../port.h"
@@ -42,10 +42,10 @@ static bool wait_for(uint32_t bits) {
   return false;
 }
 
-// 168 MHz from 1 MHz x 336 / 2; buses at 42 and 84 MHz. Returns: what it got.
+// 168 MHz from 1 MHz x 336 / 2; buses at 42 and 84 MHz. Returns: the rate.
 static uint32_t start_clock(void) {
-  // On the chip this bit is set before the first instruction. Where it reads 0
-  // there is no clock control: an emulator, which has its full speed already.
+  // On the chip this bit is set before the first instruction. If it reads 0
+  // there is no clock control: this is an emulator, which runs at full speed.
   if (!(RCC_CR & HSI_READY)) return PLL_HZ;
   RCC_CR |= HSE_ON;
   const bool crystal = wait_for(HSE_READY);

@@ -4,7 +4,7 @@ BOARD_TOOLS := arm-none-eabi-
 BOARD_PACKAGES := gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 BOARD_FLAGS := -ffreestanding -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 \
   -mfloat-abi=hard
-# That of the compiler's library is not always rounded right (docs/PORTS.md).
+# Its own, because that of libgcc is not always rounded right (docs/PORTS.md).
 ADD_double := port/arch/double_add.c
 WRAP_double := -Wl,--wrap=__aeabi_dadd,--wrap=__aeabi_dsub,--wrap=__aeabi_drsub
 BOARD_SOURCES := port/arch/cortex_m.c port/arch/cortex_m_tick.c \
@@ -23,7 +23,7 @@ BOARD_LOADS := -kernel
 BOARD_FRAMES := 1
 # Driven over its line by tools/hil.
 BOARD_LOOP := yes
-# The painted stack is held against the call graph.
+# The painted stack is compared with the call graph.
 BOARD_PAINT := yes
 # Real types in which the other schemes are tested.
 BOARD_SCHEMES := float double

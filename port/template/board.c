@@ -1,5 +1,5 @@
-// A board to copy: port/port.h says what each function must do. Delete a line
-// of #error when the function below it has its body.
+// A board to copy: port/port.h says what each function must do. Delete the
+// #error above a function when it is written.
 #include "../port.h"
 
 #error "clocks (waits bounded), pins, serial line, its receive interrupt"
@@ -17,7 +17,7 @@ uint32_t port_clock(void);
 #error "its units in one second"
 uint32_t port_clock_rate(void);
 
-#error "bytes that the serial line takes at once"
+#error "bytes that the serial line can take now"
 unsigned port_room(void);
 
 #error "one byte to the serial line"

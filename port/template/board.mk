@@ -19,15 +19,15 @@ BOARD_STEPS :=
 BOARD_RATES_float :=
 BOARD_RATES_double :=
 
-# What may be said as well, where it is so:
-#   BOARD_CC, BOARD_OPT     a compiler by its whole name; optimisation (-Os)
+# Optional:
+#   BOARD_CC, BOARD_OPT     the compiler by its full name; optimisation (-Os)
 #   BOARD_WITHOUT           warnings that this compiler does not know
 #   BOARD_SMALL := yes      room for one scene and text alone, locked
-#   BOARD_SHARED := yes     in the time of this machine: overruns are not judged
+#   BOARD_SHARED := yes     runs in the host's time: overruns are not judged
 #   BOARD_LATE := RATE:SHIFT  at which every step is too late
 #   BOARD_FRAMES := SHIFT   at which every step goes out as frames, at 10 kHz
 #   BOARD_SCHEMES := REALS  in which the other schemes are tested
 #   BOARD_SYMBOLS := yes    the build shows what a scene leaves out
-#   BOARD_PAINT := yes      the painted stack is held against the call graph
+#   BOARD_PAINT := yes      the painted stack is compared with the call graph
 #   BOARD_LOOP := yes       driven over its line by tools/hil
-#   BOARD_LINE := COMMAND   gives it a line and tells the name of that
+#   BOARD_LINE := COMMAND   gives it a line and prints the name of that

@@ -1,6 +1,7 @@
 // Arduino Uno: ATmega328P, 8 bits at 16 MHz, 2 KB RAM. TIMER1 counts half
-// microseconds to its compare register and is both tick and clock. Startup code
-// is avr-libc's. There is nobody to tell an exit code: it is a last line, EXIT.
+// microseconds to its compare register and is both tick and clock. The startup
+// code is that of avr-libc. The exit code is printed as a last line, EXIT,
+// because nothing else could take it.
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <util/atomic.h>
@@ -47,7 +48,7 @@ uint32_t port_ticks(void) {
 uint32_t port_clock(void) {
   uint32_t tick;
   uint16_t since;
-  do { // again where a tick fell in between; a pending one is counted at once
+  do { // again if a tick came in between; a pending one is counted at once
     tick = port_ticks();
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { since = TCNT1; }
   } while (tick != port_ticks());
@@ -62,7 +63,7 @@ void port_put(uint8_t byte) { UDR0 = byte; }
 
 int port_get(void) { return ring_get(&received); }
 
-// Sleep would save current; QEMU never wakes from it.
+// Sleep mode would save current, but QEMU never wakes from it.
 void port_idle(uint32_t seen) { (void)seen; }
 
 static void put(char byte) {

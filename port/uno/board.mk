@@ -13,7 +13,7 @@ BOARD_LOADS := -bios
 BOARD_STEPS := 2000
 BOARD_RATES_float := 100
 BOARD_SHARED := yes
-# Warnings that this compiler does not know; its int is 16 bits, which promotes
-# in other places than elsewhere.
+# Warnings that this compiler does not know, or that its int of 16 bits would
+# raise in other places than elsewhere.
 BOARD_WITHOUT := -Wnull-dereference -Wimplicit-fallthrough -Wsign-conversion \
   -Wconversion -Wfloat-conversion

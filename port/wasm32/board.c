@@ -1,5 +1,5 @@
-// WebAssembly: the module imports its line, its clock and its end from whoever
-// runs it (run.mjs in node), and exports main.
+// WebAssembly: the module imports its line, its clock and its exit from the
+// program that runs it (run.mjs in node), and exports main.
 #include "../port.h"
 
 #define IMPORT(symbol) \

@@ -1,4 +1,4 @@
-# WebAssembly, in node or a page: float and double.
+# WebAssembly, in node or a web page: float and double.
 BOARD_CC := clang
 BOARD_PACKAGES := clang lld nodejs
 BOARD_FLAGS := --target=wasm32 -ffreestanding
@@ -12,6 +12,6 @@ BOARD_RATES_float := 1000
 BOARD_SHARED := yes
 # Real types in which the other schemes are tested.
 BOARD_SCHEMES := float double
-# PROGRAM=module: begin, step, state for a page or a program in node.
+# PROGRAM=module: begin, step and state, for a web page or a program in node.
 SOURCE_module := port/wasm32/module/module.c
 BOARD_CHECK_MODULE := node port/wasm32/module/check.mjs

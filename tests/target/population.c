@@ -1,5 +1,5 @@
-// On the target: the hash of steps of random machines, as
-// tests/golden/test_population.c has it for the library. Prints
+// On the target: the hash of steps of random machines that
+// tests/golden/test_population.c computes with the library. Prints
 // "population REAL HASH" and ends with 0.
 #include "../../port/core.h"
 // After the core, whose functions are local.

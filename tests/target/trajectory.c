@@ -1,5 +1,6 @@
-// On the target: the hash of a trajectory, as tests/golden/test_golden.c has it
-// for the library. Prints "trajectory SCENE REAL STEPS HASH" and ends with 0.
+// On the target: the hash of a trajectory that tests/golden/test_golden.c
+// computes with the library. Prints "trajectory SCENE REAL STEPS HASH" and ends
+// with 0.
 #include "../../port/core.h"
 // After the core, whose functions are local.
 #include "../../port/port.h"
@@ -24,7 +25,7 @@ static uint64_t trajectory_hash(uint32_t steps) {
   for (uint32_t i = 1; i <= steps; i++) {
     const tf_input_t input = scene_input(i);
     if (scheme_step(SCENE_MACHINE, &x, &input, &report) < 0) return 0;
-    // + 0 makes -0 a 0, as the golden hashes have it.
+    // + 0 makes -0 a 0, as in the golden hashes.
     const tf_real_t bits[4] = {x.r + 0, x.v + 0, x.w + 0, x.phi + 0};
     const unsigned char modes[2] = {report.mode, report.set};
     hash = mix(hash, bits, sizeof bits);

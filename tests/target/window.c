@@ -1,13 +1,13 @@
-// On the target: steps between two markers, for a counter of instructions that
-// watches the emulator (tools/size/count.c). The first window is empty: what
-// the markers cost. Ends with 0.
+// On the target: steps between two markers, for the instruction counter of the
+// emulator (tools/size/count.c). The first window is empty and measures the
+// markers. Ends with 0.
 #include "../../port/core.h"
 #include "../../port/port.h"
 
 void window_open(void);
 void window_close(void);
 
-// The markers do nothing but be called.
+// The markers do nothing.
 __attribute__((noinline)) void window_open(void) { __asm__ volatile(""); }
 __attribute__((noinline)) void window_close(void) { __asm__ volatile(""); }
 

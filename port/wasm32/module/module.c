@@ -1,5 +1,5 @@
-// The simulator as a module that imports nothing: a page or a program in node
-// begins a scene, steps, and reads the state in the module's memory.
+// The simulator as a module that imports nothing: a web page or a program in
+// node starts a scene, steps it, and reads the state from the module's memory.
 #include "../../core.h"
 
 #define EXPORT(symbol) __attribute__((export_name(#symbol))) symbol
@@ -7,8 +7,8 @@
 static tf_session_t session;
 static const tf_scene_t *scene;
 
-// In double, whatever the real type: for a view of the memory.
-static double told[14];
+// Always double, whatever the real type: the page views it as a Float64Array.
+static double row[14];
 
 uint32_t EXPORT(twofold_scenes)(void);
 const char *EXPORT(twofold_name)(uint32_t number);
@@ -26,16 +26,16 @@ const char *twofold_name(uint32_t number) {
   return number < TF_SCENES ? tf_scenes[number]->name : 0;
 }
 
-// dt: 0 for the scene's own. Returns: a tf_status_t, 0 where all is well.
+// dt: 0 for that of the scene. Returns: a tf_status_t; 0 is success.
 int32_t twofold_begin(uint32_t number, double dt, uint32_t rule,
                       uint32_t seed) {
   if (number >= TF_SCENES || rule >= TF_RULES) return TF_BAD_PARAMETER;
-  const tf_scene_t *wished = tf_scenes[number];
-  tf_params_t params = wished->params;
+  const tf_scene_t *chosen = tf_scenes[number];
+  tf_params_t params = chosen->params;
   if (dt > 0 || dt < 0) params.dt = (tf_real_t)dt;
   params.rule = (tf_rule_t)rule;
-  const tf_status_t status = tf_session_open(&session, wished, &params, seed);
-  scene = status == TF_OK ? wished : 0;
+  const tf_status_t status = tf_session_open(&session, chosen, &params, seed);
+  scene = status == TF_OK ? chosen : 0;
   return status;
 }
 
@@ -50,7 +50,8 @@ int32_t twofold_drive(double omega0, double r0, double force, double torque) {
   return TF_OK;
 }
 
-// Returns: the status of the last step; < 0: it was refused, and none follows.
+// Returns: the status of the last step; if that is < 0 it was refused, and no
+// further one was taken.
 int32_t twofold_step(uint32_t steps) {
   tf_status_t status = scene ? TF_OK : TF_BAD_STATE;
   for (; steps > 0 && status >= 0; steps--) {
@@ -78,6 +79,6 @@ const double *twofold_state(void) {
                           (double)report->mode,
                           (double)report->set,
                           (double)report->choices};
-  for (unsigned i = 0; i < 14; i++) told[i] = now[i];
-  return told;
+  for (unsigned i = 0; i < 14; i++) row[i] = now[i];
+  return row;
 }
