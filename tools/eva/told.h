@@ -1,9 +1,10 @@
 // What the analyser is told, not shown, in the entry step_finite: put before
 // src/moreau/step.c there. It lets NaN pass a comparison, which IEEE 754 and so
 // the language (Annex F) do not, and knows no relation between two numbers.
-// Each line below that says "admit" is the whole of one argument; that the code is
-// as the arguments say is not analysed but executed, at and around every limit:
-// numbers_that_pass_are_finite_and_within_the_limit, angle_kernel_error_bound.
+// Each line below that says "admit" is the whole of one argument; that the code
+// is as the arguments say is not analysed but executed, at and around every
+// limit: numbers_that_pass_are_finite_and_within_the_limit,
+// angle_kernel_error_bound.
 #ifndef TF_EVA_TOLD_H
 #define TF_EVA_TOLD_H
 
