@@ -1,10 +1,10 @@
 /* tap.h - the whole test harness: named checks, TAP on standard output, and
  * for each failure the one command that replays it. A test file is one
  * program: `TEST(name) { ... }` functions, then a main of RUN lines between
- * tap_begin and tap_end. A test that has nothing to say in this build returns by
- * SKIP(reason): it is named, and is neither passed nor failed. Options: --seed
- * N, --only NAME. With TAP_BAIL in the environment a program ends at the first
- * test that fails. */
+ * tap_begin and tap_end. A test that has nothing to check in this build returns
+ * by SKIP(reason): it is named, and is neither passed nor failed. Options:
+ * --seed N, --only NAME. With TAP_BAIL in the environment a program ends at the
+ * first test that fails. */
 #ifndef TAP_H
 #define TAP_H
 

@@ -38,7 +38,7 @@ typedef struct {
 /// Returns: TF_OK; TF_BAD_PARAMETER (machine untouched).
 /// Cost: at most 4400 instructions; once a machine. Stack: 560 B.
 /// Memory: caller's; machine and params must not overlap; reentrant.
-/// Claims: constants_have_twice_the_digits
+/// Claims: constants_have_twice_the_precision
 #define tf_prepare_compensated TF_LINK(tf_prepare_compensated)
 TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
                                           const tf_params_t *params,
@@ -56,7 +56,7 @@ TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
 /// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < 1e-6 (nothing touched).
 /// Cost: at most 250 instructions. Stack: 368 B.
 /// Memory: caller's, no overlap, reentrant.
-/// Claims: placed_start_has_its_slip
+/// Claims: compensated_start_has_its_slip
 #define tf_speed_for_slip_compensated TF_LINK(tf_speed_for_slip_compensated)
 TF_API tf_status_t tf_speed_for_slip_compensated(
     const tf_compensated_t *machine, tf_state_t *state,
@@ -79,7 +79,7 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
 ///   no path through its code has more than 7700; no data-dependent loop.
 ///   Stack: 2432 B.
 /// Memory: caller's, no overlap, reentrant.
-/// Claims: rounding_is_carried, compensated_stick_is_exact,
+/// Claims: rounding_is_compensated, compensated_stick_is_exact,
 ///   compensated_step_is_the_step, compensated_refusals_touch_nothing,
 ///   compensated_departures_do_not_stall
 #define tf_step_compensated TF_LINK(tf_step_compensated)

@@ -39,8 +39,8 @@ typedef struct {
 ///   obstacle; out is filled as tf_design_t says).
 /// Cost: at most 1200 instructions. Stack: 2032 B.
 /// Memory: caller's, no overlap, reentrant.
-/// Claims: wished_two_folds_are_found_again,
-///   wish_gives_the_numbers_of_the_paper, wishes_that_cannot_be_granted_say_why
+/// Claims: designed_two_folds_are_found_again,
+///   design_gives_the_numbers_of_the_paper, impossible_designs_say_why
 #define tf_design_two_fold TF_LINK(tf_design_two_fold)
 TF_API tf_status_t tf_design_two_fold(const tf_machine_t *machine,
                                       const tf_input_t *input, tf_real_t r,

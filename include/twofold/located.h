@@ -53,9 +53,9 @@
 ///   located_finer_tolerance_is_no_worse, located_two_fold_in_one_step,
 ///   located_steps_keep_to_the_reference, located_falls_back_and_says_so,
 ///   located_residual_is_that_of_the_law,
-///   located_switch_at_the_end_of_a_step,
+///   located_event_at_the_end_of_a_step,
 ///   located_angle_is_the_integral_of_the_speed,
-///   located_escaping_stick_lets_go_to_the_other_side,
+///   located_escaping_stick_ends_in_slip_of_the_other_side,
 ///   located_delassus_is_that_of_the_side_of_g,
 ///   located_set_holds_the_mode, located_is_coarse_only_where_it_has_to_be,
 ///   located_refuses_to_leave_the_range_of_states

@@ -147,7 +147,7 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
 /// Returns: omega0 and r0 of the parameters, no force, no torque.
 /// Cost: at most 8 instructions. Stack: 32 B.
 /// Memory: reentrant.
-/// Claims: inputs_at_rest_change_nothing
+/// Claims: default_inputs_are_those_of_the_parameters
 #define tf_input_default TF_LINK(tf_input_default)
 TF_API tf_input_t tf_input_default(const tf_machine_t *machine);
 
@@ -179,7 +179,7 @@ TF_API tf_slip_t tf_slip(const tf_machine_t *machine, tf_real_t r, tf_real_t v,
 ///   depend on v (v untouched).
 /// Cost: at most 16 instructions. Stack: 112 B.
 /// Memory: caller's, reentrant.
-/// Claims: placed_slip_speed_reads_back
+/// Claims: slip_speed_reads_back
 #define tf_speed_for_slip TF_LINK(tf_speed_for_slip)
 TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
                                      tf_real_t w, tf_real_t omega0, tf_real_t h,

@@ -66,7 +66,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,
-///   branch_at_rest_is_independent_of_the_step_size,
+///   branch_at_codimension_two_is_independent_of_dt,
 ///   random_machines_take_one_branch,
 ///   no_step_enters_an_escaping_stick_from_slip
 #define tf_step TF_LINK(tf_step)

@@ -77,7 +77,7 @@ typedef struct {
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: lie_derivatives_against_the_paper, sliding_field_against_the_paper,
 ///   regions_are_what_slip_does, rescaled_field_is_regular_at_the_two_fold,
-///   surface_refuses_what_it_cannot_see
+///   surface_refuses_other_laws_and_bad_states
 #define tf_surface_at TF_LINK(tf_surface_at)
 TF_API tf_status_t tf_surface_at(const tf_machine_t *machine,
                                  const tf_input_t *input, tf_real_t r,

@@ -201,7 +201,7 @@ TEST(golden_two_folds) {
   check_golden("two-folds", d.hash);
 }
 
-TEST(golden_wishes) {
+TEST(golden_designs) {
   draw_t d = population(7);
   for (unsigned n = 0; n < 20000; n++) {
     tf_machine_t k;
@@ -228,6 +228,6 @@ int main(int argc, char **argv) {
   RUN(golden_tyre_forces);
   RUN(golden_surfaces);
   RUN(golden_two_folds);
-  RUN(golden_wishes);
+  RUN(golden_designs);
   return tap_end();
 }

@@ -74,7 +74,7 @@ static long steps_between(double fine, double coarse, double end) {
   return lrint(end / exp(tap_uniform(log(fine), log(coarse))));
 }
 
-TEST(branch_at_rest_is_independent_of_the_step_size) {
+TEST(branch_at_codimension_two_is_independent_of_dt) {
   const double finest = IS_DOUBLE ? 1e-5 : 1e-4;
   for (size_t i = 0; i < sizeof found / sizeof *found; i++) {
     tf_state_t located, x;
@@ -114,7 +114,7 @@ static tf_state_t one_step(const long_step_t *s, step_t *step,
 
 /* Slips that pass h = g = 0 within one long step: none rolls in along a stick
  * that escapes, though one solves behind; all end the step at rest. */
-TEST(no_slip_rolls_in_along_an_escaping_stick) {
+TEST(slip_enters_no_escaping_stick_at_codimension_two) {
   static const long_step_t steps[] = {
       {0.098697269977551683, -1.1684614780541989, 2.0220742694162981,
        0.026462708724490969, 3.8100778763687213, 0.38262640085026556, 1,
@@ -141,7 +141,7 @@ TEST(no_slip_rolls_in_along_an_escaping_stick) {
 
 /* Slips that change sides in one step beside h = g = 0, where a force of the
  * law could hold them: they pass it by, as `located` says. */
-TEST(a_slip_that_passes_by_does_not_rest) {
+TEST(slip_beside_codimension_two_is_not_pinned) {
   static const long_step_t steps[] = {
       {0.38463576213288581, -0.57704493839499271, 1.8040759847212153,
        0.082841089435375381, 3.8224401850042482, 0.5594449840114184,
@@ -166,9 +166,9 @@ TEST(a_slip_that_passes_by_does_not_rest) {
 
 /* Random machines on which `located` itself does not depend on its step and
  * ends in stick. Of two slips that leave h = g = 0 the faster is taken, which
- * tf_step tells by the force at h -> 0 and tf_step_located by the limit direction:
- * where those disagree so do the schemes. A motion that just misses h = g = 0
- * needs a step small enough to see that. */
+ * tf_step tells by the force at h -> 0 and tf_step_located by the limit
+ * direction: where those disagree so do the schemes. A motion that just misses
+ * h = g = 0 needs a step small enough to see that. */
 TEST(random_machines_take_one_branch) {
   if (!IS_DOUBLE) SKIP("in float other events end these motions");
   const double end = 0.6;
@@ -203,9 +203,9 @@ TEST(random_machines_take_one_branch) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(branch_at_rest_is_independent_of_the_step_size);
-  RUN(no_slip_rolls_in_along_an_escaping_stick);
-  RUN(a_slip_that_passes_by_does_not_rest);
+  RUN(branch_at_codimension_two_is_independent_of_dt);
+  RUN(slip_enters_no_escaping_stick_at_codimension_two);
+  RUN(slip_beside_codimension_two_is_not_pinned);
   RUN(random_machines_take_one_branch);
   return tap_end();
 }

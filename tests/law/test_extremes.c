@@ -140,7 +140,7 @@ TEST(tiny_machines_keep_every_number_finite) {
 }
 
 /* Every value of the state and of an input that is no number, or too large. */
-TEST(what_is_no_state_is_refused_untouched) {
+TEST(bad_states_and_inputs_are_refused_untouched) {
   static const tf_real_t wrong[] = {(tf_real_t)NAN,       (tf_real_t)INFINITY,
                                     -(tf_real_t)INFINITY, TF_REAL_MAX,
                                     -TF_REAL_MAX,         TF_R(1.001e9)};
@@ -186,7 +186,7 @@ static void corner(const tf_params_t *p, tf_real_t scale) {
 }
 
 /* Every parameter at both ends of its range, alone and with every other. */
-TEST(corners_of_the_ranges) {
+TEST(ends_of_the_ranges_keep_every_number_finite) {
   count_again();
   for (int i = 0; i < TF_PARAMETERS; i++) {
     for (int j = i; j < TF_PARAMETERS; j++) {
@@ -203,7 +203,7 @@ TEST(corners_of_the_ranges) {
   tell_counts();
 }
 
-TEST(listed_corners) {
+TEST(listed_extremes_keep_every_number_finite) {
   const tf_real_t least = TF_REAL_MIN * TF_REAL_EPSILON;
   count_again();
   for (int i = 0; i < TF_SCENES; i++) {
@@ -244,7 +244,7 @@ TEST(listed_corners) {
 
 /* Two machines at the edge of what float holds: a slope of h that overflows
  * made a stick of 8e11 m/s consistent and its Delassus scalar infinite. */
-TEST(captured_overflow_of_a_slope) {
+TEST(overflow_of_a_slope_keeps_every_number_finite) {
   tf_params_t p = tf_scenes[0]->params;
   p.m = TF_R(1e-12);
   p.d = TF_R(-1e6);
@@ -269,9 +269,9 @@ int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(random_machines_keep_every_number_finite);
   RUN(tiny_machines_keep_every_number_finite);
-  RUN(what_is_no_state_is_refused_untouched);
-  RUN(corners_of_the_ranges);
-  RUN(listed_corners);
-  RUN(captured_overflow_of_a_slope);
+  RUN(bad_states_and_inputs_are_refused_untouched);
+  RUN(ends_of_the_ranges_keep_every_number_finite);
+  RUN(listed_extremes_keep_every_number_finite);
+  RUN(overflow_of_a_slope_keeps_every_number_finite);
   return tap_end();
 }

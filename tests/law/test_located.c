@@ -255,7 +255,7 @@ TEST(located_step_sizes_agree_just_before_the_two_fold) {
 
 /* The times at which the mode changes, up to the two-fold: each within the
  * step that holds the true one. */
-TEST(located_switches_are_in_the_right_step) {
+TEST(located_events_are_in_the_right_step) {
   orbit_events_t ev;
   orbit_chaos(&ev);
   const long double when[4] = {ev.fall.t, ev.leave.t, ev.land.t, ev.twofold.t};
@@ -419,7 +419,7 @@ int main(int argc, char **argv) {
   RUN(located_two_fold_in_one_step);
   RUN(located_branch_is_independent_of_the_step_size);
   RUN(located_step_sizes_agree_just_before_the_two_fold);
-  RUN(located_switches_are_in_the_right_step);
+  RUN(located_events_are_in_the_right_step);
   RUN(located_stick_is_exact);
   RUN(located_falls_back_and_says_so);
   RUN(located_refuses_what_it_cannot_take);

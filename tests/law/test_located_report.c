@@ -102,7 +102,7 @@ TEST(located_residual_is_that_of_the_law) {
 
 /* A step that ends with its switch, to the last digit: force and residual are
  * those of the mode that begins there. */
-TEST(located_switch_at_the_end_of_a_step) {
+TEST(located_event_at_the_end_of_a_step) {
   int switches = 0;
   for (int i = 0; i < 100; i++) {
     sim_t s = {.params = machine_at_random()};
@@ -181,7 +181,7 @@ TEST(located_angle_is_the_integral_of_the_speed) {
 
 /* A stick with a negative Delassus scalar ends where |lambda| = mu, and the
  * slip of that side is the one that ends with it: lambda = mu leaves h < 0. */
-TEST(located_escaping_stick_lets_go_to_the_other_side) {
+TEST(located_escaping_stick_ends_in_slip_of_the_other_side) {
   int released[2] = {0, 0};
   for (int i = 0; i < 200000; i++) {
     sim_t s = {.params = machine_at_random()};
@@ -291,7 +291,7 @@ TEST(located_is_coarse_only_where_it_has_to_be) {
 }
 
 /* A wheel that nothing pulls rests, with no force, without falling back. */
-TEST(located_rests_under_no_load) {
+TEST(located_stays_pinned_without_loads) {
   for (int i = 0; i < 100; i++) {
     sim_t s = {.params = machine_at_random()};
     s.params.omega0 = 0;
@@ -309,7 +309,7 @@ TEST(located_rests_under_no_load) {
 
 /* Where h is 0 to the last bit no mode is believed: what goes on is one of the
  * futures that the surface has there. */
-TEST(located_believes_no_slip_at_h_0) {
+TEST(located_mode_at_h_0_is_a_consistent_one) {
   int exact = 0, others = 0;
   for (int i = 0; i < 20000; i++) {
     sim_t s = {.params = machine_at_random()};
@@ -331,7 +331,7 @@ TEST(located_believes_no_slip_at_h_0) {
 
 /* Slip that starts at g = 0, where the law has a kink, one way or the other:
  * as in many steps. gamma = 0, where g is the speed of the slider. */
-TEST(located_starts_at_the_kink) {
+TEST(located_slip_starts_at_g_0) {
   for (int i = 0; i < 200; i++) {
     sim_t s = {.params = machine_at_random()}, fine;
     s.params.gamma = 0;
@@ -364,7 +364,7 @@ TEST(located_starts_at_the_kink) {
 }
 
 /* Without contact a wheel that rests at h = 0 keeps the side that it had. */
-TEST(located_without_contact_keeps_its_side_at_rest) {
+TEST(located_without_contact_keeps_its_side_at_h_0) {
   for (unsigned mode = TF_SLIP_PLUS; mode <= TF_SLIP_MINUS; mode++) {
     sim_t s = {.params = tf_scenes[0]->params};
     s.params.law = TF_TYRE_NONE;
@@ -403,16 +403,16 @@ TEST(located_refuses_to_leave_the_range_of_states) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(located_residual_is_that_of_the_law);
-  RUN(located_switch_at_the_end_of_a_step);
+  RUN(located_event_at_the_end_of_a_step);
   RUN(located_angle_is_the_integral_of_the_speed);
-  RUN(located_escaping_stick_lets_go_to_the_other_side);
+  RUN(located_escaping_stick_ends_in_slip_of_the_other_side);
   RUN(located_delassus_is_that_of_the_side_of_g);
   RUN(located_set_holds_the_mode);
   RUN(located_is_coarse_only_where_it_has_to_be);
-  RUN(located_rests_under_no_load);
-  RUN(located_believes_no_slip_at_h_0);
-  RUN(located_starts_at_the_kink);
-  RUN(located_without_contact_keeps_its_side_at_rest);
+  RUN(located_stays_pinned_without_loads);
+  RUN(located_mode_at_h_0_is_a_consistent_one);
+  RUN(located_slip_starts_at_g_0);
+  RUN(located_without_contact_keeps_its_side_at_h_0);
   RUN(located_refuses_to_leave_the_range_of_states);
   return tap_end();
 }

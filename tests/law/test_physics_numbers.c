@@ -273,7 +273,7 @@ TEST(state_at_one_second) {
 /* slip+ falls in along an attracting direction 2.84 degrees off stick+. Three
  * motions go on: stick- (taken), stick+ (escaping), slip- at -0.35 degrees;
  * pinned is not among them. */
-TEST(slip_falls_into_codimension_two) {
+TEST(slip_enters_codimension_two) {
   paper_t p;
   orbit_events_t ev;
   orbit_direction_t way[16];
@@ -315,7 +315,7 @@ static long double pinned_excess(const paper_t *p, const long double x[3]) {
   return fabsl(M) - p->kappa * fabsl(F);
 }
 
-TEST(stick_leaves_where_the_spring_turns_it) {
+TEST(stick_ends_at_the_turning_point_of_the_spring) {
   paper_t p;
   orbit_events_t ev;
   orbit_direction_t way[16];
@@ -384,8 +384,8 @@ int main(int argc, char **argv) {
   RUN(tyre_law_is_the_reduced_string);
   RUN(orbit_legs_agree_with_a_plain_runge_kutta);
   RUN(state_at_one_second);
-  RUN(slip_falls_into_codimension_two);
-  RUN(stick_leaves_where_the_spring_turns_it);
+  RUN(slip_enters_codimension_two);
+  RUN(stick_ends_at_the_turning_point_of_the_spring);
   RUN(slip_lands_in_the_lower_sliding_region);
   RUN(stick_arrives_at_the_two_fold);
   return tap_end();

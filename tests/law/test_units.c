@@ -181,7 +181,7 @@ static int agreeing(const kind_t *kind, int map, int most) {
   return most;
 }
 
-TEST(steps_in_other_units) {
+TEST(steps_are_independent_of_units_and_side) {
   static const kind_t kinds[] = {{tf_step, "step", 1e-4, 5e-2},
                                  {tf_step_located, "locate", 1e-3, 0.3}};
   for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
@@ -196,6 +196,6 @@ TEST(steps_in_other_units) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(steps_in_other_units);
+  RUN(steps_are_independent_of_units_and_side);
   return tap_end();
 }

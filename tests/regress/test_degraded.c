@@ -28,7 +28,7 @@ static const found_t found[4] = {
      -1.5595870876455056, TF_SLIP_MINUS, 0x4, 0.71627501342301592,
      2.957237382117218, 1}};
 
-TEST(a_lost_slip_reports_what_was_consistent) {
+TEST(degraded_step_reports_the_consistent_set) {
   if (!IS_DOUBLE) SKIP("found in double, too near a border for float");
   for (int i = 0; i < 4; i++) {
     const found_t *f = &found[i];
@@ -172,7 +172,7 @@ TEST(a_degraded_step_is_the_same_compensated) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(a_lost_slip_reports_what_was_consistent);
+  RUN(degraded_step_reports_the_consistent_set);
   RUN(a_degraded_step_ends_in_a_mode);
   RUN(no_step_enters_an_escaping_stick_from_slip);
   RUN(a_degraded_step_is_the_same_compensated);

@@ -1,5 +1,5 @@
-/* codim2_field.h - the field of slip at h = g = 0 by the paper's law: how fast a
- * slip of a given angle turns and grows there. */
+/* codim2_field.h - the field of slip at h = g = 0 by the paper's law: how fast
+ * a slip of a given angle turns and grows there. */
 #ifndef TESTS_SUPPORT_CODIM2_FIELD_H
 #define TESTS_SUPPORT_CODIM2_FIELD_H
 

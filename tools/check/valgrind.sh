@@ -13,7 +13,7 @@ LIMIT=${LIMIT:-60}
 # Program, or program:test.
 few='unit/link/test_protocol unit/link/test_link unit/link/test_text
   unit/scene/test_session unit/scene/test_scene unit/model/test_prepare
-  unit/friction/test_select unit/friction/test_slip_law
+  unit/friction/test_select unit/friction/test_slip_residual
   unit/link/test_frame:frames_survive_the_line
   unit/link/test_frame:long_runs_stay_in_the_buffer
   unit/link/test_frame:block_decoder_is_the_byte_decoder
@@ -22,10 +22,10 @@ few='unit/link/test_protocol unit/link/test_link unit/link/test_text
   unit/moreau/test_begin:begin_at_codimension_two_is_pinned
   unit/moreau/test_ensemble:ensemble_of_any_size
   law/test_located_report:located_residual_is_that_of_the_law
-  law/test_located_report:located_switch_at_the_end_of_a_step
-  law/test_extremes:captured_overflow_of_a_slope
+  law/test_located_report:located_event_at_the_end_of_a_step
+  law/test_extremes:overflow_of_a_slope_keeps_every_number_finite
   regress/test_no_friction
-  regress/test_degraded:a_lost_slip_reports_what_was_consistent'
+  regress/test_degraded:degraded_step_reports_the_consistent_set'
 if [ "${1:-few}" = all ]; then
   few=$(files_in 'test_*.c' tests | sed 's|^tests/||; s|\.c$||')
 fi

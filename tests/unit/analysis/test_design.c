@@ -2,7 +2,7 @@
  * double, and why a wish cannot be granted. */
 #include "sample.h"
 
-TEST(wish_gives_the_numbers_of_the_paper) {
+TEST(design_gives_the_numbers_of_the_paper) {
   const tf_machine_t machine = prepared(&tf_scenes[0]->params);
   const tf_input_t input = tf_input_default(&machine);
   tf_design_t wish;
@@ -15,7 +15,7 @@ TEST(wish_gives_the_numbers_of_the_paper) {
   CHECK_NEAR(wide(wish.two_fold.residual), 0, 8 * EPSILON);
 }
 
-TEST(wished_two_folds_are_found_again) {
+TEST(designed_two_folds_are_found_again) {
   for (int i = 0; i < 5000; i++) {
     const sample_t c = random_two_fold();
     const tf_surface_point_t *wanted = &c.wish.two_fold.point;
@@ -53,7 +53,7 @@ static unsigned obstacle(const tf_params_t *params, double r, double w) {
 
 /* Near the axis a two-fold takes a longer arm than the real type can name, or
  * forces whose products it cannot hold. */
-TEST(wishes_near_the_axis_overflow) {
+TEST(designs_near_the_axis_are_refused) {
   const tf_real_t least = 4 * TF_REAL_MIN;
   tf_params_t params = tf_scenes[0]->params;
   params.beta = TF_R(1e6);
@@ -72,7 +72,7 @@ TEST(wishes_near_the_axis_overflow) {
   CHECK(wish.obstacle == TF_DESIGN_SPRING && wish.k2 == 0);
 }
 
-TEST(wishes_that_cannot_be_granted_say_why) {
+TEST(impossible_designs_say_why) {
   tf_params_t params = tf_scenes[0]->params;
   CHECK(obstacle(&params, 0.1859, -1.037) == TF_DESIGN_FOUND);
   CHECK(obstacle(&params, 0, -1.037) == TF_DESIGN_R);
@@ -119,7 +119,7 @@ TEST(wishes_that_cannot_be_granted_say_why) {
 }
 
 /* A spring that holds h as much as its stretch is long, to the last bit. */
-TEST(spring_of_unit_hold_is_as_good) {
+TEST(design_with_unit_effect_of_the_spring) {
   tf_params_t params = tf_scenes[0]->params;
   params.d = 0;
   params.gamma = 1;
@@ -139,10 +139,10 @@ TEST(spring_of_unit_hold_is_as_good) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(wish_gives_the_numbers_of_the_paper);
-  RUN(wished_two_folds_are_found_again);
-  RUN(wishes_near_the_axis_overflow);
-  RUN(wishes_that_cannot_be_granted_say_why);
-  RUN(spring_of_unit_hold_is_as_good);
+  RUN(design_gives_the_numbers_of_the_paper);
+  RUN(designed_two_folds_are_found_again);
+  RUN(designs_near_the_axis_are_refused);
+  RUN(impossible_designs_say_why);
+  RUN(design_with_unit_effect_of_the_spring);
   return tap_end();
 }

@@ -129,7 +129,7 @@ static int searched(const paper_t *p, const tf_surface_point_t *list,
 
 /* Under heavy damping one of the two balances at a radius is a thousand times
  * as near to g = 0 as the other, and is known to as many digits. */
-TEST(damped_two_folds_keep_their_digits) {
+TEST(damped_two_folds_are_accurate) {
   int places = 0;
   real worst = 0;
   for (int i = 0; i < 400; i++) {
@@ -319,7 +319,7 @@ TEST(machines_without_two_folds_say_why) {
 
 /* A spring at rest at a singular radius, over a turntable that rests: N is 0
  * for g = 0 alone, which has no side and is no place. */
-TEST(balance_at_rest_is_no_two_fold) {
+TEST(equilibrium_is_no_two_fold) {
   tf_params_t params = tf_scenes[0]->params;
   params.c1 = params.c2 = 0;
   const tf_machine_t machine = prepared(&params);
@@ -411,13 +411,13 @@ int main(int argc, char **argv) {
   RUN(reasons_and_types_have_names);
   RUN(two_fold_of_the_paper_is_found);
   RUN(numbers_of_the_paper);
-  RUN(damped_two_folds_keep_their_digits);
+  RUN(damped_two_folds_are_accurate);
   RUN(every_two_fold_is_found);
   RUN(a_machine_may_have_eight_two_folds);
   RUN(gamma_zero_has_a_continuous_two_fold);
   RUN(gamma_right_has_no_two_fold);
   RUN(machines_without_two_folds_say_why);
-  RUN(balance_at_rest_is_no_two_fold);
+  RUN(equilibrium_is_no_two_fold);
   RUN(a_double_root_counts_once);
   RUN(a_machine_on_which_nothing_acts_is_degenerate);
   RUN(normal_forms_are_finite_or_refused);

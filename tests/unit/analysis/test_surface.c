@@ -189,7 +189,7 @@ TEST(rescaled_field_is_regular_at_the_two_fold) {
 
 /* Everything at rest without friction: h' = 0 on both sides, and what neither
  * side leaves is not crossed. */
-TEST(what_rests_is_not_crossed) {
+TEST(equilibrium_without_friction_is_no_crossing) {
   tf_params_t p = random_params();
   p.law = TF_TYRE_COULOMB;
   p.mu = p.omega0 = 0;
@@ -206,7 +206,7 @@ TEST(what_rests_is_not_crossed) {
   CHECK(report.choices == 1 && report.mode > TF_SLIP_MINUS);
 }
 
-TEST(surface_refuses_what_it_cannot_see) {
+TEST(surface_refuses_other_laws_and_bad_states) {
   tf_machine_t machine;
   tf_params_t params = tf_scenes[0]->params;
   tf_surface_t at;
@@ -253,7 +253,7 @@ int main(int argc, char **argv) {
   RUN(sliding_field_against_the_paper);
   RUN(regions_are_what_slip_does);
   RUN(rescaled_field_is_regular_at_the_two_fold);
-  RUN(what_rests_is_not_crossed);
-  RUN(surface_refuses_what_it_cannot_see);
+  RUN(equilibrium_without_friction_is_no_crossing);
+  RUN(surface_refuses_other_laws_and_bad_states);
   return tap_end();
 }

@@ -41,7 +41,7 @@ TEST(exponent_of_a_limit_direction) {
 
 /* Where the wheel may roll off either way the side of g that it came from
  * decides, by however little. */
-TEST(of_two_sticks_the_near_one_is_taken) {
+TEST(of_two_sticks_that_of_the_sign_of_g_is_taken) {
   int taken[2] = {0};
   for (int n = 0; n < 20000; n++) {
     tf_params_t params = any_params(n);
@@ -98,7 +98,7 @@ static const struct {
                {0xF1851A8B7464E6AEu, 1639772}, {0x5B99376778692633u, 1772206},
                {0xD64B0F408713C91Du, 1900579}};
 
-TEST(a_fall_ends_on_the_stick_of_its_side) {
+TEST(slip_enters_the_stick_of_its_sign_of_g) {
   int taken[2] = {0};
   for (size_t n = 0; n < sizeof falling / sizeof *falling; n++) {
     tap.state = falling[n].state;
@@ -129,7 +129,7 @@ TEST(a_fall_ends_on_the_stick_of_its_side) {
 
 /* A pinned wheel has no side of g: where it is let go, within a step or at its
  * begin, and may roll either way, it rolls as from g = 0. */
-TEST(a_wheel_let_go_has_no_side) {
+TEST(wheel_released_from_pinned_has_no_sign_of_g) {
   int taken = 0;
   for (int n = 0; n < 200000; n++) {
     tf_params_t params = any_params(n);
@@ -158,8 +158,8 @@ TEST(a_wheel_let_go_has_no_side) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(exponent_of_a_limit_direction);
-  RUN(of_two_sticks_the_near_one_is_taken);
-  RUN(a_fall_ends_on_the_stick_of_its_side);
-  RUN(a_wheel_let_go_has_no_side);
+  RUN(of_two_sticks_that_of_the_sign_of_g_is_taken);
+  RUN(slip_enters_the_stick_of_its_sign_of_g);
+  RUN(wheel_released_from_pinned_has_no_sign_of_g);
   return tap_end();
 }

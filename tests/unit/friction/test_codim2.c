@@ -49,7 +49,7 @@ static exit_t search(const rest_t *at, int side) {
   return best;
 }
 
-TEST(slip_leaves_rest_as_a_search_finds) {
+TEST(slip_leaves_codimension_two_as_a_search_finds) {
   int found[2] = {0}, none = 0, escaped = 0;
   for (int n = 0; n < 4000; n++) {
     const tf_params_t params = any_params(n);
@@ -103,7 +103,7 @@ TEST(slip_leaves_rest_as_a_search_finds) {
 
 /* A torque at which two directions meet and the way out ends: up to it, as near
  * as numbers go, it is found, and is one. */
-TEST(way_out_ends_where_two_directions_meet) {
+TEST(limit_direction_ends_where_two_meet) {
   tf_params_t params = tf_scenes[0]->params;
   params.mu = TF_R(1.4275264971601307);
   params.kappa = TF_R(1.63676920002369);
@@ -145,7 +145,7 @@ TEST(way_out_ends_where_two_directions_meet) {
 
 /* A wheel across its slot (gamma = pi/2) rests where the law holds force and
  * moment that it takes; along it (gamma = 0) none holds the slider. */
-TEST(wheel_rests_where_the_law_allows) {
+TEST(wheel_is_pinned_where_the_law_allows) {
   int rests = 0, moves = 0;
   for (int n = 0; n < 4000; n++) {
     tf_params_t params = random_params();
@@ -186,8 +186,8 @@ TEST(wheel_rests_where_the_law_allows) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(slip_leaves_rest_as_a_search_finds);
-  RUN(way_out_ends_where_two_directions_meet);
-  RUN(wheel_rests_where_the_law_allows);
+  RUN(slip_leaves_codimension_two_as_a_search_finds);
+  RUN(limit_direction_ends_where_two_meet);
+  RUN(wheel_is_pinned_where_the_law_allows);
   return tap_end();
 }

@@ -31,7 +31,7 @@ TEST(kinematics_against_the_paper) {
   }
 }
 
-TEST(placed_slip_speed_reads_back) {
+TEST(slip_speed_reads_back) {
   for (int i = 0; i < 100000; i++) {
     const tf_params_t p = random_params();
     const tf_machine_t machine = prepared(&p);
@@ -51,7 +51,7 @@ TEST(placed_slip_speed_reads_back) {
   }
 }
 
-TEST(no_slip_speed_where_v_has_no_hold) {
+TEST(slip_speed_is_refused_where_v_does_not_act_on_h) {
   const tf_real_t gamma[] = {0, TF_R(0.9e-6), TF_R(-0.9e-6),
                              TF_R(3.1415926535897932)};
   for (int i = 0; i < 4; i++) {
@@ -110,8 +110,8 @@ TEST(status_names_are_distinct) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(kinematics_against_the_paper);
-  RUN(placed_slip_speed_reads_back);
-  RUN(no_slip_speed_where_v_has_no_hold);
+  RUN(slip_speed_reads_back);
+  RUN(slip_speed_is_refused_where_v_does_not_act_on_h);
   RUN(energy_against_its_definition);
   RUN(status_names_are_distinct);
   return tap_end();

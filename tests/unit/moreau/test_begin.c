@@ -231,7 +231,7 @@ TEST(begin_where_no_force_acts_on_h) {
 
 /* The two ends of a wish that real numbers cannot keep: stick where only slip
  * is possible, slip where only stick is. */
-TEST(begin_ignores_impossible_wishes) {
+TEST(begin_ignores_inconsistent_modes) {
   const tf_machine_t machine = prepared(&tf_scenes[6]->params);
   tf_state_t x = {.r = TF_R(0.95), .w = TF_R(1.3)};
   CHECK(tf_speed_for_slip(&machine, x.r, x.w, -1, 0, &x.v) == TF_OK);
@@ -278,7 +278,7 @@ int main(int argc, char **argv) {
   RUN(begin_counts_rounding_as_zero);
   RUN(begin_at_codimension_two_is_pinned);
   RUN(begin_where_no_force_acts_on_h);
-  RUN(begin_ignores_impossible_wishes);
+  RUN(begin_ignores_inconsistent_modes);
   RUN(begin_refuses_sums_beyond_the_limit);
   return tap_end();
 }

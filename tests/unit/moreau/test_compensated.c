@@ -45,7 +45,7 @@ static void whole_state(const run_t *run, real x[4]) {
   x[3] = pair(run->state.phi, run->carry.phi);
 }
 
-TEST(constants_have_twice_the_digits) {
+TEST(constants_have_twice_the_precision) {
   for (int i = 0; i < 1000; i++) {
     tf_params_t p = tf_scenes[0]->params;
     tf_compensated_t k, before;
@@ -73,7 +73,7 @@ TEST(constants_have_twice_the_digits) {
   }
 }
 
-TEST(placed_start_has_its_slip) {
+TEST(compensated_start_has_its_slip) {
   for (int i = 0; i < 1000; i++) {
     run_t run = begun(tf_scenes[0], 1e-4);
     run.params.gamma = uniform(0.1, 3);
@@ -126,7 +126,7 @@ static void true_stick(const paper_t *p, real x[4], real t) {
 }
 
 /* A million steps of 1e-6 s, each below what a float of the state can tell. */
-TEST(rounding_is_carried) {
+TEST(rounding_is_compensated) {
   const long steps = 1000000;
   run_t run = begun(scene_named("rolling"), 1e-6), rounded = run;
   const paper_t paper = paper_of(&run.params);
@@ -329,9 +329,9 @@ TEST(compensated_departures_do_not_stall) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(constants_have_twice_the_digits);
-  RUN(placed_start_has_its_slip);
-  RUN(rounding_is_carried);
+  RUN(constants_have_twice_the_precision);
+  RUN(compensated_start_has_its_slip);
+  RUN(rounding_is_compensated);
   RUN(compensated_stick_is_exact);
   RUN(compensated_step_is_the_step);
   RUN(compensated_refusals_touch_nothing);

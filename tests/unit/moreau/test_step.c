@@ -4,7 +4,7 @@
  * (or of the mass matrix, with external inputs, which the paper lacks). */
 #include "common.h"
 
-TEST(inputs_at_rest_change_nothing) {
+TEST(default_inputs_are_those_of_the_parameters) {
   for (int i = 0; i < TF_SCENES; i++) {
     const tf_scene_t *scene = tf_scenes[i];
     const tf_machine_t machine = prepared(&scene->params);
@@ -261,7 +261,7 @@ TEST(a_diverging_step_is_refused) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(inputs_at_rest_change_nothing);
+  RUN(default_inputs_are_those_of_the_parameters);
   RUN(mass_matrix_form_against_ds);
   RUN(bad_states_are_refused);
   RUN(inputs_beyond_the_limit_are_refused);

@@ -56,7 +56,7 @@ static pair_t random_pair(void) {
 }
 
 /* In units of what is lost, the square of epsilon or what long double loses. */
-TEST(the_rest_loses_the_square_of_epsilon) {
+TEST(other_operations_lose_the_square_of_epsilon) {
   const real unit = fmaxl(EPSILON * EPSILON, 2 * LDBL_EPSILON);
   for (int n = 0; n < 100000; n++) {
     const pair_t a = random_pair(), b = random_pair();
@@ -76,6 +76,6 @@ int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(sums_are_exact);
   RUN(products_are_exact);
-  RUN(the_rest_loses_the_square_of_epsilon);
+  RUN(other_operations_lose_the_square_of_epsilon);
   return tap_end();
 }

@@ -201,7 +201,7 @@ TEST(rolling_never_slips) {
 }
 
 /* "friction is associated, one future" */
-TEST(coulomb_has_one_future) {
+TEST(coulomb_has_one_consistent_mode) {
   run_t run = started(scene_named("coulomb"));
   const uint64_t steps = steps_of(&run);
   uint64_t sticks = 0;
@@ -265,7 +265,7 @@ int main(int argc, char **argv) {
   RUN(a_profile_may_jump);
   RUN(other_scenes_have_constant_inputs);
   RUN(rolling_never_slips);
-  RUN(coulomb_has_one_future);
+  RUN(coulomb_has_one_consistent_mode);
   RUN(other_scenes_do_what_they_show);
   RUN(profile_ends_at_its_last_knot);
   return tap_end();

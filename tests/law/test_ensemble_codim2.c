@@ -44,7 +44,7 @@ static tf_state_t near_rest(const tf_machine_t *k, const tf_input_t *u) {
   return x;
 }
 
-TEST(ensemble_comes_to_rest_as_single_steps_do) {
+TEST(ensemble_is_pinned_as_single_steps_are) {
   static tf_state_block_t block;
   static tf_report_block_t reported;
   size_t alone = 0, steps = 0, differ = 0, rests = 0;
@@ -130,7 +130,7 @@ TEST(ensemble_refuses_what_single_steps_do) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(ensemble_comes_to_rest_as_single_steps_do);
+  RUN(ensemble_is_pinned_as_single_steps_are);
   RUN(ensemble_refuses_what_single_steps_do);
   return tap_end();
 }

@@ -32,7 +32,7 @@ static unsigned set_of(const tf_inclusion_t *in) {
 }
 
 /* One sign of g takes it at no force and at all four corners. */
-TEST(signs_of_g_are_those_of_its_corners) {
+TEST(signs_of_g_are_those_of_extreme_forces) {
   for (int corner = 0; corner < 4; corner++)
     for (int sign = -1; sign <= 1; sign += 2) {
       const double s = sign, F = corner & 1 ? 1 : -1, M = corner & 2 ? 1 : -1;
@@ -62,7 +62,7 @@ TEST(signs_of_g_are_those_of_its_corners) {
 
 /* Where neither sign of g ends as it began, the share s of the moment in a slip
  * is the root of g: it is 1 or -1 where g vanishes there, and never beyond. */
-TEST(share_of_the_moment_ends_at_1) {
+TEST(share_of_the_moment_is_at_most_1) {
   for (int i = 1; i <= 200; i++)
     for (int n = 0; n < 8; n++) {
       const int slip = n & 1, end = n & 2 ? -1 : 1, x = slip == 0 ? 1 : -1;
@@ -81,7 +81,7 @@ TEST(share_of_the_moment_ends_at_1) {
 }
 
 /* A slip that would end on h = 0 is none: the stick at x = +-1 is. */
-TEST(slip_needs_h_off_0) {
+TEST(slip_needs_nonzero_h) {
   for (int side = -1; side <= 1; side += 2)
     for (int sign = -1; sign <= 1; sign += 2) {
       const unsigned stick = BIT(sign > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
@@ -99,7 +99,7 @@ TEST(slip_needs_h_off_0) {
 
 /* With a moment a stick that ends at g = 0 is the pinned wheel; without one it
  * is a stick like others, and g = 0 goes with g > 0. */
-TEST(stick_with_a_moment_needs_g_off_0) {
+TEST(stick_with_a_moment_needs_nonzero_g) {
   tf_inclusion_t in = inclusion(0, -1, 0, 1);
   CHECK(set_of(&in) == 0);
   in.pin_x = in.pin_y = 0;
@@ -130,7 +130,7 @@ TEST(pinned_needs_a_force_of_the_law) {
 
 /* Three futures of a negative Delassus scalar, one of a positive one; the
  * stick is where h vanishes, and the sign of the scalar says if it attracts. */
-TEST(futures_of_either_delassus_scalar) {
+TEST(consistent_modes_of_either_delassus_scalar) {
   for (int i = -3; i <= 3; i++)
     for (int sign = -1; sign <= 1; sign += 2) {
       const unsigned stick = BIT(sign > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
@@ -204,12 +204,12 @@ TEST(stick_is_where_h_vanishes) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(signs_of_g_are_those_of_its_corners);
-  RUN(share_of_the_moment_ends_at_1);
-  RUN(slip_needs_h_off_0);
-  RUN(stick_with_a_moment_needs_g_off_0);
+  RUN(signs_of_g_are_those_of_extreme_forces);
+  RUN(share_of_the_moment_is_at_most_1);
+  RUN(slip_needs_nonzero_h);
+  RUN(stick_with_a_moment_needs_nonzero_g);
   RUN(pinned_needs_a_force_of_the_law);
-  RUN(futures_of_either_delassus_scalar);
+  RUN(consistent_modes_of_either_delassus_scalar);
   RUN(stick_of_two_has_its_sign_of_g);
   RUN(stick_is_where_h_vanishes);
   return tap_end();

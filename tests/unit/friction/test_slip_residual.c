@@ -8,7 +8,7 @@ typedef long double real;
 
 /* At h = g = 0 every angle is in the law: forces of all of them leave nothing
  * open, others what they are off by. */
-TEST(slip_law_at_rest_is_that_of_every_angle) {
+TEST(slip_law_at_codimension_two_takes_every_angle) {
   tf_machine_t machine;
   CHECK(tf_prepare(&machine, &tf_scenes[0]->params, NULL) == TF_OK);
   const tf_tyre_t *tyre = &machine.tyre;
@@ -56,7 +56,7 @@ TEST(no_contact_has_no_force) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(slip_law_at_rest_is_that_of_every_angle);
+  RUN(slip_law_at_codimension_two_takes_every_angle);
   RUN(no_contact_has_no_force);
   return tap_end();
 }
