@@ -208,15 +208,15 @@ TEST(golden_designs) {
     if (any_machine(&d, n, &k) != TF_OK) continue;
     const tf_input_t u = any_input(&d, &k);
     const tf_state_t x = any_state(&d, &k, &u);
-    tf_design_t wish;
-    const tf_status_t status = tf_design_two_fold(&k, &u, x.r, x.w, &wish);
+    tf_design_t design;
+    const tf_status_t status = tf_design_two_fold(&k, &u, x.r, x.w, &design);
     mix_small(&d, (unsigned)status);
-    mix_real(&d, wish.kappa);
-    mix_real(&d, wish.k2);
-    mix_small(&d, wish.obstacle);
-    mix_two_fold(&d, &wish.two_fold);
+    mix_real(&d, design.kappa);
+    mix_real(&d, design.k2);
+    mix_small(&d, design.obstacle);
+    mix_two_fold(&d, &design.two_fold);
   }
-  check_golden("wish", d.hash);
+  check_golden("design", d.hash);
 }
 
 int main(int argc, char **argv) {

@@ -28,7 +28,7 @@ typedef struct {
   tf_machine_t machine;
   tf_input_t input;
   paper_t paper;
-  tf_design_t wish;
+  tf_design_t design;
   real x[3], c2; /* clock^2 */
   int s;
 } sample_t;
@@ -42,18 +42,19 @@ static inline sample_t random_two_fold(void) {
     c.input = tf_input_default(&c.machine);
     const tf_real_t r = uniform(-0.6, 0.6);
     const tf_real_t w = c.input.omega0 + uniform(-2, 2);
-    if (tf_design_two_fold(&c.machine, &c.input, r, w, &c.wish) != TF_OK)
+    if (tf_design_two_fold(&c.machine, &c.input, r, w, &c.design) != TF_OK)
       continue;
-    if (c.wish.k2 > 100 || c.wish.kappa > 5) continue;
-    c.params.kappa = c.wish.kappa;
-    c.params.k2 = c.wish.k2;
+    if (c.design.k2 > 100 || c.design.kappa > 5) continue;
+    c.params.kappa = c.design.kappa;
+    c.params.k2 = c.design.k2;
     c.machine = prepared(&c.params);
     c.paper = paper_of(&c.params);
-    c.x[0] = wide(c.wish.two_fold.point.r);
-    c.x[1] = wide(c.wish.two_fold.point.v);
-    c.x[2] = wide(c.wish.two_fold.point.w);
-    c.c2 = wide(c.wish.two_fold.time_scale) * wide(c.wish.two_fold.time_scale);
-    c.s = c.wish.two_fold.point.g > 0 ? 1 : -1;
+    c.x[0] = wide(c.design.two_fold.point.r);
+    c.x[1] = wide(c.design.two_fold.point.v);
+    c.x[2] = wide(c.design.two_fold.point.w);
+    c.c2 =
+        wide(c.design.two_fold.time_scale) * wide(c.design.two_fold.time_scale);
+    c.s = c.design.two_fold.point.g > 0 ? 1 : -1;
     return c;
   }
 }

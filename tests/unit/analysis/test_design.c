@@ -1,24 +1,24 @@
-/* Machines with a two-fold at a wished place, against the paper in long
- * double, and why a wish cannot be granted. */
+/* Machines with a two-fold at a given place, against the paper in long
+ * double, and why there may be none. */
 #include "sample.h"
 
 TEST(design_gives_the_numbers_of_the_paper) {
   const tf_machine_t machine = prepared(&tf_scenes[0]->params);
   const tf_input_t input = tf_input_default(&machine);
-  tf_design_t wish;
+  tf_design_t design;
   CHECK(tf_design_two_fold(&machine, &input, (tf_real_t)PAPER_R_STAR,
-                           (tf_real_t)PAPER_W_STAR, &wish) == TF_OK);
-  CHECK(wish.obstacle == TF_DESIGN_FOUND);
-  CHECK_NEAR(wide(wish.kappa), 0.27241153714062027818L, 4 * EPSILON);
-  CHECK_NEAR(wide(wish.k2), 2.2270992253886014441L, 32 * EPSILON);
-  CHECK_NEAR(wide(wish.two_fold.J1), -1.0635141712155655L, 64 * EPSILON);
-  CHECK_NEAR(wide(wish.two_fold.residual), 0, 8 * EPSILON);
+                           (tf_real_t)PAPER_W_STAR, &design) == TF_OK);
+  CHECK(design.obstacle == TF_DESIGN_FOUND);
+  CHECK_NEAR(wide(design.kappa), 0.27241153714062027818L, 4 * EPSILON);
+  CHECK_NEAR(wide(design.k2), 2.2270992253886014441L, 32 * EPSILON);
+  CHECK_NEAR(wide(design.two_fold.J1), -1.0635141712155655L, 64 * EPSILON);
+  CHECK_NEAR(wide(design.two_fold.residual), 0, 8 * EPSILON);
 }
 
 TEST(designed_two_folds_are_found_again) {
   for (int i = 0; i < 5000; i++) {
     const sample_t c = random_two_fold();
-    const tf_surface_point_t *wanted = &c.wish.two_fold.point;
+    const tf_surface_point_t *wanted = &c.design.two_fold.point;
     tf_surface_point_t at[TF_TWO_FOLDS];
     int count = 0, hits = 0;
     /* A double root is found to the root of the rounding. */
@@ -41,14 +41,15 @@ TEST(designed_two_folds_are_found_again) {
 static unsigned obstacle(const tf_params_t *params, double r, double w) {
   const tf_machine_t machine = prepared(params);
   const tf_input_t input = tf_input_default(&machine);
-  tf_design_t wish;
+  tf_design_t design;
   const tf_status_t status =
-      tf_design_two_fold(&machine, &input, (tf_real_t)r, (tf_real_t)w, &wish);
-  CHECK((status == TF_OK) == (wish.obstacle == TF_DESIGN_FOUND));
+      tf_design_two_fold(&machine, &input, (tf_real_t)r, (tf_real_t)w, &design);
+  CHECK((status == TF_OK) == (design.obstacle == TF_DESIGN_FOUND));
   CHECK(status == TF_OK || status == TF_BAD_PARAMETER);
-  CHECK((wish.two_fold.time_scale > 0) ==
-        (wish.obstacle == TF_DESIGN_FOUND || wish.obstacle >= TF_DESIGN_KAPPA));
-  return wish.obstacle;
+  CHECK((design.two_fold.time_scale > 0) ==
+        (design.obstacle == TF_DESIGN_FOUND ||
+         design.obstacle >= TF_DESIGN_KAPPA));
+  return design.obstacle;
 }
 
 /* Near the axis a two-fold takes a longer arm than the real type can name, or
@@ -66,10 +67,10 @@ TEST(designs_near_the_axis_are_refused) {
   tf_input_t input = tf_input_default(&machine);
   input.r0 = 2 * least;
   input.force = TF_R(1e8);
-  tf_design_t wish;
-  CHECK(tf_design_two_fold(&machine, &input, least, TF_R(-1.037), &wish) ==
+  tf_design_t design;
+  CHECK(tf_design_two_fold(&machine, &input, least, TF_R(-1.037), &design) ==
         TF_BAD_PARAMETER);
-  CHECK(wish.obstacle == TF_DESIGN_SPRING && wish.k2 == 0);
+  CHECK(design.obstacle == TF_DESIGN_SPRING && design.k2 == 0);
 }
 
 TEST(impossible_designs_say_why) {
@@ -128,13 +129,13 @@ TEST(design_with_unit_effect_of_the_spring) {
   params.r0 = 2;
   const tf_machine_t machine = prepared(&params);
   const tf_input_t input = tf_input_default(&machine);
-  tf_design_t wish;
+  tf_design_t design;
   CHECK(machine.sin_gamma / machine.m == 1);
   const tf_status_t status = tf_design_two_fold(
-      &machine, &input, 1, machine.omega0 - TF_R(0.25), &wish);
-  CHECK(status == TF_OK || wish.obstacle == TF_DESIGN_K2);
-  CHECK_NEAR(wide(wish.two_fold.residual), 0,
-             64 * EPSILON * fabsl(wide(wish.k2)));
+      &machine, &input, 1, machine.omega0 - TF_R(0.25), &design);
+  CHECK(status == TF_OK || design.obstacle == TF_DESIGN_K2);
+  CHECK_NEAR(wide(design.two_fold.residual), 0,
+             64 * EPSILON * fabsl(wide(design.k2)));
 }
 
 int main(int argc, char **argv) {

@@ -18,7 +18,7 @@ static real bulk_of(const sample_t *c) {
 TEST(normal_form_against_the_paper) {
   for (int i = 0; i < 5000; i++) {
     const sample_t c = random_two_fold();
-    const tf_two_fold_t *at = &c.wish.two_fold;
+    const tf_two_fold_t *at = &c.design.two_fold;
     paper_twofold_t n;
     paper_twofold(&c.paper, c.x, c.s, &n);
     const real close = 256 * EPSILON * bulk_of(&c);
@@ -65,7 +65,7 @@ TEST(sliding_motion_follows_the_normal_form) {
   int seen = 0;
   for (int i = 0; i < 3000; i++) {
     const sample_t c = random_two_fold();
-    const tf_two_fold_t *at = &c.wish.two_fold;
+    const tf_two_fold_t *at = &c.design.two_fold;
     const real pp = wide(at->Kpp), pm = wide(at->Kpm);
     const real mp = wide(at->Kmp), mm = wide(at->Kmm);
     const real det = pp * mm - pm * mp, scale = fabsl(pp) + fabsl(mm);
@@ -128,7 +128,7 @@ TEST(paper_cases_1_to_3) {
   int seen[4] = {0};
   for (int i = 0; i < 5000; i++) {
     const sample_t c = random_two_fold();
-    const tf_two_fold_t *at = &c.wish.two_fold;
+    const tf_two_fold_t *at = &c.design.two_fold;
     if (at->type != TF_FOLDS_INVISIBLE) {
       CHECK(at->paper_case == 0);
       continue;

@@ -1,5 +1,5 @@
 /* Two-folds: where they are, why there is none, and which machine has one at a
- * wished place; against the paper in long double, and against a search. */
+ * given place; against the paper in long double, and against a search. */
 #include "sample.h"
 
 TEST(reasons_and_types_have_names) {

@@ -1,7 +1,7 @@
 /* tf_begin against the paper: where a state on h = 0 may stick is decided by
- * lambda of (muCalc), how many futures the instant has by the sign of the
- * Delassus scalar. Wishes are honoured where the physics leaves a choice and
- * ignored elsewhere. */
+ * lambda of (muCalc), how many modes are consistent there by the sign of the
+ * Delassus scalar. The mode that is asked for is taken where it is consistent
+ * and ignored elsewhere. */
 #include <stdbool.h>
 
 #include "common.h"
@@ -9,15 +9,16 @@
 #define BIT(mode) ((unsigned)TF_MODE_BIT(mode))
 #define SLIPS (BIT(TF_SLIP_PLUS) | BIT(TF_SLIP_MINUS))
 
-/* tf_begin from x with a wish; what must hold of every answer is checked. */
+/* tf_begin from x in the mode that is asked for, TF_MODES for any; what must
+ * hold of every report is checked. */
 static tf_report_t begun(const tf_machine_t *machine, const tf_state_t *x,
-                         unsigned wish) {
+                         unsigned asked) {
   const tf_input_t input = tf_input_default(machine);
   tf_state_t state = *x;
   tf_report_t report;
   int modes = 0;
   memset(&report, 0, sizeof report);
-  state.mode = (uint8_t)wish;
+  state.mode = (uint8_t)asked;
   CHECK(tf_begin(machine, &state, &input, &report) == TF_OK);
   CHECK(report.status == TF_OK && report.mode == state.mode);
   CHECK(state.mode < TF_MODES && (report.set & BIT(state.mode)));
@@ -28,18 +29,19 @@ static tf_report_t begun(const tf_machine_t *machine, const tf_state_t *x,
   const tf_slip_t slip = tf_slip(machine, x->r, x->v, x->w, machine->omega0);
   CHECK(report.slip.h == slip.h && report.slip.g == slip.g);
   CHECK(report.residual == 0);
-  if (wish < TF_MODES && (report.set & BIT(wish))) CHECK(state.mode == wish);
+  if (asked < TF_MODES && (report.set & BIT(asked))) CHECK(state.mode == asked);
   return report;
 }
 
-/* The set does not depend on the wish, and a wish outside it is as none. */
-static void wishes_are_honoured(const tf_machine_t *machine,
-                                const tf_state_t *x) {
+/* The set does not depend on the mode that is asked for, and asking for one
+ * outside of it is as asking for none. */
+static void asked_mode_is_taken_if_consistent(const tf_machine_t *machine,
+                                              const tf_state_t *x) {
   const tf_report_t none = begun(machine, x, TF_MODES);
-  for (unsigned wish = 0; wish < TF_MODES; wish++) {
-    const tf_report_t wished = begun(machine, x, wish);
-    CHECK(wished.set == none.set);
-    if (!(none.set & BIT(wish))) CHECK(wished.mode == none.mode);
+  for (unsigned asked = 0; asked < TF_MODES; asked++) {
+    const tf_report_t other = begun(machine, x, asked);
+    CHECK(other.set == none.set);
+    if (!(none.set & BIT(asked))) CHECK(other.mode == none.mode);
   }
 }
 
@@ -109,7 +111,7 @@ static void judge_contact(const tf_machine_t *machine, const contact_t *c,
     CHECK_NEAR(wide(report.force.M), (real)c->s * kappa * F,
                1e4L * EPSILON * c->mu);
   }
-  wishes_are_honoured(machine, &c->x);
+  asked_mode_is_taken_if_consistent(machine, &c->x);
 }
 
 /* The same motion of twice the mass under twice the forces. */
@@ -150,7 +152,7 @@ TEST(begin_without_a_moment) {
   }
 }
 
-/* Off h = 0 the side decides alone, at any law, whatever is wished. */
+/* Off h = 0 the side decides alone, at any law, whatever mode is asked for. */
 TEST(begin_off_the_surface) {
   for (int i = 0; i < 60000; i++) {
     tf_params_t params = tf_scenes[0]->params;
@@ -168,7 +170,7 @@ TEST(begin_off_the_surface) {
     CHECK(report.choices == 1);
     CHECK(report.force.F == f.F && report.force.M == f.M);
     if (!tf_tyre_is_set_valued(params.law)) CHECK(report.delassus == 0);
-    wishes_are_honoured(&machine, &x);
+    asked_mode_is_taken_if_consistent(&machine, &x);
   }
 }
 
@@ -207,7 +209,7 @@ TEST(begin_at_codimension_two_is_pinned) {
     const paper_t p = paper_of(&params);
     const real A = paper_delassus(&p, wide(x.r), 1);
     CHECK_NEAR(wide(report.delassus), A, 32 * EPSILON * (1 + fabsl(A)));
-    wishes_are_honoured(&machine, &x);
+    asked_mode_is_taken_if_consistent(&machine, &x);
   }
   tf_params_t coulomb = params;
   coulomb.law = TF_TYRE_COULOMB;
@@ -229,8 +231,8 @@ TEST(begin_where_no_force_acts_on_h) {
   }
 }
 
-/* The two ends of a wish that real numbers cannot keep: stick where only slip
- * is possible, slip where only stick is. */
+/* Both ways to ask for what is not consistent: stick where only slip is
+ * possible, slip where only stick is. */
 TEST(begin_ignores_inconsistent_modes) {
   const tf_machine_t machine = prepared(&tf_scenes[6]->params);
   tf_state_t x = {.r = TF_R(0.95), .w = TF_R(1.3)};

@@ -167,7 +167,7 @@ TEST(bad_states_are_refused) {
       x.mode = (uint8_t)mode[n];
       refused(&machine, &x, &input);
     }
-    x.mode = TF_MODES; /* no wish to tf_begin, no mode to tf_step */
+    x.mode = TF_MODES; /* to tf_begin any mode will do, to tf_step it is none */
     tf_report_t report;
     CHECK(tf_step(&machine, &x, &input, &report) == TF_BAD_STATE);
     CHECK(tf_begin(&machine, &x, &input, &report) == TF_OK);
