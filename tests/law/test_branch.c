@@ -1,7 +1,7 @@
-/* Which of several futures a motion takes is decided by its rule, not by where
- * a step happens to end: machines whose motion comes to h = g = 0, from slip
- * and from stick, over many step sizes, against `located`, which stops there.
- */
+/* Which of several consistent modes a motion takes is decided by its rule, not
+ * by where a step happens to end: machines whose motion comes to h = g = 0,
+ * from slip and from stick, over many step sizes, against `located`, which
+ * stops there. */
 #include "common.h"
 
 typedef struct {
@@ -112,8 +112,8 @@ static tf_state_t one_step(const long_step_t *s, step_t *step,
   return x;
 }
 
-/* Slips that pass h = g = 0 within one long step: none rolls in along a stick
- * that escapes, though one solves behind; all end the step at rest. */
+/* Slips that pass h = g = 0 within one long step: none ends in an escaping
+ * stick, though one solves the inclusion behind it; all are pinned. */
 TEST(slip_enters_no_escaping_stick_at_codimension_two) {
   static const long_step_t steps[] = {
       {0.098697269977551683, -1.1684614780541989, 2.0220742694162981,

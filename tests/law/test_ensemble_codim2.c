@@ -1,5 +1,5 @@
 /* The ensemble near h = g = 0, where every mode may be possible and a motion
- * may end a step at rest: a block has the bits of single steps there too, and
+ * may end a step pinned: a block has the bits of single steps there too, and
  * the passes without branches do most of it. */
 #include "sample.h"
 

@@ -1,5 +1,5 @@
 /* What the located step reports, judged from outside: residual, angle, Delassus
- * scalar, the side that a stick lets go to, the set, and its refusal. */
+ * scalar, the slip that follows a stick, the set, and its refusal. */
 #include "paper.h"
 #include "tap.h"
 #include "twofold.h"
@@ -100,7 +100,7 @@ TEST(located_residual_is_that_of_the_law) {
   CHECK(worst[1] <= (IS_DOUBLE ? 1e-6 : 1e-2) && worst[1] < worst[0] / 10);
 }
 
-/* A step that ends with its switch, to the last digit: force and residual are
+/* A step that ends at a change of mode, to the last bit: force and residual are
  * those of the mode that begins there. */
 TEST(located_event_at_the_end_of_a_step) {
   int switches = 0;
@@ -211,7 +211,7 @@ TEST(located_escaping_stick_ends_in_slip_of_the_other_side) {
       break;
     }
   }
-  printf("# let go at lambda = -mu %d times, at mu %d times\n", released[0],
+  printf("# released at lambda = -mu %d times, at mu %d times\n", released[0],
          released[1]);
   CHECK(released[0] > 20 && released[1] > 20);
 }
@@ -290,7 +290,7 @@ TEST(located_is_coarse_only_where_it_has_to_be) {
   CHECK(fell_back > 0 && coarse > fell_back / 2);
 }
 
-/* A wheel that nothing pulls rests, with no force, without falling back. */
+/* A wheel under no load stays pinned, with no force, and no step falls back. */
 TEST(located_stays_pinned_without_loads) {
   for (int i = 0; i < 100; i++) {
     sim_t s = {.params = machine_at_random()};
@@ -307,8 +307,8 @@ TEST(located_stays_pinned_without_loads) {
   }
 }
 
-/* Where h is 0 to the last bit no mode is believed: what goes on is one of the
- * futures that the surface has there. */
+/* Where h is 0 to the last bit the mode of the state is ignored: the step goes
+ * on in one of the modes that are consistent there. */
 TEST(located_mode_at_h_0_is_a_consistent_one) {
   int exact = 0, others = 0;
   for (int i = 0; i < 20000; i++) {
@@ -363,7 +363,7 @@ TEST(located_slip_starts_at_g_0) {
   }
 }
 
-/* Without contact a wheel that rests at h = 0 keeps the side that it had. */
+/* Without contact a wheel that stays at h = 0 keeps the side that it had. */
 TEST(located_without_contact_keeps_its_side_at_h_0) {
   for (unsigned mode = TF_SLIP_PLUS; mode <= TF_SLIP_MINUS; mode++) {
     sim_t s = {.params = tf_scenes[0]->params};

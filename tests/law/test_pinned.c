@@ -1,7 +1,7 @@
-/* A wheel at rest on the turntable, h = g = 0, while that speeds up: the force
- * and the moment that keep it there are what the paper's equations ask for, and
- * it stays as long as the law has them, whichever of its two limits they reach
- * first and on whichever side. */
+/* A wheel that is pinned to the turntable, h = g = 0, while that speeds up: the
+ * force and the moment that keep it there are what the paper's equations ask
+ * for, and it stays as long as the law has them, whichever of its two limits
+ * they reach first and on whichever side. */
 #include "sample.h"
 
 typedef struct {
@@ -68,15 +68,15 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
       break;
     }
   }
-  printf("# let go: by F < 0 at M %d, at F %d; by F > 0 at M %d, at F %d\n",
+  printf("# released: by F < 0 at M %d, at F %d; by F > 0 at M %d, at F %d\n",
          left[0][0], left[0][1], left[1][0], left[1][1]);
-  printf("# %d steps at rest, %d of them by tf_step\n", steps, fell_back);
+  printf("# %d steps pinned, %d of them by tf_step\n", steps, fell_back);
   CHECK(steps > 1000 && fell_back <= steps / 1000);
   for (int j = 0; j < 4; j++) CHECK(left[j / 2][j % 2] > (j % 2 ? 20 : 0));
 }
 
-/* Where nothing acts at all it rests for good: what does not roll is pinned,
- * and neither stick is a future of its own. */
+/* Where nothing acts it stays for good: what does not roll is pinned, and
+ * neither stick is consistent beside that. */
 TEST(machine_at_rest_stays_pinned) {
   for (int i = 0; i < 400; i++) {
     tf_params_t q = random_params();

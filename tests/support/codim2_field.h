@@ -7,16 +7,16 @@
 
 #define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))
 
-/* The machine at rest on the turntable, under its loads: its accelerations of h
- * and g without friction, by F = 1 N and by M = 1 N m. */
+/* The accelerations of h and g at h = g = 0, under the loads of the machine:
+ * without friction, by F = 1 N and by M = 1 N m. */
 typedef struct {
   paper_t paper;
   real h[3], g[3];
-} rest_t;
+} field_t;
 
-static inline rest_t rest_at(const tf_params_t *params, const tf_input_t *u,
-                             tf_real_t r) {
-  rest_t at = {.paper = paper_of(params)};
+static inline field_t field_at(const tf_params_t *params, const tf_input_t *u,
+                               tf_real_t r) {
+  field_t at = {.paper = paper_of(params)};
   /* The paper has no loads: one by the spring, the other by its damper. */
   at.paper.r0 += wide(u->force) / at.paper.k2;
   at.paper.c1 -= wide(u->torque) / at.paper.omega0;
@@ -42,19 +42,20 @@ static inline rest_t rest_at(const tf_params_t *params, const tf_input_t *u,
  * larger angles, and grows. */
 typedef struct {
   real turns, grows;
-} rate_t;
+} slip_rate_t;
 
-static inline rate_t rate_at(const rest_t *at, int side, real angle) {
+static inline slip_rate_t slip_rate_at(const field_t *at, int side,
+                                       real angle) {
   const real h = (real)side * cosl(angle), g = sinl(angle);
   real F, M;
   paper_friction(&at->paper, h, g, &F, &M);
   const real dh = at->h[0] + F * at->h[1] + M * at->h[2];
   const real dg = at->g[0] + F * at->g[1] + M * at->g[2];
-  return (rate_t){(real)side * (dg * h - dh * g), dh * h + dg * g};
+  return (slip_rate_t){(real)side * (dg * h - dh * g), dh * h + dg * g};
 }
 
 /* The angle along which slip leaves, from its T = cot(psi). */
-static inline real angle_of(const rest_t *at, real T, int roll) {
+static inline real angle_of(const field_t *at, real T, int roll) {
   return (real)roll * (PAPER_PI / 2) * atanl(T) / atanl(6 * at->paper.kappa);
 }
 

@@ -78,7 +78,7 @@ TEST(impossible_designs_say_why) {
   CHECK(obstacle(&params, 0.1859, -1.037) == TF_DESIGN_FOUND);
   CHECK(obstacle(&params, 0, -1.037) == TF_DESIGN_R);
   CHECK(obstacle(&params, 1, -1.037) != TF_DESIGN_R);
-  params.r0 = 0; /* though the spring is at rest there */
+  params.r0 = 0; /* though the spring is unstretched there */
   CHECK(obstacle(&params, 0, -1.037) == TF_DESIGN_R);
   params.r0 = tf_scenes[0]->params.r0;
   CHECK(obstacle(&params, NAN, -1.037) == TF_DESIGN_R);

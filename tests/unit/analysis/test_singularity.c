@@ -317,8 +317,8 @@ TEST(machines_without_two_folds_say_why) {
   CHECK(count == 77);
 }
 
-/* A spring at rest at a singular radius, over a turntable that rests: N is 0
- * for g = 0 alone, which has no side and is no place. */
+/* The spring is unstretched at a radius where A = 0, and the turntable stands
+ * still: N is 0 at g = 0 alone, where g has no sign: no two-fold. */
 TEST(equilibrium_is_no_two_fold) {
   tf_params_t params = tf_scenes[0]->params;
   params.c1 = params.c2 = 0;

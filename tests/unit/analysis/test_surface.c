@@ -187,8 +187,8 @@ TEST(rescaled_field_is_regular_at_the_two_fold) {
   CHECK(fabsl(wide(at.plus.w)) > 0.1L && fabsl(wide(at.minus.w)) > 0.1L);
 }
 
-/* Everything at rest without friction: h' = 0 on both sides, and what neither
- * side leaves is not crossed. */
+/* In equilibrium without friction h' = 0 on both sides: neither side leaves
+ * h = 0, so that it is no crossing. */
 TEST(equilibrium_without_friction_is_no_crossing) {
   tf_params_t p = random_params();
   p.law = TF_TYRE_COULOMB;

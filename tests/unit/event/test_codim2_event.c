@@ -13,21 +13,22 @@ TEST(exponent_of_a_limit_direction) {
     const tf_machine_t k = prepared(&params);
     const tf_input_t u = tf_input_default(&k);
     const tf_real_t r = uniform(-0.6, 0.6);
-    const rest_t at = rest_at(&params, &u, r);
+    const field_t at = field_at(&params, &u, r);
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
     tf_segment_t ray = {.contact = TF_CONTACT_CODIM2_SLIP,
                         .sign_h = n & 1 ? 1 : -1,
                         .sign_g = n & 2 ? 1 : -1,
                         .h_zero_order = 1,
                         .g_starts_at_zero = true};
-    if (!tf_codim2_attractor(&k, &rates, ray.sign_g, ray.sign_h, &ray.T)) continue;
+    if (!tf_codim2_attractor(&k, &rates, ray.sign_g, ray.sign_h, &ray.T))
+      continue;
     static tf_taylor_t motion;
     begin_taylor(&motion, &k, &u, u.omega0, (tf_phase_point_t){r, 0, 0});
     CHECK(tf_taylor_coefficients(&motion, &ray));
     const real angle = angle_of(&at, wide(ray.T), ray.sign_g), off = 1e-5L;
-    const real v = rate_at(&at, ray.sign_h, angle).grows;
-    const real c = (rate_at(&at, ray.sign_h, angle + off).turns -
-                    rate_at(&at, ray.sign_h, angle - off).turns) /
+    const real v = slip_rate_at(&at, ray.sign_h, angle).grows;
+    const real c = (slip_rate_at(&at, ray.sign_h, angle + off).turns -
+                    slip_rate_at(&at, ray.sign_h, angle - off).turns) /
                    (2 * off);
     if (fabsl(v) < 0.1L || fabsl(angle) < 1e-2L ||
         PAPER_PI / 2 - fabsl(angle) < 1e-2L)
@@ -39,8 +40,8 @@ TEST(exponent_of_a_limit_direction) {
   CHECK(seen > 200);
 }
 
-/* Where the wheel may roll off either way the side of g that it came from
- * decides, by however little. */
+/* Where both sticks are consistent the sign of g before decides, however small
+ * g is. */
 TEST(of_two_sticks_that_of_the_sign_of_g_is_taken) {
   int taken[2] = {0};
   for (int n = 0; n < 20000; n++) {
@@ -59,7 +60,7 @@ TEST(of_two_sticks_that_of_the_sign_of_g_is_taken) {
         .r = r, .v = TF_REAL_EPSILON * uniform(-1e-4, 1e-4), .w = u.omega0};
     if (n % 8 == 0) x.v = 0; /* as from g > 0 */
     const tf_slip_t slip = tf_slip(&k, x.r, x.v, x.w, u.omega0);
-    x.mode = slip.h > 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS; /* not believed */
+    x.mode = slip.h > 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS; /* to be ignored */
     if (tf_step_located(&k, &x, &u, &report) != TF_OK || x.mode == TF_PINNED)
       continue;
     CHECK(x.mode == (slip.g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS));
@@ -69,11 +70,11 @@ TEST(of_two_sticks_that_of_the_sign_of_g_is_taken) {
   CHECK(taken[0] > 20 && taken[1] > 20);
 }
 
-/* Slip of a machine at rest at r along a limit direction, so far from h = g = 0
- * that it gets there in half of a step. */
-static tf_state_t on_its_way(const tf_machine_t *k, const rest_t *at,
-                             tf_real_t r, int side, real angle) {
-  const real size = -rate_at(at, side, angle).grows * wide(k->dt) / 2;
+/* Slip at r along a limit direction, so far from h = g = 0 that it gets there
+ * in half of a step. */
+static tf_state_t towards_codim2(const tf_machine_t *k, const field_t *at,
+                                 tf_real_t r, int side, real angle) {
+  const real size = -slip_rate_at(at, side, angle).grows * wide(k->dt) / 2;
   const real h = (real)side * size * cosl(angle), g = size * sinl(angle);
   const real sine = wide(k->sin_gamma), cosine = wide(k->cos_gamma);
   const real p = -h * sine - g * cosine;
@@ -84,38 +85,38 @@ static tf_state_t on_its_way(const tf_machine_t *k, const rest_t *at,
                       .mode = side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS};
 }
 
-/* Machines whose slip falls into h = g = 0 where both sticks may follow are one
- * in a hundred thousand. These were found by a search: where it drew them from,
- * and as which. */
+/* Of a hundred thousand machines one has slip that enters h = g = 0 where both
+ * sticks are consistent. These were found by a search; here are the states of
+ * its random numbers and the numbers of its trials. */
 static const struct {
   uint64_t state;
   int number;
-} falling[] = {{0x1FE57EE383B36A5Fu, 425723},  {0xC2C46BB8AAAD81D3u, 480175},
-               {0xD6094B6137C44102u, 920444},  {0x127AF1DBA0FB2337u, 1009248},
-               {0x90CCD0534BC0CB27u, 1120001}, {0x49ADF234423353A7u, 1240183},
-               {0x94962056FB6932C3u, 1324836}, {0xFB2358F26EBD33D8u, 1340666},
-               {0x74EAFA833BA81F7Cu, 1412796}, {0xBF7DA5D5D1FA19E3u, 1575484},
-               {0xF1851A8B7464E6AEu, 1639772}, {0x5B99376778692633u, 1772206},
-               {0xD64B0F408713C91Du, 1900579}};
+} entering[] = {{0x1FE57EE383B36A5Fu, 425723},  {0xC2C46BB8AAAD81D3u, 480175},
+                {0xD6094B6137C44102u, 920444},  {0x127AF1DBA0FB2337u, 1009248},
+                {0x90CCD0534BC0CB27u, 1120001}, {0x49ADF234423353A7u, 1240183},
+                {0x94962056FB6932C3u, 1324836}, {0xFB2358F26EBD33D8u, 1340666},
+                {0x74EAFA833BA81F7Cu, 1412796}, {0xBF7DA5D5D1FA19E3u, 1575484},
+                {0xF1851A8B7464E6AEu, 1639772}, {0x5B99376778692633u, 1772206},
+                {0xD64B0F408713C91Du, 1900579}};
 
 TEST(slip_enters_the_stick_of_its_sign_of_g) {
   int taken[2] = {0};
-  for (size_t n = 0; n < sizeof falling / sizeof *falling; n++) {
-    tap.state = falling[n].state;
-    tf_params_t params = any_params(falling[n].number);
+  for (size_t n = 0; n < sizeof entering / sizeof *entering; n++) {
+    tap.state = entering[n].state;
+    tf_params_t params = any_params(entering[n].number);
     params.dt = TF_R(1e-2);
     const tf_machine_t k = prepared(&params);
     const tf_input_t u = tf_input_default(&k);
     const tf_real_t r = uniform(-0.6, 0.6);
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    const rest_t at = rest_at(&params, &u, r);
+    const field_t at = field_at(&params, &u, r);
     for (int way = 0; way < 4; way++) {
       const int side = way & 1 ? -1 : 1, roll = way & 2 ? -1 : 1;
       tf_real_t T;
       if (!tf_codim2_attractor(&k, &rates, roll, side, &T)) continue;
       const real angle = angle_of(&at, wide(T), roll);
-      if (!(rate_at(&at, side, angle).grows < 0)) continue;
-      tf_state_t x = on_its_way(&k, &at, r, side, angle);
+      if (!(slip_rate_at(&at, side, angle).grows < 0)) continue;
+      tf_state_t x = towards_codim2(&k, &at, r, side, angle);
       tf_report_t report;
       CHECK(tf_step_located(&k, &x, &u, &report) == TF_OK);
       if ((report.set & STICKS) != STICKS) continue;
@@ -127,8 +128,8 @@ TEST(slip_enters_the_stick_of_its_sign_of_g) {
   CHECK(taken[0] > 3 && taken[1] > 3);
 }
 
-/* A pinned wheel has no side of g: where it is let go, within a step or at its
- * begin, and may roll either way, it rolls as from g = 0. */
+/* A pinned wheel has no sign of g. Where it is released, within a step or at
+ * its start, and both sticks are consistent, it takes the one for g = 0. */
 TEST(wheel_released_from_pinned_has_no_sign_of_g) {
   int taken = 0;
   for (int n = 0; n < 200000; n++) {

@@ -3,11 +3,11 @@
 #include "codim2_field.h"
 #include "friction/codim2.h"
 
-static real bisected(const rest_t *at, int side, real low, real high) {
-  const bool up = rate_at(at, side, low).turns > 0;
+static real bisected(const field_t *at, int side, real low, real high) {
+  const bool up = slip_rate_at(at, side, low).turns > 0;
   for (int i = 0; i < 80; i++) {
     const real middle = (low + high) / 2;
-    if ((rate_at(at, side, middle).turns > 0) == up)
+    if ((slip_rate_at(at, side, middle).turns > 0) == up)
       low = middle;
     else
       high = middle;
@@ -15,16 +15,16 @@ static real bisected(const rest_t *at, int side, real low, real high) {
   return (low + high) / 2;
 }
 
-/* A way out on one side: whether its neighbours turn to it, and how fast slip
- * along it grows; 0: there is none. */
+/* A limit direction along which slip of one side grows: how fast, and whether
+ * it attracts its neighbours; 0: there is none. */
 typedef struct {
   real grows;
   bool attracts;
 } exit_t;
 
-/* Of those that their neighbours turn to, or else of all, the fastest; on a
- * grid of angles, which two near to each other escape. */
-static exit_t search(const rest_t *at, int side) {
+/* Of those that attract, or else of all, the fastest; on a grid of angles,
+ * which misses two that are close to each other. */
+static exit_t search(const field_t *at, int side) {
   enum { ANGLES = 100 };
   const real quarter = PAPER_PI / 2, edge = 1e-7L;
   exit_t best = {0, false};
@@ -33,10 +33,10 @@ static exit_t search(const rest_t *at, int side) {
     for (int i = 0; i <= ANGLES; i++) {
       const real share = fminl(fmaxl((real)i / ANGLES, edge), 1 - edge);
       const real angle = (real)roll * quarter * share, before = turns;
-      turns = rate_at(at, side, angle).turns;
+      turns = slip_rate_at(at, side, angle).turns;
       if (i > 0 && (before > 0) != (turns > 0)) {
         const real way = bisected(at, side, low, angle);
-        const exit_t next = {rate_at(at, side, way).grows,
+        const exit_t next = {slip_rate_at(at, side, way).grows,
                              (before > 0) == (roll > 0)};
         if (next.grows > 0 &&
             (next.attracts == best.attracts ? next.grows > best.grows
@@ -50,7 +50,7 @@ static exit_t search(const rest_t *at, int side) {
 }
 
 TEST(slip_leaves_codimension_two_as_a_search_finds) {
-  int found[2] = {0}, none = 0, escaped = 0;
+  int found[2] = {0}, none = 0, missed = 0;
   for (int n = 0; n < 4000; n++) {
     const tf_params_t params = any_params(n);
     const tf_machine_t k = prepared(&params);
@@ -60,7 +60,7 @@ TEST(slip_leaves_codimension_two_as_a_search_finds) {
       u.torque = uniform(-3, 3);
     }
     const tf_real_t r = uniform(-0.6, 0.6);
-    const rest_t at = rest_at(&params, &u, r);
+    const field_t at = field_at(&params, &u, r);
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
     const real size =
         1 + fabsl(wide(rates.p)) + fabsl(wide(rates.q)) +
@@ -77,13 +77,13 @@ TEST(slip_leaves_codimension_two_as_a_search_finds) {
         continue;
       }
       const real angle = angle_of(&at, wide(out.T[slip]), roll);
-      const rate_t is = rate_at(&at, side, angle);
+      const slip_rate_t is = slip_rate_at(&at, side, angle);
       const real edge = fminl(fabsl(angle), PAPER_PI / 2 - fabsl(angle)) / 2;
       const real near = (real)roll * fminl(edge, 1e-4L);
       const real tolerance = 1e4L * EPSILON * size;
       const bool attracts =
-          (real)roll * (rate_at(&at, side, angle + near).turns -
-                        rate_at(&at, side, angle - near).turns) <
+          (real)roll * (slip_rate_at(&at, side, angle + near).turns -
+                        slip_rate_at(&at, side, angle - near).turns) <
           0;
       CHECK_NEAR(is.turns, 0, tolerance);
       CHECK_NEAR((real)side * wide(out.solutions.h_limit[slip]), is.grows,
@@ -91,18 +91,19 @@ TEST(slip_leaves_codimension_two_as_a_search_finds) {
       CHECK(attracts || !want.attracts);
       CHECK(is.grows > want.grows - tolerance || attracts > want.attracts);
       found[slip]++;
-      escaped += want.grows == 0;
+      missed += want.grows == 0;
     }
   }
   printf(
-      "# ways out: %d with h > 0, %d with h < 0; %d times none; %d of them too "
-      "narrow for the search\n",
-      found[0], found[1], none, escaped);
+      "# directions: %d with h > 0, %d with h < 0; %d times none; %d of them "
+      "too "
+      "close for the search\n",
+      found[0], found[1], none, missed);
   CHECK(found[0] > 500 && found[1] > 500 && none > 500);
 }
 
-/* A torque at which two directions meet and the way out ends: up to it, as near
- * as numbers go, it is found, and is one. */
+/* At some torque two limit directions meet and slip can no longer leave: up to
+ * it, to the last bits, the direction is found and is one. */
 TEST(limit_direction_ends_where_two_meet) {
   tf_params_t params = tf_scenes[0]->params;
   params.mu = TF_R(1.4275264971601307);
@@ -123,7 +124,7 @@ TEST(limit_direction_ends_where_two_meet) {
   for (int n = 0; n < 60; n++) {
     tf_input_t u = tf_input_default(&k);
     u.torque = n == 0 ? with : n == 1 ? without : with + (without - with) / 2;
-    const rest_t at = rest_at(&params, &u, r);
+    const field_t at = field_at(&params, &u, r);
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
     tf_consistent_t out;
     tf_codim2_modes(&k, &rates, &out);
@@ -135,7 +136,7 @@ TEST(limit_direction_ends_where_two_meet) {
       without = u.torque;
     if (!is) continue;
     const real angle = angle_of(&at, wide(out.T[0]), out.sign_g[0]);
-    CHECK_NEAR(rate_at(&at, 1, angle).turns, 0, 1e6L * EPSILON);
+    CHECK_NEAR(slip_rate_at(&at, 1, angle).turns, 0, 1e6L * EPSILON);
     ways++;
   }
   printf("# ends at %.9Lg N m, seen %d times\n", wide(with), ways);
@@ -143,10 +144,11 @@ TEST(limit_direction_ends_where_two_meet) {
   CHECK_NEAR(wide(with), 0.04724L, 1e-4L);
 }
 
-/* A wheel across its slot (gamma = pi/2) rests where the law holds force and
- * moment that it takes; along it (gamma = 0) none holds the slider. */
+/* A wheel across its slot (gamma = pi/2) is pinned where the law has the force
+ * and the moment that this takes; along it (gamma = 0) no force holds the
+ * slider. */
 TEST(wheel_is_pinned_where_the_law_allows) {
-  int rests = 0, moves = 0;
+  int pinned = 0, moves = 0;
   for (int n = 0; n < 4000; n++) {
     tf_params_t params = random_params();
     params.gamma = n % 4 ? TF_R(1.5707963267948966) : 0;
@@ -162,7 +164,7 @@ TEST(wheel_is_pinned_where_the_law_allows) {
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
     tf_consistent_t out;
     tf_codim2_modes(&k, &rates, &out);
-    if (r == 0) /* nothing starts to roll on the axis */
+    if (r == 0) /* on the axis no stick starts */
       CHECK(!(out.solutions.set &
               (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))));
     const real w = wide(u.omega0);
@@ -176,12 +178,12 @@ TEST(wheel_is_pinned_where_the_law_allows) {
         n % 4 && fabsl(F) < mu && fabsl(M) < wide(params.kappa) * fabsl(F);
     CHECK(holds == !!(out.solutions.set & TF_MODE_BIT(TF_PINNED)));
     if (holds)
-      rests++;
+      pinned++;
     else
       moves++;
   }
-  printf("# %d rest, %d move\n", rests, moves);
-  CHECK(rests > 300 && moves > 1000);
+  printf("# %d pinned, %d not\n", pinned, moves);
+  CHECK(pinned > 300 && moves > 1000);
 }
 
 int main(int argc, char **argv) {

@@ -1,7 +1,7 @@
-/* The enumeration of futures on its borders, by inclusions written by hand in
- * numbers that are exact: what holds there is decided by the law (a slip needs
- * h off 0, a stick an |x| <= 1, a stick with a moment g off 0), not by
- * rounding. */
+/* The enumeration of consistent modes on its borders, by inclusions written by
+ * hand in numbers that are exact: what holds there is decided by the law (a
+ * slip needs h off 0, a stick an |x| <= 1, a stick with a moment g off 0), not
+ * by rounding. */
 #include "tap.h"
 #include "twofold.h"
 
@@ -128,8 +128,9 @@ TEST(pinned_needs_a_force_of_the_law) {
   }
 }
 
-/* Three futures of a negative Delassus scalar, one of a positive one; the
- * stick is where h vanishes, and the sign of the scalar says if it attracts. */
+/* Three consistent modes for a negative Delassus scalar, one for a positive;
+ * the stick is where h vanishes, and the sign of the scalar says if it
+ * attracts. */
 TEST(consistent_modes_of_either_delassus_scalar) {
   for (int i = -3; i <= 3; i++)
     for (int sign = -1; sign <= 1; sign += 2) {

@@ -75,7 +75,7 @@ static unsigned when_escaping(const question_t *q) {
   return now;
 }
 
-/* RANDOM draws among the other modes; the others roll off into an attracting
+/* RANDOM draws among the other modes; the others go into an attracting
  * stick and otherwise do as with an escaping stick. */
 static unsigned when_pinned(const question_t *q) {
   const unsigned now = q->set & BIT(TF_PINNED);

@@ -174,7 +174,7 @@ TEST(lanes_have_the_forms_of_the_step) {
       rests++;
     }
   }
-  printf("# %d sticks, %d of them at rest, %d refused\n", sticks, rests,
+  printf("# %d sticks, %d of them pinned, %d refused\n", sticks, rests,
          refused);
   CHECK(sticks > 1000 && rests > 100 && refused > 100);
 }
