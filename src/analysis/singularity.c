@@ -184,9 +184,9 @@ static unsigned type_of(const tf_machine_t *k, const tf_two_fold_t *at,
 // The paper's cases 1 to 3, 0 for none; case 3 is J1 J2 < 1.
 static unsigned paper_case_of(const tf_two_fold_t *at) {
   if (at->type != TF_FOLDS_INVISIBLE) return 0;
-  const tf_real_t product = at->J1 * at->J2;
-  if (product < 1) return 3;
-  if (!(product > 1)) return 0;
+  const tf_real_t J1_J2 = at->J1 * at->J2;
+  if (J1_J2 < 1) return 3;
+  if (!(J1_J2 > 1)) return 0;
   return at->J1 < 0 ? 1 : 2;
 }
 
