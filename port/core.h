@@ -43,6 +43,7 @@
 // program contains one scheme beside tf_step at most.
 // NOLINTBEGIN(bugprone-suspicious-include): one translation unit on purpose.
 #include "../src/num/kernel.c"
+#include "../src/num/philox.c"
 #ifdef SCHEME_LOCATED
 #include "../src/num/polynomial.c"
 #endif
@@ -55,7 +56,7 @@
 #ifdef SCHEME_LOCATED
 #include "../src/friction/codim2.c"
 #endif
-#include "../src/friction/friction.c"
+#include "../src/friction/mode.c"
 #include "../src/friction/select.c"
 #include "../src/moreau/begin.c"
 #ifdef SCHEME_COMPENSATED
@@ -66,9 +67,12 @@
 
 #ifdef SCHEME_LOCATED
 #include "../src/event/event.c"
+#include "../src/event/limit_direction.c"
 #include "../src/event/located.c"
+#include "../src/event/pace.c"
 #include "../src/event/taylor.c"
 #include "../src/event/trajectory.c"
+#include "../src/event/transition.c"
 #endif
 
 #include "../src/link/crc.c"

@@ -32,7 +32,7 @@
 /// report: out; force at the end of the step; set and choices: the largest set
 ///   of consistent modes met in the step, and the mode taken. residual: how far
 ///   force is from the law at the end of the step, by the law itself and not by
-///   the series: in stick and pinned tf_law_residual, in slip |F - law| + |M -
+///   the series: in stick and pinned that of tf_step, in slip |F - law| + |M -
 ///   law| of tf_tyre_force at report->slip, and |h| where it has not the sign
 ///   that the mode asks for [N]. It falls with the tolerance. Near h = g = 0 it
 ///   is epsilon over the slip, because the angle is known no better.

@@ -13,7 +13,22 @@
 #include "twofold/status.h"
 #include "twofold/tyre.h"
 
-/// Which of several futures is taken; select.h has what every rule shares.
+/// Which of several consistent modes a step takes: a declared rule.
+///
+/// What every rule shares:
+/// 1. A slip that is still consistent goes on: off h = 0 the future is unique,
+///    and a second consistent mode beside it is an artefact of the finite step
+///    (it is reported all the same).
+/// 2. Admissibility: a slip never enters an escaping stick, because both fields
+///    point away from it.
+/// 3. An attracting stick goes on.
+/// 4. Where the present mode is lost: attracting stick, pinned, slip (the
+///    faster one if both), escaping stick, in this order.
+/// The rule decides how an escaping stick ends, and what a wheel does that
+/// comes to h = g = 0 where it may rest. All rules but RANDOM take it into an
+/// attracting stick where one is consistent, because it stands on the border of
+/// that region and any disturbance moves it in. RANDOM lets it rest, pinned,
+/// until its draw.
 typedef enum {
   TF_RULE_PERSIST,    ///< stay while it is consistent (default)
   TF_RULE_SLIP_PLUS,  ///< slip to h > 0 as soon as that is consistent

@@ -42,7 +42,7 @@ typedef enum {
 /// Scheme: none.
 /// absence: in.
 /// Returns: a constant string, never NULL; "unknown" for other values.
-/// Cost: at most 7 instructions. Stack: 16 B.
+/// Cost: one look-up in a table. Stack: 16 B.
 /// Memory: static storage, reentrant.
 /// Claims: reasons_and_types_have_names
 #define tf_absence_name TF_LINK(tf_absence_name)
@@ -88,7 +88,7 @@ typedef enum {
 /// Scheme: none.
 /// type: in.
 /// Returns: a constant string, never NULL; "unknown" for other values.
-/// Cost: at most 7 instructions. Stack: 16 B.
+/// Cost: one look-up in a table. Stack: 16 B.
 /// Memory: static storage, reentrant.
 /// Claims: reasons_and_types_have_names
 #define tf_folds_name TF_LINK(tf_folds_name)

@@ -25,7 +25,7 @@ typedef enum {
 /// Scheme: none.
 /// status: in, any value.
 /// Returns: a constant string, never NULL; "unknown status" for other values.
-/// Cost: at most 9 instructions. Stack: 16 B.
+/// Cost: one look-up in a table. Stack: 16 B.
 /// Memory: static storage, reentrant.
 /// Claims: status_names_are_distinct
 #define tf_status_name TF_LINK(tf_status_name)

@@ -3,8 +3,8 @@
 #ifndef TWOFOLD_STEP_H
 #define TWOFOLD_STEP_H
 
-#include "twofold/friction.h"
 #include "twofold/machine.h"
+#include "twofold/mode.h"
 #include "twofold/status.h"
 
 /// What happened in one step.
@@ -16,8 +16,9 @@ typedef struct {
   tf_force_t force;   ///< F [N], M [N m], mean over the step
   tf_slip_t slip;     ///< h, g [m/s] at the end of the step
   tf_real_t delassus; ///< Delassus scalar of stick at sign(g) [1/kg]
-  tf_real_t residual; ///< tf_law_residual at the end of the step [N]; for a
-                      ///< single-valued law |F - law| at the theta point [N]
+  tf_real_t residual; ///< distance of force from the law at the end of the
+                      ///< step, by the natural map [N]; for a single-valued
+                      ///< law |F - law| at the theta point [N]
   tf_status_t status; ///< as returned
 } tf_report_t;
 
@@ -68,7 +69,11 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,
 ///   branch_at_codimension_two_is_independent_of_dt,
 ///   random_machines_take_one_branch,
-///   no_step_enters_an_escaping_stick_from_slip
+///   no_step_enters_an_escaping_stick_from_slip,
+///   enumeration_against_grid_search, one_or_three_solutions,
+///   residual_vanishes_at_solutions_only,
+///   slip_never_enters_an_escaping_stick, rules_choose_as_declared,
+///   random_exit_rate_is_independent_of_dt
 #define tf_step TF_LINK(tf_step)
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report);

@@ -37,7 +37,7 @@ typedef enum {
 /// Scheme: none.
 /// region: in.
 /// Returns: a constant string, never NULL; "unknown" for other values.
-/// Cost: at most 7 instructions. Stack: 16 B.
+/// Cost: one look-up in a table. Stack: 16 B.
 /// Memory: static storage, reentrant.
 /// Claims: region_names_are_the_contract
 #define tf_region_name TF_LINK(tf_region_name)

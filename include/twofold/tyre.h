@@ -50,20 +50,6 @@ typedef struct {
   tf_real_t M; ///< on phi alone [N m]
 } tf_force_t;
 
-/// T(G/H) for G, H >= 0, not both 0: the paper's cot(psi).
-/// Scheme: T(y) = tan(a atan y), a = (2/pi) atan(6 kappa); the angle is
-///   measured from the nearest multiple of pi/16 and the tangents are added.
-/// tyre: in, prepared for JUMP or SMOOTH.
-/// G, H: in, [m/s], 0 to 1e30.
-/// Returns: T in [0, 6 kappa], error <= 16 ULP for all kappa in range; 0 where
-///   G = H = 0 (the slip angle is undefined).
-/// Cost: at most 120 instructions. Stack: 128 B.
-/// Memory: none kept, reentrant.
-/// Claims: angle_kernel_error_bound
-#define tf_tyre_cot_psi TF_LINK(tf_tyre_cot_psi)
-TF_API tf_real_t tf_tyre_cot_psi(const tf_tyre_t *tyre, tf_real_t G,
-                                 tf_real_t H);
-
 /// Force and moment in slip.
 /// Scheme: (force), (moment) for JUMP; Appendix B for TWO_PIECE, STRING.
 /// tyre: in, prepared.
@@ -75,7 +61,7 @@ TF_API tf_real_t tf_tyre_cot_psi(const tf_tyre_t *tyre, tf_real_t G,
 /// Cost: at most 180 instructions. Stack: 320 B.
 /// Memory: none kept, reentrant.
 /// Claims: tyre_identity_against_the_paper, string_law_against_quadrature,
-///   two_piece_law_is_the_string_law
+///   two_piece_law_is_the_string_law, angle_kernel_error_bound
 #define tf_tyre_force TF_LINK(tf_tyre_force)
 TF_API tf_force_t tf_tyre_force(const tf_tyre_t *tyre, tf_real_t side,
                                 tf_real_t h, tf_real_t g);

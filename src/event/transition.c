@@ -5,7 +5,7 @@
 #include "transition.h"
 
 #include "../friction/mode_set.h"
-#include "twofold/select.h"
+#include "../friction/select.h"
 
 static void keep_largest_set(tf_trajectory_t *path, unsigned set) {
   if (size_of(set) >= size_of(path->set)) path->set = set;

@@ -3,7 +3,7 @@
 #define TF_CONSISTENT_H
 
 #include "../model/rates.h"
-#include "twofold/friction.h"
+#include "inclusion.h"
 
 // The consistent modes of an instant, as tf_select reads them, and how each
 // slip leaves.

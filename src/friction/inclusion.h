@@ -7,11 +7,45 @@
 // neither: one solution, the stick of a positive Delassus scalar; both: three,
 // of which the stick has a negative one. No division by a scalar near 0 decides
 // anything.
+//
+// Unknowns are the multipliers x = F / mu and y = M / (kappa mu) of the mean
+// force and moment of the step. The slip speeds at its end are quadratic forms
+// of them, because r+ moves with v+, and the law holds there:
+//   h+ = h(x, y),  g+ = g(x, y),  y = s x
+//   x in Sgn(h+),  s in Sgn(g+)                                       (incl)
+// Up to five modes solve it, none is possible: friction is not associated.
 #ifndef TF_INCLUSION_H
 #define TF_INCLUSION_H
 
+#include <stdint.h>
+
 #include "../num/kernel.h"
-#include "twofold/friction.h"
+#include "twofold/mode.h"
+#include "twofold/tyre.h"
+
+// c0 + F x + M y + FF x^2 + FM x y + MM y^2, all [m/s].
+typedef struct {
+  tf_real_t c0, F, M, FF, FM, MM;
+} tf_form_t;
+
+// The inclusion (incl) of one step.
+typedef struct {
+  tf_form_t h, g;
+  tf_real_t g_now;        // g before the step: decides a tie of s [m/s]
+  bool has_moment;        // false: M, FM, MM are 0 and stick depends on no s
+  tf_real_t pin_x, pin_y; // the x, y that end the step at h = g = 0; read only
+                          // where g+ can have both signs
+} tf_inclusion_t;
+
+// Its solutions.
+typedef struct {
+  uint8_t set;          // bit TF_MODE_BIT(mode) for each consistent mode
+  uint8_t attracting;   // bits of the sticks with a positive Delassus scalar
+  uint8_t near_stick;   // the stick on the present side of g: decides a tie
+  tf_real_t x[2];       // of stick+, stick- where in the set, in [-1, 1]
+  tf_real_t tau[2];     // y / x at h -> 0 of slip+, slip-
+  tf_real_t h_limit[2]; // h+ of slip+, slip- under the force at h -> 0
+} tf_solutions_t;
 
 // A form of x and y along y = s x, which stick is held to: c0 + c1 x + c2 x^2,
 // and its values at x = 1 and x = -1. s: 0 for s = +1, 1 for s = -1.
@@ -27,7 +61,9 @@ TF_INLINE quadratic_t along(const tf_form_t *f, int s) {
   return on;
 }
 
-// Signs that g+ can have, see tf_friction_signs. NaN counts as both.
+// Signs that g+ can have under the law, by the sign of g without force and at the
+// corners |x| = |y| = 1; between them g is affine but for terms of third order
+// in dt. NaN counts as both.
 #define PLUS_SIGN 1u
 #define MINUS_SIGN 2u
 #define BOTH_SIGNS 3u
@@ -173,7 +209,12 @@ TF_INLINE void enumerate(const tf_inclusion_t *in, unsigned signs,
     enumerate_one_sign(in, 1, out);
 }
 
-// See tf_law_residual.
+// How far a contact force is from the law at slip (h, g), without a tolerance and
+// without the enumeration: its zeros are the graph of the law. Natural map of F
+// in mu Sgn(h), and the distance of M from kappa F Sgn(g),
+//   |F - clip(F + h, -mu, mu)| + |M - kappa F sign(g)|,
+// with 1 m/s counted as 1 N and 1 N m as 1 N; at g = 0 the nearest point of the
+// segment. kappa is 0 where no moment depends on sign(g).
 TF_INLINE tf_real_t law_residual(tf_real_t mu, tf_real_t kappa,
                                  tf_force_t force, tf_real_t h, tf_real_t g) {
   const tf_real_t M = kappa * force.F; // that goes with g > 0

@@ -2,8 +2,10 @@
 #ifndef TF_MODE_SET_H
 #define TF_MODE_SET_H
 
+#include <stdint.h>
+
 #include "../num/kernel.h"
-#include "twofold/friction.h"
+#include "twofold/mode.h"
 
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 #define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))

@@ -54,11 +54,6 @@ static tf_force_t string_force(const tf_tyre_t *tyre, tf_real_t h,
   return (tf_force_t){h < 0 ? -F : F, (h < 0) != (g < 0) ? -M : M};
 }
 
-TF_API tf_real_t tf_tyre_cot_psi(const tf_tyre_t *tyre, tf_real_t G,
-                                 tf_real_t H) {
-  return cot_psi(tyre, G, H);
-}
-
 TF_API tf_force_t tf_tyre_force(const tf_tyre_t *tyre, tf_real_t side,
                                 tf_real_t h, tf_real_t g) {
   switch (tyre->law) {

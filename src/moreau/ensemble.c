@@ -11,8 +11,8 @@
 #include "twofold/ensemble.h"
 
 #include "../friction/mode_set.h"
+#include "../friction/select.h"
 #include "lanes_solve.h"
-#include "twofold/select.h"
 
 // Up to so many slips cost less one by one than all lanes in vectors.
 #define FEW 3

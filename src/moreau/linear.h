@@ -8,8 +8,8 @@
 #ifndef TF_LINEAR_H
 #define TF_LINEAR_H
 
+#include "../friction/inclusion.h"
 #include "../model/mechanics.h"
-#include "twofold/friction.h"
 
 // A change of the velocities p and z over the step.
 typedef struct {

@@ -6,9 +6,9 @@
 
 #include "../friction/inclusion.h"
 #include "../friction/mode_set.h"
+#include "../friction/select.h"
 #include "../model/tyre_law.h"
 #include "linear.h"
-#include "twofold/select.h"
 
 // The machine of a step. A build for one scene knows it where it compiles.
 #ifndef TF_API_MACHINE

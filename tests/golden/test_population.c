@@ -2,6 +2,7 @@
  * core computes, the same for every compiler, optimisation level and target of
  * a real type. A hash changes only in a commit that says which arithmetic
  * changed and why. */
+#include "friction/select.h"
 #include "population.h"
 #include "tap.h"
 #include "twofold.h"
@@ -89,8 +90,8 @@ TEST(golden_inclusions) {
     in.pin_x = (tf_real_t)((int)below(&d, 9) - 4) / 2;
     in.pin_y = (tf_real_t)((int)below(&d, 9) - 4) / 2;
     tf_solutions_t s = {0};
-    tf_friction_solve(&in, &s);
-    mix_small(&d, tf_friction_signs(&in));
+    enumerate(&in, signs_of(&in.g), &s);
+    mix_small(&d, signs_of(&in.g));
     mix_small(&d, s.set);
     mix_small(&d, s.attracting);
     mix_small(&d, s.near_stick);
@@ -100,7 +101,7 @@ TEST(golden_inclusions) {
       mix_real(&d, s.h_limit[i]);
     }
     const tf_force_t force = {in.pin_x, in.pin_y};
-    mix_real(&d, tf_law_residual(1, TF_R(0.5), force, in.h.c0, in.g.c0));
+    mix_real(&d, law_residual(1, TF_R(0.5), force, in.h.c0, in.g.c0));
     const unsigned rule = below(&d, TF_RULES);
     const unsigned mode = below(&d, TF_MODES);
     mix_small(&d, tf_select((tf_rule_t)rule, (uint64_t)1 << 62, &s, mode,

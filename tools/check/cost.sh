@@ -32,7 +32,7 @@ tools/cost/judge.py "$BUILD/cost.claims" "$BUILD/cost.ways" \
   "$BUILD/cost.double" "$BUILD/cost.float" || wrong "rows do not hold"
 
 # Functions without repeated string instructions, of which each step is one.
-for name in step friction_solve begin surface_at; do
+for name in step tyre_force begin surface_at; do
   grep "^tf_$name " "$BUILD/cost.double" | "$cost" step "$name" ||
     wrong "tf_$name: other instructions were counted than stepped through"
 done

@@ -54,8 +54,10 @@ def blocks(lines: list[str]) -> Iterator[Block]:
 
 
 def claims(block: Block) -> str:
-    """What a block says of its function's cost."""
+    """What a block says of its function's cost; "" of a table look-up."""
     text = block.comment()
+    if "Cost: one look-up in a table." in text:
+        return ""
     cost, way = COST.search(text), WAY.search(text)
     if not cost:
         return f"{block.name} none"
@@ -105,7 +107,8 @@ def main() -> None:
         if given.what == "claims":
             for block in found:
                 if block.name:
-                    print(claims(block))
+                    if row := claims(block):
+                        print(row)
             continue
         lines = [line for block in found for line in put(block, figures)]
         header.write_text("".join(f"{line}\n" for line in lines),

@@ -9,89 +9,20 @@
 #define REAL(n) real_of(GENE(n))
 #define K (&s->machine.machine)
 
-// The dearest of the names of numbers, unknown ones among them.
-#define NAMES(function, type)                            \
-  static uint32_t count_##function(const subject_t *s) { \
-    uint32_t worst = 0;                                  \
-    (void)s;                                             \
-    for (int i = -8; i < 24; i++) {                      \
-      const uint32_t n = COUNT(tf_##function((type)i));  \
-      if (n > worst) worst = n;                          \
-    }                                                    \
-    return worst;                                        \
-  }
-NAMES(status_name, tf_status_t)
-NAMES(mode_name, unsigned)
-NAMES(region_name, unsigned)
-NAMES(absence_name, unsigned)
-NAMES(folds_name, unsigned)
-
 #define CALL(function) static uint32_t count_##function(const subject_t *s)
 
 CALL(tyre_is_set_valued) {
   return COUNT(cost_is_set_valued((tf_tyre_law_t)(GENE(0) % 6)));
-}
-CALL(tyre_cot_psi) {
-  const tf_real_t G = REAL(0), H = REAL(1);
-  return COUNT(tf_tyre_cot_psi(&K->tyre, G < 0 ? -G : G, H < 0 ? -H : H));
 }
 CALL(tyre_force) {
   const tf_real_t h = REAL(0), g = REAL(1);
   return COUNT(tf_tyre_force(&K->tyre, GENE(2) & 1u ? 1 : -1, h, g));
 }
 
-static tf_form_t form_of(const subject_t *s, unsigned at, bool has_moment) {
-  tf_form_t form = {REAL(at), REAL(at + 1), 0, REAL(at + 2), 0, 0};
-  if (has_moment) {
-    form.M = REAL(at + 3);
-    form.FM = REAL(at + 4);
-    form.MM = REAL(at + 5);
-  }
-  return form;
-}
-
-static tf_inclusion_t inclusion_of(const subject_t *s) {
-  const bool has_moment = (GENE(12) & 1u) != 0;
-  return (tf_inclusion_t){.h = form_of(s, 0, has_moment),
-                          .g = form_of(s, 6, has_moment),
-                          .g_now = REAL(13),
-                          .has_moment = has_moment,
-                          .pin_x = REAL(14),
-                          .pin_y = REAL(15)};
-}
-
-CALL(friction_signs) {
-  const tf_inclusion_t in = inclusion_of(s);
-  return COUNT(tf_friction_signs(&in));
-}
-CALL(friction_solve) {
-  const tf_inclusion_t in = inclusion_of(s);
-  tf_solutions_t out;
-  return COUNT(tf_friction_solve(&in, &out));
-}
-CALL(law_residual) {
-  const tf_force_t force = {REAL(0), REAL(1)};
-  const tf_real_t h = REAL(2), g = REAL(3), mu = REAL(4), kappa = REAL(5);
-  return COUNT(
-      tf_law_residual(mu < 0 ? -mu : mu, kappa < 0 ? 0 : kappa, force, h, g));
-}
 CALL(philox) {
   uint32_t out[2];
   return COUNT(tf_philox(GENE(0), GENE(1), out));
 }
-CALL(select) {
-  const tf_solutions_t in = {
-      .set = (uint8_t)(GENE(0) % 32),
-      .attracting = (uint8_t)(GENE(0) & GENE(1) & 12u),
-      .near_stick = GENE(2) & 1u ? TF_STICK_PLUS : TF_STICK_MINUS,
-      .x = {REAL(3), REAL(4)},
-      .tau = {REAL(5), REAL(6)},
-      .h_limit = {REAL(7), REAL(8)}};
-  const uint64_t threshold = (uint64_t)GENE(9) << 31;
-  return COUNT(tf_select((tf_rule_t)(GENE(10) % TF_RULES), threshold, &in,
-                         GENE(11) % TF_MODES, GENE(12), GENE(13)));
-}
-
 CALL(prepare) {
   tf_machine_t machine;
   int offender;
@@ -259,14 +190,9 @@ const call_t machine_calls[] = {
     ENTRY(slip),
     ENTRY(speed_for_slip),
     ENTRY(energy),
-    ENTRY(tyre_cot_psi),
     ENTRY(tyre_force),
     ENTRY(tyre_is_set_valued),
-    ENTRY(friction_signs),
-    ENTRY(friction_solve),
-    ENTRY(law_residual),
     ENTRY(philox),
-    ENTRY(select),
     ENTRY(ensemble_put),
     ENTRY(ensemble_get),
     ENTRY(ensemble_report),
@@ -279,11 +205,6 @@ const call_t machine_calls[] = {
     ENTRY(normal_form),
     ENTRY(design_two_fold),
     ENTRY(surface_at),
-    ENTRY(status_name),
-    ENTRY(mode_name),
-    ENTRY(region_name),
-    ENTRY(absence_name),
-    ENTRY(folds_name),
 };
 const unsigned machine_call_count =
     sizeof machine_calls / sizeof machine_calls[0];

@@ -28,14 +28,15 @@ def trips(real: str) -> dict[str, tuple[int, ...]]:
     """
     terms, either = (7, 7) if real == "double" else (3, 6)
     modes = 6
-    told = {"select/tf_philox": (10,), "select/tf_select": (modes,),
+    told = {"philox/tf_philox": (10,), "select/tf_select": (modes,),
             "begin/tf_begin": (modes,)}
-    for name in ("tyre/tf_tyre_cot_psi", "tyre/jump_force", "step/tf_step",
-                 "step/met_rest", "compensated/tf_step_compensated",
-                 "compensated/finish", "compensated/met_rest"):
+    for name in ("tyre/jump_force", "step/tf_step",
+                 "step/step_reaches_codim2", "compensated/tf_step_compensated",
+                 "compensated/commit_pairs",
+                 "compensated/compensated_step_reaches_codim2"):
         told[name] = (terms,)
-    for name in ("step", "compensated"):
-        told[f"{name}/step_degraded"] = (either, terms)
+    for name in ("step/degraded_step", "compensated/degraded_compensated_step"):
+        told[name] = (either, terms)
     return told
 
 

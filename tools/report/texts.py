@@ -34,7 +34,7 @@ samples cannot be told apart, and the true distance lies within the band of the
 measured one. The reference is an ensemble of `located` at the tolerance 1e-12,
 in double, with other seeds. By 0.15 s wheels have come back to h = g = 0,
 where the rule draws again when and how they leave; that choice is the same in
-both schemes (include/twofold/select.h).
+both schemes (tf_rule_t in include/twofold/machine.h).
 """
 
 DIGITS = """

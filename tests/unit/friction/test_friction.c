@@ -5,6 +5,7 @@
  * formulas nor variables with the enumeration. */
 #include <limits.h>
 
+#include "friction/inclusion.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -236,8 +237,8 @@ TEST(one_or_three_solutions) {
     const double c1 =
         (double)(s ? in.h.F - in.h.M : in.h.F + in.h.M); /* as rounded */
     tf_solutions_t out;
-    CHECK(tf_friction_signs(&in) == (s ? 2u : 1u));
-    tf_friction_solve(&in, &out);
+    CHECK(signs_of(&in.g) == (s ? 2u : 1u));
+    enumerate(&in, signs_of(&in.g), &out);
     int n = 0;
     for (int mode = 0; mode < TF_MODES; mode++) n += out.set >> mode & 1;
     const int within = fabs((double)in.h.c0) < fabs(c1);
@@ -259,7 +260,7 @@ TEST(stick_solves_the_quadratic) {
                                .g = {.c0 = 9},
                                .g_now = 9};
     tf_solutions_t out;
-    tf_friction_solve(&in, &out);
+    enumerate(&in, signs_of(&in.g), &out);
     if (!(out.set & TF_MODE_BIT(TF_STICK_PLUS))) continue;
     const real x = out.x[0];
     CHECK(fabsl(x) <= 1);
@@ -271,9 +272,9 @@ TEST(stick_solves_the_quadratic) {
 TEST(residual_vanishes_at_solutions_only) {
   const tf_real_t mu = 2, kappa = (tf_real_t)0.25;
   const tf_real_t eps = 8 * TF_REAL_EPSILON;
-#define RESIDUAL(F, M, h, g)                                               \
-  tf_law_residual(mu, kappa, (tf_force_t){(tf_real_t)(F), (tf_real_t)(M)}, \
-                  (tf_real_t)(h), (tf_real_t)(g))
+#define RESIDUAL(F, M, h, g)                                            \
+  law_residual(mu, kappa, (tf_force_t){(tf_real_t)(F), (tf_real_t)(M)}, \
+               (tf_real_t)(h), (tf_real_t)(g))
   CHECK(RESIDUAL(2, 0.5, 0.7, 1) == 0);    /* slip+, g > 0 */
   CHECK(RESIDUAL(-2, 0.5, -0.7, -1) == 0); /* slip-, g < 0 */
   CHECK(RESIDUAL(1, 0.25, 0, 1) == 0);     /* stick+ */

@@ -2,6 +2,7 @@
  * hand in numbers that are exact: what holds there is decided by the law (a
  * slip needs h off 0, a stick an |x| <= 1, a stick with a moment g off 0), not
  * by rounding. */
+#include "friction/inclusion.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -27,7 +28,7 @@ static tf_inclusion_t inclusion(double h0, double hF, double g0, double gM) {
 static unsigned set_of(const tf_inclusion_t *in) {
   tf_solutions_t out;
   memset(&out, 0, sizeof out);
-  tf_friction_solve(in, &out);
+  enumerate(in, signs_of(&in->g), &out);
   return out.set;
 }
 
@@ -38,25 +39,25 @@ TEST(signs_of_g_are_those_of_extreme_forces) {
       const double s = sign, F = corner & 1 ? 1 : -1, M = corner & 2 ? 1 : -1;
       tf_inclusion_t in = inclusion(1, 0, 0, 0);
       in.g = affine(s * 0.75, F * 0.25, M * 0.25); /* 0.25 at least */
-      CHECK(tf_friction_signs(&in) == (sign > 0 ? 1 : 2));
+      CHECK(signs_of(&in.g) == (sign > 0 ? 1 : 2));
       in.g = affine(s * 0.5, F * 0.25, M * 0.25); /* 0 at one corner */
-      CHECK(tf_friction_signs(&in) == 3);
+      CHECK(signs_of(&in.g) == 3);
       in.g = affine(s * 0.25, F * 0.25, M * 0.25);
-      CHECK(tf_friction_signs(&in) == 3);
+      CHECK(signs_of(&in.g) == 3);
       /* the terms of second order count as well */
       in.g = affine(s * 0.75, 0, 0);
       in.g.FF = in.g.MM = num(-s * 0.5);
-      CHECK(tf_friction_signs(&in) == 3);
+      CHECK(signs_of(&in.g) == 3);
       in.g.FF = in.g.MM = num(-s * 0.25);
-      CHECK(tf_friction_signs(&in) == (sign > 0 ? 1 : 2));
+      CHECK(signs_of(&in.g) == (sign > 0 ? 1 : 2));
       in.g.FM = num(F * M * 0.375);
-      CHECK(tf_friction_signs(&in) == 3);
+      CHECK(signs_of(&in.g) == 3);
     }
   tf_inclusion_t at_0 = inclusion(1, 0, 0, 0);
-  CHECK(tf_friction_signs(&at_0) == 3);
+  CHECK(signs_of(&at_0.g) == 3);
   for (int sign = -1; sign <= 1; sign += 2) { /* 0 at no force alone */
     at_0.g.FF = at_0.g.MM = num(sign * 0.5);
-    CHECK(tf_friction_signs(&at_0) == 3);
+    CHECK(signs_of(&at_0.g) == 3);
   }
 }
 
@@ -74,7 +75,7 @@ TEST(share_of_the_moment_is_at_most_1) {
       in.g.c0 = -num(x * end) * slope - bend; /* g = 0 at y = x end */
       in.g.M = slope;
       in.g.MM = bend;
-      tf_friction_solve(&in, &out);
+      enumerate(&in, signs_of(&in.g), &out);
       CHECK(out.tau[slip] >= -1 && out.tau[slip] <= 1);
       CHECK_NEAR((double)out.tau[slip], end, 64 * (double)TF_REAL_EPSILON);
     }
@@ -139,7 +140,7 @@ TEST(consistent_modes_of_either_delassus_scalar) {
         tf_inclusion_t in = inclusion(i * 0.25, slope, 8 * sign, 1);
         tf_solutions_t out;
         memset(&out, 0, sizeof out);
-        tf_friction_solve(&in, &out);
+        enumerate(&in, signs_of(&in.g), &out);
         CHECK(out.set ==
               (slope < 0 ? stick
                          : stick | BIT(TF_SLIP_PLUS) | BIT(TF_SLIP_MINUS)));
@@ -173,7 +174,7 @@ TEST(stick_of_two_has_its_sign_of_g) {
         in.g.F = num(s * cases[i].slope);
         tf_solutions_t out;
         memset(&out, 0, sizeof out);
-        tf_friction_solve(&in, &out);
+        enumerate(&in, signs_of(&in.g), &out);
         CHECK(!(out.set & stick) == (cases[i].x == 0));
         if (cases[i].x != 0) CHECK(out.x[s < 0] == num(cases[i].x));
       }
@@ -190,7 +191,7 @@ TEST(stick_is_where_h_vanishes) {
     in.h.FF = num(q * c1 / x1);
     tf_solutions_t out;
     memset(&out, 0, sizeof out);
-    tf_friction_solve(&in, &out);
+    enumerate(&in, signs_of(&in.g), &out);
     if (!CHECK(out.set == BIT(TF_STICK_PLUS))) continue;
     const long double a = (long double)in.h.FF, b = (long double)in.h.F;
     const long double c = (long double)in.h.c0;

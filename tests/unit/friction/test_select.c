@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "friction/mode_set.h"
+#include "friction/select.h"
 #include "tap.h"
 #include "twofold.h"
 

@@ -5,8 +5,9 @@
  * subnormal arguments, the numbers next to multiples of pi/2. */
 #include "common.h"
 #include "model/kinematics.h"
+#include "model/tyre_law.h"
 
-/* Claimed bounds [ULP]. For tf_tyre_cot_psi over kappa in [1e-9, 1e6] the
+/* Claimed bounds [ULP]. For cot_psi over kappa in [1e-9, 1e6] the
  * largest error of 1.5e8 samples is 11.2 (double) and 9.8 (float). */
 #define COT_PSI_ULP 16
 #define SINE_ULP 2
@@ -54,7 +55,7 @@ static real cot_psi_by_libm(real kappa, real G, real H) {
 /* Checks one value and keeps the largest error. */
 static void judge(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H,
                   real *worst) {
-  const tf_real_t T = tf_tyre_cot_psi(tyre, G, H);
+  const tf_real_t T = cot_psi(tyre, G, H);
   const real top = 6 * wide(tyre->kappa);
   const real error =
       ulps(T, cot_psi_by_libm(wide(tyre->kappa), wide(G), wide(H)));
@@ -101,8 +102,8 @@ static void judge_extremes(const tf_tyre_t *tyre, real *worst) {
   judge(tyre, TF_R(1e30), TF_R(1e30), worst);
   judge(tyre, TF_R(1e30), TF_R(0.7e30), worst);
   judge(tyre, TF_R(0.1e30), TF_R(1e30), worst);
-  CHECK(tf_tyre_cot_psi(tyre, 0, 0) == 0);
-  CHECK(tf_tyre_cot_psi(tyre, 0, 1) == 0);
+  CHECK(cot_psi(tyre, 0, 0) == 0);
+  CHECK(cot_psi(tyre, 0, 1) == 0);
 }
 
 TEST(angle_kernel_error_bound) {
@@ -137,8 +138,8 @@ TEST(angle_kernel_is_monotone) {
     tf_real_t previous = 0, distant = 0;
     for (int n = -400; n <= 400; n++) {
       const tf_real_t G = (tf_real_t)exp(n * 0.02);
-      const tf_real_t T = tf_tyre_cot_psi(&tyre, G, 1);
-      const tf_real_t next = tf_tyre_cot_psi(&tyre, NEXT(G, TF_R(1e30)), 1);
+      const tf_real_t T = cot_psi(&tyre, G, 1);
+      const tf_real_t next = cot_psi(&tyre, NEXT(G, TF_R(1e30)), 1);
       CHECK(T >= previous * slack && next >= T * slack);
       previous = T;
       if (n % 50 == 0) {

@@ -1,0 +1,29 @@
+/// @file
+/// The modes of contact.
+#ifndef TWOFOLD_MODE_H
+#define TWOFOLD_MODE_H
+
+#include "twofold/real.h"
+
+/// The five modes of contact.
+typedef enum {
+  TF_SLIP_PLUS,   ///< h > 0
+  TF_SLIP_MINUS,  ///< h < 0
+  TF_STICK_PLUS,  ///< h = 0, g > 0
+  TF_STICK_MINUS, ///< h = 0, g < 0
+  TF_PINNED       ///< h = g = 0
+} tf_mode_t;
+#define TF_MODES 5
+#define TF_MODE_BIT(mode) (1u << (mode))
+
+/// Name of a mode: "slip+" "slip-" "stick+" "stick-" "pinned".
+/// Scheme: none.
+/// mode: in.
+/// Returns: a constant string, never NULL.
+/// Cost: one look-up in a table. Stack: 16 B.
+/// Memory: static storage, reentrant.
+/// Claims: mode_names_are_the_contract
+#define tf_mode_name TF_LINK(tf_mode_name)
+TF_API const char *tf_mode_name(unsigned mode);
+
+#endif
