@@ -1,5 +1,5 @@
-// A real is scaled into six digits by multiplying or dividing by ten, so that no
-// table of powers is needed.
+// A real is scaled into six digits by multiplying or dividing by ten, so that
+// no table of powers is needed.
 #include "decimal.h"
 
 #include <stdbool.h>
