@@ -3,9 +3,8 @@
 // segment until the step is over, each up to its first event.
 #include "twofold/located.h"
 
-#include "../friction/inclusion.h"
-#include "../friction/mode_set.h"
 #include "../friction/slip_residual.h"
+#include "../moreau/outcome.h"
 #include "limit_direction.h"
 #include "pace.h"
 #include "transition.h"
@@ -142,11 +141,6 @@ static bool integrate_step(tf_trajectory_t *path) {
   return false;
 }
 
-static tf_status_t refuse_located(tf_report_t *report, tf_status_t status) {
-  report->status = status;
-  return status;
-}
-
 // The whole step by tf_step. What that refuses or degrades, it reports itself.
 static tf_status_t fall_back(const tf_machine_t *k, tf_state_t *state,
                              const tf_input_t *input, tf_report_t *report) {
@@ -166,47 +160,32 @@ static tf_real_t residual_at_end(const tf_trajectory_t *path, tf_slip_t slip) {
                            path->force, slip);
 }
 
-static void report_located(const tf_trajectory_t *path, const tf_state_t *state,
-                           tf_real_t omega0, tf_report_t *report) {
-  const tf_machine_t *k = path->motion.machine;
-  const tf_slip_t slip = slip_speeds(k, state->r, state->v, state->w - omega0);
-  // The mode at the end may come from a smaller set than the largest one.
-  const unsigned set = path->set | TF_MODE_BIT(path->mode);
-  report->mode = (uint8_t)path->mode;
-  report->set = (uint8_t)set;
-  report->choices = (uint8_t)size_of(set);
-  report->force = path->force;
-  report->slip = slip;
-  report->delassus = k->tyre.law == TF_TYRE_NONE
-                         ? 0
-                         : delassus_at(k, state->r * k->cos_gamma, slip.g < 0,
-                                       inertia_at(k, state->r));
-  report->residual = residual_at_end(path, slip);
-}
-
 static tf_status_t commit_located(const tf_trajectory_t *path,
                                   const tf_input_t *input, tf_state_t *state,
                                   tf_report_t *report) {
   const tf_machine_t *k = path->motion.machine;
-  const tf_real_t r = path->now.r, w = path->now.z + input->omega0;
-  const tf_real_t v = path->now.p + k->d * path->now.z;
-  if (!in_reach(r, v, w)) return refuse_located(report, TF_DIVERGED);
-  state->r = r;
-  state->v = v;
-  state->w = w;
+  const tf_real_t z = path->now.z;
+  const tf_end_t end = {path->now.r, path->now.p + k->d * z, z + input->omega0};
+  if (!in_reach(end.r, end.v, end.w)) return refuse_step(report, TF_DIVERGED);
+  const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
+  const bool contact = k->tyre.law != TF_TYRE_NONE;
+  // The mode at the end may come from a smaller set than the largest one.
+  const outcome_t what = {path->mode, path->set | TF_MODE_BIT(path->mode),
+                          path->is_coarse ? TF_COARSE : TF_OK,
+                          contact
+                              ? delassus_at(k, end.r * k->cos_gamma, slip.g < 0,
+                                            inertia_at(k, end.r))
+                              : 0};
   if (k->with_angle) state->phi += path->angle;
-  state->mode = (uint8_t)path->mode;
-  state->tick++;
-  report_located(path, state, input->omega0, report);
-  report->status = path->is_coarse ? TF_COARSE : TF_OK;
-  return report->status;
+  return record(state, end, slip, path->force, residual_at_end(path, slip),
+                what, report);
 }
 
 TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
                                    tf_state_t *state, const tf_input_t *input,
                                    tf_report_t *report) {
   const tf_status_t status = validate_located(machine, state, input);
-  if (status != TF_OK) return refuse_located(report, status);
+  if (status != TF_OK) return refuse_step(report, status);
   tf_trajectory_t path;
   begin_trajectory(&path, machine, state, input);
   if (!integrate_step(&path)) return fall_back(machine, state, input, report);
