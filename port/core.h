@@ -75,16 +75,15 @@
 #include "../src/event/transition.c"
 #endif
 
-#include "../src/scene/scene.c"
-#include "../src/scene/scenes.c"
-#include "../src/scene/session.c"
-
 #include "../src/link/crc.c"
 #include "../src/link/decimal.c"
 #include "../src/link/frame.c"
 #include "../src/link/link.c"
 #include "../src/link/telemetry.c"
 #include "../src/link/text.c"
+#include "../src/scene/scene.c"
+#include "../src/scene/scenes.c"
+#include "../src/scene/session.c"
 // NOLINTEND(bugprone-suspicious-include)
 
 /// The parameters of a scene as this firmware runs it: at dt = 1 / SCENE_RATE,

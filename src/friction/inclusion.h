@@ -61,9 +61,9 @@ TF_INLINE quadratic_t along(const tf_form_t *f, int s) {
   return on;
 }
 
-// Signs that g+ can have under the law, by the sign of g without force and at the
-// corners |x| = |y| = 1; between them g is affine but for terms of third order
-// in dt. NaN counts as both.
+// Signs that g+ can have under the law, by the sign of g without force and at
+// the corners |x| = |y| = 1; between them g is affine but for terms of third
+// order in dt. NaN counts as both.
 #define PLUS_SIGN 1u
 #define MINUS_SIGN 2u
 #define BOTH_SIGNS 3u
@@ -209,7 +209,8 @@ TF_INLINE void enumerate(const tf_inclusion_t *in, unsigned signs,
     enumerate_one_sign(in, 1, out);
 }
 
-// How far a contact force is from the law at slip (h, g), without a tolerance and
+// How far a contact force is from the law at slip (h, g), without a tolerance
+// and
 // without the enumeration: its zeros are the graph of the law. Natural map of F
 // in mu Sgn(h), and the distance of M from kappa F Sgn(g),
 //   |F - clip(F + h, -mu, mu)| + |M - kappa F sign(g)|,

@@ -4,7 +4,8 @@
 #   HIL='--lockstep --steps 5000'    options, listed by build/float/hil alone
 #   REAL SCENE RATE EVERY: see port/port.mk
 
-HIL_PARTS := $(wildcard tools/hil/*.c) tools/cli/host/source.c tools/cli/host/host.c
+HIL_PARTS := $(wildcard tools/hil/*.c) tools/cli/host/source.c \
+  tools/cli/host/host.c
 
 define hil_rules
 $(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) \
