@@ -38,9 +38,8 @@
 #define TF_INLINE static
 #endif
 
-// Room by room, each after those that it uses; files of a room by name. Names
-// local to a file are unique in all of src/, so no order would be wrong. A
-// program contains one scheme beside tf_step at most.
+// Room by room. Names local to a file are unique in all of src/, so any order
+// would do. A program contains one scheme beside tf_step at most.
 // NOLINTBEGIN(bugprone-suspicious-include): one translation unit on purpose.
 #include "../src/num/kernel.c"
 #include "../src/num/philox.c"

@@ -210,9 +210,8 @@ TF_INLINE void enumerate(const tf_inclusion_t *in, unsigned signs,
 }
 
 // How far a contact force is from the law at slip (h, g), without a tolerance
-// and
-// without the enumeration: its zeros are the graph of the law. Natural map of F
-// in mu Sgn(h), and the distance of M from kappa F Sgn(g),
+// and without the enumeration: its zeros are the graph of the law. Natural map
+// of F in mu Sgn(h), and the distance of M from kappa F Sgn(g),
 //   |F - clip(F + h, -mu, mu)| + |M - kappa F sign(g)|,
 // with 1 m/s counted as 1 N and 1 N m as 1 N; at g = 0 the nearest point of the
 // segment. kappa is 0 where no moment depends on sign(g).
