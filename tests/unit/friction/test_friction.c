@@ -241,10 +241,10 @@ TEST(one_or_three_solutions) {
     enumerate(&in, signs_of(&in.g), &out);
     int n = 0;
     for (int mode = 0; mode < TF_MODES; mode++) n += out.set >> mode & 1;
-    const int within = fabs((double)in.h.c0) < fabs(c1);
-    CHECK(n == (kind == 1 && within ? 3 : 1));
+    const int inside = fabs((double)in.h.c0) < fabs(c1);
+    CHECK(n == (kind == 1 && inside ? 3 : 1));
     const unsigned stick = TF_MODE_BIT(TF_STICK_PLUS + s);
-    CHECK(!(out.set & stick) == !(within || (c1 == 0 && in.h.c0 == 0)));
+    CHECK(!(out.set & stick) == !(inside || (c1 == 0 && in.h.c0 == 0)));
     CHECK(!(out.attracting & stick) == !(c1 < 0));
     if (out.set & stick)
       CHECK_NEAR((double)in.h.c0 + c1 * (double)out.x[s], 0,

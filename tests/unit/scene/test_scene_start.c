@@ -21,7 +21,8 @@ static int written_mode(const tf_scene_t *scene) {
   int mode = -1;
   bool in_state = false;
   FILE *out = tmpfile();
-  if (!CHECK(out != NULL)) return -1;
+  CHECK(out != NULL);
+  if (out == NULL) return -1;
   CHECK(write_firmware_constants(out, scene) == 0);
   rewind(out);
   while (fgets(line, sizeof line, out) != NULL) {
