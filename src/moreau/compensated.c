@@ -18,7 +18,7 @@ typedef struct {
   tf_report_t *report;
 } compensated_t;
 
-TF_INLINE free_motion_t compensated_motion(const compensated_t *x) {
+TF_INLINE free_motion_t compensated_motion(compensated_t *x) {
   const tf_machine_t *k = &x->constants->machine;
   const state_pair_t pairs = paired(x->state, x->low);
   return free_motion(k, x->state, linearise(k, x->state, x->input),
@@ -29,9 +29,11 @@ TF_INLINE free_motion_t compensated_motion(const compensated_t *x) {
 // refusal. It derives the inverse of (6) anew: as a function of its own, which
 // a step ends with, its pairs and those of the step need no stack together.
 // `off` is the residual of a single-valued law.
-static __attribute__((noinline)) tf_status_t commit_pairs(
-    const compensated_t *x, tf_force_t force, tf_change_t friction,
-    outcome_t what, tf_real_t off) {
+static __attribute__((noinline)) tf_status_t commit_pairs(compensated_t *x,
+                                                          tf_force_t force,
+                                                          tf_change_t friction,
+                                                          outcome_t what,
+                                                          tf_real_t off) {
   const tf_machine_t *k = &x->constants->machine;
   const tf_real_t omega0 = x->input->omega0;
   const tf_linear_t l = linearise(k, x->state, x->input);
@@ -51,29 +53,28 @@ static __attribute__((noinline)) tf_status_t commit_pairs(
                 off, what, x->report);
 }
 
-TF_RARE tf_status_t degraded_compensated_step(const compensated_t *x) {
+TF_RARE tf_status_t degraded_compensated_step(compensated_t *x) {
   const free_motion_t c = compensated_motion(x);
   const violation_t best = least_violation(&c);
   return commit_pairs(x, best.end.force, best.end.friction, best.what, 0);
 }
 
-TF_RARE bool compensated_step_reaches_codim2(const compensated_t *x,
-                                             unsigned set,
+TF_RARE bool compensated_step_reaches_codim2(compensated_t *x, unsigned set,
                                              unsigned attracting) {
   const free_motion_t c = compensated_motion(x);
   return reaches_codim2(&c, set, attracting);
 }
 
 // Apart from the search of the force for the sake of the stack.
-TF_RARE tf_status_t compensated_step_under_force(const compensated_t *x,
-                                                 tf_real_t F, tf_real_t M) {
+TF_RARE tf_status_t compensated_step_under_force(compensated_t *x, tf_real_t F,
+                                                 tf_real_t M) {
   const free_motion_t c = compensated_motion(x);
   const single_valued_end_t to = single_valued_end(&c, (tf_force_t){F, M});
   const outcome_t what = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
   return commit_pairs(x, to.end.force, to.end.friction, what, to.off);
 }
 
-TF_RARE tf_status_t single_valued_compensated_step(const compensated_t *x) {
+TF_RARE tf_status_t single_valued_compensated_step(compensated_t *x) {
   const free_motion_t c = compensated_motion(x);
   if (!c.linear.definite) return refuse_step(x->report, TF_STEP_TOO_LONG);
   const tf_force_t force = single_valued_force(&c);
@@ -86,7 +87,7 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
                                        const tf_input_t *input,
                                        tf_report_t *report) {
   const tf_machine_t *k = &machine->machine;
-  const compensated_t x = {machine, state, compensation, input, report};
+  compensated_t x = {machine, state, compensation, input, report};
   unsigned mode = state->mode;
   // Validate.
   const tf_real_t low =
