@@ -2,8 +2,8 @@
 /// The simulation of a firmware, from tick to tick.
 ///
 /// Locked (without UPLINK) the machine is a constant and bytes that come in are
-/// ignored. With UPLINK they are commands, which take effect at the first tick
-/// after they came.
+/// ignored. With UPLINK they are commands, which take effect at the
+/// tick that they name, or at the first one after they came.
 #ifndef TWOFOLD_PORT_SIM_H
 #define TWOFOLD_PORT_SIM_H
 

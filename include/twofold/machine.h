@@ -15,16 +15,16 @@
 
 /// Which of several consistent modes a step takes: a declared rule.
 ///
-/// What every rule shares:
-/// 1. A slip that is still consistent goes on: off h = 0 the future is unique,
-///    and a second consistent mode beside it is an artefact of the finite step
-///    (it is reported all the same).
-/// 2. Admissibility: a slip never enters an escaping stick, because both fields
-///    point away from it.
-/// 3. An attracting stick goes on.
-/// 4. Where the present mode is lost: attracting stick, pinned, slip (the
-///    faster one if both), escaping stick, in this order.
-/// The rule decides how an escaping stick ends, and what a wheel does that
+/// Every rule shares the selection order:
+/// - A slip that is still consistent goes on: off h = 0 the future is unique,
+///   and a second consistent mode beside it is an artefact of the finite step
+///   (it is reported all the same).
+/// - Admissibility: a slip never enters an escaping stick, because both fields
+///   point away from it.
+/// - An attracting stick goes on.
+/// - Where the present mode is lost: attracting stick, pinned, slip (the
+///   faster one if both), escaping stick, in this order.
+/// The rule itself decides how an escaping stick ends, and what a wheel does that
 /// comes to h = g = 0 where it may rest. All rules but RANDOM take it into an
 /// attracting stick where one is consistent, because it stands on the border of
 /// that region and any disturbance moves it in. RANDOM lets it rest, pinned,
@@ -49,7 +49,7 @@ typedef struct {
   tf_real_t c2;      ///< damping of the slider [N s/m]
   tf_real_t r0;      ///< rest position of the spring [m]
   tf_real_t omega0;  ///< speed of the turntable [rad/s]
-  tf_real_t mu;      ///< friction force [N]
+  tf_real_t mu;      ///< friction force at h -> 0, no coefficient [N]
   tf_real_t kappa;   ///< moment / force in stick [m] (JUMP, TWO_PIECE, SMOOTH)
   tf_real_t gamma;   ///< angle of the wheel to the slider [rad]
   tf_real_t epsilon; ///< width of the smoothed sign [m/s] (SMOOTH)

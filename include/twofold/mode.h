@@ -5,7 +5,7 @@
 
 #include "twofold/real.h"
 
-/// The five modes of contact.
+/// The five modes of contact. + and - are the sign of h in slip, of g in stick.
 typedef enum {
   TF_SLIP_PLUS,   ///< h > 0
   TF_SLIP_MINUS,  ///< h < 0

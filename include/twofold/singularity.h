@@ -111,12 +111,13 @@ typedef struct {
 /// same in both.
 typedef struct {
   tf_surface_point_t point;
-  tf_real_t residual;   ///< largest |h_x . f(x, +-mu)|, 0 at an exact two-fold
-                        ///< [m/s^2]
-  tf_real_t time_scale; ///< m (beta^2 + r^2) = dt/dtau, without unit
-  tf_real_t Kpp, Kpm;   ///< K++, K+- [m/s^3]
-  tf_real_t Kmp, Kmm;   ///< K-+, K-- [m/s^3]
-  tf_real_t J1, J2;     ///< with sqrt|K++ K--|, defined for every type
+  tf_real_t residual; ///< largest |h_x . f(x, +-mu)|, 0 at an exact two-fold
+                      ///< [m/s^2]
+  /// m (beta^2 + r^2) = dt/dtau [kg m^2]; the paper's tau is in s/(kg m^2).
+  tf_real_t time_scale;
+  tf_real_t Kpp, Kpm; ///< K++, K+- [m/s^3]
+  tf_real_t Kmp, Kmm; ///< K-+, K-- [m/s^3]
+  tf_real_t J1, J2;   ///< with sqrt|K++ K--|, defined for every type
   /// (L+, L-) = (K++, K--), eigenvalue K-+ - K++ = 2 mu v dA/dr: it sticks
   /// where K++ K-- < 0, and leads from sliding to escaping where the eigenvalue
   /// is negative. The paper's first eigenvector.

@@ -5,15 +5,16 @@
 
 #include "twofold/real.h"
 
-/// Zero is success, positive advanced but degraded, negative refused: then
-/// no output was touched and the caller still holds the last valid state.
+/// Zero is success; positive: the step was taken, with a reservation; negative:
+/// refused, and the state is untouched. What else a function writes where it
+/// refuses stands with the function.
 typedef enum {
   TF_OK = 0,
   TF_DEGRADED = 1,       ///< no mode was consistent, or none that a slip may
                          ///< enter: smallest residual taken
+  TF_FELL_BACK = 2,      ///< tf_step_located took the step by tf_step
   TF_COARSE = 3,         ///< tf_step_located ran out of segments: advanced, but
                          ///< further off than the tolerance
-  TF_FELL_BACK = 2,      ///< tf_step_located took the step by tf_step
   TF_BAD_PARAMETER = -1, ///< a parameter or option is out of its range
   TF_BAD_STATE = -2,     ///< state or input not finite or out of its range
   TF_DIVERGED = -3,      ///< the next state would leave the range of states

@@ -10,15 +10,19 @@
 /// What happened in one step.
 typedef struct {
   uint8_t mode;       ///< tf_mode_t, taken
-  uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode); with
+  uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode), and
                       ///< pinned where the step ends at h = g = 0 (see tf_step)
   uint8_t choices;    ///< how many modes that is
-  tf_force_t force;   ///< F [N], M [N m], mean over the step
+  tf_force_t force;   ///< F [N], M [N m], mean over the step; of
+                      ///< tf_step_located at its end
   tf_slip_t slip;     ///< h, g [m/s] at the end of the step
-  tf_real_t delassus; ///< Delassus scalar of stick at sign(g) [1/kg]
+  tf_real_t delassus; ///< Delassus scalar of stick at sign(g) [1/kg]: of
+                      ///< tf_step -dh+/dx / (mu dt), with the implicit terms of
+                      ///< the step, else A of the motion
   tf_real_t residual; ///< distance of force from the law at the end of the
-                      ///< step, by the natural map [N]; for a single-valued
-                      ///< law |F - law| at the theta point [N]
+                      ///< step, by the natural map [N]; in slip whether h has
+                      ///< the sign of the mode, not the angle; for a
+                      ///< single-valued law |F - law| at the theta point [N]
   tf_status_t status; ///< as returned
 } tf_report_t;
 

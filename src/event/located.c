@@ -170,15 +170,15 @@ static tf_status_t commit_located(const tf_trajectory_t *path,
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
   const bool contact = k->tyre.law != TF_TYRE_NONE;
   // The mode at the end may come from a smaller set than the largest one.
-  const outcome_t what = {path->mode, path->set | TF_MODE_BIT(path->mode),
-                          path->is_coarse ? TF_COARSE : TF_OK,
-                          contact
-                              ? delassus_at(k, end.r * k->cos_gamma, slip.g < 0,
-                                            inertia_at(k, end.r))
-                              : 0};
+  const outcome_t outcome = {path->mode, path->set | TF_MODE_BIT(path->mode),
+                             path->is_coarse ? TF_COARSE : TF_OK,
+                             contact
+                                 ? delassus_at(k, end.r * k->cos_gamma,
+                                               slip.g < 0, inertia_at(k, end.r))
+                                 : 0};
   if (k->with_angle) state->phi += path->angle;
   return record(state, end, slip, path->force, residual_at_end(path, slip),
-                what, report);
+                outcome, report);
 }
 
 TF_API tf_status_t tf_step_located(const tf_machine_t *machine,

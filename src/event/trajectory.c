@@ -28,9 +28,9 @@ TF_API void tf_project(tf_trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const tf_real_t arm = path->now.r * k->cos_gamma;
   const tf_real_t J_over_m = k->beta2 + path->now.r * path->now.r;
-  const tf_real_t A = delassus_of_force(k, arm, J_over_m);
-  if (A == 0) return;
-  const tf_real_t impulse = trajectory_slip(path).h / A;
-  path->now.p += impulse * k->sin_gamma;
-  path->now.z += impulse * arm / J_over_m;
+  const tf_real_t mA = mass_times_delassus_of_force(k, arm, J_over_m);
+  if (mA == 0) return;
+  const tf_real_t impulse_over_m = trajectory_slip(path).h / mA;
+  path->now.p += impulse_over_m * k->sin_gamma;
+  path->now.z += impulse_over_m * arm / J_over_m;
 }

@@ -144,8 +144,9 @@ static bool pass_g_zero(tf_segment_t *segment) {
   return true;
 }
 
-// |lambda| = mu. An attracting stick is released to the side that F points to,
-// where h begins with t^2; an escaping one to the other side, with t.
+// |lambda| = mu. An attracting stick is released to the side whose slip has
+// this force, h > 0 for F = mu, where h begins with t^2; an escaping one to the
+// other side, with t.
 static bool release_stick(tf_trajectory_t *path) {
   const tf_segment_t *segment = &path->segment;
   const bool up = path->force.F > 0;

@@ -7,7 +7,7 @@
 
 #include "../model/tyre_law.h"
 
-#define MOST_HALVINGS 32
+#define MOST_ITERATIONS 32
 #define SHARE_BITS 32
 #define SEPARATORS 3
 
@@ -81,7 +81,7 @@ static limit_direction_t limit_direction_in(const tf_machine_t *k,
   const bool attracts = in.f_low > 0;
   direction_t at = {1, 0, 0};
   int kept = 0;
-  for (int i = 0; i < MOST_HALVINGS; i++) {
+  for (int i = 0; i < MOST_ITERATIONS; i++) {
     const tf_real_t share =
         (in.f_low * in.high - in.f_high * in.low) / (in.f_low - in.f_high);
     at = on_chord(k, anchor, share);
@@ -228,7 +228,7 @@ static void add_exit(const tf_machine_t *k, const tf_rates_t *rates, int sign_h,
 // that sign under it.
 static void add_stick(const tf_machine_t *k, const tf_rates_t *rates, int s,
                       tf_consistent_t *out) {
-  tf_solutions_t *set = &out->solutions;
+  tf_solutions_t *solutions = &out->solutions;
   const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
   const tf_real_t lambda = rates->N / rates->A[s];
   const tf_real_t moment = sign * k->stick_kappa * lambda;
@@ -237,9 +237,9 @@ static void add_stick(const tf_machine_t *k, const tf_rates_t *rates, int s,
                    rates->q + lambda * rates->Fq + moment * rates->Mq)
           .g;
   if (rates->A[s] > 0)
-    set->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+    solutions->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
   if (!within(lambda, k->tyre.mu) || !(sign * g > 0)) return;
-  set->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  solutions->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
   out->lambda[s] = lambda;
 }
 

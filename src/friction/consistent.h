@@ -22,15 +22,15 @@ TF_INLINE void surface_modes(const tf_machine_t *k, const tf_rates_t *a, int s,
   const tf_real_t Amu = a->A[s] * k->tyre.mu;
   const bool plus = a->N - Amu > 0, minus = a->N + Amu < 0;
   const unsigned stick = TF_STICK_PLUS + (unsigned)s;
-  tf_solutions_t *set = &out->solutions;
+  tf_solutions_t *solutions = &out->solutions;
   *out = (tf_consistent_t){.lambda = {0, 0}};
-  set->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
-  set->near_stick = (uint8_t)stick;
-  set->h_limit[0] = a->N - Amu;
-  set->h_limit[1] = a->N + Amu;
-  if (a->A[s] > 0) set->attracting = (uint8_t)TF_MODE_BIT(stick);
+  solutions->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
+  solutions->near_stick = (uint8_t)stick;
+  solutions->h_limit[0] = a->N - Amu;
+  solutions->h_limit[1] = a->N + Amu;
+  if (a->A[s] > 0) solutions->attracting = (uint8_t)TF_MODE_BIT(stick);
   if (plus != minus) return;
-  set->set |= (uint8_t)TF_MODE_BIT(stick);
+  solutions->set |= (uint8_t)TF_MODE_BIT(stick);
   // A = 0 is the vertical line of a two-fold: any lambda, 0 the smallest.
   if (a->A[s] != 0)
     out->lambda[s] = clip(a->N / a->A[s], -k->tyre.mu, k->tyre.mu);

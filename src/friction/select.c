@@ -61,16 +61,16 @@ TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
                           uint64_t tick, uint32_t seed) {
   const unsigned set = solutions->set;
   const unsigned sticks = set & STICKS;
-  const unsigned safe = sticks & solutions->attracting;
+  const unsigned attracting = sticks & solutions->attracting;
   const bool slipping = mode <= TF_SLIP_MINUS;
   const bool lost = !has(set, mode);
-  const bool drawn = mode == TF_PINNED && rule == TF_RULE_RANDOM;
-  if (!lost && (slipping || has(safe, mode))) return mode;
+  const bool waits_for_draw = mode == TF_PINNED && rule == TF_RULE_RANDOM;
+  if (!lost && (slipping || has(attracting, mode))) return mode;
   // It must not matter whether a step ends just before h = g = 0 or just after.
   if (lost && rule == TF_RULE_RANDOM && has(set, TF_PINNED)) return TF_PINNED;
-  if (safe && !drawn && (lost || mode == TF_PINNED))
-    return stick_of(safe, solutions);
-  if (!lost || drawn) {
+  if (attracting && !waits_for_draw && (lost || mode == TF_PINNED))
+    return stick_of(attracting, solutions);
+  if (!lost || waits_for_draw) {
     const unsigned next =
         rule_exit(rule, exit_threshold, set, mode, tick, seed);
     if (has(set, next)) return next;

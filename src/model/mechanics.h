@@ -19,6 +19,11 @@ TF_INLINE tf_real_t inertia_at(const tf_machine_t *k, tf_real_t r) {
   return k->m * (k->beta2 + r * r);
 }
 
+// m beta^2, the inertia of the disc, in pairs: tf_machine_t.beta2 is rounded.
+TF_INLINE pair_t disc_inertia_pair(tf_real_t m, tf_real_t beta) {
+  return pair_times(two_product(beta, beta), m);
+}
+
 // (2). The caller forms m r w^2, because it needs m r w elsewhere as well.
 TF_INLINE tf_real_t radial_force(const tf_machine_t *k, const tf_input_t *u,
                                  tf_real_t r, tf_real_t v,
@@ -83,7 +88,8 @@ TF_INLINE tf_real_t signed_kappa(const tf_machine_t *k, bool minus) {
 
 // The Delassus scalar of stick, h' = N - A lambda,
 //   A(r, s) = sin^2(gamma)/m + r cos(gamma) (r cos(gamma) + s kappa)/J,
-// from its second term, which is what lambda does to z': some callers have 1/J.
+// from its second term: r cos(gamma) times what lambda does to z'. A caller
+// that has 1/J multiplies by it.
 TF_INLINE tf_real_t delassus_from(const tf_machine_t *k, tf_real_t rotation) {
   return k->sin_gamma * k->sin_gamma / k->m + rotation;
 }
@@ -133,8 +139,9 @@ TF_INLINE tf_real_t delassus_rate(const tf_machine_t *k, tf_real_t r,
 
 // m times the Delassus scalar of a force without moment (kappa = 0), from
 // J/m = beta^2 + r^2: what an impulse of that force does to h.
-TF_INLINE tf_real_t delassus_of_force(const tf_machine_t *k, tf_real_t arm,
-                                      tf_real_t J_over_m) {
+TF_INLINE tf_real_t mass_times_delassus_of_force(const tf_machine_t *k,
+                                                 tf_real_t arm,
+                                                 tf_real_t J_over_m) {
   return k->sin_gamma * k->sin_gamma + arm * arm / J_over_m;
 }
 

@@ -15,7 +15,7 @@ typedef struct {
   tf_real_t N;        // h' without friction [m/s^2]
   tf_real_t A[2];     // Delassus scalar for s = +1, -1 [1/kg]
   tf_real_t vz, rz;   // bounds of the two parts of q', v z and r z' [m/s^2]
-  tf_force_t pinning; // keeps v = 0 and w = omega0 where they are so
+  tf_force_t pinning; // holds the wheel at rest; TF_REAL_MAX where none
 } tf_rates_t;
 
 TF_INLINE tf_rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,

@@ -32,7 +32,7 @@ TF_INLINE bool reaches_codim2(const free_motion_t *c, unsigned set,
   const unsigned mode = c->state->mode;
   const unsigned going_on = attracting | TF_MODE_BIT(TF_PINNED);
   tf_inclusion_t in = inclusion(c);
-  complete(c, &in);
+  add_pinned_point(c, &in);
   if (mode == TF_PINNED || set & going_on || !in.has_moment ||
       !within(in.pin_x, 1) || !within(in.pin_y, 1))
     return false;

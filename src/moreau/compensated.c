@@ -32,31 +32,31 @@ TF_INLINE free_motion_t compensated_motion(compensated_t *x) {
 static __attribute__((noinline)) tf_status_t commit_pairs(compensated_t *x,
                                                           tf_force_t force,
                                                           tf_change_t friction,
-                                                          outcome_t what,
+                                                          outcome_t outcome,
                                                           tf_real_t off) {
   const tf_machine_t *k = &x->constants->machine;
   const tf_real_t omega0 = x->input->omega0;
   const tf_linear_t l = linearise(k, x->state, x->input);
   const state_pair_t from = paired(x->state, x->low);
-  const state_pair_t to = what.mode == TF_PINNED
+  const state_pair_t to = outcome.mode == TF_PINNED
                               ? rest_in_pairs(k, &from, omega0)
                               : end_in_pairs(x->constants, &from, x->input, &l,
-                                             what.mode, force, friction);
+                                             outcome.mode, force, friction);
   if (!in_reach(to.r.hi, to.v.hi, to.w.hi) ||
-      !within(what.delassus, TF_REAL_MAX) || !within(off, TF_REAL_MAX))
+      !within(outcome.delassus, TF_REAL_MAX) || !within(off, TF_REAL_MAX))
     return refuse_step(x->report, TF_DIVERGED);
   const tf_slip_t slip = slip_in_pairs(x->constants, &to, omega0).slip;
   if (tf_tyre_is_set_valued(k->tyre.law))
-    off = residual(k, what.mode, force, slip);
+    off = residual(k, outcome.mode, force, slip);
   store_compensation(k, x->state, x->low, &to);
   return record(x->state, (tf_end_t){to.r.hi, to.v.hi, to.w.hi}, slip, force,
-                off, what, x->report);
+                off, outcome, x->report);
 }
 
 TF_RARE tf_status_t degraded_compensated_step(compensated_t *x) {
   const free_motion_t c = compensated_motion(x);
   const violation_t best = least_violation(&c);
-  return commit_pairs(x, best.end.force, best.end.friction, best.what, 0);
+  return commit_pairs(x, best.end.force, best.end.friction, best.outcome, 0);
 }
 
 TF_RARE bool compensated_step_reaches_codim2(compensated_t *x, unsigned set,
@@ -65,13 +65,14 @@ TF_RARE bool compensated_step_reaches_codim2(compensated_t *x, unsigned set,
   return reaches_codim2(&c, set, attracting);
 }
 
-// Apart from the search of the force for the sake of the stack.
+// A function of its own, so that its stack and that of the search for the force
+// do not add.
 TF_RARE tf_status_t compensated_step_under_force(compensated_t *x, tf_real_t F,
                                                  tf_real_t M) {
   const free_motion_t c = compensated_motion(x);
   const single_valued_end_t to = single_valued_end(&c, (tf_force_t){F, M});
-  const outcome_t what = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
-  return commit_pairs(x, to.end.force, to.end.friction, what, to.off);
+  const outcome_t outcome = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
+  return commit_pairs(x, to.end.force, to.end.friction, outcome, to.off);
 }
 
 TF_RARE tf_status_t single_valued_compensated_step(compensated_t *x) {
@@ -104,7 +105,7 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   // Inclusion, (8).
   tf_inclusion_t in = inclusion(&c);
   const unsigned signs = signs_of(&in.g);
-  if (signs == BOTH_SIGNS) complete(&c, &in);
+  if (signs == BOTH_SIGNS) add_pinned_point(&c, &in);
   // Enumerate.
   tf_solutions_t s = {0};
   enumerate(&in, signs, &s);
@@ -123,6 +124,6 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   // Commit.
   const bool minus =
       signs == BOTH_SIGNS ? end_slip(&c, &end).g < 0 : signs == MINUS_SIGN;
-  const outcome_t what = {mode, s.set, TF_OK, step_delassus(k, &in, minus)};
-  return commit_pairs(&x, end.force, end.friction, what, 0);
+  const outcome_t outcome = {mode, s.set, TF_OK, step_delassus(k, &in, minus)};
+  return commit_pairs(&x, end.force, end.friction, outcome, 0);
 }

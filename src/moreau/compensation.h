@@ -57,8 +57,8 @@ TF_INLINE tf_change_t refinement(const tf_compensated_t *constants,
                                  const tf_linear_t *l, tf_force_t f,
                                  tf_real_t M_low, tf_change_t c) {
   const tf_machine_t *k = &constants->machine;
-  const tf_real_t hv = k->theta_dt * x->v.hi;
-  const pair_t rt = pair_plus(x->r, hv), mr = pair_times(rt, k->m);
+  const tf_real_t theta_dt_v = k->theta_dt * x->v.hi;
+  const pair_t rt = pair_plus(x->r, theta_dt_v), mr = pair_times(rt, k->m);
   const pair_t mrw = pair_product(mr, x->w), mrwv = pair_product(mrw, x->v);
   const pair_t Q_r = radial_force_pair(k, u, rt, x->v, pair_product(mrw, x->w));
   const pair_t Q_phi = disc_torque_pair(k, u, x->w, pair_sum(mrwv, mrwv));
@@ -68,7 +68,7 @@ TF_INLINE tf_change_t refinement(const tf_compensated_t *constants,
   const pair_t t = pair_sum(pair_sum(Q_phi, pair_times(Q_r, k->d)),
                             pair_plus(moment, M_low));
   const pair_t J = pair_sum((pair_t){k->inertia, constants->low_inertia},
-                            pair_product(mr, pair_plus(rt, 2 * hv)));
+                            pair_product(mr, pair_plus(rt, 2 * theta_dt_v)));
   const tf_real_t e = 2 * k->theta_dt * mrw.hi;
   const tf_real_t a_dv = k->a * (c.p + k->d * c.z);
   const pair_t row_b = pair_difference(

@@ -6,12 +6,10 @@
 #include "outcome.h"
 #include "stages.h"
 
-// The end that a step takes where no mode is consistent, or none that a slip
-// may
-// enter: of all that it may, the one that violates the law least.
+// Of all ends that the step may take, the one that violates the law least.
 typedef struct {
   end_t end;
-  outcome_t what;
+  outcome_t outcome;
 } violation_t;
 
 TF_INLINE violation_t least_violation(const free_motion_t *c) {
@@ -19,7 +17,7 @@ TF_INLINE violation_t least_violation(const free_motion_t *c) {
   tf_inclusion_t in = inclusion(c);
   tf_solutions_t s = {0};
   const unsigned signs = signs_of(&in.g);
-  complete(c, &in);
+  add_pinned_point(c, &in);
   enumerate(&in, signs, &s);
   violation_t best = {pinned_end(c), {TF_PINNED, s.set, TF_DEGRADED, 0}};
   tf_real_t least = TF_REAL_MAX;
@@ -32,10 +30,10 @@ TF_INLINE violation_t least_violation(const free_motion_t *c) {
     const tf_real_t off = residual(k, mode, end.force, end_slip(c, &end));
     if (!(off < least)) continue;
     least = off;
-    best.what.mode = mode;
+    best.outcome.mode = mode;
     best.end = end;
   }
-  best.what.delassus = step_delassus(k, &in, end_slip(c, &best.end).g < 0);
+  best.outcome.delassus = step_delassus(k, &in, end_slip(c, &best.end).g < 0);
   return best;
 }
 

@@ -29,7 +29,7 @@ typedef struct {
 
 // S (dv, dw) = dt (b, c) for a force b along r and a torque c about the axis,
 // solved for (dp, dz); t = c + d b is the torque with the arm of b. So the
-// large implicit stiffness a multiplies c alone and never the difference
+// large implicit mass a multiplies c alone and never the difference
 // t - d b.
 TF_INLINE tf_change_t change_under(const tf_linear_t *l, tf_real_t b,
                                    tf_real_t t, tf_real_t c) {
@@ -59,17 +59,17 @@ TF_INLINE tf_change_t response_to_kappa_mu(const tf_machine_t *k,
 
 TF_INLINE tf_linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
                                 const tf_input_t *input) {
-  const tf_real_t v = state->v, w = state->w, h = k->theta_dt;
+  const tf_real_t v = state->v, w = state->w, theta_dt = k->theta_dt;
   tf_linear_t l;
   // (1)
-  const tf_real_t hv = h * v, rt = state->r + hv;
+  const tf_real_t theta_dt_v = theta_dt * v, rt = state->r + theta_dt_v;
   const tf_real_t mr = k->m * rt, mrw = mr * w, twice = mrw + mrw;
   // (2), (3)
   const tf_real_t Q_r = radial_force(k, input, rt, v, mrw * w);
   const tf_real_t Q_phi = disc_torque(k, input, w, twice * v);
   // (4)
-  const tf_real_t e = h * twice;
-  const tf_real_t J = k->inertia + mr * (rt + 2 * hv);
+  const tf_real_t e = theta_dt * twice;
+  const tf_real_t J = k->inertia + mr * (rt + 2 * theta_dt_v);
   // (5): det S without the m^2 d^2 that would cancel
   const tf_real_t definite = k->m_plus_a * J + k->m_a_d2;
   const tf_real_t det = definite + e * e;

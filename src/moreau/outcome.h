@@ -30,22 +30,22 @@ TF_INLINE tf_status_t refuse_step(tf_report_t *report, tf_status_t status) {
 }
 
 TF_INLINE tf_status_t record(tf_state_t *state, tf_end_t end, tf_slip_t slip,
-                             tf_force_t force, tf_real_t off, outcome_t what,
+                             tf_force_t force, tf_real_t off, outcome_t outcome,
                              tf_report_t *report) {
-  report->mode = (uint8_t)what.mode;
-  report->set = (uint8_t)what.set;
-  report->choices = (uint8_t)size_of(what.set);
+  report->mode = (uint8_t)outcome.mode;
+  report->set = (uint8_t)outcome.set;
+  report->choices = (uint8_t)size_of(outcome.set);
   report->force = force;
   report->slip = slip;
-  report->delassus = what.delassus;
+  report->delassus = outcome.delassus;
   report->residual = off;
-  report->status = what.status;
+  report->status = outcome.status;
   state->r = end.r;
   state->v = end.v;
   state->w = end.w;
-  state->mode = (uint8_t)what.mode;
+  state->mode = (uint8_t)outcome.mode;
   state->tick++;
-  return what.status;
+  return outcome.status;
 }
 
 #endif

@@ -1,6 +1,6 @@
 // What a compensated step needs before it starts: what rounding has left out of
 // the constants of a machine, and a start whose slip is as precise.
-#include "../num/pair.h"
+#include "../model/mechanics.h"
 #include "twofold/compensated.h"
 
 static pair_t integer(int n) { return (pair_t){(tf_real_t)n, 0}; }
@@ -41,9 +41,8 @@ TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
   if (status != TF_OK) return status;
   pair_t sine, cosine;
   sine_cosine(params->gamma, &sine, &cosine);
-  const pair_t inertia =
-      pair_sum(pair_times(two_product(params->beta, params->beta), k->m),
-               two_product(k->theta_dt, k->c1));
+  const pair_t inertia = pair_sum(disc_inertia_pair(k->m, params->beta),
+                                  two_product(k->theta_dt, k->c1));
   machine->low_sin_gamma = left_out(sine, k->sin_gamma);
   machine->low_cos_gamma = left_out(cosine, k->cos_gamma);
   machine->low_inertia = left_out(inertia, k->inertia);

@@ -10,7 +10,8 @@
 #include "../model/tyre_law.h"
 #include "linear.h"
 
-// The machine of a step. A build for one scene knows it where it compiles.
+// The machine of a step. A build for one scene defines this as its constant
+// machine (port/core.h).
 #ifndef TF_API_MACHINE
 #define TF_API_MACHINE(c) ((c)->machine)
 #endif
@@ -120,8 +121,9 @@ TF_INLINE tf_inclusion_t inclusion(const free_motion_t *c) {
   return in;
 }
 
-// What of it is read only where g+ can have both signs.
-TF_INLINE void complete(const free_motion_t *c, tf_inclusion_t *in) {
+// Adds the point at which the step would end at rest, which is read only where
+// g+ can have both signs.
+TF_INLINE void add_pinned_point(const free_motion_t *c, tf_inclusion_t *in) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   const tf_force_t pin = pinning_force(k, &c->linear);
   in->g_now = start_slip(c).g;

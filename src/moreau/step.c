@@ -1,6 +1,6 @@
 // One step of the Moreau-Jean theta scheme. tf_step at the end of this file is
-// the scheme, stage by stage; what it needs seldom stands apart as functions of
-// their own that end in tail calls, so that their stacks do not add.
+// the scheme, stage by stage. Rare cases are functions of their own that are
+// called last, so that their stacks do not add.
 #include "twofold/step.h"
 
 #include "codim2_end.h"
@@ -12,17 +12,17 @@
 // Commit: the state and the report, or the refusal. A Delassus scalar that
 // overflows shows that the slopes of h and g did.
 TF_INLINE tf_status_t commit(const free_motion_t *c, tf_state_t *state,
-                             const end_t *end, outcome_t what,
+                             const end_t *end, outcome_t outcome,
                              tf_report_t *report) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   if (!in_reach(end->at.r, end->at.v, end->at.w) ||
-      !within(what.delassus, TF_REAL_MAX))
+      !within(outcome.delassus, TF_REAL_MAX))
     return refuse_step(report, TF_DIVERGED);
   const tf_slip_t slip = end_slip(c, end);
-  const tf_real_t off = residual(k, what.mode, end->force, slip);
+  const tf_real_t off = residual(k, outcome.mode, end->force, slip);
   if (k->with_angle) // (12)
     state->phi += k->explicit_dt * state->w + k->theta_dt * end->at.w;
-  return record(state, end->at, slip, end->force, off, what, report);
+  return record(state, end->at, slip, end->force, off, outcome, report);
 }
 
 TF_RARE tf_status_t degraded_step(const tf_machine_t *k, tf_state_t *state,
@@ -30,7 +30,7 @@ TF_RARE tf_status_t degraded_step(const tf_machine_t *k, tf_state_t *state,
                                   tf_report_t *report) {
   const free_motion_t c = plain_motion(k, state, input);
   const violation_t best = least_violation(&c);
-  return commit(&c, state, &best.end, best.what, report);
+  return commit(&c, state, &best.end, best.outcome, report);
 }
 
 TF_RARE bool step_reaches_codim2(const tf_machine_t *k, const tf_state_t *state,
@@ -40,15 +40,16 @@ TF_RARE bool step_reaches_codim2(const tf_machine_t *k, const tf_state_t *state,
   return reaches_codim2(&c, set, attracting);
 }
 
-// Apart from the search of the force for the sake of the stack.
+// A function of its own, so that its stack and that of the search for the force
+// do not add.
 TF_RARE tf_status_t step_under_force(const tf_machine_t *k, tf_state_t *state,
                                      const tf_input_t *input,
                                      tf_report_t *report, tf_real_t F,
                                      tf_real_t M) {
   const free_motion_t c = plain_motion(k, state, input);
   const single_valued_end_t to = single_valued_end(&c, (tf_force_t){F, M});
-  const outcome_t what = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
-  const tf_status_t status = commit(&c, state, &to.end, what, report);
+  const outcome_t outcome = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
+  const tf_status_t status = commit(&c, state, &to.end, outcome, report);
   if (status == TF_OK) report->residual = to.off;
   return status;
 }
@@ -77,7 +78,7 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   // Inclusion, (8).
   tf_inclusion_t in = inclusion(&c);
   const unsigned signs = signs_of(&in.g);
-  if (signs == BOTH_SIGNS) complete(&c, &in);
+  if (signs == BOTH_SIGNS) add_pinned_point(&c, &in);
   // Enumerate.
   tf_solutions_t s = {0};
   enumerate(&in, signs, &s);
@@ -96,6 +97,6 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   // Commit.
   const bool minus =
       signs == BOTH_SIGNS ? end_slip(&c, &end).g < 0 : signs == MINUS_SIGN;
-  const outcome_t what = {mode, s.set, TF_OK, step_delassus(k, &in, minus)};
-  return commit(&c, state, &end, what, report);
+  const outcome_t outcome = {mode, s.set, TF_OK, step_delassus(k, &in, minus)};
+  return commit(&c, state, &end, outcome, report);
 }

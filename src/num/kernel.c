@@ -40,8 +40,9 @@ TF_API void tf_sine_cosine(tf_real_t x, tf_real_t *sine, tf_real_t *cosine) {
                                     TF_R(1.0) / TF_R(479001600.0),
                                     TF_R(-1.0) / TF_R(87178291200.0),
                                     TF_R(1.0) / TF_R(20922789888000.0)};
-  const tf_real_t half_turns = x * TF_R(0.63661977236758134308);
-  const int k = (int)(half_turns + (half_turns < 0 ? TF_R(-0.5) : TF_R(0.5)));
+  const tf_real_t quarter_turns = x * TF_R(0.63661977236758134308);
+  const int k =
+      (int)(quarter_turns + (quarter_turns < 0 ? TF_R(-0.5) : TF_R(0.5)));
   const tf_real_t y =
       (x - (tf_real_t)k * HALF_PI_HIGH) - (tf_real_t)k * HALF_PI_LOW;
   const tf_real_t s = y * polynomial(sin_c, 9, y * y);
