@@ -24,10 +24,10 @@
 /// - An attracting stick goes on.
 /// - Where the present mode is lost: attracting stick, pinned, slip (the
 ///   faster one if both), escaping stick, in this order.
-/// The rule itself decides how an escaping stick ends, and what a wheel does that
-/// comes to h = g = 0 where it may rest. All rules but RANDOM take it into an
-/// attracting stick where one is consistent, because it stands on the border of
-/// that region and any disturbance moves it in. RANDOM lets it rest, pinned,
+/// The rule itself decides how an escaping stick ends, and what a wheel does
+/// that comes to h = g = 0 where it may rest. All rules but RANDOM take it into
+/// an attracting stick where one is consistent, because it stands on the border
+/// of that region and any disturbance moves it in. RANDOM lets it rest, pinned,
 /// until its draw.
 typedef enum {
   TF_RULE_PERSIST,    ///< stay while it is consistent (default)
