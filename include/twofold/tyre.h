@@ -46,7 +46,7 @@ typedef struct {
 
 /// Force and moment on the wheel.
 typedef struct {
-  tf_real_t F; ///< along -grad_u h [N]
+  tf_real_t F; ///< F > 0 lowers h [N]
   tf_real_t M; ///< on phi alone [N m]
 } tf_force_t;
 
