@@ -1,6 +1,8 @@
 #!/usr/bin/python3
-"""Rooms of src/ and the one way between them. A file may include what is in
-its own room and in those below it:
+"""Rooms of src/ and the one way between them. Each room stands on one room
+earlier in the table of DESIGN.md, section 2, and through it on all that this
+one stands on. A file may include what is in its own room and in those that it
+stands on, so never what is in a room later in that table:
 
     num < model < friction < moreau < event
                   friction < analysis
@@ -11,8 +13,7 @@ includes itself through others, in the core, the command line and the ports; a
 header and the source beside it count as one there. All of src/ can be compiled
 as one file: no name of a file is defined in another one, which universal ctags
 tells, and no two sources have one name, for an archive would have two members
-of it. Before the project is judged, a tree with one violation
-of each kind is.
+of it. Before the project is judged, a tree with one violation of each kind is.
 """
 import json
 import re
@@ -22,7 +23,7 @@ from pathlib import Path
 
 from findings import checked, need, wrong
 
-# Each room stands on one other, and through it on all below.
+# In the order of that table: the room that each one stands on.
 STANDS_ON = {"num": None, "model": "num", "friction": "model",
              "moreau": "friction", "event": "moreau", "analysis": "friction",
              "scene": "moreau", "link": "scene"}
@@ -72,7 +73,8 @@ def place(file, sources):
     return None, unit
 
 
-def below(room):
+def stood_on(room):
+    """A room and all that it stands on."""
     while room:
         yield room
         room = STANDS_ON[room]
@@ -167,9 +169,9 @@ def judge(root):
             if is_core(file) and file != UMBRELLA:
                 if target == UMBRELLA:
                     found.append(f"{file}: includes all public headers")
-                elif other_room not in below(room):
+                elif other_room not in stood_on(room):
                     found.append(f"{file} ({room}) includes {target} "
-                                 f"({other_room}), which is not below it")
+                                 f"({other_room}), on which it does not stand")
             if other != unit:
                 edges.setdefault(unit, set()).add(other)
     found += ["a circle: " + " > ".join(c) for c in circles(edges)]
