@@ -236,7 +236,7 @@ TEST(one_or_three_solutions) {
         .has_moment = true};
     const double c1 =
         (double)(s ? in.h.F - in.h.M : in.h.F + in.h.M); /* as rounded */
-    tf_solutions_t out;
+    tf_solutions_t out = {0};
     CHECK(signs_of(&in.g) == (s ? 2u : 1u));
     enumerate(&in, signs_of(&in.g), &out);
     int n = 0;
@@ -259,7 +259,7 @@ TEST(stick_solves_the_quadratic) {
                                      .FF = (tf_real_t)signed_log(1e-12, 0.3)},
                                .g = {.c0 = 9},
                                .g_now = 9};
-    tf_solutions_t out;
+    tf_solutions_t out = {0};
     enumerate(&in, signs_of(&in.g), &out);
     if (!(out.set & TF_MODE_BIT(TF_STICK_PLUS))) continue;
     const real x = out.x[0];

@@ -26,7 +26,7 @@ static tf_inclusion_t inclusion(double h0, double hF, double g0, double gM) {
 }
 
 static unsigned set_of(const tf_inclusion_t *in) {
-  tf_solutions_t out;
+  tf_solutions_t out = {0};
   memset(&out, 0, sizeof out);
   enumerate(in, signs_of(&in->g), &out);
   return out.set;
@@ -70,7 +70,7 @@ TEST(share_of_the_moment_is_at_most_1) {
       const tf_real_t slope = -num(x) * 3 / 7;
       const tf_real_t bend = num(i) / (n & 4 ? 1024 : 1 << 22);
       tf_inclusion_t in = inclusion(1, 1, 0, 0);
-      tf_solutions_t out;
+      tf_solutions_t out = {0};
       memset(&out, 0, sizeof out);
       in.g.c0 = -num(x * end) * slope - bend; /* g = 0 at y = x end */
       in.g.M = slope;
@@ -138,7 +138,7 @@ TEST(consistent_modes_of_either_delassus_scalar) {
       const unsigned stick = BIT(sign > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
       for (int slope = -1; slope <= 1; slope += 2) {
         tf_inclusion_t in = inclusion(i * 0.25, slope, 8 * sign, 1);
-        tf_solutions_t out;
+        tf_solutions_t out = {0};
         memset(&out, 0, sizeof out);
         enumerate(&in, signs_of(&in.g), &out);
         CHECK(out.set ==
@@ -172,7 +172,7 @@ TEST(stick_of_two_has_its_sign_of_g) {
         in.h.FF = num(side);
         in.g.c0 = num(s * cases[i].g0);
         in.g.F = num(s * cases[i].slope);
-        tf_solutions_t out;
+        tf_solutions_t out = {0};
         memset(&out, 0, sizeof out);
         enumerate(&in, signs_of(&in.g), &out);
         CHECK(!(out.set & stick) == (cases[i].x == 0));
@@ -189,7 +189,7 @@ TEST(stick_is_where_h_vanishes) {
     const double c1 = tap_uniform(-2, -0.5), x1 = tap_uniform(0.1, 0.9);
     tf_inclusion_t in = inclusion(-x1 * c1, c1, 8, 1);
     in.h.FF = num(q * c1 / x1);
-    tf_solutions_t out;
+    tf_solutions_t out = {0};
     memset(&out, 0, sizeof out);
     enumerate(&in, signs_of(&in.g), &out);
     if (!CHECK(out.set == BIT(TF_STICK_PLUS))) continue;

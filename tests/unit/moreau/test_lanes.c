@@ -42,7 +42,7 @@ static void put(tf_state_block_t *block, work_t *work, const tf_inclusion_t *in,
 static unsigned counted[TF_MODES + 1], odd;
 
 static void compare(const work_t *work, const tf_inclusion_t *in, int i) {
-  tf_solutions_t want;
+  tf_solutions_t want = {0};
   memset(&want, 0, sizeof want);
   if (work->odd[i]) { /* tf_step does it */
     odd++;
