@@ -109,7 +109,7 @@ TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,
 /// taken: out, how many were taken; call again with the others.
 /// frame: out, written when a frame is complete.
 /// Returns: whether frame holds a frame; if not, all bytes were taken.
-/// Cost: at most 30 instructions and 33 a byte. Stack: 128 B.
+/// Cost: at most 27 instructions and 33 a byte. Stack: 128 B.
 /// Memory: caller's, no overlap with the buffer, reentrant.
 /// Claims: block_decoder_is_the_byte_decoder
 #define tf_decoder_block TF_LINK(tf_decoder_block)

@@ -28,7 +28,7 @@ typedef struct {
 /// scene: in. seed: in, of rule `random`.
 /// Returns: TF_OK; TF_BAD_STATE (session untouched: the start is impossible
 ///   with these parameters).
-/// Cost: at most 650 instructions. Stack: 1008 B.
+/// Cost: at most 640 instructions. Stack: 1008 B.
 /// Memory: caller's, reentrant.
 /// Claims: session_is_the_run_of_the_command_line
 #define tf_session_start TF_LINK(tf_session_start)

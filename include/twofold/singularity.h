@@ -60,7 +60,7 @@ TF_API const char *tf_absence_name(unsigned absence);
 /// count: out, how many were written.
 /// absence: out, may be NULL; why there is none.
 /// Returns: TF_OK; TF_BAD_STATE (input out of range; nothing touched).
-/// Cost: at most 1300 instructions; 760 for `chaos`. Stack: 560 B.
+/// Cost: at most 1300 instructions; 760 for `chaos`. Stack: 544 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: every_two_fold_is_found, two_fold_of_the_paper_is_found,
 ///   a_machine_may_have_eight_two_folds,
@@ -145,7 +145,7 @@ typedef struct {
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law does not jump), TF_BAD_STATE
 ///   (point or input out of range, or a product overflows). Where it is
 ///   refused, out is untouched.
-/// Cost: at most 690 instructions. Stack: 1040 B.
+/// Cost: at most 680 instructions. Stack: 1024 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: normal_form_against_the_paper, numbers_of_the_paper,
 ///   sliding_motion_follows_the_normal_form, paper_cases_1_to_3,

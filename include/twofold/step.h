@@ -38,7 +38,7 @@ typedef struct {
 /// input: in.
 /// report: out; choices counts the consistent modes of the instant.
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched).
-/// Cost: at most 490 instructions. Stack: 800 B.
+/// Cost: at most 480 instructions. Stack: 800 B.
 /// Memory: caller's, reentrant.
 /// Claims: begin_finds_the_mode
 #define tf_begin TF_LINK(tf_begin)

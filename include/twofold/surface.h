@@ -73,7 +73,7 @@ typedef struct {
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law is single-valued: no surface),
 ///   TF_BAD_STATE (state or input out of range, or a product overflows). Where
 ///   it is refused, out is untouched.
-/// Cost: at most 450 instructions. Stack: 944 B.
+/// Cost: at most 440 instructions. Stack: 896 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: lie_derivatives_against_the_paper, sliding_field_against_the_paper,
 ///   regions_are_what_slip_does, rescaled_field_is_regular_at_the_two_fold,

@@ -107,7 +107,7 @@ TF_API_DATA const char *const tf_layout_heartbeat;
 /// type: in, of the frames that are described. layout: in, one of those above;
 ///   a longer text is cut off at the end of the frame.
 /// Returns: bytes of the frame.
-/// Cost: at most 6900 instructions; text that fills the frame. Stack: 112 B.
+/// Cost: at most 7000 instructions; text that fills the frame. Stack: 112 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: layouts_describe_the_payloads, long_layout_fills_its_frame
 #define tf_send_layout TF_LINK(tf_send_layout)
