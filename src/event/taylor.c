@@ -40,13 +40,14 @@ TF_INLINE tf_real_t T_term(const slip_angle_t *angle, tf_real_t a, int n) {
   return a * sum * reciprocal[n];
 }
 
-// (force), (moment): both are linear in T.
+// (force), (moment): the series of T has the sign of g h, so that F1 goes by the
+// sign of g and M1 by none.
 TF_INLINE void add_tyre_term(tf_taylor_t *x, const tf_segment_t *segment, int n,
                              tf_real_t T) {
   const tf_tyre_t *tyre = &x->machine->tyre;
-  tf_real_t F = -(tf_real_t)segment->sign_g * tyre->mu * tyre->inv_18_kappa * T;
-  if (n == 0) F += (tf_real_t)segment->sign_h * tyre->mu * 4 / 3;
-  add_friction_term(x, n, F, tyre->mu / 6 * T);
+  tf_real_t F = slip_F1(tyre, (tf_real_t)segment->sign_g) * T;
+  if (n == 0) F += slip_F0(tyre, (tf_real_t)segment->sign_h);
+  add_friction_term(x, n, F, slip_M1(tyre, 1) * T);
 }
 
 // (15) away from h = g = 0.
@@ -80,10 +81,10 @@ static tf_real_t limit_direction_gain(const tf_taylor_t *x,
                                       const slip_angle_t *angle) {
   const tf_tyre_t *tyre = &x->machine->tyre;
   const tf_real_t T = angle->T.c[0];
-  const tf_real_t F =
-      -(tf_real_t)segment->sign_g * tyre->mu * tyre->inv_18_kappa; // of T = 1
-  const tf_real_t dp = F * x->machine->sin_gamma / x->machine->m;
-  const tf_real_t dq = x->r.c[0] * (F * x->arm + tyre->mu / 6) * x->inverse_J;
+  const tf_real_t F1 = slip_F1(tyre, (tf_real_t)segment->sign_g);
+  const tf_real_t dp = F1 * x->machine->sin_gamma / x->machine->m;
+  const tf_real_t dq =
+      x->r.c[0] * (F1 * x->arm + slip_M1(tyre, 1)) * x->inverse_J;
   return tyre->T_series[0] * (1 + T * T) * (dp * x->q.c[1] - x->p.c[1] * dq) /
          angle->R2.c[0];
 }
@@ -244,7 +245,7 @@ TF_API tf_real_t tf_angle_change(const tf_taylor_t *x, tf_real_t t) {
 
 // Times the radius of gyration rad/s become m/s, also where r is 0.
 TF_API tf_real_t tf_term_size(const tf_taylor_t *x, int n) {
-  const tf_real_t gyration = square_root(x->machine->beta2 + x->r2.c[0]);
+  const tf_real_t gyration = square_root(gyration2_at(x->machine, x->r.c[0]));
   return magnitude(x->p.c[n]) + gyration * magnitude(x->z.c[n]);
 }
 

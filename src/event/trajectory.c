@@ -27,7 +27,7 @@ TF_API void tf_advance(tf_trajectory_t *path, tf_real_t from, tf_real_t to) {
 TF_API void tf_project(tf_trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const tf_real_t arm = path->now.r * k->cos_gamma;
-  const tf_real_t J_over_m = k->beta2 + path->now.r * path->now.r;
+  const tf_real_t J_over_m = gyration2_at(k, path->now.r);
   const tf_real_t mA = mass_times_delassus_of_force(k, arm, J_over_m);
   if (mA == 0) return;
   const tf_real_t impulse_over_m = trajectory_slip(path).h / mA;

@@ -21,9 +21,8 @@ typedef struct {
 static quadrant_t quadrant_of(const tf_machine_t *k, const tf_rates_t *rates,
                               int sign_g, int sign_h) {
   const tf_real_t s_g = (tf_real_t)sign_g, s_h = (tf_real_t)sign_h;
-  const tf_real_t F0 = s_h * k->tyre.mu * 4 / 3;
-  const tf_real_t F1 = -s_h * k->tyre.mu * k->tyre.inv_18_kappa;
-  const tf_real_t M1 = (tf_real_t)(sign_h * sign_g) * k->tyre.mu / 6;
+  const tf_real_t F0 = slip_F0(&k->tyre, s_h), F1 = slip_F1(&k->tyre, s_h);
+  const tf_real_t M1 = slip_M1(&k->tyre, (tf_real_t)(sign_h * sign_g));
   const tf_slip_t at0 =
       slip_from_pq(k, rates->p + F0 * rates->Fp, rates->q + F0 * rates->Fq);
   const tf_slip_t at1 =

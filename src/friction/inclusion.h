@@ -77,19 +77,22 @@ TF_INLINE unsigned signs_of(const tf_form_t *g) {
   return BOTH_SIGNS;
 }
 
+// x1 y with q y^2 + y - 1 = 0, for |q| < 2^-12: the series of y to q^4 is exact
+// to 42 q^5 = 4e-17 and saves a root and a division.
+TF_INLINE tf_real_t perturbed_root(tf_real_t x1, tf_real_t q) {
+  return x1 * (1 - q * (1 - q * (2 - q * (5 - 14 * q))));
+}
+
 // The root of c0 + c1 x + c2 x^2 that -c0/c1 becomes where c2 is small; where
 // only one root lies in [-1, 1], it is this one. With x1 = -c0/c1 and q = c2
-// x1/c1 the root is x1 y, q y^2 + y - 1 = 0, y = 2/(1 + sqrt(1 + 4 q)): no
-// squares of small numbers, no cancellation. q is of third order in dt; below
-// 2^-12 the series of y to q^4 is exact to 42 q^5 = 4e-17 and saves a root and
-// a division. At c1 = 0 (the vertical line of a two-fold) any x solves; 0 is
-// the smallest.
+// x1/c1 the root is x1 y, y = 2/(1 + sqrt(1 + 4 q)): no squares of small
+// numbers, no cancellation. q is of third order in dt. At c1 = 0 (the vertical
+// line of a two-fold) any x solves; 0 is the smallest.
 TF_INLINE tf_real_t root_within(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
   if (magnitude(c1) < TF_REAL_MIN) return 0;
   const tf_real_t inverse = 1 / c1;
   const tf_real_t x1 = -c0 * inverse, q = c2 * inverse * x1;
-  if (magnitude(q) < TF_R(0x1p-12))
-    return clip(x1 * (1 - q * (1 - q * (2 - q * (5 - 14 * q)))), -1, 1);
+  if (magnitude(q) < TF_R(0x1p-12)) return clip(perturbed_root(x1, q), -1, 1);
   const tf_real_t discriminant = 1 + 4 * q;
   const tf_real_t root = discriminant > 0 ? square_root(discriminant) : 0;
   return clip(2 * x1 / (1 + root), -1, 1);

@@ -14,9 +14,14 @@
 #include "../num/pair.h"
 #include "kinematics.h"
 
+// J/m = beta^2 + r^2, the square of the radius of gyration [m^2].
+TF_INLINE tf_real_t gyration2_at(const tf_machine_t *k, tf_real_t r) {
+  return k->beta2 + r * r;
+}
+
 // J = m (beta^2 + r^2) [kg m^2].
 TF_INLINE tf_real_t inertia_at(const tf_machine_t *k, tf_real_t r) {
-  return k->m * (k->beta2 + r * r);
+  return k->m * gyration2_at(k, r);
 }
 
 // m beta^2, the inertia of the disc, in pairs: tf_machine_t.beta2 is rounded.

@@ -53,19 +53,39 @@ TF_INLINE tf_real_t cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H) {
   return (T + u) / (1 - T * u);
 }
 
-// (force), (moment) for one side of h = 0, in units of mu and kappa mu.
+// The law of slip, (force) and (moment), is affine in T:
+//   F = F0 + F1 T,  M = M1 T,
+// with T >= 0 and, by the signs of h and g, F0 = sign(h) 4 mu/3, F1 = -sign(h)
+// mu/(18 kappa), M1 = sign(h) sign(g) mu/6.
+TF_INLINE tf_real_t slip_F0(const tf_tyre_t *tyre, tf_real_t sign) {
+  return sign * tyre->mu * 4 / 3;
+}
+
+TF_INLINE tf_real_t slip_F1(const tf_tyre_t *tyre, tf_real_t sign) {
+  return -sign * tyre->mu * tyre->inv_18_kappa;
+}
+
+TF_INLINE tf_real_t slip_M1(const tf_tyre_t *tyre, tf_real_t sign) {
+  return sign * tyre->mu / 6;
+}
+
+// The same in units of mu and kappa mu, for positive signs.
 typedef struct {
   tf_real_t x, y;
 } tf_multipliers_t;
+
+TF_INLINE tf_multipliers_t multipliers_at(const tf_tyre_t *tyre, tf_real_t T) {
+  return (tf_multipliers_t){TF_R(4.0) / 3 - T * tyre->inv_18_kappa,
+                            T * tyre->inv_6_kappa};
+}
 
 TF_INLINE tf_multipliers_t jump_multipliers(const tf_tyre_t *tyre,
                                             tf_real_t side, tf_real_t h,
                                             tf_real_t g) {
   const tf_real_t H = side * h;
   const tf_real_t T = cot_psi(tyre, magnitude(g), H > 0 ? H : 0);
-  const tf_real_t x = TF_R(4.0) / 3 - T * tyre->inv_18_kappa;
-  const tf_real_t y = T * tyre->inv_6_kappa;
-  return (tf_multipliers_t){side * x, g < 0 ? -(side * y) : side * y};
+  const tf_multipliers_t m = multipliers_at(tyre, T);
+  return (tf_multipliers_t){side * m.x, g < 0 ? -(side * m.y) : side * m.y};
 }
 
 #endif

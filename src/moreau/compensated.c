@@ -102,15 +102,12 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   // Free motion, (1)-(7).
   const free_motion_t c = compensated_motion(&x);
   if (!c.linear.definite) return refuse_step(report, TF_STEP_TOO_LONG);
-  // Inclusion, (8).
-  tf_inclusion_t in = inclusion(&c);
-  const unsigned signs = signs_of(&in.g);
-  if (signs == BOTH_SIGNS) add_pinned_point(&c, &in);
-  // Enumerate.
-  tf_solutions_t s = {0};
-  enumerate(&in, signs, &s);
+  // Inclusion, (8), and every mode that solves it.
+  tf_inclusion_t in;
+  tf_solutions_t s;
+  const unsigned signs = solve_inclusion(&c, &in, &s);
   // Choose.
-  if (signs == BOTH_SIGNS && !has(s.set, mode) &&
+  if (may_reach_codim2(signs, &s, mode) &&
       compensated_step_reaches_codim2(&x, s.set, s.attracting)) {
     mode = TF_PINNED;
     s.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);

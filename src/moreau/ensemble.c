@@ -47,8 +47,8 @@ static bool all_go_on(const tf_state_block_t *restrict b,
 
 // Whether this lane, its mode lost, may end at h = g = 0: tf_step finds out,
 // see reaches_codim2().
-static bool may_reach_codim2(const tf_machine_t *k, const work_t *w, int i,
-                             unsigned mode) {
+static bool lane_may_reach_codim2(const tf_machine_t *k, const work_t *w, int i,
+                                  unsigned mode) {
   const unsigned going_on =
       (unsigned)w->attracting[i] | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
   return !(w->set[i] & going_on) && !(w->above[i] | w->below[i]) &&
@@ -60,7 +60,7 @@ static bool may_reach_codim2(const tf_machine_t *k, const work_t *w, int i,
 static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
                           work_t *w, int i) {
   unsigned mode = b->mode[i];
-  if (mode >= TF_MODES || w->odd[i] || may_reach_codim2(k, w, i, mode))
+  if (mode >= TF_MODES || w->odd[i] || lane_may_reach_codim2(k, w, i, mode))
     mode = TF_MODES;
   else if (!(w->set[i] & TF_MODE_BIT(mode) & (SLIPS | w->attracting[i])))
     mode = select_lane(k, b, w, i);
@@ -206,14 +206,14 @@ static void finish_all(const tf_machine_t *restrict k,
     out->M[i] = force.M;
     out->h[i] = slip.h;
     out->g[i] = slip.g;
-    out->delassus[i] = -h1 * k->inv_mu_dt;
+    out->delassus[i] = delassus_of_slope(k, h1);
     out->residual[i] = lane_residual(k, w->side[i], force, slip);
   }
 }
 
 // (12)
-static void turn_all(const tf_machine_t *restrict k,
-                     tf_state_block_t *restrict b, const work_t *restrict w) {
+static void angles_all(const tf_machine_t *restrict k,
+                       tf_state_block_t *restrict b, const work_t *restrict w) {
   for (int i = 0; i < TF_LANES; i++)
     b->phi[i] += k->explicit_dt * b->w[i] + k->theta_dt * w->w[i];
 }
@@ -266,7 +266,7 @@ static size_t step_some(const tf_machine_t *k, tf_state_block_t *b,
   const tf_state_block_t before = *b;
   const tf_report_block_t reported = *out;
   size_t odd = 0;
-  if (k->with_angle) turn_all(k, b, w);
+  if (k->with_angle) angles_all(k, b, w);
   finish_all(k, b, u->omega0, w, out);
   record_all(b, w, out);
   for (size_t i = 0; i < TF_LANES; i++) {
@@ -298,7 +298,7 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
     slip_few(k, b, u->omega0, &work, slips);
   ends_all(k, u->omega0, &work);
   if (any_odd(&work)) return step_some(k, b, u, &work, out);
-  if (k->with_angle) turn_all(k, b, &work);
+  if (k->with_angle) angles_all(k, b, &work);
   finish_all(k, b, u->omega0, &work, out);
   record_all(b, &work, out);
   return 0;

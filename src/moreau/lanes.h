@@ -60,7 +60,7 @@ typedef struct {
 TF_INLINE lane_root_t lane_root(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
   const tf_real_t inverse = 1 / c1;
   const tf_real_t x1 = -c0 * inverse, q = c2 * inverse * x1;
-  const tf_real_t x = x1 * (1 - q * (1 - q * (2 - q * (5 - 14 * q))));
+  const tf_real_t x = perturbed_root(x1, q);
   const mask_t small = when(magnitude(q) < TF_R(0x1p-12));
   const mask_t normal = when(magnitude(c1) >= TF_REAL_MIN);
   return (lane_root_t){x, ~(small & normal & when(magnitude(x) <= 1))};
@@ -126,9 +126,8 @@ TF_INLINE lane_law_t lane_law(const tf_tyre_t *tyre, tf_real_t side,
     sum = sum * w2 + tyre->T_series[n];
   const tf_real_t Tk = anchored(tyre->T_anchor, at, steep), u = w * sum;
   const tf_real_t T = (Tk + u) / (1 - Tk * u);
-  const tf_real_t x = TF_R(4.0) / 3 - T * tyre->inv_18_kappa;
-  const tf_real_t y = T * tyre->inv_6_kappa;
-  return (lane_law_t){side * x, flip_sign(when(slip.g < 0), side * y),
+  const tf_multipliers_t m = multipliers_at(tyre, T);
+  return (lane_law_t){side * m.x, flip_sign(when(slip.g < 0), side * m.y),
                       when(high < TF_REAL_MIN / TF_REAL_EPSILON)};
 }
 

@@ -159,6 +159,11 @@ TF_INLINE void slip_forms(const tf_machine_t *k, const tf_free_end_t *end,
       MM * k->sin_gamma};
 }
 
+// (8): the Delassus scalar of the step, from the slope of h+ in x.
+TF_INLINE tf_real_t delassus_of_slope(const tf_machine_t *k, tf_real_t slope) {
+  return -slope * k->inv_mu_dt;
+}
+
 // (10): the force b along r and the torque t that end the step at p = z = 0,
 // from change_under() inverted with c = t - d b.
 typedef struct {

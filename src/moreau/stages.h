@@ -131,7 +131,25 @@ TF_INLINE void add_pinned_point(const free_motion_t *c, tf_inclusion_t *in) {
   in->pin_y = pin.M * k->inv_kappa_mu;
 }
 
-// Choice. Whether the mode is consistent and goes on under every rule, so that
+// Inclusion (8) and enumeration: every mode that solves it. Returns: the signs
+// that g+ can have.
+TF_INLINE unsigned solve_inclusion(const free_motion_t *c, tf_inclusion_t *in,
+                                   tf_solutions_t *s) {
+  *in = inclusion(c);
+  const unsigned signs = signs_of(&in->g);
+  if (signs == BOTH_SIGNS) add_pinned_point(c, in);
+  *s = (tf_solutions_t){0};
+  enumerate(in, signs, s);
+  return signs;
+}
+
+// Choice. Whether the present mode is lost where h = g = 0 is within reach.
+TF_INLINE bool may_reach_codim2(unsigned signs, const tf_solutions_t *s,
+                                unsigned mode) {
+  return signs == BOTH_SIGNS && !has(s->set, mode);
+}
+
+// Whether the mode is consistent and goes on under every rule, so that
 // tf_select is not asked.
 TF_INLINE bool goes_on(const tf_solutions_t *s, unsigned mode) {
   return s->set & TF_MODE_BIT(mode) & (SLIPS | s->attracting);
@@ -192,10 +210,10 @@ TF_INLINE end_t mode_end(const free_motion_t *c, const tf_solutions_t *s,
   return end_by(c, (tf_multipliers_t){x, mode == TF_STICK_PLUS ? x : -x});
 }
 
-// The Delassus scalar of stick at the end of the step, from the slope of h.
+// The Delassus scalar of stick at the end of the step, by the sign of g.
 TF_INLINE tf_real_t step_delassus(const tf_machine_t *k,
                                   const tf_inclusion_t *in, bool minus) {
-  return -(minus ? in->h.F - in->h.M : in->h.F + in->h.M) * k->inv_mu_dt;
+  return delassus_of_slope(k, minus ? in->h.F - in->h.M : in->h.F + in->h.M);
 }
 
 #endif

@@ -75,15 +75,12 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   // Free motion, (1)-(7).
   const free_motion_t c = plain_motion(k, state, input);
   if (!c.linear.definite) return refuse_step(report, TF_STEP_TOO_LONG);
-  // Inclusion, (8).
-  tf_inclusion_t in = inclusion(&c);
-  const unsigned signs = signs_of(&in.g);
-  if (signs == BOTH_SIGNS) add_pinned_point(&c, &in);
-  // Enumerate.
-  tf_solutions_t s = {0};
-  enumerate(&in, signs, &s);
+  // Inclusion, (8), and every mode that solves it.
+  tf_inclusion_t in;
+  tf_solutions_t s;
+  const unsigned signs = solve_inclusion(&c, &in, &s);
   // Choose.
-  if (signs == BOTH_SIGNS && !has(s.set, mode) &&
+  if (may_reach_codim2(signs, &s, mode) &&
       step_reaches_codim2(k, state, input, s.set, s.attracting)) {
     mode = TF_PINNED;
     s.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
