@@ -40,8 +40,8 @@ TF_INLINE tf_real_t T_term(const slip_angle_t *angle, tf_real_t a, int n) {
   return a * sum * reciprocal[n];
 }
 
-// (force), (moment): the series of T has the sign of g h, so that F1 goes by the
-// sign of g and M1 by none.
+// (force), (moment): the series of T has the sign of g h, so that F1 goes by
+// the sign of g and M1 by none.
 TF_INLINE void add_tyre_term(tf_taylor_t *x, const tf_segment_t *segment, int n,
                              tf_real_t T) {
   const tf_tyre_t *tyre = &x->machine->tyre;
