@@ -18,8 +18,9 @@ modes() {
       ' err | tr -d , | tr '\n' ' '
 }
 
-# told WORDS: the number before WORDS in the line of the degraded steps.
-told() { sed -n "s/^degraded .*[^0-9]\([0-9][0-9]*\) $1.*/\1/p" err; }
+# degraded_count WORDS: the number before WORDS in the line of the degraded
+# steps.
+degraded_count() { sed -n "s/^degraded .*[^0-9]\([0-9][0-9]*\) $1.*/\1/p" err; }
 
 # chain: whether each listed event of err starts in the mode where the one
 # before it ended; N changes of slip in one line swap the slip if N is odd.
@@ -233,7 +234,7 @@ check '--out - is standard output' cmp -s first.csv out
 
 # Output that fails.
 failing_output 10 run chaos --t-end 1e9
-check 'a closed pipe is told with the summary' grep -q '^final' err
+check 'a closed pipe still prints the summary' grep -q '^final' err
 "$T" run chaos --t-end 0 >&- 2>err
 equal 'closed standard output' $? 4
 [ ! -c /dev/full ] ||
@@ -244,7 +245,7 @@ full_device run chaos --t-end 0
 # Runs that are stopped.
 expect 4 'step 2 was refused' run frictionless --set k2=0 --set v=4e8 \
   --set omega=0 --set c1=0 --set c2=0 --dt 1 --t-end 10 --every 5
-check 'time and state are told' grep -q 'stopped at t = 1 s.*r = 4e+08' err
+check 'time and state are printed' grep -q 'stopped at t = 1 s.*r = 4e+08' err
 equal 'all rows before it are written' "$(row 3 1 out)" 1
 for signal in INT TERM; do
   # Rows are so rare that no buffer fills: only the clock can flush them.
@@ -284,10 +285,10 @@ done
 
 # So stiff that some steps run out of segments, or that no series converges.
 chaos --scheme located --set k2=1e4 --t-end 4 --dt 0.01 --every 1000
-check 'steps that missed the tolerance' test "$(told missed)" -gt 0
+check 'steps that missed the tolerance' test "$(degraded_count missed)" -gt 0
 chaos --scheme located --set k2=1e10 --t-end 1 --dt 0.01 --every 1000
-check 'steps that fell back' test "$(told fell)" -gt 50
-equal 'none of them is degraded' "$(told steps)" 0
+check 'steps that fell back' test "$(degraded_count fell)" -gt 50
+equal 'none of them is degraded' "$(degraded_count steps)" 0
 chaos --set k2=1e10 --t-end 1 --dt 0.01 --every 1000
 equal 'moreau does neither' "$(grep -cE 'missed|fell' err)" 0
 
@@ -297,7 +298,7 @@ for word in scene scheme steps events futures degraded largest final cost; do
   check "the summary tells $word" grep -q "^$word  *[^ ]" err
 done
 check 'the first stick is an event' grep -Eq 'slip. to (stick|pinned)' err
-equal 'twenty events unless told' "$(listed)" 20
+equal 'twenty events by default' "$(listed)" 20
 chaos --t-end 3 --every 1000000 --events 3
 equal '--events 3' "$(listed)" 3
 more=$(sed -n 's/^  \.\.\. \([0-9]*\) more events .*/\1/p' err)

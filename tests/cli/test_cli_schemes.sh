@@ -56,7 +56,7 @@ expect 0 'phi = 0.63' run rolling --t-end 0.5 --scheme compensated \
 # Real time.
 runs run chaos --t-end 0.2 --dt 0.01
 mv out want
-check 'without it no pace is told' not grep -q '^real time' err
+check 'without it no pace is printed' not grep -q '^real time' err
 runs run chaos --t-end 0.2 --dt 0.01 --realtime
 check 'in real time: the same rows' cmp out want
 check 'in real time: late steps are counted' test -n "$(late)"

@@ -16,7 +16,7 @@ typedef enum { MOREAU, LOCATED, COMPENSATED } scheme_t;
 
 typedef struct {
   tf_compensated_t machine;
-  tf_compensation_t carry;
+  tf_compensation_t compensation;
 } build_t;
 
 static tf_status_t step(scheme_t scheme, build_t *b, tf_state_t *x,
@@ -24,7 +24,7 @@ static tf_status_t step(scheme_t scheme, build_t *b, tf_state_t *x,
   if (scheme == LOCATED)
     return tf_step_located(&b->machine.machine, x, u, report);
   if (scheme == COMPENSATED)
-    return tf_step_compensated(&b->machine, x, &b->carry, u, report);
+    return tf_step_compensated(&b->machine, x, &b->compensation, u, report);
   return tf_step(&b->machine.machine, x, u, report);
 }
 

@@ -45,23 +45,24 @@ TEST(golden_compensated_steps) {
     tf_input_t u = any_input(&d, &k.machine);
     tf_state_t x = any_state(&d, &k.machine, &u);
     tf_report_t report;
-    tf_compensation_t carry = {0, 0, 0, 0};
+    tf_compensation_t compensation = {0, 0, 0, 0};
     const tf_status_t begun = tf_begin(&k.machine, &x, &u, &report);
     if (n % 2) {
       const tf_real_t h = between(&d, -1, 1);
       const tf_status_t placed =
-          tf_speed_for_slip_compensated(&k, &x, &carry, u.omega0, h);
+          tf_speed_for_slip_compensated(&k, &x, &compensation, u.omega0, h);
       mix_small(&d, (unsigned)placed);
     }
     for (int i = 0; i < 8 && begun == TF_OK; i++) {
-      const tf_status_t done = tf_step_compensated(&k, &x, &carry, &u, &report);
+      const tf_status_t done =
+          tf_step_compensated(&k, &x, &compensation, &u, &report);
       mix_small(&d, (unsigned)done);
       if (done < 0) break;
       mix_step(&d, &x, &report);
-      mix_real(&d, carry.r);
-      mix_real(&d, carry.v);
-      mix_real(&d, carry.w);
-      mix_real(&d, carry.phi);
+      mix_real(&d, compensation.r);
+      mix_real(&d, compensation.v);
+      mix_real(&d, compensation.w);
+      mix_real(&d, compensation.phi);
     }
   }
   check_golden("compensated", d.hash);
@@ -187,11 +188,11 @@ TEST(golden_two_folds) {
     const tf_input_t u = any_input(&d, &k);
     tf_surface_point_t places[TF_TWO_FOLDS];
     int count = 0;
-    tf_absence_t lack = TF_ABSENCE_NONE;
-    const tf_status_t status = tf_two_folds(&k, &u, places, &count, &lack);
+    tf_absence_t absence = TF_ABSENCE_NONE;
+    const tf_status_t status = tf_two_folds(&k, &u, places, &count, &absence);
     mix_small(&d, (unsigned)status);
     mix_small(&d, (unsigned)count);
-    mix_small(&d, (unsigned)lack);
+    mix_small(&d, (unsigned)absence);
     for (int i = 0; i < count; i++) {
       tf_two_fold_t at;
       const tf_status_t formed = tf_normal_form(&k, &u, &places[i], &at);

@@ -30,7 +30,7 @@ static double chaos_error(long n, uint8_t *mode) {
               (double)x.w - at_one[2]);
 }
 
-/* Through h = g = 0 the future is not unique and a careless choice lands on
+/* Through h = g = 0 several modes are consistent and a careless choice lands on
  * another branch at two step sizes in ten. Every step size of a grid with
  * random offsets must end on the same branch, none left out. In float the
  * rounding of the state adds to the bound: per step at most eps |w|, with

@@ -93,7 +93,8 @@ TEST(ensemble_is_pinned_as_single_steps_are) {
 }
 
 /* Loads that bring speeds up to the limit of a state within one step, and past
- * it, and modes that are none: lanes are refused where single steps are. */
+ * it, and numbers that name no mode: lanes are refused where single steps
+ * are. */
 TEST(ensemble_refuses_what_single_steps_do) {
   static tf_state_block_t block;
   static tf_report_block_t reported;

@@ -18,12 +18,14 @@ static tf_status_t located(const tf_compensated_t *k, tf_state_t *x,
   return tf_step_located(&k->machine, x, u, report);
 }
 
-/* One step at a time: nothing to carry along. */
+/* Each step begins with a compensation of zero. */
 static tf_status_t compensated(const tf_compensated_t *k, tf_state_t *x,
                                const tf_input_t *u, tf_report_t *report) {
-  tf_compensation_t carry = {0};
-  const tf_status_t status = tf_step_compensated(k, x, &carry, u, report);
-  CHECK(isfinite(carry.r) && isfinite(carry.v) && isfinite(carry.w));
+  tf_compensation_t compensation = {0};
+  const tf_status_t status =
+      tf_step_compensated(k, x, &compensation, u, report);
+  CHECK(isfinite(compensation.r) && isfinite(compensation.v) &&
+        isfinite(compensation.w));
   return status;
 }
 
@@ -167,8 +169,8 @@ TEST(bad_states_and_inputs_are_refused_untouched) {
   }
 }
 
-/* One machine at one corner, from a mild start and through r = 0. */
-static void corner(const tf_params_t *p, tf_real_t scale) {
+/* One set of parameters, from a mild start and through r = 0. */
+static void run_all(const tf_params_t *p, tf_real_t scale) {
   static const double step_sizes[] = {1e-9, 1e-6, 1e-4, 1e-2, 0.1, 1};
   for (size_t i = 0; i < sizeof step_sizes / sizeof *step_sizes; i++) {
     tf_params_t q = *p;
@@ -196,7 +198,7 @@ TEST(ends_of_the_ranges_keep_every_number_finite) {
         const tf_parameter_range_t *b = &tf_parameter_ranges[j];
         *member(&p, i) = ends & 1 ? a->high : a->low;
         if (j > i) *member(&p, j) = ends & 2 ? b->high : b->low;
-        corner(&p, 1);
+        run_all(&p, 1);
       }
     }
   }
@@ -213,30 +215,30 @@ TEST(listed_extremes_keep_every_number_finite) {
     for (tf_real_t tiny = least; tiny < TF_REAL_MIN * 1000; tiny *= 16) {
       p = scene;
       p.r0 = p.omega0 = tiny;
-      corner(&p, tiny);
+      run_all(&p, tiny);
       p = scene;
       p.mu = p.k2 = p.c1 = p.c2 = p.rate = tiny;
-      corner(&p, 1);
-      corner(&p, tiny);
+      run_all(&p, 1);
+      run_all(&p, tiny);
     }
     /* gamma where its sine or cosine is 0 or nearly so */
     for (int n = -4; n <= 4; n++) {
       p = scene;
       p.gamma = tf_parameter_ranges[10].high * (tf_real_t)n / 4;
-      corner(&p, 1);
+      run_all(&p, 1);
       p.gamma += p.gamma < 0 ? TF_REAL_EPSILON : -TF_REAL_EPSILON;
-      corner(&p, 1);
+      run_all(&p, 1);
     }
     /* at the centrifugal instability, k2 = m w^2, and beyond */
     for (tf_real_t ratio = 0; ratio < 3; ratio += TF_R(0.25)) {
       p = scene;
       p.omega0 = 1000;
       p.k2 = ratio * p.m * p.omega0 * p.omega0;
-      corner(&p, 1);
-      corner(&p, 1000);
+      run_all(&p, 1);
+      run_all(&p, 1000);
     }
     /* far away */
-    for (tf_real_t far = 10; far < TF_R(1e9); far *= 10) corner(&scene, far);
+    for (tf_real_t far = 10; far < TF_R(1e9); far *= 10) run_all(&scene, far);
   }
   tell_counts();
   CHECK(accepted > 100000 && refused[-TF_DIVERGED] > 100);

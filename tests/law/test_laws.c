@@ -87,9 +87,9 @@ static void transform(int which, tf_params_t *p, tf_state_t *x) {
 }
 
 static unsigned transformed_mode(int which, unsigned mode) {
-  static const unsigned mirror[] = {1, 0, 2, 3, 4}, turn[] = {1, 0, 3, 2, 4};
+  static const unsigned mirror[] = {1, 0, 2, 3, 4}, reverse[] = {1, 0, 3, 2, 4};
   if (which == 0) return mirror[mode];
-  return which == 1 || which == 2 ? turn[mode] : mode;
+  return which == 1 || which == 2 ? reverse[mode] : mode;
 }
 
 static int same_bits(tf_real_t a, tf_real_t b) { /* but for the sign of 0 */

@@ -86,13 +86,13 @@ TEST(located_order_of_convergence) {
     problem_t exact = crossings(cases[i].t_end, 20000, 0);
     double worst[2] = {0, 0};
     advance(&exact, 20000);
-    /* The worst of several step sizes near by: a switch falls anywhere. */
+    /* The worst of several step sizes near by: an event falls anywhere. */
     for (int k = 0; k < 16; k++)
       for (int j = 0; j < 2; j++) {
         const long n =
             (j ? cases[i].fine : cases[i].coarse) + (long)k * (1 + j);
         problem_t p = crossings(cases[i].t_end, n, 1e-3);
-        p.machine.tolerance = TF_R(0.1); /* no splits but at switches */
+        p.machine.tolerance = TF_R(0.1); /* no splits but at events */
         CHECK(advance(&p, n) == 0);
         worst[j] = fmax(worst[j], apart(&p.state, &exact.state));
       }
@@ -137,7 +137,7 @@ static void across_stick(int check_order) {
             (j ? cases[i].fine : cases[i].coarse) + (long)k * (1 + j);
         problem_t p = stickslip(length, n, 1e-3);
         p.state = start.state;
-        p.machine.tolerance = TF_R(0.1); /* no splits but at switches */
+        p.machine.tolerance = TF_R(0.1); /* no splits but at events */
         CHECK(advance(&p, n) == 0);
         CHECK(p.state.mode == cases[i].after);
         worst[j] = fmax(worst[j], apart(&p.state, &exact.state));
@@ -221,7 +221,7 @@ TEST(located_two_fold_in_one_step) {
 }
 
 /* The reference at t = 1 is past codimension two and the third of three
- * futures: every step size, from one step to 4000, has to be there. */
+ * consistent modes: every step size, from one step to 4000, has to be there. */
 TEST(located_branch_is_independent_of_the_step_size) {
   long double want[3];
   orbit_chaos_state(1.0L, want);
@@ -270,7 +270,7 @@ TEST(located_events_are_in_the_right_step) {
     for (long i = 0; i < n && seen < 4; i++) {
       const uint8_t mode = p.state.mode;
       tf_step_located(&p.machine, &p.state, &u, &report);
-      /* The two-fold shows by its three futures. */
+      /* Three modes are consistent at the two-fold. */
       if (mode == p.state.mode && !(seen == 3 && report.choices == 3)) continue;
       CHECK(mode == before[seen]);
       const double dt = (double)p.machine.dt;
@@ -345,8 +345,8 @@ TEST(located_refuses_what_it_cannot_take) {
   CHECK(report.status == TF_BAD_STATE);
 }
 
-/* Wherever the future is unique both schemes converge to the same motion, so
- * they agree to the error of the Moreau step: machines at random. */
+/* Where only one mode is consistent both schemes converge to the same motion,
+ * so they agree to the error of the Moreau step: machines at random. */
 TEST(located_agrees_with_moreau) {
   const int trials = IS_DOUBLE ? 150 : 40;
   int compared = 0, apart_count = 0;
@@ -374,7 +374,7 @@ TEST(located_agrees_with_moreau) {
       CHECK(tf_step(&b.machine, &b.state, &u, &report) >= 0);
       open += report.choices > 1;
     }
-    if (open) continue; /* a future was chosen, by either */
+    if (open) continue; /* one mode of several was chosen, by either */
     compared++;
     const double scale = 1 + fabs((double)b.state.v) + fabs((double)b.state.w);
     apart_count +=

@@ -103,7 +103,7 @@ TEST(located_residual_is_that_of_the_law) {
 /* A step that ends at a change of mode, to the last bit: force and residual are
  * those of the mode that begins there. */
 TEST(located_event_at_the_end_of_a_step) {
-  int switches = 0;
+  int events = 0;
   for (int i = 0; i < 100; i++) {
     sim_t s = {.params = machine_at_random()};
     tf_real_t low = 0, high = TF_R(0.05);
@@ -129,18 +129,18 @@ TEST(located_event_at_the_end_of_a_step) {
       }
     }
     if (fabs((double)end.report.slip.g) < 0.05) continue;
-    switches++;
+    events++;
     CHECK_NEAR((double)end.report.residual, 0, IS_DOUBLE ? 1e-5 : 2e-2);
   }
-  printf("# %d switches\n", switches);
-  CHECK(switches > 20);
+  printf("# %d events\n", events);
+  CHECK(events > 20);
 }
 
 /* The angle is the integral of w: over one step of 50 ms that of the same
  * motion in 64 parts, by Simpson's rule from their ends. */
 TEST(located_angle_is_the_integral_of_the_speed) {
   enum { PARTS = 64 };
-  int steps = 0, switched = 0;
+  int steps = 0, with_event = 0;
   for (int i = 0; i < 40; i++) {
     sim_t s = {.params = machine_at_random()}, fine;
     s.params.dt = TF_R(0.05);
@@ -167,16 +167,16 @@ TEST(located_angle_is_the_integral_of_the_speed) {
       if (!clean) break;
       for (int k = 0; k < PARTS; k += 2)
         want += (w[k] + 4 * w[k + 1] + w[k + 2]) * (0.05 / PARTS / 3);
-      /* A switch within two parts bends w once: dw' (dt/64)^2. */
+      /* An event within two parts bends w once: dw' (dt/64)^2. */
       CHECK_NEAR((double)(s.state.phi - phi), want,
                  (s.state.mode == before ? 1e-6 : 1e-5) * (IS_DOUBLE ? 1 : 10) *
                      (1 + fabs(w[0])));
       steps++;
-      switched += s.state.mode != before;
+      with_event += s.state.mode != before;
     }
   }
-  printf("# %d steps, %d of them with a switch\n", steps, switched);
-  CHECK(steps > 200 && switched > 10);
+  printf("# %d steps, %d of them with an event\n", steps, with_event);
+  CHECK(steps > 200 && with_event > 10);
 }
 
 /* A stick with a negative Delassus scalar ends where |lambda| = mu, and the
@@ -240,8 +240,8 @@ TEST(located_delassus_is_that_of_the_side_of_g) {
   CHECK(seen[0] > 100 && seen[1] > 100);
 }
 
-/* The set holds the mode taken, also where one with more futures was met
- * before it in a long step; choices counts the set. */
+/* The set holds the mode taken, also where more modes than at its end were
+ * consistent earlier in a long step; choices counts the set. */
 TEST(located_set_holds_the_mode) {
   int steps = 0, open = 0;
   for (int i = 0; i < 3000; i++) {
@@ -264,7 +264,7 @@ TEST(located_set_holds_the_mode) {
       open += count > 1;
     }
   }
-  printf("# %d steps, %d with more than one future\n", steps, open);
+  printf("# %d steps, %d with more than one consistent mode\n", steps, open);
   CHECK(steps > 10000 && open > 100);
 }
 
@@ -325,7 +325,8 @@ TEST(located_mode_at_h_0_is_a_consistent_one) {
     CHECK(locate(&s) == TF_OK);
     CHECK(set & TF_MODE_BIT(s.state.mode) && s.report.set == set);
   }
-  printf("# %d starts, %d of them in a mode that is none\n", exact, others);
+  printf("# %d starts, %d of them in a mode that is not consistent\n", exact,
+         others);
   CHECK(exact > 300 && others > 100);
 }
 
@@ -341,9 +342,9 @@ TEST(located_slip_starts_at_g_0) {
     s.params.r0 = (tf_real_t)tap_uniform(-1, 1);
     CHECK(tf_prepare(&s.machine, &s.params, NULL) == TF_OK);
     s.input = tf_input_default(&s.machine);
-    const double turn = tap_uniform(0.2, 1) * (i % 2 ? 1 : -1);
+    const double slip = tap_uniform(0.2, 1) * (i % 2 ? 1 : -1);
     s.state = (tf_state_t){.r = (tf_real_t)tap_uniform(0.1, 0.5),
-                           .w = s.input.omega0 + (tf_real_t)turn,
+                           .w = s.input.omega0 + (tf_real_t)slip,
                            .mode = TF_MODES};
     CHECK(tf_begin(&s.machine, &s.state, &s.input, &s.report) == TF_OK);
     CHECK(s.report.slip.g == 0 && s.report.slip.h != 0);

@@ -13,11 +13,11 @@ typedef struct {
 static hold_t hold(const paper_t *p, real r, real w, real alpha) {
   const real x[3] = {r, 0, w};
   real none[3], force[3], moment[3];
-  paper_t turning = *p;
-  turning.omega0 = w;
-  paper_rhs_mass(&turning, x, 0, 0, none);
-  paper_rhs_mass(&turning, x, 1, 0, force);
-  paper_rhs_mass(&turning, x, 0, 1, moment);
+  paper_t rotating = *p;
+  rotating.omega0 = w;
+  paper_rhs_mass(&rotating, x, 0, 0, none);
+  paper_rhs_mass(&rotating, x, 1, 0, force);
+  paper_rhs_mass(&rotating, x, 0, 1, moment);
   const real a = force[1] - none[1], b = moment[1] - none[1], e = -none[1];
   const real c = force[2] - none[2], d = moment[2] - none[2];
   const real f = alpha - none[2], det = a * d - b * c;

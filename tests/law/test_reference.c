@@ -1,10 +1,10 @@
 /* The simulator against the reference solutions of tests/data/reference.h:
- * every scene and two benchmarks, as far as their future is unique. */
+ * every scene and two benchmarks, as far as the solution is unique. */
 #include "../data/reference.h"
 #include "common.h"
 
 /* Step sizes are taken in groups of neighbours and their errors averaged:
- * where in a step a switch falls changes the error of one run by its size. */
+ * where in a step an event falls changes the error of one run by its size. */
 enum { GROUP = 8, PHASES = 64 };
 
 static tf_tyre_law_t law_named(const char *name) {
@@ -73,7 +73,7 @@ static int begin(sim_t *s, scheme_t *scheme, const reference_t *ref,
                       .v = (tf_real_t)ref->start.v,
                       .w = (tf_real_t)ref->start.w,
                       .mode = (uint8_t)mode_named(ref->begins)};
-  /* Where v has a hold on h, it is rounded to that h. */
+  /* Where h depends on v, v is rounded to that h. */
   tf_speed_for_slip(&s->machine, s->x.r, s->x.w, u.omega0, (tf_real_t)ref->h,
                     &s->x.v);
   CHECK(tf_begin(&s->machine, &s->x, &u, &s->report) == TF_OK);
@@ -191,7 +191,7 @@ TEST(events_come_in_the_order_of_the_reference) {
   }
 }
 
-/* The tolerance sets the error, not the step, and after every switch: where all
+/* The tolerance sets the error, not the step, and after every event: where all
  * steps kept to it; where one says that it did not, less is asked. */
 TEST(located_steps_keep_to_the_reference) {
   static const int steps[2] = {90, 700}; /* from one grid time to the next */

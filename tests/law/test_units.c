@@ -38,7 +38,7 @@ static void map_params(int map, tf_params_t *p) {
   }
 }
 
-static void turn_wheel(tf_machine_t *k) {
+static void rotate_wheel(tf_machine_t *k) {
   k->sin_gamma = -k->sin_gamma;
   k->minus_sin_gamma = -k->minus_sin_gamma;
   k->cos_gamma = -k->cos_gamma;
@@ -50,22 +50,22 @@ static void turn_wheel(tf_machine_t *k) {
 static tf_machine_t mapped_machine(int map, tf_params_t p) {
   map_params(map, &p);
   tf_machine_t k = prepared(&p);
-  if (map == HALF_TURN) turn_wheel(&k);
+  if (map == HALF_TURN) rotate_wheel(&k);
   return k;
 }
 
 static tf_input_t mapped_input(int map, tf_input_t u) {
-  const tf_real_t turn = map == MIRROR ? TF_R(-1.0) : TF_R(1.0);
+  const tf_real_t mirror = map == MIRROR ? TF_R(-1.0) : TF_R(1.0);
   const tf_real_t back = map == REVERSAL ? TF_R(-1.0) : TF_R(1.0);
   const tf_real_t size = map == MASS   ? HEAVY
                          : map == TIME ? TF_R(4.0)
                                        : TF_R(1.0);
   const tf_real_t fast = map == TIME ? TF_R(2.0) : TF_R(1.0);
-  return (tf_input_t){.omega0 = turn * fast * u.omega0,
+  return (tf_input_t){.omega0 = mirror * fast * u.omega0,
                       .r0 = back * u.r0,
                       .force = back * size * u.force,
-                      .torque = turn * size * u.torque,
-                      .alpha = turn * fast * fast * u.alpha};
+                      .torque = mirror * size * u.torque,
+                      .alpha = mirror * fast * fast * u.alpha};
 }
 
 static unsigned mapped_mode(int map, unsigned mode) {
@@ -156,8 +156,8 @@ static tf_state_t state_at_random(const tf_machine_t *k, const tf_input_t *u) {
 }
 
 /* One motion under one map; returns how many of its steps agreed, of `most`.
- * Of two futures that only a convention tells apart the map gives the other:
- * there the motions may part. */
+ * Of two consistent modes, between which only a convention chooses, the map
+ * gives the other: there the motions may part. */
 static int agreeing(const kind_t *kind, int map, int most) {
   const tf_params_t p = params_at_random(kind);
   const tf_machine_t a = prepared(&p), b = mapped_machine(map, p);

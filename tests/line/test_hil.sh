@@ -37,12 +37,13 @@ for real in double float; do
   [ $real = double ] || other=double
   check "$real: a board on a line" plug $real
   drive "$real: in real time" 0 $real
-  check "$real: told" grep -q 'states .* inputs: the same bits' err
+  check "$real: states and inputs are counted" \
+    grep -q 'states .* inputs: the same bits' err
   drive "$real: late inputs" 0 $real --delay 0
-  check "$real: late inputs are told" grep -q '[1-9][0-9]* late' err
+  check "$real: late inputs are reported" grep -q '[1-9][0-9]* late' err
   drive "$real: in lockstep" 0 $real --lockstep --csv one
   drive "$real: in lockstep again" 0 $real --lockstep --csv two
-  check "$real: lockstep hangs on no clock" cmp one two
+  check "$real: lockstep depends on no clock" cmp one two
   drive "$real: another speed is asked for" 0 $real --lockstep --speed -0.8 \
     --csv two
   check "$real: and is another motion" not cmp -s one two

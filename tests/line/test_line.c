@@ -213,8 +213,9 @@ TEST(stalled_reader_costs_records_and_no_step) {
   for (int i = 0; i < PATIENCE && it.beats == beats; i++) listen(&it);
   /* Of every step there was a record, sent or counted; a heartbeat comes
    * before that of its own step, and may have been dropped itself. */
-  const uint64_t told = it.states_at_beat + it.dropped;
-  CHECK(told >= it.beat_tick && told <= it.beat_tick + 1 + it.beat_tick / 500);
+  const uint64_t records = it.states_at_beat + it.dropped;
+  CHECK(records >= it.beat_tick &&
+        records <= it.beat_tick + 1 + it.beat_tick / 500);
   CHECK(it.wrong == 0 && it.decoder.bad == 0 && it.decoder.lost == 0);
   CHECK(end(&it, SIGTERM) == 0);
 }
@@ -280,9 +281,9 @@ TEST(jitter_is_measured_and_told) {
   run_on_terminal(&it);
   CHECK(comes_to(&it, 200));
   CHECK(end(&it, SIGTERM) == 0);
-  const char *told = strstr(it.heard, "host: woke");
-  if (!CHECK(told != NULL)) return;
-  CHECK(sscanf(told,
+  const char *report = strstr(it.heard, "host: woke");
+  if (!CHECK(report != NULL)) return;
+  CHECK(sscanf(report,
                "host: woke for %llu ticks of %llu us; late by %lf us at "
                "least, %lf in the mean, %lf at most",
                &ticks, &period, &least, &mean, &most) == 5);

@@ -1,7 +1,7 @@
 /* The fixed-rate loop of port/loop.c on a board made of numbers: its clock goes
  * on by what a step, a record and a look at the time are said to cost, so that
- * every overrun and every dropped record here is exact and none hangs on the
- * machine that tests. */
+ * every overrun and every dropped record here is exact and none depends on
+ * the machine that tests. */
 #include "tap.h"
 /* The loop itself, with the board below. */
 #include "../../port/loop.c" /* NOLINT(bugprone-suspicious-include) */
@@ -78,12 +78,12 @@ unsigned app_heartbeat(const loop_counts_t *counts, uint8_t to[]) {
   return 100;
 }
 
-static loop_counts_t told;
+static loop_counts_t counted;
 
 static loop_end_t run_loop(uint32_t steps, uint32_t every,
                            loop_policy_t policy) {
   const loop_plan_t plan = {1000, steps, every, 1000, policy};
-  return loop_run(&plan, &told);
+  return loop_run(&plan, &counted);
 }
 
 static void reset(uint32_t step_costs) {
@@ -96,13 +96,14 @@ static void reset(uint32_t step_costs) {
 TEST(every_tick_has_one_step) {
   reset(300);
   CHECK(run_loop(5000, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(told.steps == 5000 && board.stepped == 5000 && board.twice == 0);
-  CHECK(told.overruns == 0 && told.skipped == 0 && told.dropped == 0);
-  CHECK(told.sent == board.records - 3 + board.beats);
+  CHECK(counted.steps == 5000 && board.stepped == 5000 && board.twice == 0);
+  CHECK(counted.overruns == 0 && counted.skipped == 0 && counted.dropped == 0);
+  CHECK(counted.sent == board.records - 3 + board.beats);
   CHECK(board.records == 3 + 501 && board.beats == 6);
-  CHECK(board.put == 100 * told.sent); /* all of it left */
-  CHECK(told.shortest >= 300 && told.longest <= 310);
-  CHECK(told.sum / told.steps >= 300 && told.sum / told.steps <= 310);
+  CHECK(board.put == 100 * counted.sent); /* all of it left */
+  CHECK(counted.shortest >= 300 && counted.longest <= 310);
+  CHECK(counted.sum / counted.steps >= 300 &&
+        counted.sum / counted.steps <= 310);
   CHECK(board.idled > 0);
 }
 
@@ -111,9 +112,9 @@ TEST(overrun_is_finished_and_skips_ticks) {
   board.slow_step = 50;
   board.slow_costs = 3500; /* three ticks come meanwhile */
   CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(told.steps == 100 && board.stepped == 100 && board.twice == 0);
-  CHECK(told.overruns == 1 && told.skipped == 3);
-  CHECK(told.longest >= 3500);
+  CHECK(counted.steps == 100 && board.stepped == 100 && board.twice == 0);
+  CHECK(counted.overruns == 1 && counted.skipped == 3);
+  CHECK(counted.longest >= 3500);
 }
 
 TEST(overrun_stops_where_asked) {
@@ -121,7 +122,7 @@ TEST(overrun_stops_where_asked) {
   board.slow_step = 50;
   board.slow_costs = 1100;
   CHECK(run_loop(100, 10, LOOP_STOP) == LOOP_OVERRAN);
-  CHECK(told.steps == 50 && told.overruns == 1); /* it was finished */
+  CHECK(counted.steps == 50 && counted.overruns == 1); /* it was finished */
   reset(300);
   CHECK(run_loop(100, 10, LOOP_STOP) == LOOP_DONE);
 }
@@ -129,18 +130,19 @@ TEST(overrun_stops_where_asked) {
 TEST(always_late_is_every_other_tick) {
   reset(1500);
   CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(told.steps == 100 && told.overruns == 100 && board.twice == 0);
-  CHECK(told.skipped == 100);
+  CHECK(counted.steps == 100 && counted.overruns == 100 && board.twice == 0);
+  CHECK(counted.skipped == 100);
 }
 
 TEST(stalled_reader_costs_records_and_no_step) {
   reset(300);
   board.stalled = true;
   CHECK(run_loop(10000, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(told.steps == 10000 && told.overruns == 0 && told.skipped == 0);
-  CHECK(told.sent >= 1 && told.sent * 100 <= LOOP_ROOM);
+  CHECK(counted.steps == 10000 && counted.overruns == 0 &&
+        counted.skipped == 0);
+  CHECK(counted.sent >= 1 && counted.sent * 100 <= LOOP_ROOM);
   /* what was due: a record every 10 ticks and one before, 11 heartbeats */
-  CHECK(told.sent + told.dropped == 1001 + 11);
+  CHECK(counted.sent + counted.dropped == 1001 + 11);
   CHECK(board.put == 0);
 }
 
@@ -148,8 +150,8 @@ TEST(flood_costs_neither_step_nor_record) {
   reset(300);
   board.flooded = true;
   CHECK(run_loop(1000, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(told.steps == 1000 && told.overruns == 0 && told.skipped == 0);
-  CHECK(told.dropped == 0 && board.put == 100 * told.sent);
+  CHECK(counted.steps == 1000 && counted.overruns == 0 && counted.skipped == 0);
+  CHECK(counted.dropped == 0 && board.put == 100 * counted.sent);
   CHECK(board.received > 1000 * 100); /* what time there was */
 }
 
@@ -157,9 +159,9 @@ TEST(record_that_would_take_too_long_is_dropped) {
   reset(800);
   board.record_costs = 400;
   CHECK(run_loop(1000, 1, LOOP_SKIP) == LOOP_DONE);
-  CHECK(told.steps == 1000 && told.overruns == 0 && told.skipped == 0);
+  CHECK(counted.steps == 1000 && counted.overruns == 0 && counted.skipped == 0);
   /* those before the first step are how the loop knows */
-  CHECK(board.records == 3 + 1 && told.dropped == 1000);
+  CHECK(board.records == 3 + 1 && counted.dropped == 1000);
 }
 
 /* A moment that was not the record's own. */
@@ -170,7 +172,7 @@ TEST(one_slow_record_does_not_end_telemetry) {
     board.slow_record = slow;
     board.outlier_costs = 5000;
     CHECK(run_loop(100, 1, LOOP_SKIP) == LOOP_DONE);
-    CHECK(told.steps == 100 && told.dropped == 0);
+    CHECK(counted.steps == 100 && counted.dropped == 0);
     CHECK(board.records == 3 + 101);
   }
 }
@@ -179,8 +181,8 @@ TEST(standing_is_no_step) {
   reset(300);
   board.stands_until = 40;
   CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(told.steps == 100 && board.latched == 140);
-  CHECK(board.records == 3 + 15); /* it is told of all the same */
+  CHECK(counted.steps == 100 && board.latched == 140);
+  CHECK(board.records == 3 + 15); /* it is reported all the same */
 }
 
 /* A run that begins at any tick has its records at steps known beforehand. */
@@ -188,7 +190,7 @@ TEST(records_can_be_moved_to_a_step) {
   reset(300);
   const loop_plan_t plan = {1000, 40, 10, 1000, LOOP_SKIP};
   board.stands_until = 7;
-  CHECK(loop_run(&plan, &told) == LOOP_DONE);
+  CHECK(loop_run(&plan, &counted) == LOOP_DONE);
   CHECK(board.record_step[4] == 3); /* the tenth tick, seven stood */
   reset(300);
   board.moves_at = 24;
@@ -201,9 +203,9 @@ TEST(records_can_be_moved_to_a_step) {
 TEST(ends_are_told_apart) {
   const loop_plan_t wrong = {7, 1, 1, 1, LOOP_SKIP};
   reset(300);
-  CHECK(loop_run(&wrong, &told) == LOOP_NO_TIMER);
+  CHECK(loop_run(&wrong, &counted) == LOOP_NO_TIMER);
   board.broken = true;
-  CHECK(run_loop(10, 1, LOOP_SKIP) == LOOP_REFUSED && told.steps == 0);
+  CHECK(run_loop(10, 1, LOOP_SKIP) == LOOP_REFUSED && counted.steps == 0);
 }
 
 int main(int argc, char **argv) {

@@ -64,16 +64,17 @@ TEST(degraded_step_reports_the_consistent_set) {
            r * cos(gamma) * (r * cos(gamma) + (s ? -1 : 1) * (double)p.kappa)) /
               ((double)p.m * inertia));
     CHECK(off[report.slip.g < 0] < off[report.slip.g >= 0]);
-    /* The step that carries its rounding says the same. */
+    /* The compensated step reports the same. */
     tf_compensated_t more;
-    tf_compensation_t carry = {0};
+    tf_compensation_t compensation = {0};
     tf_report_t other;
     tf_state_t y = {.r = (tf_real_t)f->r,
                     .v = (tf_real_t)f->v,
                     .w = (tf_real_t)f->w,
                     .mode = f->mode};
     CHECK(tf_prepare_compensated(&more, &p, NULL) == TF_OK);
-    CHECK(tf_step_compensated(&more, &y, &carry, &u, &other) == TF_DEGRADED);
+    CHECK(tf_step_compensated(&more, &y, &compensation, &u, &other) ==
+          TF_DEGRADED);
     CHECK(other.set == report.set && other.mode == report.mode);
     CHECK(other.choices == 1 && y.mode == x.mode && y.tick == 1);
     CHECK_NEAR(y.r, x.r, 1e-14);
@@ -149,7 +150,7 @@ TEST(a_degraded_step_is_the_same_compensated) {
     tf_params_t p = random_params();
     tf_compensated_t k;
     tf_report_t report, twin;
-    tf_compensation_t carry = {0, 0, 0, 0};
+    tf_compensation_t compensation = {0, 0, 0, 0};
     p.dt = (tf_real_t)pow(10, tap_uniform(-3, -0.3));
     p.theta = uniform(0.5, 1);
     p.kappa = uniform(0.05, 3);
@@ -161,7 +162,7 @@ TEST(a_degraded_step_is_the_same_compensated) {
                     .mode = (uint8_t)(tap_bits() % TF_MODES)};
     tf_state_t y = x;
     if (tf_step(&k.machine, &x, &u, &report) != TF_DEGRADED ||
-        tf_step_compensated(&k, &y, &carry, &u, &twin) != TF_DEGRADED)
+        tf_step_compensated(&k, &y, &compensation, &u, &twin) != TF_DEGRADED)
       continue;
     CHECK(twin.mode == report.mode && twin.set == report.set);
     modes[twin.mode]++;

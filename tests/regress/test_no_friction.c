@@ -41,10 +41,10 @@ TEST(without_friction_nothing_is_pinned) {
       static tf_state_block_t blocks[TF_BLOCKS(TF_LANES)];
       static tf_report_block_t reports[TF_BLOCKS(TF_LANES)];
       tf_state_t to = x;
-      tf_compensation_t carry = {0, 0, 0, 0};
+      tf_compensation_t compensation = {0, 0, 0, 0};
       if (scheme == 0) tf_step(k, &to, &input, &report);
       if (scheme == 1)
-        tf_step_compensated(&machine, &to, &carry, &input, &report);
+        tf_step_compensated(&machine, &to, &compensation, &input, &report);
       if (scheme == 2) tf_step_located(k, &to, &input, &report);
       if (scheme == 3) {
         for (size_t i = 0; i < TF_LANES; i++) tf_ensemble_put(blocks, i, &x);

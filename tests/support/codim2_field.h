@@ -1,5 +1,5 @@
 /* codim2_field.h - the field of slip at h = g = 0 by the paper's law: how fast
- * a slip of a given angle turns and grows there. */
+ * a slip of a given direction rotates and grows there. */
 #ifndef TESTS_SUPPORT_CODIM2_FIELD_H
 #define TESTS_SUPPORT_CODIM2_FIELD_H
 
@@ -38,10 +38,10 @@ static inline field_t field_at(const tf_params_t *params, const tf_input_t *u,
   return at;
 }
 
-/* Slip of 1 m/s at an angle from the h axis of one side: how fast it turns to
- * larger angles, and grows. */
+/* Slip of 1 m/s at an angle from the h axis of one side: the rate of that angle
+ * [rad/s] and of the length of the slip [m/s^2]. */
 typedef struct {
-  real turns, grows;
+  real rotation, growth;
 } slip_rate_t;
 
 static inline slip_rate_t slip_rate_at(const field_t *at, int side,

@@ -1,9 +1,9 @@
 /* orbit.c - the reference orbit of orbit.h. The solver is Gragg's midpoint
  * rule with Bulirsch-Stoer extrapolation at a fixed depth: it needs no table
- * of coefficients, so it is as accurate as long double is wide, and a switch
+ * of coefficients, so it is as accurate as long double is wide, and an event
  * is located by taking the last step again with a smaller length, which costs
  * no accuracy as dense output would. Each leg of the orbit is one smooth
- * field: signs of h and g are frozen while a step may overshoot a switch. */
+ * field: signs of h and g are frozen while a step may overshoot an event. */
 #include "orbit.h"
 
 #include <float.h>
@@ -55,8 +55,8 @@ static void friction_at(const leg_t *leg, long double angle, long double *F,
 /* g = R cos(angle), h = R sin(angle):
  *   R' = g' cos + h' sin,   R angle' = h' cos - g' sin */
 static void slip_rates(const leg_t *leg, long double r, long double radius,
-                       long double angle, long double *v, long double *turn,
-                       long double *grow) {
+                       long double angle, long double *v, long double *rotation,
+                       long double *growth) {
   const long double c = cosl(angle), s = sinl(angle);
   long double x[3], dx[3], h_x[3], g_x[3], F, M;
   paper_from_slip(leg->p, r, radius * s, radius * c, x);
@@ -65,8 +65,8 @@ static void slip_rates(const leg_t *leg, long double r, long double radius,
   paper_h_x(leg->p, x, h_x);
   paper_g_x(leg->p, x, g_x);
   *v = x[1];
-  *turn = dot(h_x, dx) * c - dot(g_x, dx) * s;
-  *grow = dot(g_x, dx) * c + dot(h_x, dx) * s;
+  *rotation = dot(h_x, dx) * c - dot(g_x, dx) * s;
+  *growth = dot(g_x, dx) * c + dot(h_x, dx) * s;
 }
 
 /* (slidRescale), reversed in sign so that time runs forward where A > 0:
@@ -217,12 +217,12 @@ static int follow(const leg_t *leg, long double y[DIM], const stop_t stop[2],
   return -1;
 }
 
-/* Where the turn vanishes at radius zero. */
-static long double turn_at(const leg_t *leg, long double r, long double angle,
-                           long double *grow) {
-  long double v, turn;
-  slip_rates(leg, r, 0.0L, angle, &v, &turn, grow);
-  return turn;
+/* The rate of the angle at radius zero: 0 at a limit direction. */
+static long double rotation_at(const leg_t *leg, long double r,
+                               long double angle, long double *growth) {
+  long double v, rotation;
+  slip_rates(leg, r, 0.0L, angle, &v, &rotation, growth);
+  return rotation;
 }
 
 int orbit_limit_directions(const paper_t *p, long double r, int room,
@@ -233,24 +233,24 @@ int orbit_limit_directions(const paper_t *p, long double r, int room,
   for (int i = -2 * CELLS; i < 2 * CELLS; i++) {
     const int outer = i < -CELLS || i >= CELLS;
     const leg_t leg = {p, 0, i < 0 ? -1 : 1, outer ? -1 : 1};
-    long double lo = cell * (long double)i, hi = lo + cell, grow;
-    const int rising = turn_at(&leg, r, lo, &grow) < 0.0L;
-    if (rising == (turn_at(&leg, r, hi, &grow) < 0.0L)) continue;
+    long double lo = cell * (long double)i, hi = lo + cell, growth;
+    const int rising = rotation_at(&leg, r, lo, &growth) < 0.0L;
+    if (rising == (rotation_at(&leg, r, hi, &growth) < 0.0L)) continue;
     for (int j = 0; j < 70; j++) {
       const long double mid = 0.5L * (lo + hi);
-      if ((turn_at(&leg, r, mid, &grow) < 0.0L) == rising)
+      if ((rotation_at(&leg, r, mid, &growth) < 0.0L) == rising)
         lo = mid;
       else
         hi = mid;
     }
     if (count < room) {
       const long double d = 1e-5L;
-      found[count].pull =
-          (turn_at(&leg, r, lo + d, &grow) - turn_at(&leg, r, lo - d, &grow)) /
-          (2.0L * d);
-      turn_at(&leg, r, lo, &grow);
+      found[count].pull = (rotation_at(&leg, r, lo + d, &growth) -
+                           rotation_at(&leg, r, lo - d, &growth)) /
+                          (2.0L * d);
+      rotation_at(&leg, r, lo, &growth);
       found[count].angle = lo;
-      found[count].speed = grow;
+      found[count].speed = growth;
     }
     count++;
   }
@@ -272,7 +272,8 @@ static int fall(const paper_t *p, stop_t until, long double y[DIM],
                 orbit_events_t *ev, orbit_point_t *last) {
   leg_t leg = {p, 0, 1, 1};
   const stop_t tiny[2] = {{2, -1.0L, log_tiny}, until};
-  long double x[3] = {ORBIT_R_START, 0.0L, ORBIT_W_START}, g, v, turn, grow;
+  long double x[3] = {ORBIT_R_START, 0.0L, ORBIT_W_START}, g;
+  long double v, rotation, growth;
   x[1] = paper_v_at(p, x[0], x[2], ORBIT_H_START);
   g = paper_g(p, x);
   y[0] = x[0];
@@ -280,8 +281,8 @@ static int fall(const paper_t *p, stop_t until, long double y[DIM],
   y[2] = logl(hypotl(ORBIT_H_START, g));
   y[3] = 0.0L;
   if (follow(&leg, y, tiny, 0) != 0) return mark(&leg, y, last), 1;
-  slip_rates(&leg, y[0], 0.0L, y[1], &v, &turn, &grow);
-  y[3] -= expl(y[2]) / grow;
+  slip_rates(&leg, y[0], 0.0L, y[1], &v, &rotation, &growth);
+  y[3] -= expl(y[2]) / growth;
   ev->fall_angle = y[1];
   y[1] = y[2] = 0.0L;
   leg.stuck = 1;
@@ -293,12 +294,12 @@ static int fall(const paper_t *p, stop_t until, long double y[DIM],
 static int cross(const paper_t *p, stop_t until, long double y[DIM],
                  orbit_events_t *ev, orbit_point_t *last) {
   const leg_t stick = {p, 1, 0, -1}, slip = {p, 0, -1, 1};
-  const stop_t turned[2] = {{1, 1.0L, 0.0L}, until};
+  const stop_t crossing[2] = {{1, 1.0L, 0.0L}, until};
   const stop_t landed[2] = {{1, 1.0L, 0.0L}, until};
   orbit_direction_t way[16];
   int n, out = -1;
   ev->stick_lambda = 0.0L;
-  if (follow(&stick, y, turned, &ev->stick_lambda) != 0)
+  if (follow(&stick, y, crossing, &ev->stick_lambda) != 0)
     return mark(&stick, y, last), 1;
   y[1] = 0.0L;
   mark(&stick, y, &ev->leave);

@@ -1,8 +1,8 @@
 /* orbit.h - the reference orbit: the `chaos` scene followed in long double
- * from its start to the two-fold, every switch located by a root finder.
+ * from its start to the two-fold, every event located by a root finder.
  *
  *   slip+   from r = 0.18, w = -1.037, h = 1e-10 into h = g = 0;
- *   stick-  on h = 0, g < 0, until the spring turns it back to g = 0;
+ *   stick-  on h = 0, g < 0, until the spring brings it back to g = 0;
  *   slip-   along the one direction that leaves that point, down to h = 0;
  *   stick+  in the lower sliding region, into the two-fold.
  *
@@ -23,7 +23,7 @@
 
 /* A direction along which slip orbits enter or leave h = g = 0 at some r.
  * `speed` is d/dt of the distance sqrt(g^2 + h^2) along it: negative enters.
- * `pull` is the growth of a small turn away from it, per unit of
+ * `pull` is the growth of a small angle off it, per unit of
  * logarithmic time dt / distance: negative attracts as time runs on. */
 typedef struct {
   long double angle; /* atan2(h, g) [rad], in (-pi, pi), h != 0 */

@@ -144,7 +144,7 @@ ended() {
 }
 
 # interrupt SIGNAL FILE LINES ARGS...: the signal comes when FILE has so many
-# lines, ends the run with code 4, and is told.
+# lines, ends the run with code 4, and is reported.
 interrupt() {
   signal=$1 file=$2 lines=$3
   shift 3
@@ -157,7 +157,7 @@ interrupt() {
   poll ended $pid || kill -s KILL $pid
   wait $pid
   equal "SIG$signal, $1: code" $? 4
-  check "SIG$signal, $1: it is told" grep -Eq 'interrupted|by a signal' err
+  check "SIG$signal, $1: it is reported" grep -Eq 'interrupted|by a signal' err
 }
 
 # full_device ARGS...: standard output on a full device gives code 4.

@@ -58,7 +58,7 @@ TEST(designs_near_the_axis_are_refused) {
   const tf_real_t least = 4 * TF_REAL_MIN;
   tf_params_t params = tf_scenes[0]->params;
   params.beta = TF_R(1e6);
-  /* kappa = beta^2 sin^2 / (r cos) is a number, times w it is none. */
+  /* kappa = beta^2 sin^2 / (r cos) is finite, times w it is not. */
   const double near_axis = 1e15 / (double)TF_REAL_MAX;
   CHECK(obstacle(&params, (double)(least * 1000), -1.037) == TF_DESIGN_R);
   CHECK(obstacle(&params, near_axis, -1e8) == TF_DESIGN_R);

@@ -23,10 +23,10 @@ TEST(two_fold_of_the_paper_is_found) {
   const tf_machine_t machine = prepared(&params);
   const tf_input_t input = tf_input_default(&machine);
   tf_surface_point_t at[TF_TWO_FOLDS];
-  tf_absence_t lack = TF_ABSENCE_LAW;
+  tf_absence_t absence = TF_ABSENCE_LAW;
   int count = -1;
-  CHECK(tf_two_folds(&machine, &input, at, &count, &lack) == TF_OK);
-  CHECK(count == 2 && lack == TF_ABSENCE_NONE);
+  CHECK(tf_two_folds(&machine, &input, at, &count, &absence) == TF_OK);
+  CHECK(count == 2 && absence == TF_ABSENCE_NONE);
   CHECK_NEAR(wide(at[0].r), PAPER_R_STAR, 8 * EPSILON);
   CHECK_NEAR(wide(at[0].w), PAPER_W_STAR, 16 * EPSILON);
   CHECK_NEAR(wide(at[0].v), -0.0301217L, 16 * EPSILON);
@@ -216,12 +216,12 @@ TEST(a_machine_may_have_eight_two_folds) {
 
 TEST(gamma_zero_has_a_continuous_two_fold) {
   tf_params_t params = tf_scenes[0]->params;
-  for (int turned = 0; turned < 3; turned++) {
-    params.gamma =
-        (tf_real_t)((real)(turned == 2 ? -1 : turned) * 3.14159265358979L);
-    if (turned)
-      params.gamma = turned == 1 ? tf_parameter_ranges[10].high
-                                 : tf_parameter_ranges[10].low;
+  for (int half_turns = 0; half_turns < 3; half_turns++) {
+    params.gamma = (tf_real_t)((real)(half_turns == 2 ? -1 : half_turns) *
+                               3.14159265358979L);
+    if (half_turns)
+      params.gamma = half_turns == 1 ? tf_parameter_ranges[10].high
+                                     : tf_parameter_ranges[10].low;
     const tf_machine_t machine = prepared(&params);
     const tf_input_t input = tf_input_default(&machine);
     const paper_t p = paper_of(&params);
@@ -229,7 +229,7 @@ TEST(gamma_zero_has_a_continuous_two_fold) {
     int count = 0;
     CHECK(tf_two_folds(&machine, &input, at, &count, NULL) == TF_OK);
     CHECK(count == 1);
-    const real turn = turned ? -1 : 1, r = turn * (at[0].g > 0 ? -1 : 1);
+    const real sign = half_turns ? -1 : 1, r = sign * (at[0].g > 0 ? -1 : 1);
     CHECK_NEAR(wide(at[0].r), r * p.kappa, 8 * EPSILON);
     CHECK_NEAR(wide(at[0].w), p.omega0, 8 * EPSILON);
     /* The paper's v*, with r* in the place of -kappa. */
@@ -254,14 +254,14 @@ TEST(gamma_zero_has_a_continuous_two_fold) {
   }
 }
 
-static tf_absence_t lack_of(const tf_params_t *params, int *count) {
+static tf_absence_t absence_of(const tf_params_t *params, int *count) {
   const tf_machine_t machine = prepared(params);
   const tf_input_t input = tf_input_default(&machine);
   tf_surface_point_t at[TF_TWO_FOLDS];
-  tf_absence_t lack = TF_ABSENCE_NONE;
+  tf_absence_t absence = TF_ABSENCE_NONE;
   *count = -1;
-  CHECK(tf_two_folds(&machine, &input, at, count, &lack) == TF_OK);
-  return lack;
+  CHECK(tf_two_folds(&machine, &input, at, count, &absence) == TF_OK);
+  return absence;
 }
 
 TEST(gamma_right_has_no_two_fold) {
@@ -270,7 +270,7 @@ TEST(gamma_right_has_no_two_fold) {
   for (int i = 0; i < 200; i++) {
     params.gamma = (tf_real_t)(i & 1 ? PAPER_PI / 2 : -PAPER_PI / 2);
     params.kappa = uniform(0.001, 5);
-    CHECK(lack_of(&params, &count) == TF_ABSENCE_ARM);
+    CHECK(absence_of(&params, &count) == TF_ABSENCE_ARM);
     CHECK(count == 0);
     const paper_t p = paper_of(&params);
     /* The borders of stick are 2 mu / m apart, everywhere. */
@@ -288,23 +288,23 @@ TEST(gamma_right_has_no_two_fold) {
 TEST(machines_without_two_folds_say_why) {
   tf_params_t params = tf_scenes[0]->params;
   int count = -1;
-  CHECK(lack_of(&params, &count) == TF_ABSENCE_NONE && count == 2);
+  CHECK(absence_of(&params, &count) == TF_ABSENCE_NONE && count == 2);
   params.mu = 0;
-  CHECK(lack_of(&params, &count) == TF_ABSENCE_LAW && count == 0);
+  CHECK(absence_of(&params, &count) == TF_ABSENCE_LAW && count == 0);
   params = tf_scenes[0]->params;
   params.law = TF_TYRE_COULOMB;
-  CHECK(lack_of(&params, &count) == TF_ABSENCE_MOMENT && count == 0);
+  CHECK(absence_of(&params, &count) == TF_ABSENCE_MOMENT && count == 0);
   params.law = TF_TYRE_NONE;
-  CHECK(lack_of(&params, &count) == TF_ABSENCE_LAW && count == 0);
+  CHECK(absence_of(&params, &count) == TF_ABSENCE_LAW && count == 0);
   params = tf_scenes[0]->params;
   params.kappa = TF_R(0.0999); /* 2 beta tan(gamma) = 0.1 */
-  CHECK(lack_of(&params, &count) == TF_ABSENCE_ARM && count == 0);
+  CHECK(absence_of(&params, &count) == TF_ABSENCE_ARM && count == 0);
   params.kappa = TF_R(0.1001);
-  CHECK(lack_of(&params, &count) != TF_ABSENCE_ARM);
+  CHECK(absence_of(&params, &count) != TF_ABSENCE_ARM);
   bool seen = false;
   for (int i = 0; i < 1000 && !seen; i++) {
     params = random_params();
-    seen = lack_of(&params, &count) == TF_ABSENCE_BALANCE;
+    seen = absence_of(&params, &count) == TF_ABSENCE_BALANCE;
     CHECK(!seen || count == 0);
   }
   CHECK(seen);

@@ -153,7 +153,7 @@ TEST(regions_are_what_slip_does) {
 
 /* (slidRescale) as printed is h_x.f_lambda times (svf), and h_x.f_lambda < 0
  * in a sliding region: it leads backwards there, not forwards as the text
- * says. `scaled` has the sign turned. */
+ * says. `scaled` has the opposite sign. */
 TEST(rescaled_field_is_regular_at_the_two_fold) {
   int both[2] = {0};
   for (int i = 0; i < 20000; i++) {
@@ -238,7 +238,8 @@ TEST(surface_refuses_other_laws_and_bad_states) {
   const tf_status_t status =
       tf_surface_at(&machine, &input, TF_R(1e-9), TF_R(9e8), 0, &at);
   CHECK(status == (sizeof(tf_real_t) == 4 ? TF_BAD_STATE : TF_OK));
-  /* Without a moment h = g = 0 is no corner. */
+  /* Without a moment F is the same on both sides of g = 0: a point of h = 0
+   * like any other. */
   params = tf_scenes[0]->params;
   params.law = TF_TYRE_COULOMB;
   CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);

@@ -15,20 +15,22 @@ TEST(exponent_of_a_limit_direction) {
     const tf_real_t r = uniform(-0.6, 0.6);
     const field_t at = field_at(&params, &u, r);
     const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    tf_segment_t ray = {.contact = TF_CONTACT_CODIM2_SLIP,
-                        .sign_h = n & 1 ? 1 : -1,
-                        .sign_g = n & 2 ? 1 : -1,
-                        .h_zero_order = 1,
-                        .g_starts_at_zero = true};
-    if (!tf_codim2_attractor(&k, &rates, ray.sign_g, ray.sign_h, &ray.T))
+    tf_segment_t segment = {.contact = TF_CONTACT_CODIM2_SLIP,
+                            .sign_h = n & 1 ? 1 : -1,
+                            .sign_g = n & 2 ? 1 : -1,
+                            .h_zero_order = 1,
+                            .g_starts_at_zero = true};
+    if (!tf_codim2_attractor(&k, &rates, segment.sign_g, segment.sign_h,
+                             &segment.T))
       continue;
     static tf_taylor_t motion;
     begin_taylor(&motion, &k, &u, u.omega0, (tf_phase_point_t){r, 0, 0});
-    CHECK(tf_taylor_coefficients(&motion, &ray));
-    const real angle = angle_of(&at, wide(ray.T), ray.sign_g), off = 1e-5L;
-    const real v = slip_rate_at(&at, ray.sign_h, angle).grows;
-    const real c = (slip_rate_at(&at, ray.sign_h, angle + off).turns -
-                    slip_rate_at(&at, ray.sign_h, angle - off).turns) /
+    CHECK(tf_taylor_coefficients(&motion, &segment));
+    const real angle = angle_of(&at, wide(segment.T), segment.sign_g);
+    const real off = 1e-5L;
+    const real v = slip_rate_at(&at, segment.sign_h, angle).growth;
+    const real c = (slip_rate_at(&at, segment.sign_h, angle + off).rotation -
+                    slip_rate_at(&at, segment.sign_h, angle - off).rotation) /
                    (2 * off);
     if (fabsl(v) < 0.1L || fabsl(angle) < 1e-2L ||
         PAPER_PI / 2 - fabsl(angle) < 1e-2L)
@@ -74,7 +76,7 @@ TEST(of_two_sticks_that_of_the_sign_of_g_is_taken) {
  * in half of a step. */
 static tf_state_t towards_codim2(const tf_machine_t *k, const field_t *at,
                                  tf_real_t r, int side, real angle) {
-  const real size = -slip_rate_at(at, side, angle).grows * wide(k->dt) / 2;
+  const real size = -slip_rate_at(at, side, angle).growth * wide(k->dt) / 2;
   const real h = (real)side * size * cosl(angle), g = size * sinl(angle);
   const real sine = wide(k->sin_gamma), cosine = wide(k->cos_gamma);
   const real p = -h * sine - g * cosine;
@@ -115,7 +117,7 @@ TEST(slip_enters_the_stick_of_its_sign_of_g) {
       tf_real_t T;
       if (!tf_codim2_attractor(&k, &rates, roll, side, &T)) continue;
       const real angle = angle_of(&at, wide(T), roll);
-      if (!(slip_rate_at(&at, side, angle).grows < 0)) continue;
+      if (!(slip_rate_at(&at, side, angle).growth < 0)) continue;
       tf_state_t x = towards_codim2(&k, &at, r, side, angle);
       tf_report_t report;
       CHECK(tf_step_located(&k, &x, &u, &report) == TF_OK);

@@ -4,10 +4,10 @@
 #include "friction/codim2.h"
 
 static real bisected(const field_t *at, int side, real low, real high) {
-  const bool up = slip_rate_at(at, side, low).turns > 0;
+  const bool up = slip_rate_at(at, side, low).rotation > 0;
   for (int i = 0; i < 80; i++) {
     const real middle = (low + high) / 2;
-    if ((slip_rate_at(at, side, middle).turns > 0) == up)
+    if ((slip_rate_at(at, side, middle).rotation > 0) == up)
       low = middle;
     else
       high = middle;
@@ -18,7 +18,7 @@ static real bisected(const field_t *at, int side, real low, real high) {
 /* A limit direction along which slip of one side grows: how fast, and whether
  * it attracts its neighbours; 0: there is none. */
 typedef struct {
-  real grows;
+  real growth;
   bool attracts;
 } exit_t;
 
@@ -29,18 +29,18 @@ static exit_t search(const field_t *at, int side) {
   const real quarter = PAPER_PI / 2, edge = 1e-7L;
   exit_t best = {0, false};
   for (int roll = -1; roll <= 1; roll += 2) {
-    real low = 0, turns = 0;
+    real low = 0, rotation = 0;
     for (int i = 0; i <= ANGLES; i++) {
       const real share = fminl(fmaxl((real)i / ANGLES, edge), 1 - edge);
-      const real angle = (real)roll * quarter * share, before = turns;
-      turns = slip_rate_at(at, side, angle).turns;
-      if (i > 0 && (before > 0) != (turns > 0)) {
+      const real angle = (real)roll * quarter * share, before = rotation;
+      rotation = slip_rate_at(at, side, angle).rotation;
+      if (i > 0 && (before > 0) != (rotation > 0)) {
         const real way = bisected(at, side, low, angle);
-        const exit_t next = {slip_rate_at(at, side, way).grows,
+        const exit_t next = {slip_rate_at(at, side, way).growth,
                              (before > 0) == (roll > 0)};
-        if (next.grows > 0 &&
-            (next.attracts == best.attracts ? next.grows > best.grows
-                                            : next.attracts || best.grows == 0))
+        if (next.growth > 0 && (next.attracts == best.attracts
+                                    ? next.growth > best.growth
+                                    : next.attracts || best.growth == 0))
           best = next;
       }
       low = angle;
@@ -73,7 +73,7 @@ TEST(slip_leaves_codimension_two_as_a_search_finds) {
       const exit_t want = search(&at, side);
       if (!(out.solutions.set & TF_MODE_BIT(TF_SLIP_PLUS + slip))) {
         none++;
-        CHECK(want.grows < 1e-3L * size); /* or nearly so */
+        CHECK(want.growth < 1e-3L * size); /* or nearly so */
         continue;
       }
       const real angle = angle_of(&at, wide(out.T[slip]), roll);
@@ -82,16 +82,16 @@ TEST(slip_leaves_codimension_two_as_a_search_finds) {
       const real near = (real)roll * fminl(edge, 1e-4L);
       const real tolerance = 1e4L * EPSILON * size;
       const bool attracts =
-          (real)roll * (slip_rate_at(&at, side, angle + near).turns -
-                        slip_rate_at(&at, side, angle - near).turns) <
+          (real)roll * (slip_rate_at(&at, side, angle + near).rotation -
+                        slip_rate_at(&at, side, angle - near).rotation) <
           0;
-      CHECK_NEAR(is.turns, 0, tolerance);
-      CHECK_NEAR((real)side * wide(out.solutions.h_limit[slip]), is.grows,
+      CHECK_NEAR(is.rotation, 0, tolerance);
+      CHECK_NEAR((real)side * wide(out.solutions.h_limit[slip]), is.growth,
                  tolerance);
       CHECK(attracts || !want.attracts);
-      CHECK(is.grows > want.grows - tolerance || attracts > want.attracts);
+      CHECK(is.growth > want.growth - tolerance || attracts > want.attracts);
       found[slip]++;
-      missed += want.grows == 0;
+      missed += want.growth == 0;
     }
   }
   printf(
@@ -136,7 +136,7 @@ TEST(limit_direction_ends_where_two_meet) {
       without = u.torque;
     if (!is) continue;
     const real angle = angle_of(&at, wide(out.T[0]), out.sign_g[0]);
-    CHECK_NEAR(slip_rate_at(&at, 1, angle).turns, 0, 1e6L * EPSILON);
+    CHECK_NEAR(slip_rate_at(&at, 1, angle).rotation, 0, 1e6L * EPSILON);
     ways++;
   }
   printf("# ends at %.9Lg N m, seen %d times\n", wide(with), ways);

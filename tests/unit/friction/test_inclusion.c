@@ -32,15 +32,16 @@ static unsigned set_of(const tf_inclusion_t *in) {
   return out.set;
 }
 
-/* One sign of g takes it at no force and at all four corners. */
+/* g has one sign only if it has that sign at no force and at all four pairs of
+ * extreme F and M. */
 TEST(signs_of_g_are_those_of_extreme_forces) {
-  for (int corner = 0; corner < 4; corner++)
+  for (int pair = 0; pair < 4; pair++)
     for (int sign = -1; sign <= 1; sign += 2) {
-      const double s = sign, F = corner & 1 ? 1 : -1, M = corner & 2 ? 1 : -1;
+      const double s = sign, F = pair & 1 ? 1 : -1, M = pair & 2 ? 1 : -1;
       tf_inclusion_t in = inclusion(1, 0, 0, 0);
       in.g = affine(s * 0.75, F * 0.25, M * 0.25); /* 0.25 at least */
       CHECK(signs_of(&in.g) == (sign > 0 ? 1 : 2));
-      in.g = affine(s * 0.5, F * 0.25, M * 0.25); /* 0 at one corner */
+      in.g = affine(s * 0.5, F * 0.25, M * 0.25); /* 0 at one pair */
       CHECK(signs_of(&in.g) == 3);
       in.g = affine(s * 0.25, F * 0.25, M * 0.25);
       CHECK(signs_of(&in.g) == 3);
@@ -81,7 +82,7 @@ TEST(share_of_the_moment_is_at_most_1) {
     }
 }
 
-/* A slip that would end on h = 0 is none: the stick at x = +-1 is. */
+/* A slip that would end on h = 0 is not consistent: the stick at x = +-1 is. */
 TEST(slip_needs_nonzero_h) {
   for (int side = -1; side <= 1; side += 2)
     for (int sign = -1; sign <= 1; sign += 2) {
@@ -158,7 +159,7 @@ TEST(consistent_modes_of_either_delassus_scalar) {
  * slip: the one with its sign of g is taken, that nearer to 0 if both have. */
 TEST(stick_of_two_has_its_sign_of_g) {
   static const struct {
-    double g0, slope; /* of s g along the ray */
+    double g0, slope; /* of s g along the segment of stick */
     double x;         /* 0: no stick */
   } cases[] = {{0.0625, 0.125, -0.25}, {0.5, 0.5, -0.25},
                {0.0625, -0.5, -0.25},  {0.0625, 0.5, 0.5},
@@ -180,7 +181,7 @@ TEST(stick_of_two_has_its_sign_of_g) {
       }
 }
 
-/* The root of h along a ray, where a series gives it and where the formula
+/* The root of h along a segment, where a series gives it and where the formula
  * does: as good as its rounding. */
 TEST(stick_is_where_h_vanishes) {
   long double worst = 0;

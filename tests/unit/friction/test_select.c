@@ -123,7 +123,8 @@ static bool two_kinds_of_stick(const question_t *q) {
 }
 
 /* "PERSIST: stay while it is consistent", and the other rules name their own
- * exits from an escaping stick: an attracting stick beside it is none. */
+ * exits from an escaping stick: an attracting stick beside it is not
+ * one of them. */
 TEST(an_escaping_stick_is_the_rules_to_end) {
   question_t q;
   for (unsigned n = 0; question(n, &q); n++) {

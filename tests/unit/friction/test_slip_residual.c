@@ -1,4 +1,4 @@
-/* How far a force is from the law of slip, where slip is none: h = g = 0. */
+/* How far a force is from the law of slip where the slip is zero, h = g = 0. */
 #include "tap.h"
 #include "twofold.h"
 /* After twofold.h: of the core itself. */

@@ -6,7 +6,7 @@
 
 #define LONGEST TF_FRAME_SIZE(TF_FRAME_PAYLOAD)
 
-/* A frame whose payload hangs on its index alone; zeros are common in it. */
+/* A frame whose payload depends on its index alone; zeros are common in it. */
 static uint8_t payload_byte(uint64_t index, unsigned i) {
   uint64_t z = (index * 251 + i + 1) * 0x9E3779B97F4A7C15u;
   z = (z ^ (z >> 29)) * 0xBF58476D1CE4E5B9u;

@@ -279,7 +279,7 @@ TEST(inputs_act_at_their_tick) {
     const uint64_t now = board.session.state.tick;
     tf_input_t input = tf_session_input(&pure, board.scene);
     if (now >= 100) {
-      /* The loop of a brake: it hangs on the state. */
+      /* The loop of a brake: it depends on the state. */
       input.torque = TF_R(-0.125) * pure.state.w;
       input.force = TF_R(0.0625);
       input.omega0 = -1;
@@ -352,7 +352,7 @@ TEST(snapshot_and_restore_continue_bit_for_bit) {
     CHECK(code_of(&board) == TF_ANSWER_DONE);
   }
   CHECK(answered == 1);
-  /* A state that is none. */
+  /* A state that is not valid. */
   const tf_state_t before = board.session.state;
   kept[sizeof kept - 1] = TF_MODES;
   send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);

@@ -132,7 +132,7 @@ TEST(state_and_report_survive_the_line) {
   uint8_t wire[LONGEST];
   for (int n = 0; n < 5000; n++) {
     tf_state_t state = state_shown, back;
-    tf_report_t report = report_shown, told;
+    tf_report_t report = report_shown, decoded;
     received_t received;
     uint16_t sequence = (uint16_t)n;
     state.r = (tf_real_t)tap_uniform(-1e3, 1e3);
@@ -154,13 +154,15 @@ TEST(state_and_report_survive_the_line) {
     receive(&received, wire,
             tf_send_report(wire, &sequence, state.tick, &report));
     CHECK(received.frame.length == TF_REPORT_BYTES);
-    tf_read_report(received.frame.payload, &told);
-    CHECK(told.slip.h == report.slip.h && told.slip.g == report.slip.g);
-    CHECK(told.force.F == report.force.F && told.force.M == report.force.M);
-    CHECK(told.delassus == report.delassus);
-    CHECK(told.residual == report.residual && told.status == report.status);
-    CHECK(told.mode == report.mode && told.set == report.set);
-    CHECK(told.choices == report.choices);
+    tf_read_report(received.frame.payload, &decoded);
+    CHECK(decoded.slip.h == report.slip.h && decoded.slip.g == report.slip.g);
+    CHECK(decoded.force.F == report.force.F &&
+          decoded.force.M == report.force.M);
+    CHECK(decoded.delassus == report.delassus);
+    CHECK(decoded.residual == report.residual &&
+          decoded.status == report.status);
+    CHECK(decoded.mode == report.mode && decoded.set == report.set);
+    CHECK(decoded.choices == report.choices);
     receive(&received, wire, tf_send_compact(wire, &sequence, &state, &report));
     CHECK(received.frame.length == TF_COMPACT_BYTES);
     CHECK(tf_wire_get_real(received.frame.payload + R) == state.v);

@@ -81,14 +81,15 @@ TEST(energy_against_its_definition) {
     const tf_real_t r0 = uniform(-1, 1);
     const real along = wide(x.v) - wide(p.d) * wide(x.w);
     const real across = wide(x.r) * wide(x.w);
-    const real turn = wide(p.beta) * wide(x.w);
+    const real rotation = wide(p.beta) * wide(x.w);
     const real stretch = wide(x.r) - wide(r0), m = wide(p.m);
     const real terms = fabsl(wide(x.v)) + fabsl(wide(p.d) * wide(x.w)) +
-                       fabsl(across) + fabsl(turn);
+                       fabsl(across) + fabsl(rotation);
     const real size = m * terms * terms + wide(p.k2) * stretch * stretch;
-    const real energy = (m * (along * along + across * across + turn * turn) +
-                         wide(p.k2) * stretch * stretch) /
-                        2;
+    const real energy =
+        (m * (along * along + across * across + rotation * rotation) +
+         wide(p.k2) * stretch * stretch) /
+        2;
     CHECK_NEAR(wide(tf_energy(&machine, &x, r0)), energy, 8 * EPSILON * size);
   }
 }

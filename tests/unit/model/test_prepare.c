@@ -229,9 +229,8 @@ TEST(angle_kernel_constants) {
   }
 }
 
-/* What a law does not have is 0, and only JUMP carries a moment in stick. */
 /* Without friction, or with less than a normal number, nothing is divided by
- * it: what is a share of it is none. */
+ * it: each inverse is 0. */
 TEST(no_friction_has_no_inverse) {
   const tf_real_t none[] = {0, TF_REAL_MIN / 2};
   for (int i = 0; i < 2; i++) {
@@ -245,12 +244,13 @@ TEST(no_friction_has_no_inverse) {
   const tf_machine_t k = accepted(&p);
   CHECK(k.inv_mu * TF_REAL_MIN == 1);
   p.kappa = TF_R(0.125);
-  for (int i = 2; i <= 32; i *= 2) { /* nor does stick carry less */
+  for (int i = 2; i <= 32; i *= 2) { /* nor has stick a smaller moment */
     p.mu = (tf_real_t)i * TF_REAL_MIN;
     CHECK((accepted(&p).stick_kappa > 0) == (i >= 8));
   }
 }
 
+/* What a law does not have is 0, and only JUMP has a moment in stick. */
 TEST(each_law_gets_its_own_constants) {
   for (int n = 0; n < TF_TYRE_LAWS; n++) {
     const tf_params_t p = valid((tf_tyre_law_t)n);

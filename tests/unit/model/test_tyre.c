@@ -241,8 +241,8 @@ TEST(coulomb_and_none) {
           (law == TF_TYRE_JUMP || law == TF_TYRE_COULOMB));
 }
 
-/* (h, g) -> (-h, g) turns F and M round, (h, -g) turns M alone: bit for bit.
- * And friction takes power out of the slip: F h >= 0. */
+/* (h, g) -> (-h, g) changes the signs of F and M, (h, -g) that of M alone:
+ * bit for bit. And friction takes power out of the slip: F h >= 0. */
 TEST(every_law_is_odd_and_dissipates) {
   for (int i = 0; i < 120000; i++) {
     const tf_params_t params = random_params((tf_tyre_law_t)(i % TF_TYRE_LAWS));
@@ -265,7 +265,7 @@ TEST(every_law_is_odd_and_dissipates) {
   }
 }
 
-/* F and M hang on g / h alone, to the last bit, down to the least normal
+/* F and M depend on g / h alone, to the last bit, down to the least normal
  * slip. */
 TEST(jump_law_knows_no_size_of_slip) {
   for (int i = 0; i < 20000; i++) {

@@ -138,7 +138,7 @@ TEST(begin_finds_the_mode) {
   }
 }
 
-/* Without a moment no region escapes, and stick carries none. */
+/* Without a moment no region escapes, and stick has none. */
 TEST(begin_without_a_moment) {
   tf_params_t params = tf_scenes[0]->params;
   heavier(&params);

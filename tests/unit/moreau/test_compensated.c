@@ -9,7 +9,7 @@ typedef struct {
   tf_compensated_t machine;
   tf_params_t params;
   tf_state_t state;
-  tf_compensation_t carry;
+  tf_compensation_t compensation;
   tf_input_t input;
 } run_t;
 
@@ -30,8 +30,9 @@ static run_t begun(const tf_scene_t *scene, double dt) {
   run.state.v = scene->v;
   run.state.seed = 1;
   if (!scene->v_is_given)
-    CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state, &run.carry,
-                                        run.input.omega0, scene->h) == TF_OK);
+    CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state,
+                                        &run.compensation, run.input.omega0,
+                                        scene->h) == TF_OK);
   run.state.mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_MODES);
   CHECK(tf_begin(&run.machine.machine, &run.state, &run.input, &report) ==
         TF_OK);
@@ -39,10 +40,10 @@ static run_t begun(const tf_scene_t *scene, double dt) {
 }
 
 static void whole_state(const run_t *run, real x[4]) {
-  x[0] = pair(run->state.r, run->carry.r);
-  x[1] = pair(run->state.v, run->carry.v);
-  x[2] = pair(run->state.w, run->carry.w);
-  x[3] = pair(run->state.phi, run->carry.phi);
+  x[0] = pair(run->state.r, run->compensation.r);
+  x[1] = pair(run->state.v, run->compensation.v);
+  x[2] = pair(run->state.w, run->compensation.w);
+  x[3] = pair(run->state.phi, run->compensation.phi);
 }
 
 TEST(constants_have_twice_the_precision) {
@@ -80,29 +81,32 @@ TEST(compensated_start_has_its_slip) {
     CHECK(tf_prepare_compensated(&run.machine, &run.params, NULL) == TF_OK);
     run.state.r = uniform(-2, 2);
     run.state.w = uniform(-2, 2);
-    run.carry.r = run.state.r * TF_REAL_EPSILON * uniform(-0.25, 0.25);
-    run.carry.w = run.state.w * TF_REAL_EPSILON * uniform(-0.25, 0.25);
+    run.compensation.r = run.state.r * TF_REAL_EPSILON * uniform(-0.25, 0.25);
+    run.compensation.w = run.state.w * TF_REAL_EPSILON * uniform(-0.25, 0.25);
     const tf_real_t h = uniform(0, 1) * (i % 2 ? 1 : TF_R(1e-10));
-    CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state, &run.carry,
-                                        run.input.omega0, h) == TF_OK);
+    CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state,
+                                        &run.compensation, run.input.omega0,
+                                        h) == TF_OK);
     const paper_t paper = paper_of(&run.params);
     real x[4];
     whole_state(&run, x);
     CHECK_NEAR(paper_h(&paper, x), (real)h, 200 * PAIR_EPSILON);
-    CHECK(fabsl((real)run.carry.v) <= EPSILON * fabsl((real)run.state.v));
+    CHECK(fabsl((real)run.compensation.v) <=
+          EPSILON * fabsl((real)run.state.v));
   }
   run_t run = begun(scene_named("gamma_zero"), 1e-4);
   const tf_real_t v = run.state.v;
-  CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state, &run.carry, -1,
+  CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state,
+                                      &run.compensation, -1,
                                       0) == TF_BAD_STATE);
-  CHECK(run.state.v == v && run.carry.v == 0);
+  CHECK(run.state.v == v && run.compensation.v == 0);
   run = begun(tf_scenes[0], 1e-4);
   for (int i = -1; i <= 1; i++) { /* about the border of 1e-6 rad */
     run.params.gamma = TF_R(1e-6) * (1 + TF_R(0.1) * (tf_real_t)i);
     CHECK(tf_prepare_compensated(&run.machine, &run.params, NULL) == TF_OK);
     if (i == 0) run.machine.machine.sin_gamma = TF_R(-1e-6);
-    CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state, &run.carry,
-                                        -1,
+    CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state,
+                                        &run.compensation, -1,
                                         0) == (i < 0 ? TF_BAD_STATE : TF_OK));
   }
 }
@@ -133,11 +137,11 @@ TEST(rounding_is_compensated) {
   tf_report_t report;
   real want[4], got[4], plain[4], worst = 0, worst_plain = 0;
   whole_state(&run, want);
-  memset(&rounded.carry, 0, sizeof rounded.carry);
+  memset(&rounded.compensation, 0, sizeof rounded.compensation);
   true_stick(&paper, want, (real)steps * (real)run.params.dt);
   for (long i = 0; i < steps; i++) {
-    CHECK(tf_step_compensated(&run.machine, &run.state, &run.carry, &run.input,
-                              &report) == TF_OK);
+    CHECK(tf_step_compensated(&run.machine, &run.state, &run.compensation,
+                              &run.input, &report) == TF_OK);
     CHECK(tf_step(&rounded.machine.machine, &rounded.state, &rounded.input,
                   &report) == TF_OK);
   }
@@ -151,8 +155,8 @@ TEST(rounding_is_compensated) {
   }
   CHECK(worst_plain > 3 * worst);
   printf("# plain %.2Lg, compensated %.2Lg\n", worst_plain, worst);
-  CHECK(fabsl((real)run.carry.r) <= EPSILON * fabsl((real)run.state.r));
-  CHECK(fabsl((real)run.carry.w) <= EPSILON * fabsl((real)run.state.w));
+  CHECK(fabsl((real)run.compensation.r) <= EPSILON * fabsl((real)run.state.r));
+  CHECK(fabsl((real)run.compensation.w) <= EPSILON * fabsl((real)run.state.w));
 }
 
 /* |h| stays at the rounding of one change of it, dt epsilon 1 m/s^2, where the
@@ -169,7 +173,7 @@ TEST(compensated_stick_is_exact) {
     for (long n = 1; n <= 300000; n++) {
       const tf_machine_t *k = &run.machine.machine;
       run.input = tf_scene_input(scene, k, (tf_real_t)n * k->dt);
-      CHECK(tf_step_compensated(&run.machine, &run.state, &run.carry,
+      CHECK(tf_step_compensated(&run.machine, &run.state, &run.compensation,
                                 &run.input, &report) == TF_OK);
       if (run.state.mode <= TF_SLIP_MINUS) continue;
       sticks++;
@@ -188,12 +192,12 @@ TEST(compensated_stick_is_exact) {
 static int same_step(const run_t *at, real *worst) {
   run_t a = *at, b = *at;
   tf_report_t ra, rb;
-  memset(&b.carry, 0, sizeof b.carry);
+  memset(&b.compensation, 0, sizeof b.compensation);
   const tf_status_t plain =
       tf_step(&a.machine.machine, &a.state, &a.input, &ra);
-  const tf_status_t carried =
-      tf_step_compensated(&b.machine, &b.state, &b.carry, &b.input, &rb);
-  if (plain != carried || ra.mode != rb.mode) return 0;
+  const tf_status_t compensated =
+      tf_step_compensated(&b.machine, &b.state, &b.compensation, &b.input, &rb);
+  if (plain != compensated || ra.mode != rb.mode) return 0;
   if (plain < 0) return 1;
   /* At a Delassus scalar of 0 the multiplier of stick is as good as free. */
   if (ra.mode > TF_SLIP_MINUS && fabsl((real)ra.delassus) < 0.2L) return 1;
@@ -254,24 +258,25 @@ TEST(compensated_step_is_the_step) {
 static void refused(run_t run, tf_status_t want) {
   const run_t before = run;
   tf_report_t report;
-  CHECK(tf_step_compensated(&run.machine, &run.state, &run.carry, &run.input,
-                            &report) == want);
+  CHECK(tf_step_compensated(&run.machine, &run.state, &run.compensation,
+                            &run.input, &report) == want);
   CHECK(report.status == want);
   CHECK(!memcmp(&run.state, &before.state, sizeof run.state));
-  CHECK(!memcmp(&run.carry, &before.carry, sizeof run.carry));
+  CHECK(!memcmp(&run.compensation, &before.compensation,
+                sizeof run.compensation));
 }
 
 TEST(compensated_refusals_touch_nothing) {
   const run_t good = begun(tf_scenes[0], 1e-4);
   run_t run = good;
-  for (int i = 0; i < 16; i++) { /* one member of the carry, or two */
-    tf_real_t *const member[] = {&run.carry.r, &run.carry.v, &run.carry.w,
-                                 &run.carry.phi};
+  for (int i = 0; i < 16; i++) { /* one member of the compensation, or two */
+    tf_real_t *const member[] = {&run.compensation.r, &run.compensation.v,
+                                 &run.compensation.w, &run.compensation.phi};
     *member[i % 4] = *member[i / 4] = 2 * (tf_real_t)TF_STATE_LIMIT;
     refused(run, TF_BAD_STATE);
     *member[i % 4] = (tf_real_t)NAN;
     refused(run, TF_BAD_STATE);
-    run.carry = good.carry;
+    run.compensation = good.compensation;
   }
   run = good;
   run.state.r = (tf_real_t)INFINITY;
@@ -314,8 +319,9 @@ TEST(compensated_departures_do_not_stall) {
     long stay = 0, longest = 0, changes = 0;
     for (int n = 0; n < 250000; n++) {
       tf_report_t report;
-      if (!CHECK(tf_step_compensated(&run.machine, &run.state, &run.carry,
-                                     &run.input, &report) >= TF_OK))
+      if (!CHECK(tf_step_compensated(&run.machine, &run.state,
+                                     &run.compensation, &run.input,
+                                     &report) >= TF_OK))
         return;
       stay = run.state.mode == mode ? stay + 1 : 0;
       changes += run.state.mode != mode;

@@ -167,7 +167,7 @@ TEST(bad_states_are_refused) {
       x.mode = (uint8_t)mode[n];
       refused(&machine, &x, &input);
     }
-    x.mode = TF_MODES; /* to tf_begin any mode will do, to tf_step it is none */
+    x.mode = TF_MODES; /* to tf_begin any mode will do, tf_step refuses it */
     tf_report_t report;
     CHECK(tf_step(&machine, &x, &input, &report) == TF_BAD_STATE);
     CHECK(tf_begin(&machine, &x, &input, &report) == TF_OK);
@@ -227,11 +227,12 @@ TEST(no_inertia_left_is_refused) {
       const tf_input_t u = tf_input_default(&k.machine);
       tf_state_t x = {.r = 1, .v = (tf_real_t)(less ? -0.75 : -1), .w = 1};
       tf_state_t twin = x;
-      tf_compensation_t carry = {0, 0, 0, 0};
+      tf_compensation_t compensation = {0, 0, 0, 0};
       tf_report_t report;
       const tf_status_t status = tf_step(&k.machine, &x, &u, &report);
       CHECK((status == TF_STEP_TOO_LONG) == !less);
-      CHECK(tf_step_compensated(&k, &twin, &carry, &u, &report) == status);
+      CHECK(tf_step_compensated(&k, &twin, &compensation, &u, &report) ==
+            status);
     }
   }
 }

@@ -245,7 +245,7 @@ TEST(philox_known_answers) {
   }
 }
 
-/* Numbers at and around the limit of a state, and those that are none. */
+/* Numbers at and around the limit of a state, and infinity and NaN. */
 static tf_real_t at_the_limit(int i) {
   static const tf_real_t some[] = {0,
                                    TF_REAL_MIN,

@@ -238,7 +238,7 @@ TEST(other_scenes_do_what_they_show) {
              2 * EPSILON);
 }
 
-/* What stands behind the last knot in memory is none. */
+/* What follows the last knot in memory is not a knot. */
 TEST(profile_ends_at_its_last_knot) {
   static const tf_knot_t knot[] = {{0, 1}, {1, 3}, {2, 100}, {3, 200}};
   tf_scene_t scene = *tf_scenes[0];

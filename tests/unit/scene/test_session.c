@@ -43,7 +43,7 @@ TEST(session_is_the_run_of_the_command_line) {
   CHECK(tf_session_open(&session, tf_scenes[0], &params, 0) ==
         TF_BAD_PARAMETER);
   params.m = 1;
-  params.gamma = 0; /* h has no hold on v there */
+  params.gamma = 0; /* h does not depend on v there */
   CHECK(tf_session_open(&session, tf_scenes[0], &params, 0) == TF_BAD_STATE);
 }
 
