@@ -86,7 +86,7 @@ void paper_g_x(const paper_t *p, const long double x[3], long double n[3]) {
   n[2] = p->d * cosl(p->gamma) + x[0] * sinl(p->gamma);
 }
 
-/* (h, g) is (-(v - d W), r W) turned by gamma; turn it back. */
+/* (h, g) is (-(v - d W), r W) rotated by gamma; rotate it back. */
 void paper_from_slip(const paper_t *p, long double r, long double h,
                      long double g, long double x[3]) {
   const long double along = -h * sinl(p->gamma) - g * cosl(p->gamma);
@@ -225,7 +225,7 @@ void paper_stick(const paper_t *p, const long double x[3], int s,
 
 /* The eigenvector of (SlidNormForm) for the first eigenvalue, (lambda - J2,
  * 1), taken back to (xi, eta) by xi_bar / eta_bar = sqrt(-K++/K--) xi / eta.
- * On the ray (xi, eta) the field is (xi f+ + eta f-) / (xi + eta), hence
+ * In the direction (xi, eta) the field is (xi f+ + eta f-) / (xi + eta), hence
  * lambda / mu = (xi - eta) / (xi + eta). */
 static void weak_direction(paper_twofold_t *t) {
   const long double xi = (t->eigen[0] - t->J2) * sqrtl(-t->Kmm / t->Kpp);

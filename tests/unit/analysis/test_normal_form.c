@@ -140,7 +140,7 @@ TEST(paper_cases_1_to_3) {
     CHECK((at->paper_case == 1) == (at->through.value < 0));
     CHECK((at->paper_case == 2) == (at->across.value > 0));
     /* (SlidNormForm) after its time scaling, with xi, eta > 0 sliding. In case
-     * 3 the sign of the time turns with the sliding quadrant. */
+     * 3 the sign of the time changes with the sliding quadrant. */
     real x = tap_uniform(0.1, 1), y = tap_uniform(0.1, 1);
     for (int k = 0; k < 20000; k++) {
       const real dx = J1 * x + y, dy = x + J2 * y, size = x + y;

@@ -141,7 +141,7 @@ static double signed_log(double lo, double hi) {
 }
 
 /* A random machine and a state whose h and g are of the size that one step
- * can change, so that every combination of modes turns up; some exactly at
+ * can change, so that every combination of modes occurs; some exactly at
  * h = g = 0, some at a zero of the Delassus scalar. */
 static int draw(step_t *k, tf_machine_t *machine, int i) {
   k->p = tf_scenes[0]->params;
