@@ -143,7 +143,7 @@ static inline bool scheme_begin(void) { return true; }
 #endif
 #define SCHEME 2
 static tf_compensated_t scheme_machine;
-static tf_compensation_t scheme_carry;
+static tf_compensation_t scheme_compensation;
 
 static inline bool scheme_begin(void) {
   const tf_params_t params = scene_params(SCENE);
@@ -155,8 +155,8 @@ static inline tf_status_t scheme_step(const tf_machine_t *machine,
                                       const tf_input_t *input,
                                       tf_report_t *report) {
   (void)machine;
-  return tf_step_compensated(&scheme_machine, state, &scheme_carry, input,
-                             report);
+  return tf_step_compensated(&scheme_machine, state, &scheme_compensation,
+                             input, report);
 }
 #else
 #define SCHEME 0

@@ -94,6 +94,8 @@ diverge --samples 40 --corner even --patience 200 --seed 4 >r
 share 'drawn at h = g = 0, the two-fold is reached again' \
   '$3 == "returned"' 0.95 1 r
 diverge --samples 40 --corner attracting --patience 20 --seed 4 >r
+diverge --samples 40 --codim2 attracting --patience 20 --seed 4 >again
+check '--codim2 and its old name give the same bytes' cmp -s r again
 share 'by the attracting stick there it is not' '$3 == "small_cycle"' 0.9 1 r
 
 # Numbers of places are those of the first rows that lead to them.
@@ -154,6 +156,7 @@ cat - >>rows <<END
 2 chaos --sample 3|did you mean
 2 chaos --seed 1 --seed 2|--seed was already given
 2 chaos --header --header|--header was already given
+2 chaos --codim2 even --corner even|--codim2 was already given
 2 chaoss|unknown scene
 2 chaos --exits x --returns x|two files
 2 chaos --exhaustive --shard 1/2|--exhaustive

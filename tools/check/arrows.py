@@ -13,7 +13,14 @@ includes itself through others, in the core, the command line and the ports; a
 header and the source beside it count as one there. All of src/ can be compiled
 as one file: no name of a file is defined in another one, which universal ctags
 tells, and no two sources have one name, for an archive would have two members
-of it. Before the project is judged, a tree with one violation of each kind is.
+of it.
+
+The folders of the command line are in the order that tools/cli/command.c
+describes. In port/ each file includes only what its line in a table allows, so
+that the loop knows neither the simulation nor the core: it drives whatever
+app.h declares.
+
+Before the project is judged, a tree with one violation of each kind is.
 """
 import json
 import re
@@ -29,6 +36,34 @@ STANDS_ON = {"num": None, "model": "num", "friction": "model",
              "scene": "moreau", "link": "scene"}
 # Public headers without a source, and the lowest room that has a use for them.
 HEADER_ONLY = {"real": "num", "wire": "link"}
+# Each folder of tools/cli/, and the other folders, or single files, that it may
+# include. Files in tools/cli/ itself may include all of them. The commands do
+# not include each other, except that `monitor` writes the rows of `run`.
+CLI = "tools/cli/"
+CLI_INCLUDES = {
+    "monitor": ("run/row.h", "setup", "host", "text"),
+    "run": ("setup", "host", "text"),
+    "analysis": ("setup", "host", "text"),
+    "diverge": ("setup", "host", "text"),
+    "setup": ("host", "text"),
+    "host": ("text",),
+    "text": (),
+}
+# Each file of port/, without its ending, and the other ones that it may
+# include. Only port/core.h includes src/ and include/.
+PORT_INCLUDES = {
+    "port": (), "ring": (), "text": (), "app": (), "choice": (), "core": (),
+    "loop": ("app", "port"),
+    "main": ("app", "loop", "port"),
+    "sim": ("app", "core"),
+    "telemetry_frames": ("port", "sim"),
+    "telemetry_text": ("sim", "text"),
+    "firmware": ("app", "sim", "telemetry_frames", "telemetry_text"),
+}
+# What the folder of a board may include of other folders; the module for
+# WebAssembly is the core itself and has no loop.
+BOARD_INCLUDES = ("arch", "port", "ring")
+MODULE = "port/wasm32/module/module"
 # Has all public headers, so that nothing of the core may include it.
 UMBRELLA = "include/twofold.h"
 
@@ -96,6 +131,47 @@ def included(root, file, files):
                 break
         else:
             yield name, None
+
+
+def cli_allows(file, target):
+    """Whether a file of the command line may include another one of it."""
+    parts, other = file[len(CLI):].split("/"), target[len(CLI):].split("/")
+    if len(parts) == 1:
+        return True
+    return parts[0] in CLI_INCLUDES and (
+        other[0] == parts[0] or
+        len(other) > 1 and other[0] in CLI_INCLUDES[parts[0]] or
+        "/".join(other) in CLI_INCLUDES[parts[0]])
+
+
+def port_allows(file, target):
+    """Whether a file of port/ may include another one, of port/ or the core."""
+    unit = Path(file).with_suffix("").as_posix()
+    other = Path(target).with_suffix("").as_posix()
+    if other == unit:
+        return True
+    if is_core(target):
+        return unit == "port/core"
+    if not target.startswith("port/"):
+        return False
+    parts, other_parts = unit.split("/")[1:], other.split("/")[1:]
+    if len(parts) == 1:
+        return other_parts[0] in PORT_INCLUDES.get(parts[0], ())
+    if unit == MODULE:
+        return other == "port/core"
+    return (parts[0] == other_parts[0] or
+            parts[0] != "arch" and other_parts[0] in BOARD_INCLUDES)
+
+
+def layer_finding(file, target):
+    """What is wrong with an include outside of the core, or None."""
+    if file.startswith(CLI) and target.startswith(CLI):
+        allowed = cli_allows(file, target)
+    elif file.startswith("port/"):
+        allowed = port_allows(file, target)
+    else:
+        allowed = True
+    return None if allowed else f"{file} may not include {target}"
 
 
 def circles(edges):
@@ -172,6 +248,8 @@ def judge(root):
                 elif other_room not in stood_on(room):
                     found.append(f"{file} ({room}) includes {target} "
                                  f"({other_room}), on which it does not stand")
+            elif not is_core(file) and layer_finding(file, target):
+                found.append(layer_finding(file, target))
             if other != unit:
                 edges.setdefault(unit, set()).add(other)
     found += ["a circle: " + " > ".join(c) for c in circles(edges)]
@@ -198,6 +276,16 @@ SEEDS = {
     "tools/cli/one.h": "",
     "tools/cli/two.h": "",
     "tools/cli/two.c": '#include "two.h"\n#include "one.h"\n',
+    "tools/cli/text/words.h": '#include "../setup/names.h"\n',
+    "tools/cli/setup/names.h": "",
+    "tools/cli/run/loop.h": '#include "../diverge/draws.h"\n',
+    "tools/cli/diverge/draws.h": "",
+    "tools/cli/monitor/view.h": '#include "../run/row.h"\n'
+                                '#include "../run/loop.h"\n',
+    "tools/cli/run/row.h": '#include "../one.h"\n',
+    "port/core.h": "",
+    "port/loop.h": '#include "core.h"\n',
+    "port/board/board.c": '#include "../loop.h"\n',
 }
 SEEDED = [
     "src/attic/old.c: attic is no room",
@@ -208,6 +296,12 @@ SEEDED = [
     "include/twofold/real.h: public functions, no source of its name",
     "a circle: src/model/high > src/num/other > src/num/low > src/model/high",
     "a circle: tools/cli/one > tools/cli/two > tools/cli/one",
+    "tools/cli/text/words.h may not include tools/cli/setup/names.h",
+    "tools/cli/run/loop.h may not include tools/cli/diverge/draws.h",
+    "tools/cli/monitor/view.h may not include tools/cli/run/loop.h",
+    "tools/cli/run/row.h may not include tools/cli/one.h",
+    "port/loop.h may not include port/core.h",
+    "port/board/board.c may not include port/loop.h",
     "src/model/user.c: LIMIT is defined in src/model/high.h as well",
     "src/event/low.c: thing_t is defined in src/analysis/aside.h as well",
     "src/num/low.c: twice is defined in src/model/user.c as well",

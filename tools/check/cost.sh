@@ -1,8 +1,8 @@
 #!/bin/sh
-# Cost of every public function: a search for the dearest inputs, begun at the
-# dearest that were found before (tools/cost/worst.*), finds no call that
-# takes more instructions than its header says, and none says more than 1.25
-# times what was found. The counter itself is held against single steps.
+# Cost of every public function: a search for the most expensive inputs, begun
+# at those that were found before (tools/cost/worst.*), finds no call that takes
+# more instructions than its header says, and none says more than 1.25 times
+# what was found. The counter itself is held against single steps.
 . "$(dirname "$0")/lib.sh"
 need gcc gcc
 [ "$(uname -m)" = x86_64 ] || {
@@ -39,4 +39,5 @@ done
 [ "$BAD" -eq 0 ] ||
   echo 'figures that hold, into the rows: make bounds && make keep-bounds'
 checked "$(wc -l <"$BUILD/cost.claims") functions," \
-  "$EVALUATIONS calls each beside the dearest known; gcc -O2, both real types"
+  "$EVALUATIONS calls each beside the most expensive known; gcc -O2," \
+  "both real types"

@@ -1,6 +1,6 @@
 // The table of the commands: a function that performs each one and, if it has
 // options, its help page. The command line is made of these folders; each line
-// includes only folders below it:
+// includes only folders below it (check `arrows` has the same table):
 //
 //   .          command (this table), help (overview, scenes, version)
 //   monitor/   the command `monitor`: frames of a board become rows or a live

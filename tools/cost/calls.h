@@ -4,7 +4,8 @@
 
 #include "cost/subject.h"
 
-// Counts one call, or the dearest of a few; 0 where the subject is none for it.
+// Counts one call, or the most expensive of a few; 0 where the subject is none
+// for it.
 typedef uint32_t (*counted_t)(const subject_t *s);
 
 typedef struct {

@@ -25,7 +25,7 @@ def up(number: int) -> int:
 
 
 def constant(found: int, way: Optional[int]) -> str:
-    """The row of a function whose cost hangs on no number of units."""
+    """The row of a function whose cost depends on no number of units."""
     cost = up(found)
     if way is not None and found <= way <= SLACK * found:
         cost = up(way) if up(way) <= SLACK * found else way

@@ -187,7 +187,7 @@ static void start_uplink(const subject_t *s, uplink_t *u) {
   u->link.saved = s->state;
 }
 
-// Sends n commands. Returns: what the dearest byte of the last one took.
+// Sends n commands. Returns: what the most expensive byte of the last one took.
 static uint32_t send_commands(const subject_t *s, uplink_t *u, unsigned n) {
   uint32_t worst = 0;
   for (unsigned i = 0; i < n; i++) {

@@ -151,9 +151,9 @@ CALL(session_open) {
 
 CALL(two_folds) {
   tf_surface_point_t places[TF_TWO_FOLDS];
-  tf_absence_t lack;
+  tf_absence_t absence;
   int count;
-  return COUNT(tf_two_folds(K, &s->input, places, &count, &lack));
+  return COUNT(tf_two_folds(K, &s->input, places, &count, &absence));
 }
 CALL(normal_form) {
   tf_surface_point_t places[TF_TWO_FOLDS];

@@ -58,11 +58,11 @@ def stacks(check: Path) -> str:
          for name in names], right=range(1, len(targets) + 2))
 
 
-def dearest(work: Path) -> Iterable[str]:
+def most_expensive(work: Path) -> Iterable[str]:
     """The calls that cost most, as `cost show` tells them."""
     for real in "double", "float":
         for name in SHOWN:
-            yield f"\n### The dearest tf_{name} in {real}\n"
+            yield f"\n### The most expensive tf_{name} in {real}\n"
             told = (work / f"{name}.{real}").read_text(encoding="utf-8")
             yield from (f"    {line}" for line in told.splitlines())
 
@@ -77,7 +77,7 @@ def main() -> None:
     print(preface.read_text(encoding="utf-8"))
     print("## Instructions\n")
     print(instructions(given.work))
-    for line in dearest(given.work):
+    for line in most_expensive(given.work):
         print(line)
     print("\n## Stack\n\nWorst of double and float, in bytes.\n")
     print(stacks(given.check))

@@ -21,13 +21,13 @@ void two_folds_any(void) {
   const tf_input_t input = any_input();
   tf_surface_point_t places[TF_TWO_FOLDS], place;
   tf_two_fold_t form;
-  tf_design_t wish;
-  tf_absence_t lack;
+  tf_design_t design;
+  tf_absence_t absence;
   int count;
-  tf_two_folds(&machine, &input, places, &count, &lack);
+  tf_two_folds(&machine, &input, places, &count, &absence);
   ANY_BITS(place);
   tf_normal_form(&machine, &input, &place, &form);
-  tf_design_two_fold(&machine, &input, any_real(), any_real(), &wish);
+  tf_design_two_fold(&machine, &input, any_real(), any_real(), &design);
   //@ check reached: \false;
 }
 

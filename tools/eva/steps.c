@@ -37,8 +37,8 @@ void begin_any(void) {
   //@ check reached: \false;
 }
 
-void locate_any(void);
-void locate_any(void) {
+void located_any(void);
+void located_any(void) {
   const tf_machine_t machine = any_machine();
   tf_state_t state = any_state();
   const tf_input_t input = any_input();

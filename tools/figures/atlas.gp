@@ -1,4 +1,4 @@
-# The paper's figure 4: where a wished two-fold is a Teixeira singularity.
+# The paper's figure 4: where a prescribed two-fold is a Teixeira singularity.
 wide = 1600; high = 1000
 @OPEN
 load data.'/two-fold.dat'
@@ -23,8 +23,8 @@ do for [i=1:7] {
   if (i == 1) {
     set lmargin at screen 0.09; set rmargin at screen 0.39
     set bmargin at screen 0.25; set tmargin at screen 0.80
-    set xlabel 'wished r* [m]'
-    set ylabel 'wished ω* [rad/s]' offset 1
+    set xlabel 'prescribed r* [m]'
+    set ylabel 'prescribed ω* [rad/s]' offset 1
     set palette defined (0 '#ffffff', 1 green)
     set xtics 0,0.1; set ytics -1.5,0.25; set format y '%.2f'
     set label 1 'figure 6' at r_star,w_star front point pt 7 ps 1.6*P \

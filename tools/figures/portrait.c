@@ -1,12 +1,12 @@
 // portrait - slip next to h = g = 0 of the scene `chaos`, for the figures.
 // There the force depends on the direction phi = atan2(h, g) alone, so that
 // at a given r two numbers say all: how fast the distance grows, rho', and how
-// fast the direction turns, rho phi'.
+// fast the direction changes, rho phi'.
 //
 //   portrait directions  r [m], phi [degrees], rho' [m/s^2], pull [m/s^2] of
 //                        every limit direction: rho' < 0 falls in, pull =
 //                        d(rho phi')/dphi < 0 draws its neighbours to it
-//   portrait turning     r, phi, 1 or -1 as phi grows or falls, over a grid
+//   portrait angular     r, phi, 1 or -1 as phi grows or falls, over a grid
 //   portrait orbits R    g,h,dg,dh [1] orbits at r = R, one a block, within
 //                        the unit circle: all circles are alike
 #include <math.h>
@@ -20,7 +20,7 @@
 static const double r_low = 0.10, r_high = 0.28;
 
 typedef struct {
-  double out, turn; // rho', rho phi' [m/s^2]
+  double radial, angular; // rho', rho phi' [m/s^2]
 } polar_t;
 
 // m p' = Q_r + F sin(gamma), J z' = d Q_r + Q_phi + F r cos(gamma) + M at
@@ -55,33 +55,34 @@ static void directions(const tf_machine_t *k) {
     const double r = r_low + (r_high - r_low) * row / ROWS;
     for (int i = 0; i < CELLS; i++) {
       double a = angle(i) + edge, b = angle(i + 1) - edge;
-      const int up = rates(k, r, a).turn > 0;
-      if (up == (rates(k, r, b).turn > 0)) {
+      const int up = rates(k, r, a).angular > 0;
+      if (up == (rates(k, r, b).angular > 0)) {
         continue;
       }
-      const double steep = rates(k, r, b).turn - rates(k, r, a).turn;
+      const double steep = rates(k, r, b).angular - rates(k, r, a).angular;
       const double pull = steep / (b - a);
       for (int j = 0; j < HALVINGS; j++) {
         const double mid = (a + b) / 2;
-        if ((rates(k, r, mid).turn > 0) == up) {
+        if ((rates(k, r, mid).angular > 0) == up) {
           a = mid;
         } else {
           b = mid;
         }
       }
-      printf("%.4f %.3f %.4g %.4g\n", r, degrees(a), rates(k, r, a).out, pull);
+      printf("%.4f %.3f %.4g %.4g\n", r, degrees(a), rates(k, r, a).radial,
+             pull);
     }
   }
 }
 
-static void turning(const tf_machine_t *k) {
+static void angular(const tf_machine_t *k) {
   enum { ROWS = 180, COLUMNS = 180 };
   for (int i = 0; i < ROWS; i++) {
     const double phi = angle((i + 0.5) * CELLS / ROWS);
     for (int j = 0; j < COLUMNS; j++) {
       const double r = r_low + (r_high - r_low) * (j + 0.5) / COLUMNS;
       printf("%.4f %.2f %d\n", r, degrees(phi),
-             rates(k, r, phi).turn > 0 ? 1 : -1);
+             rates(k, r, phi).angular > 0 ? 1 : -1);
     }
   }
 }
@@ -98,10 +99,10 @@ static void orbit(const tf_machine_t *k, double r, double rho, double phi) {
     double x = log(rho), y = phi;
     for (int i = 0; i < HALF; i++) {
       const polar_t a = rates(k, r, y);
-      const double step = sign * 2e-3 / hypot(a.out, a.turn);
-      const polar_t b = rates(k, r, y + step / 2 * a.turn);
-      const double next = y + step * b.turn;
-      x += step * b.out;
+      const double step = sign * 2e-3 / hypot(a.radial, a.angular);
+      const polar_t b = rates(k, r, y + step / 2 * a.angular);
+      const double next = y + step * b.angular;
+      x += step * b.radial;
       if (sin(next) * sin(phi) <= 0 || x > 0 || x < -6) {
         break;
       }
@@ -133,12 +134,12 @@ int main(int argc, char *argv[]) {
   }
   if (argc == 2 && strcmp(argv[1], "directions") == 0) {
     directions(&machine);
-  } else if (argc == 2 && strcmp(argv[1], "turning") == 0) {
-    turning(&machine);
+  } else if (argc == 2 && strcmp(argv[1], "angular") == 0) {
+    angular(&machine);
   } else if (argc == 3 && strcmp(argv[1], "orbits") == 0) {
     orbits(&machine, strtod(argv[2], NULL));
   } else {
-    fputs("usage: portrait directions|turning|orbits R\n", stderr);
+    fputs("usage: portrait directions|angular|orbits R\n", stderr);
     return 2;
   }
   return 0;

@@ -41,7 +41,7 @@ unset colorbox
 set arrow 1 from r0,-135 to r0,225 nohead lw 1.5 dt (3,3) lc rgb black front
 set label 1 'r of (a)' at r0,205 right offset -0.5,0 front
 d = data.'/directions.dat'
-plot data.'/turning.dat' using 1:2:3 with image, \
+plot data.'/angular.dat' using 1:2:3 with image, \
   d using ($3 < 0 && $4 < 0 ? $1 : 1/0):2 with points pt 7 ps 1*P \
     lc rgb blue, \
   d using ($3 < 0 && $4 > 0 ? $1 : 1/0):2 with points pt 6 ps 1*P \

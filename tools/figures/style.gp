@@ -1,4 +1,4 @@
-# What all figures share: the terminal of the wished type, and the colours of
+# What all figures share: the terminal of the requested type, and the colours of
 # Okabe and Ito for colour-blind readers. Terminals differ in what a size
 # of points is: P makes them alike. A figure sets `wide` and `high`
 # [pixels] and says @OPEN; it reads `data`, the folder of its data.

@@ -7,11 +7,13 @@ static int finite_rate(const tf_rate_t *f) {
   return fuzz_finite(f->r) && fuzz_finite(f->v) && fuzz_finite(f->w);
 }
 
-static const char *judge_direction(const tf_direction_t *ray) {
-  const tf_real_t plus = ray->plus < 0 ? -ray->plus : ray->plus;
-  const tf_real_t minus = ray->minus < 0 ? -ray->minus : ray->minus;
-  FUZZ_HOLD(fuzz_finite(ray->value) && fuzz_finite(ray->lambda));
-  FUZZ_HOLD(finite_rate(&ray->velocity));
+static const char *judge_direction(const tf_direction_t *direction) {
+  const tf_real_t plus =
+      direction->plus < 0 ? -direction->plus : direction->plus;
+  const tf_real_t minus =
+      direction->minus < 0 ? -direction->minus : direction->minus;
+  FUZZ_HOLD(fuzz_finite(direction->value) && fuzz_finite(direction->lambda));
+  FUZZ_HOLD(finite_rate(&direction->velocity));
   FUZZ_HOLD((plus == 0 && minus == 0) ||
             (plus + minus > TF_R(0.999) && plus + minus < TF_R(1.001)));
   return NULL;
@@ -47,16 +49,16 @@ static const char *two_folds(const tf_machine_t *machine,
                              const tf_input_t *input) {
   tf_surface_point_t places[TF_TWO_FOLDS];
   int count = -1;
-  tf_absence_t lack = TF_ABSENCE_NONE;
+  tf_absence_t absence = TF_ABSENCE_NONE;
   const tf_status_t status =
-      tf_two_folds(machine, input, places, &count, &lack);
+      tf_two_folds(machine, input, places, &count, &absence);
   if (status != TF_OK) {
     FUZZ_HOLD(status == TF_BAD_STATE && count == -1);
     return NULL;
   }
   FUZZ_HOLD(count >= 0 && count <= TF_TWO_FOLDS);
-  FUZZ_HOLD((count == 0) == (lack != TF_ABSENCE_NONE) &&
-            (int)lack < TF_ABSENCES);
+  FUZZ_HOLD((count == 0) == (absence != TF_ABSENCE_NONE) &&
+            (int)absence < TF_ABSENCES);
   for (int i = 0; i < count; i++) {
     const tf_surface_point_t *at = &places[i];
     const tf_state_t x = {.r = at->r, .v = at->v, .w = at->w};
@@ -89,8 +91,8 @@ static const char *surface(const tf_machine_t *machine, const tf_input_t *input,
   return NULL;
 }
 
-static const char *wish(const tf_machine_t *machine, const tf_input_t *input,
-                        const tf_state_t *x) {
+static const char *design(const tf_machine_t *machine, const tf_input_t *input,
+                          const tf_state_t *x) {
   tf_design_t out;
   memset(&out, 0x5a, sizeof out);
   const tf_status_t status =
@@ -110,5 +112,5 @@ const char *fuzz_analysis(const tf_machine_t *machine, const tf_input_t *input,
   FUZZ_HOLD_ALL(two_folds(machine, input));
   FUZZ_HOLD_ALL(normal_form(machine, input, &here));
   FUZZ_HOLD_ALL(surface(machine, input, state));
-  return wish(machine, input, state);
+  return design(machine, input, state);
 }

@@ -1,8 +1,8 @@
 // Raw bits as parameters, states and inputs; steps of every scheme and the
 // analysis of the machine. The input is a program: an operation a byte, its
-// operands behind it. Parameters that are refused stay as wished, so that
-// several can change before the machine takes them; it keeps the last that it
-// took.
+// operands behind it. Parameters that are refused stay as they were set, so
+// that several can change before the machine takes them; it keeps the last that
+// it took.
 #include "fuzz/fuzz.h"
 
 #define MOST_OPERATIONS 64
@@ -219,7 +219,7 @@ static const char *take_scene(subject_t *s, unsigned index) {
   return NULL;
 }
 
-// A state on, or at a wished distance from, h = 0.
+// A state on, or at a given distance from, h = 0.
 static const char *place(subject_t *s, tf_real_t h) {
   tf_real_t v = s->state.v;
   const tf_status_t status = tf_speed_for_slip(

@@ -182,7 +182,7 @@ static void print_row(const course_t *course, const setting_t *set) {
          r.degraded, r.fell_back, r.coarse, r.mark);
 }
 
-// The number of steps nearest to a wish that has the ends of all pieces on it.
+// The number of steps nearest to n that has the ends of all pieces on it.
 static long whole(const part_t *part, double n) {
   if (n < 4 * part->pieces) return lrint(fmax(n, 1));
   return lrint(n / part->pieces) * part->pieces;

@@ -174,12 +174,12 @@ static int soak(uint64_t steps, bool carried) {
 
 int main(int argc, char *argv[]) {
   char *end = NULL;
-  const double wished = argc == 2 ? strtod(argv[1], &end) : 0;
-  if (!(wished >= LEAST_STEPS && wished <= MOST_STEPS) || *end != '\0') {
+  const double number = argc == 2 ? strtod(argv[1], &end) : 0;
+  if (!(number >= LEAST_STEPS && number <= MOST_STEPS) || *end != '\0') {
     (void)fprintf(stderr, "usage: soak STEPS, 1e3 to 1e15\n");
     return 2;
   }
-  const uint64_t steps = (uint64_t)wished;
+  const uint64_t steps = (uint64_t)number;
   if (!soak(steps, false)) return 3;
   if (sizeof(tf_real_t) == 4 && !soak(steps, true)) return 3;
   printf("%d passed, %d failed\n", passed, failed);

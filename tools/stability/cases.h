@@ -11,7 +11,7 @@ typedef struct {
   tf_params_t params;
   tf_real_t r, v, w;       ///< start ...
   tf_real_t h;             ///< ... where v_from_h, v follows from this h
-  bool v_from_h;           ///< and from v where h has no hold on it
+  bool v_from_h;           ///< and from v where h does not depend on it
   const tf_scene_t *scene; ///< of the inputs; NULL: inputs at rest
 } case_t;
 

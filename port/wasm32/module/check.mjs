@@ -3,7 +3,7 @@
 // Every number of every row is the same, bit for bit.
 import { readFileSync } from 'node:fs';
 
-const [path, wished, real] = process.argv.slice(2);
+const [path, scene, real] = process.argv.slice(2);
 const { instance } = await WebAssembly.instantiate(readFileSync(path), {});
 const twofold = instance.exports;
 const memory = () => twofold.memory.buffer;
@@ -20,7 +20,7 @@ const modes = ['slip+', 'slip-', 'stick+', 'stick-', 'pinned'];
 const round = real === 'float' ? Math.fround : (x) => x;
 
 const rows = readFileSync(0, 'utf8').trim().split('\n').slice(1);
-let status = twofold.twofold_begin(names.indexOf(wished), 0, 0, 0);
+let status = twofold.twofold_begin(names.indexOf(scene), 0, 0, 0);
 let differ = 0;
 for (const row of rows) {
   const [t, r, v, w, , h, g, F, M, , , mode, , choices] =
@@ -33,7 +33,7 @@ for (const row of rows) {
 }
 const refused = [twofold.twofold_begin(names.length, 0, 0, 0),
   twofold.twofold_begin(0, -1, 0, 0), twofold.twofold_step(1)];
-console.log(`module ${wished} ${real}: ${rows.length} rows, ${differ} differ`);
+console.log(`module ${scene} ${real}: ${rows.length} rows, ${differ} differ`);
 process.exitCode =
   rows.length > 1 && differ === 0 && status >= 0 && refused.every((x) => x < 0)
     ? 0 : 1;

@@ -57,18 +57,24 @@ static int read_by(void *to, const cli_given_t *option) {
                      option->value);
 }
 
-static int read_corner(void *to, const cli_given_t *option) {
+// Under both of its names; given once under each is given twice.
+static int read_codim2(void *to, const cli_given_t *option) {
   cli_diverge_args_t *args = to;
   static const char *const names[CLI_CODIM2_CHOICES] = {"rest", "attracting",
                                                         "even"};
+  if (args->codim2_name != NULL) {
+    return cli_message(CLI_USAGE, "%s %s: %s was already given", option->name,
+                       option->value, args->codim2_name);
+  }
+  args->codim2_name = option->name;
   for (int i = 0; i < CLI_CODIM2_CHOICES; i++) {
     if (strcmp(option->value, names[i]) == 0) {
       args->codim2 = (cli_codim2_choice_t)i;
       return CLI_DONE;
     }
   }
-  return cli_message(CLI_USAGE, "--corner %s: must be rest, attracting or even",
-                     option->value);
+  return cli_message(CLI_USAGE, "%s %s: must be rest, attracting or even",
+                     option->name, option->value);
 }
 
 static int read_size(void *to, const cli_given_t *option) {
@@ -202,7 +208,8 @@ static const cli_option_t options[] = {
     {"--rate", read_rate, CLI_ONCE},
     {"--size", read_size, CLI_ONCE},
     {"--spread", read_spread, CLI_ONCE},
-    {"--corner", read_corner, CLI_ONCE},
+    {"--codim2", read_codim2, CLI_ONCE},
+    {"--corner", read_codim2, CLI_ONCE},
     {"--samples", read_samples, CLI_ONCE},
     {"--cycles", read_cycles, CLI_ONCE},
     {"--seed", read_seed, CLI_ONCE},

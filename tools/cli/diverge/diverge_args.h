@@ -30,10 +30,11 @@ typedef struct {
   cli_mechanism_t mechanism;
   const char *size_text; ///< as typed, NULL: not given
   cli_codim2_choice_t codim2;
-  double size;     ///< unit: that of the mechanism; 0: not given
-  double spread;   ///< sizes are drawn from [size / spread, size]
-  double patience; ///< longest cycle [s]
-  double section;  ///< distance behind the two-fold where the phase is read [m]
+  const char *codim2_name; ///< as typed, --codim2 or --corner; NULL: not given
+  double size;             ///< unit: that of the mechanism; 0: not given
+  double spread;           ///< sizes are drawn from [size / spread, size]
+  double patience;         ///< longest cycle [s]
+  double section; ///< distance behind the two-fold where the phase is read [m]
   double refinement; ///< dt / step near the two-fold
   double grid;       ///< of --exhaustive: time between two exits [s]
   uint64_t samples, cycles;

@@ -6,7 +6,7 @@
 // other escaping stick, in the same way; at h = g = 0 where several modes are
 // consistent; and while the wheel is pinned. The rule of the machine (`random`
 // at the rate 0, or `persist`) never leaves such a state, so that all of these
-// choices are made here. --corner decides what is done at h = g = 0.
+// choices are made here. --codim2 decides what is done at h = g = 0.
 
 #include "random.h"
 
