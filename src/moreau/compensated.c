@@ -43,7 +43,7 @@ static __attribute__((noinline)) tf_status_t commit_pairs(compensated_t *x,
                               : end_in_pairs(x->constants, &from, x->input, &l,
                                              outcome.mode, force, friction);
   if (!in_reach(to.r.hi, to.v.hi, to.w.hi) ||
-      !within(outcome.delassus, TF_REAL_MAX) || !within(off, TF_REAL_MAX))
+      !within(outcome.delassus + off, TF_REAL_MAX)) // one of them is 0
     return refuse_step(x->report, TF_DIVERGED);
   const tf_slip_t slip = slip_in_pairs(x->constants, &to, omega0).slip;
   if (tf_tyre_is_set_valued(k->tyre.law))
