@@ -69,7 +69,7 @@ MEASURE_MAKEFILES := tools/bench/bench.mk tools/report/report.mk \
   tools/statistics/statistics.mk tools/figures/figures.mk
 VERIFY_MAKEFILES := tools/check/check.mk tools/fuzz/fuzz.mk \
   tools/soak/soak.mk tools/mutation/mutation.mk tools/eva/eva.mk \
-  tools/cost/cost.mk tools/oracle/oracle.mk
+  tools/cost/cost.mk tools/oracle/oracle.mk tools/reference/reference.mk
 
 # A target for users says what it does after `##`, on a line of its own; one
 # that only makefiles and scripts use has no such line and is named here or

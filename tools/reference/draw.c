@@ -1,0 +1,187 @@
+/// @file
+/// Random machines; see draw.h.
+#include "draw.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+// SplitMix64 (Steele, Lea, Flood 2014).
+static uint64_t next(draw_t *draw) {
+  uint64_t x = draw->state += UINT64_C(0x9e3779b97f4a7c15);
+  x = (x ^ (x >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+  x = (x ^ (x >> 27)) * UINT64_C(0x94d049bb133111eb);
+  return x ^ (x >> 31);
+}
+
+draw_t draw_begin(uint64_t seed, uint64_t index) {
+  draw_t draw = {seed};
+  draw.state = next(&draw) ^ index * UINT64_C(0xd1342543de82ef95);
+  next(&draw);
+  return draw;
+}
+
+double draw_uniform(draw_t *draw, double low, double high) {
+  return low + (high - low) * ((double)(next(draw) >> 11) * 0x1p-53);
+}
+
+double draw_log(draw_t *draw, double low, double high) {
+  return exp(draw_uniform(draw, log(low), log(high)));
+}
+
+static bool one_in(draw_t *draw, double n) {
+  return draw_uniform(draw, 0, n) < 1;
+}
+
+static double sign(draw_t *draw) { return one_in(draw, 2) ? 1 : -1; }
+
+static double damping(draw_t *draw) {
+  const double kind = draw_uniform(draw, 0, 4);
+  return kind < 1 ? 0 : kind < 2 ? 1e-3 : draw_uniform(draw, 0, 1);
+}
+
+static double angle(draw_t *draw) {
+  if (one_in(draw, 4)) {
+    return floor(draw_uniform(draw, -4, 5)) * pi / 4;
+  }
+  return (float)draw_uniform(draw, -pi, pi);
+}
+
+// A parameter at or towards the ends of its documented range.
+static double at_an_end(draw_t *draw, const char *name, double wide) {
+  double low = 0, high = 0;
+  lib_range(name, &low, &high);
+  const double kind = draw_uniform(draw, 0, 8);
+  if (kind < 4) {
+    return wide;
+  }
+  if (kind < 5) {
+    return kind < 4.5 ? low : high;
+  }
+  return draw_log(draw, low > 0 ? low : 1e-9, high);
+}
+
+static void place(draw_t *draw, lib_machine_t *q) {
+  const double kind = draw_uniform(draw, 0, 3);
+  const double near = kind < 2 ? draw_log(draw, 1e-4, 0.5) : 1;
+  q->r = draw_uniform(draw, -0.5, 0.5);
+  q->omega = q->omega0 + near * draw_uniform(draw, -1, 1) * fabs(q->omega0);
+  q->v = near * draw_uniform(draw, -1, 1);
+  q->on_surface = kind < 1 && fabs(sin(q->gamma)) > 1e-3;
+}
+
+static void round_all(lib_machine_t *q) {
+  double *const all[] = {&q->m,  &q->d,     &q->beta, &q->k2,    &q->c1,
+                         &q->c2, &q->r0,    &q->mu,   &q->kappa, &q->omega0,
+                         &q->r,  &q->omega, &q->v};
+  for (unsigned i = 0; i < sizeof all / sizeof *all; ++i) {
+    *all[i] = (float)*all[i];
+  }
+}
+
+lib_machine_t draw_machine(draw_t *draw, draw_range_t range) {
+  const double far = range == DRAW_EDGE ? 10 : 1;
+  lib_machine_t q = {
+      .m = draw_log(draw, 0.3 / far, 3 * far),
+      .d = draw_uniform(draw, 0.2, 2),
+      .beta = draw_log(draw, 0.05 / far, 1 * far),
+      .k2 = one_in(draw, 8) ? 0 : draw_uniform(draw, 0, 30 * far),
+      .c1 = damping(draw),
+      .c2 = damping(draw),
+      .r0 = draw_uniform(draw, -0.5, 0.5),
+      .omega0 = sign(draw) * draw_log(draw, 0.1, 3 * far),
+      .mu = draw_log(draw, 0.1 / far, 3 * far),
+      .kappa = one_in(draw, 8) ? draw_log(draw, 1e-8, 1e-3)
+                               : draw_uniform(draw, 1e-3, 1),
+      .gamma = angle(draw),
+      .coulomb = one_in(draw, 20),
+      .dt = 1e-4,
+  };
+  if (range == DRAW_EXTREME) {
+    q.m = at_an_end(draw, "m", q.m);
+    q.beta = at_an_end(draw, "beta", q.beta);
+    q.k2 = at_an_end(draw, "k2", q.k2);
+    q.mu = at_an_end(draw, "mu", q.mu);
+  }
+  place(draw, &q);
+  if (range == DRAW_EDGE && one_in(draw, 4)) {
+    q.r *= draw_log(draw, 1e-4, 1);
+  }
+  round_all(&q);
+  return q;
+}
+
+static real_t as(const lib_table_t *real, double value) {
+  return real == &lib_f32 ? (real_t)(float)value : (real_t)value;
+}
+
+ref_machine_t draw_reference(const lib_machine_t *machine,
+                             const lib_table_t *real) {
+  const lib_machine_t *q = machine;
+  ref_machine_t out = {
+      .m = as(real, q->m),
+      .d = as(real, q->d),
+      .beta = as(real, q->beta),
+      .k2 = as(real, q->k2),
+      .c1 = as(real, q->c1),
+      .c2 = as(real, q->c2),
+      .r0 = as(real, q->r0),
+      .omega0 = as(real, q->omega0),
+      .mu = as(real, q->mu),
+      .kappa = as(real, q->kappa),
+      .gamma = as(real, q->gamma),
+      .coulomb = q->coulomb,
+  };
+  ref_prepare(&out);
+  return out;
+}
+
+ref_state_t draw_start(const lib_machine_t *machine, const ref_machine_t *q,
+                       const lib_table_t *real) {
+  ref_state_t x = ref_state(q, as(real, machine->r), as(real, machine->v),
+                            as(real, machine->omega));
+  if (machine->on_surface) {
+    x.p = -x.r * x.z * q->cosine / q->sine;
+  }
+  return x;
+}
+
+// Shortest decimal that reads back to the same double.
+static void set(const char *name, double value) {
+  char text[40];
+  for (int digits = 6; digits <= 17; ++digits) {
+    snprintf(text, sizeof text, "%.*g", digits, value);
+    if (strtod(text, NULL) == value) {
+      break;
+    }
+  }
+  printf(" --set %s=%s", name, text);
+}
+
+void draw_print(const lib_machine_t *machine, double t_end,
+                const char *scheme) {
+  const lib_machine_t *q = machine;
+  const struct {
+    const char *name;
+    double value;
+  } all[] = {{"m", q->m},         {"d", q->d},           {"beta", q->beta},
+             {"k2", q->k2},       {"c1", q->c1},         {"c2", q->c2},
+             {"r0", q->r0},       {"omega0", q->omega0}, {"mu", q->mu},
+             {"kappa", q->kappa}, {"gamma", q->gamma},   {"r", q->r},
+             {"omega", q->omega}, {"dt", q->dt}};
+  printf("twofold run chaos%s", q->coulomb ? " --set law=coulomb" : "");
+  for (unsigned i = 0; i < sizeof all / sizeof *all; ++i) {
+    if (!q->coulomb || strcmp(all[i].name, "kappa") != 0) {
+      set(all[i].name, all[i].value);
+    }
+  }
+  if (q->on_surface) {
+    printf(" --set h=0");
+  } else {
+    set("v", q->v);
+  }
+  printf(" --t-end %.9g --scheme %s\n", t_end, scheme);
+}

@@ -1,0 +1,62 @@
+/// @file
+/// The simulator behind one table of functions in double, so that a driver can
+/// hold its float and its double build side by side. library.c is compiled
+/// twice, once for each.
+#ifndef REFERENCE_LIBRARY_H
+#define REFERENCE_LIBRARY_H
+
+#include <stdbool.h>
+
+/// Parameters of a machine and where it starts; enough to replay a run.
+typedef struct {
+  double m, d, beta, k2, c1, c2, r0, omega0, mu, kappa, gamma;
+  bool coulomb;
+  double r, v, omega;
+  bool on_surface; ///< v is to make h = 0
+  double dt;
+} lib_machine_t;
+
+typedef enum {
+  LIB_STEP,
+  LIB_LOCATED,
+  LIB_COMPENSATED,
+  LIB_SCHEMES
+} lib_scheme_t;
+
+/// What one step reports, and the state at its end.
+typedef struct {
+  int status, mode, choices;
+  unsigned set;
+  double F, M, h, g, A;
+  double r, v, w;
+} lib_row_t;
+
+/// A machine and its state; the bytes belong to library.c.
+typedef union {
+  long double align;
+  unsigned char bytes[2048];
+} lib_t;
+
+typedef struct {
+  const char *name;
+  /// Prepares and starts; returns the status of the library.
+  int (*open)(lib_t *lib, const lib_machine_t *machine, lib_scheme_t scheme,
+              lib_row_t *row);
+  int (*step)(lib_t *lib, lib_row_t *row);
+  /// One step without contact, with a force along r and a torque.
+  int (*driven)(const lib_machine_t *machine, double force, double torque,
+                lib_row_t *row);
+  /// Consistent modes of a step as the enumeration sees them, from its forms:
+  /// c0 F M FF FM MM of h, then of g, then g before the step, pin_x, pin_y.
+  unsigned (*enumerate)(const double form[15], bool has_moment);
+  double (*energy)(const lib_t *lib);
+  double epsilon;
+} lib_table_t;
+
+extern const lib_table_t lib_f64, lib_f32;
+extern const char *const lib_scheme_names[LIB_SCHEMES];
+
+/// Ends of the range of a parameter, by its name.
+void lib_range(const char *name, double *low, double *high);
+
+#endif

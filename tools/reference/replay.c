@@ -1,0 +1,129 @@
+/// @file
+/// One machine by the reference: its events, the futures at each rest, and
+/// its end, beside those of every scheme.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "classes.h"
+
+static const char *const modes[] = {"slip+",  "slip-",  "stick+",
+                                    "stick-", "pinned", "none"};
+
+static void futures(const ref_futures_t *f) {
+  for (int i = 0; i < f->count; ++i) {
+    const ref_future_t *a = &f->list[i];
+    printf("      %-7s rate %-11.5Lg angle %9.4Lf %s%s\n", modes[a->mode],
+           a->rate, a->angle * 180 / acosl(-1),
+           a->attracting ? "attracting" : "repelling",
+           a->family ? ", a family" : "");
+  }
+  printf("      rest F %.6Lg M %.6Lg: bow tie %d, square %d, hexagon %d%s\n",
+         f->resting.F, f->resting.M, f->rests[0], f->rests[1], f->rests[2],
+         f->spiral ? "; spirals out" : "");
+}
+
+static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
+  static const char *const names[] = {"crosses", "sticks", "leaves", "turns",
+                                      "codim2"};
+  const ref_machine_t *q = orbit->machine;
+  if (orbit->events > 40) {
+    return;
+  }
+  printf("  %-8s t %.9Lf r %.9Lf v %.9Lf w %.9Lf g %.3Lg, goes on %s\n",
+         names[event], orbit->t, orbit->x.r, ref_v(q, orbit->x),
+         ref_w(q, orbit->x), ref_slip(q, orbit->x).g, modes[orbit->mode]);
+  if (event == REF_CODIM2) {
+    futures(&orbit->futures);
+  }
+}
+
+static void row_print(const char *name, const lib_row_t *row, long others) {
+  printf("  %-28s r %.9f v %.9f w %.9f %s, not OK %ld\n", name, row->r, row->v,
+         row->w, modes[row->mode], others);
+}
+
+static void schemes(const lib_machine_t *machine, double end) {
+  static const double dts[] = {1e-4, 3e-5, 1e-5};
+  for (int k = 0; k < LIB_SCHEMES * 3; ++k) {
+    lib_machine_t q = *machine;
+    lib_t lib;
+    lib_row_t row;
+    long others = 0;
+    q.dt = dts[k % 3];
+    const lib_scheme_t scheme = (lib_scheme_t)(k / 3);
+    int status = lib_f64.open(&lib, &q, scheme, &row);
+    const long steps = lround(end / q.dt);
+    for (long i = 0; i < steps && status >= 0; ++i) {
+      status = lib_f64.step(&lib, &row);
+      others += status != 0;
+    }
+    char name[64];
+    snprintf(name, sizeof name, "%s dt %g", lib_scheme_names[scheme], q.dt);
+    row_print(name, &row, others);
+  }
+}
+
+static bool set(lib_machine_t *q, const char *text) {
+  const struct {
+    const char *name;
+    double *at;
+  } all[] = {
+      {"m=", &q->m},         {"d=", &q->d},           {"beta=", &q->beta},
+      {"k2=", &q->k2},       {"c1=", &q->c1},         {"c2=", &q->c2},
+      {"r0=", &q->r0},       {"omega0=", &q->omega0}, {"mu=", &q->mu},
+      {"kappa=", &q->kappa}, {"gamma=", &q->gamma},   {"r=", &q->r},
+      {"omega=", &q->omega}, {"v=", &q->v},           {"dt=", &q->dt}};
+  for (unsigned i = 0; i < sizeof all / sizeof *all; ++i) {
+    const size_t n = strlen(all[i].name);
+    if (strncmp(text, all[i].name, n) == 0) {
+      *all[i].at = strtod(text + n, NULL);
+      q->on_surface = q->on_surface && strcmp(all[i].name, "v=") != 0;
+      return true;
+    }
+  }
+  const bool law = strcmp(text, "law=coulomb") == 0;
+  q->coulomb = q->coulomb || law;
+  return law || strcmp(text, "h=0") == 0;
+}
+
+int class_replay(const options_t *options, int argc, char **argv) {
+  lib_machine_t machine = {.m = 1,
+                           .d = 1,
+                           .beta = 0.05,
+                           .k2 = 2.2270992253886014,
+                           .c1 = 1e-3,
+                           .c2 = 1e-3,
+                           .r0 = 0.1,
+                           .omega0 = -1,
+                           .mu = 1,
+                           .kappa = 0.27241153714062028,
+                           .gamma = -2.3561944901923448,
+                           .r = 0.18,
+                           .omega = -1.037,
+                           .on_surface = true,
+                           .dt = 1e-4};
+  for (int i = 2; i + 1 < argc; i += 2) {
+    if (strcmp(argv[i], "--set") == 0 && !set(&machine, argv[i + 1])) {
+      printf("unknown: %s\n", argv[i + 1]);
+      return 2;
+    }
+  }
+  const double end = options->t_end > 0 ? options->t_end : 3;
+  ref_machine_t q = draw_reference(&machine, &lib_f64);
+  for (int law = 0; law < REF_LAWS; ++law) {
+    static const char *const names[] = {"bow tie", "square", "hexagon"};
+    ref_orbit_t orbit = {
+        .tolerance = 1e-12L, .law = (ref_law_t)law, .watch = on_event};
+    printf("%s\n", names[law]);
+    ref_begin(&orbit, &q, draw_start(&machine, &q, &lib_f64), REF_MODES);
+    printf("  starts %s\n", modes[orbit.mode]);
+    ref_run(&orbit, (real_t)end);
+    printf("  %s: t %.9Lf r %.9Lf v %.9Lf w %.9Lf %s\n",
+           ref_stop_name(orbit.stop), orbit.t, orbit.x.r, ref_v(&q, orbit.x),
+           ref_w(&q, orbit.x), modes[orbit.mode]);
+  }
+  schemes(&machine, end);
+  return 0;
+}
