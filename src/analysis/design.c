@@ -35,7 +35,7 @@ static tf_surface_point_t stick_point(const tf_machine_t *k,
                                       const tf_input_t *input, tf_real_t r,
                                       tf_real_t w) {
   const tf_real_t z = w - input->omega0, g = r * z / k->sin_gamma;
-  return (tf_surface_point_t){r, k->d * z - k->cos_gamma * g, w, g};
+  return surface_point(k, r, z, w, g);
 }
 
 // (singKappa): s kappa from A(r, s) = 0, and (singK2): k2 from N = 0. N is that

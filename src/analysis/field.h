@@ -6,7 +6,15 @@
 #define TF_FIELD_H
 
 #include "../model/rates.h"
+#include "twofold/singularity.h"
 #include "twofold/surface.h"
+
+// (stickV): the point of h = 0 at r, z = w - omega0 and g.
+TF_INLINE tf_surface_point_t surface_point(const tf_machine_t *k, tf_real_t r,
+                                           tf_real_t z, tf_real_t w,
+                                           tf_real_t g) {
+  return (tf_surface_point_t){r, k->d * z - k->cos_gamma * g, w, g};
+}
 
 typedef struct {
   tf_rates_t rates;

@@ -74,17 +74,12 @@ static int singular_radii(const tf_machine_t *k, tf_real_t sine, bool minus,
 // zeta g and v = nu g: (2), (3) and v z by powers of g.
 static void N_by_powers_of_g(const tf_machine_t *k, const tf_input_t *input,
                              tf_real_t sine, tf_real_t r, tf_real_t n[3]) {
-  const tf_real_t cosine = k->cos_gamma, m = k->m, w0 = input->omega0;
+  const tf_real_t cosine = k->cos_gamma;
   const tf_real_t zeta = sine / r, nu = k->d * zeta - cosine;
-  const tf_real_t Q_r[3] = {
-      k->k2 * (input->r0 - r) + input->force + m * r * w0 * w0,
-      2 * m * w0 * sine - k->c2 * nu, m * sine * zeta};
-  const tf_real_t Q_phi[3] = {input->torque - k->c1 * w0,
-                              -k->c1 * zeta - 2 * m * r * nu * w0,
-                              -2 * m * nu * sine};
+  const forces_along_g_t f = forces_along_g(k, input, sine, r, zeta, nu);
   const tf_real_t share = cosine * r / inertia_at(k, r);
   for (int i = 0; i < 3; i++)
-    n[i] = -sine * Q_r[i] / m - share * (Q_phi[i] + k->d * Q_r[i]);
+    n[i] = -sine * f.Q_r[i] / k->m - share * (f.Q_phi[i] + k->d * f.Q_r[i]);
   n[0] += input->alpha * (r * cosine - k->d * sine);
   n[2] -= cosine * nu * zeta;
 }
@@ -99,8 +94,8 @@ static int two_folds_at(const tf_machine_t *k, const tf_input_t *input,
   int count = 0;
   for (int i = 0; i < most; i++) {
     const tf_real_t z = sine / r * g[i];
-    const tf_surface_point_t point = {r, k->d * z - k->cos_gamma * g[i],
-                                      input->omega0 + z, g[i]};
+    const tf_surface_point_t point =
+        surface_point(k, r, z, input->omega0 + z, g[i]);
     if ((minus ? g[i] < 0 : g[i] > 0) && in_reach(r, point.v, point.w))
       out[count++] = point;
   }

@@ -196,8 +196,7 @@ static void taylor_pinned(tf_taylor_t *x) {
   x->w.c[1] = alpha;
   const tf_real_t w2[3] = {w * w, 2 * w * alpha, alpha * alpha};
   for (int n = 0; n < 3; n++) {
-    tf_real_t Q_r = k->m * r * w2[n];
-    if (n == 0) Q_r += k->k2 * (x->input->r0 - r) + x->input->force;
+    const tf_real_t Q_r = radial_force_at_rest_term(k, x->input, n, r, w2[n]);
     tf_real_t F = -Q_r, torque = -k->c1 * x->w.c[n] + k->d * Q_r;
     if (n == 0) {
       F -= k->m * k->d * alpha;

@@ -86,6 +86,33 @@ TF_INLINE tf_real_t disc_torque_rate(const tf_machine_t *k, tf_real_t r,
   return -k->c1 * dw - 2 * k->m * (dr * v * w + r * dv * w + r * v * dw);
 }
 
+// Term n of the Taylor series of (2) at rest on a turntable, r and v constant,
+// from the term of w^2.
+TF_INLINE tf_real_t radial_force_at_rest_term(const tf_machine_t *k,
+                                              const tf_input_t *u, int n,
+                                              tf_real_t r, tf_real_t w2) {
+  const tf_real_t Q_r = k->m * r * w2;
+  return n == 0 ? Q_r + (k->k2 * (u->r0 - r) + u->force) : Q_r;
+}
+
+// (2) and (3) along h = 0 at one r, by powers of g: w = omega0 + zeta g, v =
+// nu g with zeta = sine/r and nu = d zeta - cos(gamma).
+typedef struct {
+  tf_real_t Q_r[3], Q_phi[3];
+} forces_along_g_t;
+
+TF_INLINE forces_along_g_t forces_along_g(const tf_machine_t *k,
+                                          const tf_input_t *u, tf_real_t sine,
+                                          tf_real_t r, tf_real_t zeta,
+                                          tf_real_t nu) {
+  const tf_real_t m = k->m, w0 = u->omega0;
+  return (forces_along_g_t){
+      {k->k2 * (u->r0 - r) + u->force + m * r * w0 * w0,
+       2 * m * w0 * sine - k->c2 * nu, m * sine * zeta},
+      {u->torque - k->c1 * w0, -k->c1 * zeta - 2 * m * r * nu * w0,
+       -2 * m * nu * sine}};
+}
+
 // s kappa, by the sign of g; `minus` where g < 0.
 TF_INLINE tf_real_t signed_kappa(const tf_machine_t *k, bool minus) {
   return minus ? -k->stick_kappa : k->stick_kappa;
