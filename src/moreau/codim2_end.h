@@ -27,7 +27,7 @@ TF_INLINE bool passes_near(tf_slip_t from, tf_slip_t to) {
 // decided at h = g = 0 and not by where a step happens to end. So this step
 // ends there, under a mean of the forces before and behind, which lies within
 // the square that is the convex hull of the law at h = g = 0.
-TF_INLINE bool reaches_codim2(const free_motion_t *c, unsigned set,
+TF_INLINE bool reaches_codim2(free_motion_t *c, unsigned set,
                               unsigned attracting) {
   const unsigned mode = c->state->mode;
   const unsigned going_on = attracting | TF_MODE_BIT(TF_PINNED);

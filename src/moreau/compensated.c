@@ -54,14 +54,14 @@ static __attribute__((noinline)) tf_status_t commit_pairs(compensated_t *x,
 }
 
 TF_RARE tf_status_t degraded_compensated_step(compensated_t *x) {
-  const free_motion_t c = compensated_motion(x);
+  free_motion_t c = compensated_motion(x);
   const violation_t best = least_violation(&c);
   return commit_pairs(x, best.end.force, best.end.friction, best.outcome, 0);
 }
 
 TF_RARE bool compensated_step_reaches_codim2(compensated_t *x, unsigned set,
                                              unsigned attracting) {
-  const free_motion_t c = compensated_motion(x);
+  free_motion_t c = compensated_motion(x);
   return reaches_codim2(&c, set, attracting);
 }
 
@@ -100,7 +100,7 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   if (!tf_tyre_is_set_valued(k->tyre.law))
     return single_valued_compensated_step(&x);
   // Free motion, (1)-(7).
-  const free_motion_t c = compensated_motion(&x);
+  free_motion_t c = compensated_motion(&x);
   if (!c.linear.definite) return refuse_step(report, TF_STEP_TOO_LONG);
   // Inclusion, (8), and every mode that solves it.
   tf_inclusion_t in;

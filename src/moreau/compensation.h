@@ -43,7 +43,7 @@ TF_INLINE start_t slip_in_pairs(const tf_compensated_t *k,
   const pair_t h =
       pair_sum(pair_product(sine_pair(k), p), pair_product(cosine_pair(k), q));
   const tf_real_t g = q.hi * k->machine.sin_gamma - p.hi * k->machine.cos_gamma;
-  return (start_t){p.hi, z.hi, {-(h.hi + h.lo), g}, true};
+  return (start_t){p.hi, z.hi, {-(h.hi + h.lo), g}, true, true};
 }
 
 // (6) in pairs: by how much the change c of p and z fails to solve its rows

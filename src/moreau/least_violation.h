@@ -12,7 +12,7 @@ typedef struct {
   outcome_t outcome;
 } violation_t;
 
-TF_INLINE violation_t least_violation(const free_motion_t *c) {
+TF_INLINE violation_t least_violation(free_motion_t *c) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   tf_inclusion_t in = inclusion(c);
   tf_solutions_t s = {0};

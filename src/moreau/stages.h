@@ -23,8 +23,8 @@
 // that state.
 typedef struct {
   tf_real_t p, z;
-  tf_slip_t slip; // of an incremental step
-  bool incremental;
+  tf_slip_t slip; // where known
+  bool incremental, known;
 } start_t;
 
 // The motion without friction, and how it responds to friction.
@@ -67,11 +67,11 @@ TF_INLINE free_motion_t plain_motion(const tf_machine_t *k,
                                      const tf_state_t *state,
                                      const tf_input_t *input) {
   const tf_linear_t l = linearise(k, state, input);
-  return free_motion(k, state, l, (start_t){l.p, l.z, {0, 0}, false});
+  return free_motion(k, state, l, (start_t){l.p, l.z, {0, 0}, false, false});
 }
 
 TF_INLINE tf_slip_t start_slip(const free_motion_t *c) {
-  if (c->start.incremental) return c->start.slip;
+  if (c->start.known) return c->start.slip;
   return slip_from_pq(TF_API_MACHINE(c), c->start.p, c->state->r * c->start.z);
 }
 
@@ -123,17 +123,19 @@ TF_INLINE tf_inclusion_t inclusion(const free_motion_t *c) {
 
 // Adds the point at which the step would end at rest, which is read only where
 // g+ can have both signs.
-TF_INLINE void add_pinned_point(const free_motion_t *c, tf_inclusion_t *in) {
+TF_INLINE void add_pinned_point(free_motion_t *c, tf_inclusion_t *in) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   const tf_force_t pin = pinning_force(k, &c->linear);
-  in->g_now = start_slip(c).g;
+  c->start.slip = start_slip(c);
+  c->start.known = true;
+  in->g_now = c->start.slip.g;
   in->pin_x = pin.F * k->inv_mu;
   in->pin_y = pin.M * k->inv_kappa_mu;
 }
 
 // Inclusion (8) and enumeration: every mode that solves it. Returns: the signs
 // that g+ can have.
-TF_INLINE unsigned solve_inclusion(const free_motion_t *c, tf_inclusion_t *in,
+TF_INLINE unsigned solve_inclusion(free_motion_t *c, tf_inclusion_t *in,
                                    tf_solutions_t *s) {
   *in = inclusion(c);
   const unsigned signs = signs_of(&in->g);

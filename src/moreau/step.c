@@ -28,7 +28,7 @@ TF_INLINE tf_status_t commit(const free_motion_t *c, tf_state_t *state,
 TF_RARE tf_status_t degraded_step(const tf_machine_t *k, tf_state_t *state,
                                   const tf_input_t *input,
                                   tf_report_t *report) {
-  const free_motion_t c = plain_motion(k, state, input);
+  free_motion_t c = plain_motion(k, state, input);
   const violation_t best = least_violation(&c);
   return commit(&c, state, &best.end, best.outcome, report);
 }
@@ -36,7 +36,7 @@ TF_RARE tf_status_t degraded_step(const tf_machine_t *k, tf_state_t *state,
 TF_RARE bool step_reaches_codim2(const tf_machine_t *k, const tf_state_t *state,
                                  const tf_input_t *input, unsigned set,
                                  unsigned attracting) {
-  const free_motion_t c = plain_motion(k, state, input);
+  free_motion_t c = plain_motion(k, state, input);
   return reaches_codim2(&c, set, attracting);
 }
 
@@ -73,7 +73,7 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   if (!tf_tyre_is_set_valued(k->tyre.law))
     return single_valued_step(k, state, input, report);
   // Free motion, (1)-(7).
-  const free_motion_t c = plain_motion(k, state, input);
+  free_motion_t c = plain_motion(k, state, input);
   if (!c.linear.definite) return refuse_step(report, TF_STEP_TOO_LONG);
   // Inclusion, (8), and every mode that solves it.
   tf_inclusion_t in;
