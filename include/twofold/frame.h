@@ -32,7 +32,7 @@
 /// Bytes that a frame with so long a payload takes on the line.
 #define TF_FRAME_SIZE(payload) ((payload) + TF_FRAME_HEADER + 8)
 /// Size of the buffer of a decoder for payloads of up to so many bytes.
-#define TF_DECODER_ROOM(payload) ((payload) + TF_FRAME_HEADER + 6)
+#define TF_DECODER_SIZE(payload) ((payload) + TF_FRAME_HEADER + 6)
 
 /// A frame as received.
 typedef struct {
@@ -46,7 +46,7 @@ typedef struct {
 /// A decoder. Its counters only grow (modulo 2^32).
 typedef struct {
   uint8_t *buffer; ///< the caller's
-  uint16_t room, used;
+  uint16_t size, used;
   uint16_t sequence;    ///< that is expected next
   bool started;         ///< a frame has been accepted
   bool overflowed;      ///< the present frame is longer than the buffer
@@ -78,14 +78,14 @@ TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,
 /// Prepares a decoder.
 /// Scheme: none.
 /// decoder: out.
-/// buffer: kept, room bytes (TF_DECODER_ROOM).
+/// buffer: kept, size bytes (TF_DECODER_SIZE).
 /// Returns: nothing.
 /// Cost: at most 7 instructions. Stack: 16 B.
 /// Memory: caller's, reentrant.
 /// Claims: frames_survive_the_line
 #define tf_decoder_init TF_LINK(tf_decoder_init)
 TF_API void tf_decoder_init(tf_decoder_t *decoder, uint8_t *buffer,
-                            uint16_t room);
+                            uint16_t size);
 
 /// Takes one byte from the line; it may be any byte at any time.
 /// Scheme: none.

@@ -60,7 +60,7 @@ typedef struct {
   uint32_t ignored; ///< commands without an answer: queue full, or cleared
   tf_decoder_t decoder;
   tf_command_t queue[TF_LINK_QUEUE];
-  uint8_t buffer[TF_DECODER_ROOM(TF_UP_PAYLOAD)];
+  uint8_t buffer[TF_DECODER_SIZE(TF_UP_PAYLOAD)];
 } tf_link_t;
 
 /// Prepares a link.

@@ -65,7 +65,7 @@ typedef struct {
       tolerance;     ///< of tf_step_located: error of a segment of its series,
                      ///< relative to the velocities; dimensionless
   tf_tyre_law_t law; ///< which tyre
-  tf_rule_t rule;    ///< which of several futures
+  tf_rule_t rule;    ///< which of several consistent modes
   bool with_angle;   ///< integrate phi (it is cyclic: nothing depends on it)
 } tf_params_t;
 

@@ -14,6 +14,7 @@ typedef enum {
   TF_PINNED       ///< h = g = 0
 } tf_mode_t;
 #define TF_MODES 5
+#define TF_NO_MODE TF_MODES ///< none preferred, or none admissible
 #define TF_MODE_BIT(mode) (1u << (mode))
 
 /// Name of a mode: "slip+" "slip-" "stick+" "stick-" "pinned".

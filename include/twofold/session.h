@@ -16,14 +16,14 @@ typedef struct {
   tf_machine_t machine;
   tf_state_t state;
   tf_report_t report; ///< of the last step, or of the start
-  tf_input_t input;   ///< set from outside; used where driven
-  bool driven;        ///< false: the inputs are those of the scene
+  tf_input_t input;   ///< set from outside; used if input_is_set
+  bool input_is_set;  ///< false: the inputs are those of the scene
   bool running;       ///< whether the program steps at a tick
 } tf_session_t;
 
 /// Returns a session to the start of its scene. The machine stays as it is.
 /// Scheme: tf_scene_start.
-/// session: in/out, machine prepared; driven is false afterwards, running
+/// session: in/out, machine prepared; input_is_set is false afterwards, running
 ///   stays.
 /// scene: in. seed: in, of rule `random`.
 /// Returns: TF_OK; TF_BAD_STATE (session untouched: the start is impossible
@@ -50,7 +50,7 @@ TF_API tf_status_t tf_session_open(tf_session_t *session,
                                    const tf_params_t *params, uint32_t seed);
 
 /// Inputs of the next step.
-/// Scheme: those set from outside where driven; else those of the scene at
+/// Scheme: those set from outside if input_is_set; else those of the scene at
 ///   (tick + 1) dt.
 /// session: in. scene: in.
 /// Returns: the inputs.

@@ -33,8 +33,8 @@ typedef struct {
 ///   counts as 0.
 /// machine: in, prepared.
 /// state: in/out. r, v, w are set by the caller, within TF_STATE_LIMIT; mode
-///   holds the one preferred where several are possible, or TF_MODES for none,
-///   and ends as the mode taken. phi, tick and seed keep what they hold.
+///   holds the one preferred where several are possible, or TF_NO_MODE for
+///   none, and ends as the mode taken. phi, tick and seed keep what they hold.
 /// input: in.
 /// report: out; choices counts the consistent modes of the instant.
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched).

@@ -17,7 +17,7 @@ TF_INLINE tf_surface_point_t surface_point(const tf_machine_t *k, tf_real_t r,
 }
 
 typedef struct {
-  tf_rates_t rates;
+  rates_t rates;
   tf_real_t r, v, w, p, z;
   tf_real_t J;            // m (beta^2 + r^2) [kg m^2]
   tf_real_t z_per_lambda; // z' of lambda = 1 N

@@ -39,7 +39,7 @@ static tf_rate_t rescaled_field(const tf_machine_t *k, const tf_input_t *input,
 static tf_surface_t surface_of(const tf_machine_t *k, const tf_input_t *input,
                                const field_point_t *x, tf_slip_t slip) {
   tf_surface_t out = {.slip = slip};
-  tf_consistent_t consistent;
+  consistent_modes_t consistent;
   surface_modes(k, &x->rates, x->minus, &consistent);
   const tf_real_t A = x->rates.A[x->minus], lambda = x->rates.N / A;
   out.region = (uint8_t)region_of(consistent.solutions.set);

@@ -7,93 +7,96 @@
 
 // The solution along a limit direction.
 typedef struct {
-  tf_segment_t segment;
+  segment_t segment;
   tf_real_t r;        // where it has h = g = 0 [m]
   tf_real_t time;     // since then; negative before [s]
   tf_real_t friction; // at most, as acceleration of p and q [m/s^2]
 } limit_solution_t;
 
-// The way to h = g = 0 takes about R/a. The search is worth its cost where that
-// is much longer than the series reaches, but not many steps.
-TF_API bool tf_may_be_stiff(const tf_trajectory_t *path, tf_real_t length) {
-  const tf_taylor_t *x = &path->motion;
-  const tf_real_t R = magnitude(x->p.c[0]) + magnitude(x->q.c[0]);
-  const tf_real_t a = magnitude(x->p.c[1]) + magnitude(x->q.c[1]);
-  return path->segment.contact == TF_CONTACT_SLIP &&
-         x->machine->stick_kappa > 0 && R > 8 * a * length &&
-         R < 16 * a * x->machine->dt;
+// The way to h = g = 0 takes about speed/acceleration. The search is worth its
+// cost where that is much longer than the series reaches, but not many steps.
+TF_API bool tf_may_be_stiff(const trajectory_t *path, tf_real_t length) {
+  const taylor_t *motion = &path->motion;
+  const tf_real_t speed = magnitude(motion->p.c[0]) + magnitude(motion->q.c[0]);
+  const tf_real_t acceleration =
+      magnitude(motion->p.c[1]) + magnitude(motion->q.c[1]);
+  return path->segment.contact == CONTACT_SLIP &&
+         motion->machine->stick_kappa > 0 &&
+         speed > 8 * acceleration * length &&
+         speed < 16 * acceleration * motion->machine->dt;
 }
 
 // Expands the solution that has h = g = 0 at limit->r, limit->time ago; false
 // where no limit direction attracts the slip.
-static bool expand_limit_solution(tf_trajectory_t *path,
-                                  limit_solution_t *limit) {
-  tf_taylor_t *x = &path->motion;
-  const tf_machine_t *k = x->machine;
-  tf_segment_t *segment = &limit->segment;
-  const tf_real_t omega = path->omega - x->input->alpha * limit->time;
-  const tf_rates_t rates = rates_at(k, x->input, limit->r, 0, 0, omega);
+static bool expand_limit_solution(trajectory_t *path, limit_solution_t *limit) {
+  taylor_t *motion = &path->motion;
+  const tf_machine_t *k = motion->machine;
+  segment_t *segment = &limit->segment;
+  const tf_real_t omega = path->omega - motion->input->alpha * limit->time;
+  const rates_t rates = rates_at(k, motion->input, limit->r, 0, 0, omega);
   if (!tf_codim2_attractor(k, &rates, segment->sign_g, segment->sign_h,
                            &segment->T))
     return false;
-  begin_taylor(x, k, x->input, omega, (tf_phase_point_t){limit->r, 0, 0});
-  (void)tf_taylor_coefficients(x, segment); // this contact always has a series
+  begin_taylor(motion, k, motion->input, omega,
+               (phase_point_t){limit->r, 0, 0});
+  // This contact always has a series.
+  (void)tf_taylor_coefficients(motion, segment);
   limit->friction = k->tyre.mu * (magnitude(rates.Fp) + magnitude(rates.Fq));
   return true;
 }
 
 // The time at which the solution is as far along its direction (p1, q1) as
 // (p, q), by three steps of a simplified Newton iteration.
-static tf_real_t time_along(const tf_taylor_t *x, tf_real_t p, tf_real_t q) {
-  const tf_real_t p1 = x->p.c[1], q1 = x->q.c[1];
+static tf_real_t time_along(const taylor_t *motion, tf_real_t p, tf_real_t q) {
+  const tf_real_t p1 = motion->p.c[1], q1 = motion->q.c[1];
   const tf_real_t a2 = p1 * p1 + q1 * q1;
   const tf_real_t ahead = p * p1 + q * q1;
   tf_real_t t = ahead / a2;
   for (int i = 0; i < 3; i++)
-    t -= (value_at(&x->p, t) * p1 + value_at(&x->q, t) * q1 - ahead) / a2;
+    t -= (value_at(&motion->p, t) * p1 + value_at(&motion->q, t) * q1 - ahead) /
+         a2;
   return t;
 }
 
 // Finds the limit solution next to the slip and tells whether it is near enough
 // to take its place. Its r and time are exact to second order in the slip after
 // the first expansion and to fourth after the second.
-static bool is_on_limit_solution(tf_trajectory_t *path, tf_real_t allowed,
+static bool is_on_limit_solution(trajectory_t *path, tf_real_t allowed,
                                  limit_solution_t *limit) {
-  const tf_taylor_t *x = &path->motion;
-  const tf_phase_point_t now = path->now;
+  const taylor_t *motion = &path->motion;
+  const phase_point_t now = path->now;
   const tf_real_t q = now.r * now.z;
   tf_real_t missed = 0, growth = 0;
   for (int i = 0; i < 2; i++) {
     if (!expand_limit_solution(path, limit)) return false;
-    const tf_real_t t = time_along(x, now.p, q);
+    const tf_real_t t = time_along(motion, now.p, q);
     // A distance from the solution changes as t^exponent: it has to decay.
-    if (!(t * x->exponent < 0)) return false;
+    if (!(t * motion->exponent < 0)) return false;
     limit->time = t;
-    limit->r += now.r - value_at(&x->r, t);
-    missed = magnitude(value_at(&x->p, t) - now.p) +
-             magnitude(value_at(&x->q, t) - q);
-    const tf_real_t p1 = x->p.c[1], q1 = x->q.c[1];
+    limit->r += now.r - value_at(&motion->r, t);
+    missed = magnitude(value_at(&motion->p, t) - now.p) +
+             magnitude(value_at(&motion->q, t) - q);
+    const tf_real_t p1 = motion->p.c[1], q1 = motion->q.c[1];
     growth = 1 + limit->friction / (square_root(p1 * p1 + q1 * q1) *
-                                    (1 + magnitude(x->exponent)));
+                                    (1 + magnitude(motion->exponent)));
   }
   return missed * growth <= allowed &&
-         tf_segment_length(x, limit->time, allowed) == limit->time;
+         tf_segment_length(motion, limit->time, allowed) == limit->time;
 }
 
-TF_API bool tf_follow_limit_direction(tf_trajectory_t *path,
-                                      tf_real_t allowed) {
+TF_API bool tf_follow_limit_direction(trajectory_t *path, tf_real_t allowed) {
   limit_solution_t limit = {.segment = path->segment, .r = path->now.r};
-  limit.segment.contact = TF_CONTACT_CODIM2_SLIP;
+  limit.segment.contact = CONTACT_CODIM2_SLIP;
   limit.segment.h_zero_order = 1;
   limit.segment.g_starts_at_zero = true;
   if (!is_on_limit_solution(path, allowed, &limit)) return false;
-  const tf_taylor_t *x = &path->motion;
+  const taylor_t *motion = &path->motion;
   tf_real_t end = limit.time + path->remaining, event_time;
   if (limit.time < 0 && end > 0) end = 0;
   if (limit.time > 0) {
-    end = tf_segment_length(x, end, allowed);
+    end = tf_segment_length(motion, end, allowed);
     if (!(end > limit.time) ||
-        tf_next_event(x, &limit.segment, end, 0, &event_time))
+        tf_next_event(motion, &limit.segment, end, 0, &event_time))
       return false;
   }
   tf_advance(path, limit.time, end);

@@ -11,10 +11,10 @@
 
 // A slip below so many errors of a segment, and so much smaller than it was at
 // the start of the segment, has reached h = g = 0.
-#define TF_CAPTURE 256
-#define TF_CLOSE TF_R(0x1p-6)
+#define CAPTURE_ERRORS 256
+#define CLOSE_SHARE TF_R(0x1p-6)
 // Every so many segments it is asked whether the slip near h = g = 0 is stiff.
-#define TF_STIFFNESS_EVERY 5
+#define STIFFNESS_EVERY 5
 
 static tf_status_t validate_located(const tf_machine_t *k,
                                     const tf_state_t *state,
@@ -26,7 +26,7 @@ static tf_status_t validate_located(const tf_machine_t *k,
   return TF_OK;
 }
 
-static void begin_trajectory(tf_trajectory_t *path, const tf_machine_t *k,
+static void begin_trajectory(trajectory_t *path, const tf_machine_t *k,
                              const tf_state_t *state, const tf_input_t *input) {
   path->state = state;
   path->motion.machine = k;
@@ -46,43 +46,44 @@ static void begin_trajectory(tf_trajectory_t *path, const tf_machine_t *k,
 
 // After an event at the very end of the step the force is that of the contact
 // that follows.
-static bool end_in_new_segment(tf_trajectory_t *path) {
+static bool end_in_new_segment(trajectory_t *path) {
   path->force = (tf_force_t){path->motion.F.c[0], path->motion.M.c[0]};
   path->is_over = true;
   return true;
 }
 
-static bool next_after_limit_direction(tf_trajectory_t *path) {
+static bool next_after_limit_direction(trajectory_t *path) {
   const bool at_codim2 = magnitude(path->now.p) + magnitude(path->now.z) == 0;
   path->is_over = !at_codim2 && !(path->remaining > 0);
-  return !at_codim2 || tf_next_segment(path, TF_EVENT_CODIM2);
+  return !at_codim2 || tf_next_segment(path, EVENT_CODIM2);
 }
 
 // The time at which a stick reaches the two-fold A = 0, if the velocities
 // change less on the way than they may be off by, else 0. So near to it
 // lambda = N/A is a quotient of two errors, which ever shorter segments follow.
-static tf_real_t time_of_near_two_fold(const tf_trajectory_t *path,
-                                       tf_span_t span) {
-  const tf_taylor_t *x = &path->motion;
-  const tf_machine_t *k = x->machine;
-  if (path->segment.contact != TF_CONTACT_STICK || k->stick_kappa == 0)
-    return 0;
+static tf_real_t time_of_near_two_fold(const trajectory_t *path, span_t span) {
+  const taylor_t *motion = &path->motion;
+  const tf_machine_t *k = motion->machine;
+  if (path->segment.contact != CONTACT_STICK || k->stick_kappa == 0) return 0;
   const delassus_quadratic_t at =
       delassus_quadratic(k, (tf_real_t)path->segment.sign_g);
-  const tf_real_t A = delassus_quadratic_at(at, x->r.c[0]);
-  const tf_real_t rate = delassus_quadratic_rate(at, x->r.c[0], x->r.c[1]);
+  const tf_real_t A = delassus_quadratic_at(at, motion->r.c[0]);
+  const tf_real_t rate =
+      delassus_quadratic_rate(at, motion->r.c[0], motion->r.c[1]);
   const tf_real_t time = A * rate < 0 ? -A / rate : 0;
-  const bool near = time > span.length && time <= path->remaining &&
-                    tf_term_size(x, 1) * time <= TF_CAPTURE * span.error;
-  return near && magnitude(x->F.c[1]) * time <= TF_CLOSE * k->tyre.mu ? time
-                                                                      : 0;
+  const bool near =
+      time > span.length && time <= path->remaining &&
+      tf_term_size(motion, 1) * time <= CAPTURE_ERRORS * span.error;
+  return near && magnitude(motion->F.c[1]) * time <= CLOSE_SHARE * k->tyre.mu
+             ? time
+             : 0;
 }
 
-static tf_event_t first_event(const tf_trajectory_t *path, tf_span_t span,
-                              tf_real_t *time) {
+static event_t first_event(const trajectory_t *path, span_t span,
+                           tf_real_t *time) {
   const tf_slip_t slip = trajectory_slip(path);
-  const tf_real_t close = TF_CLOSE * (magnitude(slip.h) + magnitude(slip.g));
-  const tf_real_t missed = TF_CAPTURE * span.error;
+  const tf_real_t close = CLOSE_SHARE * (magnitude(slip.h) + magnitude(slip.g));
+  const tf_real_t missed = CAPTURE_ERRORS * span.error;
   const tf_real_t capture =
       (missed < close ? missed : close) + trajectory_rounding(path);
   return tf_next_event(&path->motion, &path->segment, span.length, capture,
@@ -91,14 +92,14 @@ static tf_event_t first_event(const tf_trajectory_t *path, tf_span_t span,
 
 // One segment, up to its first event, and the choice of the next one; false
 // where there is none.
-static bool integrate_segment(tf_trajectory_t *path, bool ask_for_stiffness) {
+static bool integrate_segment(trajectory_t *path, bool ask_for_stiffness) {
   // Expand: (13), (14) with (15) or (16).
   if (!tf_expand(path)) return false;
   if (!(path->remaining > 0)) return end_in_new_segment(path);
 
   // Length, by the last terms of the series.
-  const tf_span_t span = tf_segment_span(path);
-  if (!(span.length > 0)) return tf_lengthen_segments(path, TF_LARGEST_FACTOR);
+  const span_t span = tf_segment_span(path);
+  if (!(span.length > 0)) return tf_lengthen_segments(path, LARGEST_FACTOR);
 
   // Next to a singular point the series are short, and the motion is near to
   // one through that point: slip to h = g = 0, stick to a two-fold.
@@ -111,12 +112,12 @@ static bool integrate_segment(tf_trajectory_t *path, bool ask_for_stiffness) {
   const tf_real_t two_fold = time_of_near_two_fold(path, span);
   if (two_fold > 0) {
     tf_advance(path, 0, two_fold);
-    return tf_next_segment(path, TF_EVENT_TWO_FOLD);
+    return tf_next_segment(path, EVENT_TWO_FOLD);
   }
 
   // First event: the first root of h, g, mu - |lambda| or A.
   tf_real_t time;
-  const tf_event_t event = first_event(path, span, &time);
+  const event_t event = first_event(path, span, &time);
 
   // Advance. In stick the series of q = r z is truncated, which leaves an h.
   tf_advance(path, 0, time);
@@ -124,17 +125,16 @@ static bool integrate_segment(tf_trajectory_t *path, bool ask_for_stiffness) {
     tf_project(path);
 
   // Continue in the contact that follows.
-  path->is_over = event == TF_EVENT_NONE && !(path->remaining > 0);
+  path->is_over = event == EVENT_NONE && !(path->remaining > 0);
   return path->is_over || tf_next_segment(path, event);
 }
 
-static bool integrate_step(tf_trajectory_t *path) {
+static bool integrate_step(trajectory_t *path) {
   if (!tf_first_segment(path)) return false;
-  tf_pace_t pace = {.remaining = path->remaining, .segment = 0};
+  pace_t pace = {.remaining = path->remaining, .segment = 0};
   for (int i = 0; i < TF_LOCATED_MOST_SEGMENTS; i++) {
     tf_keep_pace(path, &pace, i);
-    if (!integrate_segment(path,
-                           i % TF_STIFFNESS_EVERY == TF_STIFFNESS_EVERY - 1))
+    if (!integrate_segment(path, i % STIFFNESS_EVERY == STIFFNESS_EVERY - 1))
       return false;
     if (path->is_over) return true;
   }
@@ -151,7 +151,7 @@ static tf_status_t fall_back(const tf_machine_t *k, tf_state_t *state,
 }
 
 // How far the force at the end is from the law there, by the law itself.
-static tf_real_t residual_at_end(const tf_trajectory_t *path, tf_slip_t slip) {
+static tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
   const tf_machine_t *k = path->motion.machine;
   if (path->mode > TF_SLIP_MINUS)
     return law_residual(k->tyre.mu, k->stick_kappa, path->force, slip.h,
@@ -160,12 +160,13 @@ static tf_real_t residual_at_end(const tf_trajectory_t *path, tf_slip_t slip) {
                            path->force, slip);
 }
 
-static tf_status_t commit_located(const tf_trajectory_t *path,
+static tf_status_t commit_located(const trajectory_t *path,
                                   const tf_input_t *input, tf_state_t *state,
                                   tf_report_t *report) {
   const tf_machine_t *k = path->motion.machine;
   const tf_real_t z = path->now.z;
-  const tf_end_t end = {path->now.r, path->now.p + k->d * z, z + input->omega0};
+  const end_state_t end = {path->now.r, path->now.p + k->d * z,
+                           z + input->omega0};
   if (!in_reach(end.r, end.v, end.w)) return refuse_step(report, TF_DIVERGED);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
   const bool contact = k->tyre.law != TF_TYRE_NONE;
@@ -186,7 +187,7 @@ TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
                                    tf_report_t *report) {
   const tf_status_t status = validate_located(machine, state, input);
   if (status != TF_OK) return refuse_step(report, status);
-  tf_trajectory_t path;
+  trajectory_t path;
   begin_trajectory(&path, machine, state, input);
   if (!integrate_step(&path)) return fall_back(machine, state, input, report);
   return commit_located(&path, input, state, report);

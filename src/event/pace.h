@@ -8,28 +8,28 @@
 // How far a segment goes [s], and how far off it may be there [m/s].
 typedef struct {
   tf_real_t length, error;
-} tf_span_t;
+} span_t;
 
 #define tf_segment_span TF_LINK(tf_segment_span)
-TF_API tf_span_t tf_segment_span(const tf_trajectory_t *path);
+TF_API span_t tf_segment_span(const trajectory_t *path);
 
 // When the pace was last looked at.
 typedef struct {
   tf_real_t remaining; // of the step then [s]
   int segment;         // number of the segment then
-} tf_pace_t;
+} pace_t;
 
 // Before a segment beyond TF_LOCATED_SEGMENTS: makes the tolerance such that
 // what remains is done in the segments that are left.
 #define tf_keep_pace TF_LINK(tf_keep_pace)
-TF_API void tf_keep_pace(tf_trajectory_t *path, tf_pace_t *last, int segment);
+TF_API void tf_keep_pace(trajectory_t *path, pace_t *last, int segment);
 
 // Changes the tolerance for segments that are longer by a factor. False where
 // it is no coarser than before.
 #define tf_lengthen_segments TF_LINK(tf_lengthen_segments)
-TF_API bool tf_lengthen_segments(tf_trajectory_t *path, tf_real_t factor);
+TF_API bool tf_lengthen_segments(trajectory_t *path, tf_real_t factor);
 
 // The largest factor that is used at once.
-#define TF_LARGEST_FACTOR 2
+#define LARGEST_FACTOR 2
 
 #endif

@@ -8,58 +8,58 @@
 
 // How the contact gives the force, which closes the recurrence of the series.
 typedef enum {
-  TF_CONTACT_NONE,           // no contact, no force
-  TF_CONTACT_SLIP,           // slip away from h = g = 0
-  TF_CONTACT_CODIM2_SLIP,    // slip out of h = g = 0 along a limit direction
-  TF_CONTACT_STICK,          // stick, h = 0
-  TF_CONTACT_TWO_FOLD_STICK, // stick out of a two-fold
-  TF_CONTACT_PINNED          // h = g = 0 throughout
-} tf_contact_t;
+  CONTACT_NONE,           // no contact, no force
+  CONTACT_SLIP,           // slip away from h = g = 0
+  CONTACT_CODIM2_SLIP,    // slip out of h = g = 0 along a limit direction
+  CONTACT_STICK,          // stick, h = 0
+  CONTACT_TWO_FOLD_STICK, // stick out of a two-fold
+  CONTACT_PINNED          // h = g = 0 throughout
+} contact_t;
 
 typedef struct {
-  tf_contact_t contact;
+  contact_t contact;
   int sign_h, sign_g;    // inside the segment; at its start they may be 0
-  tf_real_t T;           // cot(psi) at the start, for TF_CONTACT_CODIM2_SLIP
+  tf_real_t T;           // cot(psi) at the start, for CONTACT_CODIM2_SLIP
   int h_zero_order;      // order of the zero that h has at the start
   bool g_starts_at_zero; // whether g is 0 at the start
   bool A_starts_at_zero; // whether the Delassus scalar is
-} tf_segment_t;
+} segment_t;
 
 typedef enum {
-  TF_EVENT_NONE,
-  TF_EVENT_G_ZERO,   // slip passes g = 0, where M changes its sign
-  TF_EVENT_H_ZERO,   // slip reaches h = 0
-  TF_EVENT_CODIM2,   // slip or stick reaches h = g = 0
-  TF_EVENT_RELEASE,  // |lambda| = mu in stick
-  TF_EVENT_TWO_FOLD, // A = 0 in stick
-  TF_EVENT_UNPINNED  // |F| = mu or |M| = kappa |F| while pinned
-} tf_event_t;
+  EVENT_NONE,
+  EVENT_G_ZERO,   // slip passes g = 0, where M changes its sign
+  EVENT_H_ZERO,   // slip reaches h = 0
+  EVENT_CODIM2,   // slip or stick reaches h = g = 0
+  EVENT_RELEASE,  // |lambda| = mu in stick
+  EVENT_TWO_FOLD, // A = 0 in stick
+  EVENT_UNPINNED  // |F| = mu or |M| = kappa |F| while pinned
+} event_t;
 
 // Computes the series of a segment from their terms 0. False where there is no
 // solution: a stick needs A != 0, and one from a two-fold A' != 0.
 #define tf_taylor_coefficients TF_LINK(tf_taylor_coefficients)
-TF_API bool tf_taylor_coefficients(tf_taylor_t *x, const tf_segment_t *segment);
+TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment);
 
 // The size of the n-th terms of the velocities [m/s^(n+1)].
 #define tf_term_size TF_LINK(tf_term_size)
-TF_API tf_real_t tf_term_size(const tf_taylor_t *x, int n);
+TF_API tf_real_t tf_term_size(const taylor_t *motion, int n);
 
 // The longest part of a time over which the last two terms of the series stay
 // below the error that is allowed [m/s]; 0 where there is none.
 #define tf_segment_length TF_LINK(tf_segment_length)
-TF_API tf_real_t tf_segment_length(const tf_taylor_t *x, tf_real_t time,
+TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
                                    tf_real_t allowed);
 
 // By how much the angle of the disc has changed since time 0 of the series
 // [rad].
 #define tf_angle_change TF_LINK(tf_angle_change)
-TF_API tf_real_t tf_angle_change(const tf_taylor_t *x, tf_real_t t);
+TF_API tf_real_t tf_angle_change(const taylor_t *motion, tf_real_t t);
 
 // The first event in (0, length] and its time; length itself without an event.
 // A slip that ends with |p| + |q| <= capture has reached h = g = 0.
 #define tf_next_event TF_LINK(tf_next_event)
-TF_API tf_event_t tf_next_event(const tf_taylor_t *x,
-                                const tf_segment_t *segment, tf_real_t length,
-                                tf_real_t capture, tf_real_t *time);
+TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
+                             tf_real_t length, tf_real_t capture,
+                             tf_real_t *time);
 
 #endif

@@ -9,18 +9,19 @@
 // same in (p, q), because (h, g) is (p, q) turned by gamma. So the kernel of T
 // is evaluated once a segment.
 typedef struct {
-  tf_series_t T, psi_rate; // T and psi'
-  tf_series_t T2;          // T^2
-  tf_series_t R2;          // p^2 + q^2; from h = g = 0 that over t^2
-  tf_real_t inverse_R2;    // 1 over its term 0
+  series_t T, psi_rate; // T and psi'
+  series_t T2;          // T^2
+  series_t R2;          // p^2 + q^2; from h = g = 0 that over t^2
+  tf_real_t inverse_R2; // 1 over its term 0
 } slip_angle_t;
 
 // Term n of p' q - q' p from terms low to n + 1 - low of p and q: low is 1
 // where both begin with t.
-TF_INLINE tf_real_t cross_term(const tf_taylor_t *x, int n, int low) {
+TF_INLINE tf_real_t cross_term(const taylor_t *motion, int n, int low) {
   tf_real_t sum = 0;
   for (int i = low; i <= n + 1 - low; i++)
-    sum += (tf_real_t)(2 * i - (n + 1)) * x->p.c[i] * x->q.c[n + 1 - i];
+    sum +=
+        (tf_real_t)(2 * i - (n + 1)) * motion->p.c[i] * motion->q.c[n + 1 - i];
   return sum;
 }
 
@@ -42,108 +43,112 @@ TF_INLINE tf_real_t T_term(const slip_angle_t *angle, tf_real_t a, int n) {
 
 // (force), (moment): the series of T has the sign of g h, so that F1 goes by
 // the sign of g and M1 by none.
-TF_INLINE void add_tyre_term(tf_taylor_t *x, const tf_segment_t *segment, int n,
+TF_INLINE void add_tyre_term(taylor_t *motion, const segment_t *segment, int n,
                              tf_real_t T) {
-  const tf_tyre_t *tyre = &x->machine->tyre;
+  const tf_tyre_t *tyre = &motion->machine->tyre;
   tf_real_t F = slip_F1(tyre, (tf_real_t)segment->sign_g) * T;
   if (n == 0) F += slip_F0(tyre, (tf_real_t)segment->sign_h);
-  add_friction_term(x, n, F, slip_M1(tyre, 1) * T);
+  add_friction_term(motion, n, F, slip_M1(tyre, 1) * T);
 }
 
 // (15) away from h = g = 0.
-static void taylor_slip(tf_taylor_t *x, const tf_segment_t *segment) {
-  const tf_tyre_t *tyre = &x->machine->tyre;
-  const tf_slip_t slip = slip_from_pq(x->machine, x->p.c[0], x->q.c[0]);
+static void taylor_slip(taylor_t *motion, const segment_t *segment) {
+  const tf_tyre_t *tyre = &motion->machine->tyre;
+  const tf_slip_t slip =
+      slip_from_pq(motion->machine, motion->p.c[0], motion->q.c[0]);
   const tf_real_t H = (tf_real_t)segment->sign_h * slip.h;
   const tf_real_t G = (tf_real_t)segment->sign_g * slip.g;
-  slip_angle_t angle = {
-      .inverse_R2 = 1 / (x->p.c[0] * x->p.c[0] + x->q.c[0] * x->q.c[0])};
+  slip_angle_t angle = {.inverse_R2 = 1 / (motion->p.c[0] * motion->p.c[0] +
+                                           motion->q.c[0] * motion->q.c[0])};
   angle.T.c[0] = (tf_real_t)(segment->sign_h * segment->sign_g) *
                  cot_psi(tyre, G > 0 ? G : 0, H > 0 ? H : 0);
-  extend_motion(x, 0);
-  add_tyre_term(x, segment, 0, angle.T.c[0]);
-  for (int n = 1; n < TF_ORDER; n++) {
-    angle.R2.c[n - 1] = square_term(&x->p, n - 1) + square_term(&x->q, n - 1);
+  extend_motion(motion, 0);
+  add_tyre_term(motion, segment, 0, angle.T.c[0]);
+  for (int n = 1; n < SERIES_ORDER; n++) {
+    angle.R2.c[n - 1] =
+        square_term(&motion->p, n - 1) + square_term(&motion->q, n - 1);
     angle.psi_rate.c[n - 1] =
-        psi_rate_term(&angle, n - 1, cross_term(x, n - 1, 0));
+        psi_rate_term(&angle, n - 1, cross_term(motion, n - 1, 0));
     angle.T2.c[n - 1] = square_term(&angle.T, n - 1);
     angle.T.c[n] = T_term(&angle, tyre->T_series[0], n);
-    extend_motion(x, n);
-    add_tyre_term(x, segment, n, angle.T.c[n]);
+    extend_motion(motion, n);
+    add_tyre_term(motion, segment, n, angle.T.c[n]);
   }
 }
 
 // How much of a change of T at h = g = 0 comes back through psi'. The solution
 // there is singular: p and q begin with t, so that psi' is that of p/t and q/t.
 // A small distance from it changes as t^(gain - 1).
-static tf_real_t limit_direction_gain(const tf_taylor_t *x,
-                                      const tf_segment_t *segment,
+static tf_real_t limit_direction_gain(const taylor_t *motion,
+                                      const segment_t *segment,
                                       const slip_angle_t *angle) {
-  const tf_tyre_t *tyre = &x->machine->tyre;
+  const tf_tyre_t *tyre = &motion->machine->tyre;
   const tf_real_t T = angle->T.c[0];
   const tf_real_t F1 = slip_F1(tyre, (tf_real_t)segment->sign_g);
-  const tf_real_t dp = F1 * x->machine->sin_gamma / x->machine->m;
-  const tf_real_t dq =
-      x->r.c[0] * (F1 * x->arm + slip_M1(tyre, 1)) * x->inverse_J;
-  return tyre->T_series[0] * (1 + T * T) * (dp * x->q.c[1] - x->p.c[1] * dq) /
-         angle->R2.c[0];
+  const tf_real_t dp = F1 * motion->machine->sin_gamma / motion->machine->m;
+  const tf_real_t dq = motion->r.c[0] * (F1 * motion->arm + slip_M1(tyre, 1)) *
+                       motion->inverse_J;
+  return tyre->T_series[0] * (1 + T * T) *
+         (dp * motion->q.c[1] - motion->p.c[1] * dq) / angle->R2.c[0];
 }
 
 // (15) from h = g = 0. Term n - 1 of psi' needs the terms n + 1 of p and q,
 // which T_n enters linearly: T_n is what it would be without itself, over
 // 1 - gain/(n + 1). Away from a resonance that is not 0.
-static void taylor_codim2_slip(tf_taylor_t *x, const tf_segment_t *segment) {
-  const tf_tyre_t *tyre = &x->machine->tyre;
+static void taylor_codim2_slip(taylor_t *motion, const segment_t *segment) {
+  const tf_tyre_t *tyre = &motion->machine->tyre;
   slip_angle_t angle = {.inverse_R2 = 0};
   angle.T.c[0] = (tf_real_t)(segment->sign_h * segment->sign_g) * segment->T;
-  extend_motion(x, 0);
-  add_tyre_term(x, segment, 0, angle.T.c[0]);
-  angle.R2.c[0] = x->p.c[1] * x->p.c[1] + x->q.c[1] * x->q.c[1];
+  extend_motion(motion, 0);
+  add_tyre_term(motion, segment, 0, angle.T.c[0]);
+  angle.R2.c[0] =
+      motion->p.c[1] * motion->p.c[1] + motion->q.c[1] * motion->q.c[1];
   angle.inverse_R2 = 1 / angle.R2.c[0];
-  const tf_real_t gain = limit_direction_gain(x, segment, &angle);
-  x->exponent = gain - 1;
-  for (int n = 1; n < TF_ORDER; n++) {
-    extend_motion(x, n);
+  const tf_real_t gain = limit_direction_gain(motion, segment, &angle);
+  motion->exponent = gain - 1;
+  for (int n = 1; n < SERIES_ORDER; n++) {
+    extend_motion(motion, n);
     angle.psi_rate.c[n - 1] =
-        psi_rate_term(&angle, n - 1, cross_term(x, n + 1, 1));
+        psi_rate_term(&angle, n - 1, cross_term(motion, n + 1, 1));
     angle.T2.c[n - 1] = square_term(&angle.T, n - 1);
     const tf_real_t T =
         T_term(&angle, tyre->T_series[0], n) / (1 - gain * reciprocal[n + 1]);
     angle.T.c[n] = T;
-    add_tyre_term(x, segment, n, T);
+    add_tyre_term(motion, segment, n, T);
     angle.psi_rate.c[n - 1] =
-        psi_rate_term(&angle, n - 1, cross_term(x, n + 1, 1));
+        psi_rate_term(&angle, n - 1, cross_term(motion, n + 1, 1));
     tf_real_t R2 = 0;
     for (int i = 1; i <= n + 1; i++)
-      R2 += x->p.c[i] * x->p.c[n + 2 - i] + x->q.c[i] * x->q.c[n + 2 - i];
+      R2 += motion->p.c[i] * motion->p.c[n + 2 - i] +
+            motion->q.c[i] * motion->q.c[n + 2 - i];
     angle.R2.c[n] = R2;
   }
 }
 
-TF_INLINE tf_real_t h_term(const tf_taylor_t *x, int n) {
-  return slip_from_pq(x->machine, x->p.c[n], x->q.c[n]).h;
+TF_INLINE tf_real_t h_term(const taylor_t *motion, int n) {
+  return slip_from_pq(motion->machine, motion->p.c[n], motion->q.c[n]).h;
 }
 
 // Stick: F = lambda, M = s kappa lambda.
-TF_INLINE void add_lambda_term(tf_taylor_t *x, tf_real_t s_kappa, int n,
+TF_INLINE void add_lambda_term(taylor_t *motion, tf_real_t s_kappa, int n,
                                tf_real_t lambda) {
-  add_friction_term(x, n, lambda, s_kappa * lambda);
+  add_friction_term(motion, n, lambda, s_kappa * lambda);
 }
 
 // (16). Term n + 1 of h has to be 0, and (n + 1) times it is what it would be
 // without lambda_n, less A lambda_n.
-static bool taylor_stick(tf_taylor_t *x, const tf_segment_t *segment) {
-  const tf_machine_t *k = x->machine;
+static bool taylor_stick(taylor_t *motion, const segment_t *segment) {
+  const tf_machine_t *k = motion->machine;
   const bool minus = segment->sign_g < 0;
   const tf_real_t s_kappa = signed_kappa(k, minus);
-  const tf_real_t arm = stick_arm(k, x->arm, minus);
-  const tf_real_t A = delassus_from(k, x->arm * arm * x->inverse_J);
+  const tf_real_t arm = stick_arm(k, motion->arm, minus);
+  const tf_real_t A = delassus_from(k, motion->arm * arm * motion->inverse_J);
   if (A == 0) return false;
   const tf_real_t inverse_A = 1 / A;
-  for (int n = 0; n < TF_ORDER; n++) {
-    extend_motion(x, n);
-    const tf_real_t h_rate = h_term(x, n + 1) * (tf_real_t)(n + 1);
-    add_lambda_term(x, s_kappa, n, h_rate * inverse_A);
+  for (int n = 0; n < SERIES_ORDER; n++) {
+    extend_motion(motion, n);
+    const tf_real_t h_rate = h_term(motion, n + 1) * (tf_real_t)(n + 1);
+    add_lambda_term(motion, s_kappa, n, h_rate * inverse_A);
   }
   return true;
 }
@@ -151,32 +156,33 @@ static bool taylor_stick(tf_taylor_t *x, const tf_segment_t *segment) {
 // At a two-fold A = 0: term n + 1 of h does not contain lambda_n but
 // lambda_(n-1), linearly, through term n of the motion. Two trial values give
 // the line, and its zero lambda_(n-1).
-static bool taylor_two_fold(tf_taylor_t *x, const tf_segment_t *segment) {
-  const tf_real_t s_kappa = signed_kappa(x->machine, segment->sign_g < 0);
-  extend_motion(x, 0);
-  for (int n = 1; n < TF_ORDER; n++) {
+static bool taylor_two_fold(taylor_t *motion, const segment_t *segment) {
+  const tf_real_t s_kappa = signed_kappa(motion->machine, segment->sign_g < 0);
+  extend_motion(motion, 0);
+  for (int n = 1; n < SERIES_ORDER; n++) {
     tf_real_t h[2];
     for (int trial = 0; trial < 2; trial++) {
-      extend_motion(x, n - 1);
-      add_lambda_term(x, s_kappa, n - 1, (tf_real_t)trial);
-      extend_motion(x, n);
-      h[trial] = h_term(x, n + 1);
+      extend_motion(motion, n - 1);
+      add_lambda_term(motion, s_kappa, n - 1, (tf_real_t)trial);
+      extend_motion(motion, n);
+      h[trial] = h_term(motion, n + 1);
     }
     const tf_real_t slope = h[0] - h[1];
     if (slope == 0) return false;
-    extend_motion(x, n - 1);
-    add_lambda_term(x, s_kappa, n - 1, h[0] / slope);
-    extend_motion(x, n);
+    extend_motion(motion, n - 1);
+    add_lambda_term(motion, s_kappa, n - 1, h[0] / slope);
+    extend_motion(motion, n);
   }
-  // The last term of lambda would need term TF_ORDER + 1 of h: it is left 0.
-  add_lambda_term(x, s_kappa, TF_ORDER - 1, 0);
+  // The last term of lambda would need term SERIES_ORDER + 1 of h: it is left
+  // 0.
+  add_lambda_term(motion, s_kappa, SERIES_ORDER - 1, 0);
   return true;
 }
 
-static void taylor_constant_force(tf_taylor_t *x, tf_real_t F) {
-  for (int n = 0; n < TF_ORDER; n++) {
-    extend_motion(x, n);
-    add_friction_term(x, n, n == 0 ? F : 0, 0);
+static void taylor_constant_force(taylor_t *motion, tf_real_t F) {
+  for (int n = 0; n < SERIES_ORDER; n++) {
+    extend_motion(motion, n);
+    add_friction_term(motion, n, n == 0 ? F : 0, 0);
   }
 }
 
@@ -185,76 +191,78 @@ static void taylor_constant_force(tf_taylor_t *x, tf_real_t F) {
 //   F sin(gamma) = -(Q_r + m d alpha),
 //   M = J alpha - Q_phi - d Q_r - F r cos(gamma).
 // With sin(gamma) = 0 no wheel is pinned (rates.h).
-static void taylor_pinned(tf_taylor_t *x) {
-  const tf_machine_t *k = x->machine;
-  const tf_real_t r = x->r.c[0], w = x->w.c[0], alpha = x->input->alpha;
-  for (int n = 0; n <= TF_ORDER; n++)
-    x->r.c[n] = x->p.c[n] = x->z.c[n] = x->w.c[n] = x->q.c[n] = x->F.c[n] =
-        x->M.c[n] = 0;
-  x->r.c[0] = r;
-  x->w.c[0] = w;
-  x->w.c[1] = alpha;
+static void taylor_pinned(taylor_t *motion) {
+  const tf_machine_t *k = motion->machine;
+  const tf_real_t r = motion->r.c[0], w = motion->w.c[0],
+                  alpha = motion->input->alpha;
+  for (int n = 0; n <= SERIES_ORDER; n++)
+    motion->r.c[n] = motion->p.c[n] = motion->z.c[n] = motion->w.c[n] =
+        motion->q.c[n] = motion->F.c[n] = motion->M.c[n] = 0;
+  motion->r.c[0] = r;
+  motion->w.c[0] = w;
+  motion->w.c[1] = alpha;
   const tf_real_t w2[3] = {w * w, 2 * w * alpha, alpha * alpha};
   for (int n = 0; n < 3; n++) {
-    const tf_real_t Q_r = radial_force_at_rest_term(k, x->input, n, r, w2[n]);
-    tf_real_t F = -Q_r, torque = -k->c1 * x->w.c[n] + k->d * Q_r;
+    const tf_real_t Q_r =
+        radial_force_at_rest_term(k, motion->input, n, r, w2[n]);
+    tf_real_t F = -Q_r, torque = -k->c1 * motion->w.c[n] + k->d * Q_r;
     if (n == 0) {
       F -= k->m * k->d * alpha;
-      torque += x->input->torque - alpha / x->inverse_J;
+      torque += motion->input->torque - alpha / motion->inverse_J;
     }
-    x->F.c[n] = F / k->sin_gamma;
-    x->M.c[n] = -torque - x->F.c[n] * x->arm;
+    motion->F.c[n] = F / k->sin_gamma;
+    motion->M.c[n] = -torque - motion->F.c[n] * motion->arm;
   }
 }
 
-TF_API bool tf_taylor_coefficients(tf_taylor_t *x,
-                                   const tf_segment_t *segment) {
-  x->F.c[TF_ORDER] = x->M.c[TF_ORDER] = 0;
+TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment) {
+  motion->F.c[SERIES_ORDER] = motion->M.c[SERIES_ORDER] = 0;
   switch (segment->contact) {
-    case TF_CONTACT_NONE:
-      taylor_constant_force(x, 0);
+    case CONTACT_NONE:
+      taylor_constant_force(motion, 0);
       return true;
-    case TF_CONTACT_SLIP:
-      if (x->machine->tyre.law == TF_TYRE_COULOMB)
-        taylor_constant_force(x,
-                              (tf_real_t)segment->sign_h * x->machine->tyre.mu);
+    case CONTACT_SLIP:
+      if (motion->machine->tyre.law == TF_TYRE_COULOMB)
+        taylor_constant_force(
+            motion, (tf_real_t)segment->sign_h * motion->machine->tyre.mu);
       else
-        taylor_slip(x, segment);
+        taylor_slip(motion, segment);
       return true;
-    case TF_CONTACT_CODIM2_SLIP:
-      taylor_codim2_slip(x, segment);
+    case CONTACT_CODIM2_SLIP:
+      taylor_codim2_slip(motion, segment);
       return true;
-    case TF_CONTACT_STICK:
-      return taylor_stick(x, segment);
-    case TF_CONTACT_TWO_FOLD_STICK:
-      return taylor_two_fold(x, segment);
-    case TF_CONTACT_PINNED:
+    case CONTACT_STICK:
+      return taylor_stick(motion, segment);
+    case CONTACT_TWO_FOLD_STICK:
+      return taylor_two_fold(motion, segment);
+    case CONTACT_PINNED:
     default:
-      taylor_pinned(x);
+      taylor_pinned(motion);
       return true;
   }
 }
 
-TF_API tf_real_t tf_angle_change(const tf_taylor_t *x, tf_real_t t) {
+TF_API tf_real_t tf_angle_change(const taylor_t *motion, tf_real_t t) {
   tf_real_t sum = 0;
-  for (int n = TF_ORDER; n >= 0; n--)
-    sum = (sum + x->w.c[n] * reciprocal[n + 1]) * t;
+  for (int n = SERIES_ORDER; n >= 0; n--)
+    sum = (sum + motion->w.c[n] * reciprocal[n + 1]) * t;
   return sum;
 }
 
 // Times the radius of gyration rad/s become m/s, also where r is 0.
-TF_API tf_real_t tf_term_size(const tf_taylor_t *x, int n) {
-  const tf_real_t gyration = square_root(gyration2_at(x->machine, x->r.c[0]));
-  return magnitude(x->p.c[n]) + gyration * magnitude(x->z.c[n]);
+TF_API tf_real_t tf_term_size(const taylor_t *motion, int n) {
+  const tf_real_t gyration =
+      square_root(gyration2_at(motion->machine, motion->r.c[0]));
+  return magnitude(motion->p.c[n]) + gyration * magnitude(motion->z.c[n]);
 }
 
-TF_API tf_real_t tf_segment_length(const tf_taylor_t *x, tf_real_t time,
+TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
                                    tf_real_t allowed) {
-  const tf_real_t last = tf_term_size(x, TF_ORDER);
-  const tf_real_t last_but_one = tf_term_size(x, TF_ORDER - 1);
+  const tf_real_t last = tf_term_size(motion, SERIES_ORDER);
+  const tf_real_t last_but_one = tf_term_size(motion, SERIES_ORDER - 1);
   for (int i = 0; i < MOST_SHORTENINGS; i++) {
     tf_real_t tail = last_but_one + last * magnitude(time);
-    for (int n = 1; n < TF_ORDER; n++) tail *= magnitude(time);
+    for (int n = 1; n < SERIES_ORDER; n++) tail *= magnitude(time);
     if (tail <= allowed) return time;
     time *= TF_R(0.75);
   }

@@ -7,9 +7,9 @@
 #include "twofold/machine.h"
 
 typedef struct {
-  tf_taylor_t motion; // series of the segment, from its start
-  tf_segment_t segment;
-  tf_phase_point_t now;
+  taylor_t motion; // series of the segment, from its start
+  segment_t segment;
+  phase_point_t now;
   tf_real_t omega;     // speed of the turntable now [rad/s]
   tf_real_t remaining; // time until the end of the step [s]
   tf_real_t angle;     // of the disc, since the start of the step [rad]
@@ -20,20 +20,20 @@ typedef struct {
   unsigned set; // the largest set of consistent modes met in the step
   tf_force_t force;
   const tf_state_t *state; // that the step began with
-} tf_trajectory_t;
+} trajectory_t;
 
 // Slip now.
-TF_INLINE tf_slip_t trajectory_slip(const tf_trajectory_t *path) {
+TF_INLINE tf_slip_t trajectory_slip(const trajectory_t *path) {
   return slip_from_pq(path->motion.machine, path->now.p,
                       path->now.r * path->now.z);
 }
 
 // Accelerations now.
 #define tf_trajectory_rates TF_LINK(tf_trajectory_rates)
-TF_API tf_rates_t tf_trajectory_rates(const tf_trajectory_t *path);
+TF_API rates_t tf_trajectory_rates(const trajectory_t *path);
 
 // What the rounding of v, w and omega0 can make of h and g [m/s].
-TF_INLINE tf_real_t trajectory_rounding(const tf_trajectory_t *path) {
+TF_INLINE tf_real_t trajectory_rounding(const trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const tf_real_t w = magnitude(path->now.z + path->omega);
   return 4 * TF_REAL_EPSILON *
@@ -44,15 +44,15 @@ TF_INLINE tf_real_t trajectory_rounding(const tf_trajectory_t *path) {
 // Computes the series of the segment from the point where the trajectory is.
 // False as tf_taylor_coefficients.
 #define tf_expand TF_LINK(tf_expand)
-TF_API bool tf_expand(tf_trajectory_t *path);
+TF_API bool tf_expand(trajectory_t *path);
 
 // Moves along the series from one of its times to another.
 #define tf_advance TF_LINK(tf_advance)
-TF_API void tf_advance(tf_trajectory_t *path, tf_real_t from, tf_real_t to);
+TF_API void tf_advance(trajectory_t *path, tf_real_t from, tf_real_t to);
 
 // Puts the trajectory on h = 0 by an impulse of the friction force, which is
 // the shortest way there in the metric of the kinetic energy.
 #define tf_project TF_LINK(tf_project)
-TF_API void tf_project(tf_trajectory_t *path);
+TF_API void tf_project(trajectory_t *path);
 
 #endif

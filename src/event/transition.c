@@ -7,24 +7,24 @@
 #include "../friction/mode_set.h"
 #include "../friction/select.h"
 
-static void keep_largest_set(tf_trajectory_t *path, unsigned set) {
+static void keep_largest_set(trajectory_t *path, unsigned set) {
   if (size_of(set) >= size_of(path->set)) path->set = set;
 }
 
 // Begins a segment in a mode; slip: the contact if the mode is a slip.
-static void enter_mode(tf_trajectory_t *path, unsigned mode, tf_contact_t slip,
-                       tf_segment_t segment) {
-  segment.contact = mode == TF_PINNED       ? TF_CONTACT_PINNED
+static void enter_mode(trajectory_t *path, unsigned mode, contact_t slip,
+                       segment_t segment) {
+  segment.contact = mode == TF_PINNED       ? CONTACT_PINNED
                     : mode <= TF_SLIP_MINUS ? slip
-                                            : TF_CONTACT_STICK;
+                                            : CONTACT_STICK;
   path->mode = mode;
   path->segment = segment;
 }
 
-// One of the consistent modes, by the declared rule; TF_MODES where none is
+// One of the consistent modes, by the declared rule; TF_NO_MODE where none is
 // admissible.
-static unsigned selected_mode(tf_trajectory_t *path,
-                              const tf_solutions_t *solutions) {
+static unsigned selected_mode(trajectory_t *path,
+                              const solutions_t *solutions) {
   const tf_machine_t *k = path->motion.machine;
   keep_largest_set(path, solutions->set);
   return tf_select(k->rule, k->exit_threshold, solutions, path->mode,
@@ -32,25 +32,25 @@ static unsigned selected_mode(tf_trajectory_t *path,
 }
 
 // From h = 0, g != 0.
-static bool leave_h_zero(tf_trajectory_t *path) {
+static bool leave_h_zero(trajectory_t *path) {
   const bool minus = trajectory_slip(path).g < 0;
-  const tf_rates_t rates = tf_trajectory_rates(path);
-  tf_consistent_t consistent;
+  const rates_t rates = tf_trajectory_rates(path);
+  consistent_modes_t consistent;
   tf_project(path);
   surface_modes(path->motion.machine, &rates, minus, &consistent);
   const unsigned mode = selected_mode(path, &consistent.solutions);
-  if (mode == TF_MODES) return false;
-  enter_mode(path, mode, TF_CONTACT_SLIP,
-             (tf_segment_t){.sign_h = mode == TF_SLIP_MINUS ? -1 : 1,
-                            .sign_g = minus ? -1 : 1,
-                            .h_zero_order = 1});
+  if (mode == TF_NO_MODE) return false;
+  enter_mode(path, mode, CONTACT_SLIP,
+             (segment_t){.sign_h = mode == TF_SLIP_MINUS ? -1 : 1,
+                         .sign_g = minus ? -1 : 1,
+                         .h_zero_order = 1});
   return true;
 }
 
 // h = g = 0 means p = 0 and r z = 0: the wheel turns with the turntable, or the
 // slider passes the axis. Set to 0 is whichever of z and r changes r z now.
-static void place_at_codim2(tf_trajectory_t *path) {
-  const tf_rates_t rates = tf_trajectory_rates(path);
+static void place_at_codim2(trajectory_t *path) {
+  const rates_t rates = tf_trajectory_rates(path);
   path->now.p = 0;
   if (rates.vz > rates.rz)
     path->now.r = 0;
@@ -60,15 +60,15 @@ static void place_at_codim2(tf_trajectory_t *path) {
 
 // From h = g = 0; from_minus: it was reached from g < 0, so that the rule takes
 // stick- for the nearer one.
-static bool leave_codim2(tf_trajectory_t *path, bool from_minus) {
+static bool leave_codim2(trajectory_t *path, bool from_minus) {
   place_at_codim2(path);
-  const tf_rates_t rates = tf_trajectory_rates(path);
-  tf_consistent_t consistent;
+  const rates_t rates = tf_trajectory_rates(path);
+  consistent_modes_t consistent;
   tf_codim2_modes(path->motion.machine, &rates, &consistent);
   consistent.solutions.near_stick = from_minus ? TF_STICK_MINUS : TF_STICK_PLUS;
   const unsigned mode = selected_mode(path, &consistent.solutions);
-  if (mode == TF_MODES) return false;
-  tf_segment_t segment = {.h_zero_order = 1, .g_starts_at_zero = true};
+  if (mode == TF_NO_MODE) return false;
+  segment_t segment = {.h_zero_order = 1, .g_starts_at_zero = true};
   if (mode <= TF_SLIP_MINUS) {
     segment.sign_h = mode == TF_SLIP_PLUS ? 1 : -1;
     segment.sign_g = consistent.sign_g[mode];
@@ -77,26 +77,26 @@ static bool leave_codim2(tf_trajectory_t *path, bool from_minus) {
     segment.sign_h = 1;
     segment.sign_g = mode == TF_STICK_MINUS ? -1 : 1;
   }
-  enter_mode(path, mode, TF_CONTACT_CODIM2_SLIP, segment);
+  enter_mode(path, mode, CONTACT_CODIM2_SLIP, segment);
   return true;
 }
 
-static void begin_without_contact(tf_trajectory_t *path, tf_real_t h) {
+static void begin_without_contact(trajectory_t *path, tf_real_t h) {
   path->mode = h < 0 ? TF_SLIP_MINUS : h > 0 ? TF_SLIP_PLUS : path->mode & 1u;
   path->segment =
-      (tf_segment_t){.contact = TF_CONTACT_NONE, .sign_h = 1, .sign_g = 1};
+      (segment_t){.contact = CONTACT_NONE, .sign_h = 1, .sign_g = 1};
   keep_largest_set(path, TF_MODE_BIT(path->mode));
 }
 
-static void begin_in_slip(tf_trajectory_t *path, tf_slip_t slip) {
+static void begin_in_slip(trajectory_t *path, tf_slip_t slip) {
   path->mode = slip.h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS;
-  path->segment = (tf_segment_t){.contact = TF_CONTACT_SLIP,
-                                 .sign_h = slip.h > 0 ? 1 : -1,
-                                 .sign_g = slip.g < 0 ? -1 : 1};
+  path->segment = (segment_t){.contact = CONTACT_SLIP,
+                              .sign_h = slip.h > 0 ? 1 : -1,
+                              .sign_g = slip.g < 0 ? -1 : 1};
   keep_largest_set(path, TF_MODE_BIT(path->mode));
 }
 
-TF_API bool tf_first_segment(tf_trajectory_t *path) {
+TF_API bool tf_first_segment(trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const tf_slip_t slip = trajectory_slip(path);
   const tf_real_t rounding = trajectory_rounding(path);
@@ -125,19 +125,18 @@ TF_API bool tf_first_segment(tf_trajectory_t *path) {
 }
 
 // Without an event the same contact goes on, now away from where it began.
-static bool go_on(tf_segment_t *segment) {
-  if (segment->contact == TF_CONTACT_CODIM2_SLIP)
-    segment->contact = TF_CONTACT_SLIP;
-  if (segment->contact == TF_CONTACT_TWO_FOLD_STICK)
-    segment->contact = TF_CONTACT_STICK;
+static bool go_on(segment_t *segment) {
+  if (segment->contact == CONTACT_CODIM2_SLIP) segment->contact = CONTACT_SLIP;
+  if (segment->contact == CONTACT_TWO_FOLD_STICK)
+    segment->contact = CONTACT_STICK;
   segment->h_zero_order = 0;
   segment->g_starts_at_zero = segment->A_starts_at_zero = false;
   return true;
 }
 
 // Slip at g = 0: the angle and with it M change their signs.
-static bool pass_g_zero(tf_segment_t *segment) {
-  segment->contact = TF_CONTACT_SLIP;
+static bool pass_g_zero(segment_t *segment) {
+  segment->contact = CONTACT_SLIP;
   segment->sign_g = -segment->sign_g;
   segment->h_zero_order = 0;
   segment->g_starts_at_zero = true;
@@ -147,48 +146,48 @@ static bool pass_g_zero(tf_segment_t *segment) {
 // |lambda| = mu. An attracting stick is released to the side whose slip has
 // this force, h > 0 for F = mu, where h begins with t^2; an escaping one to the
 // other side, with t.
-static bool release_stick(tf_trajectory_t *path) {
-  const tf_segment_t *segment = &path->segment;
+static bool release_stick(trajectory_t *path) {
+  const segment_t *segment = &path->segment;
   const bool up = path->force.F > 0;
   const bool attracting = tf_trajectory_rates(path).A[segment->sign_g < 0] > 0;
   const unsigned mode = up == attracting ? TF_SLIP_PLUS : TF_SLIP_MINUS;
   tf_project(path);
   keep_largest_set(path, TF_MODE_BIT(mode));
-  enter_mode(path, mode, TF_CONTACT_SLIP,
-             (tf_segment_t){.sign_h = mode == TF_SLIP_PLUS ? 1 : -1,
-                            .sign_g = segment->sign_g,
-                            .h_zero_order = attracting ? 2 : 1});
+  enter_mode(path, mode, CONTACT_SLIP,
+             (segment_t){.sign_h = mode == TF_SLIP_PLUS ? 1 : -1,
+                         .sign_g = segment->sign_g,
+                         .h_zero_order = attracting ? 2 : 1});
   return true;
 }
 
 // Both slips leave a two-fold as well (Teixeira 1990). The stick goes on into
 // the escaping region, where the rule may end it.
-static bool pass_two_fold(tf_trajectory_t *path) {
-  tf_segment_t *segment = &path->segment;
+static bool pass_two_fold(trajectory_t *path) {
+  segment_t *segment = &path->segment;
   tf_project(path);
   keep_largest_set(path, SLIPS | TF_MODE_BIT(path->mode));
-  segment->contact = TF_CONTACT_TWO_FOLD_STICK;
+  segment->contact = CONTACT_TWO_FOLD_STICK;
   segment->A_starts_at_zero = true;
   segment->g_starts_at_zero = false;
   return true;
 }
 
-TF_API bool tf_next_segment(tf_trajectory_t *path, tf_event_t event) {
+TF_API bool tf_next_segment(trajectory_t *path, event_t event) {
   switch (event) {
-    case TF_EVENT_NONE:
+    case EVENT_NONE:
       return go_on(&path->segment);
-    case TF_EVENT_G_ZERO:
+    case EVENT_G_ZERO:
       return pass_g_zero(&path->segment);
-    case TF_EVENT_H_ZERO:
+    case EVENT_H_ZERO:
       tf_project(path);
       return leave_h_zero(path);
-    case TF_EVENT_CODIM2:
+    case EVENT_CODIM2:
       return leave_codim2(path, path->segment.sign_g < 0);
-    case TF_EVENT_RELEASE:
+    case EVENT_RELEASE:
       return release_stick(path);
-    case TF_EVENT_TWO_FOLD:
+    case EVENT_TWO_FOLD:
       return pass_two_fold(path);
-    case TF_EVENT_UNPINNED:
+    case EVENT_UNPINNED:
     default:
       return leave_codim2(path, false);
   }

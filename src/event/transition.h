@@ -8,11 +8,11 @@
 // the inputs may have jumped, so its mode alone does not tell. False where no
 // mode is admissible.
 #define tf_first_segment TF_LINK(tf_first_segment)
-TF_API bool tf_first_segment(tf_trajectory_t *path);
+TF_API bool tf_first_segment(trajectory_t *path);
 
 // The contact after an event, or after the end of a segment without one. False
 // where no mode is admissible.
 #define tf_next_segment TF_LINK(tf_next_segment)
-TF_API bool tf_next_segment(tf_trajectory_t *path, tf_event_t event);
+TF_API bool tf_next_segment(trajectory_t *path, event_t event);
 
 #endif

@@ -18,7 +18,7 @@ typedef struct {
 } quadrant_t;
 
 // By (force), (moment) and (h), (g).
-static quadrant_t quadrant_of(const tf_machine_t *k, const tf_rates_t *rates,
+static quadrant_t quadrant_of(const tf_machine_t *k, const rates_t *rates,
                               int sign_g, int sign_h) {
   const tf_real_t s_g = (tf_real_t)sign_g, s_h = (tf_real_t)sign_h;
   const tf_real_t F0 = slip_F0(&k->tyre, s_h), F1 = slip_F1(&k->tyre, s_h);
@@ -199,7 +199,7 @@ static bool search_quadrant(const tf_machine_t *k, const quadrant_t *q,
   return found;
 }
 
-TF_API bool tf_codim2_attractor(const tf_machine_t *k, const tf_rates_t *rates,
+TF_API bool tf_codim2_attractor(const tf_machine_t *k, const rates_t *rates,
                                 int sign_g, int sign_h, tf_real_t *T) {
   const quadrant_t q = quadrant_of(k, rates, sign_g, sign_h);
   limit_direction_t attractor = {.speed = 0};
@@ -209,8 +209,8 @@ TF_API bool tf_codim2_attractor(const tf_machine_t *k, const tf_rates_t *rates,
 }
 
 // The best exit into the side h > 0 or h < 0, from both of its quadrants.
-static void add_exit(const tf_machine_t *k, const tf_rates_t *rates, int sign_h,
-                     tf_consistent_t *out) {
+static void add_exit(const tf_machine_t *k, const rates_t *rates, int sign_h,
+                     consistent_modes_t *out) {
   const int slip = sign_h > 0 ? 0 : 1;
   limit_direction_t best = {.speed = 0};
   for (int sign_g = -1; sign_g <= 1; sign_g += 2) {
@@ -225,9 +225,9 @@ static void add_exit(const tf_machine_t *k, const tf_rates_t *rates, int sign_h,
 
 // The stick with the sign s of g, if lambda = N/A is one of the law and g gets
 // that sign under it.
-static void add_stick(const tf_machine_t *k, const tf_rates_t *rates, int s,
-                      tf_consistent_t *out) {
-  tf_solutions_t *solutions = &out->solutions;
+static void add_stick(const tf_machine_t *k, const rates_t *rates, int s,
+                      consistent_modes_t *out) {
+  solutions_t *solutions = &out->solutions;
   const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
   const tf_real_t lambda = rates->N / rates->A[s];
   const tf_real_t moment = sign * k->stick_kappa * lambda;
@@ -242,9 +242,9 @@ static void add_stick(const tf_machine_t *k, const tf_rates_t *rates, int s,
   out->lambda[s] = lambda;
 }
 
-TF_API void tf_codim2_modes(const tf_machine_t *k, const tf_rates_t *rates,
-                            tf_consistent_t *out) {
-  *out = (tf_consistent_t){.solutions = {.near_stick = TF_STICK_PLUS}};
+TF_API void tf_codim2_modes(const tf_machine_t *k, const rates_t *rates,
+                            consistent_modes_t *out) {
+  *out = (consistent_modes_t){.solutions = {.near_stick = TF_STICK_PLUS}};
   add_exit(k, rates, 1, out);
   add_exit(k, rates, -1, out);
   add_stick(k, rates, 0, out);

@@ -8,22 +8,22 @@
 // The consistent modes of an instant, as tf_select reads them, and how each
 // slip leaves.
 typedef struct {
-  tf_solutions_t solutions;
+  solutions_t solutions;
   tf_real_t lambda[2]; // of stick+ and stick-, where they are in the set
   tf_real_t T[2];      // cot(psi) along which slip+, slip- leave h = g = 0
   int sign_g[2];       // and the sign of g there
-} tf_consistent_t;
+} consistent_modes_t;
 
 // The regions of h = 0 at g != 0: both slips lead to it (stick alone is
 // consistent), both lead away (all three are), or one crosses it. s: 0 where
 // g > 0, 1 where g < 0.
-TF_INLINE void surface_modes(const tf_machine_t *k, const tf_rates_t *a, int s,
-                             tf_consistent_t *out) {
+TF_INLINE void surface_modes(const tf_machine_t *k, const rates_t *a, int s,
+                             consistent_modes_t *out) {
   const tf_real_t Amu = a->A[s] * k->tyre.mu;
   const bool plus = a->N - Amu > 0, minus = a->N + Amu < 0;
   const unsigned stick = TF_STICK_PLUS + (unsigned)s;
-  tf_solutions_t *solutions = &out->solutions;
-  *out = (tf_consistent_t){.lambda = {0, 0}};
+  solutions_t *solutions = &out->solutions;
+  *out = (consistent_modes_t){.lambda = {0, 0}};
   solutions->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
   solutions->near_stick = (uint8_t)stick;
   solutions->h_limit[0] = a->N - Amu;

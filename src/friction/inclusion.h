@@ -23,19 +23,19 @@
 #include "twofold/mode.h"
 #include "twofold/tyre.h"
 
-// c0 + F x + M y + FF x^2 + FM x y + MM y^2, all [m/s].
+// c0 + cx x + cy y + cxx x^2 + cxy x y + cyy y^2, all [m/s].
 typedef struct {
-  tf_real_t c0, F, M, FF, FM, MM;
-} tf_form_t;
+  tf_real_t c0, cx, cy, cxx, cxy, cyy;
+} form_t;
 
 // The inclusion (incl) of one step.
 typedef struct {
-  tf_form_t h, g;
+  form_t h, g;
   tf_real_t g_now;        // g before the step: decides a tie of s [m/s]
-  bool has_moment;        // false: M, FM, MM are 0 and stick depends on no s
+  bool has_moment;        // false: cy, cxy, cyy are 0 and stick depends on no s
   tf_real_t pin_x, pin_y; // the x, y that end the step at h = g = 0; read only
                           // where g+ can have both signs
-} tf_inclusion_t;
+} inclusion_t;
 
 // Its solutions.
 typedef struct {
@@ -45,19 +45,20 @@ typedef struct {
   tf_real_t x[2];       // of stick+, stick- where in the set, in [-1, 1]
   tf_real_t tau[2];     // y / x at h -> 0 of slip+, slip-
   tf_real_t h_limit[2]; // h+ of slip+, slip- under the force at h -> 0
-} tf_solutions_t;
+} solutions_t;
 
 // A form of x and y along y = s x, which stick is held to: c0 + c1 x + c2 x^2,
-// and its values at x = 1 and x = -1. s: 0 for s = +1, 1 for s = -1.
+// and its values at the ends of x, 1 (upper) and -1 (lower). s: 0 for s = +1, 1
+// for s = -1.
 typedef struct {
-  tf_real_t c0, c1, c2, plus, minus;
+  tf_real_t c0, c1, c2, at_upper, at_lower;
 } quadratic_t;
 
-TF_INLINE quadratic_t along(const tf_form_t *f, int s) {
-  quadratic_t on = {f->c0, s ? f->F - f->M : f->F + f->M, 0, 0, 0};
-  on.c2 = s ? f->FF + f->MM - f->FM : f->FF + f->MM + f->FM;
-  on.plus = f->c0 + on.c2 + on.c1;
-  on.minus = f->c0 + on.c2 - on.c1;
+TF_INLINE quadratic_t along(const form_t *f, int s) {
+  quadratic_t on = {f->c0, s ? f->cx - f->cy : f->cx + f->cy, 0, 0, 0};
+  on.c2 = s ? f->cxx + f->cyy - f->cxy : f->cxx + f->cyy + f->cxy;
+  on.at_upper = f->c0 + on.c2 + on.c1;
+  on.at_lower = f->c0 + on.c2 - on.c1;
   return on;
 }
 
@@ -68,11 +69,13 @@ TF_INLINE quadratic_t along(const tf_form_t *f, int s) {
 #define MINUS_SIGN 2u
 #define BOTH_SIGNS 3u
 
-TF_INLINE unsigned signs_of(const tf_form_t *g) {
+TF_INLINE unsigned signs_of(const form_t *g) {
   const quadratic_t a = along(g, 0), b = along(g, 1);
-  if (g->c0 > 0 && a.plus > 0 && a.minus > 0 && b.plus > 0 && b.minus > 0)
+  if (g->c0 > 0 && a.at_upper > 0 && a.at_lower > 0 && b.at_upper > 0 &&
+      b.at_lower > 0)
     return PLUS_SIGN;
-  if (g->c0 < 0 && a.plus < 0 && a.minus < 0 && b.plus < 0 && b.minus < 0)
+  if (g->c0 < 0 && a.at_upper < 0 && a.at_lower < 0 && b.at_upper < 0 &&
+      b.at_lower < 0)
     return MINUS_SIGN;
   return BOTH_SIGNS;
 }
@@ -115,8 +118,8 @@ TF_INLINE bool has_sign_of_g(tf_real_t g_end, int s, bool has_moment) {
 
 // The stick of one s, if there is one.
 TF_INLINE void solve_stick(const quadratic_t *h, const quadratic_t *g, int s,
-                           bool has_moment, tf_solutions_t *out) {
-  const bool above = h->plus > 0, one = above != (h->minus < 0);
+                           bool has_moment, solutions_t *out) {
+  const bool above = h->at_upper > 0, one = above != (h->at_lower < 0);
   const bool two = one && has_two_roots(h, above);
   if (h->c1 < 0) out->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
   if (one && !two) return; // one slip, no stick
@@ -153,44 +156,43 @@ typedef struct {
 } slip_ends_t;
 
 // The slip at h -> 0 on one side, whatever its share of the moment.
-TF_INLINE void solve_slip(const tf_inclusion_t *in, int slip, tf_real_t side,
-                          slip_ends_t at, tf_solutions_t *out) {
+TF_INLINE void solve_slip(const inclusion_t *in, int slip, tf_real_t side,
+                          slip_ends_t at, solutions_t *out) {
   const tf_real_t tau =
-      moment_share(at.g_plus, at.g_minus, in->g.MM, side * at.h_plus > 0,
+      moment_share(at.g_plus, at.g_minus, in->g.cyy, side * at.h_plus > 0,
                    side * at.h_minus > 0, in->g_now >= 0);
   const tf_real_t h_end = ((1 + tau) * at.h_plus + (1 - tau) * at.h_minus) / 2 -
-                          (1 - tau * tau) * in->h.MM;
+                          (1 - tau * tau) * in->h.cyy;
   out->tau[slip] = tau;
   out->h_limit[slip] = h_end;
   if (side * h_end > 0) out->set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
 }
 
 // Every g+ has the sign of one s.
-TF_INLINE void enumerate_one_sign(const tf_inclusion_t *in, int s,
-                                  tf_solutions_t *out) {
+TF_INLINE void enumerate_one_sign(const inclusion_t *in, int s,
+                                  solutions_t *out) {
   const quadratic_t h = along(&in->h, s);
-  const bool plus = h.plus > 0, minus = h.minus < 0;
+  const bool plus = h.at_upper > 0, minus = h.at_lower < 0;
   out->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
   out->attracting = (uint8_t)(h.c1 < 0 ? TF_MODE_BIT(TF_STICK_PLUS + s) : 0);
   out->tau[0] = out->tau[1] = s ? TF_R(-1.0) : TF_R(1.0);
-  out->h_limit[0] = h.plus;
-  out->h_limit[1] = h.minus;
+  out->h_limit[0] = h.at_upper;
+  out->h_limit[1] = h.at_lower;
   if (plus != minus && !has_two_roots(&h, plus)) return;
   out->x[s] = root_within(h.c0, h.c1, h.c2);
   out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
 }
 
 // g+ may have either sign: codimension two is within reach of this step.
-TF_INLINE void enumerate_both_signs(const tf_inclusion_t *in,
-                                    tf_solutions_t *out) {
+TF_INLINE void enumerate_both_signs(const inclusion_t *in, solutions_t *out) {
   const quadratic_t h0 = along(&in->h, 0), h1 = along(&in->h, 1);
   const quadratic_t g0 = along(&in->g, 0), g1 = along(&in->g, 1);
   out->set = 0;
   out->attracting = 0;
   solve_stick(&h0, &g0, 0, in->has_moment, out);
   solve_stick(&h1, &g1, 1, in->has_moment, out);
-  const slip_ends_t up = {h0.plus, h1.plus, g0.plus, g1.plus};
-  const slip_ends_t down = {h0.minus, h1.minus, g0.minus, g1.minus};
+  const slip_ends_t up = {h0.at_upper, h1.at_upper, g0.at_upper, g1.at_upper};
+  const slip_ends_t down = {h0.at_lower, h1.at_lower, g0.at_lower, g1.at_lower};
   solve_slip(in, 0, 1, up, out);
   solve_slip(in, 1, -1, down, out);
   // Without a moment a pinned wheel is a stick with g+ = 0: not a sixth mode.
@@ -199,8 +201,8 @@ TF_INLINE void enumerate_both_signs(const tf_inclusion_t *in,
     out->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
 }
 
-TF_INLINE void enumerate(const tf_inclusion_t *in, unsigned signs,
-                         tf_solutions_t *out) {
+TF_INLINE void enumerate(const inclusion_t *in, unsigned signs,
+                         solutions_t *out) {
   const bool at_plus =
       signs == BOTH_SIGNS ? in->g_now >= 0 : signs == PLUS_SIGN;
   out->near_stick = at_plus ? TF_STICK_PLUS : TF_STICK_MINUS;
@@ -221,10 +223,11 @@ TF_INLINE void enumerate(const tf_inclusion_t *in, unsigned signs,
 TF_INLINE tf_real_t law_residual(tf_real_t mu, tf_real_t kappa,
                                  tf_force_t force, tf_real_t h, tf_real_t g) {
   const tf_real_t M = kappa * force.F; // that goes with g > 0
-  const tf_real_t off = magnitude(force.F - clip(force.F + h, -mu, mu));
-  if (g > 0) return off + magnitude(force.M - M);
-  if (g < 0) return off + magnitude(force.M + M);
-  return off + magnitude(force.M - clip(force.M, -magnitude(M), magnitude(M)));
+  const tf_real_t natural = magnitude(force.F - clip(force.F + h, -mu, mu));
+  if (g > 0) return natural + magnitude(force.M - M);
+  if (g < 0) return natural + magnitude(force.M + M);
+  return natural +
+         magnitude(force.M - clip(force.M, -magnitude(M), magnitude(M)));
 }
 
 #endif

@@ -5,14 +5,14 @@
 #include "twofold/philox.h"
 
 // The stick of a non-empty set; of two, the one on the present side of g.
-static unsigned stick_of(unsigned sticks, const tf_solutions_t *solutions) {
+static unsigned stick_of(unsigned sticks, const solutions_t *solutions) {
   if (has(sticks, solutions->near_stick)) return solutions->near_stick;
   return has(sticks, TF_STICK_PLUS) ? TF_STICK_PLUS : TF_STICK_MINUS;
 }
 
 // The n-th mode of a set that has more than n.
 static unsigned nth_mode(unsigned set, unsigned n) {
-  unsigned found = TF_MODES;
+  unsigned found = TF_NO_MODE;
   for (unsigned mode = 0; mode < TF_MODES; mode++)
     if (has(set, mode) && n-- == 0) found = mode;
   return found;
@@ -57,7 +57,7 @@ static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold, unsigned set,
 }
 
 TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
-                          const tf_solutions_t *solutions, unsigned mode,
+                          const solutions_t *solutions, unsigned mode,
                           uint64_t tick, uint32_t seed) {
   const unsigned set = solutions->set;
   const unsigned sticks = set & STICKS;
@@ -82,5 +82,5 @@ TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
                : (unsigned)TF_SLIP_MINUS;
   if (has(set, TF_SLIP_PLUS)) return TF_SLIP_PLUS;
   if (has(set, TF_SLIP_MINUS)) return TF_SLIP_MINUS;
-  return sticks && !slipping ? stick_of(sticks, solutions) : TF_MODES;
+  return sticks && !slipping ? stick_of(sticks, solutions) : TF_NO_MODE;
 }

@@ -20,8 +20,8 @@ TF_INLINE tf_real_t slip_law_residual(const tf_tyre_t *tyre, int side,
     const tf_real_t M = 3 * tyre->kappa * (tyre->mu * 4 / 3 - F);
     return magnitude(force.F - sign * F) + magnitude(magnitude(force.M) - M);
   }
-  const tf_force_t law = tf_tyre_force(tyre, sign, slip.h, slip.g);
-  return magnitude(force.F - law.F) + magnitude(force.M - law.M) +
+  const tf_force_t lawful = tf_tyre_force(tyre, sign, slip.h, slip.g);
+  return magnitude(force.F - lawful.F) + magnitude(force.M - lawful.M) +
          (beyond > 0 ? beyond : 0);
 }
 

@@ -8,7 +8,7 @@
 #include "twofold/real.h"
 
 // The longest: "-1.23456e-308".
-#define TF_DECIMAL_ROOM 13
+#define DECIMAL_SIZE 13
 
 // Writes value without a terminating zero, in e notation below 1e-5 and from
 // 1e6 on; "nan", "inf", "-inf" too. It is scaled by powers of ten in tf_real_t,

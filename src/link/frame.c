@@ -69,8 +69,8 @@ TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,
 }
 
 TF_API void tf_decoder_init(tf_decoder_t *decoder, uint8_t *buffer,
-                            uint16_t room) {
-  *decoder = (tf_decoder_t){.buffer = buffer, .room = room};
+                            uint16_t size) {
+  *decoder = (tf_decoder_t){.buffer = buffer, .size = size};
 }
 
 // A gap in the sequence is a loss, unless the number went back: then the sender
@@ -137,7 +137,7 @@ static bool complete_frame(tf_decoder_t *decoder, tf_frame_t *frame) {
 TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,
                             tf_frame_t *frame) {
   if (byte == 0) return complete_frame(decoder, frame);
-  if (decoder->used < decoder->room)
+  if (decoder->used < decoder->size)
     decoder->buffer[decoder->used++] = byte;
   else
     decoder->overflowed = true;
@@ -145,7 +145,7 @@ TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,
 }
 
 static void append(tf_decoder_t *decoder, const uint8_t *bytes, size_t length) {
-  const size_t left = (size_t)decoder->room - decoder->used;
+  const size_t left = (size_t)decoder->size - decoder->used;
   if (length > left) {
     decoder->overflowed = true;
     length = left;

@@ -44,19 +44,20 @@ TF_API void tf_link_receive(tf_link_t *link, uint8_t byte) {
 
 static int set_input(tf_session_t *session, const tf_command_t *command) {
   if (command->length == 0) {
-    session->driven = false;
+    session->input_is_set = false;
     return TF_ANSWER_DONE;
   }
-  const size_t R = TF_REAL_BYTES;
-  if (command->length != 5 * R) return TF_ANSWER_LENGTH;
+  const size_t real_bytes = TF_REAL_BYTES;
+  if (command->length != 5 * real_bytes) return TF_ANSWER_LENGTH;
   const uint8_t *at = command->payload;
-  const tf_input_t input = {tf_wire_get_real(at), tf_wire_get_real(at + R),
-                            tf_wire_get_real(at + 2 * R),
-                            tf_wire_get_real(at + 3 * R),
-                            tf_wire_get_real(at + 4 * R)};
+  const tf_input_t input = {tf_wire_get_real(at),
+                            tf_wire_get_real(at + real_bytes),
+                            tf_wire_get_real(at + 2 * real_bytes),
+                            tf_wire_get_real(at + 3 * real_bytes),
+                            tf_wire_get_real(at + 4 * real_bytes)};
   if (!in_range(&session->state, &input)) return TF_BAD_STATE;
   session->input = input;
-  session->driven = true;
+  session->input_is_set = true;
   return TF_ANSWER_DONE;
 }
 

@@ -148,29 +148,31 @@ TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,
 
 TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                           tf_state_t *state) {
-  const size_t R = TF_REAL_BYTES;
-  *state = (tf_state_t){.r = tf_wire_get_real(payload),
-                        .v = tf_wire_get_real(payload + R),
-                        .w = tf_wire_get_real(payload + 2 * R),
-                        .phi = tf_wire_get_real(payload + 3 * R),
-                        .tick = tick,
-                        .seed = (uint32_t)tf_wire_get(payload + 4 * R, 4),
-                        .mode = payload[4 * R + 4]};
+  const size_t real_bytes = TF_REAL_BYTES;
+  *state =
+      (tf_state_t){.r = tf_wire_get_real(payload),
+                   .v = tf_wire_get_real(payload + real_bytes),
+                   .w = tf_wire_get_real(payload + 2 * real_bytes),
+                   .phi = tf_wire_get_real(payload + 3 * real_bytes),
+                   .tick = tick,
+                   .seed = (uint32_t)tf_wire_get(payload + 4 * real_bytes, 4),
+                   .mode = payload[4 * real_bytes + 4]};
 }
 
 TF_API void tf_read_report(const uint8_t *payload, tf_report_t *report) {
-  const size_t R = TF_REAL_BYTES;
-  const uint8_t *bytes = payload + 6 * R;
+  const size_t real_bytes = TF_REAL_BYTES;
+  const uint8_t *bytes = payload + 6 * real_bytes;
   // The status is sent in two's complement.
   const int status = bytes[3] < 128 ? bytes[3] : (int)bytes[3] - 256;
-  *report = (tf_report_t){
-      .mode = bytes[0],
-      .set = bytes[1],
-      .choices = bytes[2],
-      .force = {tf_wire_get_real(payload + 2 * R),
-                tf_wire_get_real(payload + 3 * R)},
-      .slip = {tf_wire_get_real(payload), tf_wire_get_real(payload + R)},
-      .delassus = tf_wire_get_real(payload + 4 * R),
-      .residual = tf_wire_get_real(payload + 5 * R),
-      .status = (tf_status_t)status};
+  *report =
+      (tf_report_t){.mode = bytes[0],
+                    .set = bytes[1],
+                    .choices = bytes[2],
+                    .force = {tf_wire_get_real(payload + 2 * real_bytes),
+                              tf_wire_get_real(payload + 3 * real_bytes)},
+                    .slip = {tf_wire_get_real(payload),
+                             tf_wire_get_real(payload + real_bytes)},
+                    .delassus = tf_wire_get_real(payload + 4 * real_bytes),
+                    .residual = tf_wire_get_real(payload + 5 * real_bytes),
+                    .status = (tf_status_t)status};
 }

@@ -54,7 +54,7 @@ static int first_offender(const tf_params_t *params) {
 
 // T at the anchors from T(inf) = 6 kappa by halving and adding angles, then
 // its Taylor series at 0 from (1 + y^2) T' = a (1 + T^2):
-//   (2n+1) c_n = a [w^(2n)] T^2 - (2n-1) c_(n-1),   c_0 = a.
+//   (2n+1) c_n = a [y^(2n)] T^2 - (2n-1) c_(n-1),   c_0 = a.
 static void prepare_angle_kernel(tf_tyre_t *tyre, tf_real_t kappa) {
   tf_real_t *T = tyre->T_anchor, *c = tyre->T_series;
   T[0] = 0;

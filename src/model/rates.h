@@ -16,11 +16,11 @@ typedef struct {
   tf_real_t A[2];     // Delassus scalar for s = +1, -1 [1/kg]
   tf_real_t vz, rz;   // bounds of the two parts of q', v z and r z' [m/s^2]
   tf_force_t pinning; // holds the wheel at rest; TF_REAL_MAX where none
-} tf_rates_t;
+} rates_t;
 
-TF_INLINE tf_rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
-                              tf_real_t r, tf_real_t p, tf_real_t z,
-                              tf_real_t omega) {
+TF_INLINE rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
+                           tf_real_t r, tf_real_t p, tf_real_t z,
+                           tf_real_t omega) {
   const tf_real_t v = p + k->d * z, w = z + omega, mr = k->m * r;
   const tf_real_t Q_r = radial_force(k, input, r, v, mr * w * w);
   const tf_real_t Q_phi = disc_torque(k, input, w, 2 * mr * v * w);
@@ -28,7 +28,7 @@ TF_INLINE tf_rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
   const tf_real_t arm = r * k->cos_gamma, alpha = input->alpha;
   const tf_real_t p_rate = Q_r / k->m + k->d * alpha;
   const tf_real_t z_rate = (Q_phi + k->d * Q_r) / J - alpha;
-  tf_rates_t a;
+  rates_t a;
   a.p = p_rate;
   a.z = z_rate;
   a.q = r * z_rate + v * z;

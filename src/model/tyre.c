@@ -3,7 +3,7 @@
 
 static tf_force_t jump_force(const tf_tyre_t *tyre, tf_real_t side, tf_real_t h,
                              tf_real_t g) {
-  const tf_multipliers_t m = jump_multipliers(tyre, side, h, g);
+  const multipliers_t m = jump_multipliers(tyre, side, h, g);
   return (tf_force_t){tyre->mu * m.x, tyre->kappa * tyre->mu * m.y};
 }
 

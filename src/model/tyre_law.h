@@ -24,9 +24,10 @@ static const tf_real_t border[4] = {
     TF_R(0.53451113595079172950), TF_R(0.82067879082866033097)};
 
 // tan x and tan y give tan(x + y): T = (T_k + u) / (1 - T_k u), where
-// u = T(w) is a short odd series because |w| <= tan(pi/32) = 0.0985: its first
-// left-out term is below w^16/17 = 5e-18 (double), w^8/9 = 1e-9 (float) of the
-// first. The denominator is >= 1 - tan(a 7 pi/16) tan(a pi/32) > 0.5.
+// u = T(small) is a short odd series because |small| <= tan(pi/32) = 0.0985:
+// its first left-out term is below small^16/17 = 5e-18 (double), small^8/9 =
+// 1e-9 (float) of the first. The denominator is >= 1 - tan(a 7 pi/16) tan(a
+// pi/32) > 0.5.
 TF_INLINE tf_real_t cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H) {
   const bool steep = G > H;
   tf_real_t low = steep ? H : G, high = steep ? G : H;
@@ -44,12 +45,12 @@ TF_INLINE tf_real_t cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H) {
                 (low > border[2] * high) + (low > border[3] * high);
   const int anchor = steep ? 8 - k : k;
   const tf_real_t c = anchor_cos[anchor], s = anchor_cos[8 - anchor];
-  const tf_real_t w = (G * c - H * s) / (H * c + G * s);
-  const tf_real_t w2 = w * w;
+  const tf_real_t small = (G * c - H * s) / (H * c + G * s);
+  const tf_real_t small2 = small * small;
   tf_real_t sum = tyre->T_series[TF_TYRE_TERMS - 1];
   for (int n = TF_TYRE_TERMS - 2; n >= 0; n--)
-    sum = sum * w2 + tyre->T_series[n];
-  const tf_real_t T = tyre->T_anchor[anchor], u = w * sum;
+    sum = sum * small2 + tyre->T_series[n];
+  const tf_real_t T = tyre->T_anchor[anchor], u = small * sum;
   return (T + u) / (1 - T * u);
 }
 
@@ -72,20 +73,19 @@ TF_INLINE tf_real_t slip_M1(const tf_tyre_t *tyre, tf_real_t sign) {
 // The same in units of mu and kappa mu, for positive signs.
 typedef struct {
   tf_real_t x, y;
-} tf_multipliers_t;
+} multipliers_t;
 
-TF_INLINE tf_multipliers_t multipliers_at(const tf_tyre_t *tyre, tf_real_t T) {
-  return (tf_multipliers_t){TF_R(4.0) / 3 - T * tyre->inv_18_kappa,
-                            T * tyre->inv_6_kappa};
+TF_INLINE multipliers_t multipliers_at(const tf_tyre_t *tyre, tf_real_t T) {
+  return (multipliers_t){TF_R(4.0) / 3 - T * tyre->inv_18_kappa,
+                         T * tyre->inv_6_kappa};
 }
 
-TF_INLINE tf_multipliers_t jump_multipliers(const tf_tyre_t *tyre,
-                                            tf_real_t side, tf_real_t h,
-                                            tf_real_t g) {
+TF_INLINE multipliers_t jump_multipliers(const tf_tyre_t *tyre, tf_real_t side,
+                                         tf_real_t h, tf_real_t g) {
   const tf_real_t H = side * h;
   const tf_real_t T = cot_psi(tyre, magnitude(g), H > 0 ? H : 0);
-  const tf_multipliers_t m = multipliers_at(tyre, T);
-  return (tf_multipliers_t){side * m.x, g < 0 ? -(side * m.y) : side * m.y};
+  const multipliers_t m = multipliers_at(tyre, T);
+  return (multipliers_t){side * m.x, g < 0 ? -(side * m.y) : side * m.y};
 }
 
 #endif

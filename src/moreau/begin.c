@@ -5,10 +5,10 @@
 
 // The modes that are possible at this instant, as a set; lambda of the stick.
 static unsigned possible_modes(const tf_machine_t *k, tf_slip_t slip,
-                               tf_real_t rounding, const tf_rates_t *rates,
+                               tf_real_t rounding, const rates_t *rates,
                                tf_real_t *lambda) {
   const int s = slip.g < 0;
-  tf_consistent_t modes;
+  consistent_modes_t modes;
   if (!tf_tyre_is_set_valued(k->tyre.law))
     return TF_MODE_BIT(slip.h < 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS);
   if (slip.h > rounding) return TF_MODE_BIT(TF_SLIP_PLUS);
@@ -35,7 +35,7 @@ static unsigned first_mode(unsigned set, unsigned preferred) {
 
 TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
                             const tf_input_t *input, tf_report_t *report) {
-  if (state->mode > TF_MODES || !in_range(state, input)) return TF_BAD_STATE;
+  if (state->mode > TF_NO_MODE || !in_range(state, input)) return TF_BAD_STATE;
   const tf_slip_t slip =
       tf_slip(machine, state->r, state->v, state->w, input->omega0);
   const tf_real_t z = state->w - input->omega0;
@@ -43,8 +43,8 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
       8 * TF_REAL_EPSILON *
       (magnitude(state->v) +
        (magnitude(machine->d) + magnitude(state->r)) * magnitude(z));
-  const tf_rates_t rates = rates_at(
-      machine, input, state->r, state->v - machine->d * z, z, input->omega0);
+  const rates_t rates = rates_at(machine, input, state->r,
+                                 state->v - machine->d * z, z, input->omega0);
   tf_real_t lambda = 0;
   const unsigned set = possible_modes(machine, slip, rounding, &rates, &lambda);
   const unsigned mode = first_mode(set, state->mode);

@@ -16,8 +16,10 @@ TF_INLINE bool passes_near(tf_slip_t from, tf_slip_t to) {
   const tf_real_t length2 = h * h + g * g;
   const tf_real_t ahead = clip(-(from.h * h + from.g * g), 0, length2);
   const tf_real_t share = length2 > 0 ? ahead / length2 : 0;
-  const tf_real_t off_h = from.h + share * h, off_g = from.g + share * g;
-  return off_h * off_h + off_g * off_g <= NEAR_SHARE * NEAR_SHARE * length2;
+  const tf_real_t closest_h = from.h + share * h,
+                  closest_g = from.g + share * g;
+  return closest_h * closest_h + closest_g * closest_g <=
+         NEAR_SHARE * NEAR_SHARE * length2;
 }
 
 // Whether a motion whose mode is lost in this step reaches h = g = 0 in it, and
@@ -31,7 +33,7 @@ TF_INLINE bool reaches_codim2(free_motion_t *c, unsigned set,
                               unsigned attracting) {
   const unsigned mode = c->state->mode;
   const unsigned going_on = attracting | TF_MODE_BIT(TF_PINNED);
-  tf_inclusion_t in = inclusion(c);
+  inclusion_t in = inclusion(c);
   add_pinned_point(c, &in);
   if (mode == TF_PINNED || set & going_on || !in.has_moment ||
       !within(in.pin_x, 1) || !within(in.pin_y, 1))
@@ -40,11 +42,11 @@ TF_INLINE bool reaches_codim2(free_motion_t *c, unsigned set,
     const quadratic_t h = along(&in.h, mode == TF_STICK_MINUS);
     // A stick whose g is already past 0 has left that point.
     const bool comes = mode == TF_STICK_MINUS ? in.g_now < 0 : in.g_now > 0;
-    return comes && (h.plus > 0) == (h.minus < 0);
+    return comes && (h.at_upper > 0) == (h.at_lower < 0);
   }
   const tf_real_t side = mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0);
   const tf_slip_t now = start_slip(c);
-  const end_t end =
+  const forced_end_t end =
       end_by(c, slip_multipliers(&TF_API_MACHINE(c)->tyre, side, now));
   return passes_near(now, end_slip(c, &end));
 }

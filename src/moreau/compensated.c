@@ -16,70 +16,72 @@ typedef struct {
   tf_compensation_t *low;
   const tf_input_t *input;
   tf_report_t *report;
-} compensated_t;
+} compensated_step_t;
 
-TF_INLINE free_motion_t compensated_motion(compensated_t *x) {
-  const tf_machine_t *k = &x->constants->machine;
-  const state_pair_t pairs = paired(x->state, x->low);
-  return free_motion(k, x->state, linearise(k, x->state, x->input),
-                     slip_in_pairs(x->constants, &pairs, x->input->omega0));
+TF_INLINE free_motion_t compensated_motion(compensated_step_t *step) {
+  const tf_machine_t *k = &step->constants->machine;
+  const state_pair_t pairs = paired(step->state, step->low);
+  return free_motion(
+      k, step->state, linearise(k, step->state, step->input),
+      slip_in_pairs(step->constants, &pairs, step->input->omega0));
 }
 
 // Commit: the end of the step in pairs, the state and the report, or the
 // refusal. It derives the inverse of (6) anew: as a function of its own, which
 // a step ends with, its pairs and those of the step need no stack together.
-// `off` is the residual of a single-valued law.
-static __attribute__((noinline)) tf_status_t commit_pairs(compensated_t *x,
-                                                          tf_force_t force,
-                                                          tf_change_t friction,
-                                                          outcome_t outcome,
-                                                          tf_real_t off) {
-  const tf_machine_t *k = &x->constants->machine;
-  const tf_real_t omega0 = x->input->omega0;
-  const tf_linear_t l = linearise(k, x->state, x->input);
-  const state_pair_t from = paired(x->state, x->low);
-  const state_pair_t to = outcome.mode == TF_PINNED
-                              ? rest_in_pairs(k, &from, omega0)
-                              : end_in_pairs(x->constants, &from, x->input, &l,
-                                             outcome.mode, force, friction);
+// `residual` is that of a single-valued law.
+static __attribute__((noinline)) tf_status_t commit_pairs(
+    compensated_step_t *step, tf_force_t force, change_t friction,
+    outcome_t outcome, tf_real_t residual) {
+  const tf_machine_t *k = &step->constants->machine;
+  const tf_real_t omega0 = step->input->omega0;
+  const linear_t l = linearise(k, step->state, step->input);
+  const state_pair_t from = paired(step->state, step->low);
+  const state_pair_t to =
+      outcome.mode == TF_PINNED
+          ? rest_in_pairs(k, &from, omega0)
+          : end_in_pairs(step->constants, &from, step->input, &l, outcome.mode,
+                         force, friction);
   if (!in_reach(to.r.hi, to.v.hi, to.w.hi) ||
-      !within(outcome.delassus + off, TF_REAL_MAX)) // one of them is 0
-    return refuse_step(x->report, TF_DIVERGED);
-  const tf_slip_t slip = slip_in_pairs(x->constants, &to, omega0).slip;
+      !within(outcome.delassus + residual, TF_REAL_MAX)) // one of them is 0
+    return refuse_step(step->report, TF_DIVERGED);
+  const tf_slip_t slip = slip_in_pairs(step->constants, &to, omega0).slip;
   if (tf_tyre_is_set_valued(k->tyre.law))
-    off = residual(k, outcome.mode, force, slip);
-  store_compensation(k, x->state, x->low, &to);
-  return record(x->state, (tf_end_t){to.r.hi, to.v.hi, to.w.hi}, slip, force,
-                off, outcome, x->report);
+    residual = mode_residual(k, outcome.mode, force, slip);
+  store_compensation(k, step->state, step->low, &to);
+  return record(step->state, (end_state_t){to.r.hi, to.v.hi, to.w.hi}, slip,
+                force, residual, outcome, step->report);
 }
 
-TF_RARE tf_status_t degraded_compensated_step(compensated_t *x) {
-  free_motion_t c = compensated_motion(x);
+TF_RARE tf_status_t degraded_compensated_step(compensated_step_t *step) {
+  free_motion_t c = compensated_motion(step);
   const violation_t best = least_violation(&c);
-  return commit_pairs(x, best.end.force, best.end.friction, best.outcome, 0);
+  return commit_pairs(step, best.end.force, best.end.friction, best.outcome, 0);
 }
 
-TF_RARE bool compensated_step_reaches_codim2(compensated_t *x, unsigned set,
+TF_RARE bool compensated_step_reaches_codim2(compensated_step_t *step,
+                                             unsigned set,
                                              unsigned attracting) {
-  free_motion_t c = compensated_motion(x);
+  free_motion_t c = compensated_motion(step);
   return reaches_codim2(&c, set, attracting);
 }
 
 // A function of its own, so that its stack and that of the search for the force
 // do not add.
-TF_RARE tf_status_t compensated_step_under_force(compensated_t *x, tf_real_t F,
-                                                 tf_real_t M) {
-  const free_motion_t c = compensated_motion(x);
+TF_RARE tf_status_t compensated_step_under_force(compensated_step_t *step,
+                                                 tf_real_t F, tf_real_t M) {
+  const free_motion_t c = compensated_motion(step);
   const single_valued_end_t to = single_valued_end(&c, (tf_force_t){F, M});
   const outcome_t outcome = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
-  return commit_pairs(x, to.end.force, to.end.friction, outcome, to.off);
+  return commit_pairs(step, to.end.force, to.end.friction, outcome,
+                      to.residual);
 }
 
-TF_RARE tf_status_t single_valued_compensated_step(compensated_t *x) {
-  const free_motion_t c = compensated_motion(x);
-  if (!c.linear.definite) return refuse_step(x->report, TF_STEP_TOO_LONG);
+TF_RARE tf_status_t single_valued_compensated_step(compensated_step_t *step) {
+  const free_motion_t c = compensated_motion(step);
+  if (!c.linear.definite) return refuse_step(step->report, TF_STEP_TOO_LONG);
   const tf_force_t force = single_valued_force(&c);
-  return compensated_step_under_force(x, force.F, force.M);
+  return compensated_step_under_force(step, force.F, force.M);
 }
 
 TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
@@ -88,7 +90,7 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
                                        const tf_input_t *input,
                                        tf_report_t *report) {
   const tf_machine_t *k = &machine->machine;
-  compensated_t x = {machine, state, compensation, input, report};
+  compensated_step_t step = {machine, state, compensation, input, report};
   unsigned mode = state->mode;
   // Validate.
   const tf_real_t low =
@@ -98,29 +100,29 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
       !within(low, TF_STATE_LIMIT))
     return refuse_step(report, TF_BAD_STATE);
   if (!tf_tyre_is_set_valued(k->tyre.law))
-    return single_valued_compensated_step(&x);
+    return single_valued_compensated_step(&step);
   // Free motion, (1)-(7).
-  free_motion_t c = compensated_motion(&x);
+  free_motion_t c = compensated_motion(&step);
   if (!c.linear.definite) return refuse_step(report, TF_STEP_TOO_LONG);
   // Inclusion, (8), and every mode that solves it.
-  tf_inclusion_t in;
-  tf_solutions_t s;
+  inclusion_t in;
+  solutions_t s;
   const unsigned signs = solve_inclusion(&c, &in, &s);
   // Choose.
   if (may_reach_codim2(signs, &s, mode) &&
-      compensated_step_reaches_codim2(&x, s.set, s.attracting)) {
+      compensated_step_reaches_codim2(&step, s.set, s.attracting)) {
     mode = TF_PINNED;
     s.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
   } else if (!goes_on(&s, mode)) {
     mode = select_mode(k, state, s.set, s.near_stick, s.h_limit[0],
                        s.h_limit[1], s.attracting);
   }
-  if (mode == TF_MODES) return degraded_compensated_step(&x);
+  if (mode == TF_NO_MODE) return degraded_compensated_step(&step);
   // End in the mode, (9), (10).
-  const end_t end = mode_end(&c, &s, mode);
+  const forced_end_t end = mode_end(&c, &s, mode);
   // Commit.
   const bool minus =
       signs == BOTH_SIGNS ? end_slip(&c, &end).g < 0 : signs == MINUS_SIGN;
   const outcome_t outcome = {mode, s.set, TF_OK, step_delassus(k, &in, minus)};
-  return commit_pairs(&x, end.force, end.friction, outcome, 0);
+  return commit_pairs(&step, end.force, end.friction, outcome, 0);
 }

@@ -6,7 +6,7 @@
 //   end      the multipliers of the chosen mode; those of slip only where some
 //            lane slips, and lane by lane where few do
 //   commit   the state and the report
-// Lanes that a pass marks odd (refused, out of range, without a mode, a root
+// Lanes that a pass marks rare (refused, out of range, without a mode, a root
 // without a series) are done by tf_step from the state that they had.
 #include "twofold/ensemble.h"
 
@@ -18,23 +18,23 @@
 #define FEW 3
 
 static unsigned select_lane(const tf_machine_t *k, const tf_state_block_t *b,
-                            const work_t *w, int i) {
-  const tf_solutions_t solutions = {
-      .set = (uint8_t)w->set[i],
-      .attracting = (uint8_t)w->attracting[i],
-      .near_stick = w->nearer_minus[i] ? TF_STICK_MINUS : TF_STICK_PLUS,
-      .h_limit = {w->h_limit[0][i], w->h_limit[1][i]}};
+                            const work_t *work, int i) {
+  const solutions_t solutions = {
+      .set = (uint8_t)work->set[i],
+      .attracting = (uint8_t)work->attracting[i],
+      .near_stick = work->nearer_minus[i] ? TF_STICK_MINUS : TF_STICK_PLUS,
+      .h_limit = {work->h_limit[0][i], work->h_limit[1][i]}};
   return tf_select(k->rule, k->exit_threshold, &solutions, b->mode[i],
                    b->tick[i], b->seed[i]);
 }
 
 // Whether the mode of every lane goes on under every rule.
 static bool all_go_on(const tf_state_block_t *restrict b,
-                      const work_t *restrict w) {
+                      const work_t *restrict work) {
   uint8_t bit[TF_LANES], set[TF_LANES], lasting[TF_LANES], lost = 0;
   for (int i = 0; i < TF_LANES; i++) {
-    set[i] = (uint8_t)(w->set[i] & ~w->odd[i]);
-    lasting[i] = (uint8_t)(w->attracting[i] | SLIPS);
+    set[i] = (uint8_t)(work->set[i] & ~work->rare[i]);
+    lasting[i] = (uint8_t)(work->attracting[i] | SLIPS);
   }
   for (int i = 0; i < TF_LANES; i++) {
     const unsigned mode = b->mode[i];
@@ -47,180 +47,189 @@ static bool all_go_on(const tf_state_block_t *restrict b,
 
 // Whether this lane, its mode lost, may end at h = g = 0: tf_step finds out,
 // see reaches_codim2().
-static bool lane_may_reach_codim2(const tf_machine_t *k, const work_t *w, int i,
-                                  unsigned mode) {
-  const unsigned going_on =
-      (unsigned)w->attracting[i] | TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
-  return !(w->set[i] & going_on) && !(w->above[i] | w->below[i]) &&
-         within(w->pin_F[i] * k->inv_mu, 1) &&
-         within(w->pin_M[i] * k->inv_kappa_mu, 1);
+static bool lane_may_reach_codim2(const tf_machine_t *k, const work_t *work,
+                                  int i, unsigned mode) {
+  const unsigned going_on = (unsigned)work->attracting[i] |
+                            TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
+  return !(work->set[i] & going_on) && !(work->above[i] | work->below[i]) &&
+         within(work->pin_F[i] * k->inv_mu, 1) &&
+         within(work->pin_M[i] * k->inv_kappa_mu, 1);
 }
 
 // The mode of one lane at the end of the step.
 static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
-                          work_t *w, int i) {
+                          work_t *work, int i) {
   unsigned mode = b->mode[i];
-  if (mode >= TF_MODES || w->odd[i] || lane_may_reach_codim2(k, w, i, mode))
-    mode = TF_MODES;
-  else if (!(w->set[i] & TF_MODE_BIT(mode) & (SLIPS | w->attracting[i])))
-    mode = select_lane(k, b, w, i);
-  if (mode == TF_MODES) w->odd[i] = when(true);
+  if (mode >= TF_MODES || work->rare[i] ||
+      lane_may_reach_codim2(k, work, i, mode))
+    mode = TF_NO_MODE;
+  else if (!(work->set[i] & TF_MODE_BIT(mode) & (SLIPS | work->attracting[i])))
+    mode = select_lane(k, b, work, i);
+  if (mode == TF_NO_MODE) work->rare[i] = when(true);
   return mode;
 }
 
 // Returns how many lanes slip.
 static int choose(const tf_machine_t *restrict k,
-                  const tf_state_block_t *restrict b, work_t *restrict w) {
+                  const tf_state_block_t *restrict b, work_t *restrict work) {
   int slips = 0;
-  const bool same = all_go_on(b, w);
+  const bool same = all_go_on(b, work);
   for (int i = 0; i < TF_LANES; i++)
-    w->mode[i] = same ? b->mode[i] : (uint8_t)next_mode(k, b, w, i);
+    work->mode[i] = same ? b->mode[i] : (uint8_t)next_mode(k, b, work, i);
   for (int i = 0; i < TF_LANES; i++) {
-    const int mode = w->mode[i];
-    w->side[i] = (tf_real_t)((mode == TF_SLIP_PLUS) - (mode == TF_SLIP_MINUS));
-    w->roll[i] =
+    const int mode = work->mode[i];
+    work->side[i] =
+        (tf_real_t)((mode == TF_SLIP_PLUS) - (mode == TF_SLIP_MINUS));
+    work->roll[i] =
         (tf_real_t)((mode == TF_STICK_PLUS) - (mode == TF_STICK_MINUS));
   }
   for (int i = 0; i < TF_LANES; i++) {
-    w->slipping[slips] = (uint8_t)i;
-    slips += w->mode[i] <= TF_SLIP_MINUS;
+    work->slipping[slips] = (uint8_t)i;
+    slips += work->mode[i] <= TF_SLIP_MINUS;
   }
   return slips;
 }
 
 // (7) for the multipliers of one lane.
-TF_INLINE tf_end_t lane_end(const tf_machine_t *k, const work_t *w,
-                            tf_real_t omega0, int i, tf_real_t x, tf_real_t y) {
-  const tf_linear_t l = {.omega0 = omega0,
-                         .p = w->p[i],
-                         .z = w->z[i],
-                         .free = {w->free_p[i], w->free_z[i]},
-                         .r_explicit = w->r_explicit[i]};
-  const tf_change_t change = {x * w->F_p[i] + y * w->M_p[i],
-                              x * w->F_z[i] + y * w->M_z[i]};
+TF_INLINE end_state_t lane_end(const tf_machine_t *k, const work_t *work,
+                               tf_real_t omega0, int i, tf_real_t x,
+                               tf_real_t y) {
+  const linear_t l = {.omega0 = omega0,
+                      .p = work->p[i],
+                      .z = work->z[i],
+                      .free = {work->free_p[i], work->free_z[i]},
+                      .r_explicit = work->r_explicit[i]};
+  const change_t change = {x * work->p_by_x[i] + y * work->p_by_y[i],
+                           x * work->z_by_x[i] + y * work->z_by_y[i]};
   return end_after(k, &l, change);
 }
 
 TF_INLINE tf_slip_t lane_theta_slip(const tf_machine_t *k,
-                                    const tf_state_block_t *b, const work_t *w,
-                                    int i, tf_real_t x, tf_real_t y) {
-  const tf_linear_t l = {
-      .p = w->p[i], .z = w->z[i], .free = {w->free_p[i], w->free_z[i]}};
-  const tf_change_t change = {x * w->F_p[i] + y * w->M_p[i],
-                              x * w->F_z[i] + y * w->M_z[i]};
+                                    const tf_state_block_t *b,
+                                    const work_t *work, int i, tf_real_t x,
+                                    tf_real_t y) {
+  const linear_t l = {.p = work->p[i],
+                      .z = work->z[i],
+                      .free = {work->free_p[i], work->free_z[i]}};
+  const change_t change = {x * work->p_by_x[i] + y * work->p_by_y[i],
+                           x * work->z_by_x[i] + y * work->z_by_y[i]};
   return slip_at_theta(k, &l, b->r[i] + k->theta_dt * b->v[i], change);
 }
 
-static void stick_all(work_t *restrict w) {
+static void stick_all(work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++) {
-    const mask_t minus = when(w->roll[i] < 0);
-    const tf_real_t x = pick(minus, w->root[1][i], w->root[0][i]);
-    w->x[i] = x;
-    w->y[i] = flip_sign(minus, x);
+    const mask_t minus = when(work->roll[i] < 0);
+    const tf_real_t x = pick(minus, work->root[1][i], work->root[0][i]);
+    work->x[i] = x;
+    work->y[i] = flip_sign(minus, x);
   }
 }
 
-// Share of the moment in a slip at h -> 0: tau of tf_solutions_t.
-TF_INLINE tf_real_t lane_tau(const work_t *w, mask_t minus, int i) {
-  const mask_t up = w->g_plus[0][i] | w->g_minus[0][i];
-  const mask_t down = w->g_plus[1][i] | w->g_minus[1][i];
+// Share of the moment in a slip at h -> 0: tau of solutions_t.
+TF_INLINE tf_real_t lane_tau(const work_t *work, mask_t minus, int i) {
+  const mask_t up = work->g_plus[0][i] | work->g_minus[0][i];
+  const mask_t down = work->g_plus[1][i] | work->g_minus[1][i];
   const mask_t known = (up & ~minus) | (down & minus);
-  const mask_t negative = (w->down[0][i] & ~minus) | (w->down[1][i] & minus);
-  return pick(known, flip_sign(negative, 1), w->root[2][i]);
+  const mask_t negative =
+      (work->down[0][i] & ~minus) | (work->down[1][i] & minus);
+  return pick(known, flip_sign(negative, 1), work->root[2][i]);
 }
 
 // slip_end() of stages.h for a lane that slips; other lanes keep their values.
 TF_INLINE void slip_lane(const tf_machine_t *restrict k,
                          const tf_state_block_t *restrict b, tf_real_t omega0,
-                         work_t *restrict w, int i) {
-  const mask_t slips = when(w->side[i] != 0), minus = when(w->side[i] < 0);
+                         work_t *restrict work, int i) {
+  const mask_t slips = when(work->side[i] != 0),
+               minus = when(work->side[i] < 0);
   const tf_real_t side = flip_sign(minus, 1);
-  const tf_real_t tau = lane_tau(w, minus, i);
-  const tf_slip_t now = slip_from_pq(k, w->p[i], b->r[i] * w->z[i]);
-  const lane_law_t first = lane_law(&k->tyre, side, now);
-  const tf_slip_t at = lane_theta_slip(k, b, w, i, first.x, first.y);
-  const lane_law_t law = lane_law(&k->tyre, side, at);
-  const tf_end_t end = lane_end(k, w, omega0, i, law.x, law.y);
+  const tf_real_t tau = lane_tau(work, minus, i);
+  const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
+  const lane_multipliers_t first = lane_multipliers(&k->tyre, side, now);
+  const tf_slip_t at = lane_theta_slip(k, b, work, i, first.x, first.y);
+  const lane_multipliers_t theta = lane_multipliers(&k->tyre, side, at);
+  const end_state_t end = lane_end(k, work, omega0, i, theta.x, theta.y);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - omega0);
   const mask_t stays = when(side * slip.h > 0);
-  w->x[i] = pick(slips, pick(stays, law.x, side), w->x[i]);
-  w->y[i] = pick(slips, pick(stays, law.y, tau * side), w->y[i]);
-  w->odd[i] |= slips & (first.odd | law.odd);
+  work->x[i] = pick(slips, pick(stays, theta.x, side), work->x[i]);
+  work->y[i] = pick(slips, pick(stays, theta.y, tau * side), work->y[i]);
+  work->rare[i] |= slips & (first.rare | theta.rare);
 }
 
 static void slip_all(const tf_machine_t *restrict k,
                      const tf_state_block_t *restrict b, tf_real_t omega0,
-                     work_t *restrict w) {
-  for (int i = 0; i < TF_LANES; i++) slip_lane(k, b, omega0, w, i);
+                     work_t *restrict work) {
+  for (int i = 0; i < TF_LANES; i++) slip_lane(k, b, omega0, work, i);
 }
 
 static void slip_few(const tf_machine_t *restrict k,
                      const tf_state_block_t *restrict b, tf_real_t omega0,
-                     work_t *restrict w, int slips) {
+                     work_t *restrict work, int slips) {
   for (int n = 0; n < slips; n++) {
-    const int i = w->slipping[n];
-    const tf_real_t side = w->side[i], tau = lane_tau(w, when(side < 0), i);
-    const tf_slip_t now = slip_from_pq(k, w->p[i], b->r[i] * w->z[i]);
-    const tf_multipliers_t first =
-        jump_multipliers(&k->tyre, side, now.h, now.g);
-    const tf_slip_t at = lane_theta_slip(k, b, w, i, first.x, first.y);
-    const tf_multipliers_t m = jump_multipliers(&k->tyre, side, at.h, at.g);
-    const tf_end_t end = lane_end(k, w, omega0, i, m.x, m.y);
+    const int i = work->slipping[n];
+    const tf_real_t side = work->side[i],
+                    tau = lane_tau(work, when(side < 0), i);
+    const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
+    const multipliers_t first = jump_multipliers(&k->tyre, side, now.h, now.g);
+    const tf_slip_t at = lane_theta_slip(k, b, work, i, first.x, first.y);
+    const multipliers_t m = jump_multipliers(&k->tyre, side, at.h, at.g);
+    const end_state_t end = lane_end(k, work, omega0, i, m.x, m.y);
     const bool stays =
         side * slip_speeds(k, end.r, end.v, end.w - omega0).h > 0;
-    w->x[i] = stays ? m.x : side;
-    w->y[i] = stays ? m.y : tau * side;
+    work->x[i] = stays ? m.x : side;
+    work->y[i] = stays ? m.y : tau * side;
   }
 }
 
 static void ends_all(const tf_machine_t *restrict k, tf_real_t omega0,
-                     work_t *restrict w) {
+                     work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++) {
-    const mask_t moves = when(w->side[i] != 0) | when(w->roll[i] != 0);
-    const tf_end_t by = lane_end(k, w, omega0, i, w->x[i], w->y[i]);
-    const tf_real_t r = pick(moves, by.r, w->r_explicit[i]);
+    const mask_t moves = when(work->side[i] != 0) | when(work->roll[i] != 0);
+    const end_state_t by = lane_end(k, work, omega0, i, work->x[i], work->y[i]);
+    const tf_real_t r = pick(moves, by.r, work->r_explicit[i]);
     const tf_real_t v = keep(moves, by.v), omega = pick(moves, by.w, omega0);
     const tf_real_t size = magnitude(r) + magnitude(v) + magnitude(omega);
-    w->F[i] = pick(moves, w->x[i] * k->tyre.mu, w->pin_F[i]);
-    w->M[i] = pick(moves, w->y[i] * k->kappa_mu, w->pin_M[i]);
-    w->r[i] = r;
-    w->v[i] = v;
-    w->w[i] = omega;
-    w->odd[i] |= ~when(within(size, TF_STATE_LIMIT));
+    work->F[i] = pick(moves, work->x[i] * k->tyre.mu, work->pin_F[i]);
+    work->M[i] = pick(moves, work->y[i] * k->kappa_mu, work->pin_M[i]);
+    work->r[i] = r;
+    work->v[i] = v;
+    work->w[i] = omega;
+    work->rare[i] |= ~when(within(size, TF_STATE_LIMIT));
   }
 }
 
 static void finish_all(const tf_machine_t *restrict k,
                        tf_state_block_t *restrict b, tf_real_t omega0,
-                       const work_t *restrict w,
+                       const work_t *restrict work,
                        tf_report_block_t *restrict out) {
   for (int i = 0; i < TF_LANES; i++) {
-    const tf_force_t force = {w->F[i], w->M[i]};
-    const tf_slip_t slip = slip_speeds(k, w->r[i], w->v[i], w->w[i] - omega0);
-    const mask_t minus = w->below[i] | (~w->above[i] & when(slip.g < 0));
-    const tf_real_t h1 = w->h.F[i] + flip_sign(minus, w->h.M[i]);
-    b->r[i] = w->r[i];
-    b->v[i] = w->v[i];
-    b->w[i] = w->w[i];
+    const tf_force_t force = {work->F[i], work->M[i]};
+    const tf_slip_t slip =
+        slip_speeds(k, work->r[i], work->v[i], work->w[i] - omega0);
+    const mask_t minus = work->below[i] | (~work->above[i] & when(slip.g < 0));
+    const tf_real_t h1 = work->h.cx[i] + flip_sign(minus, work->h.cy[i]);
+    b->r[i] = work->r[i];
+    b->v[i] = work->v[i];
+    b->w[i] = work->w[i];
     out->F[i] = force.F;
     out->M[i] = force.M;
     out->h[i] = slip.h;
     out->g[i] = slip.g;
     out->delassus[i] = delassus_of_slope(k, h1);
-    out->residual[i] = lane_residual(k, w->side[i], force, slip);
+    out->residual[i] = lane_residual(k, work->side[i], force, slip);
   }
 }
 
 // (12)
 static void angles_all(const tf_machine_t *restrict k,
-                       tf_state_block_t *restrict b, const work_t *restrict w) {
+                       tf_state_block_t *restrict b,
+                       const work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++)
-    b->phi[i] += k->explicit_dt * b->w[i] + k->theta_dt * w->w[i];
+    b->phi[i] += k->explicit_dt * b->w[i] + k->theta_dt * work->w[i];
 }
 
-static bool any_odd(const work_t *w) {
+static bool any_rare(const work_t *work) {
   mask_t all = 0;
-  for (int i = 0; i < TF_LANES; i++) all |= w->odd[i];
+  for (int i = 0; i < TF_LANES; i++) all |= work->rare[i];
   return all != 0;
 }
 
@@ -245,38 +254,39 @@ static void step_lane(const tf_machine_t *k, tf_state_block_t *b,
 }
 
 // Modes, sets and ticks.
-static void record_all(tf_state_block_t *restrict b, const work_t *restrict w,
+static void record_all(tf_state_block_t *restrict b,
+                       const work_t *restrict work,
                        tf_report_block_t *restrict out) {
-  for (int i = 0; i < TF_LANES; i++) out->set[i] = (uint8_t)w->set[i];
+  for (int i = 0; i < TF_LANES; i++) out->set[i] = (uint8_t)work->set[i];
   for (int i = 0; i < TF_LANES; i++) {
     const uint8_t set = out->set[i];
     out->choices[i] = (uint8_t)((set & 1) + (set >> 1 & 1) + (set >> 2 & 1) +
                                 (set >> 3 & 1) + (set >> 4));
-    out->mode[i] = b->mode[i] = w->mode[i];
+    out->mode[i] = b->mode[i] = work->mode[i];
     out->status[i] = TF_OK;
   }
   for (int i = 0; i < TF_LANES; i++) b->tick[i]++;
 }
 
-// The end of a block some of whose lanes are odd: those are kept as they were
+// The end of a block some of whose lanes are rare: those are kept as they were
 // while all others advance, and then done one by one. Returns how many.
 static size_t step_some(const tf_machine_t *k, tf_state_block_t *b,
-                        const tf_input_t *u, const work_t *w,
+                        const tf_input_t *u, const work_t *work,
                         tf_report_block_t *out) {
   const tf_state_block_t before = *b;
   const tf_report_block_t reported = *out;
-  size_t odd = 0;
-  if (k->with_angle) angles_all(k, b, w);
-  finish_all(k, b, u->omega0, w, out);
-  record_all(b, w, out);
+  size_t rare = 0;
+  if (k->with_angle) angles_all(k, b, work);
+  finish_all(k, b, u->omega0, work, out);
+  record_all(b, work, out);
   for (size_t i = 0; i < TF_LANES; i++) {
-    if (!w->odd[i]) continue;
+    if (!work->rare[i]) continue;
     const tf_state_t state = tf_ensemble_get(&before, i);
     const tf_report_t report = tf_ensemble_report(&reported, i);
     step_lane(k, b, u, out, i, &state, &report);
-    odd++;
+    rare++;
   }
-  return odd;
+  return rare;
 }
 
 static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
@@ -297,7 +307,7 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
   else if (slips > 0)
     slip_few(k, b, u->omega0, &work, slips);
   ends_all(k, u->omega0, &work);
-  if (any_odd(&work)) return step_some(k, b, u, &work, out);
+  if (any_rare(&work)) return step_some(k, b, u, &work, out);
   if (k->with_angle) angles_all(k, b, &work);
   finish_all(k, b, u->omega0, &work, out);
   record_all(b, &work, out);

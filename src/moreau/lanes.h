@@ -2,7 +2,7 @@
 // computed, then one is picked by a mask, so that the compiler can do several
 // lanes at once. The expressions are those of inclusion.h and tyre_law.h,
 // operation by operation, hence the same bits. Where a rare case needs more (a
-// square root, a rescaling) the lane is marked odd and left to tf_step.
+// square root, a rescaling) the lane is marked rare and left to tf_step.
 //
 // Masks are used because compilers do not keep ?: free of branches: gcc moves
 // what is computed for one side into a branch and cannot move it back, since
@@ -54,7 +54,7 @@ TF_INLINE tf_real_t flip_sign(mask_t mask, tf_real_t a) {
 // root_within() where its series will do and needs no clipping.
 typedef struct {
   tf_real_t x;
-  mask_t odd;
+  mask_t rare;
 } lane_root_t;
 
 TF_INLINE lane_root_t lane_root(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
@@ -76,8 +76,8 @@ TF_INLINE mask_t share_down(mask_t g_plus, mask_t g_minus, mask_t plus_slips,
 }
 
 // pinning_force() without its early return.
-TF_INLINE tf_force_t lane_pin(const tf_machine_t *k, const tf_linear_t *l) {
-  const tf_rest_load_t load = load_to_rest(k, l);
+TF_INLINE tf_force_t lane_pin(const tf_machine_t *k, const linear_t *l) {
+  const rest_load_t load = load_to_rest(k, l);
   const mask_t held = when(k->sin_gamma != 0);
   const tf_real_t F = load.b / k->sin_gamma;
   return (tf_force_t){pick(held, F, TF_REAL_MAX),
@@ -105,11 +105,11 @@ TF_INLINE tf_real_t anchored(const tf_real_t table[TF_TYRE_ANCHORS],
 // the anchors would lose bits.
 typedef struct {
   tf_real_t x, y;
-  mask_t odd;
-} lane_law_t;
+  mask_t rare;
+} lane_multipliers_t;
 
-TF_INLINE lane_law_t lane_law(const tf_tyre_t *tyre, tf_real_t side,
-                              tf_slip_t slip) {
+TF_INLINE lane_multipliers_t lane_multipliers(const tf_tyre_t *tyre,
+                                              tf_real_t side, tf_slip_t slip) {
   const tf_real_t h = side * slip.h, H = keep(when(h > 0), h);
   const tf_real_t G = magnitude(slip.g);
   const mask_t steep = when(G > H);
@@ -119,16 +119,17 @@ TF_INLINE lane_law_t lane_law(const tf_tyre_t *tyre, tf_real_t side,
       when(low > border[2] * high), when(low > border[3] * high), steep};
   const tf_real_t c = anchored(anchor_cos, at, steep);
   const tf_real_t s = anchored(anchor_cos, at, ~steep);
-  const tf_real_t w = (G * c - H * s) / (H * c + G * s);
-  const tf_real_t w2 = w * w;
+  const tf_real_t small = (G * c - H * s) / (H * c + G * s);
+  const tf_real_t small2 = small * small;
   tf_real_t sum = tyre->T_series[TF_TYRE_TERMS - 1];
   for (int n = TF_TYRE_TERMS - 2; n >= 0; n--)
-    sum = sum * w2 + tyre->T_series[n];
-  const tf_real_t Tk = anchored(tyre->T_anchor, at, steep), u = w * sum;
+    sum = sum * small2 + tyre->T_series[n];
+  const tf_real_t Tk = anchored(tyre->T_anchor, at, steep), u = small * sum;
   const tf_real_t T = (Tk + u) / (1 - Tk * u);
-  const tf_multipliers_t m = multipliers_at(tyre, T);
-  return (lane_law_t){side * m.x, flip_sign(when(slip.g < 0), side * m.y),
-                      when(high < TF_REAL_MIN / TF_REAL_EPSILON)};
+  const multipliers_t m = multipliers_at(tyre, T);
+  return (lane_multipliers_t){side * m.x,
+                              flip_sign(when(slip.g < 0), side * m.y),
+                              when(high < TF_REAL_MIN / TF_REAL_EPSILON)};
 }
 
 // law_residual() as residual() of outcome.h calls it: in slip only the side is
@@ -142,9 +143,9 @@ TF_INLINE tf_real_t lane_residual(const tf_machine_t *k, tf_real_t side,
   const tf_real_t M = k->stick_kappa * force.F, most = magnitude(M);
   const tf_real_t rolling = magnitude(force.M - flip_sign(when(slip.g < 0), M));
   const tf_real_t between = magnitude(force.M - clip(force.M, -most, most));
-  const tf_real_t off =
+  const tf_real_t of_moment =
       pick(when(slip.g > 0) | when(slip.g < 0), rolling, between);
-  return natural + keep(~slips, off);
+  return natural + keep(~slips, of_moment);
 }
 
 #endif

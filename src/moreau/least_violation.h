@@ -8,14 +8,14 @@
 
 // Of all ends that the step may take, the one that violates the law least.
 typedef struct {
-  end_t end;
+  forced_end_t end;
   outcome_t outcome;
 } violation_t;
 
 TF_INLINE violation_t least_violation(free_motion_t *c) {
   const tf_machine_t *k = TF_API_MACHINE(c);
-  tf_inclusion_t in = inclusion(c);
-  tf_solutions_t s = {0};
+  inclusion_t in = inclusion(c);
+  solutions_t s = {0};
   const unsigned signs = signs_of(&in.g);
   add_pinned_point(c, &in);
   enumerate(&in, signs, &s);
@@ -26,10 +26,11 @@ TF_INLINE violation_t least_violation(free_motion_t *c) {
   for (unsigned mode = 0; mode < TF_MODES; mode++) {
     const bool sticks = mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
     if (slipping && sticks && !(s.attracting & TF_MODE_BIT(mode))) continue;
-    const end_t end = mode_end(c, &s, mode);
-    const tf_real_t off = residual(k, mode, end.force, end_slip(c, &end));
-    if (!(off < least)) continue;
-    least = off;
+    const forced_end_t end = mode_end(c, &s, mode);
+    const tf_real_t residual =
+        mode_residual(k, mode, end.force, end_slip(c, &end));
+    if (!(residual < least)) continue;
+    least = residual;
     best.outcome.mode = mode;
     best.end = end;
   }

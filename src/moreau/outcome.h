@@ -16,8 +16,8 @@ typedef struct {
 } outcome_t;
 
 // In slip the angle is not in question: only the side is checked.
-TF_INLINE tf_real_t residual(const tf_machine_t *k, unsigned mode,
-                             tf_force_t force, tf_slip_t slip) {
+TF_INLINE tf_real_t mode_residual(const tf_machine_t *k, unsigned mode,
+                                  tf_force_t force, tf_slip_t slip) {
   if (mode > TF_SLIP_MINUS)
     return law_residual(k->tyre.mu, k->stick_kappa, force, slip.h, slip.g);
   return law_residual(1, 0, (tf_force_t){mode == TF_SLIP_PLUS ? 1 : -1, 0},
@@ -29,16 +29,16 @@ TF_INLINE tf_status_t refuse_step(tf_report_t *report, tf_status_t status) {
   return status;
 }
 
-TF_INLINE tf_status_t record(tf_state_t *state, tf_end_t end, tf_slip_t slip,
-                             tf_force_t force, tf_real_t off, outcome_t outcome,
-                             tf_report_t *report) {
+TF_INLINE tf_status_t record(tf_state_t *state, end_state_t end, tf_slip_t slip,
+                             tf_force_t force, tf_real_t residual,
+                             outcome_t outcome, tf_report_t *report) {
   report->mode = (uint8_t)outcome.mode;
   report->set = (uint8_t)outcome.set;
   report->choices = (uint8_t)size_of(outcome.set);
   report->force = force;
   report->slip = slip;
   report->delassus = outcome.delassus;
-  report->residual = off;
+  report->residual = residual;
   report->status = outcome.status;
   state->r = end.r;
   state->v = end.v;

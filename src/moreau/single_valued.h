@@ -11,7 +11,7 @@ TF_INLINE tf_force_t single_valued_law(const tf_machine_t *k, tf_slip_t at) {
 }
 
 TF_INLINE tf_slip_t slip_at_theta_under(const free_motion_t *c,
-                                        tf_change_t friction) {
+                                        change_t friction) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   return slip_at_theta(k, &c->linear, c->state->r + k->theta_dt * c->state->v,
                        friction);
@@ -25,7 +25,7 @@ TF_INLINE tf_force_t secant_force(const free_motion_t *c, tf_slip_t at) {
   const tf_real_t h_now = start_slip(c).h;
   const tf_force_t f = single_valued_law(k, at);
   if (at.h == 0) return f;
-  const tf_response_t a = response_at_end(k, response_to(k, &c->linear, f));
+  const response_t a = response_at_end(k, response_to(k, &c->linear, f));
   const tf_real_t E =
       slip_from_pq(k, a.p, c->end.r * a.z + c->end.z * a.r).h / at.h;
   if (!(E < 0)) return f;
@@ -47,19 +47,19 @@ TF_INLINE tf_force_t single_valued_force(const free_motion_t *c) {
 // The end under such a force, the mode that its slip has, and how far the force
 // is from the law at the theta point.
 typedef struct {
-  end_t end;
+  forced_end_t end;
   unsigned mode;
-  tf_real_t off;
+  tf_real_t residual;
 } single_valued_end_t;
 
 TF_INLINE single_valued_end_t single_valued_end(const free_motion_t *c,
                                                 tf_force_t force) {
   const tf_machine_t *k = TF_API_MACHINE(c);
-  const tf_change_t change = response_to(k, &c->linear, force);
+  const change_t change = response_to(k, &c->linear, force);
   single_valued_end_t out = {.end = end_under(c, force, change)};
   const tf_slip_t at = slip_at_theta_under(c, change);
   const tf_real_t h = end_slip(c, &out.end).h;
-  out.off = magnitude(force.F - single_valued_law(k, at).F);
+  out.residual = magnitude(force.F - single_valued_law(k, at).F);
   out.mode = h > 0   ? TF_SLIP_PLUS
              : h < 0 ? TF_SLIP_MINUS
                      : c->state->mode & 1u; // as it was at h = 0

@@ -32,24 +32,25 @@ typedef struct {
   const tf_machine_t *machine;
   const tf_state_t *state;
   start_t start;
-  tf_linear_t linear;
-  tf_free_end_t end;
+  linear_t linear;
+  free_end_t end;
   tf_slip_t slip; // at the end, without friction
 } free_motion_t;
 
 // The slip after a change of p and z, from that at the start: q changes by
 // r dz + z+ dr.
 TF_INLINE tf_slip_t slip_by_increment(const tf_machine_t *k,
-                                      const tf_state_t *x, const start_t *start,
-                                      tf_change_t c) {
-  const tf_real_t dr = k->dt * x->v + k->theta_dt * (c.p + k->d * c.z);
-  const tf_slip_t by = slip_from_pq(k, c.p, x->r * c.z + (start->z + c.z) * dr);
+                                      const tf_state_t *state,
+                                      const start_t *start, change_t c) {
+  const tf_real_t dr = k->dt * state->v + k->theta_dt * (c.p + k->d * c.z);
+  const tf_slip_t by =
+      slip_from_pq(k, c.p, state->r * c.z + (start->z + c.z) * dr);
   return (tf_slip_t){start->slip.h + by.h, start->slip.g + by.g};
 }
 
 // Free motion, (1)-(7).
 TF_INLINE free_motion_t free_motion(const tf_machine_t *k,
-                                    const tf_state_t *state, tf_linear_t linear,
+                                    const tf_state_t *state, linear_t linear,
                                     start_t start) {
   free_motion_t c = {
       .machine = k, .state = state, .start = start, .linear = linear};
@@ -66,7 +67,7 @@ TF_INLINE free_motion_t free_motion(const tf_machine_t *k,
 TF_INLINE free_motion_t plain_motion(const tf_machine_t *k,
                                      const tf_state_t *state,
                                      const tf_input_t *input) {
-  const tf_linear_t l = linearise(k, state, input);
+  const linear_t l = linearise(k, state, input);
   return free_motion(k, state, l, (start_t){l.p, l.z, {0, 0}, false, false});
 }
 
@@ -79,51 +80,51 @@ TF_INLINE tf_slip_t start_slip(const free_motion_t *c) {
 // plain step would store: compensation.h computes them in pairs.
 typedef struct {
   tf_force_t force;
-  tf_change_t friction; // of the velocities, unless pinned
-  tf_end_t at;
+  change_t friction; // of the velocities, unless pinned
+  end_state_t at;
   bool pinned;
-} end_t;
+} forced_end_t;
 
 // (7)
-TF_INLINE end_t end_under(const free_motion_t *c, tf_force_t force,
-                          tf_change_t friction) {
-  const tf_end_t at = end_after(TF_API_MACHINE(c), &c->linear, friction);
-  return (end_t){force, friction, at, false};
+TF_INLINE forced_end_t end_under(const free_motion_t *c, tf_force_t force,
+                                 change_t friction) {
+  const end_state_t at = end_after(TF_API_MACHINE(c), &c->linear, friction);
+  return (forced_end_t){force, friction, at, false};
 }
 
-TF_INLINE tf_slip_t end_slip(const free_motion_t *c, const end_t *end) {
+TF_INLINE tf_slip_t end_slip(const free_motion_t *c, const forced_end_t *end) {
   const tf_machine_t *k = TF_API_MACHINE(c);
-  const tf_linear_t *l = &c->linear;
+  const linear_t *l = &c->linear;
   if (!c->start.incremental)
     return slip_speeds(k, end->at.r, end->at.v, end->at.w - l->omega0);
   if (end->pinned) return (tf_slip_t){0, 0};
   return slip_by_increment(
       k, c->state, &c->start,
-      (tf_change_t){l->free.p + end->friction.p, l->free.z + end->friction.z});
+      (change_t){l->free.p + end->friction.p, l->free.z + end->friction.z});
 }
 
 // (8): the changes of the velocities and the end under multipliers x and y.
-TF_INLINE tf_change_t change_by(const free_motion_t *c, tf_multipliers_t m) {
-  return (tf_change_t){m.x * c->end.F.p + m.y * c->end.M.p,
-                       m.x * c->end.F.z + m.y * c->end.M.z};
+TF_INLINE change_t change_by(const free_motion_t *c, multipliers_t m) {
+  return (change_t){m.x * c->end.by_x.p + m.y * c->end.by_y.p,
+                    m.x * c->end.by_x.z + m.y * c->end.by_y.z};
 }
 
-TF_INLINE end_t end_by(const free_motion_t *c, tf_multipliers_t m) {
+TF_INLINE forced_end_t end_by(const free_motion_t *c, multipliers_t m) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   return end_under(c, (tf_force_t){m.x * k->tyre.mu, m.y * k->kappa_mu},
                    change_by(c, m));
 }
 
 // Inclusion, (8).
-TF_INLINE tf_inclusion_t inclusion(const free_motion_t *c) {
-  tf_inclusion_t in = {.has_moment = TF_API_MACHINE(c)->stick_kappa > 0};
+TF_INLINE inclusion_t inclusion(const free_motion_t *c) {
+  inclusion_t in = {.has_moment = TF_API_MACHINE(c)->stick_kappa > 0};
   slip_forms(TF_API_MACHINE(c), &c->end, c->slip, &in.h, &in.g);
   return in;
 }
 
 // Adds the point at which the step would end at rest, which is read only where
 // g+ can have both signs.
-TF_INLINE void add_pinned_point(free_motion_t *c, tf_inclusion_t *in) {
+TF_INLINE void add_pinned_point(free_motion_t *c, inclusion_t *in) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   const tf_force_t pin = pinning_force(k, &c->linear);
   c->start.slip = start_slip(c);
@@ -135,25 +136,25 @@ TF_INLINE void add_pinned_point(free_motion_t *c, tf_inclusion_t *in) {
 
 // Inclusion (8) and enumeration: every mode that solves it. Returns: the signs
 // that g+ can have.
-TF_INLINE unsigned solve_inclusion(free_motion_t *c, tf_inclusion_t *in,
-                                   tf_solutions_t *s) {
+TF_INLINE unsigned solve_inclusion(free_motion_t *c, inclusion_t *in,
+                                   solutions_t *s) {
   *in = inclusion(c);
   const unsigned signs = signs_of(&in->g);
   if (signs == BOTH_SIGNS) add_pinned_point(c, in);
-  *s = (tf_solutions_t){0};
+  *s = (solutions_t){0};
   enumerate(in, signs, s);
   return signs;
 }
 
 // Choice. Whether the present mode is lost where h = g = 0 is within reach.
-TF_INLINE bool may_reach_codim2(unsigned signs, const tf_solutions_t *s,
+TF_INLINE bool may_reach_codim2(unsigned signs, const solutions_t *s,
                                 unsigned mode) {
   return signs == BOTH_SIGNS && !has(s->set, mode);
 }
 
 // Whether the mode is consistent and goes on under every rule, so that
 // tf_select is not asked.
-TF_INLINE bool goes_on(const tf_solutions_t *s, unsigned mode) {
+TF_INLINE bool goes_on(const solutions_t *s, unsigned mode) {
   return s->set & TF_MODE_BIT(mode) & (SLIPS | s->attracting);
 }
 
@@ -162,17 +163,17 @@ TF_RARE unsigned select_mode(const tf_machine_t *k, const tf_state_t *state,
                              unsigned set, unsigned near_stick,
                              tf_real_t h_plus, tf_real_t h_minus,
                              unsigned attracting) {
-  const tf_solutions_t solutions = {.set = (uint8_t)set,
-                                    .attracting = (uint8_t)attracting,
-                                    .near_stick = (uint8_t)near_stick,
-                                    .h_limit = {h_plus, h_minus}};
+  const solutions_t solutions = {.set = (uint8_t)set,
+                                 .attracting = (uint8_t)attracting,
+                                 .near_stick = (uint8_t)near_stick,
+                                 .h_limit = {h_plus, h_minus}};
   return tf_select(k->rule, k->exit_threshold, &solutions, state->mode,
                    state->tick, state->seed);
 }
 
-TF_INLINE tf_multipliers_t slip_multipliers(const tf_tyre_t *tyre,
-                                            tf_real_t side, tf_slip_t at) {
-  if (tyre->law == TF_TYRE_COULOMB) return (tf_multipliers_t){side, 0};
+TF_INLINE multipliers_t slip_multipliers(const tf_tyre_t *tyre, tf_real_t side,
+                                         tf_slip_t at) {
+  if (tyre->law == TF_TYRE_COULOMB) return (multipliers_t){side, 0};
   return jump_multipliers(tyre, side, at.h, at.g);
 }
 
@@ -180,42 +181,42 @@ TF_INLINE tf_multipliers_t slip_multipliers(const tf_tyre_t *tyre,
 // then taken at the theta point. Where that would carry the wheel across h = 0
 // although the limit at h -> 0 holds it on its side, the true end lies between
 // the two, and the limit is taken.
-TF_INLINE end_t slip_end(const free_motion_t *c, tf_real_t side,
-                         tf_real_t tau) {
+TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
+                                tf_real_t tau) {
   const tf_machine_t *k = TF_API_MACHINE(c);
-  const tf_multipliers_t first =
-      slip_multipliers(&k->tyre, side, start_slip(c));
+  const multipliers_t first = slip_multipliers(&k->tyre, side, start_slip(c));
   const tf_real_t r_theta = c->state->r + k->theta_dt * c->state->v;
   const tf_slip_t at =
       slip_at_theta(k, &c->linear, r_theta, change_by(c, first));
-  const end_t end = end_by(c, slip_multipliers(&k->tyre, side, at));
+  const forced_end_t end = end_by(c, slip_multipliers(&k->tyre, side, at));
   if (side * end_slip(c, &end).h > 0) return end;
-  return end_by(c, (tf_multipliers_t){side, tau * side});
+  return end_by(c, (multipliers_t){side, tau * side});
 }
 
 // End at rest, (10): what the force was solved for, without its rounding.
-TF_INLINE end_t pinned_end(const free_motion_t *c) {
-  const tf_linear_t *l = &c->linear;
-  const tf_end_t at = {l->r_explicit, 0, l->omega0};
-  return (end_t){pinning_force(TF_API_MACHINE(c), l), {0, 0}, at, true};
+TF_INLINE forced_end_t pinned_end(const free_motion_t *c) {
+  const linear_t *l = &c->linear;
+  const end_state_t at = {l->r_explicit, 0, l->omega0};
+  return (forced_end_t){pinning_force(TF_API_MACHINE(c), l), {0, 0}, at, true};
 }
 
 // End in one of the modes that solve the inclusion.
-TF_INLINE end_t mode_end(const free_motion_t *c, const tf_solutions_t *s,
-                         unsigned mode) {
+TF_INLINE forced_end_t mode_end(const free_motion_t *c, const solutions_t *s,
+                                unsigned mode) {
   if (mode == TF_PINNED) return pinned_end(c);
   // No index that is known only at run time: the arrays stay in registers.
   if (mode == TF_SLIP_PLUS || mode == TF_SLIP_MINUS)
     return slip_end(c, mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0),
                     mode == TF_SLIP_PLUS ? s->tau[0] : s->tau[1]);
   const tf_real_t x = mode == TF_STICK_PLUS ? s->x[0] : s->x[1];
-  return end_by(c, (tf_multipliers_t){x, mode == TF_STICK_PLUS ? x : -x});
+  return end_by(c, (multipliers_t){x, mode == TF_STICK_PLUS ? x : -x});
 }
 
 // The Delassus scalar of stick at the end of the step, by the sign of g.
-TF_INLINE tf_real_t step_delassus(const tf_machine_t *k,
-                                  const tf_inclusion_t *in, bool minus) {
-  return delassus_of_slope(k, minus ? in->h.F - in->h.M : in->h.F + in->h.M);
+TF_INLINE tf_real_t step_delassus(const tf_machine_t *k, const inclusion_t *in,
+                                  bool minus) {
+  return delassus_of_slope(k,
+                           minus ? in->h.cx - in->h.cy : in->h.cx + in->h.cy);
 }
 
 #endif

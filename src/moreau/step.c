@@ -12,17 +12,17 @@
 // Commit: the state and the report, or the refusal. A Delassus scalar that
 // overflows shows that the slopes of h and g did.
 TF_INLINE tf_status_t commit(const free_motion_t *c, tf_state_t *state,
-                             const end_t *end, outcome_t outcome,
+                             const forced_end_t *end, outcome_t outcome,
                              tf_report_t *report) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   if (!in_reach(end->at.r, end->at.v, end->at.w) ||
       !within(outcome.delassus, TF_REAL_MAX))
     return refuse_step(report, TF_DIVERGED);
   const tf_slip_t slip = end_slip(c, end);
-  const tf_real_t off = residual(k, outcome.mode, end->force, slip);
+  const tf_real_t residual = mode_residual(k, outcome.mode, end->force, slip);
   if (k->with_angle) // (12)
     state->phi += k->explicit_dt * state->w + k->theta_dt * end->at.w;
-  return record(state, end->at, slip, end->force, off, outcome, report);
+  return record(state, end->at, slip, end->force, residual, outcome, report);
 }
 
 TF_RARE tf_status_t degraded_step(const tf_machine_t *k, tf_state_t *state,
@@ -50,7 +50,7 @@ TF_RARE tf_status_t step_under_force(const tf_machine_t *k, tf_state_t *state,
   const single_valued_end_t to = single_valued_end(&c, (tf_force_t){F, M});
   const outcome_t outcome = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
   const tf_status_t status = commit(&c, state, &to.end, outcome, report);
-  if (status == TF_OK) report->residual = to.off;
+  if (status == TF_OK) report->residual = to.residual;
   return status;
 }
 
@@ -76,8 +76,8 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   free_motion_t c = plain_motion(k, state, input);
   if (!c.linear.definite) return refuse_step(report, TF_STEP_TOO_LONG);
   // Inclusion, (8), and every mode that solves it.
-  tf_inclusion_t in;
-  tf_solutions_t s;
+  inclusion_t in;
+  solutions_t s;
   const unsigned signs = solve_inclusion(&c, &in, &s);
   // Choose.
   if (may_reach_codim2(signs, &s, mode) &&
@@ -88,9 +88,9 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
     mode = select_mode(k, state, s.set, s.near_stick, s.h_limit[0],
                        s.h_limit[1], s.attracting);
   }
-  if (mode == TF_MODES) return degraded_step(k, state, input, report);
+  if (mode == TF_NO_MODE) return degraded_step(k, state, input, report);
   // End in the mode, (9), (10).
-  const end_t end = mode_end(&c, &s, mode);
+  const forced_end_t end = mode_end(&c, &s, mode);
   // Commit.
   const bool minus =
       signs == BOTH_SIGNS ? end_slip(&c, &end).g < 0 : signs == MINUS_SIGN;

@@ -5,22 +5,22 @@
 #define MOST_NEWTON 24
 
 // How often the signs of the Bernstein coefficients on [low, high] change.
-static int sign_changes(const tf_series_t *s, tf_real_t low, tf_real_t high) {
-  tf_real_t b[TF_ORDER + 1];
-  for (int k = 0; k <= TF_ORDER; k++) b[k] = s->c[k];
-  for (int j = 0; j < TF_ORDER; j++) // Taylor shift to low
-    for (int i = TF_ORDER - 1; i >= j; i--) b[i] += low * b[i + 1];
+static int sign_changes(const series_t *s, tf_real_t low, tf_real_t high) {
+  tf_real_t b[SERIES_ORDER + 1];
+  for (int k = 0; k <= SERIES_ORDER; k++) b[k] = s->c[k];
+  for (int j = 0; j < SERIES_ORDER; j++) // Taylor shift to low
+    for (int i = SERIES_ORDER - 1; i >= j; i--) b[i] += low * b[i + 1];
   tf_real_t share = 1; // (high - low)^k over the binomial coefficient
-  for (int k = 0; k <= TF_ORDER; k++) {
+  for (int k = 0; k <= SERIES_ORDER; k++) {
     b[k] *= share;
     share *= (high - low) * (tf_real_t)(k + 1) /
-             (tf_real_t)(k < TF_ORDER ? TF_ORDER - k : 1);
+             (tf_real_t)(k < SERIES_ORDER ? SERIES_ORDER - k : 1);
   }
-  for (int j = 1; j <= TF_ORDER; j++)
-    for (int i = TF_ORDER; i >= j; i--) b[i] += b[i - 1];
+  for (int j = 1; j <= SERIES_ORDER; j++)
+    for (int i = SERIES_ORDER; i >= j; i--) b[i] += b[i - 1];
   int changes = 0;
   bool above = true;
-  for (int i = 0; i <= TF_ORDER; i++) {
+  for (int i = 0; i <= SERIES_ORDER; i++) {
     if (b[i] == 0 && i == 0) continue; // a root at low does not count
     if ((b[i] > 0) == above) continue;
     above = !above;
@@ -29,14 +29,15 @@ static int sign_changes(const tf_series_t *s, tf_real_t low, tf_real_t high) {
   return changes;
 }
 
-static tf_real_t slope_at(const tf_series_t *s, tf_real_t t) {
-  tf_real_t sum = TF_ORDER * s->c[TF_ORDER];
-  for (int k = TF_ORDER - 1; k > 0; k--) sum = sum * t + (tf_real_t)k * s->c[k];
+static tf_real_t slope_at(const series_t *s, tf_real_t t) {
+  tf_real_t sum = SERIES_ORDER * s->c[SERIES_ORDER];
+  for (int k = SERIES_ORDER - 1; k > 0; k--)
+    sum = sum * t + (tf_real_t)k * s->c[k];
   return sum;
 }
 
 // One root between low (value > 0) and high (value <= 0).
-static tf_real_t refine(const tf_series_t *s, tf_real_t low, tf_real_t high) {
+static tf_real_t refine(const series_t *s, tf_real_t low, tf_real_t high) {
   tf_real_t t = high;
   for (int i = 0; i < MOST_NEWTON; i++) {
     const tf_real_t f = value_at(s, t), slope = slope_at(s, t);
@@ -52,10 +53,10 @@ static tf_real_t refine(const tf_series_t *s, tf_real_t low, tf_real_t high) {
   return t;
 }
 
-TF_API bool tf_first_root(const tf_series_t *s, tf_real_t length,
+TF_API bool tf_first_root(const series_t *s, tf_real_t length,
                           tf_real_t *root) {
   tf_real_t low = 0, high = length, size = 0;
-  for (int k = 0; k <= TF_ORDER; k++) size += magnitude(s->c[k]);
+  for (int k = 0; k <= SERIES_ORDER; k++) size += magnitude(s->c[k]);
   if (size == 0) return false; // 0 throughout: it does not cross
   for (int i = 0; i < MOST_INTERVALS; i++) {
     const int changes = sign_changes(s, low, high);

@@ -1,6 +1,6 @@
-// Polynomials of degree TF_ORDER on [0, length]: value and first root. A root
-// is where the value falls from above 0 to 0; for one where it rises, pass the
-// polynomial with its sign changed.
+// Polynomials of degree SERIES_ORDER on [0, length]: value and first root. A
+// root is where the value falls from above 0 to 0; for one where it rises, pass
+// the polynomial with its sign changed.
 #ifndef TF_POLYNOMIAL_H
 #define TF_POLYNOMIAL_H
 
@@ -9,26 +9,26 @@
 // Order of the Taylor series of tf_step_located: DESIGN.md, section 10,
 // compares it with others.
 #ifdef TF_REAL_FLOAT
-#define TF_ORDER 6
+#define SERIES_ORDER 6
 #else
-#define TF_ORDER 8
+#define SERIES_ORDER 8
 #endif
 
 typedef struct {
-  tf_real_t c[TF_ORDER + 1];
-} tf_series_t;
+  tf_real_t c[SERIES_ORDER + 1];
+} series_t;
 
-TF_INLINE tf_real_t value_at(const tf_series_t *s, tf_real_t t) {
-  tf_real_t sum = s->c[TF_ORDER];
-  for (int k = TF_ORDER - 1; k >= 0; k--) sum = sum * t + s->c[k];
+TF_INLINE tf_real_t value_at(const series_t *s, tf_real_t t) {
+  tf_real_t sum = s->c[SERIES_ORDER];
+  for (int k = SERIES_ORDER - 1; k >= 0; k--) sum = sum * t + s->c[k];
   return sum;
 }
 
 // Whether c0 is larger than the other terms together can be within the length.
 // Then there is no root; most segments are settled by this.
-TF_INLINE bool is_rootless(const tf_series_t *s, tf_real_t length) {
-  tf_real_t sum = magnitude(s->c[TF_ORDER]);
-  for (int k = TF_ORDER - 1; k > 0; k--)
+TF_INLINE bool is_rootless(const series_t *s, tf_real_t length) {
+  tf_real_t sum = magnitude(s->c[SERIES_ORDER]);
+  for (int k = SERIES_ORDER - 1; k > 0; k--)
     sum = sum * length + magnitude(s->c[k]);
   return s->c[0] > sum * length;
 }
@@ -38,7 +38,6 @@ TF_INLINE bool is_rootless(const tf_series_t *s, tf_real_t length) {
 // halved from the left, then by Newton's method within the bracket. c0 > 0, or
 // c0 = 0, and then the root at 0 does not count. Returns whether there is one.
 #define tf_first_root TF_LINK(tf_first_root)
-TF_API bool tf_first_root(const tf_series_t *s, tf_real_t length,
-                          tf_real_t *root);
+TF_API bool tf_first_root(const series_t *s, tf_real_t length, tf_real_t *root);
 
 #endif

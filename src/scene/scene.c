@@ -30,7 +30,7 @@ TF_API tf_status_t tf_scene_start(const tf_scene_t *scene,
                       .v = scene->v,
                       .w = scene->omega,
                       .seed = seed,
-                      .mode = TF_MODES};
+                      .mode = TF_NO_MODE};
   if (!scene->v_is_given) {
     const tf_status_t status = tf_speed_for_slip(
         machine, start.r, start.w, input.omega0, scene->h, &start.v);

@@ -9,7 +9,7 @@ TF_API tf_status_t tf_session_start(tf_session_t *session,
                                             &session->state, &session->report);
   if (status != TF_OK) return status;
   session->input = tf_input_default(&session->machine);
-  session->driven = false;
+  session->input_is_set = false;
   return TF_OK;
 }
 
@@ -26,7 +26,7 @@ TF_API tf_status_t tf_session_open(tf_session_t *session,
 // scene, after which the inputs are constant.
 TF_API tf_input_t tf_session_input(const tf_session_t *session,
                                    const tf_scene_t *scene) {
-  if (session->driven) return session->input;
+  if (session->input_is_set) return session->input;
   const tf_machine_t *machine = &session->machine;
   const tf_real_t tick = (tf_real_t)(session->state.tick + 1);
   return tf_scene_input(scene, machine,

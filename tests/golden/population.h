@@ -186,7 +186,7 @@ static inline uint64_t hash_of_steps(one_step_t step, unsigned machines,
     if (status != TF_OK) continue;
     tf_input_t u = any_input(&d, &k);
     tf_state_t x = any_state(&d, &k, &u);
-    if (n % 4 != 0 || x.mode == TF_MODES) {
+    if (n % 4 != 0 || x.mode == TF_NO_MODE) {
       const tf_status_t begun = tf_begin(&k, &x, &u, &report);
       mix_small(&d, (unsigned)begun);
       if (begun != TF_OK) continue;

@@ -47,7 +47,7 @@ static uint64_t trajectory_hash(const tf_scene_t *scene, tf_rule_t rule,
   tf_input_t u = tf_scene_input(scene, machine, 0);
   if (!scene->v_is_given)
     tf_speed_for_slip(machine, x.r, x.w, u.omega0, scene->h, &x.v);
-  x.mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_MODES);
+  x.mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_NO_MODE);
   CHECK(tf_begin(machine, &x, &u, &report) == TF_OK);
   for (int i = 1; i <= 100000; i++) {
     u = tf_scene_input(scene, machine, (tf_real_t)i * machine->dt);

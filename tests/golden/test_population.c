@@ -69,28 +69,28 @@ TEST(golden_compensated_steps) {
 }
 
 /* Forms with small whole numbers, among which ties are common, and others. */
-static tf_form_t any_form(draw_t *d, bool has_moment) {
-  tf_form_t form = {.c0 = 0};
-  tf_real_t *const member[6] = {&form.c0, &form.F,  &form.M,
-                                &form.FF, &form.FM, &form.MM};
+static form_t any_form(draw_t *d, bool has_moment) {
+  form_t form = {.c0 = 0};
+  tf_real_t *const member[6] = {&form.c0,  &form.cx,  &form.cy,
+                                &form.cxx, &form.cxy, &form.cyy};
   const bool whole = one_of(d, 2);
   for (int i = 0; i < 6; i++)
     *member[i] = whole ? (tf_real_t)((int)below(d, 7) - 3)
                        : of_any_sign(d, up_to(d, i < 3 ? 1 : TF_R(0.25), 20));
-  if (!has_moment) form.M = form.FM = form.MM = 0;
+  if (!has_moment) form.cy = form.cxy = form.cyy = 0;
   return form;
 }
 
 TEST(golden_inclusions) {
   draw_t d = population(3);
   for (int n = 0; n < 40000; n++) {
-    tf_inclusion_t in = {.has_moment = !one_of(&d, 4)};
+    inclusion_t in = {.has_moment = !one_of(&d, 4)};
     in.h = any_form(&d, in.has_moment);
     in.g = any_form(&d, in.has_moment);
     in.g_now = one_of(&d, 4) ? 0 : between(&d, -1, 1);
     in.pin_x = (tf_real_t)((int)below(&d, 9) - 4) / 2;
     in.pin_y = (tf_real_t)((int)below(&d, 9) - 4) / 2;
-    tf_solutions_t s = {0};
+    solutions_t s = {0};
     enumerate(&in, signs_of(&in.g), &s);
     mix_small(&d, signs_of(&in.g));
     mix_small(&d, s.set);

@@ -58,7 +58,7 @@ static long run(const start_t *s, step_t *step, double end, long n,
   if (tf_prepare(&machine, &p, NULL) != TF_OK) return -1;
   const tf_input_t u = tf_input_default(&machine);
   *x = (tf_state_t){
-      .r = (tf_real_t)s->r, .w = (tf_real_t)s->omega, .mode = TF_MODES};
+      .r = (tf_real_t)s->r, .w = (tf_real_t)s->omega, .mode = TF_NO_MODE};
   tf_speed_for_slip(&machine, x->r, x->w, u.omega0, (tf_real_t)s->h, &x->v);
   if (tf_begin(&machine, x, &u, &report) != TF_OK) return -1;
   long odd = 0;
@@ -105,7 +105,7 @@ static tf_state_t one_step(const long_step_t *s, step_t *step,
   tf_state_t x = {.r = (tf_real_t)s->r,
                   .v = (tf_real_t)s->v,
                   .w = (tf_real_t)s->w,
-                  .mode = TF_MODES};
+                  .mode = TF_NO_MODE};
   CHECK(tf_begin(&machine, &x, &u, report) == TF_OK);
   CHECK(x.mode <= TF_SLIP_MINUS);
   CHECK(step(&machine, &x, &u, report) == TF_OK);

@@ -124,7 +124,7 @@ static double slip_error(double theta, long n, const long double end[3]) {
   CHECK(tf_prepare(&machine, &p, NULL) == TF_OK);
   const tf_input_t u = tf_input_default(&machine);
   tf_speed_for_slip(&machine, x.r, x.w, u.omega0, (tf_real_t)0.5, &x.v);
-  x.mode = TF_MODES;
+  x.mode = TF_NO_MODE;
   CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
   for (long i = 0; i < n; i++) {
     CHECK(tf_step(&machine, &x, &u, &report) == TF_OK);

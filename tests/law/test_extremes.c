@@ -162,7 +162,7 @@ TEST(bad_states_and_inputs_are_refused_untouched) {
       }
     }
     tf_state_t x = draw_state(1);
-    x.mode = TF_MODES;
+    x.mode = TF_NO_MODE;
     count_again();
     run(schemes[s], &p, x, NULL, 1);
     CHECK(refused[-TF_BAD_STATE] == 1);

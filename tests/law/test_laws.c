@@ -14,7 +14,7 @@ static void start(const tf_scene_t *scene, const tf_params_t *params,
   if (!scene->v_is_given)
     CHECK(tf_speed_for_slip(machine, x->r, x->w, params->omega0, scene->h,
                             &x->v) == TF_OK);
-  x->mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_MODES);
+  x->mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_NO_MODE);
   const tf_input_t u = tf_scene_input(scene, machine, 0);
   CHECK(tf_begin(machine, x, &u, &report) == TF_OK);
 }
@@ -160,7 +160,7 @@ TEST(dissipation_without_moment) {
       p.dt = (tf_real_t)(half ? 1e-3 : 2e-3);
       start(scene, &p, &machine, &x);
       x.v = (tf_real_t)0.5; /* well off h = 0 */
-      x.mode = TF_MODES;
+      x.mode = TF_NO_MODE;
       const tf_input_t u = tf_input_default(&machine);
       CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
       double energy = (double)tf_energy(&machine, &x, u.r0);

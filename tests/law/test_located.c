@@ -340,7 +340,7 @@ TEST(located_refuses_what_it_cannot_take) {
   p.state.v = (tf_real_t)NAN;
   CHECK(tf_step_located(&p.machine, &p.state, &u, &report) == TF_BAD_STATE);
   p.state = start;
-  p.state.mode = TF_MODES;
+  p.state.mode = TF_NO_MODE;
   CHECK(tf_step_located(&p.machine, &p.state, &u, &report) == TF_BAD_STATE);
   CHECK(report.status == TF_BAD_STATE);
 }

@@ -71,7 +71,7 @@ TEST(located_residual_is_that_of_the_law) {
       s.params.dt = TF_R(0.05);
       s.params.tolerance = (tf_real_t)tolerance[j];
       if (begin(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
-                tap_uniform(-0.3, 0.3), TF_MODES) != TF_OK)
+                tap_uniform(-0.3, 0.3), TF_NO_MODE) != TF_OK)
         continue;
       const paper_t paper = paper_of(&s.machine);
       for (int n = 0; n < 20; n++) {
@@ -109,7 +109,7 @@ TEST(located_event_at_the_end_of_a_step) {
     tf_real_t low = 0, high = TF_R(0.05);
     s.params.dt = high;
     if (begin(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
-              tap_uniform(-0.1, 0.1), TF_MODES) != TF_OK)
+              tap_uniform(-0.1, 0.1), TF_NO_MODE) != TF_OK)
       continue;
     sim_t end = s;
     const uint8_t mode = s.state.mode;
@@ -148,7 +148,7 @@ TEST(located_angle_is_the_integral_of_the_speed) {
     fine.params = s.params;
     fine.params.dt = TF_R(0.05) / PARTS;
     if (begin(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
-              tap_uniform(-0.3, 0.3), TF_MODES) != TF_OK)
+              tap_uniform(-0.3, 0.3), TF_NO_MODE) != TF_OK)
       continue;
     CHECK(tf_prepare(&fine.machine, &fine.params, NULL) == TF_OK);
     fine.input = s.input;
@@ -280,7 +280,7 @@ TEST(located_is_coarse_only_where_it_has_to_be) {
     s.params.k2 = TF_R(1e5); /* 50 Hz */
     s.params.tolerance = IS_DOUBLE ? TF_R(0.99e-6) : TF_R(0.99e-3);
     s.params.dt = (tf_real_t)dt;
-    CHECK(begin(&s, 0.1, -1, 0.1, TF_MODES) == TF_OK);
+    CHECK(begin(&s, 0.1, -1, 0.1, TF_NO_MODE) == TF_OK);
     const tf_status_t status = locate(&s);
     if (coarse == 0 && status == TF_COARSE) coarse = dt;
     if (status != TF_OK && status != TF_COARSE) fell_back = dt;
@@ -315,7 +315,7 @@ TEST(located_mode_at_h_0_is_a_consistent_one) {
     sim_t s = {.params = machine_at_random()};
     s.params.dt = TF_R(1e-9);
     if (begin(&s, tap_uniform(-0.8, 0.8), tap_uniform(-1.5, 1.5), 0,
-              TF_MODES) != TF_OK ||
+              TF_NO_MODE) != TF_OK ||
         s.report.slip.h != 0 || fabs((double)s.report.slip.g) < 0.01)
       continue;
     const unsigned set = s.report.set;
@@ -345,7 +345,7 @@ TEST(located_slip_starts_at_g_0) {
     const double slip = tap_uniform(0.2, 1) * (i % 2 ? 1 : -1);
     s.state = (tf_state_t){.r = (tf_real_t)tap_uniform(0.1, 0.5),
                            .w = s.input.omega0 + (tf_real_t)slip,
-                           .mode = TF_MODES};
+                           .mode = TF_NO_MODE};
     CHECK(tf_begin(&s.machine, &s.state, &s.input, &s.report) == TF_OK);
     CHECK(s.report.slip.g == 0 && s.report.slip.h != 0);
     fine = s;
@@ -385,7 +385,7 @@ TEST(located_refuses_to_leave_the_range_of_states) {
   sim_t s = {.params = tf_scenes[0]->params};
   s.params.law = TF_TYRE_NONE;
   s.params.dt = TF_R(0.125);
-  CHECK(begin(&s, 0, 0, 0, TF_MODES) == TF_OK);
+  CHECK(begin(&s, 0, 0, 0, TF_NO_MODE) == TF_OK);
   s.state.w = 0;
   s.state.v = TF_R(0.9) * (tf_real_t)TF_STATE_LIMIT;
   tf_status_t status = TF_OK;

@@ -84,7 +84,7 @@ TEST(machine_at_rest_stays_pinned) {
     const tf_machine_t k = prepared(&q);
     const tf_input_t u = tf_input_default(&k);
     for (int scheme = 0; scheme < 2; scheme++) {
-      tf_state_t x = {.r = q.r0, .mode = TF_MODES};
+      tf_state_t x = {.r = q.r0, .mode = TF_NO_MODE};
       tf_report_t report;
       CHECK(tf_begin(&k, &x, &u, &report) == TF_OK);
       for (int n = 0; n < 5; n++) {

@@ -240,7 +240,7 @@ TEST(commands_are_sent_and_answered) {
   CHECK(bench.session.state.seed == 9);
   CHECK(comes(&bench, "stop: took effect") && !bench.session.running);
   CHECK(comes(&bench, "input:-1.5,0.1,0.25,-0.125: took effect"));
-  CHECK(bench.session.driven && bench.session.input.omega0 == TF_R(-1.5));
+  CHECK(bench.session.input_is_set && bench.session.input.omega0 == TF_R(-1.5));
   CHECK(bench.session.input.r0 == TF_R(0.1) &&
         bench.session.input.force == TF_R(0.25) &&
         bench.session.input.torque == TF_R(-0.125) &&

@@ -30,7 +30,7 @@ typedef struct {
   size_t heard_used;
   uint16_t sequence; /* of our next frame */
   tf_decoder_t decoder;
-  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   tf_session_t twin;
   uint64_t states, last, wrong; /* that came; the last one's tick */
   uint64_t answers;

@@ -128,7 +128,7 @@ TEST(no_step_enters_an_escaping_stick_from_slip) {
     tf_state_t x = {.r = (tf_real_t)tap_uniform(-0.3, 0.3),
                     .v = (tf_real_t)tap_uniform(-0.1, 0.1),
                     .w = (tf_real_t)tap_uniform(-1.1, -0.9),
-                    .mode = TF_MODES};
+                    .mode = TF_NO_MODE};
     if (tf_begin(&machine, &x, &u, &report) != TF_OK) continue;
     for (int j = 0; j < 50; j++) {
       const uint8_t mode = x.mode;

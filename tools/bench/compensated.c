@@ -66,7 +66,7 @@ static tf_status_t begin(run_t *run, const problem_t *problem, tf_real_t dt) {
   tf_status_t status = tf_prepare_compensated(&run->machine, &params, NULL);
   if (status != TF_OK) return status;
   run->input = tf_input_default(&run->machine.machine);
-  run->state.mode = scene->h > 0 ? TF_SLIP_PLUS : TF_MODES;
+  run->state.mode = scene->h > 0 ? TF_SLIP_PLUS : TF_NO_MODE;
   run->state.v = problem->v;
   if (!(problem->mu > 0))
     status =

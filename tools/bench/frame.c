@@ -67,7 +67,7 @@ static uint32_t seal_frames(tf_decoder_t *decoder, size_t length) {
 
 static int race(const char *name, size_t length,
                 uint32_t (*way)(tf_decoder_t *, size_t)) {
-  static uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  static uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   double rate[ROUNDS];
   for (int i = 0; i < ROUNDS; i++) {
     tf_decoder_t decoder;

@@ -55,13 +55,13 @@ CALL(frame_seal) {
 CALL(decoder_init) {
   tf_decoder_t decoder;
   (void)s;
-  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   return COUNT(tf_decoder_init(&decoder, buffer, sizeof buffer));
 }
 
 // A frame with a payload of some length, and a decoder that knows a sequence.
 typedef struct {
-  uint8_t wire[WIRE], buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  uint8_t wire[WIRE], buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   size_t size;
   tf_decoder_t decoder;
 } line_t;

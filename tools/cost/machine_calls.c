@@ -132,7 +132,7 @@ CALL(session_input) {
   session.machine = *K;
   session.state = s->state;
   session.state.tick = GENE(2) >> (GENE(3) % 32);
-  session.driven = (GENE(3) & 32u) != 0;
+  session.input_is_set = (GENE(3) & 32u) != 0;
   return COUNT(tf_session_input(&session, &scene));
 }
 CALL(session_start) {

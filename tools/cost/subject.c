@@ -188,7 +188,7 @@ subject_t subject_of(const genes_t *genes) {
   place(&s);
   s.state.mode = (uint8_t)(gene[34] % (TF_MODES + 1));
   tf_report_t report;
-  if (gene[34] & 64u || s.state.mode == TF_MODES)
+  if (gene[34] & 64u || s.state.mode == TF_NO_MODE)
     s.valid = tf_begin(k, &s.state, &s.input, &report) == TF_OK;
   // A place that the motion comes to by itself.
   for (unsigned n = gene[40] & 16u ? gene[40] % 16u : 0; s.valid && n > 0; n--)

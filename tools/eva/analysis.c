@@ -33,7 +33,7 @@ void two_folds_any(void) {
 
 void text_any(void);
 void text_any(void) {
-  char number[TF_DECIMAL_ROOM], row[TF_TEXT_ROW_ROOM];
+  char number[DECIMAL_SIZE], row[TF_TEXT_ROW_ROOM];
   const tf_state_t state = any_state();
   tf_report_t report;
   ANY_BITS(report);

@@ -38,7 +38,7 @@ static void push_once(tf_decoder_t *decoder) {
 // one that holds no whole frame.
 void push_any(void);
 void push_any(void) {
-  static uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  static uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   tf_decoder_t decoder;
   const int room = any_bool() ? (int)sizeof buffer : 3;
   //@ split room;
@@ -51,7 +51,7 @@ void push_any(void) {
 // The same in blocks of any length.
 void block_any(void);
 void block_any(void) {
-  static uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  static uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint8_t bytes[40];
   tf_decoder_t decoder;
   tf_frame_t frame;
@@ -70,7 +70,7 @@ void block_any(void) {
 // the analyser knows that what is appended fits what is left.
 void block_small(void);
 void block_small(void) {
-  uint8_t buffer[TF_DECODER_ROOM(2)], bytes[3];
+  uint8_t buffer[TF_DECODER_SIZE(2)], bytes[3];
   tf_decoder_t decoder;
   tf_frame_t frame;
   size_t taken;
@@ -124,7 +124,7 @@ void session_any(void) {
   const tf_scene_t scene = any_scene();
   ANY_BITS(session);
   session.machine = any_machine();
-  session.driven = any_bool();
+  session.input_is_set = any_bool();
   tf_session_input(&session, &scene);
   tf_session_start(&session, &scene, 0);
   //@ check reached: \false;

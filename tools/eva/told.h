@@ -45,10 +45,10 @@ static inline tf_real_t told_clip(tf_real_t x, tf_real_t low, tf_real_t high) {
 
 // T is NaN where G or H is not finite, else in [0, 6 kappa] up to its 16 ULP
 // (angle_kernel_error_bound executes that): x is 4/3 - T / (18 kappa).
-static inline tf_multipliers_t told_multipliers(const tf_tyre_t *tyre,
-                                                tf_real_t side, tf_real_t h,
-                                                tf_real_t g) {
-  tf_multipliers_t m = jump_multipliers(tyre, side, h, g);
+static inline multipliers_t told_multipliers(const tf_tyre_t *tyre,
+                                             tf_real_t side, tf_real_t h,
+                                             tf_real_t g) {
+  multipliers_t m = jump_multipliers(tyre, side, h, g);
   //@ admit \is_NaN(m.x) || -1.34 <= m.x <= 1.34;
   //@ admit \is_NaN(m.y) || -1.01 <= m.y <= 1.01;
   return m;

@@ -5,8 +5,8 @@
 #include "cli/monitor/receiver.h"
 #include "fuzz/fuzz.h"
 
-#define HALF_ROOM TF_DECODER_ROOM(TF_UP_PAYLOAD)
-#define FULL_ROOM TF_DECODER_ROOM(TF_FRAME_PAYLOAD)
+#define HALF_ROOM TF_DECODER_SIZE(TF_UP_PAYLOAD)
+#define FULL_ROOM TF_DECODER_SIZE(TF_FRAME_PAYLOAD)
 #define MOST_ITEMS 64
 
 static uint32_t plain_crc(const uint8_t *bytes, size_t length) {
@@ -123,7 +123,7 @@ typedef struct {
   tf_machine_t machine;
   tf_state_t state;
   tf_input_t input;
-  bool driven, running;
+  bool input_is_set, running;
 } acting_t;
 
 static void look(const board_t *b, acting_t *now) {
@@ -132,7 +132,7 @@ static void look(const board_t *b, acting_t *now) {
   memcpy(&now->machine, &b->session.machine, sizeof now->machine);
   memcpy(&now->state, &b->session.state, sizeof now->state);
   memcpy(&now->input, &b->session.input, sizeof now->input);
-  now->driven = b->session.driven;
+  now->input_is_set = b->session.input_is_set;
   now->running = b->session.running;
 }
 

@@ -215,7 +215,7 @@ static const char *take_scene(subject_t *s, unsigned index) {
   s->state.r = scene->r;
   s->state.v = scene->v;
   s->state.w = scene->omega;
-  s->state.mode = TF_MODES;
+  s->state.mode = TF_NO_MODE;
   return NULL;
 }
 

@@ -41,7 +41,7 @@ typedef struct {
 typedef struct {
   cli_source_t source;
   tf_decoder_t decoder;
-  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint16_t sequence; ///< of the next frame that is sent
   // From the schema frame.
   bool has_schema;

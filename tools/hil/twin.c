@@ -19,7 +19,7 @@ typedef struct {
 // Whether a frame on the wire has the given payload.
 static bool is_payload(const uint8_t *wire, size_t size, const uint8_t *payload,
                        size_t length) {
-  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   tf_decoder_t decoder;
   tf_frame_t frame = {0};
   size_t taken = 0;
@@ -83,7 +83,7 @@ static void apply(twin_t *twin) {
     if (!sample->sent || !sample->answered || sample->code != 0) continue;
     if (sample->effect > twin->session.state.tick) return;
     twin->session.input = sample->own;
-    twin->session.driven = true;
+    twin->session.input_is_set = true;
   }
 }
 

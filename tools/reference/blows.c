@@ -48,7 +48,7 @@ static bool sure(const lib_machine_t *machine, ref_machine_t *q, real_t end,
                  ref_orbit_t *orbit, blow_t *blow) {
   *blow = (blow_t){.shortest = end};
   *orbit = class_orbit(machine, q, &lib_f64);
-  blow->open = orbit->futures.count > 1;
+  blow->open = orbit->consistent.count > 1;
   orbit->watch = on_event;
   orbit->context = blow;
   orbit->limit = 300000;

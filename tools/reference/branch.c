@@ -8,14 +8,14 @@
 
 #include "classes.h"
 
-enum { WAYS = REF_FUTURES + 1, DTS = 3, RUNS = LIB_SCHEMES * DTS };
+enum { WAYS = REF_MOST_CONSISTENT + 1, DTS = 3, RUNS = LIB_SCHEMES * DTS };
 static const double dts[DTS] = {1e-4, 3e-5, 1e-5};
 
-// The futures at the first h = g = 0, a little later.
+// The consistent modes at the first h = g = 0, a little later.
 typedef struct {
   double t;                      ///< when they are compared [s]
   ref_state_t codim2, end[WAYS]; ///< [count]: standing still
-  int count, chosen;             ///< of futures; count where the wheel rests
+  int count, chosen;             ///< of consistent; count where the wheel rests
   ref_mode_t arrived;
   bool goes_on; ///< slip arrives, and slips on the same side exist
 } fork_t;
@@ -59,7 +59,7 @@ static bool make_fork(const ref_machine_t *q, const ref_orbit_t *at,
   }
   fork->t = ceil((double)(at->t + span) / 3e-4) * 3e-4;
   fork->codim2 = at->at;
-  fork->count = at->futures.count;
+  fork->count = at->consistent.count;
   fork->arrived = at->arrived;
   fork->goes_on = false;
   fork->chosen = at->chosen == REF_REST ? fork->count : at->chosen;
@@ -70,7 +70,8 @@ static bool make_fork(const ref_machine_t *q, const ref_orbit_t *at,
     ref_leave(&way, i);
     ref_run(&way, (real_t)fork->t);
     fork->end[i] = way.x;
-    fork->goes_on = fork->goes_on || (at->futures.list[i].mode == at->arrived);
+    fork->goes_on =
+        fork->goes_on || (at->consistent.list[i].mode == at->arrived);
   }
   fork->end[fork->count] = at->at;
   (void)q;
@@ -196,11 +197,11 @@ static int run(const options_t *options, bool rest_only) {
     const bool forks = finder.found && make_fork(&q, &finder.first, &fork);
     count_try(&drawn, forks, &quiet_options, i, &machine, 0, "moreau");
     if (forks) {
-      const bool rests = finder.first.futures.rests[REF_BOW_TIE];
+      const bool rests = finder.first.consistent.rests[REF_BOW_TIE];
       const bool slip_ends =
           fork.goes_on && fork.arrived <= REF_SLIP_MINUS &&
           (fork.chosen == fork.count ||
-           finder.first.futures.list[fork.chosen].mode != fork.arrived);
+           finder.first.consistent.list[fork.chosen].mode != fork.arrived);
       count_try(&open_, fork.count + rests > 1, &quiet_options, i, &machine, 0,
                 "moreau");
       count_try(&twice, slip_ends, &quiet_options, i, &machine, 0, "moreau");

@@ -56,7 +56,7 @@ static int place(run_t *run, const lib_machine_t *q) {
   run->state = (tf_state_t){.r = (tf_real_t)q->r,
                             .v = (tf_real_t)q->v,
                             .w = (tf_real_t)q->omega,
-                            .mode = TF_MODES};
+                            .mode = TF_NO_MODE};
   if (!q->on_surface) {
     return TF_OK;
   }
@@ -126,7 +126,7 @@ static int driven(const lib_machine_t *q, double force, double torque,
   run.state = (tf_state_t){.r = (tf_real_t)q->r,
                            .v = (tf_real_t)q->v,
                            .w = (tf_real_t)q->omega,
-                           .mode = TF_MODES};
+                           .mode = TF_NO_MODE};
   status = tf_begin(&machine, &run.state, &input, &report);
   input.force = (tf_real_t)force;
   input.torque = (tf_real_t)torque;
@@ -139,13 +139,13 @@ static int driven(const lib_machine_t *q, double force, double torque,
   return (int)status;
 }
 
-static tf_form_t form_of(const double c[6]) {
-  return (tf_form_t){(tf_real_t)c[0], (tf_real_t)c[1], (tf_real_t)c[2],
-                     (tf_real_t)c[3], (tf_real_t)c[4], (tf_real_t)c[5]};
+static form_t form_of(const double c[6]) {
+  return (form_t){(tf_real_t)c[0], (tf_real_t)c[1], (tf_real_t)c[2],
+                  (tf_real_t)c[3], (tf_real_t)c[4], (tf_real_t)c[5]};
 }
 
 static unsigned enumerate_set(const double form[15], bool has_moment) {
-  const tf_inclusion_t inclusion = {
+  const inclusion_t inclusion = {
       .h = form_of(form),
       .g = form_of(form + 6),
       .g_now = (tf_real_t)form[12],
@@ -153,7 +153,7 @@ static unsigned enumerate_set(const double form[15], bool has_moment) {
       .pin_x = (tf_real_t)form[13],
       .pin_y = (tf_real_t)form[14],
   };
-  tf_solutions_t solutions = {0};
+  solutions_t solutions = {0};
   enumerate(&inclusion, signs_of(&inclusion.g), &solutions);
   return solutions.set;
 }

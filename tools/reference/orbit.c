@@ -197,10 +197,10 @@ void ref_leave(ref_orbit_t *orbit, int index) {
     return;
   }
   if (index == REF_NONE) {
-    orbit->stop = orbit->futures.spiral ? REF_SPIRALS_OUT : REF_NO_FUTURE;
+    orbit->stop = orbit->consistent.spiral ? REF_SPIRALS_OUT : REF_NO_MODE;
     return;
   }
-  const ref_future_t *f = &orbit->futures.list[index];
+  const ref_consistent_mode_t *f = &orbit->consistent.list[index];
   if (f->mode <= REF_SLIP_MINUS) {
     const real_t rho = 1e-12L * ref_speed_scale(q, orbit->x.r);
     const ref_slip_t slip = {rho * sinl(f->angle), rho * cosl(f->angle)};
@@ -227,10 +227,10 @@ static void reach_codim2(ref_orbit_t *orbit) {
   } else {
     x->z = 0;
   }
-  ref_futures_codim2(orbit->machine, *x, &orbit->futures);
+  ref_consistent_codim2(orbit->machine, *x, &orbit->consistent);
   const int index = orbit->forced != REF_BY_RULE
                         ? orbit->forced
-                        : ref_choose(&orbit->futures, orbit->law);
+                        : ref_choose(&orbit->consistent, orbit->law);
   const bool stands = x->z == 0;
   orbit->forced = REF_BY_RULE;
   orbit->arrived = orbit->mode;
@@ -243,7 +243,7 @@ static void reach_codim2(ref_orbit_t *orbit) {
 // leads back. An escaping stick cannot be reached.
 static void surface_from_slip(ref_orbit_t *orbit) {
   orbit->x = ref_on_surface(orbit->machine, orbit->x);
-  ref_futures_edge(orbit->machine, orbit->x, &orbit->futures);
+  ref_consistent_edge(orbit->machine, orbit->x, &orbit->consistent);
   const int s = ref_slip(orbit->machine, orbit->x).g > 0 ? 1 : -1;
   const ref_edge_t edge = ref_edge(orbit->machine, orbit->x, s);
   const bool up = orbit->mode == REF_SLIP_MINUS;
@@ -260,7 +260,7 @@ static void surface_from_slip(ref_orbit_t *orbit) {
 static void surface_from_stick(ref_orbit_t *orbit, int event) {
   const ref_edge_t edge = ref_edge(orbit->machine, orbit->x, orbit->sign_g);
   const bool plus = edge.A > 0 ? event == 1 : event == 2;
-  ref_futures_edge(orbit->machine, orbit->x, &orbit->futures);
+  ref_consistent_edge(orbit->machine, orbit->x, &orbit->consistent);
   enter(orbit, plus ? REF_SLIP_PLUS : REF_SLIP_MINUS);
   announce(orbit, REF_LEAVES);
 }
@@ -325,15 +325,15 @@ void ref_begin(ref_orbit_t *orbit, const ref_machine_t *machine, ref_state_t x,
     reach_codim2(orbit);
     return;
   }
-  ref_futures_edge(machine, x, &orbit->futures);
-  int index = ref_choose(&orbit->futures, orbit->law);
-  for (int i = 0; i < orbit->futures.count; ++i) {
-    const ref_mode_t one = orbit->futures.list[i].mode;
+  ref_consistent_edge(machine, x, &orbit->consistent);
+  int index = ref_choose(&orbit->consistent, orbit->law);
+  for (int i = 0; i < orbit->consistent.count; ++i) {
+    const ref_mode_t one = orbit->consistent.list[i].mode;
     index = mode < REF_MODES        ? (one == mode ? i : index)
             : one >= REF_STICK_PLUS ? i
                                     : index;
   }
-  enter(orbit, orbit->futures.list[index].mode);
+  enter(orbit, orbit->consistent.list[index].mode);
 }
 
 ref_stop_t ref_run(ref_orbit_t *orbit, real_t end) {

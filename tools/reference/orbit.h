@@ -3,12 +3,12 @@
 #ifndef REFERENCE_ORBIT_H
 #define REFERENCE_ORBIT_H
 
-#include "futures.h"
+#include "consistent.h"
 
 typedef enum {
   REF_REACHED,     ///< the end of the time asked for
   REF_TWO_FOLD,    ///< the two-fold: what follows is not unique
-  REF_NO_FUTURE,   ///< h = g = 0, and no future under the law
+  REF_NO_MODE,     ///< h = g = 0, and no mode under the law
   REF_SPIRALS_OUT, ///< h = g = 0, left by a spiral of no definite phase
   REF_TOO_LONG     ///< more events or evaluations than allowed
 } ref_stop_t;
@@ -31,8 +31,8 @@ typedef void (*ref_watch_t)(const ref_orbit_t *orbit, ref_event_t event);
 /// the mode.
 struct ref_orbit {
   ref_state_t x;
-  ref_state_t at;        ///< where h = g = 0 was last reached
-  ref_futures_t futures; ///< at the last event at h = 0
+  ref_state_t at;              ///< where h = g = 0 was last reached
+  ref_consistent_t consistent; ///< at the last event at h = 0
   real_t tolerance;
   real_t t;
   real_t step; ///< next step to try [s]
@@ -46,7 +46,7 @@ struct ref_orbit {
   ref_stop_t stop;
   int sign_g; ///< sign of g of the present slip or stick
   int events, codim2_count;
-  int chosen; ///< of futures.list
+  int chosen; ///< of consistent.list
   int forced; ///< at the next h = g = 0 take this; REF_BY_RULE: by the rule
 };
 #define REF_BY_RULE (-3)
@@ -57,7 +57,7 @@ void ref_begin(ref_orbit_t *orbit, const ref_machine_t *machine, ref_state_t x,
                ref_mode_t mode);
 /// Goes on to time `end`.
 ref_stop_t ref_run(ref_orbit_t *orbit, real_t end);
-/// Leaves h = g = 0 by the future `index` of orbit->futures, or rests.
+/// Leaves h = g = 0 by the future `index` of orbit->consistent, or rests.
 void ref_leave(ref_orbit_t *orbit, int index);
 /// One extrapolated step of length H from orbit->x within its mode.
 /// Returns the error over the tolerance.

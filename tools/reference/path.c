@@ -19,7 +19,7 @@ static count_t stays = {.what = "moreau off at 1e-5"};
 static bool sure(const lib_machine_t *machine, ref_machine_t *q, real_t end,
                  ref_state_t *x) {
   ref_orbit_t fine = class_orbit(machine, q, &lib_f64);
-  if (fine.futures.count > 1) {
+  if (fine.consistent.count > 1) {
     return false;
   }
   fine.limit = 2000000;

@@ -1,6 +1,6 @@
 /// @file
-/// One machine by the reference: its events, the futures at each rest, and
-/// its end, beside those of every scheme.
+/// One machine by the reference: its events, the consistent modes at each rest,
+/// and its end, beside those of every scheme.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,9 +11,9 @@
 static const char *const modes[] = {"slip+",  "slip-",  "stick+",
                                     "stick-", "pinned", "none"};
 
-static void futures(const ref_futures_t *f) {
+static void print_modes(const ref_consistent_t *f) {
   for (int i = 0; i < f->count; ++i) {
-    const ref_future_t *a = &f->list[i];
+    const ref_consistent_mode_t *a = &f->list[i];
     printf("      %-7s rate %-11.5Lg angle %9.4Lf %s%s\n", modes[a->mode],
            a->rate, a->angle * 180 / acosl(-1),
            a->attracting ? "attracting" : "repelling",
@@ -35,7 +35,7 @@ static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
          names[event], orbit->t, orbit->x.r, ref_v(q, orbit->x),
          ref_w(q, orbit->x), ref_slip(q, orbit->x).g, modes[orbit->mode]);
   if (event == REF_CODIM2) {
-    futures(&orbit->futures);
+    print_modes(&orbit->consistent);
   }
 }
 

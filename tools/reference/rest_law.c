@@ -39,7 +39,7 @@ static double drift(const lib_machine_t *machine, double dt, long *others) {
   return row.r - machine->r;
 }
 
-static void judge(const place_t *place, const ref_futures_t *f, real_t r,
+static void judge(const place_t *place, const ref_consistent_t *f, real_t r,
                   int kind) {
   options_t hushed = *place->options;
   hushed.show = 0;
@@ -72,7 +72,7 @@ static void judge(const place_t *place, const ref_futures_t *f, real_t r,
 
 static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
   if (event == REF_CODIM2) {
-    judge(orbit->context, &orbit->futures, orbit->at.r, 1);
+    judge(orbit->context, &orbit->consistent, orbit->at.r, 1);
   }
 }
 
@@ -85,10 +85,10 @@ int class_rest_law(const options_t *options) {
     }
     ref_machine_t q;
     ref_orbit_t orbit = class_orbit(&place.machine, &q, &lib_f64);
-    ref_futures_t futures;
+    ref_consistent_t consistent;
     const ref_state_t point = {(real_t)draw_uniform(&draw, -1, 1), 0, 0};
-    ref_futures_codim2(&q, point, &futures);
-    judge(&place, &futures, point.r, 0);
+    ref_consistent_codim2(&q, point, &consistent);
+    judge(&place, &consistent, point.r, 0);
     orbit.watch = on_event;
     orbit.context = &place;
     orbit.limit = 2000000;

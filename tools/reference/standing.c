@@ -71,7 +71,7 @@ static bool moves_on(const lib_machine_t *machine, const lib_table_t *real,
   }
   ref_orbit_t orbit = {.tolerance = 1e-9L, .limit = 200000};
   ref_begin(&orbit, &q, x, (ref_mode_t)row->mode);
-  if (orbit.futures.rests[REF_HEXAGON]) {
+  if (orbit.consistent.rests[REF_HEXAGON]) {
     return false;
   }
   ref_run(&orbit, 500 * (real_t)machine->dt);

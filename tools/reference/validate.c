@@ -100,8 +100,8 @@ static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
     check("  r", x->r, 0.192272795344L, 1e-12L);
     check("  lambda of stick+", fabsl(edge.N / edge.A), 1.718L, 1e-3L);
     check("  angle [deg]",
-          orbit->futures.list[orbit->chosen].angle * 180 / acosl(-1), 359.56L,
-          5e-3L);
+          orbit->consistent.list[orbit->chosen].angle * 180 / acosl(-1),
+          359.56L, 5e-3L);
   } else if (event == REF_STICKS) {
     check("lower sliding region at t", orbit->t, 1.922602L, 1e-6L);
     check("  r", x->r, 0.191960972L, 1e-9L);

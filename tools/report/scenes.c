@@ -54,7 +54,7 @@ static int begin(run_t *run, const tf_scene_t *scene, double dt) {
   run->state.r = TO_FLOAT(scene->r);
   run->state.v = TO_FLOAT(scene->v);
   run->state.w = TO_FLOAT(scene->omega);
-  run->state.mode = scene->h > 0 ? TF_SLIP_PLUS : TF_MODES;
+  run->state.mode = scene->h > 0 ? TF_SLIP_PLUS : TF_NO_MODE;
   if (!scene->v_is_given && tf_speed_for_slip_compensated(
                                 &run->machine, &run->state, &run->carry,
                                 run->input.omega0, TO_FLOAT(scene->h)) != TF_OK)

@@ -82,7 +82,7 @@ static uint8_t mode_of(const char *name) {
 
 uint8_t truth_mode(const char *problem, long double t) {
   const reference_t *ref = find(problem);
-  if (!ref) return TF_MODES;
+  if (!ref) return TF_NO_MODE;
   uint8_t mode = mode_of(ref->begins);
   for (int i = 0; i < ref->events && ref->event[i].at.t <= t; i++)
     mode = mode_of(ref->event[i].after);

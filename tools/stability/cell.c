@@ -112,7 +112,7 @@ static tf_status_t begin(const case_t *c, const tf_machine_t *k,
     tf_real_t v = c->v;
     if (tf_speed_for_slip(k, x->r, x->w, u.omega0, c->h, &v) == TF_OK) x->v = v;
   }
-  x->mode = c->v_from_h && c->h > 0 ? TF_SLIP_PLUS : TF_MODES;
+  x->mode = c->v_from_h && c->h > 0 ? TF_SLIP_PLUS : TF_NO_MODE;
   return tf_begin(k, x, &u, &report);
 }
 

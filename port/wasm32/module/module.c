@@ -46,7 +46,7 @@ int32_t twofold_drive(double omega0, double r0, double force, double torque) {
                                .r0 = (tf_real_t)r0,
                                .force = (tf_real_t)force,
                                .torque = (tf_real_t)torque};
-  session.driven = true;
+  session.input_is_set = true;
   return TF_OK;
 }
 

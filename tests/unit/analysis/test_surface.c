@@ -200,7 +200,7 @@ TEST(equilibrium_without_friction_is_no_crossing) {
   CHECK(tf_surface_at(&machine, &input, p.r0, 0, 0, &at) == TF_OK);
   CHECK(at.lie_plus == 0 && at.lie_minus == 0);
   CHECK(at.region == TF_REGION_SLIDING);
-  tf_state_t x = {.r = p.r0, .mode = TF_MODES};
+  tf_state_t x = {.r = p.r0, .mode = TF_NO_MODE};
   tf_report_t report;
   CHECK(tf_begin(&machine, &x, &input, &report) == TF_OK);
   CHECK(report.choices == 1 && report.mode > TF_SLIP_MINUS);

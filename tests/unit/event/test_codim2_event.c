@@ -14,17 +14,17 @@ TEST(exponent_of_a_limit_direction) {
     const tf_input_t u = tf_input_default(&k);
     const tf_real_t r = uniform(-0.6, 0.6);
     const field_t at = field_at(&params, &u, r);
-    const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    tf_segment_t segment = {.contact = TF_CONTACT_CODIM2_SLIP,
-                            .sign_h = n & 1 ? 1 : -1,
-                            .sign_g = n & 2 ? 1 : -1,
-                            .h_zero_order = 1,
-                            .g_starts_at_zero = true};
+    const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
+    segment_t segment = {.contact = CONTACT_CODIM2_SLIP,
+                         .sign_h = n & 1 ? 1 : -1,
+                         .sign_g = n & 2 ? 1 : -1,
+                         .h_zero_order = 1,
+                         .g_starts_at_zero = true};
     if (!tf_codim2_attractor(&k, &rates, segment.sign_g, segment.sign_h,
                              &segment.T))
       continue;
-    static tf_taylor_t motion;
-    begin_taylor(&motion, &k, &u, u.omega0, (tf_phase_point_t){r, 0, 0});
+    static taylor_t motion;
+    begin_taylor(&motion, &k, &u, u.omega0, (phase_point_t){r, 0, 0});
     CHECK(tf_taylor_coefficients(&motion, &segment));
     const real angle = angle_of(&at, wide(segment.T), segment.sign_g);
     const real off = 1e-5L;
@@ -52,8 +52,8 @@ TEST(of_two_sticks_that_of_the_sign_of_g_is_taken) {
     const tf_machine_t k = prepared(&params);
     const tf_input_t u = tf_input_default(&k);
     const tf_real_t r = uniform(-0.6, 0.6);
-    const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    tf_consistent_t out;
+    const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
+    consistent_modes_t out;
     tf_report_t report;
     tf_codim2_modes(&k, &rates, &out);
     if ((out.solutions.set & out.solutions.attracting & STICKS) != STICKS)
@@ -110,7 +110,7 @@ TEST(slip_enters_the_stick_of_its_sign_of_g) {
     const tf_machine_t k = prepared(&params);
     const tf_input_t u = tf_input_default(&k);
     const tf_real_t r = uniform(-0.6, 0.6);
-    const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
+    const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
     const field_t at = field_at(&params, &u, r);
     for (int way = 0; way < 4; way++) {
       const int side = way & 1 ? -1 : 1, roll = way & 2 ? -1 : 1;
@@ -140,9 +140,9 @@ TEST(wheel_released_from_pinned_has_no_sign_of_g) {
     const tf_machine_t k = prepared(&params);
     tf_input_t u = tf_input_default(&k);
     tf_state_t x = {.r = uniform(-0.6, 0.6), .w = u.omega0, .mode = TF_PINNED};
-    tf_consistent_t out;
+    consistent_modes_t out;
     tf_report_t report;
-    const tf_rates_t rates = rates_at(&k, &u, x.r, 0, 0, u.omega0);
+    const rates_t rates = rates_at(&k, &u, x.r, 0, 0, u.omega0);
     tf_codim2_modes(&k, &rates, &out);
     u.alpha = uniform(-100, 100);
     u.omega0 += u.alpha * k.dt;

@@ -61,12 +61,12 @@ TEST(slip_leaves_codimension_two_as_a_search_finds) {
     }
     const tf_real_t r = uniform(-0.6, 0.6);
     const field_t at = field_at(&params, &u, r);
-    const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
+    const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
     const real size =
         1 + fabsl(wide(rates.p)) + fabsl(wide(rates.q)) +
         wide(params.mu) * (fabsl(wide(rates.Fp)) + fabsl(wide(rates.Fq)) +
                            fabsl(wide(params.kappa * rates.Mq)));
-    tf_consistent_t out;
+    consistent_modes_t out;
     tf_codim2_modes(&k, &rates, &out);
     for (int slip = 0; slip < 2; slip++) {
       const int side = slip == 0 ? 1 : -1, roll = out.sign_g[slip];
@@ -125,8 +125,8 @@ TEST(limit_direction_ends_where_two_meet) {
     tf_input_t u = tf_input_default(&k);
     u.torque = n == 0 ? with : n == 1 ? without : with + (without - with) / 2;
     const field_t at = field_at(&params, &u, r);
-    const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    tf_consistent_t out;
+    const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
+    consistent_modes_t out;
     tf_codim2_modes(&k, &rates, &out);
     const bool is = out.solutions.set & TF_MODE_BIT(TF_SLIP_PLUS);
     if (n < 2) CHECK(is == (n == 0));
@@ -161,8 +161,8 @@ TEST(wheel_is_pinned_where_the_law_allows) {
     }
     const tf_input_t u = tf_input_default(&k);
     const tf_real_t r = n % 16 == 1 ? 0 : uniform(-0.6, 0.6);
-    const tf_rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    tf_consistent_t out;
+    const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
+    consistent_modes_t out;
     tf_codim2_modes(&k, &rates, &out);
     if (r == 0) /* on the axis no stick starts */
       CHECK(!(out.solutions.set &

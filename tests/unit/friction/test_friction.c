@@ -227,16 +227,16 @@ TEST(one_or_three_solutions) {
     const int s = (int)(tap_bits() & 1), kind = i % 3; /* A > 0, < 0, = 0 */
     const double A = kind == 2 ? 0 : tap_uniform(1e-3, 2);
     const double h1 = kind == 1 ? A : -A, share = tap_uniform(-1, 1);
-    const tf_inclusion_t in = {
+    const inclusion_t in = {
         .h = {.c0 = i % 30 == 2 ? 0 : (tf_real_t)tap_uniform(-1, 1),
-              .F = (tf_real_t)(h1 * (1 - share)),
-              .M = (tf_real_t)((s ? -1 : 1) * h1 * share)},
+              .cx = (tf_real_t)(h1 * (1 - share)),
+              .cy = (tf_real_t)((s ? -1 : 1) * h1 * share)},
         .g = {.c0 = s ? -100 : 100},
         .g_now = s ? -100 : 100,
         .has_moment = true};
     const double c1 =
-        (double)(s ? in.h.F - in.h.M : in.h.F + in.h.M); /* as rounded */
-    tf_solutions_t out = {0};
+        (double)(s ? in.h.cx - in.h.cy : in.h.cx + in.h.cy); /* as rounded */
+    solutions_t out = {0};
     CHECK(signs_of(&in.g) == (s ? 2u : 1u));
     enumerate(&in, signs_of(&in.g), &out);
     int n = 0;
@@ -254,17 +254,17 @@ TEST(one_or_three_solutions) {
 
 TEST(stick_solves_the_quadratic) {
   for (int i = 0; i < 20000; i++) {
-    const tf_inclusion_t in = {.h = {.c0 = (tf_real_t)tap_uniform(-0.5, 0.5),
-                                     .F = tap_bits() & 1 ? 1 : -1,
-                                     .FF = (tf_real_t)signed_log(1e-12, 0.3)},
-                               .g = {.c0 = 9},
-                               .g_now = 9};
-    tf_solutions_t out = {0};
+    const inclusion_t in = {.h = {.c0 = (tf_real_t)tap_uniform(-0.5, 0.5),
+                                  .cx = tap_bits() & 1 ? 1 : -1,
+                                  .cxx = (tf_real_t)signed_log(1e-12, 0.3)},
+                            .g = {.c0 = 9},
+                            .g_now = 9};
+    solutions_t out = {0};
     enumerate(&in, signs_of(&in.g), &out);
     if (!(out.set & TF_MODE_BIT(TF_STICK_PLUS))) continue;
     const real x = out.x[0];
     CHECK(fabsl(x) <= 1);
-    CHECK_NEAR((in.h.FF * x + in.h.F) * x + in.h.c0, 0,
+    CHECK_NEAR((in.h.cxx * x + in.h.cx) * x + in.h.c0, 0,
                8 * (real)TF_REAL_EPSILON);
   }
 }
@@ -298,7 +298,7 @@ TEST(mode_names_are_the_contract) {
     CHECK(!strcmp(tf_mode_name(mode[i]), name[i]));
     CHECK(mode[i] == i && TF_MODE_BIT(i) == 1u << i);
   }
-  CHECK(!strcmp(tf_mode_name(TF_MODES), "unknown mode"));
+  CHECK(!strcmp(tf_mode_name(TF_NO_MODE), "unknown mode"));
   CHECK(!strcmp(tf_mode_name(UINT_MAX), "unknown mode"));
 }
 

@@ -11,22 +11,22 @@
 
 static tf_real_t num(double x) { return (tf_real_t)x; }
 
-static tf_form_t affine(double c0, double F, double M) {
-  return (tf_form_t){.c0 = num(c0), .F = num(F), .M = num(M)};
+static form_t affine(double c0, double F, double M) {
+  return (form_t){.c0 = num(c0), .cx = num(F), .cy = num(M)};
 }
 
 /* h = c0 + F x and g = c0 + M y, out of reach of pinning. */
-static tf_inclusion_t inclusion(double h0, double hF, double g0, double gM) {
-  return (tf_inclusion_t){.h = affine(h0, hF, 0),
-                          .g = affine(g0, 0, gM),
-                          .g_now = num(g0),
-                          .has_moment = true,
-                          .pin_x = 2,
-                          .pin_y = 2};
+static inclusion_t inclusion(double h0, double hF, double g0, double gM) {
+  return (inclusion_t){.h = affine(h0, hF, 0),
+                       .g = affine(g0, 0, gM),
+                       .g_now = num(g0),
+                       .has_moment = true,
+                       .pin_x = 2,
+                       .pin_y = 2};
 }
 
-static unsigned set_of(const tf_inclusion_t *in) {
-  tf_solutions_t out = {0};
+static unsigned set_of(const inclusion_t *in) {
+  solutions_t out = {0};
   memset(&out, 0, sizeof out);
   enumerate(in, signs_of(&in->g), &out);
   return out.set;
@@ -38,7 +38,7 @@ TEST(signs_of_g_are_those_of_extreme_forces) {
   for (int pair = 0; pair < 4; pair++)
     for (int sign = -1; sign <= 1; sign += 2) {
       const double s = sign, F = pair & 1 ? 1 : -1, M = pair & 2 ? 1 : -1;
-      tf_inclusion_t in = inclusion(1, 0, 0, 0);
+      inclusion_t in = inclusion(1, 0, 0, 0);
       in.g = affine(s * 0.75, F * 0.25, M * 0.25); /* 0.25 at least */
       CHECK(signs_of(&in.g) == (sign > 0 ? 1 : 2));
       in.g = affine(s * 0.5, F * 0.25, M * 0.25); /* 0 at one pair */
@@ -47,17 +47,17 @@ TEST(signs_of_g_are_those_of_extreme_forces) {
       CHECK(signs_of(&in.g) == 3);
       /* the terms of second order count as well */
       in.g = affine(s * 0.75, 0, 0);
-      in.g.FF = in.g.MM = num(-s * 0.5);
+      in.g.cxx = in.g.cyy = num(-s * 0.5);
       CHECK(signs_of(&in.g) == 3);
-      in.g.FF = in.g.MM = num(-s * 0.25);
+      in.g.cxx = in.g.cyy = num(-s * 0.25);
       CHECK(signs_of(&in.g) == (sign > 0 ? 1 : 2));
-      in.g.FM = num(F * M * 0.375);
+      in.g.cxy = num(F * M * 0.375);
       CHECK(signs_of(&in.g) == 3);
     }
-  tf_inclusion_t at_0 = inclusion(1, 0, 0, 0);
+  inclusion_t at_0 = inclusion(1, 0, 0, 0);
   CHECK(signs_of(&at_0.g) == 3);
   for (int sign = -1; sign <= 1; sign += 2) { /* 0 at no force alone */
-    at_0.g.FF = at_0.g.MM = num(sign * 0.5);
+    at_0.g.cxx = at_0.g.cyy = num(sign * 0.5);
     CHECK(signs_of(&at_0.g) == 3);
   }
 }
@@ -70,12 +70,12 @@ TEST(share_of_the_moment_is_at_most_1) {
       const int slip = n & 1, end = n & 2 ? -1 : 1, x = slip == 0 ? 1 : -1;
       const tf_real_t slope = -num(x) * 3 / 7;
       const tf_real_t bend = num(i) / (n & 4 ? 1024 : 1 << 22);
-      tf_inclusion_t in = inclusion(1, 1, 0, 0);
-      tf_solutions_t out = {0};
+      inclusion_t in = inclusion(1, 1, 0, 0);
+      solutions_t out = {0};
       memset(&out, 0, sizeof out);
       in.g.c0 = -num(x * end) * slope - bend; /* g = 0 at y = x end */
-      in.g.M = slope;
-      in.g.MM = bend;
+      in.g.cy = slope;
+      in.g.cyy = bend;
       enumerate(&in, signs_of(&in.g), &out);
       CHECK(out.tau[slip] >= -1 && out.tau[slip] <= 1);
       CHECK_NEAR((double)out.tau[slip], end, 64 * (double)TF_REAL_EPSILON);
@@ -87,7 +87,7 @@ TEST(slip_needs_nonzero_h) {
   for (int side = -1; side <= 1; side += 2)
     for (int sign = -1; sign <= 1; sign += 2) {
       const unsigned stick = BIT(sign > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
-      tf_inclusion_t in = inclusion(side, -1, 8 * sign, 1);
+      inclusion_t in = inclusion(side, -1, 8 * sign, 1);
       CHECK(set_of(&in) == stick);
       in = inclusion(side, -1, sign * 0.125, 1); /* both signs of g */
       in.pin_x = num(side);
@@ -102,7 +102,7 @@ TEST(slip_needs_nonzero_h) {
 /* With a moment a stick that ends at g = 0 is the pinned wheel; without one it
  * is a stick like others, and g = 0 goes with g > 0. */
 TEST(stick_with_a_moment_needs_nonzero_g) {
-  tf_inclusion_t in = inclusion(0, -1, 0, 1);
+  inclusion_t in = inclusion(0, -1, 0, 1);
   CHECK(set_of(&in) == 0);
   in.pin_x = in.pin_y = 0;
   CHECK(set_of(&in) == BIT(TF_PINNED));
@@ -121,7 +121,7 @@ TEST(pinned_needs_a_force_of_the_law) {
                {0.5, 0.75, 0}, {0.5, -0.75, 0}, {-0.5, 0.75, 0},
                {-0.5, 0.5, 1}, {0.75, -0.5, 1}, {0, 0, 1}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    tf_inclusion_t in = inclusion(0, -1, 0, 1);
+    inclusion_t in = inclusion(0, -1, 0, 1);
     in.pin_x = num(cases[i].x);
     in.pin_y = num(cases[i].y);
     CHECK(set_of(&in) == (cases[i].holds ? BIT(TF_PINNED) : 0));
@@ -138,8 +138,8 @@ TEST(consistent_modes_of_either_delassus_scalar) {
     for (int sign = -1; sign <= 1; sign += 2) {
       const unsigned stick = BIT(sign > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
       for (int slope = -1; slope <= 1; slope += 2) {
-        tf_inclusion_t in = inclusion(i * 0.25, slope, 8 * sign, 1);
-        tf_solutions_t out = {0};
+        inclusion_t in = inclusion(i * 0.25, slope, 8 * sign, 1);
+        solutions_t out = {0};
         memset(&out, 0, sizeof out);
         enumerate(&in, signs_of(&in.g), &out);
         CHECK(out.set ==
@@ -169,11 +169,11 @@ TEST(stick_of_two_has_its_sign_of_g) {
     for (int s = -1; s <= 1; s += 2)
       for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const unsigned stick = BIT(s > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
-        tf_inclusion_t in = inclusion(-0.125 * side, -0.25 * side, 0, 0);
-        in.h.FF = num(side);
+        inclusion_t in = inclusion(-0.125 * side, -0.25 * side, 0, 0);
+        in.h.cxx = num(side);
         in.g.c0 = num(s * cases[i].g0);
-        in.g.F = num(s * cases[i].slope);
-        tf_solutions_t out = {0};
+        in.g.cx = num(s * cases[i].slope);
+        solutions_t out = {0};
         memset(&out, 0, sizeof out);
         enumerate(&in, signs_of(&in.g), &out);
         CHECK(!(out.set & stick) == (cases[i].x == 0));
@@ -188,13 +188,13 @@ TEST(stick_is_where_h_vanishes) {
   for (int n = 0; n < 20000; n++) {
     const double q = exp2(tap_uniform(-16, -6)) * (n % 2 ? 1 : -1);
     const double c1 = tap_uniform(-2, -0.5), x1 = tap_uniform(0.1, 0.9);
-    tf_inclusion_t in = inclusion(-x1 * c1, c1, 8, 1);
-    in.h.FF = num(q * c1 / x1);
-    tf_solutions_t out = {0};
+    inclusion_t in = inclusion(-x1 * c1, c1, 8, 1);
+    in.h.cxx = num(q * c1 / x1);
+    solutions_t out = {0};
     memset(&out, 0, sizeof out);
     enumerate(&in, signs_of(&in.g), &out);
     if (!CHECK(out.set == BIT(TF_STICK_PLUS))) continue;
-    const long double a = (long double)in.h.FF, b = (long double)in.h.F;
+    const long double a = (long double)in.h.cxx, b = (long double)in.h.cx;
     const long double c = (long double)in.h.c0;
     const long double want = -2 * c / (b - sqrtl(b * b - 4 * a * c));
     const long double off = fabsl((long double)out.x[0] - want) / want;

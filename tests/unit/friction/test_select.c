@@ -22,7 +22,7 @@ typedef struct {
 } question_t;
 
 static unsigned answer(const question_t *q, uint64_t tick, uint32_t seed) {
-  tf_solutions_t solutions;
+  solutions_t solutions;
   memset(&solutions, 0, sizeof solutions);
   solutions.set = (uint8_t)q->set;
   solutions.attracting = (uint8_t)q->attracting;
@@ -52,7 +52,7 @@ static unsigned nearest(unsigned sticks, unsigned near) {
 }
 
 /* (4): where the present mode is lost. Answers are sets of one mode, or more
- * where chance decides; bit TF_MODES is "none". */
+ * where chance decides; bit TF_NO_MODE is "none". */
 static unsigned when_lost(const question_t *q) {
   const unsigned sticks = q->set & STICKS;
   const unsigned fast = q->minus_is_faster ? TF_SLIP_MINUS : TF_SLIP_PLUS;
@@ -61,7 +61,7 @@ static unsigned when_lost(const question_t *q) {
   if (q->set & SLIPS)
     return (q->set & SLIPS) == SLIPS ? BIT(fast) : q->set & SLIPS;
   if (sticks && q->mode > TF_SLIP_MINUS) return nearest(sticks, q->near);
-  return BIT(TF_MODES);
+  return BIT(TF_NO_MODE);
 }
 
 /* How the rule ends an escaping stick that is still consistent. */
@@ -84,7 +84,7 @@ static unsigned when_pinned(const question_t *q) {
   const unsigned safe = others & q->attracting;
   if (q->rule == TF_RULE_RANDOM) {
     if (now && (q->threshold == NEVER || !others)) return now;
-    return others ? others : BIT(TF_MODES);
+    return others ? others : BIT(TF_NO_MODE);
   }
   if (!now || safe) return when_lost(q);
   return when_escaping(q);
@@ -145,9 +145,9 @@ TEST(slip_never_enters_an_escaping_stick) {
       const bool slipping = q.mode <= TF_SLIP_MINUS;
       const unsigned unsafe = STICKS & ~q.attracting;
       const unsigned open = slipping ? q.set & ~unsafe : q.set;
-      CHECK(got <= TF_MODES);
-      CHECK((got == TF_MODES) == (open == 0));
-      if (got == TF_MODES) {
+      CHECK(got <= TF_NO_MODE);
+      CHECK((got == TF_NO_MODE) == (open == 0));
+      if (got == TF_NO_MODE) {
         none++;
         continue;
       }
@@ -278,7 +278,7 @@ TEST(random_draws_are_even) {
     judge_draws(&q, others, TF_PINNED);
     q.set = others;
     q.threshold = NEVER;
-    judge_draws(&q, others, TF_MODES);
+    judge_draws(&q, others, TF_NO_MODE);
   }
 }
 

@@ -30,7 +30,7 @@ static int is_as_made(const tf_frame_t *frame, unsigned length) {
 
 typedef struct {
   tf_decoder_t decoder;
-  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
 } receiver_t;
 
 static void open_receiver(receiver_t *receiver) {
@@ -360,10 +360,10 @@ TEST(lost_frames_are_counted) {
 }
 
 TEST(long_runs_stay_in_the_buffer) {
-  uint8_t buffer[TF_DECODER_ROOM(8) + 8];
+  uint8_t buffer[TF_DECODER_SIZE(8) + 8];
   memset(buffer, 0xA5, sizeof buffer);
   tf_decoder_t decoder;
-  tf_decoder_init(&decoder, buffer, TF_DECODER_ROOM(8));
+  tf_decoder_init(&decoder, buffer, TF_DECODER_SIZE(8));
   tf_frame_t frame;
   for (int i = 0; i < 100000; i++) CHECK(!tf_decoder_push(&decoder, 1, &frame));
   CHECK(!tf_decoder_push(&decoder, 0, &frame));
@@ -376,7 +376,7 @@ TEST(long_runs_stay_in_the_buffer) {
   size = make(wire, 4, 8); /* the longest that fits */
   CHECK(tf_decoder_block(&decoder, wire, size, &taken, &frame));
   CHECK(taken == size && is_as_made(&frame, 8));
-  for (size_t i = TF_DECODER_ROOM(8); i < sizeof buffer; i++)
+  for (size_t i = TF_DECODER_SIZE(8); i < sizeof buffer; i++)
     CHECK(buffer[i] == 0xA5);
 }
 

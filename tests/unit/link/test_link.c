@@ -69,7 +69,7 @@ typedef struct {
 /* The next answer; length 0 where there is none. */
 static answer_t answer_of(board_t *board) {
   uint8_t wire[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
-  uint8_t buffer[TF_DECODER_ROOM(TF_ANSWER_BYTES)];
+  uint8_t buffer[TF_DECODER_SIZE(TF_ANSWER_BYTES)];
   answer_t answer;
   tf_decoder_t decoder;
   tf_frame_t frame;
@@ -111,14 +111,14 @@ static unsigned index_of(const char *name) {
 typedef struct {
   tf_machine_t machine;
   tf_params_t params;
-  bool driven, running;
+  bool input_is_set, running;
 } acting_t;
 static acting_t acting(const board_t *board) {
   acting_t now;
   memset(&now, 0, sizeof now);
   memcpy(&now.machine, &board->session.machine, sizeof now.machine);
   memcpy(&now.params, &board->link.params, sizeof now.params);
-  now.driven = board->session.driven;
+  now.input_is_set = board->session.input_is_set;
   now.running = board->session.running;
   return now;
 }
@@ -287,7 +287,7 @@ TEST(inputs_act_at_their_tick) {
       send_input(&board, now, &input);
     }
     tick(&board);
-    CHECK((now >= 100) == board.session.driven);
+    CHECK((now >= 100) == board.session.input_is_set);
     if (now >= 100) {
       CHECK(code_of(&board) == TF_ANSWER_DONE);
       CHECK(board.session.input.alpha == input.alpha);
@@ -306,7 +306,7 @@ TEST(inputs_act_at_their_tick) {
   CHECK(board.session.input.force == held.force);
   send_plain(&board, TF_UP_INPUT); /* back to the scene */
   CHECK(tf_link_boundary(&board.link, &board.session) == 1);
-  CHECK(!board.session.driven);
+  CHECK(!board.session.input_is_set);
 }
 
 TEST(snapshot_and_restore_continue_bit_for_bit) {
@@ -323,7 +323,7 @@ TEST(snapshot_and_restore_continue_bit_for_bit) {
   tf_link_boundary(&board.link, &board.session);
   /* What the host keeps is the frame of the state. */
   uint8_t wire[TF_FRAME_SIZE(TF_STATE_BYTES)];
-  uint8_t buffer[TF_DECODER_ROOM(TF_STATE_BYTES)];
+  uint8_t buffer[TF_DECODER_SIZE(TF_STATE_BYTES)];
   tf_decoder_t decoder;
   tf_frame_t frame;
   size_t taken;
@@ -354,7 +354,7 @@ TEST(snapshot_and_restore_continue_bit_for_bit) {
   CHECK(answered == 1);
   /* A state that is not valid. */
   const tf_state_t before = board.session.state;
-  kept[sizeof kept - 1] = TF_MODES;
+  kept[sizeof kept - 1] = TF_NO_MODE;
   send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
   kept[sizeof kept - 1] = 0;
   memset(kept + 8, 0xff, R); /* r is NaN */

@@ -36,7 +36,7 @@ static example_t example(const char *name) {
 
 typedef struct {
   tf_frame_t frame;
-  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
 } received_t;
 
 static void receive(received_t *received, const uint8_t *wire, size_t size) {

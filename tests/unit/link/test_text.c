@@ -4,10 +4,10 @@
 #include "twofold.h"
 
 static const char *text(tf_real_t value) {
-  static char out[TF_DECIMAL_ROOM + 2];
+  static char out[DECIMAL_SIZE + 2];
   memset(out, '~', sizeof out);
   const size_t length = tf_decimal(out, value);
-  CHECK(length >= 1 && length <= TF_DECIMAL_ROOM && out[length] == '~');
+  CHECK(length >= 1 && length <= DECIMAL_SIZE && out[length] == '~');
   out[length] = '\0';
   return out;
 }

@@ -9,7 +9,7 @@
 #define BIT(mode) ((unsigned)TF_MODE_BIT(mode))
 #define SLIPS (BIT(TF_SLIP_PLUS) | BIT(TF_SLIP_MINUS))
 
-/* tf_begin from x in the mode that is asked for, TF_MODES for any; what must
+/* tf_begin from x in the mode that is asked for, TF_NO_MODE for any; what must
  * hold of every report is checked. */
 static tf_report_t begun(const tf_machine_t *machine, const tf_state_t *x,
                          unsigned asked) {
@@ -37,7 +37,7 @@ static tf_report_t begun(const tf_machine_t *machine, const tf_state_t *x,
  * outside of it is as asking for none. */
 static void asked_mode_is_taken_if_consistent(const tf_machine_t *machine,
                                               const tf_state_t *x) {
-  const tf_report_t none = begun(machine, x, TF_MODES);
+  const tf_report_t none = begun(machine, x, TF_NO_MODE);
   for (unsigned asked = 0; asked < TF_MODES; asked++) {
     const tf_report_t other = begun(machine, x, asked);
     CHECK(other.set == none.set);
@@ -93,7 +93,7 @@ static unsigned expected_set(const contact_t *c) {
 
 static void judge_contact(const tf_machine_t *machine, const contact_t *c,
                           real kappa) {
-  const tf_report_t report = begun(machine, &c->x, TF_MODES);
+  const tf_report_t report = begun(machine, &c->x, TF_NO_MODE);
   const bool sticks = fabsl(c->lambda) <= c->mu;
   CHECK(report.set == expected_set(c));
   CHECK(report.choices == (sticks && c->A < 0 ? 3 : 1));
@@ -163,7 +163,7 @@ TEST(begin_off_the_surface) {
         .r = uniform(-2, 2), .v = uniform(-2, 2), .w = uniform(-2, 2)};
     const tf_slip_t slip = tf_slip(&machine, x.r, x.v, x.w, params.omega0);
     if (fabsl(wide(slip.h)) < 200 * EPSILON) continue;
-    const tf_report_t report = begun(&machine, &x, TF_MODES);
+    const tf_report_t report = begun(&machine, &x, TF_NO_MODE);
     const tf_real_t side = slip.h > 0 ? TF_R(1.0) : TF_R(-1.0);
     const tf_force_t f = tf_tyre_force(&machine.tyre, side, slip.h, slip.g);
     CHECK(report.mode == (slip.h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
@@ -187,7 +187,7 @@ TEST(begin_counts_rounding_as_zero) {
     const tf_slip_t slip = tf_slip(&machine, x.r, x.v, x.w, -1);
     const real z = wide(x.w) + 1, h = wide(slip.h);
     const real terms = fabsl(wide(x.v)) + (1 + wide(x.r)) * z;
-    const tf_report_t report = begun(&machine, &x, TF_MODES);
+    const tf_report_t report = begun(&machine, &x, TF_NO_MODE);
     slips += report.mode <= TF_SLIP_MINUS;
     if (fabsl(h) < 7.9L * EPSILON * terms) CHECK(report.mode > TF_SLIP_MINUS);
     if (fabsl(h) > 8.1L * EPSILON * terms)
@@ -202,7 +202,7 @@ TEST(begin_at_codimension_two_is_pinned) {
   const tf_machine_t machine = prepared(&params);
   for (int i = 0; i < 2000; i++) {
     const tf_state_t x = {.r = uniform(-2, 2), .w = params.omega0};
-    const tf_report_t report = begun(&machine, &x, TF_MODES);
+    const tf_report_t report = begun(&machine, &x, TF_NO_MODE);
     CHECK(report.mode == TF_PINNED && report.choices == 1);
     CHECK(report.slip.h == 0 && report.slip.g == 0);
     /* g = 0 counts as rolling forwards. */
@@ -215,7 +215,7 @@ TEST(begin_at_codimension_two_is_pinned) {
   coulomb.law = TF_TYRE_COULOMB;
   const tf_machine_t without = prepared(&coulomb);
   const tf_state_t x = {.r = TF_R(0.5), .w = params.omega0};
-  CHECK(begun(&without, &x, TF_MODES).mode != TF_PINNED);
+  CHECK(begun(&without, &x, TF_NO_MODE).mode != TF_PINNED);
 }
 
 /* gamma = 0 and r = 0: no force acts on h, and none is needed. */
@@ -225,7 +225,7 @@ TEST(begin_where_no_force_acts_on_h) {
   const tf_machine_t machine = prepared(&params);
   for (int side = -1; side <= 1; side += 2) {
     const tf_state_t x = {.v = (tf_real_t)side, .w = params.omega0};
-    const tf_report_t report = begun(&machine, &x, TF_MODES);
+    const tf_report_t report = begun(&machine, &x, TF_NO_MODE);
     CHECK(report.mode == (side < 0 ? TF_STICK_PLUS : TF_STICK_MINUS));
     CHECK(report.force.F == 0 && report.choices == 1);
   }
@@ -237,13 +237,13 @@ TEST(begin_ignores_inconsistent_modes) {
   const tf_machine_t machine = prepared(&tf_scenes[6]->params);
   tf_state_t x = {.r = TF_R(0.95), .w = TF_R(1.3)};
   CHECK(tf_speed_for_slip(&machine, x.r, x.w, -1, 0, &x.v) == TF_OK);
-  const unsigned stick = begun(&machine, &x, TF_MODES).mode;
+  const unsigned stick = begun(&machine, &x, TF_NO_MODE).mode;
   CHECK(stick == TF_STICK_PLUS || stick == TF_STICK_MINUS);
   CHECK(begun(&machine, &x, TF_SLIP_PLUS).mode == stick);
   CHECK(begun(&machine, &x, TF_SLIP_MINUS).mode == stick);
   CHECK(begun(&machine, &x, TF_PINNED).mode == stick);
   x.v += 1;
-  const unsigned slip = begun(&machine, &x, TF_MODES).mode;
+  const unsigned slip = begun(&machine, &x, TF_NO_MODE).mode;
   CHECK(slip <= TF_SLIP_MINUS);
   CHECK(begun(&machine, &x, stick).mode == slip);
 }
@@ -262,7 +262,7 @@ TEST(begin_refuses_sums_beyond_the_limit) {
         const tf_input_t u = {value[3], value[4], value[5], value[6], value[7]};
         const bool apart = i == j || (i < 3) != (j < 3);
         tf_report_t report;
-        x.mode = TF_MODES;
+        x.mode = TF_NO_MODE;
         CHECK(tf_begin(&machine, &x, &u, &report) ==
               (apart ? TF_OK : TF_BAD_STATE));
         if (apart) continue;

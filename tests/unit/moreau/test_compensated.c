@@ -33,7 +33,7 @@ static run_t begun(const tf_scene_t *scene, double dt) {
     CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state,
                                         &run.compensation, run.input.omega0,
                                         scene->h) == TF_OK);
-  run.state.mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_MODES);
+  run.state.mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_NO_MODE);
   CHECK(tf_begin(&run.machine.machine, &run.state, &run.input, &report) ==
         TF_OK);
   return run;
@@ -282,7 +282,7 @@ TEST(compensated_refusals_touch_nothing) {
   run.state.r = (tf_real_t)INFINITY;
   refused(run, TF_BAD_STATE);
   run = good;
-  run.state.mode = TF_MODES;
+  run.state.mode = TF_NO_MODE;
   refused(run, TF_BAD_STATE);
   for (int law = 0; law < TF_TYRE_LAWS; law++) {
     run = good;

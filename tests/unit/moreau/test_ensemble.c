@@ -98,7 +98,7 @@ static void begin_twins(const tf_scene_t *scene, tf_rule_t rule, size_t n,
     x.v = scene->v;
     x.seed = (uint32_t)(i + 1);
     x.tick = i << 40;
-    x.mode = TF_MODES;
+    x.mode = TF_NO_MODE;
     if (!scene->v_is_given)
       tf_speed_for_slip(&twins.machine, x.r, x.w, u.omega0, scene->h, &x.v);
     CHECK(tf_begin(&twins.machine, &x, &u, &report) == TF_OK);
@@ -259,7 +259,7 @@ TEST(ensemble_in_slip) {
     x.r = within_range(-1, 1);
     x.v = within_range(-1, 1);
     x.w = within_range(-3, 1);
-    x.mode = TF_MODES;
+    x.mode = TF_NO_MODE;
     CHECK(tf_begin(&twins.machine, &x, &u, &report) == TF_OK);
     twins.states[i] = x;
   }

@@ -10,12 +10,12 @@ static tf_real_t small(void) {
   return n > 6 ? 0 : (tf_real_t)(n - 3) / 2;
 }
 
-static tf_form_t small_form(void) {
-  tf_form_t f = {.c0 = small(), .F = small(), .M = small()};
+static form_t small_form(void) {
+  form_t f = {.c0 = small(), .cx = small(), .cy = small()};
   if (tap_bits() % 2) {
-    f.FF = small() / 64;
-    f.FM = small() / 64;
-    f.MM = small() / 64;
+    f.cxx = small() / 64;
+    f.cxy = small() / 64;
+    f.cyy = small() / 64;
   }
   return f;
 }
@@ -27,7 +27,7 @@ static const tf_machine_t upright = {.sin_gamma = 1,
                                      .inv_kappa_mu = 1,
                                      .tyre = {.mu = 1}};
 
-static void put(tf_state_block_t *block, work_t *work, const tf_inclusion_t *in,
+static void put(tf_state_block_t *block, work_t *work, const inclusion_t *in,
                 int i) {
   put_form(&work->h, &in->h, i);
   put_form(&work->g, &in->g, i);
@@ -39,13 +39,13 @@ static void put(tf_state_block_t *block, work_t *work, const tf_inclusion_t *in,
   work->p_b[i] = work->z_t[i] = 1;
 }
 
-static unsigned counted[TF_MODES + 1], odd;
+static unsigned counted[TF_MODES + 1], rare;
 
-static void compare(const work_t *work, const tf_inclusion_t *in, int i) {
-  tf_solutions_t want = {0};
+static void compare(const work_t *work, const inclusion_t *in, int i) {
+  solutions_t want = {0};
   memset(&want, 0, sizeof want);
-  if (work->odd[i]) { /* tf_step does it */
-    odd++;
+  if (work->rare[i]) { /* tf_step does it */
+    rare++;
     return;
   }
   enumerate(in, signs_of(&in->g), &want);
@@ -63,25 +63,25 @@ static void compare(const work_t *work, const tf_inclusion_t *in, int i) {
   counted[size]++;
 }
 
-static tf_form_t scaled(tf_form_t f, tf_real_t scale) {
-  return (tf_form_t){f.c0 * scale, f.F * scale,  f.M * scale,
-                     f.FF * scale, f.FM * scale, f.MM * scale};
+static form_t scaled(form_t f, tf_real_t scale) {
+  return (form_t){f.c0 * scale,  f.cx * scale,  f.cy * scale,
+                  f.cxx * scale, f.cxy * scale, f.cyy * scale};
 }
 
 static void compare_blocks(unsigned long blocks, tf_real_t scale) {
   static tf_state_block_t block;
   static work_t work;
-  tf_inclusion_t in[TF_LANES];
+  inclusion_t in[TF_LANES];
   for (unsigned long n = 0; n < blocks; n++) {
     memset(&block, 0, sizeof block);
     memset(&work, 0, sizeof work);
     for (int i = 0; i < TF_LANES; i++) {
-      in[i] = (tf_inclusion_t){.h = scaled(small_form(), scale),
-                               .g = scaled(small_form(), scale),
-                               .g_now = small(),
-                               .has_moment = true,
-                               .pin_x = small(),
-                               .pin_y = small()};
+      in[i] = (inclusion_t){.h = scaled(small_form(), scale),
+                            .g = scaled(small_form(), scale),
+                            .g_now = small(),
+                            .has_moment = true,
+                            .pin_x = small(),
+                            .pin_y = small()};
       put(&block, &work, &in[i], i);
     }
     pin_all(&upright, &work);
@@ -97,9 +97,10 @@ static void compare_blocks(unsigned long blocks, tf_real_t scale) {
 TEST(lanes_find_the_sets_of_the_enumeration) {
   const unsigned long blocks = 100000;
   compare_blocks(blocks, 1);
-  printf("# %u odd; sets of 0 to 5 modes: %u %u %u %u %u %u\n", odd, counted[0],
-         counted[1], counted[2], counted[3], counted[4], counted[5]);
-  CHECK(odd < blocks * TF_LANES / 2);
+  printf("# %u rare; sets of 0 to 5 modes: %u %u %u %u %u %u\n", rare,
+         counted[0], counted[1], counted[2], counted[3], counted[4],
+         counted[5]);
+  CHECK(rare < blocks * TF_LANES / 2);
   for (int size = 0; size <= TF_MODES; size++) CHECK(counted[size] > 100);
 }
 
@@ -117,24 +118,24 @@ TEST(lane_root_is_the_root_within) {
   const tf_real_t edge = TF_R(0x1p-10), c0 = TF_R(-0.25);
   for (int sign = -1; sign <= 1; sign += 2) {
     const tf_real_t c2 = (tf_real_t)sign * edge;
-    CHECK(lane_root(c0, 1, c2).odd);
+    CHECK(lane_root(c0, 1, c2).rare);
     const tf_real_t less = c2 * (1 - TF_REAL_EPSILON);
-    CHECK(!lane_root(c0, 1, less).odd);
+    CHECK(!lane_root(c0, 1, less).rare);
     CHECK(lane_root(c0, 1, less).x == root_within(c0, 1, less));
     /* A slope that is no normal number has the root 0 there. */
     const tf_real_t least = (tf_real_t)sign * TF_REAL_MIN;
-    CHECK(!lane_root(least / 4, least, 0).odd);
-    CHECK(lane_root(least / 8, least / 2, 0).odd);
+    CHECK(!lane_root(least / 4, least, 0).rare);
+    CHECK(lane_root(least / 8, least / 2, 0).rare);
   }
 }
 
 /* The slip of a form under a force of the step. */
 static real slip_by(const lane_form_t *form, const tf_machine_t *k,
                     tf_force_t force, int i) {
-  const tf_form_t f = form_of(form, i);
+  const form_t f = form_of(form, i);
   const real x = wide(force.F * k->inv_mu), y = wide(force.M * k->inv_kappa_mu);
-  return wide(f.c0) + x * wide(f.F) + y * wide(f.M) + x * x * wide(f.FF) +
-         x * y * wide(f.FM) + y * y * wide(f.MM);
+  return wide(f.c0) + x * wide(f.cx) + y * wide(f.cy) + x * x * wide(f.cxx) +
+         x * y * wide(f.cxy) + y * y * wide(f.cyy);
 }
 
 /* A lane is left to tf_step where that refuses it; where it sticks, the forms
@@ -163,7 +164,7 @@ TEST(lanes_have_the_forms_of_the_step) {
       tf_state_t x = {.r = block.r[i], .v = block.v[i], .w = block.w[i]};
       tf_report_t report;
       const tf_status_t status = tf_step(&k, &x, &u, &report);
-      CHECK((work.odd[i] != 0) == (status < TF_OK));
+      CHECK((work.rare[i] != 0) == (status < TF_OK));
       refused += status < TF_OK;
       if (status != TF_OK || x.mode <= TF_SLIP_MINUS) continue;
       const real tolerance = 1e3L * EPSILON;
@@ -195,10 +196,9 @@ TEST(lanes_have_the_law_of_the_step) {
     if (tap_bits() % 2) slip = (tf_slip_t){side * share, 1};
     if (tap_bits() % 2) slip.g = -slip.g;
     if (tap_bits() % 8 == 0) slip.h = -slip.h; /* behind the jump */
-    const lane_law_t lane = lane_law(&k.tyre, side, slip);
-    const tf_multipliers_t step =
-        jump_multipliers(&k.tyre, side, slip.h, slip.g);
-    if (lane.odd) continue;
+    const lane_multipliers_t lane = lane_multipliers(&k.tyre, side, slip);
+    const multipliers_t step = jump_multipliers(&k.tyre, side, slip.h, slip.g);
+    if (lane.rare) continue;
     CHECK(lane.x == step.x && lane.y == step.y);
     done++;
   }

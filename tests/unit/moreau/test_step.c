@@ -19,7 +19,7 @@ TEST(default_inputs_are_those_of_the_parameters) {
     a.r = scene->r;
     a.v = TF_R(0.1);
     a.w = scene->omega;
-    a.mode = TF_MODES;
+    a.mode = TF_NO_MODE;
     memcpy(&b, &a, sizeof b);
     tf_report_t report;
     CHECK(tf_begin(&machine, &a, &rest, &report) == TF_OK);
@@ -41,7 +41,7 @@ static void quotient(tf_params_t params, tf_real_t dt, tf_state_t x,
   const tf_machine_t machine = prepared(&params);
   tf_state_t end = x;
   tf_report_t report;
-  end.mode = TF_MODES;
+  end.mode = TF_NO_MODE;
   CHECK(tf_begin(&machine, &end, input, &report) == TF_OK);
   CHECK(tf_step(&machine, &end, input, &report) == TF_OK);
   rate[0] = (wide(end.r) - wide(x.r)) / wide(dt);
@@ -167,7 +167,7 @@ TEST(bad_states_are_refused) {
       x.mode = (uint8_t)mode[n];
       refused(&machine, &x, &input);
     }
-    x.mode = TF_MODES; /* to tf_begin any mode will do, tf_step refuses it */
+    x.mode = TF_NO_MODE; /* to tf_begin any mode will do, tf_step refuses it */
     tf_report_t report;
     CHECK(tf_step(&machine, &x, &input, &report) == TF_BAD_STATE);
     CHECK(tf_begin(&machine, &x, &input, &report) == TF_OK);

@@ -2,16 +2,16 @@
 #include "num/polynomial.h"
 #include "sample.h"
 
-static tf_series_t times(const tf_series_t *s, double root) {
-  tf_series_t out;
-  for (int n = 0; n <= TF_ORDER; n++)
+static series_t times(const series_t *s, double root) {
+  series_t out;
+  for (int n = 0; n <= SERIES_ORDER; n++)
     out.c[n] = (n > 0 ? s->c[n - 1] : 0) - (tf_real_t)root * s->c[n];
   return out;
 }
 
 /* Positive at 0: as many factors as roots, of either sign. */
-static tf_series_t with_roots(const double *root, int count) {
-  tf_series_t s;
+static series_t with_roots(const double *root, int count) {
+  series_t s;
   memset(&s, 0, sizeof s);
   s.c[0] = count % 2 ? -1 : 1;
   for (int i = 0; i < count; i++) s = times(&s, root[i]);
@@ -29,7 +29,7 @@ TEST(first_of_several_roots_is_found) {
     for (int i = 0; i < count; i++)
       near += fabs(root[i] - first) < 0.02 || fabs(root[i] - 1) < 0.02;
     if (near > (first < 1)) continue; /* nearly a touch, or at the end */
-    const tf_series_t s = with_roots(root, count);
+    const series_t s = with_roots(root, count);
     tf_real_t when = -1;
     if (!CHECK(tf_first_root(&s, 1, &when) == (first < 1))) continue;
     if (first < 1) {
@@ -46,13 +46,13 @@ TEST(first_of_several_roots_is_found) {
 TEST(close_roots_are_parted) {
   for (int n = 2; n < 12; n++) {
     const double root[2] = {0.3, 0.3 + ldexp(1, -n)};
-    const tf_series_t s = with_roots(root, 2);
+    const series_t s = with_roots(root, 2);
     tf_real_t when = -1;
     CHECK(tf_first_root(&s, 1, &when));
     CHECK_NEAR(wide(when), 0.3L, ldexpl(64 * EPSILON, 2 * n));
   }
   /* (t - 1/2)^2 + 1/100 stays above 0. */
-  tf_series_t above;
+  series_t above;
   memset(&above, 0, sizeof above);
   above.c[0] = TF_R(0.26);
   above.c[1] = -1;
@@ -67,7 +67,7 @@ TEST(no_root_is_taken_for_none) {
   for (int n = 0; n < 1000; n++) {
     const tf_real_t a = uniform(0, 0.1), b = uniform(0.001, 1);
     const tf_real_t length = b * uniform(1.01, 3);
-    tf_series_t s;
+    series_t s;
     memset(&s, 0, sizeof s);
     s.c[0] = a * b;
     s.c[1] = b - a;
@@ -86,7 +86,7 @@ TEST(no_root_is_taken_for_none) {
 TEST(root_at_the_start_is_not_meant) {
   for (int n = 0; n < 1000; n++) {
     const tf_real_t a = uniform(0.01, 1), b = uniform(0.01, 1);
-    tf_series_t s;
+    series_t s;
     tf_real_t when = -1;
     memset(&s, 0, sizeof s);
     s.c[1] = a;
@@ -109,7 +109,7 @@ TEST(close_roots_hide_none_behind_them) {
     const double gap = exp(tap_uniform(log(least), log(0.1)));
     const double root[3] = {a, a + gap, tap_uniform(a + gap + 0.02, 0.98)};
     if (root[2] < a + gap) continue;
-    const tf_series_t s = with_roots(root, 3);
+    const series_t s = with_roots(root, 3);
     tf_real_t when = -1;
     tried++;
     if (!CHECK(tf_first_root(&s, 1, &when))) continue;
@@ -117,7 +117,7 @@ TEST(close_roots_hide_none_behind_them) {
   }
   printf("# %d of %d\n", found, tried);
   CHECK(tried > 5000 && found == tried);
-  tf_series_t nothing;
+  series_t nothing;
   tf_real_t when = -1;
   memset(&nothing, 0, sizeof nothing);
   CHECK(!tf_first_root(&nothing, 1, &when) && when == -1);
@@ -127,7 +127,7 @@ TEST(close_roots_hide_none_behind_them) {
 TEST(root_at_the_end_is_one) {
   for (int n = -8; n <= 8; n++) {
     const double end[1] = {ldexp(1, n)};
-    const tf_series_t s = with_roots(end, 1);
+    const series_t s = with_roots(end, 1);
     tf_real_t when = -1;
     CHECK(tf_first_root(&s, (tf_real_t)end[0], &when));
     CHECK(when == (tf_real_t)end[0]);

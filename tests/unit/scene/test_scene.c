@@ -24,7 +24,7 @@ static run_t started(const tf_scene_t *scene) {
   if (!scene->v_is_given)
     CHECK(tf_speed_for_slip(&run.machine, scene->r, scene->omega, input.omega0,
                             scene->h, &run.state.v) == TF_OK);
-  run.state.mode = TF_MODES;
+  run.state.mode = TF_NO_MODE;
   CHECK(tf_begin(&run.machine, &run.state, &input, &run.report) == TF_OK);
   return run;
 }

@@ -16,7 +16,7 @@ TEST(session_is_the_run_of_the_command_line) {
     state.r = scene->r;
     state.w = scene->omega;
     state.v = scene->v;
-    state.mode = TF_MODES;
+    state.mode = TF_NO_MODE;
     if (!scene->v_is_given) {
       CHECK(tf_speed_for_slip(&session.machine, state.r, state.w, input.omega0,
                               scene->h, &state.v) == TF_OK);

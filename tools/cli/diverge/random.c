@@ -38,7 +38,7 @@ static double draw_time(cli_motion_t *motion) {
   return rate > 0 ? -log(u) / rate : (double)INFINITY;
 }
 
-// One mode of a set, all with equal probability; TF_MODES of an empty set.
+// One mode of a set, all with equal probability; TF_NO_MODE of an empty set.
 static unsigned draw_mode(cli_motion_t *motion, unsigned set) {
   unsigned modes[TF_MODES];
   unsigned n = 0;
@@ -48,7 +48,7 @@ static unsigned draw_mode(cli_motion_t *motion, unsigned set) {
     }
   }
   if (n < 2) {
-    return n == 0 ? TF_MODES : modes[0];
+    return n == 0 ? TF_NO_MODE : modes[0];
   }
   return modes[(unsigned)(cli_draw_uniform(&motion->draws) * n) % n];
 }

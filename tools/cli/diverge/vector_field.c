@@ -32,7 +32,7 @@ tf_state_t cli_state_at(const tf_machine_t *k, cli_point_t at) {
   const tf_state_t state = {.r = (tf_real_t)at.r,
                             .v = (tf_real_t)(at.p + (double)k->d * at.z),
                             .w = (tf_real_t)(at.z + (double)k->omega0),
-                            .mode = TF_MODES};
+                            .mode = TF_NO_MODE};
   return state;
 }
 

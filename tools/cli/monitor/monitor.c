@@ -31,7 +31,7 @@ typedef struct {
   cli_view_t view;
   tf_decoder_t decoder;
   uint64_t bytes;
-  uint8_t buffer[TF_DECODER_ROOM(TF_FRAME_PAYLOAD)];
+  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint8_t block[BLOCK];
 } monitor_t;
 

@@ -136,7 +136,7 @@ int cli_setup_start(cli_setup_t *setup) {
   state->w = setup->start[CLI_START_OMEGA];
   state->phi = setup->start[CLI_START_PHI];
   state->seed = setup->seed;
-  state->mode = TF_MODES;
+  state->mode = TF_NO_MODE;
   setup->v_from_h = !v_typed && (h_typed || !setup->scene->v_is_given);
   if (code == CLI_DONE && setup->v_from_h) {
     code = solve_v(setup);

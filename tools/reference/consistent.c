@@ -1,18 +1,18 @@
 /// @file
-/// Futures of an instant; see futures.h. Near h = g = 0 the slip is
-/// (h, g) = rho (sin angle, cos angle), and its rate depends on the angle
-/// alone: rho' = out(angle), rho angle' = turn(angle). A motion reaches or
-/// leaves the point along a zero of turn, a limit direction, or in stick.
-#include "futures.h"
+/// The consistent modes of an instant; see consistent.h. Near h = g = 0 the
+/// slip is (h, g) = rho (sin angle, cos angle), and its rate depends on the
+/// angle alone: rho' = out(angle), rho angle' = turn(angle). A motion reaches
+/// or leaves the point along a zero of turn, a limit direction, or in stick.
+#include "consistent.h"
 
 #include <math.h>
 #include <string.h>
 
 static const real_t pi = 3.14159265358979323846264338327950288L;
 
-static void add(ref_futures_t *out, ref_future_t future) {
-  if (out->count < REF_FUTURES) {
-    out->list[out->count++] = future;
+static void add(ref_consistent_t *out, ref_consistent_mode_t way) {
+  if (out->count < REF_MOST_CONSISTENT) {
+    out->list[out->count++] = way;
   }
 }
 
@@ -21,20 +21,22 @@ static bool holds(const ref_edge_t *edge) {
          (edge->plus >= 0 && edge->minus <= 0);
 }
 
-void ref_futures_edge(const ref_machine_t *machine, ref_state_t x,
-                      ref_futures_t *out) {
+void ref_consistent_edge(const ref_machine_t *machine, ref_state_t x,
+                         ref_consistent_t *out) {
   memset(out, 0, sizeof *out);
   const int s = ref_slip(machine, x).g > 0 ? 1 : -1;
   const ref_edge_t edge = ref_edge(machine, x, s);
   if (edge.plus > 0) {
-    add(out, (ref_future_t){.mode = REF_SLIP_PLUS, .rate = edge.plus});
+    add(out, (ref_consistent_mode_t){.mode = REF_SLIP_PLUS, .rate = edge.plus});
   }
   if (edge.minus < 0) {
-    add(out, (ref_future_t){.mode = REF_SLIP_MINUS, .rate = -edge.minus});
+    add(out,
+        (ref_consistent_mode_t){.mode = REF_SLIP_MINUS, .rate = -edge.minus});
   }
   if (holds(&edge)) {
-    add(out, (ref_future_t){.mode = s > 0 ? REF_STICK_PLUS : REF_STICK_MINUS,
-                            .attracting = edge.A > 0});
+    add(out, (ref_consistent_mode_t){
+                 .mode = s > 0 ? REF_STICK_PLUS : REF_STICK_MINUS,
+                 .attracting = edge.A > 0});
   }
 }
 
@@ -71,10 +73,10 @@ static real_t bisect(const ref_machine_t *machine, const ref_affine_t *f,
 
 static void limit_direction(const ref_machine_t *machine, const ref_affine_t *f,
                             real_t angle, int side, bool rises,
-                            ref_futures_t *out) {
+                            ref_consistent_t *out) {
   const polar_t rate = polar(machine, f, angle, side);
   if (rate.out > 0) {
-    add(out, (ref_future_t){
+    add(out, (ref_consistent_mode_t){
                  .mode = side > 0 ? REF_SLIP_PLUS : REF_SLIP_MINUS,
                  .attracting = !rises,
                  .rate = rate.out,
@@ -90,7 +92,7 @@ static void limit_direction(const ref_machine_t *machine, const ref_affine_t *f,
 // ends; adds the change of ln rho across it to `winding`. Returns the sign of
 // turn where it is the same throughout, else 0.
 static int scan(const ref_machine_t *machine, const ref_affine_t *f, int side,
-                ref_futures_t *out, real_t *winding) {
+                ref_consistent_t *out, real_t *winding) {
   enum { POINTS = 1501 };
   const real_t from = side > 0 ? 0 : pi;
   real_t before = from;
@@ -116,7 +118,7 @@ static int scan(const ref_machine_t *machine, const ref_affine_t *f, int side,
 // Stick on the side s of g: leaves where lambda holds h' = 0 within the law
 // and g' leads to that side.
 static bool stick(const ref_machine_t *machine, const ref_affine_t *f,
-                  ref_state_t x, int s, ref_futures_t *out) {
+                  ref_state_t x, int s, ref_consistent_t *out) {
   const ref_edge_t edge = ref_edge(machine, x, s);
   if (!holds(&edge) || edge.A == 0) {
     return false;
@@ -124,10 +126,11 @@ static bool stick(const ref_machine_t *machine, const ref_affine_t *f,
   const ref_force_t force = ref_stick_force(machine, s, edge.N / edge.A);
   const real_t dg = f->g + f->g_F * force.F + f->g_M * force.M;
   if (s * dg > 0) {
-    add(out, (ref_future_t){.mode = s > 0 ? REF_STICK_PLUS : REF_STICK_MINUS,
-                            .attracting = edge.A > 0,
-                            .rate = s * dg,
-                            .angle = s > 0 ? 0 : pi});
+    add(out, (ref_consistent_mode_t){
+                 .mode = s > 0 ? REF_STICK_PLUS : REF_STICK_MINUS,
+                 .attracting = edge.A > 0,
+                 .rate = s * dg,
+                 .angle = s > 0 ? 0 : pi});
   } else {
     ++out->arriving;
   }
@@ -136,7 +139,7 @@ static bool stick(const ref_machine_t *machine, const ref_affine_t *f,
 
 // h' = g' = 0 solved for the force; it lasts only where r z stays 0.
 static void rest(const ref_machine_t *machine, const ref_affine_t *f,
-                 ref_state_t x, ref_futures_t *out) {
+                 ref_state_t x, ref_consistent_t *out) {
   const ref_machine_t *q = machine;
   const real_t det = f->h_F * f->g_M - f->h_M * f->g_F;
   if (det == 0 || x.z != 0) {
@@ -153,8 +156,8 @@ static void rest(const ref_machine_t *machine, const ref_affine_t *f,
   out->rests[REF_HEXAGON] = fabsl(M) <= kappa * q->mu && fabsl(F) <= limit;
 }
 
-void ref_futures_codim2(const ref_machine_t *machine, ref_state_t x,
-                        ref_futures_t *out) {
+void ref_consistent_codim2(const ref_machine_t *machine, ref_state_t x,
+                           ref_consistent_t *out) {
   memset(out, 0, sizeof *out);
   const ref_affine_t f = ref_affine(machine, x);
   real_t winding = 0;
@@ -169,33 +172,33 @@ void ref_futures_codim2(const ref_machine_t *machine, ref_state_t x,
   rest(machine, &f, x, out);
 }
 
-unsigned ref_futures_set(const ref_futures_t *futures, ref_law_t law) {
-  unsigned set = futures->rests[law] ? 1u << REF_PINNED : 0;
-  for (int i = 0; i < futures->count; ++i) {
-    set |= 1u << futures->list[i].mode;
+unsigned ref_consistent_set(const ref_consistent_t *consistent, ref_law_t law) {
+  unsigned set = consistent->rests[law] ? 1u << REF_PINNED : 0;
+  for (int i = 0; i < consistent->count; ++i) {
+    set |= 1u << consistent->list[i].mode;
   }
   return set;
 }
 
 // Kinds of future in the order of the rule; of slips first those that nothing
 // but one motion takes.
-static int kind_of(const ref_future_t *future) {
-  if (future->mode <= REF_SLIP_MINUS) {
-    return future->family ? 2 : 1;
+static int kind_of(const ref_consistent_mode_t *way) {
+  if (way->mode <= REF_SLIP_MINUS) {
+    return way->family ? 2 : 1;
   }
-  return future->attracting ? 0 : 3;
+  return way->attracting ? 0 : 3;
 }
 
-int ref_choose(const ref_futures_t *futures, ref_law_t law) {
+int ref_choose(const ref_consistent_t *consistent, ref_law_t law) {
   int best = REF_NONE, best_kind = 4;
-  for (int i = 0; i < futures->count; ++i) {
-    const ref_future_t *f = &futures->list[i];
+  for (int i = 0; i < consistent->count; ++i) {
+    const ref_consistent_mode_t *f = &consistent->list[i];
     const int kind = kind_of(f);
     if (kind < best_kind ||
-        (kind == best_kind && f->rate > futures->list[best].rate)) {
+        (kind == best_kind && f->rate > consistent->list[best].rate)) {
       best = i;
       best_kind = kind;
     }
   }
-  return best_kind > 0 && futures->rests[law] ? REF_REST : best;
+  return best_kind > 0 && consistent->rests[law] ? REF_REST : best;
 }
