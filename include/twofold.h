@@ -27,6 +27,6 @@
 #include "twofold/tyre.h"
 #include "twofold/wire.h"
 
-#define TF_VERSION "0.1.0"
+#define TF_VERSION "0.2.0"
 
 #endif

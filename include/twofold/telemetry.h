@@ -2,7 +2,9 @@
 /// Telemetry: the frames that go down, from the board to the host.
 /// docs/PROTOCOL.md describes their payloads byte by byte. Each function writes
 /// one complete frame into memory; sending it is up to the program, which
-/// contains only the functions that it calls.
+/// contains only the functions that it calls. The firmware in port/ sends all
+/// frames but two, which are there for other firmware: the compact frame and
+/// the frame of a parameter.
 #ifndef TWOFOLD_TELEMETRY_H
 #define TWOFOLD_TELEMETRY_H
 
@@ -139,7 +141,8 @@ TF_API size_t tf_send_state(uint8_t *wire, uint16_t *sequence,
 TF_API size_t tf_send_report(uint8_t *wire, uint16_t *sequence, uint64_t tick,
                              const tf_report_t *report);
 
-/// Frame TF_DOWN_COMPACT: r, v, w, mode and choices, for a slow line.
+/// Frame TF_DOWN_COMPACT: r, v, w, mode and choices. For firmware on a slow line,
+/// which sends it in place of state and report; `twofold monitor` reads it.
 /// Scheme: none.
 /// wire: out, TF_FRAME_SIZE(TF_COMPACT_BYTES).
 /// sequence: in/out. state, report: in.
@@ -164,7 +167,9 @@ TF_API size_t tf_send_compact(uint8_t *wire, uint16_t *sequence,
 TF_API size_t tf_send_heartbeat(uint8_t *wire, uint16_t *sequence,
                                 uint64_t tick, const tf_heartbeat_t *heartbeat);
 
-/// Frame TF_DOWN_PARAMETER.
+/// Frame TF_DOWN_PARAMETER: value, range, name and unit. For firmware whose host
+/// does not know the parameters beforehand and learns here which index a command
+/// TF_UP_PARAMETER needs.
 /// Scheme: none.
 /// wire: out, TF_FRAME_SIZE(TF_PARAMETER_BYTES).
 /// sequence: in/out. tick: in. params: in.
@@ -190,7 +195,9 @@ TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,
 TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                           tf_state_t *state);
 
-/// Reads the payload of TF_DOWN_REPORT, from a sender of the same real type.
+/// Reads the payload of TF_DOWN_REPORT, from a sender of the same real type: for
+/// a host that is written with this library, beside tf_read_state. `twofold
+/// monitor` reads both real types and has its own.
 /// Scheme: none.
 /// payload: in, TF_REPORT_BYTES. report: out, not validated.
 /// Returns: nothing.

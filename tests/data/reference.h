@@ -13,7 +13,7 @@ typedef struct {
 } reference_state_t;
 
 /* r, v and w are continuous: before is after. At h = g = 0 and at a two-fold
- * several futures may be consistent; `after` is "" where none is chosen. */
+ * several modes may be consistent; `after` is "" where none is chosen. */
 typedef struct {
   const char *before, *after;
   const char *how; /* cross enter leave roll h=g=0 two-fold */

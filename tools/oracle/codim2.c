@@ -5,14 +5,15 @@
 
 enum { CELLS = 400, HALVINGS = 120 };
 
-// R angle' at radius 0; grow becomes R'.
-static real turn_at(const machine_t *p, const ramp_t *ramp, real r, real t,
-                    real angle, real *grow) {
+// With R = sqrt(g^2 + h^2), in the limit R = 0: returns R d(angle)/dt, and puts
+// dR/dt into radial.
+static real angular_rate(const machine_t *p, const ramp_t *ramp, real r, real t,
+                         real angle, real *radial) {
   const real s = sinq(angle), c = cosq(angle);
   const piece_t piece = {s < 0 ? -1 : 1, c < 0 ? -1 : 1, zone_of(p, s, c)};
   const motion_t x = {r, 0, 0, t};
   const rates_t d = rates_of(p, ramp, &x, force_of(p, &piece, s, c));
-  *grow = d.dg * c + d.dh * s;
+  *radial = d.dg * c + d.dh * s;
   return d.dh * c - d.dg * s;
 }
 
@@ -23,22 +24,22 @@ int limit_directions(const machine_t *p, const ramp_t *ramp, real r, real t,
   const real d = (real)1e-9;
   int count = 0;
   for (int i = -2 * CELLS; i < 2 * CELLS && count < DIRECTIONS; i++) {
-    real lo = cell * i + edge, hi = cell * (i + 1) - edge, grow, ignored;
-    const int rising = turn_at(p, ramp, r, t, lo, &grow) < 0;
-    if (rising == (turn_at(p, ramp, r, t, hi, &grow) < 0)) continue;
+    real lo = cell * i + edge, hi = cell * (i + 1) - edge, radial, ignored;
+    const int rising = angular_rate(p, ramp, r, t, lo, &radial) < 0;
+    if (rising == (angular_rate(p, ramp, r, t, hi, &radial) < 0)) continue;
     for (int j = 0; j < HALVINGS; j++) {
       const real mid = (lo + hi) / 2;
-      if ((turn_at(p, ramp, r, t, mid, &grow) < 0) == rising)
+      if ((angular_rate(p, ramp, r, t, mid, &radial) < 0) == rising)
         lo = mid;
       else
         hi = mid;
     }
-    turn_at(p, ramp, r, t, lo, &grow);
+    angular_rate(p, ramp, r, t, lo, &radial);
     found[count].angle = lo;
-    found[count].speed = grow;
-    found[count++].pull = (turn_at(p, ramp, r, t, lo + d, &ignored) -
-                           turn_at(p, ramp, r, t, lo - d, &ignored)) /
-                          (2 * d);
+    found[count].speed = radial;
+    found[count++].growth = (angular_rate(p, ramp, r, t, lo + d, &ignored) -
+                             angular_rate(p, ramp, r, t, lo - d, &ignored)) /
+                            (2 * d);
   }
   return count;
 }
@@ -64,7 +65,7 @@ static int pinned_is_possible(const machine_t *p, const ramp_t *ramp,
 }
 
 // The slips that leave; of each side the one direction that a single orbit
-// takes. More than one such, or a fan of orbits, is no unique future.
+// takes. More than one such, or a fan of orbits, is no unique motion.
 static unsigned slips_that_leave(const machine_t *p, const ramp_t *ramp,
                                  const motion_t *x, direction_t out[2],
                                  int ways[2]) {
@@ -75,18 +76,18 @@ static unsigned slips_that_leave(const machine_t *p, const ramp_t *ramp,
   for (int i = 0; i < n; i++) {
     const int mode = found[i].angle > 0 ? SLIP_PLUS : SLIP_MINUS;
     if (!(found[i].speed > 0)) continue;
-    ways[mode] += found[i].pull < 0 ? 1 : 2;
-    if (found[i].pull < 0) out[mode] = found[i];
+    ways[mode] += found[i].growth < 0 ? 1 : 2;
+    if (found[i].growth < 0) out[mode] = found[i];
     set |= 1u << mode;
   }
   return set;
 }
 
-future_t future_at_codim2(const machine_t *p, const ramp_t *ramp, real r,
-                          real t, int from) {
+continuation_t continuation_at_codim2(const machine_t *p, const ramp_t *ramp,
+                                      real r, real t, int from) {
   const motion_t x = {r, 0, 0, t};
   const int slipping = from <= SLIP_MINUS;
-  future_t f = {0, -1, {0, 0, 0}, NULL};
+  continuation_t f = {0, -1, {0, 0, 0}, NULL};
   direction_t out[2];
   int ways[2], attracts[2] = {0, 0};
   f.set = slips_that_leave(p, ramp, &x, out, ways);

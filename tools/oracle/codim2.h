@@ -13,10 +13,11 @@ typedef enum {
   IS_PINNED
 } contact_t;
 
-// A limit direction of slip: speed is d/dt of sqrt(g^2 + h^2) along it, pull
-// the growth of a turn away from it per unit of the logarithmic time.
+// A limit direction of slip, where the angle atan2(h, g) does not change.
 typedef struct {
-  real angle, speed, pull; // atan2(h, g); [m/s^2]
+  real angle;  // [rad]
+  real speed;  // d/dt sqrt(g^2 + h^2) along it [m/s^2]
+  real growth; // of an orbit's angle to it; attracts where < 0 [m/s^2]
 } direction_t;
 
 enum { DIRECTIONS = 16 };
@@ -29,10 +30,10 @@ typedef struct {
   unsigned set;        // consistent modes, bits
   int mode;            // taken, or -1
   direction_t along;   // of a slip
-  const char *unknown; // why the future is not known, or NULL
-} future_t;
+  const char *unknown; // why it is not known, or NULL
+} continuation_t;
 
-future_t future_at_codim2(const machine_t *p, const ramp_t *ramp, real r,
-                          real t, int from);
+continuation_t continuation_at_codim2(const machine_t *p, const ramp_t *ramp,
+                                      real r, real t, int from);
 
 #endif

@@ -9,7 +9,7 @@ typedef struct {
   motion_t x;
   real h, g;
   course_t *out;
-  int over; // the future is not known any more
+  int over; // how the motion goes on is not known
 } course_run_t;
 
 const char *const contact_names[5] = {"slip+", "slip-", "stick+", "stick-",
@@ -85,7 +85,8 @@ static void go_through_codim2(course_run_t *c) {
     finish(c, "stick runs through r = 0");
     return;
   }
-  const future_t f = future_at_codim2(c->p, &c->ramp, c->x.r, c->x.t, c->mode);
+  const continuation_t f =
+      continuation_at_codim2(c->p, &c->ramp, c->x.r, c->x.t, c->mode);
   c->x.p = c->x.z = c->h = c->g = 0;
   if (f.unknown) {
     enter(c, -1, "h=g=0");

@@ -36,7 +36,7 @@ typedef struct {
 
 typedef struct {
   state_t at;
-  int before, after; // contact_t; after < 0: the end of a unique future
+  int before, after; // contact_t; after < 0: the motion is not unique any more
   const char *how;   // "cross" "enter" "leave" "h=g=0" "two-fold" "roll"
 } event_t;
 

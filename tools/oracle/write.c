@@ -45,7 +45,7 @@ void write_index(FILE *out, const problem_t list[], int n) {
       "} reference_state_t;\n\n"
       "/* r, v and w are continuous: before is after. At h = g = 0 and at a"
       " two-fold\n"
-      " * several futures may be consistent; `after` is \"\" where none is"
+      " * several modes may be consistent; `after` is \"\" where none is"
       " chosen. */\n"
       "typedef struct {\n"
       "  const char *before, *after;\n"

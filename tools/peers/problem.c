@@ -1,9 +1,9 @@
-// Two problems near scene `chaos`: one passes h = g = 0, where the future is
-// chosen, the other crosses h = 0 again and again from slip to slip.
+// Two problems near scene `chaos`: one passes h = g = 0, where the motion is
+// not unique, the other crosses h = 0 again and again from slip to slip.
 //
 // A wheel that stays pinned at h = g = 0 ends 0.0126 away from the reference of
-// the first: half of it is where a run counts as another branch. The other
-// futures were not followed to the end. The second problem has one future; a
+// the first: an error above half of it counts as another branch. The other
+// branches were not followed to the end. The second problem has one solution; a
 // run that is 0.5 off has met other switches.
 #include "problem.h"
 

@@ -12,7 +12,7 @@ typedef struct {
   int side;            // sign of h at the start
   double t_end;        // [s]
   double end[3];       // reference r, v, w at t_end
-  double branch_error; // an error above it is another future
+  double branch_error; // an error above it is another branch
 } problem_t;
 
 #define PROBLEMS 2

@@ -99,7 +99,7 @@ class Bench:
                    "than the shortest stick. Its instructions wait longer, "
                    f"though: {rk4_ns / rk4:.2f} ns each, those of the Moreau "
                    f"step {own_ns / step:.2f} ns. Nor does it find what the "
-                   "Moreau step finds, all futures.")
+                   "Moreau step finds, all consistent modes.")
 
 
 class Ensembles:
