@@ -22,7 +22,7 @@ typedef struct {
 } events_t;
 
 typedef struct {
-  point_t y;
+  point_t y, dy; // state and its rates
   contact_t contact;
   long steps;
   int switches;
@@ -78,16 +78,19 @@ static inline switch_t passed(const model_t *k, contact_t c, point_t end) {
   return NOWHERE;
 }
 
-// The length at which the step from y meets the switch; *end: the state there.
-static inline real_t locate(const model_t *k, advance_t *advance, contact_t c,
-                            switch_t at, point_t y, point_t dy, real_t t,
+// The length at which a step of length t, which ends in *end, meets the switch;
+// *end is then the state there.
+static inline real_t locate(const model_t *k, advance_t *advance,
+                            const motion_t *x, switch_t at, real_t t,
                             point_t *end) {
-  const real_t e0 = margin(k, c, at, y), s0 = margin_rate(k, c, at, y, dy);
+  const contact_t c = x->contact;
+  const real_t e0 = margin(k, c, at, x->y);
+  const real_t s0 = margin_rate(k, c, at, x->y, x->dy);
   const point_t rate = contact_rates(k, c, *end);
   real_t length = t * cubic_root(e0, margin(k, c, at, *end), t * s0,
                                  t * margin_rate(k, c, at, *end, rate));
   for (int i = 0; i < 8; i++) {
-    *end = advance(k, c, y, dy, length).end;
+    *end = advance(k, c, x->y, x->dy, length).end;
     const point_t last = contact_rates(k, c, *end);
     const real_t rest =
         -margin(k, c, at, *end) / margin_rate(k, c, at, *end, last);
@@ -141,9 +144,9 @@ static inline real_t growth(const events_t *by, point_t y, point_t end_rate,
 // One step of length <= *t, up to the next switch if there is one. Returns 0
 // where its error is too large; *t is then shorter.
 static inline int events_step(const model_t *k, advance_t *advance,
-                              const events_t *by, motion_t *x, point_t *dy,
-                              real_t *t, real_t *dt) {
-  const step_t step = advance(k, x->contact, x->y, *dy, *t);
+                              const events_t *by, motion_t *x, real_t *t,
+                              real_t *dt) {
+  const step_t step = advance(k, x->contact, x->y, x->dy, *t);
   point_t end = step.end, rate = contact_rates(k, x->contact, end);
   if (by->tol > 0) {
     const real_t grow = growth(by, x->y, rate, step.error, *t);
@@ -157,7 +160,7 @@ static inline int events_step(const model_t *k, advance_t *advance,
   switch_t at = NOWHERE, next = passed(k, x->contact, end);
   while (next != NOWHERE && next != at) {
     at = next;
-    *t = locate(k, advance, x->contact, at, x->y, *dy, *t, &end);
+    *t = locate(k, advance, x, at, *t, &end);
     next = passed(k, x->contact, end);
   }
   x->y = end;
@@ -166,7 +169,7 @@ static inline int events_step(const model_t *k, advance_t *advance,
     change(k, at, x);
     rate = contact_rates(k, x->contact, x->y);
   }
-  *dy = rate;
+  x->dy = rate;
   return 1;
 }
 
@@ -179,22 +182,22 @@ static inline motion_t events_run(const model_t *k, advance_t *advance,
          dt = by->tol > 0 ? by->dt / 100 : by->dt;
   x.contact.side = problem->side;
   x.contact.roll = rolling(k, x.y) < 0 ? -1 : 1;
-  point_t dy = contact_rates(k, x.contact, x.y);
+  x.dy = contact_rates(k, x.contact, x.y);
   for (long tries = 0; left > 0 && !x.lost && tries < MOST; tries++) {
     // What remains after rounding is not worth a step of its own.
     real_t t = left < dt * (real_t)1.000001 ? left : dt;
     if (x.contact.side) {
-      const real_t fall = time_to_fall(k, x.y, dy);
+      const real_t fall = time_to_fall(k, x.y, x.dy);
       if (fall > 0 && fall < by->near) {
         left -= fall;
-        x.lost = !capture(k, dy, fall, &x.y, &x.contact);
-        dy = contact_rates(k, x.contact, x.y);
+        x.lost = !capture(k, x.dy, fall, &x.y, &x.contact);
+        x.dy = contact_rates(k, x.contact, x.y);
         x.switches++;
         continue;
       }
       if (fall > 0 && t > fall * by->share) t = fall * by->share;
     }
-    if (events_step(k, advance, by, &x, &dy, &t, &dt)) left -= t;
+    if (events_step(k, advance, by, &x, &t, &dt)) left -= t;
   }
   x.lost |= !(left <= 0);
   return x;

@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "reference.h"
+#include "solutions.h"
 
 static tf_params_t chaos_params(void) {
   int i = 0;

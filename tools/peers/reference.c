@@ -1,5 +1,5 @@
-// Makes the numbers of reference.h anew, in long double and at two steps, and
-// fails where they have moved: reference.h is data, this is where it is from.
+// Makes the numbers of solutions.h anew, in long double and at two steps, and
+// fails where they have moved: solutions.h is data, this is where it is from.
 // With an argument it writes the problems there for peers that are not written
 // in C: a line of names, then a line of numbers for each.
 #define PEER_LONG

@@ -3,8 +3,8 @@
 /// double, order five, every switch located, equal to 16 digits when the step
 /// is halved. tests/support/orbit.c gives the first one too, in other
 /// variables.
-#ifndef TWOFOLD_PEERS_REFERENCE_H
-#define TWOFOLD_PEERS_REFERENCE_H
+#ifndef TWOFOLD_PEERS_SOLUTIONS_H
+#define TWOFOLD_PEERS_SOLUTIONS_H
 
 // clang-format off
 #define REFERENCE_CHAOS \
