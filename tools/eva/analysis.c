@@ -1,10 +1,8 @@
-// Analysis and text, on any machine, point and number.
+// Analysis of any machine and point.
 #include "any.h"
-#include "link/decimal.h"
 #include "twofold/design.h"
 #include "twofold/singularity.h"
 #include "twofold/surface.h"
-#include "twofold/text.h"
 
 void surface_any(void);
 void surface_any(void) {
@@ -29,14 +27,4 @@ void two_folds_any(void) {
   tf_normal_form(&machine, &input, &place, &form);
   tf_design_two_fold(&machine, &input, any_real(), any_real(), &design);
   //@ check reached: \false;
-}
-
-void text_any(void);
-void text_any(void) {
-  char number[DECIMAL_SIZE], row[TF_TEXT_ROW_ROOM];
-  const tf_state_t state = any_state();
-  tf_report_t report;
-  ANY_BITS(report);
-  tf_decimal(number, any_real());
-  tf_text_row(row, &state, &report);
 }
