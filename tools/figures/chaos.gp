@@ -17,8 +17,8 @@ set multiplot layout 1,2 margins 0.09,0.97,0.26,0.95 spacing 0.12
 set grid lc rgb '#dddddd'
 set xlabel 'time t [s]'
 set ylabel 'slider displacement r [m]' offset 1
-plot for [i=1:modes] csv every ::1 \
-  using 1:(strcol(9) eq name[i] ? $2 : NaN) \
+plot for [i=1:modes] csv \
+  using 't':(strcol('mode') eq name[i] ? column('r') : NaN) \
   with points pt 7 ps size[i] lc rgb colour[i] notitle, \
   for [i=1:modes] keyentry with points pt 7 ps 1.2 lc rgb colour[i] \
   title name[i]
@@ -26,8 +26,8 @@ set xlabel 'slider displacement r [m]'
 set ylabel 'disc speed omega [rad/s]' offset 1
 set label 1 'two-fold' at 0.1859,-1.037 front \
   point pt 2 ps 1.2 lw 2 offset 0.8,-0.6
-plot for [i=1:modes] csv every ::1 \
-  using 2:(strcol(9) eq name[i] ? $4 : NaN) \
+plot for [i=1:modes] csv \
+  using 'r':(strcol('mode') eq name[i] ? column('omega') : NaN) \
   with points pt 7 ps size[i] lc rgb colour[i] notitle, \
   for [i=1:modes] keyentry with points pt 7 ps 1.2 lc rgb colour[i] \
   title name[i]

@@ -2,19 +2,7 @@
 # where the exit is drawn at a constant rate (10 1/s), side by side evenly.
 wide = 1500; high = 1200
 @OPEN
-csv = data.'/exits-random.csv'
-# time, phase and +1 or -1 of those that pass the section in slip
-phases = "< awk -F, 'NR > 1 && $8 != \"\" { print $3, $8, $7 == \"slip+\" ? 1 " \
-  .": -1 }' '".csv."'"
-sorted = "< awk -F, 'NR > 1 { print $3 }' '".csv."' | sort -g | awk " \
-  ."'{ v[NR] = $1 } END { for (i = 1; i <= NR; i += 20) print v[i], i / NR }'"
-bins = "< awk -F, 'NR > 1 && $8 != \"\" { b[int($8 * 10)]++; n++ } END { " \
-  ."for (i = 0; i < 10; i++) print i / 10 + 0.05, b[i] / n, " \
-  ."1.96 * sqrt(b[i] / n * (1 - b[i] / n) / n) }' '".csv."'"
-place = "< awk -F, 'NR > 1 && $6 == \"slip+\" { print $7, $8 }' '" \
-  .data."/branches.csv'"
-some = "< awk -F, 'NR > 1 && NR % 10 == 0 { print $3, $4, $7 == \"slip+\" ? 1 " \
-  .": -1 }' '".csv."'"
+f = data.'/exits.curves.dat'
 set multiplot
 unset key
 set grid lc rgb '#dddddd'
@@ -27,16 +15,16 @@ set xlabel 'time from the two-fold to the exit [s]'
 set ylabel 'share that has left [1]' offset 0.5
 set yrange [0:1]
 set ytics 0.25
-plot sorted using 1:2 with lines lw 7 lc rgb grey, \
+plot f index 'when' using 1:2 with lines lw 7 lc rgb grey, \
   1 - exp(-10*x) with lines lw 2 dt (6,4) lc rgb black
 set lmargin at screen 0.60; set rmargin at screen 0.975
 set title '(b) where' offset 0,-0.4
 set ylabel 'exit at r [m]' offset 0
 set yrange [0.182:0.186]
 set ytics 0.001
-plot place using 1:2 with lines lw 2 lc rgb black, \
-  some using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.9*P lc rgb red, \
-  some using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 1.3*P lw 1.5 lc rgb blue
+plot f index 'stick' using 1:2 with lines lw 2 lc rgb black, \
+  f index 'where' using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.9*P lc rgb red, \
+  f index 'where' using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 1.3*P lw 1.5 lc rgb blue
 set lmargin at screen 0.10; set rmargin at screen 0.475
 set bmargin at screen 0.10; set tmargin at screen 0.425
 set title '(c) in which phase, by the time' offset 0,-0.4
@@ -45,8 +33,8 @@ set xtics 0.01
 set ylabel 'phase 1 mm behind the two-fold [1]' offset 0.5
 set yrange [0:1]
 set ytics 0.25
-plot phases using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.7*P lc rgb red, \
-  phases using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 0.9*P lw 1.5 \
+plot f index 'phase' using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.7*P lc rgb red, \
+  f index 'phase' using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 0.9*P lw 1.5 \
     lc rgb blue
 set lmargin at screen 0.60; set rmargin at screen 0.975
 set title '(d) in which phase, all' offset 0,-0.4
@@ -58,7 +46,7 @@ set yrange [0:0.3]
 set ytics 0.1
 set style fill solid 0.35 border
 set boxwidth 0.09
-plot bins using 1:2:3 with boxerrorbars lw 2 lc rgb blue, \
+plot f index 'bins' using 1:2:3 with boxerrorbars lw 2 lc rgb blue, \
   0.1 with lines lw 2 dt (6,4) lc rgb black
 @KEYROW
 plot -1 notitle, keyentry with points pt 7 ps 1.5*P lc rgb red \

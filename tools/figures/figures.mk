@@ -122,17 +122,33 @@ $(figdir)/loop.dat: $(lists) $(paths) $(figdir)/branches.csv \
 	$(call quietly,$(lists) loop $(figdir)/branches.csv | \
 	  $(paths) $(two) 2e-4 0.01)
 
+# NAME.curves.dat, what curves.py picks out of data for the figure NAME:
+# $(call by-curves,NAME,DATA)
+curves := tools/figures/curves.py
+define by-curves
+$(figdir)/$(1).curves.dat: $(curves) $(2:%=$(figdir)/%) tools/figures/figures.mk
+	$$(call quietly,$$< $(1) $(figdir))
+endef
+$(eval $(call by-curves,exits,returns-random.csv branches.csv))
+$(eval $(call by-curves,normal,branches.csv))
+$(eval $(call by-curves,perturbations,$(KINDS:%=returns-%.csv)))
+$(eval $(call by-curves,regions,branches.csv))
+$(eval $(call by-curves,return,returns-random.csv branches.csv))
+$(eval $(call by-curves,set,set.dat))
+$(eval $(call by-curves,surface,fans.dat))
+
 # What each picture is made of.
 needs = $(foreach e,svg png,$(figdir)/$(1).$(e)): $(2:%=$(figdir)/%)
-$(call needs,surface,fans.dat)
+$(call needs,surface,surface.curves.dat)
 $(call needs,atlas,atlas.csv two-fold.dat)
 $(call needs,normal,orbits.dat straight.dat numbers.dat loop.dat \
-  branches.csv two-fold.dat)
-$(call needs,regions,regions.csv borders.dat flow.dat branches.csv \
-  two-fold.dat)
-$(call needs,set,set.dat borders.dat two-fold.dat)
+  normal.curves.dat two-fold.dat)
+$(call needs,regions,regions.csv borders.dat flow.dat \
+  regions.curves.dat two-fold.dat)
+$(call needs,set,set.curves.dat borders.dat two-fold.dat)
 $(call needs,tyre,tyre.dat)
-$(call needs,exits,returns-random.csv branches.csv)
-$(call needs,return,returns-random.csv branches.csv)
-$(call needs,perturbations,$(KINDS:%=returns-%.csv))
+$(call needs,exits,exits.curves.dat)
+$(call needs,return,return.curves.dat)
+$(call needs,perturbations,perturbations.curves.dat \
+  $(KINDS:%=returns-%.csv))
 $(call needs,portrait,directions.dat angular.dat corner.dat)

@@ -47,14 +47,16 @@ set xlabel 'slider displacement r [m]'
 set ylabel 'disc speed ω [rad/s]' offset 0
 set label 1 'two-fold' at r_star,w_star front point pt 7 ps 1.6*P lc rgb black \
   offset 0.6,1.3 center
-loop(i, m) = sprintf("< awk '/^#/ { k++ } k == %d && /^[0-9]/ { print ($6 == " \
-  ."%d || last == %d ? $2 : \"NaN\"), $3; last = $6 }' %s", i, m, m, \
-  data.'/loop.dat')
-stay = "< awk -F, 'NR == 2 { print $4, $5 } NR > 1 && $7 <= 0.28 " \
-  ."{ print $8, $9 }' ".data."/branches.csv"
-plot stay using 1:2 with lines lw 4 lc rgb mode_colour[3], \
-  for [m=1:4] loop(1, m) using 1:2 with lines lw 1.5 lc rgb mode_colour[m], \
-  for [m=1:4] loop(2, m) using 1:2 with lines lw 4 lc rgb mode_colour[m]
+f = data.'/loop.dat'
+# r where a motion is in mode m, and where it has just left it.
+in_mode(m) = (before = $0 == 0 ? 0 : now, now = $6, \
+  now == m || before == m ? $2 : NaN)
+plot data.'/normal.curves.dat' index 'stick' using 1:2 with lines lw 4 \
+    lc rgb mode_colour[3], \
+  for [m=1:4] f index 0 using (in_mode(m)):3 with lines lw 1.5 \
+    lc rgb mode_colour[m], \
+  for [m=1:4] f index 1 using (in_mode(m)):3 with lines lw 4 \
+    lc rgb mode_colour[m]
 @KEYROW
 plot -1 notitle, \
   keyentry with lines lw 2.5 lc rgb orange title '(a) true stick', \

@@ -8,7 +8,7 @@ set lmargin at screen 0.08; set rmargin at screen 0.465
 set bmargin at screen 0.135; set tmargin at screen 0.80
 set border 15 lw 1.5
 f = data.'/corner.dat'
-r0 = system("awk '{ print $3; exit }' ".f) + 0
+r0 = real(word(system("head -n 1 ".f), 3)) # of its line `# r NUMBER`
 set title sprintf('(a) slip in the plane of (g, h), r = %g m', r0) \
   offset 0,-0.4
 set xrange [-1:1]; set yrange [-1:1]
@@ -16,18 +16,16 @@ set xtics 0.5; set ytics 0.5
 set xlabel 'rolling speed g [any unit]'
 set ylabel 'lateral speed h [the same]' offset 1.5
 set angles degrees
-at = sprintf("< awk '$1 == %g' %s/directions.dat", r0, data)
-ends = sprintf("< awk 'BEGIN { print -1, 0, 0; print 0, 0, 1 }'")
-plot ends using 1:($3 == 0 ? 0 : 1/0):(1):(0) with vectors nohead lw 7 \
+at = data.'/directions.dat'
+plot '+' using (-1):(0):(1):(0) every ::0::0 with vectors nohead lw 7 \
     lc rgb green, \
-  ends using 1:($3 == 1 ? 0 : 1/0):(1):(0) with vectors nohead lw 7 \
-    lc rgb grey, \
+  '+' using (0):(0):(1):(0) every ::0::0 with vectors nohead lw 7 lc rgb grey, \
   f using 1:2 with lines lw 1.8 lc rgb '#444444', \
   f using 1:($3 != 0 || $4 != 0 ? $2 : 1/0):3:4 with vectors head filled \
     size screen 0.012,22,90 fixed lw 1.5 lc rgb '#444444', \
-  at using ($3 < 0 ? 1.5*cos($2) : 1/0):(1.5*sin($2)):(-1.5*cos($2)): \
+  at using ($1 == r0 && $3 < 0 ? 1.5*cos($2) : 1/0):(1.5*sin($2)):(-1.5*cos($2)): \
     (-1.5*sin($2)) with vectors nohead lw 4 lc rgb blue, \
-  at using (0):($3 > 0 ? 0 : 1/0):(1.5*cos($2)):(1.5*sin($2)) \
+  at using (0):($1 == r0 && $3 > 0 ? 0 : 1/0):(1.5*cos($2)):(1.5*sin($2)) \
     with vectors nohead lw 4 lc rgb red
 set lmargin at screen 0.58; set rmargin at screen 0.975
 set title '(b) limit directions at every r' offset 0,-0.4

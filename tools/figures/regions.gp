@@ -30,23 +30,18 @@ set label 5 'C down' at 0.235,-1.025 front
 set label 6 'C up' at 0.115,-1.10 front
 flow = data.'/flow.dat'
 border = data.'/borders.dat'
-set datafile separator ','
+set datafile separator ', ' # csv and dat in one plot
 csv = data.'/regions.csv'
-branch = "< awk -F, 'NR > 1 && $6 == \"slip+\" { print $8 \",\" $9 }' " \
-  .data.'/branches.csv'
-white = "< awk '{ if (NF) print $1 \",\" $2 \",\" $3 \",\" $4 \",\" $5; " \
-  ."else print \"\" }' ".flow
-lines(i) = sprintf("< awk '!NF { if (was) k++; was = 0; next } { was = 1 } " \
-  ."k == %d { print $1 \",\" $2 }' %s", i, border)
+stick = data.'/regions.curves.dat'
 plot csv using 'r':'omega':(region(strcol('region'))) with image, \
-  white using 1:($3 > 0 ? $2 : NaN) with lines lw 1.3 lc rgb '#444444', \
-  white using 1:($3 < 0 ? $2 : NaN) with lines lw 1.8 dt (6,4) \
+  flow using 1:($3 > 0 ? $2 : NaN) with lines lw 1.3 lc rgb '#444444', \
+  flow using 1:($3 < 0 ? $2 : NaN) with lines lw 1.8 dt (6,4) \
     lc rgb '#444444', \
-  white using 1:($4 != 0 || $5 != 0 ? $2 : NaN):4:5 with vectors \
+  flow using 1:($4 != 0 || $5 != 0 ? $2 : NaN):4:5 with vectors \
     head filled size screen 0.012,22,90 fixed lw 1.5 lc rgb '#444444', \
-  for [i=0:2:2] lines(i) using 1:2 with lines lw 4 lc rgb red, \
-  for [i=1:3:2] lines(i) using 1:2 with lines lw 4 lc rgb blue, \
-  branch using 1:2 with lines lw 4 lc rgb green
+  for [i=0:2:2] border index i using 1:2 with lines lw 4 lc rgb red, \
+  for [i=1:3:2] border index i using 1:2 with lines lw 4 lc rgb blue, \
+  stick using 1:2 with lines lw 4 lc rgb green
 @KEYROW
 plot -1 notitle, \
   keyentry with lines lw 2 lc rgb '#444444' title 'stick', \

@@ -2,14 +2,10 @@
 # region, and from there to the two-fold.
 wide = 1600; high = 820
 @OPEN
-# exit time, landing r, return time, landings; every fifth sample
-pair = "< paste -d, '".data."/exits-random.csv' '".data."/returns-random.csv'" \
-  ." | awk -F, 'NR > 1 && $17 != \"\" && NR % 5 == 0 { print $3, $17, $13, $18 }'"
-first = "< awk -F, 'NR > 1 && $10 == \"corner\" { print $7, ($6 == \"slip+\" ? " \
-  ."1 : -1), $13 }' ".data."/branches.csv"
+f = data.'/return.curves.dat'
 # Where the stick from the two-fold comes to rest if it never ends.
-rest = system("awk -F, '$6 == \"slip+\" { r = $8 } END { print r }' " \
-  .data."/branches.csv") + 0
+stats f index 'rest' using 1 nooutput
+rest = STATS_max
 set multiplot
 unset key
 set bmargin at screen 0.165
@@ -25,10 +21,10 @@ set ytics 0.0005
 set format y '%.4f'
 set xlabel 'time from the two-fold to the exit [s]'
 set ylabel 'landing on upper sliding at r [m]' offset 0.2
-plot pair using 1:2 with points pt 7 ps 0.6*P lc rgb grey, \
-  first using 1:($2 > 0 && $1 < 0.4 ? $3 : 1/0) with points pt 7 ps 0.8*P \
+plot f index 'sampled' using 1:2 with points pt 7 ps 0.6*P lc rgb grey, \
+  f index 'branches' using 1:($2 > 0 && $1 < 0.4 ? $3 : 1/0) with points pt 7 ps 0.8*P \
     lc rgb red, \
-  first using 1:($2 < 0 && $1 < 0.4 ? $3 : 1/0) with points pt 5 ps 0.7*P \
+  f index 'branches' using 1:($2 < 0 && $1 < 0.4 ? $3 : 1/0) with points pt 5 ps 0.7*P \
     lc rgb blue, \
   rest with lines lw 3 dt (6,4) lc rgb black
 set lmargin at screen 0.60
@@ -44,9 +40,9 @@ set format y '%g'
 set xlabel 'first landing at r [m]'
 set ylabel 'exit to return [s]' offset 0.5
 set arrow 1 from rest,1.5 to rest,200 nohead lw 3 dt (6,4) lc rgb black front
-plot pair using 2:($4 == 1 ? $3 : 1/0) with points pt 7 ps 0.8*P lc rgb green, \
-  pair using 2:($4 == 2 ? $3 : 1/0) with points pt 5 ps 0.7*P lc rgb orange, \
-  pair using 2:($4 > 2 ? $3 : 1/0) with points pt 9 ps 0.9*P lc rgb pink
+plot f index 'sampled' using 2:($4 == 1 ? $3 : 1/0) with points pt 7 ps 0.8*P lc rgb green, \
+  f index 'sampled' using 2:($4 == 2 ? $3 : 1/0) with points pt 5 ps 0.7*P lc rgb orange, \
+  f index 'sampled' using 2:($4 > 2 ? $3 : 1/0) with points pt 9 ps 0.9*P lc rgb pink
 @KEYROW
 plot -1 notitle, keyentry with points pt 7 ps 1.5*P lc rgb red \
     title '(a) exit by slip+', \

@@ -13,15 +13,10 @@ set ztics 50
 set border 4095 lw 1
 set xyplane at -30
 set multiplot
-# Points of one mode, with a gap where it ends.
-mode(m) = sprintf("< awk 'function out() { print $2, $3, $4 * 1e6 } " \
-  ."/^#/ { print \"\"; last = 0; next } !NF { next } " \
-  ."$6 == %d || last == %d { out() } $6 != %d && last == %d { print \"\" } " \
-  ."{ last = $6 }' %s", m, m, m, m, data.'/set.dat')
+f = data.'/set.curves.dat'
+border = data.'/borders.dat'
 array turn[2] = [40, 130]
-edge(i) = sprintf("< awk '!NF { if (was) k++; was = 0; next } { was = 1 } " \
-  ."k == %d && $1 > 0.1815 && $1 < 0.1885 && $2 > -1.055' %s", i, \
-  data.'/borders.dat')
+drawn(r, w) = r > 0.1815 && r < 0.1885 && w > -1.055
 unset key
 do for [i=1:2] {
   set origin 0.5 * (i - 1), 0.02
@@ -33,9 +28,9 @@ do for [i=1:2] {
   set xlabel 'r [m]' offset 0,-0.8
   set ylabel 'ω [rad/s]' offset 0,-0.8
   set zlabel 'h [µm/s]' rotate by 90 offset 0
-  splot edge(0) using 1:2:(0) with lines lw 3 lc rgb grey, \
-    edge(1) using 1:2:(0) with lines lw 3 lc rgb grey, \
-    for [m=1:4] mode(m) using 1:2:3 with lines lw (m < 3 ? 0.8 : 3) \
+  splot for [i=0:1] border index i using (drawn($1,$2) ? $1 : NaN):2:(0) \
+      with lines lw 3 lc rgb grey, \
+    for [m=1:4] f index sprintf('mode %d', m) using 1:2:3 with lines lw (m < 3 ? 0.8 : 3) \
       lc rgb mode_colour[m], \
     '+' using (r_star):(w_star):(0) every ::0::0 with points pt 7 ps 2*P \
       lc rgb black

@@ -12,10 +12,9 @@ set ytics 5
 set xlabel 'time t [ms]'
 set style line 1 lc rgb red lw 3.5
 set style line 2 lc rgb blue lw 3.5
-# Blocks of one name on one side of h = 0, or on both (side 0).
-rows(what, side) = sprintf("< awk -v n='%s' -v s=%d '/^#/ { on = $2 == n } " \
-  ."!NF { print } on && /^[0-9]/ { if (s == 0 || s * $4 > 1e-11) print $1, $4; " \
-  ."else print \"\" }' %s", what, side, data.'/fans.dat')
+f = data.'/surface.curves.dat'
+# On one side of h = 0, or on both (side 0).
+of(what, side) = sprintf('%s %d', what, side)
 do for [i=1:3] {
   set lmargin at screen 0.075 + 0.31 * (i - 1)
   set rmargin at screen 0.075 + 0.31 * (i - 1) + 0.28
@@ -30,8 +29,9 @@ do for [i=1:3] {
   }
   set label 1 'h = 0' at 1.98,1.2 right front tc rgb black
   plot 0 with lines lw (i == 1 ? 2 : 7) lc rgb (i == 1 ? black : grey), \
-    rows(name[i], i == 1 ? 0 : 1) using ($1*1e3):($2*1e6) with lines ls 1, \
-    rows(name[i], -1) using ($1*1e3):($2*1e6) with lines ls 2
+    f index of(name[i], i == 1 ? 0 : 1) using ($1*1e3):($2*1e6) \
+      with lines ls 1, \
+    f index of(name[i], -1) using ($1*1e3):($2*1e6) with lines ls 2
 }
 @KEYROW
 plot -1 notitle, keyentry with lines ls 1 title 'slip at h > 0, f_+', \
