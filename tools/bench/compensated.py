@@ -80,7 +80,6 @@ class Programs:
 
 
 def main() -> None:
-    """Prints all tables."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -147,7 +147,6 @@ def first_line(compiler: str) -> str:
 
 
 def main() -> None:
-    """Prints the report."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

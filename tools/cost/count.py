@@ -62,7 +62,6 @@ class Counter:
 
 
 def main() -> None:
-    """Prints the assembly that counts."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -41,7 +41,6 @@ def linear(found: dict[int, int]) -> str:
 
 
 def main() -> None:
-    """Prints the figures."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -90,7 +90,6 @@ def read_figures(path: str) -> dict[tuple[str, str], list[str]]:
 
 
 def main() -> None:
-    """Reads the headers, or writes them."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

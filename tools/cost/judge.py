@@ -68,7 +68,6 @@ def too_much(claims: Claims, ways: dict[str, Optional[int]],
 
 
 def main() -> int:
-    """Prints what is wrong."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -240,7 +240,6 @@ def plain(name: str) -> str:
 
 
 def main() -> int:
-    """Prints the ways of all functions of the core."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -68,7 +68,6 @@ def most_expensive(work: Path) -> Iterable[str]:
 
 
 def main() -> None:
-    """Prints the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("work", type=Path, help="folder of tools/cost/run")
     parser.add_argument("check", type=Path, help="folder of check `stack`")

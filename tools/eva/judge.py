@@ -122,7 +122,6 @@ def wrong(explained: Explained, runs: list[Run]) -> Iterable[str]:
 
 
 def main() -> int:
-    """Prints what is wrong and how much was looked at."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

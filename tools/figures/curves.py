@@ -155,7 +155,6 @@ FIGURES: dict[str, Callable[[Path], Curves]] = {
 
 
 def main() -> None:
-    """Prints the curves of one figure."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

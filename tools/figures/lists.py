@@ -65,7 +65,6 @@ def loop(branches: list[read.Row]) -> Iterator[str]:
 
 
 def main() -> None:
-    """Prints a list."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

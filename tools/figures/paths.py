@@ -76,7 +76,6 @@ def trajectory(given: argparse.Namespace, start: read.Row) -> Iterator[str]:
 
 
 def main() -> None:
-    """Prints all trajectories."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

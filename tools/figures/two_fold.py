@@ -8,7 +8,6 @@ import sys
 
 
 def main() -> int:
-    """Prints the assignments."""
     for place in json.load(sys.stdin)["two_folds"]:
         if place["case"] == 1:
             print(f"r_star = {place['r']}\nw_star = {place['omega']}")

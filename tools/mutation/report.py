@@ -50,7 +50,6 @@ def total(log: list[read.Row]) -> str:
 
 
 def main() -> None:
-    """Prints the report."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -103,7 +103,6 @@ def line(settings: list[Setting]) -> str:
 
 
 def main() -> None:
-    """Writes the CSV file, prints the table."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -157,7 +157,6 @@ class Report:
 
 
 def main() -> None:
-    """Prints the report."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

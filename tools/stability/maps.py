@@ -95,7 +95,6 @@ def draw(cells: Cells, sweeps: list[Sweep], combo: str, out: Path) -> None:
 
 
 def main() -> None:
-    """Draws all maps."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -283,7 +283,6 @@ def preface(stamp: str) -> str:
 
 
 def main() -> int:
-    """Prints the report."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--stamp", required=True,
                         help="what was measured: COMMIT; COMPILER")

@@ -24,7 +24,6 @@ def column(path: str, name: str) -> list[float]:
 
 
 def main() -> None:
-    """Prints one line."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

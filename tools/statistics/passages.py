@@ -46,7 +46,6 @@ def passages(exits: str, returns: str, arrival: float) -> Iterator[Passage]:
 
 
 def main() -> None:
-    """Prints the passages."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

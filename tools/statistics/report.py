@@ -286,7 +286,6 @@ def machines(program: str) -> str:
 
 
 def main() -> None:
-    """Prints the report."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)

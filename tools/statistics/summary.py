@@ -81,7 +81,6 @@ def phase_bins(rows: list[read.Row]) -> list[int]:
 
 
 def main() -> None:
-    """Prints the summary."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)
