@@ -141,8 +141,9 @@ TF_API size_t tf_send_state(uint8_t *wire, uint16_t *sequence,
 TF_API size_t tf_send_report(uint8_t *wire, uint16_t *sequence, uint64_t tick,
                              const tf_report_t *report);
 
-/// Frame TF_DOWN_COMPACT: r, v, w, mode and choices. For firmware on a slow line,
-/// which sends it in place of state and report; `twofold monitor` reads it.
+/// Frame TF_DOWN_COMPACT: r, v, w, mode and choices. For firmware on a slow
+/// line, which sends it in place of state and report; `twofold monitor` reads
+/// it.
 /// Scheme: none.
 /// wire: out, TF_FRAME_SIZE(TF_COMPACT_BYTES).
 /// sequence: in/out. state, report: in.
