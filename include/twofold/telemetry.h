@@ -168,9 +168,9 @@ TF_API size_t tf_send_compact(uint8_t *wire, uint16_t *sequence,
 TF_API size_t tf_send_heartbeat(uint8_t *wire, uint16_t *sequence,
                                 uint64_t tick, const tf_heartbeat_t *heartbeat);
 
-/// Frame TF_DOWN_PARAMETER: value, range, name and unit. For firmware whose host
-/// does not know the parameters beforehand and learns here which index a command
-/// TF_UP_PARAMETER needs.
+/// Frame TF_DOWN_PARAMETER: value, range, name and unit. For firmware whose
+/// host does not know the parameters beforehand and learns here which index a
+/// command TF_UP_PARAMETER needs.
 /// Scheme: none.
 /// wire: out, TF_FRAME_SIZE(TF_PARAMETER_BYTES).
 /// sequence: in/out. tick: in. params: in.
@@ -196,8 +196,8 @@ TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,
 TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                           tf_state_t *state);
 
-/// Reads the payload of TF_DOWN_REPORT, from a sender of the same real type: for
-/// a host that is written with this library, beside tf_read_state. `twofold
+/// Reads the payload of TF_DOWN_REPORT, from a sender of the same real type:
+/// for a host that is written with this library, beside tf_read_state. `twofold
 /// monitor` reads both real types and has its own.
 /// Scheme: none.
 /// payload: in, TF_REPORT_BYTES. report: out, not validated.

@@ -138,8 +138,8 @@ def motions(folder: Path) -> Curves:
 def surface(folder: Path) -> Curves:
     """Trajectories near h = 0, on either side of it; those that cross whole."""
     paths = list(trajectories(folder / "fans.dat"))
-    for what, sign in (("crossing", 0), ("crossing", -1), ("sliding", 1), ("sliding", -1),
-                       ("escaping", 1), ("escaping", -1)):
+    for what, sign in (("crossing", 0), ("crossing", -1), ("sliding", 1),
+                       ("sliding", -1), ("escaping", 1), ("escaping", -1)):
         lines = []
         for name, rows in paths:
             if name == what:

@@ -23,8 +23,10 @@ set ylabel 'exit at r [m]' offset 0
 set yrange [0.182:0.186]
 set ytics 0.001
 plot f index 'stick' using 1:2 with lines lw 2 lc rgb black, \
-  f index 'where' using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.9*P lc rgb red, \
-  f index 'where' using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 1.3*P lw 1.5 lc rgb blue
+  f index 'where' using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.9*P \
+    lc rgb red, \
+  f index 'where' using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 1.3*P \
+    lw 1.5 lc rgb blue
 set lmargin at screen 0.10; set rmargin at screen 0.475
 set bmargin at screen 0.10; set tmargin at screen 0.425
 set title '(c) in which phase, by the time' offset 0,-0.4
@@ -33,7 +35,8 @@ set xtics 0.01
 set ylabel 'phase 1 mm behind the two-fold [1]' offset 0.5
 set yrange [0:1]
 set ytics 0.25
-plot f index 'phase' using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.7*P lc rgb red, \
+plot f index 'phase' using 1:($3 > 0 ? $2 : 1/0) with points pt 7 ps 0.7*P \
+    lc rgb red, \
   f index 'phase' using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 0.9*P lw 1.5 \
     lc rgb blue
 set lmargin at screen 0.60; set rmargin at screen 0.975

@@ -37,7 +37,8 @@ unset object
 unset label
 set lmargin at screen 0.58
 set rmargin at screen 0.985
-set title "(b) two motions from the two-fold;\nthe thick one returns to it at once" \
+set title "(b) two motions from the two-fold;\n". \
+  "the thick one returns to it at once" \
   offset 0,-0.3
 set xrange [0.1815:0.1875]
 set yrange [-1.056:-0.988]

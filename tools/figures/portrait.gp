@@ -23,8 +23,8 @@ plot '+' using (-1):(0):(1):(0) every ::0::0 with vectors nohead lw 7 \
   f using 1:2 with lines lw 1.8 lc rgb '#444444', \
   f using 1:($3 != 0 || $4 != 0 ? $2 : 1/0):3:4 with vectors head filled \
     size screen 0.012,22,90 fixed lw 1.5 lc rgb '#444444', \
-  at using ($1 == r0 && $3 < 0 ? 1.5*cos($2) : 1/0):(1.5*sin($2)):(-1.5*cos($2)): \
-    (-1.5*sin($2)) with vectors nohead lw 4 lc rgb blue, \
+  at using ($1 == r0 && $3 < 0 ? 1.5*cos($2) : 1/0):(1.5*sin($2)): \
+    (-1.5*cos($2)):(-1.5*sin($2)) with vectors nohead lw 4 lc rgb blue, \
   at using (0):($1 == r0 && $3 > 0 ? 0 : 1/0):(1.5*cos($2)):(1.5*sin($2)) \
     with vectors nohead lw 4 lc rgb red
 set lmargin at screen 0.58; set rmargin at screen 0.975

@@ -22,9 +22,11 @@ set format y '%.4f'
 set xlabel 'time from the two-fold to the exit [s]'
 set ylabel 'landing on upper sliding at r [m]' offset 0.2
 plot f index 'sampled' using 1:2 with points pt 7 ps 0.6*P lc rgb grey, \
-  f index 'branches' using 1:($2 > 0 && $1 < 0.4 ? $3 : 1/0) with points pt 7 ps 0.8*P \
+  f index 'branches' using 1:($2 > 0 && $1 < 0.4 ? $3 : 1/0) \
+    with points pt 7 ps 0.8*P \
     lc rgb red, \
-  f index 'branches' using 1:($2 < 0 && $1 < 0.4 ? $3 : 1/0) with points pt 5 ps 0.7*P \
+  f index 'branches' using 1:($2 < 0 && $1 < 0.4 ? $3 : 1/0) \
+    with points pt 5 ps 0.7*P \
     lc rgb blue, \
   rest with lines lw 3 dt (6,4) lc rgb black
 set lmargin at screen 0.60
@@ -40,9 +42,12 @@ set format y '%g'
 set xlabel 'first landing at r [m]'
 set ylabel 'exit to return [s]' offset 0.5
 set arrow 1 from rest,1.5 to rest,200 nohead lw 3 dt (6,4) lc rgb black front
-plot f index 'sampled' using 2:($4 == 1 ? $3 : 1/0) with points pt 7 ps 0.8*P lc rgb green, \
-  f index 'sampled' using 2:($4 == 2 ? $3 : 1/0) with points pt 5 ps 0.7*P lc rgb orange, \
-  f index 'sampled' using 2:($4 > 2 ? $3 : 1/0) with points pt 9 ps 0.9*P lc rgb pink
+plot f index 'sampled' using 2:($4 == 1 ? $3 : 1/0) \
+    with points pt 7 ps 0.8*P lc rgb green, \
+  f index 'sampled' using 2:($4 == 2 ? $3 : 1/0) \
+    with points pt 5 ps 0.7*P lc rgb orange, \
+  f index 'sampled' using 2:($4 > 2 ? $3 : 1/0) \
+    with points pt 9 ps 0.9*P lc rgb pink
 @KEYROW
 plot -1 notitle, keyentry with points pt 7 ps 1.5*P lc rgb red \
     title '(a) exit by slip+', \

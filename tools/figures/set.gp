@@ -30,7 +30,8 @@ do for [i=1:2] {
   set zlabel 'h [µm/s]' rotate by 90 offset 0
   splot for [i=0:1] border index i using (drawn($1,$2) ? $1 : NaN):2:(0) \
       with lines lw 3 lc rgb grey, \
-    for [m=1:4] f index sprintf('mode %d', m) using 1:2:3 with lines lw (m < 3 ? 0.8 : 3) \
+    for [m=1:4] f index sprintf('mode %d', m) using 1:2:3 \
+      with lines lw (m < 3 ? 0.8 : 3) \
       lc rgb mode_colour[m], \
     '+' using (r_star):(w_star):(0) every ::0::0 with points pt 7 ps 2*P \
       lc rgb black
