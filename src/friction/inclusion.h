@@ -62,6 +62,22 @@ TF_INLINE quadratic_t along(const form_t *f, int s) {
   return on;
 }
 
+TF_INLINE tf_real_t quadratic_at(const quadratic_t *f, tf_real_t x) {
+  return f->c0 + x * (f->c1 + x * f->c2);
+}
+
+// What the signs of h at x = +1 and x = -1 decide, see above.
+TF_INLINE bool slip_plus_solves(const quadratic_t *h) {
+  return h->at_upper > 0;
+}
+
+TF_INLINE bool slip_minus_solves(const quadratic_t *h) {
+  return h->at_lower < 0;
+}
+
+// Whether the Delassus scalar of this stick is positive.
+TF_INLINE bool stick_attracts(const quadratic_t *h) { return h->c1 < 0; }
+
 // Signs that g+ can have under the law, by the sign of g without force and at
 // the corners |x| = |y| = 1; between them g is affine but for terms of third
 // order in dt. NaN counts as both.
@@ -86,26 +102,50 @@ TF_INLINE tf_real_t perturbed_root(tf_real_t x1, tf_real_t q) {
   return x1 * (1 - q * (1 - q * (2 - q * (5 - 14 * q))));
 }
 
-// The root of c0 + c1 x + c2 x^2 that -c0/c1 becomes where c2 is small; where
-// only one root lies in [-1, 1], it is this one. With x1 = -c0/c1 and q = c2
-// x1/c1 the root is x1 y, y = 2/(1 + sqrt(1 + 4 q)): no squares of small
-// numbers, no cancellation. q is of third order in dt. At c1 = 0 (the vertical
-// line of a two-fold) any x solves; 0 is the smallest.
+TF_INLINE bool series_suffices(tf_real_t q) {
+  return magnitude(q) < TF_R(0x1p-12);
+}
+
+// Whether c1 is too small to divide by.
+TF_INLINE bool is_negligible(tf_real_t c1) {
+  return magnitude(c1) < TF_REAL_MIN;
+}
+
+// x1 = -c0/c1, the root of c0 + c1 x, and q = c2 x1/c1, which says how far c2
+// moves it.
+typedef struct {
+  tf_real_t x1, q;
+} linear_root_t;
+
+TF_INLINE linear_root_t linear_root(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
+  const tf_real_t inverse = 1 / c1, x1 = -c0 * inverse;
+  return (linear_root_t){x1, c2 * inverse * x1};
+}
+
+// The root of c0 + c1 x + c2 x^2 that x1 becomes where c2 is small; where only
+// one root lies in [-1, 1], it is this one. It is x1 y, y = 2/(1 + sqrt(1 + 4
+// q)): no squares of small numbers, no cancellation. q is of third order in dt.
+// At c1 = 0 (the vertical line of a two-fold) any x solves; 0 is the smallest.
 TF_INLINE tf_real_t root_within(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
-  if (magnitude(c1) < TF_REAL_MIN) return 0;
-  const tf_real_t inverse = 1 / c1;
-  const tf_real_t x1 = -c0 * inverse, q = c2 * inverse * x1;
-  if (magnitude(q) < TF_R(0x1p-12)) return clip(perturbed_root(x1, q), -1, 1);
-  const tf_real_t discriminant = 1 + 4 * q;
+  if (is_negligible(c1)) return 0;
+  const linear_root_t from = linear_root(c0, c1, c2);
+  if (series_suffices(from.q))
+    return clip(perturbed_root(from.x1, from.q), -1, 1);
+  const tf_real_t discriminant = 1 + 4 * from.q;
   const tf_real_t root = discriminant > 0 ? square_root(discriminant) : 0;
-  return clip(2 * x1 / (1 + root), -1, 1);
+  return clip(2 * from.x1 / (1 + root), -1, 1);
+}
+
+// Whether the quadratic is least or largest inside (-1, 1). For h that takes a
+// step so long that the change of r bends it visibly.
+TF_INLINE bool has_extremum_inside(const quadratic_t *f) {
+  return magnitude(f->c1) < 2 * magnitude(f->c2);
 }
 
 // Where only one slip solves, h either keeps its sign from x = -1 to 1, or it
-// passes 0 and comes back: then stick solves twice. That takes a step so long
-// that the change of r bends h visibly inside [-1, 1].
+// passes 0 and comes back: then stick solves twice.
 TF_INLINE bool has_two_roots(const quadratic_t *h, bool above) {
-  return magnitude(h->c1) < 2 * magnitude(h->c2) && (h->c2 > 0) == above &&
+  return has_extremum_inside(h) && (h->c2 > 0) == above &&
          h->c1 * h->c1 > 4 * h->c0 * h->c2;
 }
 
@@ -119,26 +159,34 @@ TF_INLINE bool has_sign_of_g(tf_real_t g_end, int s, bool has_moment) {
 // The stick of one s, if there is one.
 TF_INLINE void solve_stick(const quadratic_t *h, const quadratic_t *g, int s,
                            bool has_moment, solutions_t *out) {
-  const bool above = h->at_upper > 0, one = above != (h->at_lower < 0);
+  const bool above = slip_plus_solves(h), one = above != slip_minus_solves(h);
   const bool two = one && has_two_roots(h, above);
-  if (h->c1 < 0) out->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  if (stick_attracts(h))
+    out->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
   if (one && !two) return; // one slip, no stick
   tf_real_t x = root_within(h->c0, h->c1, h->c2);
-  tf_real_t g_end = g->c0 + x * (g->c1 + x * g->c2);
+  tf_real_t g_end = quadratic_at(g, x);
   if (two && (s ? g_end > 0 : g_end < 0)) { // g = 0 belongs to the pinned wheel
     x = -h->c1 / h->c2 - x;
-    g_end = g->c0 + x * (g->c1 + x * g->c2);
+    g_end = quadratic_at(g, x);
   }
   out->x[s] = x;
   if (has_sign_of_g(g_end, s, has_moment))
     out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
 }
 
-// The share s of the moment in a slip at h -> 0, where g(s) is the quadratic
-// through g_plus at 1 and g_minus at -1 with leading term bend. Where g+ is > 0
-// for s = +1 and < 0 for s = -1 both solve; then the present sign of g is kept
-// unless it contradicts the slip. Where neither solves, the angle passes
-// through g = 0 at an s between them.
+// g(s) in a slip at h -> 0: the quadratic through g_plus at 1 and g_minus at -1
+// with leading term bend.
+TF_INLINE quadratic_t over_share(tf_real_t g_plus, tf_real_t g_minus,
+                                 tf_real_t bend) {
+  return (quadratic_t){(g_plus + g_minus) / 2 - bend, (g_plus - g_minus) / 2,
+                       bend, g_plus, g_minus};
+}
+
+// The share s of the moment in a slip at h -> 0. Where g+ is > 0 for s = +1 and
+// < 0 for s = -1 both solve; then the present sign of g is kept unless it
+// contradicts the slip. Where neither solves, the angle passes through g = 0 at
+// an s between them.
 TF_INLINE tf_real_t moment_share(tf_real_t g_plus, tf_real_t g_minus,
                                  tf_real_t bend, bool plus_slips,
                                  bool minus_slips, bool prefer_plus) {
@@ -146,8 +194,16 @@ TF_INLINE tf_real_t moment_share(tf_real_t g_plus, tf_real_t g_minus,
     return (prefer_plus ? plus_slips : !minus_slips) ? TF_R(1.0) : TF_R(-1.0);
   if (g_plus > 0) return 1;
   if (g_minus < 0) return -1;
-  return root_within((g_plus + g_minus) / 2 - bend, (g_plus - g_minus) / 2,
-                     bend);
+  const quadratic_t g = over_share(g_plus, g_minus, bend);
+  return root_within(g.c0, g.c1, g.c2);
+}
+
+// h at the end of a slip at h -> 0 with share tau of the moment: the quadratic
+// through its values at shares 1 and -1 with leading term bend.
+TF_INLINE tf_real_t slip_end_at(tf_real_t tau, tf_real_t h_plus,
+                                tf_real_t h_minus, tf_real_t bend) {
+  return ((1 + tau) * h_plus + (1 - tau) * h_minus) / 2 -
+         (1 - tau * tau) * bend;
 }
 
 // h and g at the end of a slip at h -> 0, with s = +1 and with s = -1.
@@ -161,8 +217,7 @@ TF_INLINE void solve_slip(const inclusion_t *in, int slip, tf_real_t side,
   const tf_real_t tau =
       moment_share(at.g_plus, at.g_minus, in->g.cyy, side * at.h_plus > 0,
                    side * at.h_minus > 0, in->g_now >= 0);
-  const tf_real_t h_end = ((1 + tau) * at.h_plus + (1 - tau) * at.h_minus) / 2 -
-                          (1 - tau * tau) * in->h.cyy;
+  const tf_real_t h_end = slip_end_at(tau, at.h_plus, at.h_minus, in->h.cyy);
   out->tau[slip] = tau;
   out->h_limit[slip] = h_end;
   if (side * h_end > 0) out->set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
@@ -172,15 +227,22 @@ TF_INLINE void solve_slip(const inclusion_t *in, int slip, tf_real_t side,
 TF_INLINE void enumerate_one_sign(const inclusion_t *in, int s,
                                   solutions_t *out) {
   const quadratic_t h = along(&in->h, s);
-  const bool plus = h.at_upper > 0, minus = h.at_lower < 0;
+  const bool plus = slip_plus_solves(&h), minus = slip_minus_solves(&h);
   out->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
-  out->attracting = (uint8_t)(h.c1 < 0 ? TF_MODE_BIT(TF_STICK_PLUS + s) : 0);
+  out->attracting =
+      (uint8_t)(stick_attracts(&h) ? TF_MODE_BIT(TF_STICK_PLUS + s) : 0);
   out->tau[0] = out->tau[1] = s ? TF_R(-1.0) : TF_R(1.0);
   out->h_limit[0] = h.at_upper;
   out->h_limit[1] = h.at_lower;
   if (plus != minus && !has_two_roots(&h, plus)) return;
   out->x[s] = root_within(h.c0, h.c1, h.c2);
   out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+}
+
+// Whether the force that pins the wheel is one of the law, |M| <= kappa |F| and
+// |F| <= mu.
+TF_INLINE bool pinned_solves(tf_real_t pin_x, tf_real_t pin_y) {
+  return within(pin_x, 1) & within(pin_y, magnitude(pin_x));
 }
 
 // g+ may have either sign: codimension two is within reach of this step.
@@ -196,8 +258,7 @@ TF_INLINE void enumerate_both_signs(const inclusion_t *in, solutions_t *out) {
   solve_slip(in, 0, 1, up, out);
   solve_slip(in, 1, -1, down, out);
   // Without a moment a pinned wheel is a stick with g+ = 0: not a sixth mode.
-  if (in->has_moment && within(in->pin_x, 1) &&
-      within(in->pin_y, magnitude(in->pin_x)))
+  if (in->has_moment && pinned_solves(in->pin_x, in->pin_y))
     out->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
 }
 
@@ -214,6 +275,16 @@ TF_INLINE void enumerate(const inclusion_t *in, unsigned signs,
     enumerate_one_sign(in, 1, out);
 }
 
+// Natural map of F in mu Sgn(h).
+TF_INLINE tf_real_t force_residual(tf_real_t mu, tf_real_t F, tf_real_t h) {
+  return magnitude(F - clip(F + h, -mu, mu));
+}
+
+// From a moment to the segment between -M and M, which is the law at g = 0.
+TF_INLINE tf_real_t distance_to_segment(tf_real_t moment, tf_real_t M) {
+  return magnitude(moment - clip(moment, -magnitude(M), magnitude(M)));
+}
+
 // How far a contact force is from the law at slip (h, g), without a tolerance
 // and without the enumeration: its zeros are the graph of the law. Natural map
 // of F in mu Sgn(h), and the distance of M from kappa F Sgn(g),
@@ -223,11 +294,10 @@ TF_INLINE void enumerate(const inclusion_t *in, unsigned signs,
 TF_INLINE tf_real_t law_residual(tf_real_t mu, tf_real_t kappa,
                                  tf_force_t force, tf_real_t h, tf_real_t g) {
   const tf_real_t M = kappa * force.F; // that goes with g > 0
-  const tf_real_t natural = magnitude(force.F - clip(force.F + h, -mu, mu));
+  const tf_real_t natural = force_residual(mu, force.F, h);
   if (g > 0) return natural + magnitude(force.M - M);
   if (g < 0) return natural + magnitude(force.M + M);
-  return natural +
-         magnitude(force.M - clip(force.M, -magnitude(M), magnitude(M)));
+  return natural + distance_to_segment(force.M, M);
 }
 
 #endif

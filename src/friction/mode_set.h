@@ -12,6 +12,12 @@
 
 TF_INLINE bool has(unsigned set, unsigned mode) { return (set >> mode) & 1u; }
 
+// Whether a mode that is consistent goes on under every rule, so that tf_select
+// is not asked.
+TF_INLINE bool goes_on(unsigned set, unsigned attracting, unsigned mode) {
+  return set & TF_MODE_BIT(mode) & (SLIPS | attracting);
+}
+
 TF_INLINE unsigned size_of(unsigned set) {
   static const uint8_t sizes[1u << TF_MODES] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2,
                                                 3, 2, 3, 3, 4, 1, 2, 2, 3, 2, 3,

@@ -23,17 +23,38 @@ static const tf_real_t border[4] = {
     TF_R(0.098491403357164253077), TF_R(0.30334668360734239168),
     TF_R(0.53451113595079172950), TF_R(0.82067879082866033097)};
 
-// tan x and tan y give tan(x + y): T = (T_k + u) / (1 - T_k u), where
-// u = T(small) is a short odd series because |small| <= tan(pi/32) = 0.0985:
-// its first left-out term is below small^16/17 = 5e-18 (double), small^8/9 =
-// 1e-9 (float) of the first. The denominator is >= 1 - tan(a 7 pi/16) tan(a
-// pi/32) > 0.5.
+// Whether the angle whose tangent is low/high <= 1 lies beyond that border.
+TF_INLINE bool is_beyond(int n, tf_real_t low, tf_real_t high) {
+  return low > border[n] * high;
+}
+
+// cot_psi() from an anchor at most pi/32 away: its cosine c, its sine s and its
+// entry T of the table. tan x and tan y give tan(x + y):
+// (T + u) / (1 - T u), where u = T(w) is a short odd series because
+// |w| <= tan(pi/32) = 0.0985: its first left-out term is below small^16/17 =
+// 5e-18 (double), small^8/9 = 1e-9 (float) of the first. The denominator is
+// >= 1 - tan(a 7 pi/16) tan(a pi/32) > 0.5.
+TF_INLINE tf_real_t cot_psi_from(const tf_tyre_t *tyre, tf_real_t G,
+                                 tf_real_t H, tf_real_t c, tf_real_t s,
+                                 tf_real_t T) {
+  const tf_real_t small = (G * c - H * s) / (H * c + G * s);
+  const tf_real_t small2 = small * small;
+  tf_real_t sum = tyre->T_series[TF_TYRE_TERMS - 1];
+  for (int n = TF_TYRE_TERMS - 2; n >= 0; n--)
+    sum = sum * small2 + tyre->T_series[n];
+  const tf_real_t u = small * sum;
+  return (T + u) / (1 - T * u);
+}
+
+// Whether products with the anchors would lose bits to underflow.
+TF_INLINE bool is_near_underflow(tf_real_t high) {
+  return high < TF_REAL_MIN / TF_REAL_EPSILON;
+}
+
 TF_INLINE tf_real_t cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H) {
   const bool steep = G > H;
   tf_real_t low = steep ? H : G, high = steep ? G : H;
-  if (high < TF_REAL_MIN / TF_REAL_EPSILON) {
-    // Products with the anchors would lose bits to underflow; a power of two
-    // changes no quotient.
+  if (is_near_underflow(high)) { // a power of two changes no quotient
     const tf_real_t scale = 1 / (TF_REAL_MIN * 2);
     G *= scale;
     H *= scale;
@@ -41,17 +62,11 @@ TF_INLINE tf_real_t cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H) {
     high *= scale;
     if (high == 0) return 0;
   }
-  const int k = (low > border[0] * high) + (low > border[1] * high) +
-                (low > border[2] * high) + (low > border[3] * high);
+  const int k = is_beyond(0, low, high) + is_beyond(1, low, high) +
+                is_beyond(2, low, high) + is_beyond(3, low, high);
   const int anchor = steep ? 8 - k : k;
-  const tf_real_t c = anchor_cos[anchor], s = anchor_cos[8 - anchor];
-  const tf_real_t small = (G * c - H * s) / (H * c + G * s);
-  const tf_real_t small2 = small * small;
-  tf_real_t sum = tyre->T_series[TF_TYRE_TERMS - 1];
-  for (int n = TF_TYRE_TERMS - 2; n >= 0; n--)
-    sum = sum * small2 + tyre->T_series[n];
-  const tf_real_t T = tyre->T_anchor[anchor], u = small * sum;
-  return (T + u) / (1 - T * u);
+  return cot_psi_from(tyre, G, H, anchor_cos[anchor], anchor_cos[8 - anchor],
+                      tyre->T_anchor[anchor]);
 }
 
 // The law of slip, (force) and (moment), is affine in T:

@@ -113,7 +113,7 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
       compensated_step_reaches_codim2(&step, s.set, s.attracting)) {
     mode = TF_PINNED;
     s.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
-  } else if (!goes_on(&s, mode)) {
+  } else if (!goes_on(s.set, s.attracting, mode)) {
     mode = select_mode(k, state, s.set, s.near_stick, s.h_limit[0],
                        s.h_limit[1], s.attracting);
   }

@@ -63,7 +63,8 @@ static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
   if (mode >= TF_MODES || work->rare[i] ||
       lane_may_reach_codim2(k, work, i, mode))
     mode = TF_NO_MODE;
-  else if (!(work->set[i] & TF_MODE_BIT(mode) & (SLIPS | work->attracting[i])))
+  else if (!goes_on((unsigned)work->set[i], (unsigned)work->attracting[i],
+                    mode))
     mode = select_lane(k, b, work, i);
   if (mode == TF_NO_MODE) work->rare[i] = when(true);
   return mode;
@@ -90,6 +91,12 @@ static int choose(const tf_machine_t *restrict k,
   return slips;
 }
 
+TF_INLINE change_t lane_change(const work_t *work, int i, tf_real_t x,
+                               tf_real_t y) {
+  return change_of(x, y, (change_t){work->p_by_x[i], work->z_by_x[i]},
+                   (change_t){work->p_by_y[i], work->z_by_y[i]});
+}
+
 // (7) for the multipliers of one lane.
 TF_INLINE end_state_t lane_end(const tf_machine_t *k, const work_t *work,
                                tf_real_t omega0, int i, tf_real_t x,
@@ -99,9 +106,7 @@ TF_INLINE end_state_t lane_end(const tf_machine_t *k, const work_t *work,
                       .z = work->z[i],
                       .free = {work->free_p[i], work->free_z[i]},
                       .r_explicit = work->r_explicit[i]};
-  const change_t change = {x * work->p_by_x[i] + y * work->p_by_y[i],
-                           x * work->z_by_x[i] + y * work->z_by_y[i]};
-  return end_after(k, &l, change);
+  return end_after(k, &l, lane_change(work, i, x, y));
 }
 
 TF_INLINE tf_slip_t lane_theta_slip(const tf_machine_t *k,
@@ -111,9 +116,8 @@ TF_INLINE tf_slip_t lane_theta_slip(const tf_machine_t *k,
   const linear_t l = {.p = work->p[i],
                       .z = work->z[i],
                       .free = {work->free_p[i], work->free_z[i]}};
-  const change_t change = {x * work->p_by_x[i] + y * work->p_by_y[i],
-                           x * work->z_by_x[i] + y * work->z_by_y[i]};
-  return slip_at_theta(k, &l, b->r[i] + k->theta_dt * b->v[i], change);
+  return slip_at_theta(k, &l, r_at_theta(k, b->r[i], b->v[i]),
+                       lane_change(work, i, x, y));
 }
 
 static void stick_all(work_t *restrict work) {
@@ -136,17 +140,21 @@ TF_INLINE tf_real_t lane_tau(const work_t *work, mask_t minus, int i) {
 }
 
 // slip_end() of stages.h for a lane that slips; other lanes keep their values.
+// `alone`: this lane slips, and is not one of several done at once.
 TF_INLINE void slip_lane(const tf_machine_t *restrict k,
                          const tf_state_block_t *restrict b, tf_real_t omega0,
-                         work_t *restrict work, int i) {
-  const mask_t slips = when(work->side[i] != 0),
-               minus = when(work->side[i] < 0);
+                         work_t *restrict work, int i, bool alone) {
+  const mask_t slips = when(alone || work->side[i] != 0);
+  const mask_t minus = when(work->side[i] < 0);
   const tf_real_t side = flip_sign(minus, 1);
   const tf_real_t tau = lane_tau(work, minus, i);
   const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
-  const lane_multipliers_t first = lane_multipliers(&k->tyre, side, now);
+  const lane_multipliers_t first = alone
+                                       ? lane_law_alone(&k->tyre, side, now)
+                                       : lane_multipliers(&k->tyre, side, now);
   const tf_slip_t at = lane_theta_slip(k, b, work, i, first.x, first.y);
-  const lane_multipliers_t theta = lane_multipliers(&k->tyre, side, at);
+  const lane_multipliers_t theta = alone ? lane_law_alone(&k->tyre, side, at)
+                                         : lane_multipliers(&k->tyre, side, at);
   const end_state_t end = lane_end(k, work, omega0, i, theta.x, theta.y);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - omega0);
   const mask_t stays = when(side * slip.h > 0);
@@ -158,26 +166,16 @@ TF_INLINE void slip_lane(const tf_machine_t *restrict k,
 static void slip_all(const tf_machine_t *restrict k,
                      const tf_state_block_t *restrict b, tf_real_t omega0,
                      work_t *restrict work) {
-  for (int i = 0; i < TF_LANES; i++) slip_lane(k, b, omega0, work, i);
+  for (int i = 0; i < TF_LANES; i++) slip_lane(k, b, omega0, work, i, false);
 }
 
-static void slip_few(const tf_machine_t *restrict k,
-                     const tf_state_block_t *restrict b, tf_real_t omega0,
-                     work_t *restrict work, int slips) {
-  for (int n = 0; n < slips; n++) {
-    const int i = work->slipping[n];
-    const tf_real_t side = work->side[i],
-                    tau = lane_tau(work, when(side < 0), i);
-    const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
-    const multipliers_t first = jump_multipliers(&k->tyre, side, now.h, now.g);
-    const tf_slip_t at = lane_theta_slip(k, b, work, i, first.x, first.y);
-    const multipliers_t m = jump_multipliers(&k->tyre, side, at.h, at.g);
-    const end_state_t end = lane_end(k, work, omega0, i, m.x, m.y);
-    const bool stays =
-        side * slip_speeds(k, end.r, end.v, end.w - omega0).h > 0;
-    work->x[i] = stays ? m.x : side;
-    work->y[i] = stays ? m.y : tau * side;
-  }
+// A function of its own: what it needs lies beside the passes of a block for no
+// longer than it runs.
+static __attribute__((noinline)) void slip_few(
+    const tf_machine_t *restrict k, const tf_state_block_t *restrict b,
+    tf_real_t omega0, work_t *restrict work, int slips) {
+  for (int n = 0; n < slips; n++)
+    slip_lane(k, b, omega0, work, work->slipping[n], true);
 }
 
 static void ends_all(const tf_machine_t *restrict k, tf_real_t omega0,
@@ -224,7 +222,7 @@ static void angles_all(const tf_machine_t *restrict k,
                        tf_state_block_t *restrict b,
                        const work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++)
-    b->phi[i] += k->explicit_dt * b->w[i] + k->theta_dt * work->w[i];
+    b->phi[i] += angle_turned(k, b->w[i], work->w[i]);
 }
 
 static bool any_rare(const work_t *work) {

@@ -1,8 +1,9 @@
 // Functions of a step without branches, for one lane of a block: every value is
 // computed, then one is picked by a mask, so that the compiler can do several
-// lanes at once. The expressions are those of inclusion.h and tyre_law.h,
-// operation by operation, hence the same bits. Where a rare case needs more (a
-// square root, a rescaling) the lane is marked rare and left to tf_step.
+// lanes at once. The formulas are functions of inclusion.h, tyre_law.h and
+// linear.h, hence the same bits; only the choice between them is made here.
+// Where a rare case needs more (a square root, a rescaling) the lane is marked
+// rare and left to tf_step.
 //
 // Masks are used because compilers do not keep ?: free of branches: gcc moves
 // what is computed for one side into a branch and cannot move it back, since
@@ -58,12 +59,11 @@ typedef struct {
 } lane_root_t;
 
 TF_INLINE lane_root_t lane_root(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
-  const tf_real_t inverse = 1 / c1;
-  const tf_real_t x1 = -c0 * inverse, q = c2 * inverse * x1;
-  const tf_real_t x = perturbed_root(x1, q);
-  const mask_t small = when(magnitude(q) < TF_R(0x1p-12));
-  const mask_t normal = when(magnitude(c1) >= TF_REAL_MIN);
-  return (lane_root_t){x, ~(small & normal & when(magnitude(x) <= 1))};
+  const linear_root_t from = linear_root(c0, c1, c2);
+  const tf_real_t x = perturbed_root(from.x1, from.q);
+  const mask_t series =
+      when(series_suffices(from.q)) & ~when(is_negligible(c1));
+  return (lane_root_t){x, ~(series & when(within(x, 1)))};
 }
 
 // Whether moment_share() is -1, where it is +1 or -1. Masks: g+ > 0 follows
@@ -75,13 +75,12 @@ TF_INLINE mask_t share_down(mask_t g_plus, mask_t g_minus, mask_t plus_slips,
   return ~(g_plus & (tie | ~g_minus));
 }
 
-// pinning_force() without its early return.
+// pinning_force().
 TF_INLINE tf_force_t lane_pin(const tf_machine_t *k, const linear_t *l) {
-  const rest_load_t load = load_to_rest(k, l);
-  const mask_t held = when(k->sin_gamma != 0);
-  const tf_real_t F = load.b / k->sin_gamma;
-  return (tf_force_t){pick(held, F, TF_REAL_MAX),
-                      keep(held, load.t - F * l->arm)};
+  const mask_t can = when(can_be_pinned(k));
+  const tf_force_t pin = friction_to_rest(k, l);
+  return (tf_force_t){pick(can, pin.F, unpinnable.F),
+                      pick(can, pin.M, unpinnable.M)};
 }
 
 // Which borders between the anchors of cot_psi() lie below the angle, and
@@ -115,21 +114,22 @@ TF_INLINE lane_multipliers_t lane_multipliers(const tf_tyre_t *tyre,
   const mask_t steep = when(G > H);
   const tf_real_t low = pick(steep, H, G), high = pick(steep, G, H);
   const lane_angle_t at = {
-      when(low > border[0] * high), when(low > border[1] * high),
-      when(low > border[2] * high), when(low > border[3] * high), steep};
-  const tf_real_t c = anchored(anchor_cos, at, steep);
-  const tf_real_t s = anchored(anchor_cos, at, ~steep);
-  const tf_real_t small = (G * c - H * s) / (H * c + G * s);
-  const tf_real_t small2 = small * small;
-  tf_real_t sum = tyre->T_series[TF_TYRE_TERMS - 1];
-  for (int n = TF_TYRE_TERMS - 2; n >= 0; n--)
-    sum = sum * small2 + tyre->T_series[n];
-  const tf_real_t Tk = anchored(tyre->T_anchor, at, steep), u = small * sum;
-  const tf_real_t T = (Tk + u) / (1 - Tk * u);
+      when(is_beyond(0, low, high)), when(is_beyond(1, low, high)),
+      when(is_beyond(2, low, high)), when(is_beyond(3, low, high)), steep};
+  const tf_real_t T = cot_psi_from(tyre, G, H, anchored(anchor_cos, at, steep),
+                                   anchored(anchor_cos, at, ~steep),
+                                   anchored(tyre->T_anchor, at, steep));
   const multipliers_t m = multipliers_at(tyre, T);
   return (lane_multipliers_t){side * m.x,
                               flip_sign(when(slip.g < 0), side * m.y),
-                              when(high < TF_REAL_MIN / TF_REAL_EPSILON)};
+                              when(is_near_underflow(high))};
+}
+
+// The same for a lane alone, anywhere.
+TF_INLINE lane_multipliers_t lane_law_alone(const tf_tyre_t *tyre,
+                                            tf_real_t side, tf_slip_t slip) {
+  const multipliers_t m = jump_multipliers(tyre, side, slip.h, slip.g);
+  return (lane_multipliers_t){m.x, m.y, 0};
 }
 
 // law_residual() as residual() of outcome.h calls it: in slip only the side is
@@ -139,10 +139,10 @@ TF_INLINE tf_real_t lane_residual(const tf_machine_t *k, tf_real_t side,
   const mask_t slips = when(side != 0);
   const tf_real_t F = pick(slips, side, force.F);
   const tf_real_t mu = pick(slips, 1, k->tyre.mu);
-  const tf_real_t natural = magnitude(F - clip(F + slip.h, -mu, mu));
-  const tf_real_t M = k->stick_kappa * force.F, most = magnitude(M);
+  const tf_real_t natural = force_residual(mu, F, slip.h);
+  const tf_real_t M = k->stick_kappa * force.F;
   const tf_real_t rolling = magnitude(force.M - flip_sign(when(slip.g < 0), M));
-  const tf_real_t between = magnitude(force.M - clip(force.M, -most, most));
+  const tf_real_t between = distance_to_segment(force.M, M);
   const tf_real_t of_moment =
       pick(when(slip.g > 0) | when(slip.g < 0), rolling, between);
   return natural + keep(~slips, of_moment);

@@ -118,11 +118,10 @@ static void pin_all(const tf_machine_t *restrict k, work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++) {
     const linear_t l = linear_of(work, 0, i);
     const tf_force_t pin = lane_pin(k, &l);
-    const tf_real_t x = magnitude(pin.F * k->inv_mu);
-    const tf_real_t y = magnitude(pin.M * k->inv_kappa_mu);
+    const tf_real_t x = pin.F * k->inv_mu, y = pin.M * k->inv_kappa_mu;
     work->pin_F[i] = pin.F;
     work->pin_M[i] = pin.M;
-    work->set[i] = when(x <= 1) & when(y <= x) & TF_MODE_BIT(TF_PINNED);
+    work->set[i] = when(pinned_solves(x, y)) & TF_MODE_BIT(TF_PINNED);
   }
 }
 
@@ -136,8 +135,9 @@ static void g_along_all(work_t *restrict work) {
     const mask_t up0 = when(g0.at_upper > 0), down0 = when(g0.at_lower > 0);
     const mask_t up1 = when(g1.at_upper < 0), down1 = when(g1.at_lower < 0);
     const mask_t up = ~(up0 | up1);
-    const tf_real_t share0 = pick(up, g0.at_upper, g0.at_lower);
-    const tf_real_t share1 = pick(up, g1.at_upper, g1.at_lower);
+    const quadratic_t share =
+        over_share(pick(up, g0.at_upper, g0.at_lower),
+                   pick(up, g1.at_upper, g1.at_lower), g.cyy);
     work->above[i] = when(g.c0 > 0) & up0 & down0 & when(g1.at_upper > 0) &
                      when(g1.at_lower > 0);
     work->below[i] = when(g.c0 < 0) & up1 & down1 & when(g0.at_upper < 0) &
@@ -146,9 +146,9 @@ static void g_along_all(work_t *restrict work) {
     work->g_plus[1][i] = down0;
     work->g_minus[0][i] = up1;
     work->g_minus[1][i] = down1;
-    work->c0[2][i] = (share0 + share1) / 2 - g.cyy;
-    work->c1[2][i] = (share0 - share1) / 2;
-    work->c2[2][i] = g.cyy;
+    work->c0[2][i] = share.c0;
+    work->c1[2][i] = share.c1;
+    work->c2[2][i] = share.c2;
   }
 }
 
@@ -159,11 +159,13 @@ static void h_along_all(const tf_machine_t *restrict k,
     const form_t h = form_of(&work->h, i);
     const quadratic_t h0 = along(&h, 0), h1 = along(&h, 1);
     const mask_t above = work->above[i], below = work->below[i];
-    const mask_t up0 = when(h0.at_upper > 0), down0 = when(h0.at_lower < 0);
-    const mask_t up1 = when(h1.at_upper > 0), down1 = when(h1.at_lower < 0);
+    const mask_t up0 = when(slip_plus_solves(&h0));
+    const mask_t up1 = when(slip_plus_solves(&h1));
+    const mask_t down0 = when(slip_minus_solves(&h0));
+    const mask_t down1 = when(slip_minus_solves(&h1));
     const mask_t one0 = up0 ^ down0, one1 = up1 ^ down1;
-    const mask_t two0 = when(magnitude(h0.c1) < 2 * magnitude(h0.c2));
-    const mask_t two1 = when(magnitude(h1.c1) < 2 * magnitude(h1.c2));
+    const mask_t two0 = when(has_extremum_inside(&h0));
+    const mask_t two1 = when(has_extremum_inside(&h1));
     const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
     const mask_t prefer = when(now.g >= 0);
     work->down[0][i] =
@@ -174,8 +176,8 @@ static void h_along_all(const tf_machine_t *restrict k,
     work->none[0][i] = one0 | below;
     work->none[1][i] = one1 | above;
     work->attracting[i] =
-        (when(h0.c1 < 0) & ~below & TF_MODE_BIT(TF_STICK_PLUS)) |
-        (when(h1.c1 < 0) & ~above & TF_MODE_BIT(TF_STICK_MINUS));
+        (when(stick_attracts(&h0)) & ~below & TF_MODE_BIT(TF_STICK_PLUS)) |
+        (when(stick_attracts(&h1)) & ~above & TF_MODE_BIT(TF_STICK_MINUS));
     work->rare[i] |= (~below & one0 & two0) | (~above & one1 & two1);
     work->c0[0][i] = work->c0[1][i] = h.c0;
     work->c1[0][i] = h0.c1;
@@ -205,9 +207,10 @@ static void sticks_all(work_t *restrict work) {
     const mask_t none0 = work->none[0][i], none1 = work->none[1][i];
     const form_t g = form_of(&work->g, i);
     const quadratic_t g0 = along(&g, 0), g1 = along(&g, 1);
-    const tf_real_t x0 = work->root[0][i], x1 = work->root[1][i];
-    const mask_t rolls0 = when(g0.c0 + x0 * (g0.c1 + x0 * g0.c2) > 0);
-    const mask_t rolls1 = when(g1.c0 + x1 * (g1.c1 + x1 * g1.c2) < 0);
+    const tf_real_t g_end0 = quadratic_at(&g0, work->root[0][i]);
+    const tf_real_t g_end1 = quadratic_at(&g1, work->root[1][i]);
+    const mask_t rolls0 = when(has_sign_of_g(g_end0, 0, true));
+    const mask_t rolls1 = when(has_sign_of_g(g_end1, 1, true));
     work->rare[i] |=
         (~none0 & work->root_rare[0][i]) | (~none1 & work->root_rare[1][i]);
     work->set[i] = (~(above | below) & work->set[i]) |
@@ -224,8 +227,7 @@ static void slips_all(work_t *restrict work) {
     const tf_real_t p0 = work->h_upper[0][i], p1 = work->h_upper[1][i];
     const tf_real_t m0 = work->h_lower[0][i], m1 = work->h_lower[1][i];
     const tf_real_t h0 = pick(up, p0, m0), h1 = pick(up, p1, m1);
-    const tf_real_t h_end = ((1 + tau) * h0 + (1 - tau) * h1) / 2 -
-                            (1 - tau * tau) * work->h.cyy[i];
+    const tf_real_t h_end = slip_end_at(tau, h0, h1, work->h.cyy[i]);
     const tf_real_t h_up = pick(up, h_end, pick(work->down[0][i], p1, p0));
     const tf_real_t h_down = pick(down, h_end, pick(work->down[1][i], m1, m0));
     const tf_real_t size =

@@ -105,6 +105,24 @@ TF_INLINE end_state_t end_after(const tf_machine_t *k, const linear_t *l,
   return end;
 }
 
+// (8): the change of the velocities under multipliers x and y, from that of
+// each.
+TF_INLINE change_t change_of(tf_real_t x, tf_real_t y, change_t F, change_t M) {
+  return (change_t){x * F.p + y * M.p, x * F.z + y * M.z};
+}
+
+// (12): by how much the angle grows in a step, from w at its start and end.
+TF_INLINE tf_real_t angle_turned(const tf_machine_t *k, tf_real_t w,
+                                 tf_real_t w_end) {
+  return k->explicit_dt * w + k->theta_dt * w_end;
+}
+
+// (1): r at the theta point.
+TF_INLINE tf_real_t r_at_theta(const tf_machine_t *k, tf_real_t r,
+                               tf_real_t v) {
+  return r + k->theta_dt * v;
+}
+
 // (9): slip at the theta point, at which the force of a slip is evaluated.
 TF_INLINE tf_slip_t slip_at_theta(const tf_machine_t *k, const linear_t *l,
                                   tf_real_t r_theta, change_t friction) {
@@ -179,14 +197,24 @@ TF_INLINE rest_load_t load_to_rest(const tf_machine_t *k, const linear_t *l) {
                        -(p_by_b * z + minus_z_by_b * p) / det};
 }
 
-// (10): the friction force and moment that do so. With sin(gamma) = 0 friction
-// has no component along r and the wheel cannot be pinned: F is larger then
-// than any mu.
-TF_INLINE tf_force_t pinning_force(const tf_machine_t *k, const linear_t *l) {
+// (10): the friction force and moment that do so.
+TF_INLINE tf_force_t friction_to_rest(const tf_machine_t *k,
+                                      const linear_t *l) {
   const rest_load_t load = load_to_rest(k, l);
-  if (k->sin_gamma == 0) return (tf_force_t){TF_REAL_MAX, 0};
   const tf_real_t F = load.b / k->sin_gamma;
   return (tf_force_t){F, load.t - F * l->arm};
+}
+
+// With sin(gamma) = 0 friction has no component along r and the wheel cannot be
+// pinned: F is larger then than any mu.
+TF_INLINE bool can_be_pinned(const tf_machine_t *k) {
+  return k->sin_gamma != 0;
+}
+
+static const tf_force_t unpinnable = {TF_REAL_MAX, 0};
+
+TF_INLINE tf_force_t pinning_force(const tf_machine_t *k, const linear_t *l) {
+  return can_be_pinned(k) ? friction_to_rest(k, l) : unpinnable;
 }
 
 #endif

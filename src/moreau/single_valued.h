@@ -13,7 +13,7 @@ TF_INLINE tf_force_t single_valued_law(const tf_machine_t *k, tf_slip_t at) {
 TF_INLINE tf_slip_t slip_at_theta_under(const free_motion_t *c,
                                         change_t friction) {
   const tf_machine_t *k = TF_API_MACHINE(c);
-  return slip_at_theta(k, &c->linear, c->state->r + k->theta_dt * c->state->v,
+  return slip_at_theta(k, &c->linear, r_at_theta(k, c->state->r, c->state->v),
                        friction);
 }
 

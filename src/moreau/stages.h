@@ -103,10 +103,10 @@ TF_INLINE tf_slip_t end_slip(const free_motion_t *c, const forced_end_t *end) {
       (change_t){l->free.p + end->friction.p, l->free.z + end->friction.z});
 }
 
-// (8): the changes of the velocities and the end under multipliers x and y.
+// (8): the change of the velocities and the end under multipliers x and y.
 TF_INLINE change_t change_by(const free_motion_t *c, multipliers_t m) {
-  return (change_t){m.x * c->end.by_x.p + m.y * c->end.by_y.p,
-                    m.x * c->end.by_x.z + m.y * c->end.by_y.z};
+  return change_of(m.x, m.y, (change_t){c->end.by_x.p, c->end.by_x.z},
+                   (change_t){c->end.by_y.p, c->end.by_y.z});
 }
 
 TF_INLINE forced_end_t end_by(const free_motion_t *c, multipliers_t m) {
@@ -152,12 +152,6 @@ TF_INLINE bool may_reach_codim2(unsigned signs, const solutions_t *s,
   return signs == BOTH_SIGNS && !has(s->set, mode);
 }
 
-// Whether the mode is consistent and goes on under every rule, so that
-// tf_select is not asked.
-TF_INLINE bool goes_on(const solutions_t *s, unsigned mode) {
-  return s->set & TF_MODE_BIT(mode) & (SLIPS | s->attracting);
-}
-
 // tf_select, from what is in registers.
 TF_RARE unsigned select_mode(const tf_machine_t *k, const tf_state_t *state,
                              unsigned set, unsigned near_stick,
@@ -185,7 +179,7 @@ TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
                                 tf_real_t tau) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   const multipliers_t first = slip_multipliers(&k->tyre, side, start_slip(c));
-  const tf_real_t r_theta = c->state->r + k->theta_dt * c->state->v;
+  const tf_real_t r_theta = r_at_theta(k, c->state->r, c->state->v);
   const tf_slip_t at =
       slip_at_theta(k, &c->linear, r_theta, change_by(c, first));
   const forced_end_t end = end_by(c, slip_multipliers(&k->tyre, side, at));

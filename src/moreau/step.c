@@ -21,7 +21,7 @@ TF_INLINE tf_status_t commit(const free_motion_t *c, tf_state_t *state,
   const tf_slip_t slip = end_slip(c, end);
   const tf_real_t residual = mode_residual(k, outcome.mode, end->force, slip);
   if (k->with_angle) // (12)
-    state->phi += k->explicit_dt * state->w + k->theta_dt * end->at.w;
+    state->phi += angle_turned(k, state->w, end->at.w);
   return record(state, end->at, slip, end->force, residual, outcome, report);
 }
 
@@ -84,7 +84,7 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
       step_reaches_codim2(k, state, input, s.set, s.attracting)) {
     mode = TF_PINNED;
     s.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
-  } else if (!goes_on(&s, mode)) {
+  } else if (!goes_on(s.set, s.attracting, mode)) {
     mode = select_mode(k, state, s.set, s.near_stick, s.h_limit[0],
                        s.h_limit[1], s.attracting);
   }
