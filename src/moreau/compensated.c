@@ -91,13 +91,11 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
                                        tf_report_t *report) {
   const tf_machine_t *k = &machine->machine;
   compensated_step_t step = {machine, state, compensation, input, report};
-  unsigned mode = state->mode;
   // Validate.
   const tf_real_t low =
       magnitude(compensation->r) + magnitude(compensation->v) +
       magnitude(compensation->w) + magnitude(compensation->phi);
-  if (mode >= TF_MODES || !in_range(state, input) ||
-      !within(low, TF_STATE_LIMIT))
+  if (!may_step(state, input) || !within(low, TF_STATE_LIMIT))
     return refuse_step(report, TF_BAD_STATE);
   if (!tf_tyre_is_set_valued(k->tyre.law))
     return single_valued_compensated_step(&step);
@@ -109,20 +107,15 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   solutions_t s;
   const unsigned signs = solve_inclusion(&c, &in, &s);
   // Choose.
-  if (may_reach_codim2(signs, &s, mode) &&
-      compensated_step_reaches_codim2(&step, s.set, s.attracting)) {
-    mode = TF_PINNED;
-    s.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
-  } else if (!goes_on(s.set, s.attracting, mode)) {
-    mode = select_mode(k, state, s.set, s.near_stick, s.h_limit[0],
-                       s.h_limit[1], s.attracting);
-  }
+  const bool at_codim2 =
+      may_reach_codim2(signs, &s, state->mode) &&
+      compensated_step_reaches_codim2(&step, s.set, s.attracting);
+  const unsigned mode = choose_mode(k, state, at_codim2, &s);
   if (mode == TF_NO_MODE) return degraded_compensated_step(&step);
   // End in the mode, (9), (10).
   const forced_end_t end = mode_end(&c, &s, mode);
   // Commit.
-  const bool minus =
-      signs == BOTH_SIGNS ? end_slip(&c, &end).g < 0 : signs == MINUS_SIGN;
-  const outcome_t outcome = {mode, s.set, TF_OK, step_delassus(k, &in, minus)};
+  const outcome_t outcome = {mode, s.set, TF_OK,
+                             end_delassus(&c, &in, signs, &end)};
   return commit_pairs(&step, end.force, end.friction, outcome, 0);
 }

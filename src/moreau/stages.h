@@ -16,6 +16,11 @@
 #define TF_API_MACHINE(c) ((c)->machine)
 #endif
 
+// Validation.
+TF_INLINE bool may_step(const tf_state_t *state, const tf_input_t *input) {
+  return state->mode < TF_MODES && in_range(state, input);
+}
+
 // The velocities and the slip that a step starts with. An incremental step
 // (compensation.h) knows its slip to more digits than p and z are stored in: it
 // adds the change over the step to the slip at the start. A plain step computes
@@ -165,6 +170,20 @@ TF_RARE unsigned select_mode(const tf_machine_t *k, const tf_state_t *state,
                    state->tick, state->seed);
 }
 
+// Choice: the mode that the step ends in; TF_NO_MODE where none is consistent,
+// or none that a slip may enter. at_codim2: the mode is lost at h = g = 0, and
+// the step ends there.
+TF_INLINE unsigned choose_mode(const tf_machine_t *k, const tf_state_t *state,
+                               bool at_codim2, solutions_t *s) {
+  if (at_codim2) {
+    s->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
+    return TF_PINNED;
+  }
+  if (goes_on(s->set, s->attracting, state->mode)) return state->mode;
+  return select_mode(k, state, s->set, s->near_stick, s->h_limit[0],
+                     s->h_limit[1], s->attracting);
+}
+
 TF_INLINE multipliers_t slip_multipliers(const tf_tyre_t *tyre, tf_real_t side,
                                          tf_slip_t at) {
   if (tyre->law == TF_TYRE_COULOMB) return (multipliers_t){side, 0};
@@ -211,6 +230,14 @@ TF_INLINE tf_real_t step_delassus(const tf_machine_t *k, const inclusion_t *in,
                                   bool minus) {
   return delassus_of_slope(k,
                            minus ? in->h.cx - in->h.cy : in->h.cx + in->h.cy);
+}
+
+// The same where g+ can have these signs, at the end of the step.
+TF_INLINE tf_real_t end_delassus(const free_motion_t *c, const inclusion_t *in,
+                                 unsigned signs, const forced_end_t *end) {
+  const bool minus =
+      signs == BOTH_SIGNS ? end_slip(c, end).g < 0 : signs == MINUS_SIGN;
+  return step_delassus(TF_API_MACHINE(c), in, minus);
 }
 
 #endif

@@ -66,10 +66,8 @@ TF_RARE tf_status_t single_valued_step(const tf_machine_t *k, tf_state_t *state,
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report) {
   const tf_machine_t *k = machine;
-  unsigned mode = state->mode;
   // Validate.
-  if (mode >= TF_MODES || !in_range(state, input))
-    return refuse_step(report, TF_BAD_STATE);
+  if (!may_step(state, input)) return refuse_step(report, TF_BAD_STATE);
   if (!tf_tyre_is_set_valued(k->tyre.law))
     return single_valued_step(k, state, input, report);
   // Free motion, (1)-(7).
@@ -80,20 +78,15 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   solutions_t s;
   const unsigned signs = solve_inclusion(&c, &in, &s);
   // Choose.
-  if (may_reach_codim2(signs, &s, mode) &&
-      step_reaches_codim2(k, state, input, s.set, s.attracting)) {
-    mode = TF_PINNED;
-    s.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
-  } else if (!goes_on(s.set, s.attracting, mode)) {
-    mode = select_mode(k, state, s.set, s.near_stick, s.h_limit[0],
-                       s.h_limit[1], s.attracting);
-  }
+  const bool at_codim2 =
+      may_reach_codim2(signs, &s, state->mode) &&
+      step_reaches_codim2(k, state, input, s.set, s.attracting);
+  const unsigned mode = choose_mode(k, state, at_codim2, &s);
   if (mode == TF_NO_MODE) return degraded_step(k, state, input, report);
   // End in the mode, (9), (10).
   const forced_end_t end = mode_end(&c, &s, mode);
   // Commit.
-  const bool minus =
-      signs == BOTH_SIGNS ? end_slip(&c, &end).g < 0 : signs == MINUS_SIGN;
-  const outcome_t outcome = {mode, s.set, TF_OK, step_delassus(k, &in, minus)};
+  const outcome_t outcome = {mode, s.set, TF_OK,
+                             end_delassus(&c, &in, signs, &end)};
   return commit(&c, state, &end, outcome, report);
 }
