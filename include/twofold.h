@@ -22,6 +22,7 @@
 #include "twofold/status.h"
 #include "twofold/step.h"
 #include "twofold/surface.h"
+#include "twofold/tally.h"
 #include "twofold/telemetry.h"
 #include "twofold/text.h"
 #include "twofold/tyre.h"

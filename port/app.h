@@ -13,7 +13,7 @@
 #ifdef FRAMES
 #define LOOP_RECORD 264u
 #else
-#define LOOP_RECORD 128u
+#define LOOP_RECORD 200u
 #endif
 #endif
 

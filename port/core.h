@@ -83,6 +83,7 @@
 #include "../src/scene/scene.c"
 #include "../src/scene/scenes.c"
 #include "../src/scene/session.c"
+#include "../src/scene/tally.c"
 // NOLINTEND(bugprone-suspicious-include)
 
 /// The parameters of a scene as this firmware runs it: at dt = 1 / SCENE_RATE,

@@ -23,7 +23,7 @@
 #ifdef FRAMES
 #define LOOP_ROOM 544u
 #else
-#define LOOP_ROOM 256u
+#define LOOP_ROOM 384u
 #endif
 #endif
 

@@ -22,10 +22,10 @@
 static struct {
   tf_session_t session;
   tf_link_t link;
-  uint32_t refused;  // steps, at which the state stood still
   uint64_t expected; // tick of the next step, unless a command changes it
 } sim;
 #define SIM_STATE sim.session.state
+#define SIM_TALLY sim.session.tally
 #define SIM_REPORT sim.session.report
 #define SIM_PARAMS sim.link.params
 #define SIM_TAKES_COMMANDS true
@@ -52,11 +52,11 @@ static loop_step_t sim_step(uint32_t *until_record) {
   if (session->state.tick != sim.expected)
     *until_record = EVERY - (uint32_t)session->state.tick % EVERY;
   const tf_input_t input = tf_session_input(session, SCENE);
-  const bool stood = scheme_step(&session->machine, &session->state, &input,
-                                 &session->report) < 0;
-  sim.refused += stood;
+  const tf_status_t status =
+      scheme_step(&session->machine, &session->state, &input, &session->report);
+  tf_tally_count(&session->tally, session->state.tick, status);
   sim.expected = session->state.tick;
-  return stood ? LOOP_STOOD : LOOP_STEPPED;
+  return status < 0 ? LOOP_STOOD : LOOP_STEPPED;
 }
 
 #else
@@ -65,10 +65,11 @@ static struct {
   tf_state_t state;
   tf_report_t report;
   tf_input_t input;
+  tf_tally_t tally;
   uint32_t steps;
-  uint32_t refused; // steps: the first ends the loop
 } sim;
 #define SIM_STATE sim.state
+#define SIM_TALLY sim.tally
 #define SIM_REPORT sim.report
 #define SIM_PARAMS SCENE->params
 #define SIM_TAKES_COMMANDS false
@@ -82,11 +83,17 @@ static void sim_latch(void) { sim.input = scene_input(sim.steps + 1); }
 static loop_step_t sim_step(uint32_t *until_record) {
   (void)until_record;
   sim.steps++;
-  sim.refused +=
-      scheme_step(SCENE_MACHINE, &sim.state, &sim.input, &sim.report) < 0;
-  return sim.refused != 0 ? LOOP_BROKE : LOOP_STEPPED;
+  const tf_status_t status =
+      scheme_step(SCENE_MACHINE, &sim.state, &sim.input, &sim.report);
+  tf_tally_count(&sim.tally, sim.state.tick, status);
+  return status < 0 ? LOOP_BROKE : LOOP_STEPPED; // a refusal ends the loop
 }
 
 #endif
+
+// Counts of the tally in a heartbeat.
+static uint32_t at_most_32_bits(uint64_t count) {
+  return count < UINT32_MAX ? (uint32_t)count : UINT32_MAX;
+}
 
 #endif

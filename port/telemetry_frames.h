@@ -23,11 +23,14 @@ static uint32_t nanoseconds(uint64_t time) {
 
 static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   tf_heartbeat_t beat = {.steps = c->steps,
-                         .refused = sim.refused,
+                         .refused = at_most_32_bits(SIM_TALLY.refused),
                          .overruns = c->overruns,
                          .dropped = c->dropped,
                          .exec_max = nanoseconds(c->longest),
-                         .period = 1000000000u / RATE};
+                         .period = 1000000000u / RATE,
+                         .degraded = at_most_32_bits(SIM_TALLY.degraded),
+                         .fell_back = at_most_32_bits(SIM_TALLY.fell_back),
+                         .coarse = at_most_32_bits(SIM_TALLY.coarse)};
   if (c->steps > 0) {
     beat.exec_min = nanoseconds(c->shortest);
     beat.exec_mean = nanoseconds(c->sum / c->steps);

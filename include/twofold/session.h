@@ -5,12 +5,15 @@
 ///
 ///   tf_input_t input = tf_session_input(&session, scene);
 ///   if (session.running)
-///     tf_step(&session.machine, &session.state, &input, &session.report);
+///     tf_tally_count(&session.tally, session.state.tick,
+///                    tf_step(&session.machine, &session.state, &input,
+///                            &session.report));
 #ifndef TWOFOLD_SESSION_H
 #define TWOFOLD_SESSION_H
 
 #include "twofold/scene.h"
 #include "twofold/step.h"
+#include "twofold/tally.h"
 
 typedef struct {
   tf_machine_t machine;
@@ -18,6 +21,7 @@ typedef struct {
   tf_report_t report; ///< of the last step, or of the start
   tf_input_t input;   ///< set from outside; used if input_is_set
   bool input_is_set;  ///< false: the inputs are those of the scene
+  tf_tally_t tally;   ///< of the steps since tf_session_open
   bool running;       ///< whether the program steps at a tick
 } tf_session_t;
 

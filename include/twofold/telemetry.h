@@ -41,7 +41,7 @@ typedef enum {
 #define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
 #define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 4)
 #define TF_COMPACT_BYTES (3 * TF_REAL_BYTES + 2)
-#define TF_HEARTBEAT_BYTES 40u
+#define TF_HEARTBEAT_BYTES 52u
 #define TF_PARAMETER_BYTES (3 * TF_REAL_BYTES + 32)
 
 /// Contents of a schema frame.
@@ -53,7 +53,8 @@ typedef struct {
   bool takes_commands; ///< the build has an uplink
 } tf_schema_t;
 
-/// Counters of a real-time loop, each modulo 2^32.
+/// Counters of a real-time loop, each modulo 2^32; those of steps that were not
+/// TF_OK stay at 2^32 - 1 instead, so that none is ever forgotten.
 typedef struct {
   uint32_t steps;     ///< taken
   uint32_t refused;   ///< by the scheme; the state stood still
@@ -65,6 +66,9 @@ typedef struct {
   uint32_t exec_mean; ///< ... since the start ...
   uint32_t exec_max;  ///< ... [ns]
   uint32_t period;    ///< nominal period of the tick [ns]
+  uint32_t degraded;  ///< steps TF_DEGRADED
+  uint32_t fell_back; ///< steps TF_FELL_BACK
+  uint32_t coarse;    ///< steps TF_COARSE
 } tf_heartbeat_t;
 
 /// Hash of all parameters that the motion depends on, the same on every board.
@@ -161,12 +165,23 @@ TF_API size_t tf_send_compact(uint8_t *wire, uint16_t *sequence,
 /// wire: out, TF_FRAME_SIZE(TF_HEARTBEAT_BYTES).
 /// sequence: in/out. tick: in. heartbeat: in.
 /// Returns: bytes of the frame.
-/// Cost: at most 1700 instructions. Stack: 160 B.
+/// Cost: at most 2200 instructions. Stack: 176 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: heartbeat_survives_the_line, documented_frames_decode
 #define tf_send_heartbeat TF_LINK(tf_send_heartbeat)
 TF_API size_t tf_send_heartbeat(uint8_t *wire, uint16_t *sequence,
                                 uint64_t tick, const tf_heartbeat_t *heartbeat);
+
+/// Reads the payload of TF_DOWN_HEARTBEAT.
+/// Scheme: none.
+/// payload: in, TF_HEARTBEAT_BYTES. heartbeat: out.
+/// Returns: nothing.
+/// Cost: at most 500 instructions. Stack: 160 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: heartbeat_survives_the_line
+#define tf_read_heartbeat TF_LINK(tf_read_heartbeat)
+TF_API void tf_read_heartbeat(const uint8_t *payload,
+                              tf_heartbeat_t *heartbeat);
 
 /// Frame TF_DOWN_PARAMETER: value, range, name and unit. For firmware whose
 /// host does not know the parameters beforehand and learns here which index a

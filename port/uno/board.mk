@@ -2,8 +2,8 @@
 # lie in RAM too: there is no room for a firmware that has all scenes.
 BOARD_TOOLS := avr-
 BOARD_PACKAGES := gcc-avr avr-libc qemu-system-misc
-BOARD_FLAGS := -mmcu=atmega328p -DF_CPU=16000000ul -DLOOP_ROOM=144u \
-  -DLOOP_RECORD=128u -DBOARD_SMALL
+BOARD_FLAGS := -mmcu=atmega328p -DF_CPU=16000000ul -DLOOP_ROOM=288u \
+  -DLOOP_RECORD=200u -DBOARD_SMALL
 BOARD_LINK := -mmcu=atmega328p -lm
 BOARD_REALS := float
 BOARD_SMALL := yes

@@ -65,7 +65,8 @@ TF_API const char *const tf_layout_compact =
 TF_API const char *const tf_layout_heartbeat =
     "steps,u32,1,1;refused,u32,1,1;overruns,u32,1,1;dropped,u32,1,1;"
     "bad,u32,1,1;ignored,u32,1,1;exec_min,u32,1e-9,s;exec_mean,u32,1e-9,s;"
-    "exec_max,u32,1e-9,s;period,u32,1e-9,s";
+    "exec_max,u32,1e-9,s;period,u32,1e-9,s;degraded,u32,1,1;fell_back,u32,1,1;"
+    "coarse,u32,1,1";
 
 TF_API size_t tf_send_layout(uint8_t *wire, uint16_t *sequence, uint64_t tick,
                              tf_type_t type, const char *layout) {
@@ -118,14 +119,28 @@ TF_API size_t tf_send_compact(uint8_t *wire, uint16_t *sequence,
 TF_API size_t tf_send_heartbeat(uint8_t *wire, uint16_t *sequence,
                                 uint64_t tick,
                                 const tf_heartbeat_t *heartbeat) {
-  const uint32_t counters[10] = {heartbeat->steps,    heartbeat->refused,
-                                 heartbeat->overruns, heartbeat->dropped,
-                                 heartbeat->bad,      heartbeat->ignored,
-                                 heartbeat->exec_min, heartbeat->exec_mean,
-                                 heartbeat->exec_max, heartbeat->period};
+  const uint32_t counters[] = {
+      heartbeat->steps,    heartbeat->refused,   heartbeat->overruns,
+      heartbeat->dropped,  heartbeat->bad,       heartbeat->ignored,
+      heartbeat->exec_min, heartbeat->exec_mean, heartbeat->exec_max,
+      heartbeat->period,   heartbeat->degraded,  heartbeat->fell_back,
+      heartbeat->coarse};
   uint8_t *at = wire + TF_FRAME_AT;
-  for (unsigned i = 0; i < 10; i++) at = tf_wire_put(at, counters[i], 4);
+  for (unsigned i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
+    at = tf_wire_put(at, counters[i], 4);
   return seal(wire, TF_DOWN_HEARTBEAT, at, sequence, tick);
+}
+
+TF_API void tf_read_heartbeat(const uint8_t *payload,
+                              tf_heartbeat_t *heartbeat) {
+  uint32_t *const counters[] = {
+      &heartbeat->steps,    &heartbeat->refused,   &heartbeat->overruns,
+      &heartbeat->dropped,  &heartbeat->bad,       &heartbeat->ignored,
+      &heartbeat->exec_min, &heartbeat->exec_mean, &heartbeat->exec_max,
+      &heartbeat->period,   &heartbeat->degraded,  &heartbeat->fell_back,
+      &heartbeat->coarse};
+  for (unsigned i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
+    *counters[i] = (uint32_t)tf_wire_get(payload + 4 * i, 4);
 }
 
 TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,

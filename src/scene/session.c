@@ -18,6 +18,7 @@ TF_API tf_status_t tf_session_open(tf_session_t *session,
                                    const tf_params_t *params, uint32_t seed) {
   const tf_status_t status = tf_prepare(&session->machine, params, NULL);
   if (status != TF_OK) return status;
+  session->tally = (tf_tally_t){0};
   session->running = true;
   return tf_session_start(session, scene, seed);
 }

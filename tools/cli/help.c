@@ -28,7 +28,8 @@ static const char overview[] =
     "  help [COMMAND]     this text, or the options of a command\n"
     "  --version          version and number type\n"
     "\n"
-    "exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped\n";
+    "exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped, 5 done, but\n"
+    "some steps were degraded or missed their tolerance\n";
 
 void cli_overview(void) { (void)fputs(overview, stdout); }
 

@@ -102,12 +102,7 @@ static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
 }
 
 static void take_heartbeat(hil_board_t *board, const tf_frame_t *frame) {
-  const uint8_t *at = frame->payload;
-  tf_heartbeat_t *beat = &board->heartbeat;
-  beat->overruns = (uint32_t)tf_wire_get(at + 8, 4);
-  beat->dropped = (uint32_t)tf_wire_get(at + 12, 4);
-  beat->bad = (uint32_t)tf_wire_get(at + 16, 4);
-  beat->ignored = (uint32_t)tf_wire_get(at + 20, 4);
+  tf_read_heartbeat(frame->payload, &board->heartbeat);
   board->has_heartbeat = true;
 }
 

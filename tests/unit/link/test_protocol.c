@@ -70,8 +70,8 @@ static const tf_state_t state_shown = {TF_R(0.18), TF_R(-0.5), TF_R(-1.037),  0,
 static const tf_report_t report_shown = {
     TF_STICK_MINUS,   0x18, 2, {TF_R(0.75), TF_R(-0.2)},
     {0, TF_R(-0.25)}, 2,    0, TF_OK};
-static const tf_heartbeat_t heartbeat_shown = {1000, 0,    2,    3,    1,
-                                               0,    5200, 5400, 9100, 1000000};
+static const tf_heartbeat_t heartbeat_shown = {
+    1000, 0, 2, 3, 1, 0, 5200, 5400, 9100, 1000000, 4, 0, 1};
 static tf_schema_t schema_shown(void) {
   const tf_schema_t schema = {
       &tf_scenes[0]->params, tf_scenes[0]->name, "demo", 7, 0, true};
@@ -173,12 +173,16 @@ TEST(heartbeat_survives_the_line) {
   uint8_t wire[LONGEST];
   received_t received;
   uint16_t sequence = 0;
-  const tf_heartbeat_t beat = {1, 2, 3, 4, 5, 6, 7, 8, 9, 0xfffffffau};
+  const tf_heartbeat_t beat = {1, 2, 3,  4,  5,  6,          7,
+                               8, 9, 10, 11, 12, 0xfffffffau};
   receive(&received, wire, tf_send_heartbeat(wire, &sequence, 1, &beat));
   CHECK(received.frame.length == TF_HEARTBEAT_BYTES && sequence == 1);
-  for (size_t i = 0; i < 9; i++)
+  for (size_t i = 0; i < 12; i++)
     CHECK(tf_wire_get(received.frame.payload + 4 * i, 4) == i + 1);
-  CHECK(tf_wire_get(received.frame.payload + 36, 4) == 0xfffffffau);
+  CHECK(tf_wire_get(received.frame.payload + 48, 4) == 0xfffffffau);
+  tf_heartbeat_t read;
+  tf_read_heartbeat(received.frame.payload, &read);
+  CHECK(!memcmp(&read, &beat, sizeof beat));
 }
 
 TEST(schema_says_what_runs) {

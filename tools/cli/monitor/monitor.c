@@ -185,6 +185,10 @@ static void summarise(const monitor_t *monitor) {
                   "%" PRIu32 " to %" PRIu32 " ns, mean %" PRIu32 "\n",
                   beat->steps, beat->overruns, beat->dropped, beat->refused,
                   beat->exec_min, beat->exec_max, beat->exec_mean);
+    (void)fprintf(stderr,
+                  "degraded   %" PRIu32 " steps; %" PRIu32
+                  " missed the tolerance, %" PRIu32 " fell back on moreau\n",
+                  beat->degraded, beat->coarse, beat->fell_back);
   }
   if (receiver->has_schema && receiver->rows > 0) {
     (void)fprintf(stderr,

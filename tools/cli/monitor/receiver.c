@@ -124,14 +124,7 @@ static bool take_compact(cli_receiver_t *receiver, const tf_frame_t *frame,
 }
 
 static void take_heartbeat(cli_receiver_t *receiver, const tf_frame_t *frame) {
-  tf_heartbeat_t *beat = &receiver->heartbeat;
-  uint32_t *const counters[10] = {
-      &beat->steps,    &beat->refused, &beat->overruns, &beat->dropped,
-      &beat->bad,      &beat->ignored, &beat->exec_min, &beat->exec_mean,
-      &beat->exec_max, &beat->period};
-  for (size_t i = 0; i < 10; i++) {
-    *counters[i] = (uint32_t)tf_wire_get(frame->payload + 4 * i, 4);
-  }
+  tf_read_heartbeat(frame->payload, &receiver->heartbeat);
   receiver->has_heartbeat = true;
 }
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #define DRAW_EVERY 0.1 // [s]
-#define LINES 7
+#define LINES 8
 
 void cli_view_note(cli_view_t *view, uint8_t mode) {
   if (view->used > 0 && view->history[view->used - 1] == mode) {
@@ -54,7 +54,7 @@ static void draw(const cli_view_t *view, const cli_receiver_t *receiver,
                decoder->bad + decoder->too_long + decoder->bad_version,
                decoder->lost);
   if (!receiver->has_heartbeat) {
-    (void)printf("\033[Kboard has not sent its counters\n");
+    (void)printf("\033[Kboard has not sent its counters\n\n");
     (void)fflush(stdout);
     return;
   }
@@ -63,6 +63,9 @@ static void draw(const cli_view_t *view, const cli_receiver_t *receiver,
                "/%" PRIu32 " ns of %" PRIu32 "\n",
                beat->steps, beat->overruns, beat->dropped, beat->refused,
                beat->exec_min, beat->exec_mean, beat->exec_max, beat->period);
+  (void)printf("\033[Ksteps %" PRIu32 " degraded, %" PRIu32
+               " missed the tolerance, %" PRIu32 " fell back on moreau\n",
+               beat->degraded, beat->coarse, beat->fell_back);
   (void)fflush(stdout);
 }
 

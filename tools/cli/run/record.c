@@ -14,9 +14,7 @@ void cli_run_observe(cli_run_t *run, const tf_report_t *after) {
   if (after->choices > 1 && run->ambiguous_steps++ == 0) {
     run->ambiguous_since = t;
   }
-  run->degraded += after->status == TF_DEGRADED;
-  run->coarse += after->status == TF_COARSE;
-  run->fell_back += after->status == TF_FELL_BACK;
+  tf_tally_count(&run->tally, run->done, after->status);
   if (after->mode > TF_SLIP_MINUS) {
     run->largest_h = fmax(run->largest_h, fabs((double)after->slip.h));
   }

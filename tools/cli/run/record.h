@@ -8,6 +8,7 @@
 #include "../setup/scheme.h"
 #include "events.h"
 #include "row.h"
+#include "twofold.h"
 
 /// Why a run ended.
 typedef enum {
@@ -36,9 +37,7 @@ typedef struct {
   cli_events_t events;
   uint64_t ambiguous_steps; ///< with more than one consistent mode
   double ambiguous_since;   ///< time of the first of them [s]
-  uint64_t degraded;        ///< steps without a consistent mode
-  uint64_t coarse;          ///< located steps that missed their tolerance
-  uint64_t fell_back;       ///< located steps taken by tf_step, none degraded
+  tf_tally_t tally;         ///< of the steps that were taken
   double largest_h;         ///< |h| in stick or pinned [m/s]
   double largest_residual;  ///< [N]
   double seconds;           ///< wall time of the steps without the output

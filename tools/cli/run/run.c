@@ -159,7 +159,10 @@ static int perform(cli_run_t *run, const char *path) {
     run->end = CLI_NOT_WRITTEN;
   }
   cli_summary(run);
-  return run->end == CLI_ENDED ? CLI_DONE : CLI_STOPPED;
+  if (run->end != CLI_ENDED) {
+    return CLI_STOPPED;
+  }
+  return run->tally.degraded + run->tally.coarse > 0 ? CLI_DOUBTED : CLI_DONE;
 }
 
 // The number of steps is the integer nearest to t_end / dt.

@@ -41,6 +41,10 @@ static const char page[] =
     "After SIGINT or SIGTERM the program finishes the step, writes its row\n"
     "and stops; a second signal kills it. The summary goes to standard error.\n"
     "\n"
+    "exit codes: 0 done, 2 usage, 3 refused, 4 stopped, 5 done, but some "
+    "steps\n"
+    "were degraded or missed their tolerance: the summary counts them\n"
+    "\n"
     "names of --set, with their ranges:\n";
 
 static void print_names(void) {

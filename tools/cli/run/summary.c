@@ -36,12 +36,17 @@ static void print_quality(const cli_run_t *run) {
                   100 * (double)run->ambiguous_steps / steps,
                   run->ambiguous_since);
   }
-  (void)fprintf(stderr, "\ndegraded   %" PRIu64 " steps", run->degraded);
-  if (run->coarse > 0 || run->fell_back > 0) {
+  const tf_tally_t *tally = &run->tally;
+  (void)fprintf(stderr, "\ndegraded   %" PRIu64 " steps", tally->degraded);
+  if (tally->coarse > 0 || tally->fell_back > 0) {
     (void)fprintf(stderr,
                   "; %" PRIu64 " missed the tolerance, %" PRIu64
                   " fell back on moreau",
-                  run->coarse, run->fell_back);
+                  tally->coarse, tally->fell_back);
+  }
+  if (tally->degraded + tally->coarse + tally->fell_back > 0) {
+    (void)fprintf(stderr, ", first at t = %g s",
+                  cli_run_time(run, tally->first));
   }
   (void)fputc('\n', stderr);
   (void)fprintf(stderr, "largest    |h| in stick %.3g m/s, residual %.3g N\n",

@@ -11,7 +11,9 @@ enum {
   CLI_DONE = 0,    ///< everything asked for was done
   CLI_USAGE = 2,   ///< unknown command, option or name, or unreadable number
   CLI_REFUSED = 3, ///< a value was read but lies outside its range
-  CLI_STOPPED = 4  ///< interrupted, refused by a step, or not writable
+  CLI_STOPPED = 4, ///< interrupted, refused by a step, or not writable
+  CLI_DOUBTED = 5  ///< all was done, and some steps said that they cannot be
+                   ///< trusted to their bound: degraded, or coarse
 };
 
 #if defined(__GNUC__)
