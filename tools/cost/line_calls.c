@@ -307,6 +307,12 @@ CALL(read_state) {
   fill(payload, sizeof payload, GENE(0));
   return COUNT(tf_read_state(payload, GENE(1), &state));
 }
+CALL(read_heartbeat) {
+  uint8_t payload[TF_HEARTBEAT_BYTES];
+  tf_heartbeat_t beat;
+  fill(payload, sizeof payload, GENE(0));
+  return COUNT(tf_read_heartbeat(payload, &beat));
+}
 CALL(read_report) {
   uint8_t payload[TF_REPORT_BYTES];
   tf_report_t report;
@@ -349,6 +355,7 @@ const call_t line_calls[] = {
     ENTRY(send_heartbeat),
     ENTRY(send_parameter),
     ENTRY(read_state),
+    ENTRY(read_heartbeat),
     ENTRY(read_report),
     ENTRY(text_row),
 };

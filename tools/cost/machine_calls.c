@@ -125,6 +125,13 @@ CALL(scene_start) {
   tf_report_t report;
   return COUNT(tf_scene_start(&scene, K, GENE(2), &state, &report));
 }
+CALL(tally_count) {
+  tf_tally_t tally;
+  memset(&tally, 0, sizeof tally);
+  tally.refused = GENE(2) & 1u;
+  const int status = TF_STEP_TOO_LONG + (int)(GENE(3) % 8);
+  return COUNT(tf_tally_count(&tally, GENE(4), (tf_status_t)status));
+}
 CALL(session_input) {
   const tf_scene_t scene = scene_of(s);
   tf_session_t session;
@@ -199,6 +206,7 @@ const call_t machine_calls[] = {
     ENTRY(scene_input),
     ENTRY(scene_start),
     ENTRY(session_input),
+    ENTRY(tally_count),
     ENTRY(session_start),
     ENTRY(session_open),
     ENTRY(two_folds),
