@@ -242,7 +242,9 @@ TF_INLINE void enumerate_one_sign(const inclusion_t *in, int s,
 // Whether the force that pins the wheel is one of the law, |M| <= kappa |F| and
 // |F| <= mu.
 TF_INLINE bool pinned_solves(tf_real_t pin_x, tf_real_t pin_y) {
-  return within(pin_x, 1) & within(pin_y, magnitude(pin_x));
+  const bool in_F = within(pin_x, 1);
+  const bool in_M = within(pin_y, magnitude(pin_x));
+  return in_F & in_M; // without a branch, for the lanes of an ensemble
 }
 
 // g+ may have either sign: codimension two is within reach of this step.

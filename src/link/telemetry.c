@@ -139,7 +139,7 @@ TF_API void tf_read_heartbeat(const uint8_t *payload,
       &heartbeat->exec_min, &heartbeat->exec_mean, &heartbeat->exec_max,
       &heartbeat->period,   &heartbeat->degraded,  &heartbeat->fell_back,
       &heartbeat->coarse};
-  for (unsigned i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
+  for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     *counters[i] = (uint32_t)tf_wire_get(payload + 4 * i, 4);
 }
 
