@@ -25,9 +25,9 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   text_pair(&text, " skipped:", c->skipped);
   text_pair(&text, " sent:", c->sent);
   text_pair(&text, " dropped:", c->dropped);
-  text_pair(&text, " degraded:", at_most_32_bits(SIM_TALLY.degraded));
-  text_pair(&text, " fallback:", at_most_32_bits(SIM_TALLY.fell_back));
-  text_pair(&text, " coarse:", at_most_32_bits(SIM_TALLY.coarse));
+  text_pair(&text, " doubted:",
+            at_most_32_bits(SIM_TALLY.degraded + SIM_TALLY.fell_back +
+                            SIM_TALLY.coarse));
   text_pair(&text, " min:", c->steps ? c->shortest : 0);
   text_pair(&text, " mean:", c->steps ? (uint32_t)(c->sum / c->steps) : 0);
   text_pair(&text, " max:", c->longest);
