@@ -13,7 +13,7 @@
 #ifdef FRAMES
 #define LOOP_RECORD 264u
 #else
-#define LOOP_RECORD 200u
+#define LOOP_RECORD 160u
 #endif
 #endif
 

@@ -1,15 +1,14 @@
 /// @file
-/// How far the steps of a run can be trusted, counted by status.
-///
-/// TF_OK means: every consistent mode of the step was found and reported, the
-/// one that the declared rule takes was taken, and the state at its end obeys
-/// the law to the rounding of its type. What a step does not keep of that it
-/// says in its status, and a program counts it here, in one struct that holds
-/// the answer for all steps since the start:
+/// The steps of a run that were not TF_OK, counted by status, in one struct for
+/// all steps since the start. A report tells of its own step alone:
 ///
 ///   tf_tally_count(&session.tally, session.state.tick,
 ///                  tf_step(&session.machine, &session.state, &input,
 ///                          &session.report));
+///
+/// A count of 0 says that no step found a reason for doubt, and not that none
+/// was wrong: docs/VERIFICATION.md ("An independent reference") has the rates
+/// of steps that are wrong and say TF_OK.
 #ifndef TWOFOLD_TALLY_H
 #define TWOFOLD_TALLY_H
 

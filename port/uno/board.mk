@@ -3,7 +3,7 @@
 BOARD_TOOLS := avr-
 BOARD_PACKAGES := gcc-avr avr-libc qemu-system-misc
 BOARD_FLAGS := -mmcu=atmega328p -DF_CPU=16000000ul -DLOOP_ROOM=288u \
-  -DLOOP_RECORD=200u -DBOARD_SMALL
+  -DLOOP_RECORD=160u -DBOARD_SMALL
 BOARD_LINK := -mmcu=atmega328p -lm
 BOARD_REALS := float
 BOARD_SMALL := yes

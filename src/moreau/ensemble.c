@@ -149,12 +149,13 @@ TF_INLINE void slip_lane(const tf_machine_t *restrict k,
   const tf_real_t side = flip_sign(minus, 1);
   const tf_real_t tau = lane_tau(work, minus, i);
   const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
-  const lane_multipliers_t first = alone
-                                       ? lane_law_alone(&k->tyre, side, now)
-                                       : lane_multipliers(&k->tyre, side, now);
+  const lane_multipliers_t first =
+      alone ? lane_multipliers_alone(&k->tyre, side, now)
+            : lane_multipliers(&k->tyre, side, now);
   const tf_slip_t at = lane_theta_slip(k, b, work, i, first.x, first.y);
-  const lane_multipliers_t theta = alone ? lane_law_alone(&k->tyre, side, at)
-                                         : lane_multipliers(&k->tyre, side, at);
+  const lane_multipliers_t theta =
+      alone ? lane_multipliers_alone(&k->tyre, side, at)
+            : lane_multipliers(&k->tyre, side, at);
   const end_state_t end = lane_end(k, work, omega0, i, theta.x, theta.y);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - omega0);
   const mask_t stays = when(side * slip.h > 0);
