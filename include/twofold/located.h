@@ -24,8 +24,7 @@
 ///   by series that solve the singular equations there; DESIGN.md section 10.
 ///   The error falls with dt in the order of the series, across events too. At
 ///   h = g = 0 and at two-folds it does not: there the tolerance sets its size.
-///   In float a wheel that has rested may not get going again, as with tf_step,
-///   even at dt = 1e-2.
+///   In float a motion may stand still, as with tf_step, even at dt = 1e-2.
 /// machine: in, prepared; law JUMP, COULOMB or NONE.
 /// state: in/out, from tf_begin, tf_step or tf_step_located.
 /// input: in, within TF_STATE_LIMIT together with the state.
@@ -38,7 +37,8 @@
 ///   is epsilon over the slip, because the angle is known no better.
 /// Returns: TF_OK; TF_COARSE (TF_LOCATED_SEGMENTS segments were not enough: the
 ///   rest of the step was done with a coarser tolerance, as fine as
-///   TF_LOCATED_MOST_SEGMENTS allow and 1e-6 at most, 1e-3 in float);
+///   TF_LOCATED_MOST_SEGMENTS allow and 1e-6 at most, 1e-3 in float; or the
+///   motion stands still, as with tf_step);
 ///   TF_FELL_BACK (these were not enough either, or a series did not converge:
 ///   tf_step took the whole step, and the report is its own); TF_DEGRADED (the
 ///   same, and tf_step returned that); TF_BAD_PARAMETER (another law),
@@ -58,7 +58,8 @@
 ///   located_escaping_stick_ends_in_slip_of_the_other_side,
 ///   located_delassus_is_that_of_the_side_of_g,
 ///   located_set_holds_the_mode, located_is_coarse_only_where_it_has_to_be,
-///   located_refuses_to_leave_the_range_of_states
+///   located_refuses_to_leave_the_range_of_states,
+///   no_scheme_stands_still_without_a_word
 #define tf_step_located TF_LINK(tf_step_located)
 TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
                                    tf_state_t *state, const tf_input_t *input,

@@ -13,8 +13,11 @@ typedef enum {
   TF_DEGRADED = 1,       ///< no mode was consistent, or none that a slip may
                          ///< enter: smallest residual taken
   TF_FELL_BACK = 2,      ///< tf_step_located took the step by tf_step
-  TF_COARSE = 3,         ///< tf_step_located ran out of segments: advanced, but
-                         ///< further off than the tolerance
+  TF_COARSE = 3,         ///< advanced, but too coarsely: tf_step_located ran
+                         ///< out of segments and is further off than the
+                         ///< tolerance, or a step has lost the change of the
+                         ///< state in its rounding, and so will the next ones:
+                         ///< the motion stands still
   TF_BAD_PARAMETER = -1, ///< a parameter or option is out of its range
   TF_BAD_STATE = -2,     ///< state or input not finite or out of its range
   TF_DIVERGED = -3,      ///< the next state would leave the range of states

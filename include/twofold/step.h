@@ -53,16 +53,17 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   attracting stick to continue in, ends there, pinned: its force is a mean
 ///   of those before and after, its residual the distance of that from the law.
 ///   The next step chooses from that point.
-///   In float a motion stands still where a step changes r by less than its
-///   rounding, and so does one that starts from rest: scene `chaos` under
-///   RANDOM at dt = 1e-4 within minutes. Use tf_step_compensated then, or a
-///   longer dt.
+///   A step that leaves r as it was while the machine moves, and with which 256
+///   more would, stands still: its change is less than the rounding of the
+///   state. In float at dt <= 1e-4 s every motion departs from rest like that,
+///   and some never do. Use tf_step_compensated then, or a longer dt.
 /// machine: in, prepared.
 /// state: in/out, from tf_begin.
 /// input: in, within TF_STATE_LIMIT together with the state.
 /// report: out.
 /// Returns: TF_OK; TF_DEGRADED (advanced, although no mode was consistent and
-///   admissible: report->set holds the consistent ones);
+///   admissible: report->set holds the consistent ones); TF_COARSE (advanced,
+///   but the motion stands still);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
 /// Cost: at most 3200 instructions, the worst found by search;
@@ -77,6 +78,9 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   enumeration_against_grid_search, one_or_three_solutions,
 ///   residual_vanishes_at_solutions_only,
 ///   slip_never_enters_an_escaping_stick, rules_choose_as_declared,
+///   no_scheme_stands_still_without_a_word,
+///   slip_in_equilibrium_is_not_told_to_move,
+///   stick_in_equilibrium_is_not_told_to_move,
 ///   random_exit_rate_is_independent_of_dt
 #define tf_step TF_LINK(tf_step)
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,

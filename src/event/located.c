@@ -5,6 +5,7 @@
 
 #include "../friction/slip_residual.h"
 #include "../moreau/outcome.h"
+#include "../moreau/standing.h"
 #include "limit_direction.h"
 #include "pace.h"
 #include "transition.h"
@@ -178,8 +179,11 @@ static tf_status_t commit_located(const trajectory_t *path,
                                                slip.g < 0, inertia_at(k, end.r))
                                  : 0};
   if (k->with_angle) state->phi += path->angle;
-  return record(state, end, slip, path->force, residual_at_end(path, slip),
-                outcome, report);
+  const tf_real_t r = state->r;
+  const tf_status_t status =
+      record(state, end, slip, path->force, residual_at_end(path, slip),
+             outcome, report);
+  return r == end.r ? judge_standing(k, input, state, report) : status;
 }
 
 TF_API tf_status_t tf_step_located(const tf_machine_t *machine,

@@ -81,6 +81,33 @@ static bool leave_codim2(trajectory_t *path, bool from_minus) {
   return true;
 }
 
+// A stick whose g has not grown out of its rounding since it left h = g = 0,
+// and may have the wrong sign: it goes on where its own force moves g to its
+// side. Placed at h = g = 0 in every step, it would never get away.
+static bool keep_leaving(trajectory_t *path) {
+  const tf_machine_t *k = path->motion.machine;
+  const bool minus = path->mode == TF_STICK_MINUS;
+  if (!minus && path->mode != TF_STICK_PLUS) return false;
+  const rates_t rates = tf_trajectory_rates(path);
+  consistent_modes_t consistent;
+  surface_modes(k, &rates, minus, &consistent);
+  const solutions_t *solutions = &consistent.solutions;
+  const tf_real_t g_rate =
+      g_rate_in_stick(k, &rates, minus, consistent.lambda[minus]);
+  if (!has(solutions->set, path->mode) || !(minus ? g_rate < 0 : g_rate > 0) ||
+      tf_select(k->rule, k->exit_threshold, solutions, path->mode,
+                path->state->tick, path->state->seed) != path->mode)
+    return false;
+  tf_project(path);
+  keep_largest_set(path, solutions->set);
+  enter_mode(path, path->mode, CONTACT_SLIP,
+             (segment_t){.sign_h = 1,
+                         .sign_g = minus ? -1 : 1,
+                         .h_zero_order = 1,
+                         .g_starts_at_zero = true});
+  return true;
+}
+
 static void begin_without_contact(trajectory_t *path, tf_real_t h) {
   path->mode = h < 0 ? TF_SLIP_MINUS : h > 0 ? TF_SLIP_PLUS : path->mode & 1u;
   path->segment =
@@ -120,7 +147,8 @@ TF_API bool tf_first_segment(trajectory_t *path) {
   // A pinned wheel has g = 0, and the sign of g that the rounding of omega0
   // gives it must not matter.
   if (k->stick_kappa > 0 && !rolls && within(slip.g, rounding))
-    return leave_codim2(path, path->mode != TF_PINNED && slip.g < 0);
+    return keep_leaving(path) ||
+           leave_codim2(path, path->mode != TF_PINNED && slip.g < 0);
   return leave_h_zero(path);
 }
 

@@ -230,11 +230,7 @@ static void add_stick(const tf_machine_t *k, const rates_t *rates, int s,
   solutions_t *solutions = &out->solutions;
   const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
   const tf_real_t lambda = rates->N / rates->A[s];
-  const tf_real_t moment = sign * k->stick_kappa * lambda;
-  const tf_real_t g =
-      slip_from_pq(k, rates->p + lambda * rates->Fp,
-                   rates->q + lambda * rates->Fq + moment * rates->Mq)
-          .g;
+  const tf_real_t g = g_rate_in_stick(k, rates, s, lambda);
   if (rates->A[s] > 0)
     solutions->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
   if (!within(lambda, k->tyre.mu) || !(sign * g > 0)) return;

@@ -14,6 +14,15 @@ typedef struct {
   int sign_g[2];       // and the sign of g there
 } consistent_modes_t;
 
+// g' in stick with the sign of g of s, under lambda.
+TF_INLINE tf_real_t g_rate_in_stick(const tf_machine_t *k, const rates_t *a,
+                                    int s, tf_real_t lambda) {
+  const tf_real_t moment = signed_kappa(k, s) * lambda;
+  return slip_from_pq(k, a->p + lambda * a->Fp,
+                      a->q + lambda * a->Fq + moment * a->Mq)
+      .g;
+}
+
 // The regions of h = 0 at g != 0: both slips lead to it (stick alone is
 // consistent), both lead away (all three are), or one crosses it. s: 0 where
 // g > 0, 1 where g < 0.

@@ -179,7 +179,8 @@ static __attribute__((noinline)) void slip_few(
     slip_lane(k, b, omega0, work, work->slipping[n], true);
 }
 
-static void ends_all(const tf_machine_t *restrict k, tf_real_t omega0,
+static void ends_all(const tf_machine_t *restrict k,
+                     const tf_state_block_t *restrict b, tf_real_t omega0,
                      work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++) {
     const mask_t moves = when(work->side[i] != 0) | when(work->roll[i] != 0);
@@ -192,7 +193,8 @@ static void ends_all(const tf_machine_t *restrict k, tf_real_t omega0,
     work->r[i] = r;
     work->v[i] = v;
     work->w[i] = omega;
-    work->rare[i] |= ~when(within(size, TF_STATE_LIMIT));
+    work->rare[i] |= ~when(within(size, TF_STATE_LIMIT)) |
+                     (moves & when(r == b->r[i])); // it may stand still
   }
 }
 
@@ -305,7 +307,7 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
     slip_all(k, b, u->omega0, &work);
   else if (slips > 0)
     slip_few(k, b, u->omega0, &work, slips);
-  ends_all(k, u->omega0, &work);
+  ends_all(k, b, u->omega0, &work);
   if (any_rare(&work)) return step_some(k, b, u, &work, out);
   if (k->with_angle) angles_all(k, b, &work);
   finish_all(k, b, u->omega0, &work, out);

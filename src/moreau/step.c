@@ -8,12 +8,13 @@
 #include "outcome.h"
 #include "single_valued.h"
 #include "stages.h"
+#include "standing.h"
 
 // Commit: the state and the report, or the refusal. A Delassus scalar that
 // overflows shows that the slopes of h and g did.
 TF_INLINE tf_status_t commit(const free_motion_t *c, tf_state_t *state,
-                             const forced_end_t *end, outcome_t outcome,
-                             tf_report_t *report) {
+                             const tf_input_t *input, const forced_end_t *end,
+                             outcome_t outcome, tf_report_t *report) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   if (!in_reach(end->at.r, end->at.v, end->at.w) ||
       !within(outcome.delassus, TF_REAL_MAX))
@@ -22,7 +23,10 @@ TF_INLINE tf_status_t commit(const free_motion_t *c, tf_state_t *state,
   const tf_real_t residual = mode_residual(k, outcome.mode, end->force, slip);
   if (k->with_angle) // (12)
     state->phi += angle_turned(k, state->w, end->at.w);
-  return record(state, end->at, slip, end->force, residual, outcome, report);
+  const tf_real_t r = state->r;
+  const tf_status_t status =
+      record(state, end->at, slip, end->force, residual, outcome, report);
+  return r == end->at.r ? judge_standing(k, input, state, report) : status;
 }
 
 TF_RARE tf_status_t degraded_step(const tf_machine_t *k, tf_state_t *state,
@@ -30,7 +34,7 @@ TF_RARE tf_status_t degraded_step(const tf_machine_t *k, tf_state_t *state,
                                   tf_report_t *report) {
   free_motion_t c = plain_motion(k, state, input);
   const violation_t best = least_violation(&c);
-  return commit(&c, state, &best.end, best.outcome, report);
+  return commit(&c, state, input, &best.end, best.outcome, report);
 }
 
 TF_RARE bool step_reaches_codim2(const tf_machine_t *k, const tf_state_t *state,
@@ -49,8 +53,8 @@ TF_RARE tf_status_t step_under_force(const tf_machine_t *k, tf_state_t *state,
   const free_motion_t c = plain_motion(k, state, input);
   const single_valued_end_t to = single_valued_end(&c, (tf_force_t){F, M});
   const outcome_t outcome = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
-  const tf_status_t status = commit(&c, state, &to.end, outcome, report);
-  if (status == TF_OK) report->residual = to.residual;
+  const tf_status_t status = commit(&c, state, input, &to.end, outcome, report);
+  if (status >= TF_OK) report->residual = to.residual;
   return status;
 }
 
@@ -88,5 +92,5 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   // Commit.
   const outcome_t outcome = {mode, s.set, TF_OK,
                              end_delassus(&c, &in, signs, &end)};
-  return commit(&c, state, &end, outcome, report);
+  return commit(&c, state, input, &end, outcome, report);
 }

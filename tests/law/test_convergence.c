@@ -1,5 +1,6 @@
 /* How the simulated motion converges to the true one. */
 #include "common.h"
+#include "resolved.h"
 
 static double max3(double a, double b, double c) {
   return fmax(fabs(a), fmax(fabs(b), fabs(c)));
@@ -24,7 +25,7 @@ static double chaos_error(long n, uint8_t *mode) {
   CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
   CHECK(x.mode == TF_SLIP_PLUS);
   for (long i = 0; i < n; i++)
-    CHECK(tf_step(&machine, &x, &u, &report) == TF_OK);
+    CHECK(ok_to_resolution(tf_step(&machine, &x, &u, &report)));
   *mode = x.mode;
   return max3((double)x.r - at_one[0], (double)x.v - at_one[1],
               (double)x.w - at_one[2]);
@@ -81,7 +82,7 @@ TEST(cycle_converges_up_to_the_two_fold) {
     CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
     for (long n = 1; (double)n * dts[i] < 2.1 && event < 4; n++) {
       const uint8_t before = x.mode;
-      CHECK(tf_step(&machine, &x, &u, &report) == TF_OK);
+      CHECK(ok_to_resolution(tf_step(&machine, &x, &u, &report)));
       const int now =
           event == 0   ? x.mode == TF_STICK_MINUS
           : event == 1 ? before == TF_STICK_MINUS && x.mode != before
@@ -127,7 +128,7 @@ static double slip_error(double theta, long n, const long double end[3]) {
   x.mode = TF_NO_MODE;
   CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
   for (long i = 0; i < n; i++) {
-    CHECK(tf_step(&machine, &x, &u, &report) == TF_OK);
+    CHECK(ok_to_resolution(tf_step(&machine, &x, &u, &report)));
     CHECK(x.mode == TF_SLIP_PLUS);
   }
   return max3((double)(x.r - end[0]), (double)(x.v - end[1]),
@@ -177,7 +178,7 @@ static void stick_differences(double *coarse, double *fine) {
     x.mode = TF_STICK_MINUS;
     CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
     for (long j = 0; j < n; j++) {
-      CHECK(tf_step(&machine, &x, &u, &report) == TF_OK);
+      CHECK(ok_to_resolution(tf_step(&machine, &x, &u, &report)));
       CHECK(x.mode == TF_STICK_MINUS);
     }
     end[i][0] = (double)x.r, end[i][1] = (double)x.v, end[i][2] = (double)x.w;
@@ -227,7 +228,7 @@ TEST(random_exit_rate_is_independent_of_dt) {
       CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
       if (!CHECK(x.mode == TF_STICK_PLUS && report.choices == 3)) return;
       while (x.mode == TF_STICK_PLUS && x.tick < 1000000)
-        CHECK(tf_step(&machine, &x, &u, &report) == TF_OK);
+        CHECK(ok_to_resolution(tf_step(&machine, &x, &u, &report)));
       sum += ((double)x.tick - 0.5) * (double)p.dt;
       plus += x.mode == TF_SLIP_PLUS;
     }

@@ -2,6 +2,7 @@
  * every scene and two benchmarks, as far as the solution is unique. */
 #include "../data/reference.h"
 #include "common.h"
+#include "resolved.h"
 
 /* Step sizes are taken in groups of neighbours and their errors averaged:
  * where in a step an event falls changes the error of one run by its size. */
@@ -99,7 +100,7 @@ static double error_of(scheme_t *scheme, const reference_t *ref, int n,
     const reference_state_t *want = &ref->state[i];
     for (int j = 0; j < n; j++) {
       if (!CHECK(step(&s, dt) >= TF_OK)) return INFINITY;
-      *coarse += s.report.status != TF_OK;
+      *coarse += !ok_to_resolution(s.report.status);
     }
     worst = fmax(worst, fabs((double)((long double)s.x.r - want->r)));
     worst = fmax(worst, fabs((double)((long double)s.x.v - want->v)));

@@ -1,7 +1,8 @@
 /// @file
-/// Class (h): a scheme whose state does not change any more although the
-/// reference, started from it, moves; and class (e): a stick that tends to
-/// h = g = 0 for ever, restarted by rounding.
+/// Class (h): a scheme whose r does not change any more although the reference,
+/// started from its state, moves, and that does not say so, or says so where
+/// the reference rests; and class (e): a stick that tends to h = g = 0 for
+/// ever, restarted by rounding.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +13,9 @@ enum { REALS = 2, DTS = 2, RUNS = LIB_SCHEMES * REALS * DTS };
 static const double dts[DTS] = {1e-4, 1e-5};
 static const double rest_dts[DTS] = {1e-3, 1e-4};
 
-static count_t stands[RUNS], leaves[RUNS];
+enum { STILL = 500 };
+
+static count_t stands[RUNS], alarms[RUNS], leaves[RUNS];
 static count_t tends = {.what = "stick tends to h = g = 0 for ever"};
 
 static const lib_table_t *real_of(int k) {
@@ -21,7 +24,7 @@ static const lib_table_t *real_of(int k) {
 
 static void name_counts(count_t counts[RUNS], const char *kind,
                         const double steps[DTS]) {
-  static char names[2][RUNS][64];
+  static char names[3][RUNS][64];
   static int used;
   for (int k = 0; k < RUNS; ++k) {
     snprintf(names[used][k], sizeof names[used][k], "%-11s %-6s %.0e: %s",
@@ -32,31 +35,45 @@ static void name_counts(count_t counts[RUNS], const char *kind,
   ++used;
 }
 
-// Steps until r has not changed for 500 of them; false where it does not come
-// to that, or the scheme says that something is wrong.
-static bool stops(const lib_table_t *real, const lib_machine_t *machine,
-                  lib_scheme_t scheme, double end, lib_row_t *row) {
+// Where a run of one scheme stood still.
+typedef struct {
+  bool silent; // r the same in STILL steps without a word
+  bool told;   // r the same in STILL steps, and the scheme said something
+  lib_row_t row, told_at;
+} stand_t;
+
+// Steps until r has not changed in STILL steps of which the scheme has not said
+// that something is wrong.
+static stand_t stops(const lib_table_t *real, const lib_machine_t *machine,
+                     lib_scheme_t scheme, double end) {
   lib_t lib;
-  long still = 0;
-  if (real->open(&lib, machine, scheme, row) < 0) {
-    return false;
+  stand_t stand = {.silent = false};
+  long still = 0, said = 0;
+  if (real->open(&lib, machine, scheme, &stand.row) < 0) {
+    return stand;
   }
   const long steps = lround(end / machine->dt);
-  for (long i = 0; i < steps && still < 500; ++i) {
-    const lib_row_t before = *row;
-    const int status = real->step(&lib, row);
-    if (status != 0) {
-      return false;
+  for (long i = 0; i < steps && !stand.silent; ++i) {
+    const double r = stand.row.r;
+    const int status = real->step(&lib, &stand.row);
+    if (status < 0) {
+      return stand;
     }
-    still = before.r == row->r ? still + 1 : 0;
+    still = r != stand.row.r ? 0 : still + 1;
+    said = r != stand.row.r ? 0 : said + (status != 0);
+    stand.silent = still - said >= STILL;
+    if (!stand.told && still >= STILL && said > 0) {
+      stand.told = true;
+      stand.told_at = stand.row;
+    }
   }
-  return still == 500;
+  return stand;
 }
 
-// Whether the reference moves r within 500 steps by more than 50 roundings,
-// and no law of rest would hold it.
-static bool moves_on(const lib_machine_t *machine, const lib_table_t *real,
-                     const lib_row_t *row) {
+// By how many roundings of it the reference moves r within a time; -1 where a
+// law of rest would hold it, which counts as neither.
+static double moves_on(const lib_machine_t *machine, const lib_table_t *real,
+                       const lib_row_t *row, real_t time) {
   const ref_machine_t q = draw_reference(machine, real);
   ref_state_t x = ref_state(&q, (real_t)row->r, (real_t)row->v, (real_t)row->w);
   const real_t coarse = 64 * (real_t)real->epsilon;
@@ -72,15 +89,34 @@ static bool moves_on(const lib_machine_t *machine, const lib_table_t *real,
   ref_orbit_t orbit = {.tolerance = 1e-9L, .limit = 200000};
   ref_begin(&orbit, &q, x, (ref_mode_t)row->mode);
   if (orbit.consistent.rests[REF_HEXAGON]) {
-    return false;
+    return -1;
   }
-  ref_run(&orbit, 500 * (real_t)machine->dt);
-  return fabsl(orbit.x.r - row->r) > 50 * (real_t)real->epsilon * fabsl(x.r);
+  ref_run(&orbit, time);
+  return (double)(fabsl(orbit.x.r - row->r) /
+                  ((real_t)real->epsilon * fabsl(x.r)));
+}
+
+// One run of one scheme. Moving is more than 50 roundings of r in the time that
+// the scheme stands still, resting is less than one in a second.
+static void count_standing(const options_t *options, long i,
+                           const lib_machine_t *machine, double end, int k) {
+  const lib_table_t *real = real_of(k);
+  const lib_scheme_t scheme = (lib_scheme_t)(k / DTS / REALS);
+  const char *name = lib_scheme_names[scheme];
+  const stand_t stand = stops(real, machine, scheme, end);
+  const real_t time = STILL * (real_t)machine->dt;
+  const bool silent =
+      stand.silent && moves_on(machine, real, &stand.row, time) > 50;
+  const bool alarm =
+      stand.told && fabs(moves_on(machine, real, &stand.told_at, 1)) < 1;
+  count_try(&stands[k], silent, options, i, machine, end, name);
+  count_try(&alarms[k], alarm, options, i, machine, end, name);
 }
 
 int class_standing(const options_t *options) {
   const double end = options->t_end > 0 ? options->t_end : 1;
-  name_counts(stands, "stands still where it moves", dts);
+  name_counts(stands, "stands still in silence", dts);
+  name_counts(alarms, "at rest, and told to move", dts);
   for (long i = options->first; i < options->first + options->machines; ++i) {
     draw_t draw = draw_begin(options->seed, (uint64_t)i);
     lib_machine_t machine = draw_machine(&draw, options->range);
@@ -90,18 +126,15 @@ int class_standing(const options_t *options) {
       machine.on_surface = false;
     }
     for (int k = 0; k < RUNS; ++k) {
-      const lib_table_t *real = real_of(k);
-      const lib_scheme_t scheme = (lib_scheme_t)(k / DTS / REALS);
-      lib_row_t row;
       machine.dt = dts[k % DTS];
-      const bool hit = stops(real, &machine, scheme, end, &row) &&
-                       moves_on(&machine, real, &row);
-      count_try(&stands[k], hit, options, i, &machine, end,
-                lib_scheme_names[scheme]);
+      count_standing(options, i, &machine, end, k);
     }
   }
   for (int k = 0; k < RUNS; ++k) {
     count_print(&stands[k]);
+  }
+  for (int k = 0; k < RUNS; ++k) {
+    count_print(&alarms[k]);
   }
   return 0;
 }

@@ -1,0 +1,136 @@
+// Whether a step that has left r as it was will go on like that although the
+// machine moves. Each such step is right to rounding, but where a step changes
+// r or w by less than half of its last digit the change is lost, and the motion
+// stands still for as long as that is so. A motion that passes a turning point
+// soon moves r again; one that is in equilibrium need not move.
+#ifndef TF_STANDING_H
+#define TF_STANDING_H
+
+#include "../model/rates.h"
+#include "outcome.h"
+
+// How many roundings of their terms the speeds and the accelerations of an
+// equilibrium are off by at most.
+#define STANDING_ROUNDINGS (16 * TF_REAL_EPSILON)
+// What moves by less than this share of its size in a second is at rest [1/s].
+#define STANDING_SLOWEST TF_R(1e-9)
+// A motion that is to move r again within so many steps does not stand still.
+#define STANDING_STEPS 256
+// A slip of so many of its roundings has a direction, and with it a force, that
+// rounding does not change.
+#define STANDING_DIRECTION 64
+
+// Accelerations.
+typedef struct {
+  tf_real_t p, z;
+} standing_rates_t;
+
+// What the terms of p' and z' amount to without their signs: a share of it is
+// what rounding makes of an equilibrium. `speed` bounds the terms of v.
+TF_INLINE standing_rates_t terms_of_rates(const tf_machine_t *k,
+                                          const tf_input_t *u,
+                                          const tf_state_t *x, tf_real_t speed,
+                                          tf_force_t force) {
+  const tf_real_t size = magnitude(x->r), spin = magnitude(x->w);
+  const tf_real_t d = magnitude(k->d), mrw = k->m * size * spin;
+  const tf_real_t radial = k->k2 * (magnitude(u->r0) + size) + k->c2 * speed +
+                           mrw * spin + magnitude(u->force) +
+                           magnitude(force.F * k->sin_gamma);
+  const tf_real_t torque = magnitude(u->torque) + k->c1 * spin +
+                           2 * mrw * speed + d * radial +
+                           magnitude(force.F) * size + magnitude(force.M);
+  return (standing_rates_t){radial / k->m + d * magnitude(u->alpha),
+                            torque / inertia_at(k, x->r) + magnitude(u->alpha)};
+}
+
+// The force of the law at the end of the step, and its share that is rounding:
+// in stick lambda = N/A, which undoes the slip that rounding has left in no
+// time at all; in slip the force of the step.
+typedef struct {
+  tf_force_t force, rounding;
+} standing_force_t;
+
+TF_INLINE standing_force_t force_in_stick(const tf_machine_t *k,
+                                          const rates_t *rates,
+                                          standing_rates_t terms, tf_real_t r,
+                                          bool minus) {
+  const tf_real_t kappa = signed_kappa(k, minus), A = rates->A[minus];
+  const tf_real_t lambda = clip(rates->N / A, -k->tyre.mu, k->tyre.mu);
+  const tf_real_t off =
+      (terms.p + magnitude(r) * terms.z) * STANDING_ROUNDINGS / magnitude(A);
+  return (standing_force_t){{lambda, kappa * lambda},
+                            {off, magnitude(kappa) * off}};
+}
+
+TF_INLINE standing_force_t force_in_slip(const tf_machine_t *k,
+                                         tf_force_t force, tf_slip_t slip,
+                                         tf_real_t off) {
+  const tf_real_t size = magnitude(slip.h) + magnitude(slip.g);
+  const tf_real_t doubt = STANDING_DIRECTION * off;
+  const tf_real_t share = doubt < size ? doubt / size : 1;
+  return (standing_force_t){force, {share * k->tyre.mu, share * k->kappa_mu}};
+}
+
+// How fast the machine moves, and by how much rounding may be the reason.
+typedef struct {
+  tf_real_t v_rate, z_rate;
+  tf_real_t v_off, v_rate_off, z_rate_off;
+} standing_motion_t;
+
+TF_INLINE standing_motion_t motion_at_end(const tf_machine_t *k,
+                                          const tf_input_t *u,
+                                          const tf_state_t *x,
+                                          tf_force_t force) {
+  const tf_real_t z = x->w - u->omega0, p = x->v - k->d * z;
+  const tf_real_t d = magnitude(k->d), reach = d + magnitude(x->r);
+  const tf_real_t terms_of_v =
+      magnitude(x->v) + reach * (magnitude(x->w) + magnitude(u->omega0));
+  const tf_real_t v_off = STANDING_ROUNDINGS * terms_of_v;
+  const rates_t rates = rates_at(k, u, x->r, p, z, u->omega0);
+  const standing_rates_t terms = terms_of_rates(k, u, x, terms_of_v, force);
+  const standing_force_t by =
+      x->mode == TF_STICK_PLUS || x->mode == TF_STICK_MINUS
+          ? force_in_stick(k, &rates, terms, x->r, x->mode == TF_STICK_MINUS)
+          : force_in_slip(k, force, slip_from_pq(k, p, x->r * z), v_off);
+  const tf_real_t J = inertia_at(k, x->r), arm = x->r * k->cos_gamma;
+  const tf_real_t p_rate = rates.p + by.force.F * rates.Fp;
+  const tf_real_t z_rate = rates.z + (by.force.F * arm + by.force.M) / J;
+  const tf_real_t p_off =
+      STANDING_ROUNDINGS * terms.p + by.rounding.F * magnitude(rates.Fp);
+  const tf_real_t z_off = STANDING_ROUNDINGS * terms.z +
+                          (by.rounding.F * magnitude(arm) + by.rounding.M) / J;
+  return (standing_motion_t){
+      p_rate + k->d * z_rate, z_rate, v_off + STANDING_SLOWEST * reach,
+      p_off + d * z_off + STANDING_SLOWEST * reach, z_off + STANDING_SLOWEST};
+}
+
+TF_INLINE bool stands_still(const tf_machine_t *k, const tf_input_t *u,
+                            const tf_state_t *x, tf_force_t force) {
+  const standing_motion_t a = motion_at_end(k, u, x, force);
+  const bool sticks = x->mode == TF_STICK_PLUS || x->mode == TF_STICK_MINUS;
+  // A stick whose disc does not turn is held at its h = 0.
+  if (sticks && !within(a.z_rate, a.z_rate_off) &&
+      x->w + k->dt * a.z_rate == x->w)
+    return true;
+  // A smooth law balances within a step any slip that rounding leaves, so that
+  // its force at rest is no acceleration.
+  const bool smooth =
+      !tf_tyre_is_set_valued(k->tyre.law) && k->tyre.law != TF_TYRE_NONE;
+  if (within(x->v, a.v_off) && (smooth || within(a.v_rate, a.v_rate_off)))
+    return false;
+  const tf_real_t later = x->v + STANDING_STEPS * k->dt * a.v_rate;
+  return x->r + k->theta_dt * later == x->r;
+}
+
+// The status of a step that is recorded in state and report and has left r as
+// it was.
+static __attribute__((noinline)) tf_status_t judge_standing(
+    const tf_machine_t *k, const tf_input_t *u, const tf_state_t *x,
+    tf_report_t *report) {
+  if (report->status == TF_OK && x->mode != TF_PINNED &&
+      stands_still(k, u, x, report->force))
+    report->status = TF_COARSE;
+  return report->status;
+}
+
+#endif

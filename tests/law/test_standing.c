@@ -1,0 +1,180 @@
+/* Standing still: a step that leaves r as it was although the machine is out of
+ * equilibrium returns TF_COARSE, one in equilibrium TF_OK. From rest every
+ * motion begins more slowly than a float resolves, so half of the random
+ * machines start there. The judge in float is the compensated step. */
+#include "common.h"
+
+typedef tf_status_t (*step_t)(const tf_machine_t *, tf_state_t *,
+                              const tf_input_t *, tf_report_t *);
+
+static const step_t steps[] = {tf_step, tf_step_located};
+#define SCHEMES (sizeof steps / sizeof *steps)
+
+/* From wide ranges; one machine in four has a multiple of pi/4 for gamma. */
+static tf_params_t wide_params(void) {
+  tf_params_t p = tf_scenes[0]->params;
+  const double quarter = 0.78539816339744830962;
+  p.m = log_uniform(0.3, 3);
+  p.d = uniform(0.2, 2);
+  p.beta = log_uniform(0.05, 1);
+  p.k2 = uniform(0, 30);
+  p.c1 = tap_uniform(0, 1) < 0.5 ? 0 : uniform(0, 1);
+  p.c2 = tap_uniform(0, 1) < 0.5 ? 0 : uniform(0, 1);
+  p.r0 = uniform(-0.5, 0.5);
+  p.omega0 = log_uniform(0.1, 3) * (tap_uniform(0, 1) < 0.5 ? -1 : 1);
+  p.mu = log_uniform(0.1, 3);
+  p.kappa = uniform(1e-3, 1);
+  p.gamma = uniform(-3.14, 3.14);
+  if (tap_uniform(0, 1) < 0.25)
+    p.gamma = (tf_real_t)(quarter * floor(tap_uniform(-3, 4)));
+  if (tap_uniform(0, 1) < 0.1) p.law = TF_TYRE_COULOMB;
+  return p;
+}
+
+/* Inputs under which the force keeps (r, 0, w) in equilibrium: the spring's
+ * rest position and the torque answer it. */
+static void balance(const tf_params_t *p, const tf_state_t *x, tf_force_t by,
+                    tf_input_t *u) {
+  const real sine = sinl(wide(p->gamma)), cosine = cosl(wide(p->gamma));
+  const real r = wide(x->r), w = wide(x->w), F = wide(by.F);
+  const real Q_r = wide(p->m) * r * w * w + F * sine;
+  u->r0 = (tf_real_t)(r - Q_r / wide(p->k2));
+  u->torque = (tf_real_t)(wide(p->c1) * w -
+                          F * (r * cosine - wide(p->d) * sine) - wide(by.M));
+}
+
+/* How many steps in an equilibrium leave r as it was; none may be told to
+ * move. The residue of the rounded inputs may drive it off in time. */
+static long steps_in_equilibrium(const tf_machine_t *k, tf_state_t x,
+                                 const tf_input_t *u) {
+  long still = 0;
+  for (size_t s = 0; s < SCHEMES; s++) {
+    tf_state_t y = x;
+    for (int n = 0; n < 3; n++) {
+      const tf_real_t r = y.r;
+      tf_report_t report;
+      const tf_status_t status = steps[s](k, &y, u, &report);
+      if (y.mode != x.mode || y.r != r) break;
+      CHECK(status == TF_OK);
+      still++;
+    }
+  }
+  return still;
+}
+
+static tf_state_t placed(double omega) {
+  return (tf_state_t){
+      .r = uniform(-0.5, 0.5), .w = (tf_real_t)omega, .mode = TF_NO_MODE};
+}
+
+TEST(slip_in_equilibrium_is_not_told_to_move) {
+  long still = 0, of = 0;
+  for (int i = 0; i < 4000; i++) {
+    tf_params_t p = wide_params();
+    p.dt = log_uniform(1e-6, 1e-3);
+    p.k2 += TF_R(0.1);
+    const tf_machine_t k = prepared(&p);
+    tf_input_t u = tf_input_default(&k);
+    tf_state_t x = placed((double)p.omega0 * tap_uniform(-2, 3));
+    tf_report_t report;
+    const tf_slip_t slip = tf_slip(&k, x.r, 0, x.w, u.omega0);
+    if (fabs((double)slip.h) < 1e-3) continue;
+    const tf_force_t by =
+        tf_tyre_force(&k.tyre, slip.h < 0 ? -1 : 1, slip.h, slip.g);
+    balance(&p, &x, by, &u);
+    CHECK(tf_begin(&k, &x, &u, &report) == TF_OK);
+    still += steps_in_equilibrium(&k, x, &u);
+    of += 3 * (long)SCHEMES;
+  }
+  CHECK(2 * still > of);
+}
+
+/* On the circle r = d tan(gamma) the wheel rolls without slipping. */
+TEST(stick_in_equilibrium_is_not_told_to_move) {
+  long still = 0, of = 0;
+  for (int i = 0; i < 4000; i++) {
+    tf_params_t p = wide_params();
+    p.dt = log_uniform(1e-6, 1e-3);
+    p.k2 += TF_R(0.1);
+    const tf_machine_t k = prepared(&p);
+    tf_input_t u = tf_input_default(&k);
+    tf_state_t x = placed((double)p.omega0 * tap_uniform(-2, 3));
+    const double r = (double)p.d * tan((double)p.gamma);
+    if (fabs(r) > 5 || fabs(sin((double)p.gamma)) < 0.05) continue;
+    x.r = (tf_real_t)r;
+    CHECK(tf_speed_for_slip(&k, x.r, x.w, u.omega0, 0, &x.v) == TF_OK);
+    const tf_slip_t slip = tf_slip(&k, x.r, x.v, x.w, u.omega0);
+    const tf_real_t F = uniform(-0.9, 0.9) * p.mu;
+    const tf_real_t kappa = p.law == TF_TYRE_COULOMB ? 0 : p.kappa;
+    balance(&p, &x, (tf_force_t){F, slip.g < 0 ? -kappa * F : kappa * F}, &u);
+    x.mode = slip.g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
+    still += steps_in_equilibrium(&k, x, &u);
+    of += 3 * (long)SCHEMES;
+  }
+  CHECK(10 * still > of);
+}
+
+/* Where a scheme first leaves r as it was in STILL steps with TF_OK; false
+ * where it does not in n steps. */
+#define STILL 500
+static bool stands_silently(step_t step, const tf_machine_t *k, tf_state_t *x,
+                            const tf_input_t *u, int n, long *told) {
+  int still = 0;
+  for (int i = 0; i < n; i++) {
+    const tf_real_t r = x->r;
+    tf_report_t report;
+    const tf_status_t status = step(k, x, u, &report);
+    if (status < TF_OK) return false;
+    if (x->r != r || x->mode == TF_PINNED) still = 0;
+    still += x->r == r && status == TF_OK && x->mode != TF_PINNED;
+    *told += x->r == r && status == TF_COARSE;
+    if (still == STILL) return true;
+  }
+  return false;
+}
+
+/* By how many roundings of r the compensated step moves it in n steps. */
+static double compensated_motion(const tf_params_t *p, tf_state_t x,
+                                 const tf_input_t *u, int n) {
+  tf_compensated_t k;
+  tf_compensation_t low = {0, 0, 0, 0};
+  tf_report_t report;
+  const tf_real_t r = x.r;
+  CHECK(tf_prepare_compensated(&k, p, NULL) == TF_OK);
+  for (int i = 0; i < n; i++)
+    if (tf_step_compensated(&k, &x, &low, u, &report) < TF_OK) return 0;
+  return fabs((double)x.r - (double)r + (double)low.r) /
+         (fabs((double)r) * (double)TF_REAL_EPSILON);
+}
+
+TEST(no_scheme_stands_still_without_a_word) {
+  if (IS_DOUBLE) SKIP("double resolves these steps");
+  long told = 0, judged = 0, silent = 0;
+  for (int i = 0; i < 400; i++) {
+    tf_params_t p = wide_params();
+    p.dt = log_uniform(1e-6, 1e-4);
+    const tf_machine_t k = prepared(&p);
+    const tf_input_t u = tf_input_default(&k);
+    tf_state_t start = placed((double)p.omega0);
+    if (i % 2) start.v = uniform(-1e-3, 1e-3);
+    tf_report_t report;
+    CHECK(tf_begin(&k, &start, &u, &report) == TF_OK);
+    for (size_t s = 0; s < SCHEMES; s++) {
+      tf_state_t x = start;
+      if (!stands_silently(steps[s], &k, &x, &u, 2000, &told)) continue;
+      judged++;
+      silent += compensated_motion(&p, x, &u, STILL) > 50;
+    }
+  }
+  printf("# %ld told, %ld of %ld silent\n", told, silent, judged);
+  CHECK(silent == 0);
+  CHECK(told > 20000);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(slip_in_equilibrium_is_not_told_to_move);
+  RUN(stick_in_equilibrium_is_not_told_to_move);
+  RUN(no_scheme_stands_still_without_a_word);
+  return tap_end();
+}
