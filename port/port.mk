@@ -4,7 +4,8 @@
 #   START=chaos      the scene that a generic firmware runs
 #   BOARD=host       a folder of port/
 #   REAL=float       or double
-#   SCHEME=moreau    or located, compensated
+#   SCHEME=          moreau, located or compensated; by default compensated in
+#                    float above 1 kHz, where moreau may stand still, else moreau
 #   RATE=1000        steps a second; dt is 1/RATE
 #   STEPS=0          how many; 0 without end
 #   FORMAT=text      or frames (docs/PROTOCOL.md)
@@ -73,6 +74,16 @@ BOARD_CC ?= $(BOARD_TOOLS)gcc
 RATE_OF_firmware := $(RATE)
 RATE_OF_stack := $(RATE)
 FIRMWARE_RATE := $(RATE_OF_$(PROGRAM))
+
+# In float a plain step of less than 1 ms may stand still (DESIGN.md, section
+# 11). Commands change the machine, which the compensated step has no form of,
+# and a small board has no room for it: both keep to moreau, which says so.
+ifeq ($(PROGRAM)-$(REAL)-$(UPLINK)-$(BOARD_SMALL),firmware-float--)
+ifeq ($(shell [ $(RATE) -gt 1000 ] && echo fast),fast)
+SCHEME ?= compensated
+endif
+endif
+SCHEME ?= moreau
 PLACE := $(BUILD)/boards/$(BOARD)/$(SCENE)-$(REAL)
 # NAMED tells programs of one kind apart.
 FIRMWARE := $(PLACE)/$(PROGRAM)$(NAMED).elf
