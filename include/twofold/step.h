@@ -68,7 +68,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   the status).
 /// Cost: at most 3200 instructions, the worst found by search;
 ///   no path through its code has more than 5600; no data-dependent loop. The
-///   worst is a degraded step: see `make bench` for others. Stack: 1296 B.
+///   worst is a degraded step: see `make bench` for others. Stack: 1632 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,
