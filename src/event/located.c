@@ -161,9 +161,19 @@ static tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
                            path->force, slip);
 }
 
-static tf_status_t commit_located(const trajectory_t *path,
-                                  const tf_input_t *input, tf_state_t *state,
-                                  tf_report_t *report) {
+// The name of the mode at the end. Where no event tells, it goes by the signs
+// there: of h without contact, of g in a stick without a moment.
+static unsigned mode_at_end(const trajectory_t *path, tf_slip_t slip) {
+  if (path->segment.contact == CONTACT_NONE && slip.h != 0)
+    return slip.h < 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS;
+  if (path->segment.contact == CONTACT_STICK && slip.g != 0 &&
+      path->motion.machine->stick_kappa == 0)
+    return slip.g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
+  return path->mode;
+}
+
+static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
+                                  tf_state_t *state, tf_report_t *report) {
   const tf_machine_t *k = path->motion.machine;
   const tf_real_t z = path->now.z;
   const end_state_t end = {path->now.r, path->now.p + k->d * z,
@@ -171,6 +181,8 @@ static tf_status_t commit_located(const trajectory_t *path,
   if (!in_reach(end.r, end.v, end.w)) return refuse_step(report, TF_DIVERGED);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
   const bool contact = k->tyre.law != TF_TYRE_NONE;
+  path->set &= ~TF_MODE_BIT(path->mode);
+  path->mode = mode_at_end(path, slip);
   // The mode at the end may come from a smaller set than the largest one.
   const outcome_t outcome = {path->mode, path->set | TF_MODE_BIT(path->mode),
                              path->is_coarse ? TF_COARSE : TF_OK,
@@ -179,11 +191,15 @@ static tf_status_t commit_located(const trajectory_t *path,
                                                slip.g < 0, inertia_at(k, end.r))
                                  : 0};
   if (k->with_angle) state->phi += path->angle;
-  const tf_real_t r = state->r;
-  const tf_status_t status =
-      record(state, end, slip, path->force, residual_at_end(path, slip),
-             outcome, report);
-  return r == end.r ? judge_standing(k, input, state, report) : status;
+  const bool stays = state->r == end.r;
+  record(state, end, slip, path->force, residual_at_end(path, slip), outcome,
+         report);
+  // What follows an event begins with the h and g that its segment ended with.
+  const tf_real_t rounding =
+      slip_rounding(k, end.r, end.v, end.w, input->omega0);
+  const tf_status_t status = status_by_signs(
+      report, rounding + path->tolerance / (32 * TF_REAL_EPSILON) * rounding);
+  return stays ? judge_standing(k, input, state, report) : status;
 }
 
 TF_API tf_status_t tf_step_located(const tf_machine_t *machine,

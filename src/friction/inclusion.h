@@ -78,21 +78,23 @@ TF_INLINE bool slip_minus_solves(const quadratic_t *h) {
 // Whether the Delassus scalar of this stick is positive.
 TF_INLINE bool stick_attracts(const quadratic_t *h) { return h->c1 < 0; }
 
-// Signs that g+ can have under the law, by the sign of g without force and at
-// the corners |x| = |y| = 1; between them g is affine but for terms of third
-// order in dt. NaN counts as both.
+// Signs that g+ can have under the forces of the law, which reach |x| = 4/3 in
+// slip: one sign where no |x| <= 4/3, |y| <= 1 can bring the form to 0. Both
+// where that is not certain, and for NaN.
 #define PLUS_SIGN 1u
 #define MINUS_SIGN 2u
 #define BOTH_SIGNS 3u
 
+TF_INLINE tf_real_t most_change(const form_t *f) {
+  const tf_real_t X = TF_R(4.0) / 3;
+  return X * (magnitude(f->cx) + magnitude(f->cxy) + X * magnitude(f->cxx)) +
+         (magnitude(f->cy) + magnitude(f->cyy));
+}
+
 TF_INLINE unsigned signs_of(const form_t *g) {
-  const quadratic_t a = along(g, 0), b = along(g, 1);
-  if (g->c0 > 0 && a.at_upper > 0 && a.at_lower > 0 && b.at_upper > 0 &&
-      b.at_lower > 0)
-    return PLUS_SIGN;
-  if (g->c0 < 0 && a.at_upper < 0 && a.at_lower < 0 && b.at_upper < 0 &&
-      b.at_lower < 0)
-    return MINUS_SIGN;
+  const tf_real_t most = most_change(g);
+  if (g->c0 > most) return PLUS_SIGN;
+  if (-g->c0 > most) return MINUS_SIGN;
   return BOTH_SIGNS;
 }
 
@@ -211,13 +213,44 @@ typedef struct {
   tf_real_t h_plus, h_minus, g_plus, g_minus;
 } slip_ends_t;
 
+// Whether such a quadratic turns between s = -1 and s = 1. Where neither h nor
+// g does, no slip that ends at g = 0 adds a mode to those that end with a sign
+// of g.
+TF_INLINE bool bends(tf_real_t plus, tf_real_t minus, tf_real_t bend) {
+  return magnitude(plus - minus) < 4 * magnitude(bend);
+}
+
+// A share at which g vanishes and the slip solves, or `none`. Its arguments are
+// in registers, as those of all that a step calls.
+TF_RARE tf_real_t share_at_g_zero(tf_real_t side, slip_ends_t at,
+                                  tf_real_t h_bend, tf_real_t g_bend,
+                                  tf_real_t none) {
+  const tf_real_t c1 = (at.g_plus - at.g_minus) / 2;
+  const tf_real_t c0 = (at.g_plus + at.g_minus) / 2 - g_bend;
+  const tf_real_t discriminant = c1 * c1 - 4 * c0 * g_bend;
+  const tf_real_t root = discriminant > 0 ? square_root(discriminant) : 0;
+  const tf_real_t twice = c1 < 0 ? c1 - root : c1 + root;
+  const tf_real_t share[2] = {-twice / (2 * g_bend), -2 * c0 / twice};
+  for (int i = 0; i < 2 && discriminant >= 0; i++)
+    if (within(share[i], 1) &&
+        side * slip_end_at(share[i], at.h_plus, at.h_minus, h_bend) > 0)
+      return share[i];
+  return none;
+}
+
 // The slip at h -> 0 on one side, whatever its share of the moment.
 TF_INLINE void solve_slip(const inclusion_t *in, int slip, tf_real_t side,
                           slip_ends_t at, solutions_t *out) {
-  const tf_real_t tau =
-      moment_share(at.g_plus, at.g_minus, in->g.cyy, side * at.h_plus > 0,
+  const tf_real_t h_bend = in->h.cyy, g_bend = in->g.cyy;
+  tf_real_t tau =
+      moment_share(at.g_plus, at.g_minus, g_bend, side * at.h_plus > 0,
                    side * at.h_minus > 0, in->g_now >= 0);
-  const tf_real_t h_end = slip_end_at(tau, at.h_plus, at.h_minus, in->h.cyy);
+  tf_real_t h_end = slip_end_at(tau, at.h_plus, at.h_minus, h_bend);
+  if (!(side * h_end > 0) && (bends(at.g_plus, at.g_minus, g_bend) ||
+                              bends(at.h_plus, at.h_minus, h_bend))) {
+    tau = share_at_g_zero(side, at, h_bend, g_bend, tau);
+    h_end = slip_end_at(tau, at.h_plus, at.h_minus, h_bend);
+  }
   out->tau[slip] = tau;
   out->h_limit[slip] = h_end;
   if (side * h_end > 0) out->set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);

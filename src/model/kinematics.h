@@ -17,6 +17,20 @@ TF_INLINE tf_slip_t slip_speeds(const tf_machine_t *k, tf_real_t r, tf_real_t v,
   return slip_from_pq(k, v - k->d * z, r * z);
 }
 
+// What rounding makes of h and g at a state: below it they count as 0. With u =
+// epsilon/2, and a step that moves v and w by no more than their size,
+//   w and omega0 are off by u |w| and u |omega0|, and v by u |v|;
+//   the sums and products that form v+ and w+ add 4 u of each;
+//   z, d z, r z, p and the two products of h or g add u each.
+// h and g are (p, q) rotated, so that this is at most 2 (1 + 4 + 3) u times the
+// sum of their terms.
+TF_INLINE tf_real_t slip_rounding(const tf_machine_t *k, tf_real_t r,
+                                  tf_real_t v, tf_real_t w, tf_real_t omega0) {
+  return 32 * TF_REAL_EPSILON *
+         (magnitude(v) + (magnitude(k->d) + magnitude(r)) *
+                             (magnitude(w) + magnitude(omega0)));
+}
+
 // One sum instead of three comparisons: NaN and infinity survive into it.
 TF_INLINE bool in_reach(tf_real_t r, tf_real_t v, tf_real_t w) {
   return within(magnitude(r) + magnitude(v) + magnitude(w), TF_STATE_LIMIT);

@@ -46,11 +46,13 @@ static __attribute__((noinline)) tf_status_t commit_pairs(
       !within(outcome.delassus + residual, TF_REAL_MAX)) // one of them is 0
     return refuse_step(step->report, TF_DIVERGED);
   const tf_slip_t slip = slip_in_pairs(step->constants, &to, omega0).slip;
+  const end_state_t at = {to.r.hi, to.v.hi, to.w.hi};
   if (tf_tyre_is_set_valued(k->tyre.law))
     residual = mode_residual(k, outcome.mode, force, slip);
   store_compensation(k, step->state, step->low, &to);
-  return record(step->state, (end_state_t){to.r.hi, to.v.hi, to.w.hi}, slip,
-                force, residual, outcome, step->report);
+  record(step->state, at, slip, force, residual, outcome, step->report);
+  if (plainly_has_signs(k, outcome.mode, slip, at)) return outcome.status;
+  return status_of_end(k, step->state, omega0, step->report);
 }
 
 TF_RARE tf_status_t degraded_compensated_step(compensated_step_t *step) {
@@ -59,11 +61,11 @@ TF_RARE tf_status_t degraded_compensated_step(compensated_step_t *step) {
   return commit_pairs(step, best.end.force, best.end.friction, best.outcome, 0);
 }
 
-TF_RARE bool compensated_step_reaches_codim2(compensated_step_t *step,
-                                             unsigned set,
-                                             unsigned attracting) {
+TF_RARE unsigned end_of_lost_compensated_step(compensated_step_t *step,
+                                              unsigned set,
+                                              unsigned attracting) {
   free_motion_t c = compensated_motion(step);
-  return reaches_codim2(&c, set, attracting);
+  return end_of_lost_mode(&c, step->input, set, attracting);
 }
 
 // A function of its own, so that its stack and that of the search for the force
@@ -107,10 +109,11 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   solutions_t s;
   const unsigned signs = solve_inclusion(&c, &in, &s);
   // Choose.
-  const bool at_codim2 =
-      may_reach_codim2(signs, &s, state->mode) &&
-      compensated_step_reaches_codim2(&step, s.set, s.attracting);
-  const unsigned mode = choose_mode(k, state, at_codim2, &s);
+  const unsigned lost =
+      may_reach_codim2(signs, &s, state->mode)
+          ? end_of_lost_compensated_step(&step, s.set, s.attracting)
+          : (unsigned)TF_NO_MODE;
+  const unsigned mode = choose_mode(k, state, lost, &s);
   if (mode == TF_NO_MODE) return degraded_compensated_step(&step);
   // End in the mode, (9), (10).
   const forced_end_t end = mode_end(&c, &s, mode);

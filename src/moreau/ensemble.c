@@ -45,14 +45,16 @@ static bool all_go_on(const tf_state_block_t *restrict b,
   return lost == 0;
 }
 
-// Whether this lane, its mode lost, may end at h = g = 0: tf_step finds out,
-// see reaches_codim2().
+// Whether this lane, its mode lost, may end at h = g = 0 or rest in its stick:
+// tf_step finds out, see end_of_lost_mode().
 static bool lane_may_reach_codim2(const tf_machine_t *k, const work_t *work,
                                   int i, unsigned mode) {
-  const unsigned going_on = (unsigned)work->attracting[i] |
-                            TF_MODE_BIT(TF_PINNED) | TF_MODE_BIT(mode);
-  return !(work->set[i] & going_on) && !(work->above[i] | work->below[i]) &&
-         within(work->pin_F[i] * k->inv_mu, 1) &&
+  const unsigned going_on =
+      (unsigned)work->attracting[i] | TF_MODE_BIT(TF_PINNED);
+  if (work->set[i] & TF_MODE_BIT(mode) || work->above[i] | work->below[i])
+    return false;
+  if (work->attracting[i] & TF_MODE_BIT(mode)) return true;
+  return !(work->set[i] & going_on) && within(work->pin_F[i] * k->inv_mu, 1) &&
          within(work->pin_M[i] * k->inv_kappa_mu, 1);
 }
 
@@ -193,8 +195,12 @@ static void ends_all(const tf_machine_t *restrict k,
     work->r[i] = r;
     work->v[i] = v;
     work->w[i] = omega;
-    work->rare[i] |= ~when(within(size, TF_STATE_LIMIT)) |
-                     (moves & when(r == b->r[i])); // it may stand still
+    const tf_slip_t slip = slip_speeds(k, r, v, omega - omega0);
+    const tf_real_t rounding = slip_rounding(k, r, v, omega, omega0);
+    work->rare[i] |=
+        ~(when(within(size, TF_STATE_LIMIT)) &
+          lane_has_signs(work->side[i], work->roll[i], slip, rounding)) |
+        (moves & when(r == b->r[i])); // it may stand still
   }
 }
 

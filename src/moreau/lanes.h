@@ -75,6 +75,23 @@ TF_INLINE mask_t share_down(mask_t g_plus, mask_t g_minus, mask_t plus_slips,
   return ~(g_plus & (tie | ~g_minus));
 }
 
+// bends()
+TF_INLINE mask_t lane_bends(tf_real_t plus, tf_real_t minus, tf_real_t bend) {
+  return when(magnitude(plus - minus) < 4 * magnitude(bend));
+}
+
+// has_signs_of_mode(). side, roll: of tf_slip_t in slip and in stick, else 0.
+TF_INLINE mask_t lane_has_signs(tf_real_t side, tf_real_t roll, tf_slip_t slip,
+                                tf_real_t rounding) {
+  const mask_t slips = when(side != 0), rolls = when(roll != 0);
+  const mask_t beside = when(side * slip.h >= -rounding);
+  const mask_t on = when(within(slip.h, rounding));
+  const mask_t forward = when(roll * slip.g >= -rounding);
+  const mask_t rests = when(within(slip.g, rounding));
+  return (slips & beside) |
+         (~slips & on & ((rolls & forward) | (~rolls & rests)));
+}
+
 // pinning_force().
 TF_INLINE tf_force_t lane_pin(const tf_machine_t *k, const linear_t *l) {
   const mask_t can = when(can_be_pinned(k));

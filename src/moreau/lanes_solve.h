@@ -138,10 +138,11 @@ static void g_along_all(work_t *restrict work) {
     const quadratic_t share =
         over_share(pick(up, g0.at_upper, g0.at_lower),
                    pick(up, g1.at_upper, g1.at_lower), g.cyy);
-    work->above[i] = when(g.c0 > 0) & up0 & down0 & when(g1.at_upper > 0) &
-                     when(g1.at_lower > 0);
-    work->below[i] = when(g.c0 < 0) & up1 & down1 & when(g0.at_upper < 0) &
-                     when(g0.at_lower < 0);
+    const mask_t one = when(magnitude(g.c0) > most_change(&g));
+    work->above[i] = one & when(g.c0 > 0);
+    work->below[i] = one & when(g.c0 < 0);
+    work->rare[i] |= ~one & (lane_bends(g0.at_upper, g1.at_upper, g.cyy) |
+                             lane_bends(g0.at_lower, g1.at_lower, g.cyy));
     work->g_plus[0][i] = up0;
     work->g_plus[1][i] = down0;
     work->g_minus[0][i] = up1;
@@ -178,7 +179,10 @@ static void h_along_all(const tf_machine_t *restrict k,
     work->attracting[i] =
         (when(stick_attracts(&h0)) & ~below & TF_MODE_BIT(TF_STICK_PLUS)) |
         (when(stick_attracts(&h1)) & ~above & TF_MODE_BIT(TF_STICK_MINUS));
-    work->rare[i] |= (~below & one0 & two0) | (~above & one1 & two1);
+    work->rare[i] |=
+        (~below & one0 & two0) | (~above & one1 & two1) |
+        (~(above | below) & (lane_bends(h0.at_upper, h1.at_upper, h.cyy) |
+                             lane_bends(h0.at_lower, h1.at_lower, h.cyy)));
     work->c0[0][i] = work->c0[1][i] = h.c0;
     work->c1[0][i] = h0.c1;
     work->c1[1][i] = h1.c1;

@@ -24,14 +24,44 @@ TF_INLINE tf_real_t mode_residual(const tf_machine_t *k, unsigned mode,
                       slip.h, slip.g);
 }
 
+// Whether h and g have the signs of the mode, but for their rounding: off h = 0
+// that of h, on it h = 0 and that of g.
+TF_INLINE bool has_signs_of_mode(unsigned mode, tf_slip_t slip,
+                                 tf_real_t rounding) {
+  if (mode == TF_SLIP_PLUS) return slip.h >= -rounding;
+  if (mode == TF_SLIP_MINUS) return slip.h <= rounding;
+  if (!within(slip.h, rounding)) return false;
+  if (mode == TF_STICK_PLUS) return slip.g >= -rounding;
+  if (mode == TF_STICK_MINUS) return slip.g <= rounding;
+  return within(slip.g, rounding);
+}
+
+// The same where it is plain to see, with little of the rounding of h and none
+// of g.
+TF_INLINE bool plainly_has_signs(const tf_machine_t *k, unsigned mode,
+                                 tf_slip_t slip, end_state_t at) {
+  const tf_real_t least = 32 * TF_REAL_EPSILON * magnitude(k->d * at.w);
+  if (mode == TF_STICK_MINUS) return slip.g < 0 && within(slip.h, least);
+  if (mode == TF_STICK_PLUS) return slip.g > 0 && within(slip.h, least);
+  if (mode == TF_PINNED) return slip.h == 0 && slip.g == 0;
+  return mode == TF_SLIP_PLUS ? slip.h > 0 : slip.h < 0;
+}
+
+// The status of a step that has been taken, by the signs of its end.
+TF_INLINE tf_status_t status_by_signs(tf_report_t *report, tf_real_t rounding) {
+  if (!has_signs_of_mode(report->mode, report->slip, rounding))
+    report->status = TF_DEGRADED;
+  return report->status;
+}
+
 TF_INLINE tf_status_t refuse_step(tf_report_t *report, tf_status_t status) {
   report->status = status;
   return status;
 }
 
-TF_INLINE tf_status_t record(tf_state_t *state, end_state_t end, tf_slip_t slip,
-                             tf_force_t force, tf_real_t residual,
-                             outcome_t outcome, tf_report_t *report) {
+TF_INLINE void record(tf_state_t *state, end_state_t end, tf_slip_t slip,
+                      tf_force_t force, tf_real_t residual, outcome_t outcome,
+                      tf_report_t *report) {
   report->mode = (uint8_t)outcome.mode;
   report->set = (uint8_t)outcome.set;
   report->choices = (uint8_t)size_of(outcome.set);
@@ -45,7 +75,6 @@ TF_INLINE tf_status_t record(tf_state_t *state, end_state_t end, tf_slip_t slip,
   state->w = end.w;
   state->mode = (uint8_t)outcome.mode;
   state->tick++;
-  return outcome.status;
 }
 
 #endif

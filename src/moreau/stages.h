@@ -9,6 +9,7 @@
 #include "../friction/select.h"
 #include "../model/tyre_law.h"
 #include "linear.h"
+#include "outcome.h"
 
 // The machine of a step. A build for one scene defines this as its constant
 // machine (port/core.h).
@@ -171,13 +172,13 @@ TF_RARE unsigned select_mode(const tf_machine_t *k, const tf_state_t *state,
 }
 
 // Choice: the mode that the step ends in; TF_NO_MODE where none is consistent,
-// or none that a slip may enter. at_codim2: the mode is lost at h = g = 0, and
-// the step ends there.
+// or none that a slip may enter. lost: what end_of_lost_mode() says, else
+// TF_NO_MODE.
 TF_INLINE unsigned choose_mode(const tf_machine_t *k, const tf_state_t *state,
-                               bool at_codim2, solutions_t *s) {
-  if (at_codim2) {
-    s->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
-    return TF_PINNED;
+                               unsigned lost, solutions_t *s) {
+  if (lost != TF_NO_MODE) {
+    s->set |= (uint8_t)TF_MODE_BIT(lost);
+    return lost;
   }
   if (goes_on(s->set, s->attracting, state->mode)) return state->mode;
   return select_mode(k, state, s->set, s->near_stick, s->h_limit[0],
@@ -238,6 +239,22 @@ TF_INLINE tf_real_t end_delassus(const free_motion_t *c, const inclusion_t *in,
   const bool minus =
       signs == BOTH_SIGNS ? end_slip(c, end).g < 0 : signs == MINUS_SIGN;
   return step_delassus(TF_API_MACHINE(c), in, minus);
+}
+
+// status_by_signs() where the signs are not plain to see. A turntable that
+// stands may bring the wheel to rest; then h and g are off by the rounding of
+// the forces that balance, friction and spring, times dt A. As this is called
+// last, it needs no registers of the step.
+TF_RARE tf_status_t status_of_end(const tf_machine_t *k,
+                                  const tf_state_t *state, tf_real_t omega0,
+                                  tf_report_t *report) {
+  const tf_real_t rounding =
+      slip_rounding(k, state->r, state->v, state->w, omega0);
+  const tf_real_t force =
+      magnitude(report->force.F) + k->k2 * magnitude(state->r);
+  const tf_real_t taken = k->dt * magnitude(report->delassus) * force;
+  const tf_real_t of_force = omega0 == 0 ? 32 * TF_REAL_EPSILON * taken : 0;
+  return status_by_signs(report, rounding + of_force);
 }
 
 #endif

@@ -23,10 +23,12 @@ TF_INLINE tf_status_t commit(const free_motion_t *c, tf_state_t *state,
   const tf_real_t residual = mode_residual(k, outcome.mode, end->force, slip);
   if (k->with_angle) // (12)
     state->phi += angle_turned(k, state->w, end->at.w);
-  const tf_real_t r = state->r;
-  const tf_status_t status =
-      record(state, end->at, slip, end->force, residual, outcome, report);
-  return r == end->at.r ? judge_standing(k, input, state, report) : status;
+  const bool stays = state->r == end->at.r;
+  record(state, end->at, slip, end->force, residual, outcome, report);
+  tf_status_t status = outcome.status;
+  if (!plainly_has_signs(k, outcome.mode, slip, end->at))
+    status = status_of_end(k, state, c->linear.omega0, report);
+  return stays ? judge_standing(k, input, state, report) : status;
 }
 
 TF_RARE tf_status_t degraded_step(const tf_machine_t *k, tf_state_t *state,
@@ -37,11 +39,12 @@ TF_RARE tf_status_t degraded_step(const tf_machine_t *k, tf_state_t *state,
   return commit(&c, state, input, &best.end, best.outcome, report);
 }
 
-TF_RARE bool step_reaches_codim2(const tf_machine_t *k, const tf_state_t *state,
-                                 const tf_input_t *input, unsigned set,
-                                 unsigned attracting) {
+TF_RARE unsigned end_of_lost_step(const tf_machine_t *k,
+                                  const tf_state_t *state,
+                                  const tf_input_t *input, unsigned set,
+                                  unsigned attracting) {
   free_motion_t c = plain_motion(k, state, input);
-  return reaches_codim2(&c, set, attracting);
+  return end_of_lost_mode(&c, input, set, attracting);
 }
 
 // A function of its own, so that its stack and that of the search for the force
@@ -82,10 +85,11 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   solutions_t s;
   const unsigned signs = solve_inclusion(&c, &in, &s);
   // Choose.
-  const bool at_codim2 =
-      may_reach_codim2(signs, &s, state->mode) &&
-      step_reaches_codim2(k, state, input, s.set, s.attracting);
-  const unsigned mode = choose_mode(k, state, at_codim2, &s);
+  const unsigned lost =
+      may_reach_codim2(signs, &s, state->mode)
+          ? end_of_lost_step(k, state, input, s.set, s.attracting)
+          : (unsigned)TF_NO_MODE;
+  const unsigned mode = choose_mode(k, state, lost, &s);
   if (mode == TF_NO_MODE) return degraded_step(k, state, input, report);
   // End in the mode, (9), (10).
   const forced_end_t end = mode_end(&c, &s, mode);

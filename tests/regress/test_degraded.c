@@ -32,6 +32,7 @@ TEST(degraded_step_reports_the_consistent_set) {
   if (!IS_DOUBLE) SKIP("found in double, too near a border for float");
   for (int i = 0; i < 4; i++) {
     const found_t *f = &found[i];
+    const int at_g_zero = i < 2;
     tf_params_t p = tf_scenes[0]->params;
     tf_machine_t machine;
     tf_report_t report;
@@ -50,6 +51,12 @@ TEST(degraded_step_reports_the_consistent_set) {
                     .v = (tf_real_t)f->v,
                     .w = (tf_real_t)f->w,
                     .mode = f->mode};
+    if (at_g_zero) { /* the slip goes on with a share of the moment at g = 0 */
+      CHECK(tf_step(&machine, &x, &u, &report) == TF_OK);
+      CHECK(x.mode == f->mode && (report.set & f->set) == f->set &&
+            (report.set & TF_MODE_BIT(f->mode)));
+      continue;
+    }
     CHECK(tf_step(&machine, &x, &u, &report) == TF_DEGRADED);
     CHECK(report.set == f->set && report.choices == 1);
     CHECK(!(report.set & TF_MODE_BIT(report.mode))); /* it was not entered */

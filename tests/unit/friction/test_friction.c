@@ -5,9 +5,8 @@
  * formulas nor variables with the enumeration. */
 #include <limits.h>
 
+#include "extremes.h"
 #include "friction/inclusion.h"
-#include "tap.h"
-#include "twofold.h"
 
 typedef long double real;
 
@@ -16,6 +15,7 @@ typedef struct {
   tf_state_t x;
   tf_input_t u;
   real S[2][2], Q[2], rt, sin, cos;
+  real noise, load; /* rounding of h and g [m/s]; largest forces [N, N m] */
 } step_t;
 
 static void discretise(step_t *k) {
@@ -32,6 +32,18 @@ static void discretise(step_t *k) {
   k->S[1][0] = -m * d + 2 * q * m * rt * w;
   k->S[1][1] = m * ((real)p->beta * p->beta + rt * rt + d * d) +
                q * (p->c1 + 2 * m * rt * v);
+  /* How large the terms are whose rounding a step has in h and g. */
+  const real mu = p->mu, arm = fabsl(rt) + p->kappa;
+  const real b = p->k2 * (fabsl((real)k->u.r0) + fabsl(rt)) + fabsl(p->c2 * v) +
+                 fabsl(m * rt * w * w) + fabsl((real)k->u.force) + mu;
+  const real c = fabsl((real)k->u.torque) + fabsl(p->c1 * w) +
+                 fabsl(2 * m * rt * v * w) + mu * arm + fabsl(d) * b;
+  const real J = m * ((real)p->beta * p->beta + rt * rt);
+  const real z = fabsl(w) + fabsl((real)k->u.omega0) + p->dt * c / J;
+  k->load = b + c;
+  k->noise =
+      64 * (real)TF_REAL_EPSILON *
+      (fabsl(v) + p->dt * b / m + (fabsl(d) + fabsl(r) + p->dt * fabsl(v)) * z);
 }
 
 /* Slip (h, g) at the end of the step under F and M; returns r at the end. */
@@ -49,89 +61,114 @@ static real end_slip(const step_t *k, real F, real M, real *h, real *g) {
   return r;
 }
 
-static real closest; /* smallest decisive quantity seen: a tie is no verdict */
-static int positive(real x, real scale) {
-  if (fabsl(x) < closest * scale) closest = fabsl(x) / scale;
+/* A quantity that decides and is as small as rounding, or almost so beside
+ * those that it is compared with, is a tie and no verdict. */
+static int tied;
+static int positive(real x, real scale, real noise) {
+  const real tie = sizeof(tf_real_t) == 8 ? 1e-9L : 3e-3L;
+  tied |= !(fabsl(x) > tie * scale + noise);
   return x > 0;
 }
 
-/* Slip at lambda = side mu: walk s over [-1, 1] for s in Sgn(g+). */
-static int slip_by_grid(const step_t *k, int side, real scale) {
-  const real F = (real)side * k->p.mu, kappa = k->p.kappa;
-  const int N = 64;
-  real h, g, h_old = 0, g_old = 0;
+typedef struct {
+  real h, g;
+} slip_t;
+
+static slip_t slip_at(const step_t *k, real x, real y) {
+  slip_t at;
+  end_slip(k, x * k->p.mu, y * k->p.kappa * k->p.mu, &at.h, &at.g);
+  return at;
+}
+
+/* Between two points of a grid h and g are parabolas: three values of one give
+ * its zeros, as shares of the way. */
+static int zeros(real a, real middle, real b, real t[2]) {
+  const real c2 = 2 * (a - 2 * middle + b), c1 = -3 * a + 4 * middle - b;
+  const real root = c1 * c1 - 4 * a * c2;
+  if (!(root >= 0)) return 0;
+  const real twice = c1 < 0 ? c1 - sqrtl(root) : c1 + sqrtl(root);
+  const real both[2] = {-twice / (2 * c2), -2 * a / twice};
+  int n = 0;
+  for (int i = 0; i < 2; i++)
+    if (both[i] >= 0 && both[i] < 1) t[n++] = both[i];
+  return n;
+}
+
+#define CELLS 16
+
+/* Whether a segment from one force to another has a point where one slip speed
+ * vanishes and the other has a sign: h = 0 and s g > 0 for a stick, g = 0 and
+ * side h > 0 for a slip. The segment is x, y = from + i step. */
+static int found_between(const step_t *k, slip_t from, slip_t to, int of_h,
+                         int sign) {
+  slip_t at[2 * CELLS + 1];
+  real size[2] = {0, 0};
   int found = 0;
-  for (int i = 0; i <= N; i++) {
-    const real s = -1 + 2.0L * i / N;
-    end_slip(k, F, s * kappa * F, &h, &g);
-    const int plus = positive(g, scale);
-    if (i == 0 && !plus) found |= positive(side * h, scale);
-    if (i == N && plus) found |= positive(side * h, scale);
-    if (i > 0 && plus != (g_old > 0) && plus) { /* g = 0 in between */
-      const real t = g_old / (g_old - g);
-      found |= positive(side * (h_old + t * (h - h_old)), scale);
+  for (int i = 0; i <= 2 * CELLS; i++) {
+    const real t = (real)i / (2 * CELLS);
+    at[i] =
+        slip_at(k, from.h + t * (to.h - from.h), from.g + t * (to.g - from.g));
+    size[0] = fmaxl(size[0], fabsl(at[i].h));
+    size[1] = fmaxl(size[1], fabsl(at[i].g));
+  }
+  const slip_t ends[2] = {at[0], at[2 * CELLS]};
+  for (int i = 0; i < 2; i++)
+    positive(of_h ? ends[i].h : ends[i].g, size[!of_h], k->noise);
+  for (int i = 0; i < 2 * CELLS; i += 2) {
+    const slip_t *p = at + i;
+    real t[2];
+    const int n = of_h ? zeros(p[0].h, p[1].h, p[2].h, t)
+                       : zeros(p[0].g, p[1].g, p[2].g, t);
+    for (int j = 0; j < n; j++) {
+      const real share = (i + 2 * t[j]) / (2 * CELLS);
+      const slip_t zero = slip_at(k, from.h + share * (to.h - from.h),
+                                  from.g + share * (to.g - from.g));
+      found |= positive(sign * (of_h ? zero.g : zero.h), size[of_h], k->noise);
     }
-    if (i > 0 && plus != (g_old > 0) && !plus) {
-      const real t = g_old / (g_old - g);
-      found |= positive(side * (h_old + t * (h - h_old)), scale);
-    }
-    h_old = h;
-    g_old = g;
   }
   return found;
 }
 
-/* Stick with s: walk lambda over [-mu, mu] for a zero of h+ with s g+ > 0. */
-static int stick_by_grid(const step_t *k, int s, real scale) {
-  const int N = 64;
-  real h, g, h_old = 0, g_old = 0;
-  int found = 0;
-  for (int i = 0; i <= N; i++) {
-    const real F = k->p.mu * (-1 + 2.0L * i / N);
-    end_slip(k, F, (real)s * k->p.kappa * F, &h, &g);
-    const int plus = positive(h, i == 0 || i == N ? scale : 1e-300L);
-    if (i > 0 && plus != (h_old > 0)) {
-      const real t = h_old / (h_old - h);
-      found |= positive(s * (g_old + t * (g - g_old)), scale);
-    }
-    h_old = h;
-    g_old = g;
+/* Slip at x = side: y over [-1, 1], with s in Sgn(g+) and y = s x. */
+static int slip_by_grid(const step_t *k, int side) {
+  int found = found_between(k, (slip_t){side, -1}, (slip_t){side, 1}, 0, side);
+  for (int s = -1; s <= 1; s += 2) {
+    const slip_t end = slip_at(k, side, s * side);
+    if (s * end.g > 0) found |= positive(side * end.h, fabsl(end.h), k->noise);
   }
   return found;
 }
 
-/* Pinned: Newton for h+ = g+ = 0 in (F, M) with difference quotients. */
-static int pinned_from(const step_t *k, real F, real M) {
-  const real mu = k->p.mu, kappa = k->p.kappa;
-  for (int i = 0; i < 30; i++) {
-    real h, g, hF, gF, hM, gM;
-    end_slip(k, F, M, &h, &g);
-    end_slip(k, F + mu, M, &hF, &gF);
-    end_slip(k, F, M + mu, &hM, &gM);
-    hF -= h, gF -= g, hM -= h, gM -= g;
-    const real det = hF * gM - hM * gF;
-    F -= mu * (h * gM - hM * g) / det;
-    M -= mu * (hF * g - h * gF) / det;
-    if (!(fabsl(F) < 1e12L && fabsl(M) < 1e12L)) return 0;
-  }
-  const int inside = positive(mu - fabsl(F), mu);
-  return positive(kappa * fabsl(F) - fabsl(M), mu * kappa) && inside;
+/* Stick with s: x over [-1, 1], y = s x, for a zero of h+ with s g+ > 0. */
+static int stick_by_grid(const step_t *k, int s) {
+  return found_between(k, (slip_t){-1, -s}, (slip_t){1, s}, 1, s);
 }
 
-static int pinned_by_newton(const step_t *k) {
-  const real F = k->p.mu, M = k->p.kappa * F;
-  return pinned_from(k, 0, 0) || pinned_from(k, F, M) ||
-         pinned_from(k, F, -M) || pinned_from(k, -F, M) ||
-         pinned_from(k, -F, -M);
+/* Pinned: the force and moment of the law that end the step at v = 0 and
+ * w = omega0, from the rows of (6). */
+static int pinned_by_balance(const step_t *k) {
+  const tf_params_t *p = &k->p;
+  const real dv = -k->x.v, dw = (real)k->u.omega0 - k->x.w;
+  const real rows[2] = {(k->S[0][0] * dv + k->S[0][1] * dw) / p->dt,
+                        (k->S[1][0] * dv + k->S[1][1] * dw) / p->dt};
+  const real F = (rows[0] - k->Q[0]) / k->sin;
+  const real M = rows[1] - k->Q[1] - F * (k->rt * k->cos - p->d * k->sin);
+  const real mu = p->mu, kappa = p->kappa;
+  const real size = (fabsl(rows[0]) + fabsl(rows[1]) + k->load) / fabsl(k->sin);
+  const real noise = 64 * (real)TF_REAL_EPSILON * size * (1 + fabsl(k->rt));
+  const int inside = positive(mu - fabsl(F), mu, noise);
+  return positive(kappa * fabsl(F) - fabsl(M), mu * kappa,
+                  noise * (1 + kappa)) &&
+         inside;
 }
 
-static unsigned set_by_search(const step_t *k, real scale) {
+static unsigned set_by_search(const step_t *k) {
   unsigned set = 0;
-  if (slip_by_grid(k, 1, scale)) set |= TF_MODE_BIT(TF_SLIP_PLUS);
-  if (slip_by_grid(k, -1, scale)) set |= TF_MODE_BIT(TF_SLIP_MINUS);
-  if (stick_by_grid(k, 1, scale)) set |= TF_MODE_BIT(TF_STICK_PLUS);
-  if (stick_by_grid(k, -1, scale)) set |= TF_MODE_BIT(TF_STICK_MINUS);
-  if (pinned_by_newton(k)) set |= TF_MODE_BIT(TF_PINNED);
+  if (slip_by_grid(k, 1)) set |= TF_MODE_BIT(TF_SLIP_PLUS);
+  if (slip_by_grid(k, -1)) set |= TF_MODE_BIT(TF_SLIP_MINUS);
+  if (stick_by_grid(k, 1)) set |= TF_MODE_BIT(TF_STICK_PLUS);
+  if (stick_by_grid(k, -1)) set |= TF_MODE_BIT(TF_STICK_MINUS);
+  if (pinned_by_balance(k)) set |= TF_MODE_BIT(TF_PINNED);
   return set;
 }
 
@@ -140,20 +177,35 @@ static double signed_log(double lo, double hi) {
   return tap_bits() & 1 ? x : -x;
 }
 
+/* An ordinary machine; with `wide` of any size, three of its parameters from
+ * anywhere in their ranges. */
+static tf_params_t draw_params(int wide) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.dt = (tf_real_t)exp(tap_uniform(log(1e-4), log(5e-3)));
+  p.theta = (tf_real_t)tap_uniform(0.5, 1);
+  p.beta = (tf_real_t)tap_uniform(0.05, 0.5);
+  p.gamma = (tf_real_t)tap_uniform(-3.1, 3.1);
+  p.mu = (tf_real_t)exp(tap_uniform(log(0.1), log(10)));
+  p.kappa = (tf_real_t)exp(tap_uniform(log(0.03), log(1)));
+  if (!wide) return p;
+  p.m = (tf_real_t)exp(tap_uniform(log(0.03), log(30)));
+  p.d = (tf_real_t)signed_log(0.1, 3);
+  p.beta = (tf_real_t)exp(tap_uniform(log(0.005), log(5)));
+  p.k2 = (tf_real_t)exp(tap_uniform(log(0.1), log(300)));
+  p.mu = (tf_real_t)exp(tap_uniform(log(0.01), log(100)));
+  for (int n = 0; n < 3; n++) draw_member(&p, (int)(tap_bits() % 10));
+  return p;
+}
+
 /* A random machine and a state whose h and g are of the size that one step
  * can change, so that every combination of modes occurs; some exactly at
  * h = g = 0, some at a zero of the Delassus scalar. */
 static int draw(step_t *k, tf_machine_t *machine, int i) {
-  k->p = tf_scenes[0]->params;
-  k->p.dt = (tf_real_t)exp(tap_uniform(log(1e-4), log(5e-3)));
-  k->p.theta = (tf_real_t)tap_uniform(0.5, 1);
-  k->p.beta = (tf_real_t)tap_uniform(0.05, 0.5);
-  k->p.gamma = (tf_real_t)tap_uniform(-3.1, 3.1);
-  k->p.mu = (tf_real_t)exp(tap_uniform(log(0.1), log(10)));
-  const double r = signed_log(0.03, 1);
+  const int wide = i % 2;
+  k->p = draw_params(wide);
+  const double r = signed_log(wide ? 1e-4 : 0.03, 1);
   const double b = k->p.beta, s = sin((double)k->p.gamma),
                c = cos((double)k->p.gamma);
-  k->p.kappa = (tf_real_t)exp(tap_uniform(log(0.03), log(1)));
   const double zero = fabs((r * r + b * b * s * s) / (r * c)); /* A = 0 */
   if (i % 10 == 0 && zero > 1e-2 && zero < 3) k->p.kappa = (tf_real_t)zero;
   if (fabs(s) < 0.1 || tf_prepare(machine, &k->p, NULL)) return 0;
@@ -173,52 +225,66 @@ static int draw(step_t *k, tf_machine_t *machine, int i) {
   return 1;
 }
 
+/* What was compared: steps, ties, kinds of set, how many modes. */
+typedef struct {
+  int compared, ties, refused, different, met;
+  int seen[32], count[6];
+} tally_t;
+
+static void compare_step(const step_t *k, const tf_machine_t *machine, int i,
+                         tally_t *tally) {
+  tf_report_t report;
+  tf_state_t x = k->x;
+  if (tf_step(machine, &x, &k->u, &report) < 0) {
+    tally->refused++;
+    return;
+  }
+  tied = 0;
+  const unsigned want = set_by_search(k);
+  if (tied) {
+    tally->ties++;
+    return;
+  }
+  tally->compared++;
+  tally->seen[want]++;
+  unsigned got = report.set;
+  /* A step that meets h = g = 0 ends there by a mean force, not by the law:
+   * no solution of it, and its residual says so. */
+  if (report.mode == TF_PINNED && !(want & TF_MODE_BIT(TF_PINNED))) {
+    tally->met += report.residual > 0;
+    got &= ~TF_MODE_BIT(TF_PINNED);
+    report.choices--;
+  }
+  tally->count[report.choices]++;
+  tally->different += got != want;
+  if (got != want && tally->different < 4)
+    printf("# draw %d: set %02x, search finds %02x\n", i, got, want);
+}
+
 TEST(enumeration_against_grid_search) {
-  int compared = 0, ties = 0, different = 0, met = 0;
-  int seen[32] = {0}, count[6] = {0};
-  const real tie = sizeof(tf_real_t) == 8 ? 1e-9L : 3e-3L;
-  for (int i = 0; compared < 100000 && i < 200000; i++) {
+  tally_t tallies[2]; /* ordinary machines, wide ones */
+  memset(tallies, 0, sizeof tallies);
+  for (int i = 0; i < 200000; i++) {
     step_t k;
     tf_machine_t machine;
-    tf_report_t report;
-    if (!draw(&k, &machine, i)) continue;
-    const real scale = (real)k.p.dt * k.p.mu / k.p.m;
-    closest = 1;
-    const unsigned want = set_by_search(&k, scale);
-    tf_state_t x = k.x;
-    if (!CHECK(tf_step(&machine, &x, &k.u, &report) >= 0)) return;
-    if (closest < tie) {
-      ties++;
-      continue;
-    }
-    compared++;
-    seen[want]++;
-    unsigned got = report.set;
-    /* A step that meets h = g = 0 ends there by a mean force, not by the law:
-     * no solution of it, and its residual says so. */
-    if (report.mode == TF_PINNED && !(want & TF_MODE_BIT(TF_PINNED))) {
-      met += report.residual > 0;
-      got &= ~TF_MODE_BIT(TF_PINNED);
-      report.choices--;
-    }
-    count[report.choices]++;
-    different += got != want;
-    if (got != want && different < 4)
-      printf("# draw %d: set %02x, search finds %02x\n", i, got, want);
+    if (draw(&k, &machine, i)) compare_step(&k, &machine, i, &tallies[i % 2]);
   }
-  int kinds = 0;
-  for (int i = 0; i < 32; i++) kinds += seen[i] > 0;
-  printf(
-      "# %d steps compared, %d ties left out, %d kinds of solution set; "
-      "1: %d, 2: %d, 3: %d, none: %d\n",
-      compared, ties, kinds, count[1], count[2], count[3], count[0]);
-  printf("# %d of them end at h = g = 0, which they met\n", met);
-  CHECK(different == 0);
-  CHECK(met > 0 && met < compared / 100);
-  CHECK(compared == 100000);
-  CHECK(ties < compared / 5);
-  CHECK(kinds >= 10);
-  CHECK(count[1] > 1000 && count[3] > 1000);
+  for (int wide = 0; wide < 2; wide++) {
+    const tally_t *t = &tallies[wide];
+    int kinds = 0;
+    for (int i = 0; i < 32; i++) kinds += t->seen[i] > 0;
+    printf(
+        "# %s: %d steps compared, %d ties and %d refused left out, %d kinds of "
+        "solution set; 1: %d, 2: %d, 3: %d, none: %d; %d met h = g = 0\n",
+        wide ? "wide" : "ordinary", t->compared, t->ties, t->refused, kinds,
+        t->count[1], t->count[2], t->count[3], t->count[0], t->met);
+    CHECK(t->different == 0);
+    CHECK(t->met > 0 && t->met < t->compared / 100);
+    CHECK(t->compared > (wide ? 20000 : 60000));
+    CHECK(wide || t->ties < t->compared / 5);
+    CHECK(kinds >= 10);
+    CHECK(t->count[1] > 1000 && t->count[3] > (wide ? 500 : 1000));
+  }
 }
 
 /* Away from g = 0 theory counts: A > 0 one, A < 0 three within |A| dt mu. */
