@@ -15,7 +15,7 @@
 // What moves by less than this share of its size in a second is at rest [1/s].
 #define STANDING_SLOWEST TF_R(1e-9)
 // A motion that is to move r again within so many steps does not stand still.
-#define STANDING_STEPS 256
+#define STANDING_STEPS 32
 // A slip of so many of its roundings has a direction, and with it a force, that
 // rounding does not change.
 #define STANDING_DIRECTION 64
