@@ -3,6 +3,9 @@
 #
 #   ENTRIES='step_any seal_any'   these entries; check `eva` has the short ones
 
-.PHONY: eva
+.PHONY: eva eva-broken
 eva: ## all entries of Frama-C Eva (minutes)
 	@BUILD='$(BUILD)' tools/eva/run $(ENTRIES)
+
+eva-broken: ## whether the proofs notice that the source is broken (minutes)
+	@BUILD='$(abspath $(BUILD))' tools/eva/broken.py $(ENTRIES)

@@ -1,0 +1,326 @@
+/* A step against the equations of the scheme, (1)-(7), (11) and (12) of
+ * DESIGN.md, solved once more in long double, with the mass matrix as it is
+ * printed there and the parameters as they were given. */
+#include "common.h"
+
+/* One step of a machine: (1)-(5). */
+typedef struct {
+  paper_t p;
+  real dt, theta, r_t, Q_r, Q_phi, s[2][2], det;
+} scheme_t;
+
+static scheme_t scheme_of(const tf_params_t *params, const tf_input_t *u,
+                          const real x[3]) {
+  scheme_t c = {.p = paper_of(params)};
+  const real r = x[0], v = x[1], w = x[2], m = c.p.m, d = c.p.d;
+  c.dt = wide(params->dt);
+  c.theta = wide(params->theta);
+  const real t = c.theta * c.dt, a = t * (c.p.c2 + t * c.p.k2);
+  c.r_t = r + t * v;
+  c.Q_r = c.p.k2 * (wide(u->r0) - c.r_t) - c.p.c2 * v + m * c.r_t * w * w +
+          wide(u->force);
+  c.Q_phi = wide(u->torque) - c.p.c1 * w - 2 * m * c.r_t * v * w;
+  const real e = 2 * t * m * c.r_t * w;
+  const real J = m * (c.p.beta * c.p.beta + c.r_t * c.r_t) +
+                 t * (c.p.c1 + 2 * m * c.r_t * v);
+  c.s[0][0] = m + a;
+  c.s[0][1] = -(m * d + e);
+  c.s[1][0] = -(m * d - e);
+  c.s[1][1] = J + m * d * d;
+  c.det = c.s[0][0] * c.s[1][1] - c.s[0][1] * c.s[1][0];
+  return c;
+}
+
+/* S (dv, dw) = dt (force, torque). */
+static void change(const scheme_t *c, real force, real torque, real d[2]) {
+  d[0] = c->dt * (c->s[1][1] * force - c->s[0][1] * torque) / c->det;
+  d[1] = c->dt * (c->s[0][0] * torque - c->s[1][0] * force) / c->det;
+}
+
+/* (6): of a friction force and moment alone. */
+static void change_by(const scheme_t *c, real F, real M, real d[2]) {
+  const real gamma = c->p.gamma;
+  change(c, F * sinl(gamma),
+         F * (c->r_t * cosl(gamma) - c->p.d * sinl(gamma)) + M, d);
+}
+
+/* (7): r, v, w at the end. */
+static void end_of(const scheme_t *c, const real x[3], real F, real M,
+                   real end[3]) {
+  real free[2], by[2];
+  change(c, c->Q_r, c->Q_phi, free);
+  change_by(c, F, M, by);
+  end[1] = x[1] + free[0] + by[0];
+  end[2] = x[2] + free[1] + by[1];
+  end[0] = x[0] + (1 - c->theta) * c->dt * x[1] + c->theta * c->dt * end[1];
+}
+
+typedef struct {
+  tf_params_t params;
+  tf_machine_t machine;
+  tf_input_t input;
+  tf_state_t state;
+  real x[3];
+} case_t;
+
+static case_t random_case(tf_tyre_law_t law, double longest) {
+  case_t c;
+  memset(&c, 0, sizeof c);
+  c.params = tf_scenes[0]->params;
+  tf_params_t *p = &c.params;
+  p->law = law;
+  p->m = log_uniform(0.3, 3);
+  p->beta = log_uniform(0.05, 1);
+  p->d = uniform(-1, 1);
+  p->c1 = uniform(0, 1);
+  p->c2 = uniform(0, 1);
+  p->k2 = uniform(0, 30);
+  p->mu = uniform(0.1, 3);
+  p->kappa = uniform(0.05, 1);
+  p->gamma = uniform(-3.1, 3.1);
+  p->epsilon = log_uniform(1e-3, 1);
+  p->k = log_uniform(1, 100);
+  p->delta = log_uniform(0.1, 10);
+  p->sigma = uniform(0, 1);
+  p->rho = uniform(0.3, 1);
+  p->a = uniform(0.05, 0.5);
+  p->theta = uniform(0.5, 1);
+  p->dt = log_uniform(1e-4, longest);
+  p->with_angle = true;
+  c.machine = prepared(p);
+  c.input = (tf_input_t){.omega0 = uniform(-2, 2),
+                         .r0 = uniform(-1, 1),
+                         .force = uniform(-2, 2),
+                         .torque = uniform(-2, 2)};
+  c.state = (tf_state_t){.r = uniform(0.3, 1.5),
+                         .v = uniform(-1, 1),
+                         .w = uniform(-3, 3),
+                         .phi = uniform(-1, 1),
+                         .mode = TF_NO_MODE,
+                         .seed = 1};
+  tf_report_t report;
+  CHECK(tf_begin(&c.machine, &c.state, &c.input, &report) == TF_OK);
+  c.x[0] = wide(c.state.r);
+  c.x[1] = wide(c.state.v);
+  c.x[2] = wide(c.state.w);
+  return c;
+}
+
+/* (1)-(7) and (12) under the force that the step reports, for every law and
+ * every theta; the angle of the plain step and of the compensated one. */
+TEST(a_step_ends_where_the_scheme_says) {
+  real worst = 0;
+  int judged = 0;
+  for (int i = 0; i < 20000; i++) {
+    const case_t c = random_case((tf_tyre_law_t)(i % TF_TYRE_LAWS), 0.1);
+    const scheme_t scheme = scheme_of(&c.params, &c.input, c.x);
+    tf_state_t plain = c.state, pairs = c.state;
+    tf_compensated_t machine;
+    tf_compensation_t low = {0, 0, 0, 0};
+    tf_report_t report;
+    real end[3];
+    if (tf_step(&c.machine, &plain, &c.input, &report) != TF_OK) continue;
+    end_of(&scheme, c.x, wide(report.force.F), wide(report.force.M), end);
+    const real size = 1 + fabsl(end[0]) + fabsl(end[1]) + fabsl(end[2]);
+    const real got[3] = {wide(plain.r), wide(plain.v), wide(plain.w)};
+    for (int n = 0; n < 3; n++)
+      worst = fmaxl(worst, fabsl(got[n] - end[n]) / size);
+    const real phi =
+        wide(c.state.phi) + wide(c.params.dt) * ((1 - scheme.theta) * c.x[2] +
+                                                 scheme.theta * wide(plain.w));
+    CHECK_NEAR(plain.phi, phi, 4 * EPSILON * size);
+    CHECK(tf_prepare_compensated(&machine, &c.params, NULL) == TF_OK);
+    CHECK(tf_step_compensated(&machine, &pairs, &low, &c.input, &report) ==
+          TF_OK);
+    const real more =
+        wide(c.state.phi) + wide(c.params.dt) * ((1 - scheme.theta) * c.x[2] +
+                                                 scheme.theta * wide(pairs.w));
+    CHECK_NEAR(wide(pairs.phi) + wide(low.phi), more, 4 * EPSILON * size);
+    judged++;
+  }
+  printf("# %d steps, ends %.2Lg epsilon off\n", judged, worst / EPSILON);
+  CHECK(judged > 15000);
+  CHECK(worst <= 20 * EPSILON);
+}
+
+/* p = v - d z, z = w - omega0 and with them (h) and (g). */
+typedef struct {
+  real p, z;
+} velocity_t;
+
+static velocity_t velocity(const paper_t *p, real omega0, real v, real w) {
+  return (velocity_t){v - p->d * (w - omega0), w - omega0};
+}
+
+static real h_of(const paper_t *p, real r, velocity_t at) {
+  return -at.p * sinl(p->gamma) - r * at.z * cosl(p->gamma);
+}
+
+static real g_of(const paper_t *p, real r, velocity_t at) {
+  return r * at.z * sinl(p->gamma) - at.p * cosl(p->gamma);
+}
+
+typedef struct {
+  real F, M;
+  bool clear; /* not next to a border of the cases of (11) */
+} secant_t;
+
+/* (11) at a predicted slip. */
+static secant_t secant(const scheme_t *c, const case_t *at, real h, real g) {
+  const paper_t *p = &c->p;
+  const real omega0 = wide(at->input.omega0), theta = c->theta;
+  const tf_force_t f = tf_tyre_force(&at->machine.tyre, (tf_real_t)h,
+                                     (tf_real_t)h, (tf_real_t)g);
+  real end[3], by[2];
+  end_of(c, at->x, 0, 0, end);
+  change_by(c, wide(f.F), wide(f.M), by);
+  const velocity_t now = velocity(p, omega0, at->x[1], at->x[2]);
+  const velocity_t free = velocity(p, omega0, end[1], end[2]);
+  const real dp = by[0] - p->d * by[1];
+  const real dq = end[0] * by[1] + free.z * theta * c->dt * by[0];
+  const real E = (-dp * sinl(p->gamma) - dq * cosl(p->gamma)) / h;
+  secant_t out = {wide(f.F), wide(f.M), fabsl(h) > 1e-2L && fabsl(E) > 1e-4L};
+  if (!(E < 0)) return out;
+  const real h_now = h_of(p, at->x[0], now), h_free = h_of(p, end[0], free);
+  const real h_t = (h_now + theta * (h_free - h_now)) / (1 - theta * E);
+  const real share = fmaxl(-1, fminl(1, h_t / h));
+  out.F *= share;
+  out.M *= share;
+  return out;
+}
+
+/* (11), twice: at the slip of the start, and at the theta point of the way
+ * under the force that this gives. */
+TEST(single_valued_force_is_the_secant_of_the_scheme) {
+  static const tf_tyre_law_t laws[] = {TF_TYRE_SMOOTH, TF_TYRE_STRING,
+                                       TF_TYRE_TWO_PIECE};
+  int judged = 0;
+  real worst = 0;
+  for (int i = 0; i < 30000; i++) {
+    const case_t c = random_case(laws[i % 3], 0.1);
+    const scheme_t scheme = scheme_of(&c.params, &c.input, c.x);
+    const paper_t *p = &scheme.p;
+    const real omega0 = wide(c.input.omega0), theta = scheme.theta;
+    tf_state_t x = c.state;
+    tf_report_t report;
+    if (tf_step(&c.machine, &x, &c.input, &report) != TF_OK) continue;
+    const velocity_t now = velocity(p, omega0, c.x[1], c.x[2]);
+    const secant_t first =
+        secant(&scheme, &c, h_of(p, c.x[0], now), g_of(p, c.x[0], now));
+    real end[3];
+    end_of(&scheme, c.x, first.F, first.M, end);
+    const velocity_t middle =
+        velocity(p, omega0, c.x[1] + theta * (end[1] - c.x[1]),
+                 c.x[2] + theta * (end[2] - c.x[2]));
+    const secant_t second = secant(&scheme, &c, h_of(p, scheme.r_t, middle),
+                                   g_of(p, scheme.r_t, middle));
+    if (!first.clear || !second.clear) continue;
+    const real size = fabsl(second.F) + fabsl(second.M) + p->mu;
+    const real off = fabsl(wide(report.force.F) - second.F) +
+                     fabsl(wide(report.force.M) - second.M);
+    worst = fmaxl(worst, off / size);
+    judged++;
+  }
+  printf("# %d forces, %.2Lg epsilon off\n", judged, worst / EPSILON);
+  CHECK(judged > 5000);
+  CHECK(worst <= 1e4L * EPSILON);
+}
+
+/* The compensated step solves (6) with the parameters as they were given and
+ * with M = s kappa F to twice the digits: what is left out of the inertia or of
+ * that product would be an epsilon of the change of velocity. Slow machines
+ * under a torque: theta dt v and e, which are rounded, are small there. */
+TEST(compensated_changes_have_twice_the_digits) {
+  real worst[2] = {0, 0};
+  int sticks = 0, slips = 0;
+  for (int i = 0; i < 20000; i++) {
+    tf_params_t q = tf_scenes[0]->params;
+    q.m = uniform(0.3, 3);
+    q.beta = uniform(0.05, 1);
+    q.d = uniform(-1, 1);
+    q.c1 = q.c2 = q.k2 = 0;
+    q.mu = 10;
+    q.kappa = uniform(0.1, 1);
+    q.gamma = uniform(0.5, 2.5);
+    q.theta = 1;
+    q.dt = TF_R(0.01);
+    q.omega0 = 0;
+    tf_compensated_t k;
+    CHECK(tf_prepare_compensated(&k, &q, NULL) == TF_OK);
+    const tf_input_t u = {.torque = uniform(-9, 9), .force = uniform(-9, 9)};
+    tf_state_t x = {.r = uniform(0.3, 1), .w = uniform(-1e-3, 1e-3)};
+    tf_compensation_t low = {0, 0, 0, 0};
+    tf_report_t report;
+    const tf_real_t h = i % 2 ? 0 : TF_R(1e-3);
+    CHECK(tf_speed_for_slip_compensated(&k, &x, &low, 0, h) == TF_OK);
+    x.mode = TF_NO_MODE;
+    CHECK(tf_begin(&k.machine, &x, &u, &report) == TF_OK);
+    const real at[3] = {wide(x.r) + wide(low.r), wide(x.v) + wide(low.v),
+                        wide(x.w) + wide(low.w)};
+    const scheme_t scheme = scheme_of(&q, &u, at);
+    if (tf_step_compensated(&k, &x, &low, &u, &report) != TF_OK ||
+        report.mode == TF_PINNED)
+      continue;
+    const bool stick = report.mode > TF_SLIP_MINUS;
+    const real s = report.mode == TF_STICK_MINUS ? -1 : 1;
+    const real F = wide(report.force.F);
+    real end[3];
+    end_of(&scheme, at, F, stick ? s * wide(q.kappa) * F : wide(report.force.M),
+           end);
+    const real v = wide(x.v) + wide(low.v), w = wide(x.w) + wide(low.w);
+    const real size = fabsl(end[1] - at[1]) + fabsl(end[2] - at[2]);
+    const real off = fabsl(v - end[1]) + fabsl(w - end[2]);
+    if (size < 0.02L) continue; /* below what long double can tell of it */
+    worst[stick] = fmaxl(worst[stick], off / size);
+    sticks += stick;
+    slips += !stick;
+  }
+  printf("# %d slips, changes %.2Lg epsilon off; %d sticks, %.2Lg\n", slips,
+         worst[0] / EPSILON, sticks, worst[1] / EPSILON);
+  CHECK(sticks > 3000 && slips > 500);
+  CHECK(worst[0] <= EPSILON / 16 && worst[1] <= EPSILON / 16);
+}
+
+/* Where det S is no number of the real type nothing is known of the response:
+ * the step is refused and not taken as if nothing acted. */
+TEST(a_determinant_that_overflows_is_refused) {
+  int overflows = 0;
+  for (int law = 0; law < TF_TYRE_LAWS; law++) {
+    tf_params_t p = tf_scenes[0]->params;
+    p.law = (tf_tyre_law_t)law;
+    p.epsilon = p.k = p.delta = p.a = p.rho = 1;
+    p.m = TF_R(1e12);
+    p.k2 = TF_R(1e15);
+    p.dt = p.theta = 1;
+    p.d = 0;
+    tf_compensated_t k;
+    CHECK(tf_prepare_compensated(&k, &p, NULL) == TF_OK);
+    for (int i = 0; i < 400; i++) {
+      const tf_input_t u = {.omega0 = 1};
+      tf_state_t x = {.r = log_uniform(1, 1e8), .w = log_uniform(1e-3, 10)};
+      tf_state_t twin = x;
+      tf_compensation_t low = {0, 0, 0, 0};
+      tf_report_t report;
+      const real at[3] = {wide(x.r), 0, wide(x.w)};
+      const scheme_t scheme = scheme_of(&p, &u, at);
+      const bool over = !(scheme.det <= (real)TF_REAL_MAX);
+      if (fabsl(scheme.det / (real)TF_REAL_MAX - 1) < 1e-3L) continue;
+      const tf_status_t status = tf_step(&k.machine, &x, &u, &report);
+      CHECK((status == TF_STEP_TOO_LONG) == over);
+      CHECK(tf_step_compensated(&k, &twin, &low, &u, &report) == status ||
+            !over);
+      overflows += over;
+    }
+  }
+  printf("# %d of %d overflow\n", overflows, 400 * TF_TYRE_LAWS);
+  CHECK(IS_DOUBLE ? overflows == 0 : overflows > 100);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(a_step_ends_where_the_scheme_says);
+  RUN(single_valued_force_is_the_secant_of_the_scheme);
+  RUN(compensated_changes_have_twice_the_digits);
+  RUN(a_determinant_that_overflows_is_refused);
+  return tap_end();
+}
