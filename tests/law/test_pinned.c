@@ -9,8 +9,9 @@ typedef struct {
 } hold_t;
 
 /* F and M under which r rests and w follows the turntable: the paper's
- * equations are affine in both. */
-static hold_t hold(const paper_t *p, real r, real w, real alpha) {
+ * equations are affine in both, and an external force along r and a torque on
+ * the disc, which it lacks, act by the inverse of its mass matrix. */
+static hold_t hold(const paper_t *p, const tf_input_t *u, real r, real w) {
   const real x[3] = {r, 0, w};
   real none[3], force[3], moment[3];
   paper_t rotating = *p;
@@ -18,9 +19,13 @@ static hold_t hold(const paper_t *p, real r, real w, real alpha) {
   paper_rhs_mass(&rotating, x, 0, 0, none);
   paper_rhs_mass(&rotating, x, 1, 0, force);
   paper_rhs_mass(&rotating, x, 0, 1, moment);
-  const real a = force[1] - none[1], b = moment[1] - none[1], e = -none[1];
+  const real a = force[1] - none[1], b = moment[1] - none[1];
   const real c = force[2] - none[2], d = moment[2] - none[2];
-  const real f = alpha - none[2], det = a * d - b * c;
+  const real by_mass = 1 / (p->m * (p->beta * p->beta + r * r));
+  const real Q_r = wide(u->force), Q_phi = wide(u->torque);
+  none[1] += Q_r / p->m + by_mass * p->d * (p->d * Q_r + Q_phi);
+  none[2] += by_mass * (p->d * Q_r + Q_phi);
+  const real e = -none[1], f = wide(u->alpha) - none[2], det = a * d - b * c;
   return (hold_t){(e * d - b * f) / det, (a * f - e * c) / det};
 }
 
@@ -43,14 +48,14 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
     u.alpha = uniform(-3, 3);
     const real size = 1 + p.mu + p.k2 + p.m * (4 + p.omega0 * p.omega0);
     const real slack = 1e4L * EPSILON * size * (1 + fabsl(1 / sinl(p.gamma)));
-    hold_t by = hold(&p, wide(x.r), wide(u.omega0), wide(u.alpha));
+    hold_t by = hold(&p, &u, wide(x.r), wide(u.omega0));
     for (int n = 0; n < 40 && margin(&p, by) > slack; n++) {
       const hold_t before = by;
       const tf_real_t start = x.r;
       const real half = wide(u.omega0) + wide(u.alpha) * wide(k.dt) / 2;
-      const hold_t midway = hold(&p, wide(x.r), half, wide(u.alpha));
+      const hold_t midway = hold(&p, &u, wide(x.r), half);
       u.omega0 += u.alpha * k.dt;
-      by = hold(&p, wide(x.r), wide(u.omega0), wide(u.alpha));
+      by = hold(&p, &u, wide(x.r), wide(u.omega0));
       const tf_status_t status = tf_step_located(&k, &x, &u, &report);
       const bool rests = x.mode == TF_PINNED && x.r == start;
       if (status == TF_OK && rests) CHECK(margin(&p, by) >= -slack);
@@ -73,6 +78,41 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
   printf("# %d steps pinned, %d of them by tf_step\n", steps, fell_back);
   CHECK(steps > 1000 && fell_back <= steps / 1000);
   for (int j = 0; j < 4; j++) CHECK(left[j / 2][j % 2] > (j % 2 ? 20 : 0));
+}
+
+/* The same against a force along the slot and a torque on the disc, by the
+ * located step and, where the turntable runs evenly, by tf_step. */
+TEST(pinned_wheel_answers_what_acts_on_it) {
+  int steps[2] = {0, 0};
+  for (int i = 0; i < 40000; i++) {
+    tf_params_t q = random_params();
+    q.dt = TF_R(0.01);
+    const paper_t p = paper_of(&q);
+    const tf_machine_t k = prepared(&q);
+    const int located = i % 2;
+    tf_input_t u = tf_input_default(&k);
+    tf_state_t x = {.r = uniform(-0.5, 0.5), .w = u.omega0, .mode = TF_PINNED};
+    const tf_real_t r = x.r;
+    tf_report_t report;
+    u.force = uniform(-2, 2);
+    u.torque = uniform(-2, 2);
+    if (located) u.alpha = uniform(-3, 3);
+    u.omega0 += u.alpha * k.dt;
+    const real size = 3 + p.mu + p.k2 + p.m * (4 + p.omega0 * p.omega0);
+    /* A plain step solves for the force from velocities over dt. */
+    const real slack = (located ? 1000 : 64 / wide(q.dt)) * EPSILON * size *
+                       (1 + fabsl(1 / sinl(p.gamma)));
+    const hold_t by = hold(&p, &u, wide(r), wide(u.omega0));
+    if (!(margin(&p, by) > slack)) continue;
+    const tf_status_t status =
+        (located ? tf_step_located : tf_step)(&k, &x, &u, &report);
+    if (status != TF_OK || x.mode != TF_PINNED || x.r != r) continue;
+    CHECK_NEAR(wide(report.force.F), by.F, slack);
+    CHECK_NEAR(wide(report.force.M), by.M, slack);
+    steps[located]++;
+  }
+  printf("# %d steps, %d located\n", steps[0], steps[1]);
+  CHECK(steps[0] > 300 && steps[1] > 150);
 }
 
 /* Where nothing acts it stays for good: what does not roll is pinned, and
@@ -102,6 +142,7 @@ TEST(machine_at_rest_stays_pinned) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(pinned_wheel_stays_as_long_as_the_law_has_its_force);
+  RUN(pinned_wheel_answers_what_acts_on_it);
   RUN(machine_at_rest_stays_pinned);
   return tap_end();
 }
