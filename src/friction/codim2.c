@@ -10,6 +10,7 @@
 #define MOST_ITERATIONS 32
 #define SHARE_BITS 32
 #define SEPARATORS 3
+#define NO_SEPARATOR TF_REAL_MAX // above every T
 
 // One quadrant of the (g, h) plane: the accelerations sign_g g' = g0 + g1 T and
 // sign_h h' = h0 + h1 T, which are affine in T = cot(psi).
@@ -123,8 +124,13 @@ static void order_two(tf_real_t T[2]) {
   T[1] = larger;
 }
 
+// Values of T, which is >= 0, in order.
+typedef struct {
+  tf_real_t T[SEPARATORS];
+} separators_t;
+
 // The values of T between which there is at most one limit direction, and one
-// exactly where the angular rate changes its sign; in order, -1 for none.
+// exactly where the angular rate changes its sign.
 //
 // The angular rate vanishes where (h0 + h1 T, g0 + g1 T) has the angle psi of
 // the slip, T = tan(a psi), or that and pi. The difference of both angles grows
@@ -134,23 +140,24 @@ static void order_two(tf_real_t T[2]) {
 // line of these vectors turns by pi at most in all, by half of that on either
 // side of its point next to 0. So between these three, and within pi/16 of psi,
 // the difference changes in one sense and by less than pi.
-static void find_separators(const tf_machine_t *k, const quadrant_t *q,
-                            tf_real_t T[SEPARATORS]) {
+static separators_t find_separators(const tf_machine_t *k,
+                                    const quadrant_t *q) {
   const tf_real_t slope = q->h1 * q->h1 + q->g1 * q->g1;
   const tf_real_t half = q->h0 * q->h1 + q->g0 * q->g1;
   const tf_real_t swing = k->tyre.T_series[0] * (q->h0 * q->g1 - q->g0 * q->h1);
   const tf_real_t constant = swing - q->h0 * q->h0 - q->g0 * q->g0;
   const tf_real_t discriminant = half * half - (swing - slope) * constant;
-  T[0] = -half / slope;
-  T[1] = T[2] = -1;
-  if (!(discriminant > 0)) return;
+  separators_t out = {{-half / slope, NO_SEPARATOR, NO_SEPARATOR}};
+  if (!(discriminant > 0)) return out;
   const tf_real_t root = square_root(discriminant);
   const tf_real_t sum = half < 0 ? half - root : half + root;
+  tf_real_t *T = out.T;
   T[1] = sum / (swing - slope);
   T[2] = constant / sum;
   order_two(T);
   order_two(T + 1);
   order_two(T);
+  return out;
 }
 
 typedef enum { FOR_ATTRACTOR, FOR_EXIT } search_t;
@@ -169,8 +176,8 @@ static bool is_better_exit(const limit_direction_t *next,
 // one.
 static bool search_quadrant(const tf_machine_t *k, const quadrant_t *q,
                             search_t search, limit_direction_t *best) {
-  tf_real_t separator[SEPARATORS];
-  find_separators(k, q, separator);
+  const separators_t separators = find_separators(k, q);
+  const tf_real_t *separator = separators.T;
   tf_real_t from = angular_rate(q, (direction_t){1, 0, 0});
   bool found = false;
   for (int i = 0; i < 8; i++) {

@@ -56,7 +56,7 @@ static int first_offender(const tf_params_t *params) {
 // its Taylor series at 0 from (1 + y^2) T' = a (1 + T^2):
 //   (2n+1) c_n = a [y^(2n)] T^2 - (2n-1) c_(n-1),   c_0 = a.
 static void prepare_angle_kernel(tf_tyre_t *tyre, tf_real_t kappa) {
-  tf_real_t *T = tyre->T_anchor, *c = tyre->T_series;
+  tf_real_t *T = tyre->T_anchor;
   T[0] = 0;
   T[8] = 6 * kappa;
   T[4] = half_tangent(T[8]);
@@ -70,12 +70,13 @@ static void prepare_angle_kernel(tf_tyre_t *tyre, tf_real_t kappa) {
   T[7] = (T[8] - T[1]) / (1 + T[8] * T[1]);
   const tf_real_t a =
       tf_small_arctangent(half_tangent(T[1])) * TF_R(10.185916357881301489);
-  c[0] = a;
+  tyre->T_series[0] = a;
   for (int n = 1; n < TF_TYRE_TERMS; n++) {
+    const tf_real_t before = (tf_real_t)(2 * n - 1) * tyre->T_series[n - 1];
     tf_real_t square = 0;
-    for (int i = 0; i < n; i++) square += c[i] * c[n - 1 - i];
-    c[n] = (a * square - (tf_real_t)(2 * n - 1) * c[n - 1]) /
-           (tf_real_t)(2 * n + 1);
+    for (int i = 0; i < n; i++)
+      square += tyre->T_series[i] * tyre->T_series[n - 1 - i];
+    tyre->T_series[n] = (a * square - before) / (tf_real_t)(2 * n + 1);
   }
   tyre->inv_18_kappa = 1 / (18 * kappa);
   tyre->inv_6_kappa = 1 / (6 * kappa);

@@ -123,6 +123,21 @@ TEST(close_roots_hide_none_behind_them) {
   CHECK(!tf_first_root(&nothing, 1, &when) && when == -1);
 }
 
+/* An interval is halved 39 times and no more: of two roots on both sides of
+ * 2^-39 of it the first is found, of two below that none. */
+TEST(an_interval_is_halved_so_often) {
+  for (int n = 36; n <= 44; n++) {
+    const double root[2] = {ldexp(0.7, -n), ldexp(1.4, -n)};
+    const series_t s = with_roots(root, 2);
+    tf_real_t when = -1;
+    if (!CHECK(tf_first_root(&s, 1, &when) == (n <= 39))) continue;
+    if (n <= 39)
+      CHECK_NEAR(ldexpl(wide(when), n), 0.7L, 64 * EPSILON);
+    else
+      CHECK(when == -1);
+  }
+}
+
 /* The end of an interval belongs to it. */
 TEST(root_at_the_end_is_one) {
   for (int n = -8; n <= 8; n++) {
@@ -141,6 +156,7 @@ int main(int argc, char **argv) {
   RUN(no_root_is_taken_for_none);
   RUN(root_at_the_start_is_not_meant);
   RUN(close_roots_hide_none_behind_them);
+  RUN(an_interval_is_halved_so_often);
   RUN(root_at_the_end_is_one);
   return tap_end();
 }
