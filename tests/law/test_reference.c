@@ -79,7 +79,8 @@ static int begin(sim_t *s, scheme_t *scheme, const reference_t *ref,
                     &s->x.v);
   CHECK(tf_begin(&s->machine, &s->x, &u, &s->report) == TF_OK);
   /* A float does not know the side of so small an h. */
-  if (!IS_DOUBLE && fabsl(ref->h) < 1e-6L) return 1;
+  if (!IS_DOUBLE && fabsl(ref->h) < 1e-6L)
+    return CHECK(fabsl((long double)s->report.slip.h) < 1e-6L);
   return CHECK(s->x.mode == mode_named(ref->begins));
 }
 
