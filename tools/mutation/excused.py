@@ -151,6 +151,7 @@ def main() -> int:
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", nargs="*", help="changes of these files only")
+    parser.add_argument("--real", choices=REALS, help="one real type only")
     given = parser.parse_args()
     PLACE.mkdir(parents=True, exist_ok=True)
     program = mutants()
@@ -158,7 +159,7 @@ def main() -> int:
     excuses = [excuse
                for excuse in excuses_of(ROOT / "tools/mutation/equivalent")
                if not given.file or excuse.file in given.file]
-    cores = [Core(real) for real in REALS]
+    cores = [Core(real) for real in REALS if given.real in (None, real)]
 
     def differences(excuse: Excuse) -> list[str]:
         key = (excuse.file, excuse.text)
