@@ -76,7 +76,6 @@ def failure_of(change: Change, keep: Path) -> str:
 
 
 def main() -> int:
-    """Prints a line for each change and how many were noticed."""
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -94,7 +93,8 @@ def main() -> int:
             bad += bool(why)
             print(f"{'NOT NOTICED' if why else 'noticed'} {change}",
                   *[f"    {why}"] * bool(why), sep="\n", flush=True)
-    print(f"{len(changes)} proofs broken on purpose, {bad} kept their verdict")
+    print("passed: the proof notices; failed: it keeps its verdict",
+          f"{len(changes) - bad} passed, {bad} failed", sep="\n")
     return int(bool(bad) or not changes)
 
 

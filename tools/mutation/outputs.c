@@ -135,6 +135,10 @@ static void roots(void) {
     for (int i = 0; i <= SERIES_ORDER; i++)
       s.c[i] = one_of(&d, 3) ? 0 : of_any_sign(&d, up_to(&d, 1, 30));
     s.c[0] = one_of(&d, 4) ? 0 : up_to(&d, 1, 60);
+    if (n % 2) { // (t - a) (t - b): as near to 0 and to each other as may be
+      const tf_real_t a = up_to(&d, 1, 60), b = a * between(&d, 1, 4);
+      s = (series_t){.c = {a * b, -(a + b), 1}};
+    }
     mix_small(&d, tf_first_root(&s, up_to(&d, 2, 10), &root));
     mix_real(&d, root);
   }
