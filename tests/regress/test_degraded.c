@@ -199,8 +199,8 @@ static tf_status_t degraded_twin(tf_params_t p, tf_state_t x, int mirrored,
 
 /* Each slip violates the law by 2 at most, however far on the wrong side it
  * ends, and in small units of length that is less than what a stick without its
- * moment or a pinned wheel violate it by. So both slips are equal, as the mirror
- * image shows, and the first is taken. */
+ * moment or a pinned wheel violate it by. So both slips are equal, as the
+ * mirror image shows, and the first is taken. */
 TEST(of_equal_violations_the_first_is_taken) {
   int ties = 0;
   for (int n = 0; n < 600000 && ties < 40; n++) {
