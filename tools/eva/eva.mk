@@ -7,5 +7,5 @@
 eva: ## all entries of Frama-C Eva (minutes)
 	@BUILD='$(BUILD)' tools/eva/run $(ENTRIES)
 
-eva-broken: ## whether the proofs notice that the source is broken (minutes)
+eva-broken: ## wrong changes for the proofs to notice
 	@BUILD='$(abspath $(BUILD))' tools/eva/broken.py $(ENTRIES)

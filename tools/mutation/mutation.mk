@@ -15,5 +15,5 @@ witnesses: ## for each test a change that fails it (SAMPLE=2000)
 mutation witnesses:
 	@CC='$(CC)' BUILD='$(BUILD)' SAMPLE='$(SAMPLE)' SEED='$(SEED)' \
 	  AGAIN='$(AGAIN)' tools/mutation/run $(filter witnesses,$@)
-excused: ## whether excused changes make no difference (MACHINES=3000)
+excused: ## whether excused changes make no difference
 	@CC='$(CC)' BUILD='$(BUILD)' tools/mutation/excused.py
