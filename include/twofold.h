@@ -28,6 +28,6 @@
 #include "twofold/tyre.h"
 #include "twofold/wire.h"
 
-#define TF_VERSION "0.2.0"
+#define TF_VERSION "0.3.0"
 
 #endif
