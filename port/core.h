@@ -57,6 +57,7 @@
 #endif
 #include "../src/friction/mode.c"
 #include "../src/friction/select.c"
+#include "../src/moreau/balanced.c"
 #include "../src/moreau/begin.c"
 #ifdef SCHEME_COMPENSATED
 #include "../src/moreau/compensated.c"

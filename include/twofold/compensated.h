@@ -77,7 +77,7 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
 /// Returns: as tf_step; where it refuses, state and compensation are untouched.
 /// Cost: at most 5500 instructions, the worst found by search;
 ///   no path through its code has more than 7900; no data-dependent loop.
-///   Stack: 2672 B.
+///   Stack: 2880 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: rounding_is_compensated, compensated_stick_is_exact,
 ///   compensated_step_is_the_step, compensated_refusals_touch_nothing,

@@ -92,7 +92,7 @@ TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
 /// Cost: at most 31 instructions and 4000 a state, the worst found by search:
 ///   tf_step for every lane after the common path, which is all that most
 ///   blocks take (`make bench-ensemble`). For vectors of double gcc needs
-///   SSE4.2 or more. Stack: 13888 B.
+///   SSE4.2 or more. Stack: 15184 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: ensemble_is_the_single_step, ensemble_of_any_size,
 ///   ensemble_of_every_scene, ensemble_of_difficult_states,

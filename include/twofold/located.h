@@ -37,16 +37,17 @@
 ///   is epsilon over the slip, because the angle is known no better.
 /// Returns: TF_OK; TF_COARSE (TF_LOCATED_SEGMENTS segments were not enough: the
 ///   rest of the step was done with a coarser tolerance, as fine as
-///   TF_LOCATED_MOST_SEGMENTS allow and 1e-6 at most, 1e-3 in float; or the
-///   motion stands still, as with tf_step);
+///   TF_LOCATED_MOST_SEGMENTS allow and 1e-6 at most, 1e-3 in float, and the
+///   energy at its end is one that the motion can have; or the motion stands
+///   still, as with tf_step);
 ///   TF_FELL_BACK (these were not enough either, or a series did not converge:
-///   tf_step took the whole step, and the report is its own); TF_DEGRADED (the
-///   same, and tf_step returned that); TF_BAD_PARAMETER (another law),
-///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
-///   the status).
+///   tf_step took the whole step, and the report is its own; it may have found
+///   the step too long); TF_DEGRADED (the same, and tf_step returned that);
+///   TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
+///   TF_STEP_TOO_LONG (state untouched, report holds the status).
 /// Cost: at most 3800000 instructions, the worst found by search, of
 ///   TF_LOCATED_MOST_SEGMENTS segments and a tf_step; one segment where the
-///   motion has no event (`make bench`). Stack: 2736 B.
+///   motion has no event (`make bench`). Stack: 3888 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: located_order_of_convergence, located_order_across_stick,
 ///   located_branch_is_independent_of_the_step_size,

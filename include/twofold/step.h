@@ -57,18 +57,26 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   more would, stands still: its change is less than the rounding of the
 ///   state. In float at dt <= 1e-4 s every motion departs from rest like that,
 ///   and some never do. Use tf_step_compensated then, or a longer dt.
+///   A step creates no energy: where the linearisation would make more than
+///   2^-12 of it, or friction put in more than 2^-4, the step is taken in a
+///   form that balances energy, and ends in slip on the side on which it is;
+///   the set stays that of the consistent modes.
 /// machine: in, prepared.
 /// state: in/out, from tf_begin.
 /// input: in, within TF_STATE_LIMIT together with the state.
 /// report: out.
 /// Returns: TF_OK; TF_DEGRADED (advanced, although no mode was consistent and
 ///   admissible: report->set holds the consistent ones); TF_COARSE (advanced,
-///   but the motion stands still);
+///   but too long for the motion: taken in the form that balances energy; or
+///   the state turns by more than a right angle in it, in the norm of the
+///   energy; or theta > 1/2 damps a quarter of the energy; or a blow of
+///   friction turns h and g past 0 in an order that the step cannot tell; or
+///   the motion stands still);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
 /// Cost: at most 3200 instructions, the worst found by search;
 ///   no path through its code has more than 5600; no data-dependent loop. The
-///   worst is a degraded step: see `make bench` for others. Stack: 1632 B.
+///   worst is a degraded step: see `make bench` for others. Stack: 2784 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,
@@ -82,7 +90,9 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   no_scheme_stands_still_without_a_word,
 ///   slip_in_equilibrium_is_not_told_to_move,
 ///   stick_in_equilibrium_is_not_told_to_move,
-///   random_exit_rate_is_independent_of_dt
+///   random_exit_rate_is_independent_of_dt, no_step_creates_energy,
+///   friction_puts_in_no_more_than_the_law_allows,
+///   a_turn_beyond_a_right_angle_is_coarse, a_blow_is_ended_or_told
 #define tf_step TF_LINK(tf_step)
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report);

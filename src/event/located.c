@@ -4,6 +4,7 @@
 #include "twofold/located.h"
 
 #include "../friction/slip_residual.h"
+#include "../moreau/balance.h"
 #include "../moreau/outcome.h"
 #include "../moreau/standing.h"
 #include "limit_direction.h"
@@ -146,9 +147,29 @@ static bool integrate_step(trajectory_t *path) {
 static tf_status_t fall_back(const tf_machine_t *k, tf_state_t *state,
                              const tf_input_t *input, tf_report_t *report) {
   const tf_status_t status = tf_step(k, state, input, report);
-  if (status != TF_OK) return status;
+  if (status != TF_OK && status != TF_COARSE) return status;
   report->status = TF_FELL_BACK;
   return TF_FELL_BACK;
+}
+
+// The most that the contact and the inputs can put in, per second.
+static tf_real_t most_power(const tf_machine_t *k, const tf_input_t *u,
+                            end_state_t at) {
+  const tf_real_t v = magnitude(at.v), w = magnitude(at.w);
+  const tf_real_t arm = magnitude(at.r) + magnitude(k->d);
+  const tf_real_t mu = k->tyre.law == TF_TYRE_NONE ? 0 : k->tyre.mu;
+  return mu * (4 * (v + arm * w) / 3 + k->tyre.kappa * w) +
+         magnitude(u->force) * v + magnitude(u->torque) * w;
+}
+
+// Whether a step, done with a coarser tolerance, ends with more energy than the
+// motion can have.
+static bool gains_energy(const tf_machine_t *k, const tf_input_t *u,
+                         end_state_t from, end_state_t to) {
+  const tf_real_t before = mean_energy(k, u, from, from);
+  const tf_real_t after = mean_energy(k, u, to, to);
+  const tf_real_t power = most_power(k, u, from) + most_power(k, u, to);
+  return !(after - before <= TF_CREATED_SHARE * before + k->dt * power);
 }
 
 // How far the force at the end is from the law there, by the law itself.
@@ -178,7 +199,10 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
   const tf_real_t z = path->now.z;
   const end_state_t end = {path->now.r, path->now.p + k->d * z,
                            z + input->omega0};
+  const end_state_t from = {state->r, state->v, state->w};
   if (!in_reach(end.r, end.v, end.w)) return refuse_step(report, TF_DIVERGED);
+  if (path->is_coarse && gains_energy(k, input, from, end))
+    return fall_back(k, state, input, report);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
   const bool contact = k->tyre.law != TF_TYRE_NONE;
   path->set &= ~TF_MODE_BIT(path->mode);

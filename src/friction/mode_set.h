@@ -25,4 +25,10 @@ TF_INLINE unsigned size_of(unsigned set) {
   return sizes[set];
 }
 
+// The slip that an end has; at h = 0, which no set-valued law lets it have in
+// slip, the side on which it was.
+TF_INLINE unsigned slip_of_sign(tf_real_t h, unsigned before) {
+  return h > 0 ? TF_SLIP_PLUS : h < 0 ? TF_SLIP_MINUS : before & 1u;
+}
+
 #endif

@@ -8,7 +8,7 @@ TF_API const char *tf_status_name(tf_status_t status) {
     case TF_DEGRADED:
       return "degraded: no mode was consistent and admissible";
     case TF_COARSE:
-      return "located step missed its tolerance: out of segments";
+      return "too long for this motion: bounded, but not resolved";
     case TF_FELL_BACK:
       return "located step fell back on the Moreau-Jean step";
     case TF_BAD_PARAMETER:

@@ -2,6 +2,8 @@
 // the slip at the start and the end of the step in pairs (compensation.h).
 #include "twofold/compensated.h"
 
+#include "balance.h"
+#include "balanced.h"
 #include "codim2_end.h"
 #include "compensation.h"
 #include "least_violation.h"
@@ -55,10 +57,73 @@ static __attribute__((noinline)) tf_status_t commit_pairs(
   return status_of_end(k, step->state, omega0, step->report);
 }
 
+// The step in the form that creates no energy. It starts from the leading
+// parts; what they leave out is carried over.
+TF_RARE tf_status_t balanced_compensated_step(compensated_step_t *step,
+                                              tf_force_t force,
+                                              outcome_t outcome) {
+  const tf_machine_t *k = &step->constants->machine;
+  const balanced_end_t end =
+      tf_balanced_end(k, step->state, step->input, outcome.mode, force);
+  if (!in_reach(end.at.r, end.at.v, end.at.w) ||
+      !within(outcome.delassus, TF_REAL_MAX))
+    return refuse_step(step->report, TF_DIVERGED);
+  const state_pair_t to = {pair_plus((pair_t){end.at.r, 0}, step->low->r),
+                           pair_plus((pair_t){end.at.v, 0}, step->low->v),
+                           pair_plus((pair_t){end.at.w, 0}, step->low->w)};
+  const end_state_t at = {to.r.hi, to.v.hi, to.w.hi};
+  const tf_slip_t slip =
+      slip_in_pairs(step->constants, &to, step->input->omega0).slip;
+  outcome.mode = slip_of_sign(slip.h, step->state->mode);
+  outcome.delassus = end.delassus;
+  if (outcome.status == TF_OK) outcome.status = TF_COARSE;
+  store_compensation(k, step->state, step->low, &to);
+  record(step->state, at, slip, end.force,
+         mode_residual(k, outcome.mode, end.force, slip), outcome,
+         step->report);
+  return outcome.status;
+}
+
+// Balance, and commit.
+TF_INLINE tf_status_t close_compensated_step(compensated_step_t *step,
+                                             const forced_end_t *end,
+                                             outcome_t outcome,
+                                             tf_real_t residual) {
+  const tf_machine_t *k = &step->constants->machine;
+  const end_state_t from = {step->state->r, step->state->v, step->state->w};
+  const balance_t b =
+      balance_of(k, is_midpoint(k), step->input, from, end->at, end->force.F);
+  if (!is_balanced(&b)) {
+    const tf_real_t energy = mean_energy(k, step->input, from, end->at);
+    if (creates_energy(&b, energy))
+      return balanced_compensated_step(step, end->force, outcome);
+    if (is_too_coarse(k, &b, energy, from, end->at) && outcome.status == TF_OK)
+      outcome.status = TF_COARSE;
+  }
+  return commit_pairs(step, end->force, end->friction, outcome, residual);
+}
+
 TF_RARE tf_status_t degraded_compensated_step(compensated_step_t *step) {
   free_motion_t c = compensated_motion(step);
   const violation_t best = least_violation(&c);
-  return commit_pairs(step, best.end.force, best.end.friction, best.outcome, 0);
+  return close_compensated_step(step, &best.end, best.outcome, 0);
+}
+
+// A slip that turns within the step; see turning_step().
+TF_RARE tf_status_t turning_compensated_step(compensated_step_t *step,
+                                             unsigned slip) {
+  const tf_machine_t *k = &step->constants->machine;
+  free_motion_t c = compensated_motion(step);
+  inclusion_t in;
+  solutions_t s;
+  const unsigned signs = solve_inclusion(&c, &in, &s);
+  const unsigned mode = mode_instead(&s, slip);
+  const forced_end_t end = mode_end(&c, &s, mode);
+  const end_state_t from = {step->state->r, step->state->v, step->state->w};
+  const bool unsure = mode == slip && is_blow(k, step->input, from, end.at);
+  const outcome_t outcome = {mode, s.set, unsure ? TF_COARSE : TF_OK,
+                             end_delassus(&c, &in, signs, &end)};
+  return close_compensated_step(step, &end, outcome, 0);
 }
 
 TF_RARE unsigned end_of_lost_compensated_step(compensated_step_t *step,
@@ -75,8 +140,7 @@ TF_RARE tf_status_t compensated_step_under_force(compensated_step_t *step,
   const free_motion_t c = compensated_motion(step);
   const single_valued_end_t to = single_valued_end(&c, (tf_force_t){F, M});
   const outcome_t outcome = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
-  return commit_pairs(step, to.end.force, to.end.friction, outcome,
-                      to.residual);
+  return close_compensated_step(step, &to.end, outcome, to.residual);
 }
 
 TF_RARE tf_status_t single_valued_compensated_step(compensated_step_t *step) {
@@ -117,8 +181,9 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   if (mode == TF_NO_MODE) return degraded_compensated_step(&step);
   // End in the mode, (9), (10).
   const forced_end_t end = mode_end(&c, &s, mode);
-  // Commit.
+  if (end.turns) return turning_compensated_step(&step, mode);
+  // Balance, and commit.
   const outcome_t outcome = {mode, s.set, TF_OK,
                              end_delassus(&c, &in, signs, &end)};
-  return commit_pairs(&step, end.force, end.friction, outcome, 0);
+  return close_compensated_step(&step, &end, outcome, 0);
 }

@@ -5,13 +5,16 @@
 //   choose   where a mode does not go on, tf_select, lane by lane
 //   end      the multipliers of the chosen mode; those of slip only where some
 //            lane slips, and lane by lane where few do
+//   balance  what the step does to the energy
 //   commit   the state and the report
 // Lanes that a pass marks rare (refused, out of range, without a mode, a root
-// without a series) are done by tf_step from the state that they had.
+// without a series, a slip that turns, a balance in doubt) are done by tf_step
+// from the state that they had.
 #include "twofold/ensemble.h"
 
 #include "../friction/mode_set.h"
 #include "../friction/select.h"
+#include "balance.h"
 #include "lanes_solve.h"
 
 // Up to so many slips cost less one by one than all lanes in vectors.
@@ -163,7 +166,8 @@ TF_INLINE void slip_lane(const tf_machine_t *restrict k,
   const mask_t stays = when(side * slip.h > 0);
   work->x[i] = pick(slips, pick(stays, theta.x, side), work->x[i]);
   work->y[i] = pick(slips, pick(stays, theta.y, tau * side), work->y[i]);
-  work->rare[i] |= slips & (first.rare | theta.rare);
+  const mask_t turns = ~stays & when(k->kappa_mu * tau * now.g < 0);
+  work->rare[i] |= slips & (first.rare | theta.rare | turns);
 }
 
 static void slip_all(const tf_machine_t *restrict k,
@@ -202,6 +206,28 @@ static void ends_all(const tf_machine_t *restrict k,
           lane_has_signs(work->side[i], work->roll[i], slip, rounding)) |
         (moves & when(r == b->r[i])); // it may stand still
   }
+}
+
+// A lane whose balance is in doubt is rare.
+TF_INLINE void balance_lanes(const tf_machine_t *restrict k, bool midpoint,
+                             const tf_state_block_t *restrict b,
+                             const tf_input_t *restrict u,
+                             work_t *restrict work) {
+  for (int i = 0; i < TF_LANES; i++) {
+    const end_state_t from = {b->r[i], b->v[i], b->w[i]};
+    const end_state_t end = {work->r[i], work->v[i], work->w[i]};
+    const balance_t balance = balance_of(k, midpoint, u, from, end, work->F[i]);
+    work->rare[i] |= ~when(is_balanced(&balance));
+  }
+}
+
+static void balance_all(const tf_machine_t *restrict k,
+                        const tf_state_block_t *restrict b,
+                        const tf_input_t *restrict u, work_t *restrict work) {
+  if (is_midpoint(k))
+    balance_lanes(k, true, b, u, work);
+  else
+    balance_lanes(k, false, b, u, work);
 }
 
 static void finish_all(const tf_machine_t *restrict k,
@@ -314,6 +340,7 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
   else if (slips > 0)
     slip_few(k, b, u->omega0, &work, slips);
   ends_all(k, b, u->omega0, &work);
+  balance_all(k, b, u, &work);
   if (any_rare(&work)) return step_some(k, b, u, &work, out);
   if (k->with_angle) angles_all(k, b, &work);
   finish_all(k, b, u->omega0, &work, out);

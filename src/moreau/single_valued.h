@@ -60,9 +60,7 @@ TF_INLINE single_valued_end_t single_valued_end(const free_motion_t *c,
   const tf_slip_t at = slip_at_theta_under(c, change);
   const tf_real_t h = end_slip(c, &out.end).h;
   out.residual = magnitude(force.F - single_valued_law(k, at).F);
-  out.mode = h > 0   ? TF_SLIP_PLUS
-             : h < 0 ? TF_SLIP_MINUS
-                     : c->state->mode & 1u; // as it was at h = 0
+  out.mode = slip_of_sign(h, c->state->mode);
   return out;
 }
 

@@ -89,13 +89,14 @@ typedef struct {
   change_t friction; // of the velocities, unless pinned
   end_state_t at;
   bool pinned;
+  bool turns; // see slip_end()
 } forced_end_t;
 
 // (7)
 TF_INLINE forced_end_t end_under(const free_motion_t *c, tf_force_t force,
                                  change_t friction) {
   const end_state_t at = end_after(TF_API_MACHINE(c), &c->linear, friction);
-  return (forced_end_t){force, friction, at, false};
+  return (forced_end_t){force, friction, at, false, false};
 }
 
 TF_INLINE tf_slip_t end_slip(const free_motion_t *c, const forced_end_t *end) {
@@ -194,24 +195,36 @@ TF_INLINE multipliers_t slip_multipliers(const tf_tyre_t *tyre, tf_real_t side,
 // End in slip on one side of h = 0, (9): the force is predicted from the start,
 // then taken at the theta point. Where that would carry the wheel across h = 0
 // although the limit at h -> 0 holds it on its side, the true end lies between
-// the two, and the limit is taken.
+// the two, and the limit is taken. It turns the slip if its moment supposes the
+// other sign of g than that at the start: then the force of the step passes
+// h = 0 and g = 0 alike, and in which order the step does not tell.
 TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
                                 tf_real_t tau) {
   const tf_machine_t *k = TF_API_MACHINE(c);
-  const multipliers_t first = slip_multipliers(&k->tyre, side, start_slip(c));
+  const tf_slip_t now = start_slip(c);
+  const multipliers_t first = slip_multipliers(&k->tyre, side, now);
   const tf_real_t r_theta = r_at_theta(k, c->state->r, c->state->v);
   const tf_slip_t at =
       slip_at_theta(k, &c->linear, r_theta, change_by(c, first));
   const forced_end_t end = end_by(c, slip_multipliers(&k->tyre, side, at));
   if (side * end_slip(c, &end).h > 0) return end;
-  return end_by(c, (multipliers_t){side, tau * side});
+  forced_end_t limit = end_by(c, (multipliers_t){side, tau * side});
+  limit.turns = k->kappa_mu * tau * now.g < 0;
+  return limit;
+}
+
+// What a slip that turns is replaced by: the attracting stick on the present
+// side of g, which h meets first, where it is consistent; else it is kept.
+TF_INLINE unsigned mode_instead(const solutions_t *s, unsigned mode) {
+  return has(s->set & s->attracting, s->near_stick) ? s->near_stick : mode;
 }
 
 // End at rest, (10): what the force was solved for, without its rounding.
 TF_INLINE forced_end_t pinned_end(const free_motion_t *c) {
   const linear_t *l = &c->linear;
   const end_state_t at = {l->r_explicit, 0, l->omega0};
-  return (forced_end_t){pinning_force(TF_API_MACHINE(c), l), {0, 0}, at, true};
+  return (forced_end_t){
+      pinning_force(TF_API_MACHINE(c), l), {0, 0}, at, true, false};
 }
 
 // End in one of the modes that solve the inclusion.

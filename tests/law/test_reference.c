@@ -117,7 +117,8 @@ static double group_error(const reference_t *ref, double dt) {
     const double n = (double)ref->t_grid / 16 / dt * (1 + 0.37 * i / GROUP);
     sum += error_of(tf_step, ref, (int)n, &degraded);
   }
-  CHECK(degraded == 0);
+  /* beyond that the step is too long for it, and says so */
+  CHECK(degraded == 0 || sum / GROUP > 1);
   return sum / GROUP;
 }
 

@@ -52,7 +52,7 @@ TEST(degraded_step_reports_the_consistent_set) {
                     .w = (tf_real_t)f->w,
                     .mode = f->mode};
     if (at_g_zero) { /* the slip goes on with a share of the moment at g = 0 */
-      CHECK(tf_step(&machine, &x, &u, &report) == TF_OK);
+      CHECK(tf_step(&machine, &x, &u, &report) >= TF_OK);
       CHECK(x.mode == f->mode && (report.set & f->set) == f->set &&
             (report.set & TF_MODE_BIT(f->mode)));
       continue;

@@ -82,8 +82,7 @@ static const char *judge_report(const tf_report_t *report,
   FUZZ_HOLD(report->status == status && report->mode == state->mode);
   FUZZ_HOLD(report->mode < TF_MODES && report->set < 1u << TF_MODES);
   FUZZ_HOLD(report->choices == fuzz_popcount(report->set));
-  FUZZ_HOLD(status == TF_DEGRADED ||
-            (report->set & TF_MODE_BIT(report->mode)) != 0);
+  FUZZ_HOLD(status > TF_OK || (report->set & TF_MODE_BIT(report->mode)) != 0);
   FUZZ_HOLD(fuzz_finite(report->force.F) && fuzz_finite(report->force.M));
   FUZZ_HOLD(fuzz_finite(report->slip.h) && fuzz_finite(report->slip.g));
   FUZZ_HOLD(fuzz_finite(report->delassus) && fuzz_finite(report->residual));
@@ -148,7 +147,7 @@ static const char *step_compensated(subject_t *s) {
   memcpy(&kept, &s->carry, sizeof kept);
   const tf_status_t status = tf_step_compensated(&s->machine, &s->state,
                                                  &s->carry, &s->input, &report);
-  FUZZ_HOLD(status <= TF_DEGRADED);
+  FUZZ_HOLD(status <= TF_DEGRADED || status == TF_COARSE);
   if (status < 0) FUZZ_HOLD(memcmp(&kept, &s->carry, sizeof kept) == 0);
   FUZZ_HOLD(fuzz_finite(s->carry.r) && fuzz_finite(s->carry.v));
   FUZZ_HOLD(fuzz_finite(s->carry.w));

@@ -249,8 +249,10 @@ static void compare_step(const step_t *k, const tf_machine_t *machine, int i,
   tally->seen[want]++;
   unsigned got = report.set;
   /* A step that meets h = g = 0 ends there by a mean force, not by the law:
-   * no solution of it, and its residual says so. */
-  if (report.mode == TF_PINNED && !(want & TF_MODE_BIT(TF_PINNED))) {
+   * no solution of it, and its residual says so. Or it is taken again in the
+   * form that balances energy. */
+  if ((report.mode == TF_PINNED || report.status == TF_COARSE) &&
+      report.set & TF_MODE_BIT(TF_PINNED) && !(want & TF_MODE_BIT(TF_PINNED))) {
     tally->met += report.residual > 0;
     got &= ~TF_MODE_BIT(TF_PINNED);
     report.choices--;

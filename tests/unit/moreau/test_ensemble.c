@@ -242,6 +242,7 @@ TEST(ensemble_of_difficult_states) {
   CHECK(differ == 0);
   CHECK(seen[TF_OK - TF_STEP_TOO_LONG] > 0);
   CHECK(seen[TF_DEGRADED - TF_STEP_TOO_LONG] > 0);
+  CHECK(seen[TF_COARSE - TF_STEP_TOO_LONG] > 0);
   CHECK(seen[TF_BAD_STATE - TF_STEP_TOO_LONG] > 0);
   CHECK(seen[TF_DIVERGED - TF_STEP_TOO_LONG] > 0);
   CHECK(seen[0] > 0); /* TF_STEP_TOO_LONG */
@@ -271,6 +272,7 @@ TEST(ensemble_in_slip) {
     for (size_t j = 0; j < 64; j++)
       slips += twins.states[j].mode <= TF_SLIP_MINUS;
   }
+  printf("# coarse %zu of %zu\n", twins.seen[7], twins.steps);
   CHECK(differ == 0);
   CHECK(slips * 2 > twins.steps);
 }

@@ -43,7 +43,7 @@ static void quotient(tf_params_t params, tf_real_t dt, tf_state_t x,
   tf_report_t report;
   end.mode = TF_NO_MODE;
   CHECK(tf_begin(&machine, &end, input, &report) == TF_OK);
-  CHECK(tf_step(&machine, &end, input, &report) == TF_OK);
+  CHECK(tf_step(&machine, &end, input, &report) >= TF_OK);
   rate[0] = (wide(end.r) - wide(x.r)) / wide(dt);
   rate[1] = (wide(end.v) - wide(x.v)) / wide(dt);
   rate[2] = (wide(end.w) - wide(x.w)) / wide(dt);
@@ -207,7 +207,7 @@ TEST(a_step_too_long_is_refused) {
   CHECK(tf_step(&machine, &x, &input, &report) == TF_STEP_TOO_LONG);
   CHECK(memcmp(&x, &before, sizeof x) == 0);
   x.v = 1;
-  CHECK(tf_step(&machine, &x, &input, &report) == TF_OK);
+  CHECK(tf_step(&machine, &x, &input, &report) == TF_COARSE);
 }
 
 /* r moves in one step just so far that the disc has no inertia left, to the
@@ -256,7 +256,7 @@ TEST(a_diverging_step_is_refused) {
     CHECK(report.status == TF_DIVERGED);
     CHECK(memcmp(&x, &before, sizeof x) == 0);
     input.force = 1;
-    CHECK(tf_step(&machine, &x, &input, &report) == TF_OK);
+    CHECK(tf_step(&machine, &x, &input, &report) == TF_COARSE);
   }
 }
 

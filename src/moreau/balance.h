@@ -1,0 +1,133 @@
+// What a linearly implicit step does to the energy. Its rows (6) are those of
+// a step that balances energy exactly, but for what linearisation leaves out.
+// So the energy that the step creates is known in closed form: a sum of
+// products of differences, in which nothing large cancels. With v_t = v +
+// theta dv, w_t alike, v_a, w_a and r_a the means of the two ends, J_a the mean
+// of m (beta^2 + r^2) and eta = theta - 1/2,
+//   E+ - E = work of inputs, dampers and friction at (v_t, w_t), arm r_t, + D
+//   D = (J_a - J(r_t)) w_t dw - eta (m dp^2 + J_a dw^2 + k2 dt^2 v_t^2)
+//       + m dt [ r_a v_t (w_a^2 + dw^2/4) - r_t v_t (w_t^2 + theta^2 dw^2)
+//                + 2 theta^2 r_t w_t dv dw ]                          (17)
+#ifndef TF_BALANCE_H
+#define TF_BALANCE_H
+
+#include "linear.h"
+
+// The most energy that a step may create, as a share of the mean of its ends: n
+// steps create at most exp(n / 4096) - 1 of the energy, so that the 4000 steps
+// of docs/STABILITY.md stay within its factor of 4.
+#define TF_CREATED_SHARE TF_R(0x1p-12)
+
+// The most that friction may put in, where h passes 0 within the step: once, of
+// second order in dt, and friction takes it out again.
+#define TF_FRICTION_SHARE TF_R(0x1p-4)
+
+// How much of it a step with theta > 1/2 may damp out.
+#define TF_DAMPED_SHARE TF_R(0.25)
+
+// (17) for every theta.
+TF_INLINE tf_real_t created_by_theta(const tf_machine_t *k, tf_real_t r,
+                                     tf_real_t v, tf_real_t w, tf_real_t dv,
+                                     tf_real_t dw) {
+  const tf_real_t th = k->theta, th2 = th * th, eta = th - TF_R(0.5);
+  const tf_real_t dt = k->dt, dp = dv - k->d * dw, dw2 = dw * dw;
+  const tf_real_t vt = v + th * dv, wt = w + th * dw, wa = w + dw / 2;
+  const tf_real_t way = dt * vt, rt = r + k->theta_dt * v;
+  const tf_real_t ahead = dt * (th * dv / 2 - eta * v), ra = rt + ahead;
+  const tf_real_t dJ = ahead * (ra + rt) + way * way / 4; // (J_a - J(r_t)) / m
+  const tf_real_t turned =
+      ra * (wa * wa + dw2 / 4) - rt * (wt * wt + th2 * dw2);
+  const tf_real_t damped = dp * dp + (k->beta2 + rt * rt + dJ) * dw2;
+  return k->m * (dJ * wt * dw + way * turned +
+                 2 * th2 * dt * rt * wt * dv * dw - eta * damped) -
+         eta * k->k2 * (way * way);
+}
+
+// What a step has done, from a state (r, v, w) to an end under a force F. With
+// p = v - d w, s = r - r0:
+typedef struct {
+  tf_real_t created;  // D, (17) [J]
+  tf_real_t friction; // dt times -F h_t: > 0 where friction puts energy in [J]
+  tf_real_t product;  // m (p p+ + (beta^2 + r r+) w w+) + k2 s s+ [J]
+} balance_t;
+
+// At theta = 1/2
+//   D = m [w_t dw (r_t dt dv + dt^2 v+^2/4) + dt^2 v_t dv w^2/4]
+TF_INLINE bool is_midpoint(const tf_machine_t *k) {
+  return k->theta == TF_R(0.5);
+}
+
+// midpoint: is_midpoint(k), which loops over lanes ask once.
+TF_INLINE balance_t balance_of(const tf_machine_t *k, bool midpoint,
+                               const tf_input_t *u, end_state_t from,
+                               end_state_t end, tf_real_t F) {
+  const tf_real_t r = from.r, v = from.v, w = from.w;
+  const tf_real_t dv = end.v - v, dw = end.w - w, dt_dv = k->dt * dv;
+  const tf_real_t vt = v + k->theta * dv, wt = w + k->theta * dw;
+  const tf_real_t rt = r + k->theta_dt * v, move = k->theta_dt * vt;
+  const tf_real_t p = v - k->d * w, end_p = end.v - k->d * end.w;
+  const tf_real_t half = k->theta_dt * end.v;
+  balance_t b;
+  b.created = midpoint ? k->m * (wt * dw * (rt * dt_dv + half * half) +
+                                 move * dt_dv * (w * w) / 2)
+                       : created_by_theta(k, r, v, w, dv, dw);
+  // F on the arm r_t, the turntable under the wheel on its way.
+  b.friction = k->dt * F *
+               ((vt - k->d * (wt - u->omega0)) * k->sin_gamma +
+                (rt * wt - (r + move) * u->omega0) * k->cos_gamma);
+  b.product = k->m * (p * end_p + (k->beta2 + r * end.r) * (w * end.w)) +
+              k->k2 * ((r - u->r0) * (end.r - u->r0));
+  return b;
+}
+
+// Whether a step is beyond doubt. The product is at most twice the mean energy
+// of the ends, which need not be known then.
+TF_INLINE bool is_balanced(const balance_t *b) {
+  const tf_real_t share = TF_CREATED_SHARE / 2 * b->product;
+  return (magnitude(b->created) <= share) & (b->created + b->friction <= share);
+}
+
+// The mean energy of the ends of a step.
+TF_INLINE tf_real_t mean_energy(const tf_machine_t *k, const tf_input_t *u,
+                                end_state_t from, end_state_t to) {
+  const tf_real_t p0 = from.v - k->d * from.w, p1 = to.v - k->d * to.w;
+  const tf_real_t s0 = from.r - u->r0, s1 = to.r - u->r0;
+  const tf_real_t disc = gyration2_at(k, from.r) * (from.w * from.w) +
+                         gyration2_at(k, to.r) * (to.w * to.w);
+  return (k->m * (p0 * p0 + p1 * p1 + disc) + k->k2 * (s0 * s0 + s1 * s1)) / 4;
+}
+
+TF_INLINE bool creates_energy(const balance_t *b, tf_real_t energy) {
+  return !(b->created <= TF_CREATED_SHARE * energy &&
+           b->created + b->friction <= TF_FRICTION_SHARE * energy);
+}
+
+// Whether a step changes the energy by much, as a blow does.
+TF_INLINE bool is_blow(const tf_machine_t *k, const tf_input_t *u,
+                       end_state_t from, end_state_t to) {
+  const tf_real_t before = mean_energy(k, u, from, from);
+  const tf_real_t after = mean_energy(k, u, to, to);
+  return !(magnitude(after - before) <= TF_FRICTION_SHARE * (before + after));
+}
+
+// Whether dt times a rate of the motion is 1 rad or more: of spring and damper
+// (a is theta^2 dt^2 k2 where they are stiff), of the disc, or of the angle
+// under which the slider moves past the axis.
+TF_INLINE bool is_fast(const tf_machine_t *k, end_state_t at) {
+  const tf_real_t rho2 = gyration2_at(k, at.r), d2 = k->d * k->d;
+  const tf_real_t way2 = at.v * at.v + rho2 * (at.w * at.w);
+  return 4 * k->a * (rho2 + d2) >= k->m * rho2 ||
+         !(k->dt * k->dt * way2 < rho2);
+}
+
+// Whether a step is too long for the motion: in the norm of the energy the
+// state turns by more than a right angle, or theta > 1/2 damps it visibly; and
+// not because outer forces do that where it has next to no energy.
+TF_INLINE bool is_too_coarse(const tf_machine_t *k, const balance_t *b,
+                             tf_real_t energy, end_state_t from,
+                             end_state_t to) {
+  const bool keeps = b->product >= 0 && b->created >= -TF_DAMPED_SHARE * energy;
+  return !keeps && (is_fast(k, from) || is_fast(k, to));
+}
+
+#endif

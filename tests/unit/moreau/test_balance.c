@@ -1,0 +1,314 @@
+/* The energy that a step creates, what is done about it, and what is said where
+ * a step is too long for the motion; over the whole ranges of parameters. */
+#include "../../../src/moreau/balance.h"
+#include "../../../src/moreau/balanced.h"
+#include "common.h"
+
+static real energy_of(const tf_machine_t *k, end_state_t x) {
+  const real p = wide(x.v) - wide(k->d) * wide(x.w);
+  const real r = wide(x.r), w = wide(x.w), s = r - wide(k->r0);
+  return (wide(k->m) * (p * p + (wide(k->beta2) + r * r) * w * w) +
+          wide(k->k2) * s * s) /
+         2;
+}
+
+/* No contact, no damping, nothing that drives: energy is kept. */
+static tf_params_t conservative(void) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.law = TF_TYRE_NONE;
+  p.c1 = p.c2 = 0;
+  p.m = log_uniform(0.1, 10);
+  p.d = uniform(-2, 2);
+  p.beta = log_uniform(0.01, 1);
+  p.k2 = log_uniform(1e-2, 1e8);
+  p.r0 = uniform(-1, 1);
+  p.theta = tap_bits() % 2 ? TF_R(0.5) : uniform(0.5, 1);
+  p.dt = log_uniform(1e-5, 1e-1);
+  return p;
+}
+
+static tf_state_t moving(void) {
+  return (tf_state_t){
+      .r = uniform(-1, 1), .v = uniform(-5, 5), .w = uniform(-20, 20)};
+}
+
+static end_state_t place(const tf_state_t *x) {
+  return (end_state_t){x->r, x->v, x->w};
+}
+
+/* Rounding of an energy that is read from a state. */
+static real noise(const tf_machine_t *k, end_state_t x) {
+  const real p = fabsl(wide(x.v)) + fabsl(wide(k->d) * wide(x.w));
+  const real s = fabsl(wide(x.r)) + fabsl(wide(k->r0));
+  const real q2 =
+      (wide(k->beta2) + wide(x.r) * wide(x.r)) * wide(x.w) * wide(x.w);
+  return 64 * EPSILON *
+         (wide(k->m) * (p * p + q2) + wide(k->k2) * s * s + wide(TF_REAL_MIN));
+}
+
+/* (17): what the linear step creates is the difference of the energies. */
+TEST(created_energy_in_closed_form) {
+  for (int i = 0; i < 20000; i++) {
+    const tf_params_t p = conservative();
+    const tf_machine_t k = prepared(&p);
+    const tf_input_t u = tf_input_default(&k);
+    const tf_state_t x = moving();
+    const linear_t l = linearise(&k, &x, &u);
+    if (!l.definite) continue;
+    const end_state_t from = place(&x);
+    const end_state_t to = end_after(&k, &l, (change_t){0, 0});
+    const balance_t b = balance_of(&k, is_midpoint(&k), &u, from, to, 0);
+    const real made = energy_of(&k, to) - energy_of(&k, from);
+    const real room = noise(&k, from) + noise(&k, to);
+    const real terms =
+        wide(k.m) * (wide(to.v) * wide(to.v) + wide(to.w) * wide(to.w) +
+                     wide(from.w) * wide(from.w));
+    CHECK_NEAR(wide(b.created), made, 64 * (room + EPSILON * terms));
+    CHECK(b.friction == 0);
+    const real both = energy_of(&k, from) + energy_of(&k, to);
+    CHECK(fabsl(wide(b.product)) <= both * (1 + 64 * EPSILON) + room);
+    CHECK_NEAR(wide(mean_energy(&k, &u, from, to)), both / 2, room);
+  }
+}
+
+/* A step that is beyond doubt neither creates energy nor is too long. */
+TEST(no_doubt_without_reason) {
+  int sure = 0;
+  for (int i = 0; i < 20000; i++) {
+    const tf_params_t p = conservative();
+    const tf_machine_t k = prepared(&p);
+    const tf_input_t u = tf_input_default(&k);
+    const tf_state_t x = moving();
+    const linear_t l = linearise(&k, &x, &u);
+    if (!l.definite) continue;
+    const end_state_t from = place(&x);
+    const end_state_t to = end_after(&k, &l, (change_t){0, 0});
+    const balance_t b = balance_of(&k, is_midpoint(&k), &u, from, to, 0);
+    if (!is_balanced(&b)) continue;
+    const tf_real_t energy = mean_energy(&k, &u, from, to);
+    CHECK(!creates_energy(&b, energy));
+    CHECK(!is_too_coarse(&k, &b, energy, from, to));
+    sure++;
+  }
+  CHECK(sure > 2000);
+}
+
+typedef struct {
+  tf_compensated_t constants;
+  tf_state_t state;
+  tf_compensation_t low;
+} run_t;
+
+static tf_status_t one_step(run_t *run, int scheme, const tf_input_t *u,
+                            tf_report_t *report) {
+  const tf_machine_t *k = &run->constants.machine;
+  if (scheme == 0) return tf_step(k, &run->state, u, report);
+  if (scheme == 1)
+    return tf_step_compensated(&run->constants, &run->state, &run->low, u,
+                               report);
+  return tf_step_located(k, &run->state, u, report);
+}
+
+/* Whatever its status, an accepted step of a machine without friction creates
+ * at most TF_CREATED_SHARE of its energy; of the located step, which keeps a
+ * tolerance, those are asked that say it was kept. */
+TEST(no_step_creates_energy) {
+  long accepted = 0, coarse = 0;
+  for (int i = 0; i < 6000; i++) {
+    tf_params_t p = conservative();
+    if (i % 3 == 2) p.tolerance = IS_DOUBLE ? TF_R(1e-10) : TF_R(1e-6);
+    run_t run = {.state = moving()};
+    CHECK(tf_prepare_compensated(&run.constants, &p, NULL) == TF_OK);
+    const tf_machine_t *k = &run.constants.machine;
+    const tf_input_t u = tf_input_default(k);
+    tf_report_t report;
+    for (int n = 0; n < 20; n++) {
+      const end_state_t from = place(&run.state);
+      const tf_status_t status = one_step(&run, i % 3, &u, &report);
+      if (status < TF_OK) break;
+      if (i % 3 == 2 && status != TF_OK) break;
+      const end_state_t to = place(&run.state);
+      const real before = energy_of(k, from), after = energy_of(k, to);
+      const real share = i % 3 == 2 ? 1e-2L : 2.01L * TF_CREATED_SHARE;
+      CHECK(after - before <= share * (before + after) / 2 +
+                                  32 * (noise(k, from) + noise(k, to)));
+      accepted++;
+      coarse += status == TF_COARSE;
+    }
+  }
+  printf("# %ld steps, %ld coarse\n", accepted, coarse);
+  CHECK(accepted > 30000 && coarse > 1000);
+}
+
+/* With friction: no more than turntable and moment can put in at either end. */
+TEST(friction_puts_in_no_more_than_the_law_allows) {
+  long accepted = 0, coarse = 0;
+  for (int i = 0; i < 20000; i++) {
+    tf_params_t p = conservative();
+    p.law = i % 2 ? TF_TYRE_JUMP : TF_TYRE_COULOMB;
+    p.gamma = uniform(-3.14, 3.14);
+    p.kappa = uniform(0, 1);
+    p.mu = log_uniform(1e-2, 1e6);
+    p.omega0 = uniform(-2, 2);
+    run_t run = {.state = moving()};
+    CHECK(tf_prepare_compensated(&run.constants, &p, NULL) == TF_OK);
+    const tf_machine_t *k = &run.constants.machine;
+    const tf_input_t u = tf_input_default(k);
+    tf_report_t report;
+    run.state.mode = TF_NO_MODE;
+    if (tf_begin(k, &run.state, &u, &report) < TF_OK) continue;
+    for (int n = 0; n < 10; n++) {
+      const end_state_t from = place(&run.state);
+      const tf_status_t status = one_step(&run, 0, &u, &report);
+      if (status < TF_OK) break;
+      const end_state_t to = place(&run.state);
+      real most = 0;
+      for (int end = 0; end < 2; end++) {
+        const end_state_t at = end ? to : from;
+        const real arm =
+            wide(at.r) * wide(k->cos_gamma) - wide(k->d) * wide(k->sin_gamma);
+        const real power = wide(p.mu) * (4 * fabsl(wide(u.omega0) * arm) / 3 +
+                                         wide(p.kappa) * fabsl(wide(at.w)));
+        most = fmaxl(most, power);
+      }
+      const real before = energy_of(k, from), after = energy_of(k, to);
+      const real share = 2 * TF_FRICTION_SHARE;
+      CHECK(after - before <= wide(k->dt) * most +
+                                  share * (before + after) / 2 +
+                                  32 * (noise(k, from) + noise(k, to)));
+      accepted++;
+      coarse += status == TF_COARSE;
+    }
+  }
+  printf("# %ld steps, %ld coarse\n", accepted, coarse);
+  CHECK(accepted > 30000 && coarse > 1000);
+}
+
+/* A spring that swings by phi a step, beside a disc that stands still. */
+static tf_status_t swinging(double phi, double theta, double stretch) {
+  tf_params_t p = tf_scenes[0]->params;
+  tf_report_t report;
+  p.law = TF_TYRE_NONE;
+  p.c1 = p.c2 = p.d = p.r0 = 0;
+  p.m = p.beta = 1;
+  p.dt = TF_R(0x1p-7);
+  p.k2 = (tf_real_t)(phi * phi * 0x1p14);
+  p.theta = (tf_real_t)theta;
+  const tf_machine_t k = prepared(&p);
+  const tf_input_t u = tf_input_default(&k);
+  tf_state_t x = {.r = (tf_real_t)stretch};
+  return tf_step(&k, &x, &u, &report);
+}
+
+TEST(a_turn_beyond_a_right_angle_is_coarse) {
+  CHECK(swinging(0.5, 0.5, 1) == TF_OK);
+  CHECK(swinging(1.9, 0.5, 1) == TF_OK);
+  CHECK(swinging(2.1, 0.5, 1) == TF_COARSE); /* tan(45 degrees) = phi/2 */
+  CHECK(swinging(100, 0.5, 1) == TF_COARSE);
+  CHECK(swinging(100, 0.5, 0) == TF_OK); /* at rest it is right */
+  CHECK(swinging(0.3, 1, 1) == TF_OK);
+  CHECK(swinging(2, 1, 1) == TF_COARSE); /* damped away by theta */
+}
+
+/* Outer forces may turn a motion that has next to no energy. */
+TEST(a_reversal_is_not_coarse) {
+  tf_params_t p = tf_scenes[0]->params;
+  tf_report_t report;
+  p.law = TF_TYRE_NONE;
+  p.k2 = 0;
+  p.dt = TF_R(1e-3);
+  const tf_machine_t k = prepared(&p);
+  tf_input_t u = tf_input_default(&k);
+  u.r0 = 0;
+  u.force = -1;
+  tf_state_t x = {.v = TF_R(1e-5)};
+  CHECK(tf_step(&k, &x, &u, &report) == TF_OK);
+  CHECK(x.v < 0);
+}
+
+static end_state_t far_end(tf_params_t p, tf_state_t x, real time, int steps) {
+  p.dt = (tf_real_t)(time / steps);
+  const tf_machine_t k = prepared(&p);
+  const tf_input_t u = tf_input_default(&k);
+  for (int n = 0; n < steps; n++) {
+    const balanced_end_t end =
+        tf_balanced_end(&k, &x, &u, TF_SLIP_PLUS, (tf_force_t){0, 0});
+    x.r = end.at.r;
+    x.v = end.at.v;
+    x.w = end.at.w;
+  }
+  return place(&x);
+}
+
+static real between(end_state_t a, end_state_t b) {
+  return fabsl(wide(a.r) - wide(b.r)) + fabsl(wide(a.v) - wide(b.v)) +
+         fabsl(wide(a.w) - wide(b.w));
+}
+
+/* The balanced step keeps the energy to rounding and has order 2. */
+TEST(balanced_step_order_and_energy) {
+  if (!IS_DOUBLE) SKIP("rounding of float is as large as the differences");
+  for (int i = 0; i < 200; i++) {
+    tf_params_t p = conservative();
+    p.theta = TF_R(0.5);
+    p.k2 = log_uniform(0.1, 10);
+    p.beta = log_uniform(0.3, 1);
+    const tf_state_t x = {
+        .r = uniform(0.5, 1), .v = uniform(-1, 1), .w = uniform(-2, 2)};
+    const end_state_t a = far_end(p, x, 0.5L, 200);
+    const end_state_t b = far_end(p, x, 0.5L, 400);
+    const end_state_t c = far_end(p, x, 0.5L, 800);
+    const real ab = between(a, b), bc = between(b, c);
+    if (bc > 1e-9L) CHECK_NEAR(ab / bc, 4, 0.4);
+    const tf_machine_t k = prepared(&p);
+    CHECK_NEAR(energy_of(&k, a), energy_of(&k, place(&x)),
+               2000 * noise(&k, place(&x)));
+  }
+}
+
+/* A slip whose blow is shorter than the step: h meets 0 at g < 0, where the
+ * wheel sticks, and a step of twice that time finds it; a longer one, whose
+ * force would turn g first, says so. */
+TEST(a_blow_is_ended_or_told) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.m = TF_R(0.04120466930524657);
+  p.beta = TF_R(0.31740032501676296);
+  p.d = TF_R(1.4689044792579424);
+  p.k2 = TF_R(16.463582170440237);
+  p.r0 = TF_R(0.40171006645292628);
+  p.omega0 = TF_R(-0.76713992632904704);
+  p.mu = TF_R(74321.368548130195);
+  p.kappa = TF_R(0.75960369431851382);
+  p.gamma = TF_R(2.7098193941318724);
+  static const double steps[] = {1e-6, 1e-5, 1e-4};
+  for (int i = 0; i < 3; i++) {
+    p.dt = (tf_real_t)steps[i];
+    for (int scheme = 0; scheme < 2; scheme++) {
+      run_t run = {.state = {.r = TF_R(0.16319636624865796),
+                             .v = TF_R(0.90490346486656614),
+                             .w = TF_R(0.57440179916627399),
+                             .mode = TF_NO_MODE}};
+      CHECK(tf_prepare_compensated(&run.constants, &p, NULL) == TF_OK);
+      const tf_machine_t *k = &run.constants.machine;
+      const tf_input_t u = tf_input_default(k);
+      tf_report_t report;
+      CHECK(tf_begin(k, &run.state, &u, &report) == TF_OK);
+      const tf_status_t status = one_step(&run, scheme, &u, &report);
+      CHECK(status == (i ? TF_COARSE : TF_OK));
+      if (i == 0) CHECK(run.state.mode == TF_STICK_MINUS);
+    }
+  }
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(created_energy_in_closed_form);
+  RUN(no_doubt_without_reason);
+  RUN(no_step_creates_energy);
+  RUN(friction_puts_in_no_more_than_the_law_allows);
+  RUN(a_turn_beyond_a_right_angle_is_coarse);
+  RUN(a_reversal_is_not_coarse);
+  RUN(balanced_step_order_and_energy);
+  RUN(a_blow_is_ended_or_told);
+  return tap_end();
+}
