@@ -197,7 +197,7 @@ static int run(const options_t *options, bool rest_only) {
     const bool forks = finder.found && make_fork(&q, &finder.first, &fork);
     count_try(&drawn, forks, &quiet_options, i, &machine, 0, "moreau");
     if (forks) {
-      const bool rests = finder.first.consistent.rests[REF_BOW_TIE];
+      const bool rests = finder.first.consistent.rests[REF_HEXAGON];
       const bool slip_ends =
           fork.goes_on && fork.arrived <= REF_SLIP_MINUS &&
           (fork.chosen == fork.count ||

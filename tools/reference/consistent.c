@@ -180,17 +180,20 @@ unsigned ref_consistent_set(const ref_consistent_t *consistent, ref_law_t law) {
   return set;
 }
 
-// Kinds of future in the order of the rule; of slips first those that nothing
-// but one motion takes.
+// Kinds of future in the order of the rule. Nearby motion runs into rest unless
+// a stick or a direction leaves to which its neighbours turn, so only those
+// come before it.
+enum { ATTRACTING_STICK, ATTRACTING_SLIP, REST, FAMILY, ESCAPING_STICK, NONE };
+
 static int kind_of(const ref_consistent_mode_t *way) {
   if (way->mode <= REF_SLIP_MINUS) {
-    return way->family ? 2 : 1;
+    return way->family ? FAMILY : ATTRACTING_SLIP;
   }
-  return way->attracting ? 0 : 3;
+  return way->attracting ? ATTRACTING_STICK : ESCAPING_STICK;
 }
 
 int ref_choose(const ref_consistent_t *consistent, ref_law_t law) {
-  int best = REF_NONE, best_kind = 4;
+  int best = REF_NONE, best_kind = NONE;
   for (int i = 0; i < consistent->count; ++i) {
     const ref_consistent_mode_t *f = &consistent->list[i];
     const int kind = kind_of(f);
@@ -200,5 +203,5 @@ int ref_choose(const ref_consistent_t *consistent, ref_law_t law) {
       best_kind = kind;
     }
   }
-  return best_kind > 0 && consistent->rests[law] ? REF_REST : best;
+  return best_kind > REST && consistent->rests[law] ? REF_REST : best;
 }

@@ -42,8 +42,9 @@ void ref_consistent_codim2(const ref_machine_t *machine, ref_state_t x,
                            ref_consistent_t *out);
 /// Set of modes, one bit each; rest by the law.
 unsigned ref_consistent_set(const ref_consistent_t *consistent, ref_law_t law);
-/// The declared rule where the mode is lost: attracting stick, pinned, faster
-/// slip, escaping stick. Returns an index of the list, REF_REST or REF_NONE.
+/// The declared rule where the mode is lost: attracting stick, slip along an
+/// attracting direction, rest, other slip, escaping stick; of one kind the one
+/// that leaves faster. Returns an index of the list, REF_REST or REF_NONE.
 #define REF_REST (-1)
 #define REF_NONE (-2)
 int ref_choose(const ref_consistent_t *consistent, ref_law_t law);

@@ -33,7 +33,7 @@ void count_print(const count_t *count) {
 
 ref_orbit_t class_orbit(const lib_machine_t *machine, ref_machine_t *q,
                         const lib_table_t *real) {
-  ref_orbit_t orbit = {.tolerance = 1e-11L, .law = REF_BOW_TIE};
+  ref_orbit_t orbit = {.tolerance = 1e-11L, .law = REF_HEXAGON};
   *q = draw_reference(machine, real);
   ref_begin(&orbit, q, draw_start(machine, q, real), REF_MODES);
   return orbit;
