@@ -52,9 +52,7 @@
 #include "../src/model/status.c"
 #include "../src/model/tyre.c"
 
-#ifdef SCHEME_LOCATED
 #include "../src/friction/codim2.c"
-#endif
 #include "../src/friction/mode.c"
 #include "../src/friction/select.c"
 #include "../src/moreau/balanced.c"

@@ -24,10 +24,14 @@
 /// - An attracting stick goes on.
 /// - Where the present mode is lost: attracting stick, pinned, slip (the
 ///   faster one if both), escaping stick, in this order.
+/// - At h = g = 0 every mode is lost, and a slip leaves along a limit
+///   direction. A direction to which its neighbours turn attracts: such a slip
+///   comes after the attracting stick and before pinned. Of two modes of one
+///   kind the one whose slip grows faster is taken.
 /// The rule itself decides how an escaping stick ends, and what a wheel does
 /// that comes to h = g = 0 where it may rest. All rules but RANDOM take it into
-/// an attracting stick where one is consistent, because it stands on the border
-/// of that region and any disturbance moves it in. RANDOM lets it rest, pinned,
+/// an attracting stick or slip where one is consistent, because rest is not
+/// stable then and any disturbance moves it there. RANDOM lets it rest, pinned,
 /// until its draw.
 typedef enum {
   TF_RULE_PERSIST,    ///< stay while it is consistent (default)
@@ -38,6 +42,17 @@ typedef enum {
                       ///< all other modes that are consistent
 } tf_rule_t;
 #define TF_RULES 4
+
+/// The law at h = g = 0: under which F and M the wheel rests (JUMP only).
+typedef enum {
+  TF_REST_HULL,   ///< convex hull of the limits of slip, Filippov's law:
+                  ///< |M| <= kappa mu, |F| <= 4 mu/3 - |M|/(3 kappa) (default)
+  TF_REST_SQUARE, ///< convex hull of the law of stick: |M| <= kappa mu,
+                  ///< |F| <= mu
+  TF_REST_BOW_TIE ///< the paper's: |M| <= kappa |F|, |F| <= mu. Not convex: at
+                  ///< some points h = g = 0 it leaves no future
+} tf_rest_law_t;
+#define TF_REST_LAWS 3
 
 /// The parameters of a machine and of its scheme. Ranges: tf_parameter_ranges.
 typedef struct {
@@ -62,11 +77,12 @@ typedef struct {
   tf_real_t dt;      ///< step [s]
   tf_real_t rate;    ///< exit rate of rule `random` [1/s]
   tf_real_t
-      tolerance;     ///< of tf_step_located: error of a segment of its series,
-                     ///< relative to the velocities; dimensionless
-  tf_tyre_law_t law; ///< which tyre
-  tf_rule_t rule;    ///< which of several consistent modes
-  bool with_angle;   ///< integrate phi (it is cyclic: nothing depends on it)
+      tolerance;      ///< of tf_step_located: error of a segment of its series,
+                      ///< relative to the velocities; dimensionless
+  tf_tyre_law_t law;  ///< which tyre
+  tf_rule_t rule;     ///< which of several consistent modes
+  tf_rest_law_t rest; ///< at h = g = 0 (JUMP)
+  bool with_angle;    ///< integrate phi (it is cyclic: nothing depends on it)
 } tf_params_t;
 
 /// Range of one real-valued member of tf_params_t.
@@ -110,6 +126,7 @@ typedef struct {
   tf_real_t tolerance;      ///< at least 64 epsilon of the real type
   tf_tyre_t tyre;
   tf_rule_t rule;
+  tf_rest_law_t rest;
   bool with_angle;
 } tf_machine_t;
 
@@ -146,8 +163,8 @@ typedef struct {
 /// machine: out.
 /// params: in, ranges in tf_parameter_ranges.
 /// offender: out, may be NULL; index into tf_parameter_ranges of the first
-///   member out of range, or TF_PARAMETERS where law or rule is no member of
-///   its enum.
+///   member out of range, or TF_PARAMETERS where law, rule or rest is no member
+///   of its enum.
 /// Returns: TF_OK; TF_BAD_PARAMETER (machine untouched).
 /// Cost: at most 1200 instructions; once a machine. Stack: 320 B.
 /// Memory: caller's; machine and params must not overlap; reentrant.

@@ -10,8 +10,8 @@
 /// What happened in one step.
 typedef struct {
   uint8_t mode;       ///< tf_mode_t, taken
-  uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode), and
-                      ///< pinned where the step ends at h = g = 0 (see tf_step)
+  uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode); of a
+                      ///< step that comes to h = g = 0, those of that point
   uint8_t choices;    ///< how many modes that is
   tf_force_t force;   ///< F [N], M [N m], mean over the step; of
                       ///< tf_step_located at its end
@@ -49,10 +49,9 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 /// Scheme: Moreau-Jean theta method, linearly implicit in spring, dampers and
 ///   gyroscopic terms; the friction law holds at the end of the step; DESIGN.md
 ///   equations (1)-(12). Order 2 in smooth phases for theta = 1/2, else 1.
-///   A step within which a slip or a stick comes to h = g = 0, with no
-///   attracting stick to continue in, ends there, pinned: its force is a mean
-///   of those before and after, its residual the distance of that from the law.
-///   The next step chooses from that point.
+///   A step within which a slip or a stick comes to h = g = 0 goes on from there
+///   in the mode that follows (tf_rule_t): its force is a mean of those before
+///   and behind, its residual the distance of that from their convex hull.
 ///   A step that leaves r as it was while the machine moves, and with which 256
 ///   more would, stands still: its change is less than the rounding of the
 ///   state. In float at dt <= 1e-4 s every motion departs from rest like that,
@@ -82,6 +81,9 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,
 ///   branch_at_codimension_two_is_independent_of_dt,
 ///   random_machines_take_one_branch,
+///   motion_leaves_codimension_two_as_the_reference_does,
+///   both_schemes_go_one_way_beside_codimension_two,
+///   codimension_two_always_has_a_future,
 ///   no_step_enters_an_escaping_stick_from_slip,
 ///   enumeration_against_grid_search, one_or_three_solutions,
 ///   signs_are_those_of_the_mode, rounding_does_not_end_a_rest,

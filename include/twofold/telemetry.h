@@ -73,7 +73,8 @@ typedef struct {
 
 /// Hash of all parameters that the motion depends on, the same on every board.
 /// Scheme: CRC-32 over every parameter in the order of tf_parameter_ranges, as
-///   it is sent, then law, rule and with_angle, a byte each.
+///   it is sent, then law, rule and bits 0, 2 and 3 of the flags of a schema
+///   frame, a byte each.
 /// params: in.
 /// Returns: the hash.
 /// Cost: at most 3900 instructions. Stack: 80 B.

@@ -4,6 +4,7 @@
 // Descartes' rule on Bernstein coefficients (polynomial.h). Event-driven
 // solvers that compare signs at the ends of steps, as in Piiroinen and
 // Kuznetsov (2008), may pass over a pair of roots.
+#include "../friction/rest_law.h"
 #include "segment.h"
 
 // (of_p p + of_q q) / t^zeros, for a sum with a zero of that order at t = 0.
@@ -102,17 +103,34 @@ static event_t event_in_stick(const taylor_t *motion, const segment_t *segment,
   return event;
 }
 
+// bound - |a| + slope |b| as long as a and b have these signs; for all signs
+// together it is that at every time.
+TF_INLINE series_t margin_of_rest(const series_t *a, tf_real_t sign_a,
+                                  tf_real_t bound, const series_t *b,
+                                  tf_real_t slope) {
+  series_t out = margin_of(a, sign_a, bound);
+  for (int n = 0; n <= SERIES_ORDER; n++) out.c[n] += slope * b->c[n];
+  return out;
+}
+
+// |F| and |M| reach their bounds under the law of rest. Where a bound grows
+// with the other one (the bow tie) only the present sign of that one counts.
 static event_t event_while_pinned(const taylor_t *motion, tf_real_t *time) {
   const tf_machine_t *k = motion->machine;
+  const rest_bounds_t at = rest_bounds(k->rest);
+  const tf_real_t mu = k->tyre.mu, kappa = k->stick_kappa;
   const tf_real_t sign_F = motion->F.c[0] < 0 ? TF_R(-1.0) : TF_R(1.0);
   event_t event = EVENT_NONE;
-  const series_t force = margin_of(&motion->F, sign_F, k->tyre.mu);
-  if (vanishes_before(&force, time)) event = EVENT_UNPINNED;
-  for (int sign_M = -1; sign_M <= 1; sign_M += 2) {
-    series_t moment; // kappa |F| -+ M
-    for (int n = 0; n <= SERIES_ORDER; n++)
-      moment.c[n] = sign_F * k->stick_kappa * motion->F.c[n] -
-                    (tf_real_t)sign_M * motion->M.c[n];
+  for (int s = -1; s <= 1; s += 2) {
+    const tf_real_t sign = (tf_real_t)s;
+    for (int t = -1; t <= 1; t += 2) {
+      const series_t force =
+          margin_of_rest(&motion->F, sign, at.x0 * mu, &motion->M,
+                         (tf_real_t)t * at.x1 / kappa);
+      if (vanishes_before(&force, time)) event = EVENT_UNPINNED;
+    }
+    const series_t moment = margin_of_rest(&motion->M, sign, at.y0 * kappa * mu,
+                                           &motion->F, sign_F * kappa * at.y1);
     if (vanishes_before(&moment, time)) event = EVENT_UNPINNED;
   }
   return event;

@@ -34,7 +34,8 @@ static bool expand_limit_solution(trajectory_t *path, limit_solution_t *limit) {
   segment_t *segment = &limit->segment;
   const tf_real_t omega = path->omega - motion->input->alpha * limit->time;
   const rates_t rates = rates_at(k, motion->input, limit->r, 0, 0, omega);
-  if (!tf_codim2_attractor(k, &rates, segment->sign_g, segment->sign_h,
+  const codim2_field_t field = tf_codim2_field_of(k, &rates);
+  if (!tf_codim2_attractor(k, &field, segment->sign_g, segment->sign_h,
                            &segment->T))
     return false;
   begin_taylor(motion, k, motion->input, omega,

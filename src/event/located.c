@@ -176,8 +176,8 @@ static bool gains_energy(const tf_machine_t *k, const tf_input_t *u,
 static tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
   const tf_machine_t *k = path->motion.machine;
   if (path->mode > TF_SLIP_MINUS)
-    return law_residual(k->tyre.mu, k->stick_kappa, path->force, slip.h,
-                        slip.g);
+    return mode_residual(k, &(outcome_t){.mode = path->mode}, path->force,
+                         slip);
   return slip_law_residual(&k->tyre, path->mode == TF_SLIP_PLUS ? 1 : -1,
                            path->force, slip);
 }
@@ -213,7 +213,8 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
                              contact
                                  ? delassus_at(k, end.r * k->cos_gamma,
                                                slip.g < 0, inertia_at(k, end.r))
-                                 : 0};
+                                 : 0,
+                             false};
   if (k->with_angle) state->phi += path->angle;
   const bool stays = state->r == end.r;
   record(state, end, slip, path->force, residual_at_end(path, slip), outcome,
@@ -226,6 +227,16 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
   return stays ? judge_standing(k, input, state, report) : status;
 }
 
+// Without a moment nothing ends a stick where g changes its sign: which of both
+// names it has is decided by where it is at the end.
+static void name_stick(trajectory_t *path) {
+  const unsigned sticks = path->set & STICKS;
+  if (path->motion.machine->stick_kappa > 0 || !(path->mode > TF_SLIP_MINUS))
+    return;
+  path->mode = trajectory_slip(path).g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
+  path->set = (path->set & ~sticks) | TF_MODE_BIT(path->mode);
+}
+
 TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
                                    tf_state_t *state, const tf_input_t *input,
                                    tf_report_t *report) {
@@ -234,5 +245,6 @@ TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
   trajectory_t path;
   begin_trajectory(&path, machine, state, input);
   if (!integrate_step(&path)) return fall_back(machine, state, input, report);
+  name_stick(&path);
   return commit_located(&path, input, state, report);
 }

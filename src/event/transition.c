@@ -31,15 +31,17 @@ static unsigned selected_mode(trajectory_t *path,
                    path->state->tick, path->state->seed);
 }
 
-// From h = 0, g != 0.
+// From h = 0, g != 0. A slip that crosses h = 0 is left where it is: where h
+// vanishes with r, at gamma = 0, an impulse that sets h to 0 would stop the
+// disc.
 static bool leave_h_zero(trajectory_t *path) {
   const bool minus = trajectory_slip(path).g < 0;
   const rates_t rates = tf_trajectory_rates(path);
   consistent_modes_t consistent;
-  tf_project(path);
   surface_modes(path->motion.machine, &rates, minus, &consistent);
   const unsigned mode = selected_mode(path, &consistent.solutions);
   if (mode == TF_NO_MODE) return false;
+  if (mode > TF_SLIP_MINUS) tf_project(path);
   enter_mode(path, mode, CONTACT_SLIP,
              (segment_t){.sign_h = mode == TF_SLIP_MINUS ? -1 : 1,
                          .sign_g = minus ? -1 : 1,
@@ -58,15 +60,15 @@ static void place_at_codim2(trajectory_t *path) {
     path->now.z = 0;
 }
 
-// From h = g = 0; from_minus: it was reached from g < 0, so that the rule takes
-// stick- for the nearer one.
-static bool leave_codim2(trajectory_t *path, bool from_minus) {
+static bool leave_codim2(trajectory_t *path, unsigned from) {
   place_at_codim2(path);
+  const tf_machine_t *k = path->motion.machine;
   const rates_t rates = tf_trajectory_rates(path);
+  const codim2_field_t field = tf_codim2_field_of(k, &rates);
   consistent_modes_t consistent;
-  tf_codim2_modes(path->motion.machine, &rates, &consistent);
-  consistent.solutions.near_stick = from_minus ? TF_STICK_MINUS : TF_STICK_PLUS;
-  const unsigned mode = selected_mode(path, &consistent.solutions);
+  const unsigned mode =
+      tf_leave_codim2(k, &field, from, path->state, &consistent);
+  keep_largest_set(path, consistent.solutions.set);
   if (mode == TF_NO_MODE) return false;
   segment_t segment = {.h_zero_order = 1, .g_starts_at_zero = true};
   if (mode <= TF_SLIP_MINUS) {
@@ -144,11 +146,8 @@ TF_API bool tf_first_segment(trajectory_t *path) {
     begin_in_slip(path, slip);
     return true;
   }
-  // A pinned wheel has g = 0, and the sign of g that the rounding of omega0
-  // gives it must not matter.
   if (k->stick_kappa > 0 && !rolls && within(slip.g, rounding))
-    return keep_leaving(path) ||
-           leave_codim2(path, path->mode != TF_PINNED && slip.g < 0);
+    return keep_leaving(path) || leave_codim2(path, path->mode);
   return leave_h_zero(path);
 }
 
@@ -207,16 +206,15 @@ TF_API bool tf_next_segment(trajectory_t *path, event_t event) {
     case EVENT_G_ZERO:
       return pass_g_zero(&path->segment);
     case EVENT_H_ZERO:
-      tf_project(path);
       return leave_h_zero(path);
     case EVENT_CODIM2:
-      return leave_codim2(path, path->segment.sign_g < 0);
+      return leave_codim2(path, TF_NO_MODE);
     case EVENT_RELEASE:
       return release_stick(path);
     case EVENT_TWO_FOLD:
       return pass_two_fold(path);
     case EVENT_UNPINNED:
     default:
-      return leave_codim2(path, false);
+      return leave_codim2(path, path->mode);
   }
 }

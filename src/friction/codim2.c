@@ -5,12 +5,22 @@
 // All limit directions are found, quadrant by quadrant.
 #include "codim2.h"
 
+#include <stddef.h>
+
 #include "../model/tyre_law.h"
+#include "mode_set.h"
+#include "rest_law.h"
+#include "select.h"
 
 #define MOST_ITERATIONS 32
 #define SHARE_BITS 32
 #define SEPARATORS 3
 #define NO_SEPARATOR TF_REAL_MAX // above every T
+// Between the separators there are four; rounding may show two more beside
+// each.
+#define MOST_DIRECTIONS 10
+// A slip that meets no limit direction has come round after so many.
+#define QUADRANTS 5
 
 // One quadrant of the (g, h) plane: the accelerations sign_g g' = g0 + g1 T and
 // sign_h h' = h0 + h1 T, which are affine in T = cot(psi).
@@ -18,17 +28,31 @@ typedef struct {
   tf_real_t g0, g1, h0, h1;
 } quadrant_t;
 
-// By (force), (moment) and (h), (g).
-static quadrant_t quadrant_of(const tf_machine_t *k, const rates_t *rates,
-                              int sign_g, int sign_h) {
+// By (force), (moment) in multipliers.
+static quadrant_t quadrant_of(const tf_machine_t *k,
+                              const codim2_field_t *field, int sign_g,
+                              int sign_h) {
   const tf_real_t s_g = (tf_real_t)sign_g, s_h = (tf_real_t)sign_h;
-  const tf_real_t F0 = slip_F0(&k->tyre, s_h), F1 = slip_F1(&k->tyre, s_h);
-  const tf_real_t M1 = slip_M1(&k->tyre, (tf_real_t)(sign_h * sign_g));
-  const tf_slip_t at0 =
-      slip_from_pq(k, rates->p + F0 * rates->Fp, rates->q + F0 * rates->Fq);
-  const tf_slip_t at1 =
-      slip_from_pq(k, F1 * rates->Fp, F1 * rates->Fq + M1 * rates->Mq);
-  return (quadrant_t){s_g * at0.g, s_g * at1.g, s_h * at0.h, s_h * at1.h};
+  const multipliers_t at0 = multipliers_at(&k->tyre, 0);
+  const tf_real_t x0 = s_h * at0.x, x1 = -s_h * k->tyre.inv_18_kappa;
+  const tf_real_t y1 = s_h * s_g * k->tyre.inv_6_kappa;
+  const affine_t h = field->h, g = field->g;
+  return (quadrant_t){s_g * (g.c0 + x0 * g.cx), s_g * (x1 * g.cx + y1 * g.cy),
+                      s_h * (h.c0 + x0 * h.cx), s_h * (x1 * h.cx + y1 * h.cy)};
+}
+
+// Whether somewhere in a quadrant h and g both grow in magnitude: only there
+// can a slip leave along a limit direction. Both are affine in T.
+static bool may_leave(const quadrant_t *q, tf_real_t T_most) {
+  tf_real_t low = 0, high = T_most;
+  const tf_real_t value[2] = {q->g0, q->h0}, slope[2] = {q->g1, q->h1};
+  for (int i = 0; i < 2; i++) {
+    if (!(value[i] > 0) && !(value[i] + slope[i] * T_most > 0)) return false;
+    const tf_real_t zero = slope[i] != 0 ? -value[i] / slope[i] : low;
+    if (!(value[i] > 0) && zero > low) low = zero;
+    if (value[i] > 0 && slope[i] < 0 && zero < high) high = zero;
+  }
+  return low <= high;
 }
 
 // A direction by cosine and sine of its angle from the h axis, which need no
@@ -63,6 +87,7 @@ static direction_t on_chord(const tf_machine_t *k, int anchor,
 
 typedef struct {
   tf_real_t T;       // its cot(psi)
+  tf_real_t C, S;    // cosine and sine of its angle from the h axis
   tf_real_t speed;   // outwards [m/s^2]
   bool is_attractor; // its neighbours turn to it as time runs on
 } limit_direction_t;
@@ -101,7 +126,9 @@ static limit_direction_t limit_direction_in(const tf_machine_t *k,
       kept = -1;
     }
   }
-  return (limit_direction_t){at.T, radial_rate(q, at), attracts};
+  const tf_real_t length = square_root(at.C * at.C + at.S * at.S);
+  return (limit_direction_t){at.T, at.C / length, at.S / length,
+                             radial_rate(q, at), attracts};
 }
 
 // The share of the chord at which T has this value, to SHARE_BITS.
@@ -160,26 +187,20 @@ static separators_t find_separators(const tf_machine_t *k,
   return out;
 }
 
-typedef enum { FOR_ATTRACTOR, FOR_EXIT } search_t;
+// The limit directions of a quadrant, by increasing T.
+typedef struct {
+  limit_direction_t at[MOST_DIRECTIONS];
+  int count;
+} limit_directions_t;
 
-// Of two exits the one to which its neighbours turn, then the faster one.
-static bool is_better_exit(const limit_direction_t *next,
-                           const limit_direction_t *best) {
-  if (!(next->speed > 0)) return false;
-  return next->is_attractor == best->is_attractor ? next->speed > best->speed
-                                                  : next->is_attractor;
-}
-
-// Looks for the attractor of a quadrant, or for a better exit than the best one
-// so far. Limit directions lie where the angular rate changes its sign between
-// two neighbours of the anchors and the separators. Returns whether there is
-// one.
-static bool search_quadrant(const tf_machine_t *k, const quadrant_t *q,
-                            search_t search, limit_direction_t *best) {
+// They lie where the angular rate changes its sign between two neighbours of
+// the anchors and the separators.
+static limit_directions_t limit_directions(const tf_machine_t *k,
+                                           const quadrant_t *q) {
+  limit_directions_t found = {.count = 0};
   const separators_t separators = find_separators(k, q);
   const tf_real_t *separator = separators.T;
   tf_real_t from = angular_rate(q, (direction_t){1, 0, 0});
-  bool found = false;
   for (int i = 0; i < 8; i++) {
     const tf_real_t low = k->tyre.T_anchor[i], high = k->tyre.T_anchor[i + 1];
     tf_real_t begin = 0;
@@ -195,64 +216,170 @@ static bool search_quadrant(const tf_machine_t *k, const quadrant_t *q,
       const bracket_t part = {begin, end, from, to};
       begin = end;
       from = to;
-      const bool attracts = part.f_low > 0;
-      if (attracts == (to > 0) || !(search == FOR_EXIT || attracts)) continue;
-      const limit_direction_t next = limit_direction_in(k, q, i, part);
-      if (search == FOR_EXIT && !is_better_exit(&next, best)) continue;
-      *best = next;
-      found = true;
+      if ((part.f_low > 0) != (to > 0) && found.count < MOST_DIRECTIONS)
+        found.at[found.count++] = limit_direction_in(k, q, i, part);
     }
   }
   return found;
 }
 
-TF_API bool tf_codim2_attractor(const tf_machine_t *k, const rates_t *rates,
-                                int sign_g, int sign_h, tf_real_t *T) {
-  const quadrant_t q = quadrant_of(k, rates, sign_g, sign_h);
-  limit_direction_t attractor = {.speed = 0};
-  if (!search_quadrant(k, &q, FOR_ATTRACTOR, &attractor)) return false;
-  *T = attractor.T;
-  return true;
+// Of two exits the one to which its neighbours turn, then the faster one.
+static bool is_better_exit(const limit_direction_t *next,
+                           const limit_direction_t *best) {
+  if (!(next->speed > 0)) return false;
+  return next->is_attractor == best->is_attractor ? next->speed > best->speed
+                                                  : next->is_attractor;
+}
+
+TF_API codim2_field_t tf_codim2_field_of(const tf_machine_t *k,
+                                         const rates_t *rates) {
+  const tf_slip_t free = slip_from_pq(k, rates->p, rates->q);
+  const tf_slip_t F = slip_from_pq(k, rates->Fp, rates->Fq);
+  const tf_slip_t M = slip_from_pq(k, 0, rates->Mq);
+  const tf_real_t mu = k->tyre.mu;
+  return (codim2_field_t){
+      {free.h, mu * F.h, k->kappa_mu * M.h},
+      {free.g, mu * F.g, k->kappa_mu * M.g},
+      {rates->pinning.F * k->inv_mu, rates->pinning.M * k->inv_kappa_mu}};
+}
+
+TF_API bool tf_codim2_attractor(const tf_machine_t *k,
+                                const codim2_field_t *field, int sign_g,
+                                int sign_h, tf_real_t *T) {
+  const quadrant_t q = quadrant_of(k, field, sign_g, sign_h);
+  const limit_directions_t all = limit_directions(k, &q);
+  bool found = false;
+  for (int i = 0; i < all.count; i++) {
+    if (!all.at[i].is_attractor) continue;
+    *T = all.at[i].T;
+    found = true;
+  }
+  return found;
 }
 
 // The best exit into the side h > 0 or h < 0, from both of its quadrants.
-static void add_exit(const tf_machine_t *k, const rates_t *rates, int sign_h,
-                     consistent_modes_t *out) {
+static void add_exit(const tf_machine_t *k, const codim2_field_t *field,
+                     int sign_h, consistent_modes_t *out) {
   const int slip = sign_h > 0 ? 0 : 1;
   limit_direction_t best = {.speed = 0};
   for (int sign_g = -1; sign_g <= 1; sign_g += 2) {
-    const quadrant_t q = quadrant_of(k, rates, sign_g, sign_h);
-    if (search_quadrant(k, &q, FOR_EXIT, &best)) out->sign_g[slip] = sign_g;
+    const quadrant_t q = quadrant_of(k, field, sign_g, sign_h);
+    if (!may_leave(&q, k->tyre.T_anchor[TF_TYRE_ANCHORS - 1])) continue;
+    const limit_directions_t all = limit_directions(k, &q);
+    for (int i = 0; i < all.count; i++) {
+      if (!is_better_exit(&all.at[i], &best)) continue;
+      best = all.at[i];
+      out->sign_g[slip] = sign_g;
+    }
   }
   if (!(best.speed > 0)) return;
+  const unsigned bit = TF_MODE_BIT(TF_SLIP_PLUS + slip);
   out->T[slip] = best.T;
-  out->solutions.set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
+  out->solutions.set |= (uint8_t)bit;
+  if (best.is_attractor) out->solutions.attracting |= (uint8_t)bit;
   out->solutions.h_limit[slip] = (tf_real_t)sign_h * best.speed;
 }
 
-// The stick with the sign s of g, if lambda = N/A is one of the law and g gets
-// that sign under it.
-static void add_stick(const tf_machine_t *k, const rates_t *rates, int s,
-                      consistent_modes_t *out) {
-  solutions_t *solutions = &out->solutions;
+// How fast g grows in the stick with the sign s of g.
+static tf_real_t stick_rate(const codim2_field_t *field, int s) {
   const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
-  const tf_real_t lambda = rates->N / rates->A[s];
-  const tf_real_t g = g_rate_in_stick(k, rates, s, lambda);
-  if (rates->A[s] > 0)
-    solutions->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
-  if (!within(lambda, k->tyre.mu) || !(sign * g > 0)) return;
-  solutions->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
-  out->lambda[s] = lambda;
+  const affine_t h = field->h, g = field->g;
+  const tf_real_t x = -h.c0 / (h.cx + sign * h.cy);
+  return sign * (g.c0 + x * (g.cx + sign * g.cy));
 }
 
-TF_API void tf_codim2_modes(const tf_machine_t *k, const rates_t *rates,
+// The stick with the sign s of g, if the law has the force that keeps h at 0
+// and g gets that sign under it. Returns how fast g grows, 0 where it does not.
+static tf_real_t add_stick(const tf_machine_t *k, const codim2_field_t *field,
+                           int s, consistent_modes_t *out) {
+  solutions_t *solutions = &out->solutions;
+  const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
+  const tf_real_t slope = field->h.cx + sign * field->h.cy;
+  const tf_real_t x = -field->h.c0 / slope, rate = stick_rate(field, s);
+  if (slope < 0)
+    solutions->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  if (!within(x, 1) || !(rate > 0)) return 0;
+  solutions->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  out->lambda[s] = x * k->tyre.mu;
+  return rate;
+}
+
+TF_API void tf_codim2_modes(const tf_machine_t *k, const codim2_field_t *field,
                             consistent_modes_t *out) {
-  *out = (consistent_modes_t){.solutions = {.near_stick = TF_STICK_PLUS}};
-  add_exit(k, rates, 1, out);
-  add_exit(k, rates, -1, out);
-  add_stick(k, rates, 0, out);
-  add_stick(k, rates, 1, out);
-  if (within(rates->pinning.F, k->tyre.mu) &&
-      within(rates->pinning.M, k->stick_kappa * magnitude(rates->pinning.F)))
+  *out = (consistent_modes_t){.solutions = {.set = 0}};
+  add_exit(k, field, 1, out);
+  add_exit(k, field, -1, out);
+  const tf_real_t plus = add_stick(k, field, 0, out);
+  const tf_real_t minus = add_stick(k, field, 1, out);
+  out->solutions.near_stick = minus > plus ? TF_STICK_MINUS : TF_STICK_PLUS;
+  if (rests_under(k->rest, field->pin.x, field->pin.y))
     out->solutions.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
+}
+
+TF_API unsigned tf_leave_codim2(const tf_machine_t *k,
+                                const codim2_field_t *field, unsigned from,
+                                const tf_state_t *state,
+                                consistent_modes_t *out) {
+  tf_codim2_modes(k, field, out);
+  const bool lost = from != TF_PINNED && !has(out->solutions.set, from);
+  return tf_select(k->rule, k->exit_threshold, &out->solutions,
+                   lost ? TF_NO_MODE : from, state->tick, state->seed);
+}
+
+// The first limit direction that a slip turns to, from T towards larger or
+// smaller ones; NULL where there is none in its quadrant.
+static const limit_direction_t *next_direction(const limit_directions_t *all,
+                                               tf_real_t T, bool upwards) {
+  for (int n = 0; n < all->count; n++) {
+    const limit_direction_t *at = &all->at[upwards ? n : all->count - 1 - n];
+    if (at->is_attractor && (upwards ? at->T >= T : at->T <= T)) return at;
+  }
+  return NULL;
+}
+
+static codim2_way_t way_of_slip(const tf_machine_t *k,
+                                const limit_direction_t *to, int sign_h,
+                                int sign_g) {
+  const tf_real_t s_h = (tf_real_t)sign_h, s_g = (tf_real_t)sign_g;
+  const multipliers_t m = multipliers_at(&k->tyre, to->T);
+  return (codim2_way_t){sign_h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS,
+                        {s_h * to->C, s_g * to->S},
+                        {s_h * m.x, s_h * s_g * m.y},
+                        to->speed};
+}
+
+static codim2_way_t way_of_stick(const codim2_field_t *field, int sign_g) {
+  const tf_real_t s_g = (tf_real_t)sign_g;
+  const tf_real_t x = -field->h.c0 / (field->h.cx + s_g * field->h.cy);
+  return (codim2_way_t){sign_g > 0 ? TF_STICK_PLUS : TF_STICK_MINUS,
+                        {0, s_g},
+                        {x, s_g * x},
+                        stick_rate(field, sign_g < 0)};
+}
+
+TF_API codim2_way_t tf_codim2_destination(const tf_machine_t *k,
+                                          const codim2_field_t *field,
+                                          tf_slip_t slip, int sign_h) {
+  const direction_t steepest = {0, 1, k->tyre.T_anchor[TF_TYRE_ANCHORS - 1]};
+  const direction_t flattest = {1, 0, 0};
+  const tf_real_t H = (tf_real_t)sign_h * slip.h, C = H > 0 ? H : 0;
+  const tf_real_t S = magnitude(slip.g);
+  int sign_g = slip.g < 0 ? -1 : 1;
+  direction_t at = {C, S, cot_psi(&k->tyre, S, C)};
+  quadrant_t q = quadrant_of(k, field, sign_g, sign_h);
+  bool upwards = angular_rate(&q, at) > 0;
+  for (int turn = 0; turn < QUADRANTS; turn++) {
+    const limit_directions_t all = limit_directions(k, &q);
+    const limit_direction_t *to = next_direction(&all, at.T, upwards);
+    if (to) return way_of_slip(k, to, sign_h, sign_g);
+    if (upwards)
+      sign_h = -sign_h;
+    else
+      sign_g = -sign_g;
+    at = upwards ? steepest : flattest;
+    q = quadrant_of(k, field, sign_g, sign_h);
+    if (upwards && angular_rate(&q, at) > 0) return way_of_stick(field, sign_g);
+    upwards = !upwards;
+  }
+  return (codim2_way_t){.mode = TF_NO_MODE};
 }

@@ -20,6 +20,7 @@
 #include <stdint.h>
 
 #include "../num/kernel.h"
+#include "rest_law.h"
 #include "twofold/mode.h"
 #include "twofold/tyre.h"
 
@@ -33,6 +34,7 @@ typedef struct {
   form_t h, g;
   tf_real_t g_now;        // g before the step: decides a tie of s [m/s]
   bool has_moment;        // false: cy, cxy, cyy are 0 and stick depends on no s
+  tf_rest_law_t rest;     // the law at h = g = 0
   tf_real_t pin_x, pin_y; // the x, y that end the step at h = g = 0; read only
                           // where g+ can have both signs
 } inclusion_t;
@@ -40,12 +42,29 @@ typedef struct {
 // Its solutions.
 typedef struct {
   uint8_t set;          // bit TF_MODE_BIT(mode) for each consistent mode
-  uint8_t attracting;   // bits of the sticks with a positive Delassus scalar
+  uint8_t attracting;   // bits of the sticks with a positive Delassus scalar;
+                        // at h = g = 0 of the slips that attract as well
   uint8_t near_stick;   // the stick on the present side of g: decides a tie
   tf_real_t x[2];       // of stick+, stick- where in the set, in [-1, 1]
   tf_real_t tau[2];     // y / x at h -> 0 of slip+, slip-
   tf_real_t h_limit[2]; // h+ of slip+, slip- under the force at h -> 0
 } solutions_t;
+
+TF_INLINE tf_real_t form_value(const form_t *f, tf_real_t x, tf_real_t y) {
+  return f->c0 + x * (f->cx + x * f->cxx) +
+         y * (f->cy + x * f->cxy + y * f->cyy);
+}
+
+// By how much a form can move over the step from its value at the start.
+TF_INLINE tf_real_t reach_of(const form_t *f, tf_real_t now) {
+  return magnitude(f->c0 - now) + magnitude(f->cx) * 4 / 3 + magnitude(f->cy);
+}
+
+// Whether h = g = 0 is so near that the step can come there.
+TF_INLINE bool is_within_reach(const tf_slip_t now, const form_t *h,
+                               const form_t *g) {
+  return within(now.g, reach_of(g, now.g)) & within(now.h, reach_of(h, now.h));
+}
 
 // A form of x and y along y = s x, which stick is held to: c0 + c1 x + c2 x^2,
 // and its values at the ends of x, 1 (upper) and -1 (lower). s: 0 for s = +1, 1
@@ -272,14 +291,6 @@ TF_INLINE void enumerate_one_sign(const inclusion_t *in, int s,
   out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
 }
 
-// Whether the force that pins the wheel is one of the law, |M| <= kappa |F| and
-// |F| <= mu.
-TF_INLINE bool pinned_solves(tf_real_t pin_x, tf_real_t pin_y) {
-  const bool in_F = within(pin_x, 1);
-  const bool in_M = within(pin_y, magnitude(pin_x));
-  return in_F & in_M; // without a branch, for the lanes of an ensemble
-}
-
 // g+ may have either sign: codimension two is within reach of this step.
 TF_INLINE void enumerate_both_signs(const inclusion_t *in, solutions_t *out) {
   const quadratic_t h0 = along(&in->h, 0), h1 = along(&in->h, 1);
@@ -293,7 +304,7 @@ TF_INLINE void enumerate_both_signs(const inclusion_t *in, solutions_t *out) {
   solve_slip(in, 0, 1, up, out);
   solve_slip(in, 1, -1, down, out);
   // Without a moment a pinned wheel is a stick with g+ = 0: not a sixth mode.
-  if (in->has_moment && pinned_solves(in->pin_x, in->pin_y))
+  if (in->has_moment && rests_under(in->rest, in->pin_x, in->pin_y))
     out->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
 }
 

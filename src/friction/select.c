@@ -56,31 +56,37 @@ static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold, unsigned set,
   return mode;
 }
 
+// The faster slip of a non-empty set.
+static unsigned fastest_of(unsigned slips, const solutions_t *solutions) {
+  const bool plus_is_faster =
+      magnitude(solutions->h_limit[0]) >= magnitude(solutions->h_limit[1]);
+  if (has(slips, TF_SLIP_PLUS) && (plus_is_faster || slips != SLIPS))
+    return TF_SLIP_PLUS;
+  return TF_SLIP_MINUS;
+}
+
 TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
                           const solutions_t *solutions, unsigned mode,
                           uint64_t tick, uint32_t seed) {
   const unsigned set = solutions->set;
-  const unsigned sticks = set & STICKS;
-  const unsigned attracting = sticks & solutions->attracting;
+  const unsigned sticks = set & STICKS, slips = set & SLIPS;
+  const unsigned attracting = set & solutions->attracting;
   const bool slipping = mode <= TF_SLIP_MINUS;
   const bool lost = !has(set, mode);
   const bool waits_for_draw = mode == TF_PINNED && rule == TF_RULE_RANDOM;
-  if (!lost && (slipping || has(attracting, mode))) return mode;
+  if (!lost && (slipping || has(attracting & STICKS, mode))) return mode;
   // It must not matter whether a step ends just before h = g = 0 or just after.
   if (lost && rule == TF_RULE_RANDOM && has(set, TF_PINNED)) return TF_PINNED;
-  if (attracting && !waits_for_draw && (lost || mode == TF_PINNED))
-    return stick_of(attracting, solutions);
+  if (attracting & STICKS && !waits_for_draw && (lost || mode == TF_PINNED))
+    return stick_of(attracting & STICKS, solutions);
+  if (attracting && !waits_for_draw && lost)
+    return fastest_of(attracting, solutions);
   if (!lost || waits_for_draw) {
     const unsigned next =
         rule_exit(rule, exit_threshold, set, mode, tick, seed);
     if (has(set, next)) return next;
   }
   if (has(set, TF_PINNED)) return TF_PINNED;
-  if (has(set, TF_SLIP_PLUS) && has(set, TF_SLIP_MINUS))
-    return magnitude(solutions->h_limit[0]) >= magnitude(solutions->h_limit[1])
-               ? (unsigned)TF_SLIP_PLUS
-               : (unsigned)TF_SLIP_MINUS;
-  if (has(set, TF_SLIP_PLUS)) return TF_SLIP_PLUS;
-  if (has(set, TF_SLIP_MINUS)) return TF_SLIP_MINUS;
+  if (slips) return fastest_of(slips, solutions);
   return sticks && !slipping ? stick_of(sticks, solutions) : TF_NO_MODE;
 }

@@ -21,6 +21,12 @@ static size_t seal(uint8_t *wire, tf_type_t type, const uint8_t *end,
                        sequence, tick);
 }
 
+// Bit 0: with_angle; bits 2 and 3: the law of rest.
+static uint8_t flags_of(const tf_params_t *params) {
+  return (uint8_t)((params->with_angle ? 1u : 0u) | (unsigned)params->rest
+                                                        << 2);
+}
+
 TF_API uint32_t tf_params_hash(const tf_params_t *params) {
   uint32_t crc = 0;
   uint8_t bytes[sizeof(tf_real_t)];
@@ -29,7 +35,7 @@ TF_API uint32_t tf_params_hash(const tf_params_t *params) {
     crc = tf_crc32(crc, bytes, sizeof bytes);
   }
   const uint8_t choices[3] = {(uint8_t)params->law, (uint8_t)params->rule,
-                              params->with_angle};
+                              flags_of(params)};
   return tf_crc32(crc, choices, sizeof choices);
 }
 
@@ -42,8 +48,7 @@ TF_API size_t tf_send_schema(uint8_t *wire, uint16_t *sequence, uint64_t tick,
   *at++ = (uint8_t)params->law;
   *at++ = (uint8_t)params->rule;
   *at++ = schema->scheme;
-  *at++ = (uint8_t)((params->with_angle ? 1u : 0u) |
-                    (schema->takes_commands ? 2u : 0u));
+  *at++ = (uint8_t)(flags_of(params) | (schema->takes_commands ? 2u : 0u));
   at = tf_wire_put(at, schema->seed, 4);
   at = tf_wire_put(at, tf_params_hash(params), 4);
   at = tf_wire_put_real(at, params->dt);

@@ -42,6 +42,7 @@ TF_API const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS] = {
 static int first_offender(const tf_params_t *params) {
   if ((unsigned)params->law >= TF_TYRE_LAWS) return TF_PARAMETERS;
   if ((unsigned)params->rule >= TF_RULES) return TF_PARAMETERS;
+  if ((unsigned)params->rest >= TF_REST_LAWS) return TF_PARAMETERS;
   for (int i = 0; i < TF_PARAMETERS; i++) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
     const tf_real_t *value =
@@ -155,6 +156,7 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
                             .m_a_d2 = m * a * d * d,
                             .inertia = m * beta2 + theta_dt * params->c1,
                             .rule = params->rule,
+                            .rest = params->rest,
                             .with_angle = params->with_angle};
   prepare_tyre(&machine->tyre, params);
   tf_sine_cosine(params->gamma, &machine->sin_gamma, &machine->cos_gamma);

@@ -38,19 +38,21 @@ static __attribute__((noinline)) tf_status_t commit_pairs(
   const tf_machine_t *k = &step->constants->machine;
   const tf_real_t omega0 = step->input->omega0;
   const linear_t l = linearise(k, step->state, step->input);
+  // A mean over a passage of h = g = 0 has a moment of its own.
+  const unsigned law = outcome.is_mean ? TF_MODES : outcome.mode;
   const state_pair_t from = paired(step->state, step->low);
   const state_pair_t to =
       outcome.mode == TF_PINNED
           ? rest_in_pairs(k, &from, omega0)
-          : end_in_pairs(step->constants, &from, step->input, &l, outcome.mode,
-                         force, friction);
+          : end_in_pairs(step->constants, &from, step->input, &l, law, force,
+                         friction);
   if (!in_reach(to.r.hi, to.v.hi, to.w.hi) ||
       !within(outcome.delassus + residual, TF_REAL_MAX)) // one of them is 0
     return refuse_step(step->report, TF_DIVERGED);
   const tf_slip_t slip = slip_in_pairs(step->constants, &to, omega0).slip;
   const end_state_t at = {to.r.hi, to.v.hi, to.w.hi};
   if (tf_tyre_is_set_valued(k->tyre.law))
-    residual = mode_residual(k, outcome.mode, force, slip);
+    residual = mode_residual(k, &outcome, force, slip);
   store_compensation(k, step->state, step->low, &to);
   record(step->state, at, slip, force, residual, outcome, step->report);
   if (plainly_has_signs(k, outcome.mode, slip, at)) return outcome.status;
@@ -75,12 +77,12 @@ TF_RARE tf_status_t balanced_compensated_step(compensated_step_t *step,
   const tf_slip_t slip =
       slip_in_pairs(step->constants, &to, step->input->omega0).slip;
   outcome.mode = slip_of_sign(slip.h, step->state->mode);
+  outcome.is_mean = false;
   outcome.delassus = end.delassus;
   if (outcome.status == TF_OK) outcome.status = TF_COARSE;
   store_compensation(k, step->state, step->low, &to);
   record(step->state, at, slip, end.force,
-         mode_residual(k, outcome.mode, end.force, slip), outcome,
-         step->report);
+         mode_residual(k, &outcome, end.force, slip), outcome, step->report);
   return outcome.status;
 }
 
@@ -122,15 +124,16 @@ TF_RARE tf_status_t turning_compensated_step(compensated_step_t *step,
   const end_state_t from = {step->state->r, step->state->v, step->state->w};
   const bool unsure = mode == slip && is_blow(k, step->input, from, end.at);
   const outcome_t outcome = {mode, s.set, unsure ? TF_COARSE : TF_OK,
-                             end_delassus(&c, &in, signs, &end)};
+                             end_delassus(&c, &in, signs, &end), false};
   return close_compensated_step(step, &end, outcome, 0);
 }
 
-TF_RARE unsigned end_of_lost_compensated_step(compensated_step_t *step,
-                                              unsigned set,
-                                              unsigned attracting) {
+// At h = g = 0, or near it with the mode lost.
+TF_RARE tf_status_t codim2_compensated_step(compensated_step_t *step) {
   free_motion_t c = compensated_motion(step);
-  return end_of_lost_mode(&c, step->input, set, attracting);
+  const codim2_end_t to = codim2_end(&c, step->input);
+  if (to.outcome.mode == TF_NO_MODE) return degraded_compensated_step(step);
+  return close_compensated_step(step, &to.end, to.outcome, 0);
 }
 
 // A function of its own, so that its stack and that of the search for the force
@@ -139,7 +142,7 @@ TF_RARE tf_status_t compensated_step_under_force(compensated_step_t *step,
                                                  tf_real_t F, tf_real_t M) {
   const free_motion_t c = compensated_motion(step);
   const single_valued_end_t to = single_valued_end(&c, (tf_force_t){F, M});
-  const outcome_t outcome = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
+  const outcome_t outcome = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0, false};
   return close_compensated_step(step, &to.end, outcome, to.residual);
 }
 
@@ -173,17 +176,15 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   solutions_t s;
   const unsigned signs = solve_inclusion(&c, &in, &s);
   // Choose.
-  const unsigned lost =
-      may_reach_codim2(signs, &s, state->mode)
-          ? end_of_lost_compensated_step(&step, s.set, s.attracting)
-          : (unsigned)TF_NO_MODE;
-  const unsigned mode = choose_mode(k, state, lost, &s);
+  if (is_near_codim2(&c, &in, signs, s.set))
+    return codim2_compensated_step(&step);
+  const unsigned mode = choose_mode(k, state, &s);
   if (mode == TF_NO_MODE) return degraded_compensated_step(&step);
   // End in the mode, (9), (10).
   const forced_end_t end = mode_end(&c, &s, mode);
   if (end.turns) return turning_compensated_step(&step, mode);
   // Balance, and commit.
   const outcome_t outcome = {mode, s.set, TF_OK,
-                             end_delassus(&c, &in, signs, &end)};
+                             end_delassus(&c, &in, signs, &end), false};
   return close_compensated_step(&step, &end, outcome, 0);
 }

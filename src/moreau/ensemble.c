@@ -48,25 +48,29 @@ static bool all_go_on(const tf_state_block_t *restrict b,
   return lost == 0;
 }
 
-// Whether this lane, its mode lost, may end at h = g = 0 or rest in its stick:
-// tf_step finds out, see end_of_lost_mode().
-static bool lane_may_reach_codim2(const tf_machine_t *k, const work_t *work,
-                                  int i, unsigned mode) {
-  const unsigned going_on =
-      (unsigned)work->attracting[i] | TF_MODE_BIT(TF_PINNED);
-  if (work->set[i] & TF_MODE_BIT(mode) || work->above[i] | work->below[i])
-    return false;
-  if (work->attracting[i] & TF_MODE_BIT(mode)) return true;
-  return !(work->set[i] & going_on) && within(work->pin_F[i] * k->inv_mu, 1) &&
-         within(work->pin_M[i] * k->inv_kappa_mu, 1);
+// Slips that have h = g = 0 within reach are left to tf_step: is_near_codim2().
+static void near_codim2_all(const tf_machine_t *restrict k,
+                            const tf_state_block_t *restrict b,
+                            work_t *restrict work) {
+  for (int i = 0; i < TF_LANES; i++) {
+    const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
+    const form_t h = form_of(&work->h, i), g = form_of(&work->g, i);
+    work->rare[i] |=
+        when(b->mode[i] <= TF_SLIP_MINUS) & when(is_within_reach(now, &h, &g));
+  }
+}
+
+// Whether a stick is lost where its g may change its sign: is_near_codim2().
+static bool lane_stick_passes(const work_t *work, int i, unsigned mode) {
+  const mask_t own = mode == TF_STICK_PLUS ? work->above[i] : work->below[i];
+  return mode > TF_SLIP_MINUS && !own && !(work->set[i] & TF_MODE_BIT(mode));
 }
 
 // The mode of one lane at the end of the step.
 static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
                           work_t *work, int i) {
   unsigned mode = b->mode[i];
-  if (mode >= TF_MODES || work->rare[i] ||
-      lane_may_reach_codim2(k, work, i, mode))
+  if (mode >= TF_PINNED || work->rare[i] || lane_stick_passes(work, i, mode))
     mode = TF_NO_MODE;
   else if (!goes_on((unsigned)work->set[i], (unsigned)work->attracting[i],
                     mode))
@@ -333,6 +337,7 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
   roots_all(&work);
   sticks_all(&work);
   slips_all(&work);
+  near_codim2_all(k, b, &work);
   const int slips = choose(k, b, &work);
   stick_all(&work);
   if (slips > FEW)

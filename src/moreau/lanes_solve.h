@@ -121,7 +121,7 @@ static void pin_all(const tf_machine_t *restrict k, work_t *restrict work) {
     const tf_real_t x = pin.F * k->inv_mu, y = pin.M * k->inv_kappa_mu;
     work->pin_F[i] = pin.F;
     work->pin_M[i] = pin.M;
-    work->set[i] = when(pinned_solves(x, y)) & TF_MODE_BIT(TF_PINNED);
+    work->set[i] = when(rests_under(k->rest, x, y)) & TF_MODE_BIT(TF_PINNED);
   }
 }
 

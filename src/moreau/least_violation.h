@@ -19,7 +19,7 @@ TF_INLINE violation_t least_violation(free_motion_t *c) {
   const unsigned signs = signs_of(&in.g);
   add_pinned_point(c, &in);
   enumerate(&in, signs, &s);
-  violation_t best = {pinned_end(c), {TF_PINNED, s.set, TF_DEGRADED, 0}};
+  violation_t best = {pinned_end(c), {TF_PINNED, s.set, TF_DEGRADED, 0, false}};
   tf_real_t least = TF_REAL_MAX;
   enumerate_both_signs(&in, &s); // candidates, whatever the sign of g would be
   const bool slipping = c->state->mode <= TF_SLIP_MINUS;
@@ -27,8 +27,9 @@ TF_INLINE violation_t least_violation(free_motion_t *c) {
     const bool sticks = mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
     if (slipping && sticks && !(s.attracting & TF_MODE_BIT(mode))) continue;
     const forced_end_t end = mode_end(c, &s, mode);
+    const outcome_t outcome = {.mode = mode};
     const tf_real_t residual =
-        mode_residual(k, mode, end.force, end_slip(c, &end));
+        mode_residual(k, &outcome, end.force, end_slip(c, &end));
     if (!(residual < least)) continue;
     least = residual;
     best.outcome.mode = mode;

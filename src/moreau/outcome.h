@@ -13,11 +13,19 @@ typedef struct {
   unsigned mode, set;
   tf_status_t status;
   tf_real_t delassus;
+  bool is_mean; // the force is a mean of those before and behind h = g = 0
 } outcome_t;
 
-// In slip the angle is not in question: only the side is checked.
-TF_INLINE tf_real_t mode_residual(const tf_machine_t *k, unsigned mode,
-                                  tf_force_t force, tf_slip_t slip) {
+// In slip the angle is not in question: only the side is checked. A mean over a
+// passage of h = g = 0 is one of forces of the convex hull.
+TF_INLINE tf_real_t mode_residual(const tf_machine_t *k,
+                                  const outcome_t *outcome, tf_force_t force,
+                                  tf_slip_t slip) {
+  const unsigned mode = outcome->mode;
+  if (outcome->is_mean)
+    return rest_residual(TF_REST_HULL, k->tyre.mu, k->stick_kappa, force);
+  if (mode == TF_PINNED && k->stick_kappa > 0)
+    return rest_residual(k->rest, k->tyre.mu, k->stick_kappa, force);
   if (mode > TF_SLIP_MINUS)
     return law_residual(k->tyre.mu, k->stick_kappa, force, slip.h, slip.g);
   return law_residual(1, 0, (tf_force_t){mode == TF_SLIP_PLUS ? 1 : -1, 0},

@@ -124,7 +124,8 @@ TF_INLINE forced_end_t end_by(const free_motion_t *c, multipliers_t m) {
 
 // Inclusion, (8).
 TF_INLINE inclusion_t inclusion(const free_motion_t *c) {
-  inclusion_t in = {.has_moment = TF_API_MACHINE(c)->stick_kappa > 0};
+  inclusion_t in = {.has_moment = TF_API_MACHINE(c)->stick_kappa > 0,
+                    .rest = TF_API_MACHINE(c)->rest};
   slip_forms(TF_API_MACHINE(c), &c->end, c->slip, &in.h, &in.g);
   return in;
 }
@@ -153,10 +154,17 @@ TF_INLINE unsigned solve_inclusion(free_motion_t *c, inclusion_t *in,
   return signs;
 }
 
-// Choice. Whether the present mode is lost where h = g = 0 is within reach.
-TF_INLINE bool may_reach_codim2(unsigned signs, const solutions_t *s,
-                                unsigned mode) {
-  return signs == BOTH_SIGNS && !has(s->set, mode);
+// Choice. Whether the step begins at h = g = 0 or has that point within reach:
+// a slip that is so near, or a stick whose g changes its sign. codim2_end.h has
+// what follows.
+TF_INLINE bool is_near_codim2(const free_motion_t *c, const inclusion_t *in,
+                              unsigned signs, unsigned set) {
+  const unsigned mode = c->state->mode;
+  if (!in->has_moment || mode == TF_PINNED) return in->has_moment;
+  if (mode <= TF_SLIP_MINUS)
+    return is_within_reach(start_slip(c), &in->h, &in->g);
+  const unsigned own = mode == TF_STICK_PLUS ? PLUS_SIGN : MINUS_SIGN;
+  return signs != own && !has(set, mode);
 }
 
 // tf_select, from what is in registers.
@@ -173,14 +181,9 @@ TF_RARE unsigned select_mode(const tf_machine_t *k, const tf_state_t *state,
 }
 
 // Choice: the mode that the step ends in; TF_NO_MODE where none is consistent,
-// or none that a slip may enter. lost: what end_of_lost_mode() says, else
-// TF_NO_MODE.
+// or none that a slip may enter.
 TF_INLINE unsigned choose_mode(const tf_machine_t *k, const tf_state_t *state,
-                               unsigned lost, solutions_t *s) {
-  if (lost != TF_NO_MODE) {
-    s->set |= (uint8_t)TF_MODE_BIT(lost);
-    return lost;
-  }
+                               const solutions_t *s) {
   if (goes_on(s->set, s->attracting, state->mode)) return state->mode;
   return select_mode(k, state, s->set, s->near_stick, s->h_limit[0],
                      s->h_limit[1], s->attracting);

@@ -21,7 +21,7 @@ TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
   if (!in_reach(at.r, at.v, at.w) || !within(outcome.delassus, TF_REAL_MAX))
     return refuse_step(report, TF_DIVERGED);
   const tf_slip_t slip = slip_speeds(k, at.r, at.v, at.w - input->omega0);
-  const tf_real_t residual = mode_residual(k, outcome.mode, force, slip);
+  const tf_real_t residual = mode_residual(k, &outcome, force, slip);
   if (k->with_angle) // (12)
     state->phi += angle_turned(k, state->w, at.w);
   const bool stays = state->r == at.r;
@@ -47,6 +47,7 @@ TF_RARE tf_status_t doubtful_step(const tf_machine_t *k, tf_state_t *state,
     at = end.at;
     force = end.force;
     outcome.mode = end.mode;
+    outcome.is_mean = false;
     outcome.delassus = end.delassus;
     if (outcome.status == TF_OK) outcome.status = TF_COARSE;
   } else if (is_too_coarse(k, &b, energy, from, at) &&
@@ -92,16 +93,18 @@ TF_RARE tf_status_t turning_step(const tf_machine_t *k, tf_state_t *state,
   const end_state_t from = {state->r, state->v, state->w};
   const bool unsure = mode == slip && is_blow(k, input, from, end.at);
   const outcome_t outcome = {mode, s.set, unsure ? TF_COARSE : TF_OK,
-                             end_delassus(&c, &in, signs, &end)};
+                             end_delassus(&c, &in, signs, &end), false};
   return close_step(&c, state, input, &end, outcome, report);
 }
 
-TF_RARE unsigned end_of_lost_step(const tf_machine_t *k,
-                                  const tf_state_t *state,
-                                  const tf_input_t *input, unsigned set,
-                                  unsigned attracting) {
+// At h = g = 0, or near it with the mode lost.
+TF_RARE tf_status_t codim2_step(const tf_machine_t *k, tf_state_t *state,
+                                const tf_input_t *input, tf_report_t *report) {
   free_motion_t c = plain_motion(k, state, input);
-  return end_of_lost_mode(&c, input, set, attracting);
+  const codim2_end_t to = codim2_end(&c, input);
+  if (to.outcome.mode == TF_NO_MODE)
+    return degraded_step(k, state, input, report);
+  return close_step(&c, state, input, &to.end, to.outcome, report);
 }
 
 // A function of its own, so that its stack and that of the search for the force
@@ -112,7 +115,7 @@ TF_RARE tf_status_t step_under_force(const tf_machine_t *k, tf_state_t *state,
                                      tf_real_t M) {
   const free_motion_t c = plain_motion(k, state, input);
   const single_valued_end_t to = single_valued_end(&c, (tf_force_t){F, M});
-  const outcome_t outcome = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0};
+  const outcome_t outcome = {to.mode, TF_MODE_BIT(to.mode), TF_OK, 0, false};
   const tf_status_t status =
       close_step(&c, state, input, &to.end, outcome, report);
   if (status >= TF_OK) // at most so far, if the step was taken in another form
@@ -144,17 +147,15 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   solutions_t s;
   const unsigned signs = solve_inclusion(&c, &in, &s);
   // Choose.
-  const unsigned lost =
-      may_reach_codim2(signs, &s, state->mode)
-          ? end_of_lost_step(k, state, input, s.set, s.attracting)
-          : (unsigned)TF_NO_MODE;
-  const unsigned mode = choose_mode(k, state, lost, &s);
+  if (is_near_codim2(&c, &in, signs, s.set))
+    return codim2_step(k, state, input, report);
+  const unsigned mode = choose_mode(k, state, &s);
   if (mode == TF_NO_MODE) return degraded_step(k, state, input, report);
   // End in the mode, (9), (10).
   const forced_end_t end = mode_end(&c, &s, mode);
   if (end.turns) return turning_step(k, state, input, mode, report);
   // Balance, and commit.
   const outcome_t outcome = {mode, s.set, TF_OK,
-                             end_delassus(&c, &in, signs, &end)};
+                             end_delassus(&c, &in, signs, &end), false};
   return close_step(&c, state, input, &end, outcome, report);
 }

@@ -106,7 +106,7 @@ check 'both sides at every multiple of the grid' awk -F, '
                n["slip+", 0.3] == 1) }' out
 diverge --exhaustive --depth 1 --grid 0.1 --patience 0.5 --branches b
 check 'the file is what goes to standard output' cmp -s b out
-diverge --exhaustive --depth 2 --grid 0.2 --patience 3 >out
+diverge --exhaustive --depth 4 --grid 0.2 --patience 3 >out
 check 'all modes of h = g = 0 are followed' awk -F, '
   $3 == "corner" { seen[$6] = 1 }
   END { exit !(seen["slip-"] && seen["stick-"] && seen["pinned"]) }' out

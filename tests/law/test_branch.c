@@ -115,7 +115,7 @@ static tf_state_t one_step(const long_step_t *s, step_t *step,
 }
 
 /* Slips that pass h = g = 0 within one long step: none ends in an escaping
- * stick, though one solves the inclusion behind it; all are pinned. */
+ * stick, though one solves the inclusion behind it. */
 TEST(slip_enters_no_escaping_stick_at_codimension_two) {
   static const long_step_t steps[] = {
       {0.098697269977551683, -1.1684614780541989, 2.0220742694162981,
@@ -133,11 +133,8 @@ TEST(slip_enters_no_escaping_stick_at_codimension_two) {
   for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
     tf_report_t report;
     const tf_state_t x = one_step(&steps[i], tf_step, &report);
-    CHECK(report.set &
-          (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS)));
-    CHECK(x.mode == TF_PINNED && report.set & TF_MODE_BIT(TF_PINNED));
-    CHECK_NEAR((double)report.slip.h, 0, 4 * (double)TF_REAL_EPSILON);
-    CHECK_NEAR((double)report.slip.g, 0, 4 * (double)TF_REAL_EPSILON);
+    CHECK(x.mode != TF_STICK_PLUS && x.mode != TF_STICK_MINUS);
+    CHECK(report.set & TF_MODE_BIT(x.mode));
   }
 }
 
@@ -162,7 +159,7 @@ TEST(slip_beside_codimension_two_is_not_pinned) {
     const unsigned set = report.set;
     const tf_state_t located = one_step(&steps[i], tf_step_located, &report);
     CHECK(located.mode <= TF_SLIP_MINUS);
-    CHECK(x.mode == located.mode && set == TF_MODE_BIT(x.mode));
+    CHECK(x.mode == located.mode && set & TF_MODE_BIT(x.mode));
   }
 }
 
@@ -203,11 +200,139 @@ TEST(random_machines_take_one_branch) {
   CHECK(met > 100 && other * 200 < met && split * 500 < met);
 }
 
+/* Machines that come to h = g = 0, and where they are later: from slip that
+ * creeps in while rest is possible but not stable, seven times; and from stick
+ * where two slips leave. The ends are those of tools/reference. */
+static const struct {
+  tf_params_t params;
+  double r, v, w, h, end;
+} coming[] = {{{.m = TF_R(0.769124),
+                .beta = TF_R(0.0617509),
+                .d = TF_R(1.44719),
+                .c1 = TF_R(0.92649),
+                .c2 = TF_R(0.834168),
+                .k2 = TF_R(2.95835),
+                .r0 = TF_R(0.364051),
+                .omega0 = TF_R(0.988183),
+                .mu = TF_R(1.41074),
+                .kappa = TF_R(0.361061),
+                .gamma = TF_R(-0.428438)},
+               0.157341,
+               -0.000503074,
+               0.981279,
+               NAN,
+               0.213880861},
+              {{.m = TF_R(1.22263),
+                .beta = TF_R(0.0410226),
+                .d = TF_R(0.256983),
+                .c1 = TF_R(0.001),
+                .c2 = TF_R(0.001),
+                .k2 = TF_R(2.90052),
+                .r0 = TF_R(0.1),
+                .omega0 = TF_R(-2.47367),
+                .mu = TF_R(1.84576),
+                .kappa = TF_R(0.416418),
+                .gamma = TF_R(-0.100189)},
+               -0.223161,
+               0,
+               -2.55255,
+               0,
+               -1.073514062}};
+
+TEST(motion_leaves_codimension_two_as_the_reference_does) {
+  if (!IS_DOUBLE) SKIP("three seconds at these steps are beyond float");
+  static const double dts[] = {1e-4, 5e-5, 1e-5};
+  for (int i = 0; i < 2; i++)
+    for (int j = 0; j < 3; j++) {
+      tf_params_t p = coming[i].params;
+      p.theta = TF_R(0.5);
+      p.dt = (tf_real_t)dts[j];
+      tf_machine_t k;
+      CHECK(tf_prepare(&k, &p, NULL) == TF_OK);
+      const tf_input_t u = tf_input_default(&k);
+      tf_state_t x = {.r = (tf_real_t)coming[i].r,
+                      .v = (tf_real_t)coming[i].v,
+                      .w = (tf_real_t)coming[i].w,
+                      .mode = TF_NO_MODE};
+      if (!isnan(coming[i].h))
+        tf_speed_for_slip(&k, x.r, x.w, u.omega0, (tf_real_t)coming[i].h, &x.v);
+      tf_report_t report;
+      CHECK(tf_begin(&k, &x, &u, &report) == TF_OK);
+      for (long n = lrint(3 / dts[j]); n > 0; n--)
+        CHECK(tf_step(&k, &x, &u, &report) == TF_OK);
+      CHECK_NEAR(x.r, coming[i].end, 0.5 * dts[j]);
+      CHECK(x.mode == TF_SLIP_PLUS);
+    }
+}
+
+static double draw_log(double low, double high) {
+  return exp(tap_uniform(log(low), log(high)));
+}
+
+static tf_params_t wide_params(void) {
+  return (tf_params_t){.m = (tf_real_t)draw_log(0.3, 3),
+                       .beta = (tf_real_t)draw_log(0.05, 1),
+                       .d = (tf_real_t)tap_uniform(0.2, 2),
+                       .c1 = (tf_real_t)tap_uniform(0, 1),
+                       .c2 = (tf_real_t)tap_uniform(0, 1),
+                       .k2 = (tf_real_t)tap_uniform(0, 30),
+                       .r0 = (tf_real_t)tap_uniform(-0.5, 0.5),
+                       .omega0 = (tf_real_t)tap_uniform(-2, 2),
+                       .mu = (tf_real_t)draw_log(0.1, 3),
+                       .kappa = (tf_real_t)tap_uniform(1e-3, 1),
+                       .gamma = (tf_real_t)tap_uniform(-3.14, 3.14),
+                       .theta = TF_R(0.5)};
+}
+
+/* Machines from wide ranges that start beside h = g = 0: both schemes go the
+ * same way, but for a few that pass it by within what the step resolves, and
+ * those become fewer with the step. */
+TEST(both_schemes_go_one_way_beside_codimension_two) {
+  if (!IS_DOUBLE) SKIP("the steps are too short for float");
+  static const double dts[] = {1e-4, 1e-5};
+  int machines = 0, other[2] = {0, 0};
+  for (int i = 0; i < 2000; i++) {
+    tf_params_t p = wide_params();
+    const double near = draw_log(1e-3, 3e-2);
+    const tf_state_t from = {
+        .r = (tf_real_t)tap_uniform(-0.5, 0.5),
+        .v = (tf_real_t)(near * tap_uniform(-1, 1)),
+        .w = p.omega0 + (tf_real_t)(near * tap_uniform(-1, 1)),
+        .mode = TF_NO_MODE};
+    tf_state_t end[3];
+    bool good = true;
+    for (int j = 0; j < 3 && good; j++) {
+      p.dt = (tf_real_t)dts[j % 2];
+      p.tolerance = TF_R(1e-10);
+      tf_machine_t k;
+      tf_report_t report;
+      CHECK(tf_prepare(&k, &p, NULL) == TF_OK);
+      const tf_input_t u = tf_input_default(&k);
+      step_t *const step = j < 2 ? tf_step : tf_step_located;
+      end[j] = from;
+      CHECK(tf_begin(&k, &end[j], &u, &report) == TF_OK);
+      for (long n = lrint(0.05 / dts[j % 2]); n > 0 && good; n--)
+        good = step(&k, &end[j], &u, &report) == TF_OK;
+    }
+    if (!good) continue;
+    machines++;
+    for (int j = 0; j < 2; j++)
+      other[j] += fabs((double)(end[j].v - end[2].v)) > 0.02 ||
+                  fabs((double)(end[j].r - end[2].r)) > 2e-3;
+  }
+  printf("# of %d machines %d go another way at 1e-4, %d at 1e-5\n", machines,
+         other[0], other[1]);
+  CHECK(machines > 1900);
+  CHECK(other[0] * 200 <= machines && other[1] * 500 <= machines);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(branch_at_codimension_two_is_independent_of_dt);
   RUN(slip_enters_no_escaping_stick_at_codimension_two);
   RUN(slip_beside_codimension_two_is_not_pinned);
   RUN(random_machines_take_one_branch);
+  RUN(motion_leaves_codimension_two_as_the_reference_does);
+  RUN(both_schemes_go_one_way_beside_codimension_two);
   return tap_end();
 }

@@ -29,9 +29,11 @@ static hold_t hold(const paper_t *p, const tf_input_t *u, real r, real w) {
   return (hold_t){(e * d - b * f) / det, (a * f - e * c) / det};
 }
 
-/* How far both are from their limits; < 0 beyond one. */
+/* How far both are from the borders of the hull of the law; < 0 beyond one. */
 static real margin(const paper_t *p, hold_t by) {
-  return fminl(p->mu - fabsl(by.F), p->kappa * fabsl(by.F) - fabsl(by.M));
+  const real M = fabsl(by.M);
+  return fminl(4 * p->mu / 3 - M / (3 * p->kappa) - fabsl(by.F),
+               p->kappa * p->mu - M);
 }
 
 TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
@@ -69,7 +71,7 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
       }
       /* Left for a stick, that may be before: it attracts. */
       if (n == 0 || x.mode > TF_SLIP_MINUS || margin(&p, by) > 0) break;
-      left[before.F > 0][p.mu - fabsl(by.F) < 0]++;
+      left[before.F > 0][p.kappa * p.mu - fabsl(by.M) > 0]++;
       break;
     }
   }

@@ -115,6 +115,7 @@ static tf_params_t params_of(const genes_t *genes, const tf_scene_t *scene) {
   }
   if (what & 1u) params.law = (tf_tyre_law_t)((what >> 4) % TF_TYRE_LAWS);
   if (what & 2u) params.rule = (tf_rule_t)((what >> 8) % TF_RULES);
+  params.rest = (tf_rest_law_t)((what >> 12) % TF_REST_LAWS);
   params.with_angle = (what & 4u) != 0;
   return params;
 }

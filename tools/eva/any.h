@@ -39,6 +39,7 @@ static inline tf_params_t params_in_range(void) {
     *member_of(&params, i) =
         REAL_BETWEEN(tf_parameter_ranges[i].low, tf_parameter_ranges[i].high);
   params.rule = (tf_rule_t)Frama_C_interval(0, TF_RULES - 1);
+  params.rest = (tf_rest_law_t)Frama_C_interval(0, TF_REST_LAWS - 1);
   params.with_angle = any_bool();
   return params;
 }
@@ -50,6 +51,7 @@ static inline tf_machine_t any_machine(void) {
   ANY_BITS(machine);
   machine.tyre.law = (tf_tyre_law_t)Frama_C_interval(0, TF_TYRE_LAWS - 1);
   machine.rule = (tf_rule_t)Frama_C_interval(0, TF_RULES - 1);
+  machine.rest = (tf_rest_law_t)Frama_C_interval(0, TF_REST_LAWS - 1);
   machine.with_angle = any_bool();
   return machine;
 }

@@ -73,8 +73,9 @@ static void write_machine(FILE *out, const tf_machine_t *k) {
   fprintf(out, "    .tyre.law = (tf_tyre_law_t)%d,\n", (int)k->tyre.law);
   fprintf(out, "    .exit_threshold = %llull,\n",
           (unsigned long long)k->exit_threshold);
-  fprintf(out, "    .rule = (tf_rule_t)%d,\n    .with_angle = %d};\n\n",
-          (int)k->rule, k->with_angle);
+  fprintf(out, "    .rule = (tf_rule_t)%d,\n", (int)k->rule);
+  fprintf(out, "    .rest = (tf_rest_law_t)%d,\n    .with_angle = %d};\n\n",
+          (int)k->rest, k->with_angle);
 }
 
 static void write_start(FILE *out, const tf_state_t *x,
@@ -111,6 +112,7 @@ static void write_scene(FILE *out, const tf_scene_t *scene,
   }
   fprintf(out, "    .params.law = (tf_tyre_law_t)%d,\n", (int)p->law);
   fprintf(out, "    .params.rule = (tf_rule_t)%d,\n", (int)p->rule);
+  fprintf(out, "    .params.rest = (tf_rest_law_t)%d,\n", (int)p->rest);
   fprintf(out, "    .params.with_angle = %d,\n", p->with_angle);
   REAL(out, scene, r);
   REAL(out, scene, omega);

@@ -261,6 +261,7 @@ static const char *repeat(subject_t *s, unsigned times,
 // The low half of a byte says what, the high half how often or which.
 static const char *operate(subject_t *s, uint8_t operation) {
   const unsigned which = operation >> 4;
+  unsigned chance;
   switch (operation & 15u) {
     case 0:
       return repeat(s, which, begin);
@@ -279,7 +280,10 @@ static const char *operate(subject_t *s, uint8_t operation) {
       return prepare(s);
     case 8:
       s->params.law = (tf_tyre_law_t)which;
-      s->params.rule = (tf_rule_t)(fuzz_byte(&s->in) % (TF_RULES + 1));
+      chance = fuzz_byte(&s->in);
+      s->params.rule = (tf_rule_t)(chance % (TF_RULES + 1));
+      s->params.rest =
+          (tf_rest_law_t)(chance / (TF_RULES + 1) % (TF_REST_LAWS + 1));
       s->params.with_angle = (which & 8u) != 0;
       if (which >= 8) s->params.law = (tf_tyre_law_t)(which - 8);
       return prepare(s);

@@ -98,8 +98,9 @@ static void print_members(const tf_machine_t *k) {
            (double)k->tyre.T_series[i]);
   printf("  .exit_threshold = %lluu, .tyre.law = (tf_tyre_law_t)%d,\n",
          (unsigned long long)k->exit_threshold, (int)k->tyre.law);
-  printf("  .rule = (tf_rule_t)%d, .with_angle = %d", (int)k->rule,
-         (int)k->with_angle);
+  printf("  .rule = (tf_rule_t)%d, .rest = (tf_rest_law_t)%d,\n", (int)k->rule,
+         (int)k->rest);
+  printf("  .with_angle = %d", (int)k->with_angle);
 }
 
 static void print_machine(const run_t *run) {

@@ -67,7 +67,8 @@ TEST(slip_leaves_codimension_two_as_a_search_finds) {
         wide(params.mu) * (fabsl(wide(rates.Fp)) + fabsl(wide(rates.Fq)) +
                            fabsl(wide(params.kappa * rates.Mq)));
     consistent_modes_t out;
-    tf_codim2_modes(&k, &rates, &out);
+    const codim2_field_t field = tf_codim2_field_of(&k, &rates);
+    tf_codim2_modes(&k, &field, &out);
     for (int slip = 0; slip < 2; slip++) {
       const int side = slip == 0 ? 1 : -1, roll = out.sign_g[slip];
       const exit_t want = search(&at, side);
@@ -127,7 +128,8 @@ TEST(limit_direction_ends_where_two_meet) {
     const field_t at = field_at(&params, &u, r);
     const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
     consistent_modes_t out;
-    tf_codim2_modes(&k, &rates, &out);
+    const codim2_field_t field = tf_codim2_field_of(&k, &rates);
+    tf_codim2_modes(&k, &field, &out);
     const bool is = out.solutions.set & TF_MODE_BIT(TF_SLIP_PLUS);
     if (n < 2) CHECK(is == (n == 0));
     if (is)
@@ -153,6 +155,7 @@ TEST(wheel_is_pinned_where_the_law_allows) {
     tf_params_t params = random_params();
     params.gamma = n % 4 ? TF_R(1.5707963267948966) : 0;
     params.d = 0;
+    params.rest = (tf_rest_law_t)(n / 4 % TF_REST_LAWS);
     tf_machine_t k = prepared(&params);
     if (n % 4) { /* to the last bit */
       k.sin_gamma = 1;
@@ -163,7 +166,8 @@ TEST(wheel_is_pinned_where_the_law_allows) {
     const tf_real_t r = n % 16 == 1 ? 0 : uniform(-0.6, 0.6);
     const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
     consistent_modes_t out;
-    tf_codim2_modes(&k, &rates, &out);
+    const codim2_field_t field = tf_codim2_field_of(&k, &rates);
+    tf_codim2_modes(&k, &field, &out);
     if (r == 0) /* on the axis no stick starts */
       CHECK(!(out.solutions.set &
               (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))));
@@ -171,11 +175,14 @@ TEST(wheel_is_pinned_where_the_law_allows) {
     const real F =
         -(wide(k.k2) * (wide(k.r0) - wide(r)) + wide(k.m) * wide(r) * w * w);
     const real M = wide(k.c1) * w, mu = wide(params.mu);
-    if (fabsl(fabsl(F) - mu) < 1e-4L ||
-        fabsl(fabsl(M) - wide(params.kappa) * fabsl(F)) < 1e-4L)
+    const real kappa = wide(params.kappa);
+    const real most_F[] = {4 * mu / 3 - fabsl(M) / (3 * kappa), mu, mu};
+    const real most_M[] = {kappa * mu, kappa * mu, kappa * fabsl(F)};
+    if (fabsl(fabsl(F) - most_F[k.rest]) < 1e-4L ||
+        fabsl(fabsl(M) - most_M[k.rest]) < 1e-4L)
       continue;
     const bool holds =
-        n % 4 && fabsl(F) < mu && fabsl(M) < wide(params.kappa) * fabsl(F);
+        n % 4 && fabsl(F) < most_F[k.rest] && fabsl(M) < most_M[k.rest];
     CHECK(holds == !!(out.solutions.set & TF_MODE_BIT(TF_PINNED)));
     if (holds)
       pinned++;
@@ -186,10 +193,55 @@ TEST(wheel_is_pinned_where_the_law_allows) {
   CHECK(pinned > 300 && moves > 1000);
 }
 
+/* Every point h = g = 0 has a future under the hull of the law, and where rest
+ * is none of them one that attracts: none leaves by a direction from which its
+ * neighbours turn away alone. The paper's bow tie has points without one. */
+TEST(codimension_two_always_has_a_future) {
+  int points = 0, rests = 0, leaves = 0, no_bow_tie = 0, turn_away = 0;
+  for (int n = 0; n < 20000; n++) {
+    tf_params_t params = n % 2 ? any_params(n) : random_params();
+    params.m = (tf_real_t)exp(tap_uniform(log(0.3), log(3)));
+    params.beta = (tf_real_t)exp(tap_uniform(log(0.05), 0));
+    params.d = uniform(0.2, 2);
+    params.k2 = uniform(0, 30);
+    params.c1 = uniform(0, 1);
+    params.mu = (tf_real_t)exp(tap_uniform(log(0.1), log(3)));
+    params.kappa = uniform(1e-3, 1);
+    params.gamma = uniform(-3.14, 3.14);
+    const tf_machine_t k = prepared(&params);
+    const tf_input_t u = tf_input_default(&k);
+    const rates_t rates = rates_at(&k, &u, uniform(-0.5, 0.5), 0, 0, u.omega0);
+    const codim2_field_t field = tf_codim2_field_of(&k, &rates);
+    const tf_state_t state = {.mode = TF_SLIP_PLUS};
+    consistent_modes_t out;
+    const unsigned mode =
+        tf_leave_codim2(&k, &field, TF_SLIP_PLUS, &state, &out);
+    const unsigned set = out.solutions.set;
+    const bool rest = set & TF_MODE_BIT(TF_PINNED);
+    points++;
+    rests += rest;
+    leaves += mode != TF_PINNED;
+    turn_away +=
+        mode != TF_PINNED && !(out.solutions.attracting & TF_MODE_BIT(mode));
+    CHECK(mode < TF_MODES && set & TF_MODE_BIT(mode));
+    tf_machine_t paper = k;
+    paper.rest = TF_REST_BOW_TIE;
+    tf_codim2_modes(&paper, &field, &out);
+    no_bow_tie += out.solutions.set == 0;
+  }
+  printf(
+      "# of %d points %d may rest, %d leave; under the bow tie %d have no "
+      "future\n",
+      points, rests, leaves, no_bow_tie);
+  CHECK(turn_away == 0);
+  CHECK(rests > 1000 && leaves > 1000 && no_bow_tie > 0);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(slip_leaves_codimension_two_as_a_search_finds);
   RUN(limit_direction_ends_where_two_meet);
   RUN(wheel_is_pinned_where_the_law_allows);
+  RUN(codimension_two_always_has_a_future);
   return tap_end();
 }

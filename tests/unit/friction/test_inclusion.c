@@ -111,23 +111,30 @@ TEST(stick_with_a_moment_needs_nonzero_g) {
   CHECK(set_of(&in) == BIT(TF_STICK_PLUS));
 }
 
-/* |x| <= 1 and |y| <= |x|, both borders included. */
+/* The hull |y| <= 1, |x| <= 4/3 - |y|/3, the square |x|, |y| <= 1 and the bow
+ * tie |y| <= |x| <= 1, all borders included. */
 TEST(pinned_needs_a_force_of_the_law) {
   static const struct {
     double x, y;
-    int holds;
-  } cases[] = {{1, 1, 1},      {1, -1, 1},      {-1, 1, 1},
-               {-1, -1, 1},    {1.25, 0, 0},    {-1.25, 0, 0},
-               {0.5, 0.75, 0}, {0.5, -0.75, 0}, {-0.5, 0.75, 0},
-               {-0.5, 0.5, 1}, {0.75, -0.5, 1}, {0, 0, 1}};
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    inclusion_t in = inclusion(0, -1, 0, 1);
-    in.pin_x = num(cases[i].x);
-    in.pin_y = num(cases[i].y);
-    CHECK(set_of(&in) == (cases[i].holds ? BIT(TF_PINNED) : 0));
-    in.has_moment = false;
-    CHECK(!(set_of(&in) & BIT(TF_PINNED)));
-  }
+    int holds[TF_REST_LAWS];
+  } cases[] = {{1, 1, {1, 1, 1}},         {1, -1, {1, 1, 1}},
+               {-1, 1, {1, 1, 1}},        {-1, -1, {1, 1, 1}},
+               {1.25, 0, {1, 0, 0}},      {-1.25, 0, {1, 0, 0}},
+               {1.25, 0.5, {0, 0, 0}},    {-1.375, 0, {0, 0, 0}},
+               {0.5, 0.75, {1, 1, 0}},    {0.5, -0.75, {1, 1, 0}},
+               {-0.5, 0.75, {1, 1, 0}},   {-0.5, 1.25, {0, 0, 0}},
+               {1.0625, 0.75, {1, 0, 0}}, {-0.5, 0.5, {1, 1, 1}},
+               {0.75, -0.5, {1, 1, 1}},   {0, 0, {1, 1, 1}}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+    for (int rest = 0; rest < TF_REST_LAWS; rest++) {
+      inclusion_t in = inclusion(0, -1, 0, 1);
+      in.rest = (tf_rest_law_t)rest;
+      in.pin_x = num(cases[i].x);
+      in.pin_y = num(cases[i].y);
+      CHECK(set_of(&in) == (cases[i].holds[rest] ? BIT(TF_PINNED) : 0));
+      in.has_moment = false;
+      CHECK(!(set_of(&in) & BIT(TF_PINNED)));
+    }
 }
 
 /* Three consistent modes for a negative Delassus scalar, one for a positive;

@@ -35,12 +35,11 @@ static unsigned answer(const question_t *q, uint64_t tick, uint32_t seed) {
 /* Number n of all questions; false past the last. */
 static bool question(unsigned n, question_t *q) {
   q->set = n & 31u;
-  q->attracting = n >> 5 & 3u;
-  q->attracting *= BIT(TF_STICK_PLUS);
-  q->near = n >> 7 & 1u ? TF_STICK_MINUS : TF_STICK_PLUS;
-  q->minus_is_faster = n >> 8 & 1u;
-  q->threshold = n >> 9 & 1u ? ALWAYS : NEVER;
-  n >>= 10;
+  q->attracting = n >> 5 & 15u; /* slips as well, as at h = g = 0 */
+  q->near = n >> 9 & 1u ? TF_STICK_MINUS : TF_STICK_PLUS;
+  q->minus_is_faster = n >> 10 & 1u;
+  q->threshold = n >> 11 & 1u ? ALWAYS : NEVER;
+  n >>= 12;
   q->mode = n % TF_MODES;
   q->rule = (tf_rule_t)(n / TF_MODES % TF_RULES);
   return n < TF_MODES * TF_RULES;
@@ -56,7 +55,9 @@ static unsigned nearest(unsigned sticks, unsigned near) {
 static unsigned when_lost(const question_t *q) {
   const unsigned sticks = q->set & STICKS;
   const unsigned fast = q->minus_is_faster ? TF_SLIP_MINUS : TF_SLIP_PLUS;
+  const unsigned turning = q->set & SLIPS & q->attracting;
   if (sticks & q->attracting) return nearest(sticks & q->attracting, q->near);
+  if (turning) return turning == SLIPS ? BIT(fast) : turning;
   if (q->set & BIT(TF_PINNED)) return BIT(TF_PINNED);
   if (q->set & SLIPS)
     return (q->set & SLIPS) == SLIPS ? BIT(fast) : q->set & SLIPS;
@@ -81,7 +82,7 @@ static unsigned when_escaping(const question_t *q) {
 static unsigned when_pinned(const question_t *q) {
   const unsigned now = q->set & BIT(TF_PINNED);
   const unsigned others = q->set & ~BIT(TF_PINNED);
-  const unsigned safe = others & q->attracting;
+  const unsigned safe = others & STICKS & q->attracting;
   if (q->rule == TF_RULE_RANDOM) {
     if (now && (q->threshold == NEVER || !others)) return now;
     return others ? others : BIT(TF_NO_MODE);

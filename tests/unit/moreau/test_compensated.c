@@ -173,13 +173,16 @@ TEST(compensated_stick_is_exact) {
     real worst = 0;
     for (long n = 1; n <= 300000; n++) {
       const tf_machine_t *k = &run.machine.machine;
+      const unsigned was = run.state.mode;
       run.input = tf_scene_input(scene, k, (tf_real_t)n * k->dt);
       CHECK(tf_step_compensated(&run.machine, &run.state, &run.compensation,
                                 &run.input, &report) == TF_OK);
       if (run.state.mode <= TF_SLIP_MINUS) continue;
       sticks++;
       worst = fmaxl(worst, fabsl((real)report.slip.h));
-      CHECK(fabsl((real)report.force.F) <= (real)k->tyre.mu);
+      /* Through h = g = 0 it is a mean with that of slip. */
+      const real most = run.state.mode == was ? 1 : 4.0L / 3;
+      CHECK(fabsl((real)report.force.F) <= most * (real)k->tyre.mu);
     }
     CHECK_NEAR(worst, 0, 32 * EPSILON * (real)dt);
     printf("# %s: %ld sticks, |h| <= %.2Lg epsilon dt\n", names[i], sticks,

@@ -263,10 +263,12 @@ TEST(compensated_changes_have_twice_the_digits) {
       continue;
     const bool stick = report.mode > TF_SLIP_MINUS;
     const real s = report.mode == TF_STICK_MINUS ? -1 : 1;
-    const real F = wide(report.force.F);
+    const real F = wide(report.force.F), M = wide(report.force.M);
+    /* Through h = g = 0 the force of a step is a mean, not that of a stick. */
+    if (stick && fabsl(M - s * wide(q.kappa) * F) > 4 * EPSILON * fabsl(M))
+      continue;
     real end[3];
-    end_of(&scheme, at, F, stick ? s * wide(q.kappa) * F : wide(report.force.M),
-           end);
+    end_of(&scheme, at, F, stick ? s * wide(q.kappa) * F : M, end);
     const real v = wide(x.v) + wide(low.v), w = wide(x.w) + wide(low.w);
     const real size = fabsl(end[1] - at[1]) + fabsl(end[2] - at[2]);
     const real off = fabsl(v - end[1]) + fabsl(w - end[2]);

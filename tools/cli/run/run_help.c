@@ -73,8 +73,13 @@ static void print_names(void) {
   for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
     (void)printf("%s%s", law > 0 ? ", " : "", cli_law_name((tf_tyre_law_t)law));
   }
+  (void)printf("\n  %-9s ", "rest");
+  for (unsigned rest = 0; rest < TF_REST_LAWS; rest++) {
+    (void)printf("%s%s", rest > 0 ? ", " : "",
+                 cli_rest_name((tf_rest_law_t)rest));
+  }
   (void)fputs(
-      "\n"
+      ", the law at h = g = 0, only in law jump\n"
       "h is an alternative to v; its sign selects the initial mode. With phi\n"
       "the angle is integrated, too; nothing else depends on it.\n",
       stdout);

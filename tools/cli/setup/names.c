@@ -16,6 +16,11 @@ static const char *const law_names[TF_TYRE_LAWS] = {
 static const char *const rule_names[TF_RULES] = {"persist", "slip+", "slip-",
                                                  "random"};
 
+static const char *const rest_names[TF_REST_LAWS] = {"hull", "square",
+                                                     "bow_tie"};
+
+const char *cli_rest_name(tf_rest_law_t rest) { return rest_names[rest]; }
+
 const char *cli_law_name(tf_tyre_law_t law) { return law_names[law]; }
 
 const char *cli_rule_name(tf_rule_t rule) { return rule_names[rule]; }
@@ -54,6 +59,20 @@ int cli_find_law(const char *option, const char *text, const char *name,
                        option, text, name, hint.before, hint.name, hint.after);
   }
   *law = (tf_tyre_law_t)found;
+  return CLI_DONE;
+}
+
+int cli_find_rest(const char *option, const char *text, const char *name,
+                  tf_rest_law_t *rest) {
+  cli_hint_t hint;
+  const size_t found = find_name(rest_names, TF_REST_LAWS, name, &hint);
+  if (found == TF_REST_LAWS) {
+    return cli_message(CLI_USAGE,
+                       "%s %s: unknown law of rest '%s'; they are hull, square "
+                       "and bow_tie%s%s%s",
+                       option, text, name, hint.before, hint.name, hint.after);
+  }
+  *rest = (tf_rest_law_t)found;
   return CLI_DONE;
 }
 

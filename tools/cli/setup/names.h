@@ -8,8 +8,10 @@
 
 #include "twofold.h"
 
-/// Name of a friction law, and of a rule that selects a mode.
+/// Name of a friction law, of a law of rest at h = g = 0, and of a rule that
+/// selects a mode.
 const char *cli_law_name(tf_tyre_law_t law);
+const char *cli_rest_name(tf_rest_law_t rest);
 const char *cli_rule_name(tf_rule_t rule);
 
 /// Index of a parameter in tf_parameter_ranges, TF_PARAMETERS where no
@@ -21,6 +23,10 @@ size_t cli_parameter_index(const char *name);
 /// Returns: CLI_DONE, or CLI_USAGE after a message with the closest name.
 int cli_find_law(const char *option, const char *text, const char *name,
                  tf_tyre_law_t *law);
+
+/// Finds a law of rest by its name, likewise.
+int cli_find_rest(const char *option, const char *text, const char *name,
+                  tf_rest_law_t *rest);
 
 /// Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
 /// Returns: CLI_DONE, or CLI_USAGE after a message.

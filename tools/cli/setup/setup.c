@@ -27,7 +27,7 @@ static bool is_used(const cli_setup_t *setup, int i) {
 
 static int refuse_parameter(const cli_setup_t *setup, int offender) {
   if (offender < 0 || offender >= TF_PARAMETERS) {
-    return cli_message(CLI_REFUSED, "scene %s: law or rule is unknown",
+    return cli_message(CLI_REFUSED, "scene %s: law, rule or rest is unknown",
                        setup->scene->name);
   }
   const tf_parameter_range_t *range = &tf_parameter_ranges[offender];

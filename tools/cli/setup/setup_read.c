@@ -23,6 +23,7 @@ static int unknown_setting(const cli_setting_t *setting) {
     cli_closest_offer(&closest, cli_starts[i].name);
   }
   cli_closest_offer(&closest, "law");
+  cli_closest_offer(&closest, "rest");
   const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_message(CLI_USAGE, "%s %s: unknown name '%s'%s%s%s",
                      setting->option, setting->text, setting->name, hint.before,
@@ -37,6 +38,10 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
   if (strcmp(setting->name, "law") == 0) {
     return cli_find_law(setting->option, setting->text, setting->value,
                         &setup->params.law);
+  }
+  if (strcmp(setting->name, "rest") == 0) {
+    return cli_find_rest(setting->option, setting->text, setting->value,
+                         &setup->params.rest);
   }
   while (start < CLI_STARTS &&
          strcmp(cli_starts[start].name, setting->name) != 0) {
