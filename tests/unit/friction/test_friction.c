@@ -156,7 +156,13 @@ static int pinned_by_balance(const step_t *k) {
   const real M = rows[1] - k->Q[1] - F * (k->rt * k->cos - p->d * k->sin);
   const real mu = p->mu, kappa = p->kappa;
   const real size = (fabsl(rows[0]) + fabsl(rows[1]) + k->load) / fabsl(k->sin);
-  const real noise = 64 * (real)TF_REAL_EPSILON * size * (1 + fabsl(k->rt));
+  /* With a stiff spring the step tells that force from terms that cancel: the
+   * implicit mass times what the load alone would do to d w. */
+  const real inertia = p->m * ((real)p->beta * p->beta + k->rt * k->rt);
+  const real implicit = (k->S[0][0] - p->m) * fabsl((real)p->d);
+  const real cancelled = implicit * k->load / inertia / fabsl(k->sin);
+  const real noise =
+      64 * (real)TF_REAL_EPSILON * (size * (1 + fabsl(k->rt)) + cancelled);
   const real most = 4 * mu / 3 - fabsl(M) / (3 * kappa);
   const int inside = positive(most - fabsl(F), mu, noise * (1 + 1 / kappa));
   return positive(kappa * mu - fabsl(M), mu * kappa, noise * (1 + kappa)) &&
@@ -248,6 +254,7 @@ static void compare_step(const step_t *k, const tf_machine_t *machine, int i,
   }
   tally->compared++;
   tally->seen[want]++;
+  (void)status_of_end; /* of stages.h, for steps */
   /* Beside h = g = 0 the report has what follows that point instead. */
   free_motion_t c = plain_motion(machine, &k->x, &k->u);
   inclusion_t in;
