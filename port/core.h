@@ -47,14 +47,13 @@
 #include "../src/num/polynomial.c"
 #endif
 
+#include "../src/friction/codim2.c"
+#include "../src/friction/mode.c"
+#include "../src/friction/select.c"
 #include "../src/model/machine.c"
 #include "../src/model/prepare.c"
 #include "../src/model/status.c"
 #include "../src/model/tyre.c"
-
-#include "../src/friction/codim2.c"
-#include "../src/friction/mode.c"
-#include "../src/friction/select.c"
 #include "../src/moreau/balanced.c"
 #include "../src/moreau/begin.c"
 #ifdef SCHEME_COMPENSATED

@@ -163,9 +163,9 @@ TF_INLINE bool end_at(const free_motion_t *c, const inclusion_t *in,
 // A step that comes to h = g = 0 goes on from there: in the rest of the step it
 // goes as far as the mode that follows takes it, under a mean of the forces
 // before and behind, which lies in the convex hull of the law.
-TF_INLINE bool leave_codim2(const free_motion_t *c, const inclusion_t *in,
-                            const codim2_field_t *field,
-                            const arrival_t *arrival, codim2_end_t *out) {
+TF_INLINE bool go_on_from_codim2(const free_motion_t *c, const inclusion_t *in,
+                                 const codim2_field_t *field,
+                                 const arrival_t *arrival, codim2_end_t *out) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   consistent_modes_t modes;
   const unsigned from = arrival->share > 0 ? TF_NO_MODE : c->state->mode;
@@ -209,7 +209,7 @@ TF_INLINE void pass_codim2(const free_motion_t *c, const inclusion_t *in,
     out->end = mode_end(c, &s, mode);
   } else if (pinned) {
     const arrival_t arrival = {true, 1, field->pin};
-    if (!leave_codim2(c, in, field, &arrival, out))
+    if (!go_on_from_codim2(c, in, field, &arrival, out))
       out->outcome.mode = TF_NO_MODE;
   }
 }
@@ -257,7 +257,8 @@ TF_INLINE codim2_end_t codim2_end(free_motion_t *c, const tf_input_t *input) {
     out.outcome.mode = mode;
     out.outcome.set = s.set | TF_MODE_BIT(mode);
     out.end = mode_end(c, &s, mode);
-  } else if (!(arrival.comes && leave_codim2(c, &in, &field, &arrival, &out)) &&
+  } else if (!(arrival.comes &&
+               go_on_from_codim2(c, &in, &field, &arrival, &out)) &&
              !follow_limit_direction(c, &in, &way, distance, &s, &out)) {
     pass_codim2(c, &in, &field, &s, &out);
   }
