@@ -69,7 +69,8 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   but too long for the motion: taken in the form that balances energy; or
 ///   the state turns by more than a right angle in it, in the norm of the
 ///   energy; or theta > 1/2 damps a quarter of the energy; or a blow of
-///   friction turns h and g past 0 in an order that the step cannot tell; or
+///   friction turns h and g past 0 in an order that the step cannot tell, or
+///   ends a slip and changes the velocities by more than a third; or
 ///   the motion stands still);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).

@@ -60,14 +60,14 @@ static void place_at_codim2(trajectory_t *path) {
     path->now.z = 0;
 }
 
-static bool leave_codim2(trajectory_t *path, unsigned from) {
+static bool leave_codim2(trajectory_t *path, bool arrives) {
   place_at_codim2(path);
   const tf_machine_t *k = path->motion.machine;
   const rates_t rates = tf_trajectory_rates(path);
   const codim2_field_t field = tf_codim2_field_of(k, &rates);
   consistent_modes_t consistent;
   const unsigned mode =
-      tf_leave_codim2(k, &field, from, path->state, &consistent);
+      tf_leave_codim2(k, &field, path->mode, arrives, path->state, &consistent);
   keep_largest_set(path, consistent.solutions.set);
   if (mode == TF_NO_MODE) return false;
   segment_t segment = {.h_zero_order = 1, .g_starts_at_zero = true};
@@ -147,7 +147,7 @@ TF_API bool tf_first_segment(trajectory_t *path) {
     return true;
   }
   if (k->stick_kappa > 0 && !rolls && within(slip.g, rounding))
-    return keep_leaving(path) || leave_codim2(path, path->mode);
+    return keep_leaving(path) || leave_codim2(path, false);
   return leave_h_zero(path);
 }
 
@@ -208,13 +208,13 @@ TF_API bool tf_next_segment(trajectory_t *path, event_t event) {
     case EVENT_H_ZERO:
       return leave_h_zero(path);
     case EVENT_CODIM2:
-      return leave_codim2(path, TF_NO_MODE);
+      return leave_codim2(path, true);
     case EVENT_RELEASE:
       return release_stick(path);
     case EVENT_TWO_FOLD:
       return pass_two_fold(path);
     case EVENT_UNPINNED:
     default:
-      return leave_codim2(path, path->mode);
+      return leave_codim2(path, false);
   }
 }

@@ -318,10 +318,15 @@ TF_API void tf_codim2_modes(const tf_machine_t *k, const codim2_field_t *field,
 
 TF_API unsigned tf_leave_codim2(const tf_machine_t *k,
                                 const codim2_field_t *field, unsigned from,
-                                const tf_state_t *state,
+                                bool arrives, const tf_state_t *state,
                                 consistent_modes_t *out) {
   tf_codim2_modes(k, field, out);
-  const bool lost = from != TF_PINNED && !has(out->solutions.set, from);
+  // Where the law of stick holds the wheel, a stick that arrives goes on.
+  if (arrives && from > TF_SLIP_MINUS &&
+      rests_under(TF_REST_BOW_TIE, field->pin.x, field->pin.y))
+    out->solutions.attracting |= (uint8_t)TF_MODE_BIT(TF_PINNED);
+  const bool lost =
+      arrives || (from != TF_PINNED && !has(out->solutions.set, from));
   return tf_select(k->rule, k->exit_threshold, &out->solutions,
                    lost ? TF_NO_MODE : from, state->tick, state->seed);
 }

@@ -43,7 +43,8 @@ typedef struct {
 typedef struct {
   uint8_t set;          // bit TF_MODE_BIT(mode) for each consistent mode
   uint8_t attracting;   // bits of the sticks with a positive Delassus scalar;
-                        // at h = g = 0 of the slips that attract as well
+                        // at h = g = 0 of the slips that attract as well,
+                        // and of pinned if a stick goes on in it
   uint8_t near_stick;   // the stick on the present side of g: decides a tie
   tf_real_t x[2];       // of stick+, stick- where in the set, in [-1, 1]
   tf_real_t tau[2];     // y / x at h -> 0 of slip+, slip-

@@ -79,8 +79,9 @@ TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
   if (lost && rule == TF_RULE_RANDOM && has(set, TF_PINNED)) return TF_PINNED;
   if (attracting & STICKS && !waits_for_draw && (lost || mode == TF_PINNED))
     return stick_of(attracting & STICKS, solutions);
-  if (attracting && !waits_for_draw && lost)
-    return fastest_of(attracting, solutions);
+  if (lost && has(attracting, TF_PINNED)) return TF_PINNED;
+  if (attracting & SLIPS && !waits_for_draw && lost)
+    return fastest_of(attracting & SLIPS, solutions);
   if (!lost || waits_for_draw) {
     const unsigned next =
         rule_exit(rule, exit_threshold, set, mode, tick, seed);

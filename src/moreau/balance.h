@@ -22,6 +22,9 @@
 // second order in dt, and friction takes it out again.
 #define TF_FRICTION_SHARE TF_R(0x1p-4)
 
+// What a blow changes, squared, as a share of the sum of both ends.
+#define TF_BLOW_SHARE TF_R(0x1p-4)
+
 // How much of it a step with theta > 1/2 may damp out.
 #define TF_DAMPED_SHARE TF_R(0.25)
 
@@ -102,12 +105,22 @@ TF_INLINE bool creates_energy(const balance_t *b, tf_real_t energy) {
            b->created + b->friction <= TF_FRICTION_SHARE * energy);
 }
 
-// Whether a step changes the energy by much, as a blow does.
-TF_INLINE bool is_blow(const tf_machine_t *k, const tf_input_t *u,
-                       end_state_t from, end_state_t to) {
-  const tf_real_t before = mean_energy(k, u, from, from);
-  const tf_real_t after = mean_energy(k, u, to, to);
-  return !(magnitude(after - before) <= TF_FRICTION_SHARE * (before + after));
+// Whether a slip ends in stick or rest within a step: then its force has turned
+// on the way to that of the end, which alone the step knows.
+TF_INLINE bool ends_slip(unsigned from, unsigned mode) {
+  return from <= TF_SLIP_MINUS && mode > TF_SLIP_MINUS;
+}
+
+// Whether a step changes the velocities by much, as a blow does, in the norm of
+// the kinetic energy: by more than a third of what they are.
+TF_INLINE bool is_blow(const tf_machine_t *k, end_state_t from,
+                       end_state_t to) {
+  const tf_real_t p0 = from.v - k->d * from.w, p1 = to.v - k->d * to.w;
+  const tf_real_t dp = p1 - p0, dw = to.w - from.w;
+  const tf_real_t rho2 = gyration2_at(k, to.r);
+  const tf_real_t of_both =
+      p0 * p0 + p1 * p1 + rho2 * (from.w * from.w + to.w * to.w);
+  return !(dp * dp + rho2 * (dw * dw) <= TF_BLOW_SHARE * of_both);
 }
 
 // Whether dt times a rate of the motion is 1 rad or more: of spring and damper

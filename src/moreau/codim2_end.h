@@ -90,15 +90,26 @@ TF_INLINE arrival_t arrival_of_stick(const inclusion_t *in, int s,
                      {x, s ? -x : x}};
 }
 
+// The multipliers under which neither h nor g changes; too large where friction
+// cannot do that. Those of in->pin also stop what h and g are at the start.
+TF_INLINE multipliers_t balancing_multipliers(affine_t h, affine_t g) {
+  const tf_real_t det = h.cx * g.cy - h.cy * g.cx;
+  const tf_real_t x = h.cy * g.c0 - h.c0 * g.cy;
+  const tf_real_t y = h.c0 * g.cx - h.cx * g.c0;
+  if (det == 0) return (multipliers_t){TF_REAL_MAX, TF_REAL_MAX};
+  return (multipliers_t){x / det, y / det};
+}
+
 // How h and g change at h = g = 0 over a whole step. Where the turntable under
 // a wheel at rest changes its speed, that is part of the change.
 TF_INLINE codim2_field_t field_of_step(const free_motion_t *c,
                                        const inclusion_t *in) {
   const bool rests = c->state->mode == TF_PINNED;
   const tf_slip_t from = rests ? (tf_slip_t){0, 0} : c->start.slip;
-  return (codim2_field_t){{in->h.c0 - from.h, in->h.cx, in->h.cy},
-                          {in->g.c0 - from.g, in->g.cx, in->g.cy},
-                          {in->pin_x, in->pin_y}};
+  const affine_t h = {in->h.c0 - from.h, in->h.cx, in->h.cy};
+  const affine_t g = {in->g.c0 - from.g, in->g.cx, in->g.cy};
+  const multipliers_t pin = {in->pin_x, in->pin_y};
+  return (codim2_field_t){h, g, rests ? pin : balancing_multipliers(h, g)};
 }
 
 // The multipliers of a slip or stick that leaves h = g = 0.
@@ -168,8 +179,9 @@ TF_INLINE bool go_on_from_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const arrival_t *arrival, codim2_end_t *out) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   consistent_modes_t modes;
-  const unsigned from = arrival->share > 0 ? TF_NO_MODE : c->state->mode;
-  const unsigned mode = tf_leave_codim2(k, field, from, c->state, &modes);
+  const bool arrives = arrival->share > 0;
+  const unsigned mode =
+      tf_leave_codim2(k, field, c->state->mode, arrives, c->state, &modes);
   if (mode == TF_NO_MODE) return false;
   out->outcome.set = modes.solutions.set;
   if (mode == TF_PINNED) {
@@ -198,7 +210,7 @@ TF_INLINE void pass_codim2(const free_motion_t *c, const inclusion_t *in,
   solutions_t s = *solutions;
   consistent_modes_t modes;
   if (pinned && !has(s.set, x->mode) &&
-      tf_leave_codim2(k, field, TF_NO_MODE, x, &modes) != TF_PINNED)
+      tf_leave_codim2(k, field, x->mode, true, x, &modes) != TF_PINNED)
     s.set &= (uint8_t)~pinned;
   const unsigned mode =
       tf_select(k->rule, k->exit_threshold, &s, x->mode, x->tick, x->seed);
@@ -208,7 +220,7 @@ TF_INLINE void pass_codim2(const free_motion_t *c, const inclusion_t *in,
   if (mode != TF_NO_MODE) {
     out->end = mode_end(c, &s, mode);
   } else if (pinned) {
-    const arrival_t arrival = {true, 1, field->pin};
+    const arrival_t arrival = {true, 1, {in->pin_x, in->pin_y}};
     if (!go_on_from_codim2(c, in, field, &arrival, out))
       out->outcome.mode = TF_NO_MODE;
   }

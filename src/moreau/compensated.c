@@ -95,11 +95,14 @@ TF_INLINE tf_status_t close_compensated_step(compensated_step_t *step,
   const end_state_t from = {step->state->r, step->state->v, step->state->w};
   const balance_t b =
       balance_of(k, is_midpoint(k), step->input, from, end->at, end->force.F);
-  if (!is_balanced(&b)) {
+  if (!is_balanced(&b) || ends_slip(step->state->mode, outcome.mode)) {
     const tf_real_t energy = mean_energy(k, step->input, from, end->at);
     if (creates_energy(&b, energy))
       return balanced_compensated_step(step, end->force, outcome);
-    if (is_too_coarse(k, &b, energy, from, end->at) && outcome.status == TF_OK)
+    const bool blow =
+        ends_slip(step->state->mode, outcome.mode) && is_blow(k, from, end->at);
+    if (outcome.status == TF_OK &&
+        (blow || is_too_coarse(k, &b, energy, from, end->at)))
       outcome.status = TF_COARSE;
   }
   return commit_pairs(step, end->force, end->friction, outcome, residual);
@@ -122,7 +125,7 @@ TF_RARE tf_status_t turning_compensated_step(compensated_step_t *step,
   const unsigned mode = mode_instead(&s, slip);
   const forced_end_t end = mode_end(&c, &s, mode);
   const end_state_t from = {step->state->r, step->state->v, step->state->w};
-  const bool unsure = mode == slip && is_blow(k, step->input, from, end.at);
+  const bool unsure = mode == slip && is_blow(k, from, end.at);
   const outcome_t outcome = {mode, s.set, unsure ? TF_COARSE : TF_OK,
                              end_delassus(&c, &in, signs, &end), false};
   return close_compensated_step(step, &end, outcome, 0);

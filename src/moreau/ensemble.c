@@ -75,7 +75,8 @@ static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
   else if (!goes_on((unsigned)work->set[i], (unsigned)work->attracting[i],
                     mode))
     mode = select_lane(k, b, work, i);
-  if (mode == TF_NO_MODE) work->rare[i] = when(true);
+  if (mode == TF_NO_MODE || ends_slip(b->mode[i], mode))
+    work->rare[i] = when(true);
   return mode;
 }
 

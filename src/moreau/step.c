@@ -50,8 +50,9 @@ TF_RARE tf_status_t doubtful_step(const tf_machine_t *k, tf_state_t *state,
     outcome.is_mean = false;
     outcome.delassus = end.delassus;
     if (outcome.status == TF_OK) outcome.status = TF_COARSE;
-  } else if (is_too_coarse(k, &b, energy, from, at) &&
-             outcome.status == TF_OK) {
+  } else if (outcome.status == TF_OK &&
+             (is_too_coarse(k, &b, energy, from, at) ||
+              (ends_slip(state->mode, outcome.mode) && is_blow(k, from, at)))) {
     outcome.status = TF_COARSE;
   }
   return commit(k, state, input, at, force, outcome, report);
@@ -66,7 +67,7 @@ TF_INLINE tf_status_t close_step(const free_motion_t *c, tf_state_t *state,
   const end_state_t from = {state->r, state->v, state->w};
   const balance_t b =
       balance_of(k, is_midpoint(k), input, from, end->at, end->force.F);
-  if (!is_balanced(&b))
+  if (!is_balanced(&b) || ends_slip(state->mode, outcome.mode))
     return doubtful_step(k, state, input, report, end->at, end->force, outcome);
   return commit(k, state, input, end->at, end->force, outcome, report);
 }
@@ -91,7 +92,7 @@ TF_RARE tf_status_t turning_step(const tf_machine_t *k, tf_state_t *state,
   const unsigned mode = mode_instead(&s, slip);
   const forced_end_t end = mode_end(&c, &s, mode);
   const end_state_t from = {state->r, state->v, state->w};
-  const bool unsure = mode == slip && is_blow(k, input, from, end.at);
+  const bool unsure = mode == slip && is_blow(k, from, end.at);
   const outcome_t outcome = {mode, s.set, unsure ? TF_COARSE : TF_OK,
                              end_delassus(&c, &in, signs, &end), false};
   return close_step(&c, state, input, &end, outcome, report);

@@ -180,10 +180,19 @@ unsigned ref_consistent_set(const ref_consistent_t *consistent, ref_law_t law) {
   return set;
 }
 
-// Kinds of future in the order of the rule. Nearby motion runs into rest unless
-// a stick or a direction leaves to which its neighbours turn, so only those
+// Kinds of future in the order of the rule. Where the law of stick holds the
+// wheel (the bow tie), a stick that arrives is held. Other motion runs into rest
+// unless a stick or a direction leaves to which its neighbours turn, so those
 // come before it.
-enum { ATTRACTING_STICK, ATTRACTING_SLIP, REST, FAMILY, ESCAPING_STICK, NONE };
+enum {
+  ATTRACTING_STICK,
+  HELD,
+  ATTRACTING_SLIP,
+  REST,
+  FAMILY,
+  ESCAPING_STICK,
+  NONE
+};
 
 static int kind_of(const ref_consistent_mode_t *way) {
   if (way->mode <= REF_SLIP_MINUS) {
@@ -192,7 +201,8 @@ static int kind_of(const ref_consistent_mode_t *way) {
   return way->attracting ? ATTRACTING_STICK : ESCAPING_STICK;
 }
 
-int ref_choose(const ref_consistent_t *consistent, ref_law_t law) {
+int ref_choose(const ref_consistent_t *consistent, ref_law_t law,
+               int from_stick) {
   int best = REF_NONE, best_kind = NONE;
   for (int i = 0; i < consistent->count; ++i) {
     const ref_consistent_mode_t *f = &consistent->list[i];
@@ -203,5 +213,6 @@ int ref_choose(const ref_consistent_t *consistent, ref_law_t law) {
       best_kind = kind;
     }
   }
-  return best_kind > REST && consistent->rests[law] ? REF_REST : best;
+  const int rest = from_stick && consistent->rests[REF_BOW_TIE] ? HELD : REST;
+  return best_kind > rest && consistent->rests[law] ? REF_REST : best;
 }

@@ -47,6 +47,7 @@ unsigned ref_consistent_set(const ref_consistent_t *consistent, ref_law_t law);
 /// that leaves faster. Returns an index of the list, REF_REST or REF_NONE.
 #define REF_REST (-1)
 #define REF_NONE (-2)
-int ref_choose(const ref_consistent_t *consistent, ref_law_t law);
+int ref_choose(const ref_consistent_t *consistent, ref_law_t law,
+               int from_stick);
 
 #endif

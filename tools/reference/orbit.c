@@ -230,7 +230,8 @@ static void reach_codim2(ref_orbit_t *orbit) {
   ref_consistent_codim2(orbit->machine, *x, &orbit->consistent);
   const int index = orbit->forced != REF_BY_RULE
                         ? orbit->forced
-                        : ref_choose(&orbit->consistent, orbit->law);
+                        : ref_choose(&orbit->consistent, orbit->law,
+                                     orbit->mode >= REF_STICK_PLUS);
   const bool stands = x->z == 0;
   orbit->forced = REF_BY_RULE;
   orbit->arrived = orbit->mode;
@@ -326,7 +327,7 @@ void ref_begin(ref_orbit_t *orbit, const ref_machine_t *machine, ref_state_t x,
     return;
   }
   ref_consistent_edge(machine, x, &orbit->consistent);
-  int index = ref_choose(&orbit->consistent, orbit->law);
+  int index = ref_choose(&orbit->consistent, orbit->law, 0);
   for (int i = 0; i < orbit->consistent.count; ++i) {
     const ref_mode_t one = orbit->consistent.list[i].mode;
     index = mode < REF_MODES        ? (one == mode ? i : index)

@@ -215,7 +215,7 @@ TEST(codimension_two_always_has_a_future) {
     const tf_state_t state = {.mode = TF_SLIP_PLUS};
     consistent_modes_t out;
     const unsigned mode =
-        tf_leave_codim2(&k, &field, TF_SLIP_PLUS, &state, &out);
+        tf_leave_codim2(&k, &field, TF_SLIP_PLUS, false, &state, &out);
     const unsigned set = out.solutions.set;
     const bool rest = set & TF_MODE_BIT(TF_PINNED);
     points++;

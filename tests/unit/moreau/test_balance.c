@@ -266,9 +266,10 @@ TEST(balanced_step_order_and_energy) {
   }
 }
 
-/* A slip whose blow is shorter than the step: h meets 0 at g < 0, where the
- * wheel sticks, and a step of twice that time finds it; a longer one, whose
- * force would turn g first, says so. */
+/* A slip whose blow lasts 0.5 us: h meets 0 at g < 0, where the wheel sticks. A
+ * step that is shorter follows it; one of twice that time finds the stick, and
+ * like a longer one, whose force would turn g first, says that its way there is
+ * not the true one. */
 TEST(a_blow_is_ended_or_told) {
   tf_params_t p = tf_scenes[0]->params;
   p.m = TF_R(0.04120466930524657);
@@ -280,8 +281,8 @@ TEST(a_blow_is_ended_or_told) {
   p.mu = TF_R(74321.368548130195);
   p.kappa = TF_R(0.75960369431851382);
   p.gamma = TF_R(2.7098193941318724);
-  static const double steps[] = {1e-6, 1e-5, 1e-4};
-  for (int i = 0; i < 3; i++) {
+  static const double steps[] = {2e-8, 1e-6, 1e-5, 1e-4};
+  for (int i = 0; i < 4; i++) {
     p.dt = (tf_real_t)steps[i];
     for (int scheme = 0; scheme < 2; scheme++) {
       run_t run = {.state = {.r = TF_R(0.16319636624865796),
@@ -294,8 +295,8 @@ TEST(a_blow_is_ended_or_told) {
       tf_report_t report;
       CHECK(tf_begin(k, &run.state, &u, &report) == TF_OK);
       const tf_status_t status = one_step(&run, scheme, &u, &report);
-      CHECK(status == (i ? TF_COARSE : TF_OK));
-      if (i == 0) CHECK(run.state.mode == TF_STICK_MINUS);
+      CHECK(i == 0 ? status == TF_OK : status > TF_OK);
+      if (i == 1) CHECK(run.state.mode == TF_STICK_MINUS);
     }
   }
 }
