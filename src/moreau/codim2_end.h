@@ -187,7 +187,9 @@ TF_INLINE bool go_on_from_codim2(const free_motion_t *c, const inclusion_t *in,
   if (mode == TF_PINNED) {
     out->end = pinned_end(c);
     out->outcome.mode = mode;
-    return true;
+    // It also stops what is left of h and g, with a force of the hull.
+    return rests_under(TF_REST_HULL, HULL_SHARE * in->pin_x,
+                       HULL_SHARE * in->pin_y);
   }
   const multipliers_t leaving = leaving_multipliers(k, &modes, mode);
   const tf_real_t share = clip(arrival->share, 0, MOST_SHARE), rest = 1 - share;
