@@ -6,6 +6,7 @@
 #ifndef TWOFOLD_H
 #define TWOFOLD_H
 
+#include "twofold/command.h"
 #include "twofold/compensated.h"
 #include "twofold/design.h"
 #include "twofold/ensemble.h"

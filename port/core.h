@@ -72,10 +72,12 @@
 #include "../src/event/transition.c"
 #endif
 
+#include "../src/link/command.c"
 #include "../src/link/crc.c"
 #include "../src/link/decimal.c"
 #include "../src/link/frame.c"
 #include "../src/link/link.c"
+#include "../src/link/siphash.c"
 #include "../src/link/telemetry.c"
 #include "../src/link/text.c"
 #include "../src/scene/scene.c"

@@ -102,9 +102,11 @@ static unsigned queue_other(loop_t *loop) {
 // most. The times measured here keep later descriptions from delaying a step.
 static void send_descriptions(loop_t *loop) {
   bool more = true;
+  const uint32_t first = loop->tick;
   time_a_record(loop);
   queue_record(loop, 1);
-  while ((more || loop->first != loop->last) && loop->tick < loop->plan->rate) {
+  while ((more || loop->first != loop->last) &&
+         loop->tick - first < loop->plan->rate) {
     if (more && make_room(loop)) more = queue_other(loop) > 0;
     use_spare_time(loop);
     loop->tick = port_ticks();
@@ -113,7 +115,11 @@ static void send_descriptions(loop_t *loop) {
   queue_record(loop, 0);
 }
 
-static void measure(loop_counts_t *counts, uint32_t time) {
+// The clock goes round after 2^32 units; the ticks tell whether it did.
+static void measure(loop_t *loop, uint32_t time) {
+  loop_counts_t *counts = loop->counts;
+  const uint64_t ticks = port_ticks() - loop->tick;
+  if (ticks * loop->period > UINT32_MAX / 2) time = UINT32_MAX;
   if (time < counts->shortest) counts->shortest = time;
   if (time > counts->longest) counts->longest = time;
   counts->sum += time;
@@ -156,7 +162,7 @@ static loop_end_t run(loop_t *loop) {
     app_output();
     if (step == LOOP_STEPPED) {
       counts->steps++;
-      measure(counts, port_clock() - loop->begun);
+      measure(loop, port_clock() - loop->begun);
     }
     const int stop = overran(loop);
     queue_what_is_due(loop);

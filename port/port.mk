@@ -10,6 +10,9 @@
 #   STEPS=0          how many; 0 without end
 #   FORMAT=text      or frames (docs/PROTOCOL.md)
 #   UPLINK=          yes: takes commands (frames); else locked
+#   DEADMAN=         steps that inputs from the uplink hold, 0 without end; by
+#                    default those of half a second
+#   KEY=             32 hexadecimal digits: commands need the tag of this key
 #   OVERRUN=skip     or stop: what the loop does about a step that ends too late
 #   EVERY=           steps from record to record; by default 50 records a second
 #   ONLY='host uno'  the boards for `make test-boards`
@@ -107,6 +110,20 @@ FIRMWARE_FLAGS += -DFRAMES
 endif
 ifneq ($(UPLINK),)
 FIRMWARE_FLAGS += -DUPLINK
+endif
+ifneq ($(DEADMAN),)
+FIRMWARE_FLAGS += -DDEADMAN=$(DEADMAN)u
+endif
+ifneq ($(KEY),)
+ifeq ($(UPLINK),)
+$(error KEY is for commands: UPLINK=yes)
+endif
+KEY_BYTES := $(shell echo '$(KEY)' | grep -xE '[0-9A-Fa-f]{32}' | \
+  sed 's/../0x&,/g; s/,$$//')
+ifeq ($(KEY_BYTES),)
+$(error KEY is 32 hexadecimal digits)
+endif
+FIRMWARE_FLAGS += '-DUPLINK_KEY={$(KEY_BYTES)}'
 endif
 ifneq ($(filter-out moreau,$(SCHEME)),)
 ifeq ($(filter located compensated,$(SCHEME)),)

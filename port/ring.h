@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 /// Room for RING_SIZE - 1 bytes; a power of two, at most 256. With an uplink it
-/// has room for four of the longest commands, as many as the queue of commands.
+/// has room for three of the longest commands, or five inputs in float.
 #ifdef UPLINK
 #define RING_SIZE 256u
 #else

@@ -3,12 +3,17 @@
 ///
 /// Locked (without UPLINK) the machine is a constant and bytes that come in are
 /// ignored. With UPLINK they are commands, which take effect at the
-/// tick that they name, or at the first one after they came.
+/// tick that they name, or at the first one after they came. Inputs that come
+/// this way hold for DEADMAN steps, by default half a second: 25 records at the
+/// default rate, so that a controller may miss most of them, and still short
+/// against the two seconds that scene `chaos` stays in one mode. With
+/// UPLINK_KEY, 16 bytes, commands need the tag of that key.
 #ifndef TWOFOLD_PORT_SIM_H
 #define TWOFOLD_PORT_SIM_H
 
 #include "app.h"
 #include "core.h"
+#include "port.h"
 
 #ifndef RATE
 #define RATE 1000
@@ -19,25 +24,40 @@
 
 #ifdef UPLINK
 
+#ifndef DEADMAN
+#define DEADMAN ((RATE + 1) / 2)
+#endif
+
 static struct {
   tf_session_t session;
   tf_link_t link;
   uint64_t expected; // tick of the next step, unless a command changes it
+  bool is_under_way; // the last tick took that step
 } sim;
 #define SIM_STATE sim.session.state
 #define SIM_TALLY sim.session.tally
 #define SIM_REPORT sim.session.report
 #define SIM_PARAMS sim.link.params
+#define SIM_SOURCE sim.session.stepped
 #define SIM_TAKES_COMMANDS true
 
 static bool sim_begin(void) {
   const tf_params_t params = scene_params(SCENE);
-  sim.expected = UINT64_MAX;
   tf_link_open(&sim.link, SCENE, &params);
-  return tf_session_open(&sim.session, SCENE, &params, 1) == TF_OK;
+#ifdef UPLINK_KEY
+  static const uint8_t key[TF_KEY_BYTES] = UPLINK_KEY;
+  tf_link_require_tag(&sim.link, key);
+#endif
+  const tf_status_t status = tf_session_open(&sim.session, SCENE, &params, 1);
+  sim.session.deadman = DEADMAN;
+  return status == TF_OK;
 }
 
-static void sim_receive(uint8_t byte) { tf_link_receive(&sim.link, byte); }
+// No two starts hear their first bytes at the same times.
+static void sim_receive(uint8_t byte) {
+  if (sim.link.session == 0) tf_link_stir(&sim.link, port_clock());
+  tf_link_receive(&sim.link, byte);
+}
 
 static void sim_latch(void) { (void)tf_link_boundary(&sim.link, &sim.session); }
 
@@ -45,12 +65,11 @@ static void sim_latch(void) { (void)tf_link_boundary(&sim.link, &sim.session); }
 // EVERY: a program that drives the machine knows beforehand which it will see.
 static loop_step_t sim_step(uint32_t *until_record) {
   tf_session_t *session = &sim.session;
-  if (!session->running) {
-    sim.expected = UINT64_MAX;
-    return LOOP_STOOD;
-  }
-  if (session->state.tick != sim.expected)
-    *until_record = EVERY - (uint32_t)session->state.tick % EVERY;
+  const bool was_under_way = sim.is_under_way;
+  sim.is_under_way = session->running;
+  if (!session->running) return LOOP_STOOD;
+  if (!was_under_way || session->state.tick != sim.expected)
+    *until_record = EVERY - (uint32_t)(session->state.tick % EVERY);
   const tf_input_t input = tf_session_input(session, SCENE);
   const tf_status_t status =
       scheme_step(&session->machine, &session->state, &input, &session->report);
@@ -72,6 +91,7 @@ static struct {
 #define SIM_TALLY sim.tally
 #define SIM_REPORT sim.report
 #define SIM_PARAMS SCENE->params
+#define SIM_SOURCE TF_INPUT_SCENE
 #define SIM_TAKES_COMMANDS false
 
 static bool sim_begin(void) { return scene_begin(&sim.state, &sim.report); }
@@ -80,9 +100,10 @@ static void sim_receive(uint8_t byte) { (void)byte; }
 
 static void sim_latch(void) { sim.input = scene_input(sim.steps + 1); }
 
+// The count stays at its end: the inputs of a scene are constant by then.
 static loop_step_t sim_step(uint32_t *until_record) {
   (void)until_record;
-  sim.steps++;
+  if (sim.steps < UINT32_MAX - 1) sim.steps++;
   const tf_status_t status =
       scheme_step(SCENE_MACHINE, &sim.state, &sim.input, &sim.report);
   tf_tally_count(&sim.tally, sim.state.tick, status);

@@ -8,21 +8,24 @@
 #include "port.h"
 #include "sim.h"
 
-static uint16_t telemetry_sequence;
+static uint32_t telemetry_sequence;
 static uint8_t telemetry_description; // its next part
 
 static unsigned telemetry_record(uint8_t *to) {
   const size_t n = tf_send_state(to, &telemetry_sequence, &SIM_STATE);
   return (unsigned)(n + tf_send_report(to + n, &telemetry_sequence,
-                                       SIM_STATE.tick, &SIM_REPORT));
+                                       SIM_STATE.tick, &SIM_REPORT,
+                                       SIM_SOURCE));
 }
 
+// time: less than 2^32, so the product fits. What does not fit the frame stays
+// at its largest number.
 static uint32_t nanoseconds(uint64_t time) {
-  return (uint32_t)(time * 1000000000u / port_clock_rate());
+  return at_most_32_bits(time * 1000000000u / port_clock_rate());
 }
 
 static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
-  tf_heartbeat_t beat = {.steps = c->steps,
+  tf_heartbeat_t beat = {.steps = (uint32_t)c->steps,
                          .refused = at_most_32_bits(SIM_TALLY.refused),
                          .overruns = c->overruns,
                          .dropped = c->dropped,
@@ -36,8 +39,11 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
     beat.exec_mean = nanoseconds(c->sum / c->steps);
   }
 #ifdef UPLINK
-  beat.bad = sim.link.decoder.bad + sim.link.decoder.lost;
+  const tf_decoder_t *decoder = &sim.link.decoder;
+  beat.bad =
+      decoder->bad + decoder->too_long + decoder->bad_version + sim.link.lost;
   beat.ignored = sim.link.ignored;
+  beat.expired = sim.session.expired;
 #endif
   telemetry_description = 0;
   return (unsigned)tf_send_heartbeat(to, &telemetry_sequence, SIM_STATE.tick,
@@ -45,12 +51,18 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
 }
 
 static size_t telemetry_schema(uint8_t *to) {
-  const tf_schema_t schema = {.params = &SIM_PARAMS,
-                              .scene = SCENE->name,
-                              .build = "twofold",
-                              .seed = SIM_STATE.seed,
-                              .scheme = SCHEME,
-                              .takes_commands = SIM_TAKES_COMMANDS};
+  tf_schema_t schema = {.params = &SIM_PARAMS,
+                        .scene = SCENE->name,
+                        .build = "twofold",
+                        .seed = SIM_STATE.seed,
+                        .scheme = SCHEME,
+                        .takes_commands = SIM_TAKES_COMMANDS};
+#ifdef UPLINK
+  schema.wants_tag = sim.link.tag != NULL;
+  schema.session = sim.link.session;
+  schema.sequence = sim.link.next;
+  schema.deadman = sim.session.deadman;
+#endif
   return tf_send_schema(to, &telemetry_sequence, SIM_STATE.tick, &schema);
 }
 

@@ -20,7 +20,7 @@ static unsigned telemetry_record(uint8_t *to) {
 
 static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   text_t text = {to};
-  text_pair(&text, "steps:", c->steps);
+  text_pair(&text, "steps:", (uint32_t)c->steps);
   text_pair(&text, " overruns:", c->overruns);
   text_pair(&text, " skipped:", c->skipped);
   text_pair(&text, " sent:", c->sent);
@@ -28,8 +28,8 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   text_pair(&text, " doubted:",
             at_most_32_bits(SIM_TALLY.degraded + SIM_TALLY.fell_back +
                             SIM_TALLY.coarse));
-  text_pair(&text, " min:", c->steps ? c->shortest : 0);
-  text_pair(&text, " mean:", c->steps ? (uint32_t)(c->sum / c->steps) : 0);
+  text_pair(&text, " min:", c->steps > 0 ? c->shortest : 0);
+  text_pair(&text, " mean:", c->steps > 0 ? (uint32_t)(c->sum / c->steps) : 0);
   text_pair(&text, " max:", c->longest);
   text_string(&text, "\r\n");
   return (unsigned)(text.end - to);

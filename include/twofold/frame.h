@@ -22,13 +22,13 @@
 
 #include "twofold/real.h"
 
-#define TF_FRAME_VERSION 1
-/// Version, type, length, sequence (2) and tick (8).
-#define TF_FRAME_HEADER 13
+#define TF_FRAME_VERSION 2
+/// Version, type, length, sequence (4) and tick (8).
+#define TF_FRAME_HEADER 15
 /// Where the payload has to be for tf_frame_seal.
 #define TF_FRAME_AT (2 + TF_FRAME_HEADER)
 /// Longest payload.
-#define TF_FRAME_PAYLOAD 240
+#define TF_FRAME_PAYLOAD 238
 /// Bytes that a frame with so long a payload takes on the line.
 #define TF_FRAME_SIZE(payload) ((payload) + TF_FRAME_HEADER + 8)
 /// Size of the buffer of a decoder for payloads of up to so many bytes.
@@ -37,7 +37,7 @@
 /// A frame as received.
 typedef struct {
   uint64_t tick;     ///< steps that the machine had taken when it was sent
-  uint16_t sequence; ///< one more than that of the frame before, modulo 2^16
+  uint32_t sequence; ///< one more than that of the frame before, modulo 2^32
   uint8_t type;
   uint8_t length;         ///< of the payload [bytes]
   const uint8_t *payload; ///< in the decoder's buffer, until its next byte
@@ -47,7 +47,7 @@ typedef struct {
 typedef struct {
   uint8_t *buffer; ///< the caller's
   uint16_t size, used;
-  uint16_t sequence;    ///< that is expected next
+  uint32_t sequence;    ///< that is expected next
   bool started;         ///< a frame has been accepted
   bool overflowed;      ///< the present frame is longer than the buffer
   uint64_t tick;        ///< of the last frame
@@ -73,7 +73,7 @@ typedef struct {
 /// Claims: frames_survive_the_line, documented_frames_decode
 #define tf_frame_seal TF_LINK(tf_frame_seal)
 TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,
-                            uint16_t *sequence, uint64_t tick);
+                            uint32_t *sequence, uint64_t tick);
 
 /// Prepares a decoder.
 /// Scheme: none.

@@ -3,18 +3,24 @@
 /// two steps. A program that never calls these functions does not contain them,
 /// and its parameters cannot be changed from outside.
 ///
-/// Bytes are handed to tf_link_receive as they arrive. A complete command waits
-/// in a queue until tf_link_boundary is called at its tick or later. Its answer
-/// waits in the same place until tf_link_answer is called, so memory is bounded
-/// and no answer is lost. A command that finds the queue full is counted and
-/// gets no answer.
+/// Bytes are handed to tf_link_receive as they arrive. A command of this
+/// session with a new number waits in a queue until tf_link_boundary is called
+/// at its tick or later. Its answer waits in the same place until
+/// tf_link_answer is called, so memory is bounded and no answer is lost. A
+/// command that finds the queue full is counted, gets no answer, and may be
+/// sent again. What is refused on arrival has one place of its own for its
+/// answer: repeated or foreign commands, however many, never fill the queue.
 ///
+///   when the program starts:          tf_link_open(&link, scene, &params);
+///   with every byte, until there is a session, whatever differs from start
+///   to start:                         tf_link_stir(&link, clock);
 ///   for each byte received:           tf_link_receive(&link, byte);
 ///   at a tick, before the step:       tf_link_boundary(&link, &session);
 ///   while the line has room:          n = tf_link_answer(&link, wire, &seq);
 #ifndef TWOFOLD_LINK_H
 #define TWOFOLD_LINK_H
 
+#include "twofold/command.h"
 #include "twofold/frame.h"
 #include "twofold/session.h"
 #include "twofold/telemetry.h"
@@ -23,30 +29,23 @@
 #define TF_LINK_QUEUE 4
 /// How far ahead a command may be dated [steps].
 #define TF_LINK_AHEAD 65536
-/// Longest payload of a command: TF_UP_RESTORE.
-#define TF_UP_PAYLOAD (8 + TF_STATE_BYTES)
+/// Ticks that a command may restore are less than this: at a million steps a
+/// second it is 292 000 years away, so a tick never passes 2^64.
+#define TF_LINK_TICKS ((uint64_t)1 << 63)
 /// Longest payload of an answer.
-#define TF_ANSWER_BYTES (5 + 3 * TF_REAL_BYTES)
-
-/// Codes of an answer, beside tf_status_t.
-typedef enum {
-  TF_ANSWER_DONE = 0,      ///< it took effect
-  TF_ANSWER_UNKNOWN = -16, ///< no such type of command
-  TF_ANSWER_LENGTH = -17,  ///< its payload is too long or too short
-  TF_ANSWER_EMPTY = -18,   ///< there is no snapshot to restore
-  TF_ANSWER_FAR = -19      ///< dated too far ahead
-} tf_answer_code_t;
+#define TF_ANSWER_BYTES (8 + 3 * TF_REAL_BYTES)
 
 /// A command and its result.
 typedef struct {
   uint64_t tick; ///< when it is to take effect; once done, when it did
-  uint16_t sequence;
+  uint32_t sequence;
   uint8_t type, length;
   int8_t code; ///< tf_answer_code_t or tf_status_t
   bool done;
+  uint8_t source;  ///< tf_input_source_t of the session before it
   uint8_t index;   ///< of a parameter
   tf_real_t value; ///< of a parameter, as it is in effect
-  uint8_t payload[TF_UP_PAYLOAD];
+  uint8_t data[TF_COMMAND_DATA];
 } tf_command_t;
 
 typedef struct {
@@ -54,36 +53,70 @@ typedef struct {
   tf_params_t params; ///< in effect
   tf_state_t saved;
   bool has_saved;
-  bool describe;    ///< schema and layouts have to be sent; the program that
-                    ///< sends them clears it
-  uint8_t waiting;  ///< entries of the queue in use, in order of arrival
-  uint32_t ignored; ///< commands without an answer: queue full, or cleared
+  bool describe;      ///< schema and layouts have to be sent; the program that
+                      ///< sends them clears it
+  bool has_aside;     ///< `aside` is in use
+  uint8_t waiting;    ///< entries of the queue in use, in order of arrival
+  uint32_t session;   ///< that commands have to name; 0: none yet
+  uint32_t noise;     ///< of which the session is made
+  uint32_t next;      ///< least number of a command that is still taken
+  uint32_t lost;      ///< numbers that were passed over, modulo 2^32
+  uint32_t ignored;   ///< commands without an answer: no room, or cleared
+  const uint8_t *key; ///< the caller's
+  uint64_t (*tag)(const uint8_t *key, const uint8_t *bytes, size_t length);
   tf_decoder_t decoder;
   tf_command_t queue[TF_LINK_QUEUE];
-  uint8_t buffer[TF_DECODER_SIZE(TF_UP_PAYLOAD)];
+  tf_command_t aside; ///< done with on arrival; its answer is still to be sent
+  uint8_t buffer[TF_DECODER_SIZE(TF_COMMAND_BYTES)];
 } tf_link_t;
 
-/// Prepares a link.
+/// Prepares a link. It has no session yet, so all that it takes is
+/// TF_UP_DESCRIBE.
 /// Scheme: none.
 /// link: out; it keeps a pointer into itself, so it must not move.
 /// scene: kept, for TF_UP_RESET. params: in, those of the session's machine.
 /// Returns: nothing.
-/// Cost: at most 40 instructions. Stack: 32 B.
+/// Cost: at most 50 instructions. Stack: 32 B.
 /// Memory: caller's, reentrant.
 /// Claims: set_parameter_is_validated_and_answered
 #define tf_link_open TF_LINK(tf_link_open)
 TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
                          const tf_params_t *params);
 
+/// From now on commands without the tag of this key are refused. A program that
+/// never calls this contains nothing of it.
+/// Scheme: SipHash-2-4 of the frame's body; the comparison looks at every bit.
+/// link: in/out. key: kept, TF_KEY_BYTES.
+/// Returns: nothing.
+/// Cost: at most 6 instructions. Stack: 16 B.
+/// Memory: caller's, reentrant.
+/// Claims: commands_without_the_tag_do_nothing
+#define tf_link_require_tag TF_LINK(tf_link_require_tag)
+TF_API void tf_link_require_tag(tf_link_t *link, const uint8_t *key);
+
+/// Adds to the number of which the first TF_UP_DESCRIBE makes the session: a
+/// reading of a fast clock when a byte came in, or a random number. It makes no
+/// difference once there is a session.
+/// Scheme: CRC-32 of all numbers so far.
+/// link: in/out. noise: in.
+/// Returns: nothing.
+/// Cost: at most 110 instructions. Stack: 48 B.
+/// Memory: caller's, reentrant.
+/// Claims: recorded_command_acts_once
+#define tf_link_stir TF_LINK(tf_link_stir)
+TF_API void tf_link_stir(tf_link_t *link, uint32_t noise);
+
 /// Takes one byte from the line; it may be any byte at any time.
 /// Scheme: none.
 /// link: in/out. byte: in.
 /// Returns: nothing.
-/// Cost: at most 1800 instructions for the last byte of a command, else 20.
-///   Stack: 112 B.
+/// Cost: at most 4900 instructions for the last byte of a command, with a tag;
+///   else 20. Stack: 176 B.
 /// Memory: caller's; not reentrant for the same link: an interrupt handler
 ///   should put the byte into a queue of its own.
-/// Claims: uplink_flood_changes_nothing, no_byte_changes_a_parameter_by_itself
+/// Claims: uplink_flood_changes_nothing, no_byte_changes_a_parameter_by_itself,
+///   recorded_command_acts_once, old_and_foreign_commands_do_nothing,
+///   refused_clear_keeps_the_queue, commands_without_the_tag_do_nothing
 #define tf_link_receive TF_LINK(tf_link_receive)
 TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
 
@@ -96,22 +129,23 @@ TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
 /// Memory: caller's, no overlap.
 /// Claims: set_parameter_takes_effect_only_at_the_boundary,
 ///   set_parameter_is_validated_and_answered, inputs_act_at_their_tick,
-///   snapshot_and_restore_continue_bit_for_bit, start_stop_reset_and_rule
+///   snapshot_and_restore_continue_bit_for_bit, start_stop_reset_and_rule,
+///   silent_controller_leaves_the_safe_inputs
 #define tf_link_boundary TF_LINK(tf_link_boundary)
 TF_API unsigned tf_link_boundary(tf_link_t *link, tf_session_t *session);
 
-/// Makes the frame of the next answer and removes the command from the queue.
+/// Makes the frame of the next answer and removes the command.
 /// Scheme: none.
 /// link: in/out.
 /// wire: out, TF_FRAME_SIZE(TF_ANSWER_BYTES).
 /// sequence: in/out, of the frames that go down.
 /// Returns: bytes of the frame; 0 if no answer is waiting (wire untouched).
-/// Cost: at most 1300 instructions. Stack: 96 B.
+/// Cost: at most 1400 instructions. Stack: 112 B.
 /// Memory: caller's, no overlap.
 /// Claims: set_parameter_is_validated_and_answered,
 ///   uplink_flood_changes_nothing, documented_frames_decode
 #define tf_link_answer TF_LINK(tf_link_answer)
 TF_API size_t tf_link_answer(tf_link_t *link, uint8_t *wire,
-                             uint16_t *sequence);
+                             uint32_t *sequence);
 
 #endif

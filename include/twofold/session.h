@@ -3,11 +3,17 @@
 /// tick. The program itself calls tf_step or tf_step_located, so that a build
 /// contains only the scheme that it calls:
 ///
+///   if (!session.running) return;
 ///   tf_input_t input = tf_session_input(&session, scene);
-///   if (session.running)
-///     tf_tally_count(&session.tally, session.state.tick,
-///                    tf_step(&session.machine, &session.state, &input,
-///                            &session.report));
+///   tf_tally_count(&session.tally, session.state.tick,
+///                  tf_step(&session.machine, &session.state, &input,
+///                          &session.report));
+///
+/// Inputs that are set from outside hold for `deadman` steps. Whoever sets them
+/// has to set them again within that time; else the inputs are the safe ones,
+/// those of a machine that nothing drives (tf_input_default), until they are
+/// set once more. Steps are counted and not seconds, so a session that stands
+/// still, as a board in lockstep does between two inputs, loses no time.
 #ifndef TWOFOLD_SESSION_H
 #define TWOFOLD_SESSION_H
 
@@ -15,20 +21,31 @@
 #include "twofold/step.h"
 #include "twofold/tally.h"
 
+/// Whose inputs a step has.
+typedef enum {
+  TF_INPUT_SCENE = 0, ///< those of the scene
+  TF_INPUT_SET = 1,   ///< those set from outside
+  TF_INPUT_SAFE = 2   ///< the safe ones: those from outside have expired
+} tf_input_source_t;
+
 typedef struct {
   tf_machine_t machine;
   tf_state_t state;
-  tf_report_t report; ///< of the last step, or of the start
-  tf_input_t input;   ///< set from outside; used if input_is_set
-  bool input_is_set;  ///< false: the inputs are those of the scene
-  tf_tally_t tally;   ///< of the steps since tf_session_open
-  bool running;       ///< whether the program steps at a tick
+  tf_report_t report;        ///< of the last step, or of the start
+  tf_input_t input;          ///< set from outside
+  tf_input_source_t source;  ///< whose inputs the next step has
+  tf_input_source_t stepped; ///< whose inputs the last step had
+  uint32_t deadman; ///< steps that inputs from outside hold; 0: without end
+  uint32_t left;    ///< steps that the present ones still hold
+  uint32_t expired; ///< inputs that ended in this way, modulo 2^32
+  tf_tally_t tally; ///< of the steps since tf_session_open
+  bool running;     ///< whether the program steps at a tick
 } tf_session_t;
 
 /// Returns a session to the start of its scene. The machine stays as it is.
 /// Scheme: tf_scene_start.
-/// session: in/out, machine prepared; input_is_set is false afterwards, running
-///   stays.
+/// session: in/out, machine prepared; the inputs are those of the scene
+///   afterwards, running and deadman stay.
 /// scene: in. seed: in, of rule `random`.
 /// Returns: TF_OK; TF_BAD_STATE (session untouched: the start is impossible
 ///   with these parameters).
@@ -39,7 +56,8 @@ typedef struct {
 TF_API tf_status_t tf_session_start(tf_session_t *session,
                                     const tf_scene_t *scene, uint32_t seed);
 
-/// Prepares the machine and starts the scene, running.
+/// Prepares the machine and starts the scene, running. deadman is 0: a program
+/// that takes inputs from a line sets it.
 /// Scheme: tf_prepare, then tf_session_start.
 /// session: out.
 /// scene: in. params: in, those of the scene or altered ones. seed: in.
@@ -53,16 +71,29 @@ TF_API tf_status_t tf_session_open(tf_session_t *session,
                                    const tf_scene_t *scene,
                                    const tf_params_t *params, uint32_t seed);
 
-/// Inputs of the next step.
-/// Scheme: those set from outside if input_is_set; else those of the scene at
-///   (tick + 1) dt.
-/// session: in. scene: in.
+/// Sets the inputs from outside; they hold from the next step on.
+/// Scheme: none.
+/// session: in/out. input: in, checked by the step.
+/// Returns: nothing.
+/// Cost: at most 30 instructions. Stack: 16 B.
+/// Memory: caller's, reentrant.
+/// Claims: inputs_expire_after_their_steps
+#define tf_session_set_input TF_LINK(tf_session_set_input)
+TF_API void tf_session_set_input(tf_session_t *session,
+                                 const tf_input_t *input);
+
+/// Inputs of the next step, to be called once for each step: this is where the
+/// steps of the dead-man are counted.
+/// Scheme: by source: those of the scene at (tick + 1) dt, those set from
+///   outside, or those of tf_input_default.
+/// session: in/out. scene: in.
 /// Returns: the inputs.
-/// Cost: at most 220 instructions. Stack: 176 B.
+/// Cost: at most 240 instructions. Stack: 176 B.
 /// Memory: reentrant.
-/// Claims: session_is_the_run_of_the_command_line
+/// Claims: session_is_the_run_of_the_command_line,
+///   inputs_expire_after_their_steps
 #define tf_session_input TF_LINK(tf_session_input)
-TF_API tf_input_t tf_session_input(const tf_session_t *session,
+TF_API tf_input_t tf_session_input(tf_session_t *session,
                                    const tf_scene_t *scene);
 
 #endif

@@ -10,6 +10,7 @@
 
 #include "twofold/frame.h"
 #include "twofold/machine.h"
+#include "twofold/session.h"
 #include "twofold/step.h"
 #include "twofold/wire.h"
 
@@ -32,16 +33,17 @@ typedef enum {
   TF_UP_SNAPSHOT = 0x47,
   TF_UP_RESTORE = 0x48,
   TF_UP_CLEAR = 0x49,
-  TF_UP_DESCRIBE = 0x4A
+  TF_UP_DESCRIBE = 0x4A,
+  TF_UP_DEADMAN = 0x4B
 } tf_type_t;
 
 /// Bytes of the payloads; at most, of those that end with text.
 #define TF_SCHEMA_BYTES TF_FRAME_PAYLOAD
 #define TF_LAYOUT_BYTES TF_FRAME_PAYLOAD
 #define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
-#define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 4)
+#define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 5)
 #define TF_COMPACT_BYTES (3 * TF_REAL_BYTES + 2)
-#define TF_HEARTBEAT_BYTES 52u
+#define TF_HEARTBEAT_BYTES 56u
 #define TF_PARAMETER_BYTES (3 * TF_REAL_BYTES + 32)
 
 /// Contents of a schema frame.
@@ -51,6 +53,11 @@ typedef struct {
   uint32_t seed;
   uint8_t scheme; ///< 0: tf_step, 1: tf_step_located, 2: tf_step_compensated
   bool takes_commands; ///< the build has an uplink
+  bool wants_tag;      ///< commands without the tag of its key are refused
+  uint32_t session;    ///< that commands have to name; 0: none before the
+                       ///< first TF_UP_DESCRIBE
+  uint32_t sequence;   ///< least number of a command that is still taken
+  uint32_t deadman;    ///< tf_session_t.deadman
 } tf_schema_t;
 
 /// Counters of a real-time loop, each modulo 2^32; those of steps that were not
@@ -69,6 +76,7 @@ typedef struct {
   uint32_t degraded;  ///< steps TF_DEGRADED
   uint32_t fell_back; ///< steps TF_FELL_BACK
   uint32_t coarse;    ///< steps TF_COARSE
+  uint32_t expired;   ///< inputs from outside that were not renewed in time
 } tf_heartbeat_t;
 
 /// Hash of all parameters that the motion depends on, the same on every board.
@@ -92,7 +100,7 @@ TF_API uint32_t tf_params_hash(const tf_params_t *params);
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: schema_says_what_runs, documented_frames_decode
 #define tf_send_schema TF_LINK(tf_send_schema)
-TF_API size_t tf_send_schema(uint8_t *wire, uint16_t *sequence, uint64_t tick,
+TF_API size_t tf_send_schema(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              const tf_schema_t *schema);
 
 /// Names, types, scales and units of the payloads, for tf_send_layout:
@@ -118,7 +126,7 @@ TF_API_DATA const char *const tf_layout_heartbeat;
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: layouts_describe_the_payloads, long_layout_fills_its_frame
 #define tf_send_layout TF_LINK(tf_send_layout)
-TF_API size_t tf_send_layout(uint8_t *wire, uint16_t *sequence, uint64_t tick,
+TF_API size_t tf_send_layout(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              tf_type_t type, const char *layout);
 
 /// Frame TF_DOWN_STATE: with its tick, all that tf_step needs to continue.
@@ -130,21 +138,22 @@ TF_API size_t tf_send_layout(uint8_t *wire, uint16_t *sequence, uint64_t tick,
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: state_and_report_survive_the_line, documented_frames_decode
 #define tf_send_state TF_LINK(tf_send_state)
-TF_API size_t tf_send_state(uint8_t *wire, uint16_t *sequence,
+TF_API size_t tf_send_state(uint8_t *wire, uint32_t *sequence,
                             const tf_state_t *state);
 
 /// Frame TF_DOWN_REPORT.
 /// Scheme: none.
 /// wire: out, TF_FRAME_SIZE(TF_REPORT_BYTES).
 /// sequence: in/out. tick: in, of the state that the report belongs to.
-/// report: in.
+/// report: in. source: in, whose inputs its step had.
 /// Returns: bytes of the frame.
 /// Cost: at most 1900 instructions. Stack: 112 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: state_and_report_survive_the_line, documented_frames_decode
 #define tf_send_report TF_LINK(tf_send_report)
-TF_API size_t tf_send_report(uint8_t *wire, uint16_t *sequence, uint64_t tick,
-                             const tf_report_t *report);
+TF_API size_t tf_send_report(uint8_t *wire, uint32_t *sequence, uint64_t tick,
+                             const tf_report_t *report,
+                             tf_input_source_t source);
 
 /// Frame TF_DOWN_COMPACT: r, v, w, mode and choices. For firmware on a slow
 /// line, which sends it in place of state and report; `twofold monitor` reads
@@ -157,7 +166,7 @@ TF_API size_t tf_send_report(uint8_t *wire, uint16_t *sequence, uint64_t tick,
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: state_and_report_survive_the_line, documented_frames_decode
 #define tf_send_compact TF_LINK(tf_send_compact)
-TF_API size_t tf_send_compact(uint8_t *wire, uint16_t *sequence,
+TF_API size_t tf_send_compact(uint8_t *wire, uint32_t *sequence,
                               const tf_state_t *state,
                               const tf_report_t *report);
 
@@ -170,7 +179,7 @@ TF_API size_t tf_send_compact(uint8_t *wire, uint16_t *sequence,
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: heartbeat_survives_the_line, documented_frames_decode
 #define tf_send_heartbeat TF_LINK(tf_send_heartbeat)
-TF_API size_t tf_send_heartbeat(uint8_t *wire, uint16_t *sequence,
+TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
                                 uint64_t tick, const tf_heartbeat_t *heartbeat);
 
 /// Reads the payload of TF_DOWN_HEARTBEAT.
@@ -196,7 +205,7 @@ TF_API void tf_read_heartbeat(const uint8_t *payload,
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: parameters_are_described, documented_frames_decode
 #define tf_send_parameter TF_LINK(tf_send_parameter)
-TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,
+TF_API size_t tf_send_parameter(uint8_t *wire, uint32_t *sequence,
                                 uint64_t tick, const tf_params_t *params,
                                 unsigned index);
 
@@ -217,11 +226,11 @@ TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
 /// monitor` reads both real types and has its own.
 /// Scheme: none.
 /// payload: in, TF_REPORT_BYTES. report: out, not validated.
-/// Returns: nothing.
+/// Returns: whose inputs the step had, a tf_input_source_t; not validated.
 /// Cost: at most 340 instructions. Stack: 96 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: state_and_report_survive_the_line
 #define tf_read_report TF_LINK(tf_read_report)
-TF_API void tf_read_report(const uint8_t *payload, tf_report_t *report);
+TF_API uint8_t tf_read_report(const uint8_t *payload, tf_report_t *report);
 
 #endif

@@ -19,7 +19,10 @@ bool port_tick_start(uint32_t rate) {
   return true;
 }
 
-uint32_t port_ticks(void) { return (uint32_t)((host_now() - start) / period); }
+// By way of 64 bits: a double beyond the range of its target is an error.
+uint32_t port_ticks(void) {
+  return (uint32_t)(uint64_t)((host_now() - start) / period);
+}
 
 uint32_t port_clock(void) {
   return (uint32_t)(uint64_t)((host_now() - start) * 1000.0);

@@ -3,6 +3,7 @@
 #include "twofold/frame.h"
 
 #include "crc.h"
+#include "header.h"
 #include "twofold/wire.h"
 
 #define CRC_BYTES 5
@@ -49,22 +50,26 @@ static bool unstuff(uint8_t *code, size_t length) {
   return next == length;
 }
 
-TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,
-                            uint16_t *sequence, uint64_t tick) {
-  if (length > TF_FRAME_PAYLOAD) return 0;
+TF_API uint8_t *tf_frame_header(uint8_t *wire, uint8_t type, size_t length,
+                                uint32_t sequence, uint64_t tick) {
   uint8_t *at = wire + 2;
   *at++ = TF_FRAME_VERSION;
   *at++ = type;
   *at++ = (uint8_t)length;
-  at = tf_wire_put(at, *sequence, 2);
-  at = tf_wire_put(at, tick, 8);
-  at += length;
+  at = tf_wire_put(at, sequence, 4);
+  return tf_wire_put(at, tick, 8);
+}
+
+TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,
+                            uint32_t *sequence, uint64_t tick) {
+  if (length > TF_FRAME_PAYLOAD) return 0;
+  uint8_t *at = tf_frame_header(wire, type, length, *sequence, tick) + length;
   stuff(wire + 1, at);
   put_crc(at, tf_crc32(0, wire + 1, (size_t)(at - wire) - 1));
   at += CRC_BYTES;
   wire[0] = 0;
   *at++ = 0;
-  *sequence = (uint16_t)(*sequence + 1u);
+  ++*sequence;
   return (size_t)(at - wire);
 }
 
@@ -78,16 +83,16 @@ TF_API void tf_decoder_init(tf_decoder_t *decoder, uint8_t *buffer,
 // either; there the tick decides. (The tick alone cannot: an answer may have an
 // earlier tick than the records that were sent before it.)
 static void count_accepted(tf_decoder_t *decoder, const tf_frame_t *frame) {
-  const uint16_t gap = (uint16_t)(frame->sequence - decoder->sequence);
+  const uint32_t gap = frame->sequence - decoder->sequence;
   if (decoder->started && gap != 0) {
     const bool through_0 = frame->sequence < gap;
-    if (gap >= 0x8000u || (through_0 && frame->tick < decoder->tick))
+    if (gap >= 0x80000000u || (through_0 && frame->tick < decoder->tick))
       decoder->restarts++;
     else
       decoder->lost += gap;
   }
   decoder->started = true;
-  decoder->sequence = (uint16_t)(frame->sequence + 1u);
+  decoder->sequence = frame->sequence + 1u;
   decoder->tick = frame->tick;
   decoder->frames++;
 }
@@ -113,8 +118,8 @@ static bool unpack_frame(tf_decoder_t *decoder, size_t used,
   }
   *frame = (tf_frame_t){.type = header[1],
                         .length = header[2],
-                        .sequence = (uint16_t)tf_wire_get(header + 3, 2),
-                        .tick = tf_wire_get(header + 5, 8),
+                        .sequence = (uint32_t)tf_wire_get(header + 3, 4),
+                        .tick = tf_wire_get(header + 7, 8),
                         .payload = header + TF_FRAME_HEADER};
   count_accepted(decoder, frame);
   return true;

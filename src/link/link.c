@@ -4,6 +4,8 @@
 #include "twofold/link.h"
 
 #include "../model/kinematics.h"
+#include "crc.h"
+#include "siphash.h"
 
 TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
                          const tf_params_t *params) {
@@ -11,53 +13,169 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
   link->params = *params;
   link->has_saved = false;
   link->describe = true;
+  link->has_aside = false;
   link->waiting = 0;
+  link->session = 0;
+  link->noise = 0;
+  link->next = 0;
+  link->lost = 0;
   link->ignored = 0;
+  link->key = NULL;
+  link->tag = NULL;
   tf_decoder_init(&link->decoder, link->buffer, sizeof link->buffer);
 }
 
-// Acts on arrival and not in its turn, because it may be needed to empty a
-// queue that is blocked.
-static void clear(tf_link_t *link) {
-  link->ignored += link->waiting;
-  link->waiting = 0;
+TF_API void tf_link_require_tag(tf_link_t *link, const uint8_t *key) {
+  link->key = key;
+  link->tag = tf_siphash;
+}
+
+TF_API void tf_link_stir(tf_link_t *link, uint32_t noise) {
+  uint8_t bytes[4];
+  (void)tf_wire_put(bytes, noise, sizeof bytes);
+  link->noise = tf_crc32(link->noise, bytes, sizeof bytes);
+}
+
+static size_t tag_bytes(const tf_link_t *link) {
+  return link->tag == NULL ? 0 : TF_TAG_BYTES;
+}
+
+// The tag is that of the frame's body before it, which COBS has given back in
+// the decoder's buffer. All of it is compared, so that the time does not tell
+// how many bytes of a guess were right.
+static bool has_tag(const tf_link_t *link, const tf_frame_t *frame) {
+  if (link->tag == NULL) return true;
+  if (frame->length < TF_SESSION_BYTES + TF_TAG_BYTES) return false;
+  const uint8_t *body = frame->payload - TF_FRAME_HEADER;
+  const size_t tagged = TF_FRAME_HEADER + (frame->length - TF_TAG_BYTES);
+  const uint64_t wrong = link->tag(link->key, body, tagged) ^
+                         tf_wire_get(body + tagged, TF_TAG_BYTES);
+  return ((uint32_t)wrong | (uint32_t)(wrong >> 32)) == 0;
+}
+
+// Whether a command comes from someone who may command, and for the first time.
+// Returns: TF_ANSWER_DONE, or why not.
+static int admit(const tf_link_t *link, const tf_frame_t *frame) {
+  if (frame->length < TF_SESSION_BYTES) return TF_ANSWER_LENGTH;
+  if (!has_tag(link, frame)) return TF_ANSWER_TAG;
+  if (link->session == 0 ||
+      tf_wire_get(frame->payload, TF_SESSION_BYTES) != link->session)
+    return TF_ANSWER_FOREIGN;
+  return frame->sequence < link->next ? TF_ANSWER_OLD : TF_ANSWER_DONE;
+}
+
+// The number is used up, whatever becomes of the command: one that is refused
+// today might act tomorrow if it were sent again. After the last number comes
+// another session.
+static void use_number(tf_link_t *link, uint32_t sequence) {
+  link->lost += sequence - link->next;
+  link->next = sequence + 1u;
+  if (link->next != 0) return;
+  link->session = link->session == UINT32_MAX ? 1 : link->session + 1u;
+  link->describe = true;
+}
+
+// Takes the data of a command, between session and tag.
+static void keep(tf_command_t *command, const tf_frame_t *frame,
+                 size_t length) {
+  *command = (tf_command_t){.tick = frame->tick,
+                            .sequence = frame->sequence,
+                            .type = frame->type,
+                            .length = (uint8_t)length,
+                            .index = 0xff};
+  for (size_t i = 0; i < length; i++)
+    command->data[i] = frame->payload[TF_SESSION_BYTES + i];
+}
+
+// What is done with on arrival waits in a place of its own to be answered.
+static void set_aside(tf_link_t *link, const tf_frame_t *frame, int code) {
+  if (link->has_aside) {
+    link->ignored++;
+    return;
+  }
+  keep(&link->aside, frame, 0);
+  link->aside.code = (int8_t)code;
+  link->has_aside = true;
+}
+
+// Whoever asks learns the session, and may be anyone: nothing else changes.
+static void describe(tf_link_t *link, const tf_frame_t *frame) {
+  const int code = frame->length == 0 ? TF_ANSWER_DONE : TF_ANSWER_LENGTH;
+  if (code == TF_ANSWER_DONE) {
+    if (link->session == 0) link->session = link->noise == 0 ? 1 : link->noise;
+    link->describe = true;
+  }
+  set_aside(link, frame, code);
+}
+
+// Whether a `clear` may act: it does so on arrival and not in its turn, because
+// it may be needed to empty a queue that is blocked; so it has no date.
+static int judge_clear(const tf_frame_t *frame, size_t length) {
+  if (length != 0) return TF_ANSWER_LENGTH;
+  return frame->tick != 0 ? TF_ANSWER_FAR : TF_ANSWER_DONE;
+}
+
+static void receive(tf_link_t *link, const tf_frame_t *frame) {
+  int code = admit(link, frame);
+  if (code != TF_ANSWER_DONE) {
+    set_aside(link, frame, code);
+    return;
+  }
+  const size_t length = frame->length - TF_SESSION_BYTES - tag_bytes(link);
+  if (length > TF_COMMAND_DATA) code = TF_ANSWER_LENGTH;
+  if (frame->type == TF_UP_CLEAR) code = judge_clear(frame, length);
+  if (code != TF_ANSWER_DONE) {
+    use_number(link, frame->sequence);
+    set_aside(link, frame, code);
+    return;
+  }
+  if (frame->type == TF_UP_CLEAR) {
+    link->ignored += link->waiting;
+    link->waiting = 0;
+  }
+  if (link->waiting == TF_LINK_QUEUE) {
+    link->ignored++;
+    return;
+  }
+  use_number(link, frame->sequence);
+  keep(&link->queue[link->waiting++], frame, length);
 }
 
 TF_API void tf_link_receive(tf_link_t *link, uint8_t byte) {
   tf_frame_t frame;
   if (!tf_decoder_push(&link->decoder, byte, &frame)) return;
-  if (frame.type == TF_UP_CLEAR && frame.length == 0) clear(link);
-  if (link->waiting == TF_LINK_QUEUE) {
-    link->ignored++;
-    return;
-  }
-  tf_command_t *command = &link->queue[link->waiting++];
-  command->tick = frame.tick;
-  command->sequence = frame.sequence;
-  command->type = frame.type;
-  command->length = frame.length;
-  command->done = false;
-  // The buffer of the decoder bounds the length.
-  for (unsigned i = 0; i < frame.length; i++)
-    command->payload[i] = frame.payload[i];
+  if (frame.type == TF_UP_DESCRIBE)
+    describe(link, &frame);
+  else
+    receive(link, &frame);
 }
 
 static int set_input(tf_session_t *session, const tf_command_t *command) {
   if (command->length == 0) {
-    session->input_is_set = false;
+    session->source = TF_INPUT_SCENE;
     return TF_ANSWER_DONE;
   }
   const size_t real_bytes = TF_REAL_BYTES;
   if (command->length != 5 * real_bytes) return TF_ANSWER_LENGTH;
-  const uint8_t *at = command->payload;
+  const uint8_t *at = command->data;
   const tf_input_t input = {tf_wire_get_real(at),
                             tf_wire_get_real(at + real_bytes),
                             tf_wire_get_real(at + 2 * real_bytes),
                             tf_wire_get_real(at + 3 * real_bytes),
                             tf_wire_get_real(at + 4 * real_bytes)};
   if (!in_range(&session->state, &input)) return TF_BAD_STATE;
-  session->input = input;
-  session->input_is_set = true;
+  tf_session_set_input(session, &input);
+  return TF_ANSWER_DONE;
+}
+
+// Inputs that hold now hold for the new time, from now on; those that have
+// expired stay so.
+static int set_deadman(tf_link_t *link, tf_session_t *session,
+                       const tf_command_t *command) {
+  if (command->length != 4) return TF_ANSWER_LENGTH;
+  session->deadman = (uint32_t)tf_wire_get(command->data, 4);
+  session->left = session->deadman;
+  link->describe = true;
   return TF_ANSWER_DONE;
 }
 
@@ -66,14 +184,14 @@ static int set_input(tf_session_t *session, const tf_command_t *command) {
 static int set_parameter(tf_link_t *link, tf_session_t *session,
                          tf_command_t *command) {
   if (command->length != 1 + TF_REAL_BYTES) return TF_ANSWER_LENGTH;
-  const unsigned index = command->payload[0];
+  const unsigned index = command->data[0];
   command->index = (uint8_t)index;
   command->value = 0;
   if (index >= TF_PARAMETERS) return TF_BAD_PARAMETER;
   const tf_parameter_range_t *range = &tf_parameter_ranges[index];
   tf_real_t *member =
       (tf_real_t *)(void *)((char *)&link->params + range->offset);
-  const tf_real_t value = tf_wire_get_real(command->payload + 1);
+  const tf_real_t value = tf_wire_get_real(command->data + 1);
   const tf_real_t before = *member;
   command->value = before;
   // tf_prepare ignores a parameter that the law does not use; here its range
@@ -94,13 +212,13 @@ static int set_rule(tf_link_t *link, tf_session_t *session,
                     const tf_command_t *command) {
   if (command->length != 5) return TF_ANSWER_LENGTH;
   const tf_rule_t before = link->params.rule;
-  link->params.rule = (tf_rule_t)command->payload[0];
+  link->params.rule = (tf_rule_t)command->data[0];
   const tf_status_t status = tf_prepare(&session->machine, &link->params, NULL);
   if (status != TF_OK) {
     link->params.rule = before;
     return status;
   }
-  session->state.seed = (uint32_t)tf_wire_get(command->payload + 1, 4);
+  session->state.seed = (uint32_t)tf_wire_get(command->data + 1, 4);
   link->describe = true;
   return TF_ANSWER_DONE;
 }
@@ -116,9 +234,9 @@ static int restore(const tf_link_t *link, tf_session_t *session,
   }
   if (command->length != 8 + TF_STATE_BYTES) return TF_ANSWER_LENGTH;
   tf_state_t state;
-  tf_read_state(command->payload + 8, tf_wire_get(command->payload, 8), &state);
-  if (state.mode >= TF_MODES || !in_reach(state.r, state.v, state.w) ||
-      !within(state.phi, TF_REAL_MAX))
+  tf_read_state(command->data + 8, tf_wire_get(command->data, 8), &state);
+  if (state.tick >= TF_LINK_TICKS || state.mode >= TF_MODES ||
+      !in_reach(state.r, state.v, state.w) || !within(state.phi, TF_REAL_MAX))
     return TF_BAD_STATE;
   session->state = state;
   return TF_ANSWER_DONE;
@@ -141,9 +259,6 @@ static int perform_plain(tf_link_t *link, tf_session_t *session,
       link->saved = session->state;
       link->has_saved = true;
       break;
-    case TF_UP_DESCRIBE:
-      link->describe = true;
-      break;
     default: // TF_UP_CLEAR acted on its arrival
       break;
   }
@@ -161,50 +276,50 @@ static int perform(tf_link_t *link, tf_session_t *session,
       return set_rule(link, session, command);
     case TF_UP_RESTORE:
       return restore(link, session, command);
+    case TF_UP_DEADMAN:
+      return set_deadman(link, session, command);
     case TF_UP_START:
     case TF_UP_STOP:
     case TF_UP_RESET:
     case TF_UP_SNAPSHOT:
     case TF_UP_CLEAR:
-    case TF_UP_DESCRIBE:
       return perform_plain(link, session, command);
     default:
       return TF_ANSWER_UNKNOWN;
   }
 }
 
+static void finish(tf_command_t *command, const tf_session_t *session) {
+  command->tick = session->state.tick;
+  command->done = true;
+  command->source = (uint8_t)session->source;
+}
+
 TF_API unsigned tf_link_boundary(tf_link_t *link, tf_session_t *session) {
   unsigned effective = 0;
   for (unsigned i = 0; i < link->waiting; i++) {
     tf_command_t *command = &link->queue[i];
-    const uint64_t now = session->state.tick;
-    int code = TF_ANSWER_FAR;
-    if (command->done) continue;
-    if (command->tick <= now)
-      code = perform(link, session, command);
-    else if (command->tick - now <= TF_LINK_AHEAD)
-      continue;
-    command->code = (int8_t)code;
-    command->done = true;
-    command->tick = now;
-    effective += code == TF_ANSWER_DONE;
+    const uint64_t now = session->state.tick, due = command->tick;
+    if (command->done || (due > now && due - now <= TF_LINK_AHEAD)) continue;
+    finish(command, session);
+    if (due > now)
+      command->code = TF_ANSWER_FAR;
+    else
+      command->code = (int8_t)perform(link, session, command);
+    effective += command->code == TF_ANSWER_DONE;
   }
+  if (link->has_aside && !link->aside.done) finish(&link->aside, session);
   return effective;
 }
 
-TF_API size_t tf_link_answer(tf_link_t *link, uint8_t *wire,
-                             uint16_t *sequence) {
-  unsigned i = 0;
-  while (i < link->waiting && !link->queue[i].done) i++;
-  if (i == link->waiting) return 0;
-  const tf_command_t *command = &link->queue[i];
-  const bool about_parameter =
-      command->type == TF_UP_PARAMETER && command->code != TF_ANSWER_LENGTH &&
-      command->code != TF_ANSWER_FAR && command->index < TF_PARAMETERS;
+static size_t put_answer(const tf_command_t *command, uint8_t *wire,
+                         uint32_t *sequence) {
+  const bool about_parameter = command->index < TF_PARAMETERS;
   uint8_t *at = wire + TF_FRAME_AT;
-  at = tf_wire_put(at, command->sequence, 2);
+  at = tf_wire_put(at, command->sequence, 4);
   *at++ = command->type;
   *at++ = (uint8_t)command->code;
+  *at++ = command->source;
   *at++ = about_parameter ? command->index : 0xff;
   if (about_parameter) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[command->index];
@@ -213,8 +328,19 @@ TF_API size_t tf_link_answer(tf_link_t *link, uint8_t *wire,
     at = tf_wire_put_real(at, range->high);
   }
   const size_t length = (size_t)(at - wire) - TF_FRAME_AT;
-  const size_t size =
-      tf_frame_seal(wire, TF_DOWN_ANSWER, length, sequence, command->tick);
+  return tf_frame_seal(wire, TF_DOWN_ANSWER, length, sequence, command->tick);
+}
+
+TF_API size_t tf_link_answer(tf_link_t *link, uint8_t *wire,
+                             uint32_t *sequence) {
+  if (link->has_aside && link->aside.done) {
+    link->has_aside = false;
+    return put_answer(&link->aside, wire, sequence);
+  }
+  unsigned i = 0;
+  while (i < link->waiting && !link->queue[i].done) i++;
+  if (i == link->waiting) return 0;
+  const size_t size = put_answer(&link->queue[i], wire, sequence);
   link->waiting--;
   for (; i < link->waiting; i++) link->queue[i] = link->queue[i + 1];
   return size;

@@ -16,7 +16,7 @@ static tf_real_t value_of(const tf_params_t *params, unsigned index) {
 }
 
 static size_t seal(uint8_t *wire, tf_type_t type, const uint8_t *end,
-                   uint16_t *sequence, uint64_t tick) {
+                   uint32_t *sequence, uint64_t tick) {
   return tf_frame_seal(wire, (uint8_t)type, (size_t)(end - wire) - TF_FRAME_AT,
                        sequence, tick);
 }
@@ -39,7 +39,7 @@ TF_API uint32_t tf_params_hash(const tf_params_t *params) {
   return tf_crc32(crc, choices, sizeof choices);
 }
 
-TF_API size_t tf_send_schema(uint8_t *wire, uint16_t *sequence, uint64_t tick,
+TF_API size_t tf_send_schema(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              const tf_schema_t *schema) {
   const tf_params_t *params = schema->params;
   const uint8_t *end = wire + TF_FRAME_AT + TF_SCHEMA_BYTES;
@@ -48,9 +48,13 @@ TF_API size_t tf_send_schema(uint8_t *wire, uint16_t *sequence, uint64_t tick,
   *at++ = (uint8_t)params->law;
   *at++ = (uint8_t)params->rule;
   *at++ = schema->scheme;
-  *at++ = (uint8_t)(flags_of(params) | (schema->takes_commands ? 2u : 0u));
+  *at++ = (uint8_t)(flags_of(params) | (schema->takes_commands ? 2u : 0u) |
+                    (schema->wants_tag ? 16u : 0u));
   at = tf_wire_put(at, schema->seed, 4);
   at = tf_wire_put(at, tf_params_hash(params), 4);
+  at = tf_wire_put(at, schema->session, 4);
+  at = tf_wire_put(at, schema->sequence, 4);
+  at = tf_wire_put(at, schema->deadman, 4);
   at = tf_wire_put_real(at, params->dt);
   at = put_text(at, end - 2, schema->scene);
   *at++ = 0;
@@ -64,16 +68,17 @@ TF_API const char *const tf_layout_state =
     "mode,u8,1,1";
 TF_API const char *const tf_layout_report =
     "h,real,1,m/s;g,real,1,m/s;F,real,1,N;M,real,1,N m;delassus,real,1,1/kg;"
-    "residual,real,1,N;mode,u8,1,1;set,u8,1,1;choices,u8,1,1;status,i8,1,1";
+    "residual,real,1,N;mode,u8,1,1;set,u8,1,1;choices,u8,1,1;status,i8,1,1;"
+    "input,u8,1,1";
 TF_API const char *const tf_layout_compact =
     "r,real,1,m;v,real,1,m/s;omega,real,1,rad/s;mode,u8,1,1;choices,u8,1,1";
 TF_API const char *const tf_layout_heartbeat =
     "steps,u32,1,1;refused,u32,1,1;overruns,u32,1,1;dropped,u32,1,1;"
     "bad,u32,1,1;ignored,u32,1,1;exec_min,u32,1e-9,s;exec_mean,u32,1e-9,s;"
     "exec_max,u32,1e-9,s;period,u32,1e-9,s;degraded,u32,1,1;fell_back,u32,1,1;"
-    "coarse,u32,1,1";
+    "coarse,u32,1,1;expired,u32,1,1";
 
-TF_API size_t tf_send_layout(uint8_t *wire, uint16_t *sequence, uint64_t tick,
+TF_API size_t tf_send_layout(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              tf_type_t type, const char *layout) {
   uint8_t *at = wire + TF_FRAME_AT;
   *at++ = (uint8_t)type;
@@ -81,7 +86,7 @@ TF_API size_t tf_send_layout(uint8_t *wire, uint16_t *sequence, uint64_t tick,
   return seal(wire, TF_DOWN_LAYOUT, at, sequence, tick);
 }
 
-TF_API size_t tf_send_state(uint8_t *wire, uint16_t *sequence,
+TF_API size_t tf_send_state(uint8_t *wire, uint32_t *sequence,
                             const tf_state_t *state) {
   uint8_t *at = wire + TF_FRAME_AT;
   at = tf_wire_put_real(at, state->r);
@@ -93,8 +98,9 @@ TF_API size_t tf_send_state(uint8_t *wire, uint16_t *sequence,
   return seal(wire, TF_DOWN_STATE, at, sequence, state->tick);
 }
 
-TF_API size_t tf_send_report(uint8_t *wire, uint16_t *sequence, uint64_t tick,
-                             const tf_report_t *report) {
+TF_API size_t tf_send_report(uint8_t *wire, uint32_t *sequence, uint64_t tick,
+                             const tf_report_t *report,
+                             tf_input_source_t source) {
   uint8_t *at = wire + TF_FRAME_AT;
   at = tf_wire_put_real(at, report->slip.h);
   at = tf_wire_put_real(at, report->slip.g);
@@ -106,10 +112,11 @@ TF_API size_t tf_send_report(uint8_t *wire, uint16_t *sequence, uint64_t tick,
   *at++ = report->set;
   *at++ = report->choices;
   *at++ = (uint8_t)report->status;
+  *at++ = (uint8_t)source;
   return seal(wire, TF_DOWN_REPORT, at, sequence, tick);
 }
 
-TF_API size_t tf_send_compact(uint8_t *wire, uint16_t *sequence,
+TF_API size_t tf_send_compact(uint8_t *wire, uint32_t *sequence,
                               const tf_state_t *state,
                               const tf_report_t *report) {
   uint8_t *at = wire + TF_FRAME_AT;
@@ -121,7 +128,7 @@ TF_API size_t tf_send_compact(uint8_t *wire, uint16_t *sequence,
   return seal(wire, TF_DOWN_COMPACT, at, sequence, state->tick);
 }
 
-TF_API size_t tf_send_heartbeat(uint8_t *wire, uint16_t *sequence,
+TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
                                 uint64_t tick,
                                 const tf_heartbeat_t *heartbeat) {
   const uint32_t counters[] = {
@@ -129,7 +136,7 @@ TF_API size_t tf_send_heartbeat(uint8_t *wire, uint16_t *sequence,
       heartbeat->dropped,  heartbeat->bad,       heartbeat->ignored,
       heartbeat->exec_min, heartbeat->exec_mean, heartbeat->exec_max,
       heartbeat->period,   heartbeat->degraded,  heartbeat->fell_back,
-      heartbeat->coarse};
+      heartbeat->coarse,   heartbeat->expired};
   uint8_t *at = wire + TF_FRAME_AT;
   for (unsigned i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     at = tf_wire_put(at, counters[i], 4);
@@ -143,12 +150,12 @@ TF_API void tf_read_heartbeat(const uint8_t *payload,
       &heartbeat->dropped,  &heartbeat->bad,       &heartbeat->ignored,
       &heartbeat->exec_min, &heartbeat->exec_mean, &heartbeat->exec_max,
       &heartbeat->period,   &heartbeat->degraded,  &heartbeat->fell_back,
-      &heartbeat->coarse};
+      &heartbeat->coarse,   &heartbeat->expired};
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     *counters[i] = (uint32_t)tf_wire_get(payload + 4 * i, 4);
 }
 
-TF_API size_t tf_send_parameter(uint8_t *wire, uint16_t *sequence,
+TF_API size_t tf_send_parameter(uint8_t *wire, uint32_t *sequence,
                                 uint64_t tick, const tf_params_t *params,
                                 unsigned index) {
   if (index >= TF_PARAMETERS) return 0;
@@ -179,7 +186,7 @@ TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                    .mode = payload[4 * real_bytes + 4]};
 }
 
-TF_API void tf_read_report(const uint8_t *payload, tf_report_t *report) {
+TF_API uint8_t tf_read_report(const uint8_t *payload, tf_report_t *report) {
   const size_t real_bytes = TF_REAL_BYTES;
   const uint8_t *bytes = payload + 6 * real_bytes;
   // The status is sent in two's complement.
@@ -195,4 +202,5 @@ TF_API void tf_read_report(const uint8_t *payload, tf_report_t *report) {
                     .delassus = tf_wire_get_real(payload + 4 * real_bytes),
                     .residual = tf_wire_get_real(payload + 5 * real_bytes),
                     .status = (tf_status_t)status};
+  return bytes[4];
 }

@@ -103,7 +103,7 @@ check 'no rows without --csv' [ ! -s out ]
 "$T" run chaos --t-end 0.01 >text 2>err
 : >empty
 expectations monitor <<END
-4 text --csv|no frame of protocol version 1
+4 text --csv|no frame of protocol version 2
 4 empty|
 4 missing --csv|missing: No such file or directory
 2 |

@@ -30,7 +30,7 @@ typedef struct {
   size_t heard_used, got_used;
   tf_session_t session;
   tf_link_t link;
-  uint16_t sequence;
+  uint32_t sequence;
 } bench_t;
 
 static bench_t bench;
@@ -123,7 +123,13 @@ static void serve(bench_t *b) {
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
   tf_link_boundary(&b->link, &b->session);
   if (b->link.describe) {
-    const tf_schema_t schema = {&b->link.params, "chaos", "bench", 0, 0, true};
+    const tf_schema_t schema = {.params = &b->link.params,
+                                .scene = "chaos",
+                                .build = "bench",
+                                .takes_commands = true,
+                                .wants_tag = b->link.tag != NULL,
+                                .session = b->link.session,
+                                .sequence = b->link.next};
     tell(b, wire,
          tf_send_schema(wire, &b->sequence, b->session.state.tick, &schema));
     b->link.describe = false;
@@ -137,7 +143,7 @@ static void send_row(bench_t *b) {
   tell(b, wire, tf_send_state(wire, &b->sequence, &b->session.state));
   tell(b, wire,
        tf_send_report(wire, &b->sequence, b->session.state.tick,
-                      &b->session.report));
+                      &b->session.report, b->session.stepped));
   tf_step(&b->session.machine, &b->session.state, &input, &b->session.report);
 }
 
@@ -228,9 +234,9 @@ TEST(followed_device_comes_back) {
 TEST(commands_are_sent_and_answered) {
   static char flag[] = "--send", set[] = "set:mu=1.25", bad[] = "set:mu=-1",
               rule[] = "select:random:9", stop[] = "stop",
-              input[] = "input:-1.5,0.1,0.25,-0.125";
-  char *const options[] = {flag, set,   flag, rule, flag, stop,
-                           flag, input, flag, bad,  NULL};
+              dead[] = "deadman:123", input[] = "input:-1.5,0.1,0.25,-0.125";
+  char *const options[] = {flag,  set,  flag, rule, flag, stop, flag,
+                           input, flag, dead, flag, bad,  NULL};
   begin(&bench, options);
   CHECK(
       comes(&bench, "set:mu=1.25: took effect at step 0; mu = 1.25, in [0, "));
@@ -240,14 +246,86 @@ TEST(commands_are_sent_and_answered) {
   CHECK(bench.session.state.seed == 9);
   CHECK(comes(&bench, "stop: took effect") && !bench.session.running);
   CHECK(comes(&bench, "input:-1.5,0.1,0.25,-0.125: took effect"));
-  CHECK(bench.session.input_is_set && bench.session.input.omega0 == TF_R(-1.5));
+  CHECK(bench.session.source == TF_INPUT_SET &&
+        bench.session.input.omega0 == TF_R(-1.5));
   CHECK(bench.session.input.r0 == TF_R(0.1) &&
         bench.session.input.force == TF_R(0.25) &&
         bench.session.input.torque == TF_R(-0.125) &&
         bench.session.input.alpha == 0);
+  CHECK(comes(&bench, "deadman:123: took effect"));
+  CHECK(bench.session.deadman == 123);
   CHECK(comes(&bench, "set:mu=-1: refused, parameter out of its range"));
   CHECK(strstr(bench.heard, "mu = 1.25") != NULL);
   CHECK(exit_of(&bench) == 3);
+}
+
+/* An answer as some board might send it. */
+static void forge(bench_t *b, uint32_t sequence, uint8_t type) {
+  uint8_t wire[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
+  uint8_t *at = tf_wire_put(wire + TF_FRAME_AT, sequence, 4);
+  *at++ = type;
+  *at++ = TF_ANSWER_DONE;
+  *at++ = 0;
+  *at = 0xff;
+  tell(b, wire, tf_frame_seal(wire, TF_DOWN_ANSWER, 8, &b->sequence, 12345));
+}
+
+/* Answers to commands of another number or type, on the same line, are not
+ * taken for one's own: the first that fits is. */
+TEST(answers_to_others_are_not_its_own) {
+  static char flag[] = "--send", stop[] = "stop";
+  char *const options[] = {flag, stop, NULL};
+  begin(&bench, options);
+  for (int i = 0; i < PATIENCE && bench.link.waiting == 0; i++) {
+    serve(&bench);
+    listen(&bench);
+  }
+  const uint32_t number = bench.link.queue[0].sequence;
+  CHECK(bench.link.waiting == 1 && bench.link.queue[0].type == TF_UP_STOP);
+  for (uint32_t i = 1; i < 200; i++) {
+    forge(&bench, number + i, TF_UP_STOP);
+    forge(&bench, number - i, TF_UP_STOP);
+    forge(&bench, number + 65536u * i, TF_UP_STOP);
+  }
+  for (uint8_t type = TF_UP_INPUT; type <= TF_UP_DEADMAN; type++)
+    if (type != TF_UP_STOP) forge(&bench, number, type);
+  CHECK(comes(&bench, "stop: took effect at step 0"));
+  CHECK(exit_of(&bench) == 0);
+  CHECK(strstr(bench.heard, "12345") == NULL);
+}
+
+/* A board that wants its commands tagged is commanded with its key only. */
+TEST(keyed_board_takes_keyed_commands) {
+  static char flag[] = "--send", stop[] = "stop", with[] = "--key";
+  static char path[sizeof place + 8];
+  uint8_t key[TF_KEY_BYTES];
+  snprintf(path, sizeof path, "%s/key", place);
+  FILE *file = fopen(path, "w");
+  if (!CHECK(file != NULL)) return;
+  for (unsigned i = 0; i < sizeof key; i++) {
+    key[i] = (uint8_t)(0x1f * i);
+    fprintf(file, "%02X", (unsigned)key[i]);
+  }
+  fprintf(file, "\n");
+  fclose(file);
+  char *const without[] = {flag, stop, NULL};
+  begin(&bench, without);
+  tf_link_require_tag(&bench.link, key);
+  CHECK(comes(&bench, "stop: refused, its tag is not that"));
+  CHECK(exit_of(&bench) == 3 && bench.session.running);
+  char *const options[] = {flag, stop, with, path, NULL};
+  begin(&bench, options);
+  tf_link_require_tag(&bench.link, key);
+  CHECK(comes(&bench, "stop: took effect"));
+  CHECK(exit_of(&bench) == 0 && !bench.session.running);
+  begin(&bench, options);
+  key[15] ^= 1;
+  tf_link_require_tag(&bench.link, key);
+  CHECK(comes(&bench, "stop: refused, its tag is not that"));
+  CHECK(exit_of(&bench) == 3);
+  unlink(path);
+  begin(&bench, options);
+  CHECK(exit_of(&bench) == 2);
 }
 
 int main(int argc, char **argv) {
@@ -258,6 +336,8 @@ int main(int argc, char **argv) {
   RUN(rows_arrive_and_a_device_that_leaves_is_told);
   RUN(followed_device_comes_back);
   RUN(commands_are_sent_and_answered);
+  RUN(answers_to_others_are_not_its_own);
+  RUN(keyed_board_takes_keyed_commands);
   unlink(device);
   rmdir(place);
   return tap_end();

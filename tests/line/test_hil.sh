@@ -47,6 +47,19 @@ for real in double float; do
   drive "$real: another speed is asked for" 0 $real --lockstep --speed -0.8 \
     --csv two
   check "$real: and is another motion" not cmp -s one two
+  # A controller that fails: its last input expires, here as in the twin.
+  for how in '--lockstep' '--delay 20'; do
+    # shellcheck disable=SC2086  # options
+    drive "$real: silent after a while, $how" 0 $real $how --silent 200 \
+      --deadman 100
+    check "$real: the inputs expire, $how" \
+      grep -q 'held for 100 steps, expired 1 times' err
+  done
+  # Inputs that never come in time.
+  drive "$real: too slow" 0 $real --lockstep --every 20 --deadman 5 --csv slow
+  check "$real: each expires" grep -q 'expired 30 times' err
+  drive "$real: without a dead-man" 0 $real --lockstep --silent 200 --deadman 0
+  check "$real: none expires" grep -q 'without end, expired 0 times' err
   drive "$real: does not compare with $other" 3 $other
   # A machine that is not the scene's is found by its hash.
   run monitor "$line" --send set:mu=1.5

@@ -28,14 +28,16 @@ typedef struct {
   int said; /* what it says on standard error */
   char heard[4096];
   size_t heard_used;
-  uint16_t sequence; /* of our next frame */
+  uint32_t session, number; /* of our next command, as the schema has them */
   tf_decoder_t decoder;
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   tf_session_t twin;
   uint64_t states, last, wrong; /* that came; the last one's tick */
   uint64_t answers;
+  int code;       /* of the last answer */
+  uint8_t source; /* of inputs, in the last report */
   uint64_t beats, beat_tick, states_at_beat;
-  uint32_t dropped, bad; /* of the last heartbeat */
+  uint32_t dropped, bad, expired; /* of the last heartbeat */
 } firmware_t;
 
 static firmware_t it;
@@ -119,13 +121,23 @@ static void take_state(firmware_t *f, const tf_frame_t *frame) {
 
 static void take(firmware_t *f, const tf_frame_t *frame) {
   if (frame->type == TF_DOWN_STATE) take_state(f, frame);
-  f->answers += frame->type == TF_DOWN_ANSWER;
+  if (frame->type == TF_DOWN_REPORT)
+    f->source = frame->payload[TF_REPORT_BYTES - 1];
+  if (frame->type == TF_DOWN_SCHEMA) {
+    f->session = (uint32_t)tf_wire_get(frame->payload + 13, 4);
+    f->number = (uint32_t)tf_wire_get(frame->payload + 17, 4);
+  }
+  if (frame->type == TF_DOWN_ANSWER) {
+    f->answers++;
+    f->code = (int8_t)frame->payload[5];
+  }
   if (frame->type != TF_DOWN_HEARTBEAT) return;
   f->beats++;
   f->beat_tick = frame->tick;
   f->states_at_beat = f->states;
   f->dropped = (uint32_t)tf_wire_get(frame->payload + 12, 4);
   f->bad = (uint32_t)tf_wire_get(frame->payload + 16, 4);
+  f->expired = (uint32_t)tf_wire_get(frame->payload + 52, 4);
 }
 
 /* A millisecond of the line. */
@@ -150,11 +162,31 @@ static int comes_to(firmware_t *f, uint64_t tick) {
   return f->last >= tick;
 }
 
-static void send_command(firmware_t *f, uint8_t type, int broken) {
-  uint8_t wire[TF_FRAME_SIZE(0)];
-  const size_t size = tf_frame_seal(wire, type, 0, &f->sequence, 0);
-  if (broken) wire[1 + tap_bits() % (size - 2)] ^= 0x10;
+static void put_on_line(firmware_t *f, const uint8_t *wire, size_t size) {
   if (write(f->line, wire, size) < 0) CHECK(errno == EAGAIN);
+}
+
+static void send_command(firmware_t *f, uint8_t type, int broken) {
+  uint8_t wire[TF_FRAME_SIZE(TF_SESSION_BYTES)];
+  const size_t size =
+      tf_command_seal(wire, type, 0, f->session, &f->number, 0, NULL);
+  if (broken) wire[1 + tap_bits() % (size - 2)] ^= 0x10;
+  put_on_line(f, wire, size);
+}
+
+/* Until the next answer. Returns: its code, or 999. */
+static int next_code(firmware_t *f) {
+  const uint64_t answers = f->answers;
+  for (int i = 0; i < PATIENCE && f->answers == answers; i++) listen(f);
+  return f->answers > answers ? f->code : 999;
+}
+
+/* Asks the board for its session. */
+static int meet(firmware_t *f) {
+  f->session = 0;
+  send_command(f, TF_UP_DESCRIBE, 0);
+  for (int i = 0; i < PATIENCE && f->session == 0; i++) listen(f);
+  return f->session != 0;
 }
 
 /* Its exit code. What it said last is heard. */
@@ -180,7 +212,7 @@ static int end(firmware_t *f, int signal) {
 
 TEST(uplink_flood_costs_no_step) {
   run_on_terminal(&it);
-  CHECK(comes_to(&it, 100));
+  CHECK(comes_to(&it, 100) && meet(&it));
   for (int i = 0; i < 2000; i++) {
     uint8_t noise[64];
     for (size_t k = 0; k < sizeof noise; k++) noise[k] = (uint8_t)tap_bits();
@@ -199,6 +231,57 @@ TEST(uplink_flood_costs_no_step) {
   CHECK(it.bad > 100);
   CHECK(comes_to(&it, it.last + 100)); /* no `stop` got through */
   CHECK(it.wrong == 0 && it.decoder.bad == 0 && it.decoder.lost == 0);
+  CHECK(end(&it, SIGTERM) == 0);
+}
+
+/* What a recorder of the line has acts once, and not on the next start. */
+TEST(recorded_reset_acts_once) {
+  uint8_t wire[TF_FRAME_SIZE(TF_SESSION_BYTES)];
+  run_on_terminal(&it);
+  CHECK(comes_to(&it, 100) && meet(&it));
+  const size_t size =
+      tf_command_seal(wire, TF_UP_RESET, 0, it.session, &it.number, 0, NULL);
+  put_on_line(&it, wire, size);
+  CHECK(next_code(&it) == TF_ANSWER_DONE);
+  it.last = 0;
+  CHECK(comes_to(&it, 50));
+  for (int i = 0; i < 5; i++) {
+    const uint64_t before = it.last;
+    put_on_line(&it, wire, size);
+    CHECK(next_code(&it) == TF_ANSWER_OLD);
+    CHECK(comes_to(&it, before + 20) && it.last > before);
+  }
+  CHECK(end(&it, SIGTERM) == 0);
+  run_on_terminal(&it);
+  CHECK(comes_to(&it, 100) && meet(&it));
+  put_on_line(&it, wire, size);
+  CHECK(next_code(&it) == TF_ANSWER_FOREIGN);
+  CHECK(comes_to(&it, 200));
+  CHECK(it.wrong == 0); /* the motion of a board that nobody spoke to */
+  CHECK(end(&it, SIGTERM) == 0);
+}
+
+/* A controller that is killed leaves its torque for half a second, then the
+ * machine coasts; reports, heartbeat and the next answer tell. */
+TEST(silent_controller_is_told) {
+  uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)];
+  run_on_terminal(&it);
+  CHECK(comes_to(&it, 10) && meet(&it));
+  uint8_t *at = wire + TF_COMMAND_AT;
+  for (int i = 0; i < 5; i++)
+    at = tf_wire_put_real(at, i == 0 ? -1 : i == 3 ? TF_R(0.125) : 0);
+  const size_t size = tf_command_seal(wire, TF_UP_INPUT, 5 * TF_REAL_BYTES,
+                                      it.session, &it.number, 0, NULL);
+  put_on_line(&it, wire, size);
+  CHECK(next_code(&it) == TF_ANSWER_DONE);
+  const uint64_t from = it.last;
+  for (int i = 0; i < PATIENCE && it.source != TF_INPUT_SET; i++) listen(&it);
+  for (int i = 0; i < PATIENCE && it.source != TF_INPUT_SAFE; i++) listen(&it);
+  CHECK(it.source == TF_INPUT_SAFE);
+  /* Records may be lost on a computer with other work, never come early. */
+  CHECK(it.last >= from + 450);
+  for (int i = 0; i < PATIENCE && it.expired == 0; i++) listen(&it);
+  CHECK(it.expired == 1);
   CHECK(end(&it, SIGTERM) == 0);
 }
 
@@ -295,6 +378,8 @@ int main(int argc, char **argv) {
   tap_begin(argc, argv);
   signal(SIGPIPE, SIG_IGN);
   RUN(uplink_flood_costs_no_step);
+  RUN(recorded_reset_acts_once);
+  RUN(silent_controller_is_told);
   RUN(stalled_reader_costs_records_and_no_step);
   RUN(reader_leaves_and_comes_back);
   RUN(device_that_is_unplugged_ends_it);

@@ -9,9 +9,12 @@
 #define PERIOD 1000u /* [units of the clock] */
 
 static struct {
-  uint32_t clock;
+  uint64_t clock;        /* all bits; the loop sees the low ones */
+  uint32_t broken_after; /* these steps; 0: never */
   uint32_t step_costs, record_costs, put_costs;
-  uint32_t slow_step, slow_costs;      /* one step that costs more */
+  uint32_t slow_step, slow_costs; /* one step that costs more */
+  uint32_t long_step;             /* or more than the clock can tell */
+  uint64_t long_costs;
   uint32_t slow_record, outlier_costs; /* one record */
   uint32_t stands_until;               /* ticks at which the app stands */
   uint32_t moves_at, moves_to;         /* after these steps, the next record */
@@ -26,8 +29,12 @@ static struct {
 void port_init(void) {}
 void port_halt(int code) { exit(code); }
 bool port_tick_start(uint32_t rate) { return rate == 1000; }
-uint32_t port_ticks(void) { return ++board.clock / PERIOD; }
-uint32_t port_clock(void) { return board.clock; }
+static uint32_t tick_now(void) { return (uint32_t)(board.clock / PERIOD); }
+uint32_t port_ticks(void) {
+  board.clock++;
+  return tick_now();
+}
+uint32_t port_clock(void) { return (uint32_t)board.clock; }
 uint32_t port_clock_rate(void) { return 1000u * PERIOD; }
 unsigned port_room(void) { return !board.stalled; }
 void port_put(uint8_t byte) {
@@ -37,7 +44,7 @@ void port_put(uint8_t byte) {
 }
 int port_get(void) { return board.flooded ? 0x55 : -1; }
 void port_idle(uint32_t seen) {
-  if (board.clock / PERIOD == seen) board.clock = (seen + 1) * PERIOD;
+  if (tick_now() == seen) board.clock = (board.clock / PERIOD + 1) * PERIOD;
   board.idled++;
 }
 
@@ -47,16 +54,19 @@ int app_latch(void) {
   return 0;
 }
 loop_step_t app_step(uint32_t *until_record) {
-  const uint32_t tick = board.clock / PERIOD;
+  const uint32_t tick = tick_now();
   if (board.moves_to > 0 && board.stepped == board.moves_at)
     *until_record = board.moves_to;
   if (board.latched <= board.stands_until) return LOOP_STOOD;
-  if (board.broken) return LOOP_BROKE;
+  if (board.broken ||
+      (board.broken_after > 0 && board.stepped == board.broken_after))
+    return LOOP_BROKE;
   board.twice += board.stepped > 0 && tick == board.last_tick;
   board.last_tick = tick;
   board.stepped++;
   board.clock +=
       board.stepped == board.slow_step ? board.slow_costs : board.step_costs;
+  if (board.stepped == board.long_step) board.clock += board.long_costs;
   return LOOP_STEPPED;
 }
 void app_output(void) {}
@@ -200,6 +210,57 @@ TEST(records_can_be_moved_to_a_step) {
   CHECK(board.record_step[6] == 28 && board.record_step[7] == 38);
 }
 
+/* Ticks and clock that pass 2^32, in the first second, between steps and in the
+ * middle of one: nothing is counted that did not happen. */
+TEST(ticks_and_clock_go_round) {
+  static const uint64_t ends[] = {(uint64_t)1 << 32,
+                                  PERIOD * ((uint64_t)1 << 32),
+                                  PERIOD * ((uint64_t)1 << 40)};
+  for (unsigned i = 0; i < 3; i++)
+    for (uint64_t k = 0; k < 40; k++) {
+      reset(300);
+      board.clock = ends[i] - 7 * k * k * PERIOD / 5;
+      CHECK(run_loop(2000, 10, LOOP_SKIP) == LOOP_DONE);
+      CHECK(counted.steps == 2000 && board.twice == 0);
+      CHECK(counted.overruns == 0 && counted.skipped == 0);
+      CHECK(counted.dropped == 0 && board.records == 3 + 201);
+      CHECK(counted.shortest >= 300 && counted.longest <= 310);
+      CHECK(board.put == 100 * counted.sent);
+    }
+}
+
+/* Steps and their times after any number of them: the mean is right. */
+TEST(mean_is_of_all_steps) {
+  for (uint64_t k = 0; k < 5; k++) {
+    const loop_plan_t plan = {1000, 0, 10, 1000, LOOP_SKIP};
+    reset(300);
+    board.broken_after = 10;
+    counted = (loop_counts_t){.shortest = UINT32_MAX};
+    counted.steps = ((uint64_t)1 << 32) - k;
+    counted.sum = counted.steps * 300;
+    the_loop.plan = &plan;
+    the_loop.counts = &counted;
+    the_loop.until_record = the_loop.until_heartbeat = 1000;
+    the_loop.period = PERIOD;
+    CHECK(run(&the_loop) == LOOP_REFUSED);
+    CHECK(counted.steps == ((uint64_t)1 << 32) - k + 10);
+    CHECK(counted.sum / counted.steps == 300);
+  }
+}
+
+/* A step that lasts longer than the clock can tell is not taken for a short
+ * one. */
+TEST(step_longer_than_the_clock_is_told) {
+  for (uint32_t past = 0; past < 3; past++) {
+    reset(300);
+    board.long_step = 50;
+    board.long_costs = ((uint64_t)1 << 32) + 100 + 100 * past;
+    CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
+    CHECK(counted.longest == UINT32_MAX && counted.shortest >= 300);
+    CHECK(counted.overruns == 1);
+  }
+}
+
 TEST(ends_are_told_apart) {
   const loop_plan_t wrong = {7, 1, 1, 1, LOOP_SKIP};
   reset(300);
@@ -220,6 +281,9 @@ int main(int argc, char **argv) {
   RUN(one_slow_record_does_not_end_telemetry);
   RUN(standing_is_no_step);
   RUN(records_can_be_moved_to_a_step);
+  RUN(ticks_and_clock_go_round);
+  RUN(mean_is_of_all_steps);
+  RUN(step_longer_than_the_clock_is_told);
   RUN(ends_are_told_apart);
   return tap_end();
 }

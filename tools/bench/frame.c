@@ -19,14 +19,14 @@ static uint8_t line[STEPS * PAIR];
 // A motion with a mantissa full of digits. Returns: bytes made.
 static size_t make_stream(const tf_session_t *start, const tf_scene_t *scene) {
   tf_session_t session = *start;
-  uint16_t sequence = 0;
+  uint32_t sequence = 0;
   size_t at = 0;
   for (int i = 0; i < STEPS; i++) {
     const tf_input_t input = tf_session_input(&session, scene);
     tf_step(&session.machine, &session.state, &input, &session.report);
     at += tf_send_state(line + at, &sequence, &session.state);
     at += tf_send_report(line + at, &sequence, session.state.tick,
-                         &session.report);
+                         &session.report, session.stepped);
   }
   return at;
 }
@@ -55,7 +55,7 @@ static uint32_t decode_bytes(tf_decoder_t *decoder, size_t length) {
 
 static uint32_t seal_frames(tf_decoder_t *decoder, size_t length) {
   static uint8_t wire[TF_FRAME_SIZE(TF_REPORT_BYTES)];
-  uint16_t sequence = 0;
+  uint32_t sequence = 0;
   (void)decoder;
   for (size_t i = 0; i + sizeof wire <= length; i += sizeof wire) {
     for (unsigned k = 0; k < TF_REPORT_BYTES; k++)

@@ -46,7 +46,7 @@ CALL(wire_get_real) {
 }
 CALL(frame_seal) {
   uint8_t wire[WIRE];
-  uint16_t sequence = (uint16_t)GENE(1);
+  uint32_t sequence = GENE(1);
   const uint64_t tick = GENE(2) & 1u ? 0 : UINT64_MAX;
   fill(wire + TF_FRAME_AT, s->units, GENE(0));
   return COUNT(
@@ -68,7 +68,7 @@ typedef struct {
 
 static void line_of(const subject_t *s, unsigned payload, line_t *line) {
   memset(line, 0, sizeof *line);
-  uint16_t sequence = (uint16_t)GENE(1);
+  uint32_t sequence = GENE(1);
   const uint64_t tick = GENE(2) & 1u ? 0 : UINT64_MAX;
   fill(line->wire + TF_FRAME_AT, payload, GENE(0));
   line->size =
@@ -77,7 +77,7 @@ static void line_of(const subject_t *s, unsigned payload, line_t *line) {
   const uint16_t room = (uint16_t)(GENE(4) & 32u ? 8 : sizeof line->buffer);
   tf_decoder_init(&line->decoder, line->buffer, room);
   line->decoder.started = (GENE(4) & 64u) != 0;
-  line->decoder.sequence = (uint16_t)(GENE(6) >> 4);
+  line->decoder.sequence = GENE(6) >> 4;
   line->decoder.tick = GENE(7);
 }
 
@@ -118,13 +118,14 @@ typedef struct {
   tf_scene_t scene;
   tf_session_t session;
   tf_link_t link;
+  uint8_t key[TF_KEY_BYTES];
 } uplink_t;
 
 static size_t command_of(const subject_t *s, unsigned kind, uint8_t *payload,
                          uint8_t *type) {
-  static const uint8_t plain[] = {TF_UP_RESET,    TF_UP_START,   TF_UP_STOP,
-                                  TF_UP_SNAPSHOT, TF_UP_RESTORE, TF_UP_DESCRIBE,
-                                  TF_UP_CLEAR,    TF_UP_INPUT,   0x7f};
+  static const uint8_t plain[] = {
+      TF_UP_RESET,    TF_UP_START, TF_UP_STOP,  TF_UP_SNAPSHOT, TF_UP_RESTORE,
+      TF_UP_DESCRIBE, TF_UP_CLEAR, TF_UP_INPUT, TF_UP_DEADMAN,  0x7f};
   uint8_t *at = payload;
   switch (kind % 6) {
     case 0: {
@@ -163,8 +164,8 @@ static size_t command_of(const subject_t *s, unsigned kind, uint8_t *payload,
       break;
     case 4: // too long for its kind
       *type = (uint8_t)(TF_UP_INPUT + GENE(8) % 12);
-      fill(payload, TF_UP_PAYLOAD, GENE(9));
-      at += TF_UP_PAYLOAD;
+      fill(payload, TF_COMMAND_DATA, GENE(9));
+      at += TF_COMMAND_DATA;
       break;
     default:
       *type = plain[GENE(8) % sizeof plain];
@@ -179,10 +180,13 @@ static void start_uplink(const subject_t *s, uplink_t *u) {
   u->scene.omega = s->state.w;
   u->scene.h = sized_of(GENE(10), -40, 4);
   memset(&u->session, 0, sizeof u->session);
+  fill(u->key, sizeof u->key, GENE(10));
   u->session.machine = s->machine.machine;
   u->session.state = s->state;
   u->session.state.tick = GENE(11);
   tf_link_open(&u->link, &u->scene, &s->params);
+  u->link.session = 1;
+  if (GENE(12) & 2u) tf_link_require_tag(&u->link, u->key);
   u->link.has_saved = (GENE(12) & 1u) != 0;
   u->link.saved = s->state;
 }
@@ -192,12 +196,13 @@ static uint32_t send_commands(const subject_t *s, uplink_t *u, unsigned n) {
   uint32_t worst = 0;
   for (unsigned i = 0; i < n; i++) {
     uint8_t wire[WIRE], type;
-    uint16_t sequence = (uint16_t)(i + (GENE(13) & 1u ? i << 8 : 0));
+    uint32_t number = i + (GENE(13) & 1u ? i << 8 : 0);
     const unsigned kind =
         GENE(14) & 1u ? GENE(14) >> 1 : GENE(14) >> (1 + 3 * i);
-    const size_t length = command_of(s, kind, wire + TF_FRAME_AT, &type);
-    const size_t size =
-        tf_frame_seal(wire, type, length, &sequence, GENE(15) & 1u);
+    const size_t length = command_of(s, kind, wire + TF_COMMAND_AT, &type);
+    const size_t size = tf_command_seal(
+        wire, type, length, GENE(13) & 2u ? 2u : 1u, &number, GENE(15) & 1u,
+        u->link.tag == NULL || GENE(13) & 4u ? NULL : u->key);
     for (size_t j = 0; j < size; j++) {
       const uint32_t cost = COUNT(tf_link_receive(&u->link, wire[j]));
       if (i + 1 == n && cost > worst) worst = cost;
@@ -209,6 +214,27 @@ static uint32_t send_commands(const subject_t *s, uplink_t *u, unsigned n) {
 CALL(link_open) {
   tf_link_t link;
   return COUNT(tf_link_open(&link, tf_scenes[0], &s->params));
+}
+CALL(link_require_tag) {
+  tf_link_t link;
+  const uint8_t key[TF_KEY_BYTES] = {0};
+  (void)s;
+  return COUNT(tf_link_require_tag(&link, key));
+}
+CALL(link_stir) {
+  tf_link_t link;
+  memset(&link, 0, sizeof link);
+  link.noise = GENE(0);
+  return COUNT(tf_link_stir(&link, GENE(1)));
+}
+CALL(command_seal) {
+  uint8_t wire[WIRE], type;
+  uint8_t key[TF_KEY_BYTES];
+  uint32_t number = GENE(1);
+  const size_t length = command_of(s, GENE(2), wire + TF_COMMAND_AT, &type);
+  fill(key, sizeof key, GENE(3));
+  return COUNT(tf_command_seal(wire, type, length, GENE(4), &number, GENE(5),
+                               GENE(6) & 1u ? NULL : key));
 }
 CALL(link_receive) {
   uplink_t u;
@@ -224,7 +250,7 @@ CALL(link_boundary) {
 CALL(link_answer) {
   uplink_t u;
   uint8_t wire[WIRE];
-  uint16_t sequence = (uint16_t)GENE(17);
+  uint32_t sequence = GENE(17);
   start_uplink(s, &u);
   (void)send_commands(s, &u, TF_LINK_QUEUE);
   (void)tf_link_boundary(&u.link, &u.session);
@@ -247,7 +273,7 @@ static tf_report_t report_of(const subject_t *s) {
 CALL(send_schema) {
   char text[TF_FRAME_PAYLOAD + 1];
   uint8_t wire[WIRE];
-  uint16_t sequence = (uint16_t)GENE(1);
+  uint32_t sequence = GENE(1);
   memset(text, '.', sizeof text - 1);
   text[sizeof text - 1] = '\0';
   const tf_schema_t schema = {.params = &s->params,
@@ -260,14 +286,14 @@ CALL(send_schema) {
 CALL(send_layout) {
   char text[TF_FRAME_PAYLOAD + 1];
   uint8_t wire[WIRE];
-  uint16_t sequence = (uint16_t)GENE(1);
+  uint32_t sequence = GENE(1);
   memset(text, '.', sizeof text - 1);
   text[sizeof text - 1] = '\0';
   return COUNT(tf_send_layout(wire, &sequence, GENE(4), TF_DOWN_STATE, text));
 }
 CALL(send_state) {
   uint8_t wire[WIRE];
-  uint16_t sequence = (uint16_t)GENE(8);
+  uint32_t sequence = GENE(8);
   tf_state_t state = s->state;
   state.tick = GENE(9);
   if (GENE(10) & 1u) memset(&state, 0, sizeof state);
@@ -275,13 +301,13 @@ CALL(send_state) {
 }
 CALL(send_report) {
   uint8_t wire[WIRE];
-  uint16_t sequence = (uint16_t)GENE(8);
+  uint32_t sequence = GENE(8);
   const tf_report_t report = report_of(s);
-  return COUNT(tf_send_report(wire, &sequence, GENE(9), &report));
+  return COUNT(tf_send_report(wire, &sequence, GENE(9), &report, TF_INPUT_SET));
 }
 CALL(send_compact) {
   uint8_t wire[WIRE];
-  uint16_t sequence = (uint16_t)GENE(8);
+  uint32_t sequence = GENE(8);
   const tf_report_t report = report_of(s);
   tf_state_t state = s->state;
   state.tick = GENE(9);
@@ -290,14 +316,14 @@ CALL(send_compact) {
 }
 CALL(send_heartbeat) {
   uint8_t wire[WIRE];
-  uint16_t sequence = (uint16_t)GENE(8);
+  uint32_t sequence = GENE(8);
   tf_heartbeat_t beat;
   fill((uint8_t *)&beat, sizeof beat, GENE(10));
   return COUNT(tf_send_heartbeat(wire, &sequence, GENE(9), &beat));
 }
 CALL(send_parameter) {
   uint8_t wire[WIRE];
-  uint16_t sequence = (uint16_t)GENE(8);
+  uint32_t sequence = GENE(8);
   return COUNT(tf_send_parameter(wire, &sequence, GENE(9), &s->params,
                                  GENE(10) % (TF_PARAMETERS + 1)));
 }
@@ -343,6 +369,9 @@ const call_t line_calls[] = {
     BYTES(decoder_push, TF_FRAME_PAYLOAD),
     BYTES(decoder_block, TF_FRAME_SIZE(TF_FRAME_PAYLOAD)),
     ENTRY(link_open),
+    ENTRY(link_require_tag),
+    ENTRY(link_stir),
+    ENTRY(command_seal),
     ENTRY(link_receive),
     ENTRY(link_boundary),
     ENTRY(link_answer),

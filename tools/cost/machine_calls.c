@@ -139,8 +139,14 @@ CALL(session_input) {
   session.machine = *K;
   session.state = s->state;
   session.state.tick = GENE(2) >> (GENE(3) % 32);
-  session.input_is_set = (GENE(3) & 32u) != 0;
+  session.source = (tf_input_source_t)(GENE(3) >> 5 & 1u);
+  session.deadman = session.left = GENE(3) >> 6 & 1u;
   return COUNT(tf_session_input(&session, &scene));
+}
+CALL(session_set_input) {
+  tf_session_t session;
+  memset(&session, 0, sizeof session);
+  return COUNT(tf_session_set_input(&session, &s->input));
 }
 CALL(session_start) {
   const tf_scene_t scene = scene_of(s);
@@ -207,6 +213,7 @@ const call_t machine_calls[] = {
     ENTRY(scene_start),
     ENTRY(session_input),
     ENTRY(tally_count),
+    ENTRY(session_set_input),
     ENTRY(session_start),
     ENTRY(session_open),
     ENTRY(two_folds),

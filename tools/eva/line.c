@@ -12,7 +12,7 @@ static uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
 // refused.
 void seal_any(void);
 void seal_any(void) {
-  uint16_t sequence;
+  uint32_t sequence;
   ANY_BITS(wire);
   ANY_BITS(sequence);
   tf_frame_seal(wire, Frama_C_unsigned_char_interval(0, 255),
@@ -104,7 +104,7 @@ void link_any(void) {
   static tf_session_t session;
   static uint8_t answer[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
   const tf_scene_t scene = any_scene();
-  uint16_t sequence = 0;
+  uint32_t sequence = 0;
   if (tf_session_open(&session, &scene, &scene.params, 0) != TF_OK) return;
   tf_link_open(&link, &scene, &scene.params);
   //@ loop widen_hints "all", TF_LINK_QUEUE, sizeof(link.buffer);
@@ -124,7 +124,8 @@ void session_any(void) {
   const tf_scene_t scene = any_scene();
   ANY_BITS(session);
   session.machine = any_machine();
-  session.input_is_set = any_bool();
+  session.source =
+      (tf_input_source_t)Frama_C_interval(TF_INPUT_SCENE, TF_INPUT_SAFE);
   tf_session_input(&session, &scene);
   tf_session_start(&session, &scene, 0);
   //@ check reached: \false;
@@ -142,20 +143,23 @@ void send_any(void) {
   tf_params_t params;
   tf_report_t report;
   tf_heartbeat_t heartbeat;
-  uint16_t sequence = 0;
+  uint32_t sequence = 0;
   ANY_BITS(params);
   params.law = (tf_tyre_law_t)Frama_C_interval(0, TF_TYRE_LAWS - 1);
   params.with_angle = any_bool();
   ANY_BITS(report);
   ANY_BITS(heartbeat);
   tf_send_state(state_wire, &sequence, &state);
-  tf_send_report(report_wire, &sequence, 0, &report);
+  tf_send_report(report_wire, &sequence, 0, &report, TF_INPUT_SAFE);
   tf_send_compact(compact_wire, &sequence, &state, &report);
   tf_send_heartbeat(heartbeat_wire, &sequence, 0, &heartbeat);
   const int index = Frama_C_interval(0, TF_PARAMETERS);
   //@ split index;
   tf_send_parameter(parameter_wire, &sequence, 0, &params, (unsigned)index);
-  const tf_schema_t schema = {&params, "scene", "build", 0, 0, any_bool()};
+  const tf_schema_t schema = {.params = &params,
+                              .scene = "scene",
+                              .build = "build",
+                              .takes_commands = any_bool()};
   tf_send_schema(wire, &sequence, 0, &schema);
   tf_send_layout(wire, &sequence, 0, TF_DOWN_STATE, tf_layout_state);
   tf_send_layout(wire, &sequence, 0, TF_DOWN_REPORT, tf_layout_report);

@@ -69,9 +69,12 @@ static const char *monitor(int argc, char *const argv[]) {
     if (code != CLI_DONE) return NULL;
   }
   receiver.has_schema = true;
+  receiver.session = 1;
+  receiver.schemas = 1;
   for (size_t i = 0; i < commands.count; i++) {
     receiver.is_float = (i & 1u) != 0;
     commands.waiting = false;
+    commands.schemas = 0;
     commands.next = i;
     const size_t size = cli_board_commands_next(&commands, &receiver, 0, wire);
     FUZZ_HOLD(size >= TF_FRAME_SIZE(0) && size <= sizeof wire);

@@ -5,7 +5,7 @@
 #include "cli/monitor/receiver.h"
 #include "fuzz/fuzz.h"
 
-#define HALF_ROOM TF_DECODER_SIZE(TF_UP_PAYLOAD)
+#define HALF_ROOM TF_DECODER_SIZE(TF_COMMAND_BYTES)
 #define FULL_ROOM TF_DECODER_SIZE(TF_FRAME_PAYLOAD)
 #define MOST_ITEMS 64
 
@@ -68,8 +68,8 @@ static const char *same_frame(const tf_frame_t *frame, const uint8_t *want,
                               size_t length) {
   FUZZ_HOLD(frame->length == length - TF_FRAME_HEADER);
   FUZZ_HOLD(frame->type == want[1]);
-  FUZZ_HOLD(frame->sequence == tf_wire_get(want + 3, 2));
-  FUZZ_HOLD(frame->tick == tf_wire_get(want + 5, 8));
+  FUZZ_HOLD(frame->sequence == tf_wire_get(want + 3, 4));
+  FUZZ_HOLD(frame->tick == tf_wire_get(want + 7, 8));
   FUZZ_HOLD(memcmp(frame->payload, want + TF_FRAME_HEADER, frame->length) == 0);
   return NULL;
 }
@@ -112,7 +112,9 @@ typedef struct {
   tf_link_t link;
   tf_session_t session;
   line_t line;       // what the uplink hears
-  uint16_t up, down; // sequences
+  uint32_t up, down; // sequences
+  uint8_t key[TF_KEY_BYTES];
+  bool wants_tag;
   uint32_t answers;
   cli_receiver_t receiver; // what a host makes of the frames
 } board_t;
@@ -123,7 +125,9 @@ typedef struct {
   tf_machine_t machine;
   tf_state_t state;
   tf_input_t input;
-  bool input_is_set, running;
+  tf_input_source_t source;
+  uint32_t deadman;
+  bool running;
 } acting_t;
 
 static void look(const board_t *b, acting_t *now) {
@@ -132,7 +136,8 @@ static void look(const board_t *b, acting_t *now) {
   memcpy(&now->machine, &b->session.machine, sizeof now->machine);
   memcpy(&now->state, &b->session.state, sizeof now->state);
   memcpy(&now->input, &b->session.input, sizeof now->input);
-  now->input_is_set = b->session.input_is_set;
+  now->source = b->session.source;
+  now->deadman = b->session.deadman;
   now->running = b->session.running;
 }
 
@@ -145,8 +150,8 @@ static const char *hear(board_t *b, const uint8_t *bytes, size_t length) {
     tf_link_receive(&b->link, bytes[i]);
     FUZZ_HOLD(b->link.waiting <= TF_LINK_QUEUE);
     if (whole == 0) continue;
-    const tf_frame_t frame = {tf_wire_get(b->line.frame + 5, 8),
-                              (uint16_t)tf_wire_get(b->line.frame + 3, 2),
+    const tf_frame_t frame = {tf_wire_get(b->line.frame + 7, 8),
+                              (uint32_t)tf_wire_get(b->line.frame + 3, 4),
                               b->line.frame[1], b->line.frame[2],
                               b->line.frame + TF_FRAME_HEADER};
     (void)cli_receiver_take(&b->receiver, &frame, &row);
@@ -154,7 +159,9 @@ static const char *hear(board_t *b, const uint8_t *bytes, size_t length) {
   look(b, &after);
   FUZZ_HOLD(memcmp(&before, &after, sizeof before) == 0);
   FUZZ_HOLD(b->link.decoder.frames == b->line.frames);
-  FUZZ_HOLD(b->link.waiting + b->answers + b->link.ignored <= b->line.frames);
+  FUZZ_HOLD(b->link.waiting + b->link.has_aside + b->answers +
+                b->link.ignored <=
+            b->line.frames);
   return NULL;
 }
 
@@ -164,8 +171,9 @@ static size_t make_command(board_t *b, uint8_t *wire) {
   const uint8_t form = fuzz_byte(&b->in);
   size_t length = form & 63u;
   uint64_t due = form & 64u ? b->session.state.tick + fuzz_byte(&b->in) : 0;
-  uint8_t *at = wire + TF_FRAME_AT;
+  uint8_t *at = wire + TF_COMMAND_AT;
   if (form & 128u) due <<= 8;
+  if (length > TF_COMMAND_DATA) length = TF_COMMAND_DATA;
   if (type == TF_UP_PARAMETER) {
     *at++ = (uint8_t)(length % (TF_PARAMETERS + 1));
     at = tf_wire_put_real(at, fuzz_real(&b->in));
@@ -179,8 +187,13 @@ static size_t make_command(board_t *b, uint8_t *wire) {
   } else {
     for (; length > 0; length--) *at++ = fuzz_byte(&b->in);
   }
-  return tf_frame_seal(wire, type, (size_t)(at - wire) - TF_FRAME_AT, &b->up,
-                       due);
+  // Now and then of another session, an old number, or without the tag.
+  const uint8_t who = (form & 192u) == 128u ? fuzz_byte(&b->in) : 0;
+  if ((who & 15u) == 1) b->up = fuzz_byte(&b->in);
+  return tf_command_seal(wire, type, (size_t)(at - wire) - TF_COMMAND_AT,
+                         b->link.session ^ ((who & 0xf0u) == 0x10u), &b->up,
+                         due,
+                         b->wants_tag != ((who & 15u) == 2) ? b->key : NULL);
 }
 
 static const char *take_answers(board_t *b, unsigned most) {
@@ -191,7 +204,7 @@ static const char *take_answers(board_t *b, unsigned most) {
     b->answers++;
     FUZZ_HOLD(size <= TF_FRAME_SIZE(TF_ANSWER_BYTES));
     FUZZ_HOLD(wire[0] == 0 && wire[size - 1] == 0);
-    FUZZ_HOLD(plain_frame(wire + 1, size - 2, out) >= TF_FRAME_HEADER + 5);
+    FUZZ_HOLD(plain_frame(wire + 1, size - 2, out) >= TF_FRAME_HEADER + 8);
     FUZZ_HOLD(out[1] == TF_DOWN_ANSWER);
   }
   return NULL;
@@ -202,7 +215,7 @@ static const char *tick(board_t *b) {
   acting_t before, after;
   tf_machine_t machine;
   look(b, &before);
-  const unsigned most = b->link.waiting;
+  const unsigned most = b->link.waiting + b->link.has_aside;
   const unsigned effective = tf_link_boundary(&b->link, &b->session);
   look(b, &after);
   FUZZ_HOLD(effective <= most && b->answers + most <= b->line.frames);
@@ -256,10 +269,16 @@ static const char *uplink(const uint8_t *data, size_t size) {
   memset(b, 0, sizeof *b);
   b->in = (fuzz_bytes_t){data, data + size};
   b->line.room = HALF_ROOM;
-  b->scene = tf_scenes[fuzz_byte(&b->in) % TF_SCENES];
+  const uint8_t first = fuzz_byte(&b->in);
+  b->scene = tf_scenes[first % TF_SCENES];
   FUZZ_HOLD(tf_session_open(&b->session, b->scene, &b->scene->params, 1) ==
             TF_OK);
   tf_link_open(&b->link, b->scene, &b->scene->params);
+  const unsigned kind = first / TF_SCENES;
+  b->wants_tag = kind & 1u;
+  if (b->wants_tag) tf_link_require_tag(&b->link, b->key);
+  if ((kind & 2u) == 0) b->link.session = 1; // somebody has asked already
+  if (kind & 4u) b->link.next = b->up = UINT32_MAX - 8u;
   for (int i = 0; i < MOST_ITEMS && b->in.at < b->in.end; i++)
     FUZZ_HOLD_ALL(perform(b));
   return NULL;

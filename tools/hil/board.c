@@ -30,11 +30,28 @@ static const tf_scene_t *scene_named(const uint8_t *name, size_t length) {
   return NULL;
 }
 
+// The first session that the board tells, and the number with which to begin.
+// Another one later means that the board has forgotten the run.
+static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
+  const uint32_t session = (uint32_t)tf_wire_get(at + 13, 4);
+  if (session == board->session) return HIL_EQUAL;
+  if (board->session != 0)
+    return hil_message(HIL_STOPPED, "%s: the board was started anew",
+                       board->source.name);
+  if ((at[4] & 4u) != 0 && board->key == NULL)
+    return hil_message(HIL_REFUSED,
+                       "the board wants its commands tagged"
+                       " (--key)");
+  board->session = session;
+  board->sequence = (uint32_t)tf_wire_get(at + 17, 4);
+  return HIL_EQUAL;
+}
+
 // Scene and step determine the machine on the board; the hash confirms it.
 static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   const size_t R = TF_REAL_BYTES;
-  if (frame->length < 15 + R || at[0] != R)
+  if (frame->length < 27 + R || at[0] != R)
     return hil_message(HIL_REFUSED, "the board computes in %s, this is %s",
                        at[0] == 4 ? "float" : "double",
                        R == 4 ? "float" : "double");
@@ -42,20 +59,21 @@ static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
     return hil_message(HIL_REFUSED, "the board %s",
                        at[3] != 0 ? "does not step by tf_step"
                                   : "takes no commands (UPLINK=yes)");
-  const uint8_t *name = at + 13 + R;
-  const uint8_t *end = memchr(name, 0, frame->length - 13 - R);
+  const uint8_t *name = at + 25 + R;
+  const uint8_t *end = memchr(name, 0, frame->length - 25 - R);
   board->scene = end == NULL ? NULL : scene_named(name, (size_t)(end - name));
   if (board->scene == NULL)
     return hil_message(HIL_REFUSED, "the board's scene is not known here");
   board->params = board->scene->params;
-  board->params.dt = tf_wire_get_real(at + 13);
+  board->params.dt = tf_wire_get_real(at + 25);
   board->seed = (uint32_t)tf_wire_get(at + 5, 4);
   if (tf_params_hash(&board->params) != tf_wire_get(at + 9, 4))
     return hil_message(HIL_REFUSED,
                        "the board's parameters are not those of scene %s",
                        board->scene->name);
+  board->deadman = (uint32_t)tf_wire_get(at + 21, 4);
   board->has_schema = true;
-  return HIL_EQUAL;
+  return take_session(board, at);
 }
 
 static void take_state(hil_board_t *board, const tf_frame_t *frame) {
@@ -80,17 +98,18 @@ static void take_report(hil_board_t *board, const tf_frame_t *frame) {
   last->has_report = true;
 }
 
+// An answer belongs to the command of its type and number. `old` means that the
+// command was taken before and only its answer was lost.
 static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
-  const uint16_t sequence = (uint16_t)tf_wire_get(frame->payload, 2);
-  const uint8_t code = frame->payload[3];
+  const uint32_t sequence = (uint32_t)tf_wire_get(frame->payload, 4);
+  const uint8_t type = frame->payload[4], code = frame->payload[5];
   const int value = code < 128 ? code : code - 256;
-  if (frame->payload[2] != TF_UP_INPUT) {
-    if ((uint16_t)(sequence - board->first) >= board->tries) return;
-    board->answer = value;
+  if (type == board->ordered && sequence == board->number) {
+    board->answer = value == TF_ANSWER_OLD && board->tries > 1 ? 0 : value;
     board->has_answer = true;
     return;
   }
-  for (size_t i = board->count; i > 0; i--) {
+  for (size_t i = type == TF_UP_INPUT ? board->count : 0; i > 0; i--) {
     hil_sample_t *sample = &board->samples[i - 1];
     if (!sample->sent || sample->answered || sample->sequence != sequence)
       continue;
@@ -112,7 +131,7 @@ static hil_code_t take(hil_board_t *board, const tf_frame_t *frame) {
     take_state(board, frame);
   if (frame->type == TF_DOWN_REPORT && frame->length == TF_REPORT_BYTES)
     take_report(board, frame);
-  if (frame->type == TF_DOWN_ANSWER && frame->length >= 5)
+  if (frame->type == TF_DOWN_ANSWER && frame->length >= 8)
     take_answer(board, frame);
   if (frame->type == TF_DOWN_HEARTBEAT && frame->length == TF_HEARTBEAT_BYTES)
     take_heartbeat(board, frame);
@@ -139,22 +158,31 @@ hil_code_t hil_board_listen(hil_board_t *board, int milliseconds) {
   return HIL_EQUAL;
 }
 
-hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
-                          const uint8_t *payload, size_t length) {
-  uint8_t wire[TF_FRAME_SIZE(TF_UP_PAYLOAD)];
-  if (length > 0) memcpy(wire + TF_FRAME_AT, payload, length);
-  const size_t size =
-      tf_frame_seal(wire, (uint8_t)type, length, &board->sequence, tick);
+static hil_code_t send_as(hil_board_t *board, uint32_t number, tf_type_t type,
+                          uint64_t tick, const uint8_t *data, size_t length) {
+  uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)];
+  if (length > 0) memcpy(wire + TF_COMMAND_AT, data, length);
+  const size_t size = tf_command_seal(
+      wire, (uint8_t)type, length, board->session, &number, tick, board->key);
+  // The board does not count questions.
+  if (type != TF_UP_DESCRIBE) board->sequence = number;
   if (cli_source_write(&board->source, wire, size)) return HIL_EQUAL;
   return hil_message(HIL_STOPPED, "%s: %s", board->source.name,
                      strerror(board->source.error));
 }
 
-// The command is sent again if no answer comes, whether it was lost or its
-// answer was. That is safe: executed twice it has no further effect.
-hil_code_t hil_board_order(hil_board_t *board, tf_type_t type) {
+hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
+                          const uint8_t *data, size_t length) {
+  return send_as(board, board->sequence, type, tick, data, length);
+}
+
+// The command is sent again, with the same number, if no answer comes, whether
+// it was lost or its answer was: the board takes a number once.
+hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
+                           const uint8_t *data, size_t length) {
   double until = 0;
-  board->first = board->sequence;
+  board->ordered = type;
+  board->number = board->sequence;
   board->tries = 0;
   board->has_answer = false;
   while (!board->has_answer) {
@@ -163,7 +191,7 @@ hil_code_t hil_board_order(hil_board_t *board, tf_type_t type) {
       return hil_message(HIL_STOPPED, "%s: no answer; does it take commands?",
                          board->source.name);
     if (cli_now() > until) {
-      code = hil_board_send(board, type, 0, NULL, 0);
+      code = send_as(board, board->number, type, 0, data, length);
       until = cli_now() + PATIENCE;
       board->tries++;
     }

@@ -32,7 +32,7 @@ typedef struct {
   bool sent;         ///< an input was sent
   bool answered;     ///< ... and answered
   int code;          ///< of the answer
-  uint16_t sequence; ///< of the input's frame
+  uint32_t sequence; ///< number of the input
   uint64_t effect;   ///< tick at which the input took effect
   tf_input_t input;
   tf_input_t own; ///< the controller's response to the host run
@@ -42,16 +42,19 @@ typedef struct {
   cli_source_t source;
   tf_decoder_t decoder;
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
-  uint16_t sequence; ///< of the next frame that is sent
+  uint32_t sequence;  ///< number of the next command
+  const uint8_t *key; ///< NULL: the board wants no tag
   // From the schema frame.
   bool has_schema;
+  uint32_t session; ///< that commands name; 0: not told yet
+  uint32_t deadman; ///< steps that an input holds
   tf_params_t params;
   const tf_scene_t *scene;
   uint32_t seed;
-  // The command whose answer is awaited: sent `tries` times, from the sequence
-  // number `first` on.
-  uint16_t first;
-  int tries;
+  // The command whose answer is awaited.
+  tf_type_t ordered;
+  uint32_t number;
+  int tries; // how often it was sent
   bool has_answer;
   int answer;
   // The states of the run in order, one for each tick that is a multiple of
@@ -69,12 +72,13 @@ typedef struct {
 /// Returns: HIL_EQUAL; after a message another code.
 hil_code_t hil_board_listen(hil_board_t *board, int milliseconds);
 
-/// Sends a command. payload: NULL where it has none.
+/// Sends a command. data: NULL where it has none.
 hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
-                          const uint8_t *payload, size_t length);
+                          const uint8_t *data, size_t length);
 
-/// Sends a command and waits until it has taken effect.
-hil_code_t hil_board_order(hil_board_t *board, tf_type_t type);
+/// Sends a command and waits until it has taken effect. data: as above.
+hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
+                           const uint8_t *data, size_t length);
 
 /// Sends the input of a sample, which takes effect at the given tick or later.
 hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,

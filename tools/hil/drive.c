@@ -9,16 +9,34 @@
 #define TRIES 8       // attempts to send an input to a board that is stopped
 #define OUTSTANDING 3 // inputs that may wait on the board; its queue has four
 
+// Asks the board who it is: without its session it takes no other command.
+static hil_code_t ask(hil_board_t *board) {
+  hil_code_t code = hil_board_order(board, TF_UP_DESCRIBE, NULL, 0);
+  const double until = cli_now() + PATIENCE;
+  while (code == HIL_EQUAL && board->session == 0) {
+    code = hil_board_listen(board, 100);
+    if (code == HIL_EQUAL && cli_now() > until)
+      code = hil_message(HIL_STOPPED, "the board does not describe itself");
+  }
+  return code;
+}
+
 // Commands that another host left in the queue are cleared. Frames that are
 // still on the line are ignored until the first answer comes.
-hil_code_t hil_prepare(hil_board_t *board) {
-  static const tf_type_t orders[] = {TF_UP_STOP, TF_UP_RESET, TF_UP_DESCRIBE};
-  hil_code_t code = hil_board_send(board, TF_UP_CLEAR, 0, NULL, 0);
+hil_code_t hil_prepare(hil_board_t *board, const hil_plan_t *plan) {
+  static const tf_type_t orders[] = {TF_UP_CLEAR, TF_UP_STOP, TF_UP_RESET};
+  uint8_t steps[4];
+  hil_code_t code = ask(board);
   for (size_t i = 0; i < 3 && code == HIL_EQUAL; i++)
-    code = hil_board_order(board, orders[i]);
+    code = hil_board_order(board, orders[i], NULL, 0);
+  (void)tf_wire_put(steps, plan->deadman, sizeof steps);
+  if (code == HIL_EQUAL && plan->has_deadman) {
+    code = hil_board_order(board, TF_UP_DEADMAN, steps, sizeof steps);
+    board->deadman = plan->deadman;
+  }
   const double until = cli_now() + PATIENCE;
   board->listens = true;
-  while (code == HIL_EQUAL && !(board->has_schema && board->count > 0)) {
+  while (code == HIL_EQUAL && board->count == 0) {
     code = hil_board_listen(board, 100);
     if (code == HIL_EQUAL && cli_now() > until)
       code = hil_message(HIL_STOPPED, "the board sends no state");
@@ -61,7 +79,7 @@ static hil_code_t respond(hil_board_t *board, const hil_plan_t *plan,
   tf_state_t state;
   board->has_new = false;
   if (sample->tick + plan->delay >= plan->steps ||
-      hil_board_waiting(board) >= OUTSTANDING)
+      sample->tick >= plan->silent || hil_board_waiting(board) >= OUTSTANDING)
     return HIL_EQUAL;
   (void)tf_prepare(&machine, &board->params, NULL);
   tf_read_state(sample->state, sample->tick, &state);
@@ -85,7 +103,8 @@ static hil_code_t respond_in_lockstep(hil_board_t *board,
     if (code == HIL_EQUAL) code = wait_for_answers(board, 0.5);
     if (hil_board_waiting(board) == 0) break;
   }
-  return code == HIL_EQUAL ? hil_board_order(board, TF_UP_START) : code;
+  return code == HIL_EQUAL ? hil_board_order(board, TF_UP_START, NULL, 0)
+                           : code;
 }
 
 hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
@@ -98,10 +117,10 @@ hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
       code = plan->in_lockstep ? respond_in_lockstep(board, plan, control)
                                : respond(board, plan, control);
     if (code == HIL_EQUAL && last_tick(board) == 0 && !plan->in_lockstep)
-      code = hil_board_order(board, TF_UP_START);
+      code = hil_board_order(board, TF_UP_START, NULL, 0);
     if (code == HIL_EQUAL) code = wait_for_state(board);
   }
   if (code != HIL_EQUAL) return code;
-  code = hil_board_order(board, TF_UP_STOP);
+  code = hil_board_order(board, TF_UP_STOP, NULL, 0);
   return code == HIL_EQUAL ? wait_for_answers(board, 1) : code;
 }

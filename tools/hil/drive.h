@@ -7,9 +7,10 @@
 #include "hil/control.h"
 #include "hil/twin.h"
 
-/// Stops the board at the start of its scene and reads its schema.
+/// Reads the board's schema, stops the board at the start of its scene and sets
+/// how long its inputs hold.
 /// Returns: HIL_EQUAL; after a message another code.
-hil_code_t hil_prepare(hil_board_t *board);
+hil_code_t hil_prepare(hil_board_t *board, const hil_plan_t *plan);
 
 /// Runs the board according to the plan, then stops it. Returns: as above.
 hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,

@@ -5,7 +5,7 @@
 #   REAL SCENE RATE EVERY: see port/port.mk
 
 HIL_PARTS := $(wildcard tools/hil/*.c) tools/cli/host/source.c \
-  tools/cli/host/host.c
+  tools/cli/host/host.c tools/cli/host/key.c
 
 define hil_rules
 $(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) \

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli/host/host.h"
+#include "cli/host/key.h"
 #include "hil/board.h"
 #include "hil/control.h"
 #include "hil/drive.h"
@@ -17,6 +18,8 @@
 typedef struct {
   const char *device, *csv;
   uint64_t baud;
+  bool has_key;
+  uint8_t key[TF_KEY_BYTES];
   hil_plan_t plan;
   hil_control_t control;
 } options_t;
@@ -34,6 +37,13 @@ static hil_code_t usage(void) {
       "  --speed W       set point of the disc's speed [rad/s] (-0.9)\n"
       "  --gain G        of the turntable's speed (0.1)\n"
       "  --brake B       torque / speed above the set point [N m s] (0.2)\n"
+      "  --deadman N     steps that an input holds, 0 without end; default: "
+      "as\n"
+      "                  the board has it\n"
+      "  --silent N      sends no input from step N on, as a controller that\n"
+      "                  failed\n"
+      "  --key FILE      32 hexadecimal digits, for a board that wants its\n"
+      "                  commands tagged\n"
       "  --csv FILE      states that were read, inputs that were sent\n"
       "Exit codes: 0 the loop has the bits of a pure host run, 1 it does not,\n"
       "2 usage, 3 the board cannot be driven, 4 the line failed.\n",
@@ -73,13 +83,25 @@ static bool read_option(options_t *options, const char *name,
   if (!strcmp(name, "--speed")) return number(value, &options->control.speed);
   if (!strcmp(name, "--gain")) return number(value, &options->control.gain);
   if (!strcmp(name, "--brake")) return number(value, &options->control.brake);
+  if (!strcmp(name, "--silent"))
+    return whole(value, 0, 10000000, &options->plan.silent);
+  if (!strcmp(name, "--deadman")) {
+    options->plan.has_deadman = whole(value, 0, UINT32_MAX, &n);
+    options->plan.deadman = (uint32_t)n;
+    return options->plan.has_deadman;
+  }
+  if (!strcmp(name, "--key")) {
+    options->has_key = cli_read_key(value, options->key);
+    return options->has_key;
+  }
   if (!strcmp(name, "--csv")) options->csv = value;
   return !strcmp(name, "--csv");
 }
 
 static hil_code_t read_options(options_t *options, int argc, char **argv) {
-  *options = (options_t){.plan = {2000, 10, 20, false},
-                         .control = {TF_R(-0.9), TF_R(0.1), TF_R(0.2)}};
+  *options = (options_t){
+      .plan = {.steps = 2000, .every = 10, .delay = 20, .silent = UINT64_MAX},
+      .control = {TF_R(-0.9), TF_R(0.1), TF_R(0.2)}};
   for (int i = 1; i < argc; i++) {
     if (!strcmp(argv[i], "--lockstep")) {
       options->plan.in_lockstep = true;
@@ -104,7 +126,7 @@ static hil_code_t perform(hil_board_t *board, const options_t *options) {
   if (!cli_source_open(&board->source, options->device, options->baud, true))
     return hil_message(HIL_STOPPED, "%s: %s", options->device,
                        strerror(board->source.error));
-  hil_code_t code = hil_prepare(board);
+  hil_code_t code = hil_prepare(board, &options->plan);
   if (code == HIL_EQUAL)
     code = hil_drive(board, &options->plan, &options->control);
   cli_source_close(&board->source);
@@ -124,6 +146,7 @@ int main(int argc, char **argv) {
   hil_board_t *board = calloc(1, sizeof *board);
   if (board == NULL) return HIL_STOPPED;
   board->every = options.plan.every;
+  board->key = options.has_key ? options.key : NULL;
   board->room = (size_t)(options.plan.steps / options.plan.every) + 64;
   board->samples = calloc(board->room, sizeof *board->samples);
   if (board->samples != NULL) {

@@ -41,8 +41,13 @@ void hil_report(const hil_board_t *board, const hil_plan_t *plan,
     printf("in lockstep\n");
   else
     printf("in effect %" PRIu32 " steps later\n", plan->delay);
-  printf("inputs    %zu: %zu late, %zu without an answer; %zu states missed\n",
+  printf("inputs    %zu: %zu late, %zu without an answer; %zu states missed; ",
          v->inputs, v->late, v->unanswered, v->missing);
+  if (board->deadman == 0)
+    printf("held without end");
+  else
+    printf("held for %" PRIu32 " steps", board->deadman);
+  printf(", expired %" PRIu32 " times\n", v->expired);
   printf("line      %" PRIu32 " frames, %" PRIu32 " broken, %" PRIu32 " lost",
          board->decoder.frames, board->decoder.bad, board->decoder.lost);
   if (board->has_heartbeat)

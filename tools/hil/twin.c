@@ -31,11 +31,12 @@ static bool is_payload(const uint8_t *wire, size_t size, const uint8_t *payload,
 
 static bool same(const tf_session_t *session, const hil_sample_t *sample) {
   uint8_t wire[TF_FRAME_SIZE(TF_REPORT_BYTES)];
-  uint16_t sequence = 0;
+  uint32_t sequence = 0;
   size_t size = tf_send_state(wire, &sequence, &session->state);
   if (!is_payload(wire, size, sample->state, TF_STATE_BYTES)) return false;
   if (!sample->has_report) return true;
-  size = tf_send_report(wire, &sequence, session->state.tick, &session->report);
+  size = tf_send_report(wire, &sequence, session->state.tick, &session->report,
+                        session->stepped);
   return is_payload(wire, size, sample->report, TF_REPORT_BYTES);
 }
 
@@ -82,8 +83,7 @@ static void apply(twin_t *twin) {
     const hil_sample_t *sample = &board->samples[twin->effect];
     if (!sample->sent || !sample->answered || sample->code != 0) continue;
     if (sample->effect > twin->session.state.tick) return;
-    twin->session.input = sample->own;
-    twin->session.input_is_set = true;
+    tf_session_set_input(&twin->session, &sample->own);
   }
 }
 
@@ -100,9 +100,9 @@ static void count_times(const hil_board_t *board, const hil_plan_t *plan,
     verdict->late +=
         sample->answered && sample->effect != sample->tick + plan->delay;
   }
-  if (plan->steps > plan->delay)
-    verdict->missing =
-        (size_t)((plan->steps - plan->delay - 1) / plan->every + 1) - met;
+  uint64_t end = plan->steps > plan->delay ? plan->steps - plan->delay : 0;
+  if (end > plan->silent) end = plan->silent;
+  if (end > 0) verdict->missing = (size_t)((end - 1) / plan->every + 1) - met;
 }
 
 hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
@@ -116,6 +116,7 @@ hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
                       board->seed) != TF_OK)
     return hil_message(HIL_REFUSED, "the scene cannot be started here");
   tf_session_t *session = &twin.session;
+  session->deadman = board->deadman;
   while (session->state.tick <= plan->steps) {
     const uint64_t tick = session->state.tick;
     while (twin.next < board->count && board->samples[twin.next].tick == tick)
@@ -129,6 +130,7 @@ hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
                          (unsigned long)tick);
   }
   verdict->end = session->state;
+  verdict->expired = session->expired;
   if (verdict->compared > 0)
     verdict->rms_error = sqrt(twin.squares / (double)verdict->compared);
   // An input without an answer counts as one that never arrived.

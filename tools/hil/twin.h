@@ -12,6 +12,9 @@ typedef struct {
   uint32_t every;   ///< steps from sample to sample
   uint32_t delay;   ///< steps from a sample to the effect of its input
   bool in_lockstep; ///< the board waits for each input
+  uint64_t silent;  ///< from this step on no input is sent
+  bool has_deadman; ///< the board is told how long an input holds ...
+  uint32_t deadman; ///< ... in steps; else it keeps its own number
 } hil_plan_t;
 
 typedef struct {
@@ -20,6 +23,7 @@ typedef struct {
   size_t late;             ///< inputs in effect at another tick than planned
   size_t unanswered;       ///< inputs without an answer
   size_t missing;          ///< samples of the plan that were not received
+  uint32_t expired;        ///< inputs that were not renewed in time
   uint64_t first;          ///< tick of the first difference
   double rms_error;        ///< of the disc's speed [rad/s]
   tf_state_t end;

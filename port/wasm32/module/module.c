@@ -42,11 +42,11 @@ int32_t twofold_begin(uint32_t number, double dt, uint32_t rule,
 // Inputs from the next step on, in place of the scene's.
 int32_t twofold_drive(double omega0, double r0, double force, double torque) {
   if (!scene) return TF_BAD_STATE;
-  session.input = (tf_input_t){.omega0 = (tf_real_t)omega0,
-                               .r0 = (tf_real_t)r0,
-                               .force = (tf_real_t)force,
-                               .torque = (tf_real_t)torque};
-  session.input_is_set = true;
+  const tf_input_t input = {.omega0 = (tf_real_t)omega0,
+                            .r0 = (tf_real_t)r0,
+                            .force = (tf_real_t)force,
+                            .torque = (tf_real_t)torque};
+  tf_session_set_input(&session, &input);
   return TF_OK;
 }
 

@@ -14,7 +14,7 @@ static uint8_t payload_byte(uint64_t index, unsigned i) {
   return (z & 3) == 0 ? 0 : (uint8_t)(z >> 8);
 }
 static size_t make(uint8_t *wire, uint64_t index, unsigned length) {
-  uint16_t sequence = (uint16_t)index;
+  uint32_t sequence = (uint32_t)index;
   for (unsigned i = 0; i < length; i++)
     wire[TF_FRAME_AT + i] = payload_byte(index, i);
   return tf_frame_seal(wire, (uint8_t)(1 + index % 8), length, &sequence,
@@ -22,7 +22,7 @@ static size_t make(uint8_t *wire, uint64_t index, unsigned length) {
 }
 static int is_as_made(const tf_frame_t *frame, unsigned length) {
   int same = frame->length == length && frame->type == 1 + frame->tick % 8 &&
-             frame->sequence == (uint16_t)frame->tick;
+             frame->sequence == (uint32_t)frame->tick;
   for (unsigned i = 0; same && i < length; i++)
     same = frame->payload[i] == payload_byte(frame->tick, i);
   return same;
@@ -97,14 +97,14 @@ TEST(frames_survive_the_line) {
   }
   CHECK(receiver.decoder.frames == 3 * (TF_FRAME_PAYLOAD + 1));
   CHECK(receiver.decoder.bad + receiver.decoder.lost == 0);
-  uint16_t sequence = 7;
+  uint32_t sequence = 7;
   CHECK(tf_frame_seal(wire, 1, TF_FRAME_PAYLOAD + 1, &sequence, 0) == 0);
   CHECK(sequence == 7);
 }
 
 /* One frame, one bit wrong, between two whole ones. */
 TEST(every_single_bit_error_is_caught) {
-  static const unsigned lengths[] = {0, 1, 5, 14, 37, 52, 239, 240};
+  static const unsigned lengths[] = {0, 1, 5, 14, 37, 52, 237, 238};
   for (unsigned n = 0; n < 8; n++) {
     const unsigned length = lengths[n];
     uint8_t wire[3 * LONGEST];
@@ -154,7 +154,7 @@ TEST(every_burst_of_16_bits_is_caught) {
   CHECK(wrong == 0);
   for (int n = 0; n < 500000; n++) {
     if (n % 1000 == 0) {
-      size = make(wire, tap_bits(), (unsigned)(tap_bits() % 241));
+      size = make(wire, tap_bits(), (unsigned)(tap_bits() % 239));
       wire[size] = 0;
     }
     const uint32_t pattern = (uint32_t)(tap_bits() & 0xffffu) | 1u;
@@ -242,7 +242,7 @@ TEST(random_bytes_are_not_taken_for_frames) {
     if (n & 1) {
       wire[0] = (uint8_t)(1 + tap_bits() % length);
       wire[1] = TF_FRAME_VERSION;
-      wire[3] = (uint8_t)(length - 19);
+      wire[3] = (uint8_t)(length - 21);
       for (size_t i = 0; i < 5 && i < length; i++) wire[length - 1 - i] |= 0x80;
     }
     wire[length] = 0;
@@ -320,38 +320,43 @@ TEST(lost_frames_are_counted) {
   }
   /* Around the end of the sequence number. */
   open_receiver(&receiver);
-  accepted(&receiver, wire, make(wire, 65534, 4));
-  accepted(&receiver, wire, make(wire, 65537, 4));
+  accepted(&receiver, wire, make(wire, 0xfffffffeu, 4));
+  accepted(&receiver, wire, make(wire, 0x100000001u, 4));
   CHECK(receiver.decoder.lost == 2 && receiver.decoder.restarts == 0);
   /* The sender starts again: time and number go back, nothing is lost. */
   accepted(&receiver, wire, make(wire, 0, 4));
   CHECK(receiver.decoder.lost == 2 && receiver.decoder.restarts == 1);
   /* From the upper half of the numbers the gap alone does not tell. */
   open_receiver(&receiver);
-  accepted(&receiver, wire, make(wire, 50000, 4));
+  accepted(&receiver, wire, make(wire, 0xc0000000u, 4));
   accepted(&receiver, wire, make(wire, 0, 4));
   CHECK(receiver.decoder.lost == 0 && receiver.decoder.restarts == 1);
-  /* Half of all gaps: from 0 a loss of 32767 at most. */
-  for (uint64_t gap = 32767; gap <= 32768; gap++) {
+  /* Half of all gaps: from 0 a loss of 2^31 - 1 at most. */
+  for (uint64_t gap = 0x7fffffffu; gap <= 0x80000000u; gap++) {
     open_receiver(&receiver);
     accepted(&receiver, wire, make(wire, 0, 4));
     accepted(&receiver, wire, make(wire, 1 + gap, 4));
-    CHECK(receiver.decoder.lost == (gap < 32768 ? gap : 0));
-    CHECK(receiver.decoder.restarts == (gap < 32768 ? 0 : 1));
+    CHECK(receiver.decoder.lost == (gap < 0x80000000u ? gap : 0));
+    CHECK(receiver.decoder.restarts == (gap < 0x80000000u ? 0 : 1));
   }
   /* An answer that is older than the row before it, after a loss. */
   open_receiver(&receiver);
   accepted(&receiver, wire, make(wire, 500, 4));
-  uint16_t sequence = 503;
+  uint32_t sequence = 503;
   accepted(&receiver, wire, tf_frame_seal(wire, 8, 5, &sequence, 400));
   CHECK(receiver.decoder.lost == 2 && receiver.decoder.restarts == 0);
   /* Where 0 was the next number it was not gone through. */
   open_receiver(&receiver);
-  sequence = 65535;
+  sequence = UINT32_MAX;
   accepted(&receiver, wire, tf_frame_seal(wire, 8, 5, &sequence, 500));
   sequence = 3;
   accepted(&receiver, wire, tf_frame_seal(wire, 8, 5, &sequence, 400));
   CHECK(receiver.decoder.lost == 3 && receiver.decoder.restarts == 0);
+  /* What 16 bits would not have told: a loss of all their numbers. */
+  open_receiver(&receiver);
+  accepted(&receiver, wire, make(wire, 7, 4));
+  accepted(&receiver, wire, make(wire, 7 + 65537, 4));
+  CHECK(receiver.decoder.lost == 65536 && receiver.decoder.restarts == 0);
   /* The same frame twice. */
   open_receiver(&receiver);
   accepted(&receiver, wire, make(wire, 0, 4));
@@ -393,7 +398,7 @@ TEST(other_versions_and_lengths_are_counted) {
   const size_t size = make(wire, 3, 9);
   reseal(wire, size);
   CHECK(accepted(&receiver, wire, size) == 1);
-  wire[2] = 2;
+  wire[2] = TF_FRAME_VERSION - 1;
   reseal(wire, size);
   CHECK(accepted(&receiver, wire, size) == 0);
   CHECK(receiver.decoder.bad_version == 1 && receiver.decoder.bad == 0);

@@ -8,6 +8,8 @@
 
 #define R TF_REAL_BYTES
 #define LONGEST TF_FRAME_SIZE(TF_FRAME_PAYLOAD)
+/* Of the board in the examples. */
+#define SESSION 0x1A2B3C4Du
 #define IS_FLOAT (sizeof(tf_real_t) == 4)
 
 typedef struct {
@@ -51,7 +53,7 @@ static void receive(received_t *received, const uint8_t *wire, size_t size) {
 
 /* Decodes an example; in the build of its real type compares it with what was
  * made, and prints that where it differs. */
-static void judge(const char *name, uint8_t type, uint16_t sequence,
+static void judge(const char *name, uint8_t type, uint32_t sequence,
                   uint64_t tick, const uint8_t *made, size_t size) {
   const example_t shown = example(name);
   received_t received;
@@ -71,50 +73,73 @@ static const tf_report_t report_shown = {
     TF_STICK_MINUS,   0x18, 2, {TF_R(0.75), TF_R(-0.2)},
     {0, TF_R(-0.25)}, 2,    0, TF_OK};
 static const tf_heartbeat_t heartbeat_shown = {
-    1000, 0, 2, 3, 1, 0, 5200, 5400, 9100, 1000000, 4, 0, 1};
+    1000, 0, 2, 3, 1, 0, 5200, 5400, 9100, 1000000, 4, 0, 1, 2};
 static tf_schema_t schema_shown(void) {
-  const tf_schema_t schema = {
-      &tf_scenes[0]->params, tf_scenes[0]->name, "demo", 7, 0, true};
+  const tf_schema_t schema = {.params = &tf_scenes[0]->params,
+                              .scene = tf_scenes[0]->name,
+                              .build = "demo",
+                              .seed = 7,
+                              .takes_commands = true,
+                              .session = SESSION,
+                              .sequence = 1,
+                              .deadman = 500};
   return schema;
 }
 
 static size_t set_mu(uint8_t *wire) {
-  uint16_t sequence = 1;
-  wire[TF_FRAME_AT] = 8;
-  tf_wire_put_real(wire + TF_FRAME_AT + 1, TF_R(1.25));
-  return tf_frame_seal(wire, TF_UP_PARAMETER, 1 + R, &sequence, 0);
+  uint32_t number = 1;
+  wire[TF_COMMAND_AT] = 8;
+  tf_wire_put_real(wire + TF_COMMAND_AT + 1, TF_R(1.25));
+  return tf_command_seal(wire, TF_UP_PARAMETER, 1 + R, SESSION, &number, 0,
+                         NULL);
+}
+
+static size_t plain(uint8_t *wire, uint8_t type, uint32_t number,
+                    const uint8_t *key) {
+  return tf_command_seal(wire, type, 0, SESSION, &number, 0, key);
 }
 
 static size_t answer_to(uint8_t *wire, const uint8_t *command, size_t size) {
   static tf_link_t link;
   static tf_session_t session;
   const tf_scene_t *scene = tf_scenes[0];
-  uint16_t sequence = 7;
+  uint32_t sequence = 7;
   CHECK(tf_session_open(&session, scene, &scene->params, 7) == TF_OK);
   session.state.tick = 1000;
   tf_link_open(&link, scene, &scene->params);
+  link.session = SESSION;
   for (size_t i = 0; i < size; i++) tf_link_receive(&link, command[i]);
   CHECK(tf_link_boundary(&link, &session) == 1);
   return tf_link_answer(&link, wire, &sequence);
 }
 
+static void judge_commands(void) {
+  uint8_t wire[LONGEST], command[LONGEST], key[TF_KEY_BYTES];
+  const size_t own = IS_FLOAT;
+  for (unsigned i = 0; i < sizeof key; i++) key[i] = (uint8_t)i;
+  judge("describe", 0x4A, 0, 0, wire, plain(wire, TF_UP_DESCRIBE, 0, NULL));
+  judge("start", 0x44, 2, 0, wire, plain(wire, TF_UP_START, 2, NULL));
+  judge("start-tagged", 0x44, 2, 0, wire, plain(wire, TF_UP_START, 2, key));
+  size_t size = set_mu(command);
+  judge("set-mu", 0x42, 1, 0, command, own * size);
+  size = answer_to(wire, command, size);
+  judge("answer", 0x08, 7, 1000, wire, own * size);
+}
+
 TEST(documented_frames_decode) {
-  uint8_t wire[LONGEST], command[LONGEST];
-  uint16_t sequence = 0;
-  size_t size = tf_frame_seal(wire, TF_UP_START, 0, &sequence, 0);
-  judge("start", 0x44, 0, 0, wire, size);
+  uint8_t wire[LONGEST];
   /* Those of the other real type are decoded only. */
   const size_t own = IS_FLOAT;
   const tf_schema_t schema = schema_shown();
-  sequence = 0;
-  size = tf_send_schema(wire, &sequence, 0, &schema);
+  uint32_t sequence = 0;
+  size_t size = tf_send_schema(wire, &sequence, 0, &schema);
   judge("schema", 0x01, 0, 0, wire, own * size);
   size = tf_send_layout(wire, &sequence, 0, TF_DOWN_COMPACT, tf_layout_compact);
   judge("layout", 0x02, 1, 0, wire, size);
   size = tf_send_state(wire, &sequence, &state_shown);
   judge("state", 0x03, 2, 1000, wire, own * size);
   judge("state-double", 0x03, 2, 1000, wire, (1 - own) * size);
-  size = tf_send_report(wire, &sequence, 1000, &report_shown);
+  size = tf_send_report(wire, &sequence, 1000, &report_shown, TF_INPUT_SET);
   judge("report", 0x04, 3, 1000, wire, own * size);
   size = tf_send_compact(wire, &sequence, &state_shown, &report_shown);
   judge("compact", 0x05, 4, 1000, wire, own * size);
@@ -122,10 +147,7 @@ TEST(documented_frames_decode) {
   judge("heartbeat", 0x06, 5, 1000, wire, size);
   size = tf_send_parameter(wire, &sequence, 1000, &tf_scenes[0]->params, 8);
   judge("parameter", 0x07, 6, 1000, wire, own * size);
-  size = set_mu(command);
-  judge("set-mu", 0x42, 1, 0, command, own * size);
-  size = answer_to(wire, command, size);
-  judge("answer", 0x08, 7, 1000, wire, own * size);
+  judge_commands();
 }
 
 TEST(state_and_report_survive_the_line) {
@@ -134,7 +156,7 @@ TEST(state_and_report_survive_the_line) {
     tf_state_t state = state_shown, back;
     tf_report_t report = report_shown, decoded;
     received_t received;
-    uint16_t sequence = (uint16_t)n;
+    uint32_t sequence = (uint32_t)n;
     state.r = (tf_real_t)tap_uniform(-1e3, 1e3);
     state.v = n % 3 ? (tf_real_t)tap_uniform(-1, 1) : 0;
     state.phi = (tf_real_t)tap_uniform(-1e6, 1e6);
@@ -152,9 +174,10 @@ TEST(state_and_report_survive_the_line) {
     CHECK(back.phi == state.phi && back.seed == state.seed);
     CHECK(back.mode == state.mode && back.tick == state.tick);
     receive(&received, wire,
-            tf_send_report(wire, &sequence, state.tick, &report));
+            tf_send_report(wire, &sequence, state.tick, &report,
+                           (tf_input_source_t)(n % 3)));
     CHECK(received.frame.length == TF_REPORT_BYTES);
-    tf_read_report(received.frame.payload, &decoded);
+    CHECK(tf_read_report(received.frame.payload, &decoded) == n % 3);
     CHECK(decoded.slip.h == report.slip.h && decoded.slip.g == report.slip.g);
     CHECK(decoded.force.F == report.force.F &&
           decoded.force.M == report.force.M);
@@ -172,14 +195,14 @@ TEST(state_and_report_survive_the_line) {
 TEST(heartbeat_survives_the_line) {
   uint8_t wire[LONGEST];
   received_t received;
-  uint16_t sequence = 0;
-  const tf_heartbeat_t beat = {1, 2, 3,  4,  5,  6,          7,
-                               8, 9, 10, 11, 12, 0xfffffffau};
+  uint32_t sequence = 0;
+  const tf_heartbeat_t beat = {1, 2, 3,  4,  5,  6,  7,
+                               8, 9, 10, 11, 12, 13, 0xfffffffau};
   receive(&received, wire, tf_send_heartbeat(wire, &sequence, 1, &beat));
   CHECK(received.frame.length == TF_HEARTBEAT_BYTES && sequence == 1);
-  for (size_t i = 0; i < 12; i++)
+  for (size_t i = 0; i < 13; i++)
     CHECK(tf_wire_get(received.frame.payload + 4 * i, 4) == i + 1);
-  CHECK(tf_wire_get(received.frame.payload + 48, 4) == 0xfffffffau);
+  CHECK(tf_wire_get(received.frame.payload + 52, 4) == 0xfffffffau);
   tf_heartbeat_t read;
   tf_read_heartbeat(received.frame.payload, &read);
   CHECK(!memcmp(&read, &beat, sizeof beat));
@@ -188,23 +211,26 @@ TEST(heartbeat_survives_the_line) {
 TEST(schema_says_what_runs) {
   uint8_t wire[LONGEST];
   received_t received;
-  uint16_t sequence = 0;
+  uint32_t sequence = 0;
   tf_schema_t schema = schema_shown();
   receive(&received, wire, tf_send_schema(wire, &sequence, 0, &schema));
   const uint8_t *at = received.frame.payload;
   const tf_params_t *params = schema.params;
   CHECK(at[0] == sizeof(tf_real_t) && at[1] == params->law && at[4] == 2);
   CHECK(tf_wire_get(at + 9, 4) == tf_params_hash(params));
-  CHECK(tf_wire_get_real(at + 13) == params->dt);
-  CHECK(!strcmp((const char *)at + 13 + R, "chaos"));
-  CHECK(!strcmp((const char *)at + 13 + R + 6, "demo"));
-  CHECK(received.frame.length == 13 + R + 6 + 5);
+  CHECK(tf_wire_get(at + 13, 4) == SESSION && tf_wire_get(at + 17, 4) == 1);
+  CHECK(tf_wire_get(at + 21, 4) == 500);
+  CHECK(tf_wire_get_real(at + 25) == params->dt);
+  CHECK(!strcmp((const char *)at + 25 + R, "chaos"));
+  CHECK(!strcmp((const char *)at + 25 + R + 6, "demo"));
+  CHECK(received.frame.length == 25 + R + 6 + 5);
   /* Each flag has a bit of its own. */
-  for (unsigned flags = 0; flags < 4; flags++) {
+  for (unsigned flags = 0; flags < 8; flags++) {
     tf_params_t flagged = *params;
     tf_schema_t variant = schema;
     flagged.with_angle = flags & 1u;
     variant.takes_commands = flags & 2u;
+    variant.wants_tag = flags & 4u;
     variant.params = &flagged;
     receive(&received, wire, tf_send_schema(wire, &sequence, 0, &variant));
     CHECK(received.frame.payload[4] == flags);
@@ -245,7 +271,7 @@ TEST(schema_says_what_runs) {
 TEST(parameters_are_described) {
   uint8_t wire[LONGEST];
   received_t received;
-  uint16_t sequence = 0;
+  uint32_t sequence = 0;
   const tf_params_t *params = &tf_scenes[0]->params;
   for (unsigned i = 0; i < TF_PARAMETERS; i++) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
@@ -305,7 +331,7 @@ TEST(layouts_describe_the_payloads) {
              {tf_layout_report, TF_DOWN_REPORT, TF_REPORT_BYTES},
              {tf_layout_compact, TF_DOWN_COMPACT, TF_COMPACT_BYTES},
              {tf_layout_heartbeat, TF_DOWN_HEARTBEAT, TF_HEARTBEAT_BYTES}};
-  uint16_t sequence = 0;
+  uint32_t sequence = 0;
   for (unsigned i = 0; i < 4; i++) {
     uint8_t wire[LONGEST];
     received_t received;
@@ -323,7 +349,7 @@ TEST(layouts_describe_the_payloads) {
 TEST(long_layout_fills_its_frame) {
   char text[2 * TF_FRAME_PAYLOAD];
   uint8_t wire[2 * LONGEST];
-  uint16_t sequence = 0;
+  uint32_t sequence = 0;
   received_t received;
   memset(text, 'x', sizeof text);
   text[sizeof text - 1] = '\0';

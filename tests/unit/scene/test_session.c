@@ -89,10 +89,48 @@ TEST(session_keeps_the_side_of_a_start_below_rounding) {
   CHECK(open > 10);
 }
 
+/* Inputs from outside hold for as many steps as was declared, whatever the tick
+ * does meanwhile, then the safe ones until they are set again. */
+TEST(inputs_expire_after_their_steps) {
+  const tf_scene_t *scene = scene_named("driven");
+  tf_session_t session;
+  CHECK(tf_session_open(&session, scene, &scene->params, 0) == TF_OK);
+  CHECK(session.deadman == 0 && session.expired == 0);
+  const tf_input_t push = {TF_R(-0.5), TF_R(0.125), 1, 2, 0};
+  const tf_input_t safe = tf_input_default(&session.machine);
+  tf_session_set_input(&session, &push); /* without end */
+  for (int n = 0; n < 100000; n++)
+    CHECK(tf_session_input(&session, scene).torque == 2);
+  session.deadman = 7;
+  for (uint32_t again = 1; again <= 3; again++) {
+    tf_session_set_input(&session, &push);
+    for (int n = 0; n < 7; n++) {
+      session.state.tick = tap_bits();
+      CHECK(tf_session_input(&session, scene).force == 1);
+      CHECK(session.stepped == TF_INPUT_SET);
+    }
+    for (int n = 0; n < 100; n++) {
+      const tf_input_t got = tf_session_input(&session, scene);
+      CHECK(got.force == 0 && got.torque == 0 && got.alpha == 0);
+      CHECK(got.omega0 == safe.omega0 && got.r0 == safe.r0);
+      CHECK(session.stepped == TF_INPUT_SAFE && session.expired == again);
+    }
+  }
+  session.deadman = UINT32_MAX; /* the longest */
+  tf_session_set_input(&session, &push);
+  CHECK(session.left == UINT32_MAX);
+  session.left = 1;
+  CHECK(tf_session_input(&session, scene).torque == 2);
+  CHECK(tf_session_input(&session, scene).torque == 0);
+  CHECK(tf_session_start(&session, scene, 0) == TF_OK);
+  CHECK(session.source == TF_INPUT_SCENE && session.deadman == UINT32_MAX);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(session_is_the_run_of_the_command_line);
   RUN(session_starts_on_either_side);
   RUN(session_keeps_the_side_of_a_start_below_rounding);
+  RUN(inputs_expire_after_their_steps);
   return tap_end();
 }

@@ -15,7 +15,8 @@
 #include "../text/message.h"
 #include "../text/number.h"
 
-#define PATIENCE 3.0 // for an answer [s]
+#define PATIENCE 3.0    // for an answer [s]
+#define ANSWER_BYTES 8u // of every answer; one about a parameter has more
 
 static const struct {
   const char *name;
@@ -101,6 +102,16 @@ static int read_input(cli_board_command_t *command, const char *rest) {
   return CLI_DONE;
 }
 
+static int read_deadman(cli_board_command_t *command, const char *rest) {
+  uint64_t steps = 0;
+  command->type = TF_UP_DEADMAN;
+  if (!cli_read_whole(rest, 0, UINT32_MAX, &steps)) {
+    return refuse(command->text, "expected deadman:STEPS; 0: without end");
+  }
+  command->seed = (uint32_t)steps;
+  return CLI_DONE;
+}
+
 int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
   if (commands->count == CLI_BOARD_COMMANDS) {
     return refuse(text, "too many commands for one line");
@@ -122,6 +133,9 @@ int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
   }
   if (strncmp(text, "input:", 6) == 0) {
     return read_input(command, text + 6);
+  }
+  if (strncmp(text, "deadman:", 8) == 0) {
+    return read_deadman(command, text + 8);
   }
   cli_closest_t closest = cli_closest_to(text);
   for (size_t i = 0; i < PLAIN; i++) {
@@ -157,11 +171,21 @@ static uint8_t *put_payload(uint8_t *at, const cli_board_command_t *command,
     *at++ = command->index;
     return tf_wire_put(at, command->seed, 4);
   }
+  if (command->type == TF_UP_DEADMAN) {
+    return tf_wire_put(at, command->seed, 4);
+  }
   for (size_t i = 0; i < command->numbers; i++) {
     at = put_number(at, command->number[i], is_float);
   }
   // The speeds are constant, so the turntable's acceleration is 0.
   return command->numbers > 0 ? put_number(at, "0", is_float) : at;
+}
+
+// Whether the board has described itself since it was asked to. That tells the
+// real type, the session and the numbers that are still free.
+static bool is_described(const cli_board_commands_t *commands,
+                         const cli_receiver_t *receiver) {
+  return receiver->schemas > commands->schemas && receiver->session != 0;
 }
 
 size_t cli_board_commands_next(cli_board_commands_t *commands,
@@ -171,16 +195,38 @@ size_t cli_board_commands_next(cli_board_commands_t *commands,
     return 0;
   }
   const cli_board_command_t *command = &commands->list[commands->next];
-  // The schema tells the real type of the board; `describe` asks for it.
-  if (!receiver->has_schema && command->type != TF_UP_DESCRIBE) {
+  const bool asks = command->type == TF_UP_DESCRIBE;
+  if (!asks && !is_described(commands, receiver)) {
     return 0;
   }
+  if (asks) {
+    commands->schemas = receiver->schemas;
+  } else if (receiver->session != commands->session ||
+             receiver->sequence > commands->sequence) {
+    commands->session = receiver->session;
+    commands->sequence = receiver->sequence;
+  }
   const uint8_t *end =
-      put_payload(wire + TF_FRAME_AT, command, receiver->is_float);
+      put_payload(wire + TF_COMMAND_AT, command, receiver->is_float);
   commands->waiting = true;
   commands->deadline = now + PATIENCE;
-  return tf_frame_seal(wire, command->type, (size_t)(end - wire) - TF_FRAME_AT,
-                       &commands->sequence, 0);
+  commands->sent = commands->sequence;
+  uint32_t next = commands->sequence;
+  const size_t length = tf_command_seal(
+      wire, command->type, (size_t)(end - wire) - TF_COMMAND_AT,
+      commands->session, &next, 0, commands->has_key ? commands->key : NULL);
+  if (!asks) {
+    commands->sequence = next;
+  }
+  return length;
+}
+
+bool cli_board_commands_late(const cli_board_commands_t *commands,
+                             const cli_receiver_t *receiver, double now) {
+  const bool has_more = commands->next > 0 && commands->next < commands->count;
+  return (commands->waiting ||
+          (has_more && !is_described(commands, receiver))) &&
+         now > commands->deadline;
 }
 
 static const char *reason_of(int code) {
@@ -193,37 +239,54 @@ static const char *reason_of(int code) {
       return "nothing was saved";
     case TF_ANSWER_FAR:
       return "dated too far ahead";
+    case TF_ANSWER_OLD:
+      return "its number is used up: another host commands this board";
+    case TF_ANSWER_FOREIGN:
+      return "the board was started anew";
+    case TF_ANSWER_TAG:
+      return "its tag is not that of the board's key (--key)";
     default:
       return tf_status_name((tf_status_t)code);
   }
+}
+
+// Value and range of a parameter, as an answer tells them.
+static void write_range(char *out, size_t room, const tf_frame_t *frame,
+                        const cli_receiver_t *receiver) {
+  const uint8_t *at = frame->payload + ANSWER_BYTES;
+  const size_t R = receiver->is_float ? 4 : 8;
+  const uint8_t index = frame->payload[7];
+  out[0] = '\0';
+  if (frame->length != ANSWER_BYTES + 3 * R || index >= TF_PARAMETERS) {
+    return;
+  }
+  char value[CLI_REAL_ROOM], low[CLI_REAL_ROOM], high[CLI_REAL_ROOM];
+  (void)cli_write_number(value, cli_receiver_real(receiver, at),
+                         receiver->is_float);
+  (void)cli_write_number(low, cli_receiver_real(receiver, at + R),
+                         receiver->is_float);
+  (void)cli_write_number(high, cli_receiver_real(receiver, at + 2 * R),
+                         receiver->is_float);
+  (void)snprintf(out, room, "; %s = %s, in [%s, %s]",
+                 tf_parameter_ranges[index].name, value, low, high);
 }
 
 void cli_board_commands_answer(cli_board_commands_t *commands,
                                const tf_frame_t *frame,
                                const cli_receiver_t *receiver) {
   const uint8_t *at = frame->payload;
-  if (!commands->waiting || frame->length < 5 ||
-      tf_wire_get(at, 2) != (uint16_t)(commands->sequence - 1u)) {
-    return; // it answers another host, or a command that timed out
-  }
   const cli_board_command_t *command = &commands->list[commands->next];
-  const int code = at[3] < 128 ? at[3] : at[3] - 256;
-  char range[3 * CLI_REAL_ROOM + 32] = "";
-  const size_t R = receiver->is_float ? 4 : 8;
-  if (frame->length == 5 + 3 * R && at[4] < TF_PARAMETERS) {
-    char value[CLI_REAL_ROOM], low[CLI_REAL_ROOM], high[CLI_REAL_ROOM];
-    (void)cli_write_number(value, cli_receiver_real(receiver, at + 5),
-                           receiver->is_float);
-    (void)cli_write_number(low, cli_receiver_real(receiver, at + 5 + R),
-                           receiver->is_float);
-    (void)cli_write_number(high, cli_receiver_real(receiver, at + 5 + 2 * R),
-                           receiver->is_float);
-    (void)snprintf(range, sizeof range, "; %s = %s, in [%s, %s]",
-                   tf_parameter_ranges[at[4]].name, value, low, high);
+  if (!commands->waiting || frame->length < ANSWER_BYTES ||
+      tf_wire_get(at, 4) != commands->sent || at[4] != command->type) {
+    return; // it answers another command, or another host
   }
-  (void)cli_message(CLI_DONE, "%s: %s%s at step %" PRIu64 "%s", command->text,
+  const int code = at[5] < 128 ? at[5] : at[5] - 256;
+  char range[3 * CLI_REAL_ROOM + 32];
+  write_range(range, sizeof range, frame, receiver);
+  (void)cli_message(CLI_DONE, "%s: %s%s at step %" PRIu64 "%s%s", command->text,
                     code == 0 ? "took effect" : "refused, ",
-                    code == 0 ? "" : reason_of(code), frame->tick, range);
+                    code == 0 ? "" : reason_of(code), frame->tick, range,
+                    at[6] == TF_INPUT_SAFE ? "; inputs had expired" : "");
   commands->refused += code != 0;
   commands->waiting = false;
   commands->next++;

@@ -12,7 +12,7 @@ typedef struct {
   const char *text;      ///< as typed
   uint8_t type;          ///< tf_type_t
   uint8_t index;         ///< of a parameter, or a rule
-  uint32_t seed;         ///< of a rule
+  uint32_t seed;         ///< of a rule, or the steps of `deadman`
   const char *number[4]; ///< as typed, converted in the real type of the board
   size_t numbers;
 } cli_board_command_t;
@@ -22,9 +22,14 @@ typedef struct {
   size_t count;
   size_t next;       ///< to be sent, or waiting for its answer
   bool waiting;      ///< for the answer to list[next]
-  double deadline;   ///< cli_now() by which the answer must have come
-  uint16_t sequence; ///< of the next frame that is sent
+  double deadline;   ///< cli_now() by which answer and schema must have come
+  uint32_t session;  ///< that the last command named
+  uint32_t sequence; ///< number of the next command
+  uint32_t sent;     ///< number of the command whose answer is awaited
+  uint64_t schemas;  ///< that had come when the board was asked for one
   size_t refused;
+  bool has_key;
+  uint8_t key[TF_KEY_BYTES];
 } cli_board_commands_t;
 
 /// Reads the value of one --send.
@@ -37,6 +42,10 @@ int cli_board_commands_add(cli_board_commands_t *commands, const char *text);
 size_t cli_board_commands_next(cli_board_commands_t *commands,
                                const cli_receiver_t *receiver, double now,
                                uint8_t *wire);
+
+/// Whether an answer, or the schema that was asked for, has not come in time.
+bool cli_board_commands_late(const cli_board_commands_t *commands,
+                             const cli_receiver_t *receiver, double now);
 
 /// Takes an answer and prints the outcome of the command on standard error.
 void cli_board_commands_answer(cli_board_commands_t *commands,

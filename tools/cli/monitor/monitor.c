@@ -102,7 +102,7 @@ static int send_commands(monitor_t *monitor) {
     return cli_message(CLI_STOPPED, "%s: %s", monitor->source.name,
                        strerror(monitor->source.error));
   }
-  if (commands->waiting && now > commands->deadline) {
+  if (cli_board_commands_late(commands, &monitor->receiver, now)) {
     return cli_message(CLI_STOPPED,
                        "--send %s: no answer; does the board take commands?",
                        commands->list[commands->next].text);
@@ -189,6 +189,12 @@ static void summarise(const monitor_t *monitor) {
                   "degraded   %" PRIu32 " steps; %" PRIu32
                   " missed the tolerance, %" PRIu32 " fell back on moreau\n",
                   beat->degraded, beat->coarse, beat->fell_back);
+    if (beat->expired > 0) {
+      (void)fprintf(stderr,
+                    "inputs     expired %" PRIu32
+                    " times: nobody renewed them, the machine coasted\n",
+                    beat->expired);
+    }
   }
   if (receiver->has_schema && receiver->rows > 0) {
     (void)fprintf(stderr,

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "../host/key.h"
 #include "../text/message.h"
 #include "../text/options.h"
 
@@ -38,6 +39,15 @@ static int read_send(void *to, const cli_given_t *option) {
   return cli_board_commands_add(&args->commands, option->value);
 }
 
+static int read_key(void *to, const cli_given_t *option) {
+  cli_monitor_args_t *args = to;
+  args->commands.has_key = cli_read_key(option->value, args->commands.key);
+  return args->commands.has_key
+             ? CLI_DONE
+             : cli_message(CLI_USAGE, "--key %s: no 32 hexadecimal digits",
+                           option->value);
+}
+
 static int take_source(void *to, const char *word) {
   cli_monitor_args_t *args = to;
   if (args->path != NULL) {
@@ -51,7 +61,7 @@ static int take_source(void *to, const char *word) {
 static const cli_option_t options[] = {
     {"--csv", read_csv, CLI_FLAG},         {"--follow", read_follow, CLI_FLAG},
     {"--baud", read_baud, CLI_ONCE},       {"--out", read_out, CLI_ONCE},
-    {"--send", read_send, CLI_REPEATABLE},
+    {"--send", read_send, CLI_REPEATABLE}, {"--key", read_key, CLI_ONCE},
 };
 
 int cli_monitor_args(cli_monitor_args_t *args, int argc, char *const argv[]) {

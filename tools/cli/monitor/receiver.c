@@ -5,6 +5,9 @@
 
 #include <string.h>
 
+// Where the step stands in a schema, after what does not depend on the type.
+#define SCHEMA_DT 25u
+
 static unsigned real_bytes(const cli_receiver_t *receiver) {
   return receiver->is_float ? 4 : 8;
 }
@@ -47,14 +50,18 @@ static const uint8_t *text_at(const uint8_t *at, const uint8_t *end,
 static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   const uint8_t *end = at + frame->length;
-  if (frame->length < 17 || (at[0] != 4 && at[0] != 8) ||
-      frame->length < 13u + at[0]) {
+  if (frame->length < SCHEMA_DT + 4 || (at[0] != 4 && at[0] != 8) ||
+      frame->length < SCHEMA_DT + at[0]) {
     return false;
   }
   const double before = receiver->dt;
   receiver->is_float = at[0] == 4;
   receiver->hash = (uint32_t)tf_wire_get(at + 9, 4);
-  at = reals_at(receiver, at + 13, &receiver->dt, 1);
+  receiver->wants_tag = (at[4] & 4u) != 0;
+  receiver->session = (uint32_t)tf_wire_get(at + 13, 4);
+  receiver->sequence = (uint32_t)tf_wire_get(at + 17, 4);
+  receiver->schemas++;
+  at = reals_at(receiver, at + SCHEMA_DT, &receiver->dt, 1);
   at = text_at(at, end, receiver->scene);
   (void)text_at(at, end, receiver->build);
   if (frame->tick == 0 || !receiver->has_schema) {
@@ -102,6 +109,7 @@ static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
   }
   receiver->mode = at[0];
   receiver->choices = at[2];
+  receiver->source = at[4];
   receiver->has_state = false;
   receiver->rows++;
   fill_row(receiver, CLI_CSV_COLUMNS, row);
@@ -135,7 +143,7 @@ static unsigned length_of(const cli_receiver_t *receiver, uint8_t type) {
     case TF_DOWN_STATE:
       return 4 * R + 5;
     case TF_DOWN_REPORT:
-      return 6 * R + 4;
+      return 6 * R + 5;
     case TF_DOWN_COMPACT:
       return 3 * R + 2;
     case TF_DOWN_HEARTBEAT:

@@ -16,12 +16,16 @@ typedef struct {
   double dt;     ///< [s]
   double base;   ///< time = base + tick dt; not 0 once dt was changed [s]
   uint32_t hash; ///< of the parameters
+  bool wants_tag;
+  uint32_t session;  ///< that commands have to name
+  uint32_t sequence; ///< least number of a command that is still taken
+  uint64_t schemas;  ///< that have come
   char scene[CLI_RECEIVED_TEXT], build[CLI_RECEIVED_TEXT];
 
   uint64_t tick;    ///< of the state
   double state[4];  ///< r, v, omega, phi
   double report[6]; ///< h, g, F, M, delassus, residual
-  uint8_t mode, choices;
+  uint8_t mode, choices, source;
   bool has_state; ///< a state has come, its report not yet
 
   bool has_heartbeat;

@@ -21,6 +21,11 @@ void cli_view_note(cli_view_t *view, uint8_t mode) {
   view->history[view->used++] = mode;
 }
 
+static const char *source_name(uint8_t source) {
+  static const char *const names[] = {"of the scene", "from outside", "safe"};
+  return source < sizeof names / sizeof names[0] ? names[source] : "unknown";
+}
+
 static void draw(const cli_view_t *view, const cli_receiver_t *receiver,
                  const tf_decoder_t *decoder, const char *name) {
   static const char marks[TF_MODES + 1] = "+-PMo";
@@ -64,8 +69,10 @@ static void draw(const cli_view_t *view, const cli_receiver_t *receiver,
                beat->steps, beat->overruns, beat->dropped, beat->refused,
                beat->exec_min, beat->exec_mean, beat->exec_max, beat->period);
   (void)printf("\033[Ksteps %" PRIu32 " degraded, %" PRIu32
-               " missed the tolerance, %" PRIu32 " fell back on moreau\n",
-               beat->degraded, beat->coarse, beat->fell_back);
+               " missed the tolerance, %" PRIu32
+               " fell back on moreau; inputs %s, expired %" PRIu32 " times\n",
+               beat->degraded, beat->coarse, beat->fell_back,
+               source_name(receiver->source), beat->expired);
   (void)fflush(stdout);
 }
 

@@ -4,10 +4,12 @@
 #include "frames.h"
 
 size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
-                         uint16_t *sequence, uint8_t out[CLI_FRAMES_ROOM]) {
-  const tf_schema_t schema = {
-      &setup->params, setup->scene->name, "twofold " TF_VERSION ", host",
-      setup->seed,    scheme->code,       false};
+                         uint32_t *sequence, uint8_t out[CLI_FRAMES_ROOM]) {
+  const tf_schema_t schema = {.params = &setup->params,
+                              .scene = setup->scene->name,
+                              .build = "twofold " TF_VERSION ", host",
+                              .seed = setup->seed,
+                              .scheme = scheme->code};
   const uint64_t tick = setup->state.tick;
   size_t at = tf_send_schema(out, sequence, tick, &schema);
   at +=
@@ -16,8 +18,9 @@ size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
                              tf_layout_report);
 }
 
-size_t cli_frames_row(uint16_t *sequence, const tf_state_t *state,
+size_t cli_frames_row(uint32_t *sequence, const tf_state_t *state,
                       const tf_report_t *report, uint8_t out[CLI_FRAMES_ROOM]) {
   const size_t at = tf_send_state(out, sequence, state);
-  return at + tf_send_report(out + at, sequence, state->tick, report);
+  return at + tf_send_report(out + at, sequence, state->tick, report,
+                             TF_INPUT_SCENE);
 }

@@ -12,11 +12,11 @@
 /// sequence: in/out, of the frames.
 /// Returns: the length.
 size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
-                         uint16_t *sequence, uint8_t out[CLI_FRAMES_ROOM]);
+                         uint32_t *sequence, uint8_t out[CLI_FRAMES_ROOM]);
 
 /// Writes a row: state and report.
 /// Returns: the length.
-size_t cli_frames_row(uint16_t *sequence, const tf_state_t *state,
+size_t cli_frames_row(uint32_t *sequence, const tf_state_t *state,
                       const tf_report_t *report, uint8_t out[CLI_FRAMES_ROOM]);
 
 #endif

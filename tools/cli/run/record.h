@@ -29,7 +29,7 @@ typedef struct {
   double latest;     ///< largest delay among them [s]
   uint64_t done;     ///< steps taken
   uint64_t written;  ///< step of the last row
-  uint16_t sequence; ///< of the next frame
+  uint32_t sequence; ///< of the next frame
   cli_system_t system;
   tf_report_t report; ///< of the last step that was taken
   tf_status_t status; ///< of the last step that was tried

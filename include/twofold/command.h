@@ -1,0 +1,60 @@
+/// @file
+/// Commands: the frames that go up, from a host to a board, and the codes of
+/// their answers. docs/PROTOCOL.md describes them byte by byte. A command acts
+/// once and on one board start only: it names the board's session, which the
+/// schema tells, and has a number larger than those of all commands before it.
+/// On a line that others reach it also ends with a tag, which only those who
+/// have the board's key can make.
+///
+///   session (4) | data | tag (8), if the board wants one
+#ifndef TWOFOLD_COMMAND_H
+#define TWOFOLD_COMMAND_H
+
+#include "twofold/frame.h"
+#include "twofold/telemetry.h"
+
+/// Bytes of the session before the data of a command, and of the tag behind.
+#define TF_SESSION_BYTES 4u
+#define TF_TAG_BYTES 8u
+/// Bytes of a key.
+#define TF_KEY_BYTES 16u
+/// Where the data of a command have to be for tf_command_seal.
+#define TF_COMMAND_AT (TF_FRAME_AT + TF_SESSION_BYTES)
+/// Longest data of a command: those of TF_UP_RESTORE.
+#define TF_COMMAND_DATA (8 + TF_STATE_BYTES)
+/// Longest payload of a command.
+#define TF_COMMAND_BYTES (TF_SESSION_BYTES + TF_COMMAND_DATA + TF_TAG_BYTES)
+
+/// Codes of an answer, beside tf_status_t.
+typedef enum {
+  TF_ANSWER_DONE = 0,      ///< it took effect
+  TF_ANSWER_UNKNOWN = -16, ///< no such type of command
+  TF_ANSWER_LENGTH = -17,  ///< its payload is too long or too short
+  TF_ANSWER_EMPTY = -18,   ///< there is no snapshot to restore
+  TF_ANSWER_FAR = -19,     ///< dated too far ahead
+  TF_ANSWER_OLD = -20,     ///< its number is not larger than those before
+  TF_ANSWER_FOREIGN = -21, ///< it names another session
+  TF_ANSWER_TAG = -22      ///< its tag is not that of the board's key
+} tf_answer_code_t;
+
+/// Completes a command around its data.
+/// Scheme: tf_frame_seal around session, data and tag. TF_UP_DESCRIBE has
+///   neither session nor tag: it is how a host learns the session.
+/// wire: in/out, TF_FRAME_SIZE(TF_SESSION_BYTES + length + TF_TAG_BYTES) bytes;
+///   in, the data at wire + TF_COMMAND_AT; out, the bytes for the line.
+/// type: in. length: in, of the data, 0 to TF_COMMAND_DATA.
+/// session: in, as the schema tells it.
+/// sequence: in/out, number of this command; then that of the next.
+/// tick: in, when it is to take effect; 0: at once.
+/// key: in, TF_KEY_BYTES, or NULL for a board that wants no tag.
+/// Returns: bytes of the frame; 0 where length is too large (wire and sequence
+///   untouched).
+/// Cost: at most 4200 instructions. Stack: 144 B.
+/// Memory: caller's, no overlap, reentrant.
+/// Claims: documented_frames_decode, tag_is_siphash_of_the_body
+#define tf_command_seal TF_LINK(tf_command_seal)
+TF_API size_t tf_command_seal(uint8_t *wire, uint8_t type, size_t length,
+                              uint32_t session, uint32_t *sequence,
+                              uint64_t tick, const uint8_t *key);
+
+#endif

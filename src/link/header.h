@@ -1,0 +1,15 @@
+// The header of a frame, for those who need its bytes before COBS.
+#ifndef TF_HEADER_H
+#define TF_HEADER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "twofold/real.h"
+
+// Writes it at wire + 2. Returns: where the payload begins.
+#define tf_frame_header TF_LINK(tf_frame_header)
+TF_API uint8_t *tf_frame_header(uint8_t *wire, uint8_t type, size_t length,
+                                uint32_t sequence, uint64_t tick);
+
+#endif

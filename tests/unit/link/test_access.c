@@ -1,0 +1,433 @@
+/* Who may command a board, and for how long: each command once and of this
+ * session, those without the key's tag not at all, and inputs only as long as
+ * somebody renews them. Each test is an attack, and the motion is that of a
+ * board which nobody attacked. */
+#include "link/siphash.h"
+#include "same_state.h"
+#include "tap.h"
+#include "twofold.h"
+#include "uplink.h"
+
+/* A frame as it went over the line. */
+typedef struct {
+  uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)];
+  size_t size;
+} recorded_t;
+
+static recorded_t record(tf_type_t type, uint32_t session, uint32_t number,
+                         uint64_t at, const uint8_t *key) {
+  recorded_t frame;
+  frame.size =
+      tf_command_seal(frame.wire, (uint8_t)type, 0, session, &number, at, key);
+  return frame;
+}
+
+/* What a frame does to a board that stands at a boundary, as its answer. */
+static int effect_of(board_t *board, const recorded_t *frame) {
+  const acting_t before = acting(board);
+  const tf_state_t state = board->session.state;
+  hear(board, frame->wire, frame->size);
+  const unsigned effective = tf_link_boundary(&board->link, &board->session);
+  const int code = code_of(board);
+  CHECK((code == TF_ANSWER_DONE) == (effective == 1));
+  if (code != TF_ANSWER_DONE)
+    CHECK(acts_alike(board, &before) &&
+          same_state(&state, &board->session.state));
+  return code;
+}
+
+/* A reset that was recorded acts when it is sent, and never again: not at
+ * once, not later, not on the same board after it was started anew. */
+TEST(recorded_command_acts_once) {
+  board_t board;
+  power_up(&board, "chaos");
+  for (int n = 0; n < 50; n++) tick(&board);
+  const recorded_t reset =
+      record(TF_UP_RESET, board.link.session, board.up, 0, NULL);
+  CHECK(effect_of(&board, &reset) == TF_ANSWER_DONE);
+  CHECK(board.session.state.tick == 0);
+  for (int n = 0; n < 50; n++) {
+    tick(&board);
+    CHECK(effect_of(&board, &reset) == TF_ANSWER_OLD);
+  }
+  CHECK(board.session.state.tick == 50);
+  for (int n = 0; n < 50; n++) {
+    switch_on(&board, "chaos");
+    /* Nobody has asked who it is: it has no session that a frame could name. */
+    CHECK(effect_of(&board, &reset) == TF_ANSWER_FOREIGN);
+    power_up(&board, "chaos");
+    CHECK(effect_of(&board, &reset) == TF_ANSWER_FOREIGN);
+  }
+}
+
+/* The session is made of all that was stirred in, and is never 0. */
+TEST(session_depends_on_every_reading) {
+  board_t board;
+  uint32_t seen[33];
+  for (unsigned n = 0; n < 33; n++) {
+    switch_on(&board, "chaos");
+    tf_link_stir(&board.link, n < 32 ? 1u << n : 0);
+    tf_link_stir(&board.link, 12345);
+    send_plain(&board, TF_UP_DESCRIBE);
+    seen[n] = board.link.session;
+    CHECK(seen[n] != 0);
+    for (unsigned i = 0; i < n; i++) CHECK(seen[i] != seen[n]);
+    /* It stays what it is. */
+    tf_link_stir(&board.link, n);
+    send_plain(&board, TF_UP_DESCRIBE);
+    CHECK(board.link.session == seen[n]);
+  }
+  switch_on(&board, "chaos"); /* a board without a clock */
+  send_plain(&board, TF_UP_DESCRIBE);
+  CHECK(board.link.session == 1);
+}
+
+TEST(old_and_foreign_commands_do_nothing) {
+  board_t board;
+  power_up(&board, "chaos");
+  const uint32_t session = board.link.session;
+  recorded_t frame = record(TF_UP_STOP, session, 100, 0, NULL);
+  CHECK(effect_of(&board, &frame) == TF_ANSWER_DONE);
+  CHECK(board.link.next == 101 && board.link.lost == 100);
+  for (uint32_t number = 0; number <= 100; number++) {
+    frame = record(TF_UP_START, session, number, 0, NULL);
+    CHECK(effect_of(&board, &frame) == TF_ANSWER_OLD);
+  }
+  for (unsigned bit = 0; bit < 32; bit++) {
+    frame = record(TF_UP_START, session ^ 1u << bit, 101, 0, NULL);
+    CHECK(effect_of(&board, &frame) == TF_ANSWER_FOREIGN);
+  }
+  frame = record(TF_UP_START, 0, 101, 0, NULL);
+  CHECK(effect_of(&board, &frame) == TF_ANSWER_FOREIGN);
+  CHECK(board.link.next == 101 && !board.session.running);
+  /* A number that was refused for another reason is used up too: nothing was
+   * saved, and later something is. */
+  frame = record(TF_UP_RESTORE, session, 101, 0, NULL);
+  CHECK(effect_of(&board, &frame) == TF_ANSWER_EMPTY);
+  const recorded_t save = record(TF_UP_SNAPSHOT, session, 102, 0, NULL);
+  CHECK(effect_of(&board, &save) == TF_ANSWER_DONE);
+  CHECK(effect_of(&board, &frame) == TF_ANSWER_OLD);
+  /* No session, no data: too short to say anything. */
+  uint32_t next = 103;
+  for (size_t length = 0; length < TF_SESSION_BYTES; length++) {
+    frame.size = tf_frame_seal(frame.wire, TF_UP_START, length, &next, 0);
+    CHECK(effect_of(&board, &frame) == TF_ANSWER_LENGTH);
+  }
+  CHECK(board.link.next == 103);
+}
+
+/* However many commands are repeated, the host's own get through. */
+TEST(replayed_frames_do_not_fill_the_queue) {
+  board_t board;
+  power_up(&board, "chaos");
+  const recorded_t old =
+      record(TF_UP_RESET, board.link.session, board.up, 0, NULL);
+  CHECK(effect_of(&board, &old) == TF_ANSWER_DONE);
+  board.up++;
+  for (int n = 0; n < 500; n++) {
+    for (int i = 0; i < 20; i++) hear(&board, old.wire, old.size);
+    send_plain(&board, n % 2 ? TF_UP_START : TF_UP_STOP);
+    CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+    CHECK(code_of(&board) == TF_ANSWER_OLD);
+    CHECK(code_of(&board) == TF_ANSWER_DONE);
+    CHECK(code_of(&board) == 999);
+  }
+  CHECK(board.link.ignored == 500 * 19);
+}
+
+/* A clear that is dated, or carries anything, is refused like any command: what
+ * waits goes on waiting. */
+TEST(refused_clear_keeps_the_queue) {
+  static const uint64_t dates[] = {1, 1000, (uint64_t)1 << 32,
+                                   (uint64_t)1 << 63, UINT64_MAX};
+  const uint8_t data[TF_COMMAND_DATA] = {0};
+  board_t board;
+  power_up(&board, "chaos");
+  for (int i = 0; i < TF_LINK_QUEUE; i++)
+    send(&board, TF_UP_STOP, 60000, NULL, 0);
+  for (unsigned i = 0; i < 5; i++) {
+    send(&board, TF_UP_CLEAR, dates[i], NULL, 0);
+    CHECK(board.link.waiting == TF_LINK_QUEUE);
+    CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+    CHECK(code_of(&board) == TF_ANSWER_FAR);
+  }
+  for (size_t length = 1; length <= TF_COMMAND_DATA; length++) {
+    send(&board, TF_UP_CLEAR, 0, data, length);
+    CHECK(board.link.waiting == TF_LINK_QUEUE);
+    CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+    CHECK(code_of(&board) == TF_ANSWER_LENGTH);
+  }
+  CHECK(board.link.ignored == 0);
+  send_plain(&board, TF_UP_CLEAR);
+  CHECK(board.link.waiting == 1 && board.link.ignored == TF_LINK_QUEUE);
+}
+
+/* Numbers up to the last one, and the session that comes after it. */
+TEST(numbers_end_in_another_session) {
+  for (uint32_t k = 0; k < 8; k++) {
+    board_t board;
+    power_up(&board, "chaos");
+    const uint32_t session = board.link.session;
+    board.link.next = board.up = UINT32_MAX - k;
+    const recorded_t first = record(TF_UP_STOP, session, board.up, 0, NULL);
+    board.link.describe = false;
+    for (uint32_t i = 0; i <= k; i++) {
+      CHECK(board.link.session == session && !board.link.describe);
+      send_plain(&board, TF_UP_STOP);
+      CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+      CHECK(code_of(&board) == TF_ANSWER_DONE);
+    }
+    CHECK(board.link.session != session && board.link.session != 0);
+    CHECK(board.link.describe && board.link.next == 0 && board.up == 0);
+    CHECK(effect_of(&board, &first) == TF_ANSWER_FOREIGN);
+    send_plain(&board, TF_UP_START); /* under the new one */
+    CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+    CHECK(code_of(&board) == TF_ANSWER_DONE && board.link.lost == 0);
+  }
+  board_t board; /* the session after the last is not 0 */
+  power_up(&board, "chaos");
+  board.link.session = UINT32_MAX;
+  board.up = UINT32_MAX;
+  send_plain(&board, TF_UP_STOP);
+  CHECK(board.link.session == 1);
+}
+
+/* Vectors of the paper's appendix and of its reference code. */
+TEST(tag_is_siphash_of_the_body) {
+  static const struct {
+    size_t length;
+    uint64_t tag;
+  } known[] = {{0, 0x726fdb47dd0e0e31u},  {1, 0x74f839c593dc67fdu},
+               {7, 0xab0200f58b01d137u},  {8, 0x93f5f5799a932462u},
+               {15, 0xa129ca6149be45e5u}, {63, 0x958a324ceb064572u}};
+  uint8_t key[TF_KEY_BYTES], bytes[64];
+  for (unsigned i = 0; i < sizeof key; i++) key[i] = (uint8_t)i;
+  for (unsigned i = 0; i < sizeof bytes; i++) bytes[i] = (uint8_t)i;
+  for (unsigned i = 0; i < sizeof known / sizeof known[0]; i++)
+    CHECK(tf_siphash(key, bytes, known[i].length) == known[i].tag);
+  /* Of all that the board acts on, and behind it. */
+  recorded_t frame = record(TF_UP_STOP, 0x11223344u, 5, 77, key);
+  static const uint8_t body[] = {TF_FRAME_VERSION,
+                                 TF_UP_STOP,
+                                 12,
+                                 5,
+                                 0,
+                                 0,
+                                 0,
+                                 77,
+                                 0,
+                                 0,
+                                 0,
+                                 0,
+                                 0,
+                                 0,
+                                 0,
+                                 0x44,
+                                 0x33,
+                                 0x22,
+                                 0x11};
+  uint8_t buffer[TF_DECODER_SIZE(TF_COMMAND_BYTES)];
+  tf_decoder_t decoder;
+  tf_frame_t got;
+  size_t taken = 0;
+  tf_decoder_init(&decoder, buffer, sizeof buffer);
+  CHECK(tf_decoder_block(&decoder, frame.wire, frame.size, &taken, &got));
+  CHECK(got.length == 12);
+  CHECK(tf_wire_get(got.payload + 4, 8) == tf_siphash(key, body, sizeof body));
+  uint32_t number = 5;
+  CHECK(tf_command_seal(frame.wire, TF_UP_STOP, TF_COMMAND_DATA + 1, 1, &number,
+                        0, key) == 0);
+  CHECK(number == 5);
+}
+
+TEST(commands_without_the_tag_do_nothing) {
+  uint8_t key[TF_KEY_BYTES], other[TF_KEY_BYTES];
+  for (unsigned i = 0; i < sizeof key; i++) key[i] = (uint8_t)tap_bits();
+  board_t board;
+  switch_on(&board, "chaos");
+  tf_link_require_tag(&board.link, key);
+  send_plain(&board, TF_UP_DESCRIBE); /* anyone may ask */
+  tf_link_boundary(&board.link, &board.session);
+  CHECK(code_of(&board) == TF_ANSWER_DONE);
+  const uint32_t session = board.link.session;
+  recorded_t frame = record(TF_UP_STOP, session, 0, 0, NULL);
+  CHECK(effect_of(&board, &frame) == TF_ANSWER_TAG);
+  for (unsigned bit = 0; bit < 128; bit++) {
+    memcpy(other, key, sizeof key);
+    other[bit / 8] ^= (uint8_t)(1u << bit % 8);
+    frame = record(TF_UP_STOP, session, 0, 0, other);
+    CHECK(effect_of(&board, &frame) == TF_ANSWER_TAG);
+  }
+  /* Each bit of the body, by someone who can make a CRC but not a tag. */
+  frame = record(TF_UP_STOP, session, 0, 0, key);
+  uint8_t buffer[TF_DECODER_SIZE(TF_COMMAND_BYTES)];
+  tf_decoder_t decoder;
+  tf_frame_t good;
+  size_t taken = 0;
+  tf_decoder_init(&decoder, buffer, sizeof buffer);
+  CHECK(tf_decoder_block(&decoder, frame.wire, frame.size, &taken, &good));
+  for (unsigned bit = 0; bit < 8u * 12u + 8u + 32u + 64u; bit++) {
+    uint8_t payload[12], type = good.type;
+    uint32_t number = good.sequence;
+    uint64_t at = good.tick;
+    memcpy(payload, good.payload, 12);
+    if (bit < 96)
+      payload[bit / 8] ^= (uint8_t)(1u << bit % 8);
+    else if (bit < 104)
+      type ^= (uint8_t)(1u << (bit - 96));
+    else if (bit < 136)
+      number ^= 1u << (bit - 104);
+    else
+      at ^= (uint64_t)1 << (bit - 136);
+    if (type == TF_UP_DESCRIBE) continue;
+    recorded_t forged;
+    memcpy(forged.wire + TF_FRAME_AT, payload, 12);
+    forged.size = tf_frame_seal(forged.wire, type, 12, &number, at);
+    CHECK(effect_of(&board, &forged) == TF_ANSWER_TAG);
+  }
+  CHECK(board.link.next == 0 && board.session.running);
+  CHECK(effect_of(&board, &frame) == TF_ANSWER_DONE);
+  CHECK(!board.session.running);
+  CHECK(effect_of(&board, &frame) == TF_ANSWER_OLD);
+  /* Commands with data, as a host with the key sends them. */
+  board.key = key;
+  board.up = 1;
+  send_parameter(&board, 0, index_of("mu"), 2);
+  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+  CHECK(answer_of(&board).value == 2);
+}
+
+/* A controller that falls silent leaves its last torque for as long as was
+ * declared, then the safe inputs; the count and every answer tell. */
+TEST(silent_controller_leaves_the_safe_inputs) {
+  board_t board;
+  power_up(&board, "driven");
+  const uint8_t steps[4] = {100, 0, 0, 0};
+  send(&board, TF_UP_DEADMAN, 0, steps, sizeof steps);
+  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+  CHECK(code_of(&board) == TF_ANSWER_DONE && board.session.deadman == 100);
+  CHECK(board.link.describe); /* the schema tells the new number */
+  tf_input_t push = tf_input_default(&board.session.machine);
+  push.torque = TF_R(0.5);
+  push.omega0 = TF_R(-0.5);
+  for (int n = 0; n < 1000; n++) {
+    if (n % 100 == 0) send_input(&board, 0, &push); /* in time, just */
+    tick(&board);
+    CHECK(board.session.stepped == TF_INPUT_SET);
+    while (answer_of(&board).length) continue;
+  }
+  CHECK(board.session.expired == 0);
+  tf_session_t twin = board.session;
+  tf_input_t safe = tf_input_default(&twin.machine);
+  CHECK(safe.torque == 0 && safe.force == 0 && safe.alpha == 0);
+  for (int n = 0; n < 1000; n++) {
+    tick(&board);
+    tf_step(&twin.machine, &twin.state, &safe, &twin.report);
+    CHECK(board.session.stepped == TF_INPUT_SAFE);
+    CHECK(same_state(&twin.state, &board.session.state));
+  }
+  CHECK(board.session.expired == 1);
+  /* The next command learns it, whatever it is; only an input ends it. */
+  send_plain(&board, TF_UP_SNAPSHOT);
+  tick(&board);
+  CHECK(answer_of(&board).source == TF_INPUT_SAFE);
+  CHECK(board.session.stepped == TF_INPUT_SAFE);
+  send_input(&board, 0, &push);
+  tick(&board);
+  CHECK(answer_of(&board).source == TF_INPUT_SAFE);
+  CHECK(board.session.stepped == TF_INPUT_SET);
+  send_plain(&board, TF_UP_INPUT); /* those of the scene: nobody has to renew */
+  tick(&board);
+  CHECK(answer_of(&board).source == TF_INPUT_SET);
+  for (int n = 0; n < 1000; n++) tick(&board);
+  CHECK(board.session.stepped == TF_INPUT_SCENE && board.session.expired == 1);
+}
+
+/* Nothing that a controller is not prolongs its inputs: no other command, no
+ * broken or repeated frame, no jump of the tick. */
+TEST(only_inputs_feed_the_dead_man) {
+  board_t board;
+  power_up(&board, "chaos");
+  board.session.deadman = 50;
+  tf_input_t push = tf_input_default(&board.session.machine);
+  push.force = TF_R(0.25);
+  uint8_t back[8 + TF_STATE_BYTES] = {0};
+  send_input(&board, 0, &push);
+  tick(&board);
+  push.force = (tf_real_t)NAN;
+  for (int n = 1; n < 50; n++) {
+    while (answer_of(&board).length) continue;
+    if (n % 4 == 0) send_plain(&board, TF_UP_SNAPSHOT);
+    if (n % 4 == 1) send_input(&board, 0, &push);
+    if (n % 4 == 2) send(&board, TF_UP_RESTORE, 0, back, sizeof back);
+    if (n % 4 == 3) send_plain(&board, TF_UP_DESCRIBE);
+    tick(&board);
+    CHECK(board.session.stepped == TF_INPUT_SET);
+  }
+  tick(&board);
+  CHECK(board.session.stepped == TF_INPUT_SAFE && board.session.expired == 1);
+  /* A new number holds from now on, for inputs that have not expired. */
+  const uint8_t none[4] = {0}, some[4] = {3, 0, 0, 0};
+  while (answer_of(&board).length) continue;
+  send(&board, TF_UP_DEADMAN, 0, none, 4);
+  tick(&board);
+  CHECK(board.session.stepped == TF_INPUT_SAFE);
+  push.force = 1;
+  send_input(&board, 0, &push);
+  for (int n = 0; n < 500; n++) tick(&board);
+  CHECK(board.session.stepped == TF_INPUT_SET);
+  send(&board, TF_UP_DEADMAN, 0, some, 4);
+  for (int n = 0; n < 3; n++) tick(&board);
+  CHECK(board.session.stepped == TF_INPUT_SET);
+  tick(&board);
+  CHECK(board.session.stepped == TF_INPUT_SAFE && board.session.expired == 2);
+  while (answer_of(&board).length) continue;
+  send(&board, TF_UP_DEADMAN, 0, some, 3);
+  tick(&board);
+  CHECK(code_of(&board) == TF_ANSWER_LENGTH && board.session.deadman == 3);
+}
+
+/* Ticks at both ends of 32 bits and at the end of what may be restored: dates
+ * and jumps are what they are elsewhere. */
+TEST(dates_hold_at_every_tick) {
+  static const uint64_t ends[] = {(uint64_t)1 << 32, TF_LINK_TICKS};
+  for (unsigned i = 0; i < 2; i++)
+    for (uint64_t k = 1; k < 20; k++) {
+      board_t board;
+      power_up(&board, "chaos");
+      uint8_t kept[8 + TF_STATE_BYTES], wire[TF_FRAME_SIZE(TF_STATE_BYTES)];
+      uint8_t buffer[TF_DECODER_SIZE(TF_STATE_BYTES)];
+      tf_decoder_t decoder;
+      tf_frame_t frame;
+      size_t taken;
+      tf_decoder_init(&decoder, buffer, sizeof buffer);
+      const size_t size =
+          tf_send_state(wire, &board.down, &board.session.state);
+      CHECK(tf_decoder_block(&decoder, wire, size, &taken, &frame));
+      tf_wire_put(kept, ends[i] - k, 8);
+      memcpy(kept + 8, frame.payload, TF_STATE_BYTES);
+      send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
+      send(&board, TF_UP_STOP, ends[i] - k + 30, NULL, 0);
+      for (int n = 0; n < 60; n++) tick(&board);
+      CHECK(board.session.state.tick == ends[i] - k + 30);
+      CHECK(code_of(&board) == 0);
+      const answer_t answer = answer_of(&board);
+      CHECK(answer.code == 0 && answer.tick == ends[i] - k + 30);
+    }
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(recorded_command_acts_once);
+  RUN(session_depends_on_every_reading);
+  RUN(old_and_foreign_commands_do_nothing);
+  RUN(replayed_frames_do_not_fill_the_queue);
+  RUN(refused_clear_keeps_the_queue);
+  RUN(numbers_end_in_another_session);
+  RUN(tag_is_siphash_of_the_body);
+  RUN(commands_without_the_tag_do_nothing);
+  RUN(silent_controller_leaves_the_safe_inputs);
+  RUN(only_inputs_feed_the_dead_man);
+  RUN(dates_hold_at_every_tick);
+  return tap_end();
+}
