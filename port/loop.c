@@ -8,9 +8,10 @@
 typedef struct {
   const loop_plan_t *plan;
   loop_counts_t *counts;
-  uint32_t tick;   // the present one
-  uint32_t begun;  // clock at its start
-  uint32_t period; // [clock]
+  uint32_t tick;     // the present one
+  uint32_t begun;    // clock at its start
+  uint32_t period;   // [clock]
+  uint32_t tellable; // ticks that the clock can tell
   // Time that writing takes [clock]: of anything, and of a record.
   uint32_t longest_record, shortest_record;
   uint32_t until_record, until_heartbeat;
@@ -118,8 +119,7 @@ static void send_descriptions(loop_t *loop) {
 // The clock goes round after 2^32 units; the ticks tell whether it did.
 static void measure(loop_t *loop, uint32_t time) {
   loop_counts_t *counts = loop->counts;
-  const uint64_t ticks = port_ticks() - loop->tick;
-  if (ticks * loop->period > UINT32_MAX / 2) time = UINT32_MAX;
+  if (port_ticks() - loop->tick > loop->tellable) time = UINT32_MAX;
   if (time < counts->shortest) counts->shortest = time;
   if (time > counts->longest) counts->longest = time;
   counts->sum += time;
@@ -180,6 +180,7 @@ loop_end_t loop_run(const loop_plan_t *plan, loop_counts_t *counts) {
   loop->until_heartbeat = plan->heartbeat;
   if (!port_tick_start(plan->rate)) return LOOP_NO_TIMER;
   loop->period = port_clock_rate() / plan->rate;
+  loop->tellable = UINT32_MAX / 2 / (loop->period + 1);
   loop->tick = port_ticks();
   loop->begun = port_clock();
   const loop_end_t end = run(loop);

@@ -242,6 +242,7 @@ TEST(mean_is_of_all_steps) {
     the_loop.counts = &counted;
     the_loop.until_record = the_loop.until_heartbeat = 1000;
     the_loop.period = PERIOD;
+    the_loop.tellable = 1000;
     CHECK(run(&the_loop) == LOOP_REFUSED);
     CHECK(counted.steps == ((uint64_t)1 << 32) - k + 10);
     CHECK(counted.sum / counted.steps == 300);

@@ -1,0 +1,58 @@
+/* The firmware as it is built with KEY: the schema says that commands need a
+ * tag, and those without it do nothing. */
+#define FRAMES
+#define UPLINK
+#define RATE 1000
+#define SCENE_RATE 1000
+#define UPLINK_KEY \
+  { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16 }
+/* The core is compiled here as in a firmware: local to this file. */
+#include "../../port/firmware.c" /* NOLINT(bugprone-suspicious-include) */
+#include "tap.h"
+
+const uint8_t chosen_scene = 0;
+uint32_t port_clock(void) { return 7; }
+uint32_t port_clock_rate(void) { return 1000000; }
+
+/* Sends a command of some number. Returns: the code of its answer. */
+static int code_of(uint8_t type, uint32_t number, const uint8_t *key) {
+  uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)], out[LOOP_RECORD];
+  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
+  tf_decoder_t decoder;
+  tf_frame_t frame;
+  size_t taken = 0;
+  const size_t size =
+      tf_command_seal(wire, type, 0, sim.link.session, &number, 0, key);
+  for (size_t i = 0; i < size; i++) app_receive(wire[i]);
+  CHECK(app_latch() == 0);
+  tf_decoder_init(&decoder, buffer, sizeof buffer);
+  CHECK(tf_decoder_block(&decoder, out, app_other(out), &taken, &frame));
+  CHECK(frame.type == TF_DOWN_ANSWER);
+  return (int8_t)frame.payload[5];
+}
+
+TEST(commands_need_the_key_of_the_build) {
+  uint8_t key[TF_KEY_BYTES] = UPLINK_KEY, out[LOOP_RECORD];
+  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
+  tf_decoder_t decoder;
+  tf_frame_t frame;
+  size_t taken = 0;
+  CHECK(app_begin());
+  CHECK(code_of(TF_UP_DESCRIBE, 0, NULL) == TF_ANSWER_DONE);
+  tf_decoder_init(&decoder, buffer, sizeof buffer);
+  CHECK(tf_decoder_block(&decoder, out, app_other(out), &taken, &frame));
+  CHECK(frame.type == TF_DOWN_SCHEMA && frame.payload[4] == (2 | 4));
+  CHECK(code_of(TF_UP_STOP, 0, NULL) == TF_ANSWER_TAG);
+  key[3] ^= 16;
+  CHECK(code_of(TF_UP_STOP, 0, key) == TF_ANSWER_TAG);
+  CHECK(sim.session.running);
+  key[3] ^= 16;
+  CHECK(code_of(TF_UP_STOP, 0, key) == TF_ANSWER_DONE);
+  CHECK(!sim.session.running);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(commands_need_the_key_of_the_build);
+  return tap_end();
+}
