@@ -35,9 +35,9 @@ typedef struct {
   loop_policy_t policy; ///< of overruns
 } loop_plan_t;
 
-/// What the loop counts, modulo 2^32 where it has 32 bits. Times are in units of
-/// port_clock, of latch, step and output together; a time that the clock cannot
-/// tell, 2^31 units or more, counts as 2^32 - 1.
+/// What the loop counts, modulo 2^32 where it has 32 bits. Times are in units
+/// of port_clock, of latch, step and output together; a time that the clock
+/// cannot tell, 2^31 units or more, counts as 2^32 - 1.
 typedef struct {
   uint64_t steps; ///< taken; a tick at which the application stands adds none
   uint32_t overruns; ///< steps that ended after the next tick
@@ -55,7 +55,9 @@ extern const loop_plan_t app_plan;
 bool app_begin(void);
 
 /// A byte came in. Called between steps; changes nothing that a step reads.
-void app_receive(uint8_t byte);
+/// when: the clock at which the loop took it, which is never the same twice
+///   from start to start.
+void app_receive(uint8_t byte, uint32_t when);
 
 /// What was received takes effect. Returns: 0; anything else ends the loop.
 int app_latch(void);

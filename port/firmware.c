@@ -23,7 +23,7 @@ const loop_plan_t app_plan = {RATE, STEPS, EVERY, RATE, OVERRUN};
 
 bool app_begin(void) { return sim_begin() && scheme_begin(); }
 
-void app_receive(uint8_t byte) { sim_receive(byte); }
+void app_receive(uint8_t byte, uint32_t when) { sim_receive(byte, when); }
 
 int app_latch(void) {
   sim_latch();

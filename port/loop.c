@@ -26,7 +26,7 @@ static loop_t the_loop;
 static void use_spare_time(loop_t *loop) {
   while (port_ticks() == loop->tick) {
     const int byte = port_get();
-    if (byte >= 0) app_receive((uint8_t)byte);
+    if (byte >= 0) app_receive((uint8_t)byte, port_clock());
     if (loop->first < loop->last) {
       if (port_room() > 0) port_put(loop->buffer[loop->first++]);
     } else if (byte < 0) {

@@ -13,7 +13,6 @@
 
 #include "app.h"
 #include "core.h"
-#include "port.h"
 
 #ifndef RATE
 #define RATE 1000
@@ -40,23 +39,29 @@ static struct {
 #define SIM_PARAMS sim.link.params
 #define SIM_SOURCE sim.session.stepped
 #define SIM_TAKES_COMMANDS true
+#ifdef UPLINK_KEY
+#define SIM_WANTS_TAG true
+#else
+#define SIM_WANTS_TAG false
+#endif
 
 static bool sim_begin(void) {
   const tf_params_t params = scene_params(SCENE);
   tf_link_open(&sim.link, SCENE, &params);
-#ifdef UPLINK_KEY
-  static const uint8_t key[TF_KEY_BYTES] = UPLINK_KEY;
-  tf_link_require_tag(&sim.link, key);
-#endif
   const tf_status_t status = tf_session_open(&sim.session, SCENE, &params, 1);
   sim.session.deadman = DEADMAN;
   return status == TF_OK;
 }
 
 // No two starts hear their first bytes at the same times.
-static void sim_receive(uint8_t byte) {
-  if (sim.link.session == 0) tf_link_stir(&sim.link, port_clock());
+static void sim_receive(uint8_t byte, uint32_t when) {
+  if (sim.link.session == 0) tf_link_stir(&sim.link, when);
+#ifdef UPLINK_KEY
+  static const uint8_t key[TF_KEY_BYTES] = UPLINK_KEY;
+  tf_link_receive_tagged(&sim.link, byte, key);
+#else
   tf_link_receive(&sim.link, byte);
+#endif
 }
 
 static void sim_latch(void) { (void)tf_link_boundary(&sim.link, &sim.session); }
@@ -96,7 +101,10 @@ static struct {
 
 static bool sim_begin(void) { return scene_begin(&sim.state, &sim.report); }
 
-static void sim_receive(uint8_t byte) { (void)byte; }
+static void sim_receive(uint8_t byte, uint32_t when) {
+  (void)byte;
+  (void)when;
+}
 
 static void sim_latch(void) { sim.input = scene_input(sim.steps + 1); }
 

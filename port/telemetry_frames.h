@@ -58,7 +58,7 @@ static size_t telemetry_schema(uint8_t *to) {
                         .scheme = SCHEME,
                         .takes_commands = SIM_TAKES_COMMANDS};
 #ifdef UPLINK
-  schema.wants_tag = sim.link.tag != NULL;
+  schema.wants_tag = SIM_WANTS_TAG;
   schema.session = sim.link.session;
   schema.sequence = sim.link.next;
   schema.deadman = sim.session.deadman;

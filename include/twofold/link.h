@@ -53,17 +53,15 @@ typedef struct {
   tf_params_t params; ///< in effect
   tf_state_t saved;
   bool has_saved;
-  bool describe;      ///< schema and layouts have to be sent; the program that
-                      ///< sends them clears it
-  bool has_aside;     ///< `aside` is in use
-  uint8_t waiting;    ///< entries of the queue in use, in order of arrival
-  uint32_t session;   ///< that commands have to name; 0: none yet
-  uint32_t noise;     ///< of which the session is made
-  uint32_t next;      ///< least number of a command that is still taken
-  uint32_t lost;      ///< numbers that were passed over, modulo 2^32
-  uint32_t ignored;   ///< commands without an answer: no room, or cleared
-  const uint8_t *key; ///< the caller's
-  uint64_t (*tag)(const uint8_t *key, const uint8_t *bytes, size_t length);
+  bool describe;    ///< schema and layouts have to be sent; the program that
+                    ///< sends them clears it
+  bool has_aside;   ///< `aside` is in use
+  uint8_t waiting;  ///< entries of the queue in use, in order of arrival
+  uint32_t session; ///< that commands have to name; 0: none yet
+  uint32_t noise;   ///< of which the session is made
+  uint32_t next;    ///< least number of a command that is still taken
+  uint32_t lost;    ///< numbers that were passed over, modulo 2^32
+  uint32_t ignored; ///< commands without an answer: no room, or cleared
   tf_decoder_t decoder;
   tf_command_t queue[TF_LINK_QUEUE];
   tf_command_t aside; ///< done with on arrival; its answer is still to be sent
@@ -83,17 +81,6 @@ typedef struct {
 TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
                          const tf_params_t *params);
 
-/// From now on commands without the tag of this key are refused. A program that
-/// never calls this contains nothing of it.
-/// Scheme: SipHash-2-4 of the frame's body; the comparison looks at every bit.
-/// link: in/out. key: kept, TF_KEY_BYTES.
-/// Returns: nothing.
-/// Cost: at most 6 instructions. Stack: 16 B.
-/// Memory: caller's, reentrant.
-/// Claims: commands_without_the_tag_do_nothing
-#define tf_link_require_tag TF_LINK(tf_link_require_tag)
-TF_API void tf_link_require_tag(tf_link_t *link, const uint8_t *key);
-
 /// Adds to the number of which the first TF_UP_DESCRIBE makes the session: a
 /// reading of a fast clock when a byte came in, or a random number. It makes no
 /// difference once there is a session.
@@ -110,22 +97,35 @@ TF_API void tf_link_stir(tf_link_t *link, uint32_t noise);
 /// Scheme: none.
 /// link: in/out. byte: in.
 /// Returns: nothing.
-/// Cost: at most 4900 instructions for the last byte of a command, with a tag;
-///   else 20. Stack: 176 B.
+/// Cost: at most 2400 instructions for the last byte of a command, else 20.
+///   Stack: 144 B.
 /// Memory: caller's; not reentrant for the same link: an interrupt handler
 ///   should put the byte into a queue of its own.
 /// Claims: uplink_flood_changes_nothing, no_byte_changes_a_parameter_by_itself,
 ///   recorded_command_acts_once, old_and_foreign_commands_do_nothing,
-///   refused_clear_keeps_the_queue, commands_without_the_tag_do_nothing
+///   refused_clear_keeps_the_queue
 #define tf_link_receive TF_LINK(tf_link_receive)
 TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
+
+/// The same, and only commands with the tag of a key are taken. A program calls
+/// this one or the other; one that never calls this contains nothing of it.
+/// Scheme: SipHash-2-4 of the frame's body; the comparison looks at every bit.
+/// link: in/out. byte: in. key: in, TF_KEY_BYTES.
+/// Returns: nothing.
+/// Cost: at most 3300 instructions for the last byte of a command, else 20.
+///   Stack: 176 B.
+/// Memory: as above.
+/// Claims: commands_without_the_tag_do_nothing
+#define tf_link_receive_tagged TF_LINK(tf_link_receive_tagged)
+TF_API void tf_link_receive_tagged(tf_link_t *link, uint8_t byte,
+                                   const uint8_t *key);
 
 /// Applies the commands that are due, in order of arrival.
 /// Scheme: none.
 /// link, session: in/out. A command that is refused changes neither.
 /// Returns: how many took effect.
 /// Cost: at most 5000 instructions, for TF_LINK_QUEUE commands, the longest
-///   tf_prepare or tf_session_start; none: 10. Stack: 1264 B.
+///   tf_prepare or tf_session_start; none: 10. Stack: 1216 B.
 /// Memory: caller's, no overlap.
 /// Claims: set_parameter_takes_effect_only_at_the_boundary,
 ///   set_parameter_is_validated_and_answered, inputs_act_at_their_tick,
@@ -140,7 +140,7 @@ TF_API unsigned tf_link_boundary(tf_link_t *link, tf_session_t *session);
 /// wire: out, TF_FRAME_SIZE(TF_ANSWER_BYTES).
 /// sequence: in/out, of the frames that go down.
 /// Returns: bytes of the frame; 0 if no answer is waiting (wire untouched).
-/// Cost: at most 1400 instructions. Stack: 112 B.
+/// Cost: at most 1500 instructions. Stack: 128 B.
 /// Memory: caller's, no overlap.
 /// Claims: set_parameter_is_validated_and_answered,
 ///   uplink_flood_changes_nothing, documented_frames_decode

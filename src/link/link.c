@@ -20,14 +20,7 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
   link->next = 0;
   link->lost = 0;
   link->ignored = 0;
-  link->key = NULL;
-  link->tag = NULL;
   tf_decoder_init(&link->decoder, link->buffer, sizeof link->buffer);
-}
-
-TF_API void tf_link_require_tag(tf_link_t *link, const uint8_t *key) {
-  link->key = key;
-  link->tag = tf_siphash;
 }
 
 TF_API void tf_link_stir(tf_link_t *link, uint32_t noise) {
@@ -36,28 +29,10 @@ TF_API void tf_link_stir(tf_link_t *link, uint32_t noise) {
   link->noise = tf_crc32(link->noise, bytes, sizeof bytes);
 }
 
-static size_t tag_bytes(const tf_link_t *link) {
-  return link->tag == NULL ? 0 : TF_TAG_BYTES;
-}
-
-// The tag is that of the frame's body before it, which COBS has given back in
-// the decoder's buffer. All of it is compared, so that the time does not tell
-// how many bytes of a guess were right.
-static bool has_tag(const tf_link_t *link, const tf_frame_t *frame) {
-  if (link->tag == NULL) return true;
-  if (frame->length < TF_SESSION_BYTES + TF_TAG_BYTES) return false;
-  const uint8_t *body = frame->payload - TF_FRAME_HEADER;
-  const size_t tagged = TF_FRAME_HEADER + (frame->length - TF_TAG_BYTES);
-  const uint64_t wrong = link->tag(link->key, body, tagged) ^
-                         tf_wire_get(body + tagged, TF_TAG_BYTES);
-  return ((uint32_t)wrong | (uint32_t)(wrong >> 32)) == 0;
-}
-
-// Whether a command comes from someone who may command, and for the first time.
-// Returns: TF_ANSWER_DONE, or why not.
+// Whether a command is of this session and comes for the first time. Returns:
+// TF_ANSWER_DONE, or why not.
 static int admit(const tf_link_t *link, const tf_frame_t *frame) {
   if (frame->length < TF_SESSION_BYTES) return TF_ANSWER_LENGTH;
-  if (!has_tag(link, frame)) return TF_ANSWER_TAG;
   if (link->session == 0 ||
       tf_wire_get(frame->payload, TF_SESSION_BYTES) != link->session)
     return TF_ANSWER_FOREIGN;
@@ -70,14 +45,14 @@ static int admit(const tf_link_t *link, const tf_frame_t *frame) {
 static void use_number(tf_link_t *link, uint32_t sequence) {
   link->lost += sequence - link->next;
   link->next = sequence + 1u;
-  if (link->next != 0) return;
+  if (sequence < UINT32_MAX) return;
   link->session = link->session == UINT32_MAX ? 1 : link->session + 1u;
   link->describe = true;
 }
 
-// Takes the data of a command, between session and tag.
-static void keep(tf_command_t *command, const tf_frame_t *frame,
-                 size_t length) {
+// Takes a command, its data behind the session.
+static void keep_command(tf_command_t *command, const tf_frame_t *frame,
+                         size_t length) {
   *command = (tf_command_t){.tick = frame->tick,
                             .sequence = frame->sequence,
                             .type = frame->type,
@@ -93,7 +68,7 @@ static void set_aside(tf_link_t *link, const tf_frame_t *frame, int code) {
     link->ignored++;
     return;
   }
-  keep(&link->aside, frame, 0);
+  keep_command(&link->aside, frame, 0);
   link->aside.code = (int8_t)code;
   link->has_aside = true;
 }
@@ -115,13 +90,17 @@ static int judge_clear(const tf_frame_t *frame, size_t length) {
   return frame->tick != 0 ? TF_ANSWER_FAR : TF_ANSWER_DONE;
 }
 
-static void receive(tf_link_t *link, const tf_frame_t *frame) {
+static void take_frame(tf_link_t *link, const tf_frame_t *frame) {
+  if (frame->type == TF_UP_DESCRIBE) {
+    describe(link, frame);
+    return;
+  }
   int code = admit(link, frame);
   if (code != TF_ANSWER_DONE) {
     set_aside(link, frame, code);
     return;
   }
-  const size_t length = frame->length - TF_SESSION_BYTES - tag_bytes(link);
+  const size_t length = frame->length - TF_SESSION_BYTES;
   if (length > TF_COMMAND_DATA) code = TF_ANSWER_LENGTH;
   if (frame->type == TF_UP_CLEAR) code = judge_clear(frame, length);
   if (code != TF_ANSWER_DONE) {
@@ -138,16 +117,38 @@ static void receive(tf_link_t *link, const tf_frame_t *frame) {
     return;
   }
   use_number(link, frame->sequence);
-  keep(&link->queue[link->waiting++], frame, length);
+  keep_command(&link->queue[link->waiting++], frame, length);
 }
 
 TF_API void tf_link_receive(tf_link_t *link, uint8_t byte) {
   tf_frame_t frame;
+  if (tf_decoder_push(&link->decoder, byte, &frame)) take_frame(link, &frame);
+}
+
+// The tag is that of the frame's body before it, which COBS has given back in
+// the decoder's buffer. All of it is compared, so that the time does not tell
+// how many bytes of a guess were right.
+static bool has_tag(const tf_frame_t *frame, const uint8_t *key) {
+  if (frame->length < TF_TAG_BYTES) return false;
+  const uint8_t *body = frame->payload - TF_FRAME_HEADER;
+  const size_t tagged = TF_FRAME_HEADER + (frame->length - TF_TAG_BYTES);
+  const uint64_t wrong =
+      tf_siphash(key, body, tagged) ^ tf_wire_get(body + tagged, TF_TAG_BYTES);
+  return ((uint32_t)wrong | (uint32_t)(wrong >> 32)) == 0;
+}
+
+TF_API void tf_link_receive_tagged(tf_link_t *link, uint8_t byte,
+                                   const uint8_t *key) {
+  tf_frame_t frame;
   if (!tf_decoder_push(&link->decoder, byte, &frame)) return;
-  if (frame.type == TF_UP_DESCRIBE)
-    describe(link, &frame);
-  else
-    receive(link, &frame);
+  if (frame.type != TF_UP_DESCRIBE) {
+    if (!has_tag(&frame, key)) {
+      set_aside(link, &frame, TF_ANSWER_TAG);
+      return;
+    }
+    frame.length = (uint8_t)(frame.length - TF_TAG_BYTES);
+  }
+  take_frame(link, &frame);
 }
 
 static int set_input(tf_session_t *session, const tf_command_t *command) {

@@ -11,7 +11,8 @@ typedef struct {
 } sip_t;
 
 static uint64_t rotated(uint64_t x, unsigned by) {
-  return x << by | x >> (64u - by);
+  const unsigned back = 64u - by;
+  return x << by | x >> back;
 }
 
 static void sip_rounds(sip_t *s, unsigned rounds) {
@@ -40,9 +41,9 @@ TF_API uint64_t tf_siphash(const uint8_t *key, const uint8_t *bytes,
                  k1 = tf_wire_get(key + WORD, WORD);
   sip_t s = {k0 ^ 0x736f6d6570736575u, k1 ^ 0x646f72616e646f6du,
              k0 ^ 0x6c7967656e657261u, k1 ^ 0x7465646279746573u};
-  size_t at = 0;
-  for (; length - at >= WORD; at += WORD)
-    sip_word(&s, tf_wire_get(bytes + at, WORD));
+  const size_t whole = length / WORD, at = whole * WORD;
+  for (size_t i = 0; i < whole; i++)
+    sip_word(&s, tf_wire_get(bytes + i * WORD, WORD));
   // The last word: the bytes that are left, and the length modulo 256.
   sip_word(&s, tf_wire_get(bytes + at, length - at) | (uint64_t)length << 56);
   s.v2 ^= 0xffu;

@@ -17,7 +17,6 @@
 
 const uint8_t chosen_scene = 0;
 static uint32_t clock_now, clock_rate;
-uint32_t port_clock(void) { return clock_now; }
 uint32_t port_clock_rate(void) { return clock_rate; }
 
 static void switch_on(void) {
@@ -26,7 +25,7 @@ static void switch_on(void) {
   CHECK(app_begin());
 }
 
-static uint8_t out[LOOP_RECORD];
+static uint8_t line[LOOP_RECORD];
 
 /* The frame of some type among bytes that the firmware made. */
 static tf_frame_t frame_in(const uint8_t *bytes, size_t length, uint8_t type) {
@@ -56,7 +55,7 @@ static void send(uint8_t type, size_t length) {
       tf_command_seal(wire, type, length, sim.link.session, &number, 0, NULL);
   for (size_t i = 0; i < size; i++) {
     clock_now += 86806;
-    app_receive(wire[i]);
+    app_receive(wire[i], clock_now);
   }
 }
 
@@ -105,7 +104,7 @@ TEST(mean_survives_the_counters) {
           .steps = steps, .shortest = 200, .longest = 900, .sum = steps * 300};
       switch_on();
       const tf_frame_t frame =
-          frame_in(out, app_heartbeat(&counts, out), TF_DOWN_HEARTBEAT);
+          frame_in(line, app_heartbeat(&counts, line), TF_DOWN_HEARTBEAT);
       tf_heartbeat_t beat;
       tf_read_heartbeat(frame.payload, &beat);
       CHECK(beat.steps == (uint32_t)steps && beat.exec_mean == 300);
@@ -127,7 +126,7 @@ TEST(counters_end_at_their_largest) {
       (tf_tally_t){UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, 1};
   sim.session.state.tick = UINT64_MAX;
   const tf_frame_t frame =
-      frame_in(out, app_heartbeat(&counts, out), TF_DOWN_HEARTBEAT);
+      frame_in(line, app_heartbeat(&counts, line), TF_DOWN_HEARTBEAT);
   tf_heartbeat_t beat;
   tf_read_heartbeat(frame.payload, &beat);
   CHECK(beat.exec_max == UINT32_MAX && beat.exec_min == UINT32_MAX);
@@ -138,7 +137,7 @@ TEST(counters_end_at_their_largest) {
       -TF_REAL_MAX;
   sim.session.report.slip.h = sim.session.report.slip.g = -TF_REAL_MIN;
   CHECK(text_record(text) <= 200);
-  CHECK(app_record(out) <= LOOP_RECORD);
+  CHECK(app_record(line) <= LOOP_RECORD);
 }
 
 /* Sequence numbers of what goes down, through the end of 32 bits. */
@@ -149,9 +148,9 @@ TEST(frames_are_numbered_through_the_end) {
   tf_decoder_init(&decoder, buffer, sizeof buffer);
   telemetry_sequence = UINT32_MAX - 20;
   for (int n = 0; n < 40; n++) {
-    size_t length = app_record(out), taken = 0;
+    size_t length = app_record(line), taken = 0;
     tf_frame_t frame;
-    for (const uint8_t *at = out;
+    for (const uint8_t *at = line;
          tf_decoder_block(&decoder, at, length, &taken, &frame); at += taken)
       length -= taken;
   }
@@ -165,12 +164,12 @@ TEST(session_is_of_the_moment) {
   for (unsigned n = 0; n < 20; n++) {
     switch_on();
     clock_now = n;
-    const tf_frame_t before = frame_in(out, app_other(out), TF_DOWN_SCHEMA);
+    const tf_frame_t before = frame_in(line, app_other(line), TF_DOWN_SCHEMA);
     CHECK(tf_wire_get(before.payload + 13, 4) == 0);
     send(TF_UP_DESCRIBE, 0);
     CHECK(app_latch() == 0);
-    CHECK(frame_in(out, app_other(out), TF_DOWN_ANSWER).type != 0);
-    const tf_frame_t after = frame_in(out, app_other(out), TF_DOWN_SCHEMA);
+    CHECK(frame_in(line, app_other(line), TF_DOWN_ANSWER).type != 0);
+    const tf_frame_t after = frame_in(line, app_other(line), TF_DOWN_SCHEMA);
     seen[n] = (uint32_t)tf_wire_get(after.payload + 13, 4);
     CHECK(seen[n] != 0 && seen[n] == sim.link.session);
     CHECK(tf_wire_get(after.payload + 21, 4) == RATE / 2);
@@ -188,13 +187,13 @@ TEST(inputs_expire_by_default) {
   send(TF_UP_INPUT, 5 * TF_REAL_BYTES);
   for (unsigned n = 1; n <= RATE; n++) {
     CHECK(app_latch() == 0 && app_step(&until) == LOOP_STEPPED);
-    const tf_frame_t frame = frame_in(out, app_record(out), TF_DOWN_REPORT);
+    const tf_frame_t frame = frame_in(line, app_record(line), TF_DOWN_REPORT);
     CHECK(frame.length == TF_REPORT_BYTES);
     CHECK(frame.payload[TF_REPORT_BYTES - 1] ==
           (n <= RATE / 2 ? TF_INPUT_SET : TF_INPUT_SAFE));
   }
   const tf_frame_t frame =
-      frame_in(out, app_heartbeat(&counts, out), TF_DOWN_HEARTBEAT);
+      frame_in(line, app_heartbeat(&counts, line), TF_DOWN_HEARTBEAT);
   CHECK(tf_wire_get(frame.payload + 52, 4) == 1);
 }
 

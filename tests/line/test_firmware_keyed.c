@@ -11,28 +11,27 @@
 #include "tap.h"
 
 const uint8_t chosen_scene = 0;
-uint32_t port_clock(void) { return 7; }
 uint32_t port_clock_rate(void) { return 1000000; }
 
 /* Sends a command of some number. Returns: the code of its answer. */
 static int code_of(uint8_t type, uint32_t number, const uint8_t *key) {
-  uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)], out[LOOP_RECORD];
+  uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)], line[LOOP_RECORD];
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   tf_decoder_t decoder;
   tf_frame_t frame;
   size_t taken = 0;
   const size_t size =
       tf_command_seal(wire, type, 0, sim.link.session, &number, 0, key);
-  for (size_t i = 0; i < size; i++) app_receive(wire[i]);
+  for (size_t i = 0; i < size; i++) app_receive(wire[i], 7);
   CHECK(app_latch() == 0);
   tf_decoder_init(&decoder, buffer, sizeof buffer);
-  CHECK(tf_decoder_block(&decoder, out, app_other(out), &taken, &frame));
+  CHECK(tf_decoder_block(&decoder, line, app_other(line), &taken, &frame));
   CHECK(frame.type == TF_DOWN_ANSWER);
   return (int8_t)frame.payload[5];
 }
 
 TEST(commands_need_the_key_of_the_build) {
-  uint8_t key[TF_KEY_BYTES] = UPLINK_KEY, out[LOOP_RECORD];
+  uint8_t key[TF_KEY_BYTES] = UPLINK_KEY, line[LOOP_RECORD];
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   tf_decoder_t decoder;
   tf_frame_t frame;
@@ -40,7 +39,7 @@ TEST(commands_need_the_key_of_the_build) {
   CHECK(app_begin());
   CHECK(code_of(TF_UP_DESCRIBE, 0, NULL) == TF_ANSWER_DONE);
   tf_decoder_init(&decoder, buffer, sizeof buffer);
-  CHECK(tf_decoder_block(&decoder, out, app_other(out), &taken, &frame));
+  CHECK(tf_decoder_block(&decoder, line, app_other(line), &taken, &frame));
   CHECK(frame.type == TF_DOWN_SCHEMA && frame.payload[4] == (2 | 4));
   CHECK(code_of(TF_UP_STOP, 0, NULL) == TF_ANSWER_TAG);
   key[3] ^= 16;

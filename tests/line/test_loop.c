@@ -48,7 +48,10 @@ void port_idle(uint32_t seen) {
   board.idled++;
 }
 
-void app_receive(uint8_t byte) { board.received += byte == 0x55; }
+void app_receive(uint8_t byte, uint32_t when) {
+  (void)when;
+  board.received += byte == 0x55;
+}
 int app_latch(void) {
   board.latched++;
   return 0;

@@ -14,8 +14,9 @@ typedef struct {
   const tf_scene_t *scene;
   tf_session_t session;
   tf_link_t link;
-  uint32_t up, down;  /* sequence numbers */
-  const uint8_t *key; /* of its commands, or NULL */
+  uint32_t up, down;   /* sequence numbers */
+  const uint8_t *lock; /* key of the board, or NULL */
+  const uint8_t *key;  /* of its commands, or NULL */
 } board_t;
 
 static inline void switch_on(board_t *board, const char *scene) {
@@ -27,7 +28,11 @@ static inline void switch_on(board_t *board, const char *scene) {
 }
 
 static inline void hear(board_t *board, const uint8_t *wire, size_t size) {
-  for (size_t i = 0; i < size; i++) tf_link_receive(&board->link, wire[i]);
+  for (size_t i = 0; i < size; i++)
+    if (board->lock != NULL)
+      tf_link_receive_tagged(&board->link, wire[i], board->lock);
+    else
+      tf_link_receive(&board->link, wire[i]);
 }
 
 typedef struct {
@@ -115,6 +120,13 @@ static inline void send_input(board_t *board, uint64_t at,
                                input->torque, input->alpha};
   for (size_t i = 0; i < 5; i++) tf_wire_put_real(payload + i * R, values[i]);
   send(board, TF_UP_INPUT, at, payload, sizeof payload);
+}
+
+/* Reads all answers that wait. */
+static inline void drain(board_t *board) {
+  uint8_t wire[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
+  while (tf_link_answer(&board->link, wire, &board->down) > 0) {
+  }
 }
 
 static inline int code_of(board_t *board) {

@@ -119,6 +119,7 @@ typedef struct {
   tf_session_t session;
   tf_link_t link;
   uint8_t key[TF_KEY_BYTES];
+  bool wants_tag;
 } uplink_t;
 
 static size_t command_of(const subject_t *s, unsigned kind, uint8_t *payload,
@@ -186,7 +187,7 @@ static void start_uplink(const subject_t *s, uplink_t *u) {
   u->session.state.tick = GENE(11);
   tf_link_open(&u->link, &u->scene, &s->params);
   u->link.session = 1;
-  if (GENE(12) & 2u) tf_link_require_tag(&u->link, u->key);
+  u->wants_tag = (GENE(12) & 2u) != 0;
   u->link.has_saved = (GENE(12) & 1u) != 0;
   u->link.saved = s->state;
 }
@@ -202,9 +203,12 @@ static uint32_t send_commands(const subject_t *s, uplink_t *u, unsigned n) {
     const size_t length = command_of(s, kind, wire + TF_COMMAND_AT, &type);
     const size_t size = tf_command_seal(
         wire, type, length, GENE(13) & 2u ? 2u : 1u, &number, GENE(15) & 1u,
-        u->link.tag == NULL || GENE(13) & 4u ? NULL : u->key);
+        !u->wants_tag || GENE(13) & 4u ? NULL : u->key);
     for (size_t j = 0; j < size; j++) {
-      const uint32_t cost = COUNT(tf_link_receive(&u->link, wire[j]));
+      const uint32_t cost =
+          u->wants_tag
+              ? COUNT(tf_link_receive_tagged(&u->link, wire[j], u->key))
+              : COUNT(tf_link_receive(&u->link, wire[j]));
       if (i + 1 == n && cost > worst) worst = cost;
     }
   }
@@ -214,12 +218,6 @@ static uint32_t send_commands(const subject_t *s, uplink_t *u, unsigned n) {
 CALL(link_open) {
   tf_link_t link;
   return COUNT(tf_link_open(&link, tf_scenes[0], &s->params));
-}
-CALL(link_require_tag) {
-  tf_link_t link;
-  const uint8_t key[TF_KEY_BYTES] = {0};
-  (void)s;
-  return COUNT(tf_link_require_tag(&link, key));
 }
 CALL(link_stir) {
   tf_link_t link;
@@ -239,6 +237,13 @@ CALL(command_seal) {
 CALL(link_receive) {
   uplink_t u;
   start_uplink(s, &u);
+  u.wants_tag = false;
+  return send_commands(s, &u, 1 + GENE(16) % (TF_LINK_QUEUE + 1));
+}
+CALL(link_receive_tagged) {
+  uplink_t u;
+  start_uplink(s, &u);
+  u.wants_tag = true;
   return send_commands(s, &u, 1 + GENE(16) % (TF_LINK_QUEUE + 1));
 }
 CALL(link_boundary) {
@@ -369,7 +374,7 @@ const call_t line_calls[] = {
     BYTES(decoder_push, TF_FRAME_PAYLOAD),
     BYTES(decoder_block, TF_FRAME_SIZE(TF_FRAME_PAYLOAD)),
     ENTRY(link_open),
-    ENTRY(link_require_tag),
+    ENTRY(link_receive_tagged),
     ENTRY(link_stir),
     ENTRY(command_seal),
     ENTRY(link_receive),

@@ -147,7 +147,10 @@ static const char *hear(board_t *b, const uint8_t *bytes, size_t length) {
   look(b, &before);
   for (size_t i = 0; i < length; i++) {
     const size_t whole = line_push(&b->line, bytes[i]);
-    tf_link_receive(&b->link, bytes[i]);
+    if (b->wants_tag)
+      tf_link_receive_tagged(&b->link, bytes[i], b->key);
+    else
+      tf_link_receive(&b->link, bytes[i]);
     FUZZ_HOLD(b->link.waiting <= TF_LINK_QUEUE);
     if (whole == 0) continue;
     const tf_frame_t frame = {tf_wire_get(b->line.frame + 7, 8),
@@ -276,7 +279,6 @@ static const char *uplink(const uint8_t *data, size_t size) {
   tf_link_open(&b->link, b->scene, &b->scene->params);
   const unsigned kind = first / TF_SCENES;
   b->wants_tag = kind & 1u;
-  if (b->wants_tag) tf_link_require_tag(&b->link, b->key);
   if ((kind & 2u) == 0) b->link.session = 1; // somebody has asked already
   if (kind & 4u) b->link.next = b->up = UINT32_MAX - 8u;
   for (int i = 0; i < MOST_ITEMS && b->in.at < b->in.end; i++)

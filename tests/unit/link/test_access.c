@@ -245,7 +245,7 @@ TEST(commands_without_the_tag_do_nothing) {
   for (unsigned i = 0; i < sizeof key; i++) key[i] = (uint8_t)tap_bits();
   board_t board;
   switch_on(&board, "chaos");
-  tf_link_require_tag(&board.link, key);
+  board.lock = key;
   send_plain(&board, TF_UP_DESCRIBE); /* anyone may ask */
   tf_link_boundary(&board.link, &board.session);
   CHECK(code_of(&board) == TF_ANSWER_DONE);
@@ -314,7 +314,7 @@ TEST(silent_controller_leaves_the_safe_inputs) {
     if (n % 100 == 0) send_input(&board, 0, &push); /* in time, just */
     tick(&board);
     CHECK(board.session.stepped == TF_INPUT_SET);
-    while (answer_of(&board).length) continue;
+    drain(&board);
   }
   CHECK(board.session.expired == 0);
   tf_session_t twin = board.session;
@@ -356,7 +356,7 @@ TEST(only_inputs_feed_the_dead_man) {
   tick(&board);
   push.force = (tf_real_t)NAN;
   for (int n = 1; n < 50; n++) {
-    while (answer_of(&board).length) continue;
+    drain(&board);
     if (n % 4 == 0) send_plain(&board, TF_UP_SNAPSHOT);
     if (n % 4 == 1) send_input(&board, 0, &push);
     if (n % 4 == 2) send(&board, TF_UP_RESTORE, 0, back, sizeof back);
@@ -368,7 +368,7 @@ TEST(only_inputs_feed_the_dead_man) {
   CHECK(board.session.stepped == TF_INPUT_SAFE && board.session.expired == 1);
   /* A new number holds from now on, for inputs that have not expired. */
   const uint8_t none[4] = {0}, some[4] = {3, 0, 0, 0};
-  while (answer_of(&board).length) continue;
+  drain(&board);
   send(&board, TF_UP_DEADMAN, 0, none, 4);
   tick(&board);
   CHECK(board.session.stepped == TF_INPUT_SAFE);
@@ -381,7 +381,7 @@ TEST(only_inputs_feed_the_dead_man) {
   CHECK(board.session.stepped == TF_INPUT_SET);
   tick(&board);
   CHECK(board.session.stepped == TF_INPUT_SAFE && board.session.expired == 2);
-  while (answer_of(&board).length) continue;
+  drain(&board);
   send(&board, TF_UP_DEADMAN, 0, some, 3);
   tick(&board);
   CHECK(code_of(&board) == TF_ANSWER_LENGTH && board.session.deadman == 3);
