@@ -109,6 +109,9 @@ ifeq ($(FORMAT),frames)
 FIRMWARE_FLAGS += -DFRAMES
 endif
 ifneq ($(UPLINK),)
+ifneq ($(FORMAT),frames)
+$(error UPLINK needs FORMAT=frames: a host learns the session from the schema)
+endif
 FIRMWARE_FLAGS += -DUPLINK
 endif
 ifneq ($(DEADMAN),)

@@ -37,12 +37,21 @@
 
 static ring_t received;
 static volatile uint32_t ticks;
+static uint32_t clock; // of which the timer has the low 16 bits
 static bool sending;
+
+// The timer goes round after 65 ms, more than the longest tick. It is read in
+// every tick, so a step may take longer.
+static void read_clock(void) {
+  CLOCK(CAPTURE0) = 1;
+  clock += (uint16_t)(CLOCK(CC0) - clock);
+}
 
 void cortex_m_interrupt(void) {
   if (TICKER(COMPARE0)) {
     TICKER(COMPARE0) = 0;
     ticks++;
+    read_clock();
   }
   if (UART_RXDRDY) {
     UART_RXDRDY = 0;
@@ -80,12 +89,12 @@ bool port_tick_start(uint32_t rate) {
 
 uint32_t port_ticks(void) { return ticks; }
 
-// 16 bits wrap after 65 ms; the loop reads the clock in every tick.
 uint32_t port_clock(void) {
-  static uint32_t clock;
-  CLOCK(CAPTURE0) = 1;
-  clock += (uint16_t)(CLOCK(CC0) - clock);
-  return clock;
+  __asm__ volatile("cpsid i" ::: "memory");
+  read_clock();
+  const uint32_t now = clock;
+  __asm__ volatile("cpsie i" ::: "memory");
+  return now;
 }
 
 uint32_t port_clock_rate(void) { return CLOCK_HZ; }

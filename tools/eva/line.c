@@ -103,13 +103,19 @@ void link_any(void) {
   static tf_link_t link;
   static tf_session_t session;
   static uint8_t answer[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
+  static const uint8_t key[TF_KEY_BYTES] = {1, 2, 3};
   const tf_scene_t scene = any_scene();
   uint32_t sequence = 0;
   if (tf_session_open(&session, &scene, &scene.params, 0) != TF_OK) return;
   tf_link_open(&link, &scene, &scene.params);
   //@ loop widen_hints "all", TF_LINK_QUEUE, sizeof(link.buffer);
   while (any_bool()) {
-    tf_link_receive(&link, Frama_C_unsigned_char_interval(0, 255));
+    const uint8_t byte = Frama_C_unsigned_char_interval(0, 255);
+    if (any_bool())
+      tf_link_receive(&link, byte);
+    else
+      tf_link_receive_tagged(&link, byte, key);
+    if (any_bool()) tf_link_stir(&link, byte);
     if (any_bool()) tf_link_boundary(&link, &session);
     if (any_bool()) tf_link_answer(&link, answer, &sequence);
     if (any_bool()) session.state = any_state();
