@@ -74,7 +74,7 @@ typedef struct {
 /// link: out; it keeps a pointer into itself, so it must not move.
 /// scene: kept, for TF_UP_RESET. params: in, those of the session's machine.
 /// Returns: nothing.
-/// Cost: at most 50 instructions. Stack: 32 B.
+/// Cost: at most 48 instructions. Stack: 32 B.
 /// Memory: caller's, reentrant.
 /// Claims: set_parameter_is_validated_and_answered
 #define tf_link_open TF_LINK(tf_link_open)
@@ -98,7 +98,7 @@ TF_API void tf_link_stir(tf_link_t *link, uint32_t noise);
 /// link: in/out. byte: in.
 /// Returns: nothing.
 /// Cost: at most 2400 instructions for the last byte of a command, else 20.
-///   Stack: 144 B.
+///   Stack: 128 B.
 /// Memory: caller's; not reentrant for the same link: an interrupt handler
 ///   should put the byte into a queue of its own.
 /// Claims: uplink_flood_changes_nothing, no_byte_changes_a_parameter_by_itself,
@@ -113,7 +113,7 @@ TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
 /// link: in/out. byte: in. key: in, TF_KEY_BYTES.
 /// Returns: nothing.
 /// Cost: at most 3300 instructions for the last byte of a command, else 20.
-///   Stack: 176 B.
+///   Stack: 208 B.
 /// Memory: as above.
 /// Claims: commands_without_the_tag_do_nothing
 #define tf_link_receive_tagged TF_LINK(tf_link_receive_tagged)

@@ -9,7 +9,7 @@
 TF_API size_t tf_command_seal(uint8_t *wire, uint8_t type, size_t length,
                               uint32_t session, uint32_t *sequence,
                               uint64_t tick, const uint8_t *key) {
-  if (length > TF_COMMAND_DATA) return 0;
+  if (length > TF_COMMAND_MOST) return 0;
   if (type == TF_UP_DESCRIBE)
     return tf_frame_seal(wire, type, 0, sequence, tick);
   (void)tf_wire_put(wire + TF_FRAME_AT, session, TF_SESSION_BYTES);

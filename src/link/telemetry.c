@@ -138,7 +138,7 @@ TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
       heartbeat->period,   heartbeat->degraded,  heartbeat->fell_back,
       heartbeat->coarse,   heartbeat->expired};
   uint8_t *at = wire + TF_FRAME_AT;
-  for (unsigned i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
+  for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     at = tf_wire_put(at, counters[i], 4);
   return seal(wire, TF_DOWN_HEARTBEAT, at, sequence, tick);
 }

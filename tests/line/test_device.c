@@ -292,8 +292,8 @@ TEST(answers_to_others_are_not_its_own) {
     forge(&bench, number - i, TF_UP_STOP);
     forge(&bench, number + 65536u * i, TF_UP_STOP);
   }
-  for (uint8_t type = TF_UP_INPUT; type <= TF_UP_DEADMAN; type++)
-    if (type != TF_UP_STOP) forge(&bench, number, type);
+  for (int type = TF_UP_INPUT; type <= TF_UP_DEADMAN; type++)
+    if (type != TF_UP_STOP) forge(&bench, number, (uint8_t)type);
   CHECK(comes(&bench, "stop: took effect at step 0"));
   CHECK(exit_of(&bench) == 0);
   CHECK(strstr(bench.heard, "12345") == NULL);

@@ -31,7 +31,7 @@ static uint8_t line[LOOP_RECORD];
 static tf_frame_t frame_in(const uint8_t *bytes, size_t length, uint8_t type) {
   static uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   tf_decoder_t decoder;
-  tf_frame_t frame = {0};
+  tf_frame_t frame = {.payload = buffer};
   size_t taken = 0;
   tf_decoder_init(&decoder, buffer, sizeof buffer);
   while (tf_decoder_block(&decoder, bytes, length, &taken, &frame)) {

@@ -27,7 +27,8 @@ static int code_of(uint8_t type, uint32_t number, const uint8_t *key) {
   tf_decoder_init(&decoder, buffer, sizeof buffer);
   CHECK(tf_decoder_block(&decoder, line, app_other(line), &taken, &frame));
   CHECK(frame.type == TF_DOWN_ANSWER);
-  return (int8_t)frame.payload[5];
+  const uint8_t code = frame.payload[5];
+  return code < 128 ? code : code - 256;
 }
 
 TEST(commands_need_the_key_of_the_build) {

@@ -129,7 +129,8 @@ static void take(firmware_t *f, const tf_frame_t *frame) {
   }
   if (frame->type == TF_DOWN_ANSWER) {
     f->answers++;
-    f->code = (int8_t)frame->payload[5];
+    const uint8_t code = frame->payload[5];
+    f->code = code < 128 ? code : code - 256;
   }
   if (frame->type != TF_DOWN_HEARTBEAT) return;
   f->beats++;

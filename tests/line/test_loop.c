@@ -255,7 +255,7 @@ TEST(mean_is_of_all_steps) {
 /* A step that lasts longer than the clock can tell is not taken for a short
  * one. */
 TEST(step_longer_than_the_clock_is_told) {
-  for (uint32_t past = 0; past < 3; past++) {
+  for (uint64_t past = 0; past < 3; past++) {
     reset(300);
     board.long_step = 50;
     board.long_costs = ((uint64_t)1 << 32) + 100 + 100 * past;

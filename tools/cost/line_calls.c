@@ -226,12 +226,12 @@ CALL(link_stir) {
   return COUNT(tf_link_stir(&link, GENE(1)));
 }
 CALL(command_seal) {
-  uint8_t wire[WIRE], type;
-  uint8_t key[TF_KEY_BYTES];
+  uint8_t wire[WIRE], key[TF_KEY_BYTES];
   uint32_t number = GENE(1);
-  const size_t length = command_of(s, GENE(2), wire + TF_COMMAND_AT, &type);
+  fill(wire + TF_COMMAND_AT, s->units, GENE(0));
   fill(key, sizeof key, GENE(3));
-  return COUNT(tf_command_seal(wire, type, length, GENE(4), &number, GENE(5),
+  return COUNT(tf_command_seal(wire, TF_UP_INPUT, s->units, GENE(4), &number,
+                               GENE(2) & 1u ? 0 : UINT64_MAX,
                                GENE(6) & 1u ? NULL : key));
 }
 CALL(link_receive) {
@@ -376,7 +376,7 @@ const call_t line_calls[] = {
     ENTRY(link_open),
     ENTRY(link_receive_tagged),
     ENTRY(link_stir),
-    ENTRY(command_seal),
+    BYTES(command_seal, TF_COMMAND_MOST),
     ENTRY(link_receive),
     ENTRY(link_boundary),
     ENTRY(link_answer),

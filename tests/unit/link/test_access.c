@@ -235,9 +235,14 @@ TEST(tag_is_siphash_of_the_body) {
   CHECK(got.length == 12);
   CHECK(tf_wire_get(got.payload + 4, 8) == tf_siphash(key, body, sizeof body));
   uint32_t number = 5;
-  CHECK(tf_command_seal(frame.wire, TF_UP_STOP, TF_COMMAND_DATA + 1, 1, &number,
+  CHECK(tf_command_seal(frame.wire, TF_UP_STOP, TF_COMMAND_MOST + 1, 1, &number,
                         0, key) == 0);
   CHECK(number == 5);
+  /* What a board of the other real type takes is no longer than what fits. */
+  uint8_t longest[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)] = {0};
+  CHECK(tf_command_seal(longest, TF_UP_INPUT, TF_COMMAND_MOST, 1, &number, 0,
+                        key) == sizeof longest);
+  CHECK(number == 6);
 }
 
 TEST(commands_without_the_tag_do_nothing) {

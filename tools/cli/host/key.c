@@ -2,12 +2,10 @@
 
 #include <ctype.h>
 #include <stdio.h>
-#include <string.h>
 
 static int digit_of(int character) {
-  static const char digits[] = "0123456789abcdef";
-  const char *at = memchr(digits, tolower(character), 16);
-  return at == NULL ? -1 : (int)(at - digits);
+  if (!isxdigit(character)) return -1;
+  return isdigit(character) ? character - '0' : tolower(character) - 'a' + 10;
 }
 
 bool cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]) {

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #define DRAW_EVERY 0.1 // [s]
-#define LINES 8
+#define LINES 9
 
 void cli_view_note(cli_view_t *view, uint8_t mode) {
   if (view->used > 0 && view->history[view->used - 1] == mode) {
@@ -58,6 +58,8 @@ static void draw(const cli_view_t *view, const cli_receiver_t *receiver,
                view->rate, decoder->frames,
                decoder->bad + decoder->too_long + decoder->bad_version,
                decoder->lost);
+  (void)printf("\033[Kinputs %s; expired %" PRIu32 " times\n",
+               source_name(receiver->source), beat->expired);
   if (!receiver->has_heartbeat) {
     (void)printf("\033[Kboard has not sent its counters\n\n");
     (void)fflush(stdout);
@@ -69,10 +71,8 @@ static void draw(const cli_view_t *view, const cli_receiver_t *receiver,
                beat->steps, beat->overruns, beat->dropped, beat->refused,
                beat->exec_min, beat->exec_mean, beat->exec_max, beat->period);
   (void)printf("\033[Ksteps %" PRIu32 " degraded, %" PRIu32
-               " missed the tolerance, %" PRIu32
-               " fell back on moreau; inputs %s, expired %" PRIu32 " times\n",
-               beat->degraded, beat->coarse, beat->fell_back,
-               source_name(receiver->source), beat->expired);
+               " missed the tolerance, %" PRIu32 " fell back on moreau\n",
+               beat->degraded, beat->coarse, beat->fell_back);
   (void)fflush(stdout);
 }
 
