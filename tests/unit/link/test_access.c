@@ -116,6 +116,24 @@ TEST(old_and_foreign_commands_do_nothing) {
   CHECK(board.link.next == 103);
 }
 
+/* More data than any command has: refused, and the number is used up. What was
+ * refused on arrival is answered at the boundary, like all else. */
+TEST(overlong_commands_use_up_their_number) {
+  const uint8_t data[TF_COMMAND_DATA + TF_TAG_BYTES] = {0};
+  board_t board;
+  power_up(&board, "chaos");
+  for (size_t more = 1; more <= TF_TAG_BYTES; more++) {
+    const uint32_t number = board.up;
+    send(&board, TF_UP_STOP, 0, data, TF_COMMAND_DATA + more);
+    CHECK(board.link.waiting == 0 && board.link.next == number + 1);
+    CHECK(code_of(&board) == 999);
+    CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+    const answer_t answer = answer_of(&board);
+    CHECK(answer.code == TF_ANSWER_LENGTH && answer.sequence == number);
+    CHECK(answer.index == 255 && board.session.running);
+  }
+}
+
 /* However many commands are repeated, the host's own get through. */
 TEST(replayed_frames_do_not_fill_the_queue) {
   board_t board;
@@ -426,6 +444,7 @@ int main(int argc, char **argv) {
   RUN(recorded_command_acts_once);
   RUN(session_depends_on_every_reading);
   RUN(old_and_foreign_commands_do_nothing);
+  RUN(overlong_commands_use_up_their_number);
   RUN(replayed_frames_do_not_fill_the_queue);
   RUN(refused_clear_keeps_the_queue);
   RUN(numbers_end_in_another_session);
