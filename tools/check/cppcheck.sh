@@ -10,8 +10,8 @@ cppcheck "$@" -UTF_REAL_FLOAT src || wrong "core in double"
 cppcheck "$@" -DTF_REAL_FLOAT=1 src || wrong "core in float"
 cppcheck "$@" -UTF_REAL_FLOAT tools || wrong "tools"
 # Programs of the boards hold the whole core in one file, where names that were
-# local to one of its files shadow those of another; clang-tidy reads them. So do
-# the tests of a firmware.
+# local to one of its files shadow those of another; clang-tidy reads them. So
+# do the tests of a firmware.
 cppcheck "$@" -UTF_REAL_FLOAT -Itests -Itests/support -itests/target \
   -itests/support/firmware_start.c -itests/line/test_firmware.c \
   -itests/line/test_firmware_keyed.c tests || wrong "tests"
