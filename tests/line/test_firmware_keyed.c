@@ -41,7 +41,7 @@ TEST(commands_need_the_key_of_the_build) {
   CHECK(code_of(TF_UP_DESCRIBE, 0, NULL) == TF_ANSWER_DONE);
   tf_decoder_init(&decoder, buffer, sizeof buffer);
   CHECK(tf_decoder_block(&decoder, line, app_other(line), &taken, &frame));
-  CHECK(frame.type == TF_DOWN_SCHEMA && frame.payload[4] == (2 | 4));
+  CHECK(frame.type == TF_DOWN_SCHEMA && frame.payload[4] == (2 | 16));
   CHECK(code_of(TF_UP_STOP, 0, NULL) == TF_ANSWER_TAG);
   key[3] ^= 16;
   CHECK(code_of(TF_UP_STOP, 0, key) == TF_ANSWER_TAG);

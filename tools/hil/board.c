@@ -38,7 +38,7 @@ static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
   if (board->session != 0)
     return hil_message(HIL_STOPPED, "%s: the board was started anew",
                        board->source.name);
-  if ((at[4] & 4u) != 0 && board->key == NULL)
+  if ((at[4] & 16u) != 0 && board->key == NULL)
     return hil_message(HIL_REFUSED,
                        "the board wants its commands tagged"
                        " (--key)");

@@ -57,7 +57,7 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   const double before = receiver->dt;
   receiver->is_float = at[0] == 4;
   receiver->hash = (uint32_t)tf_wire_get(at + 9, 4);
-  receiver->wants_tag = (at[4] & 4u) != 0;
+  receiver->wants_tag = (at[4] & 16u) != 0;
   receiver->session = (uint32_t)tf_wire_get(at + 13, 4);
   receiver->sequence = (uint32_t)tf_wire_get(at + 17, 4);
   receiver->schemas++;
