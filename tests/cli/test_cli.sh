@@ -247,13 +247,13 @@ expect 4 'step 2 was refused' run frictionless --set k2=0 --set v=4e8 \
   --set omega=0 --set c1=0 --set c2=0 --dt 1 --t-end 10 --every 5
 check 'time and state are printed' grep -q 'stopped at t = 1 s.*r = 4e+08' err
 equal 'all rows before it are written' "$(row 3 1 out)" 1
-for signal in INT TERM; do
+for signal in INT TERM HUP; do
   # Rows are so rare that no buffer fills: only the clock can flush them.
   interrupt $signal signal.csv 2 run chaos --t-end 1e9 --every 1000000000 \
     --out signal.csv
-  check "SIG$signal leaves whole rows" whole_rows signal.csv 10 '[0-9]'
+  check "SIG$signal leaves whole rows" whole_rows signal.csv.part 10 '[0-9]'
   within "the last step is the last row after SIG$signal" \
-    "$(tail -n 1 signal.csv | cut -d , -f 1)" \
+    "$(tail -n 1 signal.csv.part | cut -d , -f 1)" \
     "$(sed -n 's/.*stopped at t = \(.*\) s: interrupted/\1/p' err)" 1e-3
 done
 

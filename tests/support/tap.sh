@@ -143,21 +143,24 @@ ended() {
   case $(ps -o stat= -p "$1" 2>/dev/null) in '' | Z*) ;; *) return 1 ;; esac
 }
 
-# interrupt SIGNAL FILE LINES ARGS...: the signal comes when FILE has so many
-# lines, ends the run with code 4, and is reported.
+# interrupt SIGNAL FILE LINES ARGS...: the signal comes when FILE.part has so
+# many lines, ends the run with code 4, and is reported; FILE is not made.
 interrupt() {
   signal=$1 file=$2 lines=$3
   shift 3
-  rm -f "$file"
+  rm -f "$file" "$file.part"
   "$T" "$@" >out 2>err &
   pid=$!
   check "SIG$signal, $1: rows reach the file while the run goes on" \
-    poll has_lines "$file" "$lines"
+    poll has_lines "$file.part" "$lines"
   kill -s "$signal" $pid
   poll ended $pid || kill -s KILL $pid
   wait $pid
   equal "SIG$signal, $1: code" $? 4
-  check "SIG$signal, $1: it is reported" grep -Eq 'interrupted|by a signal' err
+  check "SIG$signal, $1: it is reported" \
+    grep -Eq 'interrupted|by a signal' err
+  check "SIG$signal, $1: where its rows are" says "its rows so far are in&$file"
+  check "SIG$signal, $1: no part passes for a whole file" [ ! -e "$file" ]
 }
 
 # full_device ARGS...: standard output on a full device gives code 4.
@@ -185,8 +188,11 @@ failing_output() {
     exec "$T" "$@" --out quota.csv 2>err
   )
   equal "$1, a file at its quota" $? 4
-  check "$1, a file at its quota has whole rows" whole_rows quota.csv "$fields"
+  check "$1, a file at its quota has whole rows" \
+    whole_rows quota.csv.part "$fields"
+  check "$1, and does not pass for a whole one" [ ! -e quota.csv ]
   { "$T" "$@" 2>err; echo $? >code; } | head -n 1 >out
   equal "$1, a closed pipe ends it" "$(cat code)" 4
-  equal "$1, the reader got the header" "$(cat out)" "$(head -n 1 quota.csv)"
+  equal "$1, the reader got the header" "$(cat out)" \
+    "$(head -n 1 quota.csv.part)"
 }

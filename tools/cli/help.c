@@ -29,7 +29,8 @@ static const char overview[] =
     "  --version          version and number type\n"
     "\n"
     "exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped, 5 done, but\n"
-    "some steps were degraded or missed their tolerance\n";
+    "some steps were degraded or missed their tolerance, 6 done, but frames\n"
+    "of a stream were lost or broken, or a value in it is not finite\n";
 
 void cli_overview(void) { (void)fputs(overview, stdout); }
 

@@ -42,7 +42,7 @@ def trajectories(path: Path) -> Iterator[tuple[str, list[read.Row]]]:
 
 def exits(folder: Path) -> Curves:
     """When, where and in which phase trajectories leave."""
-    rows = read.read_csv(str(folder / "exits-random.csv"))
+    rows = read.read_csv(str(folder / "exits-random.csv"), counted=True)
     times = sorted(rows, key=lambda row: row.number("time"))
     yield "when", [f"{row['time']} {i / len(times):.6g}"
                    for i, row in enumerate(times, 1) if i % 20 == 1]
@@ -80,8 +80,10 @@ def normal(folder: Path) -> Curves:
 def perturbations(folder: Path) -> Curves:
     """Of each kind the quantiles of exits, landings and returns."""
     for kind in KINDS:
-        came = read.read_csv(str(folder / f"returns-{kind}.csv"))
-        left = read.read_csv(str(folder / f"exits-{kind}.csv"))
+        came = read.read_csv(str(folder / f"returns-{kind}.csv"),
+                             counted=True)
+        left = read.read_csv(str(folder / f"exits-{kind}.csv"),
+                             counted=True)
         returned = [row for row in came if row["outcome"] == "returned"]
         for name, rows, column in (("exit", left, "time"),
                                    ("landing", came, "landing_r"),
@@ -103,8 +105,8 @@ def quantiles(texts: list[str], n: int) -> list[str]:
 
 def returns(folder: Path) -> Curves:
     """From an exit to the first landing, and from there to the two-fold."""
-    left = read.read_csv(str(folder / "exits-random.csv"))
-    came = read.read_csv(str(folder / "returns-random.csv"))
+    left = read.read_csv(str(folder / "exits-random.csv"), counted=True)
+    came = read.read_csv(str(folder / "returns-random.csv"), counted=True)
     yield "sampled", [
         f"{exit_['time']} {back['landing_r']} {back['time']} {back['landings']}"
         for exit_, back in list(zip(left, came))[3::5] if back["landing_r"]]

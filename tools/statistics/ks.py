@@ -17,7 +17,7 @@ from tables import read, statistics  # noqa: E402
 
 def column(path: str, name: str) -> list[float]:
     """The numbers of a column, of which there must be one at least."""
-    values = read.numbers(read.read_csv(path, [name]), name)
+    values = read.numbers(read.read_csv(path, [name], counted=True), name)
     if not values:
         raise read.TableError(f"{path}: column '{name}' has no number")
     return values

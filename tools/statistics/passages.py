@@ -31,8 +31,8 @@ class Passage(NamedTuple):
 def passages(exits: str, returns: str, arrival: float) -> Iterator[Passage]:
     """The passages of one run of `diverge`, in its order."""
     arrived = {(row["sample"], row["cycle"]): row.number("arrived")
-               for row in read.read_csv(returns)}
-    for row in read.read_csv(exits):
+               for row in read.read_csv(returns, counted=True)}
+    for row in read.read_csv(exits, counted=True):
         if row["phase"] == "":
             continue
         cycle = row["sample"], row["cycle"]

@@ -42,7 +42,7 @@ class Study:
 
     def rows(self, run: str, kind: str) -> list[read.Row]:
         """Its rows."""
-        return read.read_csv(self.path(run, kind))
+        return read.read_csv(self.path(run, kind), counted=True)
 
     def passages(self, run: str, arrival: float) -> list[Passage]:
         """Where the runs passed the section."""

@@ -88,15 +88,18 @@ def main() -> None:
     parser.add_argument("exits", nargs="?", help="file of --exits")
     given = parser.parse_args()
     rows = read.read_csv(given.returns,
-                         ["cycle", "outcome", "time", "landing_r", "windings"])
+                         ["cycle", "outcome", "time", "landing_r", "windings"],
+                         counted=True)
     if not rows:
         raise read.TableError(f"{given.returns}: no cycle")
+    exits = read.read_csv(given.exits, ["side", "phase", "how"],
+                          counted=True) if given.exits else None
     print_outcomes(rows)
     back = [row for row in rows if row["outcome"] == RETURNED]
     print_quantiles("time from exit to return [s]", read.numbers(back, "time"))
     print_quantiles("place of landing r [m]", read.numbers(back, "landing_r"))
-    if given.exits:
-        print_exits(read.read_csv(given.exits, ["side", "phase", "how"]))
+    if exits is not None:
+        print_exits(exits)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,9 @@ column, so that a changed header is noticed where it is read.
 from __future__ import annotations
 
 import csv
+import re
 import sys
+import zlib
 from typing import Callable, Iterable, Optional, Sequence
 
 
@@ -43,23 +45,76 @@ class Row(dict):
                              ) from None
 
 
-def _open(path: str) -> list[str]:
-    """The lines of a file, or of standard input where the path is `-`."""
+def _bytes(path: str) -> bytes:
+    """What a file holds, or standard input where the path is `-`."""
     try:
         if path == "-":
-            return sys.stdin.read().splitlines()
-        with open(path, encoding="utf-8") as file:
-            return file.read().splitlines()
+            return sys.stdin.buffer.read()
+        with open(path, "rb") as file:
+            return file.read()
     except OSError as error:
         raise TableError(f"{path}: cannot be read: {error.strerror}") from None
 
 
-def read_csv(path: str, needed: Sequence[str] = ()) -> list[Row]:
+def _open(path: str) -> list[str]:
+    """The lines of a file, or of standard input where the path is `-`."""
+    return _bytes(path).decode("utf-8").splitlines()
+
+
+TRAILER = re.compile(
+    rb"# shard (\d+)/(\d+): (\d+) rows, crc32 ([0-9a-f]{8})\n")
+
+
+def _check_shard(where: str, trailer: re.Match[bytes], lines: list[bytes],
+                 header: bytes) -> None:
+    """The rows and the checksum of one shard are those of its trailer."""
+    shard, shards, rows = (int(trailer[i]) for i in (1, 2, 3))
+    found = len(lines) - (lines[:1] == [header])
+    if (found, zlib.crc32(b"".join(lines))) != (rows, int(trailer[4], 16)):
+        raise TableError(f"{where}: shard {shard}/{shards} is damaged: its "
+                         f"{rows} rows are not the {found} lines before it")
+
+
+def _check_shards(path: str, lines: list[bytes], needed: bool) -> None:
+    """All shards of a run are there, in their order and whole.
+
+    `lines` keep their line ends. A file without any trailer passes unless one
+    is `needed`.
+    """
+    header = next((line for line in lines if not line.startswith(b"#")), b"")
+    before, past, last, of = [], 0, 0, 0
+    for i, line in enumerate(lines, start=1):
+        trailer = TRAILER.fullmatch(line)
+        if trailer:
+            shard, shards = int(trailer[1]), int(trailer[2])
+            if shard != last + 1 or of not in (0, shards):
+                raise TableError(f"{path}:{i}: shard {last + 1} is missing, "
+                                 f"here is {shard}/{shards}")
+            _check_shard(f"{path}:{i}", trailer, before, header)
+            before, past, last, of = [], i, shard, shards
+        elif not line.startswith(b"#"):
+            before.append(line)
+    if last != of:
+        raise TableError(f"{path}: shard {last + 1}/{of} is missing")
+    if before and (past or needed):
+        raise TableError(f"{path}: no line behind line {past} counts the rows "
+                         "there: the run was stopped, or the file is cut off")
+    if needed and not past:
+        raise TableError(f"{path}: no line counts its rows")
+
+
+def read_csv(path: str, needed: Sequence[str] = (),
+             counted: bool = False) -> list[Row]:
     """Rows of a CSV file. Its first line that is no comment names the columns.
 
     `needed` are columns that must be there even where there is no row.
+    `counted`: the rows have to be those of whole shards of `twofold diverge`,
+    as the last line of each tells; where such a line is, it is always checked.
     """
-    lines = list(enumerate(_open(path), start=1))
+    raw = _bytes(path).splitlines(keepends=True)
+    _check_shards(path, raw, counted)
+    lines = [(i, line.decode("utf-8").rstrip("\r\n"))
+             for i, line in enumerate(raw, start=1)]
     lines = [(i, line) for i, line in lines
              if line and not line.startswith("#")]
     if not lines:
@@ -71,6 +126,8 @@ def read_csv(path: str, needed: Sequence[str] = ()) -> list[Row]:
             raise TableError(f"{path}: there is no column '{column}'")
     rows = []
     for i, fields in parsed[1:]:
+        if counted and fields == columns:
+            continue  # of a shard that has a header, too
         if len(fields) != len(columns):
             raise TableError(f"{path}:{i}: {len(fields)} fields under "
                              f"{len(columns)} columns")

@@ -84,6 +84,25 @@ class Statistics(unittest.TestCase):
         self.assertEqual(said.returncode, 3)
         self.assertIn("one-exits: there is no column 'speed'", said.stderr)
 
+    def test_a_shard_that_is_missing(self):
+        """Every reader of the files of `diverge` refuses what is cut off."""
+        for kind in "exits", "returns":
+            text = Path(self.file(f"one-{kind}")).read_bytes()
+            Path(self.file(f"cut-{kind}")).write_bytes(text[:len(text) // 2])
+        exits, returns = self.file("cut-exits"), self.file("cut-returns")
+        whole = self.file("one-returns")
+        for name, *arguments in (("ks.py", exits, exits, "time"),
+                                 ("summary.py", returns),
+                                 ("summary.py", whole, exits),
+                                 ("passages.py", exits, whole, "0"),
+                                 ("passages.py", self.file("one-exits"),
+                                  returns, "0")):
+            said = subprocess.run(
+                [str(TOOLS / "statistics" / name), *arguments], check=False,
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self.assertEqual((said.returncode, said.stdout), (3, ""), name)
+            self.assertIn("cut off", said.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

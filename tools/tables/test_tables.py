@@ -9,6 +9,7 @@ import math
 import sys
 import tempfile
 import unittest
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -190,6 +191,68 @@ class Reading(unittest.TestCase):
         """A file that is not there is an error, too."""
         with self.assertRaisesRegex(read.TableError, "none.csv"):
             read.read_csv("none.csv")
+
+
+class Shards(unittest.TestCase):
+    """What `cat` of the shards of a run is worth."""
+
+    PARTS = [b"a,b\n1,2\n", b"", b"3,4\n5,6\n"]
+
+    def shards(self, header: bool = False) -> list[bytes]:
+        """Three shards, each with its trailer."""
+        shards = []
+        for i, part in enumerate(self.PARTS, start=1):
+            rows = part.count(b"\n") - (i == 1)
+            if header and i > 1:
+                part = b"a,b\n" + part
+            shards.append(part + b"# shard %d/3: %d rows, crc32 %08x\n" % (
+                i, rows, zlib.crc32(part)))
+        return shards
+
+    def read(self, *parts: bytes, counted: bool = True) -> list[read.Row]:
+        """The rows of the parts, one after the other."""
+        with tempfile.NamedTemporaryFile() as file:
+            file.write(b"".join(parts))
+            file.flush()
+            return read.read_csv(file.name, counted=counted)
+
+    def refused(self, what: str, *parts: bytes, counted: bool = True) -> None:
+        """It is an error that says so."""
+        with self.assertRaisesRegex(read.TableError, what):
+            self.read(*parts, counted=counted)
+
+    def test_whole(self):
+        """With a header each, or with one."""
+        for header in (False, True):
+            rows = self.read(*self.shards(header))
+            self.assertEqual([row["b"] for row in rows], ["2", "4", "6"])
+
+    def test_missing(self):
+        """Wherever it is missing, and where nothing asked for trailers."""
+        a, b, c = self.shards()
+        for parts in ((a, c), (a, b), (a, c, b), (b, c), (a, a, b, c),
+                      (a, b, c, a)):
+            self.refused("is missing|damaged", *parts)
+            self.refused("is missing|damaged", *parts, counted=False)
+
+    def test_cut_off(self):
+        """Any shard, at any byte."""
+        shards = self.shards()
+        for i, shard in enumerate(shards):
+            for n in range(len(shard)):
+                parts = shards[:i] + [shard[:n]] + shards[i + 1:]
+                self.refused("", *parts)
+
+    def test_changed(self):
+        """One digit."""
+        a, b, c = self.shards()
+        self.refused("damaged", a, b, c.replace(b"5", b"7", 1))
+
+    def test_no_trailer(self):
+        """Refused where the rows have to be counted."""
+        self.refused("counts", b"a,b\n1,2\n")
+        self.refused("counts", b"")
+        self.assertEqual(len(self.read(b"a,b\n1,2\n", counted=False)), 1)
 
 
 class Markdown(unittest.TestCase):

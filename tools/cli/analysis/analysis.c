@@ -209,5 +209,5 @@ int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length) {
     return code;
   }
   (void)cli_output_lines(&a->output, text, length);
-  return cli_output_end(&a->output);
+  return cli_output_end(&a->output, CLI_DONE);
 }

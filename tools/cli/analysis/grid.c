@@ -50,6 +50,5 @@ int cli_analysis_grid(cli_analysis_t *a, const char *header,
   for (uint64_t i = 0; i < a->r.count && code == CLI_DONE; i++) {
     code = write_line(a, value_at(&a->r, i), row);
   }
-  const int closed = cli_output_end(&a->output);
-  return code != CLI_DONE ? code : closed;
+  return cli_output_end(&a->output, code);
 }

@@ -187,13 +187,15 @@ static int perform(work_t *work, const cli_diverge_args_t *args) {
       break;
     }
   }
-  code = cli_files_close(work->files);
+  // Where the output failed, the message is that of cli_files_close.
+  code = work->unwritten || work->stopped ? CLI_STOPPED : CLI_DONE;
+  code = cli_files_close(work->files, code);
   summarise(work, cli_now());
-  if (work->stopped && code == CLI_DONE) {
-    code = cli_message(CLI_STOPPED,
-                       "stopped by a signal after %" PRIu64
-                       " samples; what has ended is written",
-                       work->done);
+  if (work->stopped) {
+    (void)cli_message(CLI_STOPPED,
+                      "stopped by a signal after %" PRIu64
+                      " samples; what has ended is written",
+                      work->done);
   }
   return code;
 }

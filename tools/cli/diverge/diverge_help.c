@@ -35,8 +35,8 @@ static const char page[] =
     "  --cycles N           per sample, at most; default 1\n"
     "  --patience T         longest cycle [s], in (0, 1e9], default 100\n"
     "  --seed N             in [0, 4294967295], default 1\n"
-    "  --shard I/N          only part I of N of the samples; the parts, one\n"
-    "                       after the other, are the bytes of a single run\n"
+    "  --shard I/N          only part I of N of the samples; the rows of the\n"
+    "                       parts, one after the other, are those of one run\n"
     "  --dt DT              step [s]; near the two-fold (random: in slip)\n"
     "                       DT / K\n"
     "  --near K             in [1, 1e6]\n"
@@ -54,6 +54,8 @@ static const char page[] =
     "                       exit],landing_r [m],landings,windings\n"
     "  --header             writes a header even if the shard is not the "
     "first\n"
+    "Each ends with '# shard I/N: ROWS rows, crc32 CRC' (of zlib, header and\n"
+    "rows); it appears when it is whole, and is FILE.part until then.\n"
     "Without --exits and --returns the returns go to standard output; FILE -\n"
     "is standard output. Fields of what did not happen are empty. Outcomes:\n"
     "returned, small_cycle (lands 3 times or more and never comes back),\n"
@@ -88,8 +90,7 @@ void cli_diverge_help(void) {
       "\n"
       "exit codes: 0 done, 2 usage, 3 refused: only one mode is consistent, "
       "or\n"
-      "out of range, 4 stopped (what has ended is written) or a file could "
-      "not\n"
-      "be written\n",
+      "out of range, 4 stopped (what has ended is in FILE.part) or a file\n"
+      "could not be written\n",
       stdout);
 }

@@ -147,7 +147,7 @@ static void leave_codim2(search_t *search, const node_t *node, uint64_t index) {
   }
 }
 
-static int visit_all(search_t *search) {
+static void visit_all(search_t *search) {
   const cli_job_t *job = search->job;
   node_t first = {.set = 0, .two_fold = job->at_two_fold};
   if (job->at_two_fold) {
@@ -181,7 +181,6 @@ static int visit_all(search_t *search) {
       "nodes      %" PRIu64 "\nbranches   %" PRIu64 ", of which %" PRIu64
       " joined a known node, %" PRIu64 " found no room (--count)\n",
       search->used, search->branches, search->joined, search->dropped);
-  return CLI_DONE;
 }
 
 int cli_exhaustive(const cli_job_t *job) {
@@ -198,15 +197,13 @@ int cli_exhaustive(const cli_job_t *job) {
   } else {
     cli_catch_signals();
     (void)cli_output_lines(output, header, sizeof header - 1);
-    code = visit_all(&search);
-    const int closed = cli_output_end(output);
-    if (closed != CLI_DONE) {
-      code = closed;
-    } else if (cli_stop_asked()) {
+    visit_all(&search);
+    if (cli_stop_asked()) {
       code = cli_message(CLI_STOPPED,
                          "stopped by a signal; the branches that "
                          "have ended are written");
     }
+    code = cli_output_end(output, code);
   }
   free(search.nodes);
   free(output);

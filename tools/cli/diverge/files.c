@@ -1,54 +1,46 @@
 // The two files are opened together, after everything that could be refused has
-// been checked. If the second cannot be opened, the first one is removed again
-// if it is empty.
-
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L
-#endif
+// been checked, and get their names together: of a run that was stopped neither
+// passes for a whole one. Each ends with a trailer, by which the readers find
+// out that one of several shards is missing or cut off.
 
 #include "files.h"
-
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "../text/message.h"
 #include "rows.h"
 
-static void remove_if_empty(const char *path) {
-  struct stat status;
-  if (stat(path, &status) == 0 && S_ISREG(status.st_mode) &&
-      status.st_size == 0) {
-    (void)unlink(path);
+static bool put(cli_diverge_file_t *file, const char *text, size_t length,
+                uint64_t rows) {
+  if (!file->is_open) {
+    return true;
   }
+  cli_trailer_add(&file->trailer, text, length, rows);
+  return cli_output_lines(&file->output, text, length);
+}
+
+static int open_file(cli_diverge_file_t *file, const char *option,
+                     const char *path) {
+  if (path == NULL) {
+    return CLI_DONE;
+  }
+  const int code = cli_output_begin(&file->output, option, path);
+  file->is_open = code == CLI_DONE;
+  return code;
 }
 
 int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args) {
   char text[CLI_DIVERGE_ROW];
-  const bool header = args->header || args->shard == 1;
-  files->has_exits = args->exits != NULL;
-  files->has_returns = args->returns != NULL;
-  int code = CLI_DONE;
-  if (args->exits != NULL) {
-    code = cli_output_begin(&files->exits, "--exits", args->exits);
+  files->shard = args->shard;
+  files->shards = args->shards;
+  int code = open_file(&files->exits, "--exits", args->exits);
+  if (code == CLI_DONE) {
+    code = open_file(&files->returns, "--returns", args->returns);
   }
   if (code != CLI_DONE) {
-    return code;
+    return cli_files_close(files, code);
   }
-  if (args->returns != NULL) {
-    code = cli_output_begin(&files->returns, "--returns", args->returns);
-  }
-  if (code != CLI_DONE) {
-    if (args->exits != NULL) {
-      (void)cli_output_close(&files->exits);
-      remove_if_empty(args->exits);
-    }
-    return code;
-  }
-  if (header && files->has_exits) {
-    (void)cli_output_lines(&files->exits, text, cli_exit_header(text));
-  }
-  if (header && files->has_returns) {
-    (void)cli_output_lines(&files->returns, text, cli_return_header(text));
+  if (args->header || args->shard == 1) {
+    (void)put(&files->exits, text, cli_exit_header(text), 0);
+    (void)put(&files->returns, text, cli_return_header(text), 0);
   }
   return CLI_DONE;
 }
@@ -56,27 +48,46 @@ int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args) {
 bool cli_files_put(cli_files_t *files, uint64_t sample, uint64_t cycle,
                    const cli_cycle_t *what) {
   char text[CLI_DIVERGE_ROW];
-  bool written = true;
-  if (files->has_exits) {
-    const size_t length = cli_exit_row(text, sample, cycle, what);
-    written = cli_output_lines(&files->exits, text, length) && written;
-  }
-  if (files->has_returns) {
-    const size_t length = cli_return_row(text, sample, cycle, what);
-    written = cli_output_lines(&files->returns, text, length) && written;
-  }
-  return written;
+  const size_t exits = cli_exit_row(text, sample, cycle, what);
+  const bool written = put(&files->exits, text, exits, exits > 0);
+  const size_t returns = cli_return_row(text, sample, cycle, what);
+  return put(&files->returns, text, returns, 1) && written;
 }
 
 bool cli_files_flush(cli_files_t *files) {
-  const bool exits = !files->has_exits || cli_output_flush(&files->exits);
-  const bool returns = !files->has_returns || cli_output_flush(&files->returns);
+  const bool exits =
+      !files->exits.is_open || cli_output_flush(&files->exits.output);
+  const bool returns =
+      !files->returns.is_open || cli_output_flush(&files->returns.output);
   return exits && returns;
 }
 
-int cli_files_close(cli_files_t *files) {
-  const int exits = files->has_exits ? cli_output_end(&files->exits) : CLI_DONE;
-  const int returns =
-      files->has_returns ? cli_output_end(&files->returns) : CLI_DONE;
-  return exits != CLI_DONE ? exits : returns;
+static void finish(const cli_files_t *files, cli_diverge_file_t *file) {
+  char text[CLI_TRAILER_ROOM];
+  const size_t length =
+      cli_trailer_line(&file->trailer, files->shard, files->shards, text);
+  if (file->is_open) {
+    (void)cli_output_lines(&file->output, text, length);
+  }
+}
+
+static int close_file(cli_diverge_file_t *file, int code) {
+  if (!file->is_open) {
+    return code;
+  }
+  file->is_open = false;
+  return cli_output_end(&file->output, code);
+}
+
+int cli_files_close(cli_files_t *files, int code) {
+  if (code == CLI_DONE) {
+    finish(files, &files->exits);
+    finish(files, &files->returns);
+  }
+  // Neither gets its name where the other's rows could not be written; the
+  // message is that of cli_output_end.
+  const bool written = cli_files_flush(files);
+  const int given = written ? code : CLI_STOPPED;
+  const int exits = close_file(&files->exits, given);
+  return close_file(&files->returns, exits);
 }

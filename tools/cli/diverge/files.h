@@ -4,12 +4,19 @@
 #define TWOFOLD_CLI_FILES_H
 
 #include "../host/output.h"
+#include "../text/trailer.h"
 #include "diverge_args.h"
 #include "tracker.h"
 
 typedef struct {
-  cli_output_t exits, returns;
-  bool has_exits, has_returns;
+  cli_output_t output;
+  cli_trailer_t trailer;
+  bool is_open;
+} cli_diverge_file_t;
+
+typedef struct {
+  cli_diverge_file_t exits, returns;
+  uint64_t shard, shards; ///< for the trailers
 } cli_files_t;
 
 /// Opens both.
@@ -24,7 +31,9 @@ bool cli_files_put(cli_files_t *files, uint64_t sample, uint64_t cycle,
 /// Hands everything to the operating system. Returns: as cli_files_put.
 bool cli_files_flush(cli_files_t *files);
 
-/// Closes both. Returns: CLI_DONE, or CLI_STOPPED after a message.
-int cli_files_close(cli_files_t *files);
+/// Closes both after a run that ended with a code; under CLI_DONE both get
+/// their trailer and their name.
+/// Returns: the code; CLI_STOPPED after a message if it was CLI_DONE.
+int cli_files_close(cli_files_t *files, int code);
 
 #endif

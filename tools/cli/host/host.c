@@ -1,9 +1,10 @@
 // Clock, descriptors and signals. A simulation may run for hours and be stopped
 // by hand. It then finishes its step and writes its last row, so a signal only
 // sets a flag. The handler resets itself: a second signal ends the program at
-// once, in case it is blocked by a reader that never reads. The two signals are
-// caught even where the parent ignores them, as shells do for background jobs,
-// because it must be possible to stop a run that has no end of its own.
+// once, in case it is blocked by a reader that never reads. SIGINT and SIGTERM
+// are caught even where the parent ignores them, as shells do for background
+// jobs, because it must be possible to stop a run that has no end of its own;
+// SIGHUP is not, for to ignore it is all that nohup does.
 
 #ifndef _POSIX_C_SOURCE
 #define _POSIX_C_SOURCE 200809L
@@ -73,6 +74,10 @@ static void set_handler(int number, void (*handler)(int), int flags) {
 void cli_catch_signals(void) {
   set_handler(SIGINT, ask_for_stop, (int)SA_RESETHAND);
   set_handler(SIGTERM, ask_for_stop, (int)SA_RESETHAND);
+  struct sigaction before;
+  if (sigaction(SIGHUP, NULL, &before) != 0 || before.sa_handler != SIG_IGN) {
+    set_handler(SIGHUP, ask_for_stop, (int)SA_RESETHAND);
+  }
   set_handler(SIGPIPE, SIG_IGN, 0);
 #ifdef SIGXFSZ
   set_handler(SIGXFSZ, SIG_IGN, 0);

@@ -22,8 +22,9 @@ bool cli_is_terminal(int descriptor);
 /// number and receives messages; writing to them still fails.
 void cli_guard_descriptors(void);
 
-/// From now on SIGINT and SIGTERM ask for a stop (the second one kills), and a
-/// closed pipe or a full file quota is an error of write, not a signal.
+/// From now on SIGINT, SIGTERM and, unless it is ignored, SIGHUP ask for a stop
+/// (the second one kills), and a closed pipe or a full file quota is an error
+/// of write, not a signal.
 void cli_catch_signals(void);
 
 /// Whether a signal has asked for a stop.

@@ -11,7 +11,6 @@
 #include "output.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <poll.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -22,26 +21,13 @@
 #include "host.h"
 
 bool cli_output_open(cli_output_t *output, const char *path) {
-  output->error = 0;
   output->used = 0;
   output->last = '\n';
   output->flushed = cli_now();
-  if (path == NULL || strcmp(path, "-") == 0) {
-    output->name = "standard output";
-    output->descriptor = STDOUT_FILENO;
-    return true;
-  }
-  output->name = path;
-  output->descriptor = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  if (output->descriptor < 0) {
-    output->error = errno;
-  }
+  output->name =
+      path == NULL || strcmp(path, "-") == 0 ? "standard output" : path;
+  output->error = cli_destination_open(&output->to, path);
   return output->error == 0;
-}
-
-static bool is_regular(int descriptor) {
-  struct stat status;
-  return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
 // Removes the bytes after the last whole line of what was written.
@@ -50,13 +36,13 @@ static void drop_incomplete_row(const cli_output_t *output, size_t written) {
   while (whole > 0 && output->buffer[whole - 1] != output->last) {
     whole--;
   }
-  if (whole == written || !is_regular(output->descriptor)) {
+  if (whole == written || !cli_is_regular(output->to.descriptor)) {
     return;
   }
-  const off_t end = lseek(output->descriptor, 0, SEEK_CUR);
+  const off_t end = lseek(output->to.descriptor, 0, SEEK_CUR);
   if (end >= (off_t)(written - whole)) {
     // If this fails too, the first error is the one that is reported.
-    if (ftruncate(output->descriptor, end - (off_t)(written - whole)) != 0) {
+    if (ftruncate(output->to.descriptor, end - (off_t)(written - whole)) != 0) {
       return;
     }
   }
@@ -65,7 +51,7 @@ static void drop_incomplete_row(const cli_output_t *output, size_t written) {
 bool cli_output_flush(cli_output_t *output) {
   size_t written = 0;
   while (output->error == 0 && written < output->used) {
-    const ssize_t taken = write(output->descriptor, output->buffer + written,
+    const ssize_t taken = write(output->to.descriptor, output->buffer + written,
                                 output->used - written);
     if (taken > 0) {
       written += (size_t)taken;
@@ -73,7 +59,7 @@ bool cli_output_flush(cli_output_t *output) {
       output->error = EIO;
     } else if (errno == EAGAIN) {
       // The reader made the pipe non-blocking: wait until it can take more.
-      struct pollfd ready = {output->descriptor, POLLOUT, 0};
+      struct pollfd ready = {output->to.descriptor, POLLOUT, 0};
       (void)poll(&ready, 1, -1);
     } else if (errno != EINTR) {
       output->error = errno;
@@ -99,23 +85,32 @@ bool cli_output_lines(cli_output_t *output, const char *lines, size_t length) {
   return true;
 }
 
-bool cli_output_close(cli_output_t *output) {
+bool cli_output_close(cli_output_t *output, bool whole) {
   (void)cli_output_flush(output);
-  if (output->error == 0 && is_regular(output->descriptor) &&
-      fsync(output->descriptor) != 0 && errno != EINVAL && errno != EROFS) {
-    output->error = errno;
-  }
-  if (output->descriptor != STDOUT_FILENO && output->descriptor >= 0) {
-    if (close(output->descriptor) != 0 && output->error == 0) {
-      output->error = errno;
-    }
+  const int error =
+      cli_destination_close(&output->to, whole && output->error == 0);
+  if (output->error == 0) {
+    output->error = error;
   }
   return output->error == 0;
 }
 
 const char *cli_output_reason(const cli_output_t *output) {
-  return output->error == EPIPE ? "closed by its reader"
-                                : strerror(output->error);
+  switch (output->error) {
+    case EPIPE:
+      return "closed by its reader";
+    case EBUSY:
+      return "another program writes this file";
+    default:
+      return strerror(output->error);
+  }
+}
+
+void cli_output_tell_part(const cli_output_t *output) {
+  if (output->to.left) {
+    (void)cli_message(CLI_STOPPED, "%s: not whole; its rows so far are in %s",
+                      output->name, output->to.part);
+  }
 }
 
 int cli_output_begin(cli_output_t *output, const char *option,
@@ -128,10 +123,12 @@ int cli_output_begin(cli_output_t *output, const char *option,
                      cli_output_reason(output));
 }
 
-int cli_output_end(cli_output_t *output) {
-  if (cli_output_close(output)) {
-    return CLI_DONE;
+int cli_output_end(cli_output_t *output, int code) {
+  const bool closed = cli_output_close(output, code == CLI_DONE);
+  if (!closed) {
+    (void)cli_message(CLI_STOPPED, "%s: %s", output->name,
+                      cli_output_reason(output));
   }
-  return cli_message(CLI_STOPPED, "%s: %s", output->name,
-                     cli_output_reason(output));
+  cli_output_tell_part(output);
+  return code != CLI_DONE || closed ? code : CLI_STOPPED;
 }

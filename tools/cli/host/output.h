@@ -6,10 +6,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "destination.h"
+
 #define CLI_OUTPUT_ROOM 65536
 typedef struct {
   const char *name; ///< for messages
-  int descriptor;
+  cli_destination_t to;
   int error;      ///< errno of the first failure, 0 while there was none
   double flushed; ///< cli_now() of the last flush
   char last;      ///< byte that ends a row: newline unless set otherwise
@@ -27,8 +29,13 @@ bool cli_output_open(cli_output_t *output, const char *path);
 int cli_output_begin(cli_output_t *output, const char *option,
                      const char *path);
 
-/// Closes it for a command. Returns: CLI_DONE, or CLI_STOPPED after a message.
-int cli_output_end(cli_output_t *output);
+/// Closes it for a command that has ended with a code. Under CLI_DONE a file
+/// gets its name, otherwise a message tells where its rows are.
+/// Returns: the code; CLI_STOPPED after a message if it was CLI_DONE.
+int cli_output_end(cli_output_t *output, int code);
+
+/// Tells where the rows of a file are that was closed before it was whole.
+void cli_output_tell_part(const cli_output_t *output);
 
 /// The first failure in words; output->error must not be 0.
 const char *cli_output_reason(const cli_output_t *output);
@@ -42,8 +49,9 @@ bool cli_output_lines(cli_output_t *output, const char *lines, size_t length);
 /// Returns: as cli_output_lines.
 bool cli_output_flush(cli_output_t *output);
 
-/// Flushes, syncs to disk and closes (standard output is left open).
+/// Flushes, syncs to disk and closes (standard output is left open). whole: as
+/// in cli_destination_close; a file whose output failed is not whole.
 /// Returns: as cli_output_lines.
-bool cli_output_close(cli_output_t *output);
+bool cli_output_close(cli_output_t *output, bool whole);
 
 #endif

@@ -15,6 +15,7 @@
 #include "../host/output.h"
 #include "../host/source.h"
 #include "../text/message.h"
+#include "damage.h"
 #include "monitor_args.h"
 #include "receiver.h"
 #include "view.h"
@@ -29,6 +30,7 @@ typedef struct {
   cli_output_t output;
   cli_receiver_t receiver;
   cli_view_t view;
+  cli_damage_t damage;
   tf_decoder_t decoder;
   uint64_t bytes;
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
@@ -50,9 +52,13 @@ static bool take_block(monitor_t *monitor, size_t length) {
       cli_board_commands_answer(&monitor->args.commands, &frame,
                                 &monitor->receiver);
     }
-    if (!cli_receiver_take(&monitor->receiver, &frame, &row)) {
+    const bool completes = cli_receiver_take(&monitor->receiver, &frame, &row);
+    cli_damage_frame(&monitor->damage, monitor->source.is_device,
+                     &monitor->receiver, &monitor->decoder);
+    if (!completes) {
       continue;
     }
+    cli_damage_row(&monitor->damage, &row, monitor->receiver.tick);
     cli_view_note(&monitor->view, monitor->receiver.mode);
     if (monitor->args.csv &&
         !cli_output_lines(&monitor->output, line, cli_csv_row(&row, line))) {
@@ -60,6 +66,14 @@ static bool take_block(monitor_t *monitor, size_t length) {
     }
   }
   return true;
+}
+
+// At the end of a file or a pipe: what stands in the decoder is a frame without
+// its last byte, or a piece of one, which is counted.
+static bool take_end(monitor_t *monitor) {
+  monitor->block[0] = 0;
+  monitor->bytes--;
+  return take_block(monitor, 1);
 }
 
 static int output_failed(const monitor_t *monitor) {
@@ -142,7 +156,7 @@ static int follow_stream(monitor_t *monitor) {
       }
     }
     if (found == CLI_SOURCE_END && !args->follow) {
-      return CLI_DONE;
+      return take_end(monitor) ? CLI_DONE : output_failed(monitor);
     }
     if (found == CLI_SOURCE_END) {
       cli_sleep(WAIT); // a file may still grow
@@ -206,7 +220,8 @@ static void summarise(const monitor_t *monitor) {
   }
 }
 
-static int perform(monitor_t *monitor) {
+// Opens what is read, and the file that is written.
+static int open_both(monitor_t *monitor) {
   const cli_monitor_args_t *args = &monitor->args;
   char header[CLI_ROW_ROOM];
   if (!cli_source_open(&monitor->source, args->path, args->baud,
@@ -223,20 +238,58 @@ static int perform(monitor_t *monitor) {
     (void)cli_output_lines(&monitor->output, header,
                            cli_header(CLI_FORMAT_CSV, header));
   }
-  int code = follow_stream(monitor);
-  if (args->csv && !cli_output_close(&monitor->output) && code == CLI_DONE) {
-    code = output_failed(monitor);
+  return CLI_DONE;
+}
+
+// What has an end of its own has to be read to its end; all else is read until
+// a signal says that it is enough.
+static int judge_stop(const monitor_t *monitor, int code) {
+  if (code == CLI_DONE && cli_stop_asked() && !monitor->args.follow &&
+      cli_is_regular(monitor->source.descriptor)) {
+    return cli_message(CLI_STOPPED, "%s: interrupted", monitor->source.name);
+  }
+  return code;
+}
+
+static int judge_stream(const monitor_t *monitor, int code) {
+  const cli_damage_t *damage = &monitor->damage;
+  const uint64_t missing =
+      cli_damage_missing(damage, &monitor->receiver, &monitor->decoder);
+  if (damage->not_finite > 0) {
+    (void)fprintf(stderr,
+                  "values     %" PRIu64
+                  " rows with one that is not finite, first at step %" PRIu64
+                  "\n",
+                  damage->not_finite, damage->first_tick);
+  }
+  if (code == CLI_DONE && monitor->args.commands.refused > 0) {
+    return CLI_REFUSED;
+  }
+  if (code == CLI_DONE && monitor->decoder.frames == 0) {
+    return cli_message(CLI_STOPPED, "%s: no frame of protocol version %d",
+                       monitor->args.path, TF_FRAME_VERSION);
+  }
+  if (code == CLI_DONE && missing > 0) {
+    return cli_message(CLI_DAMAGED,
+                       "%s: frames were lost or broken, as counted above",
+                       monitor->source.name);
+  }
+  return code == CLI_DONE && damage->not_finite > 0 ? CLI_DAMAGED : code;
+}
+
+static int perform(monitor_t *monitor) {
+  int code = open_both(monitor);
+  if (code != CLI_DONE) {
+    cli_source_close(&monitor->source);
+    return code;
+  }
+  code = judge_stop(monitor, follow_stream(monitor));
+  if (monitor->args.csv) {
+    code = cli_output_end(&monitor->output, code);
   }
   cli_source_close(&monitor->source);
   summarise(monitor);
-  if (code == CLI_DONE && args->commands.refused > 0) {
-    code = CLI_REFUSED;
-  }
-  if (code == CLI_DONE && monitor->decoder.frames == 0) {
-    code = cli_message(CLI_STOPPED, "%s: no frame of protocol version %d",
-                       args->path, TF_FRAME_VERSION);
-  }
-  return code;
+  return judge_stream(monitor, code);
 }
 
 int cli_monitor(int argc, char *const argv[]) {

@@ -26,8 +26,12 @@ static const char page[] =
     "  --follow             wait for a device that was unplugged, or for a\n"
     "                       file to grow\n"
     "\n"
-    "Lost and broken frames are counted on standard error at the end.\n"
+    "FILE is FILE.part until the end, see 'twofold help run'. Lost and broken\n"
+    "frames, and rows with a value that is not finite, are counted on "
+    "standard\n"
+    "error at the end; of a device from its first schema on.\n"
     "exit codes: 0 done, 2 usage, 3 a command was refused, 4 no frame, no\n"
-    "answer, or the device was unplugged\n";
+    "answer, interrupted within a file, or the device was unplugged, 6 done,\n"
+    "but frames were lost or broken, or a value is not finite\n";
 
 void cli_monitor_help(void) { (void)fputs(page, stdout); }

@@ -112,7 +112,8 @@ static void take_batch(cli_run_t *run) {
 static void step_through(cli_run_t *run) {
   const double started = cli_now();
   const double flush_every = run->real_time ? LIVE_EVERY : FLUSH_EVERY;
-  cli_progress_t progress = cli_progress_start(started, run->output.descriptor);
+  cli_progress_t progress =
+      cli_progress_start(started, run->output.to.descriptor);
   run->start = started;
   write_row(run);
   while (run->done < run->steps && run->end == CLI_ENDED) {
@@ -155,7 +156,7 @@ static int perform(cli_run_t *run, const char *path) {
   }
   write_header(run);
   step_through(run);
-  if (!cli_output_close(&run->output)) {
+  if (!cli_output_close(&run->output, run->end == CLI_ENDED)) {
     run->end = CLI_NOT_WRITTEN;
   }
   cli_summary(run);

@@ -125,5 +125,6 @@ void cli_summary(const cli_run_t *run) {
   print_cost(run);
   print_real_time(run);
   print_end(run);
+  cli_output_tell_part(&run->output);
   (void)fflush(stderr);
 }

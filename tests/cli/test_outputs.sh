@@ -1,0 +1,211 @@
+#!/bin/sh
+# What the command line writes is whole, or does not have the name of a whole
+# file: killed, interrupted and full, with a second writer, through links and
+# into what is no file; shards with one that is lost; no process is left behind.
+# usage: test_outputs.sh TWOFOLD
+. "$(dirname "$0")/../support/tap.sh"
+tools=$root/tools
+# there FILE...: those that are there.
+there() { for file; do [ ! -e "$file" ] || echo "$file"; done; }
+
+# begin FILE ARGS...: in the background, until FILE.part has rows.
+begin() {
+  file=$1
+  shift
+  rm -f "$file.part"
+  "$T" "$@" >out 2>err &
+  pid=$!
+  poll has_lines "$file.part" 2
+}
+# finish_with SIGNAL: its exit code, in $code.
+finish_with() {
+  kill -s "$1" $pid
+  wait $pid 2>/dev/null
+  code=$?
+}
+
+# Killed: no file, or the one that was there. The next run is not in its way.
+for command in 'run chaos --t-end 1e9 --every 100000' \
+  'atlas chaos --r 0.0025:0.5:4000 --omega=-1.4975:-0.5:4000' \
+  'regions chaos --r 0.1:0.28:4000 --omega=-1.16:-0.88:4000'; do
+  name=${command%% *}
+  # shellcheck disable=SC2086  # a list of words
+  set -- $command
+  rm -f x
+  begin x "$@" --out x
+  finish_with KILL
+  equal "$name, killed: no file" "$(there x)" ''
+  echo precious >x
+  begin x "$@" --out x
+  finish_with KILL
+  equal "$name, killed: the file that was there" "$(cat x)" precious
+  begin x "$@" --out x
+  finish_with TERM
+  equal "$name, stopped: code" "$code" 4
+  equal "$name, stopped: the file that was there" "$(cat x)" precious
+  check "$name, stopped: where its rows are" says 'x: not whole&x.part'
+  rm -f x x.part
+done
+begin r diverge chaos --samples 1000000 --corner even --cycles 1000 --exits e \
+  --returns r
+finish_with KILL
+equal 'diverge, killed: no file' "$(there e r)" ''
+rm -f e.part r.part
+echo rest >x.part
+runs run chaos --t-end 0.01 --out x
+check 'what a killed run left is not in the way' whole_rows x 10 '[0-9]'
+rm -f x
+
+# What is whole has its name, and nothing is beside it.
+umask 022
+echo old >private
+chmod 600 private
+for file in new private; do
+  runs run chaos --t-end 0.01 --out $file
+  equal "$file: no part is left" "$(there $file.part)" ''
+done
+check 'the same rows' cmp -s new private
+equal 'a file keeps its permissions' "$(find private -perm 600)" private
+equal 'a new one has the usual' "$(find new -perm 644)" new
+expect 4 'step 2 was refused&its rows so far are in stop.part' \
+  run frictionless --set k2=0 --set v=4e8 --set omega=0 --set c1=0 --set c2=0 \
+  --dt 1 --t-end 10 --every 5 --out stop
+equal 'a run that is refused a step: all rows before' "$(row 3 1 stop.part)" 1
+check 'a run that is refused a step: no file' [ ! -e stop ]
+
+# Links stay links; what they name is written, also where it is not there yet.
+mkdir room
+ln -s room/target link
+runs run chaos --t-end 0.01 --out link
+check 'a link to nothing: it names the rows' cmp -s room/target new
+runs run chaos --t-end 0.01 --out link
+check 'a link to a file: still a link' [ -L link ]
+ln -s again again
+expect 4 'symbolic links' run chaos --t-end 0 --out again
+: >victim
+ln -s victim trap.part
+expect 4 '--out trap' run chaos --t-end 0 --out trap
+check 'a part that is a link is not followed' [ ! -s victim ]
+
+# What is no regular file is written as it is.
+mkfifo pipe
+cat pipe >got &
+reader=$!
+runs run chaos --t-end 0.01 --out pipe
+wait $reader
+check 'a named pipe' cmp -s got new
+runs run chaos --t-end 0.01 --out /dev/null
+"$T" run chaos --t-end 0.01 --out /dev/stdout 2>err | cat >got
+check '/dev/stdout, a pipe' cmp -s got new
+{
+  echo before
+  "$T" run chaos --t-end 0.01 --out /dev/stdout 2>err
+  echo after
+} >got
+equal '/dev/stdout, a file: nothing is lost around the rows' \
+  "$(sed -n '1p;2p;$p' got | cut -d , -f 1 | tr '\n' ' ')" 'before t after '
+echo before >got
+"$T" run chaos --t-end 0.01 --out /dev/fd/3 3>>got 2>err
+check '/dev/fd/3' cmp -s got - <<END
+before
+$(cat new)
+END
+equal 'none of them has a part' "$(there pipe.part got.part)" ''
+
+set -- chaos --t-end 1e9 --every 100000
+# One writer a file, under whatever name.
+begin x run "$@" --out x
+ln -s x other
+for name in x ./x "$D/x" other; do
+  expect 4 "--out $name: another program writes this file" \
+    run chaos --t-end 0 --out "$name"
+done
+"$T" run chaos --t-end 0.01 --format frames --out stream 2>err
+expect 4 'another program writes this file' monitor stream --csv --out x
+expect 4 'another program writes this file' \
+  diverge chaos --samples 1 --patience 0.01 --exits y --returns x
+equal 'and it leaves no file' "$(there y y.part)" ''
+finish_with TERM
+check 'the first writer did not notice' whole_rows x.part 10 '[0-9]'
+expect 4 'another program writes this file' \
+  diverge chaos --samples 1 --patience 0.01 --exits z --returns ./z
+begin x run "$@" --out x
+mv x.part moved
+finish_with TERM
+equal 'a part that was moved away: code' "$code" 4
+equal 'a part that was moved away: no file' "$(there x x.part)" ''
+rm -f moved other
+
+# nohup works, and without it SIGHUP stops a run as SIGTERM does.
+(
+  trap '' HUP
+  exec "$T" run "$@" --out x 2>err
+) &
+pid=$!
+poll has_lines x.part 2
+kill -s HUP $pid
+kill -s TERM $pid
+wait $pid
+equal 'nohup: only SIGTERM stops it' $? 4
+check 'nohup: it is reported' says interrupted
+
+# Shards.
+set -- diverge chaos --samples 7 --patience 0.3 --seed 5
+for i in 1 2 3; do
+  "$T" "$@" --shard $i/3 --exits e.$i --returns r.$i 2>err
+  check "shard $i ends with its count" \
+    grep -Eqx "# shard $i/3: [0-9]+ rows, crc32 [0-9a-f]{8}" e.$i
+done
+reads() { /usr/bin/python3 -B "$tools/statistics/summary.py" "$@" >out 2>err; }
+if /usr/bin/python3 -c 'import numpy, scipy' 2>/dev/null; then
+  cat r.1 r.2 r.3 >r
+  check 'cat of all shards is read' reads r
+  head -c 150 r.2 >part
+  while IFS="|" read -r name parts; do
+    # shellcheck disable=SC2086  # a list of files
+    cat $parts >r
+    reads r
+    equal "cat of shards, $name: refused" $? 3
+    check "cat of shards, $name: nothing is said of the rest" [ ! -s out ]
+    check "cat of shards, $name: it says why" \
+      grep -q 'missing\|damaged\|cut off' err
+  done <<END
+the second one missing|r.1 r.3
+the last one missing|r.1 r.2
+the first one missing|r.2 r.3
+one cut off|r.1 part r.3
+the last one cut off|part
+one twice|r.1 r.1 r.2 r.3
+in another order|r.2 r.1 r.3
+END
+else
+  skip 'cat of shards that are lost or cut off' \
+    'python3-numpy or python3-scipy is not installed'
+fi
+
+# Drivers end their workers.
+workers() {
+  grep -la "$D/.*/[e]xits\.[0-9]" /proc/[0-9]*/cmdline 2>/dev/null
+}
+no_workers() { [ -z "$(workers)" ]; }
+has_workers() { [ "$(workers | wc -l)" -ge 2 ]; }
+for signal in TERM INT HUP; do
+  # A shell's background jobs ignore SIGINT; what a terminal starts does not.
+  env --default-signal=INT "$tools/statistics/shards" 2 "$D/joined" "$T" chaos \
+    --samples 100000 --cycles 1000 --corner even 2>err &
+  pid=$!
+  check "shards, SIG$signal: the workers run" poll has_workers
+  kill -s $signal $pid
+  wait $pid
+  equal "shards, SIG$signal: code" $? 4
+  equal "shards, SIG$signal: no worker is left" "$(workers)" ''
+  equal "shards, SIG$signal: no file is left" "$(there joined*)" ''
+done
+BUILD=$D/build TWOFOLD=$T JOBS=2 "$tools/statistics/study" >out 2>err &
+pid=$!
+check 'study: the workers run' poll has_workers
+kill $pid
+wait $pid
+equal 'study, SIGTERM: code' $? 4
+check 'study, SIGTERM: no worker is left' poll no_workers
+finish

@@ -1,0 +1,227 @@
+// A file under its final name is whole. `open` with O_TRUNC cannot promise
+// that: it destroys what was there, and a program that is killed leaves half of
+// the new rows under the name of all. So rows go to a file beside it, because
+// only within a file system does a rename happen at once.
+//
+// What is no regular file has no rows to keep and no name to get, and is
+// written as it is. Nor has what a symbolic link of /proc names, as /dev/stdout
+// does: it belongs to whoever opened it, even where it is a regular file.
+
+#ifndef _DEFAULT_SOURCE
+#define _DEFAULT_SOURCE
+#endif
+
+#include "destination.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#define MOST_LINKS 40 // as many as Linux follows
+#define MOST_TRIES 100
+
+bool cli_is_regular(int descriptor) {
+  struct stat status;
+  return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+static bool same_file(const struct stat *a, const struct stat *b) {
+  return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+// Whether a path still names the file that is open.
+static bool names(const char *path, int descriptor) {
+  struct stat by_name, opened;
+  return lstat(path, &by_name) == 0 && fstat(descriptor, &opened) == 0 &&
+         same_file(&by_name, &opened);
+}
+
+// The folder of a path, as the caller may open it.
+static void folder_of(const char *path, char folder[CLI_PATH_ROOM]) {
+  const char *slash = strrchr(path, '/');
+  const size_t length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
+  memcpy(folder, path, length);
+  memcpy(folder + length, ".", 2);
+}
+
+// Whether a path is an entry of /proc, such as a descriptor of this process.
+static bool in_proc(const char *path) {
+  char folder[CLI_PATH_ROOM + 2];
+  char real[PATH_MAX];
+  folder_of(path, folder);
+  return realpath(folder, real) != NULL && strncmp(real, "/proc/", 6) == 0;
+}
+
+// Replaces a symbolic link by what it names, so that the link survives; the
+// last one may name a file that is not there yet. Returns: 0 or an errno.
+static int follow_links(char path[CLI_PATH_ROOM]) {
+  for (int i = 0; i < MOST_LINKS; i++) {
+    char link[CLI_PATH_ROOM];
+    if (in_proc(path)) {
+      return 0;
+    }
+    const ssize_t length = readlink(path, link, sizeof link);
+    if (length < 0) {
+      return 0; // no link: opening it tells what else is wrong
+    }
+    const char *slash = strrchr(path, '/');
+    const size_t kept =
+        link[0] == '/' || slash == NULL ? 0 : (size_t)(slash - path) + 1;
+    if (kept + (size_t)length >= CLI_PATH_ROOM) {
+      return ENAMETOOLONG;
+    }
+    memcpy(path + kept, link, (size_t)length);
+    path[kept + (size_t)length] = '\0';
+  }
+  return ELOOP;
+}
+
+// Opens the part. Whoever had it locked may have renamed it in between: then
+// the name is another file's, or nobody's, and it is tried again.
+static int open_part(cli_destination_t *to, const struct stat *before) {
+  for (int i = 0; i < MOST_TRIES; i++) {
+    const int opened =
+        open(to->part, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
+             0666);
+    if (opened < 0) {
+      return errno;
+    }
+    int error = cli_is_regular(opened) ? 0 : EEXIST;
+    if (error == 0 && flock(opened, LOCK_EX | LOCK_NB) != 0) {
+      error = errno == EWOULDBLOCK ? EBUSY : errno;
+    }
+    if (error == 0 && !names(to->part, opened)) {
+      (void)close(opened);
+      continue;
+    }
+    if (error == 0 && ftruncate(opened, 0) != 0) {
+      error = errno;
+    }
+    // What replaces a file is as private as the file was.
+    if (error == 0 && before != NULL &&
+        fchmod(opened, before->st_mode & 0777) != 0) {
+      error = errno;
+    }
+    if (error != 0) {
+      (void)close(opened);
+      return error;
+    }
+    to->descriptor = opened;
+    to->beside = true;
+    return 0;
+  }
+  return EBUSY;
+}
+
+static int open_as_it_is(cli_destination_t *to, const char *path, int flags) {
+  to->descriptor = open(path, O_WRONLY | O_NOCTTY | flags);
+  return to->descriptor < 0 ? errno : 0;
+}
+
+// A descriptor by its name. Standard output is written through its own
+// descriptor, whose position it shares with all that write there; of another
+// one nothing is cut off.
+static int open_descriptor(cli_destination_t *to, const char *path) {
+  struct stat named, standard;
+  if (stat(path, &named) == 0 && fstat(STDOUT_FILENO, &standard) == 0 &&
+      same_file(&named, &standard)) {
+    to->descriptor = STDOUT_FILENO;
+    return 0;
+  }
+  return open_as_it_is(to, path, O_APPEND);
+}
+
+int cli_destination_open(cli_destination_t *to, const char *path) {
+  to->descriptor = STDOUT_FILENO;
+  to->beside = to->left = false;
+  if (path == NULL || strcmp(path, "-") == 0) {
+    return 0;
+  }
+  to->descriptor = -1;
+  if (strlen(path) >= CLI_PATH_ROOM) {
+    return ENAMETOOLONG;
+  }
+  memcpy(to->path, path, strlen(path) + 1);
+  const int error = follow_links(to->path);
+  if (error != 0) {
+    return error;
+  }
+  if (in_proc(to->path)) {
+    return open_descriptor(to, to->path);
+  }
+  struct stat before;
+  const bool exists = stat(to->path, &before) == 0;
+  if (exists && !S_ISREG(before.st_mode)) {
+    return open_as_it_is(to, to->path, 0);
+  }
+  if (exists && access(to->path, W_OK) != 0) {
+    return errno;
+  }
+  const int length = snprintf(to->part, sizeof to->part, "%s.part", to->path);
+  if (length < 0 || (size_t)length >= sizeof to->part) {
+    return ENAMETOOLONG;
+  }
+  return open_part(to, exists ? &before : NULL);
+}
+
+// The new name is on disk once the folder is. A file system that cannot sync a
+// folder has done what it can.
+static void sync_folder(const char *path) {
+  char folder[CLI_PATH_ROOM + 2];
+  folder_of(path, folder);
+  const int opened = open(folder, O_RDONLY | O_CLOEXEC);
+  if (opened >= 0) {
+    (void)fsync(opened);
+    (void)close(opened);
+  }
+}
+
+static int name_it(cli_destination_t *to) {
+  if (!names(to->part, to->descriptor)) {
+    return EBUSY;
+  }
+  if (rename(to->part, to->path) != 0) {
+    return errno;
+  }
+  sync_folder(to->path);
+  return 0;
+}
+
+// A part without a row is of no use.
+static void leave_part(cli_destination_t *to) {
+  struct stat status;
+  to->left = names(to->part, to->descriptor);
+  if (to->left && fstat(to->descriptor, &status) == 0 && status.st_size == 0) {
+    to->left = unlink(to->part) != 0;
+  }
+}
+
+int cli_destination_close(cli_destination_t *to, bool whole) {
+  int error = 0;
+  if (to->descriptor < 0) {
+    return 0;
+  }
+  if (cli_is_regular(to->descriptor) && fsync(to->descriptor) != 0 &&
+      errno != EINVAL && errno != EROFS) {
+    error = errno;
+  }
+  if (to->beside && whole && error == 0) {
+    error = name_it(to);
+  }
+  if (to->beside && (!whole || error != 0)) {
+    leave_part(to);
+  }
+  if (to->descriptor != STDOUT_FILENO && close(to->descriptor) != 0 &&
+      error == 0) {
+    error = errno;
+  }
+  to->descriptor = -1;
+  return error;
+}

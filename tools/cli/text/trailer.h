@@ -1,0 +1,24 @@
+/// @file
+/// The last line of a file of rows: how many there are, and their checksum.
+#ifndef TWOFOLD_CLI_TRAILER_H
+#define TWOFOLD_CLI_TRAILER_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define CLI_TRAILER_ROOM 128
+typedef struct {
+  uint64_t rows; ///< lines without the header
+  uint32_t crc;  ///< CRC-32 of zlib over all bytes, the header's included
+} cli_trailer_t;
+
+/// Counts lines that are written. rows: how many rows they are.
+void cli_trailer_add(cli_trailer_t *trailer, const char *lines, size_t length,
+                     uint64_t rows);
+
+/// Writes the comment `# shard I/N: ROWS rows, crc32 CRC` and a newline.
+/// Returns: the length.
+size_t cli_trailer_line(const cli_trailer_t *trailer, uint64_t shard,
+                        uint64_t shards, char out[CLI_TRAILER_ROOM]);
+
+#endif
