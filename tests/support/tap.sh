@@ -16,6 +16,8 @@ root=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
 D=$(mktemp -d "${TMPDIR:-/tmp}/twofold-test.XXXXXX") || exit 1
 at_exit() { :; } # a test that starts something redefines it
 trap 'at_exit; rm -rf "$D"' EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM HUP
 cd "$D" || exit 1
 count=0 failed=0 skipped=0
 
