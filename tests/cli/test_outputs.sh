@@ -179,8 +179,7 @@ one twice|r.1 r.1 r.2 r.3
 in another order|r.2 r.1 r.3
 END
 else
-  skip 'cat of shards that are lost or cut off' \
-    'python3-numpy or python3-scipy is not installed'
+  lacks 'cat of shards that are lost or cut off' python3-scipy
 fi
 
 # Drivers end their workers.

@@ -41,6 +41,16 @@ skip() {
   echo "ok $count - $1 # SKIP $2"
 }
 
+# lacks NAME PACKAGE: a test that cannot be made without the package: skipped,
+# or failed where the file REQUIRED lists the package (.ci/required).
+lacks() {
+  if [ -n "${REQUIRED-}" ] && grep -q " $2\$" "$REQUIRED"; then
+    result 1 "$1" "missing, and required: $2"
+  else
+    skip "$1" "missing: $2"
+  fi
+}
+
 finish() {
   echo "1..$count"
   [ "$skipped" -eq 0 ] || echo "# $skipped skipped"
