@@ -38,7 +38,9 @@ if command -v gnuplot >/dev/null && [ -x /usr/bin/python3 ]; then
     check "the picture holds $text" grep -qF "$text" $svg
   done
   check 'there is a PNG beside it' [ -s build/figures/surface.png ]
+elif [ -x /usr/bin/python3 ]; then
+  lacks 'a picture by gnuplot' gnuplot-nox
 else
-  skip 'a picture by gnuplot' 'gnuplot or python3 is not installed'
+  lacks 'a picture by gnuplot' python3
 fi
 finish

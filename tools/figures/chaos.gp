@@ -2,10 +2,14 @@
 # plane (r, omega), coloured by the mode of contact. Colours are Okabe and Ito's
 # for colour-blind readers. A pinned wheel lasts for one step, so it is drawn
 # last and larger; of those few steps `make run` writes every tenth.
-# Usage: make run, then
+# The suffix of `out` says in which form. Usage: make run, then
 #   gnuplot -e "csv='build/chaos.csv'; out='docs/chaos.png'" \
 #     tools/figures/chaos.gp
-set terminal pngcairo size 1200,480 font 'Helvetica,13'
+if (out[strlen(out)-3:] eq '.svg') {
+  set terminal svg size 1200,480 font 'Helvetica,13' background '#ffffff'
+} else {
+  set terminal pngcairo size 1200,480 font 'Helvetica,13'
+}
 set output out
 set datafile separator ','
 set key outside bottom center horizontal Left reverse samplen 1 width -1

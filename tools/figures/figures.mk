@@ -13,6 +13,7 @@ figtool := $(BUILD)/double/tools/figures
 # What the samples of `diverge` are: few, so that all is made in two minutes.
 # docs/FIGURES.md says what they tell.
 WINDOW := --r 0.1:0.28:361 --omega=-1.16:-0.88:281
+ATLAS := --r 0.0025:0.5:200 --omega=-1.4975:-0.5:200
 SAMPLES_random := 2000
 SAMPLES_noise := 200
 SAMPLES_smoothing := 200
@@ -87,8 +88,7 @@ $(figdir)/$(1).csv: $(two) tools/figures/figures.mk | figures-gnuplot
 	$$(call quietly,$$< $(2))
 endef
 $(eval $(call by-command,regions,regions chaos $(WINDOW)))
-$(eval $(call by-command,atlas,atlas chaos --r 0.0025:0.5:200 \
-  --omega=-1.4975:-0.5:200))
+$(eval $(call by-command,atlas,atlas chaos $(ATLAS)))
 $(eval $(call by-command,branches,diverge chaos --exhaustive --depth 1 \
   --grid 0.005 --patience 2.4 --branches -))
 
