@@ -205,6 +205,6 @@ pid=$!
 check 'study: the workers run' poll has_workers
 kill $pid
 wait $pid
-equal 'study, SIGTERM: code' $? 4
+equal 'study, SIGTERM: code' $? 143
 check 'study, SIGTERM: no worker is left' poll no_workers
 finish
