@@ -146,7 +146,8 @@ run: $(BUILD)/double/twofold
 
 # What tests of the line need: the host port's firmware, by a make of its own
 # with the same flags, for the board is chosen when a make begins.
-LINE := $(if $(filter tests/line/test_line.c tests/line/test_hil.sh,$(TESTS)),\
+LINE := $(if $(filter tests/line/test_line.c tests/line/test_hostile.c \
+  tests/line/test_hil.sh,$(TESTS)),\
   $(foreach v,$(VARIANTS),$(BUILD)/$(v)/hil line-$(v)))
 $(VARIANTS:%=line-%): line-%: $(BUILD)/%/constants
 	@MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf BOARD=host \
