@@ -165,8 +165,8 @@ test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) $(TWOFOLD) $(LINE)
 # those that then take half a second at most and start no program; `make test`
 # has them all.
 NOT_QUICK := branch codim2 compensated convergence corpus device ensemble \
-  extreme_analysis extremes frame friction golden line located located_report \
-  normal_form physics_numbers pinned reference tyre
+  extreme_analysis extremes frame friction golden hostile line located \
+  located_report normal_form physics_numbers pinned reference tyre
 QUICK := $(filter-out $(NOT_QUICK:%=\%/test_%.c),$(filter %.c,$(TESTS)))
 quick: ## the quick tests, in double: what to run while working
 	@MAKEFLAGS= $(MAKE) -s --no-print-directory test VARIANTS=double OPT=-O1 \

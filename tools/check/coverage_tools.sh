@@ -1,0 +1,34 @@
+#!/bin/sh
+# Lines and branches of the command line, the monitor, the closed loop (hil) and
+# the loop of the boards that the tests which start programs reach. Not all of
+# them, unlike in src/: what an operating system hardly ever does (a close that
+# fails, no memory) has no test. The floors are what is reached; they may only
+# rise.
+. "$(dirname "$0")/lib.sh"
+need gcov gcc
+need gcovr gcovr
+LINES=93
+BRANCHES=82
+place=$BUILD/coverage-tools
+rm -rf "$place"
+# Not the tests of builds and drivers: they start other programs.
+tests=$(files_in 'test_*.sh' tests/cli tests/line |
+  grep -vE '/test_(drive|required|figures)\.sh$'
+  files_in 'test_*.c' tests/line)
+export TIMEOUT=900
+quietly "$MAKE" --no-print-directory CC=gcc BUILD="$place" OPT=-O0 \
+  EXTRA=--coverage TESTS="$(echo "$tests" | tr "\n" " ")" test || wrong 'tests fail'
+report() {
+  gcovr --filter tools/cli/ --filter tools/hil/ --filter port/ "$@" "$place"
+}
+report --print-summary --fail-under-line $LINES --fail-under-branch $BRANCHES \
+  >"$BUILD/coverage-tools.txt" 2>&1 ||
+  wrong "less than $LINES % of lines or $BRANCHES % of branches is reached"
+for file in tools/cli/monitor/monitor.c tools/cli/run/run.c tools/hil/drive.c \
+  port/loop.c; do
+  report | grep -q "^$file " || wrong "$file is not counted"
+done
+[ "$BAD" -eq 0 ] || cat "$BUILD/coverage-tools.txt"
+count='s/^(lines|branches): (.*)% .*/\2 % of \1/p'
+checked "$(sed -nE "$count" "$BUILD/coverage-tools.txt" | paste -s -d , |
+  sed 's/,/, /') of command line, hil and loop"
