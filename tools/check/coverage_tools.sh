@@ -17,7 +17,8 @@ tests=$(files_in 'test_*.sh' tests/cli tests/line |
   files_in 'test_*.c' tests/line)
 export TIMEOUT=900
 quietly "$MAKE" --no-print-directory CC=gcc BUILD="$place" OPT=-O0 \
-  EXTRA=--coverage TESTS="$(echo "$tests" | tr "\n" " ")" test || wrong 'tests fail'
+  EXTRA=--coverage TESTS="$(echo "$tests" | tr '\n' ' ')" test ||
+  wrong 'tests fail'
 report() {
   gcovr --filter tools/cli/ --filter tools/hil/ --filter port/ "$@" "$place"
 }
