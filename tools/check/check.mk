@@ -5,7 +5,7 @@
 
 .PHONY: check valgrind stale
 check: ## warnings, format, static analysis, sanitizers, promises
-	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' tools/check/run $(CHECKS)
+	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' exec tools/check/run $(CHECKS)
 
 valgrind: ## nearly every test under memcheck (valgrind)
 	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' tools/check/valgrind.sh all
