@@ -30,7 +30,7 @@
 typedef struct {
   pid_t child;
   int line, said;
-  uint16_t sequence;
+  uint32_t sequence, session; /* of the next command; as the schema tells it */
   tf_decoder_t decoder;
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint64_t sent, frames, answers, beats, states, wild;
@@ -88,6 +88,11 @@ static void take(target_t *t, const tf_frame_t *frame) {
   t->frames++;
   t->answers += frame->type == TF_DOWN_ANSWER;
   t->beats += frame->type == TF_DOWN_HEARTBEAT;
+  if (frame->type == TF_DOWN_SCHEMA && frame->length > 20) {
+    const uint32_t least = (uint32_t)tf_wire_get(frame->payload + 17, 4);
+    t->session = (uint32_t)tf_wire_get(frame->payload + 13, 4);
+    if (t->sequence < least) t->sequence = least;
+  }
   if (frame->type != TF_DOWN_STATE) return;
   tf_state_t x;
   tf_read_state(frame->payload, frame->tick, &x);
@@ -140,18 +145,32 @@ static uint64_t any_tick(void) {
   }
 }
 
-/* A whole frame. A command has the length that it should have. */
+/* A whole frame. A command has the length that it should have, and most name the
+ * session of the board and a number that it still takes. */
 static size_t whole(target_t *t, int command, uint8_t wire[ROOM]) {
-  static const uint8_t lengths[] = {32, 9, 5, 0, 0, 0, 0, TF_UP_PAYLOAD, 0, 0};
+  static const uint8_t lengths[] = {5 * TF_REAL_BYTES,
+                                    1 + TF_REAL_BYTES,
+                                    5,
+                                    0,
+                                    0,
+                                    0,
+                                    0,
+                                    TF_COMMAND_DATA,
+                                    0,
+                                    0,
+                                    4};
   const unsigned one = (unsigned)(tap_bits() % sizeof lengths);
   const uint8_t type =
       command ? (uint8_t)(TF_UP_INPUT + one) : (uint8_t)tap_bits();
   const size_t length =
-      command && tap_bits() % 8 ? lengths[one] : tap_bits() % TF_UP_PAYLOAD;
+      command && tap_bits() % 8 ? lengths[one] : tap_bits() % TF_COMMAND_DATA;
   for (size_t i = 0; i < length; i++)
-    wire[TF_FRAME_AT + i] = (uint8_t)(tap_bits() % 3 ? tap_bits() : 0);
-  if (tap_bits() % 16 == 0) t->sequence = (uint16_t)tap_bits();
-  return tf_frame_seal(wire, type, length, &t->sequence, any_tick());
+    wire[TF_COMMAND_AT + i] = (uint8_t)(tap_bits() % 3 ? tap_bits() : 0);
+  const uint32_t session = tap_bits() % 8 ? t->session : (uint32_t)tap_bits();
+  uint32_t old = (uint32_t)(tap_bits() % (t->sequence + (uint64_t)1));
+  return tf_command_seal(wire, type, length, session,
+                         tap_bits() % 8 ? &t->sequence : &old, any_tick(),
+                         NULL);
 }
 
 static size_t hostile(target_t *t, uint8_t wire[ROOM]) {
@@ -175,12 +194,13 @@ static size_t hostile(target_t *t, uint8_t wire[ROOM]) {
 
 /* Sends a command until one more is answered. */
 static int answers(target_t *t, uint8_t type) {
-  uint8_t wire[TF_FRAME_SIZE(0)];
+  uint8_t wire[TF_FRAME_SIZE(TF_SESSION_BYTES + TF_TAG_BYTES)];
   const uint64_t before = t->answers;
   const double until = seconds() + PATIENCE;
   for (double next = 0; t->answers == before && seconds() < until;) {
     if (seconds() > next) {
-      const size_t size = tf_frame_seal(wire, type, 0, &t->sequence, 0);
+      const size_t size =
+          tf_command_seal(wire, type, 0, t->session, &t->sequence, 0, NULL);
       if (!put(t, wire, size, until)) return 0;
       next = seconds() + 0.2;
     }
@@ -194,6 +214,7 @@ TEST(hostile_frames_cost_no_firmware) {
   uint8_t wire[ROOM];
   int status = 0;
   start(&it);
+  CHECK(answers(&it, TF_UP_DESCRIBE));
   const double begin = seconds();
   const double until = begin + setting("HOSTILE_SECONDS", 60);
   while ((double)it.sent < frames && seconds() < until) {
