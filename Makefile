@@ -63,6 +63,7 @@ define of_this_core
 endef
 
 # The makefiles of the tools, in the groups of `make help`.
+PACKAGE_MAKEFILES := tools/fmu/fmu.mk
 BOARD_MAKEFILES := port/port.mk tools/hil/hil.mk tools/size/size.mk
 MEASURE_MAKEFILES := tools/bench/bench.mk tools/report/report.mk \
   tools/peers/peers.mk tools/stability/stability.mk \
@@ -82,6 +83,7 @@ endef
 help: ## this list
 	$(call group,Every day,Makefile)
 	$(call group,Boards,$(BOARD_MAKEFILES))
+	$(call group,Other simulation tools,$(PACKAGE_MAKEFILES))
 	$(call group,Measurements and pictures,$(MEASURE_MAKEFILES))
 	$(call group,Verification,$(VERIFY_MAKEFILES))
 	@echo
@@ -179,7 +181,8 @@ all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
 clean: ## remove what was made
 	rm -rf $(BUILD)
 
-include $(BOARD_MAKEFILES) $(MEASURE_MAKEFILES) $(VERIFY_MAKEFILES)
+include $(PACKAGE_MAKEFILES) $(BOARD_MAKEFILES) $(MEASURE_MAKEFILES) \
+  $(VERIFY_MAKEFILES)
 
 -include $(shell find $(BUILD) -path '$(BUILD)/check' -prune \
   -o -path '$(BUILD)/quick' -prune -o -name '*.d' -print 2>/dev/null)

@@ -1,0 +1,146 @@
+// Reading and setting variables. Every value is checked where it is set, so
+// that the message names the variable, the value and the range.
+
+#include "model.h"
+
+static fmu_status_t unknown_reference(fmu_t *fmu, uint32_t reference,
+                                      const char *what) {
+  fmu_message_t *message = fmu_begin_message(fmu);
+  fmu_say(message, "no ");
+  fmu_say(message, what);
+  fmu_say(message, " variable has the value reference ");
+  fmu_say_number(message, reference);
+  return fmu_refuse(fmu, FMU_ERROR);
+}
+
+// Refuses what a variable is not made for.
+static fmu_status_t refuse_variable(fmu_t *fmu, const fmu_variable_t *variable,
+                                    const char *why) {
+  fmu_message_t *message = fmu_begin_message(fmu);
+  fmu_say(message, variable->name);
+  fmu_say(message, why);
+  return fmu_refuse(fmu, FMU_ERROR);
+}
+
+static bool is_of(const fmu_variable_t *variable, unsigned kinds) {
+  return ((kinds >> variable->kind) & 1u) != 0;
+}
+
+fmu_status_t fmu_check_get(fmu_t *fmu, uint32_t reference, unsigned kinds,
+                           const char *what) {
+  size_t slot;
+  if (reference == FMU_TIME_REFERENCE && ((kinds >> FMU_KIND_REAL) & 1u) != 0)
+    return FMU_OK;
+  const fmu_variable_t variable = fmu_variable(reference, &slot);
+  if (!is_of(&variable, kinds)) return unknown_reference(fmu, reference, what);
+  if (variable.role != FMU_ROLE_OUTPUT) return FMU_OK;
+  if (fmu->motion.phase == FMU_INSTANTIATED)
+    return refuse_variable(fmu, &variable,
+                           " is not known before Initialization Mode");
+  if (fmu->motion.phase == FMU_INITIALIZATION && !fmu->motion.begun)
+    return fmu_begin(fmu);
+  return FMU_OK;
+}
+
+// The modes of a set, as words.
+static void say_modes(fmu_message_t *message, unsigned set) {
+  const char *comma = "";
+  for (unsigned mode = 0; mode < TF_MODES; mode++) {
+    if ((set & TF_MODE_BIT(mode)) == 0) continue;
+    fmu_say(message, comma);
+    fmu_say(message, tf_mode_name(mode));
+    comma = ", ";
+  }
+}
+
+// A mode can be taken where the last step found it consistent.
+static fmu_status_t check_take(fmu_t *fmu, unsigned mode) {
+  const fmu_motion_t *motion = &fmu->motion;
+  const bool stands = (int64_t)mode == motion->values.whole[FMU_TAKE];
+  if (mode == TF_NO_MODE || stands) return FMU_OK;
+  if ((motion->phase & (FMU_EVENT | FMU_STEP)) != 0 &&
+      (motion->report.set & TF_MODE_BIT(mode)) != 0)
+    return FMU_OK;
+  fmu_message_t *message = fmu_begin_message(fmu);
+  fmu_say(message, "take = ");
+  fmu_say(message, tf_mode_name(mode));
+  fmu_say(message, " is not open");
+  if ((motion->phase & (FMU_EVENT | FMU_STEP)) != 0) {
+    fmu_say(message, "; open: ");
+    say_modes(message, motion->report.set);
+  } else {
+    fmu_say(message, " before the motion begins");
+  }
+  return fmu_refuse(fmu, FMU_DISCARD);
+}
+
+static fmu_status_t refuse_value(fmu_t *fmu, const fmu_variable_t *variable,
+                                 double value) {
+  fmu_message_t *message = fmu_begin_message(fmu);
+  fmu_say(message, variable->name);
+  fmu_say(message, " = ");
+  fmu_say_number(message, value);
+  fmu_say(message, " must lie in [");
+  fmu_say_number(message, variable->low);
+  fmu_say(message, ", ");
+  fmu_say_number(message, variable->high);
+  fmu_say(message, "] ");
+  fmu_say(message, variable->unit);
+  return fmu_refuse(fmu, FMU_DISCARD);
+}
+
+fmu_status_t fmu_check_set(fmu_t *fmu, uint32_t reference, unsigned kinds,
+                           const char *what, double value) {
+  size_t slot;
+  const fmu_motion_t *motion = &fmu->motion;
+  const fmu_variable_t variable = fmu_variable(reference, &slot);
+  const bool moves = (motion->phase & (FMU_EVENT | FMU_STEP)) != 0;
+  if (!is_of(&variable, kinds)) return unknown_reference(fmu, reference, what);
+  if (variable.role == FMU_ROLE_OUTPUT)
+    return refuse_variable(fmu, &variable, " is an output: it cannot be set");
+  if (variable.role == FMU_ROLE_PARAMETER && moves)
+    return refuse_variable(fmu, &variable,
+                           " is a fixed parameter: it can only be set before"
+                           " the motion begins");
+  if (!(value >= variable.low && value <= variable.high))
+    return refuse_value(fmu, &variable, value);
+  const bool turns = variable.kind == FMU_KIND_REAL &&
+                     (slot == FMU_ALPHA || slot == FMU_OMEGA0);
+  if (moves && turns && motion->values.whole[FMU_FOLLOW_PROFILE] != 0 &&
+      value != motion->values.real[slot])
+    return refuse_variable(fmu, &variable,
+                           " is driven by the scene: set follow_profile to"
+                           " false before the motion begins");
+  if (variable.kind == FMU_KIND_MEMBER && slot == FMU_TAKE)
+    return check_take(fmu, (unsigned)value);
+  return FMU_OK;
+}
+
+double fmu_get_real(fmu_t *fmu, uint32_t reference) {
+  size_t slot;
+  if (reference == FMU_TIME_REFERENCE) return fmu_time(&fmu->motion);
+  if (fmu_variable(reference, &slot).kind == FMU_KIND_REAL)
+    return fmu->motion.values.real[slot];
+  const int64_t whole = fmu_get_whole(fmu, reference);
+  return (double)whole;
+}
+
+int64_t fmu_get_whole(fmu_t *fmu, uint32_t reference) {
+  size_t slot;
+  (void)fmu_variable(reference, &slot);
+  return fmu->motion.values.whole[slot];
+}
+
+void fmu_set(fmu_t *fmu, uint32_t reference, double value) {
+  size_t slot;
+  fmu_motion_t *motion = &fmu->motion;
+  if (fmu_variable(reference, &slot).kind == FMU_KIND_REAL) {
+    motion->values.real[slot] = value;
+  } else {
+    if (slot == FMU_TAKE && (int64_t)value != motion->values.whole[slot])
+      motion->takes = (int64_t)value != TF_NO_MODE;
+    motion->values.whole[slot] = (int64_t)value;
+  }
+  if ((motion->phase & (FMU_INSTANTIATED | FMU_INITIALIZATION)) != 0)
+    motion->begun = false;
+}

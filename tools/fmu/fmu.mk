@@ -1,0 +1,68 @@
+# The simulator as a functional mock-up unit (FMU) for other simulation tools.
+# Included by the Makefile.
+#
+#   SCENE=chaos     what it starts with
+#   FMU_CC=gcc      the compiler of its x86-64 Linux binary
+
+# Where `make fmu` puts what it makes: twofold.fmu is for FMI 3.0.
+FMU_DIST := $(BUILD)/dist
+FMU_SCENE := $(or $(SCENE),chaos)
+FMU_SCENES := $(patsubst %,$(BUILD)/fmu/%/done,$(shell \
+  sed -n 's/^ *\.name = "\(.*\)",$$/\1/p' src/scene/scenes.c))
+FMU_CORE := $(CORE:%.c=$(BUILD)/fmu/core/%.o)
+FMU_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -fno-math-errno -fPIC \
+  -fvisibility=hidden -ffunction-sections -fdata-sections
+FMU_MODEL := model access motion copies message variables
+FMU_PARTS_fmi2 := $(FMU_MODEL) fmi2
+FMU_PARTS_fmi3 := $(FMU_MODEL) fmi3 fmi3_absent
+FMU_BINARY_fmi2 := binaries/linux64
+FMU_BINARY_fmi3 := binaries/x86_64-linux
+
+.PHONY: fmu test-fmu
+
+fmu: ## FMUs of SCENE=chaos: build/dist/twofold.fmu
+fmu: $(BUILD)/fmu/$(FMU_SCENE)/done
+	@mkdir -p $(FMU_DIST)
+	@cp $(<D)/twofold.fmu $(<D)/twofold-fmi2.fmu $(FMU_DIST)
+	@echo 'FMI 3.0: $(FMU_DIST)/twofold.fmu'
+	@echo 'FMI 2.0: $(FMU_DIST)/twofold-fmi2.fmu'
+
+test-fmu: ## the FMUs of all scenes under an importer of their own
+test-fmu: $(FMU_SCENES) $(BUILD)/double/twofold
+	@MAKEFLAGS= MAKELEVEL= MAKE='$(MAKE)' BUILD='$(BUILD)' OPT='$(OPT)' \
+	  CC='$(CC)' tests/fmu/test_fmu.py $(ONLY)
+
+$(BUILD)/fmu/flags: FORCE
+	@mkdir -p $(@D)
+	@new=$@.$$$$; echo '$(CC) $(FMU_FLAGS) $(EXTRA) $(CORE)' >$$new; \
+	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
+
+$(BUILD)/fmu/core/%.o: %.c $(BUILD)/fmu/flags
+	$(call compile,$(FMU_FLAGS) $(SRC_FLAGS_$(*F)))
+$(BUILD)/fmu/libtwofold.a: $(FMU_CORE)
+	$(archive)
+$(BUILD)/fmu/describe: tools/fmu/describe.c tools/fmu/variables.c \
+    $(BUILD)/fmu/libtwofold.a tools/fmu/variables.h
+	@echo '  LINK  $@'
+	@$(CC) $(COMMON) $(WARN) $(EXTRA) $(filter %.c %.a,$^) -o $@
+
+FMU_SOURCES := $(wildcard tools/fmu/*.[chp]* include/*.h include/twofold/*.h \
+  src/*/*.[ch]) docs/FMU.md LICENSE
+# $(call fmu_link,directory of the scene,fmi2 or fmi3)
+define fmu_link
+	@mkdir -p $(1)/$(2)/$(FMU_BINARY_$(2))
+	@$(CC) $(FMU_FLAGS) $(EXTRA) -I$(1) -shared -s -Wl,--gc-sections \
+	  -Wl,-z,defs -Wl,-soname,twofold.so \
+	  $(FMU_PARTS_$(2):%=tools/fmu/%.c) $(BUILD)/fmu/libtwofold.a \
+	  -o $(1)/$(2)/$(FMU_BINARY_$(2))/twofold.so
+endef
+$(BUILD)/fmu/%/done: $(BUILD)/fmu/describe $(FMU_SOURCES)
+	@mkdir -p $(@D)
+	@echo '  FMU   $(@D)'
+	@$< $* >$(@D)/description.json
+	@tools/fmu/package.py layout $(@D)/description.json $(@D)
+	$(call fmu_link,$(@D),fmi2)
+	$(call fmu_link,$(@D),fmi3)
+	@tools/fmu/package.py pack $(@D) $(@D)/twofold-fmi2.fmu \
+	  $(@D)/twofold.fmu
+	@touch $@

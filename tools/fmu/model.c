@@ -1,0 +1,163 @@
+// Instances: their pool, their phases, their messages, and the access to their
+// variables.
+
+#include "model.h"
+
+#include <string.h>
+
+#include "claim.h"
+#include "fmu_scene.h"
+
+const char *const fmu_categories[FMU_CATEGORIES] = {
+    "logEvents", "logStatusDiscard", "logStatusError"};
+
+static fmu_t instances[FMU_INSTANCES];
+static fmu_claim_t instance_claims[FMU_INSTANCES];
+
+static const char *phase_name(unsigned phase) {
+  switch (phase) {
+    case FMU_INSTANTIATED:
+      return "before Initialization Mode";
+    case FMU_INITIALIZATION:
+      return "in Initialization Mode";
+    case FMU_EVENT:
+      return "in Event Mode";
+    case FMU_STEP:
+      return "in Step Mode";
+    default:
+      return "after the end";
+  }
+}
+
+fmu_message_t *fmu_begin_message(fmu_t *fmu) {
+  fmu->message.length = 0;
+  fmu->message.text[0] = '\0';
+  fmu_say(&fmu->message, fmu->call);
+  fmu_say(&fmu->message, ": ");
+  return &fmu->message;
+}
+
+fmu_status_t fmu_refuse(fmu_t *fmu, fmu_status_t status) {
+  const bool discards = status == FMU_DISCARD;
+  const unsigned category = discards ? FMU_LOG_DISCARD : FMU_LOG_ERROR;
+  if (fmu->emit != NULL && (fmu->logs & category) != 0)
+    fmu->emit(fmu, status, fmu_categories[discards ? 1 : 2], fmu->message.text);
+  return status;
+}
+
+fmu_status_t fmu_error(fmu_t *fmu, const char *why) {
+  fmu_say(fmu_begin_message(fmu), why);
+  return fmu_refuse(fmu, FMU_ERROR);
+}
+
+void fmu_reset(fmu_t *fmu) {
+  memset(&fmu->motion, 0, sizeof fmu->motion);
+  fmu_defaults(&fmu->motion.values, tf_scenes[FMU_SCENE]);
+  fmu->motion.phase = FMU_INSTANTIATED;
+}
+
+fmu_t *fmu_new(fmu_t *teller, const char *token) {
+  if (token == NULL || strcmp(token, FMU_TOKEN) != 0) {
+    fmu_message_t *message = fmu_begin_message(teller);
+    fmu_say(message, "the token is ");
+    fmu_say(message, token == NULL ? "missing" : token);
+    fmu_say(message, ", but that of this FMU is " FMU_TOKEN);
+    (void)fmu_refuse(teller, FMU_ERROR);
+    return NULL;
+  }
+  size_t i = 0;
+  while (i < FMU_INSTANCES && !fmu_claim(&instance_claims[i])) i++;
+  if (i == FMU_INSTANCES) {
+    fmu_message_t *message = fmu_begin_message(teller);
+    fmu_say_number(message, FMU_INSTANCES);
+    fmu_say(message,
+            " instances are in use, which is the limit; compile with"
+            " a larger FMU_INSTANCES");
+    (void)fmu_refuse(teller, FMU_ERROR);
+    return NULL;
+  }
+  instances[i] = *teller;
+  fmu_reset(&instances[i]);
+  return &instances[i];
+}
+
+// The index of an instance in use, FMU_INSTANCES for any other address.
+static size_t index_of(const void *fmu) {
+  size_t i = 0;
+  while (i < FMU_INSTANCES && fmu != &instances[i]) i++;
+  return i < FMU_INSTANCES && fmu_claimed(&instance_claims[i]) ? i
+                                                               : FMU_INSTANCES;
+}
+
+void fmu_free(void *fmu) {
+  const size_t i = index_of(fmu);
+  if (i < FMU_INSTANCES) fmu_release(&instance_claims[i]);
+}
+
+fmu_t *fmu_enter(void *instance, const char *call, unsigned phases) {
+  const size_t i = index_of(instance);
+  if (i == FMU_INSTANCES) return NULL;
+  fmu_t *fmu = &instances[i];
+  fmu->call = call;
+  if ((fmu->motion.phase & phases) != 0) return fmu;
+  fmu_message_t *message = fmu_begin_message(fmu);
+  if (phases == 0) {
+    fmu_say(message,
+            "this FMU is for co-simulation, without clocks, arrays,"
+            " derivatives or structural parameters");
+    (void)fmu_refuse(fmu, FMU_ERROR);
+    return NULL;
+  }
+  fmu_say(message, "not allowed ");
+  fmu_say(message, phase_name(fmu->motion.phase));
+  fmu_say(message, "; allowed ");
+  const char *comma = "";
+  for (unsigned phase = 1; phase <= FMU_TERMINATED; phase *= 2) {
+    if ((phases & phase) == 0) continue;
+    fmu_say(message, comma);
+    fmu_say(message, phase_name(phase));
+    comma = ", ";
+  }
+  (void)fmu_refuse(fmu, FMU_ERROR);
+  return NULL;
+}
+
+fmu_status_t fmu_set_logging(fmu_t *fmu, bool on, size_t count,
+                             const char *const categories[]) {
+  unsigned chosen = count == 0 ? (1u << FMU_CATEGORIES) - 1 : 0;
+  for (size_t i = 0; i < count; i++) {
+    size_t k = 0;
+    while (k < FMU_CATEGORIES && categories != NULL && categories[i] != NULL &&
+           strcmp(categories[i], fmu_categories[k]) != 0)
+      k++;
+    if (categories == NULL || categories[i] == NULL || k == FMU_CATEGORIES) {
+      fmu_message_t *message = fmu_begin_message(fmu);
+      fmu_say(message, "no log category is called ");
+      fmu_say(message, categories == NULL ? "NULL" : categories[i]);
+      return fmu_refuse(fmu, FMU_ERROR);
+    }
+    chosen |= 1u << k;
+  }
+  fmu->logs = on ? fmu->logs | chosen : fmu->logs & ~chosen;
+  return FMU_OK;
+}
+
+fmu_status_t fmu_initialize(fmu_t *fmu, double start_time, bool stops,
+                            double stop_time) {
+  const double limit = 1e300;
+  if (!(start_time >= -limit && start_time <= limit))
+    return fmu_error(fmu, "startTime is not a finite number");
+  if (stops && !(stop_time > start_time))
+    return fmu_error(fmu, "stopTime is not after startTime");
+  fmu->motion.start_time = start_time;
+  fmu->motion.stops = stops;
+  fmu->motion.stop_time = stops ? stop_time : 0;
+  fmu->motion.begun = false;
+  return FMU_OK;
+}
+
+fmu_status_t fmu_initialized(fmu_t *fmu, unsigned next_phase) {
+  const fmu_status_t status = fmu_begin(fmu);
+  if (status == FMU_OK) fmu->motion.phase = (uint8_t)next_phase;
+  return status;
+}

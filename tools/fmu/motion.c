@@ -1,0 +1,279 @@
+// The motion of an instance: how it begins, and its communication steps. Time
+// is the number of steps of dt: it cannot drift, and an importer whose own time
+// does is told so.
+
+#include <string.h>
+
+#include "fmu_scene.h"
+#include "model.h"
+
+// How far, in steps of dt, the length of a communication step may be from a
+// whole number. Importers send 0.016666666666666677.
+#define LENGTH_ROUNDING 1e-6
+// How far, in steps of dt, the importer's time may be from that of the FMU. It
+// adds up its roundings.
+#define TIME_ROUNDING 0.1
+// The most steps of one motion: whole numbers up to here are exact in a double.
+#define MOST_STEPS 1e15
+
+static double magnitude_of(double x) { return x < 0 ? -x : x; }
+
+double fmu_time(const fmu_motion_t *motion) {
+  if (!motion->begun) return motion->start_time;
+  return motion->start_time +
+         (double)motion->state.tick * (double)motion->machine.dt;
+}
+
+static tf_params_t parameters_of(const fmu_values_t *values) {
+  tf_params_t params;
+  memset(&params, 0, sizeof params);
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+    const tf_real_t value = (tf_real_t)values->real[i];
+    memcpy((char *)&params + tf_parameter_ranges[i].offset, &value,
+           sizeof value);
+  }
+  params.omega0 = (tf_real_t)values->real[FMU_OMEGA0];
+  params.r0 = (tf_real_t)values->real[FMU_R0];
+  params.law = (tf_tyre_law_t)values->whole[FMU_LAW];
+  params.rule = (tf_rule_t)values->whole[FMU_RULE];
+  params.with_angle = values->whole[FMU_WITH_ANGLE] != 0;
+  return params;
+}
+
+// The inputs of the step that ends at a tick.
+static tf_input_t input_at(const fmu_motion_t *motion, uint64_t tick) {
+  const fmu_values_t *values = &motion->values;
+  const tf_scene_t *scene = tf_scenes[FMU_SCENE];
+  tf_input_t input = {.omega0 = (tf_real_t)values->real[FMU_OMEGA0],
+                      .r0 = (tf_real_t)values->real[FMU_R0],
+                      .force = (tf_real_t)values->real[FMU_FORCE],
+                      .torque = (tf_real_t)values->real[FMU_TORQUE],
+                      .alpha = (tf_real_t)values->real[FMU_ALPHA]};
+  if (values->whole[FMU_FOLLOW_PROFILE] != 0) {
+    const tf_input_t driven = tf_scene_input(
+        scene, &motion->machine, (tf_real_t)tick * motion->machine.dt);
+    input.omega0 = driven.omega0;
+    input.alpha = driven.alpha;
+  }
+  return input;
+}
+
+static fmu_status_t discard(fmu_t *fmu, const char *why) {
+  fmu_say(fmu_begin_message(fmu), why);
+  return fmu_refuse(fmu, FMU_DISCARD);
+}
+
+static fmu_status_t prepare(fmu_t *fmu) {
+  fmu_motion_t *motion = &fmu->motion;
+  const fmu_values_t *values = &motion->values;
+  const tf_params_t params = parameters_of(values);
+  const unsigned located =
+      (1u << TF_TYRE_JUMP) | (1u << TF_TYRE_COULOMB) | (1u << TF_TYRE_NONE);
+  int offender = TF_PARAMETERS;
+  if (values->whole[FMU_FOLLOW_PROFILE] != 0 &&
+      tf_scenes[FMU_SCENE]->knots == 0)
+    return discard(fmu, "follow_profile = true: the scene has no profile");
+  if (values->whole[FMU_SCHEME] == FMU_LOCATED &&
+      ((located >> params.law) & 1u) == 0)
+    return discard(fmu, "scheme = located: law must be jump, coulomb or none");
+  if (tf_prepare(&motion->machine, &params, &offender) == TF_OK) return FMU_OK;
+  fmu_message_t *message = fmu_begin_message(fmu);
+  fmu_say(message, offender < TF_PARAMETERS ? tf_parameter_ranges[offender].name
+                                            : "law or rule");
+  fmu_say(message, " is out of its range");
+  return fmu_refuse(fmu, FMU_DISCARD);
+}
+
+fmu_status_t fmu_begin(fmu_t *fmu) {
+  fmu_motion_t *motion = &fmu->motion;
+  const fmu_values_t *values = &motion->values;
+  motion->begun = false;
+  if (prepare(fmu) != FMU_OK) return FMU_DISCARD;
+  const tf_input_t input = input_at(motion, 0);
+  const double h = values->real[FMU_START_H];
+  tf_state_t start;
+  memset(&start, 0, sizeof start);
+  start.r = (tf_real_t)values->real[FMU_START_R];
+  start.v = (tf_real_t)values->real[FMU_START_V];
+  start.w = (tf_real_t)values->real[FMU_START_OMEGA];
+  start.phi = (tf_real_t)values->real[FMU_START_PHI];
+  start.seed = (uint32_t)values->whole[FMU_SEED];
+  start.mode = TF_NO_MODE;
+  if (values->whole[FMU_START_FROM_H] != 0) {
+    if (tf_speed_for_slip(&motion->machine, start.r, start.w, input.omega0,
+                          (tf_real_t)h, &start.v) != TF_OK)
+      return discard(fmu,
+                     "no start.v gives start.h, because sin(gamma) is 0:"
+                     " set start.from_h to false");
+    if (h > 0) start.mode = TF_SLIP_PLUS;
+    if (h < 0) start.mode = TF_SLIP_MINUS;
+  }
+  if (tf_begin(&motion->machine, &start, &input, &motion->report) != TF_OK)
+    return discard(fmu,
+                   "the start is out of range: start.r, start.v,"
+                   " start.omega and the inputs add up to more than 1e9");
+  motion->state = start;
+  motion->begun = true;
+  fmu_observe(motion);
+  return FMU_OK;
+}
+
+void fmu_observe(fmu_motion_t *motion) {
+  const tf_report_t *report = &motion->report;
+  double *real = motion->values.real;
+  int64_t *whole = motion->values.whole;
+  real[FMU_R] = (double)motion->state.r;
+  real[FMU_V] = (double)motion->state.v;
+  real[FMU_OMEGA] = (double)motion->state.w;
+  real[FMU_PHI] = (double)motion->state.phi;
+  real[FMU_H] = (double)report->slip.h;
+  real[FMU_G] = (double)report->slip.g;
+  real[FMU_F] = (double)report->force.F;
+  real[FMU_M] = (double)report->force.M;
+  real[FMU_DELASSUS] = (double)report->delassus;
+  real[FMU_RESIDUAL] = (double)report->residual;
+  real[FMU_ENERGY] = (double)tf_energy(&motion->machine, &motion->state,
+                                       (tf_real_t)real[FMU_R0]);
+  real[FMU_EVENT_TIME] = motion->start_time + (double)motion->event_tick *
+                                                  (double)motion->machine.dt;
+  whole[FMU_MODE] = report->mode;
+  whole[FMU_CHOICES] = report->choices;
+  whole[FMU_SET] = report->set;
+  whole[FMU_STATUS] = (int64_t)report->status;
+  whole[FMU_TICK] = (int64_t)motion->state.tick;
+  whole[FMU_EVENTS] = (int64_t)motion->events;
+  whole[FMU_DEGRADED] = (int64_t)motion->tally.degraded;
+  whole[FMU_FELL_BACK] = (int64_t)motion->tally.fell_back;
+  whole[FMU_COARSE] = (int64_t)motion->tally.coarse;
+  whole[FMU_REFUSED] = (int64_t)motion->tally.refused;
+  whole[FMU_FIRST] = (int64_t)motion->tally.first;
+}
+
+static fmu_status_t refuse_time(fmu_t *fmu, fmu_status_t status,
+                                const char *what, double value, const char *but,
+                                double expected) {
+  fmu_message_t *message = fmu_begin_message(fmu);
+  fmu_say(message, what);
+  fmu_say_number(message, value);
+  fmu_say(message, but);
+  fmu_say_number(message, expected);
+  fmu_say(message, " s");
+  return fmu_refuse(fmu, status);
+}
+
+// The tick at which a communication step ends.
+static fmu_status_t find_end(fmu_t *fmu, double time, double length,
+                             uint64_t *end) {
+  const fmu_motion_t *motion = &fmu->motion;
+  const double dt = (double)motion->machine.dt, now = fmu_time(motion);
+  const double last = time + length;
+  const double reach = magnitude_of(time) + magnitude_of(last);
+  if (!(reach <= DBL_MAX) || !(length > 0))
+    return refuse_time(fmu, FMU_ERROR, "communicationStepSize = ", length,
+                       " s must be > 0, at currentCommunicationPoint = ", time);
+  if (!(magnitude_of(time - now) <= TIME_ROUNDING * dt))
+    return refuse_time(fmu, FMU_ERROR, "currentCommunicationPoint = ", time,
+                       " s, but the time of this FMU is ", now);
+  if (motion->stops && last > motion->stop_time + TIME_ROUNDING * dt)
+    return refuse_time(fmu, FMU_ERROR, "the step would end at ", last,
+                       " s, after stopTime = ", motion->stop_time);
+  const double steps = length / dt;
+  const double rounding = 4 * DBL_EPSILON * reach / dt;
+  if (!(steps + (double)motion->state.tick <= MOST_STEPS))
+    return refuse_time(fmu, FMU_DISCARD, "communicationStepSize = ", length,
+                       " s is more than 1e15 steps of dt = ", dt);
+  const uint64_t whole = (uint64_t)(steps + 0.5);
+  const double off = magnitude_of(steps - (double)whole);
+  if (whole == 0 ||
+      !(off <= (rounding > LENGTH_ROUNDING ? rounding : LENGTH_ROUNDING)))
+    return refuse_time(fmu, FMU_DISCARD, "communicationStepSize = ", length,
+                       " s is no whole multiple of dt = ", dt);
+  *end = motion->state.tick + whole;
+  return FMU_OK;
+}
+
+// The motion as before the communication step, which is refused.
+static void go_back(fmu_t *fmu) {
+  memcpy(&fmu->motion, &fmu->before, sizeof fmu->motion);
+}
+
+static fmu_status_t refuse_step(fmu_t *fmu, tf_status_t status) {
+  const double time = fmu_time(&fmu->motion);
+  const uint64_t tick = fmu->motion.state.tick;
+  go_back(fmu);
+  tf_tally_count(&fmu->motion.tally, tick, status);
+  fmu->motion.values.whole[FMU_REFUSED] = (int64_t)fmu->motion.tally.refused;
+  fmu->motion.values.whole[FMU_FIRST] = (int64_t)fmu->motion.tally.first;
+  fmu_message_t *message = fmu_begin_message(fmu);
+  fmu_say(message, "no step from t = ");
+  fmu_say_number(message, time);
+  fmu_say(message, " s: ");
+  fmu_say(message, tf_status_name(status));
+  return fmu_refuse(fmu, FMU_DISCARD);
+}
+
+static fmu_status_t refuse_take(fmu_t *fmu, unsigned mode, unsigned taken) {
+  go_back(fmu);
+  fmu_message_t *message = fmu_begin_message(fmu);
+  fmu_say(message, "take = ");
+  fmu_say(message, tf_mode_name(mode));
+  fmu_say(message, " is not open in this step, which would end in ");
+  fmu_say(message, tf_mode_name(taken));
+  fmu_say(message, "; set take to choose or to another mode");
+  return fmu_refuse(fmu, FMU_DISCARD);
+}
+
+static void log_event(fmu_t *fmu) {
+  if (fmu->emit == NULL || (fmu->logs & FMU_LOG_EVENTS) == 0) return;
+  fmu_message_t *message = fmu_begin_message(fmu);
+  fmu_say(message, "t = ");
+  fmu_say_number(message, fmu_time(&fmu->motion));
+  fmu_say(message, " s, mode ");
+  fmu_say(message, tf_mode_name(fmu->motion.report.mode));
+  fmu_say(message, ", choices ");
+  fmu_say_number(message, fmu->motion.report.choices);
+  fmu->emit(fmu, FMU_OK, fmu_categories[0], message->text);
+}
+
+// One step of dt. event: out, whether mode or set changed.
+static fmu_status_t advance(fmu_t *fmu, bool *event) {
+  fmu_motion_t *motion = &fmu->motion;
+  const unsigned mode = motion->report.mode, set = motion->report.set;
+  const unsigned take = (unsigned)motion->values.whole[FMU_TAKE];
+  const tf_input_t input = input_at(motion, motion->state.tick + 1);
+  if (motion->takes) motion->state.mode = (uint8_t)take;
+  const tf_status_t status =
+      motion->values.whole[FMU_SCHEME] == FMU_LOCATED
+          ? tf_step_located(&motion->machine, &motion->state, &input,
+                            &motion->report)
+          : tf_step(&motion->machine, &motion->state, &input, &motion->report);
+  if (status < 0) return refuse_step(fmu, status);
+  if (motion->takes && motion->report.mode != take)
+    return refuse_take(fmu, take, motion->report.mode);
+  motion->takes = false;
+  tf_tally_count(&motion->tally, motion->state.tick, status);
+  *event = motion->report.mode != mode || motion->report.set != set;
+  if (*event) {
+    motion->events++;
+    motion->event_tick = motion->state.tick;
+    log_event(fmu);
+  }
+  return FMU_OK;
+}
+
+fmu_status_t fmu_step(fmu_t *fmu, double time, double length, fmu_step_t *end) {
+  uint64_t last = 0;
+  *end = (fmu_step_t){.time = fmu_time(&fmu->motion)};
+  fmu_status_t status = find_end(fmu, time, length, &last);
+  if (status != FMU_OK) return status;
+  memcpy(&fmu->before, &fmu->motion, sizeof fmu->before);
+  while (fmu->motion.state.tick < last) {
+    status = advance(fmu, &end->event);
+    if (status != FMU_OK) return status;
+    if (end->event && fmu->early_return) break;
+  }
+  fmu_observe(&fmu->motion);
+  end->early = fmu->motion.state.tick < last;
+  end->time = fmu_time(&fmu->motion);
+  return FMU_OK;
+}

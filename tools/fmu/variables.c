@@ -1,0 +1,192 @@
+// The table of variables. Parameters of the machine come from the core's own
+// table, with its names, units and ranges.
+
+#include "variables.h"
+
+#include <string.h>
+
+static const char *const laws[] = {"jump",   "coulomb", "two_piece", "string",
+                                   "smooth", "none",    NULL};
+static const char *const rules[] = {"persist", "slip+", "slip-", "random",
+                                    NULL};
+static const char *const schemes[] = {"moreau", "located", NULL};
+static const char *const modes[] = {"slip+",  "slip-",  "stick+",
+                                    "stick-", "pinned", NULL};
+static const char *const takes[] = {"slip+",  "slip-",  "stick+", "stick-",
+                                    "pinned", "choose", NULL};
+static const char *const statuses[] = {"step_too_long", "diverged", "bad_state",
+                                       "bad_parameter", "ok",       "degraded",
+                                       "fell_back",     "coarse",   NULL};
+
+static const char *const parameter_about[TF_PARAMETERS] = {
+    "mass of the slider",
+    "distance of the slider's line from the axis",
+    "radius of gyration: the inertia of the disc is beta^2 m",
+    "stiffness of the slider's spring",
+    "damping of the disc against ground",
+    "damping of the slider",
+    "rest position of the spring",
+    "speed of the turntable during a step",
+    "friction force at h -> 0: a force, not a coefficient",
+    "moment per force in stick (laws jump, two_piece, smooth)",
+    "angle of the wheel to the slider",
+    "width of the smoothed sign (law smooth)",
+    "stiffness of the string / mu (laws string, two_piece)",
+    "largest static pressure / mu (law string)",
+    "relaxation length (law string)",
+    "dynamic / static pressure (law string)",
+    "half contact length (law string)",
+    "theta of the scheme moreau",
+    "step: communication steps are whole multiples of it",
+    "rate at which the rule random leaves a mode",
+    "relative error of a segment of the scheme located"};
+
+#define LIMIT ((double)TF_STATE_LIMIT)
+#define START(name, unit, about) \
+  { name, unit, about, FMU_KIND_REAL, FMU_ROLE_PARAMETER, NULL, -LIMIT, LIMIT }
+#define INPUT(name, unit, about) \
+  { name, unit, about, FMU_KIND_REAL, FMU_ROLE_INPUT, NULL, -LIMIT, LIMIT }
+#define OUTPUT(name, unit, about) \
+  { name, unit, about, FMU_KIND_REAL, FMU_ROLE_OUTPUT, NULL, 0, 0 }
+
+static const fmu_variable_t other_reals[FMU_REALS - TF_PARAMETERS] = {
+    START("start.r", "m", "displacement of the slider at the start"),
+    START("start.v", "m/s",
+          "speed of the slider at the start, unless start.from_h"),
+    START("start.omega", "rad/s", "speed of the disc at the start"),
+    START("start.h", "m/s",
+          "lateral slip speed at the start, with start.from_h"),
+    START("start.phi", "rad", "angle of the disc at the start"),
+    {.kind = FMU_KIND_UNKNOWN}, // omega0 and r0: of tf_parameter_ranges
+    {.kind = FMU_KIND_UNKNOWN},
+    INPUT("force", "N", "force on the slider, along r"),
+    INPUT("torque", "N m", "torque on the disc"),
+    INPUT("alpha", "rad/s^2",
+          "acceleration of the turntable during a step (scheme located)"),
+    OUTPUT("r", "m", "displacement of the slider"),
+    OUTPUT("v", "m/s", "speed of the slider"),
+    OUTPUT("omega", "rad/s", "speed of the disc"),
+    OUTPUT("phi", "rad", "angle of the disc, with with_angle"),
+    OUTPUT("h", "m/s", "lateral slip speed"),
+    OUTPUT("g", "m/s", "rolling speed"),
+    OUTPUT("F", "N", "friction force, mean over the last step of dt"),
+    OUTPUT("M", "N m", "friction moment, mean over the last step of dt"),
+    OUTPUT("delassus", "1/kg",
+           "Delassus scalar of stick: < 0 where the future may split"),
+    OUTPUT("residual", "N", "distance of F and M from the friction law"),
+    OUTPUT("energy", "J", "mechanical energy"),
+    OUTPUT("event_time", "s", "time of the last event"),
+};
+
+#define TRUTH(name, about) \
+  { name, "1", about, FMU_KIND_TRUTH, FMU_ROLE_PARAMETER, NULL, 0, 1 }
+#define MEMBER(name, about, role, names, low, high) \
+  { name, "1", about, FMU_KIND_MEMBER, FMU_ROLE_##role, names, low, high }
+#define COUNT(name, about) \
+  { name, "1", about, FMU_KIND_COUNT, FMU_ROLE_OUTPUT, NULL, 0, 0 }
+#define SMALL(name, about) \
+  { name, "1", about, FMU_KIND_SMALL, FMU_ROLE_OUTPUT, NULL, 0, 0 }
+
+static const fmu_variable_t wholes[FMU_WHOLES] = {
+    MEMBER("law", "law of friction", PARAMETER, laws, 0, TF_TYRE_LAWS - 1),
+    MEMBER("rule", "which of several consistent modes a step takes", PARAMETER,
+           rules, 0, TF_RULES - 1),
+    MEMBER("scheme", "moreau: steps of fixed length; located: events inside",
+           PARAMETER, schemes, 0, FMU_SCHEMES - 1),
+    {"seed", "1", "of the rule random", FMU_KIND_SEED, FMU_ROLE_PARAMETER, NULL,
+     0, UINT32_MAX},
+    TRUTH("with_angle", "integrate phi"),
+    TRUTH("start.from_h", "start.v follows from start.h"),
+    TRUTH("follow_profile",
+          "the scene drives omega0 and alpha, not the inputs"),
+    MEMBER("take", "the next step takes this mode, one of those in `set`",
+           INPUT, takes, 0, TF_NO_MODE),
+    MEMBER("mode", "mode of contact of the last step", OUTPUT, modes, 0,
+           TF_MODES - 1),
+    SMALL("choices", "number of modes that were consistent in the last step"),
+    SMALL("set",
+          "these modes, as a sum: slip+ 1, slip- 2, stick+ 4, stick- 8, "
+          "pinned 16"),
+    MEMBER("status", "what the last step returned", OUTPUT, statuses,
+           TF_STEP_TOO_LONG, TF_COARSE),
+    COUNT("tick", "steps of dt since the start"),
+    COUNT("events", "changes of mode or set since the start"),
+    COUNT("degraded", "steps in which no mode was consistent"),
+    COUNT("fell_back", "steps of scheme located that moreau took"),
+    COUNT("coarse", "steps that missed their tolerance or stood still"),
+    COUNT("refused", "steps that were refused"),
+    COUNT("first", "tick of the first step that these four counted"),
+};
+
+static fmu_variable_t of_range(size_t i, fmu_role_t role) {
+  const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+  return (fmu_variable_t){
+      range->name, range->unit, parameter_about[i], FMU_KIND_REAL,
+      role,        NULL,        (double)range->low, (double)range->high};
+}
+
+// The place of a member of tf_params_t in tf_parameter_ranges.
+static size_t place_of(size_t offset) {
+  size_t i = 0;
+  while (tf_parameter_ranges[i].offset != offset) i++;
+  return i;
+}
+
+fmu_variable_t fmu_real(size_t slot) {
+  const size_t omega0 = place_of(offsetof(tf_params_t, omega0));
+  const size_t r0 = place_of(offsetof(tf_params_t, r0));
+  if (slot == FMU_OMEGA0) return of_range(omega0, FMU_ROLE_INPUT);
+  if (slot == FMU_R0) return of_range(r0, FMU_ROLE_INPUT);
+  if (slot == omega0 || slot == r0)
+    return (fmu_variable_t){.kind = FMU_KIND_UNKNOWN};
+  if (slot < TF_PARAMETERS) return of_range(slot, FMU_ROLE_PARAMETER);
+  return other_reals[slot - TF_PARAMETERS];
+}
+
+fmu_variable_t fmu_whole(size_t slot) { return wholes[slot]; }
+
+fmu_variable_t fmu_variable(uint32_t reference, size_t *slot) {
+  if (reference - FMU_REAL_REFERENCE < FMU_REALS) {
+    *slot = reference - FMU_REAL_REFERENCE;
+    return fmu_real(*slot);
+  }
+  if (reference - FMU_WHOLE_REFERENCE < FMU_WHOLES) {
+    *slot = reference - FMU_WHOLE_REFERENCE;
+    return fmu_whole(*slot);
+  }
+  return (fmu_variable_t){.kind = FMU_KIND_UNKNOWN};
+}
+
+static double parameter_of(const tf_scene_t *scene, size_t i) {
+  tf_real_t value;
+  memcpy(&value, (const char *)&scene->params + tf_parameter_ranges[i].offset,
+         sizeof value);
+  return (double)value;
+}
+
+// The scene whose law uses a parameter: the given one, else the first.
+static const tf_scene_t *user_of(const tf_scene_t *scene, size_t i) {
+  const unsigned needed = tf_parameter_ranges[i].laws;
+  if ((needed >> scene->params.law) & 1u) return scene;
+  for (size_t k = 0; k < TF_SCENES; k++)
+    if ((needed >> tf_scenes[k]->params.law) & 1u) return tf_scenes[k];
+  return scene;
+}
+
+void fmu_defaults(fmu_values_t *values, const tf_scene_t *scene) {
+  memset(values, 0, sizeof *values);
+  for (size_t i = 0; i < TF_PARAMETERS; i++)
+    values->real[i] = parameter_of(user_of(scene, i), i);
+  values->real[FMU_OMEGA0] = (double)scene->params.omega0;
+  values->real[FMU_R0] = (double)scene->params.r0;
+  values->real[FMU_START_R] = (double)scene->r;
+  values->real[FMU_START_V] = (double)scene->v;
+  values->real[FMU_START_OMEGA] = (double)scene->omega;
+  values->real[FMU_START_H] = (double)scene->h;
+  values->whole[FMU_LAW] = (int64_t)scene->params.law;
+  values->whole[FMU_RULE] = (int64_t)scene->params.rule;
+  values->whole[FMU_WITH_ANGLE] = scene->params.with_angle;
+  values->whole[FMU_START_FROM_H] = !scene->v_is_given;
+  values->whole[FMU_FOLLOW_PROFILE] = scene->knots > 0;
+  values->whole[FMU_TAKE] = TF_NO_MODE;
+}
