@@ -9,7 +9,7 @@ static fmu_status_t unknown_reference(fmu_t *fmu, uint32_t reference,
   fmu_say(message, "no ");
   fmu_say(message, what);
   fmu_say(message, " variable has the value reference ");
-  fmu_say_number(message, reference);
+  fmu_say_whole(message, reference);
   return fmu_refuse(fmu, FMU_ERROR);
 }
 

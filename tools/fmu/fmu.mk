@@ -1,8 +1,8 @@
 # The simulator as a functional mock-up unit (FMU) for other simulation tools.
 # Included by the Makefile.
 #
-#   SCENE=chaos     what it starts with
-#   FMU_CC=gcc      the compiler of its x86-64 Linux binary
+#   SCENE=chaos        what it starts with
+#   ONLY='bits take'   of test-fmu: tests whose names contain one of these
 
 # Where `make fmu` puts what it makes: twofold.fmu is for FMI 3.0.
 FMU_DIST := $(BUILD)/dist

@@ -3,7 +3,6 @@
 #include "message.h"
 
 #include <float.h>
-#include <stdint.h>
 
 #define DIGITS 9
 
@@ -17,7 +16,7 @@ void fmu_say(fmu_message_t *message, const char *text) {
   while (text != NULL && *text != '\0') say_letter(message, *text++);
 }
 
-static void say_whole(fmu_message_t *message, uint32_t value) {
+void fmu_say_whole(fmu_message_t *message, uint32_t value) {
   char digits[10];
   int n = 0;
   do {
@@ -85,5 +84,5 @@ void fmu_say_number(fmu_message_t *message, double value) {
   }
   say_digits(message, digits, 1);
   fmu_say(message, exponent < 0 ? "e-" : "e");
-  say_whole(message, (uint32_t)(exponent < 0 ? -exponent : exponent));
+  fmu_say_whole(message, (uint32_t)(exponent < 0 ? -exponent : exponent));
 }

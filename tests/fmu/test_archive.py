@@ -1,0 +1,163 @@
+"""The archives themselves: equal bytes of two builds, descriptions that agree
+with the core and with the standard's schemas, sources that compile, and no
+memory from a heap."""
+import os
+import shutil
+import subprocess
+import tempfile
+import xml.etree.ElementTree as ET
+import zipfile
+from pathlib import Path
+
+from importer import Fmu
+from tap import Skip, check
+
+NO_HEAP = ("malloc", "calloc", "realloc", "free", "printf", "fopen", "mmap")
+M4F = ["arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard",
+       "-mfpu=fpv4-sp-d16"]
+
+
+def done(*command, **options):
+    """Runs a command that has to succeed; returns its output."""
+    result = subprocess.run(command, stdout=subprocess.PIPE,
+                            stderr=subprocess.STDOUT, text=True, check=False,
+                            **options)
+    check(result.returncode == 0, f"{command[0]}: {result.stdout[-2000:]}")
+    return result.stdout
+
+
+class Archive:
+    """root: of the project; build: what make made."""
+
+    def __init__(self, root, build, archive, rows, same_bits):
+        self.root, self.build, self.archive = root, build, archive
+        self.rows, self.same_bits = rows, same_bits
+
+    def two_builds_are_equal(self):
+        with tempfile.TemporaryDirectory(prefix="twofold-fmu.") as folder:
+            make = os.environ.get("MAKE", "make")
+            settings = [f"{k}={os.environ[k]}" for k in ("OPT", "CC")
+                        if os.environ.get(k)]
+            done(make, "-s", "-C", str(self.root), "fmu", f"BUILD={folder}",
+                 "SCENE=chaos", *settings)
+            for version, name in (("3", "twofold.fmu"),
+                                  ("2", "twofold-fmi2.fmu")):
+                again = Path(folder, "dist", name).read_bytes()
+                check(again == self.archive("chaos", version).read_bytes(),
+                      f"{name}: other bytes")
+
+    def descriptions_agree_with_the_core(self):
+        """Names, units and ranges, read from the source of the core's table."""
+        text = (self.root / "src/model/prepare.c").read_text()
+        names = [line.split("(")[1].split(",")[0]
+                 for line in text.splitlines()
+                 if line.strip().startswith("RANGE(")] + ["gamma"]
+        check(len(names) == 21, f"parameters: {names}")
+        for version in "23":
+            fmu = Fmu(self.archive("chaos", version))
+            for name in names:
+                variable = fmu.variables[name].attributes
+                expected = ("input" if name in ("omega0", "r0")
+                            else "parameter")
+                check(variable["causality"] == expected, name)
+                check("unit" in variable, f"{name}: no unit")
+                low, high = float(variable["min"]), float(variable["max"])
+                check(low <= float(variable["start"]) <= high, f"{name}: start")
+            wheel = fmu.instance()
+            for name, variable in fmu.variables.items():
+                if "start" in variable.attributes:
+                    start = variable.attributes["start"]
+                    start = {"true": 1, "false": 0}.get(start, start)
+                    check(wheel.get(name) == float(start), f"{name}: start")
+
+    def valid_by_the_schemas(self):
+        """FMI_SCHEMAS is a folder with fmi2/ and fmi3/, the schemas of the
+        standard, which are not part of this project."""
+        schemas = os.environ.get("FMI_SCHEMAS")
+        for version in "23":
+            check(Fmu(self.archive("chaos", version)).root is not None, "XML")
+        if not schemas:
+            raise Skip("FMI_SCHEMAS is not set")
+        if not shutil.which("xmllint"):
+            raise Skip("no xmllint")
+        pairs = [("2", "modelDescription.xml", "fmi2ModelDescription.xsd"),
+                 ("3", "modelDescription.xml", "fmi3ModelDescription.xsd"),
+                 ("3", "sources/buildDescription.xml",
+                  "fmi3BuildDescription.xsd")]
+        for scene in sorted(p.parent.name
+                            for p in self.build.glob("fmu/*/done")):
+            for version, name, schema in pairs:
+                fmu = Fmu(self.archive(scene, version))
+                done("xmllint", "--noout", "--schema",
+                     f"{schemas}/fmi{version}/{schema}", str(fmu.home / name))
+
+    def no_heap(self):
+        if not shutil.which("nm"):
+            raise Skip("no nm")
+        for version in "23":
+            fmu = Fmu(self.archive("chaos", version))
+            library = next(fmu.home.glob("binaries/*/*.so"))
+            symbols = done("nm", "-D", "--undefined-only", str(library))
+            for word in NO_HEAP:
+                check(word not in symbols, f"{word} in: {symbols}")
+            exported = done("nm", "-D", "--defined-only", str(library))
+            for line in exported.splitlines():
+                check(f" fmi{version}" in line, f"exported: {line}")
+
+    def sources_have_the_same_bits(self):
+        """Compiled as importers do: all files, GNU C, no flags of ours."""
+        expected = self.rows("chaos", "--t-end", "3", "--every", "10")
+        for version in "23":
+            fmu = Fmu(self.archive("chaos", version))
+            sources = sorted(str(p) for p in fmu.home.glob("sources/*.c"))
+            listed = [e.get("name") for e in self.listed(fmu)]
+            check(sorted(listed) == [Path(s).name for s in sources], "list")
+            library = fmu.home / "own.so"
+            done(os.environ.get("CC", "gcc"), "-std=gnu17", "-O1", "-fPIC",
+                 "-shared", *sources, "-lm", "-o", str(library))
+            again = Fmu(self.archive("chaos", version), library)
+            options = ({} if version == "2"
+                       else {"events": False, "early": False})
+            self.same_bits(again.instance(**options).begin(), expected, 10)
+
+    @staticmethod
+    def listed(fmu):
+        if fmu.version == "2":
+            return fmu.root.iter("File")
+        path = fmu.home / "sources" / "buildDescription.xml"
+        return ET.parse(path).getroot().iter("SourceFile")
+
+    def compiles_for_a_microcontroller(self):
+        if not shutil.which(M4F[0]):
+            raise Skip(f"no {M4F[0]}")
+        for version in "23":
+            fmu = Fmu(self.archive("chaos", version))
+            for real in ([], ["-DTF_REAL_FLOAT"]):
+                for source in sorted(fmu.home.glob("sources/fmu_*.c")):
+                    done(*M4F, "-std=gnu17", "-O2", "-Wall", "-Werror",
+                         "-DFMU_INSTANCES=1", "-DFMU_COPIES=1",
+                         f"-DFMI{version}_FUNCTION_PREFIX=twofold_", *real,
+                         "-c", str(source), "-o", str(fmu.home / "out.o"))
+
+    def archive_holds_what_it_should(self):
+        for version in "23":
+            with zipfile.ZipFile(self.archive("chaos", version)) as files:
+                names = files.namelist()
+                check(files.testzip() is None, "broken")
+                check(names[0] == "modelDescription.xml", names[0])
+                for name in ("documentation/index.html",
+                             "documentation/licenses/license.txt",
+                             "sources/fmu_scene.h"):
+                    check(name in names, name)
+                check(not any("fmi2Func" in n or "fmi3Func" in n
+                              for n in names), "headers of the standard")
+
+
+def tests(*arguments):
+    archive = Archive(*arguments)
+    return [(f"fmu_{test.__name__}", test) for test in (
+        archive.archive_holds_what_it_should,
+        archive.descriptions_agree_with_the_core,
+        archive.valid_by_the_schemas, archive.no_heap,
+        archive.two_builds_are_equal, archive.sources_have_the_same_bits,
+        archive.compiles_for_a_microcontroller)]

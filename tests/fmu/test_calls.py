@@ -1,0 +1,244 @@
+"""Wrong calls: each is refused, by a message that names what is wrong, and
+leaves the instance as it was."""
+import ctypes
+from ctypes import byref, c_bool, c_double, c_int, c_size_t, c_uint32, c_void_p
+
+from importer import DISCARD, ERROR, Fmu, Refused
+from tap import check
+
+
+def refused(status, words, function, *arguments):
+    """Calls what has to be refused, with all the words in the message."""
+    try:
+        function(*arguments)
+    except Refused as refusal:
+        check(refusal.status == status, f"status of {refusal}")
+        for word in words.split("|"):
+            check(word in refusal.text, f"no '{word}' in: {refusal.text}")
+        return
+    raise AssertionError(f"not refused: {words}")
+
+
+def raw(wheel, verb, kind, reference, value=0.0, type_c=c_double):
+    wheel.call(verb + kind, (c_uint32 * 1)(reference), c_size_t(1),
+               (type_c * 1)(value), *wheel.count(1))
+
+
+def bad_values(fmu):
+    wheel = fmu.instance()
+    refused(DISCARD, "kappa = -1|[1e-9, 1000000] m", wheel.set, "kappa", -1)
+    refused(DISCARD, "theta = 0.4|[0.5, 1]", wheel.set, "theta", 0.4)
+    refused(DISCARD, "mu = NaN", wheel.set, "mu", float("nan"))
+    refused(DISCARD, "m = infinity", wheel.set, "m", float("inf"))
+    refused(DISCARD, "dt = 2|[1e-9, 1] s", wheel.set, "dt", 2)
+    refused(DISCARD, "law = 6|[0, 5]", wheel.set, "law", 6)
+    refused(DISCARD, "rule = -1|[0, 3]", wheel.set, "rule", -1)
+    refused(DISCARD, "force = 2e9", wheel.set, "force", 2e9)
+    refused(DISCARD, "take = slip+|before the motion", wheel.set, "take", 0)
+    refused(ERROR, "choices is an output", wheel.set, "choices", 1)
+    refused(ERROR, "r is an output", wheel.set, "r", 0.2)
+    for name, value in (("kappa", 0.2724115371406203), ("theta", 0.5),
+                        ("law", 0), ("take", 5)):
+        check(wheel.get(name) == value, f"{name} was set all the same")
+    for name, variable in fmu.variables.items():
+        bounds = variable.attributes
+        if "max" in bounds and variable.kind in ("Float64", "Real"):
+            wheel.set(name, float(bounds["max"]))
+            wheel.set(name, float(bounds["min"]))
+            above = float(bounds["max"]) * (1 + 1e-15)
+            refused(DISCARD, f"{name} = ", wheel.set, name, above)
+    # Of several values none is set where one is refused.
+    wheel = fmu.instance()
+    names = ("kappa", "mu")
+    references = (c_uint32 * 2)(*(fmu.variables[n].reference for n in names))
+    refused(DISCARD, "mu = -1", wheel.call, "Set" + wheel.real, references,
+            c_size_t(2), (c_double * 2)(0.5, -1), *wheel.count(2))
+    check(wheel.get("kappa") != 0.5, "half of a refused call")
+
+
+def bad_combinations(fmu):
+    for values, words in (
+            ({"scheme": 1, "law": 4}, "scheme = located|law"),
+            ({"gamma": 0}, "start.h|sin(gamma)|start.from_h"),
+            ({"follow_profile": 1}, "follow_profile|no profile"),
+            ({"start_r": 9e8, "start_omega": 9e8}, "out of range")):
+        wheel = fmu.instance()
+        refused(DISCARD, words, lambda w=wheel, v=values: w.begin(**v))
+        for name, value in (("law", 0), ("gamma", 1), ("follow_profile", 0),
+                            ("start.r", 0.1), ("start.omega", -1)):
+            wheel.set(name, value)
+        wheel.call("ExitInitializationMode")  # the importer may correct it
+
+
+def wrong_references(fmu):
+    wheel = fmu.instance().begin()
+    real = wheel.real
+    for reference in (8, 99, 100, 120, 4000000000):
+        refused(ERROR, f"value reference {reference}", raw, wheel, "Get", real,
+                reference)
+    refused(ERROR, f"{real} variable|101", raw, wheel, "Get", real, 101)
+    refused(ERROR, "Boolean variable", raw, wheel, "Set", "Boolean", 1, 1,
+            c_bool if fmu.version == "3" else c_int)
+    refused(ERROR, "String variable", raw, wheel, "Get", "String", 1, None,
+            c_void_p)
+    refused(ERROR, "NULL", wheel.call, "Get" + real,
+            None, c_size_t(1), None, *wheel.count(1))
+    raw(wheel, "Get", real, 1)
+
+
+def wrong_order(fmu):
+    wheel = fmu.instance()
+    refused(ERROR, "DoStep|before Initialization|allowed in Step Mode",
+            wheel.step, 0.0, 1e-4)
+    refused(ERROR, "ExitInitializationMode|not allowed", wheel.call,
+            "ExitInitializationMode")
+    refused(ERROR, "Terminate|not allowed", wheel.call, "Terminate")
+    refused(ERROR, "not known before", wheel.get, "r")
+    wheel.initialize(0.0, 1.0)
+    check(wheel.get("r") == 0.18, "outputs in Initialization Mode")
+    wheel.set("start.r", 0.19)
+    check(wheel.get("r") == 0.19, "outputs follow the start")
+    wheel.set("start.r", 0.18)
+    refused(ERROR, "in Initialization Mode", wheel.initialize, 0.0, None)
+    refused(ERROR, "in Initialization Mode", wheel.step, 0.0, 1e-4)
+    wheel.call("ExitInitializationMode")
+    wheel.to_step_mode()
+    refused(ERROR, "kappa is a fixed parameter", wheel.set, "kappa", 0.3)
+    wheel.step(0.0, 1e-4)
+    wheel.call("Terminate")
+    check(wheel.get("tick") == 1, "outputs after the end")
+    refused(ERROR, "after the end", wheel.step, 1e-4, 1e-4)
+    refused(ERROR, "after the end", wheel.set, "force", 1)
+    wheel.call("Reset")
+    wheel.begin().step(0.0, 1e-4)
+    wheel.free()
+    refused(ERROR, "", wheel.get, "r")  # it is gone: there is no logger
+    wheel.free()
+
+
+def wrong_modes(fmu):
+    wheel = fmu.instance(events=False).begin()
+    refused(ERROR, "without event mode", wheel.call, "EnterEventMode")
+    wheel = fmu.instance(events=True).begin()
+    flags = [byref(c_bool()) for _ in range(5)]
+    refused(ERROR, "UpdateDiscreteStates|in Step Mode", wheel.call,
+            "UpdateDiscreteStates", *flags, byref(c_double()))
+    wheel.call("EnterEventMode")
+    refused(ERROR, "DoStep|in Event Mode", wheel.step, 0.0, 1e-4)
+    for name in ("EnterConfigurationMode", "EnterContinuousTimeMode"):
+        refused(ERROR, f"{name}|co-simulation", wheel.call, name)
+    refused(ERROR, "as many values", wheel.call, "GetFloat64",
+            (c_uint32 * 1)(1), c_size_t(1), (c_double * 1)(), c_size_t(2))
+
+
+def wrong_times(fmu):
+    wheel = fmu.instance().begin(stop=1.0)
+    for length in (0.00015, 1e-4 * (1 + 1e-5), 1e-9, 3.3e-5):
+        refused(DISCARD, "communicationStepSize|whole multiple|dt = 0.0001",
+                wheel.step, 0.0, length)
+    for length in (0.0, -1e-4, float("nan"), float("inf")):
+        refused(ERROR, "communicationStepSize", wheel.step, 0.0, length)
+    for time in (5e-5, -1e-4, 1e-4, float("nan")):
+        refused(ERROR, "currentCommunicationPoint", wheel.step, time, 1e-4)
+    refused(ERROR, "stopTime", wheel.step, 0.0, 1.1)
+    check(wheel.get("tick") == 0, "a refused step moved")
+    # The importer's time may carry rounding, but must not drift.
+    time, length = 0.0, 1e-4 * (1 + 9e-7)
+    wheel = fmu.instance().begin()
+    try:
+        for _ in range(300000):
+            wheel.step(time, length)
+            time += length
+    except Refused as refusal:
+        check("currentCommunicationPoint" in refusal.text, refusal.text)
+        check(abs(time - wheel.get("time")) < 1.1e-5, "drift before refusal")
+    else:
+        raise AssertionError("time drifts without a word")
+
+
+def refused_steps(fmu):
+    """A communication step that the core refuses leaves the state before it."""
+    wheel = fmu.instance().begin(c2=0, k2=0)
+    wheel.step(0.0, 0.01)
+    before = wheel.reals(["r", "v", "omega", "h", "F", "energy"])
+    tick = wheel.get("tick")
+    wheel.set("force", 9e8)
+    refused(DISCARD, "no step from t = |range of states", wheel.step, 0.01,
+            1000.0)
+    check(wheel.reals(["r", "v", "omega", "h", "F", "energy"]) == before,
+          "state")
+    check(wheel.get("tick") == tick and wheel.get("refused") == 1, "count")
+    wheel.set("force", 0)
+    wheel.step(0.01, 0.01)
+
+
+def wrong_takes(fmu):
+    wheel = fmu.instance().begin()
+    open_modes = wheel.get("set")
+    closed = next(m for m in range(5) if not open_modes >> m & 1)
+    refused(DISCARD, "take = |is not open; open: ", wheel.set, "take", closed)
+    refused(DISCARD, "take = 6", wheel.set, "take", 6)
+    wheel.set("take", 5)
+    wheel.step(0.0, 1e-4)
+
+
+def driven_inputs(fmu):
+    wheel = fmu.instance().begin()
+    wheel.set("omega0", -1)  # what it is: nothing changes
+    refused(ERROR, "omega0 is driven by the scene|follow_profile", wheel.set,
+            "omega0", -1.5)
+    free = fmu.instance().begin(follow_profile=0)
+    free.set("omega0", -1.5)
+    free.step(0.0, 1e-4)
+
+
+def limits(fmu):
+    refused(ERROR, "token|" + fmu.token, lambda: fmu.instance(token="{0}"))
+    wheels = [fmu.instance() for _ in range(16)]
+    refused(ERROR, "16 instances|FMU_INSTANCES", fmu.instance)
+    wheels.pop().free()
+    wheels.append(fmu.instance())
+    wheel = wheels[0].begin()
+    handles = [wheel.copy() for _ in range(256)]
+    refused(ERROR, "256 states|FMU_COPIES", wheel.copy)
+    data = wheel.serialize(handles[0])
+    wheel.free_copy(handles.pop())
+    handles.append(wheel.copy())
+    for handle in handles:
+        wheel.free_copy(handle)
+    refused(ERROR, "no state", wheel.restore, c_void_p(12345))
+    refused(ERROR, "no state", wheel.restore, c_void_p(None))
+    refused(ERROR, "too few bytes", wheel.deserialize, data[:-1])
+    for i in (0, 9, 17, 40, len(data) - 1):
+        bad = bytearray(data)
+        bad[i] ^= 1
+        refused(ERROR, "not a state of this FMU", wheel.deserialize, bad)
+
+
+def silent(fmu):
+    """Without logging no message comes; categories can be chosen."""
+    wheel = fmu.instance(logging=False)
+    refused(DISCARD, "", wheel.set, "kappa", -1)
+    check(wheel.log == [], "a message although logging is off")
+    names = (ctypes.c_char_p * 1)(b"logStatusDiscard")
+    wheel.call("SetDebugLogging", c_int(1), c_size_t(1), names)
+    refused(DISCARD, "kappa = -1", wheel.set, "kappa", -1)
+    refused(ERROR, "", wheel.set, "r", 1)
+    check(len(wheel.log) == 1, "another category")
+    names = (ctypes.c_char_p * 1)(b"logAll")
+    wheel.call("SetDebugLogging", c_int(1), c_size_t(0), None)
+    refused(ERROR, "logAll", wheel.call, "SetDebugLogging", c_int(1),
+            c_size_t(1), names)
+
+
+def tests(archive):
+    both = (bad_values, bad_combinations, wrong_references, wrong_order,
+            wrong_times, refused_steps, wrong_takes, limits, silent)
+    found = [(f"{test.__name__}_under_fmi_{v}",
+              lambda t=test, v=v: t(Fmu(archive(v))))
+             for test in both for v in "23"]
+    found += [("wrong_modes_under_fmi_3",
+               lambda: wrong_modes(Fmu(archive("3"))))]
+    driven = [(f"driven_inputs_under_fmi_{v}", lambda v=v: driven_inputs(
+        Fmu(str(archive(v)).replace("chaos", "driven")))) for v in "23"]
+    return found + driven

@@ -1,0 +1,212 @@
+#!/usr/bin/python3
+"""The FMUs of all scenes under an own importer.
+
+usage: test_fmu.py [WORD]...     tests whose names contain one of the words
+
+BUILD is the folder with fmu/SCENE/twofold.fmu and double/twofold, which
+`make test-fmu` makes."""
+import csv
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import test_archive
+import test_calls
+from importer import Fmu
+from tap import check, run
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = (ROOT / os.environ.get("BUILD", "build")).resolve()
+COMMAND = BUILD / "double" / "twofold"
+SCENES = [line.split()[0] for line in subprocess.run(
+    [COMMAND, "scenes"], stdout=subprocess.PIPE, text=True,
+    check=True).stdout.splitlines()]
+COLUMNS = ["time", "r", "v", "omega", "h", "g", "F", "M"]
+DT = 1e-4
+
+
+def archive(scene, version):
+    name = "twofold.fmu" if version == "3" else "twofold-fmi2.fmu"
+    return BUILD / "fmu" / scene / name
+
+
+def rows(scene, *options):
+    """What the command line computes."""
+    out = subprocess.run([COMMAND, "run", scene, *options],
+                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                         text=True, check=False).stdout
+    return [[float(row[k.replace("time", "t")]) for k in COLUMNS]
+            + [row["mode"], int(row["choices"])]
+            for row in csv.DictReader(out.splitlines())]
+
+
+MODES = ["slip+", "slip-", "stick+", "stick-", "pinned"]
+
+
+def row_of(wheel):
+    return wheel.reals(COLUMNS) + [MODES[wheel.get("mode")],
+                                   wheel.get("choices")]
+
+
+def same_bits(wheel, expected, every, dt=DT):
+    """Steps an instance along the rows of the command line."""
+    for i, row in enumerate(expected):
+        if i > 0:
+            tick = (i - 1) * every
+            wheel.step(tick * dt, every * dt)
+        got = row_of(wheel)
+        check(got == row, f"row {i}: {got} is not {row}")
+    check(len(expected) > 10, "no rows")
+
+
+def instance(version, scene="chaos", **options):
+    if version == "3":
+        options = {"events": False, "early": False, **options}
+    return Fmu(archive(scene, version)).instance(**options)
+
+
+def bits_of(scene, version):
+    def test():
+        expected = rows(scene, "--t-end", "12", "--every", "25")
+        same_bits(instance(version, scene).begin(), expected, 25)
+    return test
+
+
+def settings(version):
+    """Options of the command line, and the same values of the FMU."""
+    cases = [
+        ("chaos", ["--set", "kappa=0.3", "--set", "h=0", "--set", "r0=0.12"],
+         {"kappa": 0.3, "start_h": 0, "r0": 0.12}),
+        ("chaos", ["--select", "random:7"], {"rule": 3, "seed": 7}),
+        ("chaos", ["--select", "slip-"], {"rule": 2}),
+        ("chaos", ["--scheme", "located", "--set", "tolerance=1e-10"],
+         {"scheme": 1, "tolerance": 1e-10}),
+        ("chaos", ["--set", "law=smooth", "--set", "epsilon=1e-4"],
+         {"law": 4}),
+        ("chaos", ["--set", "law=string", "--set", "k=1", "--set", "delta=1",
+                   "--set", "sigma=1", "--set", "a=1", "--set",
+                   "rho=0.66666666666666667"], {"law": 3}),
+        ("rolling", ["--set", "phi=2"], {"start_phi": 2}),
+        ("gamma_zero", ["--set", "v=0.2"], {"start_v": 0.2}),
+        ("driven", ["--scheme", "located"], {"scheme": 1})]
+    for scene, options, values in cases:
+        expected = rows(scene, "--t-end", "2.5", "--every", "10", *options)
+        same_bits(instance(version, scene).begin(**values), expected, 10)
+
+
+def other_step(version):
+    """A dt that is no decimal, and a start time at which time is coarse."""
+    dt = 1 / 60 / 64
+    expected = rows("chaos", "--t-end", "3", "--dt", repr(dt), "--every", "64")
+    wheel = instance(version).begin(start=1e5, dt=dt)
+    time = 1e5
+    for i, row in enumerate(expected):
+        if i > 0:
+            wheel.step(time, 0.016666666666666677)
+            time += 0.016666666666666677
+        check(row_of(wheel)[1:] == row[1:], f"row {i}")
+
+
+def changes(expected):
+    """(tick, mode, choices) of the rows in which mode or choices change."""
+    return [(i, *row[-2:]) for i, row in enumerate(expected)
+            if i > 0 and row[-2:] != expected[i - 1][-2:]]
+
+
+def events_in_order():
+    """Every change is an event of its own, at its tick, and no other but a
+    change of the set of the same size."""
+    expected = rows("chaos", "--t-end", "3")
+    wheel = instance("3", events=True, early=True).begin()
+    events, others, time, last_set = [], 0, 0.0, wheel.get("set")
+    while wheel.get("tick") < 30000:
+        event, early, time = wheel.step(time, 3 - time)
+        tick = wheel.get("tick")
+        check(early == (tick < 30000), "early return")
+        check(time == tick * DT, "time reached")
+        if event:
+            wheel.handle_event()
+            check(wheel.get("event_time") == time, "event_time")
+            row = (tick, MODES[wheel.get("mode")], wheel.get("choices"))
+            if row[1:] == tuple(expected[tick - 1][-2:]):
+                check(wheel.get("set") != last_set, f"nothing changed: {row}")
+                others += 1
+            else:
+                events.append(row)
+        last_set = wheel.get("set")
+    check(events == changes(expected), "other events than the command line")
+    check(len(events) > 20, "hardly any events")
+    check(wheel.get("events") == len(events) + others, "count")
+    same = instance("3", events=True, early=False).begin()
+    event, early, time = same.step(0.0, 3.0)
+    check(not early and time == 3.0, "early return that is not permitted")
+    check(row_of(same) == row_of(wheel), "events change the motion")
+    check(same.get("events") == wheel.get("events"), "count without return")
+    second = instance("2").begin()
+    second.step(0.0, 3.0)
+    check(second.get("events") == wheel.get("events"), "count of FMI 2")
+
+
+def restored(version):
+    """A state restores bit for bit, in another instance, and from bytes."""
+    fmu = Fmu(archive("chaos", version))
+    options = {} if version == "2" else {"events": False, "early": False}
+    one = fmu.instance(**options).begin(rule=3, seed=5)
+    one.step(0.0, 1.9)
+    handle = one.copy()
+    data = one.serialize(handle)
+    one.step(1.9, 0.8)
+    expected = row_of(one)
+    one.restore(handle)
+    one.step(1.9, 0.8)
+    check(row_of(one) == expected, "same instance")
+    two = fmu.instance(**options)
+    two.restore(handle)
+    two.step(1.9, 0.8)
+    check(row_of(two) == expected, "second instance")
+    other = Fmu(archive("chaos", version)).instance(**options)
+    read = other.deserialize(data)
+    check(other.serialize(read) == data, "bytes of bytes")
+    other.restore(read)
+    other.step(1.9, 0.8)
+    check(row_of(other) == expected, "from bytes, in another process image")
+    one.copy(handle)
+    one.free_copy(handle)
+    check(not handle.value, "freed handle")
+
+
+def futures(version):
+    """From one point with a choice the importer takes every open mode."""
+    wheel = instance(version).begin(start_h=0.0, start_omega=-1.02)
+    time = wheel.step(0.0, DT)[2]
+    modes = [m for m in range(5) if wheel.get("set") >> m & 1]
+    check(len(modes) == 3, f"open: {modes}")
+    before, ends = wheel.copy(), {}
+    for mode in modes:
+        wheel.restore(before)
+        wheel.set("take", mode)
+        wheel.step(time, DT)
+        check(wheel.get("mode") == mode, f"took {wheel.get('mode')}")
+        wheel.step(time + DT, 0.5)
+        ends[mode] = tuple(wheel.reals(["r", "v", "omega"]))
+    check(len(set(ends.values())) == 3, f"futures: {ends}")
+    expected = rows("chaos", "--t-end", "0.5", "--set", "h=0",
+                    "--set", "omega=-1.02")
+    same = instance(version).begin(start_h=0.0, start_omega=-1.02)
+    same.step(0.0, 0.5)
+    check(row_of(same) == expected[-1], "without take")
+
+
+TESTS = [(f"{scene}_under_fmi_{v}_has_the_bits_of_the_command_line",
+          bits_of(scene, v)) for scene in SCENES for v in "23"]
+TESTS += [(f"{test.__name__}_under_fmi_{v}", lambda t=test, v=v: t(v))
+          for test in (settings, other_step, restored, futures) for v in "23"]
+TESTS += [("events_in_order", events_in_order)]
+TESTS += test_calls.tests(lambda v: archive("chaos", v))
+TESTS += test_archive.tests(ROOT, BUILD, archive, rows, same_bits)
+
+if __name__ == "__main__":
+    words = sys.argv[1:] or [""]
+    sys.exit(run([(name, test) for name, test in TESTS
+                  if any(word in name for word in words)]))
