@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -B
 """The FMUs of all scenes under an own importer.
 
 usage: test_fmu.py [WORD]...     tests whose names contain one of the words

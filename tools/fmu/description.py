@@ -212,3 +212,14 @@ def build_description(sources):
               tag("Library", name="m")],
              modelIdentifier=MODEL)],
         fmiVersion="3.0"))
+
+
+def icon_description():
+    """Where the icon of an FMU of FMI 3 is drawn."""
+    corners = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
+    system = tag("CoordinateSystem", **corners,
+                 suggestedScalingFactorTo_mm="0.1")
+    return document(tag(
+        "fmiTerminalsAndIcons",
+        [tag("GraphicalRepresentation", [system, tag("Icon", **corners)])],
+        fmiVersion="3.0"))

@@ -53,40 +53,40 @@ void *FMI2(Instantiate)(fmi2_string_t name, fmi2_type_t type,
 
 void FMI2(FreeInstance)(void *instance) { fmu_free(instance); }
 
-FMI2_FUNCTION(SetDebugLogging)
-(void *instance, fmi2_boolean_t on, size_t n,
- const fmi2_string_t categories[]) {
+fmi2_status_t FMI2(SetDebugLogging)(void *instance, fmi2_boolean_t on, size_t n,
+                                    const fmi2_string_t categories[]) {
   ENTER("SetDebugLogging", FMU_ANY_PHASE);
   return done(fmu_set_logging(fmu, on != 0, n, categories));
 }
 
-FMI2_FUNCTION(SetupExperiment)
-(void *instance, fmi2_boolean_t has_tolerance, double tolerance,
- double start_time, fmi2_boolean_t stops, double stop_time) {
+fmi2_status_t FMI2(SetupExperiment)(void *instance,
+                                    fmi2_boolean_t has_tolerance,
+                                    double tolerance, double start_time,
+                                    fmi2_boolean_t stops, double stop_time) {
   ENTER("SetupExperiment", FMU_INSTANTIATED);
   (void)has_tolerance;
   (void)tolerance;
   return done(fmu_initialize(fmu, start_time, stops != 0, stop_time));
 }
 
-FMI2_FUNCTION(EnterInitializationMode)(void *instance) {
+fmi2_status_t FMI2(EnterInitializationMode)(void *instance) {
   ENTER("EnterInitializationMode", FMU_INSTANTIATED);
   fmu->motion.phase = FMU_INITIALIZATION;
   return FMI2_OK;
 }
 
-FMI2_FUNCTION(ExitInitializationMode)(void *instance) {
+fmi2_status_t FMI2(ExitInitializationMode)(void *instance) {
   ENTER("ExitInitializationMode", FMU_INITIALIZATION);
   return done(fmu_initialized(fmu, FMU_STEP));
 }
 
-FMI2_FUNCTION(Terminate)(void *instance) {
+fmi2_status_t FMI2(Terminate)(void *instance) {
   ENTER("Terminate", FMU_STEP);
   fmu->motion.phase = FMU_TERMINATED;
   return FMI2_OK;
 }
 
-FMI2_FUNCTION(Reset)(void *instance) {
+fmi2_status_t FMI2(Reset)(void *instance) {
   ENTER("Reset", FMU_ANY_PHASE);
   fmu_reset(fmu);
   return FMI2_OK;
@@ -145,49 +145,49 @@ FMI2_SET(String, fmi2_string_t) {
   return done(fmu_check_set(fmu, references[0], 0, "String", 0));
 }
 
-FMI2_FUNCTION(GetFMUstate)(void *instance, void **state) {
+fmi2_status_t FMI2(GetFMUstate)(void *instance, void **state) {
   ENTER("GetFMUstate", FMU_ANY_PHASE);
   return done(fmu_copy(fmu, state));
 }
 
-FMI2_FUNCTION(SetFMUstate)(void *instance, void *state) {
+fmi2_status_t FMI2(SetFMUstate)(void *instance, void *state) {
   ENTER("SetFMUstate", FMU_ANY_PHASE);
   return done(fmu_restore(fmu, state));
 }
 
-FMI2_FUNCTION(FreeFMUstate)(void *instance, void **state) {
+fmi2_status_t FMI2(FreeFMUstate)(void *instance, void **state) {
   ENTER("FreeFMUstate", FMU_ANY_PHASE);
   return done(fmu_free_copy(fmu, state));
 }
 
-FMI2_FUNCTION(SerializedFMUstateSize)
-(void *instance, void *state, size_t *size) {
+fmi2_status_t FMI2(SerializedFMUstateSize)(void *instance, void *state,
+                                           size_t *size) {
   ENTER("SerializedFMUstateSize", FMU_ANY_PHASE);
   return done(fmu_serialized_size(fmu, state, size));
 }
 
-FMI2_FUNCTION(SerializeFMUstate)
-(void *instance, void *state, char bytes[], size_t size) {
+fmi2_status_t FMI2(SerializeFMUstate)(void *instance, void *state, char bytes[],
+                                      size_t size) {
   ENTER("SerializeFMUstate", FMU_ANY_PHASE);
   return done(fmu_serialize(fmu, state, (unsigned char *)bytes, size));
 }
 
-FMI2_FUNCTION(DeSerializeFMUstate)
-(void *instance, const char bytes[], size_t size, void **state) {
+fmi2_status_t FMI2(DeSerializeFMUstate)(void *instance, const char bytes[],
+                                        size_t size, void **state) {
   ENTER("DeSerializeFMUstate", FMU_ANY_PHASE);
   return done(fmu_deserialize(fmu, (const unsigned char *)bytes, size, state));
 }
 
-FMI2_FUNCTION(DoStep)
-(void *instance, double time, double length, fmi2_boolean_t no_restore) {
+fmi2_status_t FMI2(DoStep)(void *instance, double time, double length,
+                           fmi2_boolean_t no_restore) {
   ENTER("DoStep", FMU_STEP);
   fmu_step_t end;
   (void)no_restore;
   return done(fmu_step(fmu, time, length, &end));
 }
 
-FMI2_FUNCTION(GetRealStatus)
-(void *instance, fmi2_question_t question, double *value) {
+fmi2_status_t FMI2(GetRealStatus)(void *instance, fmi2_question_t question,
+                                  double *value) {
   ENTER("GetRealStatus", FMU_STEP | FMU_TERMINATED);
   if (value == NULL || question != FMI2_LAST_SUCCESSFUL_TIME)
     return done(fmu_error(fmu, "only fmi2LastSuccessfulTime can be asked"));
@@ -195,8 +195,8 @@ FMI2_FUNCTION(GetRealStatus)
   return FMI2_OK;
 }
 
-FMI2_FUNCTION(GetBooleanStatus)
-(void *instance, fmi2_question_t question, fmi2_boolean_t *value) {
+fmi2_status_t FMI2(GetBooleanStatus)(void *instance, fmi2_question_t question,
+                                     fmi2_boolean_t *value) {
   ENTER("GetBooleanStatus", FMU_STEP | FMU_TERMINATED);
   if (value == NULL || question != FMI2_TERMINATED)
     return done(fmu_error(fmu, "only fmi2Terminated can be asked"));
@@ -210,25 +210,24 @@ FMI2_FUNCTION(GetBooleanStatus)
     ENTER(call, FMU_ANY_PHASE);                                         \
     return done(fmu_error(fmu, "no step of this FMU is ever pending")); \
   }
-FMI2_FUNCTION(CancelStep)
-(void *instance) NOT_PENDING("CancelStep")
+fmi2_status_t FMI2(CancelStep)(void *instance) NOT_PENDING("CancelStep")
 
-    FMI2_FUNCTION(GetStatus)(void *instance, fmi2_question_t question,
-                             fmi2_status_t *value) {
+    fmi2_status_t FMI2(GetStatus)(void *instance, fmi2_question_t question,
+                                  fmi2_status_t *value) {
   (void)question;
   (void)value;
   NOT_PENDING("GetStatus")
 }
 
-FMI2_FUNCTION(GetIntegerStatus)
-(void *instance, fmi2_question_t question, int *value) {
+fmi2_status_t FMI2(GetIntegerStatus)(void *instance, fmi2_question_t question,
+                                     int *value) {
   (void)question;
   (void)value;
   NOT_PENDING("GetIntegerStatus")
 }
 
-FMI2_FUNCTION(GetStringStatus)
-(void *instance, fmi2_question_t question, fmi2_string_t *value) {
+fmi2_status_t FMI2(GetStringStatus)(void *instance, fmi2_question_t question,
+                                    fmi2_string_t *value) {
   (void)question;
   (void)value;
   NOT_PENDING("GetStringStatus")
@@ -240,25 +239,26 @@ FMI2_FUNCTION(GetStringStatus)
     return FMI2_ERROR;                         \
   }
 
-FMI2_FUNCTION(GetDirectionalDerivative)
-(void *instance, const fmi2_reference_t unknowns[], size_t n_unknowns,
- const fmi2_reference_t knowns[], size_t n_knowns, const double seed[],
- double sensitivity[]) {
+fmi2_status_t FMI2(GetDirectionalDerivative)(
+    void *instance, const fmi2_reference_t unknowns[], size_t n_unknowns,
+    const fmi2_reference_t knowns[], size_t n_knowns, const double seed[],
+    double sensitivity[]) {
   (void)unknowns, (void)n_unknowns, (void)knowns, (void)n_knowns;
   (void)seed, (void)sensitivity;
   NO_DERIVATIVES("GetDirectionalDerivative")
 }
 
-FMI2_FUNCTION(SetRealInputDerivatives)
-(void *instance, const fmi2_reference_t references[], size_t n,
- const int orders[], const double values[]) {
+fmi2_status_t FMI2(SetRealInputDerivatives)(void *instance,
+                                            const fmi2_reference_t references[],
+                                            size_t n, const int orders[],
+                                            const double values[]) {
   (void)references, (void)n, (void)orders, (void)values;
   NO_DERIVATIVES("SetRealInputDerivatives")
 }
 
-FMI2_FUNCTION(GetRealOutputDerivatives)
-(void *instance, const fmi2_reference_t references[], size_t n,
- const int orders[], double values[]) {
+fmi2_status_t FMI2(GetRealOutputDerivatives)(
+    void *instance, const fmi2_reference_t references[], size_t n,
+    const int orders[], double values[]) {
   (void)references, (void)n, (void)orders, (void)values;
   NO_DERIVATIVES("GetRealOutputDerivatives")
 }

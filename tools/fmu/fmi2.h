@@ -50,8 +50,6 @@ typedef struct {
   void *environment;
 } fmi2_callbacks_t;
 
-#define FMI2_FUNCTION(name) FMI2_EXPORT fmi2_status_t FMI2(name)
-
 FMI2_EXPORT const char *FMI2(GetTypesPlatform)(void);
 FMI2_EXPORT const char *FMI2(GetVersion)(void);
 FMI2_EXPORT void *FMI2(Instantiate)(fmi2_string_t name, fmi2_type_t type,
@@ -62,25 +60,26 @@ FMI2_EXPORT void *FMI2(Instantiate)(fmi2_string_t name, fmi2_type_t type,
                                     fmi2_boolean_t logging);
 FMI2_EXPORT void FMI2(FreeInstance)(void *instance);
 
-FMI2_FUNCTION(SetDebugLogging)
-(void *instance, fmi2_boolean_t on, size_t n, const fmi2_string_t categories[]);
-FMI2_FUNCTION(SetupExperiment)
-(void *instance, fmi2_boolean_t has_tolerance, double tolerance,
- double start_time, fmi2_boolean_t stops, double stop_time);
-FMI2_FUNCTION(EnterInitializationMode)(void *instance);
-FMI2_FUNCTION(ExitInitializationMode)(void *instance);
-FMI2_FUNCTION(Terminate)(void *instance);
-FMI2_FUNCTION(Reset)(void *instance);
+FMI2_EXPORT fmi2_status_t
+    FMI2(SetDebugLogging)(void *instance, fmi2_boolean_t on, size_t n,
+                          const fmi2_string_t categories[]);
+FMI2_EXPORT fmi2_status_t FMI2(SetupExperiment)(
+    void *instance, fmi2_boolean_t has_tolerance, double tolerance,
+    double start_time, fmi2_boolean_t stops, double stop_time);
+FMI2_EXPORT fmi2_status_t FMI2(EnterInitializationMode)(void *instance);
+FMI2_EXPORT fmi2_status_t FMI2(ExitInitializationMode)(void *instance);
+FMI2_EXPORT fmi2_status_t FMI2(Terminate)(void *instance);
+FMI2_EXPORT fmi2_status_t FMI2(Reset)(void *instance);
 
 /// Reads or sets variables of one type.
-#define FMI2_GET(Type, type_t)                                    \
-  FMI2_FUNCTION(Get##Type)                                        \
-  (void *instance, const fmi2_reference_t references[], size_t n, \
-   type_t values[])
-#define FMI2_SET(Type, type_t)                                    \
-  FMI2_FUNCTION(Set##Type)                                        \
-  (void *instance, const fmi2_reference_t references[], size_t n, \
-   const type_t values[])
+#define FMI2_GET(Type, type_t)                                       \
+  FMI2_EXPORT fmi2_status_t FMI2(Get##Type)(                         \
+      void *instance, const fmi2_reference_t references[], size_t n, \
+      type_t values[])
+#define FMI2_SET(Type, type_t)                                       \
+  FMI2_EXPORT fmi2_status_t FMI2(Set##Type)(                         \
+      void *instance, const fmi2_reference_t references[], size_t n, \
+      const type_t values[])
 FMI2_GET(Real, double);
 FMI2_SET(Real, double);
 FMI2_GET(Integer, int);
@@ -90,40 +89,48 @@ FMI2_SET(Boolean, fmi2_boolean_t);
 FMI2_GET(String, fmi2_string_t);
 FMI2_SET(String, fmi2_string_t);
 
-FMI2_FUNCTION(GetFMUstate)(void *instance, void **state);
-FMI2_FUNCTION(SetFMUstate)(void *instance, void *state);
-FMI2_FUNCTION(FreeFMUstate)(void *instance, void **state);
-FMI2_FUNCTION(SerializedFMUstateSize)
-(void *instance, void *state, size_t *size);
-FMI2_FUNCTION(SerializeFMUstate)
-(void *instance, void *state, char bytes[], size_t size);
-FMI2_FUNCTION(DeSerializeFMUstate)
-(void *instance, const char bytes[], size_t size, void **state);
+FMI2_EXPORT fmi2_status_t FMI2(GetFMUstate)(void *instance, void **state);
+FMI2_EXPORT fmi2_status_t FMI2(SetFMUstate)(void *instance, void *state);
+FMI2_EXPORT fmi2_status_t FMI2(FreeFMUstate)(void *instance, void **state);
+FMI2_EXPORT fmi2_status_t FMI2(SerializedFMUstateSize)(void *instance,
+                                                       void *state,
+                                                       size_t *size);
+FMI2_EXPORT fmi2_status_t FMI2(SerializeFMUstate)(void *instance, void *state,
+                                                  char bytes[], size_t size);
+FMI2_EXPORT fmi2_status_t FMI2(DeSerializeFMUstate)(void *instance,
+                                                    const char bytes[],
+                                                    size_t size, void **state);
 
-FMI2_FUNCTION(DoStep)
-(void *instance, double time, double length, fmi2_boolean_t no_restore);
-FMI2_FUNCTION(CancelStep)(void *instance);
-FMI2_FUNCTION(GetStatus)
-(void *instance, fmi2_question_t question, fmi2_status_t *value);
-FMI2_FUNCTION(GetRealStatus)
-(void *instance, fmi2_question_t question, double *value);
-FMI2_FUNCTION(GetIntegerStatus)
-(void *instance, fmi2_question_t question, int *value);
-FMI2_FUNCTION(GetBooleanStatus)
-(void *instance, fmi2_question_t question, fmi2_boolean_t *value);
-FMI2_FUNCTION(GetStringStatus)
-(void *instance, fmi2_question_t question, fmi2_string_t *value);
+FMI2_EXPORT fmi2_status_t FMI2(DoStep)(void *instance, double time,
+                                       double length,
+                                       fmi2_boolean_t no_restore);
+FMI2_EXPORT fmi2_status_t FMI2(CancelStep)(void *instance);
+FMI2_EXPORT fmi2_status_t FMI2(GetStatus)(void *instance,
+                                          fmi2_question_t question,
+                                          fmi2_status_t *value);
+FMI2_EXPORT fmi2_status_t FMI2(GetRealStatus)(void *instance,
+                                              fmi2_question_t question,
+                                              double *value);
+FMI2_EXPORT fmi2_status_t FMI2(GetIntegerStatus)(void *instance,
+                                                 fmi2_question_t question,
+                                                 int *value);
+FMI2_EXPORT fmi2_status_t FMI2(GetBooleanStatus)(void *instance,
+                                                 fmi2_question_t question,
+                                                 fmi2_boolean_t *value);
+FMI2_EXPORT fmi2_status_t FMI2(GetStringStatus)(void *instance,
+                                                fmi2_question_t question,
+                                                fmi2_string_t *value);
 
 // What this FMU has no use for; every importer looks for it all the same.
-FMI2_FUNCTION(GetDirectionalDerivative)
-(void *instance, const fmi2_reference_t unknowns[], size_t n_unknowns,
- const fmi2_reference_t knowns[], size_t n_knowns, const double seed[],
- double sensitivity[]);
-FMI2_FUNCTION(SetRealInputDerivatives)
-(void *instance, const fmi2_reference_t references[], size_t n,
- const int orders[], const double values[]);
-FMI2_FUNCTION(GetRealOutputDerivatives)
-(void *instance, const fmi2_reference_t references[], size_t n,
- const int orders[], double values[]);
+FMI2_EXPORT fmi2_status_t FMI2(GetDirectionalDerivative)(
+    void *instance, const fmi2_reference_t unknowns[], size_t n_unknowns,
+    const fmi2_reference_t knowns[], size_t n_knowns, const double seed[],
+    double sensitivity[]);
+FMI2_EXPORT fmi2_status_t FMI2(SetRealInputDerivatives)(
+    void *instance, const fmi2_reference_t references[], size_t n,
+    const int orders[], const double values[]);
+FMI2_EXPORT fmi2_status_t FMI2(GetRealOutputDerivatives)(
+    void *instance, const fmi2_reference_t references[], size_t n,
+    const int orders[], double values[]);
 
 #endif

@@ -53,15 +53,15 @@ void *FMI3(InstantiateCoSimulation)(const char *name, const char *token,
 
 void FMI3(FreeInstance)(void *instance) { fmu_free(instance); }
 
-FMI3_FUNCTION(SetDebugLogging)
-(void *instance, bool on, size_t n, const fmi3_string_t categories[]) {
+fmi3_status_t FMI3(SetDebugLogging)(void *instance, bool on, size_t n,
+                                    const fmi3_string_t categories[]) {
   ENTER("SetDebugLogging", FMU_ANY_PHASE);
   return done(fmu_set_logging(fmu, on, n, categories));
 }
 
-FMI3_FUNCTION(EnterInitializationMode)
-(void *instance, bool has_tolerance, double tolerance, double start_time,
- bool stops, double stop_time) {
+fmi3_status_t FMI3(EnterInitializationMode)(void *instance, bool has_tolerance,
+                                            double tolerance, double start_time,
+                                            bool stops, double stop_time) {
   ENTER("EnterInitializationMode", FMU_INSTANTIATED);
   (void)has_tolerance;
   (void)tolerance;
@@ -70,12 +70,12 @@ FMI3_FUNCTION(EnterInitializationMode)
   return done(status);
 }
 
-FMI3_FUNCTION(ExitInitializationMode)(void *instance) {
+fmi3_status_t FMI3(ExitInitializationMode)(void *instance) {
   ENTER("ExitInitializationMode", FMU_INITIALIZATION);
   return done(fmu_initialized(fmu, fmu->event_mode ? FMU_EVENT : FMU_STEP));
 }
 
-FMI3_FUNCTION(EnterEventMode)(void *instance) {
+fmi3_status_t FMI3(EnterEventMode)(void *instance) {
   ENTER("EnterEventMode", FMU_STEP);
   if (!fmu->event_mode)
     return done(fmu_error(fmu, "this instance was made without event mode"));
@@ -83,27 +83,28 @@ FMI3_FUNCTION(EnterEventMode)(void *instance) {
   return FMI3_OK;
 }
 
-FMI3_FUNCTION(EnterStepMode)(void *instance) {
+fmi3_status_t FMI3(EnterStepMode)(void *instance) {
   ENTER("EnterStepMode", FMU_EVENT);
   fmu->motion.phase = FMU_STEP;
   return FMI3_OK;
 }
 
-FMI3_FUNCTION(Terminate)(void *instance) {
+fmi3_status_t FMI3(Terminate)(void *instance) {
   ENTER("Terminate", MOVING);
   fmu->motion.phase = FMU_TERMINATED;
   return FMI3_OK;
 }
 
-FMI3_FUNCTION(Reset)(void *instance) {
+fmi3_status_t FMI3(Reset)(void *instance) {
   ENTER("Reset", FMU_ANY_PHASE);
   fmu_reset(fmu);
   return FMI3_OK;
 }
 
-FMI3_FUNCTION(UpdateDiscreteStates)
-(void *instance, bool *again, bool *terminates, bool *nominals, bool *values,
- bool *has_next, double *next_time) {
+fmi3_status_t FMI3(UpdateDiscreteStates)(void *instance, bool *again,
+                                         bool *terminates, bool *nominals,
+                                         bool *values, bool *has_next,
+                                         double *next_time) {
   ENTER("UpdateDiscreteStates", FMU_EVENT);
   if (again == NULL || terminates == NULL || nominals == NULL ||
       values == NULL || has_next == NULL || next_time == NULL)
@@ -113,14 +114,14 @@ FMI3_FUNCTION(UpdateDiscreteStates)
   return FMI3_OK;
 }
 
-FMI3_FUNCTION(EvaluateDiscreteStates)(void *instance) {
+fmi3_status_t FMI3(EvaluateDiscreteStates)(void *instance) {
   ENTER("EvaluateDiscreteStates", FMU_INITIALIZATION | FMU_EVENT);
   return FMI3_OK;
 }
 
-FMI3_FUNCTION(DoStep)
-(void *instance, double time, double length, bool no_restore, bool *event,
- bool *terminates, bool *early, double *last_time) {
+fmi3_status_t FMI3(DoStep)(void *instance, double time, double length,
+                           bool no_restore, bool *event, bool *terminates,
+                           bool *early, double *last_time) {
   ENTER("DoStep", FMU_STEP);
   fmu_step_t end;
   (void)no_restore;
@@ -134,35 +135,35 @@ FMI3_FUNCTION(DoStep)
   return done(status);
 }
 
-FMI3_FUNCTION(GetFMUState)(void *instance, void **state) {
+fmi3_status_t FMI3(GetFMUState)(void *instance, void **state) {
   ENTER("GetFMUState", FMU_ANY_PHASE);
   return done(fmu_copy(fmu, state));
 }
 
-FMI3_FUNCTION(SetFMUState)(void *instance, void *state) {
+fmi3_status_t FMI3(SetFMUState)(void *instance, void *state) {
   ENTER("SetFMUState", FMU_ANY_PHASE);
   return done(fmu_restore(fmu, state));
 }
 
-FMI3_FUNCTION(FreeFMUState)(void *instance, void **state) {
+fmi3_status_t FMI3(FreeFMUState)(void *instance, void **state) {
   ENTER("FreeFMUState", FMU_ANY_PHASE);
   return done(fmu_free_copy(fmu, state));
 }
 
-FMI3_FUNCTION(SerializedFMUStateSize)
-(void *instance, void *state, size_t *size) {
+fmi3_status_t FMI3(SerializedFMUStateSize)(void *instance, void *state,
+                                           size_t *size) {
   ENTER("SerializedFMUStateSize", FMU_ANY_PHASE);
   return done(fmu_serialized_size(fmu, state, size));
 }
 
-FMI3_FUNCTION(SerializeFMUState)
-(void *instance, void *state, uint8_t bytes[], size_t size) {
+fmi3_status_t FMI3(SerializeFMUState)(void *instance, void *state,
+                                      uint8_t bytes[], size_t size) {
   ENTER("SerializeFMUState", FMU_ANY_PHASE);
   return done(fmu_serialize(fmu, state, bytes, size));
 }
 
-FMI3_FUNCTION(DeserializeFMUState)
-(void *instance, const uint8_t bytes[], size_t size, void **state) {
+fmi3_status_t FMI3(DeserializeFMUState)(void *instance, const uint8_t bytes[],
+                                        size_t size, void **state) {
   ENTER("DeserializeFMUState", FMU_ANY_PHASE);
   return done(fmu_deserialize(fmu, bytes, size, state));
 }

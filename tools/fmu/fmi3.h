@@ -71,7 +71,6 @@ FMI3_BOTH(String, fmi3_string_t);
 /// A function of the interface. All of them but these two return a status.
 FMI3_EXPORT const char *FMI3(GetVersion)(void);
 FMI3_EXPORT void FMI3(FreeInstance)(void *instance);
-#define FMI3_FUNCTION(name) FMI3_EXPORT fmi3_status_t FMI3(name)
 
 FMI3_EXPORT void *FMI3(InstantiateCoSimulation)(
     const char *name, const char *token, const char *resources, bool visible,
@@ -86,105 +85,122 @@ FMI3_EXPORT void *FMI3(InstantiateScheduledExecution)(
     bool logging, void *environment, fmi3_log_t *logger,
     fmi3_clock_update_t *update, fmi3_lock_t *lock, fmi3_lock_t *unlock);
 
-FMI3_FUNCTION(SetDebugLogging)
-(void *instance, bool on, size_t n, const fmi3_string_t categories[]);
-FMI3_FUNCTION(EnterInitializationMode)
-(void *instance, bool has_tolerance, double tolerance, double start_time,
- bool stops, double stop_time);
-FMI3_FUNCTION(ExitInitializationMode)(void *instance);
-FMI3_FUNCTION(EnterEventMode)(void *instance);
-FMI3_FUNCTION(EnterStepMode)(void *instance);
-FMI3_FUNCTION(Terminate)(void *instance);
-FMI3_FUNCTION(Reset)(void *instance);
-FMI3_FUNCTION(UpdateDiscreteStates)
-(void *instance, bool *again, bool *terminates, bool *nominals, bool *values,
- bool *has_next, double *next_time);
-FMI3_FUNCTION(EvaluateDiscreteStates)(void *instance);
-FMI3_FUNCTION(DoStep)
-(void *instance, double time, double length, bool no_restore, bool *event,
- bool *terminates, bool *early, double *last_time);
+FMI3_EXPORT fmi3_status_t FMI3(SetDebugLogging)(
+    void *instance, bool on, size_t n, const fmi3_string_t categories[]);
+FMI3_EXPORT fmi3_status_t FMI3(EnterInitializationMode)(
+    void *instance, bool has_tolerance, double tolerance, double start_time,
+    bool stops, double stop_time);
+FMI3_EXPORT fmi3_status_t FMI3(ExitInitializationMode)(void *instance);
+FMI3_EXPORT fmi3_status_t FMI3(EnterEventMode)(void *instance);
+FMI3_EXPORT fmi3_status_t FMI3(EnterStepMode)(void *instance);
+FMI3_EXPORT fmi3_status_t FMI3(Terminate)(void *instance);
+FMI3_EXPORT fmi3_status_t FMI3(Reset)(void *instance);
+FMI3_EXPORT fmi3_status_t FMI3(UpdateDiscreteStates)(
+    void *instance, bool *again, bool *terminates, bool *nominals, bool *values,
+    bool *has_next, double *next_time);
+FMI3_EXPORT fmi3_status_t FMI3(EvaluateDiscreteStates)(void *instance);
+FMI3_EXPORT fmi3_status_t FMI3(DoStep)(void *instance, double time,
+                                       double length, bool no_restore,
+                                       bool *event, bool *terminates,
+                                       bool *early, double *last_time);
 
-FMI3_FUNCTION(GetFMUState)(void *instance, void **state);
-FMI3_FUNCTION(SetFMUState)(void *instance, void *state);
-FMI3_FUNCTION(FreeFMUState)(void *instance, void **state);
-FMI3_FUNCTION(SerializedFMUStateSize)
-(void *instance, void *state, size_t *size);
-FMI3_FUNCTION(SerializeFMUState)
-(void *instance, void *state, uint8_t bytes[], size_t size);
-FMI3_FUNCTION(DeserializeFMUState)
-(void *instance, const uint8_t bytes[], size_t size, void **state);
+FMI3_EXPORT fmi3_status_t FMI3(GetFMUState)(void *instance, void **state);
+FMI3_EXPORT fmi3_status_t FMI3(SetFMUState)(void *instance, void *state);
+FMI3_EXPORT fmi3_status_t FMI3(FreeFMUState)(void *instance, void **state);
+FMI3_EXPORT fmi3_status_t FMI3(SerializedFMUStateSize)(void *instance,
+                                                       void *state,
+                                                       size_t *size);
+FMI3_EXPORT fmi3_status_t FMI3(SerializeFMUState)(void *instance, void *state,
+                                                  uint8_t bytes[], size_t size);
+FMI3_EXPORT fmi3_status_t FMI3(DeserializeFMUState)(void *instance,
+                                                    const uint8_t bytes[],
+                                                    size_t size, void **state);
 
 // What this FMU has no use for; every importer looks for it all the same.
-FMI3_FUNCTION(GetBinary)
-(void *instance, const fmi3_reference_t references[], size_t n, size_t sizes[],
- const uint8_t *values[], size_t n_values);
-FMI3_FUNCTION(SetBinary)
-(void *instance, const fmi3_reference_t references[], size_t n,
- const size_t sizes[], const uint8_t *const values[], size_t n_values);
-FMI3_FUNCTION(GetClock)
-(void *instance, const fmi3_reference_t references[], size_t n, bool values[]);
-FMI3_FUNCTION(SetClock)
-(void *instance, const fmi3_reference_t references[], size_t n,
- const bool values[]);
-FMI3_FUNCTION(GetNumberOfVariableDependencies)
-(void *instance, fmi3_reference_t reference, size_t *n);
-FMI3_FUNCTION(GetVariableDependencies)
-(void *instance, fmi3_reference_t dependent, size_t elements[],
- fmi3_reference_t independents[], size_t their_elements[], fmi3_kind_t kinds[],
- size_t n);
-FMI3_FUNCTION(GetDirectionalDerivative)
-(void *instance, const fmi3_reference_t unknowns[], size_t n_unknowns,
- const fmi3_reference_t knowns[], size_t n_knowns, const double seed[],
- size_t n_seed, double sensitivity[], size_t n_sensitivity);
-FMI3_FUNCTION(GetAdjointDerivative)
-(void *instance, const fmi3_reference_t unknowns[], size_t n_unknowns,
- const fmi3_reference_t knowns[], size_t n_knowns, const double seed[],
- size_t n_seed, double sensitivity[], size_t n_sensitivity);
-FMI3_FUNCTION(GetOutputDerivatives)
-(void *instance, const fmi3_reference_t references[], size_t n,
- const int32_t orders[], double values[], size_t n_values);
-FMI3_FUNCTION(EnterConfigurationMode)(void *instance);
-FMI3_FUNCTION(ExitConfigurationMode)(void *instance);
-FMI3_FUNCTION(GetIntervalDecimal)
-(void *instance, const fmi3_reference_t references[], size_t n,
- double intervals[], fmi3_kind_t qualifiers[]);
-FMI3_FUNCTION(GetIntervalFraction)
-(void *instance, const fmi3_reference_t references[], size_t n,
- uint64_t counters[], uint64_t resolutions[], fmi3_kind_t qualifiers[]);
-FMI3_FUNCTION(GetShiftDecimal)
-(void *instance, const fmi3_reference_t references[], size_t n,
- double shifts[]);
-FMI3_FUNCTION(GetShiftFraction)
-(void *instance, const fmi3_reference_t references[], size_t n,
- uint64_t counters[], uint64_t resolutions[]);
-FMI3_FUNCTION(SetIntervalDecimal)
-(void *instance, const fmi3_reference_t references[], size_t n,
- const double intervals[]);
-FMI3_FUNCTION(SetIntervalFraction)
-(void *instance, const fmi3_reference_t references[], size_t n,
- const uint64_t counters[], const uint64_t resolutions[]);
-FMI3_FUNCTION(SetShiftDecimal)
-(void *instance, const fmi3_reference_t references[], size_t n,
- const double shifts[]);
-FMI3_FUNCTION(SetShiftFraction)
-(void *instance, const fmi3_reference_t references[], size_t n,
- const uint64_t counters[], const uint64_t resolutions[]);
-FMI3_FUNCTION(EnterContinuousTimeMode)(void *instance);
-FMI3_FUNCTION(CompletedIntegratorStep)
-(void *instance, bool no_restore, bool *event, bool *terminates);
-FMI3_FUNCTION(SetTime)(void *instance, double time);
-FMI3_FUNCTION(SetContinuousStates)
-(void *instance, const double states[], size_t n);
-FMI3_FUNCTION(GetContinuousStateDerivatives)
-(void *instance, double derivatives[], size_t n);
-FMI3_FUNCTION(GetEventIndicators)
-(void *instance, double indicators[], size_t n);
-FMI3_FUNCTION(GetContinuousStates)(void *instance, double states[], size_t n);
-FMI3_FUNCTION(GetNominalsOfContinuousStates)
-(void *instance, double nominals[], size_t n);
-FMI3_FUNCTION(GetNumberOfEventIndicators)(void *instance, size_t *n);
-FMI3_FUNCTION(GetNumberOfContinuousStates)(void *instance, size_t *n);
-FMI3_FUNCTION(ActivateModelPartition)
-(void *instance, fmi3_reference_t clock, double time);
+FMI3_EXPORT fmi3_status_t FMI3(GetBinary)(void *instance,
+                                          const fmi3_reference_t references[],
+                                          size_t n, size_t sizes[],
+                                          const uint8_t *values[],
+                                          size_t n_values);
+FMI3_EXPORT fmi3_status_t FMI3(SetBinary)(void *instance,
+                                          const fmi3_reference_t references[],
+                                          size_t n, const size_t sizes[],
+                                          const uint8_t *const values[],
+                                          size_t n_values);
+FMI3_EXPORT fmi3_status_t FMI3(GetClock)(void *instance,
+                                         const fmi3_reference_t references[],
+                                         size_t n, bool values[]);
+FMI3_EXPORT fmi3_status_t FMI3(SetClock)(void *instance,
+                                         const fmi3_reference_t references[],
+                                         size_t n, const bool values[]);
+FMI3_EXPORT fmi3_status_t FMI3(GetNumberOfVariableDependencies)(
+    void *instance, fmi3_reference_t reference, size_t *n);
+FMI3_EXPORT fmi3_status_t FMI3(GetVariableDependencies)(
+    void *instance, fmi3_reference_t dependent, size_t elements[],
+    fmi3_reference_t independents[], size_t their_elements[],
+    fmi3_kind_t kinds[], size_t n);
+FMI3_EXPORT fmi3_status_t FMI3(GetDirectionalDerivative)(
+    void *instance, const fmi3_reference_t unknowns[], size_t n_unknowns,
+    const fmi3_reference_t knowns[], size_t n_knowns, const double seed[],
+    size_t n_seed, double sensitivity[], size_t n_sensitivity);
+FMI3_EXPORT fmi3_status_t FMI3(GetAdjointDerivative)(
+    void *instance, const fmi3_reference_t unknowns[], size_t n_unknowns,
+    const fmi3_reference_t knowns[], size_t n_knowns, const double seed[],
+    size_t n_seed, double sensitivity[], size_t n_sensitivity);
+FMI3_EXPORT fmi3_status_t FMI3(GetOutputDerivatives)(
+    void *instance, const fmi3_reference_t references[], size_t n,
+    const int32_t orders[], double values[], size_t n_values);
+FMI3_EXPORT fmi3_status_t FMI3(EnterConfigurationMode)(void *instance);
+FMI3_EXPORT fmi3_status_t FMI3(ExitConfigurationMode)(void *instance);
+FMI3_EXPORT fmi3_status_t FMI3(GetIntervalDecimal)(
+    void *instance, const fmi3_reference_t references[], size_t n,
+    double intervals[], fmi3_kind_t qualifiers[]);
+FMI3_EXPORT fmi3_status_t FMI3(GetIntervalFraction)(
+    void *instance, const fmi3_reference_t references[], size_t n,
+    uint64_t counters[], uint64_t resolutions[], fmi3_kind_t qualifiers[]);
+FMI3_EXPORT fmi3_status_t
+    FMI3(GetShiftDecimal)(void *instance, const fmi3_reference_t references[],
+                          size_t n, double shifts[]);
+FMI3_EXPORT fmi3_status_t FMI3(GetShiftFraction)(
+    void *instance, const fmi3_reference_t references[], size_t n,
+    uint64_t counters[], uint64_t resolutions[]);
+FMI3_EXPORT fmi3_status_t FMI3(SetIntervalDecimal)(
+    void *instance, const fmi3_reference_t references[], size_t n,
+    const double intervals[]);
+FMI3_EXPORT fmi3_status_t FMI3(SetIntervalFraction)(
+    void *instance, const fmi3_reference_t references[], size_t n,
+    const uint64_t counters[], const uint64_t resolutions[]);
+FMI3_EXPORT fmi3_status_t
+    FMI3(SetShiftDecimal)(void *instance, const fmi3_reference_t references[],
+                          size_t n, const double shifts[]);
+FMI3_EXPORT fmi3_status_t FMI3(SetShiftFraction)(
+    void *instance, const fmi3_reference_t references[], size_t n,
+    const uint64_t counters[], const uint64_t resolutions[]);
+FMI3_EXPORT fmi3_status_t FMI3(EnterContinuousTimeMode)(void *instance);
+FMI3_EXPORT fmi3_status_t FMI3(CompletedIntegratorStep)(void *instance,
+                                                        bool no_restore,
+                                                        bool *event,
+                                                        bool *terminates);
+FMI3_EXPORT fmi3_status_t FMI3(SetTime)(void *instance, double time);
+FMI3_EXPORT fmi3_status_t FMI3(SetContinuousStates)(void *instance,
+                                                    const double states[],
+                                                    size_t n);
+FMI3_EXPORT fmi3_status_t FMI3(GetContinuousStateDerivatives)(
+    void *instance, double derivatives[], size_t n);
+FMI3_EXPORT fmi3_status_t FMI3(GetEventIndicators)(void *instance,
+                                                   double indicators[],
+                                                   size_t n);
+FMI3_EXPORT fmi3_status_t FMI3(GetContinuousStates)(void *instance,
+                                                    double states[], size_t n);
+FMI3_EXPORT fmi3_status_t FMI3(GetNominalsOfContinuousStates)(void *instance,
+                                                              double nominals[],
+                                                              size_t n);
+FMI3_EXPORT fmi3_status_t FMI3(GetNumberOfEventIndicators)(void *instance,
+                                                           size_t *n);
+FMI3_EXPORT fmi3_status_t FMI3(GetNumberOfContinuousStates)(void *instance,
+                                                            size_t *n);
+FMI3_EXPORT fmi3_status_t FMI3(ActivateModelPartition)(void *instance,
+                                                       fmi3_reference_t clock,
+                                                       double time);
 
 #endif

@@ -8,18 +8,16 @@
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #endif
 
-#define REFUSE(call)                           \
-  {                                            \
-    (void)fmu_enter(instance, "fmi3" call, 0); \
-    return FMI3_ERROR;                         \
-  }
+static fmi3_status_t refuse(void *instance, const char *call) {
+  (void)fmu_enter(instance, call, 0);
+  return FMI3_ERROR;
+}
+
 // A list of no variables is fine.
-#define REFUSE_SOME(call)                                                  \
-  {                                                                        \
-    if (n == 0 && fmu_enter(instance, "fmi3" call, FMU_ANY_PHASE) != NULL) \
-      return FMI3_OK;                                                      \
-    REFUSE(call)                                                           \
-  }
+static fmi3_status_t refuse_some(void *instance, const char *call, size_t n) {
+  if (n > 0) return refuse(instance, call);
+  return fmu_enter(instance, call, FMU_ANY_PHASE) ? FMI3_OK : FMI3_ERROR;
+}
 
 static void *no_instance(bool logging, void *environment, fmi3_log_t *logger,
                          const char *why) {
@@ -46,272 +44,179 @@ void *FMI3(InstantiateScheduledExecution)(
                      " co-simulation");
 }
 
-FMI3_FUNCTION(GetBinary)
-(void *instance, const fmi3_reference_t references[], size_t n, size_t sizes[],
- const uint8_t *values[], size_t n_values) REFUSE_SOME("GetBinary")
+fmi3_status_t FMI3(GetBinary)(void *instance,
+                              const fmi3_reference_t references[], size_t n,
+                              size_t sizes[], const uint8_t *values[],
+                              size_t n_values) {
+  return refuse_some(instance, "fmi3GetBinary", n);
+}
 
-    FMI3_FUNCTION(SetBinary)(void *instance,
+fmi3_status_t FMI3(SetBinary)(void *instance,
+                              const fmi3_reference_t references[], size_t n,
+                              const size_t sizes[],
+                              const uint8_t *const values[], size_t n_values) {
+  return refuse_some(instance, "fmi3SetBinary", n);
+}
+
+fmi3_status_t FMI3(GetClock)(void *instance,
                              const fmi3_reference_t references[], size_t n,
-                             const size_t sizes[],
-                             const uint8_t *const values[], size_t n_values)
-        REFUSE_SOME("SetBinary")
+                             bool values[]) {
+  return refuse_some(instance, "fmi3GetClock", n);
+}
 
-            FMI3_FUNCTION(GetClock)(void *instance,
+fmi3_status_t FMI3(SetClock)(void *instance,
+                             const fmi3_reference_t references[], size_t n,
+                             const bool values[]) {
+  return refuse_some(instance, "fmi3SetClock", n);
+}
+
+fmi3_status_t FMI3(GetNumberOfVariableDependencies)(void *instance,
+                                                    fmi3_reference_t reference,
+                                                    size_t *n) {
+  return refuse(instance, "fmi3GetNumberOfVariableDependencies");
+}
+
+fmi3_status_t FMI3(GetVariableDependencies)(void *instance,
+                                            fmi3_reference_t dependent,
+                                            size_t elements[],
+                                            fmi3_reference_t independents[],
+                                            size_t their_elements[],
+                                            fmi3_kind_t kinds[], size_t n) {
+  return refuse(instance, "fmi3GetVariableDependencies");
+}
+
+fmi3_status_t FMI3(GetDirectionalDerivative)(
+    void *instance, const fmi3_reference_t unknowns[], size_t n_unknowns,
+    const fmi3_reference_t knowns[], size_t n_knowns, const double seed[],
+    size_t n_seed, double sensitivity[], size_t n_sensitivity) {
+  return refuse(instance, "fmi3GetDirectionalDerivative");
+}
+
+fmi3_status_t FMI3(GetAdjointDerivative)(
+    void *instance, const fmi3_reference_t unknowns[], size_t n_unknowns,
+    const fmi3_reference_t knowns[], size_t n_knowns, const double seed[],
+    size_t n_seed, double sensitivity[], size_t n_sensitivity) {
+  return refuse(instance, "fmi3GetAdjointDerivative");
+}
+
+fmi3_status_t FMI3(GetOutputDerivatives)(void *instance,
+                                         const fmi3_reference_t references[],
+                                         size_t n, const int32_t orders[],
+                                         double values[], size_t n_values) {
+  return refuse_some(instance, "fmi3GetOutputDerivatives", n);
+}
+
+fmi3_status_t FMI3(EnterConfigurationMode)(void *instance) {
+  return refuse(instance, "fmi3EnterConfigurationMode");
+}
+
+fmi3_status_t FMI3(ExitConfigurationMode)(void *instance) {
+  return refuse(instance, "fmi3ExitConfigurationMode");
+}
+
+fmi3_status_t FMI3(GetIntervalDecimal)(void *instance,
+                                       const fmi3_reference_t references[],
+                                       size_t n, double intervals[],
+                                       fmi3_kind_t qualifiers[]) {
+  return refuse_some(instance, "fmi3GetIntervalDecimal", n);
+}
+
+fmi3_status_t FMI3(GetIntervalFraction)(void *instance,
+                                        const fmi3_reference_t references[],
+                                        size_t n, uint64_t counters[],
+                                        uint64_t resolutions[],
+                                        fmi3_kind_t qualifiers[]) {
+  return refuse_some(instance, "fmi3GetIntervalFraction", n);
+}
+
+fmi3_status_t FMI3(GetShiftDecimal)(void *instance,
                                     const fmi3_reference_t references[],
-                                    size_t n, bool values[])
-                REFUSE_SOME("GetClock")
+                                    size_t n, double shifts[]) {
+  return refuse_some(instance, "fmi3GetShiftDecimal", n);
+}
 
-                    FMI3_FUNCTION(SetClock)(void *instance,
-                                            const fmi3_reference_t references[],
-                                            size_t n, const bool values[])
-                        REFUSE_SOME("SetClock")
+fmi3_status_t FMI3(GetShiftFraction)(void *instance,
+                                     const fmi3_reference_t references[],
+                                     size_t n, uint64_t counters[],
+                                     uint64_t resolutions[]) {
+  return refuse_some(instance, "fmi3GetShiftFraction", n);
+}
 
-                            FMI3_FUNCTION(GetNumberOfVariableDependencies)(
-                                void *instance, fmi3_reference_t reference,
-                                size_t *n)
-                                REFUSE("GetNumberOfVariableDependencies")
+fmi3_status_t FMI3(SetIntervalDecimal)(void *instance,
+                                       const fmi3_reference_t references[],
+                                       size_t n, const double intervals[]) {
+  return refuse_some(instance, "fmi3SetIntervalDecimal", n);
+}
 
-                                    FMI3_FUNCTION(GetVariableDependencies)(
-                                        void *instance,
-                                        fmi3_reference_t dependent,
-                                        size_t elements[],
-                                        fmi3_reference_t independents[],
-                                        size_t their_elements[],
-                                        fmi3_kind_t kinds[], size_t n)
-                                        REFUSE("GetVariableDependencies")
+fmi3_status_t FMI3(SetIntervalFraction)(void *instance,
+                                        const fmi3_reference_t references[],
+                                        size_t n, const uint64_t counters[],
+                                        const uint64_t resolutions[]) {
+  return refuse_some(instance, "fmi3SetIntervalFraction", n);
+}
 
-                                            FMI3_FUNCTION(
-                                                GetDirectionalDerivative)(
-                                                void *instance,
-                                                const fmi3_reference_t
-                                                    unknowns[],
-                                                size_t n_unknowns,
-                                                const fmi3_reference_t knowns[],
-                                                size_t n_knowns,
-                                                const double seed[],
-                                                size_t n_seed,
-                                                double sensitivity[],
-                                                size_t n_sensitivity)
-                                                REFUSE(
-                                                    "GetDirectionalDerivative")
+fmi3_status_t FMI3(SetShiftDecimal)(void *instance,
+                                    const fmi3_reference_t references[],
+                                    size_t n, const double shifts[]) {
+  return refuse_some(instance, "fmi3SetShiftDecimal", n);
+}
 
-                                                    FMI3_FUNCTION(
-                                                        GetAdjointDerivative)(
-                                                        void *instance,
-                                                        const fmi3_reference_t
-                                                            unknowns[],
-                                                        size_t n_unknowns,
-                                                        const fmi3_reference_t
-                                                            knowns[],
-                                                        size_t n_knowns,
-                                                        const double seed[],
-                                                        size_t n_seed,
-                                                        double sensitivity[],
-                                                        size_t n_sensitivity)
-                                                        REFUSE(
-                                                            "GetAdjointDerivati"
-                                                            "ve")
+fmi3_status_t FMI3(SetShiftFraction)(void *instance,
+                                     const fmi3_reference_t references[],
+                                     size_t n, const uint64_t counters[],
+                                     const uint64_t resolutions[]) {
+  return refuse_some(instance, "fmi3SetShiftFraction", n);
+}
 
-                                                            FMI3_FUNCTION(
-                                                                GetOutputDerivatives)(
-                                                                void *instance,
-                                                                const fmi3_reference_t
-                                                                    references
-                                                                        [],
-                                                                size_t n,
-                                                                const int32_t
-                                                                    orders[],
-                                                                double values[],
-                                                                size_t n_values)
-                                                                REFUSE_SOME(
-                                                                    "GetOutputD"
-                                                                    "erivative"
-                                                                    "s")
+fmi3_status_t FMI3(EnterContinuousTimeMode)(void *instance) {
+  return refuse(instance, "fmi3EnterContinuousTimeMode");
+}
 
-                                                                    FMI3_FUNCTION(
-                                                                        EnterConfigurationMode)(
-                                                                        void *
-                                                                            instance)
-                                                                        REFUSE(
-                                                                            "En"
-                                                                            "te"
-                                                                            "rC"
-                                                                            "on"
-                                                                            "fi"
-                                                                            "gu"
-                                                                            "ra"
-                                                                            "ti"
-                                                                            "on"
-                                                                            "Mo"
-                                                                            "d"
-                                                                            "e")
+fmi3_status_t FMI3(CompletedIntegratorStep)(void *instance, bool no_restore,
+                                            bool *event, bool *terminates) {
+  return refuse(instance, "fmi3CompletedIntegratorStep");
+}
 
-                                                                            FMI3_FUNCTION(
-                                                                                ExitConfigurationMode)(
-                                                                                void *
-                                                                                    instance)
-                                                                                REFUSE(
-                                                                                    "ExitConfigurationMode")
+fmi3_status_t FMI3(SetTime)(void *instance, double time) {
+  return refuse(instance, "fmi3SetTime");
+}
 
-                                                                                    FMI3_FUNCTION(
-                                                                                        GetIntervalDecimal)(
-                                                                                        void *
-                                                                                            instance,
-                                                                                        const fmi3_reference_t
-                                                                                            references
-                                                                                                [],
-                                                                                        size_t
-                                                                                            n,
-                                                                                        double intervals
-                                                                                            [],
-                                                                                        fmi3_kind_t qualifiers
-                                                                                            [])
-                                                                                        REFUSE_SOME(
-                                                                                            "GetIntervalDecimal")
+fmi3_status_t FMI3(SetContinuousStates)(void *instance, const double states[],
+                                        size_t n) {
+  return refuse(instance, "fmi3SetContinuousStates");
+}
 
-                                                                                            FMI3_FUNCTION(
-                                                                                                GetIntervalFraction)(
-                                                                                                void *
-                                                                                                    instance,
-                                                                                                const fmi3_reference_t
-                                                                                                    references
-                                                                                                        [],
-                                                                                                size_t
-                                                                                                    n,
-                                                                                                uint64_t counters
-                                                                                                    [],
-                                                                                                uint64_t resolutions
-                                                                                                    [],
-                                                                                                fmi3_kind_t qualifiers
-                                                                                                    [])
-                                                                                                REFUSE_SOME(
-                                                                                                    "GetIntervalFraction")
+fmi3_status_t FMI3(GetContinuousStateDerivatives)(void *instance,
+                                                  double derivatives[],
+                                                  size_t n) {
+  return refuse(instance, "fmi3GetContinuousStateDerivatives");
+}
 
-                                                                                                    FMI3_FUNCTION(
-                                                                                                        GetShiftDecimal)(
-                                                                                                        void *
-                                                                                                            instance,
-                                                                                                        const fmi3_reference_t
-                                                                                                            references
-                                                                                                                [],
-                                                                                                        size_t
-                                                                                                            n,
-                                                                                                        double shifts
-                                                                                                            [])
-                                                                                                        REFUSE_SOME(
-                                                                                                            "GetShiftDecimal")
+fmi3_status_t FMI3(GetEventIndicators)(void *instance, double indicators[],
+                                       size_t n) {
+  return refuse(instance, "fmi3GetEventIndicators");
+}
 
-                                                                                                            FMI3_FUNCTION(
-                                                                                                                GetShiftFraction)(void *instance, const fmi3_reference_t references[], size_t n, uint64_t counters[],
-                                                                                                                                  uint64_t resolutions[])
-                                                                                                                REFUSE_SOME(
-                                                                                                                    "GetShiftFraction")
+fmi3_status_t FMI3(GetContinuousStates)(void *instance, double states[],
+                                        size_t n) {
+  return refuse(instance, "fmi3GetContinuousStates");
+}
 
-                                                                                                                    FMI3_FUNCTION(SetIntervalDecimal)(void
-                                                                                                                                                          *instance,
-                                                                                                                                                      const fmi3_reference_t
-                                                                                                                                                          references
-                                                                                                                                                              [],
-                                                                                                                                                      size_t
-                                                                                                                                                          n,
-                                                                                                                                                      const double
-                                                                                                                                                          intervals[])
-                                                                                                                        REFUSE_SOME(
-                                                                                                                            "SetIntervalDecimal")
+fmi3_status_t FMI3(GetNominalsOfContinuousStates)(void *instance,
+                                                  double nominals[], size_t n) {
+  return refuse(instance, "fmi3GetNominalsOfContinuousStates");
+}
 
-                                                                                                                            FMI3_FUNCTION(SetIntervalFraction)(void *instance, const fmi3_reference_t references[], size_t n, const uint64_t counters[], const uint64_t resolutions[]) REFUSE_SOME(
-                                                                                                                                "SetIntervalFraction")
+fmi3_status_t FMI3(GetNumberOfEventIndicators)(void *instance, size_t *n) {
+  return refuse(instance, "fmi3GetNumberOfEventIndicators");
+}
 
-                                                                                                                                FMI3_FUNCTION(SetShiftDecimal)(void *instance, const fmi3_reference_t references[], size_t n, const double shifts[]) REFUSE_SOME(
-                                                                                                                                    "SetShiftDecimal")
+fmi3_status_t FMI3(GetNumberOfContinuousStates)(void *instance, size_t *n) {
+  return refuse(instance, "fmi3GetNumberOfContinuousStates");
+}
 
-                                                                                                                                    FMI3_FUNCTION(
-                                                                                                                                        SetShiftFraction)(void *
-                                                                                                                                                              instance,
-                                                                                                                                                          const fmi3_reference_t references[], size_t n, const uint64_t counters[],
-                                                                                                                                                          const uint64_t resolutions
-                                                                                                                                                              [])
-                                                                                                                                        REFUSE_SOME(
-                                                                                                                                            "SetShiftFraction")
-
-                                                                                                                                            FMI3_FUNCTION(EnterContinuousTimeMode)(void *instance) REFUSE(
-                                                                                                                                                "EnterContinuousTimeMode")
-
-                                                                                                                                                FMI3_FUNCTION(
-                                                                                                                                                    CompletedIntegratorStep)(void *instance, bool no_restore, bool *event,
-                                                                                                                                                                             bool *
-                                                                                                                                                                                 terminates)
-                                                                                                                                                    REFUSE(
-                                                                                                                                                        "CompletedIntegratorStep")
-
-                                                                                                                                                        FMI3_FUNCTION(
-                                                                                                                                                            SetTime)(
-                                                                                                                                                            void *
-                                                                                                                                                                instance,
-                                                                                                                                                            double time)
-                                                                                                                                                            REFUSE(
-                                                                                                                                                                "SetTime")
-
-                                                                                                                                                                FMI3_FUNCTION(SetContinuousStates)(void *instance, const double states[], size_t n) REFUSE(
-                                                                                                                                                                    "SetContinuousStates")
-
-                                                                                                                                                                    FMI3_FUNCTION(
-                                                                                                                                                                        GetContinuousStateDerivatives)(
-                                                                                                                                                                        void *
-                                                                                                                                                                            instance,
-                                                                                                                                                                        double derivatives
-                                                                                                                                                                            [],
-                                                                                                                                                                        size_t
-                                                                                                                                                                            n)
-                                                                                                                                                                        REFUSE(
-                                                                                                                                                                            "GetContinuousStateDerivatives")
-
-                                                                                                                                                                            FMI3_FUNCTION(GetEventIndicators)(void *
-                                                                                                                                                                                                                  instance,
-                                                                                                                                                                                                              double indicators
-                                                                                                                                                                                                                  [],
-                                                                                                                                                                                                              size_t
-                                                                                                                                                                                                                  n)
-                                                                                                                                                                                REFUSE(
-                                                                                                                                                                                    "GetEventIndicators")
-
-                                                                                                                                                                                    FMI3_FUNCTION(GetContinuousStates)(void *instance, double states[], size_t n) REFUSE(
-                                                                                                                                                                                        "GetContinuousStates")
-
-                                                                                                                                                                                        FMI3_FUNCTION(
-                                                                                                                                                                                            GetNominalsOfContinuousStates)(
-                                                                                                                                                                                            void *
-                                                                                                                                                                                                instance,
-                                                                                                                                                                                            double nominals
-                                                                                                                                                                                                [],
-                                                                                                                                                                                            size_t
-                                                                                                                                                                                                n)
-                                                                                                                                                                                            REFUSE(
-                                                                                                                                                                                                "GetNominalsOfContinuousStates")
-
-                                                                                                                                                                                                FMI3_FUNCTION(GetNumberOfEventIndicators)(void *
-                                                                                                                                                                                                                                              instance,
-                                                                                                                                                                                                                                          size_t
-                                                                                                                                                                                                                                              *n)
-                                                                                                                                                                                                    REFUSE(
-                                                                                                                                                                                                        "GetNumberOfEventIndicators")
-
-                                                                                                                                                                                                        FMI3_FUNCTION(
-                                                                                                                                                                                                            GetNumberOfContinuousStates)(
-                                                                                                                                                                                                            void *
-                                                                                                                                                                                                                instance,
-                                                                                                                                                                                                            size_t
-                                                                                                                                                                                                                *n)
-                                                                                                                                                                                                            REFUSE(
-                                                                                                                                                                                                                "GetNumberOfContinuousStates")
-
-                                                                                                                                                                                                                FMI3_FUNCTION(
-                                                                                                                                                                                                                    ActivateModelPartition)(
-                                                                                                                                                                                                                    void *
-                                                                                                                                                                                                                        instance,
-                                                                                                                                                                                                                    fmi3_reference_t
-                                                                                                                                                                                                                        clock,
-                                                                                                                                                                                                                    double
-                                                                                                                                                                                                                        time)
-                                                                                                                                                                                                                    REFUSE(
-                                                                                                                                                                                                                        "ActivateModelPartition")
+fmi3_status_t FMI3(ActivateModelPartition)(void *instance,
+                                           fmi3_reference_t clock,
+                                           double time) {
+  return refuse(instance, "fmi3ActivateModelPartition");
+}

@@ -12,9 +12,6 @@ FMU_SCENES := $(patsubst %,$(BUILD)/fmu/%/done,$(shell \
 FMU_CORE := $(CORE:%.c=$(BUILD)/fmu/core/%.o)
 FMU_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -fno-math-errno -fPIC \
   -fvisibility=hidden -ffunction-sections -fdata-sections
-FMU_MODEL := model access motion copies message variables
-FMU_PARTS_fmi2 := $(FMU_MODEL) fmi2
-FMU_PARTS_fmi3 := $(FMU_MODEL) fmi3 fmi3_absent
 FMU_BINARY_fmi2 := binaries/linux64
 FMU_BINARY_fmi3 := binaries/x86_64-linux
 
@@ -30,7 +27,7 @@ fmu: $(BUILD)/fmu/$(FMU_SCENE)/done
 test-fmu: ## the FMUs of all scenes under an importer of their own
 test-fmu: $(FMU_SCENES) $(BUILD)/double/twofold
 	@MAKEFLAGS= MAKELEVEL= MAKE='$(MAKE)' BUILD='$(BUILD)' OPT='$(OPT)' \
-	  CC='$(CC)' tests/fmu/test_fmu.py $(ONLY)
+	  CC='$(CC)' EXTRA='$(EXTRA)' tests/fmu/test_fmu.py $(ONLY)
 
 $(BUILD)/fmu/flags: FORCE
 	@mkdir -p $(@D)
@@ -51,9 +48,9 @@ FMU_SOURCES := $(wildcard tools/fmu/*.[chp]* include/*.h include/twofold/*.h \
 # $(call fmu_link,directory of the scene,fmi2 or fmi3)
 define fmu_link
 	@mkdir -p $(1)/$(2)/$(FMU_BINARY_$(2))
-	@$(CC) $(FMU_FLAGS) $(EXTRA) -I$(1) -shared -s -Wl,--gc-sections \
+	@$(CC) $(FMU_FLAGS) $(EXTRA) -shared -s -Wl,--gc-sections \
 	  -Wl,-z,defs -Wl,-soname,twofold.so \
-	  $(FMU_PARTS_$(2):%=tools/fmu/%.c) $(BUILD)/fmu/libtwofold.a \
+	  $(1)/$(2)/sources/fmu_*.c $(BUILD)/fmu/libtwofold.a \
 	  -o $(1)/$(2)/$(FMU_BINARY_$(2))/twofold.so
 endef
 $(BUILD)/fmu/%/done: $(BUILD)/fmu/describe $(FMU_SOURCES)

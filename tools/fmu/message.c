@@ -49,7 +49,7 @@ static void say_digits(fmu_message_t *message, uint32_t digits, int before) {
     digits /= 10;
   }
   while (used > before && letter[used - 1] == '0') used--;
-  for (int i = 0; i < used; i++) {
+  for (int i = 0; i < DIGITS && i < used; i++) {
     if (i == before) say_letter(message, '.');
     say_letter(message, letter[i]);
   }

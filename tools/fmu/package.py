@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -B
 """Makes the FMUs of a scene, in two steps: `layout` writes their sources and
 descriptions, after which the binaries are compiled, and `pack` puts all into
 archives with fixed times, so that equal contents are equal bytes.
@@ -6,8 +6,7 @@ archives with fixed times, so that equal contents are equal bytes.
 usage: package.py layout DESCRIPTION.json DIRECTORY
        package.py pack DIRECTORY FMI2.fmu FMI3.fmu
 
-DIRECTORY/fmi2 and DIRECTORY/fmi3 are the contents of the two; DIRECTORY/
-fmu_scene.h says for which scene they are."""
+DIRECTORY/fmi2 and DIRECTORY/fmi3 are the contents of the two."""
 import hashlib
 import json
 import re
@@ -18,12 +17,13 @@ import zipfile
 from pathlib import Path
 
 import description
+from icon import icon
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).resolve().parent
 FACES = {"fmi2": ["fmi2.c", "fmi2.h"],
          "fmi3": ["fmi3.c", "fmi3_absent.c", "fmi3.h"]}
-NOT_IN_FMU = {"describe.c"}
+NOT_IN_FMU = {"describe.c", "fmu_scene.h"}
 INCLUDE = re.compile(r'^(#include ")([^"]+)(")', re.M)
 WRITTEN = 0o100644 << 16  # a plain file that all may read
 
@@ -45,8 +45,6 @@ def flat_text(path):
             target = (folder / name).resolve()
             if target.is_file():
                 return match[1] + flat_name(target) + match[3]
-        if name == "fmu_scene.h":
-            return match[0]
         raise SystemExit(f"package.py: {path}: {name} is not there")
     return INCLUDE.sub(flat, path.read_text())
 
@@ -94,10 +92,10 @@ def write(path, text):
 def lay_out(model, directory):
     texts = {face: sources_of(face) for face in FACES}
     token = token_of(model, texts)
-    scene = (f"// The scene of this FMU: {model['scene']}.\n"
+    scene = (f"// The scene and the token of this FMU, {model['scene']}.\n"
              f"#define FMU_SCENE {model['index']}\n"
              f"#define FMU_TOKEN \"{token}\"\n")
-    write(directory / "fmu_scene.h", scene)
+    picture = icon()
     for face, files in texts.items():
         home = directory / face
         shutil.rmtree(home, ignore_errors=True)
@@ -107,7 +105,11 @@ def lay_out(model, directory):
         units = [name for name in sorted(files) if name.endswith(".c")]
         if face == "fmi2":
             xml = description.fmi2(model, token, units)
+            (home / "model.png").write_bytes(picture)
         else:
+            write(home / "terminalsAndIcons" / "terminalsAndIcons.xml",
+                  description.icon_description())
+            (home / "terminalsAndIcons" / "icon.png").write_bytes(picture)
             xml = description.fmi3(model, token)
             write(home / "sources" / "buildDescription.xml",
                   description.build_description(units))
