@@ -180,6 +180,16 @@ def wrong_takes(fmu):
     refused(DISCARD, "take = 6", wheel.set, "take", 6)
     wheel.set("take", 5)
     wheel.step(0.0, 1e-4)
+    # Open after the last step, but not under the inputs of the next one.
+    wheel = fmu.instance().begin(start_h=0, start_omega=-1.02)
+    wheel.step(0.0, 1e-4)
+    wheel.set("take", 2)
+    wheel.set("force", 1e3)
+    refused(DISCARD, "take = stick+|not open in this step|would end in slip",
+            wheel.step, 1e-4, 1e-4)
+    check(wheel.get("tick") == 1, "a refused step moved")
+    wheel.set("take", 5)
+    wheel.step(1e-4, 1e-4)
 
 
 def driven_inputs(fmu):

@@ -198,11 +198,30 @@ def futures(version):
     check(row_of(same) == expected[-1], "without take")
 
 
+def future_in_event_mode():
+    """The importer takes a mode in event mode; what follows is an event."""
+    wheel = instance("3", events=True, early=True)
+    wheel.begin(start_h=0.0, start_omega=-1.02)
+    time = wheel.step(0.0, DT)[2]
+    wheel.call("EnterEventMode")
+    before, ends = wheel.copy(), set()
+    for mode in (0, 1, 2):
+        wheel.restore(before)
+        wheel.set("take", mode)
+        wheel.call("EnterStepMode")
+        event, early, _ = wheel.step(time, 10 * DT)
+        check(wheel.get("mode") == mode, "another mode")
+        check(event == early == (mode != 2), "event")
+        ends.add(tuple(wheel.reals(["r", "v", "omega"])))
+    check(len(ends) == 3, f"ends: {ends}")
+
+
 TESTS = [(f"{scene}_under_fmi_{v}_has_the_bits_of_the_command_line",
           bits_of(scene, v)) for scene in SCENES for v in "23"]
 TESTS += [(f"{test.__name__}_under_fmi_{v}", lambda t=test, v=v: t(v))
           for test in (settings, other_step, restored, futures) for v in "23"]
-TESTS += [("events_in_order", events_in_order)]
+TESTS += [(test.__name__, test)
+          for test in (events_in_order, future_in_event_mode)]
 TESTS += test_calls.tests(lambda v: archive("chaos", v))
 TESTS += test_archive.tests(ROOT, BUILD, archive, rows, same_bits)
 
