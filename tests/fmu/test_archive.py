@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 import zipfile
 from pathlib import Path
 
-from importer import Fmu
+from importer import Fmu, Refused
 from tap import Skip, check
 
 NO_HEAP = ("malloc", "calloc", "realloc", "free", "printf", "fopen", "mmap")
@@ -66,11 +66,30 @@ class Archive:
                 low, high = float(variable["min"]), float(variable["max"])
                 check(low <= float(variable["start"]) <= high, f"{name}: start")
             wheel = fmu.instance()
+            self.members_are_those_of_the_core(fmu, wheel)
             for name, variable in fmu.variables.items():
+                check(variable.attributes.get("description"), f"{name}: what?")
                 if "start" in variable.attributes:
                     start = variable.attributes["start"]
                     start = {"true": 1, "false": 0}.get(start, start)
                     check(wheel.get(name) == float(start), f"{name}: start")
+
+    @staticmethod
+    def members_are_those_of_the_core(fmu, wheel):
+        """An enumeration has as many items as the core accepts numbers."""
+        types = {element.get("name"): len(list(element.iter("Item")))
+                 for element in fmu.root.find("TypeDefinitions")}
+        check(types["Take"] == types["Mode"] + 1, "Take")
+        for name in ("law", "rule", "scheme"):
+            variable = fmu.variables[name].attributes
+            count, start = types[variable["declaredType"]], wheel.get(name)
+            wheel.set(name, count - 1)
+            try:
+                wheel.set(name, count)
+            except Refused:
+                wheel.set(name, start)
+            else:
+                raise AssertionError(f"{name}: items are missing")
 
     def valid_by_the_schemas(self):
         """FMI_SCHEMAS is a folder with fmi2/ and fmi3/, the schemas of the

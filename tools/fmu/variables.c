@@ -5,41 +5,48 @@
 
 #include <string.h>
 
-static const char *const laws[] = {"jump",   "coulomb", "two_piece", "string",
-                                   "smooth", "none",    NULL};
-static const char *const rules[] = {"persist", "slip+", "slip-", "random",
-                                    NULL};
-static const char *const schemes[] = {"moreau", "located", NULL};
-static const char *const modes[] = {"slip+",  "slip-",  "stick+",
-                                    "stick-", "pinned", NULL};
-static const char *const takes[] = {"slip+",  "slip-",  "stick+", "stick-",
-                                    "pinned", "choose", NULL};
-static const char *const statuses[] = {"step_too_long", "diverged", "bad_state",
-                                       "bad_parameter", "ok",       "degraded",
-                                       "fell_back",     "coarse",   NULL};
+static const char *const laws[TF_TYRE_LAWS + 1] = {
+    "jump", "coulomb", "two_piece", "string", "smooth", "none", NULL};
+static const char *const rules[TF_RULES + 1] = {"persist", "slip+", "slip-",
+                                                "random", NULL};
+static const char *const schemes[FMU_SCHEMES + 1] = {"moreau", "located", NULL};
+static const char *const modes[TF_MODES + 1] = {"slip+",  "slip-",  "stick+",
+                                                "stick-", "pinned", NULL};
+static const char *const takes[TF_MODES + 2] = {
+    "slip+", "slip-", "stick+", "stick-", "pinned", "choose", NULL};
+static const char *const statuses[TF_COARSE - TF_STEP_TOO_LONG + 2] = {
+    "step_too_long", "diverged", "bad_state", "bad_parameter", "ok", "degraded",
+    "fell_back",     "coarse",   NULL};
 
-static const char *const parameter_about[TF_PARAMETERS] = {
-    "mass of the slider",
-    "distance of the slider's line from the axis",
-    "radius of gyration: the inertia of the disc is beta^2 m",
-    "stiffness of the slider's spring",
-    "damping of the disc against ground",
-    "damping of the slider",
-    "rest position of the spring",
-    "speed of the turntable during a step",
-    "friction force at h -> 0: a force, not a coefficient",
-    "moment per force in stick (laws jump, two_piece, smooth)",
-    "angle of the wheel to the slider",
-    "width of the smoothed sign (law smooth)",
-    "stiffness of the string / mu (laws string, two_piece)",
-    "largest static pressure / mu (law string)",
-    "relaxation length (law string)",
-    "dynamic / static pressure (law string)",
-    "half contact length (law string)",
-    "theta of the scheme moreau",
-    "step: communication steps are whole multiples of it",
-    "rate at which the rule random leaves a mode",
-    "relative error of a segment of the scheme located"};
+// What each parameter is, by its place in tf_params_t.
+#define ABOUT(member, text) \
+  { offsetof(tf_params_t, member), text }
+static const struct {
+  size_t offset;
+  const char *text;
+} abouts[TF_PARAMETERS] = {
+    ABOUT(m, "mass of the slider"),
+    ABOUT(d, "distance of the slider's line from the axis"),
+    ABOUT(beta, "radius of gyration: the inertia of the disc is beta^2 m"),
+    ABOUT(k2, "stiffness of the slider's spring"),
+    ABOUT(c1, "damping of the disc against ground"),
+    ABOUT(c2, "damping of the slider"),
+    ABOUT(r0, "rest position of the spring"),
+    ABOUT(omega0, "speed of the turntable during a step"),
+    ABOUT(mu, "friction force at h -> 0: a force, not a coefficient"),
+    ABOUT(kappa, "moment per force in stick (laws jump, two_piece, smooth)"),
+    ABOUT(gamma, "angle of the wheel to the slider"),
+    ABOUT(epsilon, "width of the smoothed sign (law smooth)"),
+    ABOUT(k, "stiffness of the string / mu (laws string, two_piece)"),
+    ABOUT(delta, "largest static pressure / mu (law string)"),
+    ABOUT(sigma, "relaxation length (law string)"),
+    ABOUT(rho, "dynamic / static pressure (law string)"),
+    ABOUT(a, "half contact length (law string)"),
+    ABOUT(theta, "theta of the scheme moreau"),
+    ABOUT(dt, "step: communication steps are whole multiples of it"),
+    ABOUT(rate, "rate at which the rule random leaves a mode"),
+    ABOUT(tolerance, "relative error of a segment of the scheme located"),
+};
 
 #define LIMIT ((double)TF_STATE_LIMIT)
 #define START(name, unit, about) \
@@ -118,11 +125,17 @@ static const fmu_variable_t wholes[FMU_WHOLES] = {
     COUNT("first", "tick of the first step that these four counted"),
 };
 
+static const char *about(size_t offset) {
+  size_t i = 0;
+  while (i < TF_PARAMETERS && abouts[i].offset != offset) i++;
+  return i < TF_PARAMETERS ? abouts[i].text : "";
+}
+
 static fmu_variable_t of_range(size_t i, fmu_role_t role) {
   const tf_parameter_range_t *range = &tf_parameter_ranges[i];
   return (fmu_variable_t){
-      range->name, range->unit, parameter_about[i], FMU_KIND_REAL,
-      role,        NULL,        (double)range->low, (double)range->high};
+      range->name, range->unit, about(range->offset), FMU_KIND_REAL,
+      role,        NULL,        (double)range->low,   (double)range->high};
 }
 
 // The place of a member of tf_params_t in tf_parameter_ranges.
