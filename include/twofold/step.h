@@ -49,7 +49,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 /// Scheme: Moreau-Jean theta method, linearly implicit in spring, dampers and
 ///   gyroscopic terms; the friction law holds at the end of the step; DESIGN.md
 ///   equations (1)-(12). Order 2 in smooth phases for theta = 1/2, else 1.
-///   A step within which a slip or a stick comes to h = g = 0 goes on from there
+///   A step within which slip or stick comes to h = g = 0 goes on from there
 ///   in the mode that follows (tf_rule_t): its force is a mean of those before
 ///   and behind, its residual the distance of that from their convex hull.
 ///   A step that leaves r as it was while the machine moves, and with which 256

@@ -257,6 +257,14 @@ TF_API bool tf_codim2_attractor(const tf_machine_t *k,
   return found;
 }
 
+// The best exit of a quadrant, or the one so far where none is better.
+static const limit_direction_t *best_exit(const limit_directions_t *all,
+                                          const limit_direction_t *best) {
+  for (int i = 0; i < all->count; i++)
+    if (is_better_exit(&all->at[i], best)) best = &all->at[i];
+  return best;
+}
+
 // The best exit into the side h > 0 or h < 0, from both of its quadrants.
 static void add_exit(const tf_machine_t *k, const codim2_field_t *field,
                      int sign_h, consistent_modes_t *out) {
@@ -266,11 +274,10 @@ static void add_exit(const tf_machine_t *k, const codim2_field_t *field,
     const quadrant_t q = quadrant_of(k, field, sign_g, sign_h);
     if (!may_leave(&q, k->tyre.T_anchor[TF_TYRE_ANCHORS - 1])) continue;
     const limit_directions_t all = limit_directions(k, &q);
-    for (int i = 0; i < all.count; i++) {
-      if (!is_better_exit(&all.at[i], &best)) continue;
-      best = all.at[i];
-      out->sign_g[slip] = sign_g;
-    }
+    const limit_direction_t *exit = best_exit(&all, &best);
+    if (exit == &best) continue;
+    best = *exit;
+    out->sign_g[slip] = sign_g;
   }
   if (!(best.speed > 0)) return;
   const unsigned bit = TF_MODE_BIT(TF_SLIP_PLUS + slip);

@@ -6,9 +6,9 @@
 // motion reaches or leaves the point along a zero of T, a limit direction
 // (Antali and Stepan 2018), or in stick; one with R > 0 leaves. A direction to
 // which its neighbours turn attracts, as does a stick with a positive Delassus
-// scalar. Stick that arrives goes on, at rest, where its law, the bow tie, holds
-// the wheel. Other motion runs into a rest unless one of those that attract
-// leaves: then it runs there.
+// scalar. Stick that arrives goes on, at rest, where its law, the bow tie,
+// holds the wheel. Other motion runs into a rest unless one of those that
+// attract leaves: then it runs there.
 #ifndef TF_CODIM2_H
 #define TF_CODIM2_H
 
@@ -63,10 +63,10 @@ TF_API codim2_way_t tf_codim2_destination(const tf_machine_t *k,
 TF_API void tf_codim2_modes(const tf_machine_t *k, const codim2_field_t *field,
                             consistent_modes_t *out);
 
-// The modes, and the one of them that the declared rule takes (tf_rule_t). from:
-// the mode of the motion. arrives: it comes there, and has lost its mode; else
-// it is there, and keeps its mode as the rule says. TF_NO_MODE where there is
-// none. `attracting` then has pinned too where a stick goes on in it.
+// The modes, and the one of them that the declared rule takes (tf_rule_t).
+// from: the mode of the motion. arrives: it comes there, and has lost its mode;
+// else it is there, and keeps its mode as the rule says. TF_NO_MODE where there
+// is none. `attracting` then has pinned too where a stick goes on in it.
 #define tf_leave_codim2 TF_LINK(tf_leave_codim2)
 TF_API unsigned tf_leave_codim2(const tf_machine_t *k,
                                 const codim2_field_t *field, unsigned from,

@@ -80,8 +80,8 @@ TF_RARE tf_status_t degraded_step(const tf_machine_t *k, tf_state_t *state,
   return close_step(&c, state, input, &best.end, best.outcome, report);
 }
 
-// A slip that turns within the step, see slip_end(): not TF_OK where a blow does
-// that and the slip is kept.
+// A slip that turns within the step, see slip_end(): not TF_OK where a blow
+// does that and the slip is kept.
 TF_RARE tf_status_t turning_step(const tf_machine_t *k, tf_state_t *state,
                                  const tf_input_t *input, unsigned slip,
                                  tf_report_t *report) {

@@ -122,8 +122,8 @@ check 'no rows without --csv' [ ! -s out ]
 # A report whose F is not a number: the row is written, and told.
 {
   bytes_of schema state
-  printf '\0\5\1\4\34\3\3\350\3\1\1\1\1\1\1\1\1\1\1\1\3\200\276\1\7\300\177'
-  printf '\315\314\114\276\1\1\2\100\1\1\1\4\3\30\2\1\221\211\340\206\206\0'
+  printf '\0\5\2\4\35\3\1\1\3\350\3\1\1\1\1\1\1\1\1\1\1\1\3\200\276\1\7\300\177'
+  printf '\315\314\114\276\1\1\2\100\1\1\1\4\3\30\2\1\1\225\310\321\250\202\0'
 } >bad
 expect 6 'values     1 rows with one that is not finite, first at step 1000' \
   monitor bad --csv

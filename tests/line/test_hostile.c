@@ -145,8 +145,8 @@ static uint64_t any_tick(void) {
   }
 }
 
-/* A whole frame. A command has the length that it should have, and most name the
- * session of the board and a number that it still takes. */
+/* A whole frame. A command has the length that it should have, and most name
+ * the session of the board and a number that it still takes. */
 static size_t whole(target_t *t, int command, uint8_t wire[ROOM]) {
   static const uint8_t lengths[] = {5 * TF_REAL_BYTES,
                                     1 + TF_REAL_BYTES,

@@ -181,9 +181,9 @@ unsigned ref_consistent_set(const ref_consistent_t *consistent, ref_law_t law) {
 }
 
 // Kinds of future in the order of the rule. Where the law of stick holds the
-// wheel (the bow tie), a stick that arrives is held. Other motion runs into rest
-// unless a stick or a direction leaves to which its neighbours turn, so those
-// come before it.
+// wheel (the bow tie), a stick that arrives is held. Other motion runs into
+// rest unless a stick or a direction leaves to which its neighbours turn, so
+// those come before it.
 enum {
   ATTRACTING_STICK,
   HELD,
@@ -213,6 +213,6 @@ int ref_choose(const ref_consistent_t *consistent, ref_law_t law,
       best_kind = kind;
     }
   }
-  const int rest = from_stick && consistent->rests[REF_BOW_TIE] ? HELD : REST;
-  return best_kind > rest && consistent->rests[law] ? REF_REST : best;
+  const int held = from_stick && consistent->rests[REF_BOW_TIE] ? HELD : REST;
+  return best_kind > held && consistent->rests[law] ? REF_REST : best;
 }
