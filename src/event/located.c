@@ -208,13 +208,13 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
   path->set &= ~TF_MODE_BIT(path->mode);
   path->mode = mode_at_end(path, slip);
   // The mode at the end may come from a smaller set than the largest one.
-  const outcome_t outcome = {path->mode, path->set | TF_MODE_BIT(path->mode),
-                             path->is_coarse ? TF_COARSE : TF_OK,
-                             contact
-                                 ? delassus_at(k, end.r * k->cos_gamma,
-                                               slip.g < 0, inertia_at(k, end.r))
-                                 : 0,
-                             false};
+  const outcome_t outcome = {
+      .mode = path->mode,
+      .set = path->set | TF_MODE_BIT(path->mode),
+      .status = path->is_coarse ? TF_COARSE : TF_OK,
+      .delassus = contact ? delassus_at(k, end.r * k->cos_gamma, slip.g < 0,
+                                        inertia_at(k, end.r))
+                          : 0};
   if (k->with_angle) state->phi += path->angle;
   const bool stays = state->r == end.r;
   record(state, end, slip, path->force, residual_at_end(path, slip), outcome,

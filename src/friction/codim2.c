@@ -13,12 +13,8 @@
 #include "select.h"
 
 #define MOST_ITERATIONS 32
-#define SHARE_BITS 32
 #define SEPARATORS 3
 #define NO_SEPARATOR TF_REAL_MAX // above every T
-// Between the separators there are four; rounding may show two more beside
-// each.
-#define MOST_DIRECTIONS 10
 // A slip that meets no limit direction has come round after so many.
 #define QUADRANTS 5
 
@@ -26,6 +22,7 @@
 // sign_h h' = h0 + h1 T, which are affine in T = cot(psi).
 typedef struct {
   tf_real_t g0, g1, h0, h1;
+  int sign_g, sign_h;
 } quadrant_t;
 
 // By (force), (moment) in multipliers.
@@ -37,8 +34,12 @@ static quadrant_t quadrant_of(const tf_machine_t *k,
   const tf_real_t x0 = s_h * at0.x, x1 = -s_h * k->tyre.inv_18_kappa;
   const tf_real_t y1 = s_h * s_g * k->tyre.inv_6_kappa;
   const affine_t h = field->h, g = field->g;
-  return (quadrant_t){s_g * (g.c0 + x0 * g.cx), s_g * (x1 * g.cx + y1 * g.cy),
-                      s_h * (h.c0 + x0 * h.cx), s_h * (x1 * h.cx + y1 * h.cy)};
+  return (quadrant_t){s_g * (g.c0 + x0 * g.cx),
+                      s_g * (x1 * g.cx + y1 * g.cy),
+                      s_h * (h.c0 + x0 * h.cx),
+                      s_h * (x1 * h.cx + y1 * h.cy),
+                      sign_g,
+                      sign_h};
 }
 
 // Whether somewhere in a quadrant h and g both grow in magnitude: only there
@@ -85,63 +86,41 @@ static direction_t on_chord(const tf_machine_t *k, int anchor,
   return (direction_t){C, S, cot_psi(&k->tyre, S, C)};
 }
 
-typedef struct {
-  tf_real_t T;       // its cot(psi)
-  tf_real_t C, S;    // cosine and sine of its angle from the h axis
-  tf_real_t speed;   // outwards [m/s^2]
-  bool is_attractor; // its neighbours turn to it as time runs on
-} limit_direction_t;
-
-// A part of a chord, by shares, and the angular rates at its ends, which have
-// opposite signs.
+// A part of a chord, by shares, and the values of a function at its ends, which
+// have opposite signs.
 typedef struct {
   tf_real_t low, high, f_low, f_high;
 } bracket_t;
 
-// The zero of the angular rate in a bracket, by regula falsi with the Illinois
-// modification: an end that is kept twice has its value halved.
-static limit_direction_t limit_direction_in(const tf_machine_t *k,
-                                            const quadrant_t *q, int anchor,
-                                            bracket_t in) {
-  const bool attracts = in.f_low > 0;
+// The zero in a bracket of the angular rate of a quadrant or, without one, of
+// T - T0, by regula falsi with the Illinois modification: an end that is kept
+// twice has its value halved.
+static direction_t zero_on_chord(const tf_machine_t *k, const quadrant_t *q,
+                                 tf_real_t T0, int anchor, bracket_t in,
+                                 tf_real_t *share) {
+  const bool falls = in.f_low > 0;
   direction_t at = {1, 0, 0};
   int kept = 0;
   for (int i = 0; i < MOST_ITERATIONS; i++) {
-    const tf_real_t share =
-        (in.f_low * in.high - in.f_high * in.low) / (in.f_low - in.f_high);
-    at = on_chord(k, anchor, share);
-    const tf_real_t f = angular_rate(q, at);
+    *share = (in.f_low * in.high - in.f_high * in.low) / (in.f_low - in.f_high);
+    at = on_chord(k, anchor, *share);
+    const tf_real_t f = q ? angular_rate(q, at) : at.T - T0;
     if (!(in.high - in.low > 4 * TF_REAL_EPSILON)) break;
-    if ((f > 0) == attracts) {
-      if (!(share - in.low > TF_REAL_EPSILON * share)) break;
-      in.low = share;
+    if ((f > 0) == falls) {
+      if (!(*share - in.low > TF_REAL_EPSILON * *share)) break;
+      in.low = *share;
       in.f_low = f;
       if (kept == 1) in.f_high /= 2;
       kept = 1;
     } else {
-      if (!(in.high - share > TF_REAL_EPSILON * share)) break;
-      in.high = share;
+      if (!(in.high - *share > TF_REAL_EPSILON * *share)) break;
+      in.high = *share;
       in.f_high = f;
       if (kept == -1) in.f_low /= 2;
       kept = -1;
     }
   }
-  const tf_real_t length = square_root(at.C * at.C + at.S * at.S);
-  return (limit_direction_t){at.T, at.C / length, at.S / length,
-                             radial_rate(q, at), attracts};
-}
-
-// The share of the chord at which T has this value, to SHARE_BITS.
-static tf_real_t share_of(const tf_machine_t *k, int anchor, tf_real_t T) {
-  tf_real_t low = 0, high = 1;
-  for (int n = 0; n < SHARE_BITS; n++) {
-    const tf_real_t share = (low + high) / 2;
-    if (on_chord(k, anchor, share).T < T)
-      low = share;
-    else
-      high = share;
-  }
-  return high;
+  return at;
 }
 
 static void order_two(tf_real_t T[2]) {
@@ -187,48 +166,91 @@ static separators_t find_separators(const tf_machine_t *k,
   return out;
 }
 
-// The limit directions of a quadrant, by increasing T.
 typedef struct {
-  limit_direction_t at[MOST_DIRECTIONS];
-  int count;
-} limit_directions_t;
+  tf_real_t T;       // its cot(psi)
+  tf_real_t C, S;    // cosine and sine of its angle from the h axis
+  tf_real_t speed;   // outwards [m/s^2]
+  bool is_attractor; // its neighbours turn to it as time runs on
+  int sign_g;        // of its quadrant; 0: no direction
+} limit_direction_t;
+
+static const limit_direction_t no_direction = {0, 0, 0, 0, false, 0};
+
+static limit_direction_t limit_direction_in(const tf_machine_t *k,
+                                            const quadrant_t *q, int anchor,
+                                            bracket_t in) {
+  tf_real_t share;
+  const direction_t at = zero_on_chord(k, q, 0, anchor, in, &share);
+  const tf_real_t length = square_root(at.C * at.C + at.S * at.S);
+  return (limit_direction_t){at.T,          at.C / length,
+                             at.S / length, radial_rate(q, at),
+                             in.f_low > 0,  q->sign_g};
+}
+
+// Which of the limit directions of a quadrant is asked for: the best exit, or
+// the first one that a slip turns to from T towards larger or smaller ones.
+typedef struct {
+  bool leaves, upwards;
+  tf_real_t T;
+} search_t;
+
+static const search_t exits = {true, false, 0};
+
+// Of two exits the one to which its neighbours turn, then the faster one. The
+// limit directions come by increasing T.
+static bool is_better(const search_t *search, const limit_direction_t *next,
+                      const limit_direction_t *best) {
+  if (!search->leaves)
+    return next->is_attractor &&
+           (search->upwards ? next->T >= search->T && !best->sign_g
+                            : next->T <= search->T);
+  if (!(next->speed > 0)) return false;
+  return next->is_attractor == best->is_attractor ? next->speed > best->speed
+                                                  : next->is_attractor;
+}
+
+// Whether the angular rate surely has this sign where T has a value on a chord:
+// for one T it is linear along it.
+static bool has_sign_at(const quadrant_t *q, int anchor, tf_real_t T,
+                        bool positive) {
+  const direction_t low = {anchor_cos[anchor], anchor_cos[8 - anchor], T};
+  const direction_t high = {anchor_cos[anchor + 1], anchor_cos[7 - anchor], T};
+  return (angular_rate(q, low) > 0) == positive &&
+         (angular_rate(q, high) > 0) == positive;
+}
 
 // They lie where the angular rate changes its sign between two neighbours of
-// the anchors and the separators.
-static limit_directions_t limit_directions(const tf_machine_t *k,
-                                           const quadrant_t *q) {
-  limit_directions_t found = {.count = 0};
+// the anchors and the separators. A separator at which the rate has the sign of
+// its lower neighbour separates nothing. Returns what is asked for, or the best
+// so far where none is better.
+static limit_direction_t search_quadrant(const tf_machine_t *k,
+                                         const quadrant_t *q,
+                                         const search_t *search,
+                                         limit_direction_t best) {
   const separators_t separators = find_separators(k, q);
-  const tf_real_t *separator = separators.T;
   tf_real_t from = angular_rate(q, (direction_t){1, 0, 0});
   for (int i = 0; i < 8; i++) {
     const tf_real_t low = k->tyre.T_anchor[i], high = k->tyre.T_anchor[i + 1];
     tf_real_t begin = 0;
     for (int n = 0; n <= SEPARATORS; n++) {
+      const tf_real_t T = n < SEPARATORS ? separators.T[n] : high;
       tf_real_t end = 1;
       direction_t at = {anchor_cos[i + 1], anchor_cos[7 - i], high};
       if (n < SEPARATORS) {
-        if (!(separator[n] > low && separator[n] < high)) continue;
-        end = share_of(k, i, separator[n]);
-        at = on_chord(k, i, end);
+        if (!(T > low && T < high) || has_sign_at(q, i, T, from > 0)) continue;
+        const bracket_t chord = {0, 1, low - T, high - T};
+        at = zero_on_chord(k, NULL, T, i, chord, &end);
       }
       const tf_real_t to = angular_rate(q, at);
       const bracket_t part = {begin, end, from, to};
       begin = end;
       from = to;
-      if ((part.f_low > 0) != (to > 0) && found.count < MOST_DIRECTIONS)
-        found.at[found.count++] = limit_direction_in(k, q, i, part);
+      if ((part.f_low > 0) == (to > 0)) continue;
+      const limit_direction_t next = limit_direction_in(k, q, i, part);
+      if (is_better(search, &next, &best)) best = next;
     }
   }
-  return found;
-}
-
-// Of two exits the one to which its neighbours turn, then the faster one.
-static bool is_better_exit(const limit_direction_t *next,
-                           const limit_direction_t *best) {
-  if (!(next->speed > 0)) return false;
-  return next->is_attractor == best->is_attractor ? next->speed > best->speed
-                                                  : next->is_attractor;
+  return best;
 }
 
 TF_API codim2_field_t tf_codim2_field_of(const tf_machine_t *k,
@@ -247,41 +269,26 @@ TF_API bool tf_codim2_attractor(const tf_machine_t *k,
                                 const codim2_field_t *field, int sign_g,
                                 int sign_h, tf_real_t *T) {
   const quadrant_t q = quadrant_of(k, field, sign_g, sign_h);
-  const limit_directions_t all = limit_directions(k, &q);
-  bool found = false;
-  for (int i = 0; i < all.count; i++) {
-    if (!all.at[i].is_attractor) continue;
-    *T = all.at[i].T;
-    found = true;
-  }
-  return found;
-}
-
-// The best exit of a quadrant, or the one so far where none is better.
-static const limit_direction_t *best_exit(const limit_directions_t *all,
-                                          const limit_direction_t *best) {
-  for (int i = 0; i < all->count; i++)
-    if (is_better_exit(&all->at[i], best)) best = &all->at[i];
-  return best;
+  const search_t last = {false, false, TF_REAL_MAX};
+  const limit_direction_t to = search_quadrant(k, &q, &last, no_direction);
+  if (to.sign_g) *T = to.T;
+  return to.sign_g != 0;
 }
 
 // The best exit into the side h > 0 or h < 0, from both of its quadrants.
 static void add_exit(const tf_machine_t *k, const codim2_field_t *field,
                      int sign_h, consistent_modes_t *out) {
   const int slip = sign_h > 0 ? 0 : 1;
-  limit_direction_t best = {.speed = 0};
-  for (int sign_g = -1; sign_g <= 1; sign_g += 2) {
-    const quadrant_t q = quadrant_of(k, field, sign_g, sign_h);
-    if (!may_leave(&q, k->tyre.T_anchor[TF_TYRE_ANCHORS - 1])) continue;
-    const limit_directions_t all = limit_directions(k, &q);
-    const limit_direction_t *exit = best_exit(&all, &best);
-    if (exit == &best) continue;
-    best = *exit;
-    out->sign_g[slip] = sign_g;
+  limit_direction_t best = no_direction;
+  for (int n = 0; n < 2; n++) {
+    const quadrant_t q = quadrant_of(k, field, n ? 1 : -1, sign_h);
+    if (may_leave(&q, k->tyre.T_anchor[TF_TYRE_ANCHORS - 1]))
+      best = search_quadrant(k, &q, &exits, best);
   }
-  if (!(best.speed > 0)) return;
+  if (!best.sign_g) return;
   const unsigned bit = TF_MODE_BIT(TF_SLIP_PLUS + slip);
   out->T[slip] = best.T;
+  out->sign_g[slip] = best.sign_g;
   out->solutions.set |= (uint8_t)bit;
   if (best.is_attractor) out->solutions.attracting |= (uint8_t)bit;
   out->solutions.h_limit[slip] = (tf_real_t)sign_h * best.speed;
@@ -338,21 +345,9 @@ TF_API unsigned tf_leave_codim2(const tf_machine_t *k,
                    lost ? TF_NO_MODE : from, state->tick, state->seed);
 }
 
-// The first limit direction that a slip turns to, from T towards larger or
-// smaller ones; NULL where there is none in its quadrant.
-static const limit_direction_t *next_direction(const limit_directions_t *all,
-                                               tf_real_t T, bool upwards) {
-  for (int n = 0; n < all->count; n++) {
-    const limit_direction_t *at = &all->at[upwards ? n : all->count - 1 - n];
-    if (at->is_attractor && (upwards ? at->T >= T : at->T <= T)) return at;
-  }
-  return NULL;
-}
-
 static codim2_way_t way_of_slip(const tf_machine_t *k,
-                                const limit_direction_t *to, int sign_h,
-                                int sign_g) {
-  const tf_real_t s_h = (tf_real_t)sign_h, s_g = (tf_real_t)sign_g;
+                                const limit_direction_t *to, int sign_h) {
+  const tf_real_t s_h = (tf_real_t)sign_h, s_g = (tf_real_t)to->sign_g;
   const multipliers_t m = multipliers_at(&k->tyre, to->T);
   return (codim2_way_t){sign_h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS,
                         {s_h * to->C, s_g * to->S},
@@ -381,9 +376,9 @@ TF_API codim2_way_t tf_codim2_destination(const tf_machine_t *k,
   quadrant_t q = quadrant_of(k, field, sign_g, sign_h);
   bool upwards = angular_rate(&q, at) > 0;
   for (int turn = 0; turn < QUADRANTS; turn++) {
-    const limit_directions_t all = limit_directions(k, &q);
-    const limit_direction_t *to = next_direction(&all, at.T, upwards);
-    if (to) return way_of_slip(k, to, sign_h, sign_g);
+    const search_t next = {false, upwards, at.T};
+    const limit_direction_t to = search_quadrant(k, &q, &next, no_direction);
+    if (to.sign_g) return way_of_slip(k, &to, sign_h);
     if (upwards)
       sign_h = -sign_h;
     else

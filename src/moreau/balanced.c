@@ -17,7 +17,14 @@
 #include "balanced.h"
 
 #include "../friction/mode_set.h"
-#include "balance.h"
+
+// The end, the force of the step, and the slip that the end has.
+typedef struct {
+  end_state_t at;
+  tf_force_t force;
+  unsigned mode;
+  tf_real_t delassus;
+} balanced_end_t;
 
 // The guess of the middle.
 typedef struct {
@@ -126,10 +133,11 @@ static balanced_end_t end_with(const given_t *x, tf_real_t *excess) {
   return end_about(x, c, excess);
 }
 
-TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
-                                      const tf_state_t *state,
-                                      const tf_input_t *input, unsigned mode,
-                                      tf_force_t force) {
+// mode, force: what the linear step ends with.
+static balanced_end_t balanced_end(const tf_machine_t *k,
+                                   const tf_state_t *state,
+                                   const tf_input_t *input, unsigned mode,
+                                   tf_force_t force) {
   given_t x = {k, state, input, magnitude(force.F), force.M};
   if (tf_tyre_is_set_valued(k->tyre.law)) {
     if (mode > TF_SLIP_MINUS) x.most = k->tyre.mu;
@@ -150,4 +158,30 @@ TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
     end.delassus = delassus_at(k, end.at.r * k->cos_gamma, slip.g < 0,
                                inertia_at(k, end.at.r));
   return end;
+}
+
+TF_API step_end_t tf_judged_end(const tf_machine_t *k, const tf_state_t *state,
+                                const tf_input_t *input, step_end_t to) {
+  const end_state_t from = {state->r, state->v, state->w};
+  const end_state_t at = to.end.at;
+  const tf_force_t force = to.end.force;
+  const tf_real_t energy = mean_energy(k, input, from, at);
+  const balance_t b = balance_of(k, is_midpoint(k), input, from, at, force.F);
+  if (creates_energy(&b, energy)) {
+    const balanced_end_t end =
+        balanced_end(k, state, input, to.outcome.mode, force);
+    to.end.at = end.at;
+    to.end.force = end.force;
+    to.outcome.residual += magnitude(end.force.F - force.F);
+    to.outcome.mode = end.mode;
+    to.outcome.is_mean = false;
+    to.outcome.is_balanced = true;
+    to.outcome.delassus = end.delassus;
+  } else if (!is_too_coarse(k, &b, energy, from, at) &&
+             !(ends_slip(state->mode, to.outcome.mode) &&
+               is_blow(k, from, at))) {
+    return to;
+  }
+  if (to.outcome.status == TF_OK) to.outcome.status = TF_COARSE;
+  return to;
 }

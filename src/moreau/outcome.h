@@ -11,9 +11,11 @@
 // What a step has decided.
 typedef struct {
   unsigned mode, set;
-  tf_status_t status;
+  tf_status_t status; // below TF_OK: it is refused
   tf_real_t delassus;
-  bool is_mean; // the force is a mean of those before and behind h = g = 0
+  tf_real_t residual; // of a single-valued law
+  bool is_mean;     // the force is a mean of those before and behind h = g = 0
+  bool is_balanced; // it ends in the form that creates no energy
 } outcome_t;
 
 // In slip the angle is not in question: only the side is checked. A mean over a
@@ -22,6 +24,7 @@ TF_INLINE tf_real_t mode_residual(const tf_machine_t *k,
                                   const outcome_t *outcome, tf_force_t force,
                                   tf_slip_t slip) {
   const unsigned mode = outcome->mode;
+  if (!tf_tyre_is_set_valued(k->tyre.law)) return outcome->residual;
   if (outcome->is_mean)
     return rest_residual(TF_REST_HULL, k->tyre.mu, k->stick_kappa, force);
   if (mode == TF_PINNED && k->stick_kappa > 0)

@@ -44,24 +44,18 @@ TF_INLINE tf_force_t single_valued_force(const free_motion_t *c) {
   return secant_force(c, at);
 }
 
-// The end under such a force, the mode that its slip has, and how far the force
-// is from the law at the theta point.
-typedef struct {
-  forced_end_t end;
-  unsigned mode;
-  tf_real_t residual;
-} single_valued_end_t;
-
-TF_INLINE single_valued_end_t single_valued_end(const free_motion_t *c,
-                                                tf_force_t force) {
+// The end of the step, the mode that its slip has, and how far the force is
+// from the law at the theta point.
+TF_INLINE step_end_t single_valued_end(const free_motion_t *c) {
   const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_force_t force = single_valued_force(c);
   const change_t change = response_to(k, &c->linear, force);
-  single_valued_end_t out = {.end = end_under(c, force, change)};
+  step_end_t to = {.end = end_under(c, force, change)};
   const tf_slip_t at = slip_at_theta_under(c, change);
-  const tf_real_t h = end_slip(c, &out.end).h;
-  out.residual = magnitude(force.F - single_valued_law(k, at).F);
-  out.mode = slip_of_sign(h, c->state->mode);
-  return out;
+  to.outcome.residual = magnitude(force.F - single_valued_law(k, at).F);
+  to.outcome.mode = slip_of_sign(end_slip(c, &to.end).h, c->state->mode);
+  to.outcome.set = TF_MODE_BIT(to.outcome.mode);
+  return to;
 }
 
 #endif

@@ -1,6 +1,6 @@
 // The stages of one step under a set-valued law, inline, in the order in which
 // a step takes them: free motion (1)-(7), inclusion (8), choice, end in the
-// mode (9), (10). tf_step and tf_step_compensated are lists of these stages.
+// mode (9), (10). scheme.h is the list of them.
 #ifndef TF_STAGES_H
 #define TF_STAGES_H
 
@@ -16,11 +16,6 @@
 #ifndef TF_API_MACHINE
 #define TF_API_MACHINE(c) ((c)->machine)
 #endif
-
-// Validation.
-TF_INLINE bool may_step(const tf_state_t *state, const tf_input_t *input) {
-  return state->mode < TF_MODES && in_range(state, input);
-}
 
 // The velocities and the slip that a step starts with. An incremental step
 // (compensation.h) knows its slip to more digits than p and z are stored in: it
@@ -56,10 +51,12 @@ TF_INLINE tf_slip_t slip_by_increment(const tf_machine_t *k,
 
 // Free motion, (1)-(7).
 TF_INLINE free_motion_t free_motion(const tf_machine_t *k,
-                                    const tf_state_t *state, linear_t linear,
-                                    start_t start) {
-  free_motion_t c = {
-      .machine = k, .state = state, .start = start, .linear = linear};
+                                    const tf_state_t *state,
+                                    const tf_input_t *input, start_t start) {
+  free_motion_t c = {.machine = k,
+                     .state = state,
+                     .start = start,
+                     .linear = linearise(k, state, input)};
   c.linear.p = start.p;
   c.linear.z = start.z;
   c.end = free_end(k, &c.linear);
@@ -67,14 +64,6 @@ TF_INLINE free_motion_t free_motion(const tf_machine_t *k,
                ? slip_by_increment(k, state, &c.start, c.linear.free)
                : slip_from_pq(k, c.end.p, c.end.r * c.end.z);
   return c;
-}
-
-// A step whose slip at the start is that of the stored state.
-TF_INLINE free_motion_t plain_motion(const tf_machine_t *k,
-                                     const tf_state_t *state,
-                                     const tf_input_t *input) {
-  const linear_t l = linearise(k, state, input);
-  return free_motion(k, state, l, (start_t){l.p, l.z, {0, 0}, false, false});
 }
 
 TF_INLINE tf_slip_t start_slip(const free_motion_t *c) {
@@ -91,6 +80,12 @@ typedef struct {
   bool pinned;
   bool turns; // see slip_end()
 } forced_end_t;
+
+// Where a step ends, and what it has decided.
+typedef struct {
+  forced_end_t end;
+  outcome_t outcome;
+} step_end_t;
 
 // (7)
 TF_INLINE forced_end_t end_under(const free_motion_t *c, tf_force_t force,
@@ -255,22 +250,6 @@ TF_INLINE tf_real_t end_delassus(const free_motion_t *c, const inclusion_t *in,
   const bool minus =
       signs == BOTH_SIGNS ? end_slip(c, end).g < 0 : signs == MINUS_SIGN;
   return step_delassus(TF_API_MACHINE(c), in, minus);
-}
-
-// status_by_signs() where the signs are not plain to see. A turntable that
-// stands may bring the wheel to rest; then h and g are off by the rounding of
-// the forces that balance, friction and spring, times dt A. As this is called
-// last, it needs no registers of the step.
-TF_RARE tf_status_t status_of_end(const tf_machine_t *k,
-                                  const tf_state_t *state, tf_real_t omega0,
-                                  tf_report_t *report) {
-  const tf_real_t rounding =
-      slip_rounding(k, state->r, state->v, state->w, omega0);
-  const tf_real_t force =
-      magnitude(report->force.F) + k->k2 * magnitude(state->r);
-  const tf_real_t taken = k->dt * magnitude(report->delassus) * force;
-  const tf_real_t of_force = omega0 == 0 ? 32 * TF_REAL_EPSILON * taken : 0;
-  return status_by_signs(report, rounding + of_force);
 }
 
 #endif
