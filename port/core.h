@@ -56,10 +56,12 @@
 #include "../src/model/tyre.c"
 #include "../src/moreau/balanced.c"
 #include "../src/moreau/begin.c"
+#include "../src/moreau/codim2_end.c"
 #ifdef SCHEME_COMPENSATED
 #include "../src/moreau/compensated.c"
 #include "../src/moreau/prepare_compensated.c"
 #endif
+#include "../src/moreau/rare_end.c"
 #include "../src/moreau/step.c"
 
 #ifdef SCHEME_LOCATED

@@ -56,17 +56,11 @@ TF_INLINE tf_real_t form_value(const form_t *f, tf_real_t x, tf_real_t y) {
          y * (f->cy + x * f->cxy + y * f->cyy);
 }
 
-// By how much a form can move over the step from its value at the start.
-TF_INLINE tf_real_t reach_of(const form_t *f, tf_real_t now) {
-  return magnitude(f->c0 - now) + magnitude(f->cx) * 4 / 3 + magnitude(f->cy);
-}
-
-// Whether h = g = 0 is so near that the step can come there.
-TF_INLINE bool is_within_reach(const tf_slip_t now, const form_t *h,
-                               const form_t *g) {
-  const bool in_g = within(now.g, reach_of(g, now.g));
-  const bool in_h = within(now.h, reach_of(h, now.h));
-  return in_g & in_h; // without a branch, for the lanes of an ensemble
+// Whether a form that is `now` at the start can come to 0 within the step: by
+// how much it moves, free and under the forces of the law.
+TF_INLINE bool may_vanish(const form_t *f, tf_real_t now) {
+  return within(now, magnitude(f->c0 - now) + magnitude(f->cx) * 4 / 3 +
+                         magnitude(f->cy));
 }
 
 // A form of x and y along y = s x, which stick is held to: c0 + c1 x + c2 x^2,

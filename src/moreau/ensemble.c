@@ -55,8 +55,8 @@ static void near_codim2_all(const tf_machine_t *restrict k,
   for (int i = 0; i < TF_LANES; i++) {
     const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
     const form_t h = form_of(&work->h, i), g = form_of(&work->g, i);
-    work->rare[i] |=
-        when(b->mode[i] <= TF_SLIP_MINUS) & when(is_within_reach(now, &h, &g));
+    work->rare[i] |= when(b->mode[i] <= TF_SLIP_MINUS) &
+                     when(may_vanish(&h, now.h)) & when(may_vanish(&g, now.g));
   }
 }
 

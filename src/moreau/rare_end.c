@@ -23,13 +23,15 @@ TF_INLINE step_end_t chosen_end(const free_motion_t *c, const inclusion_t *in,
   return to;
 }
 
-static step_end_t end_anew(const tf_machine_t *k, const tf_state_t *state,
+// A build for one scene keeps what its machine needs.
+static step_end_t end_anew(const tf_machine_t *machine, const tf_state_t *state,
                            const tf_input_t *input, start_t start,
                            ending_t ending) {
-  free_motion_t c = free_motion(k, state, input, start);
+  free_motion_t c = free_motion(machine, state, input, start);
+  const tf_machine_t *k = TF_API_MACHINE(&c);
   step_end_t to = {.outcome = {.status = TF_STEP_TOO_LONG}};
   if (!c.linear.definite) return to;
-  if (ending == END_SINGLE_VALUED) return single_valued_end(&c);
+  if (!tf_tyre_is_set_valued(k->tyre.law)) return single_valued_end(&c);
   inclusion_t in = inclusion(&c);
   solutions_t s = {0};
   add_pinned_point(&c, &in);
@@ -39,7 +41,8 @@ static step_end_t end_anew(const tf_machine_t *k, const tf_state_t *state,
   enumerate(&in, signs, &s);
   if (ending == END_IN_DOUBT || ending == END_TURNING)
     return chosen_end(&c, &in, signs, &s, ending == END_TURNING);
-  if (ending == END_NEAR_CODIM2 && tf_codim2_end(&c, input, &in, &s, &to))
+  if (k->stick_kappa > 0 && ending == END_NEAR_CODIM2 &&
+      tf_codim2_end(&c, input, &in, &s, &to))
     return to;
   return least_violation(&c, &in, &s);
 }

@@ -156,8 +156,10 @@ TF_INLINE bool is_near_codim2(const free_motion_t *c, const inclusion_t *in,
                               unsigned signs, unsigned set) {
   const unsigned mode = c->state->mode;
   if (!in->has_moment || mode == TF_PINNED) return in->has_moment;
-  if (mode <= TF_SLIP_MINUS)
-    return is_within_reach(start_slip(c), &in->h, &in->g);
+  if (mode <= TF_SLIP_MINUS) {
+    const tf_slip_t now = start_slip(c);
+    return may_vanish(&in->h, now.h) && may_vanish(&in->g, now.g);
+  }
   const unsigned own = mode == TF_STICK_PLUS ? PLUS_SIGN : MINUS_SIGN;
   return signs != own && !has(set, mode);
 }
