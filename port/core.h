@@ -62,6 +62,7 @@
 #include "../src/moreau/prepare_compensated.c"
 #endif
 #include "../src/moreau/rare_end.c"
+#include "../src/moreau/single_valued.c"
 #include "../src/moreau/step.c"
 
 #ifdef SCHEME_LOCATED

@@ -2,10 +2,8 @@
 // lost. What follows that point is asked of tf_leave_codim2, which knows
 // nothing of where a step happens to end, so that the branch does not depend on
 // it.
-#include "codim2_end.h"
-
 #include "../friction/codim2.h"
-#include "outcome.h"
+#include "rare_end.h"
 
 // The rest of a step behind h = g = 0 is not shorter than 1/32 of it, so that
 // the direction of the slip is not lost in rounding.
@@ -236,15 +234,17 @@ static bool follow_limit_direction(const free_motion_t *c,
   return end_at(c, in, way->mode, to, way->under, out);
 }
 
-TF_API bool tf_codim2_end(const free_motion_t *c, const tf_input_t *input,
-                          const inclusion_t *in, const solutions_t *s,
-                          step_end_t *out) {
+TF_API bool tf_codim2_end(free_motion_t *c, const tf_input_t *input,
+                          inclusion_t *in, solutions_t *s, step_end_t *to) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   const unsigned mode = c->state->mode;
+  add_pinned_point(c, in);
+  // The hull reaches beyond the forces by which signs_of() judges.
+  enumerate(in, BOTH_SIGNS, s);
   const codim2_field_t field = field_of_step(c, in);
   const tf_slip_t now = c->start.slip;
   const tf_real_t distance = square_root(now.h * now.h + now.g * now.g);
-  *out = (step_end_t){.outcome = {.status = TF_OK}};
+  *to = (step_end_t){.outcome = {.status = TF_OK}};
   codim2_way_t way = {.mode = TF_NO_MODE};
   bool rests = false;
   arrival_t arrival = {.comes = mode == TF_PINNED || distance == 0};
@@ -257,15 +257,15 @@ TF_API bool tf_codim2_end(const free_motion_t *c, const tf_input_t *input,
     arrival = arrival_of_stick(in, mode == TF_STICK_MINUS, rounding);
   }
   if (rests) {
-    out->outcome.mode = mode;
-    out->outcome.set = s->set | TF_MODE_BIT(mode);
-    out->end = mode_end(c, s, mode);
+    to->outcome.mode = mode;
+    to->outcome.set = s->set | TF_MODE_BIT(mode);
+    to->end = mode_end(c, s, mode);
   } else if (!(arrival.comes &&
-               go_on_from_codim2(c, in, &field, &arrival, out)) &&
-             !follow_limit_direction(c, in, &way, distance, s, out)) {
-    pass_codim2(c, in, &field, s, out);
+               go_on_from_codim2(c, in, &field, &arrival, to)) &&
+             !follow_limit_direction(c, in, &way, distance, s, to)) {
+    pass_codim2(c, in, &field, s, to);
   }
-  if (out->outcome.mode == TF_NO_MODE) return false;
-  out->outcome.delassus = step_delassus(k, in, end_slip(c, &out->end).g < 0);
+  if (to->outcome.mode == TF_NO_MODE) return tf_least_violation(c, in, s, to);
+  to->outcome.delassus = step_delassus(k, in, end_slip(c, &to->end).g < 0);
   return true;
 }

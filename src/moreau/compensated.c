@@ -2,6 +2,7 @@
 // the slip at the start and the end of the step in pairs (compensation.h).
 #include "twofold/compensated.h"
 
+#include "commit.h"
 #include "compensation.h"
 #include "scheme.h"
 
@@ -77,8 +78,8 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   const state_pair_t pairs = paired(state, compensation);
   const start_t start = slip_in_pairs(machine, &pairs, input->omega0);
   step_end_t to;
-  const ending_t ending = end_of_step(k, state, input, start, &to);
-  if (ending != END_IN_MODE) to = tf_rare_end(k, state, input, start, ending);
+  if (!end_of_step(k, state, input, start, false, &to))
+    to = tf_rare_end(k, state, input, start);
   if (to.outcome.status < TF_OK) return refuse_step(report, to.outcome.status);
   const compensated_step_t step = {machine, state, compensation, input};
   return commit_pairs(&step, &to, report);

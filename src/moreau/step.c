@@ -1,6 +1,7 @@
 // One step of the Moreau-Jean theta scheme; scheme.h has its stages.
 #include "twofold/step.h"
 
+#include "commit.h"
 #include "scheme.h"
 #include "standing.h"
 
@@ -33,10 +34,9 @@ TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
 }
 
 TF_RARE tf_status_t rare_step(const tf_machine_t *k, tf_state_t *state,
-                              const tf_input_t *input, tf_report_t *report,
-                              ending_t ending) {
+                              const tf_input_t *input, tf_report_t *report) {
   const start_t start = start_of(k, state, input);
-  const step_end_t to = tf_rare_end(k, state, input, start, ending);
+  const step_end_t to = tf_rare_end(k, state, input, start);
   if (to.outcome.status < TF_OK) return refuse_step(report, to.outcome.status);
   return commit(k, state, input, &to, report);
 }
@@ -47,7 +47,7 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   if (!may_step(state, input)) return refuse_step(report, TF_BAD_STATE);
   const start_t start = start_of(k, state, input);
   step_end_t to;
-  const ending_t ending = end_of_step(k, state, input, start, &to);
-  if (ending != END_IN_MODE) return rare_step(k, state, input, report, ending);
+  if (!end_of_step(k, state, input, start, false, &to))
+    return rare_step(k, state, input, report);
   return commit(k, state, input, &to, report);
 }

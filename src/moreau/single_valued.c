@@ -1,17 +1,14 @@
 // The force of a single-valued law over a step, (11). No enumeration is needed,
 // but the law may still be stiff in h.
-#ifndef TF_SINGLE_VALUED_H
-#define TF_SINGLE_VALUED_H
-
-#include "stages.h"
+#include "rare_end.h"
 
 // A single-valued law does not read the side.
-TF_INLINE tf_force_t single_valued_law(const tf_machine_t *k, tf_slip_t at) {
+static tf_force_t single_valued_law(const tf_machine_t *k, tf_slip_t at) {
   return tf_tyre_force(&k->tyre, at.h, at.h, at.g);
 }
 
-TF_INLINE tf_slip_t slip_at_theta_under(const free_motion_t *c,
-                                        change_t friction) {
+static tf_slip_t slip_at_theta_under(const free_motion_t *c,
+                                     change_t friction) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   return slip_at_theta(k, &c->linear, r_at_theta(k, c->state->r, c->state->v),
                        friction);
@@ -20,7 +17,7 @@ TF_INLINE tf_slip_t slip_at_theta_under(const free_motion_t *c,
 // (11): the secant F = c h at the predicted slip is taken implicitly where that
 // damps (the end of the step responds with E < 0) and explicitly where it
 // drives. The secant never extrapolates: |share| <= 1.
-TF_INLINE tf_force_t secant_force(const free_motion_t *c, tf_slip_t at) {
+static tf_force_t secant_force(const free_motion_t *c, tf_slip_t at) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   const tf_real_t h_now = start_slip(c).h;
   const tf_force_t f = single_valued_law(k, at);
@@ -36,7 +33,7 @@ TF_INLINE tf_force_t secant_force(const free_motion_t *c, tf_slip_t at) {
 }
 
 // The force for a step: predicted from the start, corrected at the theta point.
-TF_INLINE tf_force_t single_valued_force(const free_motion_t *c) {
+static tf_force_t single_valued_force(const free_motion_t *c) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   const tf_force_t first = secant_force(c, start_slip(c));
   const tf_slip_t at =
@@ -46,16 +43,17 @@ TF_INLINE tf_force_t single_valued_force(const free_motion_t *c) {
 
 // The end of the step, the mode that its slip has, and how far the force is
 // from the law at the theta point.
-TF_INLINE step_end_t single_valued_end(const free_motion_t *c) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
-  const tf_force_t force = single_valued_force(c);
-  const change_t change = response_to(k, &c->linear, force);
-  step_end_t to = {.end = end_under(c, force, change)};
-  const tf_slip_t at = slip_at_theta_under(c, change);
-  to.outcome.residual = magnitude(force.F - single_valued_law(k, at).F);
-  to.outcome.mode = slip_of_sign(end_slip(c, &to.end).h, c->state->mode);
-  to.outcome.set = TF_MODE_BIT(to.outcome.mode);
-  return to;
+TF_API bool tf_single_valued_end(const tf_machine_t *k, const tf_state_t *state,
+                                 const tf_input_t *input, start_t start,
+                                 step_end_t *to) {
+  const free_motion_t c = free_motion(k, state, input, start);
+  if (!c.linear.definite) return refused_end(to);
+  const tf_force_t force = single_valued_force(&c);
+  const change_t change = response_to(k, &c.linear, force);
+  const tf_slip_t at = slip_at_theta_under(&c, change);
+  to->end = end_under(&c, force, change);
+  const unsigned mode = slip_of_sign(end_slip(&c, &to->end).h, state->mode);
+  to->outcome = (outcome_t){.mode = mode, .set = TF_MODE_BIT(mode)};
+  to->outcome.residual = magnitude(force.F - single_valued_law(k, at).F);
+  return true;
 }
-
-#endif
