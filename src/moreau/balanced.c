@@ -18,14 +18,6 @@
 
 #include "../friction/mode_set.h"
 
-// The end, the force of the step, and the slip that the end has.
-typedef struct {
-  end_state_t at;
-  tf_force_t force;
-  unsigned mode;
-  tf_real_t delassus;
-} balanced_end_t;
-
 // The guess of the middle.
 typedef struct {
   tf_real_t r, w, rho;
@@ -133,11 +125,10 @@ static balanced_end_t end_with(const given_t *x, tf_real_t *excess) {
   return end_about(x, c, excess);
 }
 
-// mode, force: what the linear step ends with.
-static balanced_end_t balanced_end(const tf_machine_t *k,
-                                   const tf_state_t *state,
-                                   const tf_input_t *input, unsigned mode,
-                                   tf_force_t force) {
+TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
+                                      const tf_state_t *state,
+                                      const tf_input_t *input, unsigned mode,
+                                      tf_force_t force) {
   given_t x = {k, state, input, magnitude(force.F), force.M};
   if (tf_tyre_is_set_valued(k->tyre.law)) {
     if (mode > TF_SLIP_MINUS) x.most = k->tyre.mu;
@@ -169,7 +160,7 @@ TF_API step_end_t tf_judged_end(const tf_machine_t *k, const tf_state_t *state,
   const balance_t b = balance_of(k, is_midpoint(k), input, from, at, force.F);
   if (creates_energy(&b, energy)) {
     const balanced_end_t end =
-        balanced_end(k, state, input, to.outcome.mode, force);
+        tf_balanced_end(k, state, input, to.outcome.mode, force);
     to.end.at = end.at;
     to.end.force = end.force;
     to.outcome.residual += magnitude(end.force.F - force.F);

@@ -21,4 +21,19 @@ TF_INLINE bool is_in_doubt(const tf_machine_t *k, const tf_state_t *state,
 TF_API step_end_t tf_judged_end(const tf_machine_t *k, const tf_state_t *state,
                                 const tf_input_t *input, step_end_t to);
 
+// The form that creates no energy: its end, the force of the step, and the slip
+// that the end has. mode, force: what the linear step ends with.
+typedef struct {
+  end_state_t at;
+  tf_force_t force;
+  unsigned mode;
+  tf_real_t delassus;
+} balanced_end_t;
+
+#define tf_balanced_end TF_LINK(tf_balanced_end)
+TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
+                                      const tf_state_t *state,
+                                      const tf_input_t *input, unsigned mode,
+                                      tf_force_t force);
+
 #endif

@@ -28,6 +28,13 @@ typedef struct {
   bool incremental, known;
 } start_t;
 
+// That of a plain step.
+TF_INLINE start_t start_of(const tf_machine_t *k, const tf_state_t *state,
+                           const tf_input_t *input) {
+  const tf_real_t z = state->w - input->omega0;
+  return (start_t){.p = state->v - k->d * z, .z = z};
+}
+
 // The motion without friction, and how it responds to friction.
 typedef struct {
   const tf_machine_t *machine;
@@ -150,7 +157,7 @@ TF_INLINE unsigned solve_inclusion(free_motion_t *c, inclusion_t *in,
 }
 
 // Choice. Whether the step begins at h = g = 0 or has that point within reach:
-// a slip that is so near, or a stick whose g changes its sign. codim2_end.h has
+// a slip that is so near, or a stick whose g changes its sign. codim2_end.c has
 // what follows.
 TF_INLINE bool is_near_codim2(const free_motion_t *c, const inclusion_t *in,
                               unsigned signs, unsigned set) {

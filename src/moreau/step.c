@@ -5,13 +5,6 @@
 #include "scheme.h"
 #include "standing.h"
 
-// The slip at the start is that of the stored state.
-TF_INLINE start_t start_of(const tf_machine_t *k, const tf_state_t *state,
-                           const tf_input_t *input) {
-  const tf_real_t z = state->w - input->omega0;
-  return (start_t){.p = state->v - k->d * z, .z = z};
-}
-
 // Commit: the state and the report, or the refusal. A Delassus scalar that
 // overflows shows that the slopes of h and g did.
 TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,

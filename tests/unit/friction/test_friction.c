@@ -254,9 +254,9 @@ static void compare_step(const step_t *k, const tf_machine_t *machine, int i,
   }
   tally->compared++;
   tally->seen[want]++;
-  (void)status_of_end; /* of stages.h, for steps */
   /* Beside h = g = 0 the report has what follows that point instead. */
-  free_motion_t c = plain_motion(machine, &k->x, &k->u);
+  free_motion_t c =
+      free_motion(machine, &k->x, &k->u, start_of(machine, &k->x, &k->u));
   inclusion_t in;
   solutions_t solutions;
   const unsigned signs = solve_inclusion(&c, &in, &solutions);
