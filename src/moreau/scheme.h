@@ -27,8 +27,8 @@ TF_INLINE bool end_of_step(const tf_machine_t *k, const tf_state_t *state,
   inclusion_t in;
   solutions_t s;
   const unsigned signs = solve_inclusion(&c, &in, &s);
-  // Choose.
-  if (is_near_codim2(&c, &in, signs, s.set))
+  // Choose. Without a moment g = 0 is no border.
+  if (k->stick_kappa > 0 && is_near_codim2(&c, &in, signs, s.set))
     return rare && tf_codim2_end(&c, input, &in, &s, to);
   const unsigned mode = choose_mode(k, state, &s);
   if (mode == TF_NO_MODE) return rare && tf_least_violation(&c, &in, &s, to);

@@ -162,7 +162,7 @@ TF_INLINE unsigned solve_inclusion(free_motion_t *c, inclusion_t *in,
 TF_INLINE bool is_near_codim2(const free_motion_t *c, const inclusion_t *in,
                               unsigned signs, unsigned set) {
   const unsigned mode = c->state->mode;
-  if (!in->has_moment || mode == TF_PINNED) return in->has_moment;
+  if (mode == TF_PINNED) return true;
   if (mode <= TF_SLIP_MINUS) {
     const tf_slip_t now = start_slip(c);
     return may_vanish(&in->h, now.h) && may_vanish(&in->g, now.g);
