@@ -49,6 +49,7 @@
 
 #include "../src/friction/codim2.c"
 #include "../src/friction/mode.c"
+#include "../src/friction/quadrant.c"
 #include "../src/friction/select.c"
 #include "../src/model/machine.c"
 #include "../src/model/prepare.c"

@@ -12,20 +12,8 @@
 #ifndef TF_CODIM2_H
 #define TF_CODIM2_H
 
-#include "../model/tyre_law.h"
 #include "consistent.h"
-
-// c0 + cx x + cy y in the multipliers of force and moment.
-typedef struct {
-  tf_real_t c0, cx, cy;
-} affine_t;
-
-// How h and g change at h = g = 0, at an instant [m/s^2] or over a step [m/s],
-// and the multipliers that keep the wheel at rest, too large where none do.
-typedef struct {
-  affine_t h, g;
-  multipliers_t pin;
-} codim2_field_t;
+#include "quadrant.h"
 
 // That of an instant.
 #define tf_codim2_field_of TF_LINK(tf_codim2_field_of)
