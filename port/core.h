@@ -62,7 +62,8 @@
 #include "../src/moreau/compensated.c"
 #include "../src/moreau/prepare_compensated.c"
 #endif
-#include "../src/moreau/rare_end.c"
+#include "../src/moreau/least_violation.c"
+#include "../src/moreau/scheme.c"
 #include "../src/moreau/single_valued.c"
 #include "../src/moreau/step.c"
 

@@ -1,5 +1,5 @@
-// The end of a step that is not beyond doubt, in the form that creates no energy
-// where it does; see balanced.c.
+// The end of a step that is not beyond doubt, in the form that creates no
+// energy where it does; see balanced.c.
 #ifndef TF_BALANCED_H
 #define TF_BALANCED_H
 

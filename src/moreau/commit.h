@@ -4,10 +4,10 @@
 
 #include "outcome.h"
 
-// status_by_signs() where the signs are not plain to see. A turntable
-// that stands may bring the wheel to rest; then h and g are off by the rounding
-// of the forces that balance, friction and spring, times dt A. As this is
-// called last, it needs no registers of the step.
+// status_by_signs() where the signs are not plain to see. A turntable that
+// stands may bring the wheel to rest; then h and g are off by the rounding of
+// the forces that balance, friction and spring, times dt A. As this is called
+// last, it needs no registers of the step.
 TF_RARE tf_status_t status_of_end(const tf_machine_t *k,
                                   const tf_state_t *state, tf_real_t omega0,
                                   tf_report_t *report) {

@@ -1,15 +1,10 @@
-// The ends of a step that are rare, as functions of their own. They return true:
-// with an end, or with a status below TF_OK where the step is refused.
+// The ends of a step that are rare, as functions of their own. They return
+// true: with an end, or with a status below TF_OK where the step is refused.
 #ifndef TF_RARE_END_H
 #define TF_RARE_END_H
 
 #include "balance.h"
 #include "stages.h"
-
-// Any of them, judged by its balance of energy.
-#define tf_rare_end TF_LINK(tf_rare_end)
-TF_API step_end_t tf_rare_end(const tf_machine_t *k, const tf_state_t *state,
-                              const tf_input_t *input, start_t start);
 
 TF_INLINE bool refused_end(step_end_t *to) {
   to->outcome.status = TF_STEP_TOO_LONG;

@@ -41,4 +41,10 @@ TF_INLINE bool end_of_step(const tf_machine_t *k, const tf_state_t *state,
   return rare || !is_in_doubt(k, state, input, to);
 }
 
+// The end of a rare step, judged by its balance of energy. Its status is below
+// TF_OK where the step is refused.
+#define tf_rare_end TF_LINK(tf_rare_end)
+TF_API step_end_t tf_rare_end(const tf_machine_t *k, const tf_state_t *state,
+                              const tf_input_t *input, start_t start);
+
 #endif

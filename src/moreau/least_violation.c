@@ -1,16 +1,5 @@
 #include "rare_end.h"
 
-#include "scheme.h"
-
-TF_API step_end_t tf_rare_end(const tf_machine_t *k, const tf_state_t *state,
-                              const tf_input_t *input, start_t start) {
-  step_end_t to;
-  (void)end_of_step(k, state, input, start, true, &to);
-  if (to.outcome.status >= TF_OK && is_in_doubt(k, state, input, &to))
-    return tf_judged_end(k, state, input, to);
-  return to;
-}
-
 TF_API bool tf_least_violation(free_motion_t *c, inclusion_t *in,
                                const solutions_t *s, step_end_t *to) {
   const tf_machine_t *k = TF_API_MACHINE(c);
