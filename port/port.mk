@@ -1,6 +1,7 @@
 # Firmware. Included by the Makefile.
 #
-#   SCENE=chaos      a scene, or `generic`: all of them, chosen by START
+#   SCENE=           a scene, or `generic`: all of them, chosen by START; by
+#                    default `chaos`, or the first that the board has room for
 #   START=chaos      the scene that a generic firmware runs
 #   BOARD=host       a folder of port/
 #   REAL=float       or double
@@ -22,7 +23,6 @@
 
 BOARDS := $(filter-out template,$(patsubst port/%/board.mk,%,\
   $(wildcard port/*/board.mk)))
-SCENE ?= chaos
 START ?= chaos
 BOARD ?= host
 REAL ?= float
@@ -49,8 +49,8 @@ test-boards: ## bits and real time of every board, in emulators
 
 boards: ## firmware for every board whose compiler is here
 	@for board in $(or $(ONLY),$(BOARDS)); do \
-	  $(MAKE) -s --no-print-directory firmware BOARD=$$board \
-	    SCENE=$(SCENE) || [ $$? -eq 2 ] || exit 1; done
+	  $(MAKE) -s --no-print-directory firmware BOARD=$$board || \
+	    [ $$? -eq 2 ] || exit 1; done
 
 deps: ## install compilers and emulators of the boards (apt-get)
 	apt-get install -y --no-install-recommends \
@@ -66,6 +66,9 @@ include port/$(BOARD)/board.mk
 ifeq ($(filter $(REAL),$(BOARD_REALS)),)
 $(error $(BOARD) has REAL=$(BOARD_REALS), not $(REAL))
 endif
+# The scenes that a board has room for, where not for all.
+BOARD_SCENE := $(or $(firstword $(BOARD_SCENES)),chaos)
+SCENE ?= $(BOARD_SCENE)
 
 ifneq ($(BOARD_SMALL),)
 ifneq ($(filter generic,$(SCENE))$(filter-out text,$(FORMAT))$(UPLINK),)
@@ -162,7 +165,8 @@ $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
 	  'missing (Debian: apt-get install $(BOARD_PACKAGES))'; exit 3; }
 	@mkdir -p $(@D)
 	@echo '  BOARD $@'
-	@$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(FIRMWARE_SOURCES) \
+	@port/link.sh '$(BOARD): $(PROGRAM) of SCENE=$(SCENE)' '$(BOARD_LARGER)' \
+	  $(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(FIRMWARE_SOURCES) \
 	  -Wl,--gc-sections $(BOARD_LINK) -o $@
 
 # One file for each program, because their flags differ.

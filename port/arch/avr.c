@@ -1,7 +1,8 @@
-// Arduino Uno: ATmega328P, 8 bits at 16 MHz, 2 KB RAM. TIMER1 counts half
-// microseconds to its compare register and is both tick and clock. The startup
-// code is that of avr-libc. The exit code is printed as a last line, EXIT,
-// because nothing else could take it.
+// A whole board of an AVR with USART0 and TIMER1, such as ATmega328P and
+// ATmega2560, at 16 MHz. TIMER1 counts half microseconds to its compare
+// register and is both tick and clock. The startup code is that of avr-libc.
+// The exit code is printed as a last line, EXIT, because nothing else could
+// take it.
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <util/atomic.h>
@@ -11,13 +12,18 @@
 
 #define CLOCK_HZ (F_CPU / 8u)
 
+// A chip with one USART leaves out its number.
+#ifndef USART0_RX_vect
+#define USART0_RX_vect USART_RX_vect
+#endif
+
 static ring_t received;
 static volatile uint32_t ticks;
 static uint16_t period;
 
 ISR(TIMER1_COMPA_vect) { ticks++; }
 
-ISR(USART_RX_vect) { ring_put(&received, UDR0); }
+ISR(USART0_RX_vect) { ring_put(&received, UDR0); }
 
 void port_init(void) {
   UBRR0 = F_CPU / 8u / 115200u - 1u;
