@@ -52,11 +52,15 @@ boards: ## firmware for every board whose compiler is here
 	  $(MAKE) -s --no-print-directory firmware BOARD=$$board || \
 	    [ $$? -eq 2 ] || exit 1; done
 
-deps: ## install compilers and emulators of the boards (apt-get)
+deps: ## install compilers and emulators of the boards (apt-get, npm)
 	apt-get install -y --no-install-recommends \
 	  $(sort $(shell sed -n \
 	  's/^BOARD_PACKAGES := //p; s/^  \(qemu[a-z-]*\)$$/\1/p' \
-	  $(wildcard port/*/board.mk) | tr -d '\\'))
+	  $(wildcard port/*/board.mk port/arch/*.mk) | tr -d '\\'))
+	command -v npm >/dev/null || \
+	  apt-get install -y --no-install-recommends npm
+	npm install -g $(sort $(shell sed -n 's/^BOARD_NPM := //p' \
+	  $(wildcard port/*/board.mk)))
 
 ifneq ($(filter firmware elf call-graph board-%,$(MAKECMDGOALS)),)
 ifeq ($(wildcard port/$(BOARD)/board.mk),)
@@ -72,7 +76,7 @@ SCENE ?= $(BOARD_SCENE)
 
 ifneq ($(BOARD_SMALL),)
 ifneq ($(filter generic,$(SCENE))$(filter-out text,$(FORMAT))$(UPLINK),)
-$(error $(BOARD) has room for one scene and text, locked)
+$(error $(BOARD) takes one scene and text, locked: docs/PORTS.md)
 endif
 endif
 
@@ -168,6 +172,7 @@ $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
 	@port/link.sh '$(BOARD): $(PROGRAM) of SCENE=$(SCENE)' '$(BOARD_LARGER)' \
 	  $(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(FIRMWARE_SOURCES) \
 	  -Wl,--gc-sections $(BOARD_LINK) -o $@
+	$(if $(BOARD_IMAGE),@$(BOARD_IMAGE) $@)
 
 # One file for each program, because their flags differ.
 $(FIRMWARE).flags: $(BUILD)/$(REAL)/constants FORCE
