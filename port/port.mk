@@ -18,8 +18,8 @@
 #   OVERRUN=skip     or stop: what the loop does about a step that ends too late
 #   EVERY=           steps from record to record; by default 50 records a second
 #   ONLY='host uno'  the boards for `make test-boards`
-#   PROGRAM=firmware or trajectory, population, window, stack (tests/target);
-#                    wasm32: module
+#   PROGRAM=firmware or trajectory, population, window, stack, kit
+#                    (tests/target); wasm32: module
 
 BOARDS := $(filter-out template,$(patsubst port/%/board.mk,%,\
   $(wildcard port/*/board.mk)))
@@ -84,6 +84,7 @@ BOARD_CC ?= $(BOARD_TOOLS)gcc
 
 RATE_OF_firmware := $(RATE)
 RATE_OF_stack := $(RATE)
+RATE_OF_kit := $(RATE)
 FIRMWARE_RATE := $(RATE_OF_$(PROGRAM))
 
 # In float a plain step of less than 1 ms may stand still (DESIGN.md, section
@@ -104,6 +105,7 @@ SOURCE_trajectory := tests/target/trajectory.c
 SOURCE_population := tests/target/population.c
 SOURCE_stack := tests/target/stack.c port/firmware.c port/loop.c
 SOURCE_window := tests/target/window.c
+SOURCE_kit := tests/target/kit.c
 FIRMWARE_SOURCES := $(SOURCE_$(PROGRAM)) $(wildcard port/$(BOARD)/*.c) \
   $(BOARD_SOURCES)
 FIRMWARE_FLAGS := -std=c99 $(BOARD_OPT) -ffp-contract=off -fno-math-errno \

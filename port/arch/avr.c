@@ -51,14 +51,19 @@ uint32_t port_ticks(void) {
   return tick;
 }
 
+// In an emulator the counter may start again before the interrupt comes; then
+// the clock stands until it has.
 uint32_t port_clock(void) {
+  static uint32_t latest;
   uint32_t tick;
   uint16_t since;
   do { // again if a tick came in between; a pending one is counted at once
     tick = port_ticks();
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { since = TCNT1; }
   } while (tick != port_ticks());
-  return tick * (period + 1ul) + since;
+  const uint32_t now = tick * (period + 1ul) + since;
+  if (now - latest < UINT32_MAX / 2) latest = now;
+  return latest;
 }
 
 uint32_t port_clock_rate(void) { return CLOCK_HZ; }

@@ -15,3 +15,5 @@ BOARD_SCHEMES := float double
 # PROGRAM=module: begin, step and state, for a web page or a program in node.
 SOURCE_module := port/wasm32/module/module.c
 BOARD_CHECK_MODULE := node port/wasm32/module/check.mjs
+# Nothing comes in over its line.
+BOARD_DEAF := yes
