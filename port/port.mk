@@ -67,7 +67,7 @@ ifeq ($(wildcard port/$(BOARD)/board.mk),)
 $(error No board is named $(BOARD); there are: $(BOARDS))
 endif
 include port/$(BOARD)/board.mk
-ifeq ($(filter $(REAL),$(BOARD_REALS)),)
+ifneq ($(filter-out $(or $(BOARD_REALS),$(REAL)),$(REAL)),)
 $(error $(BOARD) has REAL=$(BOARD_REALS), not $(REAL))
 endif
 # The scenes that a board has room for, where not for all.

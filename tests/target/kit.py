@@ -18,7 +18,8 @@ import sys
 from pathlib import Path
 from typing import Optional
 
-ROOT = Path(__file__).resolve().parents[2]
+# The tree by which this was called: that may be links.
+ROOT = Path(os.path.abspath(__file__)).parents[2]
 MAKE = os.environ.get("MAKE", "make").split()
 BUILD = os.environ.get("BUILD", "build")
 ENVIRONMENT = {name: value for name, value in os.environ.items()
@@ -45,8 +46,10 @@ def verdict(what: str, why: Optional[str]) -> bool:
 
 
 def make(board: str, *arguments: str) -> subprocess.CompletedProcess:
+    """One at a time: boards are tested side by side, and share the host's."""
+    os.makedirs(ROOT / BUILD, exist_ok=True)
     return subprocess.run(
-        [*MAKE, "-s", "--no-print-directory", f"BUILD={BUILD}",
+        ["flock", f"{BUILD}/boards.lock", *MAKE, "-s", "--no-print-directory", f"BUILD={BUILD}",
          f"BOARD={board}", *arguments], cwd=ROOT, env=ENVIRONMENT, text=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
 
@@ -102,25 +105,28 @@ def judge_makefile(board: Board) -> bool:
     """Whether board.mk says what make has to know."""
     said = make(board.name, "board-CC")
     if said.returncode:
-        return verdict("board.mk", said.stdout.strip().splitlines()[0])
+        first = said.stdout.strip().splitlines()[0]
+        return verdict("board.mk", re.sub(r".*\*\*\* |\.  Stop\.$", "", first))
     empty = [f"BOARD_{name}" for name in
              ("CC", "REALS", "RUN", "STEPS", "RATES_float")
              if not board.fact(name)]
-    return verdict("board.mk", f"{', '.join(empty)} is empty" if empty else
+    return verdict("board.mk", f"{', '.join(empty)}: empty" if empty else
                    None)
 
 
-def judge_build(said: str) -> bool:
+def judge_build(board: Board, said: str) -> bool:
     """What keeps it from being built."""
-    unwritten = re.findall(r'#error "(.*)"', said)
+    unwritten = [name for file in sorted((ROOT / "port" / board.name).glob(
+        "*.c")) for name in re.findall(r'^#error ".*"\n.*\b(port_\w+)\(',
+                                       file.read_text(encoding="utf-8"), re.M)]
     missing = [name for name in PORT
                if re.search(rf"(?:reference to|symbol:?) .?{name}\b", said)]
     if missing:
         return verdict("functions of port.h",
                        f"{', '.join(missing)}: not there")
-    if unwritten:
-        return verdict("functions of port.h", "not written: " +
-                       "; ".join(dict.fromkeys(unwritten)))
+    if said and unwritten:
+        return verdict("functions of port.h",
+                       f"{', '.join(unwritten)}: not written")
     return verdict("build", said.strip() if said else None)
 
 
@@ -134,11 +140,11 @@ def pairs(said: list[str], word: str) -> Optional[dict[str, int]]:
 
 
 def judge_arithmetic(said: list[str], host: list[str]) -> None:
-    bits = [{line.split()[1]: line.split()[2] for line in lines
-             if line.startswith("bits ") and len(line.split()) == 3}
-            for lines in (said, host)]
-    wrong = [name for name, value in bits[1].items()
-             if bits[0].get(name) != value]
+    """By operation. A line that is not whole says something of the line."""
+    line = re.compile(r"bits (\w+) ([0-9A-F]{16})")
+    here = dict(found.groups() for found in map(line.fullmatch, host) if found)
+    wrong = [found[1] for found in map(line.fullmatch, said)
+             if found and here.get(found[1]) not in (None, found[2])]
     verdict("arithmetic", "other bits than this computer's in: " +
             ", ".join(wrong) if wrong else None)
 
@@ -150,8 +156,9 @@ def judge_time(said: list[str], rate: int, shared: bool) -> bool:
     time = pairs(said, "time")
     if time is None:
         return verdict("port_ticks", "no tick comes")
-    verdict("port_clock", f"goes back, {time['back']} times in"
-            f" {TICKS} ticks" if time["back"] else None)
+    if not verdict("port_clock", f"goes back, {time['back']} times in"
+                   f" {TICKS} ticks" if time["back"] else None):
+        return False
     got = statistics.median(int(line[5:]) for line in said
                             if re.fullmatch(r"tick \d+", line))
     want = time["rate"] / rate
@@ -196,7 +203,7 @@ def judge(board: Board) -> None:
         return
     rate, options = board.rate()
     program, said = board.build(rate)
-    if not judge_build(said):
+    if not judge_build(board, said):
         return
     host = Board("host", board.real)
     lines, code = board.run(program, *options)
