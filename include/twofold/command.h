@@ -13,6 +13,10 @@
 #include "twofold/frame.h"
 #include "twofold/telemetry.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// Bytes of the session before the data of a command, and of the tag behind.
 #define TF_SESSION_BYTES 4u
 #define TF_TAG_BYTES 8u
@@ -59,5 +63,9 @@ typedef enum {
 TF_API size_t tf_command_seal(uint8_t *wire, uint8_t type, size_t length,
                               uint32_t session, uint32_t *sequence,
                               uint64_t tick, const uint8_t *key);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

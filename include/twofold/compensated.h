@@ -12,6 +12,10 @@
 #include "twofold/machine.h"
 #include "twofold/step.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// What the rounding of a tf_state_t has left out: the machine is at state +
 /// compensation. All 0 after tf_begin, or the remainder of a more precise
 /// start.
@@ -88,5 +92,9 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
                                        tf_compensation_t *compensation,
                                        const tf_input_t *input,
                                        tf_report_t *report);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -6,6 +6,10 @@
 
 #include "twofold/singularity.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// Why there can be no two-fold at the point; the first that applies.
 typedef enum {
   TF_DESIGN_FOUND,  ///< there can
@@ -45,5 +49,9 @@ typedef struct {
 TF_API tf_status_t tf_design_two_fold(const tf_machine_t *machine,
                                       const tf_input_t *input, tf_real_t r,
                                       tf_real_t w, tf_design_t *out);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

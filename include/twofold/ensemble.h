@@ -11,6 +11,10 @@
 #include "twofold/machine.h"
 #include "twofold/step.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// States in a block. An ensemble of n states is an array of
 /// TF_BLOCKS(n) blocks; state i is lane i % TF_LANES of block i / TF_LANES.
 #define TF_LANES 16
@@ -102,5 +106,9 @@ TF_API size_t tf_ensemble_step(const tf_machine_t *machine,
                                tf_state_block_t *states, size_t n,
                                const tf_input_t *input,
                                tf_report_block_t *reports);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -22,6 +22,10 @@
 
 #include "twofold/real.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define TF_FRAME_VERSION 2
 /// Version, type, length, sequence (4) and tick (8).
 #define TF_FRAME_HEADER 15
@@ -115,5 +119,9 @@ TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,
 #define tf_decoder_block TF_LINK(tf_decoder_block)
 TF_API bool tf_decoder_block(tf_decoder_t *decoder, const uint8_t *bytes,
                              size_t length, size_t *taken, tf_frame_t *frame);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

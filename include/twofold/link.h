@@ -25,6 +25,10 @@
 #include "twofold/session.h"
 #include "twofold/telemetry.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// Commands that can wait, or whose answers can.
 #define TF_LINK_QUEUE 4
 /// How far ahead a command may be dated [steps].
@@ -147,5 +151,9 @@ TF_API unsigned tf_link_boundary(tf_link_t *link, tf_session_t *session);
 #define tf_link_answer TF_LINK(tf_link_answer)
 TF_API size_t tf_link_answer(tf_link_t *link, uint8_t *wire,
                              uint32_t *sequence);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -8,6 +8,10 @@
 
 #include "twofold/step.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// The segments that one step may be split into at the tolerance of the
 /// machine: by events, which are changes of the mode and kinks of the force at
 /// g = 0, and where a series does not reach to the end of the step. Where they
@@ -65,5 +69,9 @@
 TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
                                    tf_state_t *state, const tf_input_t *input,
                                    tf_report_t *report);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

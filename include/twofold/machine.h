@@ -13,6 +13,10 @@
 #include "twofold/status.h"
 #include "twofold/tyre.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// Which of several consistent modes a step takes: a declared rule.
 ///
 /// Every rule shares the selection order:
@@ -230,5 +234,9 @@ TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
 #define tf_energy TF_LINK(tf_energy)
 TF_API tf_real_t tf_energy(const tf_machine_t *machine, const tf_state_t *state,
                            tf_real_t r0);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 
 #include "twofold/real.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// The five modes of contact. + and - are the sign of h in slip, of g in stick.
 typedef enum {
   TF_SLIP_PLUS,   ///< h > 0
@@ -26,5 +30,9 @@ typedef enum {
 /// Claims: mode_names_are_the_contract
 #define tf_mode_name TF_LINK(tf_mode_name)
 TF_API const char *tf_mode_name(unsigned mode);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -8,6 +8,10 @@
 
 #include "twofold/real.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// Philox-2x32-10 (Salmon et al. 2011): a counter-based generator, so that a
 /// state carries no stream position but its tick, and a replay needs no
 /// history.
@@ -21,5 +25,9 @@
 /// Claims: philox_known_answers
 #define tf_philox TF_LINK(tf_philox)
 TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -9,6 +9,10 @@
 #include "twofold/machine.h"
 #include "twofold/step.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// A knot of the turntable's speed, which is linear between knots and constant
 /// before the first and after the last.
 typedef struct {
@@ -65,5 +69,9 @@ TF_API tf_status_t tf_scene_start(const tf_scene_t *scene,
 #define TF_SCENES 9
 #define tf_scenes TF_LINK(tf_scenes)
 TF_API_DATA const tf_scene_t *const tf_scenes[TF_SCENES];
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

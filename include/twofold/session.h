@@ -21,6 +21,10 @@
 #include "twofold/step.h"
 #include "twofold/tally.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// Whose inputs a step has.
 typedef enum {
   TF_INPUT_SCENE = 0, ///< those of the scene
@@ -95,5 +99,9 @@ TF_API void tf_session_set_input(tf_session_t *session,
 #define tf_session_input TF_LINK(tf_session_input)
 TF_API tf_input_t tf_session_input(tf_session_t *session,
                                    const tf_scene_t *scene);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

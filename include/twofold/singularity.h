@@ -14,6 +14,10 @@
 #include "twofold/status.h"
 #include "twofold/surface.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// A point of h = 0.
 typedef struct {
   tf_real_t r; ///< [m]
@@ -156,5 +160,9 @@ TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
                                   const tf_input_t *input,
                                   const tf_surface_point_t *point,
                                   tf_two_fold_t *out);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 
 #include "twofold/real.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// Zero is success; positive: the step was taken, with a reservation; negative:
 /// refused, and the state is untouched. What else a function writes where it
 /// refuses stands with the function.
@@ -36,5 +40,9 @@ typedef enum {
 /// Claims: status_names_are_distinct
 #define tf_status_name TF_LINK(tf_status_name)
 TF_API const char *tf_status_name(tf_status_t status);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,6 +7,10 @@
 #include "twofold/mode.h"
 #include "twofold/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// What happened in one step.
 typedef struct {
   uint8_t mode;       ///< tf_mode_t, taken
@@ -99,5 +103,9 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 #define tf_step TF_LINK(tf_step)
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

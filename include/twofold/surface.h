@@ -14,6 +14,10 @@
 #include "twofold/machine.h"
 #include "twofold/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// How the state changes: a value of the right-hand side f.
 typedef struct {
   tf_real_t r; ///< dr/dt [m/s]
@@ -82,5 +86,9 @@ typedef struct {
 TF_API tf_status_t tf_surface_at(const tf_machine_t *machine,
                                  const tf_input_t *input, tf_real_t r,
                                  tf_real_t v, tf_real_t w, tf_surface_t *out);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -16,6 +16,10 @@
 
 #include "twofold/status.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// Steps that did not return TF_OK. All zero at the start.
 typedef struct {
   uint64_t degraded;  ///< TF_DEGRADED
@@ -35,5 +39,9 @@ typedef struct {
 #define tf_tally_count TF_LINK(tf_tally_count)
 TF_API void tf_tally_count(tf_tally_t *tally, uint64_t tick,
                            tf_status_t status);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -14,6 +14,10 @@
 #include "twofold/step.h"
 #include "twofold/wire.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// Types of frames: those below 0x40 go down, the others up.
 typedef enum {
   TF_DOWN_SCHEMA = 0x01,    ///< scene, parameters, scheme, real type
@@ -232,5 +236,9 @@ TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
 /// Claims: state_and_report_survive_the_line
 #define tf_read_report TF_LINK(tf_read_report)
 TF_API uint8_t tf_read_report(const uint8_t *payload, tf_report_t *report);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

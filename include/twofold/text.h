@@ -10,6 +10,10 @@
 #include "twofold/machine.h"
 #include "twofold/step.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// Longest line.
 #define TF_TEXT_ROW_ROOM 96
 
@@ -25,5 +29,9 @@
 #define tf_text_row TF_LINK(tf_text_row)
 TF_API size_t tf_text_row(char *out, const tf_state_t *state,
                           const tf_report_t *report);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

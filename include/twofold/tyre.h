@@ -6,6 +6,10 @@
 
 #include "twofold/real.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// Which law. The first two of the list below are set-valued at h = 0 (they
 /// jump there); the others are single-valued off h = g = 0.
 typedef enum {
@@ -76,5 +80,9 @@ TF_API tf_force_t tf_tyre_force(const tf_tyre_t *tyre, tf_real_t side,
 static inline int tf_tyre_is_set_valued(tf_tyre_law_t law) {
   return law == TF_TYRE_JUMP || law == TF_TYRE_COULOMB;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

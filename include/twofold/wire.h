@@ -9,6 +9,10 @@
 
 #include "twofold/real.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /// The unsigned integer that is as wide as tf_real_t.
 #ifdef TF_REAL_FLOAT
 typedef uint32_t tf_bits_t;
@@ -78,5 +82,9 @@ static inline tf_real_t tf_wire_get_real(const uint8_t *at) {
   as.bits = (tf_bits_t)tf_wire_get(at, TF_REAL_BYTES);
   return as.real;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
