@@ -116,10 +116,10 @@ static bool unpack_frame(tf_decoder_t *decoder, size_t used,
     decoder->bad++;
     return false;
   }
-  *frame = (tf_frame_t){.type = header[1],
-                        .length = header[2],
+  *frame = (tf_frame_t){.tick = tf_wire_get(header + 7, 8),
                         .sequence = (uint32_t)tf_wire_get(header + 3, 4),
-                        .tick = tf_wire_get(header + 7, 8),
+                        .type = header[1],
+                        .length = header[2],
                         .payload = header + TF_FRAME_HEADER};
   count_accepted(decoder, frame);
   return true;
