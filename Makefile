@@ -63,7 +63,7 @@ define of_this_core
 endef
 
 # The makefiles of the tools, in the groups of `make help`.
-PACKAGE_MAKEFILES := tools/fmu/fmu.mk
+PACKAGE_MAKEFILES := tools/dist/dist.mk tools/fmu/fmu.mk
 BOARD_MAKEFILES := port/port.mk tools/hil/hil.mk tools/size/size.mk
 MEASURE_MAKEFILES := tools/bench/bench.mk tools/report/report.mk \
   tools/peers/peers.mk tools/stability/stability.mk \
@@ -83,7 +83,7 @@ endef
 help: ## this list
 	$(call group,Every day,Makefile)
 	$(call group,Boards,$(BOARD_MAKEFILES))
-	$(call group,Other simulation tools,$(PACKAGE_MAKEFILES))
+	$(call group,Packages,$(PACKAGE_MAKEFILES))
 	$(call group,Measurements and pictures,$(MEASURE_MAKEFILES))
 	$(call group,Verification,$(VERIFY_MAKEFILES))
 	@echo

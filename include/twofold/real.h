@@ -75,12 +75,15 @@ typedef double tf_real_t;
 /// Linkage of the core. A build for one scene includes the sources into one
 /// translation unit with TF_API_STATIC defined: all functions are local to it
 /// then, so that the compiler can propagate the constants of the scene through
-/// them. TF_API_DATA declares a table.
+/// them. TF_API_DATA declares a table; C++ has no declaration of a local one.
 #ifdef TF_API_STATIC
 #define TF_API static __attribute__((unused))
-#define TF_API_DATA TF_API
 #else
 #define TF_API
+#endif
+#if defined(TF_API_STATIC) && !defined(__cplusplus)
+#define TF_API_DATA TF_API
+#else
 #define TF_API_DATA extern
 #endif
 

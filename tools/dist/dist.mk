@@ -1,0 +1,67 @@
+# The project in the forms that others expect. Included by the Makefile.
+#
+#   DIST_SCENE=chaos   the scene that is prepared as one header
+#   DESTDIR=           where a package is put together
+#   PREFIX=/usr/local  where things are installed
+#   DISTS='c cmake'    only these tests of `make test-dist`
+
+DIST := $(BUILD)/dist
+DIST_SCENE ?= chaos
+DESTDIR ?=
+PREFIX ?= /usr/local
+DISTS ?=
+TF_VERSION := $(shell sed -n 's/^\#define TF_VERSION "\(.*\)"/\1/p' \
+  include/twofold.h)
+DIST_CONSTANTS := $(foreach v,double float,$(BUILD)/$(v)/constants)
+
+.PHONY: dist install uninstall test-dist
+dist: ## two files, a prepared scene and all packages, into build/dist
+dist: $(DIST_CONSTANTS)
+	@mkdir -p $(DIST)/c
+	@tools/dist/two_files.py $(DIST)/c
+	@tools/dist/scene.py $(DIST_SCENE) $(DIST_CONSTANTS) $(DIST)/c
+	@[ $(DIST_SCENE) = chaos ] || \
+	  tools/dist/scene.py chaos $(DIST_CONSTANTS) $(DIST)/c
+	@tools/dist/packages.py $(DIST)/c $(DIST)
+	@echo 'The packages are in $(DIST).'
+
+# What is installed: file, and where; as the user's tools expect it. Libraries
+# of both types have names of their own, as their functions have.
+AT := $(DESTDIR)$(PREFIX)
+INSTALLED = $(PREFIX)/bin/twofold $(PREFIX)/include/twofold.h \
+  $(patsubst include/%,$(PREFIX)/include/%,$(wildcard include/twofold/*.h)) \
+  $(PREFIX)/lib/libtwofold_f64.a $(PREFIX)/lib/libtwofold_f32.a \
+  $(patsubst tools/dist/install/%.pc,$(PREFIX)/lib/pkgconfig/%.pc,\
+    $(wildcard tools/dist/install/*.pc)) \
+  $(patsubst tools/dist/install/%.cmake,$(PREFIX)/lib/cmake/twofold/%.cmake,\
+    $(wildcard tools/dist/install/*.cmake)) \
+  $(PREFIX)/share/man/man1/twofold.1
+
+fill = sed 's/@VERSION@/$(TF_VERSION)/g' $(1) >$(2)
+install: ## libraries, headers, program: DESTDIR= PREFIX=/usr/local
+install: $(BUILD)/double/twofold $(BUILD)/float/libtwofold.a
+	@mkdir -p $(AT)/bin $(AT)/include/twofold $(AT)/lib/pkgconfig \
+	  $(AT)/lib/cmake/twofold $(AT)/share/man/man1
+	@install -m 755 $(BUILD)/double/twofold $(AT)/bin/twofold
+	@install -m 644 include/twofold.h $(AT)/include
+	@install -m 644 include/twofold/*.h $(AT)/include/twofold
+	@install -m 644 $(BUILD)/double/libtwofold.a $(AT)/lib/libtwofold_f64.a
+	@install -m 644 $(BUILD)/float/libtwofold.a $(AT)/lib/libtwofold_f32.a
+	@for file in tools/dist/install/*.pc; do \
+	  $(call fill,$$file,$(AT)/lib/pkgconfig/$$(basename $$file)) || exit 1; \
+	done
+	@for file in tools/dist/install/*.cmake; do \
+	  $(call fill,$$file,$(AT)/lib/cmake/twofold/$$(basename $$file)) || \
+	  exit 1; done
+	@tools/dist/manual $(BUILD)/double/twofold $(TF_VERSION) \
+	  >$(AT)/share/man/man1/twofold.1
+	@echo 'twofold $(TF_VERSION) is in $(AT).'
+
+uninstall: ## remove what `make install` put there
+	@rm -f $(addprefix $(DESTDIR),$(INSTALLED))
+	@rmdir $(AT)/include/twofold $(AT)/lib/cmake/twofold 2>/dev/null || true
+
+test-dist: ## each package, compiled and run as its user would
+test-dist: dist $(BUILD)/double/twofold $(BUILD)/float/libtwofold.a
+	@MAKEFLAGS= MAKELEVEL= MAKE='$(MAKE)' BUILD='$(BUILD)' \
+	  tools/dist/test/run.py $(DISTS)

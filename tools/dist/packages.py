@@ -1,0 +1,78 @@
+#!/usr/bin/python3
+"""Makes the packages of build/dist: templates of tools/dist with the version
+filled in, and the two files and the prepared scene where each one wants them.
+
+usage: packages.py C FOLDER
+C: the folder with twofold.h, twofold.c and twofold_chaos.h.
+"""
+import shutil
+import sys
+import tarfile
+from pathlib import Path
+
+from sources import ROOT, version
+
+HERE = Path(__file__).resolve().parent
+# Arduino passes no option to a library.
+FLOAT = """\
+#if !defined(TF_REAL_DOUBLE) && !defined(TF_REAL_FLOAT)
+#define TF_REAL_FLOAT // no option reaches a library of Arduino
+#endif
+
+"""
+BOTH = ("twofold.h", "twofold.c")
+# By template: where the package lies, the folder of its sources, which of
+# them, and what they begin with.
+PACKAGES = {
+    "cmake": ("cmake/twofold", ".", BOTH, ""),
+    "arduino": ("arduino/twofold", "src", BOTH + ("twofold_chaos.h",), FLOAT),
+    "platformio": ("platformio/twofold", "src", BOTH + ("twofold_chaos.h",),
+                   ""),
+    "zephyr": ("zephyr/twofold", "src", BOTH, ""),
+    "esp-idf": ("esp-idf/twofold", "src", BOTH, ""),
+    "python": (f"python/twofold-{version()}", ".", BOTH, ""),
+}
+
+
+def fill(template, to):
+    """Copies a folder of templates with the version in place."""
+    for path in sorted(template.rglob("*")):
+        if path.is_file() and "__pycache__" not in path.parts:
+            target = to / path.relative_to(template)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(path.read_text().replace("@VERSION@", version()))
+
+
+def archive(package, to):
+    """A tar with the same bytes for the same files."""
+    def plain(info):
+        info.uid = info.gid = info.mtime = 0
+        info.uname = info.gname = ""
+        info.mode = 0o755 if info.isdir() else 0o644
+        return info
+
+    with tarfile.open(to, "w:gz", compresslevel=9) as tar:
+        for path in [package, *sorted(package.rglob("*"))]:
+            tar.add(path, path.relative_to(package.parent), recursive=False,
+                    filter=plain)
+
+
+def main():
+    made, folder = map(Path, sys.argv[1:])
+    for template, (name, inner, files, begin) in PACKAGES.items():
+        package = folder / name
+        shutil.rmtree(package.parent, ignore_errors=True)
+        fill(HERE / template, package)
+        (package / inner).mkdir(parents=True, exist_ok=True)
+        for file in files:
+            text = (made / file).read_text()
+            if file.endswith(".h"):
+                text = begin + text
+            (package / inner / file).write_text(text)
+        shutil.copy(ROOT / "LICENSE", package / "LICENSE")
+        if template in ("cmake", "python"):
+            archive(package, folder / template
+                    / f"twofold-{version()}.tar.gz")
+
+
+main()

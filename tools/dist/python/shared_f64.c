@@ -1,0 +1,2 @@
+/* The core in double, and what the module calls. */
+#include "shared.h"

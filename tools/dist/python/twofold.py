@@ -1,0 +1,363 @@
+"""A wheel on a turntable whose friction is not always deterministic.
+
+The core is twofold's, in C, called by ctypes: in fixed steps it finds every
+mode of contact that is possible, reports them, and takes one by a declared
+rule. Results have the bits of the command line `twofold`.
+
+    import twofold
+    machine = twofold.Machine("chaos", dt=1e-4)
+    rows = machine.run(t_end=2.0, every=10)
+    rows["t"], rows["r"], rows["omega"], rows["mode"]
+
+All numbers are in SI units. `parameters()` lists names, units and ranges.
+"""
+from __future__ import annotations
+
+import ctypes
+import sysconfig
+from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_int8, c_size_t
+from ctypes import c_uint, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p
+from pathlib import Path
+
+import numpy as np
+
+__version__ = "@VERSION@"
+MODES = ("slip+", "slip-", "stick+", "stick-", "pinned")
+LAWS = ("jump", "coulomb", "two_piece", "string", "smooth", "none")
+RULES = ("persist", "slip+", "slip-", "random")
+LANES = 16
+NO_MODE = 5
+LAYOUT = ("params", "law", "rule", "with_angle", "machine", "state", "input",
+          "report", "state_block", "report_block", "point", "parameters",
+          "two_folds")
+
+_shared = ctypes.CDLL(str(Path(__file__).with_name(
+    "_twofold" + sysconfig.get_config_var("EXT_SUFFIX"))))
+
+
+class _Core:
+    """The core in one real type: its functions, structs and row types."""
+
+    def __init__(self, suffix, real, dtype):
+        self.suffix, self.real, self.dtype = suffix, real, np.dtype(dtype)
+        sizes = (c_uint32 * len(LAYOUT)).in_dll(
+            _shared, f"twofold_layout_{suffix}")
+        self.size = dict(zip(LAYOUT, sizes))
+        self._structs()
+        self._rows()
+        self._functions()
+
+    def _struct(self, name, fields):
+        """A struct of the core; its size is compared with the compiler's."""
+        struct = type(name, (ctypes.Structure,), {"_fields_": fields})
+        if ctypes.sizeof(struct) != self.size[name]:
+            raise ImportError(f"{name} is laid out in another way here")
+        return struct
+
+    def _structs(self):
+        real = self.real
+
+        def reals(names):
+            return [(name, real) for name in names.split()]
+
+        self.State = self._struct("state", reals("r v w phi") + [
+            ("tick", c_uint64), ("seed", c_uint32), ("mode", c_uint8)])
+        self.Input = self._struct(
+            "input", reals("omega0 r0 force torque alpha"))
+        self.Point = self._struct("point", reals("r v w g"))
+        self.Range = type("Range", (ctypes.Structure,), {"_fields_": [
+            ("name", c_char_p), ("unit", c_char_p), ("offset", c_uint16),
+            ("laws", c_uint16), ("low", real), ("high", real)]})
+        self.ranges = (self.Range * self.size["parameters"]).in_dll(
+            _shared, f"tf_parameter_ranges_{self.suffix}")
+
+    def _rows(self):
+        real = self.dtype
+        self.row = np.dtype(
+            [("t", "f8")] + [(name, real) for name in
+                             ("r", "v", "omega", "phi", "h", "g", "F", "M")]
+            + [("mode", "u1"), ("set", "u1"), ("choices", "u1"),
+               ("status", "i1")], align=True)
+        self.state_block = np.dtype(
+            [(name, real, LANES) for name in ("r", "v", "w", "phi")]
+            + [("tick", "u8", LANES), ("seed", "u4", LANES),
+               ("mode", "u1", LANES)], align=True)
+        self.report_block = np.dtype(
+            [(name, real, LANES)
+             for name in ("F", "M", "h", "g", "delassus", "residual")]
+            + [("mode", "u1", LANES), ("set", "u1", LANES),
+               ("choices", "u1", LANES), ("status", "i1", LANES)], align=True)
+        row_size = c_uint32.in_dll(_shared, f"twofold_row_size_{self.suffix}")
+        for dtype, size in ((self.row, row_size.value),
+                            (self.state_block, self.size["state_block"]),
+                            (self.report_block, self.size["report_block"])):
+            if dtype.itemsize != size:
+                raise ImportError("arrays are laid out in another way here")
+
+    def _functions(self):
+        real, any_, state = self.real, c_void_p, POINTER(self.State)
+        input_, report = POINTER(self.Input), c_void_p
+        for name, result, arguments in (
+                ("tf_prepare", c_int, (any_, any_, POINTER(c_int))),
+                ("tf_input_default", self.Input, (any_,)),
+                ("tf_speed_for_slip", c_int,
+                 (any_, real, real, real, real, POINTER(real))),
+                ("tf_begin", c_int, (any_, state, input_, report)),
+                ("tf_scene_start", c_int,
+                 (any_, any_, c_uint32, state, report)),
+                ("tf_energy", real, (any_, state, real)),
+                ("tf_status_name", c_char_p, (c_int,)),
+                ("tf_ensemble_step", c_size_t,
+                 (any_, any_, c_size_t, input_, any_)),
+                ("twofold_scene", any_, (c_uint,)),
+                ("twofold_scene_text", c_char_p, (any_, c_int)),
+                ("twofold_scene_params", any_, (any_,)),
+                ("twofold_scene_end", c_double, (any_,)),
+                ("tf_ensemble_put", None, (any_, c_size_t, state)),
+                ("tf_two_folds", c_int,
+                 (any_, input_, POINTER(self.Point), POINTER(c_int), any_)),
+                ("twofold_row", None, (any_, state, report, c_int, any_)),
+                ("twofold_run", c_uint64,
+                 (any_, any_, c_int, state, input_, report, c_uint64, c_uint64,
+                  any_, POINTER(c_int)))):
+            function = getattr(_shared, f"{name}_{self.suffix}")
+            function.restype, function.argtypes = result, arguments
+            setattr(self, "call_" + name.split("_", 1)[1], function)
+
+    def scenes(self):
+        """Handle of each scene by name."""
+        found, index = {}, 0
+        while scene := self.call_scene(index):
+            found[self.call_scene_text(scene, 0).decode()] = scene
+            index += 1
+        return found
+
+    def new_report(self):
+        """A report that a step fills in."""
+        return ctypes.create_string_buffer(self.size["report"])
+
+    def fail(self, status, what):
+        """Raises for a negative status."""
+        if status < 0:
+            raise ValueError(f"{what}: {self.call_status_name(status).decode()}")
+
+
+_CORES = {"double": _Core("f64", ctypes.c_double, "f8"),
+          "float": _Core("f32", ctypes.c_float, "f4")}
+
+
+def scenes():
+    """Name of each scene, and what it shows."""
+    core = _CORES["double"]
+    return {name: core.call_scene_text(scene, 1).decode()
+            for name, scene in core.scenes().items()}
+
+
+def parameters():
+    """Name of each parameter: (unit, lowest, highest value)."""
+    return {one.name.decode(): (one.unit.decode(), one.low, one.high)
+            for one in _CORES["double"].ranges}
+
+
+class Machine:
+    """A prepared machine, in one state.
+
+    scene: one of scenes(); gives parameters, start and inputs.
+    real: "double" or "float".
+    law, rule: one of LAWS, RULES; rate [1/s] belongs to rule "random".
+    with_angle: whether the angle of the disc is integrated.
+    parameters: those to be changed, by name, in SI units (parameters()).
+    Raises ValueError that names a parameter, its value and its range.
+    """
+
+    def __init__(self, scene="chaos", real="double", law=None, rule=None,
+                 with_angle=None, seed=1, **changed):
+        self.core = core = _CORES[real]
+        known = core.scenes()
+        if scene not in known:
+            raise ValueError(f"no scene is named {scene!r}; there are: "
+                             + ", ".join(known))
+        self.scene, self.name, self.seed = known[scene], scene, seed
+        self._params = ctypes.create_string_buffer(
+            ctypes.string_at(core.call_scene_params(self.scene),
+                             core.size["params"]), core.size["params"])
+        for name, value in changed.items():
+            self._put(self._range(name).offset, core.real, value)
+        for name, value, names in (("law", law, LAWS), ("rule", rule, RULES)):
+            if value is not None:
+                if value not in names:
+                    raise ValueError(f"{name} is {value!r}, not one of "
+                                     + ", ".join(names))
+                self._put(core.size[name], c_uint, names.index(value))
+        if with_angle is not None:
+            self._put(core.size["with_angle"], ctypes.c_bool, with_angle)
+        self._machine = ctypes.create_string_buffer(core.size["machine"])
+        offender = c_int(-1)
+        if core.call_prepare(self._machine, self._params, byref(offender)) < 0:
+            bad = core.ranges[offender.value]
+            raise ValueError(
+                f"{bad.name.decode()} is {self[bad.name.decode()]}, allowed is "
+                f"[{bad.low}, {bad.high}] {bad.unit.decode()}")
+        self.start()
+
+    def _put(self, offset, type_, value):
+        ctypes.memmove(byref(self._params, offset), byref(type_(value)),
+                       ctypes.sizeof(type_))
+
+    def _range(self, name):
+        for one in self.core.ranges:
+            if one.name.decode() == name:
+                return one
+        raise ValueError(f"no parameter is named {name!r}; there are: "
+                         + ", ".join(parameters()))
+
+    def __getitem__(self, name):
+        """Value of a parameter in SI units, by its name."""
+        return self.core.real.from_buffer(
+            self._params, self._range(name).offset).value
+
+    def start(self):
+        """Returns to the start of the scene."""
+        self.state, self.report = self.core.State(), self.core.new_report()
+        self.core.fail(self.core.call_scene_start(
+            self.scene, self._machine, self.seed, byref(self.state),
+            self.report), f"start of {self.name}")
+
+    def place(self, r, omega, v=None, h=None):
+        """Puts the wheel at rest of history at r [m] and omega [rad/s], with a
+        speed of the slider v [m/s], or with a slip speed h [m/s] instead."""
+        if (v is None) == (h is None):
+            raise ValueError("either v or h is to be given")
+        state = self._placed(r, omega, v, h)
+        report = self.core.new_report()
+        self.core.fail(self.core.call_begin(
+            self._machine, byref(state), byref(self.input()), report),
+            "place")
+        self.state, self.report = state, report
+
+    def _placed(self, r, omega, v, h):
+        state = self.core.State(r=r, w=omega, v=v or 0, seed=self.seed,
+                                mode=NO_MODE)
+        if h is not None:
+            speed = self.core.real()
+            self.core.fail(self.core.call_speed_for_slip(
+                self._machine, r, omega, self.input().omega0, h, byref(speed)),
+                "place")
+            state.v = speed.value
+            if h != 0:
+                state.mode = int(h < 0)
+        return state
+
+    def input(self, **changed):
+        """The inputs of a machine that nothing drives, with changes: omega0
+        [rad/s], r0 [m], force [N], torque [N m], alpha [rad/s^2]."""
+        given = self.core.call_input_default(self._machine)
+        for name, value in changed.items():
+            if name not in ("omega0", "r0", "force", "torque", "alpha"):
+                raise ValueError(f"no input is named {name!r}")
+            setattr(given, name, value)
+        return given
+
+    def two_folds(self):
+        """Every two-fold at g != 0: an array of rows r [m], v [m/s], omega
+        [rad/s], g [m/s]; empty where the machine has none."""
+        points = (self.core.Point * self.core.size["two_folds"])()
+        count = c_int(0)
+        self.core.fail(self.core.call_two_folds(
+            self._machine, byref(self.input()), points, byref(count), None),
+            "two_folds")
+        return np.array([(p.r, p.v, p.w, p.g) for p in points[:count.value]],
+                        [(name, self.core.dtype)
+                         for name in ("r", "v", "omega", "g")])
+
+    def energy(self):
+        """Mechanical energy of the present state [J]."""
+        return self.core.call_energy(self._machine, byref(self.state), self["r0"])
+
+    def run(self, t_end=None, every=1, scheme="moreau", inputs=None):
+        """Steps on for t_end [s] (default: the scene's length), the nearest
+        whole number of steps.
+
+        scheme: "moreau", or "located" (high order, events located).
+        inputs: of input(), held; None: those of the scene.
+        Returns: an array with a row at the beginning, one after every `every`
+          steps and one at the end; t [s], r [m], v [m/s], omega [rad/s], phi
+          [rad], h, g [m/s], F [N], M [N m], mode (index into MODES), set (bit
+          1 << mode of each that was possible), choices, status.
+        Raises ValueError where a step is refused; `state` is the last one.
+        """
+        if scheme not in ("moreau", "located"):
+            raise ValueError(f"scheme is {scheme!r}, not moreau or located")
+        if int(every) < 1:
+            raise ValueError(f"every is {every}, not 1 or more")
+        if t_end is None:
+            t_end = self.core.call_scene_end(self.scene)
+        if not 0 <= t_end < 1e12:
+            raise ValueError(f"t_end is {t_end}, not a length in seconds")
+        steps, every = round(t_end / self["dt"]), int(every)
+        rows = np.zeros(1 + -(-steps // every), self.core.row)
+        self.core.call_row(self._machine, byref(self.state), self.report, 0,
+                       rows.ctypes.data)
+        status = c_int(0)
+        done = self.core.call_run(
+            self._machine, self.scene, scheme == "located", byref(self.state),
+            None if inputs is None else byref(inputs), self.report,
+            steps, every, rows[1:].ctypes.data, byref(status))
+        self.core.fail(status.value, f"step {done + 1}")
+        return rows
+
+
+class Ensemble:
+    """Many states of one machine, stepped together with the bits of single
+    steps.
+
+    machine: a Machine. r [m], omega [rad/s], v [m/s] or h [m/s]: arrays of one
+    length, or numbers. seed: of rule "random", one a state.
+    """
+
+    def __init__(self, machine, r, omega, v=None, h=None, seed=None):
+        self.machine, self.core = machine, machine.core
+        given = {"r": r, "omega": omega}
+        if (v is None) == (h is None):
+            raise ValueError("either v or h is to be given")
+        given["v" if h is None else "h"] = v if h is None else h
+        arrays = np.broadcast_arrays(*map(np.atleast_1d, given.values()))
+        self.n = arrays[0].size
+        blocks = -(-self.n // LANES)
+        self.states = np.zeros(blocks, self.core.state_block)
+        self.reports = np.zeros(blocks, self.core.report_block)
+        seeds = np.arange(self.n) if seed is None else np.broadcast_to(
+            seed, self.n)
+        for i in range(self.n):
+            self._begin(i, int(seeds[i]), dict(zip(
+                given, (float(a.flat[i]) for a in arrays))))
+
+    def _begin(self, i, seed, place):
+        state = self.machine._placed(place["r"], place["omega"],
+                                     place.get("v"), place.get("h"))
+        state.seed = seed
+        self.core.fail(self.core.call_begin(
+            self.machine._machine, byref(state), byref(self.machine.input()),
+            self.core.new_report()), f"state {i}")
+        self.core.call_ensemble_put(self.states.ctypes.data, i, byref(state))
+
+    def step(self, steps=1, inputs=None):
+        """Takes so many steps. inputs: of Machine.input(), held. A state whose
+        step is refused stays where it is; see status."""
+        given = inputs or self.machine.input()
+        for _ in range(steps):
+            self.core.call_ensemble_step(
+                self.machine._machine, self.states.ctypes.data, self.n,
+                byref(given), self.reports.ctypes.data)
+
+    def __getitem__(self, name):
+        """An array over the states: r [m], v [m/s], omega [rad/s], phi [rad],
+        tick, seed; F [N], M [N m], h, g [m/s], delassus [1/kg], residual [N],
+        mode (index into MODES), set, choices, status (< 0: refused). Forces,
+        slips, set, choices and status are those of the last step."""
+        name = "w" if name == "omega" else name
+        home = self.states if name in self.states.dtype.names else self.reports
+        return home[name].reshape(-1)[:self.n].copy()
+
+    def __len__(self):
+        return self.n

@@ -1,0 +1,2 @@
+#define TWOFOLD_CHAOS_CODE
+#include "twofold_chaos.h"
