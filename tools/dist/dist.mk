@@ -15,7 +15,7 @@ TF_VERSION := $(shell sed -n 's/^\#define TF_VERSION "\(.*\)"/\1/p' \
 DIST_CONSTANTS := $(foreach v,double float,$(BUILD)/$(v)/constants)
 
 .PHONY: dist install uninstall test-dist
-dist: ## two files, a prepared scene and all packages, into build/dist
+dist: ## two files, a prepared scene, packages: into build/dist
 dist: $(DIST_CONSTANTS)
 	@mkdir -p $(DIST)/c
 	@tools/dist/two_files.py $(DIST)/c

@@ -151,7 +151,8 @@ def make(scene, double, single):
 //   }}
 //
 // One source file of a program, in C99, defines {code} before it
-// includes this header, and so holds the code. TF_REAL_FLOAT selects float."""))
+// includes this header, and so holds the code. TF_REAL_FLOAT selects float.
+""".rstrip()))
     whole.add(f"#if defined({code}) && !defined(TF_API_STATIC)\n"
               "#ifdef TWOFOLD_REAL_H\n"
               f"#error \"the file with {code} includes this header first\"\n"

@@ -139,7 +139,8 @@ class _Core:
     def fail(self, status, what):
         """Raises for a negative status."""
         if status < 0:
-            raise ValueError(f"{what}: {self.call_status_name(status).decode()}")
+            name = self.call_status_name(status).decode()
+            raise ValueError(f"{what}: {name}")
 
 
 _CORES = {"double": _Core("f64", ctypes.c_double, "f8"),
@@ -272,7 +273,8 @@ class Machine:
 
     def energy(self):
         """Mechanical energy of the present state [J]."""
-        return self.core.call_energy(self._machine, byref(self.state), self["r0"])
+        return self.core.call_energy(self._machine, byref(self.state),
+                                     self["r0"])
 
     def run(self, t_end=None, every=1, scheme="moreau", inputs=None):
         """Steps on for t_end [s] (default: the scene's length), the nearest

@@ -1,0 +1,29 @@
+// Scene `chaos`, prepared beforehand: small enough for an Uno. Fifty rows a
+// second for the serial plotter; chaos_code.c holds the code. dt is 1e-4 s; an
+// Uno takes longer for a step, so it runs in slow motion.
+#include <twofold_chaos.h>
+
+static tf_state_t state;
+static tf_report_t report;
+static unsigned long due;
+
+void setup() {
+  Serial.begin(115200);
+  tf_chaos_begin(&state, &report);
+}
+
+void loop() {
+  const tf_input_t input = tf_chaos_input(&state);
+  if (tf_chaos_step(&state, &input, &report) < 0) {
+    tf_chaos_begin(&state, &report);
+  }
+  if (millis() - due < 20) return;
+  due = millis();
+  // In units of 1e-6: Print's floats would cost an Uno the room.
+  Serial.print(F("r:"));
+  Serial.print((long)(state.r * 1e6f));
+  Serial.print(F(" omega:"));
+  Serial.print((long)(state.w * 1e6f));
+  Serial.print(F(" mode:"));
+  Serial.println(report.mode);
+}

@@ -1,0 +1,87 @@
+"""The Python package, from its source archive, without a network."""
+import importlib.util
+import json
+import sys
+
+from harness import DIST, TWOFOLD, Missing, folder, equal, need, run, version
+
+PROGRAM = """\
+import json, sys
+import numpy as np
+import twofold
+
+assert twofold.__version__ == sys.argv[1]
+ends = {}
+for real in ("double", "float"):
+    for name in twofold.scenes():
+        machine = twofold.Machine(name, real=real)
+        row = machine.run(t_end=2, every=100)[-1]
+        ends[real + " " + name] = [float(row[n]).hex()
+                                   for n in ("r", "v", "omega", "h", "F")]
+    # An ensemble has the bits of single steps.
+    machine = twofold.Machine("chaos", real=real)
+    start = np.linspace(0.1, 0.3, 37)
+    many = twofold.Ensemble(machine, r=start, omega=-1.037, h=1e-10)
+    many.step(500)
+    for i in (0, 17, 36):
+        machine.place(r=start[i], omega=-1.037, h=1e-10)
+        last = machine.run(t_end=0.05, every=500)[-1]
+        assert last["r"] == many["r"][i] and last["omega"] == many["omega"][i]
+        assert last["mode"] == many["mode"][i] and many["status"][i] >= 0
+    assert len(machine.two_folds()) == 2
+    for bad, word in ((dict(m=-1), "m is -1"), (dict(mass=1), "mass"),
+                      (dict(law="x"), "law"), (dict(mu=float("nan")), "mu")):
+        try:
+            twofold.Machine("chaos", real=real, **bad)
+        except ValueError as error:
+            assert word in str(error), error
+        else:
+            raise AssertionError(bad)
+json.dump(ends, sys.stdout)
+"""
+
+
+def last_row(scene):
+    """The end of a run of the command line, as the module names it."""
+    said = run(TWOFOLD, "run", scene, "--t-end", 2, "--every", 100, "--events",
+               0)
+    row = [line for line in said.split("\n") if line.startswith("2,")][-1]
+    value = dict(zip("t,r,v,omega,h,g,F,M".split(","), row.split(",")))
+    return [float(value[name]).hex() for name in ("r", "v", "omega", "h", "F")]
+
+
+def need_module(module, package):
+    """Missing where a module is not here."""
+    if importlib.util.find_spec(module) is None:
+        raise Missing(f"{module} is missing (Debian: apt-get install "
+                      f"{package})")
+
+
+def python():
+    """pip installs the archive offline; runs have the bits of the command line;
+    the example draws."""
+    python3 = need(sys.executable, "python3")
+    for module, package in (("pip", "python3-pip"), ("wheel", "python3-wheel"),
+                            ("setuptools", "python3-setuptools"),
+                            ("numpy", "python3-numpy")):
+        need_module(module, package)
+    place = folder("python")
+    archive = DIST / f"python/twofold-{version()}.tar.gz"
+    run(python3, "-m", "pip", "install", "--no-index", "--no-build-isolation",
+        "--target", place / "site", "--no-deps", archive, cwd=place)
+    program = place / "program.py"
+    program.write_text(PROGRAM)
+    env = {"PYTHONPATH": str(place / "site")}
+    ends = json.loads(run(python3, program, version(), env=env))
+    for key, got in ends.items():
+        real, scene = key.split()
+        if real == "double":
+            equal(f"end of {scene}", got, last_row(scene))
+    example = DIST / f"python/twofold-{version()}/examples/phase_plane.py"
+    need_module("matplotlib", "python3-matplotlib")
+    run(python3, example, place / "plane.png", env=env)
+    equal("first bytes of the picture",
+          (place / "plane.png").read_bytes()[:4], b"\x89PNG")
+
+
+TESTS = {"python": python}
