@@ -5,6 +5,7 @@ filled in, and the two files and the prepared scene where each one wants them.
 usage: packages.py C FOLDER
 C: the folder with twofold.h, twofold.c and twofold_chaos.h.
 """
+import gzip
 import shutil
 import sys
 import tarfile
@@ -51,7 +52,9 @@ def archive(package, to):
         info.mode = 0o755 if info.isdir() else 0o644
         return info
 
-    with tarfile.open(to, "w:gz", compresslevel=9) as tar:
+    with open(to, "wb") as file, \
+            gzip.GzipFile("", "wb", 9, file, mtime=0) as packed, \
+            tarfile.open(mode="w", fileobj=packed) as tar:
         for path in [package, *sorted(package.rglob("*"))]:
             tar.add(path, path.relative_to(package.parent), recursive=False,
                     filter=plain)

@@ -1,8 +1,8 @@
 """The two files and the prepared scene, in C and in C++."""
 import re
 
-from harness import (DIST, REALS, ROOT, STRICT, ends_at, equal, folder, need,
-                     run)
+from harness import (BUILD, DIST, REALS, ROOT, STRICT, ends_at, equal, folder,
+                     need, run)
 
 C = DIST / "c"
 TEST = ROOT / "tools/dist/test"
@@ -35,23 +35,43 @@ def two_files():
             run(golden)
 
 
+def scene_hash(place, name, real, compiler):
+    """What the header of a scene computes, its code by one compiler."""
+    tool, package, options = compiler
+    need(tool, package)
+    header, code = f"{place}/twofold_{name}.h", place / f"{name}-{real}.o"
+    run(tool, *options, *STRICT, *PLAIN, *REALS[real],
+        f"-DTWOFOLD_{name.upper()}_CODE", "-c", header_code(place, name), "-o",
+        code)
+    program = place / f"{name}-{real}"
+    run("g++", "-std=c++11", *STRICT, *PLAIN, *REALS[real], f"-DSCENE={name}",
+        f'-DHEADER="{header}"', TEST / "scene.cpp", code, "-lm", "-o", program)
+    return run(program).split()[0]
+
+
+def header_code(place, name):
+    """A source file that has nothing but the header."""
+    source = place / f"{name}.c"
+    source.write_text(f'#include "twofold_{name}.h"\n')
+    return source
+
+
 def scene():
-    """The header of one scene: without a warning, the golden hash of the scene,
-    called from C++; it stands beside twofold.h in one program."""
+    """The header of each scene: without a warning, the golden hash of the
+    scene, called from C++; it stands beside twofold.h in one program."""
     place = folder("scene")
-    golden = (ROOT / "tests/golden/golden.inc").read_text()
-    hashes = re.search(r'"chaos", TF_RULE_PERSIST, MOREAU,\s*'
-                       r"0x(\w+)u, 0x(\w+)u", golden).groups()
     need("g++", "g++")
-    for tool, package, options in COMPILERS:
-        need(tool, package)
-        for want, (real, define) in zip(hashes, REALS.items()):
-            code, program = place / f"{real}.o", place / real
-            run(tool, *options, *STRICT, *PLAIN, *define, "-I", C, "-c",
-                TEST / "scene_code.c", "-o", code)
-            run("g++", "-std=c++11", *STRICT, *PLAIN, *define, "-I", C,
-                TEST / "scene.cpp", code, "-lm", "-o", program)
-            equal(f"hash of {tool} {real}", run(program).split()[0], want)
+    golden = (ROOT / "tests/golden/golden.inc").read_text()
+    found = re.findall(r'"(\w+)", TF_RULE_PERSIST, MOREAU,\s*'
+                       r"0x(\w+)u, 0x(\w+)u", golden)
+    constants = [BUILD / real / "constants" for real in REALS]
+    for name, *hashes in found:
+        run(ROOT / "tools/dist/scene.py", name, *constants, place)
+        compilers = COMPILERS if name == "chaos" else COMPILERS[:1]
+        for compiler in compilers:
+            for real, want in zip(REALS, hashes):
+                equal(f"{name} by {compiler[0]} in {real}",
+                      scene_hash(place, name, real, compiler), want)
     both = place / "both.c"
     for order in (("twofold.h", "twofold_chaos.h"),
                   ("twofold_chaos.h", "twofold.h")):

@@ -1,2 +1,0 @@
-#define TWOFOLD_CHAOS_CODE
-#include "twofold_chaos.h"
