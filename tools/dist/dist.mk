@@ -62,6 +62,6 @@ uninstall: ## remove what `make install` put there
 	@rmdir $(AT)/include/twofold $(AT)/lib/cmake/twofold 2>/dev/null || true
 
 test-dist: ## each package, compiled and run as its user would
-test-dist: dist $(BUILD)/double/twofold $(BUILD)/float/libtwofold.a
+test-dist: dist $(BUILD)/double/twofold $(BUILD)/float/twofold
 	@MAKEFLAGS= MAKELEVEL= MAKE='$(MAKE)' BUILD='$(BUILD)' \
 	  tools/dist/test/run.py $(DISTS)

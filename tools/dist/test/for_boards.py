@@ -4,11 +4,13 @@ a stand-in of the few commands that it calls, with a compiler of their chips."""
 import json
 import re
 import shutil
+import struct
 from pathlib import Path
 
-from harness import (DIST, STRICT, Missing, Wrong, equal, folder,
-                     need, run, version)
+from harness import (DIST, STRICT, Missing, Wrong, equal, folder, need,
+                     rows_of, run, version)
 
+MODES = ("slip+", "slip-", "stick+", "stick-", "pinned")
 ARDUINO = Path("/usr/share/arduino/Arduino.mk")
 # What the specification of library.properties asks for, and arduino-lint.
 PROPERTIES = {
@@ -57,30 +59,35 @@ def properties():
             raise Wrong(f"{example} has no sketch of its name")
 
 
-def arduino():
-    """The library has the strict form; all scenes link for a Mega, the prepared
-    one for an Uno."""
-    properties()
+def sketch(place, example, board, chip):
+    """An example, linked by arduino-mk as for a board; the program."""
     if not ARDUINO.is_file():
         raise Missing("arduino-mk is missing (Debian: apt-get install "
                       "arduino-mk arduino-core-avr)")
     need("avr-g++", "gcc-avr")
+    libraries, home = place / "libraries", place / example
+    shutil.copytree(DIST / "arduino", libraries, dirs_exist_ok=True)
+    shutil.copytree(libraries / "twofold/examples" / example, home)
+    text = MAKEFILE
+    for name, value in (("BOARD", board), ("CHIP", chip),
+                        ("LIBRARIES", libraries)):
+        text = text.replace(f"@{name}@", str(value))
+    (home / "Makefile").write_text(text)
+    said = run("make", "-C", home)
+    equal(f"warnings of {example}",
+          re.findall(r"^.*twofold.*(?:warning|error):.*$", said, re.M), [])
+    return next((home / "built").glob("*.elf"))
+
+
+def arduino():
+    """The library has the strict form; all scenes link for a Mega, the prepared
+    one for an Uno."""
+    properties()
     place = folder("arduino")
-    shutil.copytree(DIST / "arduino", place / "libraries")
     for example, board, chip, flash, ram in (
             ("AllScenes", "mega", "atmega2560", 253952, 8192),
             ("Chaos", "uno", "", 32256, 2048)):
-        sketch = place / example
-        shutil.copytree(place / "libraries/twofold/examples" / example, sketch)
-        text = MAKEFILE
-        for name, value in (("BOARD", board), ("CHIP", chip),
-                            ("LIBRARIES", place / "libraries")):
-            text = text.replace(f"@{name}@", str(value))
-        (sketch / "Makefile").write_text(text)
-        said = run("make", "-C", sketch)
-        found = re.findall(r"^.*twofold.*(?:warning|error):.*$", said, re.M)
-        equal(f"warnings of {example}", found, [])
-        program = next((sketch / "built").glob("*.elf"))
+        program = sketch(place, example, board, chip)
         sizes = run("avr-size", program).splitlines()[1].split()[:3]
         code, data, bss = map(int, sizes)
         if code + data > flash or data + bss + 512 > ram:
@@ -88,6 +95,36 @@ def arduino():
                         f"{flash}, {data + bss} B of {ram}")
         print(f"#        {example} on {board}: flash {code + data} of {flash} "
               f"B, RAM {data + bss} of {ram} B")
+
+
+def arduino_run():
+    """The sketch of the prepared scene, run by simavr, prints states of the
+    float trajectory that the command line computes, in their order."""
+    need("simavr", "simavr")
+    program = sketch(folder("arduino-run"), "Chaos", "uno", "")
+    said = run("sh", "-c", "timeout 10 simavr -m atmega328p -f 16000000 "
+               "\"$1\" 2>&1; true", "sh", program)
+    got = [tuple(map(int, row)) for row in re.findall(
+        r"r:(-?\d+) omega:(-?\d+) mode:(\d)", said)]
+    if len(got) < 20:
+        raise Wrong(f"simavr printed {len(got)} rows")
+    there = iter([(micro(row[1]), micro(row[3]), MODES.index(row[8]))
+                  for row in rows_of("float", "chaos", "--t-end", 20)])
+    for row in got:
+        if row not in there:
+            raise Wrong(f"no step of the trajectory is {row}, or not after "
+                        "the row before")
+    print(f"#        {len(got)} rows of an Uno are those of the trajectory")
+
+
+def micro(text):
+    """A float in units of 1e-6, as the sketch prints it."""
+    return int(single(single(float(text)) * single(1e6)))
+
+
+def single(value):
+    """A number rounded to float."""
+    return struct.unpack("f", struct.pack("f", value))[0]
 
 
 def platformio():
@@ -213,5 +250,6 @@ def zephyr():
         [compiler, "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard"])
 
 
-TESTS = {"arduino": arduino, "platformio": platformio, "esp-idf": esp_idf,
+TESTS = {"arduino": arduino, "arduino-run": arduino_run,
+         "platformio": platformio, "esp-idf": esp_idf,
          "zephyr": zephyr}

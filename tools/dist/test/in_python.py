@@ -3,7 +3,7 @@ import importlib.util
 import json
 import sys
 
-from harness import DIST, TWOFOLD, Missing, folder, equal, need, run, version
+from harness import DIST, Missing, equal, folder, need, rows_of, run, version
 
 PROGRAM = """\
 import json, sys
@@ -41,13 +41,14 @@ json.dump(ends, sys.stdout)
 """
 
 
-def last_row(scene):
+def last_row(real, scene):
     """The end of a run of the command line, as the module names it."""
-    said = run(TWOFOLD, "run", scene, "--t-end", 2, "--every", 100, "--events",
-               0)
-    row = [line for line in said.split("\n") if line.startswith("2,")][-1]
-    value = dict(zip("t,r,v,omega,h,g,F,M".split(","), row.split(",")))
-    return [float(value[name]).hex() for name in ("r", "v", "omega", "h", "F")]
+    import numpy as np
+    row = rows_of(real, scene, "--t-end", 2, "--every", 100)[-1]
+    value = dict(zip("t,r,v,omega,h,g,F,M".split(","), row))
+    type_ = {"double": np.float64, "float": np.float32}[real]
+    return [float(type_(value[name])).hex()
+            for name in ("r", "v", "omega", "h", "F")]
 
 
 def need_module(module, package):
@@ -75,8 +76,8 @@ def python():
     ends = json.loads(run(python3, program, version(), env=env))
     for key, got in ends.items():
         real, scene = key.split()
-        if real == "double":
-            equal(f"end of {scene}", got, last_row(scene))
+        equal(f"end of {scene} in {real}",
+              got, last_row(real, scene))
     example = DIST / f"python/twofold-{version()}/examples/phase_plane.py"
     need_module("matplotlib", "python3-matplotlib")
     run(python3, example, place / "plane.png", env=env)
