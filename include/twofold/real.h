@@ -18,8 +18,11 @@
 #pragma clang fp contract(off) reassociate(off)
 #elif defined(__clang__)
 #pragma clang fp contract(off)
-#elif defined(__GNUC__)
+#elif defined(__GNUC__) && __STDC_HOSTED__
 #pragma GCC optimize("fp-contract=off")
+#elif defined(__GNUC__)
+// -ffreestanding implies the second, and the pragma would forget it.
+#pragma GCC optimize("fp-contract=off", "no-tree-loop-distribute-patterns")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #else

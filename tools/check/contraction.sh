@@ -21,29 +21,31 @@ float g(float a, float b, float c) { return a * b + c; }' >"$work/control.c"
 fused() {
   rm -f "$work"/*.s
   # shellcheck disable=SC2086  # the compiler and its options
-  (cd "$work" && $compiler -ffreestanding -S -I"$here/include" "$@") || return 1
+  (cd "$work" && $compiler -S -I"$here/include" "$@") || return 1
   cat "$work"/*.s | grep -cE "$FUSED"
 }
 
 sources=$(find "$here/src" -name '*.c')
 # The types that a target computes in hardware, its compiler and options.
 while read -r reals compiler; do
-  for real in $(echo "$reals" | tr , ' '); do
+  for real in $(echo "$reals" | sed 's/both/double float/'); do
+    define=-UTF_REAL_FLOAT
+    [ "$real" = double ] || define=-DTF_REAL_FLOAT
     # shellcheck disable=SC2086  # a list of files
-    count=$(fused -std=gnu17 -O2 "-D$real" $sources)
+    count=$(fused -std=gnu17 -O2 $define $sources)
     [ "$count" = 0 ] ||
       wrong "$compiler, $real: ${count:-no} fused operations"
   done
   control=$(fused -std=gnu17 -O2 -ffp-contract=fast control.c)
   [ "${control:-0}" -gt 0 ] || wrong "$compiler: the control has none"
 done <<'END'
-TF_REAL_FLOAT arm-none-eabi-gcc -mcpu=cortex-m33 -mfloat-abi=hard
-TF_REAL_DOUBLE,TF_REAL_FLOAT arm-none-eabi-gcc -mcpu=cortex-m7 -mfloat-abi=hard
-TF_REAL_FLOAT arm-none-eabi-gcc -mcpu=cortex-m4 -mfloat-abi=hard
-TF_REAL_FLOAT riscv64-unknown-elf-gcc -march=rv32imafc -mabi=ilp32f
-TF_REAL_DOUBLE,TF_REAL_FLOAT gcc -march=haswell
-TF_REAL_DOUBLE gcc -march=haswell -ffp-contract=fast
-TF_REAL_DOUBLE,TF_REAL_FLOAT clang -march=haswell
+float arm-none-eabi-gcc -mcpu=cortex-m33 -mfloat-abi=hard
+both arm-none-eabi-gcc -mcpu=cortex-m7 -mfloat-abi=hard
+float arm-none-eabi-gcc -mcpu=cortex-m4 -mfloat-abi=hard
+float riscv64-unknown-elf-gcc -ffreestanding -march=rv32imafc -mabi=ilp32f
+both gcc -march=haswell
+double gcc -march=haswell -ffp-contract=fast
+both clang -march=haswell
 END
 
 # The golden hashes, in gnu mode, on what this processor has.
