@@ -175,9 +175,9 @@ static bool gains_energy(const tf_machine_t *k, const tf_input_t *u,
 // How far the force at the end is from the law there, by the law itself.
 static tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
   const tf_machine_t *k = path->motion.machine;
+  const outcome_t stick = {.mode = path->mode};
   if (path->mode > TF_SLIP_MINUS)
-    return mode_residual(k, &(outcome_t){.mode = path->mode}, path->force,
-                         slip);
+    return mode_residual(k, &stick, path->force, slip);
   return slip_law_residual(&k->tyre, path->mode == TF_SLIP_PLUS ? 1 : -1,
                            path->force, slip);
 }

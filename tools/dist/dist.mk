@@ -1,12 +1,12 @@
 # The project in the forms that others expect. Included by the Makefile.
 #
-#   DIST_SCENE=chaos   the scene that is prepared as one header
+#   DIST_SCENE=driven  a further scene that is prepared as one header
 #   DESTDIR=           where a package is put together
 #   PREFIX=/usr/local  where things are installed
 #   DISTS='c cmake'    only these tests of `make test-dist`
 
 DIST := $(BUILD)/dist
-DIST_SCENE ?= chaos
+DIST_SCENE ?=
 DESTDIR ?=
 PREFIX ?= /usr/local
 DISTS ?=
@@ -19,9 +19,8 @@ dist: ## two files, a prepared scene, packages: into build/dist
 dist: $(DIST_CONSTANTS)
 	@mkdir -p $(DIST)/c
 	@tools/dist/two_files.py $(DIST)/c
-	@tools/dist/scene.py $(DIST_SCENE) $(DIST_CONSTANTS) $(DIST)/c
-	@[ $(DIST_SCENE) = chaos ] || \
-	  tools/dist/scene.py chaos $(DIST_CONSTANTS) $(DIST)/c
+	@for scene in $(sort chaos coulomb $(DIST_SCENE)); do \
+	  tools/dist/scene.py $$scene $(DIST_CONSTANTS) $(DIST)/c || exit 1; done
 	@tools/dist/packages.py $(DIST)/c $(DIST)
 	@echo 'The packages are in $(DIST).'
 

@@ -3,7 +3,7 @@
 filled in, and the two files and the prepared scene where each one wants them.
 
 usage: packages.py C FOLDER
-C: the folder with twofold.h, twofold.c and twofold_chaos.h.
+C: the folder with twofold.h, twofold.c and the headers of PREPARED.
 """
 import gzip
 import shutil
@@ -22,11 +22,15 @@ FLOAT = """\
 
 """
 BOTH = ("twofold.h", "twofold.c")
+# The scenes that packages have prepared: chaos, and one without a moment, of
+# which an Uno has room for the code.
+PREPARED = ("chaos", "coulomb")
 # By template: where the package lies, the folder of its sources, which of
 # them, and what they begin with.
 PACKAGES = {
     "cmake": ("cmake/twofold", ".", BOTH, ""),
-    "arduino": ("arduino/twofold", "src", BOTH + ("twofold_chaos.h",), FLOAT),
+    "arduino": ("arduino/twofold", "src", BOTH + tuple(f"twofold_{name}.h" for name in PREPARED),
+                FLOAT),
     "platformio": ("platformio/twofold", "src", BOTH + ("twofold_chaos.h",),
                    ""),
     "zephyr": ("zephyr/twofold", "src", BOTH, ""),
@@ -36,12 +40,24 @@ PACKAGES = {
 
 
 def fill(template, to):
-    """Copies a folder of templates with the version in place."""
+    """Copies a folder of templates with the version in place; what is named
+    after a scene is copied for each of PREPARED."""
     for path in sorted(template.rglob("*")):
-        if path.is_file() and "__pycache__" not in path.parts:
-            target = to / path.relative_to(template)
+        if not path.is_file() or "__pycache__" in path.parts:
+            continue
+        name = path.relative_to(template).as_posix()
+        for scene in PREPARED if "@scene@" in name.lower() else ("",):
+            target = to / of_scene(name, scene)
             target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_text(path.read_text().replace("@VERSION@", version()))
+            target.write_text(of_scene(path.read_text(), scene)
+                              .replace("@VERSION@", version()))
+
+
+def of_scene(text, scene):
+    """A text with the name of a scene in place."""
+    for case in str.lower, str.capitalize, str.upper:
+        text = text.replace(f"@{case('scene')}@", case(scene))
+    return text
 
 
 def archive(package, to):

@@ -5,6 +5,7 @@ import json
 import re
 import shutil
 import struct
+from functools import partial
 from pathlib import Path
 
 from harness import (DIST, STRICT, Missing, Wrong, equal, folder, need,
@@ -80,13 +81,14 @@ def sketch(place, example, board, chip):
 
 
 def arduino():
-    """The library has the strict form; all scenes link for a Mega, the prepared
-    one for an Uno."""
+    """The library has the strict form; all scenes link for a Mega, a prepared
+    one for each board."""
     properties()
     place = folder("arduino")
     for example, board, chip, flash, ram in (
             ("AllScenes", "mega", "atmega2560", 253952, 8192),
-            ("Chaos", "uno", "", 32256, 2048)):
+            ("Chaos", "mega", "atmega2560", 253952, 8192),
+            ("Coulomb", "uno", "", 32256, 2048)):
         program = sketch(place, example, board, chip)
         sizes = run("avr-size", program).splitlines()[1].split()[:3]
         code, data, bss = map(int, sizes)
@@ -97,24 +99,25 @@ def arduino():
               f"B, RAM {data + bss} of {ram} B")
 
 
-def arduino_run():
-    """The sketch of the prepared scene, run by simavr, prints states of the
-    float trajectory that the command line computes, in their order."""
+def arduino_run(scene, board, chip, processor):
+    """The sketch of a prepared scene, run by simavr, prints states of the float
+    trajectory that the command line computes, in their order."""
     need("simavr", "simavr")
-    program = sketch(folder("arduino-run"), "Chaos", "uno", "")
-    said = run("sh", "-c", "timeout 10 simavr -m atmega328p -f 16000000 "
-               "\"$1\" 2>&1; true", "sh", program)
+    program = sketch(folder(f"arduino-{board}"), scene.capitalize(), board,
+                     chip)
+    said = run("sh", "-c", "timeout 10 simavr -m \"$2\" -f 16000000 "
+               "\"$1\" 2>&1; true", "sh", program, processor)
     got = [tuple(map(int, row)) for row in re.findall(
         r"r:(-?\d+) omega:(-?\d+) mode:(\d)", said)]
     if len(got) < 20:
         raise Wrong(f"simavr printed {len(got)} rows")
     there = iter([(micro(row[1]), micro(row[3]), MODES.index(row[8]))
-                  for row in rows_of("float", "chaos", "--t-end", 20)])
+                  for row in rows_of("float", scene, "--t-end", 20)])
     for row in got:
         if row not in there:
             raise Wrong(f"no step of the trajectory is {row}, or not after "
                         "the row before")
-    print(f"#        {len(got)} rows of an Uno are those of the trajectory")
+    print(f"#        {len(got)} rows of {scene} on {board} are those of the trajectory")
 
 
 def micro(text):
@@ -250,6 +253,10 @@ def zephyr():
         [compiler, "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard"])
 
 
-TESTS = {"arduino": arduino, "arduino-run": arduino_run,
+TESTS = {"arduino": arduino,
+         "arduino-mega": partial(arduino_run, "chaos", "mega", "atmega2560",
+                                 "atmega2560"),
+         "arduino-uno": partial(arduino_run, "coulomb", "uno", "",
+                                "atmega328p"),
          "platformio": platformio, "esp-idf": esp_idf,
          "zephyr": zephyr}

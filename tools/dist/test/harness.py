@@ -36,7 +36,9 @@ def run(*command, cwd=None, env=None, fails=False):
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           env={**os.environ, **(env or {})}, check=False)
     if (said.returncode != 0) != fails:
-        raise Wrong(f"{' '.join(map(str, command))}\n{said.stdout}")
+        last = "\n".join(line[:200]
+                         for line in said.stdout.splitlines()[-8:])
+        raise Wrong(f"{' '.join(map(str, command))}\n{last}")
     return said.stdout
 
 

@@ -1,7 +1,7 @@
-// Scene `chaos`, prepared beforehand: small enough for an Uno. Fifty rows a
-// second for the serial plotter; chaos_code.c holds the code. dt is 1e-4 s; an
-// Uno takes longer for a step, so it runs in slow motion.
-#include <twofold_chaos.h>
+// Scene `@scene@`, prepared beforehand. Fifty rows a second for the serial
+// plotter; @scene@_code.c holds the code. dt is 1e-4 s; an Uno or a Mega takes
+// longer for a step, so it runs in slow motion.
+#include <twofold_@scene@.h>
 
 static tf_state_t state;
 static tf_report_t report;
@@ -9,13 +9,13 @@ static unsigned long due;
 
 void setup() {
   Serial.begin(115200);
-  tf_chaos_begin(&state, &report);
+  tf_@scene@_begin(&state, &report);
 }
 
 void loop() {
-  const tf_input_t input = tf_chaos_input(&state);
-  if (tf_chaos_step(&state, &input, &report) < 0) {
-    tf_chaos_begin(&state, &report);
+  const tf_input_t input = tf_@scene@_input(&state);
+  if (tf_@scene@_step(&state, &input, &report) < 0) {
+    tf_@scene@_begin(&state, &report);
   }
   if (millis() - due < 20) return;
   due = millis();

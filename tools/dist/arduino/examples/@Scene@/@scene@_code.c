@@ -1,3 +1,3 @@
 /* The code of the prepared scene: one file of a program holds it. */
-#define TWOFOLD_CHAOS_CODE
-#include <twofold_chaos.h>
+#define TWOFOLD_@SCENE@_CODE
+#include <twofold_@scene@.h>
