@@ -139,7 +139,9 @@ expectations monitor <<END
 2 |
 2 a b|
 2 frames --cvs|did you mean '--csv'?
-2 frames --out x|
+2 frames --out x|only with --as
+2 frames --as yaml|forms are csv, plotter, teleplot and json
+2 frames --as json --csv|one form at a time
 2 frames --baud fast|
 2 frames --baud 1 --baud 2|--baud was already given
 2 frames --csv --out|

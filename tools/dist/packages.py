@@ -29,8 +29,8 @@ PREPARED = ("chaos", "coulomb")
 # them, and what they begin with.
 PACKAGES = {
     "cmake": ("cmake/twofold", ".", BOTH, ""),
-    "arduino": ("arduino/twofold", "src", BOTH + tuple(f"twofold_{name}.h" for name in PREPARED),
-                FLOAT),
+    "arduino": ("arduino/twofold", "src",
+                BOTH + tuple(f"twofold_{name}.h" for name in PREPARED), FLOAT),
     "platformio": ("platformio/twofold", "src", BOTH + ("twofold_chaos.h",),
                    ""),
     "zephyr": ("zephyr/twofold", "src", BOTH, ""),
@@ -41,11 +41,12 @@ PACKAGES = {
 
 def fill(template, to):
     """Copies a folder of templates with the version in place; what is named
-    after a scene is copied for each of PREPARED."""
+    after a scene is copied for each of PREPARED. `.in` stands after the name
+    of what is no C yet."""
     for path in sorted(template.rglob("*")):
         if not path.is_file() or "__pycache__" in path.parts:
             continue
-        name = path.relative_to(template).as_posix()
+        name = path.relative_to(template).as_posix().removesuffix(".in")
         for scene in PREPARED if "@scene@" in name.lower() else ("",):
             target = to / of_scene(name, scene)
             target.parent.mkdir(parents=True, exist_ok=True)

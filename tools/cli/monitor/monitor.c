@@ -43,7 +43,8 @@ static bool take_block(monitor_t *monitor, size_t length) {
   size_t taken = 0;
   tf_frame_t frame;
   cli_csv_t row;
-  char line[CLI_ROW_ROOM];
+  char line[CLI_STREAM_ROOM];
+  const cli_stream_t *as = monitor->args.as;
   monitor->bytes += length;
   while (tf_decoder_block(&monitor->decoder, at, length, &taken, &frame)) {
     at += taken;
@@ -60,8 +61,8 @@ static bool take_block(monitor_t *monitor, size_t length) {
     }
     cli_damage_row(&monitor->damage, &row, monitor->receiver.tick);
     cli_view_note(&monitor->view, monitor->receiver.mode);
-    if (monitor->args.csv &&
-        !cli_output_lines(&monitor->output, line, cli_csv_row(&row, line))) {
+    if (as != NULL &&
+        !cli_output_lines(&monitor->output, line, as->row(&row, line))) {
       return false;
     }
   }
@@ -127,7 +128,7 @@ static int send_commands(monitor_t *monitor) {
 static int follow_stream(monitor_t *monitor) {
   const cli_monitor_args_t *args = &monitor->args;
   const cli_board_commands_t *commands = &args->commands;
-  const bool live = !args->csv && cli_is_terminal(STDOUT_FILENO);
+  const bool live = args->as == NULL && cli_is_terminal(STDOUT_FILENO);
   while (!cli_stop_asked()) {
     size_t count = 0;
     const int sent = send_commands(monitor);
@@ -135,7 +136,7 @@ static int follow_stream(monitor_t *monitor) {
       return sent;
     }
     if (commands->count > 0 && commands->next == commands->count &&
-        !args->csv && !live) {
+        args->as == NULL && !live) {
       return CLI_DONE; // every command is answered, and nothing is shown
     }
     const cli_source_found_t found =
@@ -149,8 +150,8 @@ static int follow_stream(monitor_t *monitor) {
                     monitor->source.name, now);
     }
     // Rows of a slow board are flushed before the next wait.
-    if (args->csv && (found != CLI_SOURCE_BYTES ||
-                      now - monitor->output.flushed >= FLUSH_EVERY)) {
+    if (args->as != NULL && (found != CLI_SOURCE_BYTES ||
+                             now - monitor->output.flushed >= FLUSH_EVERY)) {
       if (!cli_output_flush(&monitor->output)) {
         return output_failed(monitor);
       }
@@ -223,7 +224,6 @@ static void summarise(const monitor_t *monitor) {
 // Opens what is read, and the file that is written.
 static int open_both(monitor_t *monitor) {
   const cli_monitor_args_t *args = &monitor->args;
-  char header[CLI_ROW_ROOM];
   if (!cli_source_open(&monitor->source, args->path, args->baud,
                        args->commands.count > 0)) {
     return cli_message(CLI_STOPPED, "%s: %s", args->path,
@@ -231,12 +231,12 @@ static int open_both(monitor_t *monitor) {
                            ? "the device does not take this --baud"
                            : strerror(monitor->source.error));
   }
-  if (args->csv) {
+  if (args->as != NULL) {
     if (!cli_output_open(&monitor->output, args->out)) {
       return output_failed(monitor);
     }
-    (void)cli_output_lines(&monitor->output, header,
-                           cli_header(CLI_FORMAT_CSV, header));
+    (void)cli_output_lines(&monitor->output, args->as->header,
+                           strlen(args->as->header));
   }
   return CLI_DONE;
 }
@@ -284,7 +284,7 @@ static int perform(monitor_t *monitor) {
     return code;
   }
   code = judge_stop(monitor, follow_stream(monitor));
-  if (monitor->args.csv) {
+  if (monitor->args.as != NULL) {
     code = cli_output_end(&monitor->output, code);
   }
   cli_source_close(&monitor->source);

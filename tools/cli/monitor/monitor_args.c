@@ -10,11 +10,29 @@
 
 #define MOST_BAUD 100000000u
 
-static int read_csv(void *to, const cli_given_t *option) {
-  cli_monitor_args_t *args = to;
-  (void)option;
-  args->csv = true;
+static int choose_stream(cli_monitor_args_t *args, const char *name) {
+  const cli_stream_t *as = cli_stream_named(name);
+  if (as == NULL) {
+    return cli_message(CLI_USAGE,
+                       "--as %s: unknown form; forms are csv, plotter, "
+                       "teleplot and json",
+                       name);
+  }
+  if (args->as != NULL && args->as != as) {
+    return cli_message(CLI_USAGE, "--as %s: one form at a time (%s was given)",
+                       name, args->as->name);
+  }
+  args->as = as;
   return CLI_DONE;
+}
+
+static int read_as(void *to, const cli_given_t *option) {
+  return choose_stream(to, option->value);
+}
+
+static int read_csv(void *to, const cli_given_t *option) {
+  (void)option;
+  return choose_stream(to, "csv");
 }
 
 static int read_follow(void *to, const cli_given_t *option) {
@@ -59,9 +77,10 @@ static int take_source(void *to, const char *word) {
 }
 
 static const cli_option_t options[] = {
-    {"--csv", read_csv, CLI_FLAG},         {"--follow", read_follow, CLI_FLAG},
-    {"--baud", read_baud, CLI_ONCE},       {"--out", read_out, CLI_ONCE},
-    {"--send", read_send, CLI_REPEATABLE}, {"--key", read_key, CLI_ONCE},
+    {"--as", read_as, CLI_ONCE},         {"--csv", read_csv, CLI_FLAG},
+    {"--follow", read_follow, CLI_FLAG}, {"--baud", read_baud, CLI_ONCE},
+    {"--out", read_out, CLI_ONCE},       {"--send", read_send, CLI_REPEATABLE},
+    {"--key", read_key, CLI_ONCE},
 };
 
 int cli_monitor_args(cli_monitor_args_t *args, int argc, char *const argv[]) {
@@ -82,8 +101,8 @@ int cli_monitor_args(cli_monitor_args_t *args, int argc, char *const argv[]) {
   if (args->commands.count == 1) {
     args->commands.count = 0;
   }
-  if (args->out != NULL && !args->csv) {
-    return cli_message(CLI_USAGE, "--out %s: only with --csv", args->out);
+  if (args->out != NULL && args->as == NULL) {
+    return cli_message(CLI_USAGE, "--out %s: only with --as", args->out);
   }
   return CLI_DONE;
 }

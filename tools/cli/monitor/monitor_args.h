@@ -4,13 +4,15 @@
 #define TWOFOLD_CLI_MONITOR_ARGS_H
 
 #include "board_command.h"
+#include "stream.h"
 
 /// The command line, read and validated.
 typedef struct {
-  const char *path; ///< "-": standard input
-  const char *out;  ///< of --csv; NULL: standard output
-  uint64_t baud;    ///< 0: unchanged
-  bool csv, follow;
+  const char *path;       ///< "-": standard input
+  const char *out;        ///< of --as; NULL: standard output
+  const cli_stream_t *as; ///< NULL: a live view
+  uint64_t baud;          ///< 0: unchanged
+  bool follow;
   cli_board_commands_t commands;
 } cli_monitor_args_t;
 

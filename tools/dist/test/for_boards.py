@@ -117,7 +117,8 @@ def arduino_run(scene, board, chip, processor):
         if row not in there:
             raise Wrong(f"no step of the trajectory is {row}, or not after "
                         "the row before")
-    print(f"#        {len(got)} rows of {scene} on {board} are those of the trajectory")
+    print(f"#        {len(got)} rows of {scene} on {board} are those of the "
+          "trajectory")
 
 
 def micro(text):

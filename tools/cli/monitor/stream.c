@@ -1,0 +1,104 @@
+// Each form has one writer; they share the names and units of the columns. What
+// a frame does not carry is left out, or left empty in CSV.
+
+#include "stream.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../text/buffer.h"
+
+static const struct {
+  const char *name, *unit;
+} columns[CLI_CSV_COLUMNS] = {{"t", "s"},         {"r", "m"},   {"v", "m/s"},
+                              {"omega", "rad/s"}, {"h", "m/s"}, {"g", "m/s"},
+                              {"F", "N"},         {"M", "N m"}};
+
+static size_t csv(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
+  return cli_csv_row(row, out);
+}
+
+// No time: the tool counts rows.
+static size_t plotter(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
+  cli_buffer_t text = {out, 0, CLI_STREAM_ROOM, false};
+  for (size_t i = 1; i < row->columns; i++) {
+    cli_add(&text, columns[i].name);
+    cli_add(&text, ":");
+    cli_add_number(&text, row->column[i], row->is_float);
+    cli_add(&text, " ");
+  }
+  cli_add(&text, "mode:");
+  cli_add_count(&text, row->mode);
+  cli_add(&text, " choices:");
+  cli_add_count(&text, row->choices);
+  cli_add(&text, "\n");
+  return text.used;
+}
+
+static void teleplot_name(cli_buffer_t *text, const cli_csv_t *row,
+                          const char *name) {
+  const double ms = row->column[0] * 1000;
+  cli_add(text, name);
+  cli_add(text, ":");
+  cli_add_number(text, row->is_float ? (double)(float)ms : ms, row->is_float);
+  cli_add(text, ":");
+}
+
+static size_t teleplot(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
+  cli_buffer_t text = {out, 0, CLI_STREAM_ROOM, false};
+  for (size_t i = 1; i < row->columns; i++) {
+    teleplot_name(&text, row, columns[i].name);
+    cli_add_number(&text, row->column[i], row->is_float);
+    cli_add(&text, "\xC2\xA7"); // the section sign, before the unit
+    cli_add(&text, columns[i].unit);
+    cli_add(&text, "|g\n");
+  }
+  teleplot_name(&text, row, "mode");
+  cli_add(&text, tf_mode_name(row->mode));
+  cli_add(&text, "|t\n");
+  teleplot_name(&text, row, "choices");
+  cli_add_count(&text, row->choices);
+  cli_add(&text, "|g\n");
+  return text.used;
+}
+
+static void json_number(cli_buffer_t *text, const cli_csv_t *row, size_t i) {
+  if (isfinite(row->column[i])) {
+    cli_add_number(text, row->column[i], row->is_float);
+  } else {
+    cli_add(text, "null"); // JSON has no other word for it
+  }
+}
+
+static size_t json(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
+  cli_buffer_t text = {out, 0, CLI_STREAM_ROOM, false};
+  cli_add(&text, "{\"timestamp\":");
+  json_number(&text, row, 0);
+  for (size_t i = 1; i < row->columns; i++) {
+    cli_add(&text, ",\"");
+    cli_add(&text, columns[i].name);
+    cli_add(&text, "\":");
+    json_number(&text, row, i);
+  }
+  cli_add(&text, ",\"mode\":");
+  cli_add_count(&text, row->mode);
+  cli_add(&text, ",\"choices\":");
+  cli_add_count(&text, row->choices);
+  cli_add(&text, "}\n");
+  return text.used;
+}
+
+const cli_stream_t cli_streams[CLI_STREAMS] = {
+    {"csv", "t,r,v,omega,h,g,F,M,mode,choices\n", csv},
+    {"plotter", "", plotter},
+    {"teleplot", "", teleplot},
+    {"json", "", json}};
+
+const cli_stream_t *cli_stream_named(const char *name) {
+  for (size_t i = 0; i < CLI_STREAMS; i++) {
+    if (strcmp(name, cli_streams[i].name) == 0) {
+      return &cli_streams[i];
+    }
+  }
+  return NULL;
+}

@@ -1,0 +1,29 @@
+/// @file
+/// The rows of `monitor` as text, in the forms that plotting tools document.
+#ifndef TWOFOLD_CLI_STREAM_H
+#define TWOFOLD_CLI_STREAM_H
+
+#include "../run/row.h"
+
+/// Room for the longest row.
+#define CLI_STREAM_ROOM 1024
+
+/// A form. The modes are numbers where the tool draws numbers only.
+typedef struct {
+  const char *name;   ///< on the command line
+  const char *header; ///< the first line, may be empty
+  /// Writes a row with its newlines. Returns: the length.
+  size_t (*row)(const cli_csv_t *row, char out[CLI_STREAM_ROOM]);
+} cli_stream_t;
+
+/// csv     as `twofold run` writes them: files, also for PlotJuggler
+/// plotter label:value pairs on a line: the Arduino IDE's serial plotter
+/// teleplot name:milliseconds:value§unit|g, one a line: Teleplot, over UDP
+/// json    an object a line, seconds in "timestamp": PlotJuggler, over UDP
+#define CLI_STREAMS 4
+extern const cli_stream_t cli_streams[CLI_STREAMS];
+
+/// The form of a name, or NULL.
+const cli_stream_t *cli_stream_named(const char *name);
+
+#endif
