@@ -50,7 +50,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help run test quick all clean FORCE $(VARIANTS:%=line-%)
+.PHONY: help run test quick all clean FORCE $(VARIANTS:%=line-%) line-csv
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -75,7 +75,7 @@ VERIFY_MAKEFILES := tools/check/check.mk tools/fuzz/fuzz.mk \
 # A target for users says what it does after `##`, on a line of its own; one
 # that only makefiles and scripts use has no such line and is named here or
 # beside its rule.
-HELPERS := FORCE $(VARIANTS:%=line-%)
+HELPERS := FORCE $(VARIANTS:%=line-%) line-csv
 define group
 	@echo; echo '$(1)'
 	@sed -nE 's/^([a-z-]+): ## (.*)/  make \1\t\2/p' $(2) | expand -t 25
@@ -151,10 +151,20 @@ run: $(BUILD)/double/twofold
 LINE := $(if $(filter tests/line/test_line.c tests/line/test_hostile.c \
   tests/line/test_hil.sh,$(TESTS)),\
   $(foreach v,$(VARIANTS),$(BUILD)/$(v)/hil line-$(v)))
+LINE += $(if $(filter tests/line/test_streams.sh,$(TESTS)),line-csv \
+  $(BUILD)/double/accepted)
+line_firmware = @MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf \
+  BOARD=host CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' \
+  SCENE=chaos RATE=1000 $(1)
 $(VARIANTS:%=line-%): line-%: $(BUILD)/%/constants
-	@MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf BOARD=host \
-	  CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' SCENE=chaos \
-	  REAL=$* RATE=1000 EVERY=1 STEPS=0 FORMAT=frames UPLINK=yes NAMED=-line
+	$(call line_firmware,REAL=$* EVERY=1 STEPS=0 FORMAT=frames UPLINK=yes \
+	  NAMED=-line)
+line-csv: $(BUILD)/float/constants
+	$(call line_firmware,REAL=float EVERY=5 STEPS=400 FORMAT=csv UPLINK= \
+	  NAMED=-csv)
+$(BUILD)/double/accepted: $(BUILD)/double/tools/protocol/accepted.o \
+    $(BUILD)/double/libtwofold.a
+	$(link)
 
 # The command line, for the tests that start it.
 TWOFOLD := $(BUILD)/double/twofold

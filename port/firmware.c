@@ -1,5 +1,5 @@
-// The firmware: one scene in real time, telemetry on the serial line as text or
-// as frames.
+// The firmware: one scene in real time, telemetry on the serial line as text,
+// as CSV or as frames.
 //
 // The loop runs at RATE, and so does the simulation: dt is 1/RATE. STEPS ends
 // it after so many steps, 0 never; its exit code says how it ended.
@@ -15,6 +15,8 @@
 
 #ifdef FRAMES
 #include "telemetry_frames.h"
+#elif defined(CSV)
+#include "telemetry_csv.h"
 #else
 #include "telemetry_text.h"
 #endif

@@ -10,7 +10,7 @@
 #                    moreau
 #   RATE=1000        steps a second; dt is 1/RATE
 #   STEPS=0          how many; 0 without end
-#   FORMAT=text      or frames (docs/PROTOCOL.md)
+#   FORMAT=text      or csv, or frames (docs/PROTOCOL.md)
 #   UPLINK=          yes: takes commands (frames); else locked
 #   DEADMAN=         steps that inputs from the uplink hold, 0 without end; by
 #                    default those of half a second
@@ -28,6 +28,7 @@ BOARD ?= host
 REAL ?= float
 RATE ?= 1000
 STEPS ?= 0
+FORMAT ?= text
 PROGRAM ?= firmware
 BOARD_OPT ?= -Os
 
@@ -75,8 +76,8 @@ BOARD_SCENE := $(or $(firstword $(BOARD_SCENES)),chaos)
 SCENE ?= $(BOARD_SCENE)
 
 ifneq ($(BOARD_SMALL),)
-ifneq ($(filter generic,$(SCENE))$(filter-out text,$(FORMAT))$(UPLINK),)
-$(error $(BOARD) takes one scene and text, locked: docs/PORTS.md)
+ifneq ($(filter generic,$(SCENE))$(filter-out text csv,$(FORMAT))$(UPLINK),)
+$(error $(BOARD) takes one scene and text or CSV, locked: docs/PORTS.md)
 endif
 endif
 
@@ -115,8 +116,11 @@ FIRMWARE_FLAGS := -std=c99 $(BOARD_OPT) -ffp-contract=off -fno-math-errno \
 ifneq ($(FIRMWARE_RATE),)
 FIRMWARE_FLAGS += -DRATE=$(RATE) -DSCENE_RATE=$(RATE)
 endif
-ifeq ($(FORMAT),frames)
-FIRMWARE_FLAGS += -DFRAMES
+ifeq ($(filter text csv frames,$(FORMAT)),)
+$(error FORMAT is text, csv or frames, not $(FORMAT))
+endif
+ifneq ($(FORMAT),text)
+FIRMWARE_FLAGS += -D$(shell echo $(FORMAT) | tr a-z A-Z)
 endif
 ifneq ($(UPLINK),)
 ifneq ($(FORMAT),frames)

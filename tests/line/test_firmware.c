@@ -8,11 +8,18 @@
 #define EVERY 10
 /* The core is compiled here as in a firmware: local to this file. */
 #include "../../port/firmware.c" /* NOLINT(bugprone-suspicious-include) */
-/* And the text that a firmware without frames sends. */
+/* And the text and the CSV that a firmware without frames sends. */
 #define telemetry_record text_record
 #define telemetry_heartbeat text_heartbeat
 #define telemetry_other text_other
 #include "../../port/telemetry_text.h"
+#undef telemetry_record
+#undef telemetry_heartbeat
+#undef telemetry_other
+#define telemetry_record csv_record
+#define telemetry_heartbeat csv_heartbeat
+#define telemetry_other csv_other
+#include "../../port/telemetry_csv.h"
 #include "tap.h"
 
 const uint8_t chosen_scene = 0;
@@ -140,6 +147,35 @@ TEST(counters_end_at_their_largest) {
   CHECK(app_record(line) <= LOOP_RECORD);
 }
 
+/* CSV: the header first and every ten heartbeats, and nothing else beside the
+ * rows. Time is exact after any number of ticks, and the longest row fits its
+ * record. */
+TEST(csv_has_its_header_again) {
+  const loop_counts_t counts = {.steps = 1};
+  uint8_t text[2 * LOOP_RECORD];
+  switch_on();
+  for (unsigned beat = 0; beat < 31; beat++) {
+    CHECK(csv_heartbeat(&counts, text) == 0);
+    const unsigned length = csv_other(text);
+    CHECK((length > 0) == (beat % 10 == 0));
+    if (length > 0)
+      CHECK(length == 34 && !memcmp(text, "t,r,v,omega,h,g,F,M,mode,", 25));
+    CHECK(csv_other(text) == 0);
+  }
+  sim.session.state.tick = (uint64_t)4294967295 * RATE + 7;
+  sim.session.state.r = sim.session.state.v = sim.session.state.w =
+      -TF_REAL_MAX;
+  sim.session.report.slip.h = sim.session.report.slip.g = -TF_REAL_MIN;
+  sim.session.report.force = (tf_force_t){-TF_REAL_MAX, -TF_REAL_MIN};
+  const unsigned length = csv_record(text);
+  CHECK(length <= 160); /* LOOP_RECORD of text */
+  text[length] = 0;
+  CHECK(!memcmp(text, "4294967295.007000,-", 19));
+  unsigned commas = 0;
+  for (unsigned i = 0; i < length; i++) commas += text[i] == ',';
+  CHECK(commas == 9 && !memcmp(text + length - 2, "\r\n", 2));
+}
+
 /* Sequence numbers of what goes down, through the end of 32 bits. */
 TEST(frames_are_numbered_through_the_end) {
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
@@ -202,6 +238,7 @@ int main(int argc, char **argv) {
   RUN(records_are_at_multiples_of_every);
   RUN(mean_survives_the_counters);
   RUN(counters_end_at_their_largest);
+  RUN(csv_has_its_header_again);
   RUN(frames_are_numbered_through_the_end);
   RUN(session_is_of_the_moment);
   RUN(inputs_expire_by_default);

@@ -58,9 +58,11 @@ PORT_INCLUDES = {
     "loop": ("app", "port"),
     "main": ("app", "loop", "port"),
     "sim": ("app", "core"),
+    "telemetry_csv": ("sim", "text"),
     "telemetry_frames": ("port", "sim"),
     "telemetry_text": ("sim", "text"),
-    "firmware": ("app", "sim", "telemetry_frames", "telemetry_text"),
+    "firmware": ("app", "sim", "telemetry_csv", "telemetry_frames",
+                 "telemetry_text"),
 }
 # What the folder of a board may include of other folders; the module for
 # WebAssembly is the core itself and has no loop.

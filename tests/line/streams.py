@@ -1,0 +1,321 @@
+#!/usr/bin/python3
+"""What goes over a line, read by parsers that are written from the documents of
+the tools that are to read it, and the frames by tools/protocol/decode.py.
+
+usage: streams.py NAME    one test; without a name their names
+Environment: TWOFOLD the command line, ACCEPTED the program of tools/protocol,
+FIRMWARE_CSV a firmware of the host that ends by itself."""
+import json
+import os
+import random
+import re
+import struct
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools/protocol"))
+import decode  # noqa: E402  (the path comes first)
+
+NAMES = "t,r,v,omega,h,g,F,M,mode,choices".split(",")
+MODES = ["slip+", "slip-", "stick+", "stick-", "pinned"]
+
+
+def arduino(text):
+    """The serial plotter of the Arduino IDE, by
+    build/shared/ArduinoSerialPlotterProtocol.md of arduino/Arduino: messages
+    end with a newline; parts stand between spaces, tabs or commas; a part is
+    `label:value`, a value, or in a header a label. Returns: the labels of the
+    last header, and each message as pairs (label or None, value)."""
+    labels, messages = [], []
+    for line in text.split("\n")[:-1]:
+        parts = [part for part in re.split(r"[ \t,]+", line.strip()) if part]
+        pairs = [part.rpartition(":")[::2] for part in parts]
+        if not any(is_number(value) for _, value in pairs):
+            labels = [label or value for label, value in pairs]
+        else:
+            messages.append([(label or None, float(value))
+                             for label, value in pairs])
+    return labels, messages
+
+
+def quick_plot(text):
+    """Quick Plot of Serial Studio, by doc/help/Operation-Modes.md: a line that
+    CR, LF or CRLF ends is a frame; commas alone separate; if the first row has
+    strings only, they are the labels. Returns: labels, rows; a cell that is no
+    number is None."""
+    rows = [line.split(",") for line in re.split(r"\r\n|\r|\n", text)[:-1]]
+    labels = []
+    if rows and not any(map(is_number, rows[0])):
+        labels = rows.pop(0)
+    return labels, [[float(cell) if is_number(cell) else None for cell in row]
+                    for row in rows]
+
+
+def teleplot(text):
+    """Teleplot, by its README: A:B:C§D|E, the name, milliseconds, the value,
+    the unit, and flags; g is a number, t a text. Returns: by name, a list of
+    (milliseconds, value, unit)."""
+    series = {}
+    for line in text.split("\n")[:-1]:
+        head, _, flags = line.partition("|")
+        name, stamp, value = head.split(":")
+        value, _, unit = value.partition("§")
+        if set(",;:|.") & set(unit) or set(":|") & set(name):
+            raise ValueError(line)
+        point = value if flags == "t" else float(value)
+        series.setdefault(name, []).append((float(stamp), point, unit))
+    return series
+
+
+def plotjuggler_json(text):
+    """The UDP server of PlotJuggler with messages in JSON: an object a message;
+    the number `timestamp` of the root is its time in seconds; every number is
+    a point of the series of its path. Returns: by path, a list of points."""
+    def refuse(word):
+        raise ValueError(f"{word} is not JSON")
+
+    series = {}
+    for line in text.split("\n")[:-1]:
+        message = json.loads(line, parse_constant=refuse)
+        for key, value in message.items():
+            if isinstance(value, (int, float)):
+                series.setdefault("/" + key, []).append(
+                    (float(message["timestamp"]), float(value)))
+    return series
+
+
+def plotjuggler_csv(text, time):
+    """The CSV loader of PlotJuggler: the first line has the names, one column
+    is chosen as time and must not go back; a column is of numbers or, if a cell
+    is none, of strings. Returns: by name, a list of points."""
+    names, *rows = [line.split(",") for line in text.split("\n")[:-1]]
+    at = names.index(time)
+    stamps = [float(row[at]) for row in rows]
+    if any(len(row) != len(names) for row in rows) or stamps != sorted(stamps):
+        raise ValueError("columns or time")
+    series = {}
+    for i, name in enumerate(names):
+        cells = [row[i] for row in rows]
+        if all(map(is_number, cells)):
+            cells = [float(cell) for cell in cells]
+        series[name] = list(zip(stamps, cells))
+    return series
+
+
+def is_number(cell):
+    """Whether a reader of numbers takes it."""
+    try:
+        float(cell)
+        return cell.strip() != ""
+    except ValueError:
+        return False
+
+
+def output(*command, **options):
+    """What a program prints."""
+    return subprocess.run(command, check=True, stderr=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, **options).stdout
+
+
+def motion():
+    """A run as rows of values by name, and a function that shows its frames in
+    a form of `monitor`."""
+    twofold = os.environ["TWOFOLD"]
+    run = [twofold, "run", "chaos", "--t-end", "0.5", "--dt", "1e-3"]
+    lines = output(*run, text=True).splitlines()[1:]
+    stream = output(*run, "--format", "frames")
+    rows = []
+    for line in lines:
+        *numbers, mode, choices = line.split(",")
+        rows.append(dict(zip(NAMES, [*map(float, numbers), mode,
+                                     int(choices)])))
+    return rows, lambda form: output(twofold, "monitor", "-", "--as", form,
+                                     input=stream).decode()
+
+
+def same(got, want):
+    """Fails where they differ."""
+    if got != want:
+        sys.exit(f"got  {str(got)[:300]}\nwant {str(want)[:300]}")
+
+
+def of_board():
+    """A stream of FORMAT=csv that a reader enters in the middle of a row, with
+    the header again in it."""
+    whole = output(os.environ["FIRMWARE_CSV"]).decode("ascii")
+    return whole, whole[whole.index("\n", 200) - 5:] + whole
+
+
+def test_arduino_plots_the_pairs_of_monitor():
+    rows, shown = motion()
+    _, messages = arduino(shown("plotter"))
+    names = NAMES[1:]
+    same(messages, [[(name, MODES.index(row[name]) if name == "mode"
+                      else row[name]) for name in names] for row in rows])
+
+
+def test_serial_studio_cannot_read_pairs():
+    """The reason why there is CSV."""
+    labels, rows = quick_plot(motion()[1]("plotter"))
+    same([cell for row in rows for cell in row if cell is not None], [])
+    same(len(labels), 1)
+
+
+def test_serial_studio_plots_the_csv_of_a_board():
+    whole, _ = of_board()
+    labels, rows = quick_plot(whole)
+    same(labels, NAMES)
+    same(len(rows), 81)
+    same([row[:4] for row in rows[:1]], [[0, 0.18, -0.03034, -1.037]])
+    for n, row in enumerate(rows):
+        same((len(row), row[0], None in row), (10, 5 * n / 1000, False))
+        same(row[8] in range(5) and 1 <= row[9] <= 5, True)
+
+
+def test_serial_studio_has_rows_without_numbers_for_a_late_header():
+    """Its labels come from the first row alone."""
+    _, late = of_board()
+    labels, rows = quick_plot(late[late.index("\n") + 1:])
+    same(labels, [])
+    same([row for row in rows if None in row], [[None] * 10])
+
+
+def test_serial_studio_plots_the_csv_of_monitor_but_the_mode():
+    rows, shown = motion()
+    labels, got = quick_plot(shown("csv"))
+    same(labels, NAMES)
+    same(got, [[row[name] if name != "mode" else None for name in NAMES]
+               for row in rows])
+
+
+def test_arduino_learns_the_header_that_comes_again():
+    whole, late = of_board()
+    first = late.index("\n") + 1  # the plotter discards a first piece
+    labels, messages = arduino(late[first:])
+    same(labels, NAMES)
+    same(messages[-81:], arduino(whole)[1])
+
+
+def test_teleplot_plots_every_column_over_time():
+    rows, shown = motion()
+    series = teleplot(shown("teleplot"))
+    same(list(series), NAMES[1:])
+    same({name: points[0][2] for name, points in series.items()},
+         dict(zip(NAMES[1:], ["m", "m/s", "rad/s", "m/s", "m/s", "N", "N m", "",
+                              ""])))
+    for name, points in series.items():
+        same([(stamp, value) for stamp, value, _ in points],
+             [(row["t"] * 1000, row[name]) for row in rows])
+
+
+def test_plotjuggler_plots_json():
+    rows, shown = motion()
+    series = plotjuggler_json(shown("json"))
+    for name in NAMES[1:]:
+        same(series["/" + name],
+             [(row["t"], MODES.index(row[name]) if name == "mode"
+               else row[name]) for row in rows])
+
+
+def test_plotjuggler_loads_csv():
+    rows, shown = motion()
+    series = plotjuggler_csv(shown("csv"), "t")
+    for name in NAMES:
+        same(series[name], [(row["t"], row[name]) for row in rows])
+    whole, _ = of_board()
+    same(len(plotjuggler_csv(whole.replace("\r", ""), "t")["mode"]), 81)
+
+
+def stuffed(body):
+    """COBS of a body without a block of 254."""
+    parts = body.split(b"\0")
+    return b"".join(bytes([len(part) + 1]) + part for part in parts)
+
+
+def sealed(code):
+    """With its CRC, which is right whatever the bytes are."""
+    crc = zlib.crc32(code)
+    return code + bytes(128 | crc >> 7 * i & 127 for i in range(5))
+
+
+# A fifth of the bytes, so that there are short and long distances.
+MANY_ZEROS = bytes(0 if byte % 5 == 0 else byte for byte in range(256))
+
+
+def hostile_piece(rng):
+    """What may stand between two zeros: a frame, or nearly one."""
+    kind = rng.randrange(12)
+    length = rng.choice((0, 1, rng.randrange(239), 238, 239))
+    payload = rng.randbytes(length).translate(MANY_ZEROS)
+    version, told = 2, length
+    if kind == 1:
+        version = rng.randrange(256)
+    if kind == 2:
+        told = (length + rng.choice((-1, 1, 128, 255))) % 256
+    body = struct.pack("<BBBIQ", version, rng.randrange(256), told,
+                       rng.getrandbits(32), rng.getrandbits(64)) + payload
+    if kind == 3:
+        body = body[:rng.randrange(16)]
+    code = bytearray(stuffed(body))
+    if kind == 4:  # a wrong distance under a right CRC
+        code[rng.randrange(len(code))] = rng.randrange(1, 256)
+    piece = bytearray(sealed(bytes(code)))
+    if kind == 5:  # bits, those of the CRC's top included
+        piece[-rng.randrange(1, 6)] ^= 1 << rng.randrange(8)
+    if kind == 6:
+        piece[rng.randrange(len(piece))] = rng.randrange(1, 256)
+    if kind == 7:
+        piece = piece[:rng.randrange(len(piece))]
+    if kind == 8:
+        piece = rng.randbytes(rng.randrange(300))
+    if kind == 9:  # longer than any frame
+        piece = sealed(bytes(code) + bytes([rng.randrange(1, 30)] * 60))
+    if kind == 10:
+        piece = b""
+    return bytes(piece).replace(b"\0", b"\1")
+
+
+def test_decoder_in_python_is_that_in_c():
+    """Both accept the same frames of 200000 pieces, and reject the others."""
+    seed = int(os.environ.get("SEED", "1"))
+    rng = random.Random(seed)
+    stream = b"\0".join(hostile_piece(rng) for _ in range(200000)) + b"\0piece"
+    said = output(os.environ["ACCEPTED"], input=stream).decode().splitlines()
+    in_c = []
+    for line in said:
+        kind, sequence, tick, *payload = line.split(" ")
+        in_c.append((int(kind), int(sequence), int(tick),
+                     bytes.fromhex(payload[0])))
+    in_python = decode.frames(stream)
+    if in_c != in_python:
+        sys.exit(f"SEED={seed}: {len(in_c)} frames in C, {len(in_python)} in "
+                 f"Python")
+    print(f"{len(in_c)} of 200000 pieces are frames, in both")
+    same(20000 < len(in_c) < 150000, True)
+
+
+def test_decoder_is_quoted_in_the_protocol():
+    document = (ROOT / "docs/PROTOCOL.md").read_text()
+    quoted = re.findall(r"```python tools/protocol/decode.py\n(.*?)```\n",
+                        document, re.S)
+    same(quoted, [(ROOT / "tools/protocol/decode.py").read_text()])
+
+
+def test_examples_of_the_protocol_decode():
+    document = (ROOT / "docs/PROTOCOL.md").read_text()
+    examples = re.findall(r"```hex (\S+)\n(.*?)```", document, re.S)
+    same(len(examples) > 10, True)
+    for name, digits in examples:
+        if len(decode.frames(bytes.fromhex(digits))) != 1:
+            sys.exit(f"{name} is no frame")
+
+
+TESTS = {name[5:]: test for name, test in list(globals().items())
+         if name.startswith("test_")}
+if len(sys.argv) > 1:
+    TESTS[sys.argv[1]]()
+else:
+    print(*TESTS, sep="\n")

@@ -1,0 +1,32 @@
+"""The frames of a stream, as docs/PROTOCOL.md has them."""
+import struct
+import zlib
+
+
+def decode(piece):
+    """The bytes between two zeros as (type, sequence, tick, payload), or None
+    where they are no frame."""
+    stuffed, tail = piece[:-5], piece[-5:]
+    crc = zlib.crc32(stuffed)
+    if not 21 <= len(piece) <= 259 or \
+            tail != bytes(128 | crc >> 7 * i & 127 for i in range(5)):
+        return None
+    body, at = b"", 0
+    while at < len(stuffed):
+        end = at + stuffed[at]
+        if not at < end <= len(stuffed):
+            return None
+        body += stuffed[at + 1:end] + b"\0"
+        at = end
+    body = body[:-1]  # the last zero is the end
+    version, kind, length, sequence, tick = struct.unpack_from("<BBBIQ", body)
+    if version != 2 or length != len(body) - 15:
+        return None
+    return kind, sequence, tick, body[15:]
+
+
+def frames(stream):
+    """The frames among bytes from a line. What follows the last zero has not
+    come whole yet."""
+    found = map(decode, stream.split(b"\0")[:-1])
+    return [frame for frame in found if frame is not None]
