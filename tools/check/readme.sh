@@ -1,8 +1,9 @@
 #!/bin/sh
 # README.md: at most 120 lines; its C program compiles without a warning
 # against the library in both real types, runs and prints what is said; its
-# commands are those that continuous integration runs; each promise names a test
-# that exists. What the documents link to is there.
+# commands are those that continuous integration runs; the lines of "use it
+# from" run; each promise names a test that exists. What the documents link to
+# is there.
 . "$(dirname "$0")/lib.sh"
 [ -e README.md ] || {
   wrong "there is no README.md"
@@ -37,7 +38,7 @@ for real in double float; do
 done
 
 # The line that compiles it, as the reader would type it.
-sed -n '/^    gcc /,/[^\\]$/p' README.md |
+sed -n '/^    gcc /{:a;/\\$/{N;ba;};p;q;}' README.md |
   sed "s| demo\.c | $program |; s|-o demo|-o $BUILD/readme-line|" \
     >"$BUILD/readme-line.sh"
 [ -s "$BUILD/readme-line.sh" ] || wrong 'README.md has no line with gcc'
@@ -53,6 +54,40 @@ said=$(sed -n 's/^It prints `\([^`]*\)`.*/\1/p' README.md)
 if [ -z "$said" ] || ! grep -qxF "$said" "$BUILD/readme.line"; then
   wrong "the program does not print: $said"
 fi
+
+# The table of what it can be used from: its lines as the reader would type
+# them, in a build that checks share and a home of their own. Where one makes
+# `demo`, it prints what the program prints.
+setting gcc -O3
+HOME=$(cd "$BUILD" && pwd)/readme-home
+PKG_CONFIG_PATH=$HOME/.local/lib/pkgconfig
+export HOME PKG_CONFIG_PATH
+rm -rf "$HOME" "$place/demo" "$place/py"
+make() { in_common "$@"; }
+pip() { /usr/bin/python3 -m pip "$@"; }
+in_common "$place/double/twofold" || wrong 'the command line does not build'
+# shellcheck disable=SC2016  # marks of code
+sed -n '/^| use it from /,/^$/p' README.md | sed '1,2d; s/\\|/\v/g' |
+  sed -n 's/^|[^|]*| `\([^`]*\)`.*|$/\1/p' | tr '\v' '|' |
+  sed "s|build/|$place/|g; s| demo\.c| $program|; s|-o demo\$|-o $BUILD/demo|" \
+    >"$BUILD/readme.uses"
+[ "$(wc -l <"$BUILD/readme.uses")" -eq \
+  "$(sed -n '/^| use it from /,/^$/p' README.md | sed 1,2d | grep -c '^|')" ] ||
+  wrong "README.md: each use is a row | from | \`line\` |"
+[ -s "$BUILD/readme.uses" ] || wrong 'README.md has no table of uses'
+while read -r use; do
+  rm -f "$BUILD/demo"
+  (eval "$use") </dev/null >"$BUILD/readme.said" 2>&1 || {
+    tail -n 20 "$BUILD/readme.said"
+    wrong "README.md: this line fails: $use"
+  }
+  case $use in
+  *-o\ "$BUILD/demo")
+    "$BUILD/demo" | cmp - "$BUILD/readme.line" ||
+      wrong "the program prints otherwise when compiled by $use"
+    ;;
+  esac
+done <"$BUILD/readme.uses"
 
 # The last column of the table of promises: a test, or a file of tests, in
 # every row.
@@ -81,4 +116,4 @@ while read -r dead; do wrong "a link leads nowhere: $dead"; done \
 
 promises=$(wc -l <"$BUILD/readme.promises")
 checked "$lines lines, $promises promises with a test, links; its program of" \
-  "$(wc -l <"$program") lines runs"
+  "$(wc -l <"$program") lines and $(wc -l <"$BUILD/readme.uses") uses run"
