@@ -12,6 +12,10 @@ from harness import (DIST, STRICT, Missing, Wrong, equal, folder, need,
                      rows_of, run, version)
 
 MODES = ("slip+", "slip-", "stick+", "stick-", "pinned")
+# Board and chip as arduino-mk names them, the processor as simavr does, flash
+# without the boot loader, RAM.
+MEGA = ("mega", "atmega2560", "atmega2560", 253952, 8192)
+UNO = ("uno", "", "atmega328p", 32256, 2048)
 ARDUINO = Path("/usr/share/arduino/Arduino.mk")
 # What the specification of library.properties asks for, and arduino-lint.
 PROPERTIES = {
@@ -80,31 +84,33 @@ def sketch(place, example, board, chip):
     return next((home / "built").glob("*.elf"))
 
 
+def fits(example, program, flash, ram):
+    """Prints what a sketch takes; Wrong where that is more than there is, with
+    512 B for the stack."""
+    sizes = run("avr-size", program).splitlines()[1].split()[:3]
+    code, data, bss = map(int, sizes)
+    if code + data > flash or data + bss + 512 > ram:
+        raise Wrong(f"{example}: {code + data} B of {flash} B of flash, "
+                    f"{data + bss} B of {ram} B of RAM")
+    print(f"#        {example}: flash {code + data} of {flash} B, RAM "
+          f"{data + bss} of {ram} B")
+
+
 def arduino():
-    """The library has the strict form; all scenes link for a Mega, a prepared
-    one for each board."""
+    """The library has the strict form; all scenes fit a Mega."""
     properties()
-    place = folder("arduino")
-    for example, board, chip, flash, ram in (
-            ("AllScenes", "mega", "atmega2560", 253952, 8192),
-            ("Chaos", "mega", "atmega2560", 253952, 8192),
-            ("Coulomb", "uno", "", 32256, 2048)):
-        program = sketch(place, example, board, chip)
-        sizes = run("avr-size", program).splitlines()[1].split()[:3]
-        code, data, bss = map(int, sizes)
-        if code + data > flash or data + bss + 512 > ram:
-            raise Wrong(f"{example} does not fit a {board}: {code + data} B of "
-                        f"{flash}, {data + bss} B of {ram}")
-        print(f"#        {example} on {board}: flash {code + data} of {flash} "
-              f"B, RAM {data + bss} of {ram} B")
+    fits("AllScenes", sketch(folder("arduino"), "AllScenes", *MEGA[:2]),
+         *MEGA[3:])
 
 
-def arduino_run(scene, board, chip, processor):
-    """The sketch of a prepared scene, run by simavr, prints states of the float
-    trajectory that the command line computes, in their order."""
+def arduino_run(scene, board, chip, processor, flash, ram):
+    """The sketch of a prepared scene fits the board. Run by simavr it prints
+    states of the float trajectory that the command line computes, in their
+    order."""
+    example = scene.capitalize()
+    program = sketch(folder(f"arduino-{board}"), example, board, chip)
+    fits(example, program, flash, ram)
     need("simavr", "simavr")
-    program = sketch(folder(f"arduino-{board}"), scene.capitalize(), board,
-                     chip)
     said = run("sh", "-c", "timeout 10 simavr -m \"$2\" -f 16000000 "
                "\"$1\" 2>&1; true", "sh", program, processor)
     got = [tuple(map(int, row)) for row in re.findall(
@@ -255,9 +261,7 @@ def zephyr():
 
 
 TESTS = {"arduino": arduino,
-         "arduino-mega": partial(arduino_run, "chaos", "mega", "atmega2560",
-                                 "atmega2560"),
-         "arduino-uno": partial(arduino_run, "coulomb", "uno", "",
-                                "atmega328p"),
+         "arduino-mega": partial(arduino_run, "chaos", *MEGA),
+         "arduino-uno": partial(arduino_run, "coulomb", *UNO),
          "platformio": platformio, "esp-idf": esp_idf,
          "zephyr": zephyr}
