@@ -13,62 +13,39 @@
 
 #define MOST_VALUES 1000000u // in one range
 
-static int read_number(const char *option, const char *whole, const char *text,
-                       tf_real_t *value) {
-  const char *why = "";
-  if (!cli_read_real(text, value, &why)) {
-    return cli_message(CLI_USAGE, "%s %s: '%s' %s", option, whole, text, why);
+static int check_number(const cli_given_t *option, tf_real_t value) {
+  if (value >= -TF_STATE_LIMIT && value <= TF_STATE_LIMIT) {
+    return CLI_DONE;
   }
-  if (!(*value >= -TF_STATE_LIMIT && *value <= TF_STATE_LIMIT)) {
-    return cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g] %s", option,
-                       whole, option + 2, -(double)TF_STATE_LIMIT,
-                       (double)TF_STATE_LIMIT,
-                       strcmp(option, "--r") == 0 ? "m" : "rad/s");
-  }
-  return CLI_DONE;
+  return cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g] %s",
+                     option->name, option->value, option->name + 2,
+                     -(double)TF_STATE_LIMIT, (double)TF_STATE_LIMIT,
+                     strcmp(option->name, "--r") == 0 ? "m" : "rad/s");
 }
 
-// A:B:N into its three parts.
-static int read_grid(const char *option, const char *value,
-                     cli_range_t *range) {
-  char parts[3][CLI_REAL_ROOM];
-  const char *rest = value;
-  for (int i = 0; i < 3; i++) {
-    const size_t length = strcspn(rest, ":");
-    if (length >= CLI_REAL_ROOM || (rest[length] == ':') != (i < 2)) {
-      return cli_message(CLI_USAGE, "%s %s: expected A:B:N", option, value);
-    }
-    memcpy(parts[i], rest, length);
-    parts[i][length] = '\0';
-    rest += length + (i < 2 ? 1 : 0);
+// One number.
+static int read_point(const cli_given_t *option, cli_range_t *range) {
+  const char *why = "";
+  if (!cli_read_real(option->value, &range->from, &why)) {
+    return cli_message(CLI_USAGE, "%s %s: '%s' %s", option->name, option->value,
+                       option->value, why);
   }
-  if (!cli_read_whole(parts[2], 1, MOST_VALUES, &range->count)) {
-    return cli_message(CLI_USAGE, "%s %s: N must be a whole number in [1, %u]",
-                       option, value, MOST_VALUES);
-  }
-  int code = read_number(option, value, parts[0], &range->from);
-  if (code == CLI_DONE) {
-    code = read_number(option, value, parts[1], &range->to);
-  }
-  if (code == CLI_DONE && range->count == 1 &&
-      (range->to > range->from || range->to < range->from)) {
-    code = cli_message(CLI_USAGE, "%s %s: one value cannot be both %s and %s",
-                       option, value, parts[0], parts[1]);
-  }
-  return code;
+  range->text = option->value;
+  range->to = range->from;
+  range->count = 1;
+  return CLI_DONE;
 }
 
 static int read_range(const cli_analysis_t *a, const cli_given_t *option,
                       cli_range_t *range) {
-  const char *value = option->value;
-  range->text = value;
-  if (a->takes == CLI_TAKES_GRID) {
-    return read_grid(option->name, value, range);
+  int code = a->takes == CLI_TAKES_GRID
+                 ? cli_read_range(option->name, option->value, option->value,
+                                  MOST_VALUES, range)
+                 : read_point(option, range);
+  if (code == CLI_DONE) {
+    code = check_number(option, range->from);
   }
-  range->count = 1;
-  const int code = read_number(option->name, value, value, &range->from);
-  range->to = range->from;
-  return code;
+  return code == CLI_DONE ? check_number(option, range->to) : code;
 }
 
 static int read_set(void *to, const cli_given_t *option) {

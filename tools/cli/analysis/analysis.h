@@ -6,6 +6,7 @@
 
 #include "../host/output.h"
 #include "../setup/setup.h"
+#include "../text/range.h"
 
 /// What a command takes as --r and --omega.
 typedef enum {
@@ -13,13 +14,6 @@ typedef enum {
   CLI_TAKES_POINT, ///< one number each
   CLI_TAKES_GRID   ///< A:B:N each
 } cli_takes_t;
-
-/// A value, or N of them from A to B, both included.
-typedef struct {
-  const char *text; ///< as typed, NULL: not given
-  tf_real_t from, to;
-  uint64_t count;
-} cli_range_t;
 
 /// One of the commands, ready to compute and write.
 typedef struct {

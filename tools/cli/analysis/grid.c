@@ -9,15 +9,6 @@
 
 #define FLUSH_EVERY 0.2 // [s]
 
-static tf_real_t value_at(const cli_range_t *range, uint64_t i) {
-  if (i + 1 == range->count) {
-    return range->to;
-  }
-  const double share = (double)i / (double)(range->count - 1);
-  return (tf_real_t)((double)range->from +
-                     ((double)range->to - (double)range->from) * share);
-}
-
 // The rows of one r.
 static int write_line(cli_analysis_t *a, tf_real_t r, cli_grid_row_t row) {
   char text[CLI_GRID_ROOM];
@@ -26,7 +17,7 @@ static int write_line(cli_analysis_t *a, tf_real_t r, cli_grid_row_t row) {
     if (cli_stop_asked()) {
       return cli_message(CLI_STOPPED, "interrupted at r = %g m", (double)r);
     }
-    const int code = row(a, r, value_at(&a->omega, j), text, &length);
+    const int code = row(a, r, cli_range_at(&a->omega, j), text, &length);
     if (code != CLI_DONE) {
       return code;
     }
@@ -48,7 +39,7 @@ int cli_analysis_grid(cli_analysis_t *a, const char *header,
   }
   (void)cli_output_lines(&a->output, header, strlen(header));
   for (uint64_t i = 0; i < a->r.count && code == CLI_DONE; i++) {
-    code = write_line(a, value_at(&a->r, i), row);
+    code = write_line(a, cli_range_at(&a->r, i), row);
   }
   return cli_output_end(&a->output, code);
 }

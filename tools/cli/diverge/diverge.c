@@ -167,11 +167,7 @@ static void summarise(work_t *work, double now) {
 }
 
 static int perform(work_t *work, const cli_diverge_args_t *args) {
-  work->first = args->samples / args->shards * (args->shard - 1);
-  const uint64_t remainder = args->samples % args->shards;
-  work->first += args->shard - 1 < remainder ? args->shard - 1 : remainder;
-  work->last = work->first + args->samples / args->shards +
-               (args->shard - 1 < remainder ? 1 : 0);
+  cli_shard_range(&args->shard, args->samples, &work->first, &work->last);
   int code = cli_files_open(work->files, args);
   if (code != CLI_DONE) {
     return code;

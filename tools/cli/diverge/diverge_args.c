@@ -121,26 +121,9 @@ static int read_seed(void *to, const cli_given_t *option) {
   return code;
 }
 
-// I/N, both whole numbers, 1 <= I <= N.
 static int read_shard(void *to, const cli_given_t *option) {
   cli_diverge_args_t *args = to;
-  char first[CLI_REAL_ROOM];
-  const size_t length = strcspn(option->value, "/");
-  const char *second = option->value + length;
-  (void)snprintf(first, sizeof first, "%.*s",
-                 (int)(length < sizeof first ? length : sizeof first - 1),
-                 option->value);
-  if (*second != '/' || !cli_read_whole(first, 0, MOST, &args->shard) ||
-      !cli_read_whole(second + 1, 0, MOST, &args->shards)) {
-    return cli_message(CLI_USAGE, "--shard %s: expected I/N, two whole numbers",
-                       option->value);
-  }
-  if (args->shard < 1 || args->shard > args->shards) {
-    return cli_message(CLI_REFUSED,
-                       "--shard %s: I must lie in [1, N], N be at least 1",
-                       option->value);
-  }
-  return CLI_DONE;
+  return cli_read_shard(option, &args->shard);
 }
 
 static int read_rate(void *to, const cli_given_t *option) {
@@ -234,7 +217,7 @@ static int check_together(cli_diverge_args_t *args) {
   const cli_mechanism_info_t *mechanism = &cli_mechanisms[args->mechanism];
   const bool sized = args->mechanism != CLI_BY_RANDOM;
   if (args->exhaustive && (sized || args->exits != NULL ||
-                           args->returns != NULL || args->shards > 1)) {
+                           args->returns != NULL || args->shard.of > 1)) {
     return cli_message(CLI_USAGE,
                        "--exhaustive: writes --branches FILE; it takes no "
                        "--by, --exits, --returns or --shard");
@@ -273,7 +256,7 @@ int cli_diverge_args(cli_diverge_args_t *args, int argc, char *const argv[]) {
   memset(args, 0, sizeof *args);
   args->samples = 100;
   args->cycles = 1;
-  args->shard = args->shards = 1;
+  args->shard.index = args->shard.of = 1;
   args->patience = 100;
   args->section = 1e-3;
   args->seed = 1;

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "../setup/settings.h"
+#include "../text/shard.h"
 #include "mechanism.h"
 #include "twofold.h"
 
@@ -38,8 +39,8 @@ typedef struct {
   double refinement; ///< dt / step near the two-fold
   double grid;       ///< of --exhaustive: time between two exits [s]
   uint64_t samples, cycles;
-  uint64_t shard, shards; ///< 1 to shards
-  uint64_t depth, count;  ///< bounds of --exhaustive
+  cli_shard_t shard;
+  uint64_t depth, count; ///< bounds of --exhaustive
   uint32_t seed;
 } cli_diverge_args_t;
 

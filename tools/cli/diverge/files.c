@@ -30,7 +30,6 @@ static int open_file(cli_diverge_file_t *file, const char *option,
 int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args) {
   char text[CLI_DIVERGE_ROW];
   files->shard = args->shard;
-  files->shards = args->shards;
   int code = open_file(&files->exits, "--exits", args->exits);
   if (code == CLI_DONE) {
     code = open_file(&files->returns, "--returns", args->returns);
@@ -38,7 +37,7 @@ int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args) {
   if (code != CLI_DONE) {
     return cli_files_close(files, code);
   }
-  if (args->header || args->shard == 1) {
+  if (args->header || args->shard.index == 1) {
     (void)put(&files->exits, text, cli_exit_header(text), 0);
     (void)put(&files->returns, text, cli_return_header(text), 0);
   }
@@ -64,8 +63,7 @@ bool cli_files_flush(cli_files_t *files) {
 
 static void finish(const cli_files_t *files, cli_diverge_file_t *file) {
   char text[CLI_TRAILER_ROOM];
-  const size_t length =
-      cli_trailer_line(&file->trailer, files->shard, files->shards, text);
+  const size_t length = cli_trailer_line(&file->trailer, &files->shard, text);
   if (file->is_open) {
     (void)cli_output_lines(&file->output, text, length);
   }

@@ -16,7 +16,7 @@ typedef struct {
 
 typedef struct {
   cli_diverge_file_t exits, returns;
-  uint64_t shard, shards; ///< for the trailers
+  cli_shard_t shard; ///< for the trailers
 } cli_files_t;
 
 /// Opens both.

@@ -85,7 +85,8 @@ static int follow_links(char path[CLI_PATH_ROOM]) {
 
 // Opens the part. Whoever had it locked may have renamed it in between: then
 // the name is another file's, or nobody's, and it is tried again.
-static int open_part(cli_destination_t *to, const struct stat *before) {
+static int open_part(cli_destination_t *to, const struct stat *before,
+                     bool keep) {
   for (int i = 0; i < MOST_TRIES; i++) {
     const int opened =
         open(to->part, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
@@ -101,7 +102,7 @@ static int open_part(cli_destination_t *to, const struct stat *before) {
       (void)close(opened);
       continue;
     }
-    if (error == 0 && ftruncate(opened, 0) != 0) {
+    if (error == 0 && !keep && ftruncate(opened, 0) != 0) {
       error = errno;
     }
     // What replaces a file is as private as the file was.
@@ -138,7 +139,7 @@ static int open_descriptor(cli_destination_t *to, const char *path) {
   return open_as_it_is(to, path, O_APPEND);
 }
 
-int cli_destination_open(cli_destination_t *to, const char *path) {
+int cli_destination_open(cli_destination_t *to, const char *path, bool keep) {
   to->descriptor = STDOUT_FILENO;
   to->beside = to->left = false;
   if (path == NULL || strcmp(path, "-") == 0) {
@@ -168,7 +169,7 @@ int cli_destination_open(cli_destination_t *to, const char *path) {
   if (length < 0 || (size_t)length >= sizeof to->part) {
     return ENAMETOOLONG;
   }
-  return open_part(to, exists ? &before : NULL);
+  return open_part(to, exists ? &before : NULL, keep);
 }
 
 // The new name is on disk once the folder is. A file system that cannot sync a

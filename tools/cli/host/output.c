@@ -20,14 +20,18 @@
 #include "../text/message.h"
 #include "host.h"
 
-bool cli_output_open(cli_output_t *output, const char *path) {
+static bool open_it(cli_output_t *output, const char *path, bool keep) {
   output->used = 0;
   output->last = '\n';
   output->flushed = cli_now();
   output->name =
       path == NULL || strcmp(path, "-") == 0 ? "standard output" : path;
-  output->error = cli_destination_open(&output->to, path);
+  output->error = cli_destination_open(&output->to, path, keep);
   return output->error == 0;
+}
+
+bool cli_output_open(cli_output_t *output, const char *path) {
+  return open_it(output, path, false);
 }
 
 // Removes the bytes after the last whole line of what was written.
@@ -113,14 +117,33 @@ void cli_output_tell_part(const cli_output_t *output) {
   }
 }
 
-int cli_output_begin(cli_output_t *output, const char *option,
-                     const char *path) {
+static int begin(cli_output_t *output, const char *option, const char *path,
+                 bool keep) {
   cli_catch_signals();
-  if (cli_output_open(output, path)) {
+  if (open_it(output, path, keep)) {
     return CLI_DONE;
   }
   return cli_message(CLI_STOPPED, "%s %s: %s", option, path,
                      cli_output_reason(output));
+}
+
+int cli_output_begin(cli_output_t *output, const char *option,
+                     const char *path) {
+  return begin(output, option, path, false);
+}
+
+int cli_output_begin_again(cli_output_t *output, const char *option,
+                           const char *path) {
+  return begin(output, option, path, true);
+}
+
+bool cli_output_go_on(cli_output_t *output, size_t kept) {
+  if (output->error == 0 &&
+      (ftruncate(output->to.descriptor, (off_t)kept) != 0 ||
+       lseek(output->to.descriptor, (off_t)kept, SEEK_SET) < 0)) {
+    output->error = errno;
+  }
+  return output->error == 0;
 }
 
 int cli_output_end(cli_output_t *output, int code) {

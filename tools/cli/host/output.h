@@ -29,6 +29,15 @@ bool cli_output_open(cli_output_t *output, const char *path);
 int cli_output_begin(cli_output_t *output, const char *option,
                      const char *path);
 
+/// The same of a file whose part may hold the rows of a run that was stopped:
+/// they stay, until cli_output_go_on tells how many bytes of them are kept.
+int cli_output_begin_again(cli_output_t *output, const char *option,
+                           const char *path);
+
+/// Keeps so many bytes of the part, removes the others, and goes on behind
+/// them. Returns: as cli_output_lines.
+bool cli_output_go_on(cli_output_t *output, size_t kept);
+
 /// Closes it for a command that has ended with a code. Under CLI_DONE a file
 /// gets its name, otherwise a message tells where its rows are.
 /// Returns: the code; CLI_STOPPED after a message if it was CLI_DONE.

@@ -9,7 +9,6 @@
 #include <stdlib.h>
 
 #include "../host/host.h"
-#include "../setup/names.h"
 #include "../text/message.h"
 #include "frames.h"
 #include "progress.h"
@@ -166,38 +165,11 @@ static int perform(cli_run_t *run, const char *path) {
   return run->tally.degraded + run->tally.coarse > 0 ? CLI_DOUBTED : CLI_DONE;
 }
 
-// The number of steps is the integer nearest to t_end / dt.
-static int count_steps(const cli_run_args_t *args, const cli_setup_t *setup,
-                       uint64_t *steps) {
-  const double dt = (double)setup->machine.dt;
-  const double count = round((double)args->t_end / dt);
-  const double most = (double)CLI_MOST_STEPS;
-  if (!(args->t_end >= 0 && count <= most)) {
-    return cli_message(CLI_REFUSED,
-                       "--t-end %s: t-end must lie in [0, %g] s (at most 1e15 "
-                       "steps of dt = %g s)",
-                       args->t_end_text != NULL ? args->t_end_text : "",
-                       most * dt, dt);
-  }
-  *steps = (uint64_t)count;
-  return CLI_DONE;
-}
-
-static int check_law(const cli_scheme_t *scheme, tf_tyre_law_t law) {
-  if (((scheme->laws >> (unsigned)law) & 1u) != 0) {
-    return CLI_DONE;
-  }
-  return cli_message(CLI_REFUSED,
-                     "--scheme %s: law must be jump, coulomb or none, not "
-                     "%s; --scheme moreau takes every law",
-                     scheme->name, cli_law_name(law));
-}
-
 static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
                    uint64_t *steps) {
   int code = cli_setup_read(setup, args->scene, &args->settings, args->select);
   if (code == CLI_DONE) {
-    code = check_law(args->scheme, setup->params.law);
+    code = cli_check_law(args->scheme, setup->params.law);
   }
   if (code == CLI_DONE) {
     code = cli_setup_machine(setup);
@@ -205,7 +177,9 @@ static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
   if (code == CLI_DONE) {
     code = cli_setup_start(setup);
   }
-  return code == CLI_DONE ? count_steps(args, setup, steps) : code;
+  return code == CLI_DONE ? cli_count_steps(args->t_end, args->t_end_text,
+                                            setup->machine.dt, steps)
+                          : code;
 }
 
 int cli_run(int argc, char *const argv[]) {

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "../setup/scene.h"
-#include "../text/closest.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/options.h"
@@ -35,21 +34,7 @@ static int read_set(void *to, const cli_given_t *option) {
 
 static int read_scheme(void *to, const cli_given_t *option) {
   cli_run_args_t *args = to;
-  for (size_t i = 0; i < CLI_SCHEMES; i++) {
-    if (strcmp(option->value, cli_schemes[i].name) == 0) {
-      args->scheme = &cli_schemes[i];
-      return CLI_DONE;
-    }
-  }
-  cli_closest_t closest = cli_closest_to(option->value);
-  for (size_t i = 0; i < CLI_SCHEMES; i++) {
-    cli_closest_offer(&closest, cli_schemes[i].name);
-  }
-  const cli_hint_t hint = cli_closest_hint(&closest);
-  return cli_message(CLI_USAGE,
-                     "--scheme %s: unknown scheme; schemes are moreau, located "
-                     "and compensated%s%s%s",
-                     option->value, hint.before, hint.name, hint.after);
+  return cli_find_scheme(option->name, option->value, &args->scheme);
 }
 
 static int read_select(void *to, const cli_given_t *option) {

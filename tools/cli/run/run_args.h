@@ -7,10 +7,6 @@
 #include "../setup/settings.h"
 #include "row.h"
 
-/// Largest number of steps of a run, and between two rows: a double holds every
-/// integer up to it.
-#define CLI_MOST_STEPS 1000000000000000u
-
 /// The command line, read and validated.
 typedef struct {
   const tf_scene_t *scene;

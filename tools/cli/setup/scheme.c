@@ -4,6 +4,12 @@
 
 #include "scheme.h"
 
+#include <math.h>
+#include <string.h>
+
+#include "../text/closest.h"
+#include "../text/message.h"
+#include "names.h"
 #include "twofold/compensated.h"
 
 static tf_status_t step_moreau(cli_system_t *system, const tf_input_t *input,
@@ -34,6 +40,47 @@ const cli_scheme_t cli_schemes[CLI_SCHEMES] = {
     {"compensated", 2, step_compensated, ALL_LAWS, "tolerance",
      "under --scheme compensated: it belongs to --scheme located"},
 };
+
+int cli_find_scheme(const char *option, const char *name,
+                    const cli_scheme_t **scheme) {
+  cli_closest_t closest = cli_closest_to(name);
+  for (size_t i = 0; i < CLI_SCHEMES; i++) {
+    if (strcmp(name, cli_schemes[i].name) == 0) {
+      *scheme = &cli_schemes[i];
+      return CLI_DONE;
+    }
+    cli_closest_offer(&closest, cli_schemes[i].name);
+  }
+  const cli_hint_t hint = cli_closest_hint(&closest);
+  return cli_message(CLI_USAGE,
+                     "%s %s: unknown scheme; schemes are moreau, located and "
+                     "compensated%s%s%s",
+                     option, name, hint.before, hint.name, hint.after);
+}
+
+int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law) {
+  if (((scheme->laws >> (unsigned)law) & 1u) != 0) {
+    return CLI_DONE;
+  }
+  return cli_message(CLI_REFUSED,
+                     "--scheme %s: law must be jump, coulomb or none, not "
+                     "%s; --scheme moreau takes every law",
+                     scheme->name, cli_law_name(law));
+}
+
+int cli_count_steps(tf_real_t t_end, const char *text, tf_real_t dt,
+                    uint64_t *steps) {
+  const double count = round((double)t_end / (double)dt);
+  const double most = (double)CLI_MOST_STEPS;
+  if (!(t_end >= 0 && count <= most)) {
+    return cli_message(CLI_REFUSED,
+                       "--t-end %s: t-end must lie in [0, %g] s (at most 1e15 "
+                       "steps of dt = %g s)",
+                       text != NULL ? text : "", most * (double)dt, (double)dt);
+  }
+  *steps = (uint64_t)count;
+  return CLI_DONE;
+}
 
 void cli_system_begin(cli_system_t *system, const cli_scheme_t *scheme,
                       const cli_setup_t *setup, tf_report_t *report) {

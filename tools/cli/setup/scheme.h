@@ -26,9 +26,28 @@ typedef struct {
   const char *why;    ///< ... and the end of the message "... has no effect"
 } cli_scheme_t;
 
+/// Largest number of steps of a run, and between two rows: a double holds every
+/// integer up to it.
+#define CLI_MOST_STEPS 1000000000000000u
+
 #define CLI_SCHEMES 3
 /// The first is the default.
 extern const cli_scheme_t cli_schemes[CLI_SCHEMES];
+
+/// Finds a scheme by its name. option: in, for the message.
+/// Returns: CLI_DONE, or CLI_USAGE after a message with the closest name.
+int cli_find_scheme(const char *option, const char *name,
+                    const cli_scheme_t **scheme);
+
+/// Checks that a scheme accepts a law.
+/// Returns: CLI_DONE, or CLI_REFUSED after a message.
+int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law);
+
+/// The number of steps of a run: the integer nearest to t_end / dt.
+/// text: in, t_end as typed, NULL: the scene's own. steps: out.
+/// Returns: CLI_DONE, or CLI_REFUSED after a message.
+int cli_count_steps(tf_real_t t_end, const char *text, tf_real_t dt,
+                    uint64_t *steps);
 
 /// Puts a system into the initial state of a setup. Under the compensated
 /// scheme the speed that follows from a given slip speed h is computed with its

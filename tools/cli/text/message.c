@@ -8,12 +8,24 @@
 #include <stdio.h>
 #include <string.h>
 
+static char *diverted;
+static size_t diverted_room;
+
+void cli_message_divert(char *out, size_t room) {
+  diverted = out;
+  diverted_room = room;
+}
+
 int cli_message(int code, const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
-  (void)fputs("twofold: ", stderr);
-  (void)vfprintf(stderr, format, arguments);
-  (void)fputc('\n', stderr);
+  if (diverted != NULL) {
+    (void)vsnprintf(diverted, diverted_room, format, arguments);
+  } else {
+    (void)fputs("twofold: ", stderr);
+    (void)vfprintf(stderr, format, arguments);
+    (void)fputc('\n', stderr);
+  }
   va_end(arguments);
   return code;
 }

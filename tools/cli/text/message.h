@@ -6,6 +6,8 @@
 #ifndef TWOFOLD_CLI_MESSAGE_H
 #define TWOFOLD_CLI_MESSAGE_H
 
+#include <stddef.h>
+
 /// Exit codes of the program.
 enum {
   CLI_DONE = 0,    ///< everything asked for was done
@@ -27,6 +29,11 @@ enum {
 /// Writes "twofold: ", the message and a newline to standard error.
 /// Returns: code, so that a failing path is a single return statement.
 int cli_message(int code, const char *format, ...) CLI_PRINTF(2, 3);
+
+/// From now on a message becomes the text in `out`, without "twofold: " and the
+/// newline, and nothing is written; NULL: standard error again. out: kept; with
+/// its terminating zero, cut off at room.
+void cli_message_divert(char *out, size_t room);
 
 /// Flushes standard output and prints a message if that fails.
 /// Returns: CLI_DONE or CLI_STOPPED.

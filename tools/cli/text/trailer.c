@@ -21,10 +21,10 @@ void cli_trailer_add(cli_trailer_t *trailer, const char *lines, size_t length,
   trailer->rows += rows;
 }
 
-size_t cli_trailer_line(const cli_trailer_t *trailer, uint64_t shard,
-                        uint64_t shards, char out[CLI_TRAILER_ROOM]) {
+size_t cli_trailer_line(const cli_trailer_t *trailer, const cli_shard_t *shard,
+                        char out[CLI_TRAILER_ROOM]) {
   return (size_t)snprintf(out, CLI_TRAILER_ROOM,
                           "# shard %" PRIu64 "/%" PRIu64 ": %" PRIu64
                           " rows, crc32 %08" PRIx32 "\n",
-                          shard, shards, trailer->rows, trailer->crc);
+                          shard->index, shard->of, trailer->rows, trailer->crc);
 }

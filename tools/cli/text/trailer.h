@@ -6,6 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "shard.h"
+
 #define CLI_TRAILER_ROOM 128
 typedef struct {
   uint64_t rows; ///< lines without the header
@@ -18,7 +20,7 @@ void cli_trailer_add(cli_trailer_t *trailer, const char *lines, size_t length,
 
 /// Writes the comment `# shard I/N: ROWS rows, crc32 CRC` and a newline.
 /// Returns: the length.
-size_t cli_trailer_line(const cli_trailer_t *trailer, uint64_t shard,
-                        uint64_t shards, char out[CLI_TRAILER_ROOM]);
+size_t cli_trailer_line(const cli_trailer_t *trailer, const cli_shard_t *shard,
+                        char out[CLI_TRAILER_ROOM]);
 
 #endif
