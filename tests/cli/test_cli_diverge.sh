@@ -66,15 +66,15 @@ check 'and no temporary directory' [ -z "$(ls -d joined.* 2>/dev/null)" ]
 # The job array of Slurm, its tasks started by hand in any order.
 for i in 3 1 2; do
   TWOFOLD=$T SLURM_ARRAY_TASK_MAX=3 SLURM_ARRAY_TASK_ID=$i \
-    sh "$tools/slurm/diverge.sbatch" task chaos "$@" 2>err
+    sh "$tools/shards/shards.sbatch" task diverge chaos "$@" 2>err
 done
 joined task
 same all join 'tasks of a job array concatenate to one run'
 TWOFOLD=$T SHARDS=3 SLURM_ARRAY_TASK_ID=2 \
-  sh "$tools/slurm/diverge.sbatch" again chaos "$@" 2>err
+  sh "$tools/shards/shards.sbatch" again diverge chaos "$@" 2>err
 check 'a lost task is run again alone' cmp -s task-exits.2.csv \
   again-exits.2.csv
-TWOFOLD=$T sh "$tools/slurm/diverge.sbatch" task chaos >out 2>err
+TWOFOLD=$T sh "$tools/shards/shards.sbatch" task diverge chaos >out 2>err
 check 'outside of an array it says how to start it' [ $? -eq 2 ]
 diverge --samples 7 --seed 6 --patience 0.3 --exits e.other --returns r.other
 check 'another seed gives other exits' not cmp -s e.all e.other

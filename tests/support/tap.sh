@@ -130,12 +130,15 @@ expectations() {
 row() { sed -n "$1p" "$3" | cut -d , -f "$2"; }
 
 # whole_rows FILE FIELDS [PATTERN]: it ends with a newline, every row has all
-# fields, the last one of the PATTERN, and there is one below the header.
+# fields, the last one of the PATTERN, and there is one below the header;
+# comments are no rows.
 whole_rows() {
   [ -s "$1" ] && [ -z "$(tail -c 1 "$1")" ] &&
     awk -F, -v n="$2" -v last="^${3-.*}\$" '
+      /^#/ { next }
       NF != n || (NR > 1 && $n !~ last) { bad = 1 }
-      END { exit bad || NR < 2 }' "$1"
+      { rows++ }
+      END { exit bad || rows < 2 }' "$1"
 }
 
 # poll COMMAND...: until the command succeeds; fails after a minute.

@@ -40,13 +40,15 @@ STANDS_ON = {"num": None, "model": "num", "friction": "model",
 HEADER_ONLY = {"real": "num", "wire": "link"}
 # Each folder of tools/cli/, and the other folders, or single files, that it may
 # include. Files in tools/cli/ itself may include all of them. The commands do
-# not include each other, except that `monitor` writes the rows of `run`.
+# not include each other, except that `monitor` writes the rows of `run` and
+# `sweep` counts its events.
 CLI = "tools/cli/"
 CLI_INCLUDES = {
     "monitor": ("run/row.h", "setup", "host", "text"),
     "run": ("setup", "host", "text"),
     "analysis": ("setup", "host", "text"),
     "diverge": ("setup", "host", "text"),
+    "sweep": ("run/events.h", "setup", "host", "text"),
     "setup": ("host", "text"),
     "host": ("text",),
     "text": (),

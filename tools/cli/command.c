@@ -11,13 +11,16 @@
 //   diverge/   the command `diverge`: samples of the motions that can follow a
 //              two-fold. Bottom up: vector_field, canard, tracker, job, motion,
 //              the steppers random, perturbed and lagged, diverge
+//   sweep/     the command `sweep`: one row for each point of a grid of
+//              settings; takes only events.h of run/
 //   setup/     a scene with --set and --select becomes a machine with its
 //              initial state; the schemes and their names
 //   host/      what POSIX provides: clock, signals, output files, serial lines
 //   text/      messages, numbers, options, text in buffers
 //
-// run, analysis and diverge do not include each other. In the folder of a
-// command NAME_args reads its command line and NAME_help is its help page.
+// run, analysis, diverge and sweep do not include each other otherwise. In the
+// folder of a command NAME_args reads its command line and NAME_help is its
+// help page.
 
 #include "command.h"
 
@@ -34,6 +37,8 @@
 #include "monitor/monitor_help.h"
 #include "run/run.h"
 #include "run/run_help.h"
+#include "sweep/sweep.h"
+#include "sweep/sweep_help.h"
 #include "text/closest.h"
 #include "text/message.h"
 
@@ -54,6 +59,7 @@ static const command_t commands[] = {
     {"design", cli_design, cli_design_help},
     {"atlas", cli_atlas, cli_atlas_help},
     {"diverge", cli_diverge, cli_diverge_help},
+    {"sweep", cli_sweep, cli_sweep_help},
     {"help", perform_help, NULL},
 };
 #define COMMANDS (sizeof commands / sizeof commands[0])

@@ -19,8 +19,8 @@ typedef struct {
   char path[CLI_PATH_ROOM], part[CLI_PATH_ROOM];
 } cli_destination_t;
 
-/// Opens it; a path of NULL or "-" is standard output. keep: what is in the part
-/// stays, and is written behind once its reader has positioned the descriptor.
+/// Opens it; a path of NULL or "-" is standard output. keep: what is in the
+/// part stays; the caller says where to go on.
 /// Returns: 0 or an errno; EBUSY: another program writes this file.
 int cli_destination_open(cli_destination_t *destination, const char *path,
                          bool keep);

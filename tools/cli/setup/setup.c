@@ -82,7 +82,14 @@ int cli_setup_machine(cli_setup_t *setup) {
   return CLI_DONE;
 }
 
-static int check_starts(const cli_setup_t *setup) {
+int cli_setup_check_starts(const cli_setup_t *setup) {
+  const cli_setting_t *v = setup->set_start[CLI_START_V];
+  const cli_setting_t *h = setup->set_start[CLI_START_H];
+  if (v != NULL && h != NULL) {
+    return cli_message(CLI_USAGE,
+                       "%s %s, %s %s: give h or v, each follows from the other",
+                       v->option, v->text, h->option, h->text);
+  }
   for (size_t i = 0; i < CLI_STARTS; i++) {
     const cli_setting_t *setting = setup->set_start[i];
     const tf_real_t value = setup->start[i];
@@ -122,14 +129,7 @@ static int solve_v(cli_setup_t *setup) {
 int cli_setup_start(cli_setup_t *setup) {
   const bool v_typed = setup->set_start[CLI_START_V] != NULL;
   const bool h_typed = setup->set_start[CLI_START_H] != NULL;
-  if (v_typed && h_typed) {
-    return cli_message(CLI_USAGE,
-                       "--set %s, --set %s: give h or v, each follows from "
-                       "the other",
-                       setup->set_start[CLI_START_V]->text,
-                       setup->set_start[CLI_START_H]->text);
-  }
-  int code = check_starts(setup);
+  int code = cli_setup_check_starts(setup);
   tf_state_t *state = &setup->state;
   state->r = setup->start[CLI_START_R];
   state->v = setup->start[CLI_START_V];

@@ -50,6 +50,11 @@ int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
 /// Returns: CLI_DONE, or CLI_REFUSED after a message with value and range.
 int cli_setup_machine(cli_setup_t *setup);
 
+/// Checks the initial values that were set, each by itself.
+/// Returns: CLI_DONE; after a message CLI_USAGE (h and v both given) or
+/// CLI_REFUSED.
+int cli_setup_check_starts(const cli_setup_t *setup);
+
 /// Computes the initial state and begins it.
 /// Returns: CLI_DONE; after a message CLI_USAGE (h and v both given) or
 /// CLI_REFUSED.

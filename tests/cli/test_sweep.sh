@@ -1,0 +1,237 @@
+#!/bin/sh
+# `twofold sweep`: a row is what `run` does with the same settings, shards and
+# resumed files have the bytes of one run, a point that is refused has a row
+# that says why, and errors name axis and range. usage: test_sweep.sh TWOFOLD
+# shellcheck disable=SC2016  # expressions of awk stand in single quotes
+. "$(dirname "$0")/../support/tap.sh"
+tools=$root/tools
+
+sweep() { "$T" sweep "$@" 2>err; }
+
+# columns FILE NAME...: these columns of the rows, by name.
+columns() {
+  columns_file=$1
+  shift
+  awk -F, -v names="$*" '/^#/ { next }
+    !n { n = split(names, name, " ")
+         for (i = 1; i <= NF; i++) at[$i] = i
+         next }
+    { line = ""
+      for (i = 1; i <= n; i++) line = line (i > 1 ? "," : "") $at[name[i]]
+      print line }' "$columns_file"
+}
+
+# A row is what `run` finds.
+all=modes,final,changes,rest,arrivals,arrival,recurrence,ambiguous
+all=$all,ambiguous_share,stick_share,energy,energy_change,r_low,r_high
+all=$all,end_r,end_v,end_omega,end_h,end_g
+set -- chaos --over kappa=0.25:0.29:2 --over h=-0.01:0.01:3 --dt 1e-3 \
+  --t-end 4 --set mu=1.5
+runs sweep "$@" --outcome "$all"
+mv out all.csv
+equal 'a row a point' "$(grep -vc '^#' all.csv)" 7
+equal 'the last axis is the inner loop' \
+  "$(columns all.csv point kappa h | tr '\n' ' ')" \
+  "0,0.25,-0.01 1,0.25,0 2,0.25,0.01 3,0.29,-0.01 4,0.29,0 5,0.29,0.01 "
+columns all.csv kappa h >points
+while IFS=, read -r kappa h; do
+  run run chaos --dt 1e-3 --t-end 4 --set mu=1.5 --set "kappa=$kappa" \
+    --set "h=$h"
+  row '$' 1-6 out
+done <points >wanted
+columns all.csv t end_r end_v end_omega end_h end_g >got
+check 'the ends are those of run, bit for bit' cmp -s got wanted
+while IFS=, read -r kappa h; do
+  run run chaos --dt 1e-3 --t-end 4 --set mu=1.5 --set "kappa=$kappa" \
+    --set "h=$h" --events all
+  awk -F, '
+    NR == 1 { next }
+    { seen[$9]; if (NR > 2 && $9 != mode) changes++; mode = $9 }
+    NR > 2 && $10 > 1 { if (!n++) first = $1 }
+    NR > 2 && $9 !~ /slip/ { stuck++ }
+    NR == 2 || $2 < low { low = $2 }
+    NR == 2 || $2 > high { high = $2 }
+    END {
+      n = split("slip+ slip- stick+ stick- pinned", names, " ")
+      for (i = 1; i <= n; i++) if (names[i] in seen)
+        all = all (all == "" ? "" : "|") names[i]
+      print all "," mode "," changes + 0 "," first "," low "," high
+    }' out
+done <points >wanted
+columns all.csv modes final changes ambiguous r_low r_high >got
+check 'modes, changes, first ambiguous time, range of r' cmp -s got wanted
+while IFS=, read -r kappa h; do
+  run run chaos --dt 1e-3 --t-end 4 --set mu=1.5 --set "kappa=$kappa" \
+    --set "h=$h"
+  arrivals=$(sed -n 's/.*two-fold reached \([0-9]*\).*/\1/p' err | head -n 1)
+  echo "${arrivals:-0}"
+done <points >wanted
+columns all.csv arrivals >got
+check 'arrivals at the two-fold' cmp -s got wanted
+runs sweep chaos --over r=0.1:0.3:2 --set omega=-1 --set h=0 --set mu=1 \
+  --outcome rest,modes
+equal 'pinned to the end is rest, pinned for a while is not' \
+  "$(columns out rest modes | tr '\n' ' ')" \
+  ',slip+|slip-|stick+|stick-|pinned 0,pinned '
+for t_end in 0 2; do
+  sweep chaos --over mu=1.5:1.5:1 --t-end $t_end --outcome \
+    energy,energy_change >out
+  columns out energy energy_change
+done | tr '\n' ' ' >got
+check 'the change of energy is that since t = 0' awk '{
+  split($1, a, ","); split($2, b, ","); d = b[1] - a[1] - b[2]
+  exit !(a[1] > 0 && a[2] == 0 && b[2] != 0 && d < 1e-6 && -d < 1e-6) }' got
+runs sweep chaos --over seed=1:4:4 --select random --outcome end_r --t-end 3
+mv out seeds.csv
+run run chaos --select random:3 --t-end 3
+equal 'a seed is that of the random rule' \
+  "$(columns seeds.csv end_r | sed -n 3p)" "$(row '$' 2 out)"
+runs sweep chaos --over kappa=0.3:0.3:1 --t-end 0 --outcome \
+  modes,rest,recurrence,ambiguous,ambiguous_share,energy_change
+equal 'and has no share' "$(columns out ambiguous_share energy_change)" ,0
+equal 'no step is no motion' \
+  "$(columns out t modes rest recurrence ambiguous)" \
+  '0,slip+,,,'
+
+# Shards and resumed files.
+set -- chaos --over kappa=0.2:0.4:5 --over gamma=0.3:1.2:5 --dt 1e-3
+sweep "$@" --out all
+for i in 1 2 3; do
+  sweep "$@" --shard $i/3 --out part.$i
+done
+cat part.1 part.2 part.3 | grep -v '^#' >one
+grep -v '^#' all >other
+check 'shards concatenate to one run' cmp -s one other
+sweep "$@" --shard 3/30 --out few
+equal 'each has its trailer' "$(tail -n 1 few | cut -c 1-21)" \
+  '# shard 3/30: 1 rows,'
+bytes=$(wc -c <all)
+at=0
+: >bad
+while [ "$at" -lt "$bytes" ]; do
+  head -c "$at" all >again.part
+  "$T" sweep "$@" --out again --resume 2>err && cmp -s all again ||
+    echo "$at" >>bad
+  rm -f again
+  at=$((at + 83))
+done
+equal 'cut anywhere, a resumed file has the same bytes' "$(cat bad)" ''
+head -n 12 all | sed '$ s/^[0-9]*,/99,/' >again.part
+sweep "$@" --out again --resume
+check 'a row that is not the next one is computed again' cmp -s all again
+check 'and what was there is told' says 'points     25 of 25, of which 8 were'
+sweep "$@" --out again --resume
+check 'of a whole file nothing is done' says 'again has all of its 25 points'
+check 'it stays as it is' cmp -s all again
+head -n 9 all >again.part
+rm again
+expect 3 'again.part has rows of a sweep that was stopped: --resume' \
+  sweep "$@" --out again
+head -n 9 all | cmp -s - again.part
+check 'rows of a stopped sweep are not overwritten' [ $? -eq 0 ]
+for other in '--set mu=1.1' '--t-end 9' '--outcome rest' '--shard 1/2' \
+  '--scheme located'; do
+  # shellcheck disable=SC2086  # a list of options
+  expect 3 'again.part is of another sweep; remove it' \
+    sweep "$@" $other --out again --resume
+  # shellcheck disable=SC2086
+  expect 3 'all is of another sweep; remove it' \
+    sweep "$@" $other --out all --resume
+done
+head -n 9 all | cmp -s - again.part
+check 'nor are those of another one' [ $? -eq 0 ]
+
+# A kill at any time loses no row that is in the file.
+set -- chaos --over kappa=0.2:0.4:30 --over gamma=0.3:1.2:30 --t-end 20 \
+  --dt 1e-3
+sweep "$@" --out whole
+"$T" sweep "$@" --out killed 2>err &
+pid=$!
+check 'rows reach the file while the sweep goes on' \
+  poll has_lines killed.part 4
+kill -s KILL $pid
+{ wait $pid; } 2>/dev/null
+check 'a kill leaves no file' [ ! -e killed ]
+had=$(grep -vc '^#' killed.part)
+sweep "$@" --out killed --resume
+check 'after a kill the file has the bytes of one run' cmp -s whole killed
+check 'and its rows were used' says "of which $((had - 1)) were there"
+rm -f killed
+interrupt INT stopped 4 sweep "$@" --out stopped
+check 'it says how to go on' says 'with --resume goes on'
+sweep "$@" --out stopped --resume
+check 'after an interrupt, too' cmp -s whole stopped
+interrupt TERM out 4 sweep "$@"
+
+# The tasks of a job array, started by hand in any order; one is lost.
+set -- chaos --over kappa=0.2:0.4:5 --over gamma=0.3:1.2:5 --dt 1e-3
+for i in 3 1 2 3; do
+  TWOFOLD=$T SLURM_ARRAY_TASK_MAX=3 SLURM_ARRAY_TASK_ID=$i \
+    sh "$tools/shards/shards.sbatch" task sweep "$@" 2>err
+done
+cat task.1.csv task.2.csv task.3.csv | grep -v '^#' >one
+grep -v '^#' all >other
+check 'tasks of a job array concatenate to one run' cmp -s one other
+check 'a task that was done is not repeated' says 'has all of its 8 points'
+
+# A machine that is refused has a row that says so.
+runs sweep chaos --over gamma=-0.5:0.5:3 --outcome modes
+equal 'no speed gives that slip' "$(columns out gamma status t modes |
+  sed -n 2p)" '0,refused,,'
+check 'its reason names what was refused' awk -F, '$3 == "refused" {
+  exit !($4 ~ /no speed v gives the slip speed h/) }' out
+runs sweep chaos --over omega=-3e5:3e5:3 --over dt=1e-3:1:2 --set r=100 \
+  --outcome modes
+check 'a step that is refused stops the motion' awk -F, '$4 == "stopped" {
+  n++; if (!($5 ~ /^step [0-9]+: / && $6 >= 0)) bad = 1 }
+  END { exit bad || !n }' out
+runs sweep chaos --over omega=-30:-1:9 --dt 0.3 --set h=0.1 --outcome modes
+check 'steps that are in doubt are told' awk -F, '$3 == "doubted" { n++
+  if (!($4 ~ /[0-9]+ steps degraded; [0-9]+ missed/)) bad = 1 }
+  END { exit bad || !n }' out
+check 'no field has a comma' whole_rows out 6
+
+# Refusals, which leave no file.
+expectations sweep <<END
+2 chaos|--over NAME=A:B:N is missing
+2 --over kappa=0:1:2|which scene
+2 choas --over kappa=0.1:1:2|mean 'chaos'
+2 chaos --over kapa=0.1:1:2 --out kept|unknown name 'kapa'; did you mean
+2 chaos --over kappa --out kept|--over kappa: expected NAME=A:B:N
+2 chaos --over kappa=1 --out kept|--over kappa=1: expected A:B:N
+2 chaos --over kappa=0.1:x:2 --out kept|--over kappa=0.1:x:2: 'x'
+2 chaos --over kappa=0.1:1:0 --out kept|N must be a whole number in [1, 1000000]
+2 chaos --over kappa=0.1:1:1 --out kept|one value cannot be both
+3 chaos --over kappa=0:1:2 --out kept|--over kappa=0:1:2: kappa must&[1e-09,
+3 chaos --over kappa=0.1:1e7:2 --out kept|--over kappa=0.1:1e7:2: kappa must
+3 chaos --over kappa=0.1:nan:2 --out kept|kappa must lie in
+3 chaos --over omega=0:1e10:2 --out kept|omega must lie in [-1e+09,
+3 chaos --over kappa=0.1:1:2 --set m=0 --out kept|--set m=0: m must lie in
+3 chaos --over dt=0:1:2 --out kept|--over dt=0:1:2: dt must lie in
+3 chaos --over kappa=0.1:1:2 --t-end -1 --out kept|--t-end -1
+3 smooth --over kappa=0.1:1:2 --scheme located --out kept|--scheme located
+2 chaos --over kappa=0.1:1:2 --set kappa=1 --out kept|kappa was already given
+2 chaos --over kappa=0.1:1:2 --over kappa=1:2:2 --out kept|already given
+2 chaos --over h=0:1:2 --set v=1 --out kept|give h or v
+2 chaos --over law=0:1:2 --out kept|unknown law
+2 chaos --over seed=1:2:2 --out kept|only with --select random
+3 chaos --over seed=1:2:3 --select random|seed must be whole&value 2 is 1.5
+3 chaos --over seed=-1:2:4 --select random|seed must be whole numbers
+2 chaos --over seed=1:2:2 --over seed=1:2:2 --select random|already given
+2 chaos --over kappa=0.1:1:2 --outcome enrgy --out kept|did you mean 'energy'
+2 chaos --over kappa=0.1:1:2 --outcome rest,rest|rest was already given
+2 chaos --over kappa=0.1:1:2 --outcome rest,|unknown outcome ''
+2 chaos --over kappa=0.1:1:2 --resume|--resume: only with --out FILE
+2 chaos --over kappa=0.1:1:2 --shard 3 --out kept|expected I/N
+3 chaos --over kappa=0.1:1:2 --shard 3/2 --out kept|I must lie in
+END
+check 'none of them makes a file' [ ! -e kept ]
+runs help sweep
+for name in $(echo "$all" | tr , ' '); do
+  grep -q "^  $name " out || result 1 "help sweep lists $name"
+done
+run help
+check 'help lists sweep' grep -q '^  sweep ' out
+failing_output 11 sweep chaos --over kappa=0.2:0.4:3000 --t-end 0.01 \
+  --over gamma=0.3:1.2:1000
+finish

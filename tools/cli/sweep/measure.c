@@ -1,0 +1,145 @@
+// Outcomes: what is left of a motion when its rows are not kept. All are of the
+// steps themselves, so they agree with what `run` prints of the same motion.
+
+#include "measure.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../setup/modes.h"
+
+const cli_measure_info_t cli_measures[CLI_MEASURES] = {
+    [CLI_MODES] = {"modes", "", "the modes visited, in a fixed order"},
+    [CLI_FINAL] = {"final", "", "the mode at the end"},
+    [CLI_CHANGES] = {"changes", "1", "number of changes of mode"},
+    [CLI_REST] = {"rest", "s", "since when the wheel is pinned, to the end"},
+    [CLI_ARRIVALS] = {"arrivals", "1", "number of arrivals at the two-fold"},
+    [CLI_ARRIVAL] = {"arrival", "s", "time of the first of them"},
+    [CLI_RECURRENCE] = {"recurrence", "s", "mean time from one to the next"},
+    [CLI_AMBIGUOUS] = {"ambiguous", "s", "first step with several futures"},
+    [CLI_AMBIGUOUS_SHARE] = {"ambiguous_share", "1", "share of such steps"},
+    [CLI_STICK_SHARE] = {"stick_share", "1", "share of steps without slip"},
+    [CLI_ENERGY] = {"energy", "J", "mechanical energy at the end"},
+    [CLI_ENERGY_CHANGE] = {"energy_change", "J", "that less the one at t = 0"},
+    [CLI_R_LOW] = {"r_low", "m", "least r"},
+    [CLI_R_HIGH] = {"r_high", "m", "largest r"},
+    [CLI_END_R] = {"end_r", "m", "state at the end"},
+    [CLI_END_V] = {"end_v", "m/s", ""},
+    [CLI_END_OMEGA] = {"end_omega", "rad/s", ""},
+    [CLI_END_H] = {"end_h", "m/s", ""},
+    [CLI_END_G] = {"end_g", "m/s", ""},
+};
+
+void cli_course_begin(cli_course_t *course, const tf_state_t *state,
+                      const tf_report_t *report) {
+  memset(course, 0, sizeof *course);
+  course->state = *state;
+  course->report = *report;
+  course->modes = TF_MODE_BIT(report->mode);
+  course->r_low = course->r_high = (double)state->r;
+}
+
+void cli_course_see(cli_course_t *course, double t, const tf_state_t *state,
+                    const tf_report_t *report) {
+  const uint64_t arrivals = course->events.counts[CLI_TWO_FOLD];
+  cli_events_observe(&course->events, &course->report, report, state, t);
+  if (course->events.counts[CLI_TWO_FOLD] > arrivals) {
+    course->first_arrival = arrivals == 0 ? t : course->first_arrival;
+    course->last_arrival = t;
+  }
+  if (report->mode == TF_PINNED && course->report.mode != TF_PINNED) {
+    course->pinned_since = t;
+  }
+  if (report->choices > 1 && course->ambiguous++ == 0) {
+    course->ambiguous_since = t;
+  }
+  course->steps++;
+  course->t = t;
+  course->modes |= TF_MODE_BIT(report->mode);
+  course->changes += report->mode != course->report.mode;
+  course->stuck += !cli_is_slip(report->mode);
+  course->r_low = fmin(course->r_low, (double)state->r);
+  course->r_high = fmax(course->r_high, (double)state->r);
+  course->state = *state;
+  course->report = *report;
+}
+
+static void add_modes(unsigned modes, cli_buffer_t *text) {
+  const char *separator = "";
+  for (unsigned mode = 0; mode < TF_MODES; mode++) {
+    if ((modes & TF_MODE_BIT(mode)) != 0) {
+      cli_add(text, separator);
+      cli_add(text, tf_mode_name(mode));
+      separator = "|";
+    }
+  }
+}
+
+// A share of all steps; there is none without a step.
+static double share(const cli_course_t *course, uint64_t part) {
+  return (double)part / (double)course->steps;
+}
+
+// The number, NaN where there is none.
+static double number_of(cli_measure_t measure, const cli_course_t *course) {
+  const double none = (double)NAN;
+  const uint64_t arrivals = course->events.counts[CLI_TWO_FOLD];
+  switch (measure) {
+    case CLI_REST:
+      return course->report.mode == TF_PINNED ? course->pinned_since : none;
+    case CLI_ARRIVAL:
+      return arrivals > 0 ? course->first_arrival : none;
+    case CLI_RECURRENCE:
+      return arrivals > 1 ? (course->last_arrival - course->first_arrival) /
+                                (double)(arrivals - 1)
+                          : none;
+    case CLI_AMBIGUOUS:
+      return course->ambiguous > 0 ? course->ambiguous_since : none;
+    case CLI_AMBIGUOUS_SHARE:
+      return share(course, course->ambiguous);
+    case CLI_STICK_SHARE:
+      return share(course, course->stuck);
+    case CLI_ENERGY:
+      return course->energy;
+    case CLI_ENERGY_CHANGE:
+      return course->energy - course->energy_at_start;
+    case CLI_R_LOW:
+      return course->r_low;
+    case CLI_R_HIGH:
+      return course->r_high;
+    case CLI_END_R:
+      return (double)course->state.r;
+    case CLI_END_V:
+      return (double)course->state.v;
+    case CLI_END_OMEGA:
+      return (double)course->state.w;
+    case CLI_END_H:
+      return (double)course->report.slip.h;
+    case CLI_END_G:
+      return (double)course->report.slip.g;
+    case CLI_MODES:
+    case CLI_FINAL:
+    case CLI_CHANGES:
+    case CLI_ARRIVALS:
+    default:
+      return none;
+  }
+}
+
+void cli_measure_add(cli_measure_t measure, const cli_course_t *course,
+                     cli_buffer_t *text) {
+  if (measure == CLI_MODES) {
+    add_modes(course->modes, text);
+  } else if (measure == CLI_FINAL) {
+    cli_add(text, tf_mode_name(course->report.mode));
+  } else if (measure == CLI_CHANGES) {
+    cli_add_count(text, course->changes);
+  } else if (measure == CLI_ARRIVALS) {
+    cli_add_count(text, course->events.counts[CLI_TWO_FOLD]);
+  } else {
+    const double value = number_of(measure, course);
+    if (isfinite(value)) {
+      cli_add_real(text, (tf_real_t)value);
+    }
+  }
+}

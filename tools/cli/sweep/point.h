@@ -1,0 +1,39 @@
+/// @file
+/// One point of a sweep: its settings, its motion, its row.
+#ifndef TWOFOLD_CLI_POINT_H
+#define TWOFOLD_CLI_POINT_H
+
+#include "sweep_args.h"
+
+#define CLI_SWEEP_ROW 2048 // room for a row or a header
+
+/// How a point ended.
+typedef enum {
+  CLI_POINT_DONE,
+  CLI_POINT_DOUBTED,    ///< some steps were degraded or missed their tolerance
+  CLI_POINT_STOPPED,    ///< a step was refused
+  CLI_POINT_REFUSED,    ///< the machine or its start was refused
+  CLI_POINT_INTERRUPTED ///< by a signal: it has no row
+} cli_point_end_t;
+#define CLI_POINT_ENDS 4 // those with a row
+
+/// Checks what is the same at all points, and the ends of every axis.
+/// hash: out, of all that a motion depends on and that the command line does
+/// not name: the scene's parameters and its start.
+/// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
+int cli_point_check(const cli_sweep_args_t *args, uint32_t *hash);
+
+/// Follows the motion at a point and writes its row.
+/// index: in, 0 to points - 1; the last axis is the inner loop.
+/// length: out, of the row with its newline.
+cli_point_end_t cli_point(const cli_sweep_args_t *args, uint64_t index,
+                          char row[CLI_SWEEP_ROW], size_t *length);
+
+/// Writes the fields by which a row begins: its number and its axes.
+void cli_point_name(const cli_sweep_args_t *args, uint64_t index,
+                    cli_buffer_t *text);
+
+/// Name of an end, as in the column `status`.
+const char *cli_point_status(cli_point_end_t end);
+
+#endif

@@ -1,0 +1,266 @@
+// The file of a sweep. A row depends on the command and its own number alone,
+// so a sweep that was stopped, even by SIGKILL, goes on behind the last whole
+// row of FILE.part and ends with the bytes of one that was not. That the part
+// is of the same command, its second line tells, and that of each row, the
+// fields by which the row begins; from the first one on that is not as it must
+// be, rows are computed again.
+//
+// The comments stand behind the header, not before it: numpy.genfromtxt takes
+// the names of columns from the first line even where it is a comment.
+
+#include "sheet.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "../setup/names.h"
+#include "../text/message.h"
+#include "../text/number.h"
+#include "point.h"
+
+#ifdef TF_REAL_FLOAT
+#define REAL_TYPE "float"
+#else
+#define REAL_TYPE "double"
+#endif
+
+#define COLUMNS_BEFORE 4 // point, status, reason, t
+
+static const char *unit_of(const char *name) {
+  const size_t parameter = cli_parameter_index(name);
+  if (parameter < TF_PARAMETERS) {
+    return tf_parameter_ranges[parameter].unit;
+  }
+  for (size_t i = 0; i < CLI_STARTS; i++) {
+    if (strcmp(cli_starts[i].name, name) == 0) {
+      return cli_starts[i].unit;
+    }
+  }
+  return "1";
+}
+
+static void add_header(const cli_sweep_args_t *args, cli_buffer_t *text) {
+  cli_add(text, "point");
+  for (size_t i = 0; i < args->axes; i++) {
+    cli_add(text, ",");
+    cli_add(text, args->axis[i].name);
+  }
+  cli_add(text, ",status,reason,t");
+  for (size_t i = 0; i < args->measures; i++) {
+    cli_add(text, ",");
+    cli_add(text, cli_measures[args->measure[i]].name);
+  }
+  cli_add(text, "\n");
+}
+
+// One word of the command line.
+static void add_word(cli_buffer_t *text, const char *option,
+                     const char *value) {
+  cli_add(text, " ");
+  cli_add(text, option);
+  cli_add(text, " ");
+  cli_add(text, value);
+}
+
+// The command that makes the same rows, and what it does not name.
+static void add_command(const cli_sweep_args_t *args, uint32_t hash,
+                        cli_buffer_t *text) {
+  char digits[CLI_REAL_ROOM];
+  cli_add(text, "# twofold " TF_VERSION " " REAL_TYPE ": sweep ");
+  cli_add(text, args->scene->name);
+  add_word(text, "--scheme", args->scheme->name);
+  (void)cli_write_real(digits, args->t_end);
+  add_word(text, "--t-end", digits);
+  if (args->select != NULL) {
+    add_word(text, "--select", args->select);
+  }
+  for (size_t i = 0; i < args->settings.count; i++) {
+    const cli_setting_t *setting = &args->settings.list[i];
+    if (strcmp(setting->option, "--over") != 0) {
+      add_word(text, setting->option, setting->text);
+    }
+  }
+  for (size_t i = 0; i < args->axes; i++) {
+    add_word(text, "--over", args->axis[i].range.text);
+  }
+  for (size_t i = 0; i < args->measures; i++) {
+    add_word(text, "--outcome", cli_measures[args->measure[i]].name);
+  }
+  (void)snprintf(digits, sizeof digits, "%" PRIu64 "/%" PRIu64,
+                 args->shard.index, args->shard.of);
+  add_word(text, "--shard", digits);
+  (void)snprintf(digits, sizeof digits, " (scene %08" PRIx32 ")\n", hash);
+  cli_add(text, digits);
+}
+
+static void add_unit(cli_buffer_t *text, const char *name, const char *unit) {
+  if (unit[0] != '\0') {
+    add_word(text, name, unit);
+    cli_add(text, ",");
+  }
+}
+
+static void add_units(const cli_sweep_args_t *args, cli_buffer_t *text) {
+  cli_add(text, "# units:");
+  for (size_t i = 0; i < args->axes; i++) {
+    add_unit(text, args->axis[i].name, unit_of(args->axis[i].name));
+  }
+  for (size_t i = 0; i < args->measures; i++) {
+    const cli_measure_info_t *info = &cli_measures[args->measure[i]];
+    add_unit(text, info->name, info->unit);
+  }
+  cli_add(text, " t s\n");
+}
+
+// What stands before the first row.
+static bool make_prologue(cli_sheet_t *sheet, uint32_t hash) {
+  cli_buffer_t text = {sheet->prologue, 0, CLI_PROLOGUE_ROOM, false};
+  if (sheet->args->shard.index == 1) {
+    add_header(sheet->args, &text);
+  }
+  sheet->header = text.used;
+  add_command(sheet->args, hash, &text);
+  add_units(sheet->args, &text);
+  sheet->length = text.used;
+  cli_trailer_add(&sheet->trailer, sheet->prologue, sheet->header, 0);
+  return !text.truncated;
+}
+
+// Whether a line is the row of a point, as far as one can tell.
+static bool is_row(const cli_sweep_args_t *args, uint64_t index,
+                   const char *line) {
+  char name[CLI_SWEEP_ROW];
+  cli_buffer_t text = {name, 0, sizeof name, false};
+  size_t commas = 0;
+  cli_point_name(args, index, &text);
+  cli_add(&text, ",");
+  for (const char *at = line; *at != '\0'; at++) {
+    commas += *at == ',';
+  }
+  return strncmp(line, name, text.used) == 0 &&
+         line[strlen(line) - 1] == '\n' &&
+         commas + 1 == COLUMNS_BEFORE + args->axes + args->measures;
+}
+
+// Takes up what a file has. kept: out, bytes of it that are as they must be.
+// Returns: whether it begins as a file of this sweep does.
+static bool take_up(cli_sheet_t *sheet, FILE *file, size_t *kept) {
+  char line[CLI_PROLOGUE_ROOM];
+  const cli_sweep_args_t *args = sheet->args;
+  const size_t begun = fread(line, 1, sheet->length, file);
+  if (memcmp(line, sheet->prologue, begun) != 0) {
+    return false;
+  }
+  if (begun < sheet->length) {
+    return true; // cut off before the first row
+  }
+  *kept = begun;
+  while (fgets(line, sizeof line, file) != NULL) {
+    const uint64_t index = sheet->first + sheet->kept;
+    const size_t length = strlen(line);
+    if (index == sheet->end) {
+      char last[CLI_TRAILER_ROOM];
+      (void)cli_trailer_line(&sheet->trailer, &args->shard, last);
+      sheet->whole = strcmp(line, last) == 0;
+      break;
+    }
+    if (length == 0 || !is_row(args, index, line)) {
+      break;
+    }
+    cli_trailer_add(&sheet->trailer, line, length, 1);
+    sheet->kept++;
+    *kept += length;
+  }
+  return true;
+}
+
+static int refuse_other(const char *path) {
+  return cli_message(CLI_REFUSED,
+                     "--resume: %s is of another sweep; remove it, or give "
+                     "another --out",
+                     path);
+}
+
+// FILE, if it is there, is whole or of another sweep.
+static int look_at_file(cli_sheet_t *sheet) {
+  size_t kept = 0;
+  FILE *file = fopen(sheet->args->out, "r");
+  if (file == NULL) {
+    return errno == ENOENT ? CLI_DONE
+                           : cli_message(CLI_STOPPED, "--out %s: %s",
+                                         sheet->args->out, strerror(errno));
+  }
+  const bool same = take_up(sheet, file, &kept);
+  (void)fclose(file);
+  return same && sheet->whole ? CLI_DONE : refuse_other(sheet->args->out);
+}
+
+// The part, which is open and locked, may have rows.
+static int look_at_part(cli_sheet_t *sheet, size_t *kept) {
+  const char *path = sheet->output.to.part;
+  FILE *file = fopen(path, "r");
+  if (file == NULL) {
+    return cli_message(CLI_STOPPED, "%s: %s", path, strerror(errno));
+  }
+  const bool empty = fgetc(file) == EOF;
+  rewind(file);
+  const bool same = empty || !sheet->args->resume || take_up(sheet, file, kept);
+  (void)fclose(file);
+  if (!empty && !sheet->args->resume) {
+    return cli_message(CLI_REFUSED,
+                       "%s has rows of a sweep that was stopped: --resume goes "
+                       "on with them, or remove it",
+                       path);
+  }
+  return same ? CLI_DONE : refuse_other(path);
+}
+
+int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_args_t *args,
+                   uint32_t hash) {
+  size_t kept = 0;
+  memset(sheet, 0, sizeof *sheet);
+  sheet->args = args;
+  cli_shard_range(&args->shard, args->points, &sheet->first, &sheet->end);
+  if (!make_prologue(sheet, hash)) {
+    return cli_message(CLI_USAGE, "sweep: the command line is too long");
+  }
+  int code = args->resume ? look_at_file(sheet) : CLI_DONE;
+  if (code != CLI_DONE || sheet->whole) {
+    return code;
+  }
+  code = cli_output_begin_again(&sheet->output, "--out", args->out);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (sheet->output.to.beside) {
+    code = look_at_part(sheet, &kept);
+  }
+  if (code != CLI_DONE) {
+    (void)cli_output_close(&sheet->output, false);
+    return code;
+  }
+  if (sheet->output.to.beside) {
+    (void)cli_output_go_on(&sheet->output, kept);
+  }
+  if (kept == 0) {
+    (void)cli_output_lines(&sheet->output, sheet->prologue, sheet->length);
+  }
+  return CLI_DONE;
+}
+
+bool cli_sheet_put(cli_sheet_t *sheet, const char *row, size_t length) {
+  cli_trailer_add(&sheet->trailer, row, length, 1);
+  return cli_output_lines(&sheet->output, row, length);
+}
+
+int cli_sheet_close(cli_sheet_t *sheet, int code) {
+  char line[CLI_TRAILER_ROOM];
+  if (code == CLI_DONE) {
+    (void)cli_output_lines(
+        &sheet->output, line,
+        cli_trailer_line(&sheet->trailer, &sheet->args->shard, line));
+  }
+  return cli_output_end(&sheet->output, code);
+}

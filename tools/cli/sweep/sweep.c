@@ -1,0 +1,138 @@
+// The command `sweep`: point by point, each a motion of its own and one row. It
+// takes one core; several cores take a shard each (tools/shards). A point whose
+// machine is refused is an answer and no failure: its row says so, and the
+// program goes on and ends with code 0.
+
+#include "sweep.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "../host/host.h"
+#include "../text/message.h"
+#include "point.h"
+#include "sheet.h"
+
+#define FLUSH_EVERY 0.2 // [s], so at most so much work is lost by a kill
+#define PATIENCE 2.0    // [s] before the first message
+#define REDRAW 0.5      // [s] between messages on a terminal
+#define LOG_EVERY 10.0  // [s] between lines in a log
+
+typedef struct {
+  const cli_sweep_args_t *args;
+  cli_sheet_t *sheet;
+  uint64_t done; ///< points of this call
+  uint64_t ends[CLI_POINT_ENDS];
+  double started, next;
+  bool one_line, shown;
+} work_t;
+
+static void show_progress(work_t *work, double now) {
+  const cli_sheet_t *sheet = work->sheet;
+  const uint64_t points = sheet->end - sheet->first;
+  const uint64_t left = points - sheet->kept - work->done;
+  const double spent = now - work->started;
+  (void)fprintf(
+      stderr,
+      "%s%" PRIu64 " of %" PRIu64 " points, %.3g points/s, %.0f s left%s",
+      work->one_line ? "\r" : "twofold: ", sheet->kept + work->done, points,
+      (double)work->done / spent, spent * (double)left / (double)work->done,
+      work->one_line ? "\033[K" : "\n");
+  (void)fflush(stderr);
+  work->shown = work->one_line;
+  work->next = now + (work->one_line ? REDRAW : LOG_EVERY);
+}
+
+// Returns: CLI_DONE, or CLI_STOPPED; where the output failed, the message is
+// that of cli_sheet_close.
+static int do_points(work_t *work) {
+  cli_sheet_t *sheet = work->sheet;
+  char row[CLI_SWEEP_ROW];
+  for (uint64_t i = sheet->first + sheet->kept; i < sheet->end; i++) {
+    size_t length = 0;
+    const cli_point_end_t end = cli_stop_asked()
+                                    ? CLI_POINT_INTERRUPTED
+                                    : cli_point(work->args, i, row, &length);
+    if (end == CLI_POINT_INTERRUPTED) {
+      return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64, i);
+    }
+    if (!cli_sheet_put(sheet, row, length)) {
+      return CLI_STOPPED;
+    }
+    work->ends[end]++;
+    work->done++;
+    const double now = cli_now();
+    if (now - sheet->output.flushed >= FLUSH_EVERY &&
+        !cli_output_flush(&sheet->output)) {
+      return CLI_STOPPED;
+    }
+    if (now >= work->next) {
+      show_progress(work, now);
+    }
+  }
+  return CLI_DONE;
+}
+
+static void summarise(const work_t *work, double seconds) {
+  const cli_sheet_t *sheet = work->sheet;
+  const char *separator = "";
+  (void)fprintf(stderr, "points     %" PRIu64 " of %" PRIu64,
+                sheet->kept + work->done, sheet->end - sheet->first);
+  if (sheet->kept > 0) {
+    (void)fprintf(stderr, ", of which %" PRIu64 " were there", sheet->kept);
+  }
+  (void)fputs("\nstatus     ", stderr);
+  for (int i = 0; i < CLI_POINT_ENDS; i++) {
+    if (work->ends[i] > 0) {
+      (void)fprintf(stderr, "%s%s %" PRIu64, separator,
+                    cli_point_status((cli_point_end_t)i), work->ends[i]);
+      separator = ", ";
+    }
+  }
+  (void)fprintf(stderr, "\ncost       %.3g s, %.3g ms a point\n", seconds,
+                work->done > 0 ? 1e3 * seconds / (double)work->done : 0.0);
+}
+
+static int perform(work_t *work, uint32_t hash) {
+  cli_sheet_t *sheet = work->sheet;
+  int code = cli_sheet_open(sheet, work->args, hash);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (sheet->whole) {
+    return cli_message(CLI_DONE, "%s has all of its %" PRIu64 " points",
+                       work->args->out, sheet->kept);
+  }
+  work->one_line = cli_is_terminal(STDERR_FILENO);
+  work->started = cli_now();
+  work->next = cli_is_terminal(sheet->output.to.descriptor)
+                   ? 1e300 // the rows themselves show how far it is
+                   : work->started + (work->one_line ? PATIENCE : LOG_EVERY);
+  code = do_points(work);
+  if (work->shown) {
+    (void)fputs("\r\033[K", stderr);
+  }
+  code = cli_sheet_close(sheet, code);
+  summarise(work, cli_now() - work->started);
+  if (code != CLI_DONE && sheet->output.to.left) {
+    (void)cli_message(code, "the same command with --resume goes on");
+  }
+  return code;
+}
+
+int cli_sweep(int argc, char *const argv[]) {
+  static cli_sweep_args_t args;
+  static cli_sheet_t sheet;
+  uint32_t hash = 0;
+  int code = cli_sweep_args(&args, argc, argv);
+  if (code == CLI_DONE) {
+    code = cli_point_check(&args, &hash);
+  }
+  if (code != CLI_DONE) {
+    return code;
+  }
+  work_t work = {.args = &args, .sheet = &sheet};
+  return perform(&work, hash);
+}
