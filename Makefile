@@ -67,7 +67,8 @@ PACKAGE_MAKEFILES := tools/dist/dist.mk tools/fmu/fmu.mk
 BOARD_MAKEFILES := port/port.mk tools/hil/hil.mk tools/size/size.mk
 MEASURE_MAKEFILES := tools/bench/bench.mk tools/report/report.mk \
   tools/peers/peers.mk tools/stability/stability.mk \
-  tools/statistics/statistics.mk tools/figures/figures.mk
+  tools/statistics/statistics.mk tools/figures/figures.mk \
+  tools/shards/shards.mk
 VERIFY_MAKEFILES := tools/check/check.mk tools/fuzz/fuzz.mk \
   tools/soak/soak.mk tools/mutation/mutation.mk tools/eva/eva.mk \
   tools/cost/cost.mk tools/oracle/oracle.mk tools/reference/reference.mk

@@ -11,12 +11,14 @@ import subprocess
 import sys
 from pathlib import Path
 
-import test_archive
-import test_calls
-from importer import Fmu
-from tap import check, run
-
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests" / "support"))
+
+import test_archive  # noqa: E402
+import test_calls  # noqa: E402
+from importer import Fmu  # noqa: E402
+from tap import check, run  # noqa: E402
+
 BUILD = (ROOT / os.environ.get("BUILD", "build")).resolve()
 COMMAND = BUILD / "double" / "twofold"
 SCENES = [line.split()[0] for line in subprocess.run(

@@ -1,0 +1,220 @@
+#!/usr/bin/python3 -B
+"""`twofold sweep` in shards under the real GNU parallel, Slurm and Snakemake:
+the rows of one run, also where tasks were lost and started again; and its map.
+
+usage: test_shards.py [WORD]...     tests whose names contain one of the words
+
+TWOFOLD is the command line. A program that is missing is skipped by name, or
+fails where the file REQUIRED lists its package."""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests" / "support"))
+
+from cluster import Cluster, missing  # noqa: E402
+from tap import Skip, check, run  # noqa: E402
+
+TOOLS = ROOT / "tools" / "shards"
+TWOFOLD = str(Path(os.environ.get(
+    "TWOFOLD", ROOT / "build" / "double" / "twofold")).resolve())
+SWEEP = ["chaos", "--over", "kappa=0.2:0.4:12", "--over",
+         "gamma=-0.6:0.6:5", "--dt", "1e-3", "--outcome",
+         "modes,ambiguous,arrivals"]
+SHARDS = 5
+
+
+def needs(package, *programs):
+    """Skips a test, or fails it where the package is required."""
+    absent = [p for p in programs if shutil.which(p) is None]
+    if not absent:
+        return
+    required = os.environ.get("REQUIRED")
+    listed = required and any(
+        line.split()[-1:] == [package]
+        for line in Path(required).read_text().splitlines())
+    check(not listed, f"missing, and required: {' '.join(absent)}")
+    raise Skip(f"missing: {' '.join(absent)} (apt-get install {package})")
+
+
+def call(*words, code=0, **options):
+    """A command, its exit code, and what it wrote."""
+    done = subprocess.run([str(word) for word in words], text=True,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, check=False, **options)
+    check(done.returncode == code,
+          f"{words[0]}: code {done.returncode}, not {code}: {done.stdout}")
+    return done.stdout
+
+
+def whole(folder, *more):
+    """The file of one run."""
+    path = folder / "whole.csv"
+    call(TWOFOLD, "sweep", *SWEEP, *more, "--out", path)
+    return path
+
+
+def rows(*paths):
+    return [line for path in paths for line in Path(path).read_text()
+            .splitlines() if not line.startswith("#")]
+
+
+def parts(folder, name="out"):
+    return [folder / f"{name}.{i}.csv" for i in range(1, SHARDS + 1)]
+
+
+def same_rows(folder, *paths):
+    check(rows(*paths) == rows(whole(folder)), "not the rows of one run")
+
+
+def lose(path):
+    """What a kill leaves of a file: a part of its rows, and half of one."""
+    text = path.read_bytes()
+    path.with_name(path.name + ".part").write_bytes(text[:len(text) * 2 // 3])
+    path.unlink()
+
+
+def under_parallel(folder):
+    needs("parallel", "parallel")
+    command = ["parallel", "--joblog", folder / "log", TWOFOLD, "sweep",
+               *SWEEP, "--shard", f"{{}}/{SHARDS}", "--out",
+               f"{folder}/out.{{}}.csv", "--resume", ":::",
+               *range(1, SHARDS + 1)]
+    environment = dict(os.environ, PARALLEL_HOME=str(folder))
+    call(*command, env=environment)
+    same_rows(folder, *parts(folder))
+    before = [path.stat().st_mtime_ns for path in parts(folder)]
+    lose(parts(folder)[3])
+    call(*command, env=environment)
+    same_rows(folder, *parts(folder))
+    after = [path.stat().st_mtime_ns for path in parts(folder)]
+    check([a == b for a, b in zip(before, after)] ==
+          [True, True, True, False, True], "only the lost shard is done again")
+
+
+def under_slurm(folder):
+    needs("slurm-wlm", *["sbatch", "sinfo"])
+    if missing():
+        raise Skip(f"missing: {' '.join(missing())} "
+                   "(apt-get install slurm-wlm munge)")
+    place = folder / "cluster"
+    place.mkdir(mode=0o755)
+    with Cluster(place) as cluster:
+        cluster.environment["TWOFOLD"] = TWOFOLD
+        script = TOOLS / "shards.sbatch"
+        cluster.submit(f"--array=1-{SHARDS}", script, folder / "out", "sweep",
+                       *SWEEP)
+        same_rows(folder, *parts(folder))
+        lose(parts(folder)[1])
+        cluster.submit("--array=2", f"--export=ALL,SHARDS={SHARDS}", script,
+                       folder / "out", "sweep", *SWEEP)
+        same_rows(folder, *parts(folder))
+        check("were there" in (place / "task.2").read_text(),
+              "the lost task goes on behind its last row")
+        study = ["diverge", "chaos", "--samples", "7", "--patience", "0.3"]
+        cluster.submit("--array=1-2", script, folder / "d", *study)
+    for kind in "exits", "returns":
+        one = folder / f"{kind}.csv"
+        call(TWOFOLD, *study, f"--{kind}", one)
+        check(rows(*(folder / f"d-{kind}.{i}.csv" for i in (1, 2))) ==
+              rows(one), f"diverge: {kind} are not the rows of one run")
+
+
+def under_snakemake(folder):
+    needs("snakemake", "snakemake")
+    command = ["snakemake", "-s", TOOLS / "Snakefile", "--cores", "2",
+               "--nolock", "--config", "out=out", f"shards={SHARDS}",
+               f"twofold={TWOFOLD}", "sweep=" + " ".join(SWEEP),
+               "map=kappa gamma modes"]
+    environment = dict(os.environ, XDG_CACHE_HOME=str(folder / "cache"))
+    call(*command, cwd=folder, env=environment)
+    same_rows(folder, folder / "out.csv")
+    check((folder / "out.png").read_bytes().startswith(b"\x89PNG"), "no map")
+    lose(parts(folder)[2])
+    (folder / "out.csv").unlink()
+    said = call(*command, cwd=folder, env=environment)
+    same_rows(folder, folder / "out.csv")
+    check("were there" in said, "the lost shard goes on behind its last row")
+    said = call(*command, cwd=folder, env=environment)
+    check("Nothing to be done" in said, "what is whole is not done again")
+    call(*command[:8], "out=out", code=1, cwd=folder, env=environment)
+
+
+def draw(*words, code=0):
+    return call(TOOLS / "map.py", *words, code=code)
+
+
+def maps(folder):
+    table, picture = whole(folder), folder / "map.svg"
+    for outcome in "modes", "ambiguous", "status":
+        draw(table, "kappa", "gamma", outcome, picture)
+        text = picture.read_text()
+        check("<svg" in text and "pattern" in text, "refused points are "
+              f"hatched in the map of {outcome}")
+    draw(table, "kappa", "gamma", "modes", folder / "again.svg")
+    line = folder / "line.csv"
+    call(TWOFOLD, "sweep", "chaos", "--over", "kappa=0.2:0.4:9", "--out", line)
+    for outcome in "energy", "modes":
+        draw(line, "kappa", outcome, folder / "line.png")
+
+
+def maps_refuse(folder):
+    table, picture = whole(folder), folder / "no.png"
+    lines = table.read_text().splitlines(keepends=True)
+    cut = folder / "cut.csv"
+    cut.write_text("".join(lines[:-9] + lines[-1:]))
+    for words, text in [
+            (["kappa", "gamma", "mode"], "there is no column 'mode'"),
+            (["kappa", "modes"], "another axis was swept, too"),
+            (["kappa", "reason", "modes"], "which is no number")]:
+        said = draw(table, *words, picture, code=3)
+        check(text in said and "Traceback" not in said, said)
+    said = draw(cut, "kappa", "gamma", "modes", picture, code=3)
+    check("shard 1/1 is damaged" in said, said)
+    shard = folder / "shard.csv"
+    call(TWOFOLD, "sweep", *SWEEP, "--shard", "1/2", "--out", shard)
+    said = draw(shard, "kappa", "gamma", "modes", picture, code=3)
+    check("shard 2/2 is missing" in said, said)
+    said = draw(table, "kappa", "gamma", "modes", folder / "x.what", code=3)
+    check("x.what" in said and "Traceback" not in said, said)
+    draw(table, code=2)
+    check(not picture.exists(), "a table that is refused has no picture")
+
+
+def reads_numpy(folder):
+    """Other readers skip the comments, wherever they stand."""
+    import numpy
+    with open(folder / "joined.csv", "w", encoding="ascii") as joined:
+        for i in range(1, 4):
+            joined.write(call(TWOFOLD, "sweep", *SWEEP[:-1], "energy",
+                              "--shard", f"{i}/3", "--out", folder / "s.csv")
+                         and (folder / "s.csv").read_text())
+    table = numpy.genfromtxt(folder / "joined.csv", delimiter=",", names=True,
+                             dtype=None, encoding="ascii")
+    check(table.dtype.names[:3] == ("point", "kappa", "gamma"), "no columns")
+    check(list(table["point"]) == list(range(60)), "not the rows of one run")
+
+
+TESTS = [("parallel: the rows of one run", under_parallel),
+         ("Slurm: the rows of one run", under_slurm),
+         ("Snakemake: the rows of one run", under_snakemake),
+         ("map: words, numbers, refused points, one axis", maps),
+         ("map: what it refuses", maps_refuse),
+         ("numpy reads joined shards", reads_numpy)]
+
+
+def in_a_folder(test):
+    def go():
+        with tempfile.TemporaryDirectory() as folder:
+            test(Path(folder))
+    return go
+
+
+if __name__ == "__main__":
+    wanted = sys.argv[1:]
+    sys.exit(run([(name, in_a_folder(test)) for name, test in TESTS
+                  if not wanted or any(word in name for word in wanted)]))
