@@ -44,12 +44,13 @@ HEADER_ONLY = {"real": "num", "wire": "link"}
 # `sweep` counts its events.
 CLI = "tools/cli/"
 CLI_INCLUDES = {
-    "monitor": ("run/row.h", "setup", "host", "text"),
-    "run": ("setup", "host", "text"),
+    "monitor": ("run/row.h", "live", "setup", "host", "text"),
+    "run": ("live", "setup", "host", "text"),
     "analysis": ("setup", "host", "text"),
     "diverge": ("setup", "host", "text"),
     "sweep": ("run/events.h", "setup", "host", "text"),
     "setup": ("host", "text"),
+    "live": ("host", "text"),
     "host": ("text",),
     "text": (),
 }

@@ -15,6 +15,7 @@
 //              settings; takes only events.h of run/
 //   setup/     a scene with --set and --select becomes a machine with its
 //              initial state; the schemes and their names
+//   live/      --live of run and monitor: planes and modes in a terminal
 //   host/      what POSIX provides: clock, signals, output files, serial lines
 //   text/      messages, numbers, options, text in buffers
 //

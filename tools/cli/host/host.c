@@ -17,14 +17,35 @@
 #include <math.h>
 #include <signal.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <time.h>
 #include <unistd.h>
 
 static volatile sig_atomic_t stop_asked = 0;
 
+static const char *volatile restoring = NULL;
+
+// `write` is all that a handler may do with a terminal. Where it fails there is
+// no terminal to be put in order.
 static void ask_for_stop(int number) {
+  const int kept = errno;
+  const char *bytes = restoring;
   (void)number;
   stop_asked = 1;
+  if (bytes != NULL && write(STDOUT_FILENO, bytes, strlen(bytes)) < 0) {
+    restoring = NULL;
+  }
+  errno = kept;
+}
+
+void cli_restore_on_stop(const char *bytes) { restoring = bytes; }
+
+void cli_terminal_size(int *columns, int *rows) {
+  struct winsize size = {0};
+  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 &&
+                     size.ws_col > 0 && size.ws_row > 0;
+  *columns = known ? size.ws_col : 80;
+  *rows = known ? size.ws_row : 24;
 }
 
 double cli_now(void) {

@@ -14,6 +14,7 @@
 #include "../host/host.h"
 #include "../host/output.h"
 #include "../host/source.h"
+#include "../live/live.h"
 #include "../text/message.h"
 #include "damage.h"
 #include "monitor_args.h"
@@ -23,6 +24,8 @@
 #define WAIT 100 // for bytes, and between two attempts to open a device [ms]
 #define BLOCK 65536
 #define FLUSH_EVERY 0.2 // [s]
+#define LIVE_SPAN 10.0  // [s] that --live shows
+#define TITLE_ROOM 512
 
 typedef struct {
   cli_monitor_args_t args;
@@ -30,12 +33,46 @@ typedef struct {
   cli_output_t output;
   cli_receiver_t receiver;
   cli_view_t view;
+  cli_live_t *live; ///< the picture of --live, or NULL
   cli_damage_t damage;
   tf_decoder_t decoder;
   uint64_t bytes;
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint8_t block[BLOCK];
 } monitor_t;
+
+static void note(cli_live_t *live, const cli_csv_t *row) {
+  const double *at = row->column;
+  const cli_live_point_t point = {at[0], at[1], at[2],     at[3],
+                                  at[4], at[5], row->mode, row->choices};
+  if (row->columns >= 6) {
+    cli_live_note(live, &point);
+  }
+}
+
+// The first line of the picture: the sender and its line.
+static void write_title(const monitor_t *monitor, char title[TITLE_ROOM]) {
+  const tf_decoder_t *decoder = &monitor->decoder;
+  (void)snprintf(
+      title, TITLE_ROOM,
+      "%s: scene %s; %" PRIu32 " frames, %" PRIu32 " broken, %" PRIu32 " lost",
+      monitor->source.name,
+      monitor->receiver.has_schema ? monitor->receiver.scene : "not known yet",
+      decoder->frames, decoder->bad + decoder->too_long + decoder->bad_version,
+      decoder->lost);
+}
+
+// Draws the picture, or the lines of the view.
+static void show(monitor_t *monitor, double now) {
+  char title[TITLE_ROOM];
+  if (monitor->live == NULL) {
+    cli_view_poll(&monitor->view, &monitor->receiver, &monitor->decoder,
+                  monitor->source.name, now);
+  } else if (cli_live_due(monitor->live, now)) {
+    write_title(monitor, title);
+    cli_live_draw(monitor->live, title, now);
+  }
+}
 
 // Decodes what was read. Returns: whether the rows could be written.
 static bool take_block(monitor_t *monitor, size_t length) {
@@ -61,6 +98,7 @@ static bool take_block(monitor_t *monitor, size_t length) {
     }
     cli_damage_row(&monitor->damage, &row, monitor->receiver.tick);
     cli_view_note(&monitor->view, monitor->receiver.mode);
+    note(monitor->live, &row);
     if (as != NULL &&
         !cli_output_lines(&monitor->output, line, as->row(&row, line))) {
       return false;
@@ -128,7 +166,8 @@ static int send_commands(monitor_t *monitor) {
 static int follow_stream(monitor_t *monitor) {
   const cli_monitor_args_t *args = &monitor->args;
   const cli_board_commands_t *commands = &args->commands;
-  const bool live = args->as == NULL && cli_is_terminal(STDOUT_FILENO);
+  const bool live = monitor->live != NULL ||
+                    (args->as == NULL && cli_is_terminal(STDOUT_FILENO));
   while (!cli_stop_asked()) {
     size_t count = 0;
     const int sent = send_commands(monitor);
@@ -146,8 +185,7 @@ static int follow_stream(monitor_t *monitor) {
       return output_failed(monitor);
     }
     if (live) {
-      cli_view_poll(&monitor->view, &monitor->receiver, &monitor->decoder,
-                    monitor->source.name, now);
+      show(monitor, now);
     }
     // Rows of a slow board are flushed before the next wait.
     if (args->as != NULL && (found != CLI_SOURCE_BYTES ||
@@ -278,12 +316,16 @@ static int judge_stream(const monitor_t *monitor, int code) {
 }
 
 static int perform(monitor_t *monitor) {
+  char title[TITLE_ROOM];
   int code = open_both(monitor);
   if (code != CLI_DONE) {
     cli_source_close(&monitor->source);
     return code;
   }
+  monitor->live = monitor->args.live ? cli_live_open(LIVE_SPAN) : NULL;
   code = judge_stop(monitor, follow_stream(monitor));
+  write_title(monitor, title);
+  cli_live_close(monitor->live, title);
   if (monitor->args.as != NULL) {
     code = cli_output_end(&monitor->output, code);
   }

@@ -42,6 +42,13 @@ static int read_follow(void *to, const cli_given_t *option) {
   return CLI_DONE;
 }
 
+static int read_live(void *to, const cli_given_t *option) {
+  cli_monitor_args_t *args = to;
+  (void)option;
+  args->live = true;
+  return CLI_DONE;
+}
+
 static int read_baud(void *to, const cli_given_t *option) {
   cli_monitor_args_t *args = to;
   return cli_read_count(option, 1, MOST_BAUD, &args->baud);
@@ -77,10 +84,10 @@ static int take_source(void *to, const char *word) {
 }
 
 static const cli_option_t options[] = {
-    {"--as", read_as, CLI_ONCE},         {"--csv", read_csv, CLI_FLAG},
-    {"--follow", read_follow, CLI_FLAG}, {"--baud", read_baud, CLI_ONCE},
-    {"--out", read_out, CLI_ONCE},       {"--send", read_send, CLI_REPEATABLE},
-    {"--key", read_key, CLI_ONCE},
+    {"--as", read_as, CLI_ONCE},           {"--csv", read_csv, CLI_FLAG},
+    {"--follow", read_follow, CLI_FLAG},   {"--live", read_live, CLI_FLAG},
+    {"--baud", read_baud, CLI_ONCE},       {"--out", read_out, CLI_ONCE},
+    {"--send", read_send, CLI_REPEATABLE}, {"--key", read_key, CLI_ONCE},
 };
 
 int cli_monitor_args(cli_monitor_args_t *args, int argc, char *const argv[]) {
@@ -100,6 +107,9 @@ int cli_monitor_args(cli_monitor_args_t *args, int argc, char *const argv[]) {
   }
   if (args->commands.count == 1) {
     args->commands.count = 0;
+  }
+  if (args->live && args->as != NULL && args->out == NULL) {
+    return cli_message(CLI_USAGE, "--live --as: rows go to --out FILE only");
   }
   if (args->out != NULL && args->as == NULL) {
     return cli_message(CLI_USAGE, "--out %s: only with --as", args->out);

@@ -12,7 +12,7 @@ typedef struct {
   const char *out;        ///< of --as; NULL: standard output
   const cli_stream_t *as; ///< NULL: a live view
   uint64_t baud;          ///< 0: unchanged
-  bool follow;
+  bool follow, live;
   cli_board_commands_t commands;
 } cli_monitor_args_t;
 

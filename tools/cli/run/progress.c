@@ -13,10 +13,10 @@
 #define REDRAW 0.2     // [s] between messages on a terminal
 #define LOG_EVERY 10.0 // [s] between lines in a log
 
-cli_progress_t cli_progress_start(double now, int output) {
+cli_progress_t cli_progress_start(double now, int output, bool live) {
   const bool terminal = cli_is_terminal(STDERR_FILENO);
   const cli_progress_t progress = {
-      .silent = cli_is_terminal(output),
+      .silent = live || cli_is_terminal(output),
       .one_line = terminal,
       .started = now,
       .next = now + (terminal ? PATIENCE : LOG_EVERY)};

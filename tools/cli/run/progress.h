@@ -6,15 +6,16 @@
 #include "record.h"
 
 typedef struct {
-  bool silent;    ///< rows go to the same terminal
+  bool silent;    ///< rows or a picture go to the same terminal
   bool one_line;  ///< standard error is a terminal: the line is overwritten
   bool shown;     ///< the line is on the screen
   double started; ///< cli_now()
   double next;    ///< cli_now() of the next message
 } cli_progress_t;
 
-/// Starts it. output: descriptor that the rows go to.
-cli_progress_t cli_progress_start(double now, int output);
+/// Starts it. output: descriptor that the rows go to. live: a picture shows the
+/// progress itself.
+cli_progress_t cli_progress_start(double now, int output, bool live);
 
 /// Prints a message if it is time for one.
 void cli_progress_poll(cli_progress_t *progress, double now,

@@ -5,6 +5,7 @@
 #define TWOFOLD_CLI_RECORD_H
 
 #include "../host/output.h"
+#include "../live/live.h"
 #include "../setup/scheme.h"
 #include "events.h"
 #include "row.h"
@@ -44,10 +45,15 @@ typedef struct {
   double output_seconds;    ///< wall time of the output
   double idle_seconds;      ///< wall time spent waiting
   cli_output_t output;
+  cli_live_t *live; ///< the picture, or NULL
+  bool rowless;     ///< the terminal shows the picture in place of rows
 } cli_run_t;
 
 /// Time after the given number of steps, rounded once [s].
 double cli_run_time(const cli_run_t *run, uint64_t steps);
+
+/// Shows the state in the picture, if there is one.
+void cli_run_show(const cli_run_t *run);
 
 /// Counts a finished step, and makes its report the last one.
 /// after: in, the report of the step; run->done counts the step already.

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "../host/host.h"
 #include "../text/message.h"
@@ -22,6 +23,10 @@
 #define LIVE_EVERY 0.02 // [s], FLUSH_EVERY of a run in real time
 
 static void write_row(cli_run_t *run) {
+  if (run->rowless) {
+    run->written = run->done;
+    return;
+  }
   char row[CLI_ROW_ROOM];
   uint8_t frames[CLI_FRAMES_ROOM];
   const char *bytes = row;
@@ -112,8 +117,9 @@ static void step_through(cli_run_t *run) {
   const double started = cli_now();
   const double flush_every = run->real_time ? LIVE_EVERY : FLUSH_EVERY;
   cli_progress_t progress =
-      cli_progress_start(started, run->output.to.descriptor);
+      cli_progress_start(started, run->output.to.descriptor, run->live != NULL);
   run->start = started;
+  cli_run_show(run);
   write_row(run);
   while (run->done < run->steps && run->end == CLI_ENDED) {
     take_batch(run);
@@ -125,6 +131,9 @@ static void step_through(cli_run_t *run) {
       run->output_seconds += cli_now() - now;
     }
     cli_progress_poll(&progress, now, run);
+    if (cli_live_due(run->live, now)) {
+      cli_live_draw(run->live, run->setup->scene->name, now);
+    }
   }
   run->seconds = cli_now() - started - run->output_seconds - run->idle_seconds;
   cli_progress_clear(&progress);
@@ -134,6 +143,9 @@ static void step_through(cli_run_t *run) {
 }
 
 static void write_header(cli_run_t *run) {
+  if (run->rowless) {
+    return;
+  }
   char header[CLI_ROW_ROOM];
   uint8_t frames[CLI_FRAMES_ROOM];
   if (run->format == CLI_FORMAT_FRAMES) {
@@ -148,13 +160,17 @@ static void write_header(cli_run_t *run) {
 }
 
 // Opens the output, runs, closes the output and prints the summary.
-static int perform(cli_run_t *run, const char *path) {
+static int perform(cli_run_t *run, const char *path, bool live) {
   const int code = cli_output_begin(&run->output, "--out", path);
   if (code != CLI_DONE) {
     return code;
   }
+  run->live = live ? cli_live_open(cli_run_time(run, run->steps)) : NULL;
+  run->rowless =
+      run->live != NULL && run->output.to.descriptor == STDOUT_FILENO;
   write_header(run);
   step_through(run);
+  cli_live_close(run->live, run->setup->scene->name);
   if (!cli_output_close(&run->output, run->end == CLI_ENDED)) {
     run->end = CLI_NOT_WRITTEN;
   }
@@ -208,7 +224,7 @@ int cli_run(int argc, char *const argv[]) {
   run->events.limit = args.listed;
   run->end = CLI_ENDED;
   cli_setup_notes(&setup, args.scheme->unused, args.scheme->why);
-  code = perform(run, args.out);
+  code = perform(run, args.out, args.live);
   cli_events_free(&run->events);
   free(run);
   return code;

@@ -92,6 +92,13 @@ static int read_real_time(void *to, const cli_given_t *option) {
   return CLI_DONE;
 }
 
+static int read_live(void *to, const cli_given_t *option) {
+  cli_run_args_t *args = to;
+  (void)option;
+  args->live = true;
+  return CLI_DONE;
+}
+
 static int take(void *to, const char *word) {
   cli_run_args_t *args = to;
   return cli_take_scene(&args->scene, word);
@@ -109,6 +116,7 @@ static const cli_option_t options[] = {
     {"--out", read_out, CLI_ONCE},
     {"--events", read_events, CLI_ONCE},
     {"--realtime", read_real_time, CLI_FLAG},
+    {"--live", read_live, CLI_FLAG},
 };
 
 int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]) {

@@ -17,6 +17,7 @@ typedef struct {
   cli_format_t format;
   uint64_t every;         ///< steps between two rows, >= 1
   uint64_t listed;        ///< number of events that the summary lists
+  bool live;              ///< a picture in the terminal
   bool real_time;         ///< every step waits for its time on the clock
   tf_real_t t_end;        ///< [s]
   const char *t_end_text; ///< as typed, NULL: the scene's own

@@ -187,7 +187,7 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
 // No field needs quotes, which not every reader of CSV knows.
 static void drop_commas(char *text) {
   for (; *text != '\0'; text++) {
-    if (*text == ',') {
+    if (*text == ',' || *text == '\n') {
       *text = ';';
     }
   }

@@ -20,7 +20,12 @@ int cli_message(int code, const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
   if (diverted != NULL) {
-    (void)vsnprintf(diverted, diverted_room, format, arguments);
+    size_t used = strlen(diverted);
+    if (used > 0 && used + 1 < diverted_room) {
+      memcpy(diverted + used, "\n", 2);
+      used++;
+    }
+    (void)vsnprintf(diverted + used, diverted_room - used, format, arguments);
   } else {
     (void)fputs("twofold: ", stderr);
     (void)vfprintf(stderr, format, arguments);

@@ -30,9 +30,9 @@ enum {
 /// Returns: code, so that a failing path is a single return statement.
 int cli_message(int code, const char *format, ...) CLI_PRINTF(2, 3);
 
-/// From now on a message becomes the text in `out`, without "twofold: " and the
-/// newline, and nothing is written; NULL: standard error again. out: kept; with
-/// its terminating zero, cut off at room.
+/// From now on a message is appended to the text in `out`, without "twofold: ",
+/// a newline before it if it is not the first, and nothing is written; NULL:
+/// standard error again. out: in/out, kept, zero-terminated; cut off at room.
 void cli_message_divert(char *out, size_t room);
 
 /// Flushes standard output and prints a message if that fails.

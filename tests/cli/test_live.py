@@ -1,0 +1,268 @@
+#!/usr/bin/python3 -B
+"""`--live` of `run` and `monitor` behind a pseudo-terminal: what is drawn fits
+the screen, follows its size and shows every mode that was visited; the terminal
+is given back whatever ends the program; and where there is no terminal there is
+not one escape code.
+
+usage: test_live.py [WORD]...     tests whose names contain one of the words
+
+TWOFOLD is the command line."""
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests" / "support"))
+
+from tap import check, run  # noqa: E402
+from terminal import Terminal  # noqa: E402
+
+TWOFOLD = str(Path(os.environ.get(
+    "TWOFOLD", ROOT / "build" / "double" / "twofold")).resolve())
+LONG = [TWOFOLD, "run", "chaos", "--live", "--realtime", "--dt", "1e-3",
+        "--t-end", "1000"]
+SHORT = [TWOFOLD, "run", "chaos", "--live", "--t-end", "10", "--events", "0"]
+LANES = ["slip+", "slip-", "stick+", "stick-", "pinned", "futures"]
+MARKS = dict(zip(LANES, "+-PMo?"))
+
+
+def plain(*words, **options):
+    """The program where its output is no terminal."""
+    return subprocess.run([str(word) for word in words], check=False,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, **options)
+
+
+def lanes_of(lines):
+    """The lanes of a picture by their names, without these."""
+    found = {}
+    for line in lines:
+        name = line.split(" ")[0]
+        if name in LANES and line[:9].strip() == name:
+            found.setdefault(name, line[9:])  # the summary has a `futures`
+    return found
+
+
+def planes_of(lines):
+    """The rows of cells of both planes."""
+    return [tuple(re.split("[│|]", line)[1:]) for line in lines
+            if line[:1] in "│|"]
+
+
+def shows_planes_and_lanes():
+    for columns, rows in (80, 24), (133, 50), (40, 15), (300, 100):
+        with Terminal(LONG, columns, rows) as terminal:
+            lines = terminal.drawn(5)
+            check(len(lines) <= rows, f"{len(lines)} lines of {rows}")
+            check(list(lanes_of(lines)) == LANES, terminal.text())
+            planes = planes_of(lines)
+            check(len(planes) == min(rows - 11, 128), f"{len(planes)} rows")
+            check(all(any("\u2800" <= cell <= "\u28ff" or cell == "●"
+                          for row in planes for cell in row[side])
+                      for side in (0, 1)), terminal.text())
+            check(sum(row[side].count("●") for row in planes
+                      for side in (0, 1)) == 2, "where it is now, in each")
+            terminal.signal()
+            check(terminal.end() == 4, "code of an interrupted run")
+
+
+def visited(*more):
+    """Modes of the rows of a run, and whether it had several futures."""
+    out = plain(TWOFOLD, "run", *more).stdout.decode().splitlines()[1:]
+    modes = {line.split(",")[8] for line in out}
+    futures = any(int(line.split(",")[9]) > 1 for line in out)
+    return modes | ({"futures"} if futures else set())
+
+
+def lanes_are_the_modes_of_the_rows():
+    for words in (["chaos", "--t-end", "10"], ["coulomb", "--t-end", "3"],
+                  ["chaos", "--t-end", "0.003"],
+                  ["chaos", "--set", "omega=-1", "--set", "h=0"]):
+        with Terminal([TWOFOLD, "run", *words, "--live"]) as terminal:
+            check(terminal.end() == 0, "code")
+            lanes = lanes_of(terminal.screen.lines())
+            shown = {name for name, cells in lanes.items() if cells.strip()}
+            check(shown == visited(*words), f"{words}: {shown}")
+
+
+def stays_at_the_end():
+    with Terminal(SHORT) as terminal:
+        check(terminal.end() == 0, "code")
+        check(terminal.is_given_back(), "the terminal is not given back")
+        check(set(lanes_of(terminal.screen.lines())) == set(LANES),
+              "the last picture stays on the page")
+        check("steps      " in terminal.text(), "the summary follows")
+        check("t,r,v" not in terminal.text(), "no rows in the picture")
+
+
+def gives_back_on(number, code):
+    def test():
+        with Terminal(LONG) as terminal:
+            terminal.drawn(2)
+            check(not terminal.screen.cursor and terminal.screen.other,
+                  "it takes the terminal")
+            terminal.signal(number)
+            check(terminal.end() == code, "code")
+            check(terminal.is_given_back(), "not given back")
+    return test
+
+
+def gives_back_before_a_second_signal():
+    """The first signal alone puts the terminal in order: where the program
+    then hangs, here in a full pipe, a second one kills it."""
+    with tempfile.TemporaryDirectory() as folder:
+        fifo = Path(folder) / "fifo"
+        os.mkfifo(fifo)
+        reader = os.open(fifo, os.O_RDONLY | os.O_NONBLOCK)
+        words = [TWOFOLD, "run", "chaos", "--live", "--dt", "1e-6", "--t-end",
+                 "1000", "--out", fifo]
+        with Terminal(words) as terminal:
+            terminal.until(lambda: terminal.screen.other, "the page")
+            terminal.signal()
+            terminal.until(terminal.is_given_back, "the terminal is back")
+            terminal.signal()
+            code = terminal.end()
+            check(code in (-signal.SIGINT, 4), f"code {code}")
+            check(terminal.is_given_back(), "not given back")
+        os.close(reader)
+
+
+def follows_the_size():
+    with Terminal(LONG, 80, 24) as terminal:
+        terminal.drawn(2)
+        for columns, rows in (120, 40), (50, 20), (30, 8), (80, 24):
+            terminal.screen.strict = False  # one of the old size may come
+            terminal.resize(columns, rows)
+            terminal.drawn(2)
+            terminal.screen.strict = True
+            lines = terminal.drawn(2)
+            check(len(lines) <= rows and
+                  max(map(len, lines)) <= columns, terminal.text())
+            small = columns < 40 or rows < 15
+            check(bool(lanes_of(lines)) != small, terminal.text())
+            check(("(the planes need" in "".join(lines)) == small,
+                  terminal.text())
+
+
+def ascii_without_utf8():
+    for names in ({"LANG": "C"}, {"LANG": ""}, {"LANG": "de_DE.ISO-8859-1"},
+                  {"LC_ALL": "C", "LANG": "C.UTF-8"},
+                  {"LC_CTYPE": "POSIX", "LANG": "C.UTF-8"}):
+        with Terminal(SHORT, **names) as terminal:
+            check(terminal.end() == 0, "code")
+            check(terminal.all.isascii(), f"{names}: not ASCII")
+            for name, cells in lanes_of(terminal.screen.lines()).items():
+                check(set(cells.strip()) <= {MARKS[name], " "}, cells)
+            planes = planes_of(terminal.screen.lines())
+            check("".join(a + b for a, b in planes).count("@") == 2, "now")
+    for names in ({"LANG": "de_DE.utf8"}, {"LC_CTYPE": "C.UTF-8", "LANG": ""}):
+        with Terminal(SHORT, **names) as terminal:
+            check(terminal.end() == 0, "code")
+            check(not terminal.all.isascii(), f"{names}: is ASCII")
+
+
+def colours():
+    for value, coloured in ("", True), ("1", False):
+        with Terminal(SHORT, NO_COLOR=value) as terminal:
+            check(terminal.end() == 0, "code")
+            check((b"\x1b[33m" in terminal.all) == coloured,
+                  f"NO_COLOR='{value}'")
+
+
+def quiet_without_a_terminal():
+    rows = plain(TWOFOLD, "run", "chaos", "--t-end", "1").stdout
+    done = plain(TWOFOLD, "run", "chaos", "--t-end", "1", "--live")
+    check(done.returncode == 0 and done.stdout == rows, "rows as without it")
+    check(b"\x1b" not in done.stdout + done.stderr, "an escape code")
+    told = [line for line in done.stderr.decode().splitlines()
+            if "--live" in line]
+    check(len(told) == 1 and "needs a terminal" in told[0], str(told))
+    frames = plain(TWOFOLD, "run", "chaos", "--t-end", "1", "--format",
+                   "frames").stdout
+    done = plain(TWOFOLD, "monitor", "-", "--live")
+    check(b"\x1b" not in done.stdout + done.stderr, "an escape code")
+    with tempfile.NamedTemporaryFile() as file:
+        file.write(frames)
+        file.flush()
+        done = plain(TWOFOLD, "monitor", file.name, "--live")
+        check(done.returncode == 0 and done.stdout == b"", "code")
+        check(done.stderr.count(b"--live needs a terminal") == 1, "a line")
+    for term in "dumb", "":
+        with Terminal([*SHORT, "--every", "50000"], TERM=term) as terminal:
+            check(terminal.end() == 0 and b"\x1b" not in terminal.all,
+                  f"TERM={term}")
+            check("--live needs a terminal" in terminal.text(), "it says so")
+
+
+def rows_go_to_a_file():
+    rows = plain(TWOFOLD, "run", "chaos", "--t-end", "2").stdout
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "rows.csv"
+        with Terminal([TWOFOLD, "run", "chaos", "--t-end", "2", "--live",
+                       "--out", path]) as terminal:
+            check(terminal.end() == 0, "code")
+            check(lanes_of(terminal.screen.lines()), "no picture")
+        check(path.read_bytes() == rows, "other rows than without --live")
+
+
+def monitor_draws_a_stream():
+    frames = plain(TWOFOLD, "run", "chaos", "--t-end", "3", "--format",
+                   "frames").stdout
+    half = len(frames) // 2
+    reader, writer = os.pipe()
+    with Terminal([TWOFOLD, "monitor", "-", "--live"], 100, 30,
+                  stdin=reader) as terminal:
+        os.close(reader)
+        check("(nothing yet)" in terminal.drawn(), "before the first frame")
+        with os.fdopen(writer, "wb") as pipe:
+            pipe.write(frames[:half])
+            pipe.flush()
+            terminal.until(lambda: set(lanes_of(terminal.screen.lines())) ==
+                           set(LANES), "lanes")
+            check("scene chaos;" in terminal.screen.lines()[0], "the sender")
+            pipe.write(frames[half:half + 40] + frames[half + 60:])
+        check(terminal.end() == 6, "a frame was broken")
+        check(terminal.is_given_back(), "not given back")
+        check("t = 3.0000 s" in terminal.text(), terminal.text())
+        check(re.search(r"frames, 1 broken, \d+ lost", terminal.text()),
+              terminal.text())
+    done = plain(TWOFOLD, "monitor", "-", "--live", "--csv")
+    check(done.returncode == 2 and b"--out FILE" in done.stderr, "code 2")
+
+
+def monitor_keeps_messages():
+    """What is said while the picture is there is printed at the end, too."""
+    master, end = os.openpty()
+    with Terminal([TWOFOLD, "monitor", os.ttyname(end), "--live"],
+                  columns=90) as terminal:
+        terminal.drawn(1)
+        os.close(end)
+        os.close(master)
+        check(terminal.end() == 4, "code")
+        check(terminal.is_given_back(), "not given back")
+        check("the device went away" in terminal.text(), terminal.text())
+
+
+TESTS = [("planes and lanes fit every size", shows_planes_and_lanes),
+         ("lanes are the modes of the rows", lanes_are_the_modes_of_the_rows),
+         ("the last picture stays", stays_at_the_end),
+         ("SIGINT gives the terminal back", gives_back_on(signal.SIGINT, 4)),
+         ("SIGTERM gives the terminal back", gives_back_on(signal.SIGTERM, 4)),
+         ("SIGHUP gives the terminal back", gives_back_on(signal.SIGHUP, 4)),
+         ("the first signal is enough", gives_back_before_a_second_signal),
+         ("the picture follows the size", follows_the_size),
+         ("ASCII where UTF-8 is not known", ascii_without_utf8),
+         ("colours unless NO_COLOR", colours),
+         ("no terminal, no escape code", quiet_without_a_terminal),
+         ("rows go to a file", rows_go_to_a_file),
+         ("monitor draws a stream", monitor_draws_a_stream),
+         ("monitor keeps messages", monitor_keeps_messages)]
+
+if __name__ == "__main__":
+    wanted = sys.argv[1:]
+    sys.exit(run([(name, test) for name, test in TESTS
+                  if not wanted or any(word in name for word in wanted)]))
