@@ -86,8 +86,8 @@ class Screen:
         elif letter == "\r":
             self.column = 0
         else:
-            if self.strict and self.other and not (self.column < self.columns and
-                                   self.row < self.rows):
+            inside = self.column < self.columns and self.row < self.rows
+            if self.strict and self.other and not inside:
                 raise AssertionError(f"'{letter}' beyond the edge, at "
                                      f"{self.row}, {self.column}")
             self.cells()[self.row, self.column] = letter

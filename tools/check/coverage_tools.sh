@@ -19,6 +19,9 @@ export TIMEOUT=900
 quietly "$MAKE" --no-print-directory CC=gcc BUILD="$place" OPT=-O0 \
   EXTRA=--coverage TESTS="$(echo "$tests" | tr '\n' ' ')" test ||
   wrong 'tests fail'
+# What is drawn in a terminal has its test in Python.
+TWOFOLD=$place/double/twofold quietly tests/cli/test_live.py ||
+  wrong 'tests of --live fail'
 report() {
   gcovr --filter tools/cli/ --filter tools/hil/ --filter port/ "$@" "$place"
 }

@@ -27,13 +27,14 @@ void cli_guard_descriptors(void);
 /// of write, not a signal.
 void cli_catch_signals(void);
 
-/// From now on a signal that asks for a stop also writes these bytes to standard
-/// output, before anything else happens: what puts a terminal back in order must
-/// not wait, for a second signal kills. NULL: nothing. bytes: in, kept.
+/// From now on a signal that asks for a stop also writes these bytes to
+/// standard output, before anything else happens: what puts a terminal back in
+/// order must not wait, for a second signal kills. NULL: nothing.
+/// bytes: in, kept.
 void cli_restore_on_stop(const char *bytes);
 
-/// Size of the terminal at standard output, as it is now; 80 by 24 where it does
-/// not tell.
+/// Size of the terminal at standard output, as it is now; 80 by 24 where it
+/// does not tell.
 void cli_terminal_size(int *columns, int *rows);
 
 /// Whether a signal has asked for a stop.

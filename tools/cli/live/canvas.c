@@ -52,8 +52,8 @@ void cli_canvas_axes(cli_canvas_t *canvas) {
 }
 
 char cli_pen_mark(unsigned mode) {
-  static const char marks[TF_MODES + 1] = "+-PMo";
-  return mode < TF_MODES ? marks[mode] : '?';
+  static const char marks[TF_MODES + 2] = "+-PMo?";
+  return marks[mode < TF_MODES ? mode : TF_MODES];
 }
 
 // Colours of every terminal; those of the modes differ in brightness, too.

@@ -45,7 +45,7 @@ void cli_canvas_row(const cli_canvas_t *canvas, int row, const cli_pen_t *pen,
 /// The colour of an ink from here on; ink 0: that of plain text.
 void cli_pen_colour(const cli_pen_t *pen, unsigned ink, cli_buffer_t *text);
 
-/// The mark of a mode in ASCII.
+/// The mark of a mode in ASCII; from TF_MODES on that of several futures.
 char cli_pen_mark(unsigned mode);
 
 #endif

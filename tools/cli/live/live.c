@@ -164,7 +164,7 @@ static unsigned modes_in(const cli_live_t *live, int column, int columns) {
 static void add_lane(const cli_live_t *live, unsigned lane, int columns,
                      cli_buffer_t *text) {
   const cli_pen_t *pen = &live->screen.pen;
-  char mark[4] = {lane < TF_MODES ? cli_pen_mark(lane) : '?', '\0'};
+  char mark[2] = {cli_pen_mark(lane), '\0'};
   char label[LABEL + 1];
   (void)snprintf(label, sizeof label, "%-*s", LABEL,
                  lane < TF_MODES ? tf_mode_name(lane) : "futures");

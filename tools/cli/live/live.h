@@ -8,7 +8,8 @@
 
 typedef struct cli_live cli_live_t;
 
-/// An instant of the motion. t does not decrease, but where a new motion begins.
+/// An instant of the motion. t does not decrease, except where a new motion
+/// begins.
 typedef struct {
   double t, r, v, omega, h, g;
   unsigned mode, choices;

@@ -38,8 +38,8 @@ static void put(const char *text, bool drawing) {
   }
 }
 
-// As the C library finds the character set, which this program does not ask: its
-// numbers have to be those of the locale "C".
+// As the C library finds the character set, which this program does not ask:
+// its numbers have to be those of the locale "C".
 static bool takes_utf8(void) {
   static const char *const names[] = {"LC_ALL", "LC_CTYPE", "LANG"};
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
