@@ -103,6 +103,25 @@ static int prepare(point_t *point, uint64_t *steps) {
   return code;
 }
 
+// All of a scene that a motion depends on.
+static uint32_t hash_of(const cli_setup_t *setup) {
+  const tf_scene_t *scene = setup->scene;
+  char text[CLI_SWEEP_ROW];
+  cli_trailer_t sum = {0};
+  int length =
+      snprintf(text, sizeof text, "%08x %a %a %a %a %d",
+               (unsigned)tf_params_hash(&setup->params), (double)scene->r,
+               (double)scene->v, (double)scene->omega, (double)scene->h,
+               (int)scene->v_is_given);
+  cli_trailer_add(&sum, text, (size_t)length, 0);
+  for (unsigned i = 0; i < scene->knots; i++) {
+    length = snprintf(text, sizeof text, " %a %a", (double)scene->profile[i].t,
+                      (double)scene->profile[i].omega0);
+    cli_trailer_add(&sum, text, (size_t)length, 0);
+  }
+  return sum.crc;
+}
+
 // An end of every axis, by a message that names the axis and its range.
 static int check_end(const cli_sweep_args_t *args, bool last, uint32_t *hash) {
   point_t point = {0};
@@ -120,17 +139,8 @@ static int check_end(const cli_sweep_args_t *args, bool last, uint32_t *hash) {
     code = cli_setup_check_starts(&point.setup);
   }
   if (code == CLI_DONE && !last) {
-    const cli_setup_t *setup = &point.setup;
-    char text[CLI_SWEEP_ROW];
-    cli_trailer_t sum = {0};
-    const int length = snprintf(
-        text, sizeof text, "%08x %a %a %a %a %d", //
-        (unsigned)tf_params_hash(&setup->params), (double)args->scene->r,
-        (double)args->scene->v, (double)args->scene->omega,
-        (double)args->scene->h, (int)args->scene->v_is_given);
-    cli_trailer_add(&sum, text, (size_t)length, 0);
-    *hash = sum.crc;
-    cli_setup_notes(setup, args->scheme->unused, args->scheme->why);
+    *hash = hash_of(&point.setup);
+    cli_setup_notes(&point.setup, args->scheme->unused, args->scheme->why);
   }
   return code;
 }
