@@ -22,6 +22,9 @@ MAKEFLAGS += --no-builtin-rules -j$(shell nproc 2>/dev/null || echo 2)
 # The parts.
 CORE := $(wildcard src/*/*.c)
 CLI := $(wildcard tools/*.c tools/cli/*.c tools/cli/*/*.c)
+# Of it, what reads a scene by its name or from a file.
+SCENE_READER := $(wildcard tools/cli/setup/scene*.c tools/cli/text/*.c) \
+  tools/cli/setup/names.c
 SUPPORT := $(wildcard tests/support/*.c)
 TEST_ROOMS := tests/unit/* tests/cli tests/line tests/law tests/golden \
   tests/regress
@@ -50,7 +53,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help run test quick all clean FORCE $(VARIANTS:%=line-%) line-csv
+.PHONY: help run test quick all clean FORCE $(VARIANTS:%=line-%) line-csv own-scene
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -76,7 +79,7 @@ VERIFY_MAKEFILES := tools/check/check.mk tools/fuzz/fuzz.mk \
 # A target for users says what it does after `##`, on a line of its own; one
 # that only makefiles and scripts use has no such line and is named here or
 # beside its rule.
-HELPERS := FORCE $(VARIANTS:%=line-%) line-csv
+HELPERS := FORCE $(VARIANTS:%=line-%) line-csv own-scene
 define group
 	@echo; echo '$(1)'
 	@sed -nE 's/^([a-z-]+): ## (.*)/  make \1\t\2/p' $(2) | expand -t 25
@@ -152,11 +155,12 @@ run: $(BUILD)/double/twofold
 LINE := $(if $(filter tests/line/test_line.c tests/line/test_hostile.c \
   tests/line/test_hil.sh,$(TESTS)),\
   $(foreach v,$(VARIANTS),$(BUILD)/$(v)/hil line-$(v)))
+LINE += $(if $(filter tests/line/test_own_scene.sh,$(TESTS)),own-scene)
 LINE += $(if $(filter tests/line/test_streams.sh,$(TESTS)),line-csv \
   $(BUILD)/double/accepted)
 line_firmware = @MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf \
   BOARD=host CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' \
-  SCENE=chaos RATE=1000 $(1)
+  SCENE=$(or $(2),chaos) RATE=1000 $(1)
 $(VARIANTS:%=line-%): line-%: $(BUILD)/%/constants
 	$(call line_firmware,REAL=$* EVERY=1 STEPS=0 FORMAT=frames UPLINK=yes \
 	  NAMED=-line)
@@ -166,6 +170,10 @@ line-csv: $(BUILD)/float/constants
 $(BUILD)/double/accepted: $(BUILD)/double/tools/protocol/accepted.o \
     $(BUILD)/double/libtwofold.a
 	$(link)
+
+own-scene: $(BUILD)/double/constants
+	$(call line_firmware,REAL=double EVERY=1 STEPS=2000 FORMAT=frames \
+	  NAMED=-own,tests/data/own.scene)
 
 # The command line, for the tests that start it.
 TWOFOLD := $(BUILD)/double/twofold

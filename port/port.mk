@@ -1,6 +1,7 @@
 # Firmware. Included by the Makefile.
 #
-#   SCENE=           a scene, or `generic`: all of them, chosen by START; by
+#   SCENE=           a scene, by its name or its file (one with a . or a / in
+#                    its name), or `generic`: all of them, chosen by START; by
 #                    default `chaos`, or the first that the board has room for
 #   START=chaos      the scene that a generic firmware runs
 #   BOARD=host       a folder of port/
@@ -35,7 +36,9 @@ BOARD_OPT ?= -Os
 # The constants of a scene are computed on the host. Test programs keep the dt
 # of the scene.
 $(VARIANTS:%=$(BUILD)/%/constants): $(BUILD)/%/constants: \
-    $(BUILD)/%/tools/firmware/constants.o $(BUILD)/%/libtwofold.a
+    $(BUILD)/%/tools/firmware/main.o $(BUILD)/%/tools/firmware/constants.o \
+    $(addprefix $(BUILD)/%/,$(SCENE_READER:.c=.o)) \
+    $(BUILD)/%/libtwofold.a
 	$(link)
 
 .PHONY: firmware boards test-boards deps elf boards-list
@@ -97,7 +100,7 @@ SCHEME ?= compensated
 endif
 endif
 SCHEME ?= moreau
-PLACE := $(BUILD)/boards/$(BOARD)/$(SCENE)-$(REAL)
+PLACE := $(BUILD)/boards/$(BOARD)/$(notdir $(SCENE))-$(REAL)
 # NAMED tells programs of one kind apart.
 FIRMWARE := $(PLACE)/$(PROGRAM)$(NAMED).elf
 
@@ -161,10 +164,13 @@ FIRMWARE_FLAGS += \
 else
 CONSTANTS := $(PLACE)/constants$(FIRMWARE_RATE).h
 FIRMWARE_FLAGS += -DSCENE_HEADER='"constants$(FIRMWARE_RATE).h"'
-$(CONSTANTS): $(BUILD)/$(REAL)/constants
+# Of a file they may be others each time, also those of a file of the same name.
+$(CONSTANTS): $(BUILD)/$(REAL)/constants \
+    $(if $(findstring .,$(SCENE))$(findstring /,$(SCENE)),FORCE)
 	@mkdir -p $(@D)
-	@$< $(SCENE) $(FIRMWARE_RATE) >$@.new
-	@mv $@.new $@
+	@new=$@.$$$$; $< '$(SCENE)' $(FIRMWARE_RATE) >$$new || \
+	  { code=$$?; rm $$new; exit $$code; }; \
+	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
 endif
 
 $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \

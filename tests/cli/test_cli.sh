@@ -36,7 +36,7 @@ listed() { grep -cE "^  [0-9]${1-}" err; }
 
 # Commands.
 expect 2 'which command'
-expect 2 "unknown command 'scene'&'scenes'" scene
+expect 2 "unknown command 'scnes'&'scenes'" scnes
 for words in help --help --version scenes 'help run' 'run --help'; do
   # shellcheck disable=SC2086  # two words are two arguments
   runs $words

@@ -75,6 +75,22 @@ def bits_of(scene, version):
     return test
 
 
+def from_a_file():
+    """A scene from a file, with what only a file can change: the law of rest,
+    the profile and the length."""
+    make = os.environ.get("MAKE", "make")
+    given = [f"{k}={os.environ[k]}" for k in ("OPT", "CC", "EXTRA")
+             if os.environ.get(k)]
+    file = "tests/data/own.scene"
+    subprocess.run([make, "-s", "-C", ROOT, "fmu", f"BUILD={BUILD}",
+                    f"SCENE={file}", *given], check=True,
+                   stdout=subprocess.DEVNULL)
+    expected = rows(ROOT / file, "--every", "25")
+    check(expected[-1][0] == 2, "length")
+    for version in "23":
+        same_bits(instance(version, "own.scene").begin(), expected, 25)
+
+
 def settings(version):
     """Options of the command line, and the same values of the FMU."""
     cases = [
@@ -223,7 +239,7 @@ TESTS = [(f"{scene}_under_fmi_{v}_has_the_bits_of_the_command_line",
 TESTS += [(f"{test.__name__}_under_fmi_{v}", lambda t=test, v=v: t(v))
           for test in (settings, other_step, restored, futures) for v in "23"]
 TESTS += [(test.__name__, test)
-          for test in (events_in_order, future_in_event_mode)]
+          for test in (events_in_order, future_in_event_mode, from_a_file)]
 TESTS += test_calls.tests(lambda v: archive("chaos", v))
 TESTS += test_archive.tests(ROOT, BUILD, archive, rows, same_bits)
 

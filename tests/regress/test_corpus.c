@@ -72,10 +72,16 @@ TEST(corpus_of_arguments_keeps_the_promises) {
   replay_target("tests/corpus/arguments", "crash-arguments-", fuzz_arguments);
 }
 
+TEST(corpus_of_scenes_keeps_the_promises) {
+  CHECK(freopen("/dev/null", "w", stderr) != NULL);
+  replay_target("tests/corpus/scene", "crash-scene-", fuzz_scene);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(corpus_of_machines_keeps_the_promises);
   RUN(corpus_of_frames_keeps_the_promises);
   RUN(corpus_of_arguments_keeps_the_promises);
+  RUN(corpus_of_scenes_keeps_the_promises);
   return tap_end();
 }

@@ -1,12 +1,8 @@
 /* See firmware_start.h. The core in here is local to this file. */
 #include "../../port/core.h" /* NOLINT(bugprone-suspicious-include) */
 /* After the core, whose functions are local. */
-#include "firmware_start.h"
-
-int constants_main(int argc, char **argv);
-#define main constants_main
 #include "../../tools/firmware/constants.c" /* NOLINT */
-#undef main
+#include "firmware_start.h"
 
 const uint8_t chosen_scene = 0;
 
@@ -16,5 +12,5 @@ bool generic_firmware_start(const tf_scene_t *scene, tf_state_t *state,
 }
 
 int write_firmware_constants(FILE *out, const tf_scene_t *scene) {
-  return write_header(out, scene, NULL);
+  return constants_of_firmware(out, scene, NULL);
 }

@@ -2,7 +2,8 @@
 // options, its help page. The command line is made of these folders; each line
 // includes only folders below it (check `arrows` has the same table):
 //
-//   .          command (this table), help (overview, scenes, version)
+//   .          command (this table), help (overview, version), the commands
+//              `scenes` and `scene`
 //   monitor/   the command `monitor`: frames of a board become rows or a live
 //              view, and commands are sent to it; takes only row.h of run/
 //   run/       the command `run`: loop, rows, frames, events, progress, summary
@@ -13,8 +14,8 @@
 //              the steppers random, perturbed and lagged, diverge
 //   sweep/     the command `sweep`: one row for each point of a grid of
 //              settings; takes only events.h of run/
-//   setup/     a scene with --set and --select becomes a machine with its
-//              initial state; the schemes and their names
+//   setup/     a scene, by its name or from a file, with --set and --select
+//              becomes a machine with its initial state; schemes, names
 //   live/      --live of run and monitor: planes and modes in a terminal
 //   host/      what POSIX provides: clock, signals, output files, serial lines
 //   text/      messages, numbers, options, text in buffers
@@ -38,6 +39,7 @@
 #include "monitor/monitor_help.h"
 #include "run/run.h"
 #include "run/run_help.h"
+#include "scenes.h"
 #include "sweep/sweep.h"
 #include "sweep/sweep_help.h"
 #include "text/closest.h"
@@ -53,6 +55,7 @@ static int perform_help(int argc, char *const argv[]);
 
 static const command_t commands[] = {
     {"scenes", cli_scenes, NULL},
+    {"scene", cli_scene, cli_scene_help},
     {"run", cli_run, cli_run_help},
     {"monitor", cli_monitor, cli_monitor_help},
     {"singularities", cli_singularities, cli_singularities_help},

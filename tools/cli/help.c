@@ -1,9 +1,8 @@
-// The overview of the commands, the list of scenes and the version.
+// The overview of the commands, and the version.
 
 #include "help.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "text/message.h"
 #include "twofold.h"
@@ -18,6 +17,7 @@ static const char overview[] =
     "usage: twofold COMMAND\n"
     "\n"
     "  scenes             list the scenes\n"
+    "  scene SCENE [...]  print a scene as a file that can be changed\n"
     "  run SCENE [...]    simulate a scene, one row per instant\n"
     "  monitor FILE [...] decode frames from a board, a file or a pipe\n"
     "  singularities SCENE  all two-folds, as JSON\n"
@@ -37,21 +37,5 @@ void cli_overview(void) { (void)fputs(overview, stdout); }
 
 int cli_version(void) {
   (void)puts("twofold " TF_VERSION ", tf_real_t is " NUMBER_TYPE);
-  return cli_finish_stdout();
-}
-
-int cli_scenes(int argc, char *const argv[]) {
-  int width = 0;
-  if (argc > 0) {
-    return cli_message(CLI_USAGE, "scenes: unexpected argument '%s'", argv[0]);
-  }
-  for (size_t i = 0; i < TF_SCENES; i++) {
-    const int length = (int)strlen(tf_scenes[i]->name);
-    width = length > width ? length : width;
-  }
-  for (size_t i = 0; i < TF_SCENES; i++) {
-    (void)printf("%-*s  %s (leaves out: %s)\n", width, tf_scenes[i]->name,
-                 tf_scenes[i]->shows, tf_scenes[i]->leaves_out);
-  }
   return cli_finish_stdout();
 }

@@ -1,5 +1,5 @@
 /// @file
-/// The overview of the commands, the list of scenes and the version.
+/// The overview of the commands, and the version.
 #ifndef TWOFOLD_CLI_HELP_H
 #define TWOFOLD_CLI_HELP_H
 
@@ -8,8 +8,5 @@ void cli_overview(void);
 
 /// `twofold --version`. Returns: the exit code.
 int cli_version(void);
-
-/// `twofold scenes`: one line per scene. Returns: the exit code.
-int cli_scenes(int argc, char *const argv[]);
 
 #endif

@@ -1,14 +1,10 @@
-// Writes the header of constants for a firmware of one scene:
-//   constants SCENE [RATE]     dt is the scene's own, or 1/RATE
-//   constants --number SCENE   its number in tf_scenes
-// tf_prepare and tf_scene_start run here instead of on the board, and compute
+// Writes the header of constants for a firmware of one scene. tf_prepare and tf_scene_start run here instead of on the board, and compute
 // the same bits; what they return is written in hexadecimal, so that nothing is
 // rounded on the way.
-#include <stdio.h>
+#include "constants.h"
+
 #include <stdlib.h>
 #include <string.h>
-
-#include "twofold.h"
 
 #ifdef TF_REAL_FLOAT
 #define SUFFIX "f"
@@ -98,7 +94,7 @@ static void write_start(FILE *out, const tf_state_t *x,
           report->mode, report->set, report->choices);
 }
 
-static void write_scene(FILE *out, const tf_scene_t *scene,
+void constants_of_scene(FILE *out, const tf_scene_t *scene,
                         const tf_params_t *p) {
   fprintf(out,
           "static const tf_scene_t scene_constants = {\n    .name = \"%s\",\n",
@@ -126,7 +122,8 @@ static void write_scene(FILE *out, const tf_scene_t *scene,
             i + 1 < TF_SCENE_KNOTS ? ", " : "}};\n");
 }
 
-static int write_header(FILE *out, const tf_scene_t *scene, const char *rate) {
+int constants_of_firmware(FILE *out, const tf_scene_t *scene,
+                          const char *rate) {
   tf_params_t params = scene->params;
   tf_machine_t k;
   tf_state_t x;
@@ -144,22 +141,6 @@ static int write_header(FILE *out, const tf_scene_t *scene, const char *rate) {
           scene->name);
   write_machine(out, &k);
   write_start(out, &x, &report);
-  write_scene(out, scene, &params);
+  constants_of_scene(out, scene, &params);
   return ferror(out) || fflush(out) ? 4 : 0;
-}
-
-int main(int argc, char **argv) {
-  const bool number = argc == 3 && !strcmp(argv[1], "--number");
-  const char *name = argc > 1 ? argv[number ? 2 : 1] : "";
-  for (int i = 0; i < TF_SCENES; i++) {
-    if (strcmp(tf_scenes[i]->name, name) != 0) continue;
-    if (!number)
-      return write_header(stdout, tf_scenes[i], argc > 2 ? argv[2] : NULL);
-    printf("%d\n", i);
-    return 0;
-  }
-  fprintf(stderr, "constants: no scene is named '%s'; there are:\n", name);
-  for (int i = 0; i < TF_SCENES; i++)
-    fprintf(stderr, "  %s\n", tf_scenes[i]->name);
-  return 2;
 }

@@ -1,22 +1,14 @@
 // Prints what an FMU of a scene consists of as JSON: the variables with their
 // values at the start, from which package.py makes the model description.
-// Usage: describe SCENE
+// Usage: describe SCENE, a name or a file
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/setup/scene.h"
 #include "variables.h"
-
-static const tf_scene_t *find_scene(const char *name, size_t *index) {
-  for (size_t i = 0; i < TF_SCENES; i++) {
-    if (strcmp(tf_scenes[i]->name, name) != 0) continue;
-    *index = i;
-    return tf_scenes[i];
-  }
-  return NULL;
-}
 
 // The shortest decimal that reads back to the same bits.
 static void print_number(double value) {
@@ -60,20 +52,18 @@ static void print_variable(const fmu_variable_t *variable, unsigned reference,
 
 int main(int argc, char *argv[]) {
   fmu_values_t values;
-  size_t index = 0;
-  const tf_scene_t *scene = argc == 2 ? find_scene(argv[1], &index) : NULL;
-  if (scene == NULL) {
-    (void)fprintf(stderr, "describe: SCENE must be one of");
-    for (size_t i = 0; i < TF_SCENES; i++)
-      (void)fprintf(stderr, " %s", tf_scenes[i]->name);
-    (void)fprintf(stderr, "\n");
+  const tf_scene_t *scene = NULL;
+  if (argc != 2) {
+    (void)fprintf(stderr, "usage: describe SCENE\n");
     return 2;
   }
+  const int code = cli_take_scene(&scene, argv[1]);
+  if (code != 0) return code;
   fmu_defaults(&values, scene);
   printf(
-      "{\"scene\": \"%s\", \"index\": %zu, \"shows\": \"%s\",\n"
+      "{\"scene\": \"%s\", \"shows\": \"%s\",\n"
       " \"version\": \"%s\", \"t_end\": ",
-      scene->name, index, scene->shows, TF_VERSION);
+      scene->name, scene->shows, TF_VERSION);
   print_number((double)scene->t_end);
   printf(", \"dt\": ");
   print_number((double)scene->params.dt);

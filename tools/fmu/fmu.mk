@@ -1,12 +1,13 @@
 # The simulator as a functional mock-up unit (FMU) for other simulation tools.
 # Included by the Makefile.
 #
-#   SCENE=chaos        what it starts with
+#   SCENE=chaos        what it starts with: the name of a scene, or a file (one
+#                      with a . or a / in its name)
 #   ONLY='bits take'   of test-fmu: tests whose names contain one of these
 
 # Where `make fmu` puts what it makes: twofold.fmu is for FMI 3.0.
 FMU_DIST := $(BUILD)/dist
-FMU_SCENE := $(or $(SCENE),chaos)
+FMU_SCENE := $(notdir $(or $(SCENE),chaos))
 FMU_SCENES := $(patsubst %,$(BUILD)/fmu/%/done,$(shell \
   sed -n 's/^ *\.name = "\(.*\)",$$/\1/p' src/scene/scenes.c))
 FMU_CORE := $(CORE:%.c=$(BUILD)/fmu/core/%.o)
@@ -39,12 +40,14 @@ $(BUILD)/fmu/core/%.o: %.c $(BUILD)/fmu/flags
 $(BUILD)/fmu/libtwofold.a: $(FMU_CORE)
 	$(archive)
 $(BUILD)/fmu/describe: tools/fmu/describe.c tools/fmu/variables.c \
-    $(BUILD)/fmu/libtwofold.a tools/fmu/variables.h
+    $(SCENE_READER) $(BUILD)/fmu/libtwofold.a tools/fmu/variables.h
 	@echo '  LINK  $@'
-	@$(CC) $(COMMON) $(WARN) $(EXTRA) $(filter %.c %.a,$^) -o $@
+	@$(CC) $(COMMON) $(WARN) -Itools $(EXTRA) $(filter %.c %.a,$^) -lm -o $@
 
 FMU_SOURCES := $(wildcard tools/fmu/*.[chp]* include/*.h include/twofold/*.h \
   src/*/*.[ch]) docs/FMU.md LICENSE
+# The scene that a folder is named after: $(call fmu_scene,folder).
+fmu_scene = $(if $(filter $(FMU_SCENE),$(1)),$(or $(SCENE),chaos),$(1))
 # $(call fmu_link,directory of the scene,fmi2 or fmi3)
 define fmu_link
 	@mkdir -p $(1)/$(2)/$(FMU_BINARY_$(2))
@@ -53,10 +56,14 @@ define fmu_link
 	  $(1)/$(2)/sources/fmu_*.c $(BUILD)/fmu/libtwofold.a \
 	  -o $(1)/$(2)/$(FMU_BINARY_$(2))/twofold.so
 endef
-$(BUILD)/fmu/%/done: $(BUILD)/fmu/describe $(FMU_SOURCES)
+# Of a file the rest is made anew each time: it may be another file by now.
+$(BUILD)/fmu/%/done: $(BUILD)/fmu/describe $(BUILD)/double/constants \
+    $(FMU_SOURCES) \
+    $(if $(findstring .,$(SCENE))$(findstring /,$(SCENE)),FORCE)
 	@mkdir -p $(@D)
 	@echo '  FMU   $(@D)'
-	@$< $* >$(@D)/description.json
+	@$< '$(call fmu_scene,$*)' >$(@D)/description.json
+	@$(BUILD)/double/constants --scene '$(call fmu_scene,$*)' >$(@D)/scene.h
 	@tools/fmu/package.py layout $(@D)/description.json $(@D)
 	$(call fmu_link,$(@D),fmi2)
 	$(call fmu_link,$(@D),fmi3)

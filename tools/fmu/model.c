@@ -52,7 +52,7 @@ fmu_status_t fmu_error(fmu_t *fmu, const char *why) {
 
 void fmu_reset(fmu_t *fmu) {
   memset(&fmu->motion, 0, sizeof fmu->motion);
-  fmu_defaults(&fmu->motion.values, tf_scenes[FMU_SCENE]);
+  fmu_defaults(&fmu->motion.values, FMU_SCENE);
   fmu->motion.phase = FMU_INSTANTIATED;
 }
 

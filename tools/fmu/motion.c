@@ -36,6 +36,7 @@ static tf_params_t parameters_of(const fmu_values_t *values) {
   params.r0 = (tf_real_t)values->real[FMU_R0];
   params.law = (tf_tyre_law_t)values->whole[FMU_LAW];
   params.rule = (tf_rule_t)values->whole[FMU_RULE];
+  params.rest = FMU_SCENE->params.rest;
   params.with_angle = values->whole[FMU_WITH_ANGLE] != 0;
   return params;
 }
@@ -43,7 +44,7 @@ static tf_params_t parameters_of(const fmu_values_t *values) {
 // The inputs of the step that ends at a tick.
 static tf_input_t input_at(const fmu_motion_t *motion, uint64_t tick) {
   const fmu_values_t *values = &motion->values;
-  const tf_scene_t *scene = tf_scenes[FMU_SCENE];
+  const tf_scene_t *scene = FMU_SCENE;
   tf_input_t input = {.omega0 = (tf_real_t)values->real[FMU_OMEGA0],
                       .r0 = (tf_real_t)values->real[FMU_R0],
                       .force = (tf_real_t)values->real[FMU_FORCE],
@@ -70,8 +71,7 @@ static fmu_status_t prepare(fmu_t *fmu) {
   const unsigned located =
       (1u << TF_TYRE_JUMP) | (1u << TF_TYRE_COULOMB) | (1u << TF_TYRE_NONE);
   int offender = TF_PARAMETERS;
-  if (values->whole[FMU_FOLLOW_PROFILE] != 0 &&
-      tf_scenes[FMU_SCENE]->knots == 0)
+  if (values->whole[FMU_FOLLOW_PROFILE] != 0 && FMU_SCENE->knots == 0)
     return discard(fmu, "follow_profile = true: the scene has no profile");
   if (values->whole[FMU_SCHEME] == FMU_LOCATED &&
       ((located >> params.law) & 1u) == 0)

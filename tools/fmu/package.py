@@ -6,7 +6,8 @@ archives with fixed times, so that equal contents are equal bytes.
 usage: package.py layout DESCRIPTION.json DIRECTORY
        package.py pack DIRECTORY FMI2.fmu FMI3.fmu
 
-DIRECTORY/fmi2 and DIRECTORY/fmi3 are the contents of the two."""
+DIRECTORY/fmi2 and DIRECTORY/fmi3 are the contents of the two; the scene is in
+DIRECTORY/scene.h, as a constant."""
 import hashlib
 import json
 import re
@@ -91,9 +92,11 @@ def write(path, text):
 
 def lay_out(model, directory):
     texts = {face: sources_of(face) for face in FACES}
-    token = token_of(model, texts)
+    constant = (directory / "scene.h").read_text()
+    token = token_of([model, constant], texts)
     scene = (f"// The scene and the token of this FMU, {model['scene']}.\n"
-             f"#define FMU_SCENE {model['index']}\n"
+             f"#include \"twofold_scene.h\"\n\n{constant}\n"
+             "#define FMU_SCENE (&scene_constants)\n"
              f"#define FMU_TOKEN \"{token}\"\n")
     picture = icon()
     for face, files in texts.items():

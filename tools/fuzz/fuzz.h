@@ -22,6 +22,8 @@ const char *fuzz_machine(const uint8_t *data, size_t size);
 const char *fuzz_frame(const uint8_t *data, size_t size);
 /// Words, split at zeros, to the arguments of the command line.
 const char *fuzz_arguments(const uint8_t *data, size_t size);
+/// Text to the reader of scenes, and back to text.
+const char *fuzz_scene(const uint8_t *data, size_t size);
 
 /// The analysis of a machine at one state; its phi serves as the g of a place.
 /// Returns: as a target.

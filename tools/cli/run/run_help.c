@@ -4,7 +4,6 @@
 #include "run_help.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "../setup/names.h"
 #include "../setup/setup.h"
@@ -59,22 +58,7 @@ static const char page[] =
     "names of --set, with their ranges:\n";
 
 static void print_names(void) {
-  for (size_t i = 0; i < TF_PARAMETERS; i++) {
-    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
-    (void)printf("  %-9s [%g, %g]%s%s", range->name, (double)range->low,
-                 (double)range->high, strcmp(range->unit, "1") == 0 ? "" : " ",
-                 strcmp(range->unit, "1") == 0 ? "" : range->unit);
-    if ((range->laws & (1u << TF_TYRE_COULOMB)) == 0) {
-      const char *separator = ", only in law ";
-      for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
-        if ((range->laws & (1u << law)) != 0) {
-          (void)printf("%s%s", separator, cli_law_name((tf_tyre_law_t)law));
-          separator = ", ";
-        }
-      }
-    }
-    (void)putchar('\n');
-  }
+  cli_print_ranges();
   for (size_t i = 0; i < CLI_STARTS; i++) {
     (void)printf("  %-9s [%g, %g] %s, at the start\n", cli_starts[i].name,
                  -(double)TF_STATE_LIMIT, (double)TF_STATE_LIMIT,

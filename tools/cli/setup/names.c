@@ -1,4 +1,4 @@
-// Names of laws and rules, in the order of their enums.
+// Names of laws and rules, in the order of their enums, and of parameters.
 
 #include "names.h"
 
@@ -31,6 +31,25 @@ size_t cli_parameter_index(const char *name) {
     i++;
   }
   return i;
+}
+
+void cli_print_ranges(void) {
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+    (void)printf("  %-9s [%g, %g]%s%s", range->name, (double)range->low,
+                 (double)range->high, strcmp(range->unit, "1") == 0 ? "" : " ",
+                 strcmp(range->unit, "1") == 0 ? "" : range->unit);
+    if ((range->laws & (1u << TF_TYRE_COULOMB)) == 0) {
+      const char *separator = ", only in law ";
+      for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
+        if ((range->laws & (1u << law)) != 0) {
+          (void)printf("%s%s", separator, cli_law_name((tf_tyre_law_t)law));
+          separator = ", ";
+        }
+      }
+    }
+    (void)putchar('\n');
+  }
 }
 
 // Index of a name in a table, or count where it is not there; then hint is the
@@ -76,21 +95,30 @@ int cli_find_rest(const char *option, const char *text, const char *name,
   return CLI_DONE;
 }
 
+int cli_find_rule(const char *option, const char *text, const char *name,
+                  tf_rule_t *rule) {
+  cli_hint_t hint;
+  const size_t found = find_name(rule_names, TF_RULES, name, &hint);
+  if (found == TF_RULES) {
+    return cli_message(CLI_USAGE,
+                       "%s %s: unknown rule '%s'; rules are persist, slip+, "
+                       "slip- and random[:SEED]%s%s%s",
+                       option, text, name, hint.before, hint.name, hint.after);
+  }
+  *rule = (tf_rule_t)found;
+  return CLI_DONE;
+}
+
 int cli_read_rule(const char *select, tf_rule_t *rule, uint32_t *seed) {
   char name[NAME_ROOM];
-  cli_hint_t hint;
   const size_t length = strcspn(select, ":");
   (void)snprintf(name, sizeof name, "%.*s",
                  (int)(length < sizeof name ? length : sizeof name - 1),
                  select);
-  const size_t found = find_name(rule_names, TF_RULES, name, &hint);
-  if (found == TF_RULES) {
-    return cli_message(CLI_USAGE,
-                       "--select %s: unknown rule '%s'; rules are persist, "
-                       "slip+, slip- and random[:SEED]%s%s%s",
-                       select, name, hint.before, hint.name, hint.after);
+  const int code = cli_find_rule("--select", select, name, rule);
+  if (code != CLI_DONE) {
+    return code;
   }
-  *rule = (tf_rule_t)found;
   if (select[length] == '\0') {
     return CLI_DONE;
   }

@@ -18,6 +18,10 @@ const char *cli_rule_name(tf_rule_t rule);
 /// parameter has that name.
 size_t cli_parameter_index(const char *name);
 
+/// Prints a line for each parameter: name, range, unit, and the laws that use
+/// it where not all do.
+void cli_print_ranges(void);
+
 /// Finds a law by its name.
 /// option, text: in, for the message. name: in, as typed.
 /// Returns: CLI_DONE, or CLI_USAGE after a message with the closest name.
@@ -27,6 +31,10 @@ int cli_find_law(const char *option, const char *text, const char *name,
 /// Finds a law of rest by its name, likewise.
 int cli_find_rest(const char *option, const char *text, const char *name,
                   tf_rest_law_t *rest);
+
+/// Finds a rule by its name, likewise.
+int cli_find_rule(const char *option, const char *text, const char *name,
+                  tf_rule_t *rule);
 
 /// Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
 /// Returns: CLI_DONE, or CLI_USAGE after a message.

@@ -1,0 +1,30 @@
+/// @file
+/// Scenes as text: a line `KEY VALUE` or `KEY = VALUE` for each member, with
+/// comments behind `#`. Units and ranges are those of tf_parameter_ranges. A
+/// text that is printed here reads back to the same bits.
+#ifndef TWOFOLD_CLI_SCENE_FILE_H
+#define TWOFOLD_CLI_SCENE_FILE_H
+
+#include <stddef.h>
+
+#include "../text/buffer.h"
+#include "scene_keys.h"
+#include "twofold.h"
+
+/// Reads a scene from text. Its name is that of the file without the ending,
+/// unless the text gives one.
+/// path: in, of the file, for the messages and the name.
+/// Returns: CLI_DONE; after a message with path, line, key and range CLI_USAGE
+/// (no such key, a key twice, not a number) or CLI_REFUSED (out of range).
+int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
+                    size_t size);
+
+/// Reads a scene from a file.
+/// Returns: as cli_scene_parse; CLI_USAGE as well where it cannot be read.
+int cli_scene_read(cli_scene_file_t *file, const char *path);
+
+/// Appends a scene with some parameters, those of the scene or altered ones.
+void cli_scene_print(const tf_scene_t *scene, const tf_params_t *params,
+                     cli_buffer_t *out);
+
+#endif

@@ -1,0 +1,20 @@
+/// @file
+/// Scenes as C constants.
+#ifndef TWOFOLD_FIRMWARE_CONSTANTS_H
+#define TWOFOLD_FIRMWARE_CONSTANTS_H
+
+#include <stdio.h>
+
+#include "twofold.h"
+
+/// Writes a scene with some parameters, those of the scene or altered ones, as
+/// the constant scene_constants.
+void constants_of_scene(FILE *out, const tf_scene_t *scene,
+                        const tf_params_t *params);
+
+/// Writes a scene, its machine and its start, as a firmware needs them.
+/// rate: in, steps a second as typed; NULL: those of the scene.
+/// Returns: 0; after a message 3 (refused) or 4 (not written).
+int constants_of_firmware(FILE *out, const tf_scene_t *scene, const char *rate);
+
+#endif
