@@ -1,6 +1,7 @@
-// Writes the header of constants for a firmware of one scene. tf_prepare and tf_scene_start run here instead of on the board, and compute
-// the same bits; what they return is written in hexadecimal, so that nothing is
-// rounded on the way.
+// The header of constants for a firmware of one scene. tf_prepare and
+// tf_scene_start run here instead of on the board, and compute the same bits;
+// what they return is written in hexadecimal, so that nothing is rounded on the
+// way.
 #include "constants.h"
 
 #include <stdlib.h>

@@ -19,8 +19,9 @@ size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
 }
 
 size_t cli_frames_row(uint32_t *sequence, const tf_state_t *state,
-                      const tf_report_t *report, uint8_t out[CLI_FRAMES_ROOM]) {
+                      const tf_report_t *report, tf_input_source_t source,
+                      uint8_t out[CLI_FRAMES_ROOM]) {
   const size_t at = tf_send_state(out, sequence, state);
   return at + tf_send_report(out + at, sequence, state->tick, report,
-                             TF_INPUT_SCENE);
+                             (uint8_t)source);
 }

@@ -14,9 +14,10 @@
 size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
                          uint32_t *sequence, uint8_t out[CLI_FRAMES_ROOM]);
 
-/// Writes a row: state and report.
+/// Writes a row: state and report. source: in, whose inputs the step had.
 /// Returns: the length.
 size_t cli_frames_row(uint32_t *sequence, const tf_state_t *state,
-                      const tf_report_t *report, uint8_t out[CLI_FRAMES_ROOM]);
+                      const tf_report_t *report, tf_input_source_t source,
+                      uint8_t out[CLI_FRAMES_ROOM]);
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "../host/output.h"
 #include "../live/live.h"
+#include "../setup/drive.h"
 #include "../setup/scheme.h"
 #include "events.h"
 #include "row.h"
@@ -22,6 +23,7 @@ typedef enum {
 typedef struct {
   const cli_setup_t *setup;
   const cli_scheme_t *scheme;
+  cli_drive_t drive;
   cli_format_t format;
   uint64_t every, steps;
   bool real_time;    ///< step n is taken n dt after the start

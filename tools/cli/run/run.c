@@ -34,8 +34,9 @@ static void write_row(cli_run_t *run) {
   const double started = cli_now();
   if (run->format == CLI_FORMAT_FRAMES) {
     bytes = (const char *)frames;
-    length = cli_frames_row(&run->sequence, &run->system.state, &run->report,
-                            frames);
+    length = cli_frames_row(
+        &run->sequence, &run->system.state, &run->report,
+        run->drive.table.count > 0 ? TF_INPUT_SET : TF_INPUT_SCENE, frames);
   } else {
     const tf_real_t t = (tf_real_t)cli_run_time(run, run->done);
     length = cli_row(run->format, t, &run->system.state, &run->report, row);
@@ -48,9 +49,9 @@ static void write_row(cli_run_t *run) {
 }
 
 static void take_step(cli_run_t *run) {
-  const cli_setup_t *setup = run->setup;
   const tf_real_t t = (tf_real_t)cli_run_time(run, run->done + 1);
-  const tf_input_t input = tf_scene_input(setup->scene, &setup->machine, t);
+  const tf_input_t input =
+      cli_drive_step(&run->drive, &run->setup->machine, run->done, t);
   tf_report_t report;
   run->status = run->scheme->step(&run->system, &input, &report);
   if (run->status < 0) {
@@ -182,7 +183,7 @@ static int perform(cli_run_t *run, const char *path, bool live) {
 }
 
 static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
-                   uint64_t *steps) {
+                   cli_run_t *run) {
   int code = cli_setup_read(setup, args->scene, &args->settings, args->select);
   if (code == CLI_DONE) {
     code = cli_check_law(args->scheme, setup->params.law);
@@ -191,21 +192,40 @@ static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
     code = cli_setup_machine(setup);
   }
   if (code == CLI_DONE) {
+    code = cli_drive_read(&run->drive, args->scene, &args->drive);
+  }
+  if (code == CLI_DONE) {
+    cli_drive_begin(&run->drive, setup);
     code = cli_setup_start(setup);
   }
   return code == CLI_DONE ? cli_count_steps(args->t_end, args->t_end_text,
-                                            setup->machine.dt, steps)
+                                            setup->machine.dt, &run->steps)
                           : code;
+}
+
+// Prepares a run as it was asked for and performs it.
+static int prepare_and_perform(cli_run_t *run, const cli_run_args_t *args) {
+  cli_setup_t setup;
+  const int code = prepare(args, &setup, run);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  run->setup = &setup;
+  run->scheme = args->scheme;
+  run->format = args->format;
+  run->every = args->every;
+  run->real_time = args->real_time;
+  run->report = setup.report;
+  cli_system_begin(&run->system, args->scheme, &setup, &run->report);
+  run->events.limit = args->listed;
+  run->end = CLI_ENDED;
+  cli_setup_notes(&setup, args->scheme->unused, args->scheme->why);
+  return perform(run, args->out, args->live);
 }
 
 int cli_run(int argc, char *const argv[]) {
   cli_run_args_t args;
-  cli_setup_t setup;
-  uint64_t steps = 0;
   int code = cli_run_args(&args, argc, argv);
-  if (code == CLI_DONE) {
-    code = prepare(&args, &setup, &steps);
-  }
   if (code != CLI_DONE) {
     return code;
   }
@@ -213,18 +233,8 @@ int cli_run(int argc, char *const argv[]) {
   if (run == NULL) {
     return cli_message(CLI_STOPPED, "out of memory");
   }
-  run->setup = &setup;
-  run->scheme = args.scheme;
-  run->format = args.format;
-  run->every = args.every;
-  run->steps = steps;
-  run->real_time = args.real_time;
-  run->report = setup.report;
-  cli_system_begin(&run->system, args.scheme, &setup, &run->report);
-  run->events.limit = args.listed;
-  run->end = CLI_ENDED;
-  cli_setup_notes(&setup, args.scheme->unused, args.scheme->why);
-  code = perform(run, args.out, args.live);
+  code = prepare_and_perform(run, &args);
+  cli_drive_free(&run->drive);
   cli_events_free(&run->events);
   free(run);
   return code;

@@ -70,6 +70,17 @@ static int read_out(void *to, const cli_given_t *option) {
   return cli_read_path(option, &args->out);
 }
 
+static int read_inputs(void *to, const cli_given_t *option) {
+  cli_run_args_t *args = to;
+  return cli_read_path(option, &args->drive.inputs);
+}
+
+static int read_between(void *to, const cli_given_t *option) {
+  cli_run_args_t *args = to;
+  args->drive.between = option->value;
+  return CLI_DONE;
+}
+
 static int read_events(void *to, const cli_given_t *option) {
   cli_run_args_t *args = to;
   if (strcmp(option->value, "all") == 0) {
@@ -114,6 +125,8 @@ static const cli_option_t options[] = {
     {"--every", read_every, CLI_ONCE},
     {"--format", read_format, CLI_ONCE},
     {"--out", read_out, CLI_ONCE},
+    {"--inputs", read_inputs, CLI_ONCE},
+    {"--between", read_between, CLI_ONCE},
     {"--events", read_events, CLI_ONCE},
     {"--realtime", read_real_time, CLI_FLAG},
     {"--live", read_live, CLI_FLAG},

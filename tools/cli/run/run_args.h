@@ -3,6 +3,7 @@
 #ifndef TWOFOLD_CLI_RUN_ARGS_H
 #define TWOFOLD_CLI_RUN_ARGS_H
 
+#include "../setup/drive.h"
 #include "../setup/scheme.h"
 #include "../setup/settings.h"
 #include "row.h"
@@ -14,6 +15,7 @@ typedef struct {
   cli_settings_t settings;
   const char *select; ///< RULE[:SEED], NULL: the scene's own rule
   const char *out;    ///< path, NULL: standard output
+  cli_drive_args_t drive;
   cli_format_t format;
   uint64_t every;         ///< steps between two rows, >= 1
   uint64_t listed;        ///< number of events that the summary lists

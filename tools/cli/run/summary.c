@@ -6,6 +6,7 @@
 #include "summary.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 
 #include "../setup/names.h"
@@ -25,6 +26,42 @@ static void print_request(const cli_run_t *run) {
       stderr, "\nsteps      %" PRIu64 " of %" PRIu64 ", dt = %g s, t = %g s\n",
       run->done, run->steps, (double)setup->machine.dt,
       cli_run_time(run, run->done));
+}
+
+static void print_column(const cli_inputs_t *table, size_t column, size_t first,
+                         size_t last, const char *comma) {
+  double low = (double)table->rows[first].value[column], high = low;
+  for (size_t i = first; i <= last; i++) {
+    low = fmin(low, (double)table->rows[i].value[column]);
+    high = fmax(high, (double)table->rows[i].value[column]);
+  }
+  (void)fprintf(stderr, "%s%s in [%.6g, %.6g] %s", comma,
+                cli_input_columns[column].name, low, high,
+                cli_input_columns[column].unit);
+}
+
+// The rows of a table that the steps came to see, and what these hold.
+static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
+  if (table->count == 0) {
+    return;
+  }
+  const size_t ahead =
+      table->linear && table->at + 1 < table->count &&
+      (double)table->rows[table->at].t < cli_run_time(run, run->done);
+  const size_t last = table->at + ahead;
+  (void)fprintf(stderr, "inputs     %s, %s: %zu of %zu rows, t = %g to %g s;",
+                table->name, table->linear ? "linear" : "held",
+                last - table->first + 1, table->count,
+                (double)table->rows[table->first].t,
+                (double)table->rows[last].t);
+  const char *comma = " ";
+  for (size_t i = 0; i < CLI_INPUTS; i++) {
+    if (table->given[i]) {
+      print_column(table, i, table->first, last, comma);
+      comma = ", ";
+    }
+  }
+  (void)fputc('\n', stderr);
 }
 
 static void print_quality(const cli_run_t *run) {
@@ -119,6 +156,8 @@ static void print_end(const cli_run_t *run) {
 
 void cli_summary(const cli_run_t *run) {
   print_request(run);
+  print_table(run, &run->drive.profile);
+  print_table(run, &run->drive.table);
   cli_events_print(&run->events, stderr);
   print_quality(run);
   print_final(run);

@@ -1,6 +1,6 @@
 /// @file
-/// What a file of a scene holds: its keys. The parameters come first, in the order of
-/// tf_parameter_ranges and by their names there.
+/// What a file of a scene holds: its keys. The parameters come first, in the
+/// order of tf_parameter_ranges and by their names there.
 #ifndef TWOFOLD_CLI_SCENE_KEYS_H
 #define TWOFOLD_CLI_SCENE_KEYS_H
 

@@ -46,6 +46,10 @@ typedef struct {
 int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
                    const cli_settings_t *settings, const char *select);
 
+/// The setting of a parameter, NULL where it was not given or the name is none.
+const cli_setting_t *cli_setup_setting(const cli_setup_t *setup,
+                                       const char *parameter);
+
 /// Prepares the machine.
 /// Returns: CLI_DONE, or CLI_REFUSED after a message with value and range.
 int cli_setup_machine(cli_setup_t *setup);

@@ -66,6 +66,12 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
   return CLI_DONE;
 }
 
+const cli_setting_t *cli_setup_setting(const cli_setup_t *setup,
+                                       const char *parameter) {
+  const size_t i = cli_parameter_index(parameter);
+  return i < TF_PARAMETERS ? setup->set_param[i] : NULL;
+}
+
 int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
                    const cli_settings_t *settings, const char *select) {
   memset(setup, 0, sizeof *setup);

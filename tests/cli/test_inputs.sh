@@ -1,0 +1,109 @@
+#!/bin/sh
+# Inputs over time: the profile of a scene is such a table with the same bits, a
+# table does what it says between two rows, and what is wrong in one is named by
+# line, column and reason. usage: test_inputs.sh TWOFOLD
+. "$(dirname "$0")/../support/tap.sh"
+
+# The profile of the scene `driven`, as a table over the scene `chaos`.
+printf '# knots of driven\nt,omega0\n0,-1\n2,-2\n4,-2\n8,1\n10,0\n' >knots.csv
+for scheme in moreau located compensated; do
+  set -- --scheme $scheme --every 11
+  runs run driven "$@" --out want
+  runs run chaos --set phi=0 --t-end 12 --inputs knots.csv --between linear "$@"
+  check "the profile as a table, $scheme" cmp out want
+done
+check 'the summary tells what was applied' says \
+  'knots.csv, linear: 5 of 5 rows, t = 0 to 10 s; omega0 in [-2, 1] rad/s'
+runs run driven --t-end 3
+check 'of a shorter run: what it came to see' says \
+  'profile of the scene, linear: 3 of 5 rows, t = 0 to 4 s; omega0 in [-2, -1]'
+
+# dt is a power of two, so that the times below are exact.
+set -- run chaos --dt 0x1p-10 --t-end 0.5
+awk 'BEGIN { print "t,force"; print "0,0"; print "0.5,0.5" }' >ramp.csv
+awk 'BEGIN { print "t, torque ,force"
+  for (i = 0; i < 512; i++) printf "%.17g,0,%.17g\n", i / 1024,
+    (i + 0.5) / 1024 }' >steps.csv
+runs "$@" --inputs ramp.csv --between linear --out want
+runs "$@" --inputs steps.csv --between held
+check 'linear: force is the mean over the step' cmp out want
+check 'held: the rows that came to hold' says 'held: 512 of 512 rows'
+runs "$@" --out plain
+check 'a force makes a difference' not cmp -s out plain
+# shellcheck disable=SC2002  # a pipe is what is tested
+cat steps.csv | "$T" "$@" --inputs - --between held >out 2>err
+equal 'from a pipe: code' $? 0
+check 'from a pipe: the same' cmp out want
+check 'from a pipe: its name' says 'standard input, held'
+
+# held: from the step that begins at the time of a row, as far as decimals tell.
+printf 't,r0,torque\r\n-1,0.1,0\r\n0.3,0.12,0.01\r\n' >jump.csv
+awk 'BEGIN { print "t,r0,torque"; for (i = 0; i < 5000; i++)
+  print i / 1e4 "," (i < 3000 ? "0.1,0" : "0.12,0.01") }' >dense.csv
+runs run chaos --t-end 0.5 --inputs jump.csv --between held --out want
+runs run chaos --t-end 0.5 --inputs dense.csv --between held
+check 'held: sparse and dense are the same' cmp out want
+runs run chaos --t-end 0.3 --out plain
+head -n 3002 want >first
+check 'held: nothing before its time' cmp first plain
+runs run chaos --t-end 0.3001 --out plain
+equal 'held: and something in the step after' \
+  "$([ "$(sed -n 3003p want)" != "$(tail -n 1 plain)" ] && echo other)" other
+printf 't,r0\n0,0.12\n' >one.csv
+runs run chaos --set r0=0.12 --t-end 1 --out want
+for between in held linear; do
+  runs run chaos --t-end 1 --inputs one.csv --between $between
+  check "one row, $between: a constant" cmp out want
+done
+runs run chaos --t-end 0.01 --set r0=0.2 --inputs one.csv --between held
+check 'a parameter that the table gives' says 'r0=0.2 has no effect&one.csv'
+runs run driven --t-end 0.1 --inputs one.csv --between held
+check 'both are told' says 'profile of the scene, linear&one.csv, held'
+
+# Another start: omega0 at t = 0 decides about v.
+printf 't,omega0\n0,-0.5\n' >speed.csv
+runs run chaos --t-end 0.2 --set omega0=-0.5 --out want
+runs run chaos --t-end 0.2 --inputs speed.csv --between linear
+check 'the start is that of the inputs' cmp out want
+
+# A long one.
+awk 'BEGIN { print "t,force"; for (i = 0; i < 300000; i++)
+  print i * 1e-5 "," 1e-3 * (i % 7) }' |
+  "$T" run chaos --t-end 3 --dt 1e-5 --every 1000 --inputs - --between held \
+    >out 2>err
+equal 'many rows: code' $? 0
+check 'many rows: all of them' says '300000 of 300000 rows'
+
+# What is wrong. wrong CODE TEXTS TABLE
+wrong() {
+  # shellcheck disable=SC2059  # a format on purpose
+  printf "$3" >wrong.csv
+  expect "$1" "$2" run chaos --inputs wrong.csv --between held
+}
+wrong 2 "wrong.csv:3: column 2: '1x' is not a number" 't,force\n0,1\n1,1x\n'
+wrong 3 'wrong.csv:2: column 2: force = nan must lie in [-1e+09, 1e+09] N' \
+  't,force\n0,nan\n'
+wrong 3 'wrong.csv:2: column 3: r0 = inf must lie in' 't,force,r0\n0,1,inf\n'
+wrong 3 'wrong.csv:2: column 1: t = inf must lie in' 't,force\ninf,1\n'
+wrong 3 "wrong.csv:4: column 1: '1' is not later than t in the row before" \
+  't,force\n0,1\n1,1\n1,2\n'
+wrong 2 "wrong.csv:1: unknown column 'forec'&did you mean 'force'" 't,forec\n'
+wrong 2 "wrong.csv:1: column 1: 'force' is misplaced" 'force,t\n'
+wrong 2 "wrong.csv:1: column 2: 't' is misplaced" 't,t\n'
+wrong 2 "wrong.csv:1: column 3: 'force' comes twice" 't,force,force\n'
+wrong 2 "wrong.csv:1: column 1: 't' is alone" 't\n'
+wrong 2 'wrong.csv:2: more than the 2 columns' 't,force\n0,1,2\n'
+wrong 2 'wrong.csv:2: fewer than the 3 columns' 't,force,r0\n0,1\n'
+wrong 2 "wrong.csv:2: column 2: '' is not a number" 't,force\n0,\n'
+wrong 2 'wrong.csv: no header' '# nothing\n'
+wrong 2 'wrong.csv: no row' 't,force\n'
+wrong 2 'wrong.csv:1: a zero, or a line' 't,\0force\n'
+expectations run <<'WORDS'
+2 chaos --inputs one.csv|say what holds between two rows
+2 chaos --between held|--between held: only with --inputs
+2 chaos --inputs one.csv --between cubic|--between cubic: must be held or linear
+2 chaos --inputs none.csv --between held|none.csv: No such file
+2 chaos --inputs . --between held|Is a directory
+2 chaos --inputs= --between held|the name of the file is empty
+WORDS
+finish

@@ -1,0 +1,38 @@
+/// @file
+/// What drives a machine: the profile of its scene, and over it a table that
+/// the command line gives.
+#ifndef TWOFOLD_CLI_DRIVE_H
+#define TWOFOLD_CLI_DRIVE_H
+
+#include "inputs.h"
+#include "setup.h"
+
+typedef struct {
+  cli_inputs_t profile; ///< of the scene
+  cli_inputs_t table;   ///< of --inputs; without rows if there is none
+} cli_drive_t;
+
+/// The options --inputs and --between as typed, NULL: not given.
+typedef struct {
+  const char *inputs, *between;
+} cli_drive_args_t;
+
+/// Reads what drives a scene.
+/// drive: out; to be freed by cli_drive_free, whatever is returned.
+/// Returns: CLI_DONE; after a message as cli_inputs_read, and CLI_USAGE where
+/// only one of the options is given.
+int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
+                   const cli_drive_args_t *args);
+
+/// Prepares it for the machine of a setup and sets the inputs of the setup at
+/// t = 0; tells which settings have no effect beside the table.
+void cli_drive_begin(cli_drive_t *drive, cli_setup_t *setup);
+
+/// Inputs for the step of a machine from a tick to the next one.
+/// t: in, time at the end of that step [s].
+tf_input_t cli_drive_step(cli_drive_t *drive, const tf_machine_t *machine,
+                          uint64_t tick, tf_real_t t);
+
+void cli_drive_free(cli_drive_t *drive);
+
+#endif

@@ -1,0 +1,155 @@
+// Looking up inputs over time. Time only goes on, so a look-up begins at the row
+// of the last one.
+
+#include "inputs.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "../text/message.h"
+
+const cli_input_column_t cli_input_columns[CLI_INPUTS] = {
+    {"omega0", "rad/s"}, {"r0", "m"}, {"force", "N"}, {"torque", "N m"}};
+
+bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row) {
+  if (inputs->count == inputs->room) {
+    const size_t room = inputs->room == 0 ? 64 : 2 * inputs->room;
+    cli_input_row_t *rows = NULL;
+    if (room <= SIZE_MAX / sizeof *rows) {
+      rows = realloc(inputs->rows, room * sizeof *rows);
+    }
+    if (rows == NULL) {
+      return false;
+    }
+    inputs->rows = rows;
+    inputs->room = room;
+  }
+  inputs->rows[inputs->count++] = *row;
+  return true;
+}
+
+int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene) {
+  *inputs = (cli_inputs_t){.name = "profile of the scene", .linear = true};
+  inputs->given[CLI_INPUT_OMEGA0] = scene->knots > 0;
+  for (size_t i = 0; i < scene->knots; i++) {
+    const tf_knot_t *knot = &scene->profile[i];
+    const cli_input_row_t row = {.t = knot->t,
+                                 .value = {[CLI_INPUT_OMEGA0] = knot->omega0}};
+    if (!cli_inputs_add(inputs, &row)) {
+      return cli_message(CLI_STOPPED, "out of memory");
+    }
+  }
+  return CLI_DONE;
+}
+
+// The first step that begins at a time or later. A time that is n dt but for
+// the rounding of decimals is n.
+void cli_inputs_prepare(cli_inputs_t *inputs, tf_real_t dt) {
+  for (size_t i = 0; i < inputs->count; i++) {
+    const double n = (double)inputs->rows[i].t / (double)dt;
+    const double rounding = 1e-6 + 4 * (double)TF_REAL_EPSILON * fabs(n);
+    const double first = ceil(n - rounding);
+    inputs->rows[i].tick =
+        first < 1 ? 0 : (first < 1e18 ? (uint64_t)first : UINT64_MAX);
+  }
+  inputs->at = 0;
+}
+
+static void go_to_tick(cli_inputs_t *inputs, uint64_t tick) {
+  const cli_input_row_t *rows = inputs->rows;
+  size_t i = inputs->at;
+  while (i > 0 && rows[i].tick > tick) {
+    i--;
+  }
+  while (i + 1 < inputs->count && rows[i + 1].tick <= tick) {
+    i++;
+  }
+  inputs->at = i;
+}
+
+static void go_to_time(cli_inputs_t *inputs, tf_real_t t) {
+  const cli_input_row_t *rows = inputs->rows;
+  size_t i = inputs->at;
+  while (i > 0 && rows[i].t > t) {
+    i--;
+  }
+  while (i + 1 < inputs->count && rows[i + 1].t <= t) {
+    i++;
+  }
+  inputs->at = i;
+}
+
+// The inputs at a time, between two rows of a linear table. The order of the
+// operations is that of tf_scene_input.
+static void look_up(cli_inputs_t *inputs, tf_real_t t,
+                    tf_real_t value[CLI_INPUTS]) {
+  go_to_time(inputs, t);
+  const cli_input_row_t *row = &inputs->rows[inputs->at];
+  const bool between = inputs->at + 1 < inputs->count && t > row->t;
+  for (size_t i = 0; i < CLI_INPUTS; i++) {
+    value[i] = row->value[i];
+    if (between && inputs->given[i]) {
+      value[i] += (row[1].value[i] - row->value[i]) *
+                  ((t - row->t) / (row[1].t - row->t));
+    }
+  }
+}
+
+static void set(const cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS],
+                tf_input_t *input) {
+  tf_real_t *const members[CLI_INPUTS] = {&input->omega0, &input->r0,
+                                          &input->force, &input->torque};
+  for (size_t i = 0; i < CLI_INPUTS; i++) {
+    if (inputs->given[i]) {
+      *members[i] = value[i];
+    }
+  }
+  if (inputs->given[CLI_INPUT_OMEGA0]) {
+    input->alpha = 0;
+  }
+}
+
+void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
+                     tf_real_t dt, tf_input_t *input) {
+  tf_real_t before[CLI_INPUTS], after[CLI_INPUTS], mean[CLI_INPUTS];
+  if (inputs->count == 0) {
+    return;
+  }
+  if (!inputs->linear) {
+    go_to_tick(inputs, tick);
+    set(inputs, inputs->rows[inputs->at].value, input);
+    return;
+  }
+  look_up(inputs, t - dt, before);
+  look_up(inputs, t, after);
+  for (size_t i = 0; i < CLI_INPUTS; i++) {
+    mean[i] = (before[i] + after[i]) / 2;
+  }
+  mean[CLI_INPUT_OMEGA0] = after[CLI_INPUT_OMEGA0];
+  set(inputs, mean, input);
+  if (inputs->given[CLI_INPUT_OMEGA0]) {
+    input->alpha = (after[CLI_INPUT_OMEGA0] - before[CLI_INPUT_OMEGA0]) / dt;
+  }
+}
+
+void cli_inputs_start(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
+                      tf_input_t *input) {
+  tf_real_t value[CLI_INPUTS];
+  if (inputs->count == 0) {
+    return;
+  }
+  if (inputs->linear) {
+    look_up(inputs, t, value);
+    set(inputs, value, input);
+  } else {
+    go_to_tick(inputs, tick);
+    set(inputs, inputs->rows[inputs->at].value, input);
+  }
+  inputs->first = inputs->at;
+}
+
+void cli_inputs_free(cli_inputs_t *inputs) {
+  free(inputs->rows);
+  inputs->rows = NULL;
+  inputs->count = inputs->room = 0;
+}

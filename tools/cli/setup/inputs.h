@@ -1,0 +1,82 @@
+/// @file
+/// Inputs over time: a table with a row for each time and a column for each
+/// input that it gives; those that it does not give stay as they are.
+///
+/// held: a row holds from the first step that begins at its time or later until
+///   the next row does.
+/// linear: between rows. omega0 is that of the end of the step, alpha the mean
+///   over the step, as in tf_scene_input and bit for bit the same; r0, force
+///   and torque are constant over a step and the mean of its two ends.
+///
+/// Before the first row and after the last one inputs are those of that row.
+#ifndef TWOFOLD_CLI_INPUTS_H
+#define TWOFOLD_CLI_INPUTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "twofold.h"
+
+/// The columns of a table.
+enum {
+  CLI_INPUT_OMEGA0,
+  CLI_INPUT_R0,
+  CLI_INPUT_FORCE,
+  CLI_INPUT_TORQUE,
+  CLI_INPUTS
+};
+typedef struct {
+  const char *name, *unit;
+} cli_input_column_t;
+extern const cli_input_column_t cli_input_columns[CLI_INPUTS];
+
+typedef struct {
+  tf_real_t t;                 ///< [s]
+  uint64_t tick;               ///< of the first step that it holds for
+  tf_real_t value[CLI_INPUTS]; ///< 0 where the column is not given
+} cli_input_row_t;
+
+typedef struct {
+  const char *name; ///< of the file, for messages
+  bool linear;      ///< else held
+  bool given[CLI_INPUTS];
+  cli_input_row_t *rows; ///< from the heap, NULL while empty
+  size_t count, room;
+  size_t at;    ///< row of the last look-up
+  size_t first; ///< row of the first one
+} cli_inputs_t;
+
+/// Appends a row; its time must be later than that of the row before.
+/// Returns: whether there was memory for it.
+bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row);
+
+/// The turntable's profile of a scene as a table; a scene without one makes a
+/// table without rows, which changes nothing.
+/// Returns: CLI_DONE, or CLI_STOPPED after a message.
+int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene);
+
+/// Reads a table from a file, "-" for standard input: CSV with the header
+/// `t,...`; lines that begin with # are comments.
+/// inputs: in/out; linear is set by the caller.
+/// Returns: CLI_DONE; after a message with line, column and reason CLI_USAGE
+/// or CLI_REFUSED (out of range); CLI_STOPPED (out of memory).
+int cli_inputs_read(cli_inputs_t *inputs, const char *path);
+
+/// Finds the steps that the rows begin to hold for.
+void cli_inputs_prepare(cli_inputs_t *inputs, tf_real_t dt);
+
+/// Sets the inputs that the table gives, for the step from a tick to the next.
+/// t: in, time at the end of that step [s]. dt: in, its length [s].
+void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
+                     tf_real_t dt, tf_input_t *input);
+
+/// Sets the inputs that the table gives at the instant at which a run starts;
+/// alpha is 0.
+void cli_inputs_start(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
+                      tf_input_t *input);
+
+/// Frees the rows.
+void cli_inputs_free(cli_inputs_t *inputs);
+
+#endif

@@ -1,0 +1,194 @@
+// Inputs over time from CSV. All of it is read and checked before anything is
+// opened for writing, so a table of any length costs memory and never stops a
+// run in its middle.
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "../text/closest.h"
+#include "../text/message.h"
+#include "../text/number.h"
+#include "inputs.h"
+#include "names.h"
+
+#define LINE_ROOM 1024
+#define FIELDS (CLI_INPUTS + 1) // with t
+
+typedef struct {
+  cli_inputs_t *inputs;
+  const char *name;
+  uint64_t line;
+  size_t fields;       // of every row; 0 before the header
+  size_t kind[FIELDS]; // CLI_INPUT_..., or CLI_INPUTS for t
+} reader_t;
+
+static int refuse(const reader_t *reader, int code, size_t field,
+                  const char *text, const char *why) {
+  return cli_message(code, "%s:%llu: column %zu: '%s' %s", reader->name,
+                     (unsigned long long)reader->line, field + 1, text, why);
+}
+
+// Cuts the next field off a line. Returns: it, without blanks around it.
+static char *next_field(char **line) {
+  char *field = *line + strspn(*line, " \t");
+  char *end = *line + strcspn(*line, ",");
+  *line = *end == ',' ? end + 1 : NULL;
+  *end = '\0';
+  for (size_t i = strlen(field); i > 0 && strchr(" \t", field[i - 1]); i--) {
+    field[i - 1] = '\0';
+  }
+  return field;
+}
+
+static int unknown_column(const reader_t *reader, const char *name) {
+  cli_closest_t closest = cli_closest_to(name);
+  for (size_t i = 0; i < CLI_INPUTS; i++) {
+    cli_closest_offer(&closest, cli_input_columns[i].name);
+  }
+  const cli_hint_t hint = cli_closest_hint(&closest);
+  return cli_message(CLI_USAGE,
+                     "%s:%llu: unknown column '%s'%s%s%s; columns are t, "
+                     "omega0, r0, force, torque",
+                     reader->name, (unsigned long long)reader->line, name,
+                     hint.before, hint.name, hint.after);
+}
+
+static int read_header(reader_t *reader, char *line) {
+  while (line != NULL) {
+    const char *name = next_field(&line);
+    size_t kind = 0;
+    while (kind < CLI_INPUTS &&
+           strcmp(cli_input_columns[kind].name, name) != 0) {
+      kind++;
+    }
+    const bool is_t = strcmp(name, "t") == 0;
+    if (kind == CLI_INPUTS && !is_t) {
+      return unknown_column(reader, name);
+    }
+    if (is_t != (reader->fields == 0)) {
+      return refuse(reader, CLI_USAGE, reader->fields, name,
+                    "is misplaced: the first column, and no other, is t");
+    }
+    if (!is_t && reader->inputs->given[kind]) {
+      return refuse(reader, CLI_USAGE, reader->fields, name, "comes twice");
+    }
+    reader->kind[reader->fields++] = kind;
+    if (!is_t) {
+      reader->inputs->given[kind] = true;
+    }
+  }
+  if (reader->fields < 2) {
+    return refuse(reader, CLI_USAGE, 0, "t",
+                  "is alone: an input has to stand beside it");
+  }
+  return CLI_DONE;
+}
+
+// The smallest and the largest value of a column, the last one being t.
+static void range_of(size_t kind, double *low, double *high) {
+  const size_t i = kind < CLI_INPUTS
+                       ? cli_parameter_index(cli_input_columns[kind].name)
+                       : TF_PARAMETERS;
+  *low = i < TF_PARAMETERS ? (double)tf_parameter_ranges[i].low
+                           : -(double)TF_STATE_LIMIT;
+  *high = i < TF_PARAMETERS ? (double)tf_parameter_ranges[i].high
+                            : (double)TF_STATE_LIMIT;
+}
+
+static int read_field(const reader_t *reader, size_t field, const char *text,
+                      tf_real_t *value) {
+  const char *why = "";
+  double low = 0, high = 0;
+  const size_t kind = reader->kind[field];
+  if (!cli_read_real(text, value, &why)) {
+    return refuse(reader, CLI_USAGE, field, text, why);
+  }
+  range_of(kind, &low, &high);
+  if ((double)*value >= low && (double)*value <= high) {
+    return CLI_DONE;
+  }
+  return cli_message(
+      CLI_REFUSED, "%s:%llu: column %zu: %s = %s must lie in [%g, %g] %s",
+      reader->name, (unsigned long long)reader->line, field + 1,
+      kind < CLI_INPUTS ? cli_input_columns[kind].name : "t", text, low, high,
+      kind < CLI_INPUTS ? cli_input_columns[kind].unit : "s");
+}
+
+static int read_row(reader_t *reader, char *line) {
+  cli_inputs_t *inputs = reader->inputs;
+  cli_input_row_t row = {.t = 0};
+  size_t field = 0;
+  for (; line != NULL && field < reader->fields; field++) {
+    const size_t kind = reader->kind[field];
+    const int code = read_field(reader, field, next_field(&line),
+                                kind < CLI_INPUTS ? &row.value[kind] : &row.t);
+    if (code != CLI_DONE) {
+      return code;
+    }
+  }
+  if (line != NULL || field < reader->fields) {
+    return cli_message(CLI_USAGE,
+                       "%s:%llu: %s than the %zu columns of the "
+                       "header",
+                       reader->name, (unsigned long long)reader->line,
+                       line != NULL ? "more" : "fewer", reader->fields);
+  }
+  if (inputs->count > 0 && !(row.t > inputs->rows[inputs->count - 1].t)) {
+    char text[CLI_REAL_ROOM];
+    (void)cli_write_real(text, row.t);
+    return refuse(reader, CLI_REFUSED, 0, text,
+                  "is not later than t in the row before");
+  }
+  return cli_inputs_add(inputs, &row)
+             ? CLI_DONE
+             : cli_message(CLI_STOPPED, "%s:%llu: out of memory", reader->name,
+                           (unsigned long long)reader->line);
+}
+
+static int read_line(reader_t *reader, char *line, bool at_end) {
+  const size_t length = strlen(line);
+  if ((length == 0 || line[length - 1] != '\n') && !at_end) {
+    return cli_message(
+        CLI_USAGE, "%s:%llu: a zero, or a line of more than %d characters",
+        reader->name, (unsigned long long)reader->line, LINE_ROOM - 2);
+  }
+  line[strcspn(line, "\r\n")] = '\0';
+  if (line[strspn(line, " \t")] == '\0' || line[0] == '#') {
+    return CLI_DONE;
+  }
+  return reader->fields == 0 ? read_header(reader, line)
+                             : read_row(reader, line);
+}
+
+static int read_all(reader_t *reader, FILE *file) {
+  char line[LINE_ROOM];
+  int code = CLI_DONE;
+  while (code == CLI_DONE && fgets(line, sizeof line, file) != NULL) {
+    reader->line++;
+    code = read_line(reader, line, feof(file) != 0);
+  }
+  if (code == CLI_DONE && ferror(file) != 0) {
+    return cli_message(CLI_USAGE, "%s: %s", reader->name, strerror(errno));
+  }
+  if (code == CLI_DONE && reader->inputs->count == 0) {
+    return cli_message(CLI_USAGE, "%s: no %s", reader->name,
+                       reader->fields == 0 ? "header" : "row");
+  }
+  return code;
+}
+
+int cli_inputs_read(cli_inputs_t *inputs, const char *path) {
+  const bool standard = strcmp(path, "-") == 0;
+  FILE *file = standard ? stdin : fopen(path, "r");
+  if (file == NULL) {
+    return cli_message(CLI_USAGE, "--inputs %s: %s", path, strerror(errno));
+  }
+  inputs->name = standard ? "standard input" : path;
+  reader_t reader = {.inputs = inputs, .name = inputs->name};
+  const int code = read_all(&reader, file);
+  if (!standard) {
+    (void)fclose(file);
+  }
+  return code;
+}
