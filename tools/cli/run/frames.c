@@ -4,13 +4,13 @@
 #include "frames.h"
 
 size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
-                         uint32_t *sequence, uint8_t out[CLI_FRAMES_ROOM]) {
+                         uint64_t tick, uint32_t *sequence,
+                         uint8_t out[CLI_FRAMES_ROOM]) {
   const tf_schema_t schema = {.params = &setup->params,
                               .scene = setup->scene->name,
                               .build = "twofold " TF_VERSION ", host",
                               .seed = setup->seed,
                               .scheme = scheme->code};
-  const uint64_t tick = setup->state.tick;
   size_t at = tf_send_schema(out, sequence, tick, &schema);
   at +=
       tf_send_layout(out + at, sequence, tick, TF_DOWN_STATE, tf_layout_state);

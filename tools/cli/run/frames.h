@@ -9,10 +9,11 @@
 #define CLI_FRAMES_ROOM 1024
 
 /// Writes what comes before the first row: schema and layouts.
-/// sequence: in/out, of the frames.
+/// tick: in, of the first row. sequence: in/out, of the frames.
 /// Returns: the length.
 size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
-                         uint32_t *sequence, uint8_t out[CLI_FRAMES_ROOM]);
+                         uint64_t tick, uint32_t *sequence,
+                         uint8_t out[CLI_FRAMES_ROOM]);
 
 /// Writes a row: state and report. source: in, whose inputs the step had.
 /// Returns: the length.

@@ -28,8 +28,9 @@ void cli_progress_poll(cli_progress_t *progress, double now,
   if (progress->silent || now < progress->next) {
     return;
   }
+  const double done = (double)(run->done - run->first);
   const double share =
-      run->steps > 0 ? (double)run->done / (double)run->steps : 1.0;
+      run->steps > run->first ? done / (double)(run->steps - run->first) : 1.0;
   const double elapsed = now - progress->started;
   const double t = cli_run_time(run, run->done);
   const double left = share > 0 ? elapsed * (1 - share) / share : 0;
@@ -37,8 +38,9 @@ void cli_progress_poll(cli_progress_t *progress, double now,
                 "%s%5.1f %%  t = %.6g s of %.6g s  %.3g steps/s  %.3g x real "
                 "time  %.0f s left%s",
                 progress->one_line ? "\r" : "twofold: ", 100 * share, t,
-                cli_run_time(run, run->steps), (double)run->done / elapsed,
-                t / elapsed, left, progress->one_line ? "\033[K" : "\n");
+                cli_run_time(run, run->steps), done / elapsed,
+                done * (double)run->setup->machine.dt / elapsed, left,
+                progress->one_line ? "\033[K" : "\n");
   (void)fflush(stderr);
   progress->shown = progress->one_line;
   progress->next = now + (progress->one_line ? REDRAW : LOG_EVERY);

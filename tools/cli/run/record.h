@@ -30,7 +30,8 @@ typedef struct {
   double start;      ///< cli_now() at t = 0
   uint64_t late;     ///< steps that ended after the time of the next one
   double latest;     ///< largest delay among them [s]
-  uint64_t done;     ///< steps taken
+  uint64_t first;    ///< steps taken before this run, by another one
+  uint64_t done;     ///< steps taken, by both
   uint64_t written;  ///< step of the last row
   uint32_t sequence; ///< of the next frame
   cli_system_t system;
@@ -49,6 +50,7 @@ typedef struct {
   cli_output_t output;
   cli_live_t *live; ///< the picture, or NULL
   bool rowless;     ///< the terminal shows the picture in place of rows
+  cli_output_t saved; ///< of --save
 } cli_run_t;
 
 /// Time after the given number of steps, rounded once [s].

@@ -5,8 +5,10 @@
 
 #include "run.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "../host/host.h"
@@ -15,6 +17,7 @@
 #include "progress.h"
 #include "record.h"
 #include "run_args.h"
+#include "state_file.h"
 #include "summary.h"
 
 #define FLUSH_EVERY 0.2 // [s]
@@ -105,7 +108,7 @@ static void take_batch(cli_run_t *run) {
       return;
     }
     take_step(run);
-    if (run->done - run->written == run->every) {
+    if (run->done % run->every == 0) {
       write_row(run);
     }
     if (run->real_time && run->end == CLI_ENDED) {
@@ -119,7 +122,7 @@ static void step_through(cli_run_t *run) {
   const double flush_every = run->real_time ? LIVE_EVERY : FLUSH_EVERY;
   cli_progress_t progress =
       cli_progress_start(started, run->output.to.descriptor, run->live != NULL);
-  run->start = started;
+  run->start = started - cli_run_time(run, run->first);
   cli_run_show(run);
   write_row(run);
   while (run->done < run->steps && run->end == CLI_ENDED) {
@@ -150,8 +153,8 @@ static void write_header(cli_run_t *run) {
   char header[CLI_ROW_ROOM];
   uint8_t frames[CLI_FRAMES_ROOM];
   if (run->format == CLI_FORMAT_FRAMES) {
-    const size_t length =
-        cli_frames_header(run->setup, run->scheme, &run->sequence, frames);
+    const size_t length = cli_frames_header(run->setup, run->scheme, run->first,
+                                            &run->sequence, frames);
     run->output.last = '\0';
     (void)cli_output_lines(&run->output, (const char *)frames, length);
   } else {
@@ -160,23 +163,43 @@ static void write_header(cli_run_t *run) {
   }
 }
 
-// Opens the output, runs, closes the output and prints the summary.
-static int perform(cli_run_t *run, const char *path, bool live) {
-  const int code = cli_output_begin(&run->output, "--out", path);
+// Saves where the run stands. Returns: whether that is written, or not asked.
+static bool save(cli_run_t *run, const char *path) {
+  char text[CLI_STATE_BYTES];
+  if (path == NULL) {
+    return true;
+  }
+  const cli_stand_t stand = {run->system.state, run->system.compensation,
+                             run->report};
+  const size_t length = cli_state_print(&stand, run->setup, run->scheme, text);
+  (void)cli_output_lines(&run->saved, text, length);
+  return cli_output_end(&run->saved, CLI_DONE) == CLI_DONE;
+}
+
+// Opens what is written, runs, closes it and prints the summary.
+static int perform(cli_run_t *run, const cli_run_args_t *args) {
+  int code = cli_output_begin(&run->output, "--out", args->out);
   if (code != CLI_DONE) {
     return code;
   }
-  run->live = live ? cli_live_open(cli_run_time(run, run->steps)) : NULL;
+  if (args->save != NULL) {
+    code = cli_output_begin(&run->saved, "--save", args->save);
+  }
+  if (code != CLI_DONE) {
+    return cli_output_end(&run->output, code);
+  }
+  run->live = args->live ? cli_live_open(cli_run_time(run, run->steps)) : NULL;
   run->rowless =
       run->live != NULL && run->output.to.descriptor == STDOUT_FILENO;
   write_header(run);
   step_through(run);
   cli_live_close(run->live, run->setup->scene->name);
+  const bool saved = save(run, args->save);
   if (!cli_output_close(&run->output, run->end == CLI_ENDED)) {
     run->end = CLI_NOT_WRITTEN;
   }
   cli_summary(run);
-  if (run->end != CLI_ENDED) {
+  if (run->end != CLI_ENDED || !saved) {
     return CLI_STOPPED;
   }
   return run->tally.degraded + run->tally.coarse > 0 ? CLI_DOUBTED : CLI_DONE;
@@ -203,10 +226,48 @@ static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
                           : code;
 }
 
+// Puts a run where another one has left it.
+static int go_on(cli_run_t *run, const cli_run_args_t *args,
+                 const cli_setup_t *setup) {
+  cli_stand_t stand;
+  for (size_t i = 0; i < CLI_STARTS; i++) {
+    if (setup->set_start[i] != NULL) {
+      return cli_message(CLI_USAGE, "%s %s: --from %s gives the state",
+                         setup->set_start[i]->option, setup->set_start[i]->text,
+                         args->from);
+    }
+  }
+  const int code = cli_state_read(&stand, args->from, setup, args->scheme);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (args->select != NULL && strchr(args->select, ':') != NULL &&
+      stand.state.seed != setup->seed) {
+    return cli_message(CLI_REFUSED,
+                       "--from %s: the seed is %" PRIu32 " there and %" PRIu32
+                       " here",
+                       args->from, stand.state.seed, setup->seed);
+  }
+  if (stand.state.tick > run->steps) {
+    return cli_message(CLI_REFUSED,
+                       "--from %s: it stands at t = %.9g s, after the end at "
+                       "%.9g s",
+                       args->from, cli_run_time(run, stand.state.tick),
+                       cli_run_time(run, run->steps));
+  }
+  run->system.state = stand.state;
+  run->system.compensation = stand.compensation;
+  run->report = stand.report;
+  run->first = run->done = stand.state.tick;
+  const tf_real_t t = (tf_real_t)cli_run_time(run, run->first);
+  cli_drive_go_to(&run->drive, run->first, t);
+  return CLI_DONE;
+}
+
 // Prepares a run as it was asked for and performs it.
 static int prepare_and_perform(cli_run_t *run, const cli_run_args_t *args) {
   cli_setup_t setup;
-  const int code = prepare(args, &setup, run);
+  int code = prepare(args, &setup, run);
   if (code != CLI_DONE) {
     return code;
   }
@@ -219,8 +280,14 @@ static int prepare_and_perform(cli_run_t *run, const cli_run_args_t *args) {
   cli_system_begin(&run->system, args->scheme, &setup, &run->report);
   run->events.limit = args->listed;
   run->end = CLI_ENDED;
+  if (args->from != NULL) {
+    code = go_on(run, args, &setup);
+  }
+  if (code != CLI_DONE) {
+    return code;
+  }
   cli_setup_notes(&setup, args->scheme->unused, args->scheme->why);
-  return perform(run, args->out, args->live);
+  return perform(run, args);
 }
 
 int cli_run(int argc, char *const argv[]) {

@@ -70,6 +70,16 @@ static int read_out(void *to, const cli_given_t *option) {
   return cli_read_path(option, &args->out);
 }
 
+static int read_from(void *to, const cli_given_t *option) {
+  cli_run_args_t *args = to;
+  return cli_read_path(option, &args->from);
+}
+
+static int read_save(void *to, const cli_given_t *option) {
+  cli_run_args_t *args = to;
+  return cli_read_path(option, &args->save);
+}
+
 static int read_inputs(void *to, const cli_given_t *option) {
   cli_run_args_t *args = to;
   return cli_read_path(option, &args->drive.inputs);
@@ -125,6 +135,8 @@ static const cli_option_t options[] = {
     {"--every", read_every, CLI_ONCE},
     {"--format", read_format, CLI_ONCE},
     {"--out", read_out, CLI_ONCE},
+    {"--from", read_from, CLI_ONCE},
+    {"--save", read_save, CLI_ONCE},
     {"--inputs", read_inputs, CLI_ONCE},
     {"--between", read_between, CLI_ONCE},
     {"--events", read_events, CLI_ONCE},

@@ -19,13 +19,17 @@ static void print_request(const cli_run_t *run) {
   (void)fprintf(stderr, "scheme     %s, rule %s", run->scheme->name,
                 cli_rule_name(setup->params.rule));
   if (setup->params.rule == TF_RULE_RANDOM) {
-    (void)fprintf(stderr, ":%" PRIu32 ", exit rate %g /s", setup->seed,
-                  (double)setup->params.rate);
+    (void)fprintf(stderr, ":%" PRIu32 ", exit rate %g /s",
+                  run->system.state.seed, (double)setup->params.rate);
   }
-  (void)fprintf(
-      stderr, "\nsteps      %" PRIu64 " of %" PRIu64 ", dt = %g s, t = %g s\n",
-      run->done, run->steps, (double)setup->machine.dt,
-      cli_run_time(run, run->done));
+  (void)fprintf(stderr,
+                "\nsteps      %" PRIu64 " of %" PRIu64 ", dt = %g s, t = %g s",
+                run->done, run->steps, (double)setup->machine.dt,
+                cli_run_time(run, run->done));
+  if (run->first > 0) {
+    (void)fprintf(stderr, ", %" PRIu64 " of them by another run", run->first);
+  }
+  (void)fputc('\n', stderr);
 }
 
 static void print_column(const cli_inputs_t *table, size_t column, size_t first,
@@ -65,7 +69,8 @@ static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
 }
 
 static void print_quality(const cli_run_t *run) {
-  const double steps = run->done > 0 ? (double)run->done : 1.0;
+  const double steps =
+      run->done > run->first ? (double)(run->done - run->first) : 1.0;
   (void)fprintf(stderr, "futures    more than one in %" PRIu64 " steps",
                 run->ambiguous_steps);
   if (run->ambiguous_steps > 0) {
@@ -109,10 +114,10 @@ static void print_final(const cli_run_t *run) {
 }
 
 static void print_cost(const cli_run_t *run) {
-  if (run->done == 0 || run->seconds <= 0) {
+  if (run->done == run->first || run->seconds <= 0) {
     return;
   }
-  const double rate = (double)run->done / run->seconds;
+  const double rate = (double)(run->done - run->first) / run->seconds;
   (void)fprintf(stderr,
                 "cost       %.0f ns a step, %.3g steps/s, %.3g x real "
                 "time (and %.3g s of output)\n",
@@ -125,7 +130,7 @@ static void print_real_time(const cli_run_t *run) {
     (void)fprintf(stderr,
                   "real time  %" PRIu64 " of %" PRIu64
                   " steps late, by %.3g s at most\n",
-                  run->late, run->done, run->latest);
+                  run->late, run->done - run->first, run->latest);
   }
 }
 

@@ -54,6 +54,12 @@ void cli_drive_begin(cli_drive_t *drive, cli_setup_t *setup) {
   }
 }
 
+void cli_drive_go_to(cli_drive_t *drive, uint64_t tick, tf_real_t t) {
+  tf_input_t input = {0, 0, 0, 0, 0};
+  cli_inputs_start(&drive->profile, tick, t, &input);
+  cli_inputs_start(&drive->table, tick, t, &input);
+}
+
 tf_input_t cli_drive_step(cli_drive_t *drive, const tf_machine_t *machine,
                           uint64_t tick, tf_real_t t) {
   tf_input_t input = tf_input_default(machine);

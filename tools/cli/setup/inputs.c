@@ -1,5 +1,5 @@
-// Looking up inputs over time. Time only goes on, so a look-up begins at the row
-// of the last one.
+// Looking up inputs over time. Time only goes on, so a look-up begins at the
+// row of the last one.
 
 #include "inputs.h"
 

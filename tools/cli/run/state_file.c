@@ -1,0 +1,262 @@
+// Where a run stands, as text:
+//
+//   twofold-state 1          version of this format
+//   number double            type of all numbers below
+//   scheme moreau
+//   tick 12345, seed, mode, r, v, omega, phi, what the rounding of these has
+//                            left out, and the last report: a line each
+//   scene                    then the scene, as `twofold scene` prints it
+//   crc32 0123abcd           of all bytes before
+//
+// The scene is there as a whole and not as a hash, so that what differs can be
+// told by name. Its start is not compared: the state is in its place.
+
+#include "state_file.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "../setup/names.h"
+#include "../setup/scene_file.h"
+#include "../text/message.h"
+#include "../text/number.h"
+#include "../text/trailer.h"
+
+#define VERSION "1"
+#define NUMBER (sizeof(tf_real_t) == sizeof(float) ? "float" : "double")
+#define REALS 14
+#define WHOLES 7
+#define CRC_LINE 15 // "crc32 0123abcd\n"
+
+static const char *const real_names[REALS] = {
+    "r",       "v",       "omega",     "phi",     "carry-r",
+    "carry-v", "carry-w", "carry-phi", "force-F", "force-M",
+    "slip-h",  "slip-g",  "delassus",  "residual"};
+static const struct {
+  const char *name;
+  uint64_t most;
+} wholes[WHOLES] = {
+    {"tick", UINT64_C(1) << 62},   {"seed", UINT32_MAX},
+    {"mode", TF_MODES - 1},        {"report-mode", TF_MODES - 1},
+    {"set", (1u << TF_MODES) - 1}, {"choices", TF_MODES},
+    {"status", TF_COARSE}};
+
+static void list_reals(cli_stand_t *stand, tf_real_t *at[REALS]) {
+  tf_real_t *const all[REALS] = {
+      &stand->state.r,         &stand->state.v,          &stand->state.w,
+      &stand->state.phi,       &stand->compensation.r,   &stand->compensation.v,
+      &stand->compensation.w,  &stand->compensation.phi, &stand->report.force.F,
+      &stand->report.force.M,  &stand->report.slip.h,    &stand->report.slip.g,
+      &stand->report.delassus, &stand->report.residual};
+  memcpy(at, all, sizeof all);
+}
+
+static void add_pair(cli_buffer_t *out, const char *key, const char *value) {
+  cli_add(out, key);
+  cli_add(out, " ");
+  cli_add(out, value);
+  cli_add(out, "\n");
+}
+
+size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
+                       const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]) {
+  cli_buffer_t text = {out, 0, CLI_STATE_BYTES, false};
+  cli_stand_t copy = *stand;
+  tf_real_t *real[REALS];
+  char number[CLI_REAL_ROOM];
+  const uint64_t whole[WHOLES] = {stand->state.tick,
+                                  stand->state.seed,
+                                  stand->state.mode,
+                                  stand->report.mode,
+                                  stand->report.set,
+                                  stand->report.choices,
+                                  (uint64_t)stand->report.status};
+  add_pair(&text, "twofold-state", VERSION);
+  add_pair(&text, "number", NUMBER);
+  add_pair(&text, "scheme", scheme->name);
+  for (size_t i = 0; i < WHOLES; i++) {
+    (void)snprintf(number, sizeof number, "%" PRIu64, whole[i]);
+    add_pair(&text, wholes[i].name, number);
+  }
+  list_reals(&copy, real);
+  for (size_t i = 0; i < REALS; i++) {
+    (void)cli_write_real(number, *real[i]);
+    add_pair(&text, real_names[i], number);
+  }
+  cli_add(&text, "scene\n");
+  cli_scene_print(setup->scene, &setup->params, &text);
+  cli_trailer_t sum = {0, 0};
+  cli_trailer_add(&sum, out, text.used, 0);
+  (void)snprintf(number, sizeof number, "%08" PRIx32, sum.crc);
+  add_pair(&text, "crc32", number);
+  return text.used;
+}
+
+typedef struct {
+  const char *path;
+  char *at; // what is still to be read
+} reader_t;
+
+// The value of the next line, which has to have this key, or NULL.
+static char *next_value(reader_t *reader, const char *key) {
+  const size_t length = strlen(key);
+  char *end = strchr(reader->at, '\n');
+  if (end == NULL || strncmp(reader->at, key, length) != 0 ||
+      reader->at[length] != ' ') {
+    return NULL;
+  }
+  char *value = reader->at + length + 1;
+  *end = '\0';
+  reader->at = end + 1;
+  return value;
+}
+
+static int no_state(const reader_t *reader, const char *why) {
+  return cli_message(CLI_USAGE, "--from %s: %s", reader->path, why);
+}
+
+static int differs(const reader_t *reader, const char *what, const char *there,
+                   const char *here) {
+  return cli_message(CLI_REFUSED, "--from %s: %s is %s there and %s here",
+                     reader->path, what, there, here);
+}
+
+static int expect_word(reader_t *reader, const char *key, const char *here) {
+  const char *there = next_value(reader, key);
+  if (there == NULL) {
+    return no_state(reader, "no file of --save");
+  }
+  return strcmp(there, here) == 0 ? CLI_DONE
+                                  : differs(reader, key, there, here);
+}
+
+static int compare_params(const reader_t *reader, const tf_params_t *there,
+                          const tf_params_t *here) {
+  char one[CLI_REAL_ROOM], two[CLI_REAL_ROOM];
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+    const size_t offset = tf_parameter_ranges[i].offset;
+    tf_real_t a = 0, b = 0;
+    memcpy(&a, (const char *)there + offset, sizeof a);
+    memcpy(&b, (const char *)here + offset, sizeof b);
+    if (memcmp(&a, &b, sizeof a) != 0) {
+      (void)cli_write_real(one, a);
+      (void)cli_write_real(two, b);
+      return differs(reader, tf_parameter_ranges[i].name, one, two);
+    }
+  }
+  if (there->law != here->law) {
+    return differs(reader, "law", cli_law_name(there->law),
+                   cli_law_name(here->law));
+  }
+  if (there->rule != here->rule) {
+    return differs(reader, "rule", cli_rule_name(there->rule),
+                   cli_rule_name(here->rule));
+  }
+  if (there->rest != here->rest) {
+    return differs(reader, "rest", cli_rest_name(there->rest),
+                   cli_rest_name(here->rest));
+  }
+  return there->with_angle == here->with_angle
+             ? CLI_DONE
+             : differs(reader, "with-angle", there->with_angle ? "yes" : "no",
+                       here->with_angle ? "yes" : "no");
+}
+
+static bool same_profile(const tf_scene_t *a, const tf_scene_t *b) {
+  bool same = a->knots == b->knots;
+  for (size_t i = 0; same && i < a->knots; i++) {
+    same = memcmp(&a->profile[i], &b->profile[i], sizeof a->profile[i]) == 0;
+  }
+  return same;
+}
+
+static int compare_scene(reader_t *reader, const cli_setup_t *setup) {
+  cli_scene_file_t file;
+  if (strncmp(reader->at, "scene\n", 6) != 0) {
+    return no_state(reader, "no file of --save");
+  }
+  const char *text = reader->at + 6;
+  int code = cli_scene_parse(&file, reader->path, text, strlen(text));
+  if (code == CLI_DONE) {
+    code = compare_params(reader, &file.scene.params, &setup->params);
+  }
+  if (code == CLI_DONE && !same_profile(&file.scene, setup->scene)) {
+    code = differs(reader, "the profile of the turntable", "that of its scene",
+                   "another one");
+  }
+  return code;
+}
+
+static int read_values(reader_t *reader, cli_stand_t *stand) {
+  uint64_t whole[WHOLES];
+  tf_real_t *real[REALS];
+  const char *why = "";
+  list_reals(stand, real);
+  for (size_t i = 0; i < WHOLES; i++) {
+    const char *value = next_value(reader, wholes[i].name);
+    if (value == NULL || !cli_read_whole(value, 0, wholes[i].most, &whole[i])) {
+      return no_state(reader, "no file of --save");
+    }
+  }
+  for (size_t i = 0; i < REALS; i++) {
+    const char *value = next_value(reader, real_names[i]);
+    if (value == NULL || !cli_read_real(value, real[i], &why)) {
+      return no_state(reader, "no file of --save");
+    }
+  }
+  stand->state.tick = whole[0];
+  stand->state.seed = (uint32_t)whole[1];
+  stand->state.mode = (uint8_t)whole[2];
+  stand->report.mode = (uint8_t)whole[3];
+  stand->report.set = (uint8_t)whole[4];
+  stand->report.choices = (uint8_t)whole[5];
+  stand->report.status = (tf_status_t)whole[6];
+  return CLI_DONE;
+}
+
+// Cuts the last line off, the checksum. Returns: whether it is right.
+static bool is_whole(char *text, size_t size) {
+  char line[CRC_LINE + 1];
+  cli_trailer_t sum = {0, 0};
+  if (size < CRC_LINE) {
+    return false;
+  }
+  cli_trailer_add(&sum, text, size - CRC_LINE, 0);
+  (void)snprintf(line, sizeof line, "crc32 %08" PRIx32 "\n", sum.crc);
+  const bool right = memcmp(text + size - CRC_LINE, line, CRC_LINE) == 0;
+  text[size - CRC_LINE] = '\0';
+  return right;
+}
+
+int cli_state_read(cli_stand_t *stand, const char *path,
+                   const cli_setup_t *setup, const cli_scheme_t *scheme) {
+  char text[CLI_STATE_BYTES + 1];
+  reader_t reader = {path, text};
+  FILE *file = fopen(path, "r");
+  if (file == NULL) {
+    return no_state(&reader, strerror(errno));
+  }
+  const size_t size = fread(text, 1, sizeof text - 1, file);
+  const int error = ferror(file) != 0 ? errno : 0;
+  (void)fclose(file);
+  if (error != 0) {
+    return no_state(&reader, strerror(error));
+  }
+  text[size] = '\0';
+  if (strncmp(text, "twofold-state ", 14) != 0) {
+    return no_state(&reader, "no file of --save");
+  }
+  if (!is_whole(text, size)) {
+    return cli_message(CLI_REFUSED,
+                       "--from %s: cut off or changed: its checksum is wrong",
+                       path);
+  }
+  *stand = (cli_stand_t){.state = {.r = 0}};
+  int code = expect_word(&reader, "twofold-state", VERSION);
+  code = code == CLI_DONE ? expect_word(&reader, "number", NUMBER) : code;
+  code = code == CLI_DONE ? expect_word(&reader, "scheme", scheme->name) : code;
+  code = code == CLI_DONE ? read_values(&reader, stand) : code;
+  return code == CLI_DONE ? compare_scene(&reader, setup) : code;
+}

@@ -1,0 +1,33 @@
+/// @file
+/// Where a run stands, as a file from which another run goes on bit for bit:
+/// the state, the compensation, the last report, and what they belong to.
+#ifndef TWOFOLD_CLI_STATE_FILE_H
+#define TWOFOLD_CLI_STATE_FILE_H
+
+#include <stdbool.h>
+
+#include "../setup/scheme.h"
+
+/// Room for the text of a file.
+#define CLI_STATE_BYTES 8192
+
+typedef struct {
+  tf_state_t state;
+  tf_compensation_t compensation;
+  tf_report_t report; ///< of the last step, or of the start
+} cli_stand_t;
+
+/// Writes it as text.
+/// setup: in, whose machine and scene it belongs to.
+/// Returns: the length.
+size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
+                       const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]);
+
+/// Reads it from a file. The machine, the profile of the scene, the scheme and
+/// the number type have to be those with which it was written, bit for bit.
+/// Returns: CLI_DONE; after a message that tells what differs CLI_REFUSED, or
+/// CLI_USAGE where the file cannot be read or is none of this kind.
+int cli_state_read(cli_stand_t *stand, const char *path,
+                   const cli_setup_t *setup, const cli_scheme_t *scheme);
+
+#endif
