@@ -153,7 +153,7 @@ run: $(BUILD)/double/twofold
 # What tests of the line need: the host port's firmware, by a make of its own
 # with the same flags, for the board is chosen when a make begins.
 LINE := $(if $(filter tests/line/test_line.c tests/line/test_hostile.c \
-  tests/line/test_hil.sh,$(TESTS)),\
+  tests/line/test_hil.sh tests/line/test_replay.sh,$(TESTS)),\
   $(foreach v,$(VARIANTS),$(BUILD)/$(v)/hil line-$(v)))
 LINE += $(if $(filter tests/line/test_own_scene.sh,$(TESTS)),own-scene)
 LINE += $(if $(filter tests/line/test_streams.sh,$(TESTS)),line-csv \

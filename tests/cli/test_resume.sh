@@ -4,8 +4,8 @@
 # what differs. usage: test_resume.sh TWOFOLD
 . "$(dirname "$0")/../support/tap.sh"
 
-# joined T END EVERY ARGS...: a run to T, and from there to END, joined. The last
-# row of the first one is in the whole only where its step is a multiple of EVERY.
+# joined T END EVERY ARGS...: a run to T, and from there to END, joined. The
+# last row of the first one is in the whole only where EVERY divides its step.
 joined() {
   middle=$1 end=$2 every=$3
   shift 3
@@ -80,7 +80,8 @@ WORDS
 cmp -s at before
 result $? 'what is refused writes nothing'
 runs run chaos --t-end 0.1 --select random:9 --save drawn --out one
-expect 3 'the seed is 9 there and 7 here' run chaos --from drawn --select random:7
+expect 3 'the seed is 9 there and 7 here' \
+  run chaos --from drawn --select random:7
 runs run driven --t-end 0.1 --save drives --out one
 sed 's/^profile.*/profile none/; /^crc/d' drives >other
 expect 3 'cut off or changed: its checksum is wrong' run driven --from other

@@ -161,8 +161,8 @@ static uint8_t *put_number(uint8_t *at, const char *text, bool is_float) {
   return tf_wire_put(at, bits, 8);
 }
 
-static uint8_t *put_payload(uint8_t *at, const cli_board_command_t *command,
-                            bool is_float) {
+static uint8_t *put_data(uint8_t *at, const cli_board_command_t *command,
+                         bool is_float) {
   if (command->type == TF_UP_PARAMETER) {
     *at++ = command->index;
     return put_number(at, command->number[0], is_float);
@@ -179,6 +179,11 @@ static uint8_t *put_payload(uint8_t *at, const cli_board_command_t *command,
   }
   // The speeds are constant, so the turntable's acceleration is 0.
   return command->numbers > 0 ? put_number(at, "0", is_float) : at;
+}
+
+size_t cli_board_command_data(const cli_board_command_t *command, bool is_float,
+                              uint8_t data[TF_FRAME_PAYLOAD]) {
+  return (size_t)(put_data(data, command, is_float) - data);
 }
 
 // Whether the board has described itself since it was asked to. That tells the
@@ -207,7 +212,7 @@ size_t cli_board_commands_next(cli_board_commands_t *commands,
     commands->sequence = receiver->sequence;
   }
   const uint8_t *end =
-      put_payload(wire + TF_COMMAND_AT, command, receiver->is_float);
+      put_data(wire + TF_COMMAND_AT, command, receiver->is_float);
   commands->waiting = true;
   commands->deadline = now + PATIENCE;
   commands->sent = commands->sequence;
@@ -271,14 +276,14 @@ static void write_range(char *out, size_t room, const tf_frame_t *frame,
                  tf_parameter_ranges[index].name, value, low, high);
 }
 
-void cli_board_commands_answer(cli_board_commands_t *commands,
-                               const tf_frame_t *frame,
-                               const cli_receiver_t *receiver) {
+const cli_board_command_t *cli_board_commands_answer(
+    cli_board_commands_t *commands, const tf_frame_t *frame,
+    const cli_receiver_t *receiver) {
   const uint8_t *at = frame->payload;
   const cli_board_command_t *command = &commands->list[commands->next];
   if (!commands->waiting || frame->length < ANSWER_BYTES ||
       tf_wire_get(at, 4) != commands->sent || at[4] != command->type) {
-    return; // it answers another command, or another host
+    return NULL; // it answers another command, or another host
   }
   const int code = at[5] < 128 ? at[5] : at[5] - 256;
   char range[3 * CLI_REAL_ROOM + 32];
@@ -290,4 +295,5 @@ void cli_board_commands_answer(cli_board_commands_t *commands,
   commands->refused += code != 0;
   commands->waiting = false;
   commands->next++;
+  return code == 0 ? command : NULL;
 }

@@ -36,6 +36,11 @@ typedef struct {
 /// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_board_commands_add(cli_board_commands_t *commands, const char *text);
 
+/// Writes the data of a command, in the real type of the board.
+/// Returns: their length.
+size_t cli_board_command_data(const cli_board_command_t *command, bool is_float,
+                              uint8_t data[TF_FRAME_PAYLOAD]);
+
 /// Makes the frame of the next command, if no answer is awaited.
 /// wire: out, TF_FRAME_SIZE(TF_FRAME_PAYLOAD).
 /// Returns: its length, or 0.
@@ -48,8 +53,9 @@ bool cli_board_commands_late(const cli_board_commands_t *commands,
                              const cli_receiver_t *receiver, double now);
 
 /// Takes an answer and prints the outcome of the command on standard error.
-void cli_board_commands_answer(cli_board_commands_t *commands,
-                               const tf_frame_t *frame,
-                               const cli_receiver_t *receiver);
+/// Returns: the command if it took effect, else NULL.
+const cli_board_command_t *cli_board_commands_answer(
+    cli_board_commands_t *commands, const tf_frame_t *frame,
+    const cli_receiver_t *receiver);
 
 #endif

@@ -19,6 +19,7 @@
 #include "damage.h"
 #include "monitor_args.h"
 #include "receiver.h"
+#include "session_record.h"
 #include "view.h"
 
 #define WAIT 100 // for bytes, and between two attempts to open a device [ms]
@@ -31,6 +32,7 @@ typedef struct {
   cli_monitor_args_t args;
   cli_source_t source;
   cli_output_t output;
+  cli_session_record_t record;
   cli_receiver_t receiver;
   cli_view_t view;
   cli_live_t *live; ///< the picture of --live, or NULL
@@ -87,9 +89,14 @@ static bool take_block(monitor_t *monitor, size_t length) {
     at += taken;
     length -= taken;
     if (frame.type == TF_DOWN_ANSWER) {
-      cli_board_commands_answer(&monitor->args.commands, &frame,
-                                &monitor->receiver);
+      const cli_board_command_t *done = cli_board_commands_answer(
+          &monitor->args.commands, &frame, &monitor->receiver);
+      if (done != NULL) {
+        cli_session_record_command(&monitor->record, done,
+                                   monitor->receiver.is_float, frame.tick);
+      }
     }
+    cli_session_record_frame(&monitor->record, &frame);
     const bool completes = cli_receiver_take(&monitor->receiver, &frame, &row);
     cli_damage_frame(&monitor->damage, monitor->source.is_device,
                      &monitor->receiver, &monitor->decoder);
@@ -276,7 +283,9 @@ static int open_both(monitor_t *monitor) {
     (void)cli_output_lines(&monitor->output, args->as->header,
                            strlen(args->as->header));
   }
-  return CLI_DONE;
+  return args->record != NULL
+             ? cli_session_record_open(&monitor->record, args->record)
+             : CLI_DONE;
 }
 
 // What has an end of its own has to be read to its end; all else is read until
@@ -329,6 +338,7 @@ static int perform(monitor_t *monitor) {
   if (monitor->args.as != NULL) {
     code = cli_output_end(&monitor->output, code);
   }
+  code = cli_session_record_close(&monitor->record, code);
   cli_source_close(&monitor->source);
   summarise(monitor);
   return judge_stream(monitor, code);

@@ -59,6 +59,11 @@ static int read_out(void *to, const cli_given_t *option) {
   return cli_read_path(option, &args->out);
 }
 
+static int read_record(void *to, const cli_given_t *option) {
+  cli_monitor_args_t *args = to;
+  return cli_read_path(option, &args->record);
+}
+
 static int read_send(void *to, const cli_given_t *option) {
   cli_monitor_args_t *args = to;
   return cli_board_commands_add(&args->commands, option->value);
@@ -88,6 +93,7 @@ static const cli_option_t options[] = {
     {"--follow", read_follow, CLI_FLAG},   {"--live", read_live, CLI_FLAG},
     {"--baud", read_baud, CLI_ONCE},       {"--out", read_out, CLI_ONCE},
     {"--send", read_send, CLI_REPEATABLE}, {"--key", read_key, CLI_ONCE},
+    {"--record", read_record, CLI_ONCE},
 };
 
 int cli_monitor_args(cli_monitor_args_t *args, int argc, char *const argv[]) {

@@ -11,6 +11,7 @@ typedef struct {
   const char *path;       ///< "-": standard input
   const char *out;        ///< of --as; NULL: standard output
   const cli_stream_t *as; ///< NULL: a live view
+  const char *record;     ///< of --record, or NULL
   uint64_t baud;          ///< 0: unchanged
   bool follow, live;
   cli_board_commands_t commands;

@@ -9,6 +9,7 @@
 #include "../setup/drive.h"
 #include "../setup/scheme.h"
 #include "events.h"
+#include "replay.h"
 #include "row.h"
 #include "twofold.h"
 
@@ -17,6 +18,7 @@ typedef enum {
   CLI_ENDED,        ///< all steps were taken
   CLI_INTERRUPTED,  ///< by a signal
   CLI_STEP_REFUSED, ///< by the scheme
+  CLI_NOT_REPLAYED, ///< the replay is not what the board did
   CLI_NOT_WRITTEN   ///< the output failed
 } cli_end_t;
 
@@ -24,6 +26,8 @@ typedef struct {
   const cli_setup_t *setup;
   const cli_scheme_t *scheme;
   cli_drive_t drive;
+  cli_replay_t replay;
+  bool replays; ///< instead of driving the scene
   cli_format_t format;
   uint64_t every, steps;
   bool real_time;    ///< step n is taken n dt after the start

@@ -41,7 +41,7 @@ static void write_row(cli_run_t *run) {
         &run->sequence, &run->system.state, &run->report,
         run->drive.table.count > 0 ? TF_INPUT_SET : TF_INPUT_SCENE, frames);
   } else {
-    const tf_real_t t = (tf_real_t)cli_run_time(run, run->done);
+    const tf_real_t t = (tf_real_t)cli_run_time(run, run->system.state.tick);
     length = cli_row(run->format, t, &run->system.state, &run->report, row);
   }
   if (!cli_output_lines(&run->output, bytes, length)) {
@@ -51,18 +51,38 @@ static void write_row(cli_run_t *run) {
   run->output_seconds += cli_now() - started;
 }
 
-static void take_step(cli_run_t *run) {
-  const tf_real_t t = (tf_real_t)cli_run_time(run, run->done + 1);
-  const tf_input_t input =
-      cli_drive_step(&run->drive, &run->setup->machine, run->done, t);
+// Inputs of the next step. Returns: whether there is one.
+static bool next_input(cli_run_t *run, tf_input_t *input) {
+  if (!run->replays) {
+    const tf_real_t t = (tf_real_t)cli_run_time(run, run->done + 1);
+    *input = cli_drive_step(&run->drive, &run->setup->machine, run->done, t);
+    return true;
+  }
+  if (cli_replay_next(&run->replay, &run->system, run->setup->scene, input)) {
+    return true;
+  }
+  run->steps = run->done;
+  if (run->replay.failed != NULL) {
+    run->end = CLI_NOT_REPLAYED;
+  }
+  return false;
+}
+
+// Returns: whether a step was taken.
+static bool take_step(cli_run_t *run) {
+  tf_input_t input;
+  if (!next_input(run, &input)) {
+    return false;
+  }
   tf_report_t report;
   run->status = run->scheme->step(&run->system, &input, &report);
   if (run->status < 0) {
     run->end = CLI_STEP_REFUSED;
-    return;
+    return false;
   }
   run->done++;
   cli_run_observe(run, &report);
+  return true;
 }
 
 // Waits for the time of the next step, and uses a long wait to flush the rows.
@@ -96,7 +116,7 @@ static void take_batch(cli_run_t *run) {
   const uint64_t left = run->steps - run->done;
   const uint64_t most = run->real_time ? 1 : BATCH;
   const uint64_t until = run->done + (left < most ? left : most);
-  while (run->done < until && run->end == CLI_ENDED) {
+  while (run->done < until && run->done < run->steps && run->end == CLI_ENDED) {
     if (run->real_time) {
       await_step(run);
     }
@@ -107,8 +127,7 @@ static void take_batch(cli_run_t *run) {
       run->end = CLI_INTERRUPTED;
       return;
     }
-    take_step(run);
-    if (run->done % run->every == 0) {
+    if (take_step(run) && run->system.state.tick % run->every == 0) {
       write_row(run);
     }
     if (run->real_time && run->end == CLI_ENDED) {
@@ -228,7 +247,7 @@ static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
 
 // Puts a run where another one has left it.
 static int go_on(cli_run_t *run, const cli_run_args_t *args,
-                 const cli_setup_t *setup) {
+                 cli_setup_t *setup) {
   cli_stand_t stand;
   for (size_t i = 0; i < CLI_STARTS; i++) {
     if (setup->set_start[i] != NULL) {
@@ -255,6 +274,7 @@ static int go_on(cli_run_t *run, const cli_run_args_t *args,
                        args->from, cli_run_time(run, stand.state.tick),
                        cli_run_time(run, run->steps));
   }
+  setup->seed = stand.state.seed;
   run->system.state = stand.state;
   run->system.compensation = stand.compensation;
   run->report = stand.report;
@@ -264,10 +284,29 @@ static int go_on(cli_run_t *run, const cli_run_args_t *args,
   return CLI_DONE;
 }
 
+// The step after the last one of the record is never taken; what stands at the
+// end of the record is looked at before it.
+static int prepare_replay(cli_run_t *run, const cli_run_args_t *args,
+                          cli_setup_t *setup) {
+  int code = cli_replay_read(&run->replay, args->replay);
+  if (code == CLI_DONE) {
+    code = cli_replay_begin(&run->replay, setup, args->scheme, &run->steps);
+  }
+  run->steps++;
+  return code;
+}
+
 // Prepares a run as it was asked for and performs it.
 static int prepare_and_perform(cli_run_t *run, const cli_run_args_t *args) {
   cli_setup_t setup;
   int code = prepare(args, &setup, run);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  run->replays = args->replay != NULL;
+  if (run->replays) {
+    code = prepare_replay(run, args, &setup);
+  }
   if (code != CLI_DONE) {
     return code;
   }
@@ -302,6 +341,7 @@ int cli_run(int argc, char *const argv[]) {
   }
   code = prepare_and_perform(run, &args);
   cli_drive_free(&run->drive);
+  cli_replay_free(&run->replay);
   cli_events_free(&run->events);
   free(run);
   return code;

@@ -80,6 +80,11 @@ static int read_save(void *to, const cli_given_t *option) {
   return cli_read_path(option, &args->save);
 }
 
+static int read_replay(void *to, const cli_given_t *option) {
+  cli_run_args_t *args = to;
+  return cli_read_path(option, &args->replay);
+}
+
 static int read_inputs(void *to, const cli_given_t *option) {
   cli_run_args_t *args = to;
   return cli_read_path(option, &args->drive.inputs);
@@ -137,12 +142,25 @@ static const cli_option_t options[] = {
     {"--out", read_out, CLI_ONCE},
     {"--from", read_from, CLI_ONCE},
     {"--save", read_save, CLI_ONCE},
+    {"--replay", read_replay, CLI_ONCE},
     {"--inputs", read_inputs, CLI_ONCE},
     {"--between", read_between, CLI_ONCE},
     {"--events", read_events, CLI_ONCE},
     {"--realtime", read_real_time, CLI_FLAG},
     {"--live", read_live, CLI_FLAG},
 };
+
+// A record has its own inputs, start and end.
+static int check_replay(const cli_run_args_t *args) {
+  const char *other = args->drive.inputs != NULL ? "--inputs"
+                      : args->from != NULL       ? "--from"
+                      : args->save != NULL       ? "--save"
+                      : args->t_end_text != NULL ? "--t-end"
+                                                 : NULL;
+  return other == NULL ? CLI_DONE
+                       : cli_message(CLI_USAGE, "--replay %s: not with %s",
+                                     args->replay, other);
+}
 
 int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]) {
   static const cli_syntax_t syntax = {"run", options,
@@ -154,6 +172,9 @@ int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]) {
   int code = cli_read_words(&syntax, args, argc, argv);
   if (code == CLI_DONE) {
     code = cli_need_scene(args->scene, "run");
+  }
+  if (code == CLI_DONE && args->replay != NULL) {
+    code = check_replay(args);
   }
   if (code == CLI_DONE && args->t_end_text == NULL) {
     args->t_end = args->scene->t_end;

@@ -17,6 +17,7 @@ typedef struct {
   const char *out;    ///< path, NULL: standard output
   const char *from;   ///< path of a state to go on from, or NULL
   const char *save;   ///< path that the last state goes to, or NULL
+  const char *replay; ///< path of a record, or NULL
   cli_drive_args_t drive;
   cli_format_t format;
   uint64_t every;         ///< steps between two rows, >= 1

@@ -19,8 +19,8 @@ static void print_request(const cli_run_t *run) {
   (void)fprintf(stderr, "scheme     %s, rule %s", run->scheme->name,
                 cli_rule_name(setup->params.rule));
   if (setup->params.rule == TF_RULE_RANDOM) {
-    (void)fprintf(stderr, ":%" PRIu32 ", exit rate %g /s",
-                  run->system.state.seed, (double)setup->params.rate);
+    (void)fprintf(stderr, ":%" PRIu32 ", exit rate %g /s", setup->seed,
+                  (double)setup->params.rate);
   }
   (void)fprintf(stderr,
                 "\nsteps      %" PRIu64 " of %" PRIu64 ", dt = %g s, t = %g s",
@@ -152,6 +152,12 @@ static void print_end(const cli_run_t *run) {
                         t, run->done + 1, tf_status_name(run->status),
                         (double)state->r, (double)state->v, (double)state->w);
       break;
+    case CLI_NOT_REPLAYED:
+      (void)cli_message(CLI_STOPPED,
+                        "%s: row %zu, at step %" PRIu64 ": %s; r = %.17g m",
+                        run->replay.name, run->replay.next, state->tick,
+                        run->replay.failed, (double)state->r);
+      break;
     case CLI_NOT_WRITTEN:
       (void)cli_message(CLI_STOPPED, "stopped at t = %.9g s: %s: %s", t,
                         run->output.name, cli_output_reason(&run->output));
@@ -161,8 +167,15 @@ static void print_end(const cli_run_t *run) {
 
 void cli_summary(const cli_run_t *run) {
   print_request(run);
-  print_table(run, &run->drive.profile);
-  print_table(run, &run->drive.table);
+  if (run->replays) {
+    (void)fprintf(stderr,
+                  "replay     %s: %" PRIu64 " commands took effect, %" PRIu64
+                  " states were compared\n",
+                  run->replay.name, run->replay.commands, run->replay.states);
+  } else {
+    print_table(run, &run->drive.profile);
+    print_table(run, &run->drive.table);
+  }
   cli_events_print(&run->events, stderr);
   print_quality(run);
   print_final(run);

@@ -28,7 +28,8 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
 /// t = 0; tells which settings have no effect beside the table.
 void cli_drive_begin(cli_drive_t *drive, cli_setup_t *setup);
 
-/// Goes to a tick and its time, at which a run begins that goes on from another.
+/// Goes to a tick and its time, at which a run begins that goes on from another
+/// one.
 void cli_drive_go_to(cli_drive_t *drive, uint64_t tick, tf_real_t t);
 
 /// Inputs for the step of a machine from a tick to the next one.

@@ -1,0 +1,276 @@
+// A record is read as a whole and walked through once before the replay, which
+// tells how many steps it has. The replay itself keeps what a board keeps, a
+// session and a link; commands go through the link as they do there, and the
+// system of the run is the session's machine and state.
+
+#include "replay.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../text/message.h"
+#include "../text/number.h"
+
+#define LINE_ROOM 1024
+// Where these stand in the payload of a schema.
+#define SCHEMA_SCHEME 3
+#define SCHEMA_SEED 5
+#define SCHEMA_HASH 9
+#define SCHEMA_DEADMAN 21
+#define SCHEMA_LEAST 25
+
+static bool read_hex(const char *text, size_t length, cli_replay_row_t *row) {
+  static const char digits[] = "0123456789abcdef";
+  if (length % 2 != 0 || length / 2 > sizeof row->data) {
+    return false;
+  }
+  for (size_t i = 0; i < length; i++) {
+    const char *digit = memchr(digits, text[i], 16);
+    if (digit == NULL) {
+      return false;
+    }
+    const unsigned value = (unsigned)(digit - digits);
+    row->data[i / 2] =
+        (uint8_t)(i % 2 == 0 ? value << 4 : row->data[i / 2] | value);
+  }
+  row->length = (uint8_t)(length / 2);
+  return true;
+}
+
+// TICK,TYPE,DATA,COMMAND
+static bool read_row(char *line, cli_replay_row_t *row) {
+  cli_replay_row_t type;
+  char *field[3];
+  for (size_t i = 0; i < 3; i++) {
+    field[i] = line;
+    line += strcspn(line, ",");
+    if (*line != ',') {
+      return false;
+    }
+    *line++ = '\0';
+  }
+  memset(row, 0, sizeof *row);
+  if (!cli_read_whole(field[0], 0, TF_LINK_TICKS - 1, &row->tick) ||
+      strlen(field[1]) != 2 || !read_hex(field[1], 2, &type)) {
+    return false;
+  }
+  row->type = type.data[0];
+  return read_hex(field[2], strlen(field[2]), row);
+}
+
+static bool add(cli_replay_t *replay, const cli_replay_row_t *row) {
+  if (replay->count == replay->room) {
+    const size_t room = replay->room == 0 ? 64 : 2 * replay->room;
+    cli_replay_row_t *rows = realloc(replay->rows, room * sizeof *rows);
+    if (rows == NULL) {
+      return false;
+    }
+    replay->rows = rows;
+    replay->room = room;
+  }
+  replay->rows[replay->count++] = *row;
+  return true;
+}
+
+static int read_all(cli_replay_t *replay, FILE *file) {
+  char line[LINE_ROOM];
+  cli_replay_row_t row;
+  unsigned long number = 0;
+  bool has_header = false, has_schema = false;
+  while (fgets(line, sizeof line, file) != NULL) {
+    number++;
+    if (line[0] == '#') {
+      continue;
+    }
+    if (!has_header && strcmp(line, "tick,type,data,command\n") == 0) {
+      has_header = true;
+      continue;
+    }
+    if (!has_header || !read_row(line, &row) ||
+        (row.type == TF_DOWN_SCHEMA) == has_schema) {
+      return cli_message(CLI_USAGE, "%s:%lu: no record of 'monitor --record'",
+                         replay->name, number);
+    }
+    if (!has_schema) {
+      has_schema = true;
+      replay->schema = row;
+    } else if (!add(replay, &row)) {
+      return cli_message(CLI_STOPPED, "%s: out of memory", replay->name);
+    }
+  }
+  if (ferror(file) != 0) {
+    return cli_message(CLI_USAGE, "%s: %s", replay->name, strerror(errno));
+  }
+  return has_schema && replay->schema.length >= SCHEMA_LEAST
+             ? CLI_DONE
+             : cli_message(CLI_USAGE, "%s: no record of 'monitor --record'",
+                           replay->name);
+}
+
+int cli_replay_read(cli_replay_t *replay, const char *path) {
+  FILE *file = fopen(path, "r");
+  replay->name = path;
+  if (file == NULL) {
+    return cli_message(CLI_USAGE, "--replay %s: %s", path, strerror(errno));
+  }
+  const int code = read_all(replay, file);
+  (void)fclose(file);
+  return code;
+}
+
+// The tick after a command, of which the tick before it is known.
+static uint64_t tick_after(const cli_replay_row_t *row, uint64_t *saved) {
+  switch (row->type) {
+    case TF_UP_RESET:
+      return 0;
+    case TF_UP_SNAPSHOT:
+      *saved = row->tick;
+      return row->tick;
+    case TF_UP_RESTORE:
+      return row->length >= 8 ? tf_wire_get(row->data, 8) : *saved;
+    default:
+      return row->tick;
+  }
+}
+
+static int count_steps(const cli_replay_t *replay, uint64_t *steps) {
+  uint64_t tick = 0, saved = 0;
+  *steps = 0;
+  for (size_t i = 0; i < replay->count; i++) {
+    const cli_replay_row_t *row = &replay->rows[i];
+    if (row->tick < tick) {
+      return cli_message(CLI_REFUSED,
+                         "--replay %s: row %zu is at step %" PRIu64
+                         ", when the board has taken %" PRIu64,
+                         replay->name, i + 1, row->tick, tick);
+    }
+    *steps += row->tick - tick;
+    tick = tick_after(row, &saved);
+  }
+  return CLI_DONE;
+}
+
+// Whether the record was made of this machine.
+static int compare(const cli_replay_t *replay, const cli_setup_t *setup,
+                   const cli_scheme_t *scheme) {
+  const uint8_t *schema = replay->schema.data;
+  const uint32_t hash = (uint32_t)tf_wire_get(schema + SCHEMA_HASH, 4);
+  const uint32_t here = tf_params_hash(&setup->params);
+  if (schema[0] != TF_REAL_BYTES) {
+    return cli_message(CLI_REFUSED,
+                       "--replay %s: the board computes in %s, this program "
+                       "in %s",
+                       replay->name, schema[0] == 4 ? "float" : "double",
+                       TF_REAL_BYTES == 4 ? "float" : "double");
+  }
+  if (schema[SCHEMA_SCHEME] != scheme->code) {
+    return cli_message(CLI_REFUSED,
+                       "--replay %s: the scheme of the board is %s, not %s",
+                       replay->name,
+                       schema[SCHEMA_SCHEME] < CLI_SCHEMES
+                           ? cli_schemes[schema[SCHEMA_SCHEME]].name
+                           : "unknown",
+                       scheme->name);
+  }
+  if (hash != here) {
+    return cli_message(CLI_REFUSED,
+                       "--replay %s: the parameters of the board have the hash "
+                       "%08" PRIx32 ", those here %08" PRIx32
+                       "; is --dt 1/RATE of the firmware?",
+                       replay->name, hash, here);
+  }
+  return CLI_DONE;
+}
+
+int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
+                     const cli_scheme_t *scheme, uint64_t *steps) {
+  const uint8_t *schema = replay->schema.data;
+  int code = compare(replay, setup, scheme);
+  if (code == CLI_DONE) {
+    code = count_steps(replay, steps);
+  }
+  if (code != CLI_DONE) {
+    return code;
+  }
+  setup->seed = (uint32_t)tf_wire_get(schema + SCHEMA_SEED, 4);
+  setup->state.seed = setup->seed;
+  tf_link_open(&replay->link, setup->scene, &setup->params);
+  (void)tf_session_open(&replay->session, setup->scene, &setup->params,
+                        setup->seed);
+  replay->session.deadman = (uint32_t)tf_wire_get(schema + SCHEMA_DEADMAN, 4);
+  replay->link.session = 1;
+  return CLI_DONE;
+}
+
+// Gives a command to the link and takes its answer. Returns: whether it took
+// effect.
+static bool perform(cli_replay_t *replay, const cli_replay_row_t *row) {
+  uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
+  uint32_t down = 0;
+  if (row->length > TF_COMMAND_MOST) {
+    return false;
+  }
+  memcpy(wire + TF_COMMAND_AT, row->data, row->length);
+  const size_t length =
+      tf_command_seal(wire, row->type, row->length, replay->link.session,
+                      &replay->sequence, 0, NULL);
+  for (size_t i = 0; i < length; i++) {
+    tf_link_receive(&replay->link, wire[i]);
+  }
+  const unsigned done = tf_link_boundary(&replay->link, &replay->session);
+  (void)tf_link_answer(&replay->link, wire, &down);
+  replay->commands += done;
+  return done == 1;
+}
+
+static bool same_state(const cli_replay_row_t *row, const tf_state_t *state) {
+  tf_state_t there;
+  if (row->length != TF_STATE_BYTES) {
+    return false;
+  }
+  tf_read_state(row->data, row->tick, &there);
+  return memcmp(&there.r, &state->r, sizeof there.r) == 0 &&
+         memcmp(&there.v, &state->v, sizeof there.v) == 0 &&
+         memcmp(&there.w, &state->w, sizeof there.w) == 0 &&
+         memcmp(&there.phi, &state->phi, sizeof there.phi) == 0 &&
+         there.seed == state->seed && there.mode == state->mode;
+}
+
+bool cli_replay_next(cli_replay_t *replay, cli_system_t *system,
+                     const tf_scene_t *scene, tf_input_t *input) {
+  tf_session_t *session = &replay->session;
+  session->state = system->state;
+  while (replay->next < replay->count &&
+         replay->rows[replay->next].tick == session->state.tick &&
+         replay->failed == NULL) {
+    const cli_replay_row_t *row = &replay->rows[replay->next++];
+    if (row->type == TF_DOWN_STATE) {
+      replay->states++;
+      if (!same_state(row, &session->state)) {
+        replay->failed = "the state is not that of the board";
+      }
+    } else if (!perform(replay, row)) {
+      replay->failed = "a command is refused that the board took";
+    }
+  }
+  system->state = session->state;
+  system->machine.machine = session->machine;
+  if (replay->failed != NULL || replay->next == replay->count) {
+    return false;
+  }
+  if (!session->running) {
+    replay->failed = "the board stood still, and is said to have moved";
+    return false;
+  }
+  *input = tf_session_input(session, scene);
+  return true;
+}
+
+void cli_replay_free(cli_replay_t *replay) {
+  free(replay->rows);
+  replay->rows = NULL;
+  replay->count = replay->room = 0;
+}
