@@ -47,6 +47,10 @@ TEST_FLAGS := $(COMMON) $(WARN) -Itests -Itests/support -Isrc
 # Short sums of products of numbers that were just computed: in vectors they
 # would wait for their stores (located step of chaos: 1.15 times the time).
 SRC_FLAGS_taylor := -fno-tree-vectorize
+# The command line tells of which commit it is.
+COMMIT := git describe --always --dirty --exclude='*' 2>/dev/null || \
+  echo unknown
+TOOL_FLAGS_commit = -DTF_COMMIT='"$(shell $(COMMIT))"'
 FLAGS_double :=
 FLAGS_float := -DTF_REAL_FLOAT
 
@@ -113,7 +117,7 @@ $(BUILD)/$(1)/flags: FORCE
 $(BUILD)/$(1)/src/%.o: src/%.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(CORE_FLAGS) $$(SRC_FLAGS_$$(*F)) $$(FLAGS_$(1)))
 $(BUILD)/$(1)/tools/%.o: tools/%.c $(BUILD)/$(1)/flags
-	$$(call compile,$$(TOOL_FLAGS) $$(FLAGS_$(1)))
+	$$(call compile,$$(TOOL_FLAGS) $$(TOOL_FLAGS_$$(*F)) $$(FLAGS_$(1)))
 $(BUILD)/$(1)/tests/%.o: tests/%.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(TEST_FLAGS) $$(FLAGS_$(1)))
 
@@ -128,6 +132,13 @@ $(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \
     $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 endef
+
+# Only this file is compiled again where the commit is another one.
+$(VARIANTS:%=$(BUILD)/%/tools/cli/text/commit.o): $(BUILD)/commit
+$(BUILD)/commit: FORCE
+	@mkdir -p $(@D)
+	@commit=$$($(COMMIT)); [ "$$(cat $@ 2>/dev/null)" = "$$commit" ] || \
+	  echo "$$commit" >$@
 
 define compile
 	@mkdir -p $(@D)

@@ -52,8 +52,8 @@ typedef struct {
   double output_seconds;    ///< wall time of the output
   double idle_seconds;      ///< wall time spent waiting
   cli_output_t output;
-  cli_live_t *live; ///< the picture, or NULL
-  bool rowless;     ///< the terminal shows the picture in place of rows
+  cli_live_t *live;   ///< the picture, or NULL
+  bool rowless;       ///< the terminal shows the picture in place of rows
   cli_output_t saved; ///< of --save
 } cli_run_t;
 

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "../host/host.h"
+#include "../setup/provenance.h"
 #include "../text/message.h"
 #include "frames.h"
 #include "progress.h"
@@ -165,12 +166,18 @@ static void step_through(cli_run_t *run) {
   }
 }
 
-static void write_header(cli_run_t *run) {
+static void write_header(cli_run_t *run, bool provenance) {
   if (run->rowless) {
     return;
   }
-  char header[CLI_ROW_ROOM];
+  char header[CLI_ROW_ROOM], lines[CLI_PROVENANCE_ROOM];
   uint8_t frames[CLI_FRAMES_ROOM];
+  if (provenance) {
+    const size_t written = cli_provenance(
+        run->setup, run->scheme,
+        "t s, r m, v m/s, omega rad/s, h m/s, g m/s, F N, M N m", lines);
+    (void)cli_output_lines(&run->output, lines, written);
+  }
   if (run->format == CLI_FORMAT_FRAMES) {
     const size_t length = cli_frames_header(run->setup, run->scheme, run->first,
                                             &run->sequence, frames);
@@ -210,18 +217,20 @@ static int perform(cli_run_t *run, const cli_run_args_t *args) {
   run->live = args->live ? cli_live_open(cli_run_time(run, run->steps)) : NULL;
   run->rowless =
       run->live != NULL && run->output.to.descriptor == STDOUT_FILENO;
-  write_header(run);
+  write_header(run, args->provenance);
   step_through(run);
   cli_live_close(run->live, run->setup->scene->name);
   const bool saved = save(run, args->save);
   if (!cli_output_close(&run->output, run->end == CLI_ENDED)) {
     run->end = CLI_NOT_WRITTEN;
   }
-  cli_summary(run);
+  const bool doubted = run->tally.degraded + run->tally.coarse > 0;
+  code = doubted ? CLI_DOUBTED : CLI_DONE;
   if (run->end != CLI_ENDED || !saved) {
-    return CLI_STOPPED;
+    code = CLI_STOPPED;
   }
-  return run->tally.degraded + run->tally.coarse > 0 ? CLI_DOUBTED : CLI_DONE;
+  cli_summary(run, args->json, code);
+  return code;
 }
 
 static int prepare(const cli_run_args_t *args, cli_setup_t *setup,

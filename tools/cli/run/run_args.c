@@ -111,6 +111,22 @@ static int read_events(void *to, const cli_given_t *option) {
                      option->value);
 }
 
+static int read_summary(void *to, const cli_given_t *option) {
+  cli_run_args_t *args = to;
+  args->json = strcmp(option->value, "json") == 0;
+  return args->json || strcmp(option->value, "text") == 0
+             ? CLI_DONE
+             : cli_message(CLI_USAGE, "--summary %s: must be text or json",
+                           option->value);
+}
+
+static int read_provenance(void *to, const cli_given_t *option) {
+  cli_run_args_t *args = to;
+  (void)option;
+  args->provenance = true;
+  return CLI_DONE;
+}
+
 static int read_real_time(void *to, const cli_given_t *option) {
   cli_run_args_t *args = to;
   (void)option;
@@ -146,6 +162,8 @@ static const cli_option_t options[] = {
     {"--inputs", read_inputs, CLI_ONCE},
     {"--between", read_between, CLI_ONCE},
     {"--events", read_events, CLI_ONCE},
+    {"--summary", read_summary, CLI_ONCE},
+    {"--provenance", read_provenance, CLI_FLAG},
     {"--realtime", read_real_time, CLI_FLAG},
     {"--live", read_live, CLI_FLAG},
 };
@@ -172,6 +190,9 @@ int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]) {
   int code = cli_read_words(&syntax, args, argc, argv);
   if (code == CLI_DONE) {
     code = cli_need_scene(args->scene, "run");
+  }
+  if (code == CLI_DONE && args->provenance && args->format != CLI_FORMAT_CSV) {
+    code = cli_message(CLI_USAGE, "--provenance: only with --format csv");
   }
   if (code == CLI_DONE && args->replay != NULL) {
     code = check_replay(args);

@@ -18,6 +18,8 @@ typedef struct {
   const char *from;   ///< path of a state to go on from, or NULL
   const char *save;   ///< path that the last state goes to, or NULL
   const char *replay; ///< path of a record, or NULL
+  bool json;          ///< the summary is for programs
+  bool provenance;    ///< the rows begin with comments: what they are of
   cli_drive_args_t drive;
   cli_format_t format;
   uint64_t every;         ///< steps between two rows, >= 1

@@ -11,6 +11,7 @@
 
 #include "../setup/names.h"
 #include "../text/message.h"
+#include "summary_json.h"
 
 static void print_request(const cli_run_t *run) {
   const cli_setup_t *setup = run->setup;
@@ -66,6 +67,18 @@ static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
     }
   }
   (void)fputc('\n', stderr);
+}
+
+static void print_drive(const cli_run_t *run) {
+  if (run->replays) {
+    (void)fprintf(stderr,
+                  "replay     %s: %" PRIu64 " commands took effect, %" PRIu64
+                  " states were compared\n",
+                  run->replay.name, run->replay.commands, run->replay.states);
+  } else {
+    print_table(run, &run->drive.profile);
+    print_table(run, &run->drive.table);
+  }
 }
 
 static void print_quality(const cli_run_t *run) {
@@ -165,23 +178,20 @@ static void print_end(const cli_run_t *run) {
   }
 }
 
-void cli_summary(const cli_run_t *run) {
-  print_request(run);
-  if (run->replays) {
-    (void)fprintf(stderr,
-                  "replay     %s: %" PRIu64 " commands took effect, %" PRIu64
-                  " states were compared\n",
-                  run->replay.name, run->replay.commands, run->replay.states);
-  } else {
-    print_table(run, &run->drive.profile);
-    print_table(run, &run->drive.table);
+void cli_summary(const cli_run_t *run, bool json, int code) {
+  if (!json) {
+    print_request(run);
+    print_drive(run);
+    cli_events_print(&run->events, stderr);
+    print_quality(run);
+    print_final(run);
+    print_cost(run);
+    print_real_time(run);
   }
-  cli_events_print(&run->events, stderr);
-  print_quality(run);
-  print_final(run);
-  print_cost(run);
-  print_real_time(run);
   print_end(run);
   cli_output_tell_part(&run->output);
+  if (json) {
+    cli_summary_json(run, code);
+  }
   (void)fflush(stderr);
 }
