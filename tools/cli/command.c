@@ -2,8 +2,8 @@
 // options, its help page. The command line is made of these folders; each line
 // includes only folders below it (check `arrows` has the same table):
 //
-//   .          command (this table), help (overview, version), the commands
-//              `scenes` and `scene`
+//   .          command (this table), help (overview, version), topics (help on
+//              single words), the commands `scenes` and `scene`
 //   monitor/   the command `monitor`: frames of a board become rows or a live
 //              view, and commands are sent to it; takes only row.h of run/
 //   run/       the command `run`: loop, rows, frames, events, progress, summary
@@ -44,6 +44,7 @@
 #include "sweep/sweep_help.h"
 #include "text/closest.h"
 #include "text/message.h"
+#include "topics.h"
 
 typedef struct {
   const char *name;
@@ -78,18 +79,35 @@ static const command_t *find_command(const char *name) {
   return NULL;
 }
 
-// `twofold help [COMMAND]`.
+// There is no help on a word: the closest one that has some.
+static int no_help(const char *word) {
+  cli_closest_t closest = cli_closest_to(word);
+  for (size_t i = 0; i < COMMANDS; i++) {
+    cli_closest_offer(&closest, commands[i].name);
+  }
+  cli_topics_offer(&closest);
+  const cli_hint_t hint = cli_closest_hint(&closest);
+  return cli_message(CLI_USAGE,
+                     "help: no help on '%s'%s%s%s; try 'twofold help' or "
+                     "'twofold help run'",
+                     word, hint.before, hint.name, hint.after);
+}
+
+// `twofold help [COMMAND|WORD]`; of an option the dashes are left out.
 static int perform_help(int argc, char *const argv[]) {
-  const command_t *command = argc == 1 ? find_command(argv[0]) : NULL;
   if (argc == 0) {
     cli_overview();
-  } else if (command != NULL && command->help != NULL) {
+    return cli_finish_stdout();
+  }
+  const char *word = argv[argc - 1];
+  word += strncmp(word, "--", 2) == 0 ? 2 : 0;
+  const command_t *command = argc == 1 ? find_command(word) : NULL;
+  if (command != NULL && command->help != NULL) {
     command->help();
-  } else {
-    return cli_message(CLI_USAGE,
-                       "help: no help on '%s'; try 'twofold help' or "
-                       "'twofold help run'",
-                       argv[argc - 1]);
+  } else if (command != NULL) {
+    cli_overview();
+  } else if (argc > 1 || !cli_topic(word)) {
+    return no_help(argv[argc - 1]);
   }
   return cli_finish_stdout();
 }

@@ -33,22 +33,26 @@ size_t cli_parameter_index(const char *name) {
   return i;
 }
 
-void cli_print_ranges(void) {
-  for (size_t i = 0; i < TF_PARAMETERS; i++) {
-    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
-    (void)printf("  %-9s [%g, %g]%s%s", range->name, (double)range->low,
-                 (double)range->high, strcmp(range->unit, "1") == 0 ? "" : " ",
-                 strcmp(range->unit, "1") == 0 ? "" : range->unit);
-    if ((range->laws & (1u << TF_TYRE_COULOMB)) == 0) {
-      const char *separator = ", only in law ";
-      for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
-        if ((range->laws & (1u << law)) != 0) {
-          (void)printf("%s%s", separator, cli_law_name((tf_tyre_law_t)law));
-          separator = ", ";
-        }
+void cli_print_range(size_t parameter) {
+  const tf_parameter_range_t *range = &tf_parameter_ranges[parameter];
+  const bool plain = strcmp(range->unit, "1") == 0;
+  (void)printf("  %-9s [%g, %g]%s%s", range->name, (double)range->low,
+               (double)range->high, plain ? "" : " ", plain ? "" : range->unit);
+  if ((range->laws & (1u << TF_TYRE_COULOMB)) == 0) {
+    const char *separator = ", only in law ";
+    for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
+      if ((range->laws & (1u << law)) != 0) {
+        (void)printf("%s%s", separator, cli_law_name((tf_tyre_law_t)law));
+        separator = ", ";
       }
     }
-    (void)putchar('\n');
+  }
+  (void)putchar('\n');
+}
+
+void cli_print_ranges(void) {
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+    cli_print_range(i);
   }
 }
 

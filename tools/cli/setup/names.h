@@ -18,8 +18,9 @@ const char *cli_rule_name(tf_rule_t rule);
 /// parameter has that name.
 size_t cli_parameter_index(const char *name);
 
-/// Prints a line for each parameter: name, range, unit, and the laws that use
-/// it where not all do.
+/// Prints a line for a parameter: name, range, unit, and the laws that use it
+/// where not all do; and such a line for each parameter.
+void cli_print_range(size_t parameter);
 void cli_print_ranges(void);
 
 /// Finds a law by its name.

@@ -1,0 +1,240 @@
+// Help on single words. What has a table elsewhere (ranges and units of the
+// parameters, scenes) is taken from there.
+
+#include "topics.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "setup/names.h"
+#include "setup/setup.h"
+#include "twofold.h"
+
+typedef struct {
+  const char *words; ///< separated by blanks
+  const char *text;
+} topic_t;
+
+static const topic_t topics[] = {
+    {"csv columns",
+     "The rows of 'run' and 'monitor --csv':\n"
+     "t,r,v,omega,h,g,F,M,mode,choices in s, m, m/s, rad/s, m/s, m/s, N, N m.\n"
+     "Numbers are the shortest decimals that read back to the same bits. The\n"
+     "start, every Nth step (--every N) and the last step have a row.\n"
+     "--provenance puts four comment lines before the header. With these:\n"
+     "  numpy    genfromtxt(FILE, delimiter=',', names=True, dtype=None,\n"
+     "           encoding='ascii', skip_header=4)\n"
+     "  R        read.csv(FILE, comment.char = '#')\n"
+     "  gnuplot  set datafile separator ','; set key autotitle columnhead\n"},
+    {"t time", "Time [s]: number of steps times dt.\n"},
+    {"v speed",
+     "Speed of the slider [m/s], from r. --set v=VALUE: at the\n"
+     "start.\n"},
+    {"omega",
+     "Speed of the disc [rad/s]. --set omega=VALUE: at the start.\n"
+     "That of the turntable is omega0.\n"},
+    {"r", "Displacement of the slider [m]. --set r=VALUE: at the start.\n"},
+    {"phi with-angle",
+     "Angle of the disc [rad]. Nothing depends on it; it is integrated in\n"
+     "scenes 'with-angle yes', or by --set phi=VALUE. Not a column.\n"},
+    {"h slip",
+     "Lateral slip speed of the wheel [m/s]; 0 in stick. --set\n"
+     "h=VALUE: at the start, in place of v; its sign selects the\n"
+     "mode.\n"},
+    {"g",
+     "Rolling speed of the wheel [m/s]; its sign tells stick+ and stick-\n"
+     "apart.\n"},
+    {"F force",
+     "Friction force [N], positive where it lowers h; the mean over\n"
+     "the step. As a column of --inputs: a force on the slider along\n"
+     "r [N].\n"},
+    {"M moment torque",
+     "M: friction moment on the disc [N m], the mean over the step. torque, a\n"
+     "column of --inputs: a torque on the disc [N m].\n"},
+    {"mode modes slip+ slip- stick stick+ stick- pinned",
+     "The contact: slip+ (h > 0), slip- (h < 0), stick+ (h = 0, g > 0), "
+     "stick-\n"
+     "(h = 0, g < 0), pinned (h = g = 0, at rest on the turntable).\n"},
+    {"choices futures ambiguous",
+     "How many modes were consistent in a step. Where it is more than one the\n"
+     "physics leaves open what follows; --select takes one by a declared "
+     "rule,\n"
+     "'diverge' follows all.\n"},
+    {"two-fold singularity escaping sliding crossing",
+     "Where stick runs from the sliding region (both slips drive h to 0) into\n"
+     "the escaping region (both drive it away), in finite time. What follows "
+     "is\n"
+     "not unique. 'singularities' lists them, 'regions' maps the regions.\n"},
+    {"law laws jump coulomb two_piece string smooth none",
+     "--set law=NAME, how friction depends on h and g:\n"
+     "  jump       force and moment jump where h changes sign (set-valued)\n"
+     "  coulomb    force jumps, no moment\n"
+     "  two_piece  the stretched string in two pieces, no jump\n"
+     "  string     stretched string with partial slip, no jump\n"
+     "  smooth     jump with the sign of h smoothed over epsilon\n"
+     "  none       no contact\n"},
+    {"rest hull square bow_tie",
+     "--set rest=NAME, the law at h = g = 0, in law jump:\n"
+     "  hull     convex hull of the limits of slip (Filippov), the default\n"
+     "  square   convex hull of the law of stick\n"
+     "  bow_tie  the paper's, not convex: at some points no future\n"},
+    {"select rule rules persist random seed",
+     "--select RULE, which of several consistent modes a step takes:\n"
+     "  persist        the present mode, while it is consistent\n"
+     "  slip+, slip-   an escaping stick ends at once, to this side\n"
+     "  random[:SEED]  it ends at the rate `rate` [1/s], to either side\n"},
+    {"scheme schemes moreau located compensated",
+     "--scheme NAME of 'run':\n"
+     "  moreau       Moreau-Jean theta scheme, fixed steps, every law\n"
+     "  located      Taylor series from event to event, of high order; laws\n"
+     "               jump, coulomb, none\n"
+     "  compensated  moreau with compensated summation, for small steps in\n"
+     "               float\n"},
+    {"format formats frames plotter",
+     "--format NAME of 'run': csv ('twofold help csv'); frames, what a board\n"
+     "sends (docs/PROTOCOL.md); plotter, label:value pairs for a serial\n"
+     "plotter.\n"},
+    {"inputs held linear between table",
+     "run --inputs FILE --between held|linear: inputs over time, from a CSV\n"
+     "table; FILE - is standard input. The first column is t [s], rising; any\n"
+     "of these follow: omega0 [rad/s], r0 [m], force [N], torque [N m]. Lines\n"
+     "that begin with # are comments.\n"
+     "  held    a row holds from the first step that begins at t until the\n"
+     "          next row does\n"
+     "  linear  between rows; r0, force and torque are the mean over each "
+     "step\n"
+     "Before the first row and after the last one it is that row. What has no\n"
+     "column stays that of the scene. For example:\n"
+     "\n"
+     "  t,omega0,force\n"
+     "  0,-1,0\n"
+     "  2,-2,0.5\n"},
+    {"exit exits codes",
+     "Exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped, 5 done, "
+     "but\n"
+     "some steps were degraded or missed their tolerance, 6 done, but frames "
+     "of\n"
+     "a stream were lost or broken, or a value in it is not finite.\n"
+     "The file --exits of 'diverge' is another thing: 'twofold help "
+     "diverge'.\n"},
+    {"degraded coarse tolerance-missed",
+     "A step is degraded where what it ends with does not keep its promise to\n"
+     "rounding, and coarse where it misses its tolerance or would create\n"
+     "energy: a smaller dt helps. They are counted, and make exit code 5.\n"},
+    {"summary json",
+     "What 'run' says on standard error at its end. --summary json: one line\n"
+     "of JSON, the last one there; SI units, null for what is not known.\n"},
+    {"provenance units commit",
+     "run --provenance: '# ' lines with version, commit, number type; scene,\n"
+     "hash of the parameters, law, rule, seed; scheme, dt; units of the\n"
+     "columns. All numbers are in SI units.\n"},
+    {"save from resume state",
+     "run --save FILE writes where the run stands, whatever ends it; run "
+     "--from\n"
+     "FILE goes on bit for bit, with the same machine, scheme and number "
+     "type.\n"},
+    {"replay record",
+     "monitor DEVICE --send ... --record FILE keeps what a board was told and\n"
+     "when; run SCENE --dt 1/RATE --replay FILE does it again, to the bit.\n"},
+    {"t-end", "Length of a run [s]: --t-end S, or of a scene.\n"},
+    {"profile knots",
+     "Speed of the turntable in a scene, linear between up to 8 knots\n"
+     "TIME:SPEED; 'run --inputs' takes a table of any length.\n"},
+    {"float double number",
+     "The number type of a build: build/double/twofold, build/float/twofold\n"
+     "('make all'). --version tells it.\n"},
+    {"set every out events realtime",
+     "An option of 'run', and some of other commands: 'twofold help run'.\n"},
+    {"baud send key follow deadman",
+     "An option of 'monitor', or a command to a board: 'twofold help "
+     "monitor'.\n"},
+    {"by size spread codim2 corner samples cycles shard patience section near "
+     "returns depth count grid branches header exhaustive",
+     "An option of 'diverge': 'twofold help diverge'.\n"},
+    {"name shows leaves-out based-on",
+     "Keys of a scene's file: 'twofold help scene'.\n"},
+};
+#define TOPICS (sizeof topics / sizeof topics[0])
+
+// What each parameter is, in the order of tf_parameter_ranges.
+static const char *const about[TF_PARAMETERS] = {
+    "mass of the slider",
+    "distance of the slider's line from the axis",
+    "radius of gyration: the inertia of the disc is beta^2 m",
+    "spring of the slider",
+    "damping of the disc against ground",
+    "damping of the slider",
+    "rest position of the spring",
+    "speed of the turntable",
+    "friction force at h -> 0: a force, no coefficient",
+    "moment per force in stick",
+    "angle of the wheel to the slider",
+    "width of the smoothed sign",
+    "string stiffness / mu",
+    "static pressure limit / mu",
+    "relaxation length",
+    "dynamic / static pressure",
+    "half contact length",
+    "of the theta scheme: 1/2 of second order, 1 implicit Euler",
+    "step",
+    "exit rate of --select random",
+    "of --scheme located: error of a segment of its series, relative"};
+
+// Whether a word is in a list.
+static bool is_in(const char *words, const char *word) {
+  const size_t length = strlen(word);
+  for (const char *at = words; *at != '\0' && length > 0;) {
+    const size_t span = strcspn(at, " ");
+    if (span == length && strncmp(at, word, length) == 0) {
+      return true;
+    }
+    at += span + (at[span] == ' ' ? 1 : 0);
+  }
+  return false;
+}
+
+static bool print_parameter(const char *word) {
+  const size_t i = cli_parameter_index(word);
+  if (i == TF_PARAMETERS) {
+    return false;
+  }
+  (void)printf("Parameter %s: %s. --set %s=VALUE; name, range, unit:\n", word,
+               about[i], word);
+  cli_print_range(i);
+  return true;
+}
+
+static bool print_scene(const char *word) {
+  for (size_t i = 0; i < TF_SCENES; i++) {
+    if (strcmp(tf_scenes[i]->name, word) == 0) {
+      (void)printf(
+          "Scene %s: %s.\nIt leaves out: %s. 'twofold scene %s' "
+          "prints it.\n",
+          word, tf_scenes[i]->shows, tf_scenes[i]->leaves_out, word);
+      return true;
+    }
+  }
+  return false;
+}
+
+// A word may be several things: `string` is a law and a scene.
+bool cli_topic(const char *word) {
+  bool found = print_parameter(word);
+  found = print_scene(word) || found;
+  for (size_t i = 0; i < TOPICS; i++) {
+    if (is_in(topics[i].words, word)) {
+      (void)fputs(topics[i].text, stdout);
+      found = true;
+    }
+  }
+  return found;
+}
+
+void cli_topics_offer(cli_closest_t *closest) {
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+    cli_closest_offer(closest, tf_parameter_ranges[i].name);
+  }
+  for (size_t i = 0; i < TF_SCENES; i++) {
+    cli_closest_offer(closest, tf_scenes[i]->name);
+  }
+}
