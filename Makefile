@@ -70,7 +70,7 @@ define of_this_core
 endef
 
 # The makefiles of the tools, in the groups of `make help`.
-PACKAGE_MAKEFILES := tools/dist/dist.mk tools/fmu/fmu.mk
+PACKAGE_MAKEFILES := tools/dist/dist.mk tools/fmu/fmu.mk tools/page/page.mk
 BOARD_MAKEFILES := port/port.mk tools/hil/hil.mk tools/size/size.mk
 MEASURE_MAKEFILES := tools/bench/bench.mk tools/report/report.mk \
   tools/peers/peers.mk tools/stability/stability.mk \

@@ -1,0 +1,124 @@
+// A board on a serial line. The line is two streams of bytes, as WebSerial
+// gives them; frames are decoded by the C core. A board waits to be asked for
+// its schema, without which its numbers have no type.
+
+import { AT, COLUMNS } from './core.mjs';
+
+const COLUMNS_OF_LINE = 10;
+const MOST_RECORDS = 1 << 14;
+const ASK_EVERY = 1000; // [ms] until the schema has come
+
+export class Line {
+  // module: the compiled core. take(row): of each row, t r v omega h g F M
+  // mode choices; those that the board did not send are 0.
+  constructor(module, take) {
+    this.c = new WebAssembly.Instance(module, {}).exports;
+    this.c.line_open();
+    this.take = take;
+  }
+
+  // Of frames, damaged, lost, rows, incomplete, unknown, schema, float.
+  get counters() {
+    return Array.from(new Float64Array(this.c.memory.buffer,
+      this.c.line_counters(), 8));
+  }
+
+  get scene() {
+    const bytes = new Uint8Array(this.c.memory.buffer, this.c.line_scene(), 64);
+    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+  }
+
+  receive(bytes) {
+    const room = this.c.line_room();
+    for (let at = 0; at < bytes.length; at += room) {
+      const part = bytes.subarray(at, at + room);
+      new Uint8Array(this.c.memory.buffer, this.c.line_bytes(), room).set(part);
+      const count = this.c.line_take(part.length);
+      const rows = new Float64Array(this.c.memory.buffer, this.c.line_rows(),
+        count * COLUMNS_OF_LINE);
+      for (let i = 0; i < count; i++)
+        this.take(rows.slice(i * COLUMNS_OF_LINE, (i + 1) * COLUMNS_OF_LINE));
+    }
+  }
+
+  describe() {
+    const count = this.c.line_describe();
+    return new Uint8Array(this.c.memory.buffer, this.c.line_bytes(), count)
+      .slice();
+  }
+
+  // Reads until the line ends or close is called.
+  async read({ readable, writable }) {
+    const writer = writable?.getWriter();
+    const ask = () => {
+      if (!this.counters[6]) writer?.write(this.describe()).catch(() => {});
+    };
+    const timer = setInterval(ask, ASK_EVERY);
+    this.reader = readable.getReader();
+    ask();
+    try {
+      for (;;) {
+        const { value, done } = await this.reader.read();
+        if (done) break;
+        this.receive(value);
+      }
+    } finally {
+      clearInterval(timer);
+      this.reader.releaseLock();
+      writer?.releaseLock();
+    }
+  }
+
+  close() { return this.reader?.cancel(); }
+}
+
+// What a board has sent, for the views of a motion: its clock counts seconds.
+export class Record {
+  // core: for the tables, and for the regions of the page's own set-up.
+  constructor(core) {
+    this.core = core;
+    this.rows = new Float64Array(MOST_RECORDS * COLUMNS);
+    this.now = new Float64Array(COLUMNS);
+    this.now.set(core.row);
+    this.count = 0;
+    this.changes = [];
+    this.dt = 1;
+  }
+
+  get tick() { return this.now[AT.t]; }
+  get last() { return this.now[AT.t]; }
+
+  row(i) { return this.rows.subarray(i * COLUMNS, (i + 1) * COLUMNS); }
+
+  indexAt(t) {
+    let low = 0, high = this.count;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.row(middle)[AT.t] <= t) low = middle + 1;
+      else high = middle;
+    }
+    return Math.max(0, low - 1);
+  }
+
+  openings() { return this.changes.filter((change) => change[4] > 1); }
+
+  // The board says how many modes are possible, not which.
+  take(values) {
+    const { now } = this, before = this.count ? now[AT.mode] : values[8];
+    [AT.t, AT.r, AT.v, AT.omega, AT.h, AT.g, AT.F, AT.M, AT.mode, AT.choices]
+      .forEach((at, i) => { now[at] = values[i]; });
+    now[AT.set] = 1 << now[AT.mode];
+    if (this.count && now[AT.t] < this.row(this.count - 1)[AT.t]) {
+      this.count = 0; // it was started again
+      this.changes = [];
+    }
+    if (this.count === MOST_RECORDS) {
+      this.rows.copyWithin(0, MOST_RECORDS / 2 * COLUMNS);
+      this.count /= 2;
+    }
+    this.rows.set(now, this.count++ * COLUMNS);
+    if (this.count === 1 || before !== now[AT.mode])
+      this.changes.push([now[AT.t], before, now[AT.mode], now[AT.set],
+        now[AT.choices]]);
+  }
+}

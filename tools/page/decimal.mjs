@@ -1,0 +1,43 @@
+// Numbers and rows as the command line writes them, byte for byte: the fewest
+// digits that read back to the same bits, laid out as %g of C.
+
+const LEAST_NORMAL = 2 ** -1022;
+
+export function decimal(x) {
+  if (x === 0) return Object.is(x, -0) ? '-0' : '0';
+  const [, sign, first, rest = '', e] =
+    x.toExponential().match(/^(-?)(\d)(?:\.(\d+))?e([+-]\d+)$/);
+  const digits = first + rest, exponent = Number(e);
+  // %g takes an exponent from its precision on: that of the command line's
+  // search is 15 at least, but for subnormal numbers.
+  const precision = Math.abs(x) < LEAST_NORMAL ? digits.length
+    : Math.max(15, digits.length);
+  if (exponent < -4 || exponent >= precision) {
+    const size = String(Math.abs(exponent)).padStart(2, '0');
+    return `${sign}${first}${rest && `.${rest}`}e${exponent < 0 ? '-' : '+'}` +
+      size;
+  }
+  if (exponent < 0) return `${sign}0.${'0'.repeat(-exponent - 1)}${digits}`;
+  const whole = digits.slice(0, exponent + 1).padEnd(exponent + 1, '0');
+  const part = digits.slice(exponent + 1);
+  return sign + whole + (part && `.${part}`);
+}
+
+export const HEADER = 't,r,v,omega,h,g,F,M,mode,choices\n';
+
+// row: t r v omega h g F M mode choices.
+export function line(row, modes) {
+  let text = '';
+  for (let i = 0; i < 8; i++) text += `${decimal(row[i])},`;
+  return `${text}${modes[row[8]]},${row[9]}\n`;
+}
+
+// A number for people, in so many significant digits, with a true minus.
+export function short(x, digits = 4) {
+  if (!Number.isFinite(x)) return String(x);
+  const size = Math.abs(x);
+  const text = size !== 0 && (size < 1e-3 || size >= 1e5)
+    ? x.toExponential(digits - 1).replace(/\.?0*e\+?/, 'e')
+    : String(Number(x.toPrecision(digits)));
+  return text.replace(/-/g, '\u2212');
+}

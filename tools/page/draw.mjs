@@ -1,0 +1,178 @@
+// What all drawings share: canvases that are sharp on any screen, the colours
+// of the style, and axes.
+import { short } from './decimal.mjs';
+
+export const TAU = 2 * Math.PI;
+export const FONT = '12px system-ui, -apple-system, "Segoe UI", "Noto Sans", ' +
+  '"DejaVu Sans", sans-serif';
+
+export const colour = {};
+export function readColours() {
+  const style = getComputedStyle(document.documentElement);
+  for (const name of ['paper', 'panel', 'ink', 'soft', 'line', 'faint',
+    'accent', 'sliding', 'escaping', 'up', 'down', 'steel'])
+    colour[name] = style.getPropertyValue(`--${name}`).trim();
+  colour.mode = ['slip-plus', 'slip-minus', 'stick-plus', 'stick-minus',
+    'pinned'].map((name) => style.getPropertyValue(`--${name}`).trim());
+}
+
+// A canvas with its size in CSS pixels.
+export class Sheet {
+  constructor(id) {
+    this.canvas = document.getElementById(id);
+    this.ctx = this.canvas.getContext('2d');
+    this.width = this.height = 0;
+    new ResizeObserver(() => this.fit()).observe(this.canvas);
+    this.fit();
+  }
+
+  fit() {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const ratio = window.devicePixelRatio || 1;
+    this.width = width;
+    this.height = height;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.ratio = ratio;
+    this.isStale = true;
+  }
+
+  clear() {
+    const { ctx } = this;
+    ctx.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    ctx.clearRect(0, 0, this.width, this.height);
+    ctx.font = FONT;
+    ctx.lineJoin = ctx.lineCap = 'round';
+    ctx.textAlign = 'left';
+    ctx.textBaseline = 'middle';
+    return ctx;
+  }
+
+  // Where a pointer is on it.
+  place(event) {
+    const box = this.canvas.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  }
+}
+
+// The next of 1, 2, 5 times a power of ten that is not less.
+export function roundUp(x) {
+  if (!(x > 0)) return 1;
+  const power = 10 ** Math.floor(Math.log10(x));
+  return [1, 2, 5, 10].find((n) => n * power >= x * (1 - 1e-9)) * power;
+}
+
+// About so many round numbers between two.
+export function ticks(low, high, count) {
+  const step = roundUp((high - low) / count);
+  const found = [];
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9; i++)
+    found.push(Number((i * step).toPrecision(12)));
+  return found;
+}
+
+// A range that holds [low, high] and changes in round steps, so that axes
+// stand still while the motion goes on.
+export function steady(range, low, high, least) {
+  const size = Math.max(high - low, least);
+  const isOut = low < range.low || high > range.high;
+  if (!isOut && size > (range.high - range.low) / 4) return range;
+  const step = roundUp(size) / 5;
+  const middle = (low + high) / 2, half = 0.62 * size;
+  return { low: Math.floor((middle - half) / step) * step,
+    high: Math.ceil((middle + half) / step) * step };
+}
+
+export function text(ctx, words, x, y, align = 'left', fill = colour.soft) {
+  ctx.fillStyle = fill;
+  ctx.textAlign = align;
+  ctx.fillText(words, x, y);
+}
+
+// The same, legible on whatever is behind it.
+export function label(ctx, words, x, y, align = 'left', fill = colour.soft) {
+  ctx.textAlign = align;
+  ctx.strokeStyle = colour.panel;
+  ctx.lineWidth = 3.5;
+  ctx.strokeText(words, x, y);
+  text(ctx, words, x, y, align, fill);
+}
+
+export function dot(ctx, x, y, radius, fill) {
+  ctx.beginPath();
+  ctx.arc(x, y, radius, 0, TAU);
+  ctx.fillStyle = fill;
+  ctx.fill();
+}
+
+export function path(ctx, points, stroke, width, dash = []) {
+  ctx.beginPath();
+  points.forEach(([x, y], i) => (i ? ctx.lineTo(x, y) : ctx.moveTo(x, y)));
+  ctx.strokeStyle = stroke;
+  ctx.lineWidth = width;
+  ctx.setLineDash(dash);
+  ctx.stroke();
+  ctx.setLineDash([]);
+}
+
+// An arrow; nothing where it would be shorter than its head.
+export function arrow(ctx, x0, y0, x1, y1, stroke, width = 2.5) {
+  const length = Math.hypot(x1 - x0, y1 - y0), head = 3.2 * width;
+  if (length < head) return;
+  const c = (x1 - x0) / length, s = (y1 - y0) / length;
+  path(ctx, [[x0, y0], [x1 - c * head * 0.8, y1 - s * head * 0.8]], stroke,
+    width);
+  ctx.beginPath();
+  ctx.moveTo(x1, y1);
+  ctx.lineTo(x1 - c * head - s * head * 0.5, y1 - s * head + c * head * 0.5);
+  ctx.lineTo(x1 - c * head + s * head * 0.5, y1 - s * head - c * head * 0.5);
+  ctx.closePath();
+  ctx.fillStyle = stroke;
+  ctx.fill();
+}
+
+// A frame with axes: x and y map numbers to pixels.
+export class Frame {
+  constructor(sheet, x, y, margins = { left: 58, right: 14, top: 8,
+    bottom: 34 }) {
+    this.left = margins.left;
+    this.right = sheet.width - margins.right;
+    this.top = margins.top;
+    this.bottom = sheet.height - margins.bottom;
+    const across = (this.right - this.left) / (x.high - x.low);
+    const up = (this.bottom - this.top) / (y.high - y.low);
+    this.rangeX = x;
+    this.rangeY = y;
+    this.x = (value) => this.left + (value - x.low) * across;
+    this.y = (value) => this.bottom - (value - y.low) * up;
+  }
+
+  clip(ctx) {
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(this.left, this.top, this.right - this.left,
+      this.bottom - this.top);
+    ctx.clip();
+  }
+
+  axes(ctx, nameX, nameY) {
+    ctx.strokeStyle = colour.line;
+    ctx.lineWidth = 1;
+    ctx.strokeRect(this.left, this.top, this.right - this.left,
+      this.bottom - this.top);
+    const count = Math.max(2, Math.floor((this.right - this.left) / 80));
+    for (const value of ticks(this.rangeX.low, this.rangeX.high, count)) {
+      const x = this.x(value);
+      path(ctx, [[x, this.bottom], [x, this.bottom + 4]], colour.soft, 1);
+      if (x < this.right - 52) text(ctx, short(value), x, this.bottom + 14,
+        'center');
+    }
+    for (const value of ticks(this.rangeY.low, this.rangeY.high, 4)) {
+      const y = this.y(value);
+      path(ctx, [[this.left - 4, y], [this.left, y]], colour.soft, 1);
+      if (y > this.top + 18) text(ctx, short(value), this.left - 7, y, 'right');
+    }
+    text(ctx, nameX, this.right, this.bottom + 14, 'right', colour.ink);
+    text(ctx, nameY, this.left - 7, this.top + 7, 'right', colour.ink);
+  }
+}

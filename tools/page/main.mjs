@@ -1,0 +1,479 @@
+// The page: one motion, one clock, and what looks at them or acts on them.
+import { AT, Core } from './core.mjs';
+import { putBack, read, write } from './address.mjs';
+import { Line, Record } from './board.mjs';
+import { decimal, short } from './decimal.mjs';
+import { readColours } from './draw.mjs';
+import { Mechanism } from './mechanism.mjs';
+import { Motion } from './motion.mjs';
+import { Hand, Panel } from './panel.mjs';
+import { SlipPlane, SurfacePlane } from './planes.mjs';
+import { Strips } from './strips.mjs';
+
+const BUDGET = 9; // of a frame, for steps [ms]
+const TRAIL = 1.5; // [s] in the planes
+const HAND = { spring: 40, damper: 6, brake: 1.5, force: 20, torque: 6 };
+
+const $ = (id) => document.getElementById(id);
+const bytes = Uint8Array.from(atob('@CORE@'), (c) => c.charCodeAt(0));
+const compiled = new WebAssembly.Module(bytes);
+const core = new Core(compiled), scout = new Core(compiled);
+const motion = new Motion(core, scout);
+const calm = matchMedia('(prefers-reduced-motion: reduce)');
+
+readColours();
+const mechanism = new Mechanism(), plane = new SlipPlane();
+const surface = new SurfacePlane(), strips = new Strips();
+const views = [mechanism, plane, surface, strips];
+const hand = new Hand((force, torque) => act(() =>
+  motion.drive(force, torque)));
+const panel = new Panel(core, change);
+
+let scene = 0;
+let own = {};            // the scene's values
+let isPlaying = false;
+let goal = 0;            // the tick that the motion is to reach
+let part = 0;            // of a step, left over from the last frame
+let held = null;         // what a pointer holds
+let fan = null;          // { tick, futures }
+let live = null;         // a board's line in place of the motion
+let isStale = true;
+let sayTimer = 0;
+let draws = 0;
+
+const speed = () => 10 ** Number($('speed').value);
+const span = () => Number($('span').value);
+
+function say(words) {
+  $('said').textContent = words;
+  clearTimeout(sayTimer);
+  sayTimer = setTimeout(() => { $('said').textContent = ''; }, 4000);
+}
+
+// Does something to the present; what lay ahead is another motion now.
+function act(what) {
+  what();
+  goal = motion.tick;
+  showFan(null);
+  remember();
+}
+
+function remember() {
+  isStale = true;
+  clearTimeout(remember.timer);
+  remember.timer = setTimeout(() => history.replaceState(null, '',
+    `#${write(core, scene, motion.log, motion.tick)}`), 250);
+}
+
+function ownValues(number) {
+  core.c.load(number);
+  return Object.fromEntries(core.names.map((name) => [name, core.get(name)]));
+}
+
+// Opens what an address says.
+function open(text) {
+  const got = read(core, text);
+  own = ownValues(got.scene);
+  const again = read(core, text);
+  scene = got.scene;
+  scout.c.load(scene);
+  const refusal = motion.begin(again.log);
+  if (refusal) {
+    open(`scene=${core.scenes[scene]}`);
+    panel.say(`${refusal.text}; the scene is as it comes`);
+    return;
+  }
+  $('scene').selectedIndex = scene;
+  $('shows').textContent = core.text(core.c.scene_shows(scene));
+  panel.show(own);
+  panel.say(got.refused.length
+    ? `not understood in the address: ${got.refused.join(', ')}` : null);
+  views.forEach((view) => view.begin(core));
+  goal = again.tick;
+  part = 0;
+  showFan(null);
+  isStale = true;
+}
+
+// A number of the set-up has a new value: the same motion, from its start.
+function change(name, value) {
+  const before = core.names.map((_, i) => core.c.get(i));
+  const time = Math.max(motion.tick, goal) * motion.dt;
+  const isKnown = !Number.isNaN(value) && core.set(name, value);
+  const refusal = isKnown ? motion.begin(motion.log)
+    : { name, text: `${name}: not a number that it takes` };
+  if (refusal) putBack(core, before);
+  if (!refusal) {
+    goal = Math.round(time / motion.dt);
+    mechanism.begin(core);
+    surface.key = '';
+    showFan(null);
+    remember();
+  }
+  isStale = true;
+  return refusal;
+}
+
+// The futures of the step that ends at a tick, or none.
+function showFan(tick) {
+  if (tick === (fan ? fan.tick : null)) return;
+  fan = tick === null ? null
+    : { tick, futures: motion.futures(tick, Math.min(0.15, 0.06 * span()), 240) };
+  const box = $('choices');
+  box.hidden = !fan;
+  box.replaceChildren();
+  if (fan) { // on the side where it hides neither the mark nor the futures
+    const isLate = strips.x(tick * motion.dt) > strips.sheet.width / 2;
+    box.className = isLate ? 'left' : '';
+  }
+  isStale = true;
+  if (!fan) return;
+  const count = fan.futures.length;
+  box.append(`t = ${short(tick * motion.dt, 7)} s: ${count} ` +
+    `future${count === 1 ? '' : 's'}`);
+  fan.futures.forEach(({ mode }, i) => {
+    const button = document.createElement('button');
+    button.className = 'mode';
+    button.dataset.mode = mode;
+    button.textContent = `${i + 1}  ${core.modes[mode].replace('-', '−')}`;
+    button.title = `Go on with it (${i + 1})`;
+    button.onclick = () => choose(mode);
+    box.append(button);
+  });
+}
+
+function choose(mode) {
+  const { tick } = fan;
+  if (!motion.choose(tick, mode))
+    say(`not taken: ${motion.stopped?.text ?? core.modes[mode]}`);
+  goal = motion.tick;
+  showFan(null);
+  remember();
+}
+
+function play(on) {
+  isPlaying = on;
+  $('play').classList.toggle('on', on);
+  $('play').setAttribute('aria-label', on ? 'Pause' : 'Play');
+  if (!on) remember();
+}
+
+function seek(tick) {
+  goal = Math.max(0, Math.round(tick));
+  if (goal < motion.tick) motion.seek(goal);
+  hand.show({ force: motion.now[AT.force], torque: motion.now[AT.torque] });
+  remember();
+}
+
+// The nearest opening at or before the present, else the next one.
+function nearest() {
+  const all = motion.openings().map(([tick]) => tick).filter((t) => t > 0);
+  const past = all.filter((tick) => tick <= motion.tick);
+  const tick = past.length ? past[past.length - 1] : all[0];
+  if (tick === undefined) return say('one future at every instant so far');
+  play(false);
+  seek(tick);
+  motion.seek(tick);
+  return showFan(tick);
+}
+
+// Steps of a frame: towards the goal, for as long as the budget lasts.
+function move(seconds) {
+  const started = performance.now();
+  if (isPlaying && motion.tick >= goal) {
+    part += seconds * speed() / motion.dt;
+    const steps = Math.floor(part);
+    part -= steps;
+    goal = motion.tick + steps;
+    pull();
+  }
+  while (motion.tick < goal && performance.now() - started < BUDGET) {
+    isStale = true;
+    const from = motion.tick;
+    const until = Math.min(goal, from + 500);
+    const isThere = from + 500 < motion.last && until > from + 499
+      ? motion.seek(Math.min(goal, motion.last)) : motion.advance(until);
+    if (!isThere) {
+      say(`stopped at t = ${short(motion.tick * motion.dt, 6)} s: ` +
+        motion.stopped.text);
+      goal = motion.tick;
+      play(false);
+      break;
+    }
+  }
+  // What could not be done in time is not owed.
+  if (isPlaying && goal - motion.tick > 1e5) goal = motion.tick;
+}
+
+// A pointer that holds the slider pulls it by a spring with a damper; one that
+// holds the disc turns it by a brake.
+function pull() {
+  if (!held) return;
+  const row = motion.now;
+  const within = (x, most) => Math.max(-most, Math.min(most, x));
+  if (held.part === 'slider') {
+    const away = mechanism.along(held, row, held.lens) - row[AT.r];
+    motion.drive(within(HAND.spring * away - HAND.damper * row[AT.v],
+      HAND.force), 0);
+  } else {
+    motion.drive(0, within(HAND.brake * (held.turn - row[AT.omega]),
+      HAND.torque));
+    held.turn *= 0.7;
+  }
+  hand.show({ force: motion.now[AT.force], torque: motion.now[AT.torque] });
+}
+
+function showState() {
+  const row = live ? live.now : motion.now;
+  const mode = row[AT.mode], choices = row[AT.choices];
+  $('time').textContent = `t = ${row[AT.t].toFixed(4)} s`;
+  $('pace').textContent = `× ${short(speed(), 2)}`;
+  const cell = (name, value) => {
+    const box = document.createElement('div');
+    for (const [tag, words] of [['dt', name], ['dd', value]])
+      box.append(Object.assign(document.createElement(tag),
+        { textContent: words }));
+    return box;
+  };
+  const state = $('state');
+  state.replaceChildren(
+    cell('r', `${row[AT.r].toFixed(5)} m`.replace('-', '−')),
+    cell('v', `${row[AT.v].toFixed(4)} m/s`.replace('-', '−')),
+    cell('ω', `${row[AT.omega].toFixed(4)} rad/s`.replace('-', '−')),
+    cell('', ''), cell('F', `${row[AT.F].toFixed(3)} N`.replace('-', '−')),
+    cell('M', `${row[AT.M].toFixed(3)} N m`.replace('-', '−')),
+    cell('E', `${row[AT.energy].toFixed(4)} J`),
+    cell(`${choices} future${choices === 1 ? '' : 's'}`, ''));
+  const told = state.children[3].lastChild;
+  told.className = 'mode';
+  told.dataset.mode = mode;
+  told.textContent = core.modes[mode].replace('-', '−');
+  const slider = $('strips');
+  slider.setAttribute('aria-valuemax', (motion.last * motion.dt).toFixed(4));
+  slider.setAttribute('aria-valuenow', row[AT.t].toFixed(4));
+  slider.setAttribute('aria-valuetext', `t = ${row[AT.t].toFixed(4)} s, ` +
+    `${core.modes[mode]}, ${choices} possible`);
+  if (!isPlaying || draws++ % 30 === 0) $('command').textContent = commandLine();
+}
+
+// The words that make the command line do the same.
+function commandLine() {
+  const now = core.names.map((_, i) => core.c.get(i));
+  const words = write(core, scene, [], 0).split('&').slice(1).map((word) => {
+    const [name, value] = word.split('=');
+    return name === 'rule' ? `--select ${decodeURIComponent(value)}` +
+      (value === 'random' ? `:${now[core.at.seed]}` : '')
+      : name === 'seed' ? '' : `--set ${word}`;
+  });
+  const note = motion.log.length
+    ? '  # but for what was done by hand' : '';
+  return ['twofold run', core.scenes[scene], ...words.filter((w) => w),
+    '--t-end', decimal(csvSteps() * motion.dt), '--every', motion.every]
+    .join(' ') + note;
+}
+
+const csvSteps = () => Math.max(motion.tick, 1);
+
+function download() {
+  const url = URL.createObjectURL(new Blob(
+    [motion.csv(motion.every, csvSteps())], { type: 'text/csv' }));
+  const link = document.createElement('a');
+  link.href = url;
+  link.download = `${core.scenes[scene]}.csv`;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 1000);
+}
+
+async function share() {
+  const link = `#${write(core, scene, motion.log, motion.tick)}`;
+  history.replaceState(null, '', link);
+  try {
+    await navigator.clipboard.writeText(location.href);
+    say('The link is copied: it holds this motion to the bit.');
+  } catch {
+    say('The address of this page holds this motion to the bit.');
+  }
+}
+
+// Shows what a board sends in place of the motion, until its line ends.
+// line: { readable, writable }, as WebSerial opens a port. Returns: the
+// counters of the decoder.
+async function connect(line) {
+  live = new Record(core);
+  const reader = new Line(compiled, (row) => {
+    live.take(row);
+    isStale = true;
+  });
+  play(false);
+  showFan(null);
+  $('board').textContent = 'disconnect';
+  $('board').onclick = () => reader.close();
+  try {
+    await reader.read(line);
+    say(`the board's line has ended after ${reader.counters[3]} rows`);
+  } catch (error) {
+    say(`the board's line has failed: ${error.message}`);
+  }
+  $('board').textContent = 'board';
+  $('board').onclick = connectSerial;
+  live = null;
+  isStale = true;
+  return reader.counters;
+}
+
+async function connectSerial() {
+  if (!navigator.serial)
+    return say('This browser has no WebSerial; Chromium has.');
+  let port;
+  try {
+    port = await navigator.serial.requestPort();
+    await port.open({ baudRate: 115200 });
+  } catch (error) {
+    return say(`no board: ${error.message}`);
+  }
+  const counters = await connect(port);
+  await port.close();
+  return counters;
+}
+
+function frame(now) {
+  const seconds = Math.min(0.05, (now - (frame.before ?? now)) / 1000);
+  frame.before = now;
+  if (!live) move(seconds);
+  if (isStale || views.some((view) => view.sheet.isStale)) draw();
+  requestAnimationFrame(frame);
+}
+
+function draw() {
+  isStale = false;
+  views.forEach((view) => { view.sheet.isStale = false; });
+  const futures = fan ? fan.futures : [], shown = live ?? motion;
+  mechanism.draw(shown.now, futures);
+  plane.draw(shown, TRAIL, futures);
+  surface.draw(shown, TRAIL, futures);
+  strips.draw(shown, span(), futures, fan?.tick);
+  showState();
+}
+
+function keys(event) {
+  const isField = /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName);
+  if (event.ctrlKey || event.metaKey || event.altKey ||
+    (isField && event.key !== 'Escape')) return;
+  const steps = event.shiftKey ? 100 : 1;
+  const actions = {
+    ' ': () => play(!isPlaying),
+    ArrowLeft: () => (play(false), seek(motion.tick - steps)),
+    ArrowRight: () => (play(false), seek(motion.tick + steps)),
+    Home: () => seek(0),
+    End: () => seek(motion.last),
+    f: nearest,
+    Escape: () => showFan(null),
+  };
+  const future = fan?.futures[Number(event.key) - 1];
+  const action = future ? () => choose(future.mode) : actions[event.key];
+  if (!action || (event.key === ' ' && event.target.tagName === 'BUTTON'))
+    return;
+  event.preventDefault();
+  action();
+}
+
+function wireStrips() {
+  const { canvas } = strips.sheet;
+  let isDown = false;
+  const scrub = (place) => seek(Math.min(strips.time(place.x) / motion.dt,
+    Math.max(motion.last, motion.tick)));
+  canvas.onpointerdown = (event) => {
+    const place = strips.sheet.place(event), mark = strips.markAt(place);
+    play(false);
+    if (live) return;
+    if (mark) {
+      seek(mark.tick);
+      motion.seek(mark.tick);
+      showFan(mark.tick);
+      return;
+    }
+    showFan(null);
+    isDown = true;
+    canvas.setPointerCapture(event.pointerId);
+    scrub(place);
+  };
+  canvas.onpointermove = (event) => {
+    const place = strips.sheet.place(event);
+    if (isDown) return scrub(place);
+    const mark = strips.markAt(place);
+    canvas.style.cursor = mark ? 'pointer' : '';
+    if (mark && !isPlaying && !live) showFan(mark.tick);
+    return undefined;
+  };
+  canvas.onpointerup = canvas.onpointercancel = () => { isDown = false; };
+}
+
+function wireMechanism() {
+  const { canvas } = mechanism.sheet;
+  canvas.onpointerdown = (event) => {
+    const place = mechanism.sheet.place(event);
+    held = live ? null : mechanism.hold(place, motion.now);
+    if (!held) return;
+    Object.assign(held, place, { turn: 0, angle: mechanism.angle(place),
+      at: event.timeStamp });
+    canvas.setPointerCapture(event.pointerId);
+    canvas.classList.add('held');
+    showFan(null);
+    if (!isPlaying) play(true);
+  };
+  canvas.onpointermove = (event) => {
+    if (!held) return;
+    const place = mechanism.sheet.place(event), angle = mechanism.angle(place);
+    const seconds = Math.max(1e-3, (event.timeStamp - held.at) / 1000);
+    const turned = Math.atan2(Math.sin(angle - held.angle),
+      Math.cos(angle - held.angle));
+    Object.assign(held, place, { angle, at: event.timeStamp,
+      turn: turned / seconds });
+  };
+  canvas.onpointerup = canvas.onpointercancel = () => {
+    if (!held) return;
+    held = null;
+    canvas.classList.remove('held');
+    act(() => motion.drive(0, 0));
+    hand.show({ force: 0, torque: 0 });
+  };
+}
+
+function wire() {
+  core.scenes.forEach((name) => $('scene').append(new Option(name)));
+  $('scene').onchange = () => {
+    play(false);
+    open(`scene=${core.scenes[$('scene').selectedIndex]}`);
+    remember();
+  };
+  $('play').onclick = () => play(!isPlaying);
+  $('home').onclick = () => seek(0);
+  $('back').onclick = () => (play(false), seek(motion.tick - 1));
+  $('next').onclick = () => (play(false), seek(motion.tick + 1));
+  $('fan').onclick = nearest;
+  $('csv').onclick = download;
+  $('share').onclick = share;
+  $('board').onclick = connectSerial;
+  $('speed').oninput = $('span').onchange = () => { isStale = true; };
+  addEventListener('keydown', keys);
+  addEventListener('hashchange', () => {
+    play(false);
+    open(location.hash.slice(1));
+  });
+  matchMedia('(prefers-color-scheme: dark)').onchange = () => {
+    readColours();
+    surface.key = '';
+    isStale = true;
+  };
+  wireStrips();
+  wireMechanism();
+}
+
+wire();
+open(location.hash.slice(1));
+play(!calm.matches && location.hash === '');
+requestAnimationFrame(frame);
+// For the tests, and for whoever has a line of their own.
+window.twofold = { motion, connect, draw, play, seek, showFan, core,
+  csv: (every, steps) => motion.csv(every, steps),
+  address: () => write(core, scene, motion.log, motion.tick) };

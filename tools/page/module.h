@@ -1,0 +1,40 @@
+/// @file
+/// What the files of the page's module share: how a function is exported, and
+/// the numbers that go to the page and back. They are doubles in one table,
+/// which the page views as a Float64Array: that of the present instant is
+/// also a snapshot, because all that the motion goes on from is in it.
+#ifndef TWOFOLD_PAGE_MODULE_H
+#define TWOFOLD_PAGE_MODULE_H
+
+#include "twofold.h"
+
+#define EXPORT(symbol) __attribute__((export_name(#symbol))) symbol
+
+/// Columns of a row, in the order in which core.mjs names them.
+enum {
+  ROW_T,
+  ROW_R,
+  ROW_V,
+  ROW_W,
+  ROW_H,
+  ROW_G,
+  ROW_F,
+  ROW_M,
+  ROW_MODE,
+  ROW_CHOICES,
+  ROW_SET,
+  ROW_STATUS,
+  ROW_TICK,
+  ROW_PHI,
+  ROW_TABLE, ///< angle of the turntable [rad]
+  ROW_OMEGA0,
+  ROW_R0,
+  ROW_FORCE,
+  ROW_TORQUE,
+  ROW_ENERGY,
+  ROW_DELASSUS,
+  ROW_RESIDUAL,
+  ROW_COLUMNS
+};
+
+#endif

@@ -1,0 +1,324 @@
+// The simulator as the module of a web page: it imports nothing. The page
+// writes a set-up, begins, steps, and reads rows. Instances share nothing, so a
+// second one of the same module looks ahead into the futures of the first.
+#include <string.h>
+
+#include "module.h"
+
+// A set-up is a scene whose parameters and start the page alters.
+static tf_scene_t setup;
+static uint32_t seed;
+
+// The motion, of the set-up with which it began.
+static tf_scene_t scene;
+static uint32_t scene_seed;
+static tf_machine_t machine;
+static tf_state_t state;
+static tf_report_t report;
+static tf_input_t applied; // in the last step
+static double table;       // angle of the turntable [rad]
+static double force, torque;
+static int offender;
+static bool begun;
+
+static double row[ROW_COLUMNS];
+
+// Steps at which the mode or the set of consistent modes changed.
+#define CHANGES 1024
+#define CHANGE_COLUMNS 5
+static double change[CHANGES][CHANGE_COLUMNS];
+static uint32_t changes;
+
+// Numbers of the set-up behind the parameters.
+enum {
+  SETUP_LAW = TF_PARAMETERS,
+  SETUP_RULE,
+  SETUP_REST,
+  SETUP_R,
+  SETUP_OMEGA,
+  SETUP_H,
+  SETUP_V,
+  SETUP_V_IS_GIVEN,
+  SETUP_SEED,
+  SETUP_NUMBERS
+};
+
+uint32_t EXPORT(scenes)(void);
+const char *EXPORT(scene_name)(uint32_t number);
+const char *EXPORT(scene_shows)(uint32_t number);
+uint32_t EXPORT(load)(uint32_t number);
+double EXPORT(get)(uint32_t number);
+bool EXPORT(set)(uint32_t number, double value);
+double EXPORT(t_end)(void);
+bool EXPORT(is_driven)(void);
+int32_t EXPORT(begin)(void);
+int32_t EXPORT(offending)(void);
+void EXPORT(by_hand)(double new_force, double new_torque);
+int32_t EXPORT(step)(uint32_t steps);
+int32_t EXPORT(take)(uint32_t mode);
+double *EXPORT(look)(void);
+void EXPORT(restore)(void);
+const double *EXPORT(changed)(void);
+uint32_t EXPORT(count_changes)(void);
+const tf_machine_t *machine_begun(void);
+tf_input_t input_applied(void);
+
+uint32_t scenes(void) { return TF_SCENES; }
+
+const char *scene_name(uint32_t number) {
+  return number < TF_SCENES ? tf_scenes[number]->name : "";
+}
+
+const char *scene_shows(uint32_t number) {
+  return number < TF_SCENES ? tf_scenes[number]->shows : "";
+}
+
+// The set-up is that of a scene. Returns: how many numbers it has; 0 where
+// there is no such scene.
+uint32_t load(uint32_t number) {
+  if (number >= TF_SCENES) return 0;
+  setup = *tf_scenes[number];
+  setup.params.with_angle = true; // it is drawn; nothing depends on it
+  seed = 0;
+  return SETUP_NUMBERS;
+}
+
+static tf_real_t *parameter_at(uint32_t number) {
+  return (tf_real_t *)(void *)((char *)&setup.params +
+                               tf_parameter_ranges[number].offset);
+}
+
+double get(uint32_t number) {
+  if (number < TF_PARAMETERS) return *parameter_at(number);
+  switch (number) {
+    case SETUP_LAW:
+      return setup.params.law;
+    case SETUP_RULE:
+      return setup.params.rule;
+    case SETUP_REST:
+      return setup.params.rest;
+    case SETUP_R:
+      return setup.r;
+    case SETUP_OMEGA:
+      return setup.omega;
+    case SETUP_H:
+      return setup.h;
+    case SETUP_V:
+      return setup.v;
+    case SETUP_V_IS_GIVEN:
+      return setup.v_is_given;
+    case SETUP_SEED:
+      return seed;
+    default:
+      return 0;
+  }
+}
+
+static bool is_whole(double value, double below) {
+  return value >= 0 && value < below && value <= 0xFFFFFFFFu &&
+         (double)(uint32_t)value >= value;
+}
+
+static bool set_choice(uint32_t number, double value) {
+  static const double below[] = {TF_TYRE_LAWS, TF_RULES, TF_REST_LAWS};
+  if (!is_whole(value, below[number - SETUP_LAW])) return false;
+  if (number == SETUP_LAW) setup.params.law = (tf_tyre_law_t)(uint32_t)value;
+  if (number == SETUP_RULE) setup.params.rule = (tf_rule_t)(uint32_t)value;
+  if (number == SETUP_REST) setup.params.rest = (tf_rest_law_t)(uint32_t)value;
+  return true;
+}
+
+// Any number is taken: ranges are begin's. Returns: whether there is such a
+// number in a set-up and, if it is one of a list, in the list.
+bool set(uint32_t number, double value) {
+  if (number < TF_PARAMETERS) {
+    *parameter_at(number) = value;
+    return true;
+  }
+  switch (number) {
+    case SETUP_LAW:
+    case SETUP_RULE:
+    case SETUP_REST:
+      return set_choice(number, value);
+    case SETUP_R:
+      setup.r = value;
+      return true;
+    case SETUP_OMEGA:
+      setup.omega = value;
+      return true;
+    case SETUP_H:
+      setup.h = value;
+      setup.v_is_given = false;
+      return true;
+    case SETUP_V:
+      setup.v = value;
+      setup.v_is_given = true;
+      return true;
+    case SETUP_SEED:
+      if (!is_whole(value, 4294967296.0)) return false;
+      seed = (uint32_t)value;
+      return true;
+    default:
+      return false;
+  }
+}
+
+double t_end(void) { return setup.t_end; }
+
+bool is_driven(void) { return setup.knots > 0; }
+
+// Prepares the machine and starts. Returns: a tf_status_t. Where it is refused
+// the motion before goes on; after TF_BAD_PARAMETER `offending` is the number
+// of the parameter.
+int32_t begin(void) {
+  tf_machine_t new_machine;
+  tf_state_t new_state;
+  tf_report_t new_report;
+  offender = TF_PARAMETERS;
+  tf_status_t status = tf_prepare(&new_machine, &setup.params, &offender);
+  if (status == TF_OK)
+    status = tf_scene_start(&setup, &new_machine, seed, &new_state,
+                            &new_report);
+  if (status != TF_OK) return status;
+  scene = setup;
+  scene_seed = seed;
+  machine = new_machine;
+  state = new_state;
+  report = new_report;
+  applied = tf_scene_input(&scene, &machine, 0);
+  table = force = torque = 0;
+  changes = 0;
+  begun = true;
+  return TF_OK;
+}
+
+int32_t offending(void) { return offender; }
+
+// A force and a torque beside those of the scene, from the next step on.
+void by_hand(double new_force, double new_torque) {
+  force = new_force;
+  torque = new_torque;
+}
+
+static tf_input_t next_input(void) {
+  tf_input_t input = tf_scene_input(
+      &scene, &machine,
+      scene.knots == 0 ? 0 : (tf_real_t)(state.tick + 1) * machine.dt);
+  input.force += force;
+  input.torque += torque;
+  return input;
+}
+
+static void note_change(unsigned mode, unsigned before) {
+  if ((report.mode == mode && report.set == before) || changes == CHANGES)
+    return;
+  double *to = change[changes++];
+  to[0] = (double)state.tick;
+  to[1] = mode;
+  to[2] = report.mode;
+  to[3] = report.set;
+  to[4] = report.choices;
+}
+
+// Returns: the status of the last step; if that is < 0 it was refused, and no
+// further one was taken. Changes are those of this call alone.
+int32_t step(uint32_t steps) {
+  tf_status_t status = begun ? TF_OK : TF_BAD_STATE;
+  changes = 0;
+  for (; steps > 0 && status >= 0; steps--) {
+    const unsigned mode = report.mode, before = report.set;
+    const tf_input_t input = next_input();
+    status = tf_step(&machine, &state, &input, &report);
+    if (status < 0) break;
+    applied = input;
+    table += input.omega0 * machine.dt;
+    note_change(mode, before);
+  }
+  return status;
+}
+
+// One step into a mode of its solution set, whatever the rule would take; the
+// rule goes on from there.
+// Returns: as step; TF_BAD_PARAMETER, and the motion is as it was, where the
+// step does not end in that mode.
+int32_t take(uint32_t mode) {
+  if (mode >= TF_MODES) return TF_BAD_PARAMETER;
+  const tf_state_t state_before = state;
+  const tf_report_t report_before = report;
+  const tf_input_t applied_before = applied;
+  const double table_before = table;
+  const tf_rule_t rule = machine.rule;
+  state.mode = (uint8_t)mode;
+  machine.rule = TF_RULE_PERSIST;
+  const int32_t status = step(1);
+  machine.rule = rule;
+  if (status >= 0 && report.mode == mode) return status;
+  state = state_before;
+  report = report_before;
+  applied = applied_before;
+  table = table_before;
+  changes = 0;
+  return status < 0 ? status : TF_BAD_PARAMETER;
+}
+
+double *look(void) {
+  const double now[ROW_COLUMNS] = {
+      [ROW_T] = (double)state.tick * machine.dt,
+      [ROW_R] = state.r,
+      [ROW_V] = state.v,
+      [ROW_W] = state.w,
+      [ROW_H] = report.slip.h,
+      [ROW_G] = report.slip.g,
+      [ROW_F] = report.force.F,
+      [ROW_M] = report.force.M,
+      [ROW_MODE] = report.mode,
+      [ROW_CHOICES] = report.choices,
+      [ROW_SET] = report.set,
+      [ROW_STATUS] = report.status,
+      [ROW_TICK] = (double)state.tick,
+      [ROW_PHI] = state.phi,
+      [ROW_TABLE] = table,
+      [ROW_OMEGA0] = applied.omega0,
+      [ROW_R0] = applied.r0,
+      [ROW_FORCE] = applied.force,
+      [ROW_TORQUE] = applied.torque,
+      [ROW_ENERGY] = tf_energy(&machine, &state, applied.r0),
+      [ROW_DELASSUS] = report.delassus,
+      [ROW_RESIDUAL] = report.residual};
+  memcpy(row, now, sizeof row);
+  return row;
+}
+
+// The motion is at the instant of the row that the page has written where
+// `look` keeps it, one that `look` gave for this set-up.
+void restore(void) {
+  state = (tf_state_t){.r = row[ROW_R],
+                       .v = row[ROW_V],
+                       .w = row[ROW_W],
+                       .phi = row[ROW_PHI],
+                       .tick = (uint64_t)row[ROW_TICK],
+                       .seed = scene_seed,
+                       .mode = (uint8_t)row[ROW_MODE]};
+  report = (tf_report_t){.mode = (uint8_t)row[ROW_MODE],
+                         .set = (uint8_t)row[ROW_SET],
+                         .choices = (uint8_t)row[ROW_CHOICES],
+                         .force = {row[ROW_F], row[ROW_M]},
+                         .slip = {row[ROW_H], row[ROW_G]},
+                         .delassus = row[ROW_DELASSUS],
+                         .residual = row[ROW_RESIDUAL],
+                         .status = (tf_status_t)(int32_t)row[ROW_STATUS]};
+  applied.omega0 = row[ROW_OMEGA0];
+  applied.r0 = row[ROW_R0];
+  applied.force = row[ROW_FORCE];
+  applied.torque = row[ROW_TORQUE];
+  table = row[ROW_TABLE];
+}
+
+// tick, mode before, mode, set and choices of each change in the last `step`.
+const double *changed(void) { return change[0]; }
+
+uint32_t count_changes(void) { return changes; }
+
+const tf_machine_t *machine_begun(void) { return begun ? &machine : 0; }
+
+tf_input_t input_applied(void) { return applied; }

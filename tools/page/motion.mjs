@@ -1,0 +1,234 @@
+// A motion on its clock. What the page does to it is a log: inputs by hand and
+// futures that were chosen, each at its tick. Set-up and log decide every bit,
+// so the past is not kept but stepped again from the nearest row: a row every
+// `every` steps is a snapshot. When there are MOST_ROWS, every other one goes.
+import { AT, COLUMNS } from './core.mjs';
+import { HEADER, line } from './decimal.mjs';
+
+const MOST_ROWS = 1 << 17;
+const MOST_CHANGES = 1 << 16;
+
+export class Motion {
+  // core moves; scout looks ahead. Both are of one module.
+  constructor(core, scout) {
+    this.core = core;
+    this.scout = scout;
+    this.every = 10;
+    this.rows = new Float64Array(1024 * COLUMNS);
+    this.count = 0;
+    this.changes = [];
+    this.log = [];
+    this.stopped = null;
+  }
+
+  // Starts the core's set-up. Returns: null or the refusal; then the motion is
+  // as it was.
+  begin(log = []) {
+    const refusal = this.core.begin();
+    if (refusal) return refusal;
+    this.dt = this.core.get('dt');
+    this.every = Math.max(1, Math.round(1e-3 / this.dt));
+    this.count = 0;
+    this.log = log.slice().sort((a, b) => a.tick - b.tick);
+    this.stopped = null;
+    const start = this.core.look();
+    this.changes = [[0, start[AT.mode], start[AT.mode], start[AT.set],
+      start[AT.choices]]];
+    this.#keep();
+    for (let i = 0; i < this.core.names.length; i++)
+      this.scout.c.set(i, this.core.c.get(i));
+    return null;
+  }
+
+  get now() { return this.core.row; }
+  get tick() { return this.core.row[AT.tick]; }
+  get last() { return (this.count - 1) * this.every; }
+
+  row(i) { return this.rows.subarray(i * COLUMNS, (i + 1) * COLUMNS); }
+
+  // The last row that is not after a time.
+  indexAt(t) {
+    const i = Math.floor((t / this.dt + 1e-6) / this.every);
+    return Math.max(0, Math.min(this.count - 1, i));
+  }
+
+  #keep() {
+    if (this.count === MOST_ROWS) {
+      this.every *= 2;
+      this.count /= 2;
+      for (let i = 0; i < this.count; i++)
+        this.rows.copyWithin(i * COLUMNS, 2 * i * COLUMNS,
+          (2 * i + 1) * COLUMNS);
+      if (this.tick % this.every !== 0) return;
+    }
+    if ((this.count + 1) * COLUMNS > this.rows.length) {
+      const more = new Float64Array(2 * this.rows.length);
+      more.set(this.rows);
+      this.rows = more;
+    }
+    this.rows.set(this.core.row, this.count++ * COLUMNS);
+  }
+
+  // One call of the core up to a tick, nothing of the log in between.
+  #step(core, tick, until) {
+    let status = 0, taken = false;
+    core.c.by_hand(0, 0);
+    for (const entry of this.log) {
+      if (entry.tick > tick) break;
+      if (entry.mode === undefined) core.c.by_hand(entry.force, entry.torque);
+      else if (entry.tick === tick) {
+        status = core.c.take(entry.mode);
+        taken = true;
+      }
+    }
+    if (!taken) status = core.c.step(until - tick);
+    return status;
+  }
+
+  #boundary(tick, target) {
+    let until = Math.min(target, (Math.floor(tick / this.every) + 1) *
+      this.every, tick + 1024);
+    for (const entry of this.log) {
+      if (entry.tick > tick) until = Math.min(until, entry.tick);
+      if (entry.tick === tick && entry.mode !== undefined) until = tick + 1;
+    }
+    return until;
+  }
+
+  // Moves on to a tick. Returns: whether it was reached.
+  advance(target) {
+    const { core } = this;
+    while (this.tick < target) {
+      const tick = this.tick;
+      const status = this.#step(core, tick, this.#boundary(tick, target));
+      const known = this.changes[this.changes.length - 1][0];
+      for (const change of core.changes())
+        if (change[0] > known) this.changes.push(change);
+      if (this.changes.length > MOST_CHANGES)
+        this.changes.splice(1, MOST_CHANGES / 2);
+      core.look();
+      if (this.tick === this.count * this.every) this.#keep();
+      if (status < 0) {
+        this.stopped = { tick: this.tick, text: core.status(status) };
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Goes to any tick, back too.
+  seek(target) {
+    const tick = Math.max(0, Math.round(target));
+    if (tick < this.tick || tick > this.last) {
+      const i = Math.min(Math.floor(tick / this.every), this.count - 1);
+      if (tick < this.tick || i * this.every > this.tick)
+        this.core.restore(this.row(i));
+    }
+    this.stopped = null;
+    return this.advance(tick);
+  }
+
+  // Forgets what comes after the present.
+  #cut() {
+    const { tick } = this;
+    this.count = Math.min(this.count, Math.floor(tick / this.every) + 1);
+    this.log = this.log.filter((entry) => entry.tick < tick);
+    this.changes = this.changes.filter((change) => change[0] <= tick);
+    this.stopped = null;
+  }
+
+  // A force and a torque by hand from the present on.
+  drive(force, torque) {
+    const held = this.#held();
+    if (held.force === force && held.torque === torque) return;
+    this.#cut();
+    this.log.push({ tick: this.tick, force, torque });
+  }
+
+  #held() {
+    let held = { force: 0, torque: 0 };
+    for (const entry of this.log)
+      if (entry.mode === undefined && entry.tick <= this.tick) held = entry;
+    return held;
+  }
+
+  // The scout at the instant before the step that ends at a tick.
+  #before(tick) {
+    const { scout } = this;
+    if (scout.c.begin() !== 0) return false;
+    const i = Math.min(Math.floor((tick - 1) / this.every), this.count - 1);
+    scout.restore(this.row(i));
+    scout.look();
+    for (let at = i * this.every; at < tick - 1;) {
+      const until = this.#boundary(at, tick - 1);
+      if (this.#step(scout, at, until) < 0) return false;
+      at = until;
+    }
+    scout.look();
+    return true;
+  }
+
+  // The futures of the step that ends at a tick: each mode that the core takes
+  // there, and where it leads in so many seconds, `samples` rows of it.
+  futures(tick, seconds, samples) {
+    if (tick < 1 || !this.#before(tick)) return [];
+    const { scout } = this;
+    const before = scout.row.slice();
+    const steps = Math.max(1, Math.round(seconds / this.dt / samples));
+    const found = [];
+    this.#inputsOf(scout, tick - 1);
+    scout.c.step(1);
+    const set = scout.look()[AT.set];
+    for (let mode = 0; mode < 5; mode++) {
+      scout.restore(before);
+      if (!(set >> mode & 1) || scout.c.take(mode) < 0) continue;
+      const rows = [before, scout.look().slice()];
+      for (let i = 0; i < samples && scout.c.step(steps) >= 0; i++)
+        rows.push(scout.look().slice());
+      found.push({ mode, rows });
+    }
+    return found;
+  }
+
+  #inputsOf(core, tick) {
+    core.c.by_hand(0, 0);
+    for (const entry of this.log)
+      if (entry.mode === undefined && entry.tick <= tick)
+        core.c.by_hand(entry.force, entry.torque);
+  }
+
+  // Goes on with one of the futures of the step that ends at a tick.
+  choose(tick, mode) {
+    this.seek(tick - 1);
+    this.#cut();
+    this.log.push({ tick: tick - 1, mode });
+    return this.advance(tick);
+  }
+
+  // The instants from which on several futures are open, [tick, set] each: not
+  // those of a slip that goes on, whose second mode is one of the finite step.
+  openings() {
+    return this.changes.filter(([, before, mode, , choices]) =>
+      choices > 1 && !(mode < 2 && before === mode));
+  }
+
+  // What the command line prints for this set-up: a row every `every` steps,
+  // the first and the last. The motion returns to where it was.
+  csv(every, steps) {
+    const here = this.tick;
+    const parts = [HEADER];
+    this.seek(0);
+    let written = 0;
+    parts.push(line(this.now, this.core.modes));
+    for (let tick = every; tick <= steps && this.advance(tick); tick += every) {
+      written = tick;
+      parts.push(line(this.now, this.core.modes));
+    }
+    if (written < steps) {
+      this.advance(steps);
+      if (this.tick > written) parts.push(line(this.now, this.core.modes));
+    }
+    this.seek(here);
+    return parts.join('');
+  }
+}

@@ -1,0 +1,74 @@
+#!/usr/bin/python3
+"""Packs the page into one file that needs no server and asks for nothing: the
+style, the modules in the order of their imports, and the simulator.
+
+    pack.py MODULE.wasm PAGE.html
+
+Names at the top of a module are unique over all of them, so the modules can
+stand in one scope, without their lines of import and export. The page's policy
+allows this very style and this very script, and no connection at all.
+"""
+import base64
+import gzip
+import hashlib
+import re
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).parent
+FIRST = "main.mjs"
+IMPORT = re.compile(r"^import [^;]*? from '\./([\w.]+)';\n", re.M)
+TOP = re.compile(r"^(?:export )?(?:async )?(?:const|let|class|function)\*? "
+                 r"(\w+|\{[^}]*\})", re.M)
+
+
+def modules(name, seen):
+    """Names of modules, each behind those that it imports."""
+    if name in seen:
+        return
+    seen[name] = None
+    text = (HERE / name).read_text()
+    for other in IMPORT.findall(text):
+        modules(other, seen)
+    del seen[name]
+    seen[name] = text
+
+
+def script():
+    texts, owner = {}, {}
+    modules(FIRST, texts)
+    for name, text in texts.items():
+        for word in re.findall(r"\w+", " ".join(TOP.findall(text))):
+            if owner.setdefault(word, name) != name:
+                sys.exit(f"pack.py: {word} is at the top of both "
+                         f"{owner[word]} and {name}")
+    text = "".join(IMPORT.sub("", text) for text in texts.values())
+    if re.search(r"^import\b", text, re.M) or "</script" in text:
+        sys.exit("pack.py: an import that is not from './NAME';, or </script")
+    return re.sub(r"^export ", "", re.sub(r"^ *//.*\n", "", text, flags=re.M),
+                  flags=re.M)
+
+
+def digest(text):
+    return base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+
+
+def main(module, page):
+    style = (HERE / "page.css").read_text()
+    core = base64.b64encode(Path(module).read_bytes()).decode()
+    program = script().replace("@CORE@", core)
+    policy = (f"default-src 'none'; style-src 'sha256-{digest(style)}'; "
+              f"script-src 'sha256-{digest(program)}' 'wasm-unsafe-eval'; "
+              "img-src data:; base-uri 'none'; form-action 'none'")
+    text = (HERE / "page.html").read_text()
+    for key, value in (("@POLICY@", policy), ("@STYLE@", style),
+                       ("@SCRIPT@", program)):
+        if text.count(key) != 1:
+            sys.exit(f"pack.py: page.html has {text.count(key)} of {key}")
+        text = text.replace(key, value)
+    Path(page).write_text(text)
+    print(f"  PACK  {page}: "
+          f"{len(gzip.compress(text.encode(), 9, mtime=0))} bytes gzipped")
+
+
+main(*sys.argv[1:])

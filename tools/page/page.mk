@@ -1,0 +1,39 @@
+# The simulator as a page for a browser: one file without a server. Included by
+# the Makefile.
+#
+#   ONLY='csv board'   of test-page: tests whose names contain one of these
+
+PAGE := $(BUILD)/page
+# As on boards with little flash, the parts of a step stay functions: that
+# halves the module, and a browser still takes a step in under 2 us.
+PAGE_FLAGS := --target=wasm32 -std=c99 -ffreestanding -Oz -flto \
+  -Dalways_inline=unused -ffp-contract=off -fno-math-errno \
+  -ffunction-sections -fdata-sections -Itools/page/libc -Itools -Iinclude \
+  $(filter-out -Wunused-macros,$(WARN))
+PAGE_LINK := -nostdlib -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all \
+  -Wl,-z,stack-size=65536
+PAGE_CORE := $(wildcard src/*/*.c) tools/cli/monitor/receiver.c \
+  port/arch/memory.c $(wildcard tools/page/*.c)
+
+.PHONY: page test-page
+page: ## the page with the simulator in it: build/page/index.html
+page: $(PAGE)/index.html
+
+test-page: ## the page in headless Chromium, beside the command line
+test-page: $(PAGE)/index.html $(BUILD)/double/twofold
+	@MAKEFLAGS= MAKELEVEL= MAKE='$(MAKE)' BUILD='$(BUILD)' OPT='$(OPT)' \
+	  CC='$(CC)' tests/page/test_page.py $(ONLY)
+
+$(PAGE)/core.wasm: $(PAGE_CORE) $(wildcard tools/page/*.h tools/page/libc/*.h \
+    tools/cli/monitor/receiver.h src/*/*.h include/*.h include/twofold/*.h) \
+    tools/page/page.mk
+	@command -v clang wasm-ld >/dev/null || { echo 'make page needs clang' \
+	  'and wasm-ld (Debian: apt-get install clang lld)' >&2; exit 3; }
+	@mkdir -p $(@D)
+	@echo '  WASM  $@'
+	@clang $(PAGE_FLAGS) $(PAGE_CORE) $(PAGE_LINK) -o $@
+
+$(PAGE)/index.html: tools/page/pack.py $(PAGE)/core.wasm \
+    $(wildcard tools/page/*.mjs tools/page/*.html tools/page/*.css)
+	@tools/page/pack.py $(PAGE)/core.wasm $@
+	@echo "The page is in $@."
