@@ -296,12 +296,13 @@ async function share() {
 }
 
 // Shows what a board sends in place of the motion, until its line ends.
-// line: { readable, writable }, as WebSerial opens a port. Returns: the
-// counters of the decoder.
-async function connect(line) {
+// line: { readable, writable }, as WebSerial opens a port. tell: may be absent;
+// gets each row. Returns: the counters of the decoder.
+async function connect(line, tell) {
   live = new Record(core);
   const reader = new Line(compiled, (row) => {
     live.take(row);
+    tell?.(row);
     isStale = true;
   });
   play(false);
@@ -474,6 +475,7 @@ open(location.hash.slice(1));
 play(!calm.matches && location.hash === '');
 requestAnimationFrame(frame);
 // For the tests, and for whoever has a line of their own.
-window.twofold = { motion, connect, draw, play, seek, showFan, core,
-  csv: (every, steps) => motion.csv(every, steps),
-  address: () => write(core, scene, motion.log, motion.tick) };
+window.twofold = { core, motion, connect, play, seek, showFan, speed, draw,
+  read: (text) => read(core, text),
+  writeOf: (...what) => write(core, ...what),
+  write: () => write(core, scene, motion.log, motion.tick) };

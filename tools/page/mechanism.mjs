@@ -240,7 +240,7 @@ export class Mechanism {
       path(ctx, [[at, y + lens * 0.32], [at, y + lens * (isLong ? 0.4 : 0.36)]],
         colour.ink, isLong ? 1.4 : 0.8);
       if (isLong && Math.abs(at - x) < lens * 0.75)
-        label(ctx, `r = ${short(i * step)} m`, at, y + lens * 0.52, 'center',
+        label(ctx, `r = ${short(i * step)} m`, at, y + lens * 0.62, 'center',
           colour.soft);
     }
   }
