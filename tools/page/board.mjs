@@ -108,6 +108,9 @@ export class Record {
     [AT.t, AT.r, AT.v, AT.omega, AT.h, AT.g, AT.F, AT.M, AT.mode, AT.choices]
       .forEach((at, i) => { now[at] = values[i]; });
     now[AT.set] = 1 << now[AT.mode];
+    const seconds = this.count ? now[AT.t] - this.row(this.count - 1)[AT.t] : 0;
+    now[AT.phi] += now[AT.omega] * seconds;
+    now[AT.table] += now[AT.omega0] * seconds;
     if (this.count && now[AT.t] < this.row(this.count - 1)[AT.t]) {
       this.count = 0; // it was started again
       this.changes = [];

@@ -210,7 +210,9 @@ function move(seconds) {
 function pull() {
   if (!held) return;
   const row = motion.now;
-  const within = (x, most) => Math.max(-most, Math.min(most, x));
+  // In thousandths, so that the address stays short.
+  const within = (x, most) =>
+    Math.round(1000 * Math.max(-most, Math.min(most, x))) / 1000;
   if (held.part === 'slider') {
     const away = mechanism.along(held, row, held.lens) - row[AT.r];
     motion.drive(within(HAND.spring * away - HAND.damper * row[AT.v],
@@ -242,7 +244,7 @@ function showState() {
     cell('ω', `${row[AT.omega].toFixed(4)} rad/s`.replace('-', '−')),
     cell('', ''), cell('F', `${row[AT.F].toFixed(3)} N`.replace('-', '−')),
     cell('M', `${row[AT.M].toFixed(3)} N m`.replace('-', '−')),
-    cell('E', `${row[AT.energy].toFixed(4)} J`),
+    cell('E', live ? '–' : `${row[AT.energy].toFixed(4)} J`),
     cell(`${choices} future${choices === 1 ? '' : 's'}`, ''));
   const told = state.children[3].lastChild;
   told.className = 'mode';
@@ -403,7 +405,7 @@ function wireStrips() {
     if (isDown) return scrub(place);
     const mark = strips.markAt(place);
     canvas.style.cursor = mark ? 'pointer' : '';
-    if (mark && !isPlaying && !live) showFan(mark.tick);
+    if (mark && !live) showFan(mark.tick);
     return undefined;
   };
   canvas.onpointerup = canvas.onpointercancel = () => { isDown = false; };
@@ -475,7 +477,7 @@ open(location.hash.slice(1));
 play(!calm.matches && location.hash === '');
 requestAnimationFrame(frame);
 // For the tests, and for whoever has a line of their own.
-window.twofold = { core, motion, connect, play, seek, showFan, speed, draw,
+window.twofold = { core, motion, views, connect, play, seek, showFan, speed, draw,
   read: (text) => read(core, text),
   writeOf: (...what) => write(core, ...what),
   write: () => write(core, scene, motion.log, motion.tick) };

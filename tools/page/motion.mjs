@@ -69,38 +69,47 @@ export class Motion {
     this.rows.set(this.core.row, this.count++ * COLUMNS);
   }
 
-  // One call of the core up to a tick, nothing of the log in between.
-  #step(core, tick, until) {
-    let status = 0, taken = false;
-    core.c.by_hand(0, 0);
-    for (const entry of this.log) {
-      if (entry.tick > tick) break;
-      if (entry.mode === undefined) core.c.by_hand(entry.force, entry.torque);
-      else if (entry.tick === tick) {
-        status = core.c.take(entry.mode);
-        taken = true;
-      }
+  // How many entries of the log are at a tick or before it.
+  #logged(tick) {
+    let low = 0, high = this.log.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.log[middle].tick <= tick) low = middle + 1;
+      else high = middle;
     }
-    if (!taken) status = core.c.step(until - tick);
-    return status;
+    return low;
   }
 
-  #boundary(tick, target) {
-    let until = Math.min(target, (Math.floor(tick / this.every) + 1) *
-      this.every, tick + 1024);
-    for (const entry of this.log) {
-      if (entry.tick > tick) until = Math.min(until, entry.tick);
-      if (entry.tick === tick && entry.mode !== undefined) until = tick + 1;
-    }
-    return until;
+  // The inputs by hand at a tick.
+  #held(tick) {
+    let i = this.#logged(tick) - 1;
+    while (i >= 0 && this.log[i].mode !== undefined) i--;
+    return i < 0 ? { force: 0, torque: 0 } : this.log[i];
+  }
+
+  // The future that was chosen for the step from a tick on.
+  #taken(tick) {
+    for (let i = this.#logged(tick) - 1; this.log[i]?.tick === tick; i--)
+      if (this.log[i].mode !== undefined) return this.log[i];
+    return null;
+  }
+
+  // One call of the core, at most up to a tick: nothing of the log, and no row
+  // to keep, is in between. Returns: its status.
+  #step(core, tick, target) {
+    const held = this.#held(tick), taken = this.#taken(tick);
+    const next = this.log[this.#logged(tick)]?.tick ?? Infinity;
+    const row = (Math.floor(tick / this.every) + 1) * this.every;
+    core.c.by_hand(held.force, held.torque);
+    return taken ? core.c.take(taken.mode)
+      : core.c.step(Math.min(target, next, row, tick + 1024) - tick);
   }
 
   // Moves on to a tick. Returns: whether it was reached.
   advance(target) {
     const { core } = this;
     while (this.tick < target) {
-      const tick = this.tick;
-      const status = this.#step(core, tick, this.#boundary(tick, target));
+      const status = this.#step(core, this.tick, target);
       const known = this.changes[this.changes.length - 1][0];
       for (const change of core.changes())
         if (change[0] > known) this.changes.push(change);
@@ -139,17 +148,10 @@ export class Motion {
 
   // A force and a torque by hand from the present on.
   drive(force, torque) {
-    const held = this.#held();
+    const held = this.#held(this.tick);
     if (held.force === force && held.torque === torque) return;
     this.#cut();
     this.log.push({ tick: this.tick, force, torque });
-  }
-
-  #held() {
-    let held = { force: 0, torque: 0 };
-    for (const entry of this.log)
-      if (entry.mode === undefined && entry.tick <= this.tick) held = entry;
-    return held;
   }
 
   // The scout at the instant before the step that ends at a tick.
@@ -159,11 +161,8 @@ export class Motion {
     const i = Math.min(Math.floor((tick - 1) / this.every), this.count - 1);
     scout.restore(this.row(i));
     scout.look();
-    for (let at = i * this.every; at < tick - 1;) {
-      const until = this.#boundary(at, tick - 1);
-      if (this.#step(scout, at, until) < 0) return false;
-      at = until;
-    }
+    for (let at = i * this.every; at < tick - 1; at = scout.look()[AT.tick])
+      if (this.#step(scout, at, tick - 1) < 0) return false;
     scout.look();
     return true;
   }
@@ -176,7 +175,8 @@ export class Motion {
     const before = scout.row.slice();
     const steps = Math.max(1, Math.round(seconds / this.dt / samples));
     const found = [];
-    this.#inputsOf(scout, tick - 1);
+    const held = this.#held(tick - 1);
+    scout.c.by_hand(held.force, held.torque);
     scout.c.step(1);
     const set = scout.look()[AT.set];
     for (let mode = 0; mode < 5; mode++) {
@@ -188,13 +188,6 @@ export class Motion {
       found.push({ mode, rows });
     }
     return found;
-  }
-
-  #inputsOf(core, tick) {
-    core.c.by_hand(0, 0);
-    for (const entry of this.log)
-      if (entry.mode === undefined && entry.tick <= tick)
-        core.c.by_hand(entry.force, entry.torque);
   }
 
   // Goes on with one of the futures of the step that ends at a tick.

@@ -283,9 +283,13 @@ export class SurfacePlane {
   }
 
   #key(ctx, frame) {
-    let x = frame.left + 8;
-    const y = frame.top + 12;
+    let x = frame.left + 8, y = frame.top + 12;
     ['sliding', 'escaping', 'crossing ↑', '↓'].forEach((name, i) => {
+      const width = 32 + ctx.measureText(name).width;
+      if (x + width > frame.right) {
+        x = frame.left + 8;
+        y += 17;
+      }
       ctx.fillStyle = colour[REGION_COLOUR[i]];
       ctx.fillRect(x, y - 5, 14, 10);
       if (i === 1) {
@@ -296,7 +300,7 @@ export class SurfacePlane {
       ctx.lineWidth = 0.8;
       ctx.strokeRect(x, y - 5, 14, 10);
       label(ctx, name, x + 19, y, 'left', colour.ink);
-      x += 32 + ctx.measureText(name).width;
+      x += width;
     });
   }
 }
