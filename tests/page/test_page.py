@@ -204,6 +204,15 @@ def futures_fan_out():
         check(again.value("Array.from(twofold.motion.now).join()") == row,
               "the address leads elsewhere")
     check(len(ends) == 3, f"{len(ends)} ends")
+    # At h = g = 0 four modes are possible; whatever the core does not enter is
+    # shown, but cannot be chosen.
+    tab.value("location.hash = '#scene=driven&tick=84000'")
+    go(tab, 84000)
+    tab.value("twofold.showFan(83827)")
+    names = tab.value("[...document.querySelectorAll('#choices button')]"
+                      ".map((button) => button.textContent + button.disabled)")
+    check(names == ["slip−true", "stick+true", "1  stick−false",
+                    "2  pinnedfalse"], names)
 
 
 def by_hand():
@@ -251,6 +260,20 @@ def keyboard():
       e.getAttribute('aria-label') || e.labels?.length || e.textContent.trim() ||
       e.closest('[aria-label]'))).map((e) => e.outerHTML)""")
     check(not unnamed, f"without a name: {unnamed}")
+
+
+def lists_of_the_command_line():
+    """Laws, rules and laws of rest have the names that `run` takes."""
+    told = command("help", "run")
+    tab = opened()
+    for name in ("law", "rest"):
+        names = tab.value(f"[...document.getElementById('list-{name}').options]"
+                          ".map((option) => option.text)")
+        check(f"  {name:9} {', '.join(names)}\n" in told
+              or f"  {name:9} {', '.join(names)}, " in told, names)
+    for rule in tab.value("[...document.getElementById('list-rule').options]"
+                          ".map((option) => option.text)"):
+        command("run", "chaos", "--t-end", "0", "--select", rule)
 
 
 def reduced_motion():
@@ -385,6 +408,26 @@ def brightness(picture):
     return float(matplotlib.image.imread(io.BytesIO(picture))[..., :3].mean())
 
 
+def moving_picture_of_this_core():
+    """docs/futures.svg is what its script makes, and it moves."""
+    made = PAGE.parent / "futures.svg"
+    subprocess.run([ROOT / "tools/figures/futures.py", COMMAND, made],
+                   check=True)
+    kept = ROOT / "docs/futures.svg"
+    check(made.read_bytes() == kept.read_bytes(),
+          "docs/futures.svg is of another core: make keep-futures")
+    tab = Tab(browser, calm=False)
+    tab.call("Page.navigate", url=kept.as_uri())
+    looks = set()
+    for time in (0, 500, 2000, 4000):
+        tab.value("document.getAnimations().forEach((one) => { one.pause(); "
+                  f"one.currentTime = {time}; }})")
+        tab.value("new Promise((done) => setTimeout(done, 200))")
+        looks.add(tab.picture())
+    check(len(looks) == 3, f"{len(looks)} different pictures, not 3: it waits, "
+          "then it moves")
+
+
 BOARD = """
 const put = [];
 const flush = () => postMessage(put.splice(0));
@@ -450,11 +493,12 @@ def board_in_a_worker():
     check(len(set(have) & {row[0] for row in want}) >= 70, "other instants")
 
 
-TESTS = [csv_of_every_scene, csv_of_other_set_ups, address_there_and_back,
+TESTS = [csv_of_every_scene, csv_of_other_set_ups, lists_of_the_command_line, address_there_and_back,
          address_that_nobody_wrote, refusal_by_name,
          scrubbing_has_the_same_bits, futures_fan_out, by_hand, keyboard,
          reduced_motion, no_request_to_anywhere, size, frame_time,
-         picture_of_a_desk, picture_of_a_phone, board_in_a_worker]
+         picture_of_a_desk, picture_of_a_phone, moving_picture_of_this_core,
+         board_in_a_worker]
 
 
 def main(words):

@@ -26,7 +26,7 @@ BY_hysteresis := --by hysteresis --size 1e-3
 BY_delay := --by delay --size 1e-3
 KINDS := random noise smoothing hysteresis delay
 
-.PHONY: figures keep-figures figures-gnuplot
+.PHONY: figures keep-figures keep-futures figures-gnuplot
 HELPERS += figures-gnuplot
 figures: ## the pictures of docs/FIGURES.md (gnuplot)
 figures: $(FIGURES:%=$(figdir)/%.svg) $(FIGURES:%=$(figdir)/%.png)
@@ -37,6 +37,10 @@ keep-figures: $(ALL_FIGURES:%=$(figdir)/%.svg)
 	mkdir -p docs/figures
 	cp $^ docs/figures/
 	tools/check/reports.py --remade docs/FIGURES.md
+
+keep-futures: ## the moving picture of README.md: docs/futures.svg
+keep-futures: $(two)
+	tools/figures/futures.py $(two) docs/futures.svg
 
 figures-gnuplot:
 	@command -v gnuplot >/dev/null || { \

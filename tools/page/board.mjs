@@ -80,6 +80,7 @@ export class Record {
     this.rows = new Float64Array(MOST_RECORDS * COLUMNS);
     this.now = new Float64Array(COLUMNS);
     this.now.set(core.row);
+    this.now[AT.energy] = NaN; // a board does not tell it
     this.count = 0;
     this.changes = [];
     this.dt = 1;
@@ -123,5 +124,18 @@ export class Record {
     if (this.count === 1 || before !== now[AT.mode])
       this.changes.push([now[AT.t], before, now[AT.mode], now[AT.set],
         now[AT.choices]]);
+  }
+}
+
+// Lets the user pick a port. use(port): works with it until the line ends.
+export async function openSerial(use) {
+  if (!navigator.serial)
+    throw new Error('This browser has no WebSerial; Chromium has.');
+  const port = await navigator.serial.requestPort();
+  await port.open({ baudRate: 115200 });
+  try {
+    await use(port);
+  } finally {
+    await port.close();
   }
 }

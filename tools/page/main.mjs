@@ -1,13 +1,14 @@
 // The page: one motion, one clock, and what looks at them or acts on them.
 import { AT, Core } from './core.mjs';
 import { putBack, read, write } from './address.mjs';
-import { Line, Record } from './board.mjs';
-import { decimal, short } from './decimal.mjs';
+import { Line, Record, openSerial } from './board.mjs';
+import { short } from './decimal.mjs';
 import { readColours } from './draw.mjs';
 import { Mechanism } from './mechanism.mjs';
 import { Motion } from './motion.mjs';
 import { Hand, Panel } from './panel.mjs';
 import { SlipPlane, SurfacePlane } from './planes.mjs';
+import { commandLine, showState, tellTime } from './status.mjs';
 import { Strips } from './strips.mjs';
 
 const BUDGET = 9; // of a frame, for steps [ms]
@@ -117,8 +118,10 @@ function change(name, value) {
 // The futures of the step that ends at a tick, or none.
 function showFan(tick) {
   if (tick === (fan ? fan.tick : null)) return;
+  const all = tick === null ? []
+    : motion.futures(tick, Math.min(0.15, 0.06 * span()), 240);
   fan = tick === null ? null
-    : { tick, futures: motion.futures(tick, Math.min(0.15, 0.06 * span()), 240) };
+    : { tick, futures: all.filter(({ rows }) => rows.length) };
   const box = $('choices');
   box.hidden = !fan;
   box.replaceChildren();
@@ -128,18 +131,21 @@ function showFan(tick) {
   }
   isStale = true;
   if (!fan) return;
-  const count = fan.futures.length;
-  box.append(`t = ${short(tick * motion.dt, 7)} s: ${count} ` +
-    `future${count === 1 ? '' : 's'}`);
-  fan.futures.forEach(({ mode }, i) => {
+  box.append(`t = ${short(tick * motion.dt, 7)} s`);
+  let number = 0;
+  for (const { mode, rows } of all) {
     const button = document.createElement('button');
+    const isOpen = rows.length > 0;
     button.className = 'mode';
     button.dataset.mode = mode;
-    button.textContent = `${i + 1}  ${core.modes[mode].replace('-', '−')}`;
-    button.title = `Go on with it (${i + 1})`;
+    button.disabled = !isOpen;
+    button.textContent = (isOpen ? `${++number}  ` : '') +
+      core.modes[mode].replace('-', '−');
+    button.title = isOpen ? `Go on with it (${number})`
+      : 'Possible in this step, but a step into it ends in another mode';
     button.onclick = () => choose(mode);
     box.append(button);
-  });
+  }
 }
 
 function choose(mode) {
@@ -158,9 +164,10 @@ function play(on) {
   if (!on) remember();
 }
 
+// What lies behind the last row is stepped frame by frame, within the budget.
 function seek(tick) {
   goal = Math.max(0, Math.round(tick));
-  if (goal < motion.tick) motion.seek(goal);
+  motion.seek(Math.min(goal, Math.max(motion.last, motion.tick)));
   hand.show({ force: motion.now[AT.force], torque: motion.now[AT.torque] });
   remember();
 }
@@ -189,11 +196,7 @@ function move(seconds) {
   }
   while (motion.tick < goal && performance.now() - started < BUDGET) {
     isStale = true;
-    const from = motion.tick;
-    const until = Math.min(goal, from + 500);
-    const isThere = from + 500 < motion.last && until > from + 499
-      ? motion.seek(Math.min(goal, motion.last)) : motion.advance(until);
-    if (!isThere) {
+    if (!motion.advance(Math.min(goal, motion.tick + 500))) {
       say(`stopped at t = ${short(motion.tick * motion.dt, 6)} s: ` +
         motion.stopped.text);
       goal = motion.tick;
@@ -223,55 +226,6 @@ function pull() {
     held.turn *= 0.7;
   }
   hand.show({ force: motion.now[AT.force], torque: motion.now[AT.torque] });
-}
-
-function showState() {
-  const row = live ? live.now : motion.now;
-  const mode = row[AT.mode], choices = row[AT.choices];
-  $('time').textContent = `t = ${row[AT.t].toFixed(4)} s`;
-  $('pace').textContent = `× ${short(speed(), 2)}`;
-  const cell = (name, value) => {
-    const box = document.createElement('div');
-    for (const [tag, words] of [['dt', name], ['dd', value]])
-      box.append(Object.assign(document.createElement(tag),
-        { textContent: words }));
-    return box;
-  };
-  const state = $('state');
-  state.replaceChildren(
-    cell('r', `${row[AT.r].toFixed(5)} m`.replace('-', '−')),
-    cell('v', `${row[AT.v].toFixed(4)} m/s`.replace('-', '−')),
-    cell('ω', `${row[AT.omega].toFixed(4)} rad/s`.replace('-', '−')),
-    cell('', ''), cell('F', `${row[AT.F].toFixed(3)} N`.replace('-', '−')),
-    cell('M', `${row[AT.M].toFixed(3)} N m`.replace('-', '−')),
-    cell('E', live ? '–' : `${row[AT.energy].toFixed(4)} J`),
-    cell(`${choices} future${choices === 1 ? '' : 's'}`, ''));
-  const told = state.children[3].lastChild;
-  told.className = 'mode';
-  told.dataset.mode = mode;
-  told.textContent = core.modes[mode].replace('-', '−');
-  const slider = $('strips');
-  slider.setAttribute('aria-valuemax', (motion.last * motion.dt).toFixed(4));
-  slider.setAttribute('aria-valuenow', row[AT.t].toFixed(4));
-  slider.setAttribute('aria-valuetext', `t = ${row[AT.t].toFixed(4)} s, ` +
-    `${core.modes[mode]}, ${choices} possible`);
-  if (!isPlaying || draws++ % 30 === 0) $('command').textContent = commandLine();
-}
-
-// The words that make the command line do the same.
-function commandLine() {
-  const now = core.names.map((_, i) => core.c.get(i));
-  const words = write(core, scene, [], 0).split('&').slice(1).map((word) => {
-    const [name, value] = word.split('=');
-    return name === 'rule' ? `--select ${decodeURIComponent(value)}` +
-      (value === 'random' ? `:${now[core.at.seed]}` : '')
-      : name === 'seed' ? '' : `--set ${word}`;
-  });
-  const note = motion.log.length
-    ? '  # but for what was done by hand' : '';
-  return ['twofold run', core.scenes[scene], ...words.filter((w) => w),
-    '--t-end', decimal(csvSteps() * motion.dt), '--every', motion.every]
-    .join(' ') + note;
 }
 
 const csvSteps = () => Math.max(motion.tick, 1);
@@ -318,25 +272,11 @@ async function connect(line, tell) {
     say(`the board's line has failed: ${error.message}`);
   }
   $('board').textContent = 'board';
-  $('board').onclick = connectSerial;
+  $('board').onclick = () => openSerial(connect).catch((error) =>
+    say(error.message));
   live = null;
   isStale = true;
   return reader.counters;
-}
-
-async function connectSerial() {
-  if (!navigator.serial)
-    return say('This browser has no WebSerial; Chromium has.');
-  let port;
-  try {
-    port = await navigator.serial.requestPort();
-    await port.open({ baudRate: 115200 });
-  } catch (error) {
-    return say(`no board: ${error.message}`);
-  }
-  const counters = await connect(port);
-  await port.close();
-  return counters;
 }
 
 function frame(now) {
@@ -355,7 +295,11 @@ function draw() {
   plane.draw(shown, TRAIL, futures);
   surface.draw(shown, TRAIL, futures);
   strips.draw(shown, span(), futures, fan?.tick);
-  showState();
+  showState(shown.now, core.modes);
+  tellTime(strips.sheet.canvas, shown.now, shown.last * shown.dt, core.modes);
+  $('pace').textContent = `× ${short(speed(), 2)}`;
+  if (!isPlaying || draws++ % 30 === 0)
+    $('command').textContent = commandLine(core, scene, motion, csvSteps());
 }
 
 function keys(event) {
@@ -456,7 +400,8 @@ function wire() {
   $('fan').onclick = nearest;
   $('csv').onclick = download;
   $('share').onclick = share;
-  $('board').onclick = connectSerial;
+  $('board').onclick = () => openSerial(connect).catch((error) =>
+    say(error.message));
   $('speed').oninput = $('span').onchange = () => { isStale = true; };
   addEventListener('keydown', keys);
   addEventListener('hashchange', () => {

@@ -221,9 +221,9 @@ export class Mechanism {
         const u = c * a - s * b - middle, w = s * a + c * b - d;
         const isBold = (Math.round(a / space) + Math.round(b / space)) % 4 === 0;
         ctx.globalAlpha = isBold ? 0.75 : 0.3;
-        ctx.beginPath();
-        ctx.arc(lensX + k * u, lensY - k * w, isBold ? 1.9 : 1.3, 0, TAU);
-        ctx.fill();
+        const half = isBold ? 1.8 : 1.2;
+        ctx.fillRect(lensX + k * u - half, lensY - k * w - half, 2 * half,
+          2 * half);
       }
     }
     ctx.globalAlpha = 1;

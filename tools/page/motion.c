@@ -177,8 +177,8 @@ int32_t begin(void) {
   offender = TF_PARAMETERS;
   tf_status_t status = tf_prepare(&new_machine, &setup.params, &offender);
   if (status == TF_OK)
-    status = tf_scene_start(&setup, &new_machine, seed, &new_state,
-                            &new_report);
+    status =
+        tf_scene_start(&setup, &new_machine, seed, &new_state, &new_report);
   if (status != TF_OK) return status;
   scene = setup;
   scene_seed = seed;
@@ -237,28 +237,38 @@ int32_t step(uint32_t steps) {
   return status;
 }
 
+// Returns: as step. Where the step does not end in the mode, nothing of it is
+// kept, and the status is TF_BAD_PARAMETER.
+static int32_t try_step(uint32_t mode) {
+  const tf_state_t old_state = state;
+  const tf_report_t old_report = report;
+  const tf_input_t old_applied = applied;
+  const double old_table = table;
+  int32_t status = step(1);
+  if (status >= 0 && report.mode == mode) return status;
+  if (status >= 0) status = TF_BAD_PARAMETER;
+  state = old_state;
+  report = old_report;
+  applied = old_applied;
+  table = old_table;
+  changes = 0;
+  return status;
+}
+
 // One step into a mode of its solution set, whatever the rule would take; the
-// rule goes on from there.
-// Returns: as step; TF_BAD_PARAMETER, and the motion is as it was, where the
-// step does not end in that mode.
+// rule goes on from there. Returns: as try_step.
 int32_t take(uint32_t mode) {
-  if (mode >= TF_MODES) return TF_BAD_PARAMETER;
-  const tf_state_t state_before = state;
-  const tf_report_t report_before = report;
-  const tf_input_t applied_before = applied;
-  const double table_before = table;
+  if (mode >= TF_MODES || !begun) return TF_BAD_PARAMETER;
+  const int32_t status = try_step(mode);
+  if (status != TF_BAD_PARAMETER) return status;
   const tf_rule_t rule = machine.rule;
+  const uint8_t old_mode = state.mode;
   state.mode = (uint8_t)mode;
   machine.rule = TF_RULE_PERSIST;
-  const int32_t status = step(1);
+  const int32_t forced = try_step(mode);
   machine.rule = rule;
-  if (status >= 0 && report.mode == mode) return status;
-  state = state_before;
-  report = report_before;
-  applied = applied_before;
-  table = table_before;
-  changes = 0;
-  return status < 0 ? status : TF_BAD_PARAMETER;
+  if (forced < 0) state.mode = old_mode;
+  return forced;
 }
 
 double *look(void) {

@@ -167,8 +167,10 @@ export class Motion {
     return true;
   }
 
-  // The futures of the step that ends at a tick: each mode that the core takes
-  // there, and where it leads in so many seconds, `samples` rows of it.
+  // The futures of the step that ends at a tick: each mode of its set and where
+  // that leads in so many seconds, in `samples` rows. Those are empty where the
+  // step ends in another mode although this one is possible: a slip does not
+  // enter an escaping stick, and rest ends where a stick attracts.
   futures(tick, seconds, samples) {
     if (tick < 1 || !this.#before(tick)) return [];
     const { scout } = this;
@@ -181,7 +183,11 @@ export class Motion {
     const set = scout.look()[AT.set];
     for (let mode = 0; mode < 5; mode++) {
       scout.restore(before);
-      if (!(set >> mode & 1) || scout.c.take(mode) < 0) continue;
+      if (!(set >> mode & 1)) continue;
+      if (scout.c.take(mode) < 0) {
+        found.push({ mode, rows: [] });
+        continue;
+      }
       const rows = [before, scout.look().slice()];
       for (let i = 0; i < samples && scout.c.step(steps) >= 0; i++)
         rows.push(scout.look().slice());

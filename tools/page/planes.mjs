@@ -42,19 +42,23 @@ function drawNow(ctx, x, y, mode) {
 const REGION_COLOUR = ['sliding', 'escaping', 'up', 'down', 'line', 'panel'];
 
 // Pale lines, so that regions differ without their colours: escaping ones.
+let tile = null;
 function hatch(ctx) {
-  const tile = document.createElement('canvas');
-  tile.width = tile.height = 8;
-  const c = tile.getContext('2d');
-  c.strokeStyle = colour.mode[0];
-  c.globalAlpha = 0.5;
-  c.lineWidth = 1.2;
-  c.beginPath();
-  for (const shift of [-8, 0, 8]) {
-    c.moveTo(shift - 1, 9);
-    c.lineTo(shift + 9, -1);
+  if (tile?.title !== colour.escaping) {
+    tile = document.createElement('canvas');
+    tile.title = colour.escaping; // of which colours it is
+    tile.width = tile.height = 8;
+    const c = tile.getContext('2d');
+    c.strokeStyle = colour.mode[0];
+    c.globalAlpha = 0.5;
+    c.lineWidth = 1.2;
+    c.beginPath();
+    for (const shift of [-8, 0, 8]) {
+      c.moveTo(shift - 1, 9);
+      c.lineTo(shift + 9, -1);
+    }
+    c.stroke();
   }
-  c.stroke();
   return ctx.createPattern(tile, 'repeat');
 }
 
@@ -126,14 +130,14 @@ export class SlipPlane {
     const regions = motion.core.regionsAt(motion.now[AT.r], low, high, count);
     if (!regions) return;
     const width = (frame.right - frame.left) / count, y = frame.y(0);
-    this.hatch = hatch(ctx);
+    const lines = hatch(ctx);
     for (let i = 0; i < count; i++) {
       const region = regions[i];
       if (region > 1) continue;
       ctx.fillStyle = colour[REGION_COLOUR[region]];
       ctx.fillRect(frame.left + i * width, y - 5, width + 0.6, 10);
       if (region !== 1) continue;
-      ctx.fillStyle = this.hatch;
+      ctx.fillStyle = lines;
       ctx.fillRect(frame.left + i * width, y - 5, width + 0.6, 10);
     }
     path(ctx, [[frame.left, y], [frame.right, y]], colour.soft, 1);
@@ -149,11 +153,25 @@ export class SlipPlane {
   }
 }
 
+// Pixels as a canvas of the size of another.
+function enlarged(data, { width, height }) {
+  const small = document.createElement('canvas');
+  small.width = data.width;
+  small.height = data.height;
+  small.getContext('2d').putImageData(data, 0, 0);
+  const large = document.createElement('canvas');
+  large.width = width;
+  large.height = height;
+  large.getContext('2d').drawImage(small, 0, 0, width, height);
+  return large;
+}
+
 // #rrggbb as four bytes.
 const channels = (hex) => [1, 3, 5].map((i) =>
   parseInt(hex.slice(i, i + 2), 16)).concat(255);
 
 const MAP = { columns: 200, rows: 120 };
+const ENLARGED = 4; // times, for lines finer than a cell
 
 export class SurfacePlane {
   constructor() {
@@ -229,44 +247,36 @@ export class SurfacePlane {
       this.key = key;
       this.#paint(motion, x, y);
     }
-    const box = [frame.left, frame.top, frame.right - frame.left,
-      frame.bottom - frame.top];
-    ctx.imageSmoothingEnabled = true;
-    ctx.drawImage(this.image, ...box);
-    if (!this.hasEscaping) return;
-    // The pattern where the mask of escaping regions is.
-    ctx.globalAlpha = 0.8;
-    ctx.drawImage(this.mask, ...box);
-    ctx.globalAlpha = 1;
+    ctx.drawImage(this.image, frame.left, frame.top, frame.right - frame.left,
+      frame.bottom - frame.top);
   }
 
+  // The regions of a grid of points, with lines over the escaping ones.
   #paint(motion, x, y) {
     const { columns, rows } = MAP;
     const regions = motion.core.regions(x.low, x.high, columns, y.low, y.high,
       rows);
-    this.image.width = columns;
-    this.image.height = rows;
-    const c = this.image.getContext('2d');
-    const data = c.createImageData(columns, rows);
     const paint = REGION_COLOUR.map((name) => channels(colour[name]));
-    const mask = this.mask = document.createElement('canvas');
-    mask.width = columns * 4;
-    mask.height = rows * 4;
-    const m = mask.getContext('2d');
-    this.hasEscaping = false;
+    const data = new ImageData(columns, rows), mask = new ImageData(columns,
+      rows);
     for (let j = 0; j < rows; j++) {
       for (let i = 0; i < columns; i++) {
         const region = regions ? regions[j * columns + i] : 5;
-        data.data.set(paint[region], 4 * ((rows - 1 - j) * columns + i));
-        if (REGIONS[region] !== 'escaping') continue;
-        this.hasEscaping = true;
-        m.fillRect(4 * i, 4 * (rows - 1 - j), 4, 4);
+        const at = 4 * ((rows - 1 - j) * columns + i);
+        data.data.set(paint[region], at);
+        mask.data[at + 3] = REGIONS[region] === 'escaping' ? 255 : 0;
       }
     }
-    c.putImageData(data, 0, 0);
-    m.globalCompositeOperation = 'source-in';
-    m.fillStyle = hatch(m);
-    m.fillRect(0, 0, mask.width, mask.height);
+    const { image } = this;
+    image.width = columns * ENLARGED;
+    image.height = rows * ENLARGED;
+    const c = image.getContext('2d');
+    c.drawImage(enlarged(mask, image), 0, 0);
+    c.globalCompositeOperation = 'source-in';
+    c.fillStyle = hatch(c);
+    c.fillRect(0, 0, image.width, image.height);
+    c.globalCompositeOperation = 'destination-over';
+    c.drawImage(enlarged(data, image), 0, 0);
   }
 
   #folds(ctx, frame, folds) {

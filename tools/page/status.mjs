@@ -1,0 +1,55 @@
+// What the page says in words: the state, and the command line that computes
+// the same.
+import { AT } from './core.mjs';
+import { write } from './address.mjs';
+import { decimal } from './decimal.mjs';
+
+const minus = (words) => words.replace('-', '\u2212');
+
+function cell(name, value, mode) {
+  const box = document.createElement('div');
+  const dt = Object.assign(document.createElement('dt'), { textContent: name });
+  const dd = Object.assign(document.createElement('dd'),
+    { textContent: minus(value) });
+  if (mode !== undefined) {
+    dd.className = 'mode';
+    dd.dataset.mode = mode;
+  }
+  box.append(dt, dd);
+  return box;
+}
+
+export function showState(row, modes) {
+  const mode = row[AT.mode], choices = row[AT.choices];
+  document.getElementById('time').textContent = `t = ${row[AT.t].toFixed(4)} s`;
+  document.getElementById('state').replaceChildren(
+    cell('r', `${row[AT.r].toFixed(5)} m`),
+    cell('v', `${row[AT.v].toFixed(4)} m/s`),
+    cell('ω', `${row[AT.omega].toFixed(4)} rad/s`),
+    cell('', modes[mode], mode),
+    cell('F', `${row[AT.F].toFixed(3)} N`),
+    cell('M', `${row[AT.M].toFixed(3)} N m`),
+    cell('E', Number.isNaN(row[AT.energy]) ? '–'
+      : `${row[AT.energy].toFixed(4)} J`),
+    cell(`${choices} future${choices === 1 ? '' : 's'}`, ''));
+}
+
+// The strips, for those who do not see them.
+export function tellTime(strips, row, end, modes) {
+  strips.setAttribute('aria-valuemax', end.toFixed(4));
+  strips.setAttribute('aria-valuenow', row[AT.t].toFixed(4));
+  strips.setAttribute('aria-valuetext', `t = ${row[AT.t].toFixed(4)} s, ` +
+    `${modes[row[AT.mode]]}, ${row[AT.choices]} possible`);
+}
+
+export function commandLine(core, scene, motion, steps) {
+  const words = write(core, scene, [], 0).split('&').slice(1)
+    .filter((word) => !word.startsWith('seed='))
+    .map((word) => word.startsWith('rule=')
+      ? `--select ${decodeURIComponent(word.slice(5))}` : `--set ${word}`)
+    .map((word) => word.endsWith('random')
+      ? `${word}:${core.get('seed')}` : word);
+  return ['twofold run', core.scenes[scene], ...words, '--t-end',
+    decimal(steps * motion.dt), '--every', motion.every].join(' ') +
+    (motion.log.length ? '  # but for what was done by hand' : '');
+}
