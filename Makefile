@@ -70,7 +70,8 @@ define of_this_core
 endef
 
 # The makefiles of the tools, in the groups of `make help`.
-PACKAGE_MAKEFILES := tools/dist/dist.mk tools/fmu/fmu.mk tools/page/page.mk
+PACKAGE_MAKEFILES := tools/dist/dist.mk tools/fmu/fmu.mk
+PAGE_MAKEFILES := tools/page/page.mk
 BOARD_MAKEFILES := port/port.mk tools/hil/hil.mk tools/size/size.mk
 MEASURE_MAKEFILES := tools/bench/bench.mk tools/report/report.mk \
   tools/peers/peers.mk tools/stability/stability.mk \
@@ -90,6 +91,7 @@ define group
 endef
 help: ## this list
 	$(call group,Every day,Makefile)
+	$(call group,In a browser,$(PAGE_MAKEFILES))
 	$(call group,Boards,$(BOARD_MAKEFILES))
 	$(call group,Packages,$(PACKAGE_MAKEFILES))
 	$(call group,Measurements and pictures,$(MEASURE_MAKEFILES))
@@ -211,8 +213,8 @@ all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
 clean: ## remove what was made
 	rm -rf $(BUILD)
 
-include $(PACKAGE_MAKEFILES) $(BOARD_MAKEFILES) $(MEASURE_MAKEFILES) \
-  $(VERIFY_MAKEFILES)
+include $(PAGE_MAKEFILES) $(PACKAGE_MAKEFILES) $(BOARD_MAKEFILES) \
+  $(MEASURE_MAKEFILES) $(VERIFY_MAKEFILES)
 
 -include $(shell find $(BUILD) -path '$(BUILD)/check' -prune \
   -o -path '$(BUILD)/quick' -prune -o -name '*.d' -print 2>/dev/null)

@@ -104,7 +104,8 @@ def machine(number_, x, y, scale, size, half):
     spring = f"M0 {number(rail)}" + "".join(
         f"L{number(scale * half * i / (2 * turns))} "
         f"{number(rail + (5 if i % 2 else -5))}"
-        for i in range(1, 2 * turns)) + f"L{number(scale * half)} {number(rail)}"
+        for i in range(1, 2 * turns))
+    spring += f"L{number(scale * half)} {number(rail)}"
     wheel = number(math.degrees(GAMMA))
     return f"""<g transform="translate({x} {y})">
 <circle r="{RADIUS}" fill="#eceae4" stroke="{LINE}"/>
@@ -183,8 +184,8 @@ def main(program, out):
         drawings += machine(i, x, 222, scale, size, half)
         drawings += (f'<text x="{x}" y="72" text-anchor="middle" '
                      f'fill="{COLOURS[motions[i][1][3]]}" font-weight="600">'
-                     f'{name}<tspan fill="{SOFT}" font-weight="400" dx="8">{words}'
-                     '</tspan></text>')
+                     f'{name}<tspan fill="{SOFT}" font-weight="400" dx="8">'
+                     f'{words}</tspan></text>')
     text = f"""<svg xmlns="http://www.w3.org/2000/svg" \
 viewBox="0 0 {WIDTH} {HEIGHT}" font-family="system-ui,'Segoe UI','DejaVu Sans',\
 sans-serif" font-size="14" fill="{SOFT}" role="img">
@@ -194,8 +195,8 @@ sans-serif" font-size="14" fill="{SOFT}" role="img">
 </style>
 <rect width="{WIDTH}" height="{HEIGHT}" rx="10" fill="#fffefb"/>
 <text x="24" y="36" font-size="18" font-weight="600" fill="{INK}">The same \
-start, three futures<tspan font-size="14" font-weight="400" fill="{SOFT}" dx="14">\
-r = {START["r"]} m, ω = \u22121.3 rad/s, h = 0, κ = {START["kappa"]} m; \
+start, three futures<tspan font-size="14" font-weight="400" fill="{SOFT}" \
+dx="14">r = {START["r"]} m, ω = \u22121.3 rad/s, h = 0, κ = {START["kappa"]} m; \
 {MOVE / T_END:g} times slower</tspan></text>
 {drawings}{graph}
 </svg>

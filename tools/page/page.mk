@@ -16,7 +16,7 @@ PAGE_CORE := $(wildcard src/*/*.c) tools/cli/monitor/receiver.c \
   port/arch/memory.c $(wildcard tools/page/*.c)
 
 .PHONY: page test-page
-page: ## the page with the simulator in it: build/page/index.html
+page: ## the simulator as a page: build/page/index.html
 page: $(PAGE)/index.html
 
 test-page: ## the page in headless Chromium, beside the command line
