@@ -126,10 +126,11 @@ class Tab:
             self.call("Input.dispatchKeyEvent", type=kind, key=name,
                       modifiers=8 if shift else 0)
 
-    def mouse(self, kind, x, y):
+    def mouse(self, kind, x, y, held=False):
         self.call("Input.dispatchMouseEvent", type=f"mouse{kind}", x=x, y=y,
-                  button="left", clickCount=1,
-                  buttons=0 if kind == "Released" else 1)
+                  button="left" if held or kind != "Moved" else "none",
+                  clickCount=1,
+                  buttons=0 if kind == "Released" or not held else 1)
 
     def mine(self, method):
         return [event["params"] for event in self.browser.events

@@ -154,6 +154,18 @@ def futures_fan_out():
         check(again.value("Array.from(twofold.motion.now).join()") == row,
               "the address leads elsewhere")
     check(len(ends) == 3, f"{len(ends)} ends")
+    # Pointing at a mark is enough.
+    tab.value("twofold.showFan(null); twofold.seek(20600)")
+    settled(tab)
+    x, y = tab.value("""(() => {
+      const strips = twofold.views[3];
+      const box = strips.sheet.canvas.getBoundingClientRect();
+      const mark = strips.marks[strips.marks.length - 1];
+      return [box.left + mark.x + 2, box.top + 8];
+    })()""")
+    tab.mouse("Moved", x, y)
+    count = tab.value("document.querySelectorAll('#choices button').length")
+    check(count == 3, f"{count} futures under the pointer")
     # At h = g = 0 four modes are possible; whatever the core does not enter is
     # shown, but cannot be chosen.
     tab.value("location.hash = '#scene=driven&tick=84000'")
@@ -175,8 +187,8 @@ def by_hand():
       return [box.left + box.width * 0.78, box.top + box.height * 0.78,
         twofold.motion.now[1]];
     })()""")
-    tab.mouse("Pressed", x, y)
-    tab.mouse("Moved", x + 40, y)
+    tab.mouse("Pressed", x, y, held=True)
+    tab.mouse("Moved", x + 40, y, held=True)
     tab.value("new Promise((done) => setTimeout(done, 700))")
     force = tab.value("twofold.motion.log.map((entry) => entry.force)")
     tab.mouse("Released", x + 40, y)

@@ -16,7 +16,7 @@ START = {"kappa": "1", "r": "0.3", "omega": "-1.3", "h": "0"}
 T_END, DT, EVERY = 0.9, 1e-4, 150
 RULES = [("slip+", "it slips one way"), ("persist", "it rolls on"),
          ("slip-", "it slips the other way")]
-COLOURS = {"slip+": "#c85200", "slip-": "#c98a00", "stick+": "#0068b0",
+COLOURS = {"slip+": "#b84900", "slip-": "#b57d00", "stick+": "#0068b0",
            "stick-": "#00876a", "pinned": "#1b1f24"}
 INK, SOFT, LINE = "#1b1f24", "#666c74", "#dcdad3"
 # Seconds of the picture: at the start, moving, at the end.
