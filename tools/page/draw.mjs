@@ -164,7 +164,7 @@ export class Frame {
     for (const value of ticks(this.rangeX.low, this.rangeX.high, count)) {
       const x = this.x(value);
       path(ctx, [[x, this.bottom], [x, this.bottom + 4]], colour.soft, 1);
-      if (x < this.right - 52) text(ctx, short(value), x, this.bottom + 14,
+      if (x < this.right - 24) text(ctx, short(value), x, this.bottom + 14,
         'center');
     }
     for (const value of ticks(this.rangeY.low, this.rangeY.high, 4)) {

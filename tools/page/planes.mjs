@@ -109,7 +109,7 @@ export class SlipPlane {
     drawNow(ctx, x, y, motion.now[AT.mode]);
     ctx.restore();
     this.#names(ctx, frame);
-    frame.axes(ctx, 'g [m/s]', 'h');
+    frame.axes(ctx, 'g', 'h');
   }
 
   #halves(ctx, frame) {
@@ -235,7 +235,7 @@ export class SurfacePlane {
     if (y0 > frame.top + 14 && y0 < frame.bottom)
       label(ctx, 'ω = ω₀', frame.left + 6, y0 - 9);
     this.#key(ctx, frame);
-    frame.axes(ctx, 'r [m]', 'ω');
+    frame.axes(ctx, 'r', 'ω');
   }
 
   #map(ctx, frame, motion) {
