@@ -98,7 +98,8 @@ def refusal_by_name():
     go(tab, 500)
     before = tab.value("Array.from(twofold.motion.now)")
     told = tab.value("""(() => {
-      const field = document.querySelector('input[aria-label^="kappa:"][type=text]');
+      const field = document.querySelector(
+        'input[aria-label^="kappa:"][type=text]');
       field.focus();
       field.value = '-1';
       field.dispatchEvent(new Event('change'));
@@ -220,7 +221,8 @@ def keyboard():
     unnamed = tab.value("""[...document.querySelectorAll(
       'button, input, select, canvas')].filter((e) => !(
       e.getAttribute('aria-label') || e.ariaLabel || e.labels?.length ||
-      e.textContent.trim() || e.closest('[aria-label]'))).map((e) => e.outerHTML)""")
+      e.textContent.trim() || e.closest('[aria-label]')))
+      .map((e) => e.outerHTML)""")
     check(not unnamed, f"without a name: {unnamed}")
 
 

@@ -196,7 +196,8 @@ sans-serif" font-size="14" fill="{SOFT}" role="img">
 <rect width="{WIDTH}" height="{HEIGHT}" rx="10" fill="#fffefb"/>
 <text x="24" y="36" font-size="18" font-weight="600" fill="{INK}">The same \
 start, three futures<tspan font-size="14" font-weight="400" fill="{SOFT}" \
-dx="14">r = {START["r"]} m, ω = \u22121.3 rad/s, h = 0, κ = {START["kappa"]} m; \
+dx="14">\
+r = {START["r"]} m, ω = \u22121.3 rad/s, h = 0, κ = {START["kappa"]} m; \
 {MOVE / T_END:g} times slower</tspan></text>
 {drawings}{graph}
 </svg>
