@@ -141,6 +141,9 @@ done
 head -n 9 all | cmp -s - again.part
 check 'nor are those of another one' [ $? -eq 0 ]
 
+sweep "$@" --out /dev/stdout --resume | cat >piped
+check 'a pipe keeps nothing, and is written as it is' cmp -s all piped
+
 # A kill at any time loses no row that is in the file.
 set -- chaos --over kappa=0.2:0.4:30 --over gamma=0.3:1.2:30 --t-end 20 \
   --dt 1e-3

@@ -8,12 +8,17 @@
 // The comments stand behind the header, not before it: numpy.genfromtxt takes
 // the names of columns from the first line even where it is a comment.
 
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+
 #include "sheet.h"
 
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "../setup/names.h"
 #include "../text/message.h"
@@ -183,9 +188,14 @@ static int refuse_other(const char *path) {
                      path);
 }
 
-// FILE, if it is there, is whole or of another sweep.
+// FILE, if it is there, is whole or of another sweep. What is no regular file
+// keeps no rows, and opening it could wait for a writer.
 static int look_at_file(cli_sheet_t *sheet) {
   size_t kept = 0;
+  struct stat status;
+  if (stat(sheet->args->out, &status) == 0 && !S_ISREG(status.st_mode)) {
+    return CLI_DONE;
+  }
   FILE *file = fopen(sheet->args->out, "r");
   if (file == NULL) {
     return errno == ENOENT ? CLI_DONE
