@@ -130,6 +130,10 @@ def scrubbing_has_the_same_bits():
       });
       return there.every((row, i) => row === fresh[i]);
     })()"""), "another row")
+    phi, table = tab.value("(twofold.motion.seek(25000), "
+                           "[twofold.motion.now[13], twofold.motion.now[14]])")
+    check(abs(phi + 2.5) < 0.05 and abs(table + 2.5) < 1e-9,
+          f"the disc has turned by {phi}, the turntable by {table}")
 
 
 def futures_fan_out():

@@ -13,8 +13,9 @@ export function write(core, scene, log, tick) {
   core.names.forEach((name, i) => {
     const value = now[i];
     if (name === 'v is given' || Object.is(core.c.get(i), value)) return;
+    const list = LISTED[name];
     words.push(`${name}=` +
-      (LISTED[name] ? encodeURIComponent(LISTED[name][value]) : decimal(value)));
+      (list ? encodeURIComponent(list[value]) : decimal(value)));
   });
   const isGiven = now[core.at['v is given']];
   if (isGiven !== core.get('v is given')) {

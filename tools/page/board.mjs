@@ -90,6 +90,7 @@ export class Record {
   get last() { return this.now[AT.t]; }
 
   row(i) { return this.rows.subarray(i * COLUMNS, (i + 1) * COLUMNS); }
+  value(i, column) { return this.rows[i * COLUMNS + column]; }
 
   indexAt(t) {
     let low = 0, high = this.count;

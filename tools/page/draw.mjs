@@ -66,7 +66,8 @@ export function roundUp(x) {
 export function ticks(low, high, count) {
   const step = roundUp((high - low) / count);
   const found = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9; i++)
+  const last = Math.floor(high / step + 1e-9);
+  for (let i = Math.ceil(low / step - 1e-9); i <= last; i++)
     found.push(Number((i * step).toPrecision(12)));
   return found;
 }

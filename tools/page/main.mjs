@@ -422,7 +422,7 @@ open(location.hash.slice(1));
 play(!calm.matches && location.hash === '');
 requestAnimationFrame(frame);
 // For the tests, and for whoever has a line of their own.
-window.twofold = { core, motion, views, connect, play, seek, showFan, speed, draw,
+window.twofold = { core, motion, views, connect, play, seek, showFan, draw,
   read: (text) => read(core, text),
   writeOf: (...what) => write(core, ...what),
   write: () => write(core, scene, motion.log, motion.tick) };

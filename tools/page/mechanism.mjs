@@ -219,7 +219,7 @@ export class Mechanism {
         const a = (Math.round(cx / space) + i) * space;
         const b = (Math.round(cy / space) + j) * space;
         const u = c * a - s * b - middle, w = s * a + c * b - d;
-        const isBold = (Math.round(a / space) + Math.round(b / space)) % 4 === 0;
+        const isBold = Math.round((a + b) / space) % 4 === 0;
         ctx.globalAlpha = isBold ? 0.75 : 0.3;
         const half = isBold ? 1.8 : 1.2;
         ctx.fillRect(lensX + k * u - half, lensY - k * w - half, 2 * half,

@@ -45,6 +45,7 @@ export class Motion {
   get last() { return (this.count - 1) * this.every; }
 
   row(i) { return this.rows.subarray(i * COLUMNS, (i + 1) * COLUMNS); }
+  value(i, column) { return this.rows[i * COLUMNS + column]; }
 
   // The last row that is not after a time.
   indexAt(t) {

@@ -159,7 +159,8 @@ export class Hand {
     this.push = push;
     this.values = { force: 0, torque: 0 };
     const place = document.getElementById('hand');
-    for (const [name, unit, most] of [['force', 'N', 5], ['torque', 'N m', 2]]) {
+    for (const [name, unit, most] of
+      [['force', 'N', 5], ['torque', 'N m', 2]]) {
       const slider = element('input', { type: 'range', min: -most, max: most,
         step: most / 100, value: 0, ariaLabel: `${name} by hand [${unit}]` });
       const told = element('output', {}, '0');

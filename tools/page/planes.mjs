@@ -149,7 +149,8 @@ export class SlipPlane {
     label(ctx, 'slip+', right - 8, top + 12, 'right', colour.mode[0]);
     label(ctx, 'slip−', right - 8, bottom - 12, 'right', colour.mode[1]);
     label(ctx, 'stick+', right - 8, y - 14, 'right', colour.mode[2]);
-    if (isWide) label(ctx, 'stick−', left + 8, y - 14, 'left', colour.mode[3]);
+    if (isWide)
+      label(ctx, 'stick−', left + 8, y - 14, 'left', colour.mode[3]);
   }
 }
 

@@ -178,8 +178,8 @@ export class Strips {
     const last = Math.min(motion.count - 1, motion.indexAt(this.to) + 1);
     const points = [];
     for (let i = first; i <= last; i++) {
-      const row = motion.row(i), value = row[AT[name]];
-      const x = Math.round(2 * this.x(row[AT.t])) / 2;
+      const value = motion.value(i, AT[name]);
+      const x = Math.round(2 * this.x(motion.value(i, AT.t))) / 2;
       const end = points[points.length - 1];
       if (end && end[0] === x) {
         end[1] = Math.min(end[1], value);
