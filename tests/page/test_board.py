@@ -1,6 +1,7 @@
 """A board on the page's line."""
 import base64
 import os
+import re
 import subprocess
 
 from page import BUILD, ROOT, URL, check, command, tab as empty_tab
@@ -51,11 +52,17 @@ def board_in_a_worker():
           : stream.enqueue(Uint8Array.from(data));
       }} }});
       worker.postMessage('{firmware}');
-      const rows = [];
-      const counters = await twofold.connect({{ readable }},
+      const rows = [], asked = [];
+      const writable = new WritableStream({{
+        write(bytes) {{ asked.push(...bytes); }} }});
+      const counters = await twofold.connect({{ readable, writable }},
         (row) => rows.push(Array.from(row)));
-      return {{ counters, rows }};
+      return {{ counters, rows, asked }};
     }})()""")
+    documented = re.search(r"```hex describe\n([0-9A-F ]+)\n",
+                           (ROOT / "docs/PROTOCOL.md").read_text())[1]
+    check(bytes(got["asked"][:23]) == bytes.fromhex(documented),
+          f"asks for the schema by {got['asked']}")
     frames, damaged, lost, rows, incomplete, unknown, schema, is_float = \
         got["counters"]
     check((damaged, lost, incomplete, unknown, schema, is_float)

@@ -27,7 +27,7 @@ uint32_t EXPORT(line_describe)(void);
 
 void line_open(void) {
   receiver = (cli_receiver_t){0};
-  sequence = 1;
+  sequence = 0;
   tf_decoder_init(&decoder, buffer, sizeof buffer);
 }
 
