@@ -296,7 +296,7 @@ export class SurfacePlane {
   #key(ctx, frame) {
     let x = frame.left + 8, y = frame.top + 12;
     ['sliding', 'escaping', 'crossing ↑', '↓'].forEach((name, i) => {
-      const width = 32 + ctx.measureText(name).width;
+      const width = 27 + ctx.measureText(name).width;
       if (x + width > frame.right) {
         x = frame.left + 8;
         y += 17;
@@ -310,7 +310,7 @@ export class SurfacePlane {
       ctx.strokeStyle = colour.soft;
       ctx.lineWidth = 0.8;
       ctx.strokeRect(x, y - 5, 14, 10);
-      label(ctx, name, x + 19, y, 'left', colour.ink);
+      label(ctx, name, x + 18, y, 'left', colour.ink);
       x += width;
     });
   }
