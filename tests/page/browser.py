@@ -83,10 +83,9 @@ class Tab:
     def __init__(self, browser, width=1280, height=900, dark=False, calm=True,
                  phone=False):
         self.browser, self.width, self.height = browser, width, height
-        context = browser.call("Target.createBrowserContext")
-        target = browser.call(
-            "Target.createTarget", url="about:blank",
-            browserContextId=context["browserContextId"])
+        self.context = browser.call("Target.createBrowserContext")
+        target = browser.call("Target.createTarget", url="about:blank",
+                              **self.context)
         self.session = browser.call("Target.attachToTarget", flatten=True,
                                     targetId=target["targetId"])["sessionId"]
         for domain in ("Page", "Runtime", "Network"):
@@ -99,6 +98,9 @@ class Tab:
              "value": "dark" if dark else "light"},
             {"name": "prefers-reduced-motion",
              "value": "reduce" if calm else "no-preference"}])
+
+    def close(self):
+        self.browser.call("Target.disposeBrowserContext", **self.context)
 
     def call(self, method, **params):
         return self.browser.call(method, self.session, **params)

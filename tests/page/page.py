@@ -17,7 +17,7 @@ PAGE = BUILD / "page" / "index.html"
 URL = PAGE.as_uri()
 TWO_FOLD = 20473  # the step of `chaos` from which on three futures are open
 PROGRAM = shutil.which("chromium")
-_running = []
+_running, _tabs = [], []
 
 
 def browser():
@@ -32,7 +32,19 @@ def close():
 
 
 def tab(**options):
-    return Tab(browser(), **options)
+    _tabs.append(Tab(browser(), **options))
+    return _tabs[-1]
+
+
+def alone(test):
+    """The test, which leaves no tab behind that would slow the next one."""
+    def perform():
+        try:
+            test()
+        finally:
+            while _tabs:
+                _tabs.pop().close()
+    return perform
 
 
 def opened(address="", **options):

@@ -19,7 +19,7 @@ def main(words):
         print("missing: chromium (apt-get install chromium)")
         return 3
     try:
-        return run([(test.__name__, test) for test in
+        return run([(test.__name__, page.alone(test)) for test in
                     test_motion.TESTS + test_looks.TESTS + test_board.TESTS
                     if any(word in test.__name__ for word in words)])
     finally:
