@@ -23,6 +23,12 @@ BOARD_RATES_double :=
 #   BOARD_CC, BOARD_OPT     the compiler by its full name; optimisation (-Os)
 #   BOARD_WITHOUT           warnings that this compiler does not know
 #   BOARD_SMALL := yes      room for one scene and text alone, locked
+#   BOARD_SCENES := SCENES  that it has room for, the default first
+#   BOARD_LARGER := BOARD   which has room for the others
+#   BOARD_IMAGE := COMMAND  what is made of the ELF, its last argument
+#   BOARD_HERE := COMMAND   fails where the emulator is not here, and says so
+#   BOARD_NPM := PACKAGES   of npm, for `make deps`
+#   BOARD_DEAF := yes       nothing comes in over its line
 #   BOARD_SHARED := yes     runs in the host's time: overruns are not judged
 #   BOARD_LATE := RATE:SHIFT  at which every step is too late
 #   BOARD_FRAMES := SHIFT   at which every step goes out as frames, at 10 kHz

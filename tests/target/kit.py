@@ -49,7 +49,8 @@ def make(board: str, *arguments: str) -> subprocess.CompletedProcess:
     """One at a time: boards are tested side by side, and share the host's."""
     os.makedirs(ROOT / BUILD, exist_ok=True)
     return subprocess.run(
-        ["flock", f"{BUILD}/boards.lock", *MAKE, "-s", "--no-print-directory", f"BUILD={BUILD}",
+        ["flock", f"{BUILD}/boards.lock", *MAKE, "-s",
+         "--no-print-directory", f"BUILD={BUILD}",
          f"BOARD={board}", *arguments], cwd=ROOT, env=ENVIRONMENT, text=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
 
@@ -80,14 +81,16 @@ class Board:
                     f"kit-{rate}.elf")
         return path, "" if done.returncode == 0 else done.stdout
 
-    def run(self, program: Path, *options: str) -> tuple[list[str], Optional[int]]:
+    def run(self, program: Path,
+            *options: str) -> tuple[list[str], Optional[int]]:
         """What it sends, line by line, and its exit code; None: it did not
         end. It gets the bytes when it asks for them."""
         said: list[str] = []
         with subprocess.Popen(
                 ["timeout", "-k", "5", str(TIMEOUT),
                  *self.fact("RUN").split(), *options,
-                 *self.fact("LOADS").split(), str(program)], cwd=ROOT, stdin=subprocess.PIPE,
+                 *self.fact("LOADS").split(), str(program)],
+                cwd=ROOT, stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
             for line in process.stdout:
                 said.append(line.decode("ascii", "replace").strip())
