@@ -17,7 +17,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / os.environ.get("BUILD", "build")
-# The number of a fault in mine/board.c, and what the kit has to say.
+# The number of a fault in mine/board.c.in, and what the kit has to say.
 FAULTS = {
     0: None,
     1: "FAILED functions of port.h: port_room: not there",
@@ -83,7 +83,7 @@ def main() -> None:
         shutil.copy(whole / "board.mk", makefile)
         good.append(judged("no function is written", kit(tree, 0),
                            "FAILED functions of port.h: port_init,"))
-        shutil.copy(whole / "board.c", mine)
+        shutil.copy(whole / "board.c.in", mine / "board.c")
         for fault, want in FAULTS.items():
             good.append(judged(f"fault {fault}", kit(tree, fault), want))
     shutil.rmtree(BUILD / "boards/mine", ignore_errors=True)

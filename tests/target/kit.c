@@ -9,6 +9,9 @@
 #include "../../port/text.h"
 #include "../../src/num/kernel.h"
 
+#ifndef RATE
+#define RATE 1000
+#endif
 #define KIT_CODE 7
 #define TICKS 16u       // that are timed
 #define SPINS 5000000ul // readings of a count that stands: more than any tick
