@@ -45,11 +45,14 @@
     defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
 #error "twofold must not be compiled with a part of -ffast-math"
 #endif
+// Defined by every <float.h>; a checker that reads none has nothing to refuse.
+#ifdef FLT_RADIX
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24
 #error "twofold needs the float of IEEE 754"
 #endif
 #if !defined(TF_REAL_FLOAT) && DBL_MANT_DIG != 53
 #error "the double of this target is no IEEE double: define TF_REAL_FLOAT"
+#endif
 #endif
 /// A constant is of the type that it is written in; -fsingle-precision-constant
 /// would make each a float.
