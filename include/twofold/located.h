@@ -12,22 +12,16 @@
 extern "C" {
 #endif
 
-/// The segments that one step may be split into at the tolerance of the
-/// machine: by events, which are changes of the mode and kinks of the force at
-/// g = 0, and where a series does not reach to the end of the step. Where they
-/// are not enough the rest of the step is done with a coarser tolerance.
-#define TF_LOCATED_SEGMENTS 32
-/// The most segments of one step at any tolerance.
-#define TF_LOCATED_MOST_SEGMENTS (4 * TF_LOCATED_SEGMENTS)
-
 /// Advances the state by dt and locates every event inside the step.
-/// Scheme: Taylor series in time, of order 8 in double and 6 in float, from
-///   event to event. An event is the first root of a polynomial: of h and g in
-///   slip, of mu - |lambda|, g and A in stick. Slip leaves h = g = 0 along a
+/// Scheme: Taylor series in time from event to event, of as many terms as the
+///   tolerance asks for: order 3 to 8 in double, to 6 in float. An event is the
+///   first root of a polynomial: of h and g in slip, of mu - |lambda|, g and A
+///   in stick. Slip leaves h = g = 0 along a
 ///   limit direction, and stick passes the two-fold along its weak direction,
 ///   by series that solve the singular equations there; DESIGN.md section 10.
-///   The error falls with dt in the order of the series, across events too. At
-///   h = g = 0 and at two-folds it does not: there the tolerance sets its size.
+///   The error goes with the tolerance, whatever dt is and across events too.
+///   A step takes at most as many segments as the budget of the machine has:
+///   what they leave of it is taken by tf_step.
 ///   In float a motion may stand still, as with tf_step, even at dt = 1e-2.
 /// machine: in, prepared; law JUMP, COULOMB or NONE.
 /// state: in/out, from tf_begin, tf_step or tf_step_located.
@@ -39,21 +33,22 @@ extern "C" {
 ///   law| of tf_tyre_force at report->slip, and |h| where it has not the sign
 ///   that the mode asks for [N]. It falls with the tolerance. Near h = g = 0 it
 ///   is epsilon over the slip, because the angle is known no better.
-/// Returns: TF_OK; TF_COARSE (TF_LOCATED_SEGMENTS segments were not enough: the
-///   rest of the step was done with a coarser tolerance, as fine as
-///   TF_LOCATED_MOST_SEGMENTS allow and 1e-6 at most, 1e-3 in float, and the
-///   energy at its end is one that the motion can have; or the motion stands
-///   still, as with tf_step);
-///   TF_FELL_BACK (these were not enough either, or a series did not converge:
-///   tf_step took the whole step, and the report is its own; it may have found
-///   the step too long); TF_DEGRADED (the same, and tf_step returned that);
+/// Returns: TF_OK; TF_COARSE (the segments of the budget, or a series, did not
+///   reach the end: the rest of the step was done by tf_step, from where they
+///   had come to, force is the mean over that rest and residual that of
+///   tf_step; or the motion stands still, as with tf_step);
+///   TF_FELL_BACK (no series converged from the start: tf_step took the whole
+///   step, and the report is its own; it may have found the step too long);
+///   TF_DEGRADED (the same, or the rest, and tf_step returned that);
 ///   TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
 ///   TF_STEP_TOO_LONG (state untouched, report holds the status).
 /// Cost: at most 3800000 instructions, the worst found by search, of
-///   TF_LOCATED_MOST_SEGMENTS segments and a tf_step; one segment where the
-///   motion has no event (`make bench`). Stack: 3888 B.
+///   128 segments and a tf_step; one segment where the motion has no event
+///   (`make bench`). Stack: 3888 B.
 /// Memory: caller's, no overlap, reentrant.
-/// Claims: located_order_of_convergence, located_order_across_stick,
+/// Claims: located_error_follows_the_tolerance,
+///   located_tolerance_holds_across_stick, located_budget_is_kept,
+///   located_more_segments_are_better,
 ///   located_branch_is_independent_of_the_step_size,
 ///   located_finer_tolerance_is_no_worse, located_two_fold_in_one_step,
 ///   located_steps_keep_to_the_reference, located_falls_back_and_says_so,
@@ -62,8 +57,7 @@ extern "C" {
 ///   located_angle_is_the_integral_of_the_speed,
 ///   located_escaping_stick_ends_in_slip_of_the_other_side,
 ///   located_delassus_is_that_of_the_side_of_g,
-///   located_set_holds_the_mode, located_is_coarse_only_where_it_has_to_be,
-///   located_refuses_to_leave_the_range_of_states,
+///   located_set_holds_the_mode, located_refuses_to_leave_the_range_of_states,
 ///   no_scheme_stands_still_without_a_word
 #define tf_step_located TF_LINK(tf_step_located)
 TF_API tf_status_t tf_step_located(const tf_machine_t *machine,

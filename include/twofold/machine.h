@@ -58,6 +58,18 @@ typedef enum {
 } tf_rest_law_t;
 #define TF_REST_LAWS 3
 
+/// The budget of machines that set none (tf_params_t.segments): into how many
+/// segments one step may be split by events, which are changes of the mode and
+/// kinks of the force at g = 0, and where a series does not reach to the end of
+/// the step.
+#ifdef TF_REAL_FLOAT
+#define TF_LOCATED_SEGMENTS 32
+#else
+#define TF_LOCATED_SEGMENTS 128
+#endif
+/// The largest budget.
+#define TF_LOCATED_MOST_SEGMENTS 1000
+
 /// The parameters of a machine and of its scheme. Ranges: tf_parameter_ranges.
 typedef struct {
   tf_real_t m;       ///< mass of the slider [kg]
@@ -83,6 +95,9 @@ typedef struct {
   tf_real_t
       tolerance;      ///< of tf_step_located: error of a segment of its series,
                       ///< relative to the velocities; dimensionless
+  tf_real_t segments; ///< of a step of tf_step_located, at most: its budget.
+                      ///< A whole number, or what is behind the point is
+                      ///< dropped; 0: TF_LOCATED_SEGMENTS
   tf_tyre_law_t law;  ///< which tyre
   tf_rule_t rule;     ///< which of several consistent modes
   tf_rest_law_t rest; ///< at h = g = 0 (JUMP)
@@ -99,7 +114,7 @@ typedef struct {
 } tf_parameter_range_t;
 
 /// The table that validates, names and documents every parameter.
-#define TF_PARAMETERS 21
+#define TF_PARAMETERS 22
 #define tf_parameter_ranges TF_LINK(tf_parameter_ranges)
 TF_API_DATA const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS];
 
@@ -128,6 +143,7 @@ typedef struct {
   tf_real_t inv_mu_dt;      ///< 1 / (mu dt), 0 where mu is 0 [1/(N s)]
   uint64_t exit_threshold;  ///< (1 - exp(-rate dt)) 2^63
   tf_real_t tolerance;      ///< at least 64 epsilon of the real type
+  uint16_t segments;        ///< budget of tf_step_located, at least 1
   tf_tyre_t tyre;
   tf_rule_t rule;
   tf_rest_law_t rest;

@@ -19,8 +19,8 @@ typedef enum {
                          ///< end with the signs of the mode, but for rounding
   TF_FELL_BACK = 2,      ///< tf_step_located took the step by tf_step
   TF_COARSE = 3,         ///< advanced, but too coarsely: tf_step_located ran
-                         ///< out of segments and is further off than the
-                         ///< tolerance; or the step is too long for the motion
+                         ///< out of segments and took the rest of the step by
+                         ///< tf_step; or the step is too long for the motion
                          ///< (tf_step); or a step has lost the change of the
                          ///< state in its rounding, and so will the next ones:
                          ///< the motion stands still

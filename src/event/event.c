@@ -7,110 +7,148 @@
 #include "../friction/rest_law.h"
 #include "segment.h"
 
+// A series is filled up to the order of the motion.
+
 // (of_p p + of_q q) / t^zeros, for a sum with a zero of that order at t = 0.
-TF_INLINE series_t combined_series(const taylor_t *motion, tf_real_t of_p,
-                                   tf_real_t of_q, int zeros) {
-  series_t out;
-  for (int n = 0; n <= SERIES_ORDER; n++)
-    out.c[n] = n + zeros <= SERIES_ORDER ? of_p * motion->p.c[n + zeros] +
-                                               of_q * motion->q.c[n + zeros]
-                                         : 0;
-  return out;
+typedef struct {
+  tf_real_t of_p, of_q;
+  int zeros;
+} combination_t;
+
+TF_INLINE tf_real_t combined_term(const taylor_t *motion, combination_t c,
+                                  int n) {
+  return c.of_p * motion->p.c[n] + c.of_q * motion->q.c[n];
 }
 
 // |h|, by its sign in the segment. (h), (g) are linear in p and q.
-TF_INLINE series_t magnitude_of_h(const taylor_t *motion,
-                                  const segment_t *segment) {
+TF_INLINE combination_t magnitude_of_h(const taylor_t *motion,
+                                       const segment_t *segment) {
   const tf_real_t sign = (tf_real_t)segment->sign_h;
-  return combined_series(motion, slip_from_pq(motion->machine, sign, 0).h,
+  return (combination_t){slip_from_pq(motion->machine, sign, 0).h,
                          slip_from_pq(motion->machine, 0, sign).h,
-                         segment->h_zero_order);
+                         segment->h_zero_order};
 }
 
 // |g|, likewise.
-TF_INLINE series_t magnitude_of_g(const taylor_t *motion,
-                                  const segment_t *segment) {
+TF_INLINE combination_t magnitude_of_g(const taylor_t *motion,
+                                       const segment_t *segment) {
   const tf_real_t sign = (tf_real_t)segment->sign_g;
-  return combined_series(motion, slip_from_pq(motion->machine, sign, 0).g,
+  return (combination_t){slip_from_pq(motion->machine, sign, 0).g,
                          slip_from_pq(motion->machine, 0, sign).g,
-                         segment->g_starts_at_zero ? 1 : 0);
+                         segment->g_starts_at_zero ? 1 : 0};
 }
 
 // bound - sign * series: how far the series is from the bound.
-TF_INLINE series_t margin_of(const series_t *series, tf_real_t sign,
-                             tf_real_t bound) {
-  series_t out;
-  for (int n = 0; n <= SERIES_ORDER; n++) out.c[n] = -sign * series->c[n];
-  out.c[0] += bound;
-  return out;
+TF_INLINE void margin_of(const series_t *series, int order, tf_real_t sign,
+                         tf_real_t bound, series_t *out) {
+  for (int n = 1; n <= order; n++) out->c[n] = -sign * series->c[n];
+  out->c[0] = bound - sign * series->c[0];
 }
 
 // m (beta^2 + r^2) |A|, which is a quadratic in r; over t where A starts at 0.
-TF_INLINE series_t magnitude_of_A(const taylor_t *motion,
-                                  const segment_t *segment) {
-  const delassus_quadratic_t at =
-      delassus_quadratic(motion->machine, (tf_real_t)segment->sign_g);
-  series_t A;
-  for (int n = 0; n <= SERIES_ORDER; n++)
-    A.c[n] = motion->r2.c[n] + at.b * motion->r.c[n];
-  A.c[0] += at.c;
-  if (segment->A_starts_at_zero) {
-    for (int n = 0; n < SERIES_ORDER; n++) A.c[n] = A.c[n + 1];
-    A.c[SERIES_ORDER] = 0;
-  }
-  if (A.c[0] < 0)
-    for (int n = 0; n <= SERIES_ORDER; n++) A.c[n] = -A.c[n];
-  return A;
+TF_INLINE void magnitude_of_A(const taylor_t *motion, delassus_quadratic_t at,
+                              int zeros, series_t *out) {
+  const series_t *r = &motion->r;
+  const int order = motion->order;
+  tf_real_t first = square_term(r, zeros) + at.b * r->c[zeros];
+  if (zeros == 0) first += at.c;
+  const tf_real_t sign = first < 0 ? TF_R(-1.0) : TF_R(1.0);
+  out->c[0] = sign * first;
+  for (int n = 1; n <= order; n++)
+    out->c[n] =
+        n + zeros <= order
+            ? sign * (square_term(r, n + zeros) + at.b * r->c[n + zeros])
+            : 0;
 }
 
 // Whether a series that begins above 0 vanishes before *time, which then
 // becomes its first root. Most series are far from 0, which costs little to
 // see.
-TF_INLINE bool vanishes_before(const series_t *series, tf_real_t *time) {
+TF_INLINE bool vanishes_before(const series_t *series, int order,
+                               tf_real_t *time) {
   tf_real_t root;
-  if (is_rootless(series, *time) || !tf_first_root(series, *time, &root))
+  if (is_rootless(series, order, *time) ||
+      !tf_first_root(series, order, *time, &root))
     return false;
   *time = root;
   return true;
 }
 
+// The same for a combination, whose series is made only where it may vanish.
+TF_INLINE bool combination_vanishes(const taylor_t *motion, combination_t c,
+                                    tf_real_t *time) {
+  const int order = motion->order, zeros = c.zeros;
+  tf_real_t sum = 0;
+  for (int n = order; n > zeros; n--)
+    sum = (sum + magnitude(combined_term(motion, c, n))) * *time;
+  series_t series;
+  series.c[0] = combined_term(motion, c, zeros);
+  if (series.c[0] > sum) return false;
+  for (int n = 1; n <= order; n++)
+    series.c[n] = n + zeros <= order ? combined_term(motion, c, n + zeros) : 0;
+  return vanishes_before(&series, order, time);
+}
+
+// A vanishes. How far r goes shows of most segments that it does not.
+TF_INLINE bool delassus_vanishes(const taylor_t *motion,
+                                 const segment_t *segment, tf_real_t *time) {
+  const delassus_quadratic_t at =
+      delassus_quadratic(motion->machine, (tf_real_t)segment->sign_g);
+  const tf_real_t r = motion->r.c[0];
+  const tf_real_t way = change_within(&motion->r, motion->order, *time);
+  if (!segment->A_starts_at_zero &&
+      magnitude(delassus_quadratic_at(at, r)) >
+          way * (2 * magnitude(r) + way + magnitude(at.b)))
+    return false;
+  series_t A;
+  magnitude_of_A(motion, at, segment->A_starts_at_zero ? 1 : 0, &A);
+  return vanishes_before(&A, motion->order, time);
+}
+
 static event_t event_in_slip(const taylor_t *motion, const segment_t *segment,
-                             tf_real_t capture, tf_real_t *time) {
-  const series_t h = magnitude_of_h(motion, segment);
-  event_t event = vanishes_before(&h, time) ? EVENT_H_ZERO : EVENT_NONE;
+                             tf_real_t *time) {
+  event_t event = EVENT_NONE;
+  if (combination_vanishes(motion, magnitude_of_h(motion, segment), time))
+    event = EVENT_H_ZERO;
   if (motion->machine->stick_kappa == 0) return event;
-  const series_t g = magnitude_of_g(motion, segment);
-  if (vanishes_before(&g, time)) event = EVENT_G_ZERO;
-  if (event == EVENT_NONE) return event;
-  const tf_real_t p = value_at(&motion->p, *time),
-                  q = value_at(&motion->q, *time);
-  return magnitude(p) + magnitude(q) <= capture ? EVENT_CODIM2 : event;
+  if (combination_vanishes(motion, magnitude_of_g(motion, segment), time))
+    event = EVENT_G_ZERO;
+  return event;
+}
+
+// |lambda| reaches mu.
+TF_INLINE bool is_released(const taylor_t *motion, tf_real_t *time) {
+  const int order = motion->order;
+  const series_t *lambda = &motion->F;
+  const tf_real_t mu = motion->machine->tyre.mu;
+  if (magnitude(lambda->c[0]) + change_within(lambda, order, *time) < mu)
+    return false;
+  series_t below, above;
+  margin_of(lambda, order, 1, mu, &below);
+  margin_of(lambda, order, -1, mu, &above);
+  const bool from_below = vanishes_before(&below, order, time);
+  return vanishes_before(&above, order, time) || from_below;
 }
 
 static event_t event_in_stick(const taylor_t *motion, const segment_t *segment,
                               tf_real_t *time) {
-  const tf_machine_t *k = motion->machine;
-  event_t event = EVENT_NONE;
-  const series_t below = margin_of(&motion->F, 1, k->tyre.mu);
-  const series_t above = margin_of(&motion->F, -1, k->tyre.mu);
-  if (vanishes_before(&below, time)) event = EVENT_RELEASE;
-  if (vanishes_before(&above, time)) event = EVENT_RELEASE;
-  if (k->stick_kappa == 0) return event;
-  const series_t g = magnitude_of_g(motion, segment);
-  if (vanishes_before(&g, time)) event = EVENT_CODIM2;
-  const series_t A = magnitude_of_A(motion, segment);
-  if (vanishes_before(&A, time)) event = EVENT_TWO_FOLD;
+  event_t event = is_released(motion, time) ? EVENT_RELEASE : EVENT_NONE;
+  if (motion->machine->stick_kappa == 0) return event;
+  if (combination_vanishes(motion, magnitude_of_g(motion, segment), time))
+    event = EVENT_CODIM2;
+  if (delassus_vanishes(motion, segment, time)) event = EVENT_TWO_FOLD;
   return event;
 }
 
 // bound - |a| + slope |b| as long as a and b have these signs; for all signs
 // together it is that at every time.
-TF_INLINE series_t margin_of_rest(const series_t *a, tf_real_t sign_a,
+TF_INLINE bool reaches_rest_bound(const series_t *a, tf_real_t sign_a,
                                   tf_real_t bound, const series_t *b,
-                                  tf_real_t slope) {
-  series_t out = margin_of(a, sign_a, bound);
-  for (int n = 0; n <= SERIES_ORDER; n++) out.c[n] += slope * b->c[n];
-  return out;
+                                  tf_real_t slope, tf_real_t *time) {
+  series_t margin;
+  margin_of(a, PINNED_ORDER, sign_a, bound, &margin);
+  for (int n = 0; n <= PINNED_ORDER; n++) margin.c[n] += slope * b->c[n];
+  return vanishes_before(&margin, PINNED_ORDER, time);
 }
 
 // |F| and |M| reach their bounds under the law of rest. Where a bound grows
@@ -123,27 +161,24 @@ static event_t event_while_pinned(const taylor_t *motion, tf_real_t *time) {
   event_t event = EVENT_NONE;
   for (int s = -1; s <= 1; s += 2) {
     const tf_real_t sign = (tf_real_t)s;
-    for (int t = -1; t <= 1; t += 2) {
-      const series_t force =
-          margin_of_rest(&motion->F, sign, at.x0 * mu, &motion->M,
-                         (tf_real_t)t * at.x1 / kappa);
-      if (vanishes_before(&force, time)) event = EVENT_UNPINNED;
-    }
-    const series_t moment = margin_of_rest(&motion->M, sign, at.y0 * kappa * mu,
-                                           &motion->F, sign_F * kappa * at.y1);
-    if (vanishes_before(&moment, time)) event = EVENT_UNPINNED;
+    for (int t = -1; t <= 1; t += 2)
+      if (reaches_rest_bound(&motion->F, sign, at.x0 * mu, &motion->M,
+                             (tf_real_t)t * at.x1 / kappa, time))
+        event = EVENT_UNPINNED;
+    if (reaches_rest_bound(&motion->M, sign, at.y0 * kappa * mu, &motion->F,
+                           sign_F * kappa * at.y1, time))
+      event = EVENT_UNPINNED;
   }
   return event;
 }
 
 TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
-                             tf_real_t length, tf_real_t capture,
-                             tf_real_t *time) {
+                             tf_real_t length, tf_real_t *time) {
   *time = length;
   switch (segment->contact) {
     case CONTACT_SLIP:
     case CONTACT_CODIM2_SLIP:
-      return event_in_slip(motion, segment, capture, time);
+      return event_in_slip(motion, segment, time);
     case CONTACT_STICK:
     case CONTACT_TWO_FOLD_STICK:
       return event_in_stick(motion, segment, time);

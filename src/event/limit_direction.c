@@ -41,7 +41,7 @@ static bool expand_limit_solution(trajectory_t *path, limit_solution_t *limit) {
   begin_taylor(motion, k, motion->input, omega,
                (phase_point_t){limit->r, 0, 0});
   // This contact always has a series.
-  (void)tf_taylor_coefficients(motion, segment);
+  (void)tf_taylor_coefficients(motion, segment, 0);
   limit->friction = k->tyre.mu * (magnitude(rates.Fp) + magnitude(rates.Fq));
   return true;
 }
@@ -54,7 +54,8 @@ static tf_real_t time_along(const taylor_t *motion, tf_real_t p, tf_real_t q) {
   const tf_real_t ahead = p * p1 + q * q1;
   tf_real_t t = ahead / a2;
   for (int i = 0; i < 3; i++)
-    t -= (value_at(&motion->p, t) * p1 + value_at(&motion->q, t) * q1 - ahead) /
+    t -= (value_at(&motion->p, motion->order, t) * p1 +
+          value_at(&motion->q, motion->order, t) * q1 - ahead) /
          a2;
   return t;
 }
@@ -74,9 +75,9 @@ static bool is_on_limit_solution(trajectory_t *path, tf_real_t allowed,
     // A distance from the solution changes as t^exponent: it has to decay.
     if (!(t * motion->exponent < 0)) return false;
     limit->time = t;
-    limit->r += now.r - value_at(&motion->r, t);
-    missed = magnitude(value_at(&motion->p, t) - now.p) +
-             magnitude(value_at(&motion->q, t) - q);
+    limit->r += now.r - value_at(&motion->r, motion->order, t);
+    missed = magnitude(value_at(&motion->p, motion->order, t) - now.p) +
+             magnitude(value_at(&motion->q, motion->order, t) - q);
     const tf_real_t p1 = motion->p.c[1], q1 = motion->q.c[1];
     growth = 1 + limit->friction / (square_root(p1 * p1 + q1 * q1) *
                                     (1 + magnitude(motion->exponent)));
@@ -97,7 +98,7 @@ TF_API bool tf_follow_limit_direction(trajectory_t *path, tf_real_t allowed) {
   if (limit.time > 0) {
     end = tf_segment_length(motion, end, allowed);
     if (!(end > limit.time) ||
-        tf_next_event(motion, &limit.segment, end, 0, &event_time))
+        tf_next_event(motion, &limit.segment, end, &event_time))
       return false;
   }
   tf_advance(path, limit.time, end);

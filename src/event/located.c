@@ -4,11 +4,10 @@
 #include "twofold/located.h"
 
 #include "../friction/slip_residual.h"
-#include "../moreau/balance.h"
+#include "../model/step_length.h"
 #include "../moreau/outcome.h"
 #include "../moreau/standing.h"
 #include "limit_direction.h"
-#include "pace.h"
 #include "transition.h"
 
 // A slip below so many errors of a segment, and so much smaller than it was at
@@ -39,8 +38,7 @@ static void begin_trajectory(trajectory_t *path, const tf_machine_t *k,
   path->now.p = state->v - k->d * path->now.z;
   path->remaining = k->dt;
   path->angle = 0;
-  path->tolerance = k->tolerance;
-  path->is_coarse = path->is_over = false;
+  path->is_over = false;
   path->mode = state->mode;
   path->set = 0;
   path->force = (tf_force_t){0, 0};
@@ -54,7 +52,11 @@ static bool end_in_new_segment(trajectory_t *path) {
   return true;
 }
 
-static bool next_after_limit_direction(trajectory_t *path) {
+// In place of a segment. Where no limit direction is near nothing changes, and
+// the next segment begins where this one did.
+static bool try_limit_direction(trajectory_t *path, span_t span) {
+  const tf_real_t allowed = span.error + trajectory_rounding(path);
+  if (!tf_follow_limit_direction(path, allowed)) return true;
   const bool at_codim2 = magnitude(path->now.p) + magnitude(path->now.z) == 0;
   path->is_over = !at_codim2 && !(path->remaining > 0);
   return !at_codim2 || tf_next_segment(path, EVENT_CODIM2);
@@ -66,30 +68,33 @@ static bool next_after_limit_direction(trajectory_t *path) {
 static tf_real_t time_of_near_two_fold(const trajectory_t *path, span_t span) {
   const taylor_t *motion = &path->motion;
   const tf_machine_t *k = motion->machine;
-  if (path->segment.contact != CONTACT_STICK || k->stick_kappa == 0) return 0;
+  if (path->segment.contact != CONTACT_STICK || k->stick_kappa == 0 ||
+      !(span.length < path->remaining))
+    return 0;
   const delassus_quadratic_t at =
       delassus_quadratic(k, (tf_real_t)path->segment.sign_g);
   const tf_real_t A = delassus_quadratic_at(at, motion->r.c[0]);
   const tf_real_t rate =
       delassus_quadratic_rate(at, motion->r.c[0], motion->r.c[1]);
   const tf_real_t time = A * rate < 0 ? -A / rate : 0;
-  const bool near =
-      time > span.length && time <= path->remaining &&
-      tf_term_size(motion, 1) * time <= CAPTURE_ERRORS * span.error;
+  const bool near = time > span.length && time <= path->remaining &&
+                    term_size(motion, 1) * time <= CAPTURE_ERRORS * span.error;
   return near && magnitude(motion->F.c[1]) * time <= CLOSE_SHARE * k->tyre.mu
              ? time
              : 0;
 }
 
-static event_t first_event(const trajectory_t *path, span_t span,
-                           tf_real_t *time) {
-  const tf_slip_t slip = trajectory_slip(path);
-  const tf_real_t close = CLOSE_SHARE * (magnitude(slip.h) + magnitude(slip.g));
+// Whether a slip whose h or g is 0 at the end of a segment has reached both
+// there.
+static bool is_at_codim2(const trajectory_t *path, span_t span,
+                         tf_slip_t start) {
+  const tf_real_t close =
+      CLOSE_SHARE * (magnitude(start.h) + magnitude(start.g));
   const tf_real_t missed = CAPTURE_ERRORS * span.error;
   const tf_real_t capture =
       (missed < close ? missed : close) + trajectory_rounding(path);
-  return tf_next_event(&path->motion, &path->segment, span.length, capture,
-                       time);
+  return magnitude(path->now.p) + magnitude(path->now.r * path->now.z) <=
+         capture;
 }
 
 // One segment, up to its first event, and the choice of the next one; false
@@ -101,16 +106,12 @@ static bool integrate_segment(trajectory_t *path, bool ask_for_stiffness) {
 
   // Length, by the last terms of the series.
   const span_t span = tf_segment_span(path);
-  if (!(span.length > 0)) return tf_lengthen_segments(path, LARGEST_FACTOR);
+  if (!(span.length > 0)) return false;
 
   // Next to a singular point the series are short, and the motion is near to
   // one through that point: slip to h = g = 0, stick to a two-fold.
-  if (ask_for_stiffness && tf_may_be_stiff(path, span.length)) {
-    const tf_real_t allowed = span.error + trajectory_rounding(path);
-    if (tf_follow_limit_direction(path, allowed))
-      return next_after_limit_direction(path);
-    (void)tf_expand(path); // as above: the series were overwritten
-  }
+  if (ask_for_stiffness && tf_may_be_stiff(path, span.length))
+    return try_limit_direction(path, span);
   const tf_real_t two_fold = time_of_near_two_fold(path, span);
   if (two_fold > 0) {
     tf_advance(path, 0, two_fold);
@@ -119,23 +120,28 @@ static bool integrate_segment(trajectory_t *path, bool ask_for_stiffness) {
 
   // First event: the first root of h, g, mu - |lambda| or A.
   tf_real_t time;
-  const event_t event = first_event(path, span, &time);
+  event_t event =
+      tf_next_event(&path->motion, &path->segment, span.length, &time);
+  const tf_slip_t start = trajectory_slip(path);
 
   // Advance. In stick the series of q = r z is truncated, which leaves an h.
   tf_advance(path, 0, time);
   if (path->mode == TF_STICK_PLUS || path->mode == TF_STICK_MINUS)
     tf_project(path);
+  if ((event == EVENT_H_ZERO || event == EVENT_G_ZERO) &&
+      path->motion.machine->stick_kappa > 0 && is_at_codim2(path, span, start))
+    event = EVENT_CODIM2;
 
   // Continue in the contact that follows.
   path->is_over = event == EVENT_NONE && !(path->remaining > 0);
   return path->is_over || tf_next_segment(path, event);
 }
 
+// Whether the segments of the budget end the step.
 static bool integrate_step(trajectory_t *path) {
+  const int budget = path->motion.machine->segments;
   if (!tf_first_segment(path)) return false;
-  pace_t pace = {.remaining = path->remaining, .segment = 0};
-  for (int i = 0; i < TF_LOCATED_MOST_SEGMENTS; i++) {
-    tf_keep_pace(path, &pace, i);
+  for (int i = 0; i < budget; i++) {
     if (!integrate_segment(path, i % STIFFNESS_EVERY == STIFFNESS_EVERY - 1))
       return false;
     if (path->is_over) return true;
@@ -152,24 +158,40 @@ static tf_status_t fall_back(const tf_machine_t *k, tf_state_t *state,
   return TF_FELL_BACK;
 }
 
-// The most that the contact and the inputs can put in, per second.
-static tf_real_t most_power(const tf_machine_t *k, const tf_input_t *u,
-                            end_state_t at) {
-  const tf_real_t v = magnitude(at.v), w = magnitude(at.w);
-  const tf_real_t arm = magnitude(at.r) + magnitude(k->d);
-  const tf_real_t mu = k->tyre.law == TF_TYRE_NONE ? 0 : k->tyre.mu;
-  return mu * (4 * (v + arm * w) / 3 + k->tyre.kappa * w) +
-         magnitude(u->force) * v + magnitude(u->torque) * w;
+static end_state_t end_of(const trajectory_t *path) {
+  const tf_real_t z = path->now.z;
+  return (end_state_t){path->now.r, path->now.p + path->motion.machine->d * z,
+                       z + path->omega};
 }
 
-// Whether a step, done with a coarser tolerance, ends with more energy than the
-// motion can have.
-static bool gains_energy(const tf_machine_t *k, const tf_input_t *u,
-                         end_state_t from, end_state_t to) {
-  const tf_real_t before = mean_energy(k, u, from, from);
-  const tf_real_t after = mean_energy(k, u, to, to);
-  const tf_real_t power = most_power(k, u, from) + most_power(k, u, to);
-  return !(after - before <= TF_CREATED_SHARE * before + k->dt * power);
+// What is left of the step by one of tf_step, from where the segments have come
+// to.
+static tf_status_t finish_by_fixed_step(const trajectory_t *path,
+                                        tf_state_t *state,
+                                        tf_report_t *report) {
+  tf_machine_t k = *path->motion.machine;
+  set_step_length(&k,
+                  path->remaining > LEAST_STEP ? path->remaining : LEAST_STEP);
+  const end_state_t from = end_of(path);
+  if (!in_reach(from.r, from.v, from.w))
+    return refuse_step(report, TF_DIVERGED);
+  tf_state_t x = *state;
+  x.r = from.r;
+  x.v = from.v;
+  x.w = from.w;
+  x.mode = (uint8_t)path->mode;
+  if (k.with_angle) x.phi += path->angle;
+  tf_report_t of_rest;
+  const tf_status_t status = tf_step(&k, &x, path->motion.input, &of_rest);
+  if (status < TF_OK) return refuse_step(report, status);
+  *state = x;
+  *report = of_rest;
+  const unsigned met =
+      size_of(path->set) > size_of(of_rest.set) ? path->set : of_rest.set;
+  report->set = (uint8_t)(met | TF_MODE_BIT(of_rest.mode));
+  report->choices = (uint8_t)size_of(report->set);
+  if (status == TF_OK) report->status = TF_COARSE;
+  return report->status;
 }
 
 // How far the force at the end is from the law there, by the law itself.
@@ -196,13 +218,10 @@ static unsigned mode_at_end(const trajectory_t *path, tf_slip_t slip) {
 static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
                                   tf_state_t *state, tf_report_t *report) {
   const tf_machine_t *k = path->motion.machine;
-  const tf_real_t z = path->now.z;
-  const end_state_t end = {path->now.r, path->now.p + k->d * z,
-                           z + input->omega0};
-  const end_state_t from = {state->r, state->v, state->w};
+  // At the end the turntable has the speed of the input.
+  path->omega = input->omega0;
+  const end_state_t end = end_of(path);
   if (!in_reach(end.r, end.v, end.w)) return refuse_step(report, TF_DIVERGED);
-  if (path->is_coarse && gains_energy(k, input, from, end))
-    return fall_back(k, state, input, report);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
   const bool contact = k->tyre.law != TF_TYRE_NONE;
   path->set &= ~TF_MODE_BIT(path->mode);
@@ -211,7 +230,7 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
   const outcome_t outcome = {
       .mode = path->mode,
       .set = path->set | TF_MODE_BIT(path->mode),
-      .status = path->is_coarse ? TF_COARSE : TF_OK,
+      .status = TF_OK,
       .delassus = contact ? delassus_at(k, end.r * k->cos_gamma, slip.g < 0,
                                         inertia_at(k, end.r))
                           : 0};
@@ -223,7 +242,7 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
   const tf_real_t rounding =
       slip_rounding(k, end.r, end.v, end.w, input->omega0);
   const tf_status_t status = status_by_signs(
-      report, rounding + path->tolerance / (32 * TF_REAL_EPSILON) * rounding);
+      report, rounding + k->tolerance / (32 * TF_REAL_EPSILON) * rounding);
   return stays ? judge_standing(k, input, state, report) : status;
 }
 
@@ -244,7 +263,10 @@ TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
   if (status != TF_OK) return refuse_step(report, status);
   trajectory_t path;
   begin_trajectory(&path, machine, state, input);
-  if (!integrate_step(&path)) return fall_back(machine, state, input, report);
+  if (!integrate_step(&path))
+    return path.remaining < machine->dt
+               ? finish_by_fixed_step(&path, state, report)
+               : fall_back(machine, state, input, report);
   name_stick(&path);
   return commit_located(&path, input, state, report);
 }

@@ -35,17 +35,16 @@ typedef enum {
   EVENT_UNPINNED  // |F| = mu or |M| = kappa |F| while pinned
 } event_t;
 
-// Computes the series of a segment from their terms 0. False where there is no
+// Computes the series of a segment from their terms 0, with as many terms as
+// the tolerance of the machine asks for over a time. False where there is no
 // solution: a stick needs A != 0, and one from a two-fold A' != 0.
 #define tf_taylor_coefficients TF_LINK(tf_taylor_coefficients)
-TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment);
+TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment,
+                                   tf_real_t time);
 
-// The size of the n-th terms of the velocities [m/s^(n+1)].
-#define tf_term_size TF_LINK(tf_term_size)
-TF_API tf_real_t tf_term_size(const taylor_t *motion, int n);
-
-// The longest part of a time over which the last two terms of the series stay
-// below the error that is allowed [m/s]; 0 where there is none.
+// The longest part of a time over which the last two terms of a series of the
+// highest order stay below the error that is allowed [m/s]; 0 where there is
+// none.
 #define tf_segment_length TF_LINK(tf_segment_length)
 TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
                                    tf_real_t allowed);
@@ -56,10 +55,8 @@ TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
 TF_API tf_real_t tf_angle_change(const taylor_t *motion, tf_real_t t);
 
 // The first event in (0, length] and its time; length itself without an event.
-// A slip that ends with |p| + |q| <= capture has reached h = g = 0.
 #define tf_next_event TF_LINK(tf_next_event)
 TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
-                             tf_real_t length, tf_real_t capture,
-                             tf_real_t *time);
+                             tf_real_t length, tf_real_t *time);
 
 #endif

@@ -2,7 +2,9 @@
 // (13), (14) in its own way.
 #include "segment.h"
 
+// Each shortening takes a quarter off a segment.
 #define MOST_SHORTENINGS 64
+#define SHORTENING TF_R(0.75)
 
 // (15). In slip the force goes with T(y) = tan(a atan y), y = |g/h|, and
 // T' = a (1 + T^2) psi' with psi' = (g' h - g h')/(h^2 + g^2). That rate is the
@@ -15,11 +17,10 @@ typedef struct {
   tf_real_t inverse_R2; // 1 over its term 0
 } slip_angle_t;
 
-// Term n of p' q - q' p from terms low to n + 1 - low of p and q: low is 1
-// where both begin with t.
-TF_INLINE tf_real_t cross_term(const taylor_t *motion, int n, int low) {
+// Term n of p' q - q' p where both begin with t.
+TF_INLINE tf_real_t cross_term(const taylor_t *motion, int n) {
   tf_real_t sum = 0;
-  for (int i = low; i <= n + 1 - low; i++)
+  for (int i = 1; i <= n; i++)
     sum +=
         (tf_real_t)(2 * i - (n + 1)) * motion->p.c[i] * motion->q.c[n + 1 - i];
   return sum;
@@ -51,6 +52,32 @@ TF_INLINE void add_tyre_term(taylor_t *motion, const segment_t *segment, int n,
   add_friction_term(motion, n, F, slip_M1(tyre, 1) * T);
 }
 
+// Terms n - 1 of R^2, T^2 and psi' and the sum for T_n, in two loops: term by
+// term as above, but the sums are so short that each loop would cost more.
+static tf_real_t next_slip_angle(const taylor_t *motion, slip_angle_t *angle,
+                                 tf_real_t a, int n) {
+  const tf_real_t *p = motion->p.c, *q = motion->q.c, *T = angle->T.c;
+  tf_real_t *psi_rate = angle->psi_rate.c;
+  tf_real_t R2 = 0, T2 = 0, weight = (tf_real_t)n;
+  tf_real_t cross = weight * p[n] * q[0]; // term n - 1 of p' q - q' p
+  for (int i = 0; i < n; i++) {
+    R2 += p[i] * p[n - 1 - i] + q[i] * q[n - 1 - i];
+    T2 += T[i] * T[n - 1 - i];
+    cross -= weight * p[i] * q[n - i];
+    weight -= 2;
+  }
+  angle->R2.c[n - 1] = R2;
+  angle->T2.c[n - 1] = T2;
+  tf_real_t sum = 0;
+  for (int i = 1; i < n; i++) {
+    cross -= angle->R2.c[i] * psi_rate[n - 1 - i];
+    sum += angle->T2.c[i] * psi_rate[n - 1 - i];
+  }
+  psi_rate[n - 1] = cross * angle->inverse_R2;
+  sum += (1 + angle->T2.c[0]) * psi_rate[n - 1];
+  return a * sum * reciprocal[n];
+}
+
 // (15) away from h = g = 0.
 static void taylor_slip(taylor_t *motion, const segment_t *segment) {
   const tf_tyre_t *tyre = &motion->machine->tyre;
@@ -64,15 +91,12 @@ static void taylor_slip(taylor_t *motion, const segment_t *segment) {
                  cot_psi(tyre, G > 0 ? G : 0, H > 0 ? H : 0);
   extend_motion(motion, 0);
   add_tyre_term(motion, segment, 0, angle.T.c[0]);
+  (void)is_long_enough(motion, 1);
   for (int n = 1; n < SERIES_ORDER; n++) {
-    angle.R2.c[n - 1] =
-        square_term(&motion->p, n - 1) + square_term(&motion->q, n - 1);
-    angle.psi_rate.c[n - 1] =
-        psi_rate_term(&angle, n - 1, cross_term(motion, n - 1, 0));
-    angle.T2.c[n - 1] = square_term(&angle.T, n - 1);
-    angle.T.c[n] = T_term(&angle, tyre->T_series[0], n);
+    angle.T.c[n] = next_slip_angle(motion, &angle, tyre->T_series[0], n);
     extend_motion(motion, n);
     add_tyre_term(motion, segment, n, angle.T.c[n]);
+    if (is_long_enough(motion, n + 1)) return;
   }
 }
 
@@ -92,6 +116,12 @@ static tf_real_t limit_direction_gain(const taylor_t *motion,
          (dp * motion->q.c[1] - motion->p.c[1] * dq) / angle->R2.c[0];
 }
 
+// Out of a singular point the sizes of the terms foretell nothing.
+static void take_all_terms(taylor_t *motion) {
+  (void)is_long_enough(motion, 1);
+  motion->order = SERIES_ORDER;
+}
+
 // (15) from h = g = 0. Term n - 1 of psi' needs the terms n + 1 of p and q,
 // which T_n enters linearly: T_n is what it would be without itself, over
 // 1 - gain/(n + 1). Away from a resonance that is not 0.
@@ -109,20 +139,21 @@ static void taylor_codim2_slip(taylor_t *motion, const segment_t *segment) {
   for (int n = 1; n < SERIES_ORDER; n++) {
     extend_motion(motion, n);
     angle.psi_rate.c[n - 1] =
-        psi_rate_term(&angle, n - 1, cross_term(motion, n + 1, 1));
+        psi_rate_term(&angle, n - 1, cross_term(motion, n + 1));
     angle.T2.c[n - 1] = square_term(&angle.T, n - 1);
     const tf_real_t T =
         T_term(&angle, tyre->T_series[0], n) / (1 - gain * reciprocal[n + 1]);
     angle.T.c[n] = T;
     add_tyre_term(motion, segment, n, T);
     angle.psi_rate.c[n - 1] =
-        psi_rate_term(&angle, n - 1, cross_term(motion, n + 1, 1));
+        psi_rate_term(&angle, n - 1, cross_term(motion, n + 1));
     tf_real_t R2 = 0;
     for (int i = 1; i <= n + 1; i++)
       R2 += motion->p.c[i] * motion->p.c[n + 2 - i] +
             motion->q.c[i] * motion->q.c[n + 2 - i];
     angle.R2.c[n] = R2;
   }
+  take_all_terms(motion);
 }
 
 TF_INLINE tf_real_t h_term(const taylor_t *motion, int n) {
@@ -145,10 +176,14 @@ static bool taylor_stick(taylor_t *motion, const segment_t *segment) {
   const tf_real_t A = delassus_from(k, motion->arm * arm * motion->inverse_J);
   if (A == 0) return false;
   const tf_real_t inverse_A = 1 / A;
-  for (int n = 0; n < SERIES_ORDER; n++) {
+  extend_motion(motion, 0);
+  add_lambda_term(motion, s_kappa, 0, h_term(motion, 1) * inverse_A);
+  (void)is_long_enough(motion, 1);
+  for (int n = 1; n < SERIES_ORDER; n++) {
     extend_motion(motion, n);
     const tf_real_t h_rate = h_term(motion, n + 1) * (tf_real_t)(n + 1);
     add_lambda_term(motion, s_kappa, n, h_rate * inverse_A);
+    if (is_long_enough(motion, n + 1)) break;
   }
   return true;
 }
@@ -176,13 +211,18 @@ static bool taylor_two_fold(taylor_t *motion, const segment_t *segment) {
   // The last term of lambda would need term SERIES_ORDER + 1 of h: it is left
   // 0.
   add_lambda_term(motion, s_kappa, SERIES_ORDER - 1, 0);
+  take_all_terms(motion);
   return true;
 }
 
 static void taylor_constant_force(taylor_t *motion, tf_real_t F) {
-  for (int n = 0; n < SERIES_ORDER; n++) {
+  extend_motion(motion, 0);
+  add_friction_term(motion, 0, F, 0);
+  (void)is_long_enough(motion, 1);
+  for (int n = 1; n < SERIES_ORDER; n++) {
     extend_motion(motion, n);
-    add_friction_term(motion, n, n == 0 ? F : 0, 0);
+    add_friction_term(motion, n, 0, 0);
+    if (is_long_enough(motion, n + 1)) return;
   }
 }
 
@@ -195,14 +235,16 @@ static void taylor_pinned(taylor_t *motion) {
   const tf_machine_t *k = motion->machine;
   const tf_real_t r = motion->r.c[0], w = motion->w.c[0],
                   alpha = motion->input->alpha;
-  for (int n = 0; n <= SERIES_ORDER; n++)
+  motion->order = PINNED_ORDER;
+  motion->allowed = 0;
+  for (int n = 0; n <= PINNED_ORDER; n++)
     motion->r.c[n] = motion->p.c[n] = motion->z.c[n] = motion->w.c[n] =
-        motion->q.c[n] = motion->F.c[n] = motion->M.c[n] = 0;
+        motion->q.c[n] = 0;
   motion->r.c[0] = r;
   motion->w.c[0] = w;
   motion->w.c[1] = alpha;
-  const tf_real_t w2[3] = {w * w, 2 * w * alpha, alpha * alpha};
-  for (int n = 0; n < 3; n++) {
+  const tf_real_t w2[PINNED_ORDER + 1] = {w * w, 2 * w * alpha, alpha * alpha};
+  for (int n = 0; n <= PINNED_ORDER; n++) {
     const tf_real_t Q_r =
         radial_force_at_rest_term(k, motion->input, n, r, w2[n]);
     tf_real_t F = -Q_r, torque = -k->c1 * motion->w.c[n] + k->d * Q_r;
@@ -215,8 +257,7 @@ static void taylor_pinned(taylor_t *motion) {
   }
 }
 
-TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment) {
-  motion->F.c[SERIES_ORDER] = motion->M.c[SERIES_ORDER] = 0;
+static bool close_recurrence(taylor_t *motion, const segment_t *segment) {
   switch (segment->contact) {
     case CONTACT_NONE:
       taylor_constant_force(motion, 0);
@@ -237,34 +278,46 @@ TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment) {
       return taylor_two_fold(motion, segment);
     case CONTACT_PINNED:
     default:
-      taylor_pinned(motion);
-      return true;
+      break;
   }
+  taylor_pinned(motion);
+  return true;
+}
+
+TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment,
+                                   tf_real_t time) {
+  motion->time = time;
+  motion->power = 1;
+  motion->size[0] = term_size(motion, 0);
+  if (!close_recurrence(motion, segment)) return false;
+  if (segment->contact != CONTACT_PINNED)
+    motion->F.c[motion->order] = motion->M.c[motion->order] = 0;
+  return true;
 }
 
 TF_API tf_real_t tf_angle_change(const taylor_t *motion, tf_real_t t) {
   tf_real_t sum = 0;
-  for (int n = SERIES_ORDER; n >= 0; n--)
+  for (int n = motion->order; n >= 0; n--)
     sum = (sum + motion->w.c[n] * reciprocal[n + 1]) * t;
   return sum;
 }
 
-// Times the radius of gyration rad/s become m/s, also where r is 0.
-TF_API tf_real_t tf_term_size(const taylor_t *motion, int n) {
-  const tf_real_t gyration =
-      square_root(gyration2_at(motion->machine, motion->r.c[0]));
-  return magnitude(motion->p.c[n]) + gyration * magnitude(motion->z.c[n]);
-}
-
 TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
                                    tf_real_t allowed) {
-  const tf_real_t last = tf_term_size(motion, SERIES_ORDER);
-  const tf_real_t last_but_one = tf_term_size(motion, SERIES_ORDER - 1);
+  const tf_real_t size = magnitude(time);
+  tf_real_t power = 1,
+            share = 1; // of the time, and of what a shortening leaves
+  for (int n = 1; n < SERIES_ORDER; n++) {
+    power *= size;
+    share *= SHORTENING;
+  }
+  tf_real_t last_but_one = term_size(motion, SERIES_ORDER - 1) * power;
+  tf_real_t last = term_size(motion, SERIES_ORDER) * power * size;
   for (int i = 0; i < MOST_SHORTENINGS; i++) {
-    tf_real_t tail = last_but_one + last * magnitude(time);
-    for (int n = 1; n < SERIES_ORDER; n++) tail *= magnitude(time);
-    if (tail <= allowed) return time;
-    time *= TF_R(0.75);
+    if (last_but_one + last <= allowed) return time;
+    time *= SHORTENING;
+    last_but_one *= share;
+    last *= share * SHORTENING;
   }
   return 0;
 }

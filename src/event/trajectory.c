@@ -9,19 +9,39 @@ TF_API rates_t tf_trajectory_rates(const trajectory_t *path) {
 TF_API bool tf_expand(trajectory_t *path) {
   taylor_t *motion = &path->motion;
   begin_taylor(motion, motion->machine, motion->input, path->omega, path->now);
-  return tf_taylor_coefficients(motion, &path->segment);
+  return tf_taylor_coefficients(motion, &path->segment, path->remaining);
+}
+
+TF_API span_t tf_segment_span(const trajectory_t *path) {
+  const taylor_t *motion = &path->motion;
+  const tf_real_t allowed = motion->allowed;
+  const tf_real_t length =
+      motion->order < SERIES_ORDER
+          ? path->remaining
+          : tf_segment_length(motion, path->remaining, allowed);
+  return (span_t){length, allowed};
 }
 
 TF_API void tf_advance(trajectory_t *path, tf_real_t from, tf_real_t to) {
   const taylor_t *motion = &path->motion;
   const tf_real_t time = to - from;
-  path->now =
-      (phase_point_t){value_at(&motion->r, to), value_at(&motion->p, to),
-                      value_at(&motion->z, to)};
-  path->force =
-      (tf_force_t){value_at(&motion->F, to), value_at(&motion->M, to)};
-  if (motion->machine->with_angle)
-    path->angle += tf_angle_change(motion, to) - tf_angle_change(motion, from);
+  const int order = motion->order;
+  phase_point_t now = {motion->r.c[order], motion->p.c[order],
+                       motion->z.c[order]};
+  tf_force_t force = {motion->F.c[order], motion->M.c[order]};
+  for (int n = order - 1; n >= 0; n--) {
+    now.r = now.r * to + motion->r.c[n];
+    now.p = now.p * to + motion->p.c[n];
+    now.z = now.z * to + motion->z.c[n];
+    force.F = force.F * to + motion->F.c[n];
+    force.M = force.M * to + motion->M.c[n];
+  }
+  path->now = now;
+  path->force = force;
+  if (motion->machine->with_angle) {
+    path->angle += tf_angle_change(motion, to);
+    if (from != 0) path->angle -= tf_angle_change(motion, from);
+  }
   path->omega += motion->input->alpha * time;
   path->remaining = time < path->remaining ? path->remaining - time : 0;
 }

@@ -13,9 +13,7 @@ typedef struct {
   tf_real_t omega;     // speed of the turntable now [rad/s]
   tf_real_t remaining; // time until the end of the step [s]
   tf_real_t angle;     // of the disc, since the start of the step [rad]
-  tf_real_t tolerance;
-  bool is_coarse; // some of the step was done above the machine's tolerance
-  bool is_over;   // at the end of the step, and force is that of the end
+  bool is_over;        // at the end of the step, and force is that of the end
   unsigned mode;
   unsigned set; // the largest set of consistent modes met in the step
   tf_force_t force;
@@ -45,6 +43,18 @@ TF_INLINE tf_real_t trajectory_rounding(const trajectory_t *path) {
 // False as tf_taylor_coefficients.
 #define tf_expand TF_LINK(tf_expand)
 TF_API bool tf_expand(trajectory_t *path);
+
+// How far a segment goes [s], and how far off it may be there [m/s].
+typedef struct {
+  tf_real_t length, error;
+} span_t;
+
+// Of the series: they have as many terms as they need to go on to the end of
+// the step, or, where all terms are not enough, end before that. The error that
+// is allowed is the tolerance of the machine times what the velocities are and
+// may change by in the rest of the step.
+#define tf_segment_span TF_LINK(tf_segment_span)
+TF_API span_t tf_segment_span(const trajectory_t *path);
 
 // Moves along the series from one of its times to another.
 #define tf_advance TF_LINK(tf_advance)

@@ -110,6 +110,22 @@ static bool keep_leaving(trajectory_t *path) {
   return true;
 }
 
+// A stick that an attracting surface keeps, and a rule nothing to decide about:
+// most are. A moment of rest (g = 0) is none of them.
+static bool keep_stick(trajectory_t *path, bool minus) {
+  const tf_machine_t *k = path->motion.machine;
+  const rates_t rates = rates_at(k, path->motion.input, path->now.r,
+                                 path->now.p, path->now.z, path->omega);
+  const tf_real_t A = rates.A[minus];
+  if (!(magnitude(rates.N) < A * k->tyre.mu)) return false;
+  path->segment = (segment_t){.contact = CONTACT_STICK,
+                              .sign_h = 1,
+                              .sign_g = minus ? -1 : 1,
+                              .h_zero_order = 1};
+  keep_largest_set(path, TF_MODE_BIT(path->mode));
+  return true;
+}
+
 static void begin_without_contact(trajectory_t *path, tf_real_t h) {
   path->mode = h < 0 ? TF_SLIP_MINUS : h > 0 ? TF_SLIP_PLUS : path->mode & 1u;
   path->segment =
@@ -148,7 +164,7 @@ TF_API bool tf_first_segment(trajectory_t *path) {
   }
   if (k->stick_kappa > 0 && !rolls && within(slip.g, rounding))
     return keep_leaving(path) || leave_codim2(path, false);
-  return leave_h_zero(path);
+  return (rolls && keep_stick(path, slip.g < 0)) || leave_h_zero(path);
 }
 
 // Without an event the same contact goes on, now away from where it began.

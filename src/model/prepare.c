@@ -2,8 +2,7 @@
 // them from then on. No step calls this.
 #include <stddef.h>
 
-#include "../num/kernel.h"
-#include "twofold/machine.h"
+#include "step_length.h"
 
 #define ALL_LAWS ((1u << TF_TYRE_LAWS) - 1u)
 #define LAW(name) (1u << TF_TYRE_##name)
@@ -35,7 +34,9 @@ TF_API const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS] = {
     RANGE(theta, "1", ALL_LAWS, 0.5, 1.0),
     RANGE(dt, "s", ALL_LAWS, 1e-9, 1.0),
     RANGE(rate, "1/s", ALL_LAWS, 0.0, 1e9),
-    RANGE(tolerance, "1", ALL_LAWS, 0.0, 1e-3)};
+    RANGE(tolerance, "1", ALL_LAWS, 0.0, 1e-3),
+    {"segments", "1", offsetof(tf_params_t, segments), ALL_LAWS, 0,
+     TF_LOCATED_MOST_SEGMENTS}};
 
 // Index of the first member out of range, or -1. Members that the law does not
 // need are not checked: a scene leaves them 0. NaN fails every comparison.
@@ -115,11 +116,6 @@ static void prepare_tyre(tf_tyre_t *tyre, const tf_params_t *params) {
   }
 }
 
-// 1/x, kept finite: friction below the smallest normal number counts as none.
-static tf_real_t inverse_or_0(tf_real_t x) {
-  return x >= TF_REAL_MIN ? 1 / x : 0;
-}
-
 // Whether stick carries a moment. Where friction counts as none it does not:
 // 1/mu is 0 then, and any force would pass as one that pins the wheel.
 static bool carries_moment(const tf_params_t *params) {
@@ -134,31 +130,21 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
     if (offender) *offender = first;
     return TF_BAD_PARAMETER;
   }
-  const tf_real_t m = params->m, d = params->d, dt = params->dt;
-  const tf_real_t theta_dt = params->theta * dt;
-  const tf_real_t a = theta_dt * (params->c2 + theta_dt * params->k2);
-  const tf_real_t beta2 = params->beta * params->beta;
-  *machine = (tf_machine_t){.m = m,
+  const tf_real_t d = params->d, dt = params->dt;
+  *machine = (tf_machine_t){.m = params->m,
                             .d = d,
                             .k2 = params->k2,
                             .c1 = params->c1,
                             .c2 = params->c2,
                             .r0 = params->r0,
                             .omega0 = params->omega0,
-                            .beta2 = beta2,
-                            .dt = dt,
+                            .beta2 = params->beta * params->beta,
                             .theta = params->theta,
-                            .theta_dt = theta_dt,
-                            .explicit_dt = dt - theta_dt,
-                            .a = a,
-                            .d_a = d * a,
-                            .m_plus_a = m + a,
-                            .m_a_d2 = m * a * d * d,
-                            .inertia = m * beta2 + theta_dt * params->c1,
                             .rule = params->rule,
                             .rest = params->rest,
                             .with_angle = params->with_angle};
   prepare_tyre(&machine->tyre, params);
+  set_step_length(machine, dt);
   tf_sine_cosine(params->gamma, &machine->sin_gamma, &machine->cos_gamma);
   machine->minus_sin_gamma = -machine->sin_gamma;
   machine->d_sin_gamma = d * machine->sin_gamma;
@@ -169,11 +155,12 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
   machine->kappa_mu = machine->stick_kappa * mu;
   machine->inv_mu = inverse_or_0(mu);
   machine->inv_kappa_mu = inverse_or_0(machine->kappa_mu);
-  machine->inv_mu_dt = inverse_or_0(mu * dt);
   const tf_real_t p = tf_exit_probability(params->rate * dt);
   // A finer tolerance would ask a series for less than its rounding.
   const tf_real_t finest = 64 * TF_REAL_EPSILON;
   machine->tolerance = params->tolerance > finest ? params->tolerance : finest;
+  const uint16_t segments = (uint16_t)params->segments;
+  machine->segments = segments > 0 ? segments : TF_LOCATED_SEGMENTS;
   machine->exit_threshold = (uint64_t)(p * TF_R(9223372036854775808.0));
   return TF_OK;
 }

@@ -1,26 +1,43 @@
 // First root of a polynomial in an interval.
 #include "polynomial.h"
 
+// How often an interval is halved: roots closer to each other than what is left
+// of it then are no crossing. In float that is more than its digits are.
+#ifdef TF_REAL_FLOAT
+#define MOST_INTERVALS 24
+#else
 #define MOST_INTERVALS 40
+#endif
 #define MOST_NEWTON 24
 
+// 1/1, 1/2 ... to 1/SERIES_ORDER.
+static const tf_real_t one_over[] = {0,
+                                     TF_R(1.0) / 1,
+                                     TF_R(1.0) / 2,
+                                     TF_R(1.0) / 3,
+                                     TF_R(1.0) / 4,
+                                     TF_R(1.0) / 5,
+                                     TF_R(1.0) / 6,
+                                     TF_R(1.0) / 7,
+                                     TF_R(1.0) / 8};
+
 // How often the signs of the Bernstein coefficients on [low, high] change.
-static int sign_changes(const series_t *s, tf_real_t low, tf_real_t high) {
+static int sign_changes(const series_t *s, int degree, tf_real_t low,
+                        tf_real_t high) {
   tf_real_t b[SERIES_ORDER + 1];
-  for (int k = 0; k <= SERIES_ORDER; k++) b[k] = s->c[k];
-  for (int j = 0; j < SERIES_ORDER; j++) // Taylor shift to low
-    for (int i = SERIES_ORDER - 1; i >= j; i--) b[i] += low * b[i + 1];
+  for (int k = 0; k <= degree; k++) b[k] = s->c[k];
+  for (int j = 0; j < degree; j++) // Taylor shift to low
+    for (int i = degree - 1; i >= j; i--) b[i] += low * b[i + 1];
   tf_real_t share = 1; // (high - low)^k over the binomial coefficient
-  for (int k = 0; k <= SERIES_ORDER; k++) {
+  for (int k = 1; k <= degree; k++) {
+    share *= (high - low) * (tf_real_t)k * one_over[degree - k + 1];
     b[k] *= share;
-    share *= (high - low) * (tf_real_t)(k + 1) /
-             (tf_real_t)(k < SERIES_ORDER ? SERIES_ORDER - k : 1);
   }
-  for (int j = 1; j <= SERIES_ORDER; j++)
-    for (int i = SERIES_ORDER; i >= j; i--) b[i] += b[i - 1];
+  for (int j = 1; j <= degree; j++)
+    for (int i = degree; i >= j; i--) b[i] += b[i - 1];
   int changes = 0;
   bool above = true;
-  for (int i = 0; i <= SERIES_ORDER; i++) {
+  for (int i = 0; i <= degree; i++) {
     if (b[i] == 0 && i == 0) continue; // a root at low does not count
     if ((b[i] > 0) == above) continue;
     above = !above;
@@ -29,18 +46,18 @@ static int sign_changes(const series_t *s, tf_real_t low, tf_real_t high) {
   return changes;
 }
 
-static tf_real_t slope_at(const series_t *s, tf_real_t t) {
-  tf_real_t sum = SERIES_ORDER * s->c[SERIES_ORDER];
-  for (int k = SERIES_ORDER - 1; k > 0; k--)
-    sum = sum * t + (tf_real_t)k * s->c[k];
+static tf_real_t slope_at(const series_t *s, int degree, tf_real_t t) {
+  tf_real_t sum = (tf_real_t)degree * s->c[degree];
+  for (int k = degree - 1; k > 0; k--) sum = sum * t + (tf_real_t)k * s->c[k];
   return sum;
 }
 
 // One root between low (value > 0) and high (value <= 0).
-static tf_real_t refine(const series_t *s, tf_real_t low, tf_real_t high) {
+static tf_real_t refine(const series_t *s, int degree, tf_real_t low,
+                        tf_real_t high) {
   tf_real_t t = high;
   for (int i = 0; i < MOST_NEWTON; i++) {
-    const tf_real_t f = value_at(s, t), slope = slope_at(s, t);
+    const tf_real_t f = value_at(s, degree, t), slope = slope_at(s, degree, t);
     if (f > 0)
       low = t;
     else
@@ -53,15 +70,15 @@ static tf_real_t refine(const series_t *s, tf_real_t low, tf_real_t high) {
   return t;
 }
 
-TF_API bool tf_first_root(const series_t *s, tf_real_t length,
+TF_API bool tf_first_root(const series_t *s, int degree, tf_real_t length,
                           tf_real_t *root) {
   tf_real_t low = 0, high = length, size = 0;
-  for (int k = 0; k <= SERIES_ORDER; k++) size += magnitude(s->c[k]);
+  for (int k = 0; k <= degree; k++) size += magnitude(s->c[k]);
   if (size == 0) return false; // 0 throughout: it does not cross
   for (int i = 0; i < MOST_INTERVALS; i++) {
-    const int changes = sign_changes(s, low, high);
+    const int changes = sign_changes(s, degree, low, high);
     if (changes == 1) {
-      *root = refine(s, low, high);
+      *root = refine(s, degree, low, high);
       return true;
     }
     if (changes > 1) {

@@ -1,12 +1,12 @@
-// Polynomials of degree SERIES_ORDER on [0, length]: value and first root. A
-// root is where the value falls from above 0 to 0; for one where it rises, pass
-// the polynomial with its sign changed.
+// Polynomials of a degree up to SERIES_ORDER on [0, length]: value and first
+// root. A root is where the value falls from above 0 to 0; for one where it
+// rises, pass the polynomial with its sign changed.
 #ifndef TF_POLYNOMIAL_H
 #define TF_POLYNOMIAL_H
 
 #include "kernel.h"
 
-// Order of the Taylor series of tf_step_located: DESIGN.md, section 10,
+// Highest order of the Taylor series of tf_step_located: DESIGN.md, section 10,
 // compares it with others.
 #ifdef TF_REAL_FLOAT
 #define SERIES_ORDER 6
@@ -18,19 +18,24 @@ typedef struct {
   tf_real_t c[SERIES_ORDER + 1];
 } series_t;
 
-TF_INLINE tf_real_t value_at(const series_t *s, tf_real_t t) {
-  tf_real_t sum = s->c[SERIES_ORDER];
-  for (int k = SERIES_ORDER - 1; k >= 0; k--) sum = sum * t + s->c[k];
+TF_INLINE tf_real_t value_at(const series_t *s, int degree, tf_real_t t) {
+  tf_real_t sum = s->c[degree];
+  for (int k = degree - 1; k >= 0; k--) sum = sum * t + s->c[k];
   return sum;
 }
 
-// Whether c0 is larger than the other terms together can be within the length.
-// Then there is no root; most segments are settled by this.
-TF_INLINE bool is_rootless(const series_t *s, tf_real_t length) {
-  tf_real_t sum = magnitude(s->c[SERIES_ORDER]);
-  for (int k = SERIES_ORDER - 1; k > 0; k--)
-    sum = sum * length + magnitude(s->c[k]);
-  return s->c[0] > sum * length;
+// What the other terms together can add to c0 within the length, at most.
+TF_INLINE tf_real_t change_within(const series_t *s, int degree,
+                                  tf_real_t length) {
+  tf_real_t sum = magnitude(s->c[degree]);
+  for (int k = degree - 1; k > 0; k--) sum = sum * length + magnitude(s->c[k]);
+  return sum * length;
+}
+
+// Whether c0 is larger than that. Then there is no root; most segments are
+// settled by this.
+TF_INLINE bool is_rootless(const series_t *s, int degree, tf_real_t length) {
+  return s->c[0] > change_within(s, degree, length);
 }
 
 // The smallest root in (0, length], by the signs of the Bernstein coefficients
@@ -38,6 +43,7 @@ TF_INLINE bool is_rootless(const series_t *s, tf_real_t length) {
 // halved from the left, then by Newton's method within the bracket. c0 > 0, or
 // c0 = 0, and then the root at 0 does not count. Returns whether there is one.
 #define tf_first_root TF_LINK(tf_first_root)
-TF_API bool tf_first_root(const series_t *s, tf_real_t length, tf_real_t *root);
+TF_API bool tf_first_root(const series_t *s, int degree, tf_real_t length,
+                          tf_real_t *root);
 
 #endif

@@ -99,11 +99,14 @@ static inline tf_params_t usual_params(draw_t *d) {
   return p;
 }
 
+/* All but the budget of segments, which is the last. */
+#define DRAWN_PARAMETERS (TF_PARAMETERS - 1)
+
 /* Some members from anywhere in their ranges, ends included. */
 static inline void strain(draw_t *d, tf_params_t *p) {
   for (unsigned n = 1 + below(d, 6); n > 0; n--) {
     const tf_parameter_range_t *range =
-        &tf_parameter_ranges[below(d, TF_PARAMETERS)];
+        &tf_parameter_ranges[below(d, DRAWN_PARAMETERS)];
     tf_real_t x = up_to(d, range->high, 60);
     if (range->low < 0) x = of_any_sign(d, x);
     if (one_of(d, 8)) x = one_of(d, 2) ? range->low : range->high;

@@ -71,36 +71,42 @@ static double off(const tf_state_t *x, const long double want[3]) {
                              fabsl((long double)x->w - want[2])));
 }
 
-/* Slope of log(error) over log(dt) between two step sizes with an error far
- * above rounding. The finest tolerance leaves the step alone to set it. */
-TEST(located_order_of_convergence) {
+/* Tolerances, and what the errors of steps that keep to them may be. */
+static const double tolerances[] = {1e-5, 1e-7, 1e-9, 1e-11};
+enum { TOLERANCES = 4 };
+
+/* Errors of some motion of a length at each tolerance: the worst of several
+ * step sizes near by, because an event falls anywhere in a step. They fall with
+ * the tolerance, and stay near it. */
+static void follow_tolerance(problem_t (*of)(double, long, double),
+                             const tf_state_t *from, const tf_state_t *to,
+                             double length, long n) {
+  double before = INFINITY;
+  for (int j = 0; j < TOLERANCES; j++) {
+    double worst = 0;
+    for (int k = 0; k < 16; k++) {
+      problem_t p = of(length, n + k, tolerances[j]);
+      if (from) p.state = *from;
+      CHECK(advance(&p, n + k) == 0);
+      CHECK(p.state.mode == to->mode);
+      worst = fmax(worst, apart(&p.state, to));
+    }
+    printf("# %ld steps, tolerance %.0e: error %.2e\n", n, tolerances[j],
+           worst);
+    CHECK(worst <= 500 * tolerances[j] + 1e-12);
+    CHECK(worst <= before / 5 || worst <= 10 * tolerances[j]);
+    before = worst;
+  }
+}
+
+TEST(located_error_follows_the_tolerance) {
   if (!IS_DOUBLE) SKIP("rounding of float hides the error of the series");
-  static const struct {
-    double t_end;
-    long coarse, fine;
-    double order;
-    const char *what;
-  } cases[] = {{0.25, 30, 60, 6.5, "smooth slip and a kink of F"},
-               {0.5, 320, 640, 3.0, "two crossings of h = 0"}};
+  const double t_end[2] = {0.25, 0.5}; /* a kink of F; two crossings of h = 0 */
   for (int i = 0; i < 2; i++) {
-    problem_t exact = crossings(cases[i].t_end, 20000, 0);
-    double worst[2] = {0, 0};
+    problem_t exact = crossings(t_end[i], 20000, 0);
     advance(&exact, 20000);
-    /* The worst of several step sizes near by: an event falls anywhere. */
-    for (int k = 0; k < 16; k++)
-      for (int j = 0; j < 2; j++) {
-        const long n =
-            (j ? cases[i].fine : cases[i].coarse) + (long)k * (1 + j);
-        problem_t p = crossings(cases[i].t_end, n, 1e-3);
-        p.machine.tolerance = TF_R(0.1); /* no splits but at events */
-        CHECK(advance(&p, n) == 0);
-        worst[j] = fmax(worst[j], apart(&p.state, &exact.state));
-      }
-    const double order = log2(worst[0] / worst[1]);
-    printf("# %s: errors %.2e, %.2e, order %.2f\n", cases[i].what, worst[0],
-           worst[1], order);
-    CHECK(worst[1] > 1e-14);
-    CHECK(order >= cases[i].order);
+    for (long n = 10; n <= 1000; n *= 10)
+      follow_tolerance(crossings, NULL, &exact.state, t_end[i], n);
   }
 }
 
@@ -113,14 +119,12 @@ TEST(located_steps_agree_across_crossings) {
 
 /* The same across an entry into stick (0.674997 s) and an exit (0.695274 s),
  * each alone: from a state before it to a time behind it. */
-static void across_stick(int check_order) {
+static void across_stick(int check_tolerance) {
   static const struct {
     double from, to;
     uint8_t before, after;
-    long coarse, fine;
-    double order;
-  } cases[] = {{0.62, 0.685, TF_SLIP_PLUS, TF_STICK_PLUS, 16, 32, 5},
-               {0.68, 0.72, TF_STICK_PLUS, TF_SLIP_PLUS, 12, 24, 5}};
+  } cases[] = {{0.62, 0.685, TF_SLIP_PLUS, TF_STICK_PLUS},
+               {0.68, 0.72, TF_STICK_PLUS, TF_SLIP_PLUS}};
   for (int i = 0; i < 2; i++) {
     const double length = cases[i].to - cases[i].from;
     problem_t start = stickslip(cases[i].from, 20000, 0);
@@ -130,42 +134,26 @@ static void across_stick(int check_order) {
     exact.state = start.state;
     advance(&exact, 20000);
     CHECK(exact.state.mode == cases[i].after);
-    double worst[2] = {0, 0};
-    for (int k = 0; k < 16; k++)
-      for (int j = 0; j < 2; j++) {
-        const long n =
-            (j ? cases[i].fine : cases[i].coarse) + (long)k * (1 + j);
-        problem_t p = stickslip(length, n, 1e-3);
-        p.state = start.state;
-        p.machine.tolerance = TF_R(0.1); /* no splits but at events */
-        CHECK(advance(&p, n) == 0);
-        CHECK(p.state.mode == cases[i].after);
-        worst[j] = fmax(worst[j], apart(&p.state, &exact.state));
-      }
-    const double order = log2(worst[0] / worst[1]);
-    printf("# %s to %s: errors %.2e, %.2e, order %.2f\n",
-           tf_mode_name(cases[i].before), tf_mode_name(cases[i].after),
-           worst[0], worst[1], order);
-    CHECK(worst[1] > 1e-14);
-    if (check_order)
-      CHECK(order >= cases[i].order);
-    else
-      CHECK(worst[1] <= 2e-3);
+    for (long n = 4; check_tolerance && n <= 400; n *= 10)
+      follow_tolerance(stickslip, &start.state, &exact.state, length, n);
+    problem_t coarse = stickslip(length, 24, 1e-3);
+    coarse.state = start.state;
+    CHECK(advance(&coarse, 24) == 0);
+    CHECK(apart(&coarse.state, &exact.state) <= 2e-3);
   }
 }
 
-TEST(located_order_across_stick) {
+TEST(located_tolerance_holds_across_stick) {
   if (!IS_DOUBLE) SKIP("rounding of float hides the error of the series");
   across_stick(1);
 }
 
 TEST(located_steps_agree_across_stick) { across_stick(0); }
 
-/* Where a step is short of segments a finer tolerance is no worse than a
- * coarser one, but for a factor: what has been done is kept, and what is left
- * is done as finely as can be. Steps of 0.1 s, of 20 and more segments. */
+/* A finer tolerance is no worse than a coarser one, but for a factor, down to
+ * the finest. Steps of 0.1 s, of 20 and more segments. */
 TEST(located_finer_tolerance_is_no_worse) {
-  if (!IS_DOUBLE) SKIP("float is never short of segments here");
+  if (!IS_DOUBLE) SKIP("rounding of float hides the error of the series");
   enum { STEPS = 20 };
   tf_state_t exact[STEPS];
   problem_t fine = crossings(2, 200000, 0);
@@ -177,6 +165,7 @@ TEST(located_finer_tolerance_is_no_worse) {
   long short_of = 0;
   for (int i = 12; i <= 56; i++) {
     problem_t p = crossings(2, STEPS, pow(10, -0.25 * i));
+    p.machine.segments = TF_LOCATED_MOST_SEGMENTS;
     double error = 0;
     for (int j = 0; j < STEPS; j++) {
       short_of += advance(&p, 1);
@@ -190,7 +179,7 @@ TEST(located_finer_tolerance_is_no_worse) {
       "# %ld steps short of segments; error %.2e at best, a finer one up to "
       "%.0f times that of a coarser\n",
       short_of, best, worst);
-  CHECK(short_of > 50);
+  CHECK(short_of == 0);
   CHECK(best <= 1e-8);
   CHECK(worst <= 500);
 }
@@ -301,12 +290,13 @@ TEST(located_stick_is_exact) {
   CHECK(sticks > 50000);
 }
 
-/* Far fewer steps than a stiff spring needs: no series converges, tf_step takes
- * over, and its state and report are the ones returned. */
+/* A spring so stiff that no series converges: tf_step takes over, and its state
+ * and report are the ones returned. */
 TEST(located_falls_back_and_says_so) {
   tf_params_t stiff = tf_scenes[0]->params;
-  stiff.k2 = TF_R(1e10);
-  problem_t p = begin(stiff, 0.1, -0.9, 0.02, 1, 100, 1e-8);
+  stiff.k2 = TF_R(1e15);
+  stiff.m = TF_R(1e-6);
+  problem_t p = begin(stiff, 0.1, -0.9, 0.02, 1, 1, 1e-8);
   const tf_input_t u = tf_input_default(&p.machine);
   int fell_back = 0;
   for (int i = 0; i < 100; i++) {
@@ -316,11 +306,12 @@ TEST(located_falls_back_and_says_so) {
     const tf_status_t t = tf_step(&p.machine, &same, &u, &same_report);
     if (s != TF_FELL_BACK) continue;
     fell_back++;
-    CHECK(t == TF_OK && report.status == TF_FELL_BACK);
+    CHECK((t == TF_OK || t == TF_COARSE) && report.status == TF_FELL_BACK);
     CHECK(!memcmp(&p.state, &same, sizeof same));
     CHECK(report.set == same_report.set &&
           report.force.F == same_report.force.F);
   }
+  printf("# fell back %d times\n", fell_back);
   CHECK(fell_back > 50);
 }
 
@@ -412,9 +403,9 @@ TEST(located_follows_a_ramp) {
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
-  RUN(located_order_of_convergence);
+  RUN(located_error_follows_the_tolerance);
   RUN(located_steps_agree_across_crossings);
-  RUN(located_order_across_stick);
+  RUN(located_tolerance_holds_across_stick);
   RUN(located_steps_agree_across_stick);
   RUN(located_finer_tolerance_is_no_worse);
   RUN(located_two_fold_in_one_step);

@@ -68,6 +68,7 @@ static void write_machine(FILE *out, const tf_machine_t *k) {
   list(out, "tyre.T_anchor", k->tyre.T_anchor, TF_TYRE_ANCHORS);
   list(out, "tyre.T_series", k->tyre.T_series, TF_TYRE_TERMS);
   fprintf(out, "    .tyre.law = (tf_tyre_law_t)%d,\n", (int)k->tyre.law);
+  fprintf(out, "    .segments = %d,\n", k->segments);
   fprintf(out, "    .exit_threshold = %llull,\n",
           (unsigned long long)k->exit_threshold);
   fprintf(out, "    .rule = (tf_rule_t)%d,\n", (int)k->rule);

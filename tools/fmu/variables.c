@@ -46,6 +46,7 @@ static const struct {
     ABOUT(dt, "step: communication steps are whole multiples of it"),
     ABOUT(rate, "rate at which the rule random leaves a mode"),
     ABOUT(tolerance, "relative error of a segment of the scheme located"),
+    ABOUT(segments, "segments of a step of the scheme located; 0: the default"),
 };
 
 #define LIMIT ((double)TF_STATE_LIMIT)

@@ -139,7 +139,7 @@ static void roots(void) {
       const tf_real_t a = up_to(&d, 1, 60), b = a * between(&d, 1, 4);
       s = (series_t){.c = {a * b, -(a + b), 1}};
     }
-    mix_small(&d, tf_first_root(&s, up_to(&d, 2, 10), &root));
+    mix_small(&d, tf_first_root(&s, SERIES_ORDER, up_to(&d, 2, 10), &root));
     mix_real(&d, root);
   }
   show("roots", d.hash);

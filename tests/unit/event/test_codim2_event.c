@@ -26,7 +26,7 @@ TEST(exponent_of_a_limit_direction) {
       continue;
     static taylor_t motion;
     begin_taylor(&motion, &k, &u, u.omega0, (phase_point_t){r, 0, 0});
-    CHECK(tf_taylor_coefficients(&motion, &segment));
+    CHECK(tf_taylor_coefficients(&motion, &segment, 0));
     const real angle = angle_of(&at, wide(segment.T), segment.sign_g);
     const real off = 1e-5L;
     const real v = slip_rate_at(&at, segment.sign_h, angle).growth;

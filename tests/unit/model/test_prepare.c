@@ -144,7 +144,8 @@ TEST(the_table_is_the_contract) {
                            {"theta", all, 0.5, 1},
                            {"dt", all, 1e-9, 1},
                            {"rate", all, 0, 1e9},
-                           {"tolerance", all, 0, 1e-3}};
+                           {"tolerance", all, 0, 1e-3},
+                           {"segments", all, 0, 1000}};
   for (int i = 0; i < TF_PARAMETERS; i++) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
     CHECK(strcmp(range->name, want[i].name) == 0);
@@ -154,7 +155,7 @@ TEST(the_table_is_the_contract) {
     CHECK(range->unit && range->unit[0]);
     CHECK(range->offset == (size_t)i * sizeof(tf_real_t));
   }
-  CHECK(offsetof(tf_params_t, tolerance) == 20 * sizeof(tf_real_t));
+  CHECK(offsetof(tf_params_t, segments) == 21 * sizeof(tf_real_t));
 }
 
 static void near(tf_real_t got, real want, real ulps) {
