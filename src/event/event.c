@@ -159,12 +159,15 @@ static event_t event_while_pinned(const taylor_t *motion, tf_real_t *time) {
   const tf_real_t mu = k->tyre.mu, kappa = k->stick_kappa;
   const tf_real_t sign_F = motion->F.c[0] < 0 ? TF_R(-1.0) : TF_R(1.0);
   event_t event = EVENT_NONE;
-  for (int s = -1; s <= 1; s += 2) {
-    const tf_real_t sign = (tf_real_t)s;
-    for (int t = -1; t <= 1; t += 2)
-      if (reaches_rest_bound(&motion->F, sign, at.x0 * mu, &motion->M,
-                             (tf_real_t)t * at.x1 / kappa, time))
-        event = EVENT_UNPINNED;
+  for (int i = 0; i < 4; i++) {
+    const tf_real_t sign = i < 2 ? TF_R(-1.0) : TF_R(1.0);
+    const tf_real_t other = i % 2 == 0 ? TF_R(-1.0) : TF_R(1.0);
+    if (reaches_rest_bound(&motion->F, sign, at.x0 * mu, &motion->M,
+                           other * at.x1 / kappa, time))
+      event = EVENT_UNPINNED;
+  }
+  for (int i = 0; i < 2; i++) {
+    const tf_real_t sign = i == 0 ? TF_R(-1.0) : TF_R(1.0);
     if (reaches_rest_bound(&motion->M, sign, at.y0 * kappa * mu, &motion->F,
                            sign_F * kappa * at.y1, time))
       event = EVENT_UNPINNED;

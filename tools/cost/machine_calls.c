@@ -62,10 +62,14 @@ CALL(step) {
   tf_report_t report;
   return COUNT(tf_step(K, &state, &s->input, &report));
 }
+// The units are the budget.
+#define MOST_SEGMENTS 8
 CALL(step_located) {
+  tf_machine_t machine = *K;
   tf_state_t state = s->state;
   tf_report_t report;
-  return COUNT(tf_step_located(K, &state, &s->input, &report));
+  machine.segments = (uint16_t)s->units;
+  return COUNT(tf_step_located(&machine, &state, &s->input, &report));
 }
 CALL(step_compensated) {
   tf_state_t state = s->state;
@@ -193,7 +197,7 @@ CALL(surface_at) {
 const call_t machine_calls[] = {
     WEIGHED(step, 8),
     WEIGHED(step_compensated, 4),
-    ENTRY(step_located),
+    {"step_located", count_step_located, "segment", MOST_SEGMENTS, 1},
     {"ensemble_step", count_ensemble_step, "state", MOST_STATES, 1},
     ENTRY(begin),
     ENTRY(prepare),

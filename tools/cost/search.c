@@ -34,7 +34,7 @@ static genes_t random_genes(dice_t *dice) {
   for (unsigned i = 0; i < GENES; i++) genes.gene[i] = roll(dice);
   // Few parameters off a scene at once, or nothing would be near anything.
   const uint32_t tame = roll(dice);
-  for (unsigned i = 0; i < TF_PARAMETERS; i++)
+  for (unsigned i = 0; i < DRAWN_PARAMETERS; i++)
     if (tame & 1u && roll(dice) & 3u) genes.gene[i] &= ~7u;
   return genes;
 }

@@ -103,7 +103,7 @@ static tf_real_t parameter_of(uint32_t gene, const tf_parameter_range_t *range,
 static tf_params_t params_of(const genes_t *genes, const tf_scene_t *scene) {
   const uint32_t what = genes->gene[21];
   tf_params_t params = scene->params;
-  for (int i = 0; i < TF_PARAMETERS; i++) {
+  for (int i = 0; i < DRAWN_PARAMETERS; i++) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
     char *member = (char *)&params + range->offset;
     tf_real_t value;

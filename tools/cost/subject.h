@@ -14,6 +14,8 @@ typedef struct {
   uint32_t gene[GENES];
 } genes_t;
 
+// Parameters that have a gene: all but the budget of segments, the last.
+#define DRAWN_PARAMETERS (TF_PARAMETERS - 1)
 // Genes from here on are the functions' own.
 #define OWN_GENES 44
 
@@ -24,7 +26,7 @@ typedef struct {
   tf_state_t state;
   tf_compensation_t carry;
   tf_input_t input;
-  unsigned units; // bytes or states that the function gets
+  unsigned units; // bytes, states or segments that it gets
   bool valid;     // false: tf_prepare or tf_begin refused
 } subject_t;
 

@@ -152,7 +152,7 @@ def degraded_table(cells: Cells, sweeps: list[Sweep]) -> Iterable[str]:
     yield "## Degraded steps\n"
     yield ("Accepted steps in which no mode was consistent (TF_DEGRADED), and"
            "\nsteps that tf_step_located left to tf_step (TF_FELL_BACK) or "
-           "took with a\ncoarser tolerance than asked for (TF_COARSE).\n")
+           "ended\nwith it for want of segments (TF_COARSE).\n")
     yield table(["real, scheme", "accepted steps", "degraded", "fell back",
                  "coarse"],
                 [[combo] + [total(rows, column)
