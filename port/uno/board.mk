@@ -1,12 +1,12 @@
 # Arduino Uno: ATmega328P, 8 bits at 16 MHz, 32 KB flash, 2 KB RAM. It has room
-# for scenes without a moment, where nothing happens at h = g = 0; the Mega has
+# for scenes without a set-valued law: nothing of them is sought at h = 0; the Mega has
 # room for all.
 AVR_CHIP := atmega328p
 AVR_MACHINE := arduino-uno
 AVR_STACK := 832
 include port/arch/avr.mk
 BOARD_SMALL := yes
-BOARD_SCENES := coulomb frictionless smooth string
+BOARD_SCENES := smooth frictionless string
 BOARD_LARGER := mega
 BOARD_STEPS := 2000
 BOARD_RATES_float := 100

@@ -19,7 +19,7 @@ dist: ## two files, a prepared scene, packages: into build/dist
 dist: $(DIST_CONSTANTS)
 	@mkdir -p $(DIST)/c
 	@tools/dist/two_files.py $(DIST)/c
-	@for scene in $(sort chaos coulomb $(DIST_SCENE)); do \
+	@for scene in $(sort chaos smooth $(DIST_SCENE)); do \
 	  tools/dist/scene.py $$scene $(DIST_CONSTANTS) $(DIST)/c || exit 1; done
 	@tools/dist/packages.py $(DIST)/c $(DIST)
 	@echo 'The packages are in $(DIST).'

@@ -24,7 +24,7 @@ FLOAT = """\
 BOTH = ("twofold.h", "twofold.c")
 # The scenes that packages have prepared: chaos, and one without a moment, of
 # which an Uno has room for the code.
-PREPARED = ("chaos", "coulomb")
+PREPARED = ("chaos", "smooth")
 # By template: where the package lies, the folder of its sources, which of
 # them, and what they begin with.
 PACKAGES = {

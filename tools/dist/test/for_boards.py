@@ -262,6 +262,6 @@ def zephyr():
 
 TESTS = {"arduino": arduino,
          "arduino-mega": partial(arduino_run, "chaos", *MEGA),
-         "arduino-uno": partial(arduino_run, "coulomb", *UNO),
+         "arduino-uno": partial(arduino_run, "smooth", *UNO),
          "platformio": platformio, "esp-idf": esp_idf,
          "zephyr": zephyr}
