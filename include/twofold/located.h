@@ -45,7 +45,7 @@ extern "C" {
 /// Cost: at most 130000 instructions and 32000 a segment of the budget, the
 ///   worst found by search: the former with a way out of h = g = 0 at the start
 ///   and one in tf_step at the end. One segment where the motion has no event
-///   (`make bench`). Stack: 3888 B.
+///   (`make bench`). Stack: 6016 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: located_error_follows_the_tolerance,
 ///   located_tolerance_holds_across_stick, located_budget_is_kept,

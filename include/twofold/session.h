@@ -53,7 +53,7 @@ typedef struct {
 /// scene: in. seed: in, of rule `random`.
 /// Returns: TF_OK; TF_BAD_STATE (session untouched: the start is impossible
 ///   with these parameters).
-/// Cost: at most 640 instructions. Stack: 1008 B.
+/// Cost: at most 640 instructions. Stack: 1024 B.
 /// Memory: caller's, reentrant.
 /// Claims: session_is_the_run_of_the_command_line
 #define tf_session_start TF_LINK(tf_session_start)
@@ -67,7 +67,7 @@ TF_API tf_status_t tf_session_start(tf_session_t *session,
 /// scene: in. params: in, those of the scene or altered ones. seed: in.
 /// Returns: TF_OK; TF_BAD_PARAMETER, TF_BAD_STATE (the session may be half
 ///   prepared and must not be used).
-/// Cost: at most 1800 instructions. Stack: 1008 B.
+/// Cost: at most 1800 instructions. Stack: 1024 B.
 /// Memory: caller's, reentrant.
 /// Claims: session_is_the_run_of_the_command_line
 #define tf_session_open TF_LINK(tf_session_open)
