@@ -145,6 +145,14 @@ static const topic_t topics[] = {
      "('make all'). --version tells it.\n"},
     {"set every out events realtime",
      "An option of 'run', and some of other commands: 'twofold help run'.\n"},
+    {"live",
+     "--live of 'run' and 'monitor': the planes (g, h) and (r, omega) and the\n"
+     "modes over time, drawn in the terminal.\n"},
+    {"over outcome outcomes",
+     "What 'sweep' varies, and what it finds: 'twofold help sweep'.\n"},
+    {"as teleplot",
+     "--as FORM of 'monitor': csv, plotter, teleplot or json, for the tools\n"
+     "that 'twofold help monitor' names.\n"},
     {"baud send key follow deadman",
      "An option of 'monitor', or a command to a board: 'twofold help "
      "monitor'.\n"},
