@@ -57,7 +57,8 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help run test quick all clean FORCE $(VARIANTS:%=line-%) line-csv own-scene
+.PHONY: help run test quick all clean FORCE $(VARIANTS:%=line-%) line-csv \
+  own-scene
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:

@@ -56,7 +56,7 @@ boards: ## firmware for every board whose compiler is here
 	  $(MAKE) -s --no-print-directory firmware BOARD=$$board || \
 	    [ $$? -eq 2 ] || exit 1; done
 
-deps: ## install compilers and emulators of the boards (apt-get, npm)
+deps: ## install compilers and emulators (apt-get, npm)
 	apt-get install -y --no-install-recommends \
 	  $(sort $(shell sed -n \
 	  's/^BOARD_PACKAGES := //p; s/^  \(qemu[a-z-]*\)$$/\1/p' \

@@ -234,6 +234,14 @@ static bool follow_limit_direction(const free_motion_t *c,
   return end_at(c, in, way->mode, to, way->under, out);
 }
 
+// Whether a slip that passes h = g = 0 by turns there within the step, by how
+// much the step does not know: it is not on its limit direction yet.
+static bool turns_by(const codim2_way_t *way, tf_slip_t now,
+                     tf_real_t distance) {
+  const tf_real_t aligned = now.h * way->along.h + now.g * way->along.g;
+  return way->mode == TF_NO_MODE || !(aligned > distance * TF_R(0.875));
+}
+
 TF_API bool tf_codim2_end(free_motion_t *c, const tf_input_t *input,
                           inclusion_t *in, solutions_t *s, step_end_t *to) {
   const tf_machine_t *k = TF_API_MACHINE(c);
@@ -264,6 +272,8 @@ TF_API bool tf_codim2_end(free_motion_t *c, const tf_input_t *input,
                go_on_from_codim2(c, in, &field, &arrival, to)) &&
              !follow_limit_direction(c, in, &way, distance, s, to)) {
     pass_codim2(c, in, &field, s, to);
+    if (mode <= TF_SLIP_MINUS && turns_by(&way, now, distance))
+      to->outcome.status = TF_COARSE;
   }
   if (to->outcome.mode == TF_NO_MODE) return tf_least_violation(c, in, s, to);
   to->outcome.delassus = step_delassus(k, in, end_slip(c, &to->end).g < 0);

@@ -25,7 +25,8 @@ words() {
 parameters=$(sed -n '/^names of --set/,$s/^  \([a-z0-9]*\) *\[.*/\1/p' pages |
   sort -u)
 check 'parameters were found' [ "$(echo "$parameters" | wc -l)" -gt 24 ]
-options=$(grep -o -e '--[a-z][a-z0-9-]*' pages | grep -v -e '--version' | sort -u)
+options=$(grep -o -e '--[a-z][a-z0-9-]*' pages | grep -v -e '--version' |
+  sort -u)
 check 'options were found' [ "$(echo "$options" | wc -l)" -gt 30 ]
 # shellcheck disable=SC2046,SC2086  # lists of words
 {

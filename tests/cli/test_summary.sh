@@ -6,37 +6,37 @@ python=/usr/bin/python3
 
 # The summary is one line, the last one, whatever comes before it.
 runs run chaos --t-end 3 --every 100 --summary json --set rate=3 --out rows
-tail -n 1 err >json
+tail -n 1 err >told
 check 'one line' [ "$(grep -c '^{' err)" -eq 1 ]
 check 'after the notes' says 'note: --set rate=3 has no effect'
 if [ -x $python ]; then
   # field NAME: of the summary, as Python writes it.
   field() {
     $python -c 'import json, sys
-value = json.load(open("json"))
+value = json.load(open("told"))
 for key in sys.argv[1].split("."):
     value = value[int(key) if key.isdigit() else key]
 print(value)' "$1"
   }
   equal 'the scene' "$(field scene)" chaos
   equal 'the steps' "$(field steps)" 30000
-  equal 'the end' "$(field end)" done
+  equal 'the end' "$(field end)" 'done'
   equal 'the state has all digits' "$(field final.r)" \
     "$(tail -n 1 rows | cut -d , -f 2)"
   equal 'the two-fold' "$(field events.two_fold)" 1
   equal 'the first event' "$(field events.list.0.kinds)" \
     "['slip_to_stick', 'codimension_two']"
-  "$T" run driven --t-end 1 --every 100 --out rows --summary json 2>json
+  "$T" run driven --t-end 1 --every 100 --out rows --summary json 2>told
   equal 'the profile' "$(field profile.rows)" 5
   printf 't,force\n0,1\n' >'a "b" \.csv'
   "$T" run chaos --t-end 1 --out rows --summary json --between held \
-    --inputs 'a "b" \.csv' 2>json
+    --inputs 'a "b" \.csv' 2>told
   equal 'a path is quoted' "$(field inputs.name)" 'a "b" \.csv'
-  "$T" run chaos --t-end 1 --dt 0.01 --out rows --summary json 2>json
+  "$T" run chaos --t-end 1 --dt 0.01 --out rows --summary json 2>told
   equal 'the exit code' "$(field exit)" $?
   "$T" run chaos --set v=9e8 --dt 0.1 --summary json >rows 2>err
   equal 'a refusal: code' $? 4
-  tail -n 1 err >json
+  tail -n 1 err >told
   equal 'a refusal is told' "$(field end) $(field exit)" 'refused 4'
 else
   lacks 'the summary is JSON' python3

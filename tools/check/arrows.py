@@ -70,6 +70,7 @@ PORT_INCLUDES = {
 # What the folder of a board may include of other folders; the module for
 # WebAssembly is the core itself and has no loop.
 BOARD_INCLUDES = ("arch", "port", "ring")
+CHIP_INCLUDES = ("port", "ring")  # what boards share that have one chip
 MODULE = "port/wasm32/module/module"
 # Has all public headers, so that nothing of the core may include it.
 UMBRELLA = "include/twofold.h"
@@ -161,8 +162,8 @@ def port_allows(file, target):
         return other_parts[0] in PORT_INCLUDES.get(parts[0], ())
     if unit == MODULE:
         return other == "port/core"
-    return (parts[0] == other_parts[0] or
-            parts[0] != "arch" and other_parts[0] in BOARD_INCLUDES)
+    allowed = CHIP_INCLUDES if parts[0] == "arch" else BOARD_INCLUDES
+    return parts[0] == other_parts[0] or other_parts[0] in allowed
 
 
 def layer_finding(file, target):

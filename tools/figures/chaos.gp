@@ -1,7 +1,7 @@
 # The README's picture: slider and disc over time, and the same motion on the
 # plane (r, omega), coloured by the mode of contact. Colours are Okabe and Ito's
-# for colour-blind readers. A pinned wheel lasts for one step, so it is drawn
-# last and larger; of those few steps `make run` writes every tenth.
+# for colour-blind readers. The wheel is never pinned for a step: where it comes
+# to h = g = 0 the step goes on from there.
 # The suffix of `out` says in which form. Usage: make run, then
 #   gnuplot -e "csv='build/chaos.csv'; out='docs/chaos.png'" \
 #     tools/figures/chaos.gp
@@ -13,10 +13,10 @@ if (out[strlen(out)-3:] eq '.svg') {
 set output out
 set datafile separator ','
 set key outside bottom center horizontal Left reverse samplen 1 width -1
-modes = 5
-array name[modes] = ['slip+', 'slip-', 'stick+', 'stick-', 'pinned']
-array colour[modes] = ['#D55E00', '#E69F00', '#0072B2', '#009E73', '#000000']
-array size[modes] = [0.5, 0.5, 0.3, 0.3, 1.0]
+modes = 4
+array name[modes] = ['slip+', 'slip-', 'stick+', 'stick-']
+array colour[modes] = ['#D55E00', '#E69F00', '#0072B2', '#009E73']
+array size[modes] = [0.5, 0.5, 0.3, 0.3]
 set multiplot layout 1,2 margins 0.09,0.97,0.26,0.95 spacing 0.12
 set grid lc rgb '#dddddd'
 set xlabel 'time t [s]'

@@ -306,35 +306,35 @@ static int prepare_replay(cli_run_t *run, const cli_run_args_t *args,
 }
 
 // Prepares a run as it was asked for and performs it.
-static int prepare_and_perform(cli_run_t *run, const cli_run_args_t *args) {
-  cli_setup_t setup;
-  int code = prepare(args, &setup, run);
+static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
+                               const cli_run_args_t *args) {
+  int code = prepare(args, setup, run);
   if (code != CLI_DONE) {
     return code;
   }
   run->replays = args->replay != NULL;
   if (run->replays) {
-    code = prepare_replay(run, args, &setup);
+    code = prepare_replay(run, args, setup);
   }
   if (code != CLI_DONE) {
     return code;
   }
-  run->setup = &setup;
+  run->setup = setup;
   run->scheme = args->scheme;
   run->format = args->format;
   run->every = args->every;
   run->real_time = args->real_time;
-  run->report = setup.report;
-  cli_system_begin(&run->system, args->scheme, &setup, &run->report);
+  run->report = setup->report;
+  cli_system_begin(&run->system, args->scheme, setup, &run->report);
   run->events.limit = args->listed;
   run->end = CLI_ENDED;
   if (args->from != NULL) {
-    code = go_on(run, args, &setup);
+    code = go_on(run, args, setup);
   }
   if (code != CLI_DONE) {
     return code;
   }
-  cli_setup_notes(&setup, args->scheme->unused, args->scheme->why);
+  cli_setup_notes(setup, args->scheme->unused, args->scheme->why);
   return perform(run, args);
 }
 
@@ -348,7 +348,8 @@ int cli_run(int argc, char *const argv[]) {
   if (run == NULL) {
     return cli_message(CLI_STOPPED, "out of memory");
   }
-  code = prepare_and_perform(run, &args);
+  cli_setup_t setup;
+  code = prepare_and_perform(run, &setup, &args);
   cli_drive_free(&run->drive);
   cli_replay_free(&run->replay);
   cli_events_free(&run->events);

@@ -1,6 +1,6 @@
 // Four lines, no more and no fewer: readers that cannot skip comments skip a
-// number of lines. The hash is that of the schema frame, so that rows of a board
-// and of a run can be told to be of the same machine.
+// number of lines. The hash is that of the schema frame, so that rows of a
+// board and of a run can be told to be of the same machine.
 
 #include "provenance.h"
 
