@@ -81,11 +81,11 @@ TF_INLINE bool combination_vanishes(const taylor_t *motion, combination_t c,
   tf_real_t sum = 0;
   for (int n = order; n > zeros; n--)
     sum = (sum + magnitude(combined_term(motion, c, n))) * *time;
-  series_t series;
-  series.c[0] = combined_term(motion, c, zeros);
-  if (series.c[0] > sum) return false;
-  for (int n = 1; n <= order; n++)
-    series.c[n] = n + zeros <= order ? combined_term(motion, c, n + zeros) : 0;
+  const tf_real_t first = combined_term(motion, c, zeros);
+  if (first > sum) return false;
+  series_t series = {{first}};
+  for (int n = 1; n <= order - zeros; n++)
+    series.c[n] = combined_term(motion, c, n + zeros);
   return vanishes_before(&series, order, time);
 }
 

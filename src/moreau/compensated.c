@@ -43,7 +43,7 @@ TF_INLINE state_pair_t pairs_at_end(const compensated_step_t *step,
 // refusal. It derives the inverse of (6) anew: as a function of its own, which
 // a step ends with, its pairs and those of the step need no stack together.
 static __attribute__((noinline)) tf_status_t commit_pairs(
-    const compensated_step_t *step, const step_end_t *to, tf_report_t *report) {
+    compensated_step_t *step, const step_end_t *to, tf_report_t *report) {
   const tf_machine_t *k = &step->constants->machine;
   tf_state_t *state = step->state;
   outcome_t outcome = to->outcome;
@@ -81,6 +81,6 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   if (!end_of_step(k, state, input, start, false, &to))
     to = tf_rare_end(k, state, input, start);
   if (to.outcome.status < TF_OK) return refuse_step(report, to.outcome.status);
-  const compensated_step_t step = {machine, state, compensation, input};
+  compensated_step_t step = {machine, state, compensation, input};
   return commit_pairs(&step, &to, report);
 }

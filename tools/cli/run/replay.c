@@ -28,8 +28,8 @@ static bool read_hex(const char *text, size_t length, cli_replay_row_t *row) {
     return false;
   }
   for (size_t i = 0; i < length; i++) {
-    const char *digit = memchr(digits, text[i], 16);
-    if (digit == NULL) {
+    const char *digit = strchr(digits, text[i]);
+    if (digit == NULL || *digit == '\0') {
       return false;
     }
     const unsigned value = (unsigned)(digit - digits);
