@@ -41,7 +41,7 @@ typedef struct {
 /// out: out.
 /// Returns: TF_OK (obstacle TF_DESIGN_FOUND); TF_BAD_PARAMETER (any other
 ///   obstacle; out is filled as tf_design_t says).
-/// Cost: at most 1200 instructions. Stack: 2000 B.
+/// Cost: at most 1300 instructions. Stack: 2016 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: designed_two_folds_are_found_again,
 ///   design_gives_the_numbers_of_the_paper, impossible_designs_say_why

@@ -72,7 +72,7 @@ typedef struct {
 /// tick: in.
 /// Returns: TF_FRAME_SIZE(length); 0 where length is too large (wire and
 ///   sequence untouched).
-/// Cost: at most 510 instructions and 23 a byte of payload. Stack: 64 B.
+/// Cost: at most 500 instructions and 23 a byte of payload. Stack: 64 B.
 /// Memory: caller's, reentrant.
 /// Claims: frames_survive_the_line, documented_frames_decode
 #define tf_frame_seal TF_LINK(tf_frame_seal)
@@ -96,7 +96,7 @@ TF_API void tf_decoder_init(tf_decoder_t *decoder, uint8_t *buffer,
 /// decoder: in/out. byte: in.
 /// frame: out, written when a frame is complete.
 /// Returns: whether frame holds a frame.
-/// Cost: at most 560 instructions and 22 a byte of the payload, for the last
+/// Cost: at most 550 instructions and 22 a byte of the payload, for the last
 ///   byte of a frame; else 10. Stack: 64 B.
 /// Memory: caller's, reentrant.
 /// Claims: every_single_bit_error_is_caught, every_burst_of_16_bits_is_caught,

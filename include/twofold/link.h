@@ -78,7 +78,7 @@ typedef struct {
 /// link: out; it keeps a pointer into itself, so it must not move.
 /// scene: kept, for TF_UP_RESET. params: in, those of the session's machine.
 /// Returns: nothing.
-/// Cost: at most 48 instructions. Stack: 32 B.
+/// Cost: at most 40 instructions. Stack: 32 B.
 /// Memory: caller's, reentrant.
 /// Claims: set_parameter_is_validated_and_answered
 #define tf_link_open TF_LINK(tf_link_open)
@@ -101,7 +101,7 @@ TF_API void tf_link_stir(tf_link_t *link, uint32_t noise);
 /// Scheme: none.
 /// link: in/out. byte: in.
 /// Returns: nothing.
-/// Cost: at most 2400 instructions for the last byte of a command, else 20.
+/// Cost: at most 2000 instructions for the last byte of a command, else 20.
 ///   Stack: 128 B.
 /// Memory: caller's; not reentrant for the same link: an interrupt handler
 ///   should put the byte into a queue of its own.
@@ -116,7 +116,7 @@ TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
 /// Scheme: SipHash-2-4 of the frame's body; the comparison looks at every bit.
 /// link: in/out. byte: in. key: in, TF_KEY_BYTES.
 /// Returns: nothing.
-/// Cost: at most 3300 instructions for the last byte of a command, else 20.
+/// Cost: at most 3200 instructions for the last byte of a command, else 20.
 ///   Stack: 208 B.
 /// Memory: as above.
 /// Claims: commands_without_the_tag_do_nothing
@@ -128,7 +128,7 @@ TF_API void tf_link_receive_tagged(tf_link_t *link, uint8_t byte,
 /// Scheme: none.
 /// link, session: in/out. A command that is refused changes neither.
 /// Returns: how many took effect.
-/// Cost: at most 5000 instructions, for TF_LINK_QUEUE commands, the longest
+/// Cost: at most 5100 instructions, for TF_LINK_QUEUE commands, the longest
 ///   tf_prepare or tf_session_start; none: 10. Stack: 1216 B.
 /// Memory: caller's, no overlap.
 /// Claims: set_parameter_takes_effect_only_at_the_boundary,

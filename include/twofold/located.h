@@ -42,10 +42,10 @@ extern "C" {
 ///   TF_DEGRADED (the same, or the rest, and tf_step returned that);
 ///   TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
 ///   TF_STEP_TOO_LONG (state untouched, report holds the status).
-/// Cost: at most 130000 instructions and 32000 a segment of the budget, the
+/// Cost: at most 110000 instructions and 32000 a segment of the budget, the
 ///   worst found by search: the former with a way out of h = g = 0 at the start
 ///   and one in tf_step at the end. One segment where the motion has no event
-///   (`make bench`). Stack: 6016 B.
+///   (`make bench`). Stack: 5920 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: located_error_follows_the_tolerance,
 ///   located_tolerance_holds_across_stick, located_budget_is_kept,

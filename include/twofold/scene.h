@@ -56,7 +56,7 @@ TF_API tf_input_t tf_scene_input(const tf_scene_t *scene,
 /// state, report: out.
 /// Returns: TF_OK; TF_BAD_STATE (state and report untouched: the start is
 ///   impossible with these parameters).
-/// Cost: at most 600 instructions. Stack: 944 B.
+/// Cost: at most 600 instructions. Stack: 960 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: negative_h_starts_in_slip_minus,
 ///   sign_of_h_decides_where_both_slips_are_possible

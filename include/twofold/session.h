@@ -79,7 +79,7 @@ TF_API tf_status_t tf_session_open(tf_session_t *session,
 /// Scheme: none.
 /// session: in/out. input: in, checked by the step.
 /// Returns: nothing.
-/// Cost: at most 12 instructions. Stack: 32 B.
+/// Cost: at most 10 instructions. Stack: 32 B.
 /// Memory: caller's, reentrant.
 /// Claims: inputs_expire_after_their_steps
 #define tf_session_set_input TF_LINK(tf_session_set_input)
@@ -92,7 +92,7 @@ TF_API void tf_session_set_input(tf_session_t *session,
 ///   outside, or those of tf_input_default.
 /// session: in/out. scene: in.
 /// Returns: the inputs.
-/// Cost: at most 240 instructions. Stack: 176 B.
+/// Cost: at most 220 instructions. Stack: 176 B.
 /// Memory: reentrant.
 /// Claims: session_is_the_run_of_the_command_line,
 ///   inputs_expire_after_their_steps

@@ -42,7 +42,7 @@ typedef struct {
 /// input: in.
 /// report: out; choices counts the consistent modes of the instant.
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched).
-/// Cost: at most 480 instructions. Stack: 800 B.
+/// Cost: at most 480 instructions. Stack: 816 B.
 /// Memory: caller's, reentrant.
 /// Claims: begin_finds_the_mode
 #define tf_begin TF_LINK(tf_begin)
@@ -61,7 +61,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   state. In float at dt <= 1e-4 s every motion departs from rest like that,
 ///   and some never do. Use tf_step_compensated then, or a longer dt.
 ///   A step creates no energy: where the linearisation would make more than
-///   2^-12 of it, or friction put in more than 2^-4, the step is taken in a
+///   2^-12 of it, or friction put in more than 0^-4, the step is taken in a
 ///   form that balances energy, and ends in slip on the side on which it is;
 ///   the set stays that of the consistent modes.
 /// machine: in, prepared.
@@ -78,9 +78,9 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   the motion stands still);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
-/// Cost: at most 3200 instructions, the worst found by search;
-///   no path through its code has more than 5600; no data-dependent loop. The
-///   worst is a degraded step: see `make bench` for others. Stack: 2784 B.
+/// Cost: at most 61000 instructions, the worst found by search;
+///   no path through its code has more than 0; no data-dependent loop. The
+///   worst is a degraded step: see `make bench` for others. Stack: 4176 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,
