@@ -12,8 +12,8 @@ BOARD_RUN := qemu-system-arm -M microbit -display none -monitor none \
 # Shift 6 is 15.6 instructions a microsecond: one a cycle would be 16. A step
 # at 1 kHz needs a faster chip of this kind.
 BOARD_STEPS := 100000
-BOARD_RATES_float := 1000:3 200:6
-BOARD_RATES_double := 1000:3 100:6
+BOARD_RATES_float := 400:3 50:6
+BOARD_RATES_double := 100:3 25:6
 BOARD_LOADS := -kernel
 # Functions are not inlined here, so symbols show what a scene leaves out.
 BOARD_SYMBOLS := yes

@@ -15,5 +15,5 @@ BOARD_STEPS := 100000
 BOARD_RATES_float := 1000:4 10000:4
 BOARD_RATES_double := 1000:4 10000:4
 BOARD_LOADS := -kernel
-# Shift at which every step goes out as frames, at 10 kHz.
+# Shift at which every step goes out as frames, at 1 kHz.
 BOARD_FRAMES := 2

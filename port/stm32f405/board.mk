@@ -7,8 +7,8 @@ BOARD_RUN := qemu-system-arm -M netduinoplus2 -display none -monitor none \
   -semihosting-config enable=on,target=native -serial stdio
 # Shift 3 is 125 instructions a microsecond: one a cycle would be 168.
 BOARD_RATES_float := 1000:3 10000:3
-BOARD_RATES_double := 1000:3
-# Shift at which every step goes out as frames, at 10 kHz.
+BOARD_RATES_double := 250:3
+# Shift at which every step goes out as frames, at 1 kHz.
 BOARD_FRAMES := 1
 # The painted stack is compared with the call graph.
 BOARD_PAINT := yes

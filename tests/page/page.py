@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "fmu"))
+sys.path.insert(0, str(ROOT / "tests" / "support"))
 from browser import Browser, Tab  # noqa: E402
 from tap import check  # noqa: E402
 
