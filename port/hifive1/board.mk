@@ -14,8 +14,8 @@ BOARD_RUN := qemu-system-riscv32 -M sifive_e -display none -monitor none \
   -semihosting-config enable=on,target=native -serial stdio
 BOARD_STEPS := 100000
 # Shift 3 is 125 instructions a microsecond: one a cycle would be 256.
-BOARD_RATES_float := 1000:3
-BOARD_RATES_double := 1000:3
+BOARD_RATES_float := 400:3
+BOARD_RATES_double := 200:3
 BOARD_LOADS := -kernel
 # The painted stack is compared with the call graph.
 BOARD_PAINT := yes

@@ -5,7 +5,7 @@ AVR_MACHINE := arduino-uno
 AVR_STACK := 832
 include port/arch/avr.mk
 BOARD_SMALL := yes
-BOARD_SCENES := smooth frictionless string
+BOARD_SCENES := string frictionless
 BOARD_LARGER := mega
 BOARD_STEPS := 2000
 BOARD_RATES_float := 100
