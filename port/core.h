@@ -71,7 +71,6 @@
 #include "../src/event/event.c"
 #include "../src/event/limit_direction.c"
 #include "../src/event/located.c"
-#include "../src/event/pace.c"
 #include "../src/event/taylor.c"
 #include "../src/event/trajectory.c"
 #include "../src/event/transition.c"
