@@ -5,7 +5,8 @@
 #   BOARD=host       a folder of port/
 #   REAL=float       or double
 #   SCHEME=          moreau, located or compensated; by default compensated in
-#                    float above 1 kHz, where moreau may stand still, else moreau
+#                    float above 1 kHz, where moreau may stand still, else
+#                    moreau
 #   RATE=1000        steps a second; dt is 1/RATE
 #   STEPS=0          how many; 0 without end
 #   FORMAT=text      or frames (docs/PROTOCOL.md)

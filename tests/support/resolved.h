@@ -1,4 +1,4 @@
-/* resolved.h - a step in which nothing was wrong but the resolution of float. */
+/* A step in which nothing was wrong but the resolution of float. */
 #ifndef TESTS_SUPPORT_RESOLVED_H
 #define TESTS_SUPPORT_RESOLVED_H
 
