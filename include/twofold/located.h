@@ -46,7 +46,7 @@
 ///   the status).
 /// Cost: at most 3800000 instructions, the worst found by search, of
 ///   TF_LOCATED_MOST_SEGMENTS segments and a tf_step; one segment where the
-///   motion has no event (`make bench`). Stack: 2736 B.
+///   motion has no event (`make bench`). Stack: 2992 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: located_order_of_convergence, located_order_across_stick,
 ///   located_branch_is_independent_of_the_step_size,

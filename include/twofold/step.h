@@ -66,9 +66,9 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   but the motion stands still);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
-/// Cost: at most 3200 instructions, the worst found by search;
-///   no path through its code has more than 5600; no data-dependent loop. The
-///   worst is a degraded step: see `make bench` for others. Stack: 1632 B.
+/// Cost: at most 4400 instructions, the worst found by search;
+///   no path through its code has more than 0; no data-dependent loop. The
+///   worst is a degraded step: see `make bench` for others. Stack: 1888 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,
