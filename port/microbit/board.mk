@@ -13,7 +13,7 @@ BOARD_RUN := qemu-system-arm -M microbit -display none -monitor none \
 # at 1 kHz needs a faster chip of this kind.
 BOARD_STEPS := 100000
 BOARD_RATES_float := 1000:3 200:6
-BOARD_RATES_double := 1000:3 100:6
+BOARD_RATES_double := 500:3 50:6
 BOARD_LOADS := -kernel
 # Functions are not inlined here, so symbols show what a scene leaves out.
 BOARD_SYMBOLS := yes
