@@ -33,14 +33,14 @@ TF_INLINE tf_real_t rounding_of_g(const free_motion_t *c,
   const tf_state_t *x = c->state;
   const tf_real_t r = magnitude(x->r), v = magnitude(x->v);
   const tf_real_t w = magnitude(x->w), mrw = k->m * r * w;
-  const tf_real_t along = k->k2 * magnitude(input->r0 - x->r) + k->c2 * v +
-                          mrw * w + magnitude(input->force);
+  const tf_real_t outward = k->k2 * magnitude(input->r0 - x->r) + k->c2 * v +
+                            mrw * w + magnitude(input->force);
   const tf_real_t about = magnitude(input->torque) + k->c1 * w + 2 * mrw * v;
-  const tf_real_t both = about + magnitude(k->d) * along;
+  const tf_real_t both = about + magnitude(k->d) * outward;
   const tf_real_t p =
-      l->p_b * along + magnitude(l->p_t) * both + magnitude(l->p_c) * about;
+      l->p_b * outward + magnitude(l->p_t) * both + magnitude(l->p_c) * about;
   const tf_real_t z =
-      l->z_t * both + l->z_c * about + magnitude(l->p_t) * along;
+      l->z_t * both + l->z_c * about + magnitude(l->p_t) * outward;
   return 64 * TF_REAL_EPSILON * (p + r * z) +
          (c->start.incremental ? 0
                                : slip_rounding(k, x->r, x->v, x->w, l->omega0));
@@ -61,8 +61,9 @@ TF_INLINE bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
     return false;
   const forced_end_t end = end_by(c, (multipliers_t){x, minus ? -x : x});
   const tf_real_t g = end_slip(c, &end).g;
+  const tf_real_t change = g - in->g_now;
   const bool decays = within(g, magnitude(in->g_now));
-  return within(g, rounding) && (decays || within(g - in->g_now, rounding / 4));
+  return within(g, rounding) && (decays || within(change, rounding / 4));
 }
 
 // Whether a motion whose mode is lost in this step reaches h = g = 0 in it, and
