@@ -100,8 +100,9 @@ static double error_of(scheme_t *scheme, const reference_t *ref, int n,
   for (int i = 0; i < ref->states; i++) {
     const reference_state_t *want = &ref->state[i];
     for (int j = 0; j < n; j++) {
-      if (!CHECK(step(&s, dt) >= TF_OK)) return INFINITY;
-      *coarse += !ok_to_resolution(s.report.status);
+      const tf_status_t status = step(&s, dt);
+      if (!CHECK(status >= TF_OK)) return INFINITY;
+      *coarse += !ok_to_resolution(status);
     }
     worst = fmax(worst, fabs((double)((long double)s.x.r - want->r)));
     worst = fmax(worst, fabs((double)((long double)s.x.v - want->v)));

@@ -17,8 +17,10 @@ tidy() {
 
 files_in '*.c' src >"$BUILD/tidy.core"
 # What Frama-C alone compiles is left out.
-files_in '*.c' tools | grep -v '^tools/eva/' >"$BUILD/tidy.tools"
-files_in '*.c' tests | grep -v '^tests/target/' >"$BUILD/tidy.tests"
+files_in '*.c' tools | grep -Ev '^tools/(eva|mutation/outputs)' \
+  >"$BUILD/tidy.tools"
+files_in '*.c' tests tools/mutation/outputs.c | grep -v '^tests/target/' \
+  >"$BUILD/tidy.tests"
 files_in '*.c' tests/target >"$BUILD/tidy.target"
 tidy <"$BUILD/tidy.core" || wrong "core in double"
 tidy -DTF_REAL_FLOAT <"$BUILD/tidy.core" || wrong "core in float"

@@ -111,7 +111,7 @@ static int found_between(const step_t *k, slip_t from, slip_t to, int of_h,
     size[0] = fmaxl(size[0], fabsl(at[i].h));
     size[1] = fmaxl(size[1], fabsl(at[i].g));
   }
-  const slip_t ends[2] = {at[0], at[2 * CELLS]};
+  const slip_t ends[2] = {at[0], at[sizeof at / sizeof at[0] - 1]};
   for (int i = 0; i < 2; i++)
     positive(of_h ? ends[i].h : ends[i].g, size[!of_h], k->noise);
   for (int i = 0; i < 2 * CELLS; i += 2) {
