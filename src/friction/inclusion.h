@@ -244,8 +244,8 @@ TF_RARE tf_real_t share_at_g_zero(tf_real_t side, slip_ends_t at,
   const tf_real_t c1 = (at.g_plus - at.g_minus) / 2;
   const tf_real_t c0 = (at.g_plus + at.g_minus) / 2 - g_bend;
   const tf_real_t discriminant = c1 * c1 - 4 * c0 * g_bend;
-  const tf_real_t root = discriminant > 0 ? square_root(discriminant) : 0;
-  const tf_real_t twice = c1 < 0 ? c1 - root : c1 + root;
+  const tf_real_t width = discriminant > 0 ? square_root(discriminant) : 0;
+  const tf_real_t twice = c1 < 0 ? c1 - width : c1 + width;
   const tf_real_t roots[2] = {-twice / (2 * g_bend), -2 * c0 / twice};
   for (int i = 0; i < 2 && discriminant >= 0; i++)
     if (within(roots[i], 1) &&

@@ -51,8 +51,9 @@ static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
     return false;
   const forced_end_t end = end_by(c, (multipliers_t){x, minus ? -x : x});
   const tf_real_t g = end_slip(c, &end).g;
+  const tf_real_t change = g - in->g_now;
   const bool decays = within(g, magnitude(in->g_now));
-  return within(g, rounding) && (decays || within(g - in->g_now, rounding / 4));
+  return within(g, rounding) && (decays || within(change, rounding / 4));
 }
 
 // Whether a motion comes to h = g = 0 in a step, in which share of it, and

@@ -48,13 +48,13 @@ TF_INLINE bool has_signs_of_mode(unsigned mode, tf_slip_t slip,
 }
 
 // The same where it is plain to see, with little of the rounding of h and none
-// of g.
+// of g; of rest, which is rare, it says nothing.
 TF_INLINE bool plainly_has_signs(const tf_machine_t *k, unsigned mode,
                                  tf_slip_t slip, end_state_t at) {
   const tf_real_t least = 32 * TF_REAL_EPSILON * magnitude(k->d * at.w);
   if (mode == TF_STICK_MINUS) return slip.g < 0 && within(slip.h, least);
   if (mode == TF_STICK_PLUS) return slip.g > 0 && within(slip.h, least);
-  if (mode == TF_PINNED) return slip.h == 0 && slip.g == 0;
+  if (mode == TF_PINNED) return false;
   return mode == TF_SLIP_PLUS ? slip.h > 0 : slip.h < 0;
 }
 

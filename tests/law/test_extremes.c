@@ -244,27 +244,48 @@ TEST(listed_extremes_keep_every_number_finite) {
   CHECK(accepted > 100000 && refused[-TF_DIVERGED] > 100);
 }
 
-/* Two machines at the edge of what float holds: a slope of h that overflows
- * made a stick of 8e11 m/s consistent and its Delassus scalar infinite. */
+/* A machine at the edge of what float holds, under one start. */
+typedef struct {
+  tf_real_t m, d, beta, r0, omega0, mu, kappa, gamma, dt;
+  tf_rule_t rule;
+  tf_real_t r, v, w;
+  uint8_t mode;
+} edge_t;
+
+/* Slopes of h and g that overflow in float: the first made a stick of 8e11 m/s
+ * consistent with an infinite Delassus scalar, and that of the second is
+ * infinite while its end is in reach. */
 TEST(overflow_of_a_slope_keeps_every_number_finite) {
-  tf_params_t p = tf_scenes[0]->params;
-  p.m = TF_R(1e-12);
-  p.d = TF_R(-1e6);
-  p.beta = TF_R(7e-8);
-  p.k2 = p.c1 = p.c2 = 0;
-  p.r0 = p.omega0 = TF_R(1e6);
-  p.mu = TF_R(6e-6);
-  p.kappa = 5000;
-  p.gamma = TF_R(-0.965);
-  p.theta = 1;
-  p.dt = TF_R(0.005);
-  p.rule = TF_RULE_SLIP_MINUS;
-  tf_state_t x;
-  memset(&x, 0, sizeof x);
-  x.r = TF_R(-6.7e-33);
-  x.w = TF_R(-0.46);
-  x.mode = TF_STICK_MINUS;
-  for (size_t s = 0; s < SCHEMES; s++) run(schemes[s], &p, x, NULL, 1);
+  static const edge_t edges[] = {
+      {TF_R(1e-12), TF_R(-1e6), TF_R(7e-8), TF_R(1e6), TF_R(1e6), TF_R(6e-6),
+       5000, TF_R(-0.965), TF_R(0.005), TF_RULE_SLIP_MINUS, TF_R(-6.7e-33), 0,
+       TF_R(-0.46), TF_STICK_MINUS},
+      {TF_R(2.9e-11), 8, TF_R(2.6e-8), 2500, TF_R(0.0039), TF_R(0.069),
+       TF_R(9.6e4), TF_R(-0.63), TF_R(0.47), TF_RULE_PERSIST, TF_R(-1e-30),
+       TF_R(-4e-9), -19, TF_PINNED}};
+  for (size_t i = 0; i < sizeof edges / sizeof *edges; i++) {
+    const edge_t *e = &edges[i];
+    tf_params_t p = tf_scenes[0]->params;
+    p.m = e->m;
+    p.d = e->d;
+    p.beta = e->beta;
+    p.k2 = p.c1 = p.c2 = 0;
+    p.r0 = e->r0;
+    p.omega0 = e->omega0;
+    p.mu = e->mu;
+    p.kappa = e->kappa;
+    p.gamma = e->gamma;
+    p.theta = 1;
+    p.dt = e->dt;
+    p.rule = e->rule;
+    tf_state_t x;
+    memset(&x, 0, sizeof x);
+    x.r = e->r;
+    x.v = e->v;
+    x.w = e->w;
+    x.mode = e->mode;
+    for (size_t s = 0; s < SCHEMES; s++) run(schemes[s], &p, x, NULL, 1);
+  }
 }
 
 int main(int argc, char **argv) {
