@@ -236,11 +236,12 @@ static bool follow_limit_direction(const free_motion_t *c,
 }
 
 // Whether a slip that passes h = g = 0 by turns there within the step, by how
-// much the step does not know: it is not on its limit direction yet, and loses
-// its mode or comes nearer by more than a quarter.
+// much the step does not know, while it has more than one future: it is not on
+// its limit direction yet, and loses its mode or comes nearer by more than a
+// quarter.
 static bool turns_by(const codim2_way_t *way, tf_slip_t now, tf_slip_t end,
-                     tf_real_t distance, bool is_lost) {
-  if (way->mode == TF_NO_MODE) return false;
+                     tf_real_t distance, bool is_lost, unsigned set) {
+  if (way->mode == TF_NO_MODE || size_of(set) < 2) return false;
   const tf_real_t aligned = now.h * way->along.h + now.g * way->along.g;
   const tf_real_t left = end.h * end.h + end.g * end.g;
   const bool nears = left < TF_R(0.5) * distance * distance;
@@ -277,8 +278,9 @@ TF_API bool tf_codim2_end(free_motion_t *c, const tf_input_t *input,
                go_on_from_codim2(c, in, &field, &arrival, to)) &&
              !follow_limit_direction(c, in, &way, distance, s, to)) {
     pass_codim2(c, in, &field, s, to);
-    if (mode <= TF_SLIP_MINUS && turns_by(&way, now, end_slip(c, &to->end),
-                                          distance, to->outcome.mode != mode))
+    if (mode <= TF_SLIP_MINUS &&
+        turns_by(&way, now, end_slip(c, &to->end), distance,
+                 to->outcome.mode != mode, to->outcome.set))
       to->outcome.status = TF_COARSE;
   }
   if (to->outcome.mode == TF_NO_MODE) return tf_least_violation(c, in, s, to);

@@ -7,6 +7,13 @@ need clang clang
 tests=$(echo tests/golden/*.c)
 [ -e "${tests%% *}" ] || wrong "there are no tests/golden/*.c"
 native=-march=native
+# run REAL: in float some steps stand still and say so, which is exit code 5.
+run() {
+  status=0
+  "$place/$1/twofold" run chaos --t-end 10 --every 100 --out "$place/$1.csv" ||
+    status=$?
+  [ "$status" -eq 0 ] || [ "$1$status" = float5 ]
+}
 settings=0
 first=
 for compiler in gcc clang; do
@@ -14,9 +21,7 @@ for compiler in gcc clang; do
     setting "$compiler" "$opt"
     in_common TESTS="$tests" test || wrong "$compiler $opt gives other hashes"
     for real in double float; do
-      if ! in_common "$place/$real/twofold" ||
-        ! quietly "$place/$real/twofold" run chaos --t-end 10 --every 100 \
-          --out "$place/$real.csv"; then
+      if ! in_common "$place/$real/twofold" || ! quietly run "$real"; then
         wrong "$compiler $opt $real: twofold run failed"
       elif [ -n "$first" ]; then
         cmp "$first/$real.csv" "$place/$real.csv" ||

@@ -418,6 +418,26 @@ TEST(other_versions_and_lengths_are_counted) {
   CHECK(receiver.decoder.bad == 3);
 }
 
+/* Bytes that are too few for a header are bad, and no other version, however
+ * well their CRC fits. */
+TEST(frames_without_a_header_are_bad) {
+  for (uint8_t length = 1; length <= TF_FRAME_HEADER; length++) {
+    uint8_t wire[32] = {length}, buffer[64];
+    memset(wire + 1, TF_FRAME_VERSION + 1, length);
+    uint32_t crc = tf_crc32(0, wire, length);
+    uint8_t *at = wire + length;
+    for (int i = 0; i < 5; i++, crc >>= 7)
+      *at++ = (uint8_t)(0x80 | (crc & 0x7f));
+    *at++ = 0;
+    tf_decoder_t decoder;
+    tf_frame_t frame;
+    tf_decoder_init(&decoder, buffer, sizeof buffer);
+    for (const uint8_t *byte = wire; byte < at; byte++)
+      CHECK(!tf_decoder_push(&decoder, *byte, &frame));
+    CHECK(decoder.bad == 1 && decoder.bad_version == 0);
+  }
+}
+
 TEST(block_decoder_is_the_byte_decoder) {
   receiver_t one, many;
   open_receiver(&one);
@@ -456,6 +476,7 @@ int main(int argc, char **argv) {
   RUN(lost_frames_are_counted);
   RUN(long_runs_stay_in_the_buffer);
   RUN(other_versions_and_lengths_are_counted);
+  RUN(frames_without_a_header_are_bad);
   RUN(block_decoder_is_the_byte_decoder);
   return tap_end();
 }
