@@ -148,14 +148,13 @@ static limit_direction_t limit_direction_in(const tf_tyre_t *tyre,
                              in.f_low > 0,  q->sign_g};
 }
 
-// Of two exits the one to which its neighbours turn, then the faster one. The
-// limit directions come by increasing T.
+// Of two exits the one to which its neighbours turn, then the faster one. Of
+// those that may_be_better() has left, which come by increasing T, the first
+// from T upwards, or the last one up to T.
 static bool is_better(const search_t *search, const limit_direction_t *next,
                       const limit_direction_t *best) {
   if (!search->leaves)
-    return next->is_attractor &&
-           (search->upwards ? next->T >= search->T && !best->sign_g
-                            : next->T <= search->T);
+    return search->upwards ? next->T >= search->T : next->T <= search->T;
   if (!(next->speed > 0)) return false;
   return next->is_attractor == best->is_attractor ? next->speed > best->speed
                                                   : next->is_attractor;

@@ -248,7 +248,7 @@ static bool turns_by(const codim2_way_t *way, tf_slip_t now, tf_slip_t end,
   return (is_lost || nears) && !(aligned > distance * TF_R(0.875));
 }
 
-TF_API bool tf_codim2_end(free_motion_t *c, const tf_input_t *input,
+TF_API void tf_codim2_end(free_motion_t *c, const tf_input_t *input,
                           inclusion_t *in, solutions_t *s, step_end_t *to) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   const unsigned mode = c->state->mode;
@@ -283,7 +283,8 @@ TF_API bool tf_codim2_end(free_motion_t *c, const tf_input_t *input,
                  to->outcome.mode != mode, to->outcome.set))
       to->outcome.status = TF_COARSE;
   }
-  if (to->outcome.mode == TF_NO_MODE) return tf_least_violation(c, in, s, to);
-  to->outcome.delassus = step_delassus(k, in, end_slip(c, &to->end).g < 0);
-  return true;
+  if (to->outcome.mode == TF_NO_MODE)
+    tf_least_violation(c, in, s, to);
+  else
+    to->outcome.delassus = step_delassus(k, in, end_slip(c, &to->end).g < 0);
 }

@@ -1,6 +1,6 @@
 #include "rare_end.h"
 
-TF_API bool tf_least_violation(free_motion_t *c, inclusion_t *in,
+TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in,
                                const solutions_t *s, step_end_t *to) {
   const tf_machine_t *k = TF_API_MACHINE(c);
   add_pinned_point(c, in);
@@ -25,5 +25,4 @@ TF_API bool tf_least_violation(free_motion_t *c, inclusion_t *in,
     to->end = end;
   }
   to->outcome.delassus = step_delassus(k, in, end_slip(c, &to->end).g < 0);
-  return true;
 }

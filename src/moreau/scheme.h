@@ -18,24 +18,37 @@ TF_INLINE bool may_step(const tf_state_t *state, const tf_input_t *input) {
 TF_INLINE bool end_of_step(const tf_machine_t *k, const tf_state_t *state,
                            const tf_input_t *input, start_t start, bool rare,
                            step_end_t *to) {
-  if (!tf_tyre_is_set_valued(k->tyre.law))
-    return rare && tf_single_valued_end(k, state, input, start, to);
+  if (!tf_tyre_is_set_valued(k->tyre.law)) {
+    if (rare) tf_single_valued_end(k, state, input, start, to);
+    return rare;
+  }
   // Free motion, (1)-(7).
   free_motion_t c = free_motion(k, state, input, start);
-  if (!c.linear.definite) return rare && refused_end(to);
+  if (!c.linear.definite) {
+    to->outcome.status = TF_STEP_TOO_LONG;
+    return rare;
+  }
   // Inclusion, (8), and every mode that solves it.
   inclusion_t in;
   solutions_t s;
   const unsigned signs = solve_inclusion(&c, &in, &s);
   // Choose. Without a moment g = 0 is no border.
-  if (k->stick_kappa > 0 && is_near_codim2(&c, &in, signs, s.set))
-    return rare && tf_codim2_end(&c, input, &in, &s, to);
+  if (k->stick_kappa > 0 && is_near_codim2(&c, &in, signs, s.set)) {
+    if (rare) tf_codim2_end(&c, input, &in, &s, to);
+    return rare;
+  }
   const unsigned mode = choose_mode(k, state, &s);
-  if (mode == TF_NO_MODE) return rare && tf_least_violation(&c, &in, &s, to);
+  if (mode == TF_NO_MODE) {
+    if (rare) tf_least_violation(&c, &in, &s, to);
+    return rare;
+  }
   // End in the mode, (9), (10).
   to->end = mode_end(&c, &s, mode);
   to->outcome = (outcome_t){.mode = mode, .set = s.set, .status = TF_OK};
-  if (to->end.turns && !(rare && end_turning(&c, &s, to))) return false;
+  if (to->end.turns) {
+    if (!rare) return false;
+    end_turning(&c, &s, to);
+  }
   to->outcome.delassus = end_delassus(&c, &in, signs, &to->end);
   // Balance.
   return rare || !is_in_doubt(k, state, input, to);

@@ -43,11 +43,14 @@ static tf_force_t single_valued_force(const free_motion_t *c) {
 
 // The end of the step, the mode that its slip has, and how far the force is
 // from the law at the theta point.
-TF_API bool tf_single_valued_end(const tf_machine_t *k, const tf_state_t *state,
+TF_API void tf_single_valued_end(const tf_machine_t *k, const tf_state_t *state,
                                  const tf_input_t *input, start_t start,
                                  step_end_t *to) {
   const free_motion_t c = free_motion(k, state, input, start);
-  if (!c.linear.definite) return refused_end(to);
+  if (!c.linear.definite) {
+    to->outcome.status = TF_STEP_TOO_LONG;
+    return;
+  }
   const tf_force_t force = single_valued_force(&c);
   const change_t change = response_to(k, &c.linear, force);
   const tf_slip_t at = slip_at_theta_under(&c, change);
@@ -55,5 +58,4 @@ TF_API bool tf_single_valued_end(const tf_machine_t *k, const tf_state_t *state,
   const unsigned mode = slip_of_sign(end_slip(&c, &to->end).h, state->mode);
   to->outcome = (outcome_t){.mode = mode, .set = TF_MODE_BIT(mode)};
   to->outcome.residual = magnitude(force.F - single_valued_law(k, at).F);
-  return true;
 }

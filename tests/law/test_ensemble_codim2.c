@@ -56,6 +56,7 @@ TEST(ensemble_is_pinned_as_single_steps_are) {
     p.rule = (tf_rule_t)(i % 4);
     p.rate = 200;
     p.with_angle = i % 2;
+    if (i % 5 == 0) p.theta = uniform(0.5, 1);
     const tf_machine_t k = prepared(&p);
     const tf_input_t u = tf_input_default(&k);
     singles_t one;

@@ -177,11 +177,46 @@ TEST(wheel_at_rest_leaves_by_the_faster_stick) {
   CHECK(taken > 20);
 }
 
+/* Every law of rest and every rule, from h = g = 0 or a slip that falls into
+ * it. Under the bow tie there may be no future: then tf_step takes over. */
+TEST(located_steps_from_codimension_two_of_every_law_and_rule) {
+  int by_status[4] = {0};
+  for (int n = 0; n < 8000; n++) {
+    tf_params_t params = any_params(n);
+    params.rest = (tf_rest_law_t)(n % TF_REST_LAWS);
+    params.rule = (tf_rule_t)(n / 4 % 4);
+    params.rate = 1000;
+    params.dt = TF_R(1e-3);
+    const tf_machine_t k = prepared(&params);
+    const tf_input_t u = tf_input_default(&k);
+    tf_state_t x = {.r = uniform(-0.6, 0.6),
+                    .w = u.omega0,
+                    .seed = (uint32_t)n,
+                    .mode = (uint8_t)(n / 3 % TF_MODES)};
+    if (n % 2) {
+      x.w += uniform(-1e-3, 1e-3);
+      x.v = uniform(-1e-3, 1e-3);
+    }
+    for (int step = 0; step < 10; step++) {
+      tf_report_t report;
+      const tf_status_t status = tf_step_located(&k, &x, &u, &report);
+      if (!CHECK(status >= TF_OK)) break;
+      by_status[status]++;
+      CHECK(report.mode == x.mode && x.mode < TF_MODES);
+      if (status == TF_OK) CHECK(report.set & TF_MODE_BIT(x.mode));
+    }
+  }
+  printf("# %d OK, %d degraded, %d fell back, %d coarse\n", by_status[TF_OK],
+         by_status[TF_DEGRADED], by_status[TF_FELL_BACK], by_status[TF_COARSE]);
+  CHECK(by_status[TF_OK] > 50000);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(exponent_of_a_limit_direction);
   RUN(of_two_sticks_the_faster_is_taken);
   RUN(slip_enters_the_faster_stick);
   RUN(wheel_at_rest_leaves_by_the_faster_stick);
+  RUN(located_steps_from_codimension_two_of_every_law_and_rule);
   return tap_end();
 }

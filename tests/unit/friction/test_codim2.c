@@ -237,11 +237,102 @@ TEST(codimension_two_always_has_a_future) {
   CHECK(rests > 1000 && leaves > 1000 && no_bow_tie > 0);
 }
 
+/* A field that no machine has: its friction may drive, so that directions from
+ * which the neighbours turn away lead out as well. */
+static codim2_field_t any_field(const tf_params_t *params, field_t *at) {
+  at->paper = paper_of(params);
+  for (int i = 0; i < 3; i++) {
+    at->h[i] = wide(uniform(-1, 1));
+    at->g[i] = wide(uniform(-1, 1));
+  }
+  if (tap_bits() % 2) {
+    at->h[1] = fabsl(at->h[1]);
+    at->h[0] = -wide(params->mu) * at->h[1] * wide(uniform(1, TF_R(4.0) / 3));
+    at->h[2] *= 0.02L / wide(params->kappa);
+    at->g[0] *= 0.02L;
+    at->g[1] *= 0.02L;
+  }
+  const tf_real_t mu = params->mu, kappa_mu = params->kappa * mu;
+  return (codim2_field_t){{(tf_real_t)at->h[0], mu * (tf_real_t)at->h[1],
+                           kappa_mu * (tf_real_t)at->h[2]},
+                          {(tf_real_t)at->g[0], mu * (tf_real_t)at->g[1],
+                           kappa_mu * (tf_real_t)at->g[2]},
+                          {2, 2}};
+}
+
+TEST(exits_of_any_field_are_those_of_a_search) {
+  int attract = 0, repel = 0, close = 0;
+  for (int n = 0; n < 2000; n++) {
+    const tf_params_t params = any_params(n);
+    const tf_machine_t k = prepared(&params);
+    field_t at;
+    const codim2_field_t field = any_field(&params, &at);
+    consistent_modes_t out;
+    tf_codim2_modes(&k, &field, &out);
+    for (int slip = 0; slip < 2; slip++) {
+      const unsigned bit = TF_MODE_BIT(TF_SLIP_PLUS + slip);
+      const bool attracts = out.solutions.attracting & bit;
+      const exit_t want = search(&at, slip == 0 ? 1 : -1);
+      const real got = (out.solutions.set & bit)
+                           ? fabsl(wide(out.solutions.h_limit[slip]))
+                           : 0;
+      const real size = 1 + wide(params.mu) * (1 + wide(params.kappa));
+      if (attracts != want.attracts || fabsl(got - want.growth) > 1e-3L * size)
+        close++;
+      else if (want.growth > 0)
+        (attracts ? attract++ : repel++);
+    }
+  }
+  printf("# %d attract, %d do not; %d are too close for the search\n", attract,
+         repel, close);
+  CHECK(attract > 1000 && repel > 10 && close * 200 < attract);
+}
+
+/* Where a slip near h = g = 0 turns to: its angle follows its rotation. */
+TEST(slip_turns_to_its_destination) {
+  int found = 0, none = 0, close = 0;
+  for (int n = 0; n < 1500; n++) {
+    const tf_params_t params = any_params(n);
+    const tf_machine_t k = prepared(&params);
+    field_t at;
+    const codim2_field_t field = any_field(&params, &at);
+    const int side = n & 1 ? 1 : -1;
+    const real start = tap_uniform(-1.5, 1.5);
+    const tf_slip_t slip = {(tf_real_t)((real)side * cosl(start)),
+                            (tf_real_t)sinl(start)};
+    const codim2_way_t way = tf_codim2_destination(&k, &field, slip, side);
+    const real rotation = slip_rate_at(&at, side, start).rotation;
+    const real step = rotation > 0 ? 5e-3L : -5e-3L;
+    const real last = copysignl(PAPER_PI / 2 - 1e-9L, step);
+    real angle = start;
+    bool stays = false;
+    while (!stays && fabsl(angle) < fabsl(last)) {
+      angle = fabsl(angle + step) < fabsl(last) || angle * step < 0
+                  ? angle + step
+                  : last;
+      stays = slip_rate_at(&at, side, angle).rotation * rotation < 0;
+    }
+    const bool is_slip = way.mode == (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS);
+    const real to = atan2l(wide(way.along.g), (real)side * wide(way.along.h));
+    if (is_slip != stays || (stays && fabsl(to - angle) > 8e-3L))
+      close++;
+    else if (stays)
+      found++;
+    else
+      none++;
+  }
+  printf("# %d limit directions, %d times none; %d too close for the search\n",
+         found, none, close);
+  CHECK(found > 500 && none > 200 && close * 50 < found);
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(slip_leaves_codimension_two_as_a_search_finds);
   RUN(limit_direction_ends_where_two_meet);
   RUN(wheel_is_pinned_where_the_law_allows);
   RUN(codimension_two_always_has_a_future);
+  RUN(exits_of_any_field_are_those_of_a_search);
+  RUN(slip_turns_to_its_destination);
   return tap_end();
 }
