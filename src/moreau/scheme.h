@@ -25,7 +25,7 @@ TF_INLINE bool end_of_step(const tf_machine_t *k, const tf_state_t *state,
   // Free motion, (1)-(7).
   free_motion_t c = free_motion(k, state, input, start);
   if (!c.linear.definite) {
-    to->outcome.status = TF_STEP_TOO_LONG;
+    if (rare) refuse_end(to);
     return rare;
   }
   // Inclusion, (8), and every mode that solves it.

@@ -48,7 +48,7 @@ TF_API void tf_single_valued_end(const tf_machine_t *k, const tf_state_t *state,
                                  step_end_t *to) {
   const free_motion_t c = free_motion(k, state, input, start);
   if (!c.linear.definite) {
-    to->outcome.status = TF_STEP_TOO_LONG;
+    refuse_end(to);
     return;
   }
   const tf_force_t force = single_valued_force(&c);
