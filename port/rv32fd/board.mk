@@ -12,8 +12,8 @@ BOARD_RUN := qemu-system-riscv32 -M virt -bios none -display none \
   -monitor none -serial stdio
 BOARD_STEPS := 100000
 # Shift 4 is 62 instructions a microsecond.
-BOARD_RATES_float := 1000:4 10000:4
-BOARD_RATES_double := 1000:4 10000:4
+BOARD_RATES_float := 1000:4 5000:4
+BOARD_RATES_double := 1000:4 3000:4
 BOARD_LOADS := -kernel
 # Shift at which every step goes out as frames, at 1 kHz.
 BOARD_FRAMES := 2

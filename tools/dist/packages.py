@@ -22,8 +22,8 @@ FLOAT = """\
 
 """
 BOTH = ("twofold.h", "twofold.c")
-# The scenes that packages have prepared: chaos, and one without a moment, of
-# which an Uno has room for the code.
+# The scenes that packages have prepared: chaos, and one under a single-valued
+# law, of which an Uno has room for the code.
 PREPARED = ("chaos", "smooth")
 # By template: where the package lies, the folder of its sources, which of
 # them, and what they begin with.

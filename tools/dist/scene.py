@@ -128,6 +128,15 @@ def constants(program, scene):
     return text
 
 
+def law_of(text):
+    """Whether the law of the machine is set-valued, for the preprocessor: a
+    linker that optimises a program as a whole (Arduino's) keeps functions that
+    only the steps under other laws call."""
+    law = re.search(r"\(tf_tyre_law_t\)\d+", text)[0]
+    return ("#define tf_tyre_is_set_valued(law) \\\n"
+            f"  ((void)(law), tf_tyre_is_set_valued({law}))\n")
+
+
 def guard(name, text):
     """A text that is read once."""
     return f"#ifndef {name}\n#define {name}\n\n{text}#endif\n\n"
@@ -166,9 +175,11 @@ def make(scene, double, single):
     whole.add(guard(f"TWOFOLD_{upper}_H", "".join(types.parts)))
 
     body = Text(without=types.there)
-    body.add("#ifdef TF_REAL_FLOAT\n" + constants(single, scene)
+    in_float = constants(single, scene)
+    body.add("#ifdef TF_REAL_FLOAT\n" + in_float
              + "#else\n" + constants(double, scene) + "#endif\n"
-             "#define TF_API_MACHINE(c) ((void)(c), &scene_machine)\n\n")
+             "#define TF_API_MACHINE(c) ((void)(c), &scene_machine)\n"
+             + law_of(in_float) + "\n")
     for path in sources_of(CALLED):
         body.add_file(path, {"src/num/kernel.h": SMALL})
     body.add(DEFINITIONS.replace("@scene@", scene))
