@@ -94,21 +94,18 @@ static int read_seeds(void) {
   return 1;
 }
 
-// Seeds of one function and number of units, gathered.
-static size_t seeds_of(const call_t *call, unsigned units, genes_t **of) {
-  size_t n = 0;
-  *of = malloc((seed_count + 1) * sizeof **of);
-  for (size_t i = 0; *of && i < seed_count; i++)
-    if (seeds[i].call == call && (seeds[i].units == units || !call->unit))
-      (*of)[n++] = seeds[i].genes;
-  return n;
+// The genes of all seeds: they mean the same machine and state to every
+// function, and what is expensive for one may be so for another.
+static genes_t *genes_of_seeds(void) {
+  genes_t *of = malloc((seed_count + 1) * sizeof *of);
+  for (size_t i = 0; of && i < seed_count; i++) of[i] = seeds[i].genes;
+  return of;
 }
 
 static int search_units(const call_t *call, unsigned units, long evaluations) {
-  genes_t *from;
-  const size_t n = seeds_of(call, units, &from);
+  genes_t *const from = genes_of_seeds();
   if (from == NULL) return 0;
-  const found_t found = search(call, units, from, n, evaluations);
+  const found_t found = search(call, units, from, seed_count, evaluations);
   free(from);
   print_found(call, units, &found);
   return 1;
