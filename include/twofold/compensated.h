@@ -79,7 +79,7 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
 /// input: in, within TF_STATE_LIMIT together with state and compensation.
 /// report: out; slip and residual are those of state + compensation.
 /// Returns: as tf_step; where it refuses, state and compensation are untouched.
-/// Cost: at most 90000 instructions, the worst found by search;
+/// Cost: at most 120000 instructions, the worst found by search;
 ///   no path through its code has more than 0; no data-dependent loop.
 ///   Stack: 4480 B.
 /// Memory: caller's, no overlap, reentrant.

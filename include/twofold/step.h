@@ -78,7 +78,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   the motion stands still);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
-/// Cost: at most 61000 instructions, the worst found by search;
+/// Cost: at most 120000 instructions, the worst found by search;
 ///   no path through its code has more than 0; no data-dependent loop. The
 ///   worst is a degraded step: see `make bench` for others. Stack: 4176 B.
 /// Memory: caller's, no overlap, reentrant.
