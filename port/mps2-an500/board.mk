@@ -14,9 +14,9 @@ BOARD_RUN := qemu-system-arm -M mps2-an500 -display none -monitor none \
   -semihosting-config enable=on,target=native -serial stdio
 BOARD_STEPS := 100000
 # Shift 5 is 31 instructions a microsecond: one a cycle would be 25. The longest
-# step of `chaos` takes 9200 of them in float at 5 kHz, compensated, and 13400 in
-# double: the faster rates are those of a chip that is twice as fast, and leave a
-# quarter of the tick or more.
+# step of `chaos` takes 9200 of them in float at 5 kHz, where it is compensated,
+# and 13400 in double: the faster rates are those of a chip that is twice as
+# fast, and leave a quarter of the tick or more.
 BOARD_RATES_float := 1000:5 5000:4
 BOARD_RATES_double := 1000:5 3000:4
 BOARD_LOADS := -kernel
