@@ -27,7 +27,8 @@
 #ifdef SCENE_HEADER
 #include SCENE_HEADER
 #endif
-#if defined(SCENE_HEADER) && !defined(UPLINK)
+// The located scheme steps a machine of another dt where it falls back.
+#if defined(SCENE_HEADER) && !defined(UPLINK) && !defined(SCHEME_LOCATED)
 #define TF_API_MACHINE(c) ((void)(c), &scene_machine)
 #endif
 
