@@ -42,7 +42,7 @@ extern "C" {
 ///   TF_DEGRADED (the same, or the rest, and tf_step returned that);
 ///   TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
 ///   TF_STEP_TOO_LONG (state untouched, report holds the status).
-/// Cost: at most 120000 instructions and 42000 a segment of the budget, the
+/// Cost: at most 120000 instructions and 80000 a segment of the budget, the
 ///   worst found by search: the former with a way out of h = g = 0 at the start
 ///   and one in tf_step at the end. One segment where the motion has no event
 ///   (`make bench`). Stack: 5920 B.
