@@ -79,9 +79,9 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
 /// input: in, within TF_STATE_LIMIT together with state and compensation.
 /// report: out; slip and residual are those of state + compensation.
 /// Returns: as tf_step; where it refuses, state and compensation are untouched.
-/// Cost: at most 120000 instructions, the worst found by search;
-///   no path through its code has more than 0; no data-dependent loop.
-///   Stack: 4480 B.
+/// Trust: TF_OK promises what it does of tf_step, and was tried as much.
+/// Cost: at most 120000 instructions, the worst found by search, as tf_step.
+///   Every loop has a bound. Stack: 4480 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: rounding_is_compensated, compensated_stick_is_exact,
 ///   compensated_step_is_the_step, compensated_refusals_touch_nothing,

@@ -93,6 +93,7 @@ TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
 ///   status is written, as tf_step does.
 /// Returns: how many lanes were done by tf_step, one by one. They cost more;
 ///   their status is in the reports.
+/// Trust: that of tf_step, whose bits it has.
 /// Cost: at most 31 instructions and 120000 a state, the worst found by search:
 ///   tf_step for every lane after the common path, which is all that most
 ///   blocks take (`make bench-ensemble`). For vectors of double gcc needs

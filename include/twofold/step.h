@@ -61,7 +61,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   state. In float at dt <= 1e-4 s every motion departs from rest like that,
 ///   and some never do. Use tf_step_compensated then, or a longer dt.
 ///   A step creates no energy: where the linearisation would make more than
-///   2^-12 of it, or friction put in more than 0^-4, the step is taken in a
+///   2^-12 of it, or friction put in more than 2^-4, the step is taken in a
 ///   form that balances energy, and ends in slip on the side on which it is;
 ///   the set stays that of the consistent modes.
 /// machine: in, prepared.
@@ -78,9 +78,16 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 ///   the motion stands still);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
-/// Cost: at most 120000 instructions, the worst found by search;
-///   no path through its code has more than 0; no data-dependent loop. The
-///   worst is a degraded step: see `make bench` for others. Stack: 4176 B.
+/// Trust: where it says TF_OK, the mode is one of the set, h and g have its
+///   signs, or are 0 within their rounding, as it asks, no energy is created
+///   but for 2^-12 of what there is, and what follows h = g = 0 is what the law
+///   and the rule say. An independent reference found none of 1.9 million steps
+///   and of 2000 stiff runs that break this, and no other future on 791 motions
+///   through h = g = 0; what it did find is in docs/VERIFICATION.md: blows of
+///   friction that last a hundredth of a step (1 of 275 extreme machines).
+/// Cost: at most 120000 instructions, the worst found by search: a step that
+///   comes to h = g = 0 or ends in no mode; see `make bench` for others. Every
+///   loop has a bound. Stack: 4176 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,

@@ -76,7 +76,7 @@ def put(block: Block, figures: dict[tuple[str, str], list[str]]) -> list[str]:
         replaced += [(r"at most \d+ instructions",
                       f"at most {most} instructions"),
                      (r"and \d+ a", f"and {slope} a"),
-                     (r"more than \d+", f"more than {way}")]
+                     (r"code has more than \d+", f"code has more than {way}")]
     lines = block.lines
     for pattern, text in replaced:
         lines = [re.sub(pattern, text, line, count=1) for line in lines]
