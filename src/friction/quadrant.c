@@ -168,8 +168,9 @@ static bool may_be_better(const search_t *search, const quadrant_t *q,
   if (search->leaves)
     return (q->g0 + q->g1 * low > 0 || q->g0 + q->g1 * high > 0) &&
            (q->h0 + q->h1 * low > 0 || q->h0 + q->h1 * high > 0);
-  return attracts && (search->upwards ? (high >= search->T) & !best->sign_g
-                                      : low <= search->T);
+  return attracts &&
+         (search->upwards ? (high >= search->T) & (best->sign_g == 0)
+                          : low <= search->T);
 }
 
 // Whether the angular rate surely has this sign where T has a value on a chord:
