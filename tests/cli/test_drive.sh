@@ -54,7 +54,7 @@ check 'a command that ends by itself: its files' [ ! -e "$(cat name)" ]
 check 'a command that leaves a process behind' none_left
 
 # Checks and tests, where they are in the middle of a build or of a test.
-unset MAKEFLAGS MAKELEVEL MFLAGS MAKEOVERRIDES
+unset MAKEFLAGS MAKELEVEL MFLAGS MAKEOVERRIDES DRIVEN
 for signal in TERM INT; do
   stopped 'checks' $signal "$([ $signal = TERM ] && echo 143 || echo 130)" 8 \
     env BUILD="$D/build" "$root/tools/check/run" sanitize-gcc gcc
