@@ -22,8 +22,11 @@ quietly "$MAKE" --no-print-directory CC=gcc BUILD="$place" OPT=-O0 \
 # What is drawn in a terminal has its test in Python.
 TWOFOLD=$place/double/twofold quietly tests/cli/test_live.py ||
   wrong 'tests of --live fail'
+# The functions of port/sim.h stand there twice, with a link and without;
+# gcovr 5 stops where a function of two programs is on two lines.
 report() {
-  gcovr --filter tools/cli/ --filter tools/hil/ --filter port/ "$@" "$place"
+  gcovr --filter tools/cli/ --filter tools/hil/ --filter port/ \
+    --exclude port/sim.h "$@" "$place"
 }
 report --print-summary --fail-under-line $LINES --fail-under-branch $BRANCHES \
   >"$BUILD/coverage-tools.txt" 2>&1 ||
