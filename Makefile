@@ -47,7 +47,7 @@ TEST_FLAGS := $(COMMON) $(WARN) -Itests -Itests/support -Isrc
 # Short sums of products of numbers that were just computed: in vectors they
 # would wait for their stores (located step of chaos: 1.15 times the time).
 SRC_FLAGS_taylor := -fno-tree-vectorize
-# The command line tells of which commit it is.
+# The command line says of which commit it is.
 COMMIT := git describe --always --dirty --exclude='*' 2>/dev/null || \
   echo unknown
 TOOL_FLAGS_commit = -DTF_COMMIT='"$(shell $(COMMIT))"'
@@ -76,8 +76,9 @@ PAGE_MAKEFILES := tools/page/page.mk
 BOARD_MAKEFILES := port/port.mk tools/hil/hil.mk tools/size/size.mk
 MEASURE_MAKEFILES := tools/bench/bench.mk tools/report/report.mk \
   tools/peers/peers.mk tools/stability/stability.mk \
-  tools/statistics/statistics.mk tools/figures/figures.mk \
-  tools/shards/shards.mk
+  tools/realtime/realtime.mk \
+  tools/statistics/statistics.mk tools/recurrence/recurrence.mk \
+  tools/figures/figures.mk tools/shards/shards.mk
 VERIFY_MAKEFILES := tools/check/check.mk tools/fuzz/fuzz.mk \
   tools/soak/soak.mk tools/mutation/mutation.mk tools/eva/eva.mk \
   tools/cost/cost.mk tools/oracle/oracle.mk tools/reference/reference.mk
@@ -196,14 +197,22 @@ test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) $(TWOFOLD) $(LINE)
 	@TWOFOLD=$(TWOFOLD) FIRMWARE=$(BUILD)/boards/host/chaos \
 	  tests/run $(filter-out $(TWOFOLD) $(LINE),$^) $(filter %.sh,$(TESTS))
 
-# What one runs while working: one real type, compiled fast, and of the tests
-# those that then take half a second at most and start no program; `make test`
-# has them all.
-NOT_QUICK := branch codim2 compensated convergence corpus device ensemble \
-  extreme_analysis extremes frame friction golden hostile line located \
-  located_report normal_form physics_numbers pinned reference tyre
-QUICK := $(filter-out $(NOT_QUICK:%=\%/test_%.c),$(filter %.c,$(TESTS)))
-quick: ## the quick tests, in double: what to run while working
+# What one runs while working: one real type, compiled fast. Of the tests the
+# core set, which is what then takes a quarter of a second at most and starts no
+# program, with the laws; and the unit tests of each room of src/ in which git
+# sees a change, but those of more than two seconds. `make test` has them all.
+NEVER_QUICK := branch convergence corpus device ensemble extremes frame golden \
+  hostile line located located_report physics_numbers pinned reference signs
+NOT_QUICK := $(NEVER_QUICK) begin codim2 compensated degraded \
+  ensemble_codim2 extreme_analysis friction kernel lanes located_budget \
+  normal_form population singularity tyre
+CHANGED = $(sort $(foreach file,$(shell git status --porcelain -uall -- src \
+  2>/dev/null),$(word 2,$(subst /, ,$(filter src/%,$(file))))))
+but_for = $(filter-out $(1:%=\%/test_%.c),$(filter %.c,$(2)))
+QUICK = $(sort $(call but_for,$(NOT_QUICK),$(TESTS)) $(call \
+  but_for,$(NEVER_QUICK),$(filter $(CHANGED:%=tests/unit/%/%),$(TESTS))))
+quick: ## laws, short tests, units of changed rooms; double
+	@echo 'the core set$(CHANGED:%=, tests/unit/%); all: make test'
 	@MAKEFLAGS= $(MAKE) -s --no-print-directory test VARIANTS=double OPT=-O1 \
 	  BUILD='$(BUILD)/quick' TWOFOLD= TESTS='$(QUICK)'
 

@@ -18,7 +18,7 @@
 #include "twofold/philox.h"
 #include "twofold/real.h"
 #include "twofold/scene.h"
-#include "twofold/session.h"
+#include "twofold/simulation.h"
 #include "twofold/singularity.h"
 #include "twofold/status.h"
 #include "twofold/step.h"

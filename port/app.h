@@ -37,7 +37,7 @@ typedef struct {
 
 /// What the loop counts, modulo 2^32 where it has 32 bits. Times are in units
 /// of port_clock, of latch, step and output together; a time that the clock
-/// cannot tell, 2^31 units or more, counts as 2^32 - 1.
+/// cannot measure, 2^31 units or more, counts as 2^32 - 1.
 typedef struct {
   uint64_t steps; ///< taken; a tick at which the application stands adds none
   uint32_t overruns; ///< steps that ended after the next tick

@@ -29,7 +29,7 @@
 #endif
 // The located scheme steps a machine of another dt where it falls back.
 #if defined(SCENE_HEADER) && !defined(UPLINK) && !defined(SCHEME_LOCATED)
-#define TF_API_MACHINE(c) ((void)(c), &scene_machine)
+#define TF_STEP_MACHINE(c) ((void)(c), &scene_machine)
 #endif
 
 #ifdef BOARD_SMALL
@@ -49,6 +49,7 @@
 #endif
 
 #include "../src/friction/codim2.c"
+#include "../src/friction/course.c"
 #include "../src/friction/mode.c"
 #include "../src/friction/quadrant.c"
 #include "../src/friction/select.c"
@@ -87,7 +88,7 @@
 #include "../src/link/text.c"
 #include "../src/scene/scene.c"
 #include "../src/scene/scenes.c"
-#include "../src/scene/session.c"
+#include "../src/scene/simulation.c"
 #include "../src/scene/tally.c"
 // NOLINTEND(bugprone-suspicious-include)
 
@@ -123,15 +124,15 @@ static tf_machine_t scene_machine;
 #define SCENE_MACHINE ((const tf_machine_t *)&scene_machine)
 #define SCENE (tf_scenes[chosen_scene])
 
-static inline bool begin_scene(const tf_scene_t *scene, tf_state_t *state,
-                               tf_report_t *report) {
+static inline bool begin_given_scene(const tf_scene_t *scene, tf_state_t *state,
+                                     tf_report_t *report) {
   const tf_params_t params = scene_params(scene);
   return tf_prepare(&scene_machine, &params, 0) == TF_OK &&
          tf_scene_start(scene, &scene_machine, 1, state, report) == TF_OK;
 }
 
 static inline bool scene_begin(tf_state_t *state, tf_report_t *report) {
-  return begin_scene(SCENE, state, report);
+  return begin_given_scene(SCENE, state, report);
 }
 
 #endif

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Links a firmware: link.sh WHAT LARGER COMMAND...
-# What does not fit is told in one line, by how much and which board LARGER has
-# room for it, instead of by the linker's list of what it could not place.
+# What does not fit is reported in one line, by how much and which board LARGER
+# has room for it, instead of by the linker's list of what it could not place.
 set -u
 what=$1 larger=$2
 shift 2
@@ -17,7 +17,7 @@ stack=$(printf '%s\n' "$said" | grep -c 'no room for the stack')
 if [ -n "$region" ]; then
   lacks="${region#* } bytes too large for the board's memory (${region% *})"
 elif [ "$stack" -gt 0 ]; then
-  lacks='too large for the RAM: it leaves the stack too little'
+  lacks='too large for the RAM: it leaves too little for the stack'
 else
   printf '%s\n' "$said" >&2
   exit 1

@@ -11,7 +11,7 @@ typedef struct {
   uint32_t tick;     // the present one
   uint32_t begun;    // clock at its start
   uint32_t period;   // [clock]
-  uint32_t tellable; // ticks that the clock can tell
+  uint32_t tellable; // ticks that the clock can measure
   // Time that writing takes [clock]: of anything, and of a record.
   uint32_t longest_record, shortest_record;
   uint32_t until_record, until_heartbeat;
@@ -76,7 +76,7 @@ static int make_room(loop_t *loop) {
 }
 
 // Writes a record or a heartbeat into the buffer, or drops it. A heartbeat is
-// dropped only for lack of room, because it reports the lack of time.
+// dropped only where there is no room, because it reports missing time.
 static void queue_record(loop_t *loop, int heartbeat) {
   if (!make_room(loop) || !(heartbeat || is_time_for_record(loop))) {
     loop->counts->dropped++;
@@ -116,7 +116,7 @@ static void send_descriptions(loop_t *loop) {
   queue_record(loop, 0);
 }
 
-// The clock goes round after 2^32 units; the ticks tell whether it did.
+// The clock wraps after 2^32 units; the ticks show whether it did.
 static void measure(loop_t *loop, uint32_t time) {
   loop_counts_t *counts = loop->counts;
   if (port_ticks() - loop->tick > loop->tellable) time = UINT32_MAX;

@@ -101,7 +101,7 @@ endif
 endif
 SCHEME ?= moreau
 PLACE := $(BUILD)/boards/$(BOARD)/$(notdir $(SCENE))-$(REAL)
-# NAMED tells programs of one kind apart.
+# NAMED distinguishes programs of one kind.
 FIRMWARE := $(PLACE)/$(PROGRAM)$(NAMED).elf
 
 SOURCE_firmware := port/main.c port/firmware.c port/loop.c

@@ -28,16 +28,16 @@
 #endif
 
 static struct {
-  tf_session_t session;
+  tf_simulation_t simulation;
   tf_link_t link;
   uint64_t expected; // tick of the next step, unless a command changes it
   bool is_under_way; // the last tick took that step
 } sim;
-#define SIM_STATE sim.session.state
-#define SIM_TALLY sim.session.tally
-#define SIM_REPORT sim.session.report
+#define SIM_STATE sim.simulation.state
+#define SIM_TALLY sim.simulation.tally
+#define SIM_REPORT sim.simulation.report
 #define SIM_PARAMS sim.link.params
-#define SIM_SOURCE sim.session.stepped
+#define SIM_SOURCE sim.simulation.stepped
 #define SIM_TAKES_COMMANDS true
 #ifdef UPLINK_KEY
 #define SIM_WANTS_TAG true
@@ -48,14 +48,15 @@ static struct {
 static bool sim_begin(void) {
   const tf_params_t params = scene_params(SCENE);
   tf_link_open(&sim.link, SCENE, &params);
-  const tf_status_t status = tf_session_open(&sim.session, SCENE, &params, 1);
-  sim.session.deadman = DEADMAN;
+  const tf_status_t status =
+      tf_simulation_open(&sim.simulation, SCENE, &params, 1);
+  sim.simulation.deadman = DEADMAN;
   return status == TF_OK;
 }
 
-// No two starts hear their first bytes at the same times.
+// The times of the first bytes differ from start to start.
 static void sim_receive(uint8_t byte, uint32_t when) {
-  if (sim.link.session == 0) tf_link_stir(&sim.link, when);
+  if (sim.link.session == 0) tf_link_add_entropy(&sim.link, when);
 #ifdef UPLINK_KEY
   static const uint8_t key[TF_KEY_BYTES] = UPLINK_KEY;
   tf_link_receive_tagged(&sim.link, byte, key);
@@ -64,22 +65,24 @@ static void sim_receive(uint8_t byte, uint32_t when) {
 #endif
 }
 
-static void sim_latch(void) { (void)tf_link_boundary(&sim.link, &sim.session); }
+static void sim_latch(void) {
+  (void)tf_link_boundary(&sim.link, &sim.simulation);
+}
 
 // Whatever commands do to the tick, records are of ticks that are multiples of
 // EVERY: a program that drives the machine knows beforehand which it will see.
 static loop_step_t sim_step(uint32_t *until_record) {
-  tf_session_t *session = &sim.session;
+  tf_simulation_t *simulation = &sim.simulation;
   const bool was_under_way = sim.is_under_way;
-  sim.is_under_way = session->running;
-  if (!session->running) return LOOP_STOOD;
-  if (!was_under_way || session->state.tick != sim.expected)
-    *until_record = EVERY - (uint32_t)(session->state.tick % EVERY);
-  const tf_input_t input = tf_session_input(session, SCENE);
-  const tf_status_t status =
-      scheme_step(&session->machine, &session->state, &input, &session->report);
-  tf_tally_count(&session->tally, session->state.tick, status);
-  sim.expected = session->state.tick;
+  sim.is_under_way = simulation->running;
+  if (!simulation->running) return LOOP_STOOD;
+  if (!was_under_way || simulation->state.tick != sim.expected)
+    *until_record = EVERY - (uint32_t)(simulation->state.tick % EVERY);
+  const tf_input_t input = tf_simulation_input(simulation, SCENE);
+  const tf_status_t status = scheme_step(
+      &simulation->machine, &simulation->state, &input, &simulation->report);
+  tf_tally_count(&simulation->tally, simulation->state.tick, status);
+  sim.expected = simulation->state.tick;
   return status < 0 ? LOOP_STOOD : LOOP_STEPPED;
 }
 

@@ -43,7 +43,7 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   beat.bad =
       decoder->bad + decoder->too_long + decoder->bad_version + sim.link.lost;
   beat.ignored = sim.link.ignored;
-  beat.expired = sim.session.expired;
+  beat.expired = sim.simulation.expired;
 #endif
   telemetry_description = 0;
   return (unsigned)tf_send_heartbeat(to, &telemetry_sequence, SIM_STATE.tick,
@@ -61,7 +61,7 @@ static size_t telemetry_schema(uint8_t *to) {
   schema.wants_tag = SIM_WANTS_TAG;
   schema.session = sim.link.session;
   schema.sequence = sim.link.next;
-  schema.deadman = sim.session.deadman;
+  schema.deadman = sim.simulation.deadman;
 #endif
   return tf_send_schema(to, &telemetry_sequence, SIM_STATE.tick, &schema);
 }

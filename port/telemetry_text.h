@@ -25,7 +25,7 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   text_pair(&text, " skipped:", c->skipped);
   text_pair(&text, " sent:", c->sent);
   text_pair(&text, " dropped:", c->dropped);
-  text_pair(&text, " doubted:",
+  text_pair(&text, " flagged:",
             at_most_32_bits(SIM_TALLY.degraded + SIM_TALLY.fell_back +
                             SIM_TALLY.coarse));
   text_pair(&text, " min:", c->steps > 0 ? c->shortest : 0);

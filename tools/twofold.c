@@ -1,6 +1,6 @@
 // The program `twofold`. It links libc, libm and the core; everything else is
-// under tools/cli. tools/cli/command.c has the table of the commands and tells
-// which folder holds what.
+// under tools/cli. tools/cli/command.c has the table of the commands and
+// lists the folders.
 
 #include "cli/command.h"
 #include "cli/host/host.h"

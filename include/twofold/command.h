@@ -2,7 +2,7 @@
 /// Commands: the frames that go up, from a host to a board, and the codes of
 /// their answers. docs/PROTOCOL.md describes them byte by byte. A command acts
 /// once and on one board start only: it names the board's session, which the
-/// schema tells, and has a number larger than those of all commands before it.
+/// schema states, and has a number larger than those of all commands before it.
 /// On a line that others reach it also ends with a tag, which only those who
 /// have the board's key can make.
 ///
@@ -50,7 +50,7 @@ typedef enum {
 ///   in, the data at wire + TF_COMMAND_AT; out, the bytes for the line.
 /// type: in. length: in, of the data, 0 to TF_COMMAND_MOST: a host may command
 ///   boards of the other real type.
-/// session: in, as the schema tells it.
+/// session: in, as the schema states it.
 /// sequence: in/out, number of this command; then that of the next.
 /// tick: in, when it is to take effect; 0: at once.
 /// key: in, TF_KEY_BYTES, or NULL for a board that wants no tag.

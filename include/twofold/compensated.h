@@ -40,7 +40,7 @@ typedef struct {
 /// params: in, ranges in tf_parameter_ranges.
 /// offender: out, may be NULL; as in tf_prepare.
 /// Returns: TF_OK; TF_BAD_PARAMETER (machine untouched).
-/// Cost: at most 4400 instructions; once a machine. Stack: 576 B.
+/// Cost: at most 4700 instructions; once a machine. Stack: 576 B.
 /// Memory: caller's; machine and params must not overlap; reentrant.
 /// Claims: constants_have_twice_the_precision
 #define tf_prepare_compensated TF_LINK(tf_prepare_compensated)
@@ -57,7 +57,8 @@ TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
 /// state: in/out; r, w are read, v is set [m/s].
 /// compensation: in/out, likewise.
 /// omega0 [rad/s], h [m/s]: in.
-/// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < 1e-6 (nothing touched).
+/// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < TF_MIN_SINE (nothing
+///   touched).
 /// Cost: at most 250 instructions. Stack: 368 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: compensated_start_has_its_slip
@@ -80,8 +81,8 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
 /// report: out; slip and residual are those of state + compensation.
 /// Returns: as tf_step; where it refuses, state and compensation are untouched.
 /// Trust: TF_OK promises what it does of tf_step, and was tried as much.
-/// Cost: at most 120000 instructions, the worst found by search, as tf_step.
-///   Every loop has a bound. Stack: 4480 B.
+/// Cost: at most 26000 instructions found by search, as tf_step, and at most
+///   230000 by the longest way. Stack: 4336 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: rounding_is_compensated, compensated_stick_is_exact,
 ///   compensated_step_is_the_step, compensated_refusals_touch_nothing,

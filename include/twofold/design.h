@@ -14,8 +14,8 @@ extern "C" {
 typedef enum {
   TF_DESIGN_FOUND,  ///< there can
   TF_DESIGN_LAW,    ///< stick has no moment under this law, or mu = 0
-  TF_DESIGN_GAMMA,  ///< |sin(gamma)| < 1e-6 (then w = omega0, r = -+kappa), or
-                    ///< |cos(gamma)| < 1e-6 (then A > 0 for every kappa)
+  TF_DESIGN_GAMMA,  ///< |sin(gamma)| < TF_MIN_SINE (then w = omega0, r =
+                    ///< -+kappa), or |cos(gamma)| is (A > 0 for every kappa)
   TF_DESIGN_R,      ///< r = 0, out of range, or a product overflows
   TF_DESIGN_OMEGA,  ///< w = omega0 (then g = 0), or out of range
   TF_DESIGN_SPRING, ///< r = r0 or p2(r) = 0: h' does not depend on k2

@@ -13,16 +13,16 @@
 ///
 ///   when the program starts:          tf_link_open(&link, scene, &params);
 ///   with every byte, until there is a session, whatever differs from start
-///   to start:                         tf_link_stir(&link, clock);
+///   to start:                         tf_link_add_entropy(&link, clock);
 ///   for each byte received:           tf_link_receive(&link, byte);
-///   at a tick, before the step:       tf_link_boundary(&link, &session);
+///   at a tick, before the step:       tf_link_boundary(&link, &simulation);
 ///   while the line has room:          n = tf_link_answer(&link, wire, &seq);
 #ifndef TWOFOLD_LINK_H
 #define TWOFOLD_LINK_H
 
 #include "twofold/command.h"
 #include "twofold/frame.h"
-#include "twofold/session.h"
+#include "twofold/simulation.h"
 #include "twofold/telemetry.h"
 
 #ifdef __cplusplus
@@ -46,7 +46,7 @@ typedef struct {
   uint8_t type, length;
   int8_t code; ///< tf_answer_code_t or tf_status_t
   bool done;
-  uint8_t source;  ///< tf_input_source_t of the session before it
+  uint8_t source;  ///< tf_input_source_t of the simulation before it
   uint8_t index;   ///< of a parameter
   tf_real_t value; ///< of a parameter, as it is in effect
   uint8_t data[TF_COMMAND_DATA];
@@ -76,7 +76,7 @@ typedef struct {
 /// TF_UP_DESCRIBE.
 /// Scheme: none.
 /// link: out; it keeps a pointer into itself, so it must not move.
-/// scene: kept, for TF_UP_RESET. params: in, those of the session's machine.
+/// scene: kept, for TF_UP_RESET. params: in, those of the simulation's machine.
 /// Returns: nothing.
 /// Cost: at most 40 instructions. Stack: 32 B.
 /// Memory: caller's, reentrant.
@@ -94,8 +94,8 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
 /// Cost: at most 110 instructions. Stack: 48 B.
 /// Memory: caller's, reentrant.
 /// Claims: recorded_command_acts_once
-#define tf_link_stir TF_LINK(tf_link_stir)
-TF_API void tf_link_stir(tf_link_t *link, uint32_t noise);
+#define tf_link_add_entropy TF_LINK(tf_link_add_entropy)
+TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise);
 
 /// Takes one byte from the line; it may be any byte at any time.
 /// Scheme: none.
@@ -126,17 +126,17 @@ TF_API void tf_link_receive_tagged(tf_link_t *link, uint8_t byte,
 
 /// Applies the commands that are due, in order of arrival.
 /// Scheme: none.
-/// link, session: in/out. A command that is refused changes neither.
+/// link, simulation: in/out. A command that is refused changes neither.
 /// Returns: how many took effect.
-/// Cost: at most 5100 instructions, for TF_LINK_QUEUE commands, the longest
-///   tf_prepare or tf_session_start; none: 10. Stack: 1216 B.
+/// Cost: at most 6200 instructions, for TF_LINK_QUEUE commands, the longest
+///   tf_prepare or tf_simulation_start; none: 10. Stack: 1296 B.
 /// Memory: caller's, no overlap.
 /// Claims: set_parameter_takes_effect_only_at_the_boundary,
 ///   set_parameter_is_validated_and_answered, inputs_act_at_their_tick,
 ///   snapshot_and_restore_continue_bit_for_bit, start_stop_reset_and_rule,
 ///   silent_controller_leaves_the_safe_inputs
 #define tf_link_boundary TF_LINK(tf_link_boundary)
-TF_API unsigned tf_link_boundary(tf_link_t *link, tf_session_t *session);
+TF_API unsigned tf_link_boundary(tf_link_t *link, tf_simulation_t *simulation);
 
 /// Makes the frame of the next answer and removes the command.
 /// Scheme: none.

@@ -47,6 +47,16 @@ typedef enum {
 } tf_rule_t;
 #define TF_RULES 4
 
+/// Name of a rule: "persist" "slip+" "slip-" "random".
+/// Scheme: none.
+/// rule: in.
+/// Returns: a constant string, never NULL.
+/// Cost: one look-up in a table. Stack: 16 B.
+/// Memory: static storage, reentrant.
+/// Claims: names_of_laws_and_rules_are_the_contract
+#define tf_rule_name TF_LINK(tf_rule_name)
+TF_API const char *tf_rule_name(unsigned rule);
+
 /// The law at h = g = 0: under which F and M the wheel rests (JUMP only).
 typedef enum {
   TF_REST_HULL,   ///< convex hull of the limits of slip, Filippov's law:
@@ -58,6 +68,16 @@ typedef enum {
 } tf_rest_law_t;
 #define TF_REST_LAWS 3
 
+/// Name of a law at h = g = 0: "hull" "square" "bow_tie".
+/// Scheme: none.
+/// law: in.
+/// Returns: a constant string, never NULL.
+/// Cost: one look-up in a table. Stack: 16 B.
+/// Memory: static storage, reentrant.
+/// Claims: names_of_laws_and_rules_are_the_contract
+#define tf_rest_law_name TF_LINK(tf_rest_law_name)
+TF_API const char *tf_rest_law_name(unsigned law);
+
 /// The budget of machines that set none (tf_params_t.segments): into how many
 /// segments one step may be split by events, which are changes of the mode and
 /// kinks of the force at g = 0, and where a series does not reach to the end of
@@ -68,7 +88,7 @@ typedef enum {
 #define TF_LOCATED_SEGMENTS 128
 #endif
 /// The largest budget.
-#define TF_LOCATED_MOST_SEGMENTS 1000
+#define TF_LOCATED_MAX_SEGMENTS 1000
 
 /// The parameters of a machine and of its scheme. Ranges: tf_parameter_ranges.
 typedef struct {
@@ -178,6 +198,9 @@ typedef struct {
 /// TF_DIVERGED. Products of four of them stay finite.
 #define TF_STATE_LIMIT TF_R(1e9)
 
+/// Smallest |sin(gamma)| with which v follows from h.
+#define TF_MIN_SINE TF_R(1e-6)
+
 /// Validates the parameters and derives the constants of a machine.
 /// Scheme: none.
 /// machine: out.
@@ -186,7 +209,7 @@ typedef struct {
 ///   member out of range, or TF_PARAMETERS where law, rule or rest is no member
 ///   of its enum.
 /// Returns: TF_OK; TF_BAD_PARAMETER (machine untouched).
-/// Cost: at most 1200 instructions; once a machine. Stack: 320 B.
+/// Cost: at most 1407 instructions; once a machine. Stack: 320 B.
 /// Memory: caller's; machine and params must not overlap; reentrant.
 /// Claims: prepare_names_the_first_broken_rule, sine_kernel_error_bound
 #define tf_prepare TF_LINK(tf_prepare)
@@ -227,7 +250,7 @@ TF_API tf_slip_t tf_slip(const tf_machine_t *machine, tf_real_t r, tf_real_t v,
 /// machine: in.
 /// r, w, omega0, h: in.
 /// v: out [m/s].
-/// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < 1e-6, so that h does not
+/// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < TF_MIN_SINE: h does not
 ///   depend on v (v untouched).
 /// Cost: at most 16 instructions. Stack: 112 B.
 /// Memory: caller's, reentrant.

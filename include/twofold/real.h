@@ -6,7 +6,7 @@
 /// none of their flags for this, and most compile in gnu mode, where gcc
 /// contracts; so it is forbidden here, for the rest of the translation unit: a
 /// program that computes the inputs of a step keeps its bits too. What cannot
-/// be forbidden is refused where a macro tells of it. No macro tells of an
+/// be forbidden is refused where a macro shows it. No macro shows an
 /// explicit -ffp-contract=fast, -freciprocal-math or -fno-signed-zeros of
 /// clang: these must not be given (docs/PORTS.md).
 #ifndef TWOFOLD_REAL_H

@@ -40,7 +40,7 @@ typedef struct {
 /// machine: in, prepared from scene->params (or altered ones).
 /// t: in [s], finite.
 /// Returns: the inputs; alpha is the mean over the step.
-/// Cost: at most 190 instructions; 8 knots. Stack: 144 B.
+/// Cost: at most 232 instructions; 8 knots. Stack: 144 B.
 /// Memory: reentrant.
 /// Claims: driven_profile_is_followed
 #define tf_scene_input TF_LINK(tf_scene_input)
@@ -48,15 +48,15 @@ TF_API tf_input_t tf_scene_input(const tf_scene_t *scene,
                                  const tf_machine_t *machine, tf_real_t t);
 
 /// Start of a scene: state, mode and report at tick 0.
-/// Scheme: tf_speed_for_slip where the scene gives h, of which the sign is the
-///   preferred side (slip+ or slip-); then tf_begin under the inputs of t = 0.
+/// Scheme: tf_begin_with_slip where the scene gives h, else tf_begin; under the
+///   inputs of t = 0.
 /// scene: in.
 /// machine: in, prepared from scene->params (or altered ones).
 /// seed: in, of rule `random`.
 /// state, report: out.
 /// Returns: TF_OK; TF_BAD_STATE (state and report untouched: the start is
 ///   impossible with these parameters).
-/// Cost: at most 600 instructions. Stack: 960 B.
+/// Cost: at most 650 instructions. Stack: 1040 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: negative_h_starts_in_slip_minus,
 ///   sign_of_h_decides_where_both_slips_are_possible

@@ -149,7 +149,7 @@ typedef struct {
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law does not jump), TF_BAD_STATE
 ///   (point or input out of range, or a product overflows). Where it is
 ///   refused, out is untouched.
-/// Cost: at most 680 instructions. Stack: 1024 B.
+/// Cost: at most 690 instructions. Stack: 1008 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: normal_form_against_the_paper, numbers_of_the_paper,
 ///   sliding_motion_follows_the_normal_form, paper_cases_1_to_3,

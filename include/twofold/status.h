@@ -17,7 +17,8 @@ typedef enum {
   TF_DEGRADED = 1,       ///< no mode was consistent, or none that a slip may
                          ///< enter: smallest residual taken; or h and g do not
                          ///< end with the signs of the mode, but for rounding
-  TF_FELL_BACK = 2,      ///< tf_step_located took the step by tf_step
+  TF_FELL_BACK = 2,      ///< tf_step_located took the step by tf_step, which
+                         ///< says TF_OK
   TF_COARSE = 3,         ///< advanced, but too coarsely: tf_step_located ran
                          ///< out of segments and took the rest of the step by
                          ///< tf_step; or the step is too long for the motion

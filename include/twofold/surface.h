@@ -37,7 +37,7 @@ typedef enum {
 #define TF_REGIONS 5
 
 /// Name of a region: "sliding" "escaping" "crossing_up" "crossing_down"
-/// "codimension2".
+/// "codim2".
 /// Scheme: none.
 /// region: in.
 /// Returns: a constant string, never NULL; "unknown" for other values.
@@ -49,7 +49,7 @@ TF_API const char *tf_region_name(unsigned region);
 
 /// The surface at one point.
 typedef struct {
-  tf_slip_t slip;       ///< h, g [m/s]; h tells how far the point is from h = 0
+  tf_slip_t slip;       ///< h, g [m/s]; h says how far the point is from h = 0
   tf_real_t lie_plus;   ///< h_x . f(x, +mu) [m/s^2]
   tf_real_t lie_minus;  ///< h_x . f(x, -mu) [m/s^2]
   tf_real_t delassus;   ///< A = -h_x . f_lambda [1/kg]
@@ -77,7 +77,7 @@ typedef struct {
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law is single-valued: no surface),
 ///   TF_BAD_STATE (state or input out of range, or a product overflows). Where
 ///   it is refused, out is untouched.
-/// Cost: at most 440 instructions. Stack: 896 B.
+/// Cost: at most 450 instructions. Stack: 896 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: lie_derivatives_against_the_paper, sliding_field_against_the_paper,
 ///   regions_are_what_slip_does, rescaled_field_is_regular_at_the_two_fold,

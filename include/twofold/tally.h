@@ -1,14 +1,14 @@
 /// @file
 /// The steps of a run that were not TF_OK, counted by status, in one struct for
-/// all steps since the start. A report tells of its own step alone:
+/// all steps since the start. A report says so of its own step alone:
 ///
-///   tf_tally_count(&session.tally, session.state.tick,
-///                  tf_step(&session.machine, &session.state, &input,
-///                          &session.report));
+///   tf_tally_count(&simulation.tally, simulation.state.tick,
+///                  tf_step(&simulation.machine, &simulation.state, &input,
+///                          &simulation.report));
 ///
-/// A count of 0 says that no step found a reason for doubt, and not that none
-/// was wrong: docs/VERIFICATION.md ("An independent reference") has the rates
-/// of steps that are wrong and say TF_OK.
+/// A count of 0 says that no step found a reason to be flagged, and not that
+/// none was wrong: docs/VERIFICATION.md ("An independent reference") has the
+/// rates of steps that are wrong and say TF_OK.
 #ifndef TWOFOLD_TALLY_H
 #define TWOFOLD_TALLY_H
 

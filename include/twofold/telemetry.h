@@ -10,7 +10,7 @@
 
 #include "twofold/frame.h"
 #include "twofold/machine.h"
-#include "twofold/session.h"
+#include "twofold/simulation.h"
 #include "twofold/step.h"
 #include "twofold/wire.h"
 
@@ -61,7 +61,7 @@ typedef struct {
   uint32_t session;    ///< that commands have to name; 0: none before the
                        ///< first TF_UP_DESCRIBE
   uint32_t sequence;   ///< least number of a command that is still taken
-  uint32_t deadman;    ///< tf_session_t.deadman
+  uint32_t deadman;    ///< tf_simulation_t.deadman
 } tf_schema_t;
 
 /// Counters of a real-time loop, each modulo 2^32; those of steps that were not
@@ -218,7 +218,7 @@ TF_API size_t tf_send_parameter(uint8_t *wire, uint32_t *sequence,
 /// payload: in, TF_STATE_BYTES. tick: in, from the header of its frame.
 /// state: out, not validated.
 /// Returns: nothing.
-/// Cost: at most 260 instructions. Stack: 80 B.
+/// Cost: at most 280 instructions. Stack: 80 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: state_and_report_survive_the_line
 #define tf_read_state TF_LINK(tf_read_state)

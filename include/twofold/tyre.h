@@ -22,6 +22,17 @@ typedef enum {
 } tf_tyre_law_t;
 #define TF_TYRE_LAWS 6
 
+/// Name of a law of friction: "jump" "coulomb" "two_piece" "string" "smooth"
+/// "none".
+/// Scheme: none.
+/// law: in.
+/// Returns: a constant string, never NULL.
+/// Cost: one look-up in a table. Stack: 16 B.
+/// Memory: static storage, reentrant.
+/// Claims: names_of_laws_and_rules_are_the_contract
+#define tf_tyre_law_name TF_LINK(tf_tyre_law_name)
+TF_API const char *tf_tyre_law_name(unsigned law);
+
 /// Anchors of the kernel tan(a atan y): multiples of pi/16 on [0, pi/2].
 #define TF_TYRE_ANCHORS 9
 /// Taylor coefficients that the real type needs between two anchors.

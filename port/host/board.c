@@ -8,9 +8,10 @@
 // Ticks are counted by the monotonic clock. The process sleeps to absolute
 // deadlines, so that delays do not add up, and prints at the end on standard
 // error how late it woke. TWOFOLD_REALTIME asks for real-time priority and
-// locked memory.
+// locked memory. TWOFOLD_LATENESS names a file for the histogram of how long
+// after the time that it slept to it woke, and was done: us,began,ended.
 //
-// When nobody reads the line it fills up, and the loop drops records. When the
+// When nothing reads the line it fills up, and the loop drops records. When the
 // line is gone (device unplugged, pipe closed) the program ends with code 4.
 // The reader of a pseudo-terminal may come and go. SIGINT and SIGTERM end the
 // program with code 0.
@@ -32,6 +33,8 @@
 
 #define NANOSECONDS 1000000000u
 
+#define LATENESS_BINS 10000u // [us]; the last one counts what is later
+
 static struct {
   int in, out;
   unsigned used, sent; // of the bytes that wait to be sent
@@ -40,8 +43,10 @@ static struct {
   uint8_t received[256];
   uint64_t start;  // [ns]
   uint64_t period; // [ns]
+  uint64_t due;    // the time that it last slept to [ns]
   // How late it woke for a tick [ns].
   uint64_t woke, late_sum, late_least, late_most;
+  uint64_t began[LATENESS_BINS + 1], ended[LATENESS_BINS + 1];
 } host = {.in = STDIN_FILENO, .out = STDOUT_FILENO};
 
 static volatile sig_atomic_t stop_asked;
@@ -174,7 +179,13 @@ static bool flush(void) {
   return true;
 }
 
+static void count(uint64_t *bins, uint64_t late) {
+  const uint64_t us = late / 1000u;
+  bins[us < LATENESS_BINS ? us : LATENESS_BINS]++;
+}
+
 static void measure_late(uint64_t late) {
+  count(host.began, late);
   if (host.woke == 0 || late < host.late_least) host.late_least = late;
   if (late > host.late_most) host.late_most = late;
   host.late_sum += late;
@@ -185,6 +196,7 @@ static void sleep_to_next_tick(void) {
   // All bits of the count of ticks, of which the caller has 32.
   const uint64_t tick = (now() - host.start) / host.period + 1;
   const uint64_t at = host.start + tick * host.period;
+  host.due = at;
   const struct timespec deadline = {(time_t)(at / NANOSECONDS),
                                     (long)(at % NANOSECONDS)};
   if (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, NULL) == 0)
@@ -195,7 +207,7 @@ unsigned port_room(void) {
   if (host.used == sizeof host.waiting) {
     if (stop_asked) port_halt(0);
     if (!flush()) port_halt(4);
-    // Nobody reads: sleep, or the caller would call again and again.
+    // Nothing reads the line: sleep, or the caller would call again and again.
     if (host.used > 0 && host.period > 0) sleep_to_next_tick();
   }
   return (unsigned)sizeof host.waiting - host.used;
@@ -216,7 +228,21 @@ int port_get(void) {
 void port_idle(uint32_t seen) {
   if (stop_asked) port_halt(0);
   if (!flush()) port_halt(4);
-  if (port_ticks() == seen) sleep_to_next_tick();
+  const uint64_t time = now();
+  if ((uint32_t)((time - host.start) / host.period) != seen) return;
+  if (host.due != 0) count(host.ended, time - host.due);
+  sleep_to_next_tick();
+}
+
+static void write_lateness(const char *path) {
+  FILE *file = fopen(path, "w");
+  if (file == NULL) fail(path);
+  fputs("us,began,ended\n", file);
+  for (unsigned us = 0; us <= LATENESS_BINS; us++)
+    if (host.began[us] + host.ended[us] > 0)
+      fprintf(file, "%u,%llu,%llu\n", us, (unsigned long long)host.began[us],
+              (unsigned long long)host.ended[us]);
+  if (fclose(file) != 0) fail(path);
 }
 
 void port_halt(int code) {
@@ -232,5 +258,7 @@ void port_halt(int code) {
             (double)host.late_least * 1e-3,
             (double)host.late_sum / (double)host.woke * 1e-3,
             (double)host.late_most * 1e-3);
+  const char *path = getenv("TWOFOLD_LATENESS");
+  if (path != NULL) write_lateness(path);
   exit(code);
 }

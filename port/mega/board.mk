@@ -1,10 +1,9 @@
 # Arduino Mega: ATmega2560, 8 bits at 16 MHz, 256 KB flash, 8 KB RAM.
-# QEMU 7.2 reads wrong constants from flash beyond 64 KB, which a firmware with
-# every scene or with commands would need.
 AVR_CHIP := atmega2560
 AVR_MACHINE := mega2560
 AVR_STACK := 2048
 include port/arch/avr.mk
+BOARD_LINK := -T port/mega/low_data.ld $(BOARD_LINK)
 BOARD_SMALL := yes
 BOARD_STEPS := 100000
 BOARD_RATES_float := 50

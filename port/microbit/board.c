@@ -40,7 +40,7 @@ static volatile uint32_t ticks;
 static uint32_t clock; // of which the timer has the low 16 bits
 static bool sending;
 
-// The timer goes round after 65 ms, more than the longest tick. It is read in
+// The timer wraps after 65 ms, more than the longest tick. It is read in
 // every tick, so a step may take longer.
 static void read_clock(void) {
   CLOCK(CAPTURE0) = 1;

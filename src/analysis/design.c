@@ -6,8 +6,6 @@
 
 #include "field.h"
 
-#define LEAST_SINE TF_R(1e-6) // and cosine, as in tf_speed_for_slip
-
 static bool in_its_range(size_t offset, tf_real_t value) {
   int i = 0;
   for (int n = 0; n < TF_PARAMETERS; n++)
@@ -16,14 +14,14 @@ static bool in_its_range(size_t offset, tf_real_t value) {
          value <= tf_parameter_ranges[i].high;
 }
 
-// What can be told before anything is computed.
+// What can be said before anything is computed.
 static tf_design_obstacle_t obstacle_at(const tf_machine_t *k,
                                         const tf_input_t *input, tf_real_t r,
                                         tf_real_t w) {
   const tf_state_t at_r = {.r = r}, at_w = {.w = w};
   if (k->tyre.law != TF_TYRE_JUMP || !(k->tyre.mu > 0)) return TF_DESIGN_LAW;
-  if (!(magnitude(k->sin_gamma) >= LEAST_SINE) ||
-      !(magnitude(k->cos_gamma) >= LEAST_SINE))
+  if (!(magnitude(k->sin_gamma) >= TF_MIN_SINE) ||
+      !(magnitude(k->cos_gamma) >= TF_MIN_SINE))
     return TF_DESIGN_GAMMA;
   if (r == 0 || !in_range(&at_r, input)) return TF_DESIGN_R;
   if (w - input->omega0 == 0 || !in_range(&at_w, input)) return TF_DESIGN_OMEGA;

@@ -1,6 +1,6 @@
 // The right-hand side f(x, lambda) on h = 0 at one point, in physical time.
-//   r' = v,  p' = rates.p + lambda sin(gamma)/m,
-//   z' = rates.z + lambda (r cos(gamma) + s kappa)/J
+//   r' = v,  p' = rates.dp + lambda sin(gamma)/m,
+//   z' = rates.dz + lambda (r cos(gamma) + s kappa)/J
 //   v' = p' + d z',  w' = z' + alpha
 #ifndef TF_FIELD_H
 #define TF_FIELD_H
@@ -29,7 +29,7 @@ TF_INLINE field_point_t field_point_at(const tf_machine_t *k,
                                        tf_real_t v, tf_real_t w, bool minus) {
   field_point_t x = {
       .r = r, .v = v, .w = w, .z = w - input->omega0, .minus = minus};
-  x.p = v - k->d * x.z;
+  x.p = slider_speed(k, v, x.z);
   x.rates = rates_at(k, input, r, x.p, x.z, input->omega0);
   x.J = inertia_at(k, r);
   x.z_per_lambda = stick_arm(k, r * k->cos_gamma, minus) / x.J;
@@ -39,8 +39,8 @@ TF_INLINE field_point_t field_point_at(const tf_machine_t *k,
 // (VF)
 TF_INLINE tf_rate_t field_under(const tf_machine_t *k, const tf_input_t *input,
                                 const field_point_t *x, tf_real_t lambda) {
-  const tf_real_t z = x->rates.z + lambda * x->z_per_lambda;
-  return (tf_rate_t){x->v, x->rates.p + lambda * x->rates.Fp + k->d * z,
+  const tf_real_t z = x->rates.dz + lambda * x->z_per_lambda;
+  return (tf_rate_t){x->v, x->rates.dp + lambda * x->rates.Fp + k->d * z,
                      z + input->alpha};
 }
 

@@ -144,8 +144,9 @@ static tf_real_t rate_of_N(const tf_machine_t *k, const tf_input_t *input,
   const tf_real_t dQ_r = radial_force_rate(k, r, w, dr, dv, dw);
   const tf_real_t dQ_phi = disc_torque_rate(k, r, v, w, dr, dv, dw);
   const tf_real_t ddz =
-      (dQ_phi + k->d * dQ_r - (x->rates.z + input->alpha) * 2 * m * r * dr) / J;
-  const tf_real_t ddq = dr * x->rates.z + r * ddz + dv * x->z + v * dz;
+      (dQ_phi + k->d * dQ_r - (x->rates.dz + input->alpha) * 2 * m * r * dr) /
+      J;
+  const tf_real_t ddq = dr * x->rates.dz + r * ddz + dv * x->z + v * dz;
   return -k->sin_gamma * dQ_r / m - k->cos_gamma * ddq;
 }
 

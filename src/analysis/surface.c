@@ -8,7 +8,7 @@
 
 TF_API const char *tf_region_name(unsigned region) {
   static const char *const names[TF_REGIONS] = {
-      "sliding", "escaping", "crossing_up", "crossing_down", "codimension2"};
+      "sliding", "escaping", "crossing_up", "crossing_down", "codim2"};
   return region < TF_REGIONS ? names[region] : "unknown";
 }
 

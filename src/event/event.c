@@ -1,13 +1,12 @@
 // The first event of a segment. An event is where a function of time vanishes
-// that has one sign throughout the segment: h, g, mu - |lambda|, A, or kappa
-// |F| - |M|. These are polynomials here, so their first roots are isolated by
+// that has one sign throughout the segment: h, g, mu - |lambda|, A, or what is
+// left of |F| and |M| to the bounds of rest_law.h. These are polynomials here,
+// up to the order of the motion, so their first roots are isolated by
 // Descartes' rule on Bernstein coefficients (polynomial.h). Event-driven
 // solvers that compare signs at the ends of steps, as in Piiroinen and
 // Kuznetsov (2008), may pass over a pair of roots.
 #include "../friction/rest_law.h"
 #include "segment.h"
-
-// A series is filled up to the order of the motion.
 
 // (of_p p + of_q q) / t^zeros, for a sum with a zero of that order at t = 0.
 typedef struct {
@@ -95,10 +94,10 @@ TF_INLINE bool delassus_vanishes(const taylor_t *motion,
   const delassus_quadratic_t at =
       delassus_quadratic(motion->machine, (tf_real_t)segment->sign_g);
   const tf_real_t r = motion->r.c[0];
-  const tf_real_t way = change_within(&motion->r, motion->order, *time);
+  const tf_real_t travel = change_within(&motion->r, motion->order, *time);
   if (!segment->A_starts_at_zero &&
       magnitude(delassus_quadratic_at(at, r)) >
-          way * (2 * magnitude(r) + way + magnitude(at.b)))
+          travel * (2 * magnitude(r) + travel + magnitude(at.b)))
     return false;
   series_t A;
   magnitude_of_A(motion, at, segment->A_starts_at_zero ? 1 : 0, &A);

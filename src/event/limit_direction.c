@@ -13,8 +13,9 @@ typedef struct {
   tf_real_t friction; // at most, as acceleration of p and q [m/s^2]
 } limit_solution_t;
 
-// The way to h = g = 0 takes about speed/acceleration. The search is worth its
-// cost where that is much longer than the series reaches, but not many steps.
+// The motion to h = g = 0 takes about speed/acceleration. The search is worth
+// its cost where that is much longer than the series reaches, but not many
+// steps.
 TF_API bool tf_may_be_stiff(const trajectory_t *path, tf_real_t length) {
   const taylor_t *motion = &path->motion;
   const tf_real_t speed = magnitude(motion->p.c[0]) + magnitude(motion->q.c[0]);
@@ -28,7 +29,8 @@ TF_API bool tf_may_be_stiff(const trajectory_t *path, tf_real_t length) {
 
 // Expands the solution that has h = g = 0 at limit->r, limit->time ago; false
 // where no limit direction attracts the slip.
-static bool expand_limit_solution(trajectory_t *path, limit_solution_t *limit) {
+static bool series_of_limit_solution(trajectory_t *path,
+                                     limit_solution_t *limit) {
   taylor_t *motion = &path->motion;
   const tf_machine_t *k = motion->machine;
   segment_t *segment = &limit->segment;
@@ -60,9 +62,9 @@ static tf_real_t time_along(const taylor_t *motion, tf_real_t p, tf_real_t q) {
   return t;
 }
 
-// Finds the limit solution next to the slip and tells whether it is near enough
-// to take its place. Its r and time are exact to second order in the slip after
-// the first expansion and to fourth after the second.
+// Finds the limit solution next to the slip and returns whether it is near
+// enough to take its place. Its r and time are exact to second order in the
+// slip after the first expansion and to fourth after the second.
 static bool is_on_limit_solution(trajectory_t *path, tf_real_t allowed,
                                  limit_solution_t *limit) {
   const taylor_t *motion = &path->motion;
@@ -70,7 +72,7 @@ static bool is_on_limit_solution(trajectory_t *path, tf_real_t allowed,
   const tf_real_t q = now.r * now.z;
   tf_real_t missed = 0, growth = 0;
   for (int i = 0; i < 2; i++) {
-    if (!expand_limit_solution(path, limit)) return false;
+    if (!series_of_limit_solution(path, limit)) return false;
     const tf_real_t t = time_along(motion, now.p, q);
     // A distance from the solution changes as t^exponent: it has to decay.
     if (!(t * motion->exponent < 0)) return false;

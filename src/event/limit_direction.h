@@ -5,7 +5,7 @@
 #include "trajectory.h"
 
 // Whether a slip is near h = g = 0 and a segment of this length much shorter
-// than the way from or to there: it may be stiff then.
+// than the motion from or to there: it may be stiff then.
 #define tf_may_be_stiff TF_LINK(tf_may_be_stiff)
 TF_API bool tf_may_be_stiff(const trajectory_t *path, tf_real_t length);
 

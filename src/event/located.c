@@ -35,7 +35,7 @@ static void begin_trajectory(trajectory_t *path, const tf_machine_t *k,
   path->omega = input->omega0 - input->alpha * k->dt;
   path->now.r = state->r;
   path->now.z = state->w - path->omega;
-  path->now.p = state->v - k->d * path->now.z;
+  path->now.p = slider_speed(k, state->v, path->now.z);
   path->remaining = k->dt;
   path->angle = 0;
   path->is_over = false;
@@ -63,7 +63,7 @@ static bool try_limit_direction(trajectory_t *path, span_t span) {
 }
 
 // The time at which a stick reaches the two-fold A = 0, if the velocities
-// change less on the way than they may be off by, else 0. So near to it
+// change less until then than they may be off by, else 0. So near to it
 // lambda = N/A is a quotient of two errors, which ever shorter segments follow.
 static tf_real_t time_of_near_two_fold(const trajectory_t *path, span_t span) {
   const taylor_t *motion = &path->motion;
@@ -101,7 +101,7 @@ static bool is_at_codim2(const trajectory_t *path, span_t span,
 // where there is none.
 static bool integrate_segment(trajectory_t *path, bool ask_for_stiffness) {
   // Expand: (13), (14) with (15) or (16).
-  if (!tf_expand(path)) return false;
+  if (!tf_begin_series(path)) return false;
   if (!(path->remaining > 0)) return end_in_new_segment(path);
 
   // Length, by the last terms of the series.
@@ -149,18 +149,20 @@ static bool integrate_step(trajectory_t *path) {
   return false;
 }
 
-// The whole step by tf_step. What that refuses or degrades, it reports itself.
+// The whole step by tf_step. What that refuses, degrades or finds too coarse,
+// it reports itself: that weighs more than who took the step.
 static tf_status_t fall_back(const tf_machine_t *k, tf_state_t *state,
                              const tf_input_t *input, tf_report_t *report) {
   const tf_status_t status = tf_step(k, state, input, report);
-  if (status != TF_OK && status != TF_COARSE) return status;
+  if (status != TF_OK) return status;
   report->status = TF_FELL_BACK;
   return TF_FELL_BACK;
 }
 
 static end_state_t end_of(const trajectory_t *path) {
   const tf_real_t z = path->now.z;
-  return (end_state_t){path->now.r, path->now.p + path->motion.machine->d * z,
+  return (end_state_t){path->now.r,
+                       slider_velocity(path->motion.machine, path->now.p, z),
                        z + path->omega};
 }
 
@@ -170,8 +172,7 @@ static tf_status_t finish_by_fixed_step(const trajectory_t *path,
                                         tf_state_t *state,
                                         tf_report_t *report) {
   tf_machine_t k = *path->motion.machine;
-  set_step_length(&k,
-                  path->remaining > LEAST_STEP ? path->remaining : LEAST_STEP);
+  set_step_length(&k, path->remaining > MIN_STEP ? path->remaining : MIN_STEP);
   const end_state_t from = end_of(path);
   if (!in_reach(from.r, from.v, from.w))
     return refuse_step(report, TF_DIVERGED);
@@ -181,14 +182,15 @@ static tf_status_t finish_by_fixed_step(const trajectory_t *path,
   x.w = from.w;
   x.mode = (uint8_t)path->mode;
   if (k.with_angle) x.phi += path->angle;
-  tf_report_t of_rest;
-  const tf_status_t status = tf_step(&k, &x, path->motion.input, &of_rest);
+  tf_report_t of_remainder;
+  const tf_status_t status = tf_step(&k, &x, path->motion.input, &of_remainder);
   if (status < TF_OK) return refuse_step(report, status);
   *state = x;
-  *report = of_rest;
-  const unsigned met =
-      size_of(path->set) > size_of(of_rest.set) ? path->set : of_rest.set;
-  report->set = (uint8_t)(met | TF_MODE_BIT(of_rest.mode));
+  *report = of_remainder;
+  const unsigned met = size_of(path->set) > size_of(of_remainder.set)
+                           ? path->set
+                           : of_remainder.set;
+  report->set = (uint8_t)(met | TF_MODE_BIT(of_remainder.mode));
   report->choices = (uint8_t)size_of(report->set);
   if (status == TF_OK) report->status = TF_COARSE;
   return report->status;
@@ -204,7 +206,7 @@ static tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
                            path->force, slip);
 }
 
-// The name of the mode at the end. Where no event tells, it goes by the signs
+// The name of the mode at the end. Where no event decides, it goes by the signs
 // there: of h without contact, of g in a stick without a moment.
 static unsigned mode_at_end(const trajectory_t *path, tf_slip_t slip) {
   if (path->segment.contact == CONTACT_NONE && slip.h != 0)
@@ -242,7 +244,7 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
   const tf_real_t rounding =
       slip_rounding(k, end.r, end.v, end.w, input->omega0);
   const tf_status_t status = status_by_signs(
-      report, rounding + k->tolerance / (32 * TF_REAL_EPSILON) * rounding);
+      report, rounding + k->tolerance / SLIP_ROUNDINGS * rounding);
   return stays ? judge_standing(k, input, state, report) : status;
 }
 

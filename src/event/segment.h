@@ -32,7 +32,7 @@ typedef enum {
   EVENT_CODIM2,   // slip or stick reaches h = g = 0
   EVENT_RELEASE,  // |lambda| = mu in stick
   EVENT_TWO_FOLD, // A = 0 in stick
-  EVENT_UNPINNED  // |F| = mu or |M| = kappa |F| while pinned
+  EVENT_UNPINNED  // F or M reaches a bound of the law of rest
 } event_t;
 
 // Computes the series of a segment from their terms 0, with as many terms as

@@ -15,8 +15,8 @@
 
 // Where the wheel is pinned no term is beyond those of w^2.
 #define PINNED_ORDER 2
-// With fewer terms than these a size cannot be foretold from two others.
-#define LEAST_ORDER 3
+// With fewer terms than these a size cannot be predicted from two others.
+#define MIN_ORDER 3
 
 typedef struct {
   tf_real_t r, p, z;
@@ -56,13 +56,13 @@ static const tf_real_t reciprocal[] = {
     TF_R(1.0) / 9,
 };
 
-// Term k of a^2, where equal products are computed once.
-TF_INLINE tf_real_t square_term(const series_t *a, int k) {
+// Term n of a^2, where equal products are computed once.
+TF_INLINE tf_real_t square_term(const series_t *a, int n) {
   tf_real_t sum = 0;
-  for (int i = (k - 1) / 2; i > 0; i--) sum += a->c[i] * a->c[k - i];
+  for (int i = (n - 1) / 2; i > 0; i--) sum += a->c[i] * a->c[n - i];
   sum += sum;
-  if (k % 2 == 0) sum += a->c[k / 2] * a->c[k / 2];
-  return k == 0 ? sum : sum + 2 * a->c[0] * a->c[k];
+  if (n % 2 == 0) sum += a->c[n / 2] * a->c[n / 2];
+  return n == 0 ? sum : sum + 2 * a->c[0] * a->c[n];
 }
 
 // The size of the n-th terms of the velocities [m/s^(n+1)]. Times the radius of
@@ -125,7 +125,7 @@ TF_INLINE void extend_motion(taylor_t *motion, int n) {
   const tf_machine_t *k = motion->machine;
   tf_real_t *r = motion->r.c, *w = motion->w.c, *z = motion->z.c;
   tf_real_t *rw = motion->rw.c;
-  const tf_real_t v = motion->p.c[n] + k->d * z[n];
+  const tf_real_t v = slider_velocity(k, motion->p.c[n], z[n]);
   const tf_real_t over = reciprocal[n + 1];
   r[n + 1] = v * over;
   motion_sums_t sum = {0, 0, 0, 0};
@@ -154,9 +154,9 @@ TF_INLINE void extend_motion(taylor_t *motion, int n) {
   motion->q.c[n + 1] = r_z + r[0] * z[n + 1];
 }
 
-// Notes the terms n, and tells whether the series may end with them: over the
+// Notes the terms n, and returns whether the series may end with them: over the
 // time of the series the last term is allowed as an error, and so is the one
-// that would follow it. That one is foretold from the two before the last, so
+// that would follow it. That one is predicted from the two before the last, so
 // that a last term which happens to be 0 does not hide it.
 TF_INLINE bool is_long_enough(taylor_t *motion, int n) {
   tf_real_t *size = motion->size;
@@ -171,7 +171,7 @@ TF_INLINE bool is_long_enough(taylor_t *motion, int n) {
     size[1] *= inverse;
     motion->power *= inverse;
   }
-  return n >= LEAST_ORDER && size[n] <= 1 &&
+  return n >= MIN_ORDER && size[n] <= 1 &&
          size[n - 1] * size[n - 1] <= size[n - 3];
 }
 

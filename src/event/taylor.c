@@ -1,9 +1,9 @@
 // The Taylor coefficients of a segment: each contact closes the recurrence of
-// (13), (14) in its own way.
+// (13), (14) in its own form.
 #include "segment.h"
 
 // Each shortening takes a quarter off a segment.
-#define MOST_SHORTENINGS 64
+#define MAX_SHORTENINGS 64
 #define SHORTENING TF_R(0.75)
 
 // (15). In slip the force goes with T(y) = tan(a atan y), y = |g/h|, and
@@ -116,7 +116,7 @@ static tf_real_t limit_direction_gain(const taylor_t *motion,
          (dp * motion->q.c[1] - motion->p.c[1] * dq) / angle->R2.c[0];
 }
 
-// Out of a singular point the sizes of the terms foretell nothing.
+// Out of a singular point the sizes of the terms do not predict the next ones.
 static void take_all_terms(taylor_t *motion) {
   (void)is_long_enough(motion, 1);
   motion->order = SERIES_ORDER;
@@ -247,10 +247,12 @@ static void taylor_pinned(taylor_t *motion) {
   for (int n = 0; n <= PINNED_ORDER; n++) {
     const tf_real_t Q_r =
         radial_force_at_rest_term(k, motion->input, n, r, w2[n]);
-    tf_real_t F = -Q_r, torque = -k->c1 * motion->w.c[n] + k->d * Q_r;
+    tf_real_t F = -Q_r;
+    tf_real_t torque =
+        momentum_rate_term(k, motion->input, n, motion->w.c[n], Q_r);
     if (n == 0) {
       F -= k->m * k->d * alpha;
-      torque += motion->input->torque - alpha / motion->inverse_J;
+      torque -= alpha / motion->inverse_J;
     }
     motion->F.c[n] = F / k->sin_gamma;
     motion->M.c[n] = -torque - motion->F.c[n] * motion->arm;
@@ -313,7 +315,7 @@ TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
   }
   tf_real_t last_but_one = term_size(motion, SERIES_ORDER - 1) * power;
   tf_real_t last = term_size(motion, SERIES_ORDER) * power * size;
-  for (int i = 0; i < MOST_SHORTENINGS; i++) {
+  for (int i = 0; i < MAX_SHORTENINGS; i++) {
     if (last_but_one + last <= allowed) return time;
     time *= SHORTENING;
     last_but_one *= share;

@@ -6,7 +6,7 @@ TF_API rates_t tf_trajectory_rates(const trajectory_t *path) {
                   path->now.p, path->now.z, path->omega);
 }
 
-TF_API bool tf_expand(trajectory_t *path) {
+TF_API bool tf_begin_series(trajectory_t *path) {
   taylor_t *motion = &path->motion;
   begin_taylor(motion, motion->machine, motion->input, path->omega, path->now);
   return tf_taylor_coefficients(motion, &path->segment, path->remaining);

@@ -30,19 +30,21 @@ TF_INLINE tf_slip_t trajectory_slip(const trajectory_t *path) {
 #define tf_trajectory_rates TF_LINK(tf_trajectory_rates)
 TF_API rates_t tf_trajectory_rates(const trajectory_t *path);
 
-// What the rounding of v, w and omega0 can make of h and g [m/s].
+// By how much the h and g of a point of a series may be off by rounding [m/s]:
+// an eighth of the bound by which a state is at h = 0, because that point is
+// the value of a polynomial and not the end of a step.
 TF_INLINE tf_real_t trajectory_rounding(const trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
-  const tf_real_t w = magnitude(path->now.z + path->omega);
-  return 4 * TF_REAL_EPSILON *
-         (magnitude(path->now.p) + (magnitude(k->d) + magnitude(path->now.r)) *
-                                       (w + magnitude(path->omega)));
+  const phase_point_t at = path->now;
+  return slip_rounding(k, at.r, slider_velocity(k, at.p, at.z),
+                       at.z + path->omega, path->omega) /
+         8;
 }
 
 // Computes the series of the segment from the point where the trajectory is.
 // False as tf_taylor_coefficients.
-#define tf_expand TF_LINK(tf_expand)
-TF_API bool tf_expand(trajectory_t *path);
+#define tf_begin_series TF_LINK(tf_begin_series)
+TF_API bool tf_begin_series(trajectory_t *path);
 
 // How far a segment goes [s], and how far off it may be there [m/s].
 typedef struct {
@@ -61,7 +63,7 @@ TF_API span_t tf_segment_span(const trajectory_t *path);
 TF_API void tf_advance(trajectory_t *path, tf_real_t from, tf_real_t to);
 
 // Puts the trajectory on h = 0 by an impulse of the friction force, which is
-// the shortest way there in the metric of the kinetic energy.
+// the shortest path there in the metric of the kinetic energy.
 #define tf_project TF_LINK(tf_project)
 TF_API void tf_project(trajectory_t *path);
 

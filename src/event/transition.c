@@ -51,7 +51,7 @@ static bool leave_h_zero(trajectory_t *path) {
 
 // h = g = 0 means p = 0 and r z = 0: the wheel turns with the turntable, or the
 // slider passes the axis. Set to 0 is whichever of z and r changes r z now.
-static void place_at_codim2(trajectory_t *path) {
+static void set_codim2(trajectory_t *path) {
   const rates_t rates = tf_trajectory_rates(path);
   path->now.p = 0;
   if (rates.vz > rates.rz)
@@ -61,11 +61,12 @@ static void place_at_codim2(trajectory_t *path) {
 }
 
 static bool leave_codim2(trajectory_t *path, bool arrives) {
-  place_at_codim2(path);
+  set_codim2(path);
   const tf_machine_t *k = path->motion.machine;
   const rates_t rates = tf_trajectory_rates(path);
   const codim2_field_t field = tf_codim2_field_of(k, &rates);
   consistent_modes_t consistent;
+  tf_codim2_modes(k, &field, &consistent);
   const unsigned mode =
       tf_leave_codim2(k, &field, path->mode, arrives, path->state, &consistent);
   keep_largest_set(path, consistent.solutions.set);
@@ -111,13 +112,12 @@ static bool keep_leaving(trajectory_t *path) {
 }
 
 // A stick that an attracting surface keeps, and a rule nothing to decide about:
-// most are. A moment of rest (g = 0) is none of them.
+// most are. At g = 0 this does not apply.
 static bool keep_stick(trajectory_t *path, bool minus) {
   const tf_machine_t *k = path->motion.machine;
   const rates_t rates = rates_at(k, path->motion.input, path->now.r,
                                  path->now.p, path->now.z, path->omega);
-  const tf_real_t A = rates.A[minus];
-  if (!(magnitude(rates.N) < A * k->tyre.mu)) return false;
+  if (!is_sliding(slip_limits(k, &rates, minus))) return false;
   path->segment = (segment_t){.contact = CONTACT_STICK,
                               .sign_h = 1,
                               .sign_g = minus ? -1 : 1,
@@ -144,7 +144,8 @@ static void begin_in_slip(trajectory_t *path, tf_slip_t slip) {
 TF_API bool tf_first_segment(trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const tf_slip_t slip = trajectory_slip(path);
-  const tf_real_t rounding = trajectory_rounding(path);
+  const tf_state_t *x = path->state;
+  const tf_real_t rounding = slip_rounding(k, x->r, x->v, x->w, path->omega);
   if (k->tyre.law == TF_TYRE_NONE) {
     begin_without_contact(path, slip.h);
     return true;

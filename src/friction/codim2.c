@@ -9,14 +9,11 @@
 #include "rest_law.h"
 #include "select.h"
 
-// A slip that meets no limit direction has come round after so many.
-#define QUADRANTS 5
-
 static const search_t exits = {true, false, 0};
 
 TF_API codim2_field_t tf_codim2_field_of(const tf_machine_t *k,
                                          const rates_t *rates) {
-  const tf_slip_t free = slip_from_pq(k, rates->p, rates->q);
+  const tf_slip_t free = slip_from_pq(k, rates->dp, rates->dq);
   const tf_slip_t F = slip_from_pq(k, rates->Fp, rates->Fq);
   const tf_slip_t M = slip_from_pq(k, 0, rates->Mq);
   const tf_real_t mu = k->tyre.mu;
@@ -56,28 +53,18 @@ static void add_exit(const tf_machine_t *k, const codim2_field_t *field,
   out->solutions.h_limit[slip] = (tf_real_t)sign_h * best.speed;
 }
 
-// How fast g grows in the stick with the sign s of g.
-static tf_real_t stick_rate(const codim2_field_t *field, int s) {
-  const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
-  const affine_t h = field->h, g = field->g;
-  const tf_real_t x = -h.c0 / (h.cx + sign * h.cy);
-  return sign * (g.c0 + x * (g.cx + sign * g.cy));
-}
-
 // The stick with the sign s of g, if the law has the force that keeps h at 0
 // and g gets that sign under it. Returns how fast g grows, 0 where it does not.
 static tf_real_t add_stick(const tf_machine_t *k, const codim2_field_t *field,
                            int s, consistent_modes_t *out) {
   solutions_t *solutions = &out->solutions;
-  const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
-  const tf_real_t slope = field->h.cx + sign * field->h.cy;
-  const tf_real_t x = -field->h.c0 / slope, rate = stick_rate(field, s);
-  if (slope < 0)
+  const stick_t stick = stick_at(field, s);
+  if (stick.attracts)
     solutions->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
-  if (!within(x, 1) || !(rate > 0)) return 0;
+  if (!within(stick.x, 1) || !(stick.rate > 0)) return 0;
   solutions->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
-  out->lambda[s] = x * k->tyre.mu;
-  return rate;
+  out->lambda[s] = stick.x * k->tyre.mu;
+  return stick.rate;
 }
 
 TF_API void tf_codim2_modes(const tf_machine_t *k, const codim2_field_t *field,
@@ -95,61 +82,13 @@ TF_API void tf_codim2_modes(const tf_machine_t *k, const codim2_field_t *field,
 TF_API unsigned tf_leave_codim2(const tf_machine_t *k,
                                 const codim2_field_t *field, unsigned from,
                                 bool arrives, const tf_state_t *state,
-                                consistent_modes_t *out) {
-  tf_codim2_modes(k, field, out);
+                                const consistent_modes_t *modes) {
+  solutions_t s = modes->solutions;
   // Where the law of stick holds the wheel, a stick that arrives goes on.
   if (arrives && from > TF_SLIP_MINUS &&
       rests_under(TF_REST_BOW_TIE, field->pin.x, field->pin.y))
-    out->solutions.attracting |= (uint8_t)TF_MODE_BIT(TF_PINNED);
-  const bool lost =
-      arrives || (from != TF_PINNED && !has(out->solutions.set, from));
-  return tf_select(k->rule, k->exit_threshold, &out->solutions,
-                   lost ? TF_NO_MODE : from, state->tick, state->seed);
-}
-
-static codim2_way_t way_of_slip(const tf_machine_t *k,
-                                const limit_direction_t *to, int sign_h) {
-  const tf_real_t s_h = (tf_real_t)sign_h, s_g = (tf_real_t)to->sign_g;
-  const multipliers_t m = multipliers_at(&k->tyre, to->T);
-  return (codim2_way_t){sign_h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS,
-                        {s_h * to->C, s_g * to->S},
-                        {s_h * m.x, s_h * s_g * m.y},
-                        to->speed};
-}
-
-static codim2_way_t way_of_stick(const codim2_field_t *field, int sign_g) {
-  const tf_real_t s_g = (tf_real_t)sign_g;
-  const tf_real_t x = -field->h.c0 / (field->h.cx + s_g * field->h.cy);
-  return (codim2_way_t){sign_g > 0 ? TF_STICK_PLUS : TF_STICK_MINUS,
-                        {0, s_g},
-                        {x, s_g * x},
-                        stick_rate(field, sign_g < 0)};
-}
-
-TF_API codim2_way_t tf_codim2_destination(const tf_machine_t *k,
-                                          const codim2_field_t *field,
-                                          tf_slip_t slip, int sign_h) {
-  const direction_t steepest = {0, 1, k->tyre.T_anchor[TF_TYRE_ANCHORS - 1]};
-  const direction_t flattest = {1, 0, 0};
-  const tf_real_t H = (tf_real_t)sign_h * slip.h, C = H > 0 ? H : 0;
-  const tf_real_t S = magnitude(slip.g);
-  int sign_g = slip.g < 0 ? -1 : 1;
-  direction_t at = {C, S, cot_psi(&k->tyre, S, C)};
-  quadrant_t q = tf_quadrant_of(&k->tyre, field, sign_g, sign_h);
-  bool upwards = angular_rate(&q, at) > 0;
-  for (int turn = 0; turn < QUADRANTS; turn++) {
-    const search_t next = {false, upwards, at.T};
-    const limit_direction_t to =
-        tf_search_quadrant(&k->tyre, &q, &next, no_direction);
-    if (to.sign_g) return way_of_slip(k, &to, sign_h);
-    if (upwards)
-      sign_h = -sign_h;
-    else
-      sign_g = -sign_g;
-    at = upwards ? steepest : flattest;
-    q = tf_quadrant_of(&k->tyre, field, sign_g, sign_h);
-    if (upwards && angular_rate(&q, at) > 0) return way_of_stick(field, sign_g);
-    upwards = !upwards;
-  }
-  return (codim2_way_t){.mode = TF_NO_MODE};
+    s.attracting |= (uint8_t)TF_MODE_BIT(TF_PINNED);
+  const bool lost = arrives || (from != TF_PINNED && !has(s.set, from));
+  return tf_select(k->rule, k->exit_threshold, &s, lost ? TF_NO_MODE : from,
+                   state->tick, state->seed);
 }

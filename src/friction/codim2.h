@@ -1,10 +1,10 @@
 // What follows h = g = 0: every future that is consistent there, and the one
 // that is taken. Every step asks this one function.
 //
-// Near that point h and g are rho sin(angle) and rho cos(angle), and their
-// rates depend on the angle alone: rho' = R(angle), rho angle' = T(angle). So a
-// motion reaches or leaves the point along a zero of T, a limit direction
-// (Antali and Stepan 2018), or in stick; one with R > 0 leaves. A direction to
+// Near that point h and g are s sin(angle) and s cos(angle), and their rates
+// depend on the angle alone: s' = S(angle), s angle' = N(angle). So a motion
+// reaches or leaves the point along a zero of N, a limit direction (Antali and
+// Stepan 2018), or in stick; one with S > 0 leaves. A direction to
 // which its neighbours turn attracts, as does a stick with a positive Delassus
 // scalar. Stick that arrives goes on, at rest, where its law, the bow tie,
 // holds the wheel. Other motion runs into a rest unless one of those that
@@ -14,6 +14,21 @@
 
 #include "consistent.h"
 #include "quadrant.h"
+
+// The stick with one sign of g (s: 0 for +, 1 for -) at h = g = 0: the
+// multiplier that keeps h at 0, how fast |g| grows under it, and whether its
+// Delassus scalar is positive.
+typedef struct {
+  tf_real_t x, rate;
+  bool attracts;
+} stick_t;
+
+TF_INLINE stick_t stick_at(const codim2_field_t *field, int s) {
+  const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
+  const affine_t h = field->h, g = field->g;
+  const tf_real_t slope = h.cx + sign * h.cy, x = -h.c0 / slope;
+  return (stick_t){x, sign * (g.c0 + x * (g.cx + sign * g.cy)), slope < 0};
+}
 
 // That of an instant.
 #define tf_codim2_field_of TF_LINK(tf_codim2_field_of)
@@ -28,37 +43,39 @@ TF_API bool tf_codim2_attractor(const tf_machine_t *k,
                                 const codim2_field_t *field, int sign_g,
                                 int sign_h, tf_real_t *T);
 
-// A limit direction or a stick that leads to or from h = g = 0.
+// Where a slip near h = g = 0 goes within a step, in a field over that step.
 typedef struct {
-  unsigned mode;       // TF_MODES: none
-  tf_slip_t along;     // direction, of length 1
-  multipliers_t under; // of its force
-  tf_real_t rate;      // rho', negative where it leads in
-} codim2_way_t;
+  unsigned mode;   // at its end; TF_PINNED: it comes to h = g = 0; TF_NO_MODE:
+                   // the field is no number
+  tf_slip_t slip;  // there
+  tf_real_t share; // of the step that this takes: 1, or less to h = g = 0
+  multipliers_t sum; // of its force over that share
+  bool leads_in;     // along a limit direction that leads to h = g = 0
+} codim2_course_t;
 
-// The one that attracts a slip near h = g = 0 with this sign of h; none where
-// it turns round and round.
-#define tf_codim2_destination TF_LINK(tf_codim2_destination)
-TF_API codim2_way_t tf_codim2_destination(const tf_machine_t *k,
-                                          const codim2_field_t *field,
-                                          tf_slip_t slip, int sign_h);
+// The course of a slip with this sign of h that is not at h = g = 0: through
+// the cells between the anchors of the angle kernel, each with the velocity in
+// its middle, to its limit direction, h = 0 or the end of the step.
+#define tf_codim2_course TF_LINK(tf_codim2_course)
+TF_API codim2_course_t tf_codim2_course(const tf_machine_t *k,
+                                        const codim2_field_t *field,
+                                        tf_slip_t slip, int sign_h);
 
 // The consistent modes at h = g = 0 under a law with a moment. Of the slips on
 // one side of h = 0 it is the one that attracts, then the one that grows
-// faster. `attracting` has the slips that attract as well, h_limit their rho',
+// faster. `attracting` has the slips that attract as well, h_limit their s',
 // and near_stick is the faster stick.
 #define tf_codim2_modes TF_LINK(tf_codim2_modes)
 TF_API void tf_codim2_modes(const tf_machine_t *k, const codim2_field_t *field,
                             consistent_modes_t *out);
 
-// The modes, and the one of them that the declared rule takes (tf_rule_t).
-// from: the mode of the motion. arrives: it comes there, and has lost its mode;
-// else it is there, and keeps its mode as the rule says. TF_NO_MODE where there
-// is none. `attracting` then has pinned too where a stick goes on in it.
+// Of these modes the one that the declared rule takes (tf_rule_t), TF_NO_MODE
+// where there is none. from: the mode of the motion. arrives: it comes there,
+// and has lost its mode; else it is there, and keeps its mode as the rule says.
 #define tf_leave_codim2 TF_LINK(tf_leave_codim2)
 TF_API unsigned tf_leave_codim2(const tf_machine_t *k,
                                 const codim2_field_t *field, unsigned from,
                                 bool arrives, const tf_state_t *state,
-                                consistent_modes_t *out);
+                                const consistent_modes_t *modes);
 
 #endif

@@ -18,8 +18,8 @@ typedef struct {
 TF_INLINE tf_real_t g_rate_in_stick(const tf_machine_t *k, const rates_t *a,
                                     int s, tf_real_t lambda) {
   const tf_real_t moment = signed_kappa(k, s) * lambda;
-  return slip_from_pq(k, a->p + lambda * a->Fp,
-                      a->q + lambda * a->Fq + moment * a->Mq)
+  return slip_from_pq(k, a->dp + lambda * a->Fp,
+                      a->dq + lambda * a->Fq + moment * a->Mq)
       .g;
 }
 
@@ -28,21 +28,20 @@ TF_INLINE tf_real_t g_rate_in_stick(const tf_machine_t *k, const rates_t *a,
 // g > 0, 1 where g < 0.
 TF_INLINE void surface_modes(const tf_machine_t *k, const rates_t *a, int s,
                              consistent_modes_t *out) {
-  const tf_real_t Amu = a->A[s] * k->tyre.mu;
-  const bool plus = a->N - Amu > 0, minus = a->N + Amu < 0;
+  const slip_limits_t h_rate = slip_limits(k, a, s);
+  const bool plus = h_rate.plus > 0, minus = h_rate.minus < 0;
   const unsigned stick = TF_STICK_PLUS + (unsigned)s;
   solutions_t *solutions = &out->solutions;
   *out = (consistent_modes_t){.lambda = {0, 0}};
   solutions->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
   solutions->near_stick = (uint8_t)stick;
-  solutions->h_limit[0] = a->N - Amu;
-  solutions->h_limit[1] = a->N + Amu;
+  solutions->h_limit[0] = h_rate.plus;
+  solutions->h_limit[1] = h_rate.minus;
   if (a->A[s] > 0) solutions->attracting = (uint8_t)TF_MODE_BIT(stick);
   if (plus != minus) return;
   solutions->set |= (uint8_t)TF_MODE_BIT(stick);
   // A = 0 is the vertical line of a two-fold: any lambda, 0 the smallest.
-  if (a->A[s] != 0)
-    out->lambda[s] = clip(a->N / a->A[s], -k->tyre.mu, k->tyre.mu);
+  if (a->A[s] != 0) out->lambda[s] = stick_lambda(k, a, s);
 }
 
 #endif

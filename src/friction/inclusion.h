@@ -19,6 +19,7 @@
 
 #include <stdint.h>
 
+#include "../model/tyre_law.h"
 #include "../num/kernel.h"
 #include "rest_law.h"
 #include "twofold/mode.h"
@@ -59,7 +60,7 @@ TF_INLINE tf_real_t form_value(const form_t *f, tf_real_t x, tf_real_t y) {
 // Whether a form that is `now` at the start can come to 0 within the step: by
 // how much it moves, free and under the forces of the law.
 TF_INLINE bool may_vanish(const form_t *f, tf_real_t now) {
-  return within(now, magnitude(f->c0 - now) + magnitude(f->cx) * 4 / 3 +
+  return within(now, magnitude(f->c0 - now) + MAX_SLIP_FORCE(magnitude(f->cx)) +
                          magnitude(f->cy));
 }
 
@@ -102,7 +103,7 @@ TF_INLINE bool stick_attracts(const quadratic_t *h) { return h->c1 < 0; }
 #define BOTH_SIGNS 3u
 
 TF_INLINE tf_real_t most_change(const form_t *f) {
-  const tf_real_t X = TF_R(4.0) / 3;
+  const tf_real_t X = MAX_SLIP_FORCE(TF_R(1.0));
   return X * (magnitude(f->cx) + magnitude(f->cxy) + X * magnitude(f->cxx)) +
          (magnitude(f->cy) + magnitude(f->cyy));
 }

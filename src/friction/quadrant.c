@@ -3,9 +3,7 @@
 // are solved for.
 #include "quadrant.h"
 
-#include <stddef.h>
-
-#define MOST_ITERATIONS 32
+#define MAX_ITERATIONS 8
 #define SEPARATORS 3
 #define NO_SEPARATOR TF_REAL_MAX // above every T
 
@@ -45,51 +43,78 @@ static tf_real_t radial_rate(const quadrant_t *q, direction_t at) {
          square_root(at.C * at.C + at.S * at.S);
 }
 
-// The direction at a share of the chord between an anchor of the angle kernel
-// and the next one. T depends on the ratio of sine and cosine alone, so the
-// chord serves as well as the arc.
-static direction_t on_chord(const tf_tyre_t *tyre, int anchor,
-                            tf_real_t share) {
-  const tf_real_t C = anchor_cos[anchor] +
-                      share * (anchor_cos[anchor + 1] - anchor_cos[anchor]);
-  const tf_real_t S = anchor_cos[8 - anchor] +
-                      share * (anchor_cos[7 - anchor] - anchor_cos[8 - anchor]);
-  return (direction_t){C, S, cot_psi(tyre, S, C)};
+// What lies next to one anchor of the angle kernel: directions (c - s x, s + c
+// x) and T = (T_k + u)/(1 - T_k u), where |x| <= tan(pi/32) and u(x) = tan(a
+// atan x). Times 1 - T_k u, which is positive, the angular rate is there
+//   c0 + cu u + cx x + cux u x,
+// which is next to a quadratic, as u is next to a x.
+typedef struct {
+  tf_real_t c0, cu, cx, cux;
+} cell_t;
+
+static cell_t cell_of(const quadrant_t *q, int anchor, tf_real_t T) {
+  const tf_real_t c = anchor_cos[anchor], s = anchor_cos[8 - anchor];
+  const tf_real_t g = q->g0 + q->g1 * T, h = q->h0 + q->h1 * T;
+  const tf_real_t gu = q->g1 - q->g0 * T, hu = q->h1 - q->h0 * T;
+  return (cell_t){g * c - h * s, gu * c - hu * s, -(g * s + h * c),
+                  -(gu * s + hu * c)};
 }
 
-// A part of a chord, by shares, and the values of a function at its ends, which
-// have opposite signs.
+static direction_t direction_in(int anchor, tf_real_t x, tf_real_t T) {
+  const tf_real_t c = anchor_cos[anchor], s = anchor_cos[8 - anchor];
+  return (direction_t){c - s * x, s + c * x, T};
+}
+
+// A part of a cell, and whether the angular rate is positive at its lower end
+// and negative at its upper one, or vice versa.
 typedef struct {
-  tf_real_t low, high, f_low, f_high;
+  tf_real_t low, high;
+  bool falls;
 } bracket_t;
 
-// The zero in a bracket of the angular rate of a quadrant or, without one, of
-// T - T0, and its share of the chord, by regula falsi with the Illinois
-// modification: an end that is kept twice has its value halved.
-static direction_t zero_on_chord(const tf_tyre_t *tyre, const quadrant_t *q,
-                                 tf_real_t T0, int anchor, bracket_t in,
-                                 tf_real_t *share) {
-  const bool falls = in.f_low > 0;
-  direction_t at = {1, 0, 0};
-  int kept = 0; // > 0: the upper end, < 0: the lower one
-  for (int i = 0; i < MOST_ITERATIONS; i++) {
-    *share = (in.f_low * in.high - in.f_high * in.low) / (in.f_low - in.f_high);
-    at = on_chord(tyre, anchor, *share);
-    const tf_real_t f = q ? angular_rate(q, at) : at.T - T0;
-    if (!(in.high - in.low > 4 * TF_REAL_EPSILON)) break;
-    if ((f > 0) == falls) {
-      if (!(*share - in.low > TF_REAL_EPSILON * *share)) break;
-      if (kept > 0) in.f_high /= 2;
-      in.low = *share;
-      in.f_low = f;
-      kept = 1;
-    } else {
-      if (!(in.high - *share > TF_REAL_EPSILON * *share)) break;
-      if (kept < 0) in.f_low /= 2;
-      in.high = *share;
-      in.f_high = f;
-      kept = -1;
-    }
+// The step to the zero of f + f1 d + f2 d^2/2 on one side; to its extremum
+// where it has none.
+static tf_real_t step_to_zero(tf_real_t f, tf_real_t f1, tf_real_t f2,
+                              bool upwards) {
+  const tf_real_t discriminant = f1 * f1 - 2 * f * f2;
+  const tf_real_t root = discriminant > 0 ? square_root(discriminant) : 0;
+  const tf_real_t sum = f1 < 0 ? root - f1 : -root - f1;
+  const tf_real_t near = 2 * f / sum;
+  return (near > 0) == upwards ? near : sum / f2;
+}
+
+typedef struct {
+  tf_real_t x, u;
+} cell_point_t;
+
+// The zero in a bracket, by Euler's method: from point to point to the zero of
+// the quadratic that has the same first two derivatives, or, where that lies
+// outside, to the middle. With u' = a (1 + u^2)/(1 + x^2).
+static cell_point_t zero_in(const tf_tyre_t *tyre, const cell_t *cell,
+                            bracket_t in) {
+  cell_point_t at = {clip(0, in.low, in.high), 0};
+  for (int i = 0; i < MAX_ITERATIONS; i++) {
+    const tf_real_t x = at.x, u = cot_psi_near_zero(tyre, x);
+    at.u = u;
+    const tf_real_t tu = cell->cu * u, tx = cell->cx * x;
+    const tf_real_t tux = cell->cux * u * x, f = cell->c0 + tu + tx + tux;
+    const tf_real_t size =
+        magnitude(cell->c0) + magnitude(tu) + magnitude(tx) + magnitude(tux);
+    if (!(magnitude(f) > 2 * TF_REAL_EPSILON * size)) break;
+    const bool upwards = (f > 0) == in.falls;
+    if (upwards)
+      in.low = x;
+    else
+      in.high = x;
+    const tf_real_t slant = 1 / (1 + x * x), a = tyre->T_series[0];
+    const tf_real_t u1 = a * (1 + u * u) * slant;
+    const tf_real_t u2 = 2 * u1 * (a * u - x) * slant;
+    const tf_real_t by_u = cell->cu + cell->cux * x;
+    const tf_real_t f1 = by_u * u1 + cell->cx + cell->cux * u;
+    const tf_real_t f2 = by_u * u2 + 2 * cell->cux * u1;
+    at.x += step_to_zero(f, f1, f2, upwards);
+    if (!(at.x > in.low && at.x < in.high))
+      at.x = in.low + (in.high - in.low) / 2;
   }
   return at;
 }
@@ -139,13 +164,13 @@ static separators_t find_separators(const tf_tyre_t *tyre,
 
 static limit_direction_t limit_direction_in(const tf_tyre_t *tyre,
                                             const quadrant_t *q, int anchor,
-                                            bracket_t in) {
-  tf_real_t share;
-  const direction_t at = zero_on_chord(tyre, q, 0, anchor, in, &share);
+                                            const cell_t *cell, bracket_t in) {
+  const cell_point_t zero = zero_in(tyre, cell, in);
+  const tf_real_t T = cot_psi_beyond(tyre->T_anchor[anchor], zero.u);
+  const direction_t at = direction_in(anchor, zero.x, T);
   const tf_real_t length = square_root(at.C * at.C + at.S * at.S);
-  return (limit_direction_t){at.T,          at.C / length,
-                             at.S / length, radial_rate(q, at),
-                             in.f_low > 0,  q->sign_g};
+  return (limit_direction_t){
+      T, at.C / length, at.S / length, radial_rate(q, at), in.falls, q->sign_g};
 }
 
 // Of two exits the one to which its neighbours turn, then the faster one. Of
@@ -166,54 +191,90 @@ static bool may_be_better(const search_t *search, const quadrant_t *q,
                           bool attracts, tf_real_t low, tf_real_t high,
                           const limit_direction_t *best) {
   if (search->leaves)
-    return (q->g0 + q->g1 * low > 0 || q->g0 + q->g1 * high > 0) &&
+    return (attracts || !best->is_attractor) &&
+           (q->g0 + q->g1 * low > 0 || q->g0 + q->g1 * high > 0) &&
            (q->h0 + q->h1 * low > 0 || q->h0 + q->h1 * high > 0);
   return attracts &&
          (search->upwards ? (high >= search->T) & (best->sign_g == 0)
                           : low <= search->T);
 }
 
-// Whether the angular rate surely has this sign where T has a value on a chord:
-// for one T it is linear along it.
-static bool has_sign_at(const quadrant_t *q, int anchor, tf_real_t T,
-                        bool positive) {
-  const direction_t low = {anchor_cos[anchor], anchor_cos[8 - anchor], T};
-  const direction_t high = {anchor_cos[anchor + 1], anchor_cos[7 - anchor], T};
-  return (angular_rate(q, low) > 0) == positive &&
-         (angular_rate(q, high) > 0) == positive;
+// The part of the cell of an anchor that is searched, and T at its ends.
+typedef struct {
+  int anchor;
+  tf_real_t low, high, T_low, T_high;
+} cell_part_t;
+
+// Whether the angular rate surely has this sign where T has a value in a cell:
+// for one T it is linear in x.
+static bool has_sign_at(const quadrant_t *q, const cell_part_t *span,
+                        tf_real_t T, bool positive) {
+  return (angular_rate(q, direction_in(span->anchor, span->low, T)) > 0) ==
+             positive &&
+         (angular_rate(q, direction_in(span->anchor, span->high, T)) > 0) ==
+             positive;
+}
+
+// Where in a cell T has a value: u - u0 is a form of a cell as well.
+static tf_real_t x_at_T(const tf_tyre_t *tyre, const cell_part_t *span,
+                        tf_real_t T) {
+  const tf_real_t T_anchor = tyre->T_anchor[span->anchor];
+  const cell_t has_u = {-(T - T_anchor) / (1 + T * T_anchor), 1, 0, 0};
+  return zero_in(tyre, &has_u, (bracket_t){span->low, span->high, false}).x;
+}
+
+// Searches a cell, from its lower end with this sign of the angular rate.
+// Returns the sign at its upper end. A separator at which the rate has the sign
+// of its lower neighbour separates nothing.
+static bool search_cell(const tf_tyre_t *tyre, const quadrant_t *q,
+                        const separators_t *separators, const cell_part_t *span,
+                        bool positive, const search_t *search,
+                        limit_direction_t *best) {
+  const int anchor = span->anchor;
+  const cell_t cell = cell_of(q, anchor, tyre->T_anchor[anchor]);
+  tf_real_t begin = span->low;
+  for (int n = 0; n <= SEPARATORS; n++) {
+    const bool last = n == SEPARATORS;
+    const tf_real_t T = last ? span->T_high : separators->T[n];
+    if (!last && (!(T > span->T_low && T < span->T_high) ||
+                  has_sign_at(q, span, T, positive)))
+      continue;
+    const tf_real_t end = last ? span->high : x_at_T(tyre, span, T);
+    const bool after = angular_rate(q, direction_in(anchor, end, T)) > 0;
+    const bracket_t part = {begin, end, positive};
+    const bool changes = after != positive;
+    begin = end;
+    positive = after;
+    if (!changes ||
+        !may_be_better(search, q, part.falls, span->T_low, span->T_high, best))
+      continue;
+    const limit_direction_t next =
+        limit_direction_in(tyre, q, anchor, &cell, part);
+    if (is_better(search, &next, best)) *best = next;
+  }
+  return positive;
 }
 
 // They lie where the angular rate changes its sign between two neighbours of
-// the anchors and the separators. A separator at which the rate has the sign of
-// its lower neighbour separates nothing.
+// the borders of the cells and the separators.
 TF_API limit_direction_t tf_search_quadrant(const tf_tyre_t *tyre,
                                             const quadrant_t *q,
                                             const search_t *search,
                                             limit_direction_t best) {
   const separators_t separators = find_separators(tyre, q);
-  tf_real_t from = angular_rate(q, (direction_t){1, 0, 0});
-  for (int i = 0; i < 8; i++) {
-    const tf_real_t low = tyre->T_anchor[i], high = tyre->T_anchor[i + 1];
-    tf_real_t begin = 0;
-    for (int n = 0; n <= SEPARATORS; n++) {
-      const tf_real_t T = n < SEPARATORS ? separators.T[n] : high;
-      tf_real_t end = 1;
-      direction_t at = {anchor_cos[i + 1], anchor_cos[7 - i], high};
-      if (n < SEPARATORS) {
-        if (!(T > low && T < high) || has_sign_at(q, i, T, from > 0)) continue;
-        const bracket_t chord = {0, 1, low - T, high - T};
-        at = zero_on_chord(tyre, NULL, T, i, chord, &end);
-      }
-      const tf_real_t to = angular_rate(q, at);
-      const bracket_t part = {begin, end, from, to};
-      begin = end;
-      from = to;
-      if ((part.f_low > 0) == (to > 0) ||
-          !may_be_better(search, q, part.f_low > 0, low, high, &best))
-        continue;
-      const limit_direction_t next = limit_direction_in(tyre, q, i, part);
-      if (is_better(search, &next, &best)) best = next;
-    }
+  const tf_real_t u_border = cot_psi_near_zero(tyre, border[0]);
+  bool positive = angular_rate(q, (direction_t){1, 0, 0}) > 0;
+  cell_part_t span = {0, 0, 0, 0, 0};
+  for (int anchor = 0; anchor < TF_TYRE_ANCHORS; anchor++) {
+    const bool last = anchor == TF_TYRE_ANCHORS - 1;
+    const tf_real_t T = tyre->T_anchor[anchor];
+    span.anchor = anchor;
+    span.high = last ? 0 : border[0];
+    span.T_high = last ? T : cot_psi_beyond(T, u_border);
+    positive =
+        search_cell(tyre, q, &separators, &span, positive, search, &best);
+    span.low = -border[0];
+    span.T_low = span.T_high;
   }
   return best;
 }

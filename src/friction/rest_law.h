@@ -7,7 +7,7 @@
 #ifndef TF_REST_LAW_H
 #define TF_REST_LAW_H
 
-#include "../num/kernel.h"
+#include "../model/tyre_law.h"
 #include "twofold/machine.h"
 
 typedef struct {
@@ -16,7 +16,9 @@ typedef struct {
 
 TF_INLINE rest_bounds_t rest_bounds(tf_rest_law_t law) {
   static const rest_bounds_t bounds[TF_REST_LAWS] = {
-      {TF_R(4.0) / 3, TF_R(1.0) / 3, 1, 0}, {1, 0, 1, 0}, {1, 0, 0, 1}};
+      {MAX_SLIP_FORCE(TF_R(1.0)), 1 / MOMENT_BY_FORCE, 1, 0},
+      {1, 0, 1, 0},
+      {1, 0, 0, 1}};
   return bounds[law];
 }
 

@@ -16,12 +16,13 @@ TF_INLINE tf_real_t slip_law_residual(const tf_tyre_t *tyre, int side,
   if (tyre->law == TF_TYRE_NONE) return magnitude(force.F) + magnitude(force.M);
   const tf_real_t sign = (tf_real_t)side, beyond = -sign * slip.h;
   if (tyre->law == TF_TYRE_JUMP && slip.h == 0 && slip.g == 0) {
-    const tf_real_t F = clip(sign * force.F, tyre->mu, tyre->mu * 4 / 3);
-    const tf_real_t M = 3 * tyre->kappa * (tyre->mu * 4 / 3 - F);
+    const tf_real_t most = MAX_SLIP_FORCE(tyre->mu);
+    const tf_real_t F = clip(sign * force.F, tyre->mu, most);
+    const tf_real_t M = MOMENT_BY_FORCE * tyre->kappa * (most - F);
     return magnitude(force.F - sign * F) + magnitude(magnitude(force.M) - M);
   }
-  const tf_force_t lawful = tf_tyre_force(tyre, sign, slip.h, slip.g);
-  return magnitude(force.F - lawful.F) + magnitude(force.M - lawful.M) +
+  const tf_force_t expected = tf_tyre_force(tyre, sign, slip.h, slip.g);
+  return magnitude(force.F - expected.F) + magnitude(force.M - expected.M) +
          (beyond > 0 ? beyond : 0);
 }
 

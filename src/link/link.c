@@ -23,7 +23,7 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
   tf_decoder_init(&link->decoder, link->buffer, sizeof link->buffer);
 }
 
-TF_API void tf_link_stir(tf_link_t *link, uint32_t noise) {
+TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise) {
   uint8_t bytes[4];
   (void)tf_wire_put(bytes, noise, sizeof bytes);
   link->noise = tf_crc32(link->noise, bytes, sizeof bytes);
@@ -151,9 +151,9 @@ TF_API void tf_link_receive_tagged(tf_link_t *link, uint8_t byte,
   take_frame(link, &frame);
 }
 
-static int set_input(tf_session_t *session, const tf_command_t *command) {
+static int set_input(tf_simulation_t *simulation, const tf_command_t *command) {
   if (command->length == 0) {
-    session->source = TF_INPUT_SCENE;
+    simulation->source = TF_INPUT_SCENE;
     return TF_ANSWER_DONE;
   }
   const size_t real_bytes = TF_REAL_BYTES;
@@ -164,25 +164,25 @@ static int set_input(tf_session_t *session, const tf_command_t *command) {
                             tf_wire_get_real(at + 2 * real_bytes),
                             tf_wire_get_real(at + 3 * real_bytes),
                             tf_wire_get_real(at + 4 * real_bytes)};
-  if (!in_range(&session->state, &input)) return TF_BAD_STATE;
-  tf_session_set_input(session, &input);
+  if (!in_range(&simulation->state, &input)) return TF_BAD_STATE;
+  tf_simulation_set_input(simulation, &input);
   return TF_ANSWER_DONE;
 }
 
 // Inputs that hold now hold for the new time, from now on; those that have
 // expired stay so.
-static int set_deadman(tf_link_t *link, tf_session_t *session,
+static int set_deadman(tf_link_t *link, tf_simulation_t *simulation,
                        const tf_command_t *command) {
   if (command->length != 4) return TF_ANSWER_LENGTH;
-  session->deadman = (uint32_t)tf_wire_get(command->data, 4);
-  session->left = session->deadman;
+  simulation->deadman = (uint32_t)tf_wire_get(command->data, 4);
+  simulation->left = simulation->deadman;
   link->describe = true;
   return TF_ANSWER_DONE;
 }
 
 // The parameters are changed in place, and changed back if the machine cannot
 // be prepared from them: a second copy would not fit a small stack.
-static int set_parameter(tf_link_t *link, tf_session_t *session,
+static int set_parameter(tf_link_t *link, tf_simulation_t *simulation,
                          tf_command_t *command) {
   if (command->length != 1 + TF_REAL_BYTES) return TF_ANSWER_LENGTH;
   const unsigned index = command->data[0];
@@ -199,7 +199,8 @@ static int set_parameter(tf_link_t *link, tf_session_t *session,
   // holds nevertheless.
   if (!(value >= range->low && value <= range->high)) return TF_BAD_PARAMETER;
   *member = value;
-  const tf_status_t status = tf_prepare(&session->machine, &link->params, NULL);
+  const tf_status_t status =
+      tf_prepare(&simulation->machine, &link->params, NULL);
   if (status != TF_OK) {
     *member = before;
     return status;
@@ -209,28 +210,29 @@ static int set_parameter(tf_link_t *link, tf_session_t *session,
   return TF_ANSWER_DONE;
 }
 
-static int set_rule(tf_link_t *link, tf_session_t *session,
+static int set_rule(tf_link_t *link, tf_simulation_t *simulation,
                     const tf_command_t *command) {
   if (command->length != 5) return TF_ANSWER_LENGTH;
   const tf_rule_t before = link->params.rule;
   link->params.rule = (tf_rule_t)command->data[0];
-  const tf_status_t status = tf_prepare(&session->machine, &link->params, NULL);
+  const tf_status_t status =
+      tf_prepare(&simulation->machine, &link->params, NULL);
   if (status != TF_OK) {
     link->params.rule = before;
     return status;
   }
-  session->state.seed = (uint32_t)tf_wire_get(command->data + 1, 4);
+  simulation->state.seed = (uint32_t)tf_wire_get(command->data + 1, 4);
   link->describe = true;
   return TF_ANSWER_DONE;
 }
 
 // Without a payload: the snapshot on the board. With one: a state that the host
 // has kept, its tick first.
-static int restore(const tf_link_t *link, tf_session_t *session,
+static int restore(const tf_link_t *link, tf_simulation_t *simulation,
                    const tf_command_t *command) {
   if (command->length == 0) {
     if (!link->has_saved) return TF_ANSWER_EMPTY;
-    session->state = link->saved;
+    simulation->state = link->saved;
     return TF_ANSWER_DONE;
   }
   if (command->length != 8 + TF_STATE_BYTES) return TF_ANSWER_LENGTH;
@@ -239,25 +241,26 @@ static int restore(const tf_link_t *link, tf_session_t *session,
   if (state.tick >= TF_LINK_TICKS || state.mode >= TF_MODES ||
       !in_reach(state.r, state.v, state.w) || !within(state.phi, TF_REAL_MAX))
     return TF_BAD_STATE;
-  session->state = state;
+  simulation->state = state;
   return TF_ANSWER_DONE;
 }
 
 // Commands without a payload.
-static int perform_plain(tf_link_t *link, tf_session_t *session,
+static int perform_plain(tf_link_t *link, tf_simulation_t *simulation,
                          const tf_command_t *command) {
   if (command->length != 0) return TF_ANSWER_LENGTH;
   switch (command->type) {
     case TF_UP_START:
-      session->running = true;
+      simulation->running = true;
       break;
     case TF_UP_STOP:
-      session->running = false;
+      simulation->running = false;
       break;
     case TF_UP_RESET:
-      return tf_session_start(session, link->scene, session->state.seed);
+      return tf_simulation_start(simulation, link->scene,
+                                 simulation->state.seed);
     case TF_UP_SNAPSHOT:
-      link->saved = session->state;
+      link->saved = simulation->state;
       link->has_saved = true;
       break;
     default: // TF_UP_CLEAR acted on its arrival
@@ -266,50 +269,50 @@ static int perform_plain(tf_link_t *link, tf_session_t *session,
   return TF_ANSWER_DONE;
 }
 
-static int perform(tf_link_t *link, tf_session_t *session,
+static int perform(tf_link_t *link, tf_simulation_t *simulation,
                    tf_command_t *command) {
   switch (command->type) {
     case TF_UP_INPUT:
-      return set_input(session, command);
+      return set_input(simulation, command);
     case TF_UP_PARAMETER:
-      return set_parameter(link, session, command);
+      return set_parameter(link, simulation, command);
     case TF_UP_RULE:
-      return set_rule(link, session, command);
+      return set_rule(link, simulation, command);
     case TF_UP_RESTORE:
-      return restore(link, session, command);
+      return restore(link, simulation, command);
     case TF_UP_DEADMAN:
-      return set_deadman(link, session, command);
+      return set_deadman(link, simulation, command);
     case TF_UP_START:
     case TF_UP_STOP:
     case TF_UP_RESET:
     case TF_UP_SNAPSHOT:
     case TF_UP_CLEAR:
-      return perform_plain(link, session, command);
+      return perform_plain(link, simulation, command);
     default:
       return TF_ANSWER_UNKNOWN;
   }
 }
 
-static void finish(tf_command_t *command, const tf_session_t *session) {
-  command->tick = session->state.tick;
+static void finish(tf_command_t *command, const tf_simulation_t *simulation) {
+  command->tick = simulation->state.tick;
   command->done = true;
-  command->source = (uint8_t)session->source;
+  command->source = (uint8_t)simulation->source;
 }
 
-TF_API unsigned tf_link_boundary(tf_link_t *link, tf_session_t *session) {
+TF_API unsigned tf_link_boundary(tf_link_t *link, tf_simulation_t *simulation) {
   unsigned effective = 0;
   for (unsigned i = 0; i < link->waiting; i++) {
     tf_command_t *command = &link->queue[i];
-    const uint64_t now = session->state.tick, due = command->tick;
+    const uint64_t now = simulation->state.tick, due = command->tick;
     if (command->done || (due > now && due - now <= TF_LINK_AHEAD)) continue;
-    finish(command, session);
+    finish(command, simulation);
     if (due > now)
       command->code = TF_ANSWER_FAR;
     else
-      command->code = (int8_t)perform(link, session, command);
+      command->code = (int8_t)perform(link, simulation, command);
     effective += command->code == TF_ANSWER_DONE;
   }
-  if (link->has_aside && !link->aside.done) finish(&link->aside, session);
+  if (link->has_aside && !link->aside.done) finish(&link->aside, simulation);
   return effective;
 }
 

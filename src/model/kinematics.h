@@ -5,6 +5,19 @@
 #include "../num/kernel.h"
 #include "twofold/machine.h"
 
+// p = v - d z, the speed along the slider that the slip sees. In the kinetic
+// energy w stands in place of z.
+TF_INLINE tf_real_t slider_speed(const tf_machine_t *k, tf_real_t v,
+                                 tf_real_t z) {
+  return v - k->d * z;
+}
+
+// And back.
+TF_INLINE tf_real_t slider_velocity(const tf_machine_t *k, tf_real_t p,
+                                    tf_real_t z) {
+  return p + k->d * z;
+}
+
 // (h), (g): the slip is (p, q) rotated by gamma, with q = r z.
 TF_INLINE tf_slip_t slip_from_pq(const tf_machine_t *k, tf_real_t p,
                                  tf_real_t q) {
@@ -14,7 +27,14 @@ TF_INLINE tf_slip_t slip_from_pq(const tf_machine_t *k, tf_real_t p,
 
 TF_INLINE tf_slip_t slip_speeds(const tf_machine_t *k, tf_real_t r, tf_real_t v,
                                 tf_real_t z) {
-  return slip_from_pq(k, v - k->d * z, r * z);
+  return slip_from_pq(k, slider_speed(k, v, z), r * z);
+}
+
+// What the terms of h and g amount to without their signs [m/s].
+TF_INLINE tf_real_t slip_terms(const tf_machine_t *k, tf_real_t r, tf_real_t v,
+                               tf_real_t w, tf_real_t omega0) {
+  return magnitude(v) +
+         (magnitude(k->d) + magnitude(r)) * (magnitude(w) + magnitude(omega0));
 }
 
 // What rounding makes of h and g at a state: below it they count as 0. With u =
@@ -23,12 +43,12 @@ TF_INLINE tf_slip_t slip_speeds(const tf_machine_t *k, tf_real_t r, tf_real_t v,
 //   the sums and products that form v+ and w+ add 4 u of each;
 //   z, d z, r z, p and the two products of h or g add u each.
 // h and g are (p, q) rotated, so that this is at most 2 (1 + 4 + 3) u times the
-// sum of their terms.
+// sum of their terms. Whoever asks whether a state is at h = 0 or g = 0 asks
+// for this bound, so that a state means the same to all of them.
+#define SLIP_ROUNDINGS (32 * TF_REAL_EPSILON)
 TF_INLINE tf_real_t slip_rounding(const tf_machine_t *k, tf_real_t r,
                                   tf_real_t v, tf_real_t w, tf_real_t omega0) {
-  return 32 * TF_REAL_EPSILON *
-         (magnitude(v) + (magnitude(k->d) + magnitude(r)) *
-                             (magnitude(w) + magnitude(omega0)));
+  return SLIP_ROUNDINGS * slip_terms(k, r, v, w, omega0);
 }
 
 // One sum instead of three comparisons: NaN and infinity survive into it.

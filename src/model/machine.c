@@ -1,4 +1,4 @@
-// Kinematics and energy of the prepared machine.
+// Kinematics and energy of the prepared machine, and names of its rules.
 #include "twofold/machine.h"
 
 #include "mechanics.h"
@@ -16,17 +16,23 @@ TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
                                      tf_real_t w, tf_real_t omega0, tf_real_t h,
                                      tf_real_t *v) {
   const tf_real_t z = w - omega0;
-  if (!(magnitude(machine->sin_gamma) >= TF_R(1e-6))) return TF_BAD_STATE;
+  if (!(magnitude(machine->sin_gamma) >= TF_MIN_SINE)) return TF_BAD_STATE;
   *v = machine->d * z - (h + r * z * machine->cos_gamma) / machine->sin_gamma;
   return TF_OK;
 }
 
 TF_API tf_real_t tf_energy(const tf_machine_t *machine, const tf_state_t *state,
                            tf_real_t r0) {
-  const tf_real_t p = state->v - machine->d * state->w;
-  const tf_real_t stretch = state->r - r0;
-  const tf_real_t inertia = inertia_at(machine, state->r);
-  return (machine->m * p * p + inertia * state->w * state->w +
-          machine->k2 * stretch * stretch) /
-         2;
+  return twice_energy(machine, state->r, state->v, state->w, r0) / 2;
+}
+
+TF_API const char *tf_rule_name(unsigned rule) {
+  static const char *const names[TF_RULES] = {"persist", "slip+", "slip-",
+                                              "random"};
+  return rule < TF_RULES ? names[rule] : "unknown rule";
+}
+
+TF_API const char *tf_rest_law_name(unsigned law) {
+  static const char *const names[TF_REST_LAWS] = {"hull", "square", "bow_tie"};
+  return law < TF_REST_LAWS ? names[law] : "unknown law of rest";
 }

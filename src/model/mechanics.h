@@ -24,6 +24,14 @@ TF_INLINE tf_real_t inertia_at(const tf_machine_t *k, tf_real_t r) {
   return k->m * gyration2_at(k, r);
 }
 
+// Twice the energy: of the slider, the disc and the spring from r0. Of v the
+// slider's part is what is left beside the disc's, p = v - d w.
+TF_INLINE tf_real_t twice_energy(const tf_machine_t *k, tf_real_t r,
+                                 tf_real_t v, tf_real_t w, tf_real_t r0) {
+  const tf_real_t p = slider_speed(k, v, w), stretch = r - r0;
+  return k->m * p * p + inertia_at(k, r) * w * w + k->k2 * stretch * stretch;
+}
+
 // m beta^2, the inertia of the disc, in pairs: tf_machine_t.beta2 is rounded.
 TF_INLINE pair_t disc_inertia_pair(tf_real_t m, tf_real_t beta) {
   return pair_times(two_product(beta, beta), m);
@@ -40,6 +48,23 @@ TF_INLINE tf_real_t radial_force(const tf_machine_t *k, const tf_input_t *u,
 TF_INLINE tf_real_t disc_torque(const tf_machine_t *k, const tf_input_t *u,
                                 tf_real_t w, tf_real_t coriolis) {
   return u->torque - k->c1 * w - coriolis;
+}
+
+// What the terms of (2) and (3) amount to without their signs, for a stretch of
+// the spring up to s and speeds up to v and w: a share of it is what rounding
+// makes of their sums.
+typedef struct {
+  tf_real_t radial, torque;
+} force_terms_t;
+
+TF_INLINE force_terms_t force_terms(const tf_machine_t *k, const tf_input_t *u,
+                                    tf_real_t s, tf_real_t r, tf_real_t v,
+                                    tf_real_t w) {
+  const tf_real_t mrw = k->m * magnitude(r * w);
+  return (force_terms_t){
+      k->k2 * magnitude(s) + k->c2 * magnitude(v) + mrw * magnitude(w) +
+          magnitude(u->force),
+      magnitude(u->torque) + k->c1 * magnitude(w) + 2 * mrw * magnitude(v)};
 }
 
 // (2) and (3) in pairs.
@@ -113,9 +138,21 @@ TF_INLINE forces_along_g_t forces_along_g(const tf_machine_t *k,
        -2 * m * nu * sine}};
 }
 
+// z' under a force and a moment of friction; arm = r cos(gamma).
+TF_INLINE tf_real_t spin_rate_under(tf_real_t arm, tf_force_t f, tf_real_t J) {
+  return (f.F * arm + f.M) / J;
+}
+
 // s kappa, by the sign of g; `minus` where g < 0.
 TF_INLINE tf_real_t signed_kappa(const tf_machine_t *k, bool minus) {
   return minus ? -k->stick_kappa : k->stick_kappa;
+}
+
+// The arm of lambda about the axis, r cos(gamma) + s kappa [m]: lambda acts on
+// z' by this arm over J.
+TF_INLINE tf_real_t stick_arm(const tf_machine_t *k, tf_real_t arm,
+                              bool minus) {
+  return arm + signed_kappa(k, minus);
 }
 
 // The Delassus scalar of stick, h' = N - A lambda,
@@ -129,7 +166,7 @@ TF_INLINE tf_real_t delassus_from(const tf_machine_t *k, tf_real_t rotation) {
 // A at arm = r cos(gamma).
 TF_INLINE tf_real_t delassus_at(const tf_machine_t *k, tf_real_t arm,
                                 bool minus, tf_real_t J) {
-  return delassus_from(k, arm * (arm + signed_kappa(k, minus)) / J);
+  return delassus_from(k, arm * stick_arm(k, arm, minus) / J);
 }
 
 // A J, which vanishes with A and takes no division: r^2 + b r + c.
@@ -152,13 +189,6 @@ TF_INLINE tf_real_t delassus_quadratic_at(delassus_quadratic_t at,
 TF_INLINE tf_real_t delassus_quadratic_rate(delassus_quadratic_t at,
                                             tf_real_t r, tf_real_t dr) {
   return (2 * r + at.b) * dr;
-}
-
-// The arm of lambda about the axis, r cos(gamma) + s kappa [m]: lambda acts on
-// z' by this arm over J.
-TF_INLINE tf_real_t stick_arm(const tf_machine_t *k, tf_real_t arm,
-                              bool minus) {
-  return arm + signed_kappa(k, minus);
 }
 
 // dA/dt under dr: A depends on r alone.

@@ -36,7 +36,7 @@ TF_API const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS] = {
     RANGE(rate, "1/s", ALL_LAWS, 0.0, 1e9),
     RANGE(tolerance, "1", ALL_LAWS, 0.0, 1e-3),
     {"segments", "1", offsetof(tf_params_t, segments), ALL_LAWS, 0,
-     TF_LOCATED_MOST_SEGMENTS}};
+     TF_LOCATED_MAX_SEGMENTS}};
 
 // Index of the first member out of range, or -1. Members that the law does not
 // need are not checked: a scene leaves them 0. NaN fails every comparison.

@@ -8,8 +8,8 @@
 #include "mechanics.h"
 
 typedef struct {
-  tf_real_t p, q;     // p', q' without friction [m/s^2]
-  tf_real_t z;        // z' without friction [rad/s^2]
+  tf_real_t dp, dq;   // p', q' without friction [m/s^2]
+  tf_real_t dz;       // z' without friction [rad/s^2]
   tf_real_t Fp, Fq;   // of F = 1 N
   tf_real_t Mq;       // of M = 1 N m
   tf_real_t N;        // h' without friction [m/s^2]
@@ -21,7 +21,7 @@ typedef struct {
 TF_INLINE rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
                            tf_real_t r, tf_real_t p, tf_real_t z,
                            tf_real_t omega) {
-  const tf_real_t v = p + k->d * z, w = z + omega, mr = k->m * r;
+  const tf_real_t v = slider_velocity(k, p, z), w = z + omega, mr = k->m * r;
   const tf_real_t Q_r = radial_force(k, input, r, v, mr * w * w);
   const tf_real_t Q_phi = disc_torque(k, input, w, 2 * mr * v * w);
   const tf_real_t J = inertia_at(k, r);
@@ -29,13 +29,13 @@ TF_INLINE rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
   const tf_real_t p_rate = Q_r / k->m + k->d * alpha;
   const tf_real_t z_rate = (Q_phi + k->d * Q_r) / J - alpha;
   rates_t a;
-  a.p = p_rate;
-  a.z = z_rate;
-  a.q = r * z_rate + v * z;
+  a.dp = p_rate;
+  a.dz = z_rate;
+  a.dq = r * z_rate + v * z;
   a.Fp = k->sin_gamma / k->m;
   a.Fq = r * arm / J;
   a.Mq = r / J;
-  a.N = -a.p * k->sin_gamma - a.q * k->cos_gamma;
+  a.N = slip_from_pq(k, a.dp, a.dq).h;
   for (int s = 0; s < 2; s++) a.A[s] = delassus_at(k, arm, s, J);
   a.vz = magnitude(v * z);
   a.rz = magnitude(r) * (magnitude(z_rate) +
@@ -46,6 +46,31 @@ TF_INLINE rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
       z != 0 || k->sin_gamma == 0 ? TF_REAL_MAX : -p_rate * k->m / k->sin_gamma;
   a.pinning.M = -z_rate * J - a.pinning.F * arm;
   return a;
+}
+
+// (slidCond): h' next to h = 0 in slip+ and in slip-. s: 0 for g > 0, 1 for
+// g < 0.
+typedef struct {
+  tf_real_t plus, minus;
+} slip_limits_t;
+
+TF_INLINE slip_limits_t slip_limits(const tf_machine_t *k, const rates_t *a,
+                                    int s) {
+  const tf_real_t Amu = a->A[s] * k->tyre.mu;
+  return (slip_limits_t){a->N - Amu, a->N + Amu};
+}
+
+// Whether both slips lead to h = 0, so that stick alone is consistent there:
+// |N| < A mu.
+TF_INLINE bool is_sliding(slip_limits_t h_rate) {
+  return (h_rate.plus < 0) & (h_rate.minus > 0);
+}
+
+// The multiplier that keeps h at 0, as far as the law of stick has it. s: 0 for
+// g > 0, 1 for g < 0; A(s) is not 0.
+TF_INLINE tf_real_t stick_lambda(const tf_machine_t *k, const rates_t *a,
+                                 int s) {
+  return clip(a->N / a->A[s], -k->tyre.mu, k->tyre.mu);
 }
 
 #endif

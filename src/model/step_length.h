@@ -7,7 +7,7 @@
 #include "twofold/machine.h"
 
 // The shortest step of a machine [s].
-#define LEAST_STEP TF_R(1e-9)
+#define MIN_STEP TF_R(1e-9)
 
 // 1/x, kept finite: friction below the smallest normal number counts as none.
 TF_INLINE tf_real_t inverse_or_0(tf_real_t x) {

@@ -54,6 +54,12 @@ static tf_force_t string_force(const tf_tyre_t *tyre, tf_real_t h,
   return (tf_force_t){h < 0 ? -F : F, (h < 0) != (g < 0) ? -M : M};
 }
 
+TF_API const char *tf_tyre_law_name(unsigned law) {
+  static const char *const names[TF_TYRE_LAWS] = {
+      "jump", "coulomb", "two_piece", "string", "smooth", "none"};
+  return law < TF_TYRE_LAWS ? names[law] : "unknown law";
+}
+
 TF_API tf_force_t tf_tyre_force(const tf_tyre_t *tyre, tf_real_t side,
                                 tf_real_t h, tf_real_t g) {
   switch (tyre->law) {

@@ -18,12 +18,19 @@
 // of docs/STABILITY.md stay within its factor of 4.
 #define TF_CREATED_SHARE TF_R(0x1p-12)
 
+// The most of that in the periods of a stiff spring, see grows(), where the
+// balanced step of balanced.c takes the place of one that creates more.
+#define TF_GROWTH_SHARE TF_R(0x1p-20)
+
 // The most that friction may put in, where h passes 0 within the step: once, of
 // second order in dt, and friction takes it out again.
 #define TF_FRICTION_SHARE TF_R(0x1p-4)
 
-// What a blow changes, squared, as a share of the sum of both ends.
-#define TF_BLOW_SHARE TF_R(0x1p-4)
+// What an impulse changes, squared, as a share of the sum of both ends.
+#define TF_IMPULSE_SHARE TF_R(0x1p-4)
+
+// What the swing of a force within a step may change, squared, likewise.
+#define TF_SWING_SHARE TF_R(0x1p-11)
 
 // How much of it a step with theta > 1/2 may damp out.
 #define TF_DAMPED_SHARE TF_R(0.25)
@@ -33,17 +40,18 @@ TF_INLINE tf_real_t created_by_theta(const tf_machine_t *k, tf_real_t r,
                                      tf_real_t v, tf_real_t w, tf_real_t dv,
                                      tf_real_t dw) {
   const tf_real_t th = k->theta, th2 = th * th, eta = th - TF_R(0.5);
-  const tf_real_t dt = k->dt, dp = dv - k->d * dw, dw2 = dw * dw;
+  const tf_real_t dt = k->dt, dp = slider_speed(k, dv, dw), dw2 = dw * dw;
   const tf_real_t vt = v + th * dv, wt = w + th * dw, wa = w + dw / 2;
-  const tf_real_t way = dt * vt, rt = r + k->theta_dt * v;
+  const tf_real_t travel = dt * vt, rt = r_at_theta(k, r, v);
   const tf_real_t ahead = dt * (th * dv / 2 - eta * v), ra = rt + ahead;
-  const tf_real_t dJ = ahead * (ra + rt) + way * way / 4; // (J_a - J(r_t)) / m
-  const tf_real_t turned =
+  const tf_real_t dJ =
+      ahead * (ra + rt) + travel * travel / 4; // (J_a - J(r_t)) / m
+  const tf_real_t centrifugal =
       ra * (wa * wa + dw2 / 4) - rt * (wt * wt + th2 * dw2);
   const tf_real_t damped = dp * dp + (k->beta2 + rt * rt + dJ) * dw2;
-  return k->m * (dJ * wt * dw + way * turned +
+  return k->m * (dJ * wt * dw + travel * centrifugal +
                  2 * th2 * dt * rt * wt * dv * dw - eta * damped) -
-         eta * k->k2 * (way * way);
+         eta * k->k2 * (travel * travel);
 }
 
 // What a step has done, from a state (r, v, w) to an end under a force F. With
@@ -67,37 +75,49 @@ TF_INLINE balance_t balance_of(const tf_machine_t *k, bool midpoint,
   const tf_real_t r = from.r, v = from.v, w = from.w;
   const tf_real_t dv = end.v - v, dw = end.w - w, dt_dv = k->dt * dv;
   const tf_real_t vt = v + k->theta * dv, wt = w + k->theta * dw;
-  const tf_real_t rt = r + k->theta_dt * v, move = k->theta_dt * vt;
-  const tf_real_t p = v - k->d * w, end_p = end.v - k->d * end.w;
+  const tf_real_t rt = r_at_theta(k, r, v), move = k->theta_dt * vt;
+  const tf_real_t p = slider_speed(k, v, w);
+  const tf_real_t end_p = slider_speed(k, end.v, end.w);
   const tf_real_t half = k->theta_dt * end.v;
   balance_t b;
   b.created = midpoint ? k->m * (wt * dw * (rt * dt_dv + half * half) +
                                  move * dt_dv * (w * w) / 2)
                        : created_by_theta(k, r, v, w, dv, dw);
-  // F on the arm r_t, the turntable under the wheel on its way.
+  // -h of slip_from_pq, written out for 1 % of a step: F on the arm r_t, the
+  // turntable under the wheel as it moves.
   b.friction = k->dt * F *
-               ((vt - k->d * (wt - u->omega0)) * k->sin_gamma +
+               (slider_speed(k, vt, wt - u->omega0) * k->sin_gamma +
                 (rt * wt - (r + move) * u->omega0) * k->cos_gamma);
   b.product = k->m * (p * end_p + (k->beta2 + r * end.r) * (w * end.w)) +
               k->k2 * ((r - u->r0) * (end.r - u->r0));
   return b;
 }
 
-// Whether a step is beyond doubt. The product is at most twice the mean energy
-// of the ends, which need not be known then.
+// Whether a step needs no further check. The product is at most twice the mean
+// energy of the ends, which need not be known then.
 TF_INLINE bool is_balanced(const balance_t *b) {
+  const tf_real_t most = TF_GROWTH_SHARE / 2 * b->product;
   const tf_real_t share = TF_CREATED_SHARE / 2 * b->product;
-  return (magnitude(b->created) <= share) & (b->created + b->friction <= share);
+  return (b->created <= most) & (-b->created <= share) &
+         (b->created + b->friction <= share);
 }
 
 // The mean energy of the ends of a step.
 TF_INLINE tf_real_t mean_energy(const tf_machine_t *k, const tf_input_t *u,
                                 end_state_t from, end_state_t to) {
-  const tf_real_t p0 = from.v - k->d * from.w, p1 = to.v - k->d * to.w;
-  const tf_real_t s0 = from.r - u->r0, s1 = to.r - u->r0;
-  const tf_real_t disc = gyration2_at(k, from.r) * (from.w * from.w) +
-                         gyration2_at(k, to.r) * (to.w * to.w);
-  return (k->m * (p0 * p0 + p1 * p1 + disc) + k->k2 * (s0 * s0 + s1 * s1)) / 4;
+  return (twice_energy(k, from.r, from.v, from.w, u->r0) +
+          twice_energy(k, to.r, to.v, to.w, u->r0)) /
+         4;
+}
+
+// Whether a slip that goes on, or a motion without friction, creates more than
+// it may in every period of a spring: where dt times its rate is 1/45 rad or
+// more. What a pass of r = 0 creates it takes back. A slip that changes sides
+// passes h = 0 as the law says and not as the balanced step does.
+TF_INLINE bool grows(const tf_machine_t *k, const balance_t *b,
+                     tf_real_t energy, bool slips_on) {
+  return slips_on && b->created > TF_GROWTH_SHARE * energy &&
+         TF_R(0x1p13) * k->a >= k->m;
 }
 
 TF_INLINE bool creates_energy(const balance_t *b, tf_real_t energy) {
@@ -105,37 +125,47 @@ TF_INLINE bool creates_energy(const balance_t *b, tf_real_t energy) {
            b->created + b->friction <= TF_FRICTION_SHARE * energy);
 }
 
-// Whether a slip ends in stick or rest within a step: then its force has turned
-// on the way to that of the end, which alone the step knows.
+// Whether a slip ends in stick or rest within a step: then the direction of
+// its force has changed to that at the end, which alone the step knows.
 TF_INLINE bool ends_slip(unsigned from, unsigned mode) {
   return from <= TF_SLIP_MINUS && mode > TF_SLIP_MINUS;
 }
 
-// Whether a step changes the velocities by much, as a blow does, in the norm of
-// the kinetic energy: by more than a third of what they are.
-TF_INLINE bool is_blow(const tf_machine_t *k, end_state_t from,
-                       end_state_t to) {
-  const tf_real_t p0 = from.v - k->d * from.w, p1 = to.v - k->d * to.w;
-  const tf_real_t dp = p1 - p0, dw = to.w - from.w;
-  const tf_real_t rho2 = gyration2_at(k, to.r);
+// Whether a change of the velocities p and w is large in the norm of the
+// kinetic energy: its square is more than a share of the sum of those at both
+// ends.
+TF_INLINE bool changes_much(const tf_machine_t *k, end_state_t from,
+                            end_state_t to, tf_real_t dp, tf_real_t dw,
+                            tf_real_t share) {
+  const tf_real_t p0 = slider_speed(k, from.v, from.w);
+  const tf_real_t p1 = slider_speed(k, to.v, to.w);
+  const tf_real_t R2 = gyration2_at(k, to.r);
   const tf_real_t of_both =
-      p0 * p0 + p1 * p1 + rho2 * (from.w * from.w + to.w * to.w);
-  return !(dp * dp + rho2 * (dw * dw) <= TF_BLOW_SHARE * of_both);
+      p0 * p0 + p1 * p1 + R2 * (from.w * from.w + to.w * to.w);
+  return !(dp * dp + R2 * (dw * dw) <= share * of_both);
+}
+
+// Whether a step changes the velocities as an impulse does: by more than a
+// third of what they are.
+TF_INLINE bool is_impulse(const tf_machine_t *k, end_state_t from,
+                          end_state_t to) {
+  const tf_real_t dw = to.w - from.w;
+  return changes_much(k, from, to, slider_speed(k, to.v - from.v, dw), dw,
+                      TF_IMPULSE_SHARE);
 }
 
 // Whether dt times a rate of the motion is 1 rad or more: of spring and damper
 // (a is theta^2 dt^2 k2 where they are stiff), of the disc, or of the angle
 // under which the slider moves past the axis.
 TF_INLINE bool is_fast(const tf_machine_t *k, end_state_t at) {
-  const tf_real_t rho2 = gyration2_at(k, at.r), d2 = k->d * k->d;
-  const tf_real_t way2 = at.v * at.v + rho2 * (at.w * at.w);
-  return 4 * k->a * (rho2 + d2) >= k->m * rho2 ||
-         !(k->dt * k->dt * way2 < rho2);
+  const tf_real_t R2 = gyration2_at(k, at.r), d2 = k->d * k->d;
+  const tf_real_t travel2 = at.v * at.v + R2 * (at.w * at.w);
+  return 4 * k->a * (R2 + d2) >= k->m * R2 || !(k->dt * k->dt * travel2 < R2);
 }
 
 // Whether a step is too long for the motion: in the norm of the energy the
-// state turns by more than a right angle, or theta > 1/2 damps it visibly; and
-// not because outer forces do that where it has next to no energy.
+// phase advances by more than a right angle, or theta > 1/2 damps it visibly;
+// and not because outer forces do that where it has next to no energy.
 TF_INLINE bool is_too_coarse(const tf_machine_t *k, const balance_t *b,
                              tf_real_t energy, end_state_t from,
                              end_state_t to) {

@@ -1,15 +1,15 @@
-// The step that creates no energy. In s = r - r0, p = v - d w and sigma = rho
-// w, rho = sqrt(beta^2 + r^2), the energy is the sum of squares m (p^2 +
-// sigma^2)/2 + k2 s^2/2, and the smooth forces are a skew matrix times its
+// The step that creates no energy. In s = r - r0, p = v - d w and u = R w, R
+// = sqrt(beta^2 + r^2) the radius of gyration, the energy is the sum of squares
+// m (p^2 + u^2)/2 + k2 s^2/2, and the smooth forces are a skew matrix times its
 // gradient:
-//   s' = p + d sigma/rho,  m p' = -k2 s + G sigma + Q_b,
-//   m sigma' = -(d/rho) k2 s - G p + (d Q_b + Q_c)/rho,  G = m r w/rho  (18)
+//   s' = p + d u/R,  m p' = -k2 s + G u + Q_b,
+//   m u' = -(d/R) k2 s - G p + (d Q_b + Q_c)/R,  G = m r w/R            (18)
 // with Q_b and Q_c all other forces on the slider and torques on the disc. With
-// the matrix held at a guess (r_c, w_c, rho_c) of the middle of the step, the
+// the matrix held at a guess (r_c, w_c, R_c) of the middle of the step, the
 // theta step is linear in its unknowns and balances energy whatever the guess:
-//   E+ - E = work at (v_t, w_t) - (theta - 1/2) |change|^2, w_t = sigma_t/rho_c
+//   E+ - E = work at (v_t, w_t) - (theta - 1/2) |change|^2, w_t = u_t/R_c
 // Two guesses, each the middle of the step by the guess before, give order 2 at
-// theta = 1/2. Only the end is curved: w+ = sigma+/rho(r+).
+// theta = 1/2. Only the end is curved: w+ = u+/R(r+).
 //
 // Friction takes energy out where F h_t >= 0. So M is kept, and F is what ends
 // the slip at the theta point, as far as the law allows: h_t falls with F in
@@ -20,7 +20,7 @@
 
 // The guess of the middle.
 typedef struct {
-  tf_real_t r, w, rho;
+  tf_real_t r, w, R;
 } middle_t;
 
 // What one step has been given.
@@ -34,47 +34,42 @@ typedef struct {
 // The theta step about one guess.
 typedef struct {
   linear_t linear;
-  tf_real_t p, sigma; // at the start
-  tf_real_t V, W;     // v and w there, as the held matrix has them
+  tf_real_t p, u; // at the start
+  tf_real_t v, w; // there, as the held matrix has them
 } held_t;
 
 static tf_real_t smaller(tf_real_t a, tf_real_t b) { return a < b ? a : b; }
 
-static tf_real_t rho_at(const tf_machine_t *k, tf_real_t r) {
+static tf_real_t gyration_at(const tf_machine_t *k, tf_real_t r) {
   return square_root(gyration2_at(k, r));
 }
 
-// The weights rho make w_t a mean of w and w+.
+// The weights R make w_t a mean of w and w+.
 static middle_t middle_of(const given_t *x, end_state_t end) {
   const tf_machine_t *k = x->machine;
-  const tf_real_t th = k->theta, rest = 1 - th;
-  const tf_real_t before = rest * rho_at(k, x->state->r);
-  const tf_real_t after = th * rho_at(k, end.r), rho = before + after;
-  return (middle_t){rest * x->state->r + th * end.r,
-                    (before * x->state->w + after * end.w) / rho, rho};
+  const tf_real_t th = k->theta, of_start = 1 - th;
+  const tf_real_t before = of_start * gyration_at(k, x->state->r);
+  const tf_real_t after = th * gyration_at(k, end.r), R = before + after;
+  return (middle_t){of_start * x->state->r + th * end.r,
+                    (before * x->state->w + after * end.w) / R, R};
 }
 
 // The step without F.
 static held_t hold(const given_t *x, middle_t c) {
   const tf_machine_t *k = x->machine;
   const tf_state_t *from = x->state;
-  held_t b = {.p = from->v - k->d * from->w,
-              .sigma = rho_at(k, from->r) * from->w};
-  b.W = b.sigma / c.rho;
-  b.V = b.p + k->d * b.W;
+  held_t b = {.p = slider_speed(k, from->v, from->w),
+              .u = gyration_at(k, from->r) * from->w};
+  b.w = b.u / c.R;
+  b.v = slider_velocity(k, b.p, b.w);
   const tf_real_t mrw = k->m * c.r * c.w, e = k->theta_dt * mrw;
-  const tf_real_t J = k->m * (c.rho * c.rho) + k->theta_dt * k->c1;
-  const tf_real_t scale = k->dt / (k->m_plus_a * J + k->m_a_d2 + e * e);
+  const tf_real_t J = k->m * (c.R * c.R) + k->theta_dt * k->c1;
   linear_t *l = &b.linear;
-  l->p_b = scale * J;
-  l->p_t = scale * e;
-  l->p_c = scale * k->d_a;
-  l->z_t = scale * k->m;
-  l->z_c = scale * k->a;
+  invert(k, J, e, l);
   l->arm = c.r * k->cos_gamma;
-  const tf_real_t rt = from->r + k->theta_dt * b.V;
-  const tf_real_t Q_r = radial_force(k, x->input, rt, b.V, mrw * b.W);
-  const tf_real_t Q_phi = disc_torque(k, x->input, b.W, mrw * b.V) + x->M;
+  const tf_real_t rt = r_at_theta(k, from->r, b.v);
+  const tf_real_t Q_r = radial_force(k, x->input, rt, b.v, mrw * b.w);
+  const tf_real_t Q_phi = disc_torque(k, x->input, b.w, mrw * b.v) + x->M;
   l->free = change_under(l, Q_r, Q_phi + k->d * Q_r, Q_phi);
   return b;
 }
@@ -86,7 +81,7 @@ static tf_real_t stopping_share(const given_t *x, const held_t *b, tf_real_t r,
   const tf_machine_t *k = x->machine;
   const tf_real_t omega0 = x->input->omega0;
   const tf_real_t p = b->p + k->theta * b->linear.free.p + k->d * omega0;
-  const tf_real_t z = b->W + k->theta * b->linear.free.z - omega0;
+  const tf_real_t z = b->w + k->theta * b->linear.free.z - omega0;
   const tf_real_t h = slip_from_pq(k, p, r * z).h;
   const tf_real_t change = -k->theta * slip_from_pq(k, by.p, r * by.z).h;
   if (magnitude(h) < change) return h / change;
@@ -106,10 +101,11 @@ static balanced_end_t end_about(const given_t *x, middle_t c,
   const change_t to = {b.linear.free.p + share * by.p,
                        b.linear.free.z + share * by.z};
   balanced_end_t end = {.force = {F, x->M}};
-  end.at.r = from->r + k->dt * (b.V + k->theta * (to.p + k->d * to.z));
-  end.at.w = (b.sigma + c.rho * to.z) / rho_at(k, end.at.r);
-  end.at.v = b.p + to.p + k->d * end.at.w;
-  const tf_real_t wt = b.W + k->theta * to.z;
+  end.at.r =
+      from->r + k->dt * (b.v + k->theta * slider_velocity(k, to.p, to.z));
+  end.at.w = (b.u + c.R * to.z) / gyration_at(k, end.at.r);
+  end.at.v = slider_velocity(k, b.p + to.p, end.at.w);
+  const tf_real_t wt = b.w + k->theta * to.z;
   const tf_real_t arm = F * x->input->omega0 * k->cos_gamma;
   *excess = smaller(x->M * (wt - from->w), x->M * (wt - end.at.w)) +
             smaller(arm * (c.r - from->r), arm * (c.r - end.at.r));
@@ -118,8 +114,8 @@ static balanced_end_t end_about(const given_t *x, middle_t c,
 
 static balanced_end_t end_with(const given_t *x, tf_real_t *excess) {
   const tf_machine_t *k = x->machine;
-  const tf_real_t rt = x->state->r + k->theta_dt * x->state->v;
-  middle_t c = {rt, x->state->w, rho_at(k, rt)};
+  const tf_real_t rt = r_at_theta(k, x->state->r, x->state->v);
+  middle_t c = {rt, x->state->w, gyration_at(k, rt)};
   c = middle_of(x, end_about(x, c, excess).at);
   c = middle_of(x, end_about(x, c, excess).at);
   return end_about(x, c, excess);
@@ -138,7 +134,7 @@ TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
   balanced_end_t end = end_with(&x, &excess);
   const end_state_t from = {state->r, state->v, state->w};
   const tf_real_t energy = mean_energy(k, input, from, end.at);
-  if (k->dt * excess > TF_CREATED_SHARE * energy) { // a blow of the moment
+  if (k->dt * excess > TF_CREATED_SHARE * energy) { // an impulse of the moment
     x.M = 0;
     end = end_with(&x, &excess);
   }
@@ -151,28 +147,36 @@ TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
   return end;
 }
 
-TF_API step_end_t tf_judged_end(const tf_machine_t *k, const tf_state_t *state,
-                                const tf_input_t *input, step_end_t to) {
+static void take_balanced_end(const balanced_end_t *end, step_end_t *to) {
+  to->outcome.residual += magnitude(end->force.F - to->end.force.F);
+  to->end.at = end->at;
+  to->end.force = end->force;
+  to->outcome.mode = end->mode;
+  to->outcome.is_mean = false;
+  to->outcome.is_balanced = true;
+  to->outcome.delassus = end->delassus;
+}
+
+TF_API step_end_t tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
+                                 const tf_input_t *input, step_end_t to) {
   const end_state_t from = {state->r, state->v, state->w};
   const end_state_t at = to.end.at;
+  const unsigned mode = to.outcome.mode;
   const tf_force_t force = to.end.force;
   const tf_real_t energy = mean_energy(k, input, from, at);
   const balance_t b = balance_of(k, is_midpoint(k), input, from, at, force.F);
-  if (creates_energy(&b, energy)) {
-    const balanced_end_t end =
-        tf_balanced_end(k, state, input, to.outcome.mode, force);
-    to.end.at = end.at;
-    to.end.force = end.force;
-    to.outcome.residual += magnitude(end.force.F - force.F);
-    to.outcome.mode = end.mode;
-    to.outcome.is_mean = false;
-    to.outcome.is_balanced = true;
-    to.outcome.delassus = end.delassus;
-  } else if (!is_too_coarse(k, &b, energy, from, at) &&
-             !(ends_slip(state->mode, to.outcome.mode) &&
-               is_blow(k, from, at))) {
-    return to;
+  const bool coarse = is_too_coarse(k, &b, energy, from, at) ||
+                      (ends_slip(state->mode, mode) && is_impulse(k, from, at));
+  const bool creates = creates_energy(&b, energy);
+  const bool slips_on =
+      force.F == 0 || (mode <= TF_SLIP_MINUS && mode == state->mode);
+  if (creates || (!coarse && grows(k, &b, energy, slips_on))) {
+    const balanced_end_t end = tf_balanced_end(k, state, input, mode, force);
+    // Near h = 0 its force is not that of the slip, which then goes on.
+    if (creates || (end.mode == mode && end.force.F == force.F))
+      take_balanced_end(&end, &to);
   }
-  if (to.outcome.status == TF_OK) to.outcome.status = TF_COARSE;
+  if ((creates || coarse) && to.outcome.status == TF_OK)
+    to.outcome.status = TF_COARSE;
   return to;
 }

@@ -1,13 +1,13 @@
-// The end of a step that is not beyond doubt, in the form that creates no
-// energy where it does; see balanced.c.
+// The end of a step whose balance of energy is checked, in the form that
+// creates no energy where it does; see balanced.c.
 #ifndef TF_BALANCED_H
 #define TF_BALANCED_H
 
 #include "balance.h"
 #include "stages.h"
 
-// Balance. Whether the end of a step is to be judged by tf_judged_end().
-TF_INLINE bool is_in_doubt(const tf_machine_t *k, const tf_state_t *state,
+// Balance. Whether the end of a step is to be checked by tf_checked_end().
+TF_INLINE bool needs_check(const tf_machine_t *k, const tf_state_t *state,
                            const tf_input_t *input, const step_end_t *to) {
   const end_state_t from = {state->r, state->v, state->w};
   const balance_t b =
@@ -15,11 +15,11 @@ TF_INLINE bool is_in_doubt(const tf_machine_t *k, const tf_state_t *state,
   return !is_balanced(&b) || ends_slip(state->mode, to->outcome.mode);
 }
 
-// The end of a step in doubt: in the form that creates no energy where it does,
+// The end of such a step: in the form that creates no energy where it does,
 // and not TF_OK where the step is too long for the motion.
-#define tf_judged_end TF_LINK(tf_judged_end)
-TF_API step_end_t tf_judged_end(const tf_machine_t *k, const tf_state_t *state,
-                                const tf_input_t *input, step_end_t to);
+#define tf_checked_end TF_LINK(tf_checked_end)
+TF_API step_end_t tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
+                                 const tf_input_t *input, step_end_t to);
 
 // The form that creates no energy: its end, the force of the step, and the slip
 // that the end has. mode, force: what the linear step ends with.

@@ -40,11 +40,10 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
       tf_slip(machine, state->r, state->v, state->w, input->omega0);
   const tf_real_t z = state->w - input->omega0;
   const tf_real_t rounding =
-      8 * TF_REAL_EPSILON *
-      (magnitude(state->v) +
-       (magnitude(machine->d) + magnitude(state->r)) * magnitude(z));
-  const rates_t rates = rates_at(machine, input, state->r,
-                                 state->v - machine->d * z, z, input->omega0);
+      slip_rounding(machine, state->r, state->v, state->w, input->omega0);
+  const rates_t rates =
+      rates_at(machine, input, state->r, slider_speed(machine, state->v, z), z,
+               input->omega0);
   tf_real_t lambda = 0;
   const unsigned set = possible_modes(machine, slip, rounding, &rates, &lambda);
   const unsigned mode = first_mode(set, state->mode);
@@ -64,4 +63,19 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
     report->force =
         (tf_force_t){lambda, signed_kappa(machine, slip.g < 0) * lambda};
   return TF_OK;
+}
+
+TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
+                                      tf_state_t *state,
+                                      const tf_input_t *input, tf_real_t h,
+                                      tf_report_t *report) {
+  tf_state_t start = *state;
+  start.mode = TF_NO_MODE;
+  if (h > 0) start.mode = TF_SLIP_PLUS;
+  if (h < 0) start.mode = TF_SLIP_MINUS;
+  tf_status_t status =
+      tf_speed_for_slip(machine, start.r, start.w, input->omega0, h, &start.v);
+  if (status == TF_OK) status = tf_begin(machine, &start, input, report);
+  if (status == TF_OK) *state = start;
+  return status;
 }

@@ -7,7 +7,7 @@
 
 // The rest of a step behind h = g = 0 is not shorter than 1/32 of it, so that
 // the direction of the slip is not lost in rounding.
-#define MOST_SHARE TF_R(0.96875)
+#define MAX_SHARE TF_R(0.96875)
 // A force of the hull may be larger by a third, for the curvature of a path
 // within its step.
 #define HULL_SHARE TF_R(0.75)
@@ -18,26 +18,31 @@
 // larger.
 static tf_real_t rounding_of_g(const free_motion_t *c,
                                const tf_input_t *input) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   const linear_t *l = &c->linear;
   const tf_state_t *x = c->state;
-  const tf_real_t r = magnitude(x->r), v = magnitude(x->v);
-  const tf_real_t w = magnitude(x->w), mrw = k->m * r * w;
-  const tf_real_t outward = k->k2 * magnitude(input->r0 - x->r) + k->c2 * v +
-                            mrw * w + magnitude(input->force);
-  const tf_real_t around = magnitude(input->torque) + k->c1 * w + 2 * mrw * v;
-  const tf_real_t both = around + magnitude(k->d) * outward;
-  const tf_real_t p =
-      l->p_b * outward + magnitude(l->p_t) * both + magnitude(l->p_c) * around;
+  const force_terms_t size =
+      force_terms(k, input, input->r0 - x->r, x->r, x->v, x->w);
+  const tf_real_t both = size.torque + magnitude(k->d) * size.radial;
+  const tf_real_t p = l->p_b * size.radial + magnitude(l->p_t) * both +
+                      magnitude(l->p_c) * size.torque;
   const tf_real_t z =
-      l->z_t * both + l->z_c * around + magnitude(l->p_t) * outward;
-  return 64 * TF_REAL_EPSILON * (p + r * z) +
+      l->z_t * both + l->z_c * size.torque + magnitude(l->p_t) * size.radial;
+  return 64 * TF_REAL_EPSILON * (p + magnitude(x->r) * z) +
          (c->start.incremental ? 0
                                : slip_rounding(k, x->r, x->v, x->w, l->omega0));
 }
 
+static bool signs_agree(const free_motion_t *c, unsigned mode,
+                        const forced_end_t *end) {
+  const end_state_t at = end->at;
+  return has_signs_of_mode(
+      mode, end_slip(c, end),
+      slip_rounding(TF_STEP_MACHINE(c), at.r, at.v, at.w, c->linear.omega0));
+}
+
 // Whether a stick that ends on the other side of g = 0 does so by rounding
-// alone: it is at rest at g = 0, or comes to it for ever, and goes on. One that
+// alone: it is at rest at g = 0, or tends to it, and goes on. One that
 // passes g = 0 changes g by more than the rounding of one step, a quarter of
 // that of several, and does not decay.
 static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
@@ -47,29 +52,23 @@ static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
   const quadratic_t h = along(&in->h, minus);
   const tf_real_t x = minus ? s->x[1] : s->x[0];
   if (!(s->attracting & TF_MODE_BIT(mode)) ||
-      (h.at_upper > 0) != (h.at_lower < 0))
+      slip_plus_solves(&h) != slip_minus_solves(&h))
     return false;
   const forced_end_t end = end_by(c, (multipliers_t){x, minus ? -x : x});
   const tf_real_t g = end_slip(c, &end).g;
   const tf_real_t change = g - in->g_now;
   const bool decays = within(g, magnitude(in->g_now));
-  return within(g, rounding) && (decays || within(change, rounding / 4));
+  return within(g, rounding) && (decays || within(change, rounding / 4)) &&
+         signs_agree(c, mode, &end);
 }
 
-// Whether a motion comes to h = g = 0 in a step, in which share of it, and
-// under which multipliers.
+// Whether a motion comes to h = g = 0 in a step, in which share of it, and the
+// sum of its multipliers over that.
 typedef struct {
   bool comes;
   tf_real_t share;
-  multipliers_t under;
+  multipliers_t sum;
 } arrival_t;
-
-// A slip that follows its limit direction comes there if that leads in and the
-// step is long enough.
-static arrival_t arrival_of_slip(const codim2_way_t *way, tf_real_t distance) {
-  const bool comes = way->mode != TF_NO_MODE && distance <= -way->rate;
-  return (arrival_t){comes, comes ? distance / -way->rate : 0, way->under};
-}
 
 // A stick comes there if it solves but with the other sign of g. One whose g is
 // already past 0, and not by rounding, has left that point.
@@ -77,13 +76,15 @@ static arrival_t arrival_of_stick(const inclusion_t *in, int s,
                                   tf_real_t rounding) {
   const quadratic_t h = along(&in->h, s), g = along(&in->g, s);
   const tf_real_t x = root_within(h.c0, h.c1, h.c2);
-  const tf_real_t end = g.c0 + x * (g.c1 + x * g.c2);
+  const tf_real_t end = quadratic_at(&g, x);
   const bool comes =
       s ? in->g_now < rounding && end >= 0 : in->g_now > -rounding && end <= 0;
   const tf_real_t change = in->g_now - end;
-  return (arrival_t){comes && (h.at_upper > 0) == (h.at_lower < 0),
-                     comes && change != 0 ? clip(in->g_now / change, 0, 1) : 0,
-                     {x, s ? -x : x}};
+  const tf_real_t share =
+      comes && change != 0 ? clip(in->g_now / change, 0, 1) : 0;
+  return (arrival_t){comes && slip_plus_solves(&h) == slip_minus_solves(&h),
+                     share,
+                     {share * x, s ? -share * x : share * x}};
 }
 
 // The multipliers under which neither h nor g changes; too large where friction
@@ -117,9 +118,8 @@ static multipliers_t leaving_multipliers(const tf_machine_t *k,
     return (multipliers_t){x, mode == TF_STICK_MINUS ? -x : x};
   }
   const tf_real_t side = mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0);
-  const multipliers_t m = multipliers_at(&k->tyre, modes->T[mode]);
-  return (multipliers_t){side * m.x,
-                         side * (tf_real_t)modes->sign_g[mode] * m.y};
+  return signed_multipliers(multipliers_at(&k->tyre, modes->T[mode]), side,
+                            (tf_real_t)modes->sign_g[mode]);
 }
 
 static tf_real_t value_under(affine_t f, multipliers_t m) {
@@ -153,11 +153,7 @@ static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
   out->end = end_by(c, m);
   out->outcome.mode = mode;
   out->outcome.is_mean = true;
-  const tf_machine_t *k = TF_API_MACHINE(c);
-  const end_state_t at = out->end.at;
-  return has_signs_of_mode(
-      mode, end_slip(c, &out->end),
-      slip_rounding(k, at.r, at.v, at.w, c->linear.omega0));
+  return signs_agree(c, out->outcome.mode, &out->end);
 }
 
 // A step that comes to h = g = 0 goes on from there: in the rest of the step it
@@ -165,14 +161,14 @@ static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
 // before and behind, which lies in the convex hull of the law.
 static bool go_on_from_codim2(const free_motion_t *c, const inclusion_t *in,
                               const codim2_field_t *field,
+                              const consistent_modes_t *modes,
                               const arrival_t *arrival, step_end_t *out) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
-  consistent_modes_t modes;
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   const bool arrives = arrival->share > 0;
   const unsigned mode =
-      tf_leave_codim2(k, field, c->state->mode, arrives, c->state, &modes);
+      tf_leave_codim2(k, field, c->state->mode, arrives, c->state, modes);
   if (mode == TF_NO_MODE) return false;
-  out->outcome.set = modes.solutions.set;
+  out->outcome.set = modes->solutions.set;
   if (mode == TF_PINNED) {
     out->end = pinned_end(c);
     out->outcome.mode = mode;
@@ -180,29 +176,34 @@ static bool go_on_from_codim2(const free_motion_t *c, const inclusion_t *in,
     return rests_under(TF_REST_HULL, HULL_SHARE * in->pin_x,
                        HULL_SHARE * in->pin_y);
   }
-  const multipliers_t leaving = leaving_multipliers(k, &modes, mode);
-  const tf_real_t share = clip(arrival->share, 0, MOST_SHARE), rest = 1 - share;
-  const multipliers_t mean = {share * arrival->under.x + rest * leaving.x,
-                              share * arrival->under.y + rest * leaving.y};
-  const tf_slip_t to = {rest * value_under(field->h, leaving),
-                        rest * value_under(field->g, leaving)};
+  const multipliers_t leaving = leaving_multipliers(k, modes, mode);
+  const tf_real_t share = clip(arrival->share, 0, MAX_SHARE),
+                  remaining = 1 - share;
+  const multipliers_t mean = {arrival->sum.x + remaining * leaving.x,
+                              arrival->sum.y + remaining * leaving.y};
+  const tf_slip_t to = {remaining * value_under(field->h, leaving),
+                        remaining * value_under(field->g, leaving)};
   return end_at(c, in, mode, to, mean, out);
 }
 
-// The motion passes h = g = 0 by. It is held there if it would run to a rest
+// Whether a motion that has lost its mode may be held at h = g = 0.
+static bool may_be_held(const solutions_t *s, unsigned mode) {
+  return has(s->set, TF_PINNED) && !has(s->set, mode);
+}
+
+// The motion passes by h = g = 0. It is held there if it would run to a rest
 // there. If a force of the law takes it there and it has no other way, it comes
 // there at the end of the step.
 static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
                         const codim2_field_t *field,
+                        const consistent_modes_t *modes,
                         const solutions_t *solutions, step_end_t *out) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_state_t *x = c->state;
-  const unsigned pinned = solutions->set & TF_MODE_BIT(TF_PINNED);
   solutions_t s = *solutions;
-  consistent_modes_t modes;
-  if (pinned && !has(s.set, x->mode) &&
-      tf_leave_codim2(k, field, x->mode, true, x, &modes) != TF_PINNED)
-    s.set &= (uint8_t)~pinned;
+  const bool held = may_be_held(&s, x->mode);
+  if (held && tf_leave_codim2(k, field, x->mode, true, x, modes) != TF_PINNED)
+    s.set &= (uint8_t)~TF_MODE_BIT(TF_PINNED);
   const unsigned mode =
       tf_select(k->rule, k->exit_threshold, &s, x->mode, x->tick, x->seed);
   out->outcome.set = solutions->set;
@@ -210,81 +211,120 @@ static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
   out->outcome.is_mean = false;
   if (mode != TF_NO_MODE) {
     out->end = mode_end(c, &s, mode);
-  } else if (pinned) {
+  } else if (held) {
     const arrival_t arrival = {true, 1, {in->pin_x, in->pin_y}};
-    if (!go_on_from_codim2(c, in, field, &arrival, out))
+    if (!go_on_from_codim2(c, in, field, modes, &arrival, out))
       out->outcome.mode = TF_NO_MODE;
   }
 }
 
-// A slip turns to its limit direction much faster than it moves along it where
-// it is so near that h = g = 0 is within reach of the step. There the step
-// takes it to that direction if it leads in, because (9) would throw it from
-// side to side, or if the slip has lost its mode: which mode follows is then
-// decided by the limit directions and not by where the step happens to end.
-static bool follow_limit_direction(const free_motion_t *c,
-                                   const inclusion_t *in,
-                                   const codim2_way_t *way, tf_real_t distance,
-                                   const solutions_t *solutions,
-                                   step_end_t *out) {
-  const bool lost = !has(solutions->set, c->state->mode);
-  if (way->mode == TF_NO_MODE || !(way->rate < 0 || lost)) return false;
-  const tf_real_t left = distance + way->rate;
-  const tf_slip_t to = {left * way->along.h, left * way->along.g};
-  out->outcome.set = solutions->set | TF_MODE_BIT(way->mode);
-  return end_at(c, in, way->mode, to, way->under, out);
+// Whether a slip ends next to where its course does.
+static bool agrees(const codim2_course_t *course, unsigned mode,
+                   tf_slip_t end) {
+  const tf_slip_t to = course->slip;
+  const tf_real_t off = magnitude(end.h - to.h) + magnitude(end.g - to.g);
+  return course->mode == mode && off <= (magnitude(to.h) + magnitude(to.g)) / 2;
 }
 
-// Whether a slip that passes h = g = 0 by turns there within the step, by how
-// much the step does not know, while it has more than one future: it is not on
-// its limit direction yet, and loses its mode or comes nearer by more than a
-// quarter.
-static bool turns_by(const codim2_way_t *way, tf_slip_t now, tf_slip_t end,
-                     tf_real_t distance, bool is_lost, unsigned set) {
-  if (way->mode == TF_NO_MODE || size_of(set) < 2) return false;
-  const tf_real_t aligned = now.h * way->along.h + now.g * way->along.g;
-  const tf_real_t left = end.h * end.h + end.g * end.g;
-  const bool nears = left < TF_R(0.5) * distance * distance;
-  return (is_lost || nears) && !(aligned > distance * TF_R(0.875));
+// A slip ends where its course does: which mode follows is decided by the
+// order in which it comes to h = 0 and g = 0, and not by where the step happens
+// to end. Where friction cannot steer both h and g it ends under the force of
+// the course.
+static bool follow_course(const free_motion_t *c, const inclusion_t *in,
+                          const codim2_course_t *course,
+                          const solutions_t *solutions, step_end_t *out) {
+  out->outcome.set = solutions->set | TF_MODE_BIT(course->mode);
+  if (end_at(c, in, course->mode, course->slip, course->sum, out)) return true;
+  if (course->mode > TF_SLIP_MINUS) return false;
+  out->end = end_by(c, course->sum);
+  return signs_agree(c, out->outcome.mode, &out->end);
+}
+
+// Whether a slip that passes by h = g = 0 may miss its future: it has several,
+// turns by more than 29 degrees within the step, and loses its mode or comes
+// nearer to that point by more than 29 %. Then it depends on how far from the
+// point it passes, which is known to the error of the steps before.
+static bool may_miss(tf_slip_t now, tf_slip_t end, bool is_lost, unsigned set) {
+  if (size_of(set) < 2) return false;
+  const tf_real_t before = square_root(now.h * now.h + now.g * now.g);
+  const tf_real_t after = square_root(end.h * end.h + end.g * end.g);
+  const bool nears = after < TF_R(0.71) * before;
+  const tf_real_t product = now.h * end.h + now.g * end.g;
+  return (is_lost || nears) && !(product > TF_R(0.875) * before * after);
+}
+
+// A slip that has h = g = 0 within reach. It is TF_COARSE where no force of the
+// law's convex hull leads along its course: the step is too long for that.
+static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
+                                 const codim2_field_t *field,
+                                 const solutions_t *s, step_end_t *to) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
+  const int sign_h = c->state->mode == TF_SLIP_PLUS ? 1 : -1;
+  const codim2_course_t course =
+      tf_codim2_course(k, field, c->start.slip, sign_h);
+  const arrival_t arrival = {course.mode == TF_PINNED, course.share,
+                             course.sum};
+  consistent_modes_t modes = {.solutions = {.set = 0}};
+  if (arrival.comes || may_be_held(s, c->state->mode))
+    tf_codim2_modes(k, field, &modes);
+  if (arrival.comes && go_on_from_codim2(c, in, field, &modes, &arrival, to))
+    return;
+  pass_codim2(c, in, field, &modes, s, to);
+  const unsigned mode = to->outcome.mode;
+  const bool near =
+      mode != TF_NO_MODE && agrees(&course, mode, end_slip(c, &to->end));
+  // On a limit direction that leads to h = g = 0 (9) makes a slip alternate
+  // between both sides; of a slip that ends in stick it has not all the force.
+  if (near && mode <= TF_SLIP_MINUS && !course.leads_in) return;
+  const step_end_t passed = *to;
+  bool coarse = arrival.comes ? size_of(modes.solutions.set) > 1 : !near;
+  if (course.mode < TF_PINNED && follow_course(c, in, &course, s, to))
+    coarse = may_miss(c->start.slip, course.slip, course.mode != c->state->mode,
+                      s->set);
+  else
+    *to = passed;
+  if (coarse) to->outcome.status = TF_COARSE;
+}
+
+// A stick that loses its mode where g = 0 is within reach, or a motion that is
+// at h = g = 0.
+static void end_at_codim2(const free_motion_t *c, const tf_input_t *input,
+                          const inclusion_t *in, const codim2_field_t *field,
+                          const solutions_t *s, step_end_t *to) {
+  const unsigned mode = c->state->mode;
+  arrival_t arrival = {.comes = mode <= TF_SLIP_MINUS || mode == TF_PINNED};
+  if (!arrival.comes) {
+    const tf_real_t rounding = rounding_of_g(c, input);
+    if (rests_at_g_zero(c, in, s, mode, rounding)) {
+      to->outcome.mode = mode;
+      to->outcome.set = s->set | TF_MODE_BIT(mode);
+      to->end = mode_end(c, s, mode);
+      return;
+    }
+    arrival = arrival_of_stick(in, mode == TF_STICK_MINUS, rounding);
+  }
+  consistent_modes_t modes = {.solutions = {.set = 0}};
+  if (arrival.comes || may_be_held(s, mode))
+    tf_codim2_modes(TF_STEP_MACHINE(c), field, &modes);
+  if (!(arrival.comes && go_on_from_codim2(c, in, field, &modes, &arrival, to)))
+    pass_codim2(c, in, field, &modes, s, to);
 }
 
 TF_API void tf_codim2_end(free_motion_t *c, const tf_input_t *input,
                           inclusion_t *in, solutions_t *s, step_end_t *to) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
-  const unsigned mode = c->state->mode;
   add_pinned_point(c, in);
   // The hull reaches beyond the forces by which signs_of() judges.
   enumerate(in, BOTH_SIGNS, s);
   const codim2_field_t field = field_of_step(c, in);
   const tf_slip_t now = c->start.slip;
-  const tf_real_t distance = square_root(now.h * now.h + now.g * now.g);
   *to = (step_end_t){.outcome = {.status = TF_OK}};
-  codim2_way_t way = {.mode = TF_NO_MODE};
-  bool rests = false;
-  arrival_t arrival = {.comes = mode == TF_PINNED || distance == 0};
-  if (mode <= TF_SLIP_MINUS && distance > 0) {
-    way = tf_codim2_destination(k, &field, now, mode == TF_SLIP_PLUS ? 1 : -1);
-    arrival = arrival_of_slip(&way, distance);
-  } else if (!arrival.comes) {
-    const tf_real_t rounding = rounding_of_g(c, input);
-    rests = rests_at_g_zero(c, in, s, mode, rounding);
-    arrival = arrival_of_stick(in, mode == TF_STICK_MINUS, rounding);
-  }
-  if (rests) {
-    to->outcome.mode = mode;
-    to->outcome.set = s->set | TF_MODE_BIT(mode);
-    to->end = mode_end(c, s, mode);
-  } else if (!(arrival.comes &&
-               go_on_from_codim2(c, in, &field, &arrival, to)) &&
-             !follow_limit_direction(c, in, &way, distance, s, to)) {
-    pass_codim2(c, in, &field, s, to);
-    if (mode <= TF_SLIP_MINUS &&
-        turns_by(&way, now, end_slip(c, &to->end), distance,
-                 to->outcome.mode != mode, to->outcome.set))
-      to->outcome.status = TF_COARSE;
-  }
+  if (c->state->mode <= TF_SLIP_MINUS && (now.h != 0 || now.g != 0))
+    end_slip_near_codim2(c, in, &field, s, to);
+  else
+    end_at_codim2(c, input, in, &field, s, to);
   if (to->outcome.mode == TF_NO_MODE)
     tf_least_violation(c, in, s, to);
   else
-    to->outcome.delassus = step_delassus(k, in, end_slip(c, &to->end).g < 0);
+    to->outcome.delassus =
+        step_delassus(TF_STEP_MACHINE(c), in, end_slip(c, &to->end).g < 0);
 }

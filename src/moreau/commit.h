@@ -16,7 +16,7 @@ TF_RARE tf_status_t status_of_end(const tf_machine_t *k,
   const tf_real_t force =
       magnitude(report->force.F) + k->k2 * magnitude(state->r);
   const tf_real_t taken = k->dt * magnitude(report->delassus) * force;
-  const tf_real_t of_force = omega0 == 0 ? 32 * TF_REAL_EPSILON * taken : 0;
+  const tf_real_t of_force = omega0 == 0 ? SLIP_ROUNDINGS * taken : 0;
   return status_by_signs(report, rounding + of_force);
 }
 

@@ -8,8 +8,8 @@
 
 // Where the balanced form ends starts from the leading parts; what they leave
 // out is carried over.
-TF_INLINE state_pair_t carried_over(end_state_t at,
-                                    const tf_compensation_t *low) {
+TF_INLINE state_pair_t balanced_end_in_pairs(end_state_t at,
+                                             const tf_compensation_t *low) {
   return (state_pair_t){pair_plus((pair_t){at.r, 0}, low->r),
                         pair_plus((pair_t){at.v, 0}, low->v),
                         pair_plus((pair_t){at.w, 0}, low->w)};
@@ -29,9 +29,9 @@ TF_INLINE state_pair_t pairs_at_end(const compensated_step_t *step,
                                     outcome_t outcome, end_state_t at) {
   const tf_machine_t *k = &step->constants->machine;
   const state_pair_t from = paired(step->state, step->low);
-  if (outcome.is_balanced) return carried_over(at, step->low);
+  if (outcome.is_balanced) return balanced_end_in_pairs(at, step->low);
   if (outcome.mode == TF_PINNED)
-    return rest_in_pairs(k, &from, step->input->omega0);
+    return end_at_rest_in_pairs(k, &from, step->input->omega0);
   // A mean over a passage of h = g = 0 has a moment of its own.
   const unsigned law = outcome.is_mean ? TF_MODES : outcome.mode;
   const linear_t l = linearise(k, step->state, step->input);

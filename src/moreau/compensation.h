@@ -5,7 +5,7 @@
 //   in a coefficient is no more than that in an increment;
 // * at the end the increments of p and z are refined once: the residual of (6)
 //   is formed in pairs, and the inverse that solved for them solves for what
-//   they lack. So an epsilon in a coefficient costs an epsilon of an epsilon.
+//   is missing. So an epsilon in a coefficient costs an epsilon of an epsilon.
 #ifndef TF_COMPENSATION_H
 #define TF_COMPENSATION_H
 
@@ -43,16 +43,16 @@ TF_INLINE start_t slip_in_pairs(const tf_compensated_t *k,
   const pair_t q = pair_product(state->r, z);
   const pair_t h =
       pair_sum(pair_product(sine_pair(k), p), pair_product(cosine_pair(k), q));
-  const tf_real_t g = q.hi * k->machine.sin_gamma - p.hi * k->machine.cos_gamma;
+  const tf_real_t g = slip_from_pq(&k->machine, p.hi, q.hi).g;
   return (start_t){p.hi, z.hi, {-(h.hi + h.lo), g}, true, true};
 }
 
 // (6) in pairs: by how much the change c of p and z fails to solve its rows
 //   m dp + a dv - e dz   = dt b,  b = Q_r + F sin gamma
 //   J dz + e dp + d a dv = dt t,  t = Q_phi + d Q_r + F r_theta cos gamma + M,
-// answered by the change that c lacks. theta dt v, a and e are small beside r,
-// m and J: tf_real_t is enough for them. M_low is what the rounding of M left
-// out.
+// solved for the change that is missing. theta dt v, a and e are small beside
+// r, m and J: tf_real_t is enough for them. M_low is what the rounding of M
+// left out.
 TF_INLINE change_t refinement(const tf_compensated_t *constants,
                               const state_pair_t *state, const tf_input_t *u,
                               const linear_t *l, tf_force_t f, tf_real_t M_low,
@@ -75,7 +75,7 @@ TF_INLINE change_t refinement(const tf_compensated_t *constants,
       pair_sum((pair_t){k->inertia, constants->low_inertia},
                pair_product(mr, pair_plus(r_theta, 2 * theta_dt_v)));
   const tf_real_t e = 2 * k->theta_dt * mrw.hi;
-  const tf_real_t a_dv = k->a * (c.p + k->d * c.z);
+  const tf_real_t a_dv = k->a * slider_velocity(k, c.p, c.z);
   const pair_t row_b = pair_difference(
       pair_times(b, k->dt), pair_plus(two_product(k->m, c.p), a_dv - e * c.z));
   const pair_t row_t =
@@ -106,9 +106,9 @@ TF_INLINE pair_t moved(pair_t from, pair_t change) {
 // would have the same sign for as long as v is the same.
 TF_INLINE pair_t travelled(const tf_machine_t *k, pair_t from, pair_t v,
                            tf_real_t dv) {
-  const pair_t way = two_product(k->dt, v.hi);
-  return moved(from,
-               (pair_t){way.hi, way.lo + (k->dt * v.lo + k->theta_dt * dv)});
+  const pair_t travel = two_product(k->dt, v.hi);
+  return moved(
+      from, (pair_t){travel.hi, travel.lo + (k->dt * v.lo + k->theta_dt * dv)});
 }
 
 // (7): the end of a step under a force and the change that responds to it.
@@ -128,11 +128,11 @@ TF_INLINE state_pair_t end_in_pairs(const tf_compensated_t *constants,
 }
 
 // (10): v = 0 and w = omega0 exactly.
-TF_INLINE state_pair_t rest_in_pairs(const tf_machine_t *k,
-                                     const state_pair_t *state,
-                                     tf_real_t omega0) {
-  const pair_t way = two_product(k->explicit_dt, state->v.hi);
-  return (state_pair_t){moved(state->r, way), {0, 0}, {omega0, 0}};
+TF_INLINE state_pair_t end_at_rest_in_pairs(const tf_machine_t *k,
+                                            const state_pair_t *state,
+                                            tf_real_t omega0) {
+  const pair_t travel = two_product(k->explicit_dt, state->v.hi);
+  return (state_pair_t){moved(state->r, travel), {0, 0}, {omega0, 0}};
 }
 
 // The compensation of the new state and, where asked for, its angle (12).

@@ -8,8 +8,8 @@
 //   balance  what the step does to the energy
 //   commit   the state and the report
 // Lanes that a pass marks rare (refused, out of range, without a mode, a root
-// without a series, a slip that turns, a balance in doubt) are done by tf_step
-// from the state that they had.
+// without a series, a slip whose force swings, a balance to be checked) are
+// done by tf_step from the state that they had.
 #include "twofold/ensemble.h"
 
 #include "../friction/mode_set.h"
@@ -169,10 +169,14 @@ TF_INLINE void slip_lane(const tf_machine_t *restrict k,
   const end_state_t end = lane_end(k, work, omega0, i, theta.x, theta.y);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - omega0);
   const mask_t stays = when(side * slip.h > 0);
-  work->x[i] = pick(slips, pick(stays, theta.x, side), work->x[i]);
-  work->y[i] = pick(slips, pick(stays, theta.y, tau * side), work->y[i]);
-  const mask_t turns = ~stays & when(k->kappa_mu * tau * now.g < 0);
-  work->rare[i] |= slips & (first.rare | theta.rare | turns);
+  const multipliers_t m = {pick(stays, theta.x, side),
+                           pick(stays, theta.y, tau * side)};
+  work->x[i] = pick(slips, m.x, work->x[i]);
+  work->y[i] = pick(slips, m.y, work->y[i]);
+  const mask_t swings =
+      when(force_swings((multipliers_t){first.x, first.y}, m));
+  const mask_t reverses = ~stays & when(k->kappa_mu * tau * now.g < 0);
+  work->rare[i] |= slips & (first.rare | theta.rare | reverses | swings);
 }
 
 static void slip_all(const tf_machine_t *restrict k,
@@ -213,7 +217,7 @@ static void ends_all(const tf_machine_t *restrict k,
   }
 }
 
-// A lane whose balance is in doubt is rare.
+// A lane whose balance needs a check is rare.
 TF_INLINE void balance_lanes(const tf_machine_t *restrict k, bool midpoint,
                              const tf_state_block_t *restrict b,
                              const tf_input_t *restrict u,
@@ -262,7 +266,7 @@ static void angles_all(const tf_machine_t *restrict k,
                        tf_state_block_t *restrict b,
                        const work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++)
-    b->phi[i] += angle_turned(k, b->w[i], work->w[i]);
+    b->phi[i] += angle_change(k, b->w[i], work->w[i]);
 }
 
 static bool any_rare(const work_t *work) {
@@ -291,7 +295,8 @@ static void step_lane(const tf_machine_t *k, tf_state_block_t *b,
   out->status[i] = (int8_t)report.status;
 }
 
-// Modes, sets and ticks.
+// Modes, sets and ticks. The number of modes is size_of() without its table,
+// which vectors cannot look up.
 static void record_all(tf_state_block_t *restrict b,
                        const work_t *restrict work,
                        tf_report_block_t *restrict out) {

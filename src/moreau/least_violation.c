@@ -2,7 +2,7 @@
 
 TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in,
                                const solutions_t *s, step_end_t *to) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   add_pinned_point(c, in);
   to->end = pinned_end(c);
   to->outcome =

@@ -56,36 +56,47 @@ TF_INLINE change_t response_to_kappa_mu(const tf_machine_t *k,
                     k->kappa_mu * (l->z_t + l->z_c)};
 }
 
+// (1): r at the theta point.
+TF_INLINE tf_real_t r_at_theta(const tf_machine_t *k, tf_real_t r,
+                               tf_real_t v) {
+  return r + k->theta_dt * v;
+}
+
+// (5), (6): the rows of dt S^-1, from J with its implicit parts and e: det S is
+// `definite` + e^2, without the m^2 d^2 that would cancel.
+TF_INLINE void invert(const tf_machine_t *k, tf_real_t J, tf_real_t e,
+                      linear_t *l) {
+  const tf_real_t definite = k->m_plus_a * J + k->m_a_d2;
+  const tf_real_t scale = k->dt / (definite + e * e);
+  l->p_b = scale * J;
+  l->p_t = scale * e;
+  l->p_c = scale * k->d_a;
+  l->z_t = scale * k->m;
+  l->z_c = scale * k->a;
+  // scale is 0 where the determinant overflows
+  l->definite = (definite > 0) & (scale > 0);
+}
+
 TF_INLINE linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
                              const tf_input_t *input) {
   const tf_real_t v = state->v, w = state->w, theta_dt = k->theta_dt;
   linear_t l;
   // (1)
-  const tf_real_t theta_dt_v = theta_dt * v, r_theta = state->r + theta_dt_v;
+  const tf_real_t r_theta = r_at_theta(k, state->r, v);
   const tf_real_t mr = k->m * r_theta, mrw = mr * w, twice = mrw + mrw;
   // (2), (3)
   const tf_real_t Q_r = radial_force(k, input, r_theta, v, mrw * w);
   const tf_real_t Q_phi = disc_torque(k, input, w, twice * v);
   // (4)
   const tf_real_t e = theta_dt * twice;
-  const tf_real_t J = k->inertia + mr * (r_theta + 2 * theta_dt_v);
-  // (5): det S without the m^2 d^2 that would cancel
-  const tf_real_t definite = k->m_plus_a * J + k->m_a_d2;
-  const tf_real_t det = definite + e * e;
-  const tf_real_t scale = k->dt / det;
-  // (6)
-  l.p_b = scale * J;
-  l.p_t = scale * e;
-  l.p_c = scale * k->d_a;
-  l.z_t = scale * k->m;
-  l.z_c = scale * k->a;
+  const tf_real_t J = k->inertia + mr * (r_theta + 2 * (theta_dt * v));
+  invert(k, J, e, &l); // (5), (6)
   l.free = change_under(&l, Q_r, Q_phi + k->d * Q_r, Q_phi);
   l.arm = r_theta * k->cos_gamma;
   l.omega0 = input->omega0;
   l.z = w - l.omega0;
-  l.p = v - k->d * l.z;
+  l.p = slider_speed(k, v, l.z);
   l.r_explicit = state->r + k->explicit_dt * v;
-  l.definite = (definite > 0) & (scale > 0); // scale is 0 where det overflows
   return l;
 }
 
@@ -94,15 +105,17 @@ typedef struct {
   tf_real_t r, v, w;
 } end_state_t;
 
+TF_INLINE tf_real_t end_r(const tf_machine_t *k, const linear_t *l,
+                          tf_real_t end_v) {
+  return l->r_explicit + k->theta_dt * end_v;
+}
+
 TF_INLINE end_state_t end_after(const tf_machine_t *k, const linear_t *l,
                                 change_t friction) {
   const tf_real_t p = l->p + l->free.p + friction.p;
   const tf_real_t z = l->z + l->free.z + friction.z;
-  end_state_t end;
-  end.w = z + l->omega0;
-  end.v = p + k->d * z;
-  end.r = l->r_explicit + k->theta_dt * end.v;
-  return end;
+  const tf_real_t v = slider_velocity(k, p, z);
+  return (end_state_t){end_r(k, l, v), v, z + l->omega0};
 }
 
 // (8): the change of the velocities under multipliers x and y, from that of
@@ -112,15 +125,9 @@ TF_INLINE change_t change_of(tf_real_t x, tf_real_t y, change_t F, change_t M) {
 }
 
 // (12): by how much the angle grows in a step, from w at its start and end.
-TF_INLINE tf_real_t angle_turned(const tf_machine_t *k, tf_real_t w,
+TF_INLINE tf_real_t angle_change(const tf_machine_t *k, tf_real_t w,
                                  tf_real_t w_end) {
   return k->explicit_dt * w + k->theta_dt * w_end;
-}
-
-// (1): r at the theta point.
-TF_INLINE tf_real_t r_at_theta(const tf_machine_t *k, tf_real_t r,
-                               tf_real_t v) {
-  return r + k->theta_dt * v;
 }
 
 // (9): slip at the theta point, at which the force of a slip is evaluated.
@@ -138,7 +145,7 @@ typedef struct {
 } response_t;
 
 TF_INLINE response_t response_at_end(const tf_machine_t *k, change_t c) {
-  return (response_t){c.p, c.z, k->theta_dt * (c.p + k->d * c.z)};
+  return (response_t){c.p, c.z, k->theta_dt * slider_velocity(k, c.p, c.z)};
 }
 
 // The end of the step without friction, and the responses there.
@@ -151,10 +158,16 @@ TF_INLINE free_end_t free_end(const tf_machine_t *k, const linear_t *l) {
   free_end_t end;
   end.p = l->p + l->free.p;
   end.z = l->z + l->free.z;
-  end.r = l->r_explicit + k->theta_dt * (end.p + k->d * end.z);
+  end.r = end_r(k, l, slider_velocity(k, end.p, end.z));
   end.by_x = response_at_end(k, response_to_mu(k, l));
   end.by_y = response_at_end(k, response_to_kappa_mu(k, l));
   return end;
+}
+
+// (8): the slip's response of first order, q' = r z' + z r'.
+TF_INLINE tf_slip_t slip_response(const tf_machine_t *k, const free_end_t *end,
+                                  response_t by) {
+  return slip_from_pq(k, by.p, end->r * by.z + end->z * by.r);
 }
 
 // (8): h and g at the end of the step as quadratic forms of x and y, because p+
@@ -162,8 +175,8 @@ TF_INLINE free_end_t free_end(const tf_machine_t *k, const linear_t *l) {
 TF_INLINE void slip_forms(const tf_machine_t *k, const free_end_t *end,
                           tf_slip_t free, form_t *h, form_t *g) {
   const response_t x = end->by_x, y = end->by_y;
-  const tf_slip_t by_x = slip_from_pq(k, x.p, end->r * x.z + end->z * x.r);
-  const tf_slip_t by_y = slip_from_pq(k, y.p, end->r * y.z + end->z * y.r);
+  const tf_slip_t by_x = slip_response(k, end, x);
+  const tf_slip_t by_y = slip_response(k, end, y);
   const tf_real_t xx = x.r * x.z, yy = y.r * y.z, xy = x.r * y.z + y.r * x.z;
   *h = (form_t){free.h,
                 by_x.h,

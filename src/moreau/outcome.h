@@ -47,11 +47,11 @@ TF_INLINE bool has_signs_of_mode(unsigned mode, tf_slip_t slip,
   return within(slip.g, rounding);
 }
 
-// The same where it is plain to see, with little of the rounding of h and none
-// of g; of rest, which is rare, it says nothing.
+// The same where it is plain to see: with one term of the rounding of h and
+// none of that of g. Rest, which is rare, is left to has_signs_of_mode().
 TF_INLINE bool plainly_has_signs(const tf_machine_t *k, unsigned mode,
                                  tf_slip_t slip, end_state_t at) {
-  const tf_real_t least = 32 * TF_REAL_EPSILON * magnitude(k->d * at.w);
+  const tf_real_t least = SLIP_ROUNDINGS * magnitude(k->d * at.w);
   if (mode == TF_STICK_MINUS) return slip.g < 0 && within(slip.h, least);
   if (mode == TF_STICK_PLUS) return slip.g > 0 && within(slip.h, least);
   if (mode == TF_PINNED) return false;

@@ -53,7 +53,7 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
     const tf_compensated_t *machine, tf_state_t *state,
     tf_compensation_t *compensation, tf_real_t omega0, tf_real_t h) {
   const tf_machine_t *k = &machine->machine;
-  if (!(magnitude(k->sin_gamma) >= TF_R(1e-6))) return TF_BAD_STATE;
+  if (!(magnitude(k->sin_gamma) >= TF_MIN_SINE)) return TF_BAD_STATE;
   const pair_t r = {state->r, compensation->r}, w = {state->w, compensation->w};
   const pair_t sine = {k->sin_gamma, machine->low_sin_gamma};
   const pair_t cosine = {k->cos_gamma, machine->low_cos_gamma};

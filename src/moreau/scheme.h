@@ -45,13 +45,15 @@ TF_INLINE bool end_of_step(const tf_machine_t *k, const tf_state_t *state,
   // End in the mode, (9), (10).
   to->end = mode_end(&c, &s, mode);
   to->outcome = (outcome_t){.mode = mode, .set = s.set, .status = TF_OK};
-  if (to->end.turns) {
+  if (to->end.reverses | to->end.swings) {
     if (!rare) return false;
-    end_turning(&c, &s, to);
+    end_swinging(&c, &in, &s, to);
   }
+  if (rare && ends_slip(state->mode, mode) && swings_much(&c, &in, to))
+    to->outcome.status = TF_COARSE;
   to->outcome.delassus = end_delassus(&c, &in, signs, &to->end);
   // Balance.
-  return rare || !is_in_doubt(k, state, input, to);
+  return rare || !needs_check(k, state, input, to);
 }
 
 // The end of a rare step, judged by its balance of energy. Its status is below

@@ -9,7 +9,7 @@ static tf_force_t single_valued_law(const tf_machine_t *k, tf_slip_t at) {
 
 static tf_slip_t slip_at_theta_under(const free_motion_t *c,
                                      change_t friction) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   return slip_at_theta(k, &c->linear, r_at_theta(k, c->state->r, c->state->v),
                        friction);
 }
@@ -18,13 +18,12 @@ static tf_slip_t slip_at_theta_under(const free_motion_t *c,
 // damps (the end of the step responds with E < 0) and explicitly where it
 // drives. The secant never extrapolates: |share| <= 1.
 static tf_force_t secant_force(const free_motion_t *c, tf_slip_t at) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_real_t h_now = start_slip(c).h;
   const tf_force_t f = single_valued_law(k, at);
   if (at.h == 0) return f;
   const response_t a = response_at_end(k, response_to(k, &c->linear, f));
-  const tf_real_t E =
-      slip_from_pq(k, a.p, c->end.r * a.z + c->end.z * a.r).h / at.h;
+  const tf_real_t E = slip_response(k, &c->end, a).h / at.h;
   if (!(E < 0)) return f;
   const tf_real_t h =
       (h_now + k->theta * (c->slip.h - h_now)) / (1 - k->theta * E);
@@ -34,7 +33,7 @@ static tf_force_t secant_force(const free_motion_t *c, tf_slip_t at) {
 
 // The force for a step: predicted from the start, corrected at the theta point.
 static tf_force_t single_valued_force(const free_motion_t *c) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_force_t first = secant_force(c, start_slip(c));
   const tf_slip_t at =
       slip_at_theta_under(c, response_to(k, &c->linear, first));

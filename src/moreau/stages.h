@@ -13,8 +13,8 @@
 
 // The machine of a step. A build for one scene defines this as its constant
 // machine (port/core.h).
-#ifndef TF_API_MACHINE
-#define TF_API_MACHINE(c) ((c)->machine)
+#ifndef TF_STEP_MACHINE
+#define TF_STEP_MACHINE(c) ((c)->machine)
 #endif
 
 // The velocities and the slip that a step starts with. An incremental step
@@ -32,7 +32,7 @@ typedef struct {
 TF_INLINE start_t start_of(const tf_machine_t *k, const tf_state_t *state,
                            const tf_input_t *input) {
   const tf_real_t z = state->w - input->omega0;
-  return (start_t){.p = state->v - k->d * z, .z = z};
+  return (start_t){.p = slider_speed(k, state->v, z), .z = z};
 }
 
 // The motion without friction, and how it responds to friction.
@@ -50,7 +50,8 @@ typedef struct {
 TF_INLINE tf_slip_t slip_by_increment(const tf_machine_t *k,
                                       const tf_state_t *state,
                                       const start_t *start, change_t c) {
-  const tf_real_t dr = k->dt * state->v + k->theta_dt * (c.p + k->d * c.z);
+  const tf_real_t dr =
+      k->dt * state->v + k->theta_dt * slider_velocity(k, c.p, c.z);
   const tf_slip_t by =
       slip_from_pq(k, c.p, state->r * c.z + (start->z + c.z) * dr);
   return (tf_slip_t){start->slip.h + by.h, start->slip.g + by.g};
@@ -75,7 +76,7 @@ TF_INLINE free_motion_t free_motion(const tf_machine_t *k,
 
 TF_INLINE tf_slip_t start_slip(const free_motion_t *c) {
   if (c->start.known) return c->start.slip;
-  return slip_from_pq(TF_API_MACHINE(c), c->start.p, c->state->r * c->start.z);
+  return slip_from_pq(TF_STEP_MACHINE(c), c->start.p, c->state->r * c->start.z);
 }
 
 // Where a step ends under a force. Of an incremental step r, v, w are what a
@@ -85,7 +86,7 @@ typedef struct {
   change_t friction; // of the velocities, unless pinned
   end_state_t at;
   bool pinned;
-  bool turns; // see slip_end()
+  bool reverses, swings; // see slip_end()
 } forced_end_t;
 
 // Where a step ends, and what it has decided.
@@ -97,12 +98,12 @@ typedef struct {
 // (7)
 TF_INLINE forced_end_t end_under(const free_motion_t *c, tf_force_t force,
                                  change_t friction) {
-  const end_state_t at = end_after(TF_API_MACHINE(c), &c->linear, friction);
-  return (forced_end_t){force, friction, at, false, false};
+  const end_state_t at = end_after(TF_STEP_MACHINE(c), &c->linear, friction);
+  return (forced_end_t){force, friction, at, false, false, false};
 }
 
 TF_INLINE tf_slip_t end_slip(const free_motion_t *c, const forced_end_t *end) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   const linear_t *l = &c->linear;
   if (!c->start.incremental)
     return slip_speeds(k, end->at.r, end->at.v, end->at.w - l->omega0);
@@ -119,23 +120,23 @@ TF_INLINE change_t change_by(const free_motion_t *c, multipliers_t m) {
 }
 
 TF_INLINE forced_end_t end_by(const free_motion_t *c, multipliers_t m) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   return end_under(c, (tf_force_t){m.x * k->tyre.mu, m.y * k->kappa_mu},
                    change_by(c, m));
 }
 
 // Inclusion, (8).
 TF_INLINE inclusion_t inclusion(const free_motion_t *c) {
-  inclusion_t in = {.has_moment = TF_API_MACHINE(c)->stick_kappa > 0,
-                    .rest = TF_API_MACHINE(c)->rest};
-  slip_forms(TF_API_MACHINE(c), &c->end, c->slip, &in.h, &in.g);
+  inclusion_t in = {.has_moment = TF_STEP_MACHINE(c)->stick_kappa > 0,
+                    .rest = TF_STEP_MACHINE(c)->rest};
+  slip_forms(TF_STEP_MACHINE(c), &c->end, c->slip, &in.h, &in.g);
   return in;
 }
 
 // Adds the point at which the step would end at rest, which is read only where
 // g+ can have both signs.
 TF_INLINE void add_pinned_point(free_motion_t *c, inclusion_t *in) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_force_t pin = pinning_force(k, &c->linear);
   c->start.slip = start_slip(c);
   c->start.known = true;
@@ -202,26 +203,33 @@ TF_INLINE multipliers_t slip_multipliers(const tf_tyre_t *tyre, tf_real_t side,
 // End in slip on one side of h = 0, (9): the force is predicted from the start,
 // then taken at the theta point. Where that would carry the wheel across h = 0
 // although the limit at h -> 0 holds it on its side, the true end lies between
-// the two, and the limit is taken. It turns the slip if its moment supposes the
-// other sign of g than that at the start: then the force of the step passes
-// h = 0 and g = 0 alike, and in which order the step does not tell.
+// the two, and the limit is taken. It reverses the slip if its moment supposes
+// the other sign of g than that at the start: then the force of the step passes
+// h = 0 and g = 0 alike, and in which order the step does not tell. The force
+// swings if it is not that of the start, so that the true one, which changes
+// direction within the step, may differ from both.
 TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
                                 tf_real_t tau) {
-  const tf_machine_t *k = TF_API_MACHINE(c);
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_slip_t now = start_slip(c);
   const multipliers_t first = slip_multipliers(&k->tyre, side, now);
   const tf_real_t r_theta = r_at_theta(k, c->state->r, c->state->v);
   const tf_slip_t at =
       slip_at_theta(k, &c->linear, r_theta, change_by(c, first));
-  const forced_end_t end = end_by(c, slip_multipliers(&k->tyre, side, at));
+  const multipliers_t theta = slip_multipliers(&k->tyre, side, at);
+  forced_end_t end = end_by(c, theta);
+  end.swings = force_swings(first, theta);
   if (side * end_slip(c, &end).h > 0) return end;
-  forced_end_t limit = end_by(c, (multipliers_t){side, tau * side});
-  limit.turns = k->kappa_mu * tau * now.g < 0;
-  return limit;
+  const multipliers_t limit = {side, tau * side};
+  end = end_by(c, limit);
+  end.swings = force_swings(first, limit);
+  end.reverses = k->kappa_mu * tau * now.g < 0;
+  return end;
 }
 
-// What a slip that turns is replaced by: the attracting stick on the present
-// side of g, which h meets first, where it is consistent; else it is kept.
+// What a slip that is reversed is replaced by: the attracting stick on the
+// present side of g, which h meets first, where it is consistent; else it is
+// kept.
 TF_INLINE unsigned mode_instead(const solutions_t *s, unsigned mode) {
   return has(s->set & s->attracting, s->near_stick) ? s->near_stick : mode;
 }
@@ -231,7 +239,7 @@ TF_INLINE forced_end_t pinned_end(const free_motion_t *c) {
   const linear_t *l = &c->linear;
   const end_state_t at = {l->r_explicit, 0, l->omega0};
   return (forced_end_t){
-      pinning_force(TF_API_MACHINE(c), l), {0, 0}, at, true, false};
+      pinning_force(TF_STEP_MACHINE(c), l), {0, 0}, at, true, false, false};
 }
 
 // End in one of the modes that solve the inclusion.
@@ -258,7 +266,7 @@ TF_INLINE tf_real_t end_delassus(const free_motion_t *c, const inclusion_t *in,
                                  unsigned signs, const forced_end_t *end) {
   const bool minus =
       signs == BOTH_SIGNS ? end_slip(c, end).g < 0 : signs == MINUS_SIGN;
-  return step_delassus(TF_API_MACHINE(c), in, minus);
+  return step_delassus(TF_STEP_MACHINE(c), in, minus);
 }
 
 #endif

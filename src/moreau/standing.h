@@ -22,7 +22,7 @@
 
 // Accelerations.
 typedef struct {
-  tf_real_t p, z;
+  tf_real_t dp, dz;
 } standing_rates_t;
 
 // What the terms of p' and z' amount to without their signs: a share of it is
@@ -31,14 +31,12 @@ TF_INLINE standing_rates_t terms_of_rates(const tf_machine_t *k,
                                           const tf_input_t *u,
                                           const tf_state_t *x, tf_real_t speed,
                                           tf_force_t force) {
-  const tf_real_t size = magnitude(x->r), spin = magnitude(x->w);
-  const tf_real_t d = magnitude(k->d), mrw = k->m * size * spin;
-  const tf_real_t radial = k->k2 * (magnitude(u->r0) + size) + k->c2 * speed +
-                           mrw * spin + magnitude(u->force) +
-                           magnitude(force.F * k->sin_gamma);
-  const tf_real_t torque = magnitude(u->torque) + k->c1 * spin +
-                           2 * mrw * speed + d * radial +
-                           magnitude(force.F) * size + magnitude(force.M);
+  const force_terms_t size =
+      force_terms(k, u, magnitude(u->r0) + magnitude(x->r), x->r, speed, x->w);
+  const tf_real_t d = magnitude(k->d);
+  const tf_real_t radial = size.radial + magnitude(force.F * k->sin_gamma);
+  const tf_real_t torque =
+      size.torque + d * radial + magnitude(force.F * x->r) + magnitude(force.M);
   return (standing_rates_t){radial / k->m + d * magnitude(u->alpha),
                             torque / inertia_at(k, x->r) + magnitude(u->alpha)};
 }
@@ -55,9 +53,9 @@ TF_INLINE standing_force_t force_in_stick(const tf_machine_t *k,
                                           standing_rates_t terms, tf_real_t r,
                                           bool minus) {
   const tf_real_t kappa = signed_kappa(k, minus), A = rates->A[minus];
-  const tf_real_t lambda = clip(rates->N / A, -k->tyre.mu, k->tyre.mu);
+  const tf_real_t lambda = stick_lambda(k, rates, minus);
   const tf_real_t off =
-      (terms.p + magnitude(r) * terms.z) * STANDING_ROUNDINGS / magnitude(A);
+      (terms.dp + magnitude(r) * terms.dz) * STANDING_ROUNDINGS / magnitude(A);
   return (standing_force_t){{lambda, kappa * lambda},
                             {off, magnitude(kappa) * off}};
 }
@@ -66,8 +64,8 @@ TF_INLINE standing_force_t force_in_slip(const tf_machine_t *k,
                                          tf_force_t force, tf_slip_t slip,
                                          tf_real_t off) {
   const tf_real_t size = magnitude(slip.h) + magnitude(slip.g);
-  const tf_real_t doubt = STANDING_DIRECTION * off;
-  const tf_real_t share = doubt < size ? doubt / size : 1;
+  const tf_real_t uncertain = STANDING_DIRECTION * off;
+  const tf_real_t share = uncertain < size ? uncertain / size : 1;
   return (standing_force_t){force, {share * k->tyre.mu, share * k->kappa_mu}};
 }
 
@@ -81,10 +79,9 @@ TF_INLINE standing_motion_t motion_at_end(const tf_machine_t *k,
                                           const tf_input_t *u,
                                           const tf_state_t *x,
                                           tf_force_t force) {
-  const tf_real_t z = x->w - u->omega0, p = x->v - k->d * z;
+  const tf_real_t z = x->w - u->omega0, p = slider_speed(k, x->v, z);
   const tf_real_t d = magnitude(k->d), reach = d + magnitude(x->r);
-  const tf_real_t terms_of_v =
-      magnitude(x->v) + reach * (magnitude(x->w) + magnitude(u->omega0));
+  const tf_real_t terms_of_v = slip_terms(k, x->r, x->v, x->w, u->omega0);
   const tf_real_t v_off = STANDING_ROUNDINGS * terms_of_v;
   const rates_t rates = rates_at(k, u, x->r, p, z, u->omega0);
   const standing_rates_t terms = terms_of_rates(k, u, x, terms_of_v, force);
@@ -93,15 +90,16 @@ TF_INLINE standing_motion_t motion_at_end(const tf_machine_t *k,
           ? force_in_stick(k, &rates, terms, x->r, x->mode == TF_STICK_MINUS)
           : force_in_slip(k, force, slip_from_pq(k, p, x->r * z), v_off);
   const tf_real_t J = inertia_at(k, x->r), arm = x->r * k->cos_gamma;
-  const tf_real_t p_rate = rates.p + by.force.F * rates.Fp;
-  const tf_real_t z_rate = rates.z + (by.force.F * arm + by.force.M) / J;
+  const tf_real_t p_rate = rates.dp + by.force.F * rates.Fp;
+  const tf_real_t z_rate = rates.dz + spin_rate_under(arm, by.force, J);
   const tf_real_t p_off =
-      STANDING_ROUNDINGS * terms.p + by.rounding.F * magnitude(rates.Fp);
-  const tf_real_t z_off = STANDING_ROUNDINGS * terms.z +
-                          (by.rounding.F * magnitude(arm) + by.rounding.M) / J;
-  return (standing_motion_t){
-      p_rate + k->d * z_rate, z_rate, v_off + STANDING_SLOWEST * reach,
-      p_off + d * z_off + STANDING_SLOWEST * reach, z_off + STANDING_SLOWEST};
+      STANDING_ROUNDINGS * terms.dp + by.rounding.F * magnitude(rates.Fp);
+  const tf_real_t z_off = STANDING_ROUNDINGS * terms.dz +
+                          spin_rate_under(magnitude(arm), by.rounding, J);
+  return (standing_motion_t){slider_velocity(k, p_rate, z_rate), z_rate,
+                             v_off + STANDING_SLOWEST * reach,
+                             p_off + d * z_off + STANDING_SLOWEST * reach,
+                             z_off + STANDING_SLOWEST};
 }
 
 TF_INLINE bool stands_still(const tf_machine_t *k, const tf_input_t *u,

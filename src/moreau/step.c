@@ -17,7 +17,7 @@ TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
   const tf_slip_t slip = slip_speeds(k, at.r, at.v, at.w - input->omega0);
   const tf_real_t residual = mode_residual(k, &outcome, to->end.force, slip);
   if (k->with_angle) // (12)
-    state->phi += angle_turned(k, state->w, at.w);
+    state->phi += angle_change(k, state->w, at.w);
   const bool stays = state->r == at.r;
   record(state, at, slip, to->end.force, residual, outcome, report);
   tf_status_t status = outcome.status;

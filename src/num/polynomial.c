@@ -4,11 +4,11 @@
 // How often an interval is halved: roots closer to each other than what is left
 // of it then are no crossing. In float that is more than its digits are.
 #ifdef TF_REAL_FLOAT
-#define MOST_INTERVALS 24
+#define MAX_INTERVALS 24
 #else
-#define MOST_INTERVALS 40
+#define MAX_INTERVALS 40
 #endif
-#define MOST_NEWTON 24
+#define MAX_NEWTON 24
 
 // 1/1, 1/2 ... to 1/SERIES_ORDER.
 static const tf_real_t one_over[] = {0,
@@ -25,13 +25,13 @@ static const tf_real_t one_over[] = {0,
 static int sign_changes(const series_t *s, int degree, tf_real_t low,
                         tf_real_t high) {
   tf_real_t b[SERIES_ORDER + 1];
-  for (int k = 0; k <= degree; k++) b[k] = s->c[k];
+  for (int n = 0; n <= degree; n++) b[n] = s->c[n];
   for (int j = 0; j < degree; j++) // Taylor shift to low
     for (int i = degree - 1; i >= j; i--) b[i] += low * b[i + 1];
-  tf_real_t share = 1; // (high - low)^k over the binomial coefficient
-  for (int k = 1; k <= degree; k++) {
-    share *= (high - low) * (tf_real_t)k * one_over[degree - k + 1];
-    b[k] *= share;
+  tf_real_t share = 1; // (high - low)^n over the binomial coefficient
+  for (int n = 1; n <= degree; n++) {
+    share *= (high - low) * (tf_real_t)n * one_over[degree - n + 1];
+    b[n] *= share;
   }
   for (int j = 1; j <= degree; j++)
     for (int i = degree; i >= j; i--) b[i] += b[i - 1];
@@ -48,7 +48,7 @@ static int sign_changes(const series_t *s, int degree, tf_real_t low,
 
 static tf_real_t slope_at(const series_t *s, int degree, tf_real_t t) {
   tf_real_t sum = (tf_real_t)degree * s->c[degree];
-  for (int k = degree - 1; k > 0; k--) sum = sum * t + (tf_real_t)k * s->c[k];
+  for (int n = degree - 1; n > 0; n--) sum = sum * t + (tf_real_t)n * s->c[n];
   return sum;
 }
 
@@ -56,7 +56,7 @@ static tf_real_t slope_at(const series_t *s, int degree, tf_real_t t) {
 static tf_real_t refine(const series_t *s, int degree, tf_real_t low,
                         tf_real_t high) {
   tf_real_t t = high;
-  for (int i = 0; i < MOST_NEWTON; i++) {
+  for (int i = 0; i < MAX_NEWTON; i++) {
     const tf_real_t f = value_at(s, degree, t), slope = slope_at(s, degree, t);
     if (f > 0)
       low = t;
@@ -73,9 +73,9 @@ static tf_real_t refine(const series_t *s, int degree, tf_real_t low,
 TF_API bool tf_first_root(const series_t *s, int degree, tf_real_t length,
                           tf_real_t *root) {
   tf_real_t low = 0, high = length, size = 0;
-  for (int k = 0; k <= degree; k++) size += magnitude(s->c[k]);
+  for (int n = 0; n <= degree; n++) size += magnitude(s->c[n]);
   if (size == 0) return false; // 0 throughout: it does not cross
-  for (int i = 0; i < MOST_INTERVALS; i++) {
+  for (int i = 0; i < MAX_INTERVALS; i++) {
     const int changes = sign_changes(s, degree, low, high);
     if (changes == 1) {
       *root = refine(s, degree, low, high);

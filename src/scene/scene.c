@@ -31,14 +31,10 @@ TF_API tf_status_t tf_scene_start(const tf_scene_t *scene,
                       .w = scene->omega,
                       .seed = seed,
                       .mode = TF_NO_MODE};
-  if (!scene->v_is_given) {
-    const tf_status_t status = tf_speed_for_slip(
-        machine, start.r, start.w, input.omega0, scene->h, &start.v);
-    if (status != TF_OK) return status;
-    if (scene->h > 0) start.mode = TF_SLIP_PLUS;
-    if (scene->h < 0) start.mode = TF_SLIP_MINUS;
-  }
-  const tf_status_t status = tf_begin(machine, &start, &input, report);
+  const tf_status_t status =
+      scene->v_is_given
+          ? tf_begin(machine, &start, &input, report)
+          : tf_begin_with_slip(machine, &start, &input, scene->h, report);
   if (status == TF_OK) *state = start;
   return status;
 }

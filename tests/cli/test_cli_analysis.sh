@@ -10,7 +10,7 @@ close=1e-12
 
 # json NAME: the first number that stands under NAME in out.
 json() {
-  sed -n "s/.*\"$1\": \\[*\\([-+.0-9e]*\\).*/\\1/p" out | sed -n 1p
+  sed -n "s/.*\"$1\": \\[*\\([-+.0-9][-+.0-9e]*\\).*/\\1/p" out | sed -n 1p
 }
 
 # numbers: reads rows of NAME, VALUE, TOLERANCE.
@@ -82,10 +82,10 @@ equal 'parameters count' "$(json count)" 0
 runs regions chaos --r 0.17:0.2:3 --omega -1.05:-1:3
 equal 'its rows, of which omega is the inner loop' \
   "$(cut -d , -f 1-3 out | words)" "r,omega,region $(
-    )0.17,-1.05,crossing_up 0.17,-1.025,escaping 0.17,-1,codimension2 $(
-    )0.185,-1.05,crossing_up 0.185,-1.025,escaping 0.185,-1,codimension2 $(
-    )0.2,-1.05,sliding 0.2,-1.025,crossing_down 0.2,-1,codimension2 "
-equal 'h = g = 0 has no lambda' "$(sed -n 4p out)" 0.17,-1,codimension2,,
+    )0.17,-1.05,crossing_up 0.17,-1.025,escaping 0.17,-1,codim2 $(
+    )0.185,-1.05,crossing_up 0.185,-1.025,escaping 0.185,-1,codim2 $(
+    )0.2,-1.05,sliding 0.2,-1.025,crossing_down 0.2,-1,codim2 "
+equal 'h = g = 0 has no lambda' "$(sed -n 4p out)" 0.17,-1,codim2,,
 within 'A is that of tf_step' "$(row 8 5 out)" 0.0641221403 1e-6
 # The four regions meet at the two-fold.
 run regions chaos --r 0.1:0.3:41 --omega -1.2:-0.9:41

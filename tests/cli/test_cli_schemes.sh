@@ -14,13 +14,13 @@ near() {
     END { exit bad || NR != 2 }'
 }
 
-# stuck BOUND: the largest |h| in stick that err tells is below BOUND.
+# stuck BOUND: the largest |h| in stick that err reports is below BOUND.
 stuck() {
   sed -n 's/^largest .*stick \([^ ]*\) m.*/\1/p' err |
     awk -v bound="$1" '{ exit !($1 + 0 < bound) }'
 }
 
-# late: steps that err tells as late.
+# late: steps that err counts as late.
 late() { sed -n 's/^real time *\([0-9]*\) of .*/\1/p' err; }
 
 # Scheme compensated.

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The columns of every file that the command line writes, and who reads them:
-# whoever changes a header is told which readers to look at. (That each of them
+# whoever changes a header learns which readers to look at. (That each of them
 # fails where a column that it reads is gone is tested by check `figures`.)
 # usage: test_columns.sh TWOFOLD
 . "$(dirname "$0")/../support/tap.sh"

@@ -12,13 +12,13 @@ for command in $commands; do
 done
 check 'commands were found' [ "$(echo "$commands" | wc -l)" -gt 8 ]
 
-# words NAME WORD...: help on each, of more than a word.
+# words NAME WORD...: help on each, with nothing missing in it.
 words() {
   name=$1
   shift
   for word; do
     run help "$word"
-    [ "$code" -eq 0 ] && [ -s out ]
+    [ "$code" -eq 0 ] && [ -s out ] && ! grep -qF '(null)' out
     result $? "$name: help $word" "code $code"
   done
 }
@@ -42,14 +42,29 @@ words rule persist slip+ slip- random
 words rest hull square bow_tie
 words scheme moreau located compensated
 words format csv frames plotter
-words others exit inputs summary json provenance profile based-on
+# shellcheck disable=SC2046  # lists of words
+{
+  words 'column of regions' $("$T" regions chaos --r 0:1:2 --omega=0:1:2 2>err |
+    head -n 1 | tr , ' ')
+  words 'column of sweep' $("$T" sweep chaos --over mu=1:1:1 --t-end 0 2>err |
+    head -n 1 | tr , ' ')
+  words outcome $("$T" help sweep | sed '1,/^outcomes:/d' | sed 's/^  //' |
+    cut -d ' ' -f 1)
+  words 'member of singularities' $("$T" singularities chaos |
+    grep -o '"[^"]*":' | tr -d '":' | grep -v -e count -e two_folds -e rest |
+    sort -u | grep -v -e directions -e eigenvalue$ -e velocity -e sticks)
+}
+words status 'done' flagged stopped refused
+words 'what make makes' bench stability page fmu firmware
+words others version exit inputs summary json provenance profile based-on
 
-# says of WORD TEXT: what it says.
+# tells WORD TEXT: what help on a word says.
 tells() {
   run help "$1"
   check "help $1 tells: $2" grep -qF -e "$2" out
 }
 tells kappa 'moment per force in stick'
+tells segments 'how many segments a step may take'
 tells kappa '[1e-09, 1e+06] m, only in law'
 tells c1 'damping of the disc'
 tells theta '[0.5, 1]'
@@ -58,6 +73,8 @@ tells string 'stretched string with partial slip'
 tells exit '5 done, but'
 tells chaos "'twofold scene chaos' prints it"
 expect 2 "no help on 'kapa'; did you mean 'kappa'?" help kapa
-expect 2 "no help on 'nonsense'; try" help nonsense
+expect 2 "no help on 'inpts'; did you mean 'inputs'?" help inpts
+expect 2 "no help on 'sumary'; did you mean 'summary'?" help sumary
+expect 2 "no help on 'xyzzy1234'; try" help xyzzy1234
 expect 2 "no help on 'chaos'" help run chaos
 finish

@@ -7,7 +7,7 @@
 # The profile of the scene `driven`, as a table over the scene `chaos`.
 printf '# knots of driven\nt,omega0\n0,-1\n2,-2\n4,-2\n8,1\n10,0\n' >knots.csv
 for scheme in moreau located compensated; do
-  set -- --scheme $scheme --every 11 --dt 2e-4 # tells no turn at h = g = 0
+  set -- --scheme $scheme --every 11
   runs run driven "$@" --out want
   runs run chaos --set phi=0 --t-end 12 --inputs knots.csv --between linear "$@"
   check "the profile as a table, $scheme" cmp out want
@@ -98,6 +98,10 @@ wrong 2 "wrong.csv:2: column 2: '' is not a number" 't,force\n0,\n'
 wrong 2 'wrong.csv: no header' '# nothing\n'
 wrong 2 'wrong.csv: no row' 't,force\n'
 wrong 2 'wrong.csv:1: a zero, or a line' 't,\0force\n'
+wrong 2 'wrong.csv:3: a zero, or a line' 't,force\n0,1\n1,2\0,3'
+wrong 2 'wrong.csv:3: a zero, or a line' 't,force\n0,1\n\0'
+wrong 2 'wrong.csv:2: column 2&is not a number' 't,force\n0,1\r2\n'
+wrong 2 'wrong.csv:2: column 2&is not a number' 't,force\n0,1\r\r\n'
 expectations run <<'WORDS'
 2 chaos --inputs one.csv|say what holds between two rows
 2 chaos --between held|--between held: only with --inputs

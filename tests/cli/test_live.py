@@ -26,7 +26,7 @@ TWOFOLD = str(Path(os.environ.get(
 LONG = [TWOFOLD, "run", "chaos", "--live", "--realtime", "--dt", "1e-3",
         "--t-end", "1000"]
 SHORT = [TWOFOLD, "run", "chaos", "--live", "--t-end", "10", "--events", "0"]
-LANES = ["slip+", "slip-", "stick+", "stick-", "pinned", "futures"]
+LANES = ["slip+", "slip-", "stick+", "stick-", "pinned", "ambiguous"]
 MARKS = dict(zip(LANES, "+-PMo?"))
 
 
@@ -42,8 +42,8 @@ def lanes_of(lines):
     found = {}
     for line in lines:
         name = line.split(" ")[0]
-        if name in LANES and line[:9].strip() == name:
-            found.setdefault(name, line[9:])  # the summary has a `futures`
+        if name in LANES and line[:10].strip() == name:
+            found.setdefault(name, line[10:])  # the summary has it, too
     return found
 
 
@@ -75,7 +75,7 @@ def visited(*more):
     out = plain(TWOFOLD, "run", *more).stdout.decode().splitlines()[1:]
     modes = {line.split(",")[8] for line in out}
     futures = any(int(line.split(",")[9]) > 1 for line in out)
-    return modes | ({"futures"} if futures else set())
+    return modes | ({"ambiguous"} if futures else set())
 
 
 def lanes_are_the_modes_of_the_rows():

@@ -108,6 +108,48 @@ tail -n +2 want | cat want - >both
 decodes 'twice: a restart, no loss' bad both \
   '0 lost, 0 broken, 0 too long, 0 of&1 restarts'
 
+# Steps that are not to be trusted: the words and the exit code are those of the
+# run, whether reports, the heartbeat at the end or both tell of them.
+heartbeat=79 # bytes
+degraded() { sed -n 's/first reported at/first at/; /^degraded /p' err; }
+
+# coarse OPTION...: a run of coarse steps as frames.
+coarse() {
+  expect 5 'missed the tolerance' run chaos --set k2=1e6 --dt 1e-3 \
+    --format frames --out frames "$@"
+  size=$(wc -c <frames)
+}
+
+coarse --t-end 0.1
+said=$(degraded)
+expect 5 'board      100 steps, 0 overruns' monitor frames
+equal 'coarse: the words of the run' "$(degraded)" "$said"
+head -c $((size - heartbeat)) frames >bad
+expect 5 '' monitor bad --csv --out rows
+equal 'coarse: reports alone' "$(degraded)" "$said"
+check 'coarse: the file is whole' [ "$(wc -l <rows)" -eq 102 ]
+coarse --t-end 0.1 --every 50
+equal 'coarse: the run counts all steps' "$(degraded)" "$said"
+expect 5 'first reported at t = 0.05 s' monitor frames
+equal 'coarse: the heartbeat counts all steps' "$(degraded)" \
+  "$(echo "$said" | sed 's/t = .* s$/t = 0.05 s/')"
+bytes_of heartbeat >bad
+expect 5 '4 steps; 1 missed the tolerance, 0 fell back on moreau' monitor bad
+check 'coarse: the time is not known' not says 'first'
+
+# A board that stands still repeats its last row, which counts once.
+coarse --t-end 0.01 --every 10
+small=$size
+coarse --t-end 0.01 --every 5
+row=$((size - small))
+head -c $((size - heartbeat)) frames >still
+said=$("$T" monitor still 2>&1 >rows | sed -n '/^degraded/p')
+tail -c $row still >again
+cat still again >bad
+expect 5 '4 rows, 0 without a match&1 restarts' monitor bad
+equal 'a board that stands still: counted once' \
+  "$(sed -n '/^degraded/p' err)" "$said"
+
 # A board in float, whatever this program is.
 bytes_of schema layout state report compact heartbeat >frames
 start='0.099999994,0.18,-0.5,-1.037'
@@ -115,11 +157,11 @@ printf '%s\n' "$header" "$start,0,-0.25,0.75,-0.2,stick-,2" \
   "$start,,,,,stick-,2" >want
 decodes 'a row of state and report, and one of compact' frames want \
   "demo, scene chaos, float, dt = 0.0001 s&1000 steps, 2 overruns, 3 frames $(
-  )dropped"
-runs monitor frames
+  )dropped&a step takes 5200 to 9100 ns" 5
+expect 5 '' monitor frames
 check 'no rows without --csv' [ ! -s out ]
 
-# A report whose F is not a number: the row is written, and told.
+# A report whose F is not a number: the row is written, and reported.
 {
   bytes_of schema state
   printf '\0\5\2\4\35\3\1\1\3\350\3\1\1\1\1\1\1\1\1\1\1\1\3\200\276\1\7\300\177'
@@ -129,7 +171,7 @@ expect 6 'values     1 rows with one that is not finite, first at step 1000' \
   monitor bad --csv
 check 'not finite: the row is there' grep -q ',nan,.*stick-,2$' out
 
-# What is no stream, and what cannot be understood.
+# What is not a stream, and what cannot be understood.
 "$T" run chaos --t-end 0.01 >text 2>err
 : >empty
 expectations monitor <<END

@@ -1,8 +1,8 @@
 #!/bin/sh
 # What the command line writes is whole, or does not have the name of a whole
 # file: killed, interrupted and full, with a second writer, through links and
-# into what is no file; shards with one that is lost; no process is left behind.
-# usage: test_outputs.sh TWOFOLD
+# into what is not a file; shards with one that is lost; no process is left
+# behind. usage: test_outputs.sh TWOFOLD
 . "$(dirname "$0")/../support/tap.sh"
 tools=$root/tools
 # there FILE...: those that are there.
@@ -46,7 +46,7 @@ for command in 'run chaos --t-end 1e9 --every 100000' \
   check "$name, stopped: where its rows are" says 'x: not whole&x.part'
   rm -f x x.part
 done
-begin r diverge chaos --samples 1000000 --corner even --cycles 1000 --exits e \
+begin r diverge chaos --samples 1000000 --codim2 even --cycles 1000 --exits e \
   --returns r
 finish_with KILL
 equal 'diverge, killed: no file' "$(there e r)" ''
@@ -87,7 +87,7 @@ ln -s victim trap.part
 expect 4 '--out trap' run chaos --t-end 0 --out trap
 check 'a part that is a link is not followed' [ ! -s victim ]
 
-# What is no regular file is written as it is.
+# What is not a regular file is written as it is.
 mkfifo pipe
 cat pipe >got &
 reader=$!
@@ -154,7 +154,8 @@ set -- diverge chaos --samples 7 --patience 0.3 --seed 5
 for i in 1 2 3; do
   "$T" "$@" --shard $i/3 --exits e.$i --returns r.$i 2>err
   check "shard $i ends with its count" \
-    grep -Eqx "# shard $i/3: [0-9]+ rows, crc32 [0-9a-f]{8}" e.$i
+    grep -Eqx "# shard $i/3: [0-9]+ rows, crc32 [0-9a-f]{8}, run [0-9a-f]{8}" \
+    e.$i
 done
 reads() { /usr/bin/python3 -B "$tools/statistics/summary.py" "$@" >out 2>err; }
 if /usr/bin/python3 -c 'import numpy, scipy' 2>/dev/null; then
@@ -178,6 +179,29 @@ the last one cut off|part
 one twice|r.1 r.1 r.2 r.3
 in another order|r.2 r.1 r.3
 END
+  # Where a shard is stopped, that of an earlier run is still there.
+  while read -r other; do
+    # shellcheck disable=SC2086  # options
+    "$T" diverge chaos $other --shard 2/3 --returns r.other 2>err
+    cat r.1 r.other r.3 >r
+    reads r
+    equal "cat of shards, one with $other: refused" $? 3
+    check "cat of shards, one with $other: it says why" \
+      grep -q 'of another run' err
+  done <<END
+--samples 7 --patience 0.3 --seed 6
+--samples 7 --patience 0.4 --seed 5
+--samples 8 --patience 0.3 --seed 5
+--samples 7 --patience 0.3 --seed 5 --cycles 2
+--samples 7 --patience 0.3 --seed 5 --rate 3
+--samples 7 --patience 0.3 --seed 5 --dt 2e-5
+--samples 7 --patience 0.3 --seed 5 --near 2
+--samples 7 --patience 0.3 --seed 5 --section 2e-3
+--samples 7 --patience 0.3 --seed 5 --codim2 even
+--samples 7 --patience 0.3 --seed 5 --set mu=1.01
+--samples 7 --patience 0.3 --seed 5 --set h=0 --set r=0.18 --set omega=-1.03
+--samples 7 --patience 0.3 --seed 5 --by noise --size 1e-9
+END
 else
   lacks 'cat of shards that are lost or cut off' python3-scipy
 fi
@@ -191,7 +215,7 @@ has_workers() { [ "$(workers | wc -l)" -ge 2 ]; }
 for signal in TERM INT HUP; do
   # A shell's background jobs ignore SIGINT; what a terminal starts does not.
   env --default-signal=INT "$tools/statistics/shards" 2 "$D/joined" "$T" chaos \
-    --samples 100000 --cycles 1000 --corner even 2>err &
+    --samples 100000 --cycles 1000 --codim2 even 2>err &
   pid=$!
   check "shards, SIG$signal: the workers run" poll has_workers
   kill -s $signal $pid
@@ -200,11 +224,35 @@ for signal in TERM INT HUP; do
   equal "shards, SIG$signal: no worker is left" "$(workers)" ''
   equal "shards, SIG$signal: no file is left" "$(there joined*)" ''
 done
-BUILD=$D/build TWOFOLD=$T JOBS=2 "$tools/statistics/study" >out 2>err &
-pid=$!
-check 'study: the workers run' poll has_workers
-kill $pid
-wait $pid
-equal 'study, SIGTERM: code' $? 143
-check 'study, SIGTERM: no worker is left' poll no_workers
+if [ -x /usr/bin/python3 ]; then
+  BUILD=$D/build TWOFOLD=$T JOBS=2 "$tools/statistics/study" >out 2>err &
+  pid=$!
+  check 'study: the workers run' poll has_workers
+  kill $pid
+  wait $pid
+  equal 'study, SIGTERM: code' $? 143
+  check 'study, SIGTERM: no worker is left' poll no_workers
+else
+  lacks 'a study that is stopped' python3
+fi
+# Steps on the wall clock: a histogram of their lateness has each of them once.
+runs run chaos --t-end 0.2 --dt 0.001 --realtime --lateness late --out rows
+began=0 ended=0
+while IFS=, read -r us first last; do
+  [ "$us" = us ] || { began=$((began + first)) && ended=$((ended + last)); }
+done <late
+equal 'lateness: its columns' "$(head -n 1 late)" 'us,began,ended'
+equal 'lateness: each step once' "$began $ended" '200 200'
+runs run chaos --t-end 0.2 --dt 0.001 --out other
+check 'waiting changes no row' cmp -s rows other
+run run chaos --t-end 0.1 --realtime --priority --out other
+check 'priority: it runs without the right too' [ "$code" -eq 0 ]
+for option in --lateness=late --priority; do
+  run run chaos --t-end 0.1 "$option"
+  equal "$option alone is refused" "$code" 2
+  check "$option: by name" says "${option%=*}: only with --realtime"
+done
+run run chaos --t-end 0.01 --realtime --lateness none/late --out other
+check 'lateness: where it cannot be written' [ "$code" -eq 4 ]
+check 'lateness: the file is named' says 'none/late'
 finish

@@ -93,6 +93,43 @@ equal 'no step is no motion' \
   "$(columns out t modes rest recurrence ambiguous)" \
   '0,slip+,,,'
 
+# Inputs over time, in which a row is that of `run`, too: with a step that is
+# swept, so that the rows of the table begin at other steps.
+printf 't,force,r0\n0,0,0.1\n0.5,0.4,0.12\n1.3,-0.2,0.1\n' >inputs.csv
+for between in held linear; do
+  set -- chaos --t-end 2 --inputs inputs.csv --between $between
+  runs sweep "$@" --over dt=1e-3:4e-3:2 --over mu=1:1.5:2 --outcome \
+    end_r,end_v,end_omega,end_h,end_g,energy_change
+  mv out swept.csv
+  columns swept.csv dt mu >points
+  while IFS=, read -r dt mu; do
+    run run "$@" --dt "$dt" --set "mu=$mu"
+    row '$' 1-6 out
+  done <points >wanted
+  columns swept.csv t end_r end_v end_omega end_h end_g >got
+  check "inputs $between: the ends are those of run" cmp -s got wanted
+done
+runs sweep chaos --t-end 2 --over mu=1:1:1 --outcome end_r
+check 'inputs make a difference' [ "$(columns out end_r)" != \
+  "$(columns swept.csv end_r | sed -n 1p)" ]
+equal 'an ensemble under inputs: a start each, and a seed each' "$("$T" sweep \
+  chaos --inputs inputs.csv --between held --select random --over seed=1:3:3 \
+  --over r=0.18:0.19:2 --t-end 3 --outcome end_r 2>err |
+  sed -n '/^[0-9]/s/.*,//p' | sort -u | wc -l)" 6
+runs sweep chaos --over r0=0.1:0.2:2 --inputs inputs.csv --between held
+check 'an axis that the table gives is told' says \
+  '--over r0=0.1:0.2:2 has no effect: inputs.csv gives r0'
+check 'and is no part of a row' [ "$(columns out reason | sort -u)" = '' ]
+set -- chaos --over mu=1:2:3 --t-end 1 --inputs inputs.csv --between held
+runs sweep "$@" --out driven
+check 'the file tells version, commit and number type' grep -q \
+  "^# twofold [0-9.]*, commit [^ ]*, numbers are $real: sweep chaos" driven
+check 'the file tells the table' \
+  grep -q ' --inputs inputs.csv --between held ' driven
+runs sweep "$@" --out driven --resume
+printf 't,force\n0,0.1\n' >inputs.csv
+expect 3 'driven is of another sweep' sweep "$@" --out driven --resume
+
 # Shards and resumed files.
 set -- chaos --over kappa=0.2:0.4:5 --over gamma=0.3:1.2:5 --dt 1e-3
 sweep "$@" --out all
@@ -102,6 +139,10 @@ done
 cat part.1 part.2 part.3 | grep -v '^#' >one
 grep -v '^#' all >other
 check 'shards concatenate to one run' cmp -s one other
+runs_of() { sed -n 's/^# shard .*, run //p' "$@" | sort -u | wc -l; }
+equal 'all shards name the same run' "$(runs_of part.[123] all)" 1
+sweep "$@" --set mu=1.01 --shard 3/3 --out part.other
+equal 'and another sweep another one' "$(runs_of part.3 part.other)" 2
 sweep "$@" --shard 3/30 --out few
 equal 'each has its trailer' "$(tail -n 1 few | cut -c 1-21)" \
   '# shard 3/30: 1 rows,'
@@ -132,10 +173,10 @@ check 'rows of a stopped sweep are not overwritten' [ $? -eq 0 ]
 for other in '--set mu=1.1' '--t-end 9' '--outcome rest' '--shard 1/2' \
   '--scheme located'; do
   # shellcheck disable=SC2086  # a list of options
-  expect 3 'again.part is of another sweep; remove it' \
+  expect 3 'again.part is of another sweep, or of another build' \
     sweep "$@" $other --out again --resume
   # shellcheck disable=SC2086
-  expect 3 'all is of another sweep; remove it' \
+  expect 3 'all is of another sweep, or of another build' \
     sweep "$@" $other --out all --resume
 done
 head -n 9 all | cmp -s - again.part
@@ -189,7 +230,7 @@ check 'a step that is refused stops the motion' awk -F, '$4 == "stopped" {
   n++; if (!($5 ~ /^step [0-9]+: / && $6 >= 0)) bad = 1 }
   END { exit bad || !n }' out
 runs sweep chaos --over omega=-30:-1:9 --dt 0.3 --set h=0.1 --outcome modes
-check 'steps that are in doubt are told' awk -F, '$3 == "doubted" { n++
+check 'steps that are flagged are counted' awk -F, '$3 == "flagged" { n++
   if (!($4 ~ /[0-9]+ steps degraded; [0-9]+ missed/)) bad = 1 }
   END { exit bad || !n }' out
 check 'no field has a comma' whole_rows out 6
@@ -218,6 +259,9 @@ expectations sweep <<END
 2 chaos --over h=0:1:2 --set v=1 --out kept|give h or v
 2 chaos --over law=0:1:2 --out kept|unknown law
 2 chaos --over seed=1:2:2 --out kept|only with --select random
+2 chaos --over mu=1:2:2 --inputs inputs.csv --out kept|by --between held or
+2 chaos --over mu=1:2:2 --between held --out kept|only with --inputs
+2 chaos --over mu=1:2:2 --inputs none --between held --out kept|--inputs none
 3 chaos --over seed=1:2:3 --select random|seed must be whole&value 2 is 1.5
 3 chaos --over seed=-1:2:4 --select random|seed must be whole numbers
 2 chaos --over seed=1:2:2 --over seed=1:2:2 --select random|already given

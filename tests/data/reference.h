@@ -1,9 +1,9 @@
 /* Reference solutions. Made by `make oracle` (tools/oracle), not by hand: in
  * quadruple precision, every switch located, under the rule `persist`, from the
  * paper's equations without a line of the core. Numbers have 31 digits; the
- * doubts are the largest differences from two more computations, one with the
- * same extrapolation at a tolerance 1000 times looser, one by Gauss-Legendre
- * collocation. SI units; modes as the core names them. */
+ * uncertainties are the largest differences from two more computations, one
+ * with the same extrapolation at a tolerance 1000 times looser, one by
+ * Gauss-Legendre collocation. SI units; modes as the core names them. */
 /* clang-format off */
 #ifndef TESTS_DATA_REFERENCE_H
 #define TESTS_DATA_REFERENCE_H
@@ -30,7 +30,7 @@ typedef struct {
   long double h; /* at the start; v follows from it */
   reference_state_t start;
   long double t_grid, t_last;
-  double state_doubt, time_doubt;
+  double state_uncertainty, time_uncertainty;
   int knots; /* of the turntable's speed, linear in between */
   long double knot[8][2]; /* [s], [rad/s] */
   int states, events;

@@ -116,7 +116,7 @@ static const reference_t reference_chaos = {
       -1.037000000000000000000000000000e+00L},
      .t_grid = 2.0L,
      .t_last = 2.046275609589521583378035729655e+00L,
-     .state_doubt = 7.9e-29, .time_doubt = 2.9e-28,
+     .state_uncertainty = 7.9e-29, .time_uncertainty = 2.9e-28,
      .states = 16, .state = chaos_states,
      .events = 4, .event = chaos_events};
 

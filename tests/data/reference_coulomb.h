@@ -155,7 +155,7 @@ static const reference_t reference_coulomb = {
       -6.000000000000000000000000000000e-01L},
      .t_grid = 10.0L,
      .t_last = 1.000000000000000000000000000000e+01L,
-     .state_doubt = 9.8e-28, .time_doubt = 4.1e-28,
+     .state_uncertainty = 9.8e-28, .time_uncertainty = 4.1e-28,
      .states = 16, .state = coulomb_states,
      .events = 12, .event = coulomb_events};
 

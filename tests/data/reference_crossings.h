@@ -136,7 +136,7 @@ static const reference_t reference_crossings = {
       5.000000000000000000000000000000e-01L},
      .t_grid = 2.0L,
      .t_last = 2.000000000000000000000000000000e+00L,
-     .state_doubt = 4.4e-26, .time_doubt = 4.9e-28,
+     .state_uncertainty = 4.4e-26, .time_uncertainty = 4.9e-28,
      .states = 16, .state = crossings_states,
      .events = 8, .event = crossings_events};
 

@@ -156,7 +156,7 @@ static const reference_t reference_driven = {
       -1.037000000000000000000000000000e+00L},
      .t_grid = 12.0L,
      .t_last = 1.200000000000000000000000000000e+01L,
-     .state_doubt = 3.5e-26, .time_doubt = 4.8e-27,
+     .state_uncertainty = 3.5e-26, .time_uncertainty = 4.8e-27,
      .knots = 5, .knot = {{0.0L, -1.0L},
       {2.0L, -2.0L},
       {4.0L, -2.0L},

@@ -190,7 +190,7 @@ static const reference_t reference_frictionless = {
       -1.037000000000000000000000000000e+00L},
      .t_grid = 10.0L,
      .t_last = 1.000000000000000000000000000000e+01L,
-     .state_doubt = 3.9e-28, .time_doubt = 2.7e-27,
+     .state_uncertainty = 3.9e-28, .time_uncertainty = 2.7e-27,
      .states = 16, .state = frictionless_states,
      .events = 19, .event = frictionless_events};
 

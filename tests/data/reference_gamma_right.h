@@ -181,7 +181,7 @@ static const reference_t reference_gamma_right = {
       -8.000000000000000000000000000000e-01L},
      .t_grid = 10.0L,
      .t_last = 1.000000000000000000000000000000e+01L,
-     .state_doubt = 6.1e-28, .time_doubt = 8.0e-28,
+     .state_uncertainty = 6.1e-28, .time_uncertainty = 8.0e-28,
      .states = 16, .state = gamma_right_states,
      .events = 17, .event = gamma_right_events};
 

@@ -121,7 +121,7 @@ static const reference_t reference_gamma_zero = {
       -8.000000000000000000000000000000e-01L},
      .t_grid = 10.0L,
      .t_last = 1.000000000000000000000000000000e+01L,
-     .state_doubt = 2.5e-28, .time_doubt = 1.4e-27,
+     .state_uncertainty = 2.5e-28, .time_uncertainty = 1.4e-27,
      .states = 16, .state = gamma_zero_states,
      .events = 5, .event = gamma_zero_events};
 

@@ -97,7 +97,7 @@ static const reference_t reference_rolling = {
       1.300000000000000000000000000000e+00L},
      .t_grid = 10.0L,
      .t_last = 1.000000000000000000000000000000e+01L,
-     .state_doubt = 4.3e-29, .time_doubt = 0.0e+00,
+     .state_uncertainty = 4.3e-29, .time_uncertainty = 0.0e+00,
      .states = 16, .state = rolling_states,
      .events = 0, .event = rolling_events};
 

@@ -167,7 +167,7 @@ static const reference_t reference_smooth = {
       -1.037000000000000000000000000000e+00L},
      .t_grid = 2.5L,
      .t_last = 2.500000000000000000000000000000e+00L,
-     .state_doubt = 1.4e-25, .time_doubt = 2.6e-24,
+     .state_uncertainty = 1.4e-25, .time_uncertainty = 2.6e-24,
      .states = 16, .state = smooth_states,
      .events = 14, .event = smooth_events};
 

@@ -181,7 +181,7 @@ static const reference_t reference_stickslip = {
       -8.000000000000000000000000000000e-01L},
      .t_grid = 2.0L,
      .t_last = 2.000000000000000000000000000000e+00L,
-     .state_doubt = 4.1e-26, .time_doubt = 8.0e-28,
+     .state_uncertainty = 4.1e-26, .time_uncertainty = 8.0e-28,
      .states = 16, .state = stickslip_states,
      .events = 17, .event = stickslip_events};
 

@@ -125,7 +125,7 @@ static const reference_t reference_string = {
       -1.037000000000000000000000000000e+00L},
      .t_grid = 2.5L,
      .t_last = 2.500000000000000000000000000000e+00L,
-     .state_doubt = 1.8e-28, .time_doubt = 1.6e-27,
+     .state_uncertainty = 1.8e-28, .time_uncertainty = 1.6e-27,
      .states = 16, .state = string_states,
      .events = 5, .event = string_events};
 

@@ -40,17 +40,10 @@ static uint64_t trajectory_hash(const tf_scene_t *scene, tf_rule_t rule,
   p.rule = rule;
   CHECK(tf_prepare_compensated(&b.machine, &p, NULL) == TF_OK);
   const tf_machine_t *machine = &b.machine.machine;
-  x.r = scene->r;
-  x.w = scene->omega;
-  x.v = scene->v;
-  x.seed = 1;
-  tf_input_t u = tf_scene_input(scene, machine, 0);
-  if (!scene->v_is_given)
-    tf_speed_for_slip(machine, x.r, x.w, u.omega0, scene->h, &x.v);
-  x.mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_NO_MODE);
-  CHECK(tf_begin(machine, &x, &u, &report) == TF_OK);
+  CHECK(tf_scene_start(scene, machine, 1, &x, &report) == TF_OK);
   for (int i = 1; i <= 100000; i++) {
-    u = tf_scene_input(scene, machine, (tf_real_t)i * machine->dt);
+    const tf_input_t u =
+        tf_scene_input(scene, machine, (tf_real_t)i * machine->dt);
     CHECK(step(scheme, &b, &x, &u, &report) >= 0);
     const tf_real_t bits[4] = {x.r + 0, x.v + 0, x.w + 0, x.phi + 0};
     const unsigned char modes[2] = {report.mode, report.set};

@@ -9,7 +9,7 @@ typedef struct {
   double kappa, gamma, mu, beta, k2, r, omega, h;
 } start_t;
 
-/* Found by search: on each the step used to end on either of two branches. */
+/* Found by search: on each the branch is easily that of the step size. */
 static const start_t found[] = {
     {0.26690106410945802, 0.17831768318341304, 1.2095062698741625,
      0.095769277666568203, 2.9513520422532165, 0.16996361479420036,
@@ -56,7 +56,7 @@ static long run(const start_t *s, step_t *step, double end, long n,
   tf_report_t report;
   p.dt = (tf_real_t)(end / (double)n);
   p.tolerance = (tf_real_t)(IS_DOUBLE ? 1e-10 : 1e-5);
-  p.segments = TF_LOCATED_MOST_SEGMENTS;
+  p.segments = TF_LOCATED_MAX_SEGMENTS;
   if (tf_prepare(&machine, &p, NULL) != TF_OK) return -1;
   const tf_input_t u = tf_input_default(&machine);
   *x = (tf_state_t){
@@ -166,7 +166,7 @@ TEST(slip_beside_codimension_two_is_not_pinned) {
 
 /* Random machines on which `located` itself does not depend on its step and
  * ends in stick: tf_step takes that branch, or says that a step is too long to
- * tell. A motion that just misses h = g = 0 needs a step small enough. */
+ * decide. A motion that just misses h = g = 0 needs a step small enough. */
 TEST(random_machines_take_one_branch) {
   if (!IS_DOUBLE) SKIP("in float other events end these motions");
   const double end = 0.6;
@@ -261,7 +261,7 @@ TEST(motion_leaves_codimension_two_as_the_reference_does) {
       CHECK(tf_begin(&k, &x, &u, &report) == TF_OK);
       for (long n = lrint(3 / dts[j]); n > 0; n--)
         CHECK(tf_step(&k, &x, &u, &report) == TF_OK);
-      CHECK_NEAR(x.r, coming[i].end, 0.5 * dts[j]);
+      CHECK_NEAR(x.r, coming[i].end, 0.6 * dts[j]);
       CHECK(x.mode == TF_SLIP_PLUS);
     }
 }
@@ -322,7 +322,7 @@ TEST(both_schemes_go_one_way_beside_codimension_two) {
       other[j] += fabs((double)(end[j].v - end[2].v)) > 0.02 ||
                   fabs((double)(end[j].r - end[2].r)) > 2e-3;
   }
-  printf("# of %d machines %d go another way at 1e-4, %d at 1e-5; %d told\n",
+  printf("# of %d machines %d go another way at 1e-4, %d at 1e-5; %d coarse\n",
          machines, other[0], other[1], told);
   CHECK(machines > 1800);
   CHECK(other[0] * 200 <= machines && other[1] * 500 <= machines);

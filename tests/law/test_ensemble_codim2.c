@@ -88,7 +88,7 @@ TEST(ensemble_is_pinned_as_single_steps_are) {
   printf("; choices");
   for (int i = 0; i <= TF_MODES; i++) printf(" %zu", choices[i]);
   printf("\n");
-  CHECK(rests > 1000 && alone * 4 < steps);
+  CHECK(rests > 1000 && alone * 3 < steps);
   for (int i = 0; i < TF_MODES; i++) CHECK(taken[i] > 1000);
   for (int i = 1; i <= 3; i++) CHECK(choices[i] > 100);
 }

@@ -302,7 +302,7 @@ static int is_two_fold(const paper_t *p, const long double x[3], int s) {
 }
 
 /* gamma = 0: r* = -sign(g) kappa, or r* = 0. The v* printed goes with
- * r* = -kappa (g > 0), so the printed pair is no two-fold at either g. */
+ * r* = -kappa (g > 0), so the printed pair is not a two-fold at either g. */
 TEST(erratum_gamma_zero) {
   for (int i = 0; i < 100; i++) {
     paper_t p;

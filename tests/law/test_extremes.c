@@ -141,7 +141,7 @@ TEST(tiny_machines_keep_every_number_finite) {
   CHECK(accepted > 50000);
 }
 
-/* Every value of the state and of an input that is no number, or too large. */
+/* Every value of the state and of an input: too large, or not a number. */
 TEST(bad_states_and_inputs_are_refused_untouched) {
   static const tf_real_t wrong[] = {(tf_real_t)NAN,       (tf_real_t)INFINITY,
                                     -(tf_real_t)INFINITY, TF_REAL_MAX,

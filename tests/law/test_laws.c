@@ -9,15 +9,7 @@ static void start(const tf_scene_t *scene, const tf_params_t *params,
   tf_report_t report;
   memset(x, 0, sizeof *x);
   CHECK(tf_prepare(machine, params, NULL) == TF_OK);
-  x->r = scene->r;
-  x->w = scene->omega;
-  x->v = scene->v;
-  if (!scene->v_is_given)
-    CHECK(tf_speed_for_slip(machine, x->r, x->w, params->omega0, scene->h,
-                            &x->v) == TF_OK);
-  x->mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_NO_MODE);
-  const tf_input_t u = tf_scene_input(scene, machine, 0);
-  CHECK(tf_begin(machine, x, &u, &report) == TF_OK);
+  CHECK(tf_scene_start(scene, machine, 0, x, &report) == TF_OK);
 }
 
 /* Rounding of the terms of h, for speeds of the turntable up to 2 rad/s. */

@@ -51,7 +51,7 @@ TEST(located_budget_is_kept) {
     start_t s;
     start_at(&s, p, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
              tap_uniform(-0.2, 0.2));
-    const end_t want = step_within(&s, TF_LOCATED_MOST_SEGMENTS);
+    const end_t want = step_within(&s, TF_LOCATED_MAX_SEGMENTS);
     if (want.status != TF_OK) continue;
     int least = 1;
     for (; step_within(&s, least).status != TF_OK; least++) {
@@ -65,7 +65,7 @@ TEST(located_budget_is_kept) {
         CHECK(end.report.set & TF_MODE_BIT(end.report.mode));
         CHECK(end.state.tick == s.state.tick + 1);
       }
-      if (!CHECK(least < TF_LOCATED_MOST_SEGMENTS)) return;
+      if (!CHECK(least < TF_LOCATED_MAX_SEGMENTS)) return;
     }
     for (int n = least; n < least + 8; n++) {
       const end_t end = step_within(&s, n);
@@ -92,13 +92,13 @@ TEST(located_more_segments_are_better) {
   p.tolerance = IS_DOUBLE ? TF_R(1e-10) : 0;
   start_t s;
   start_at(&s, p, 0.1, -1, 0.1);
-  const end_t exact = step_within(&s, TF_LOCATED_MOST_SEGMENTS);
+  const end_t exact = step_within(&s, TF_LOCATED_MAX_SEGMENTS);
   CHECK(exact.status == TF_OK);
-  double error[TF_LOCATED_MOST_SEGMENTS] = {0};
+  double error[TF_LOCATED_MAX_SEGMENTS] = {0};
   int n = 1;
   for (;; n++) {
     const end_t end = step_within(&s, n);
-    if (end.status == TF_OK || n == TF_LOCATED_MOST_SEGMENTS - 1) break;
+    if (end.status == TF_OK || n == TF_LOCATED_MAX_SEGMENTS - 1) break;
     CHECK(end.status == TF_COARSE);
     error[n] = fabs((double)end.state.r - (double)exact.state.r) +
                fabs((double)end.state.v - (double)exact.state.v) / 100;

@@ -4,11 +4,9 @@
  * the reference is also tested against itself by other means (difference
  * quotients, a plain Runge-Kutta in physical time, Lagrange's mass matrix).
  *
- * Two numbers of the list the project started from are not the exact ones
- * and stand here as measured: the arrival at the two-fold is t = 2.0462756,
- * not 2.046269 (there the orbit is still 2e-7 m short of it), and the slope
- * of the weak direction is -10.24425, not -10.2367. Entry into the lower
- * sliding region, t = 1.9226027, had been cut and not rounded to 1.922602. */
+ * The arrival at the two-fold, t = 2.0462756, and the slope of the weak
+ * direction, -10.24425, are easily missed: at t = 2.046269 the orbit is still
+ * 2e-7 m short of the two-fold, and its slope is -10.2367. */
 #include <float.h>
 
 #include "../support/orbit.h"

@@ -67,7 +67,7 @@ static int begin(sim_t *s, scheme_t *scheme, const reference_t *ref,
   s->scheme = scheme;
   s->scene = scene_of(ref, (tf_real_t)dt);
   s->scene.params.tolerance = TF_R(1e-11);
-  s->scene.params.segments = TF_LOCATED_MOST_SEGMENTS;
+  s->scene.params.segments = TF_LOCATED_MAX_SEGMENTS;
   if (!CHECK(tf_prepare(&s->machine, &s->scene.params, NULL) == TF_OK))
     return 0;
   const tf_input_t u = tf_scene_input(&s->scene, &s->machine, 0);

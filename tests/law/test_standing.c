@@ -166,7 +166,7 @@ TEST(no_scheme_stands_still_without_a_word) {
       silent += compensated_motion(&p, x, &u, STILL) > 50;
     }
   }
-  printf("# %ld told, %ld of %ld silent\n", told, silent, judged);
+  printf("# %ld reported, %ld of %ld silent\n", told, silent, judged);
   CHECK(silent == 0);
   CHECK(told > 20000);
 }

@@ -92,7 +92,7 @@ static tf_state_t mapped_state(int map, tf_state_t x) {
   return x;
 }
 
-/* Bits, but for the sign of 0 and of what is no number. */
+/* Bits, but for the sign of 0 and of what is not a number. */
 static int same(tf_real_t a, tf_real_t b) {
   return a == b || (isnan((double)a) && isnan((double)b));
 }

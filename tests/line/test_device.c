@@ -28,7 +28,7 @@ typedef struct {
   char heard[1 << 16]; /* standard error so far */
   char got[1 << 16];   /* standard output so far */
   size_t heard_used, got_used;
-  tf_session_t session;
+  tf_simulation_t simulation;
   tf_link_t link;
   uint32_t sequence;
   const uint8_t *key; /* or NULL */
@@ -78,7 +78,7 @@ static void begin(bench_t *b, char *const options[]) {
            named ? named : "build/double/twofold");
   memset(b, 0, sizeof *b);
   b->line = plug();
-  CHECK(tf_session_open(&b->session, scene, &scene->params, 0) == TF_OK);
+  CHECK(tf_simulation_open(&b->simulation, scene, &scene->params, 0) == TF_OK);
   tf_link_open(&b->link, scene, &scene->params);
   CHECK(pipe(out) == 0 && pipe(err) == 0);
   fflush(stdout);
@@ -126,7 +126,7 @@ static void tell(bench_t *b, const uint8_t *wire, size_t length) {
 /* A board that describes itself, when asked, and answers. */
 static void serve(bench_t *b) {
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
-  tf_link_boundary(&b->link, &b->session);
+  tf_link_boundary(&b->link, &b->simulation);
   if (b->link.describe) {
     const tf_schema_t schema = {.params = &b->link.params,
                                 .scene = "chaos",
@@ -136,7 +136,7 @@ static void serve(bench_t *b) {
                                 .session = b->link.session,
                                 .sequence = b->link.next};
     tell(b, wire,
-         tf_send_schema(wire, &b->sequence, b->session.state.tick, &schema));
+         tf_send_schema(wire, &b->sequence, b->simulation.state.tick, &schema));
     b->link.describe = false;
   }
   tell(b, wire, tf_link_answer(&b->link, wire, &b->sequence));
@@ -144,12 +144,13 @@ static void serve(bench_t *b) {
 
 static void send_row(bench_t *b) {
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
-  const tf_input_t input = tf_session_input(&b->session, tf_scenes[0]);
-  tell(b, wire, tf_send_state(wire, &b->sequence, &b->session.state));
+  const tf_input_t input = tf_simulation_input(&b->simulation, tf_scenes[0]);
+  tell(b, wire, tf_send_state(wire, &b->sequence, &b->simulation.state));
   tell(b, wire,
-       tf_send_report(wire, &b->sequence, b->session.state.tick,
-                      &b->session.report, b->session.stepped));
-  tf_step(&b->session.machine, &b->session.state, &input, &b->session.report);
+       tf_send_report(wire, &b->sequence, b->simulation.state.tick,
+                      &b->simulation.report, b->simulation.stepped));
+  tf_step(&b->simulation.machine, &b->simulation.state, &input,
+          &b->simulation.report);
 }
 
 /* Whether the program has said or written a text, within the patience. */
@@ -245,20 +246,20 @@ TEST(commands_are_sent_and_answered) {
   begin(&bench, options);
   CHECK(
       comes(&bench, "set:mu=1.25: took effect at step 0; mu = 1.25, in [0, "));
-  CHECK(bench.session.machine.tyre.mu == TF_R(1.25));
+  CHECK(bench.simulation.machine.tyre.mu == TF_R(1.25));
   CHECK(comes(&bench, "select:random:9: took effect"));
-  CHECK(bench.session.machine.rule == TF_RULE_RANDOM);
-  CHECK(bench.session.state.seed == 9);
-  CHECK(comes(&bench, "stop: took effect") && !bench.session.running);
+  CHECK(bench.simulation.machine.rule == TF_RULE_RANDOM);
+  CHECK(bench.simulation.state.seed == 9);
+  CHECK(comes(&bench, "stop: took effect") && !bench.simulation.running);
   CHECK(comes(&bench, "input:-1.5,0.1,0.25,-0.125: took effect"));
-  CHECK(bench.session.source == TF_INPUT_SET &&
-        bench.session.input.omega0 == TF_R(-1.5));
-  CHECK(bench.session.input.r0 == TF_R(0.1) &&
-        bench.session.input.force == TF_R(0.25) &&
-        bench.session.input.torque == TF_R(-0.125) &&
-        bench.session.input.alpha == 0);
+  CHECK(bench.simulation.source == TF_INPUT_SET &&
+        bench.simulation.input.omega0 == TF_R(-1.5));
+  CHECK(bench.simulation.input.r0 == TF_R(0.1) &&
+        bench.simulation.input.force == TF_R(0.25) &&
+        bench.simulation.input.torque == TF_R(-0.125) &&
+        bench.simulation.input.alpha == 0);
   CHECK(comes(&bench, "deadman:123: took effect"));
-  CHECK(bench.session.deadman == 123);
+  CHECK(bench.simulation.deadman == 123);
   CHECK(comes(&bench, "set:mu=-1: refused, parameter out of its range"));
   CHECK(strstr(bench.heard, "mu = 1.25") != NULL);
   CHECK(exit_of(&bench) == 3);
@@ -308,7 +309,7 @@ static int write_key(const char *path, const uint8_t *key) {
   return fclose(file) == 0;
 }
 
-/* A board that wants its commands tagged is commanded with its key only. */
+/* A board that takes only tagged commands is commanded with its key only. */
 TEST(keyed_board_takes_keyed_commands) {
   static char flag[] = "--send", stop[] = "stop", with[] = "--key";
   static char path[sizeof place + 8];
@@ -320,12 +321,12 @@ TEST(keyed_board_takes_keyed_commands) {
   begin(&bench, without);
   bench.key = key;
   CHECK(comes(&bench, "stop: refused, its tag is not that"));
-  CHECK(exit_of(&bench) == 3 && bench.session.running);
+  CHECK(exit_of(&bench) == 3 && bench.simulation.running);
   char *const options[] = {flag, stop, with, path, NULL};
   begin(&bench, options);
   bench.key = key;
   CHECK(comes(&bench, "stop: took effect"));
-  CHECK(exit_of(&bench) == 0 && !bench.session.running);
+  CHECK(exit_of(&bench) == 0 && !bench.simulation.running);
   begin(&bench, options);
   key[15] ^= 1;
   bench.key = key;

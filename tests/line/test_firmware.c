@@ -67,18 +67,18 @@ static void send(uint8_t type, size_t length) {
 }
 
 /* Ticks as the loop gives them. Returns: how many records were at a tick that
- * is no multiple of EVERY, or were missing. */
+ * is not a multiple of EVERY, or were missing. */
 static unsigned wrong_records(uint64_t from, unsigned ticks) {
   uint32_t until = EVERY;
   unsigned wrong = 0;
-  sim.session.state.tick = from;
-  sim.session.running = true;
+  sim.simulation.state.tick = from;
+  sim.simulation.running = true;
   for (unsigned n = 0; n < ticks; n++) {
     CHECK(app_latch() == 0);
     CHECK(app_step(&until) == LOOP_STEPPED);
     const bool due = --until == 0;
     if (due) until = EVERY;
-    wrong += due != (sim.session.state.tick % EVERY == 0);
+    wrong += due != (sim.simulation.state.tick % EVERY == 0);
   }
   return wrong;
 }
@@ -129,9 +129,9 @@ TEST(counters_end_at_their_largest) {
                                 UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT64_MAX};
   switch_on();
   clock_rate = 1000000; /* 4295 s are more nanoseconds than 32 bits hold */
-  sim.session.tally =
+  sim.simulation.tally =
       (tf_tally_t){UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, 1};
-  sim.session.state.tick = UINT64_MAX;
+  sim.simulation.state.tick = UINT64_MAX;
   const tf_frame_t frame =
       frame_in(line, app_heartbeat(&counts, line), TF_DOWN_HEARTBEAT);
   tf_heartbeat_t beat;
@@ -140,9 +140,9 @@ TEST(counters_end_at_their_largest) {
   CHECK(beat.degraded == UINT32_MAX && beat.refused == UINT32_MAX);
   uint8_t text[2 * LOOP_RECORD];
   CHECK(text_heartbeat(&counts, text) <= 200); /* LOOP_RECORD of text */
-  sim.session.state.r = sim.session.state.v = sim.session.state.w =
+  sim.simulation.state.r = sim.simulation.state.v = sim.simulation.state.w =
       -TF_REAL_MAX;
-  sim.session.report.slip.h = sim.session.report.slip.g = -TF_REAL_MIN;
+  sim.simulation.report.slip.h = sim.simulation.report.slip.g = -TF_REAL_MIN;
   CHECK(text_record(text) <= 200);
   CHECK(app_record(line) <= LOOP_RECORD);
 }
@@ -162,11 +162,11 @@ TEST(csv_has_its_header_again) {
       CHECK(length == 34 && !memcmp(text, "t,r,v,omega,h,g,F,M,mode,", 25));
     CHECK(csv_other(text) == 0);
   }
-  sim.session.state.tick = (uint64_t)4294967295 * RATE + 7;
-  sim.session.state.r = sim.session.state.v = sim.session.state.w =
+  sim.simulation.state.tick = (uint64_t)4294967295 * RATE + 7;
+  sim.simulation.state.r = sim.simulation.state.v = sim.simulation.state.w =
       -TF_REAL_MAX;
-  sim.session.report.slip.h = sim.session.report.slip.g = -TF_REAL_MIN;
-  sim.session.report.force = (tf_force_t){-TF_REAL_MAX, -TF_REAL_MIN};
+  sim.simulation.report.slip.h = sim.simulation.report.slip.g = -TF_REAL_MIN;
+  sim.simulation.report.force = (tf_force_t){-TF_REAL_MAX, -TF_REAL_MIN};
   const unsigned length = csv_record(text);
   CHECK(length <= 160); /* LOOP_RECORD of text */
   text[length] = 0;

@@ -45,10 +45,10 @@ TEST(commands_need_the_key_of_the_build) {
   CHECK(code_of(TF_UP_STOP, 0, NULL) == TF_ANSWER_TAG);
   key[3] ^= 16;
   CHECK(code_of(TF_UP_STOP, 0, key) == TF_ANSWER_TAG);
-  CHECK(sim.session.running);
+  CHECK(sim.simulation.running);
   key[3] ^= 16;
   CHECK(code_of(TF_UP_STOP, 0, key) == TF_ANSWER_DONE);
-  CHECK(!sim.session.running);
+  CHECK(!sim.simulation.running);
 }
 
 int main(int argc, char **argv) {

@@ -30,7 +30,7 @@
 typedef struct {
   pid_t child;
   int line, said;
-  uint32_t sequence, session; /* of the next command; as the schema tells it */
+  uint32_t sequence, session; /* of the next command; as the schema has it */
   tf_decoder_t decoder;
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint64_t sent, frames, answers, beats, states, wild;

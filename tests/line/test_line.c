@@ -31,7 +31,7 @@ typedef struct {
   uint32_t session, number; /* of our next command, as the schema has them */
   tf_decoder_t decoder;
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
-  tf_session_t twin;
+  tf_simulation_t twin;
   uint64_t states, last, wrong; /* that came; the last one's tick */
   uint64_t answers;
   int code;       /* of the last answer */
@@ -62,7 +62,7 @@ static void run(firmware_t *f, const char *port, int out) {
   tf_decoder_init(&f->decoder, f->buffer, sizeof f->buffer);
   tf_params_t params = tf_scenes[0]->params;
   params.dt = TF_R(1.0) / 1000; /* its RATE */
-  CHECK(tf_session_open(&f->twin, tf_scenes[0], &params, 1) == TF_OK);
+  CHECK(tf_simulation_open(&f->twin, tf_scenes[0], &params, 1) == TF_OK);
   CHECK(pipe(said) == 0 && fcntl(said[0], F_SETFD, FD_CLOEXEC) == 0);
   fflush(stdout);
   f->child = fork();
@@ -92,7 +92,7 @@ static int open_line(const firmware_t *f) {
   return line;
 }
 
-/* On a pseudo-terminal of its own making, whose name it tells. */
+/* On a pseudo-terminal of its own making, whose name it prints. */
 static void run_on_terminal(firmware_t *f) {
   run(f, "pty", -1);
   while (!strchr(f->heard, '\n') && f->heard_used < 64) {
@@ -105,10 +105,10 @@ static void run_on_terminal(firmware_t *f) {
 
 static void take_state(firmware_t *f, const tf_frame_t *frame) {
   tf_state_t x;
-  tf_session_t *twin = &f->twin;
+  tf_simulation_t *twin = &f->twin;
   tf_read_state(frame->payload, frame->tick, &x);
   while (twin->state.tick < frame->tick) {
-    const tf_input_t input = tf_session_input(twin, tf_scenes[0]);
+    const tf_input_t input = tf_simulation_input(twin, tf_scenes[0]);
     if (tf_step(&twin->machine, &twin->state, &input, &twin->report) < 0) break;
   }
   f->wrong += x.tick != twin->state.tick || x.mode != twin->state.mode ||
@@ -182,7 +182,7 @@ static int next_code(firmware_t *f) {
   return f->answers > answers ? f->code : 999;
 }
 
-/* Asks the board for its session. */
+/* Asks the board for its simulation. */
 static int meet(firmware_t *f) {
   f->session = 0;
   send_command(f, TF_UP_DESCRIBE, 0);
@@ -258,12 +258,12 @@ TEST(recorded_reset_acts_once) {
   put_on_line(&it, wire, size);
   CHECK(next_code(&it) == TF_ANSWER_FOREIGN);
   CHECK(comes_to(&it, 200));
-  CHECK(it.wrong == 0); /* the motion of a board that nobody spoke to */
+  CHECK(it.wrong == 0); /* the motion of a board without commands */
   CHECK(end(&it, SIGTERM) == 0);
 }
 
 /* A controller that is killed leaves its torque for half a second, then the
- * machine coasts; reports, heartbeat and the next answer tell. */
+ * machine coasts; reports, heartbeat and the next answer show it. */
 TEST(silent_controller_is_told) {
   uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)];
   run_on_terminal(&it);

@@ -13,7 +13,7 @@ static struct {
   uint32_t broken_after; /* these steps; 0: never */
   uint32_t step_costs, record_costs, put_costs;
   uint32_t slow_step, slow_costs; /* one step that costs more */
-  uint32_t long_step;             /* or more than the clock can tell */
+  uint32_t long_step;             /* or more than the clock measures */
   uint64_t long_costs;
   uint32_t slow_record, outlier_costs; /* one record */
   uint32_t stands_until;               /* ticks at which the app stands */
@@ -252,7 +252,35 @@ TEST(mean_is_of_all_steps) {
   }
 }
 
-/* A step that lasts longer than the clock can tell is not taken for a short
+/* Overruns, skipped ticks and records, after any number of them. */
+TEST(counts_of_the_loop_go_round) {
+  loop_counts_t plain = {0};
+  for (uint32_t k = 0; k < 12; k++) {
+    const loop_plan_t plan = {1000, 0, 2, 1000, LOOP_SKIP};
+    reset(1500); /* always late */
+    board.broken_after = 40;
+    board.record_costs = 300;
+    counted = (loop_counts_t){.shortest = UINT32_MAX};
+    counted.overruns = counted.skipped = counted.dropped = counted.sent =
+        0u - k;
+    the_loop.plan = &plan;
+    the_loop.counts = &counted;
+    the_loop.until_record = 2;
+    the_loop.until_heartbeat = 1000;
+    the_loop.period = PERIOD;
+    the_loop.tellable = 1000;
+    CHECK(run(&the_loop) == LOOP_REFUSED);
+    if (k == 0) plain = counted;
+    CHECK(counted.steps == 40 && counted.overruns == plain.overruns - k);
+    CHECK(counted.skipped == plain.skipped - k);
+    CHECK(counted.sent == plain.sent - k);
+    CHECK(counted.dropped == plain.dropped - k);
+  }
+  CHECK(plain.overruns > 12 && plain.skipped > 12);
+  CHECK(plain.sent > 0 && plain.sent + plain.dropped > 12);
+}
+
+/* A step that lasts longer than the clock measures is not taken for a short
  * one. */
 TEST(step_longer_than_the_clock_is_told) {
   for (uint64_t past = 0; past < 3; past++) {
@@ -287,6 +315,7 @@ int main(int argc, char **argv) {
   RUN(records_can_be_moved_to_a_step);
   RUN(ticks_and_clock_go_round);
   RUN(mean_is_of_all_steps);
+  RUN(counts_of_the_loop_go_round);
   RUN(step_longer_than_the_clock_is_told);
   RUN(ends_are_told_apart);
   return tap_end();

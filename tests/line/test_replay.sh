@@ -35,7 +35,9 @@ equal 'the record has those that took effect' \
   "$(grep -c '^[0-9]*,4[0-9a-f],' record)" 12
 check 'and a state' grep -q ',03,.*,state$' record
 
-runs run chaos --dt 1e-3 --replay record --out again
+# A step that passes by h = g = 0 may say so: when depends on the commands.
+run run chaos --dt 1e-3 --replay record --out again
+check 'the record is replayed' test "$code" = 0 -o "$code" = 5
 check 'what it did is told' says 'record: 12 commands took effect, 1 states'
 # The first row is the start, which a board does not send.
 tail -n +2 rows | sort -u >sent
@@ -46,10 +48,36 @@ check 'there were enough of them' [ "$(wc -l <sent)" -gt 1000 ]
 equal 'the last row is the same' "$(tail -n 1 again)" \
   "$(grep "^$(tail -n 1 again | cut -d , -f 1)," rows | tail -n 1)"
 
+# Every row counts, and nothing may follow.
+check 'the record tells its rows' grep -Eqx \
+  '# shard 1/1: 14 rows, crc32 [0-9a-f]{8}, run [0-9a-f]{8}' record
+lines=$(wc -l <record)
+i=0
+while [ $((i += 1)) -lt "$lines" ]; do
+  head -n $i record >short
+  expect "$([ $i -lt 3 ] && echo 2 || echo 3)" "$(
+    [ $i -lt 3 ] && echo 'no record of' || echo 'cut off or changed'
+  )" run chaos --dt 1e-3 --replay short
+done
+head -c -20 record >short
+expect 3 'cut off or changed' run chaos --dt 1e-3 --replay short
+cat record record >twice
+expect 3 'cut off or changed' run chaos --dt 1e-3 --replay twice
+
+# sealed: with the last line that its rows ask for.
+sealed() {
+  grep -v '^#' >rows_of_it
+  cat rows_of_it
+  echo "# shard 1/1: $(($(wc -l <rows_of_it) - 1)) rows, crc32 $(
+    crc32 <rows_of_it), run $(sed -n 2p rows_of_it | tr -d '\n' | crc32)"
+}
+sealed <record >other
+equal 'sealed again: the same' "$(cat other)" "$(tail -n +2 record)"
+
 # What is not the session is found out.
 runs run chaos --dt 1e-3 --out plain
 check 'without the commands: another motion' not cmp -s plain again
-sed '/input:-1.5/d' record >other
+sed '/input:-1.5/d' record | sealed >other
 expect 4 'other: row&the state is not that of the board' \
   run chaos --dt 1e-3 --replay other
 expectations run <<'WORDS'
@@ -61,9 +89,20 @@ expectations run <<'WORDS'
 2 chaos --dt 1e-3 --replay rows|rows:1: no record
 2 chaos --dt 1e-3 --replay none|none: No such file
 WORDS
-sed 's/,44,,start/,44,0g,start/' record >bad
+sed 's/,44,,start/,44,0g,start/' record | sealed >bad
 expect 2 'bad:&no record of' run chaos --dt 1e-3 --replay bad
-sed '/^#/d; s/^[0-9]*\(,42.*kappa\)/0\1/' record >early
+sed 's/^[0-9]*\(,42.*kappa\)/0\1/' record | sealed >early
 expect 3 'early: row 2 is at step 0, when the board has taken' \
   run chaos --dt 1e-3 --replay early
+# More steps than there are, whose sum passes 2^64.
+{
+  head -n 3 record
+  for i in 1 2 3 4; do
+    echo 9000000000000000000,46,,reset
+  done
+} | sealed >long
+expect 3 'long: more than 1e15 steps' run chaos --dt 1e-3 --replay long
+# A zero hides what follows it from most readers.
+sed 's/,stop$/,st\x00op/' record >bad
+expect 2 'bad:&no record of' run chaos --dt 1e-3 --replay bad
 finish

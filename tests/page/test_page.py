@@ -11,6 +11,7 @@ import page
 import test_board
 import test_looks
 import test_motion
+import test_scene
 from tap import run
 
 
@@ -20,7 +21,8 @@ def main(words):
         return 3
     try:
         return run([(test.__name__, page.alone(test)) for test in
-                    test_motion.TESTS + test_looks.TESTS + test_board.TESTS
+                    test_motion.TESTS + test_scene.TESTS + test_looks.TESTS
+                    + test_board.TESTS
                     if any(word in test.__name__ for word in words)])
     finally:
         page.close()

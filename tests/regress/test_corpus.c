@@ -58,6 +58,13 @@ static void replay_target(const char *room, const char *crashes,
   CHECK(files > 0);
 }
 
+/* Complaints about what was typed are what these targets are meant to cause. */
+static void replay_quietly(const char *room, const char *crashes,
+                           fuzz_target_t target) {
+  CHECK(freopen("/dev/null", "w", stderr) != NULL);
+  replay_target(room, crashes, target);
+}
+
 TEST(corpus_of_machines_keeps_the_promises) {
   replay_target("tests/corpus/machine", "crash-machine-", fuzz_machine);
 }
@@ -67,14 +74,23 @@ TEST(corpus_of_frames_keeps_the_promises) {
 }
 
 TEST(corpus_of_arguments_keeps_the_promises) {
-  /* Complaints about what was typed are what it is meant to cause. */
-  CHECK(freopen("/dev/null", "w", stderr) != NULL);
-  replay_target("tests/corpus/arguments", "crash-arguments-", fuzz_arguments);
+  replay_quietly("tests/corpus/arguments", "crash-arguments-", fuzz_arguments);
 }
 
 TEST(corpus_of_scenes_keeps_the_promises) {
-  CHECK(freopen("/dev/null", "w", stderr) != NULL);
-  replay_target("tests/corpus/scene", "crash-scene-", fuzz_scene);
+  replay_quietly("tests/corpus/scene", "crash-scene-", fuzz_scene);
+}
+
+TEST(corpus_of_tables_keeps_the_promises) {
+  replay_quietly("tests/corpus/table", "crash-table-", fuzz_table);
+}
+
+TEST(corpus_of_states_keeps_the_promises) {
+  replay_quietly("tests/corpus/state", "crash-state-", fuzz_state);
+}
+
+TEST(corpus_of_records_keeps_the_promises) {
+  replay_quietly("tests/corpus/record", "crash-record-", fuzz_record);
 }
 
 int main(int argc, char **argv) {
@@ -83,5 +99,8 @@ int main(int argc, char **argv) {
   RUN(corpus_of_frames_keeps_the_promises);
   RUN(corpus_of_arguments_keeps_the_promises);
   RUN(corpus_of_scenes_keeps_the_promises);
+  RUN(corpus_of_tables_keeps_the_promises);
+  RUN(corpus_of_states_keeps_the_promises);
+  RUN(corpus_of_records_keeps_the_promises);
   return tap_end();
 }

@@ -1,6 +1,6 @@
-/* A jump law with mu = 0 once held a wheel at h = g = 0 for ever, against any
- * torque, and reported a force of TF_REAL_MAX: 1/mu counts as 0, so every force
- * of a pinned wheel looked like one of the law. */
+/* A jump law with mu = 0 must not hold a wheel at h = g = 0, nor report a force
+ * of TF_REAL_MAX: 1/mu counts as 0, so every force of a pinned wheel looks like
+ * one of the law. */
 #include <string.h>
 
 #include "tap.h"

@@ -6,11 +6,13 @@ usage: test_shards.py [WORD]...     tests whose names contain one of the words
 
 TWOFOLD is the command line. A program that is missing is skipped by name, or
 fails where the file REQUIRED lists its package."""
+import csv
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -96,13 +98,19 @@ def under_parallel(folder):
           [True, True, True, False, True], "only the lost shard is done again")
 
 
-def under_slurm(folder):
+def cluster_place(folder):
+    """An empty folder for a cluster, where Slurm is installed."""
     needs("slurm-wlm", *["sbatch", "sinfo"])
     if missing():
         raise Skip(f"missing: {' '.join(missing())} "
                    "(apt-get install slurm-wlm munge)")
     place = folder / "cluster"
     place.mkdir(mode=0o755)
+    return place
+
+
+def under_slurm(folder):
+    place = cluster_place(folder)
     with Cluster(place) as cluster:
         cluster.environment["TWOFOLD"] = TWOFOLD
         script = TOOLS / "shards.sbatch"
@@ -122,6 +130,87 @@ def under_slurm(folder):
         call(TWOFOLD, *study, f"--{kind}", one)
         check(rows(*(folder / f"d-{kind}.{i}.csv" for i in (1, 2))) ==
               rows(one), f"diverge: {kind} are not the rows of one run")
+
+
+COUNTED = ["chaos", "--samples", "7", "--cycles", "3", "--seed", "4"]
+
+
+def counted(*paths, out, code=0):
+    """Merges files of counts. Returns: what was said."""
+    return call(TWOFOLD, "merge", *paths, "--out", out, code=code)
+
+
+def counts_under_slurm(folder):
+    """An array of shards, of which one is lost and run again."""
+    place = cluster_place(folder)
+    parts = [folder / f"c.{i}.csv" for i in (1, 2, 3)]
+    with Cluster(place) as cluster:
+        cluster.environment["TWOFOLD"] = TWOFOLD
+        submit = TOOLS / "shards.sbatch", folder / "c", "counts", *COUNTED
+        cluster.submit("--array=1-3", *submit)
+        lose(parts[1])
+        said = counted(parts[2], parts[0], out=folder / "two")
+        check("2 of 3" in said, said)
+        cluster.submit("--array=2", "--export=ALL,SHARDS=3", *submit)
+    one = folder / "one"
+    call(TWOFOLD, "diverge", *COUNTED, "--counts", one)
+    counted(folder / "two", parts[1], out=folder / "all")
+    check((folder / "all").read_bytes() == one.read_bytes(),
+          "shards in any order, one of them twice begun: the same bytes")
+
+
+def counts(folder):
+    """Those of the rows; what is damaged, double or foreign is refused."""
+    exits, returns = folder / "exits", folder / "returns"
+    one = folder / "one"
+    call(TWOFOLD, "diverge", *COUNTED, "--exits", exits, "--returns", returns,
+         "--counts", one)
+    expected = Counter()
+    for row in csv.DictReader(rows(returns)):
+        back = row["outcome"] == "returned"
+        expected["outcome", row["outcome"]] += 1
+        expected["begun", row["cycle"]] += 1
+        if back:
+            expected["returned", row["cycle"]] += 1
+            width = 100 / 4096
+            expected["time", str(int(float(row["time"]) // width))] += 1
+        if row["landing_r"]:
+            expected["landing",
+                     str(int(float(row["landing_r"]) // 1e-4))] += 1
+    for row in csv.DictReader(rows(exits)):
+        expected["side", row["side"]] += 1
+        if row["phase"]:
+            expected["phase", str(int(float(row["phase"]) * 100))] += 1
+    found = {(row["what"], row["key"]): int(row["count"])
+             for row in csv.DictReader(rows(one))}
+    check(found == dict(expected), "counts are not those of the rows")
+    parts = [folder / f"part{i}" for i in range(1, 6)]
+    for i, part in enumerate(parts, 1):
+        call(TWOFOLD, "diverge", *COUNTED, "--shard", f"{i}/5", "--counts",
+             part)
+    counted(*parts[3:], out=folder / "some")
+    said = counted(*reversed(parts[:3]), folder / "some", out=folder / "all")
+    check("5 of 5" in said, said)
+    check((folder / "all").read_bytes() == one.read_bytes(), "other bytes")
+    text = parts[0].read_text()
+    bad = folder / "bad"
+    for wrong in (text[:len(text) // 2], text.replace(",1\n", ",2\n", 1),
+                  "", text + text, text.rsplit("#", 1)[0]):
+        bad.write_text(wrong)
+        counted(bad, out=folder / "no", code=2)
+    counted(parts[0], folder / "absent", out=folder / "no", code=2)
+    said = counted(parts[0], folder / "some", parts[4], out=folder / "no",
+                   code=3)
+    check("shard 5 is in another file" in said, said)
+    call(TWOFOLD, "diverge", *COUNTED[:-1], "5", "--counts", bad)
+    said = counted(parts[0], bad, out=folder / "no", code=3)
+    check("another run" in said, said)
+    check(not (folder / "no").exists(), "what is refused writes nothing")
+    for wrong in (["--counts", one, "--exits", one], ["--exhaustive",
+                                                      "--counts", one]):
+        call(TWOFOLD, "diverge", *COUNTED, *wrong, code=2)
+    call(TWOFOLD, "diverge", "chaos", "--cycles", "65537", "--counts", bad,
+         code=3)
 
 
 def under_snakemake(folder):
@@ -170,7 +259,7 @@ def maps_refuse(folder):
     for words, text in [
             (["kappa", "gamma", "mode"], "there is no column 'mode'"),
             (["kappa", "modes"], "another axis was swept, too"),
-            (["kappa", "reason", "modes"], "which is no number")]:
+            (["kappa", "reason", "modes"], "not a number")]:
         said = draw(table, *words, picture, code=3)
         check(text in said and "Traceback" not in said, said)
     said = draw(cut, "kappa", "gamma", "modes", picture, code=3)
@@ -204,7 +293,10 @@ TESTS = [("parallel: the rows of one run", under_parallel),
          ("Snakemake: the rows of one run", under_snakemake),
          ("map: words, numbers, refused points, one axis", maps),
          ("map: what it refuses", maps_refuse),
-         ("numpy reads joined shards", reads_numpy)]
+         ("numpy reads joined shards", reads_numpy),
+         ("counts: those of the rows, merged in any order", counts),
+         ("counts: a Slurm array of which a task was lost",
+          counts_under_slurm)]
 
 
 def in_a_folder(test):

@@ -8,7 +8,7 @@ const uint8_t chosen_scene = 0;
 
 bool generic_firmware_start(const tf_scene_t *scene, tf_state_t *state,
                             tf_report_t *report) {
-  return begin_scene(scene, state, report);
+  return begin_given_scene(scene, state, report);
 }
 
 int write_firmware_constants(FILE *out, const tf_scene_t *scene) {

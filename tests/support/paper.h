@@ -74,8 +74,11 @@ void paper_rhs_time(const paper_t *p, const long double x[3], long double F,
 void paper_rhs_mass(const paper_t *p, const long double x[3], long double F,
                     long double M, long double dx[3]);
 
-/* (VF): f(x, lambda) with F = lambda, M = s kappa lambda, rescaled time;
- * its Lie derivative h_x . f, and the gradient in x of that (analytic). */
+/* (VF): f(x, lambda) with F = lambda, M = s kappa lambda, rescaled time,
+ * lambda as in (sign);
+ * its Lie derivative h_x . f, and the gradient in x of that (analytic). The
+ * signs of h_x . f at lambda = +-mu are (slregion) and (esregion), and where
+ * both vanish is (2fold). */
 void paper_f(const paper_t *p, const long double x[3], long double lambda,
              int s, long double dx[3]);
 long double paper_lie(const paper_t *p, const long double x[3],
@@ -93,7 +96,8 @@ void paper_stick(const paper_t *p, const long double x[3], int s,
 
 /* Section 4 of the paper at a two-fold x: the K in rescaled time, J1, J2 and
  * the eigenvalues (weak first when both are negative); the direction in x
- * along which sliding orbits arrive, and lambda / mu in that limit. */
+ * along which sliding orbits arrive, and lambda / mu in that limit. Sliding
+ * and escaping there are (SlidCond), (EscCond). */
 typedef struct {
   long double Kpp, Kpm, Kmp, Kmm;
   long double J1, J2, eigen[2];
@@ -103,9 +107,10 @@ typedef struct {
 void paper_twofold(const paper_t *p, const long double x[3], int s,
                    paper_twofold_t *out);
 
-/* Appendix B: the stretched string. F and M at slip angle phi in [0, pi/2],
- * as closed formulas (corrected) and by quadrature of the pressure, which
- * finds the border of the two zones by itself. Returns the case, 1 to 3. */
+/* Appendix B: the stretched string, (rollconstr) solved. F and M at slip angle
+ * phi in [0, pi/2], as closed formulas (corrected) and by quadrature of the
+ * pressure, which finds the border of the two zones by itself. Returns the
+ * case, 1 to 3. */
 typedef struct {
   long double k;     /* lateral stiffness [N/m^2] > 0 */
   long double delta; /* largest static pressure [N/m] > 0 */

@@ -51,6 +51,9 @@ lacks() {
   fi
 }
 
+# The CRC-32 of standard input, which gzip has as well.
+crc32() { gzip -c | tail -c 8 | od -An -N4 -tx1 | awk '{ print $4 $3 $2 $1 }'; }
+
 finish() {
   echo "1..$count"
   [ "$skipped" -eq 0 ] || echo "# $skipped skipped"
@@ -131,7 +134,7 @@ row() { sed -n "$1p" "$3" | cut -d , -f "$2"; }
 
 # whole_rows FILE FIELDS [PATTERN]: it ends with a newline, every row has all
 # fields, the last one of the PATTERN, and there is one below the header;
-# comments are no rows.
+# comments are not rows.
 whole_rows() {
   [ -s "$1" ] && [ -z "$(tail -c 1 "$1")" ] &&
     awk -F, -v n="$2" -v last="^${3-.*}\$" '

@@ -12,7 +12,7 @@
 /* A board: what a firmware keeps, and its two lines. */
 typedef struct {
   const tf_scene_t *scene;
-  tf_session_t session;
+  tf_simulation_t simulation;
   tf_link_t link;
   uint32_t up, down;   /* sequence numbers */
   const uint8_t *lock; /* key of the board, or NULL */
@@ -22,8 +22,8 @@ typedef struct {
 static inline void switch_on(board_t *board, const char *scene) {
   memset(board, 0, sizeof *board);
   board->scene = scene_named(scene);
-  CHECK(tf_session_open(&board->session, board->scene, &board->scene->params,
-                        5) == TF_OK);
+  CHECK(tf_simulation_open(&board->simulation, board->scene,
+                           &board->scene->params, 5) == TF_OK);
   tf_link_open(&board->link, board->scene, &board->scene->params);
 }
 
@@ -87,20 +87,20 @@ static inline void send(board_t *board, tf_type_t type, uint64_t at,
 /* A board whose host has asked who it is. */
 static inline void power_up(board_t *board, const char *scene) {
   switch_on(board, scene);
-  tf_link_stir(&board->link, (uint32_t)tap_bits() | 1u);
+  tf_link_add_entropy(&board->link, (uint32_t)tap_bits() | 1u);
   send(board, TF_UP_DESCRIBE, 0, NULL, 0);
-  CHECK(tf_link_boundary(&board->link, &board->session) == 0);
+  CHECK(tf_link_boundary(&board->link, &board->simulation) == 0);
   CHECK(answer_of(board).code == TF_ANSWER_DONE);
   CHECK(board->link.session != 0);
 }
 
 static inline void tick(board_t *board) {
-  tf_link_boundary(&board->link, &board->session);
-  tf_session_t *session = &board->session;
-  const tf_input_t input = tf_session_input(session, board->scene);
-  if (session->running)
-    CHECK(tf_step(&session->machine, &session->state, &input,
-                  &session->report) >= 0);
+  tf_link_boundary(&board->link, &board->simulation);
+  tf_simulation_t *simulation = &board->simulation;
+  const tf_input_t input = tf_simulation_input(simulation, board->scene);
+  if (simulation->running)
+    CHECK(tf_step(&simulation->machine, &simulation->state, &input,
+                  &simulation->report) >= 0);
 }
 
 static inline void send_plain(board_t *board, tf_type_t type) {
@@ -152,11 +152,11 @@ typedef struct {
 static inline acting_t acting(const board_t *board) {
   acting_t now;
   memset(&now, 0, sizeof now);
-  memcpy(&now.machine, &board->session.machine, sizeof now.machine);
+  memcpy(&now.machine, &board->simulation.machine, sizeof now.machine);
   memcpy(&now.params, &board->link.params, sizeof now.params);
-  now.source = board->session.source;
-  now.deadman = board->session.deadman;
-  now.running = board->session.running;
+  now.source = board->simulation.source;
+  now.deadman = board->simulation.deadman;
+  now.running = board->simulation.running;
   return now;
 }
 static inline int acts_alike(const board_t *board, const acting_t *before) {

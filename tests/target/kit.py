@@ -66,7 +66,7 @@ class Board:
 
     def rate(self) -> tuple[int, list[str]]:
         """Of the slowest loop that the board is tested with, and how the
-        emulator is told to count time by instructions."""
+        emulator is set to count time by instructions."""
         rates = self.fact(f"RATES_{self.real}") or self.fact("RATES_float")
         rate, _, shift = min(rates.split(), key=lambda one:
                              int(one.split(":")[0])).partition(":")

@@ -1,7 +1,6 @@
 # Measurements of one kind of step alone. Included by the Makefile.
 
-BENCH := $(addprefix tools/bench/,steps.c race.c compensated.c ensemble.c \
-  frame.c)
+BENCH := $(addprefix tools/bench/,steps.c race.c ensemble.c frame.c)
 
 define bench_rules
 $(call programs,$(BENCH),$(1)): %: %.o \
@@ -11,16 +10,12 @@ endef
 $(foreach v,$(VARIANTS),$(eval $(call bench_rules,$(v))))
 BENCH_PROGRAMS := $(foreach v,$(VARIANTS),$(call programs,$(BENCH),$(v)))
 
-.PHONY: bench-steps bench-compensated bench-ensemble bench-frame
+.PHONY: bench-steps bench-ensemble bench-frame
 all: $(BENCH_PROGRAMS)
 
 bench-steps: ## cost of a Moreau step alone (valgrind)
 bench-steps: $(BENCH_PROGRAMS)
 	@tools/bench/steps.py '$(BUILD)' --cc='$(CC)'
-
-bench-compensated: ## errors of small steps, compensated and not
-bench-compensated: $(VARIANTS:%=$(BUILD)/%/tools/bench/compensated)
-	@tools/bench/compensated.py '$(BUILD)'
 
 bench-ensemble: ## many states at once (try EXTRA=-mavx2)
 bench-ensemble: $(VARIANTS:%=$(BUILD)/%/tools/bench/ensemble)

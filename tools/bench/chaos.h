@@ -41,13 +41,9 @@ static inline chaos_t chaos_begin(void) {
   c.input = tf_input_default(&c.machine);
   c.start.r = scene->r;
   c.start.w = scene->omega;
-  c.start.mode = TF_SLIP_PLUS;
   if (status == TF_OK) {
-    status = tf_speed_for_slip(&c.machine, c.start.r, c.start.w, c.input.omega0,
-                               scene->h, &c.start.v);
-  }
-  if (status == TF_OK) {
-    status = tf_begin(&c.machine, &c.start, &c.input, &report);
+    status =
+        tf_begin_with_slip(&c.machine, &c.start, &c.input, scene->h, &report);
   }
   if (status != TF_OK) {
     fprintf(stderr, "chaos does not begin: %s\n", tf_status_name(status));

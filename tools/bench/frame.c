@@ -17,16 +17,17 @@
 static uint8_t line[STEPS * PAIR];
 
 // A motion with a mantissa full of digits. Returns: bytes made.
-static size_t make_stream(const tf_session_t *start, const tf_scene_t *scene) {
-  tf_session_t session = *start;
+static size_t make_stream(const tf_simulation_t *start,
+                          const tf_scene_t *scene) {
+  tf_simulation_t simulation = *start;
   uint32_t sequence = 0;
   size_t at = 0;
   for (int i = 0; i < STEPS; i++) {
-    const tf_input_t input = tf_session_input(&session, scene);
-    tf_step(&session.machine, &session.state, &input, &session.report);
-    at += tf_send_state(line + at, &sequence, &session.state);
-    at += tf_send_report(line + at, &sequence, session.state.tick,
-                         &session.report, session.stepped);
+    const tf_input_t input = tf_simulation_input(&simulation, scene);
+    tf_step(&simulation.machine, &simulation.state, &input, &simulation.report);
+    at += tf_send_state(line + at, &sequence, &simulation.state);
+    at += tf_send_report(line + at, &sequence, simulation.state.tick,
+                         &simulation.report, simulation.stepped);
   }
   return at;
 }
@@ -84,9 +85,10 @@ static int race(const char *name, size_t length,
 
 int main(void) {
   const tf_scene_t *scene = tf_scenes[0];
-  tf_session_t session;
-  if (tf_session_open(&session, scene, &scene->params, 0) != TF_OK) return 1;
-  const size_t length = make_stream(&session, scene);
+  tf_simulation_t simulation;
+  if (tf_simulation_open(&simulation, scene, &scene->params, 0) != TF_OK)
+    return 1;
+  const size_t length = make_stream(&simulation, scene);
   printf("%d frames, %zu bytes; median, least and most of %d rounds\n",
          2 * STEPS, length, ROUNDS);
   return race("blocks", length, decode_blocks) +

@@ -1,7 +1,7 @@
 // Time of a step against time of a smoothed Runge-Kutta step, in turns in the
 // same run, so that a machine that slows down slows both. Prints
 //   state BYTES / step NS / rk4 NS / ratio MEDIAN LOW HIGH / apart T METRES
-// where `apart` tells how far the two trajectories are from each other at T:
+// where `apart` says how far the two trajectories are from each other at T:
 // they are the same motion up to the smoothing, or the race would be void.
 #define _POSIX_C_SOURCE 200809L
 

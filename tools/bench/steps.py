@@ -168,4 +168,7 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except valgrind.Failed as failure:
+        sys.exit(str(failure))

@@ -4,9 +4,12 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 from typing import NamedTuple
+
+
+class Failed(Exception):
+    """A program that fails under valgrind, or leaves no count."""
 
 
 class Sample(NamedTuple):
@@ -25,7 +28,7 @@ def _summary(dump: Path) -> int:
     found = re.search(r"^summary: (\d+)", dump.read_text(encoding="utf-8"),
                       re.MULTILINE)
     if not found:
-        sys.exit(f"{dump}: callgrind left no summary")
+        raise Failed(f"{dump}: callgrind left no summary")
     return int(found[1])
 
 
@@ -36,7 +39,7 @@ def _callgrind(out: Path, command: list[str], *options: str) -> list[str]:
          *options, *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
         text=True, check=False)
     if done.returncode != 0:
-        sys.exit(done.stderr + f"{command[0]} fails under valgrind")
+        raise Failed(done.stderr + f"{command[0]} fails under valgrind")
     return done.stdout.splitlines()
 
 

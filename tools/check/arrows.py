@@ -21,6 +21,9 @@ describes. In port/ each file includes only what its line in a table allows, so
 that the loop knows neither the simulation nor the core: it drives whatever
 app.h declares.
 
+What a program or a test begins with by the sign of h is coded once, in the
+source of tf_begin_with_slip.
+
 Before the project is judged, a tree with one violation of each kind is.
 """
 import json
@@ -78,6 +81,9 @@ UMBRELLA = "include/twofold.h"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
 PUBLIC_FUNCTION = re.compile(r"^TF_API\b[^;{]*\(", re.M)
 LINK_NAME = re.compile(r"#define (\w+) TF_LINK\(\1\)")
+START = "src/moreau/begin.c"
+SIGN_OF_H = re.compile(r"\bTF_SLIP_PLUS\s*:\s*TF_NO_MODE\b|\bh\s*>\s*0\s*\)"
+                       r"\s*\{?\s*\S*mode\s*=\s*(?:\(\w+\))?TF_SLIP_PLUS")
 
 
 def files_of(root):
@@ -218,6 +224,15 @@ def names_twice(root, files):
     return len(home), sorted(set(found))
 
 
+def starts_twice(root, files):
+    """Files that decide by the sign of h in which slip a motion starts, as
+    tf_begin_with_slip does."""
+    return [f"{file}: the sign of h names the first mode in {START} alone"
+            for file in [*files, *(p.relative_to(root).as_posix() for p in
+                                   sorted(root.glob("tests/**/*.[ch]")))]
+            if file != START and SIGN_OF_H.search((root / file).read_text())]
+
+
 def judge(root):
     """All that is wrong in the tree at root, and a sum of what was read."""
     files = files_of(root)
@@ -257,7 +272,8 @@ def judge(root):
                 edges.setdefault(unit, set()).add(other)
     found += ["a circle: " + " > ".join(c) for c in circles(edges)]
     names, twice = names_twice(root, files)
-    return found + twice, (f"{count} includes in {len(files)} files go one "
+    found += twice + starts_twice(root, files)
+    return found, (f"{count} includes in {len(files)} files go one "
                            f"way, {names} names of the core are of one file")
 
 
@@ -289,6 +305,8 @@ SEEDS = {
     "tools/soak/one.h": '#include "two.h"\n',
     "tools/soak/two.h": '#include "soak/one.h"\n',
     "tools/cli/host/line.h": '#include "soak/one.h"\n',
+    "tools/soak/start.c": "if (h > 0) x.mode = TF_SLIP_PLUS;\n",
+    "tests/law/side.c": "x.mode = h > 0 ? TF_SLIP_PLUS : TF_NO_MODE;\n",
     "port/core.h": "",
     "port/loop.h": '#include "core.h"\n',
     "port/board/board.c": '#include "../loop.h"\n',
@@ -308,6 +326,8 @@ SEEDED = [
     "tools/cli/run/row.h may not include tools/cli/one.h",
     "a circle: tools/soak/one > tools/soak/two > tools/soak/one",
     "tools/cli/host/line.h may not include tools/soak/one.h",
+    "tools/soak/start.c: the sign of h names the first mode",
+    "tests/law/side.c: the sign of h names the first mode",
     "port/loop.h may not include port/core.h",
     "port/board/board.c may not include port/loop.h",
     "src/model/user.c: LIMIT is defined in src/model/high.h as well",

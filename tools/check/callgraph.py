@@ -40,7 +40,7 @@ class Graph:
         self.depths = [(short(n), self.worst(n), self.path.get(n, ""))
                        for n in list(self.frame)
                        if n == short(n) or short(n).startswith("tf_")]
-        for name in list(self.frame):  # also those that nobody calls
+        for name in list(self.frame):  # also those that are never called
             self.worst(name)
 
     def refuse(self, text):

@@ -8,7 +8,7 @@ check: ## warnings, format, static analysis, sanitizers, promises
 	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' exec tools/check/run $(CHECKS)
 
 valgrind: ## nearly every test under memcheck (valgrind)
-	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' tools/check/valgrind.sh all
+	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' tools/check/valgrind.py all
 
 stale: ## mark the reports of docs/ that are of an older core
 	@tools/check/reports.py --write

@@ -7,9 +7,9 @@
 need gcov gcc
 need gcovr gcovr
 
-# Programs, not the command line: who breaks the core is to be told by a test
-# that names what broke. Those of units in double and those of laws in float
-# are enough, and without two that take long; test_line, test_hostile and
+# Programs, not the command line: whoever breaks the core should hear it from a
+# test that names what broke. Those of units in double and those of laws in
+# float are enough, and without two that take long; test_line, test_hostile and
 # test_device start programs.
 programs_of() { # REAL PLACE...: names of programs
   real=$1

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`make help` tells every target that a user may call: each phony one that is
+"""`make help` lists every target that a user may call: each phony one that is
 not among HELPERS, in at most 80 columns, and nothing else."""
 import os
 import re
@@ -25,7 +25,7 @@ def targets(makefile):
     phony = re.search(r"^\.PHONY: (.*)", data, re.M)
     helpers = re.search(r"^HELPERS :?= (.*)", data, re.M)
     if not (phony and helpers):
-        wrong(f"{makefile}: make tells neither .PHONY nor HELPERS")
+        wrong(f"{makefile}: make reports neither .PHONY nor HELPERS")
         return set()
     return set(phony[1].split()) - set(helpers[1].split())
 
@@ -39,7 +39,7 @@ there = targets("Makefile")
 for name in sorted(there - told):
     wrong(f"make {name}: no line `{name}: ## what it does` beside the target")
 for name in sorted(told - there):
-    wrong(f"make help tells {name}, which is not phony or among HELPERS")
+    wrong(f"make help lists {name}, which is not phony or among HELPERS")
 
 with tempfile.NamedTemporaryFile("w", suffix=".mk") as seed:
     seed.write("include Makefile\n.PHONY: planted\nplanted: ; @true\n")

@@ -1,8 +1,7 @@
-"""Bounds of loops, from clang's syntax tree (-ast-dump=json). Each is (file,
-function, line, kind, bound), kind being `constant`, `runtime` or `none`. A loop
-has a bound where its condition holds only while some value is on one side of
-another, the value moves towards it by at least one in every turn and in no
-other way, and the other stays what it is:
+"""Bounds of loops, from clang's syntax tree (-ast-dump=json). The kind of each
+is `constant`, `runtime` or `none`. A loop has a bound where its condition holds
+only while some value is on one side of another, the value moves towards it by
+at least one in every turn and in no other way, and the other stays what it is:
   for (i = a; i < n; i++)            while (n > 0) ... --n ...
   while (at < end) *at++ = ...       while (x < n && any condition)
   while (x < n) { if (s == 0) return; x += s; }          s unsigned
@@ -12,12 +11,22 @@ other way, and the other stays what it is:
 Branches that jump over the move (continue) are not allowed, nor moves inside a
 condition. What the tool does not recognise is `none`, and the check fails.
 """
-import os
-import sys
+from typing import NamedTuple
 
 LOOPS = ("ForStmt", "WhileStmt", "DoStmt")
 WRAPPERS = ("ImplicitCastExpr", "ParenExpr", "CStyleCastExpr", "ConstantExpr")
 SMALL = {"uint8_t": 255, "unsigned char": 255, "_Bool": 1}
+
+
+class Bound(NamedTuple):
+    """What a condition sets. `beyond`: turns more than the way from the first
+    value to the limit, of `<=` or of `x - 1 < n`."""
+    kind: str
+    moves: str
+    limit: str
+    test: dict  # the comparison in the syntax tree
+    up: bool = True
+    beyond: int = 0
 
 
 def kids(node):
@@ -226,8 +235,14 @@ def offset_of(node):
     return node
 
 
+def offset(node):
+    """What offset_of leaves out."""
+    node = bare(node)
+    return 0 if offset_of(node) is node else value(kids(node)[1])
+
+
 def bound_of(test, body, step):
-    """(kind, what moves, limit) that a condition sets, or None."""
+    """The bound that a condition sets, or None."""
     test = bare(test)
     if test.get("kind") != "BinaryOperator":
         return None
@@ -237,55 +252,70 @@ def bound_of(test, body, step):
         both = [b for b in (bound_of(left, body, step),
                             bound_of(right, body, step)) if b]
         # The end of a string is the weaker of two.
-        both.sort(key=lambda b: "the end of" in b[2])
+        both.sort(key=lambda b: "the end of" in b.limit)
         return both[0] if both else None
     if op == "||":
         a, b = bound_of(left, body, step), bound_of(right, body, step)
         if not (a and b):
             return None
-        return ("constant" if a[0] == b[0] == "constant" else "runtime",
-                a[1], f"{a[2]} or {b[2]}")
+        # Every turn begins with the first of them.
+        return a._replace(
+            kind="constant" if a.kind == b.kind == "constant" else "runtime",
+            limit=f"{a.limit} or {b.limit}",
+            beyond=max(a.beyond, b.beyond))
     if op == "!=" and value(right) == 0 and (text(left) or "")[:1] == "*":
         name = text(left)[1:]
         if not skips(body) and moves_on(body, step, name, True):
-            return "runtime", name, "the end of the string " + name
+            return Bound("runtime", name, "the end of the string " + name,
+                         test)
         return None
     if op not in ("<", "<=", ">", ">="):
         return None
     for var, limit, up in ((left, right, op[0] == "<"),
                            (right, left, op[0] == ">")):
-        name = text(offset_of(var))
-        if name is None or value(var) is not None or text(limit) is None:
-            continue
-        if "double" in amount_type(var) or "float" in amount_type(var):
-            if constant(limit) and not skips(body) and \
-                    scales_on(body, step, name, up):
-                return "runtime", name, text(limit)
-            continue
-        names = {text(n) for n in walk(limit)
-                 if n.get("kind") in ("DeclRefExpr", "MemberExpr")}
-        changed = {t for part in (body, step) if part
-                   for t, _, _, _ in writes(part)}
-        if names & changed or not moves_on(body, step, name, up):
-            continue
-        if skips(body) and not any(
-                t == name for t, _, _, _ in (writes(step) if step else ())):
-            continue
-        if constant(limit):
-            number = value(limit)
-            if not fits(var, op, number, up, body, step, name):
-                continue
-            return "constant", name, text(limit) if number is None else \
-                str(number)
-        small = SMALL.get(bare(limit)["type"]["qualType"].replace("const ", ""))
-        calls = any(n.get("kind") == "CallExpr" for n in walk(body))
-        if calls and bare(limit)["kind"] == "MemberExpr" and not small:
-            continue  # what is called may move it
-        return "runtime", name, text(limit)
+        found = bound_by(var, limit, up, test, (body, step))
+        if found:
+            return found
     return None
 
 
+def bound_by(var, limit, up, test, parts):
+    """The bound that a comparison sets if `var` moves towards `limit`."""
+    op, (body, step) = test["opcode"], parts
+    name = text(offset_of(var))
+    if name is None or value(var) is not None or text(limit) is None:
+        return None
+    beyond = ("=" in op) + abs(offset(var))
+    if "double" in amount_type(var) or "float" in amount_type(var):
+        if constant(limit) and not skips(body) and \
+                scales_on(body, step, name, up):
+            return Bound("runtime", name, text(limit), test, up, beyond)
+        return None
+    names = {text(n) for n in walk(limit)
+             if n.get("kind") in ("DeclRefExpr", "MemberExpr")}
+    changed = {t for part in (body, step) if part
+               for t, _, _, _ in writes(part)}
+    if names & changed or not moves_on(body, step, name, up):
+        return None
+    if skips(body) and not any(
+            t == name for t, _, _, _ in (writes(step) if step else ())):
+        return None
+    if constant(limit):
+        number = value(limit)
+        if not fits(var, op, number, up, body, step, name):
+            return None
+        return Bound("constant", name,
+                     text(limit) if number is None else str(number), test, up,
+                     beyond)
+    small = SMALL.get(bare(limit)["type"]["qualType"].replace("const ", ""))
+    calls = any(n.get("kind") == "CallExpr" for n in walk(body))
+    if calls and bare(limit)["kind"] == "MemberExpr" and not small:
+        return None  # what is called may move it
+    return Bound("runtime", name, text(limit), test, up, beyond)
+
+
 def judge(loop):
+    """(kind, the bound as text, first value if constant, Bound or None)."""
     if loop["kind"] == "ForStmt":
         parts = loop["inner"]  # init, variable, condition, step, body
         test, step, body = parts[2], parts[3] or None, parts[4]
@@ -296,20 +326,20 @@ def judge(loop):
     else:
         body, test, step = kids(loop)[0], kids(loop)[-1], None
     if not test.get("kind"):
-        return "none", "no condition"
+        return "none", "no condition", None, None
     if body.get("kind") != "CompoundStmt":
         body = {"kind": "CompoundStmt", "inner": [body]}
     # A move in the condition would not be made in every turn.
     if any(True for _ in writes(test)):
-        return "none", "the condition writes"
+        return "none", "the condition writes", None, None
     bound = bound_of(test, body, step)
     if not bound:
-        return "none", "no bound"
-    kind, name, limit = bound
-    begin = begun_at(loop, name)
+        return "none", "no bound", None, None
+    begin = begun_at(loop, bound.moves)
     if begin is not None:
-        return kind, f"{name} from {begin} to {limit}"
-    return "runtime", f"{name} to {limit}"
+        return (bound.kind, f"{bound.moves} from {begin} to {bound.limit}",
+                begin, bound)
+    return "runtime", f"{bound.moves} to {bound.limit}", None, bound
 
 
 def begun_at(loop, name):
@@ -321,39 +351,3 @@ def begun_at(loop, name):
                 and constant(kids(n)[-1]):
             return text(kids(n)[-1])
     return None
-
-
-class Place:
-    """clang leaves out file and line where they are those before."""
-    def __init__(self):
-        self.file = self.line = ""
-
-    def follow(self, loc):
-        for part in (loc.get("spellingLoc"), loc.get("expansionLoc"), loc):
-            if part:
-                self.file = part.get("file", self.file)
-                self.line = part.get("line", self.line)
-
-
-def visit(node, place, function, wanted, out):
-    place.follow(node.get("loc", {}))
-    span = node.get("range", {})
-    place.follow(span.get("begin", {}))
-    # A header of another room is "src/event/../num/kernel.h".
-    file, line = os.path.normpath(place.file or "."), place.line
-    if node.get("kind") == "FunctionDecl":
-        function = node.get("name", "?")
-    place.follow(span.get("end", {}))
-    if node.get("kind") in LOOPS and file in wanted:
-        kind, bound = judge(node)
-        out.add((file, function, int(line), kind, bound))
-    for child in node.get("inner", []):
-        visit(child, place, function, wanted, out)
-
-
-def loops_in(tree, wanted):
-    """All loops of a syntax tree that are in one of the wanted files."""
-    found = set()
-    sys.setrecursionlimit(10000)
-    visit(tree, Place(), "?", wanted, found)
-    return found

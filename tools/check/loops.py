@@ -6,17 +6,12 @@ twice, and it calls 2^64 - 2 a bound.) A bound that is not a constant stands in
 loops.bounds with what it is at most. BUILD/loops.txt is the table of all. No
 recursion: that is stack.py's.
 """
-import json
-import os
 import re
-import subprocess
 from pathlib import Path
 
-from findings import checked, need, wrong
-from loop_bounds import loops_in
-
-BUILD = Path(os.environ.get("BUILD", "build/check"))
-KNOWN = Path("tools/check/loops.bounds")
+from findings import BUILD, DEFINES, checked, need, wrong
+from loop_table import (CORE, KNOWN, LoopError, excused, loops_of,
+                        loops_of_core)
 
 # It must find each of these, and the bound of the last two.
 SEED = """unsigned seeded(const unsigned *to, unsigned n);
@@ -45,57 +40,37 @@ SEEDED = {**{line: "none" for line in range(4, 18)}, 18: "runtime",
           19: "constant"}
 
 
-def loops_of(file, wanted, define="-UTF_REAL_FLOAT"):
-    tree = subprocess.run(
-        ["clang", "-std=c99", define, "-Iinclude", "-fsyntax-only", "-Xclang",
-         "-ast-dump=json", file], stdout=subprocess.PIPE, check=True).stdout
-    return loops_in(json.loads(tree), wanted)
-
-
 def in_the_text(files):
     """Lines with a loop, but for what a comment says."""
     return sum(bool(re.search(r"\b(for|while|do) *[({]", line.split("//")[0]))
                for file in files for line in Path(file).read_text().split("\n"))
 
 
-def excused():
-    """(file, function, bound) of lines "file function : bound : at most"."""
-    for line in KNOWN.read_text().splitlines():
-        if not line or line.startswith("#"):
-            continue
-        place, _, rest = line.partition(" : ")
-        bound, _, at_most = rest.partition(" : ")
-        if not at_most or " : " in at_most:
-            wrong(f"{KNOWN}: not file function : bound : at most: {line}")
-        yield (*place.split(" ", 1), bound)
-
-
 need("clang", "clang")
 BUILD.mkdir(parents=True, exist_ok=True)
 seed = BUILD / "loops-seed.c"
 seed.write_text(SEED)
-for _, _, line, kind, _ in loops_of(seed, {str(seed)}):
+for _, _, line, kind, *_ in loops_of(seed, {str(seed)}):
     if SEEDED.pop(line, None) != kind:
         wrong(f"the seeded loop of line {line} is judged {kind}")
 for line, kind in SEEDED.items():
     wrong(f"the seeded loop of line {line} is not judged {kind}")
 
-core = sorted(str(f) for room in ("src", "include")
-              for f in Path(room).rglob("*.[ch]"))
-loops = {(file, re.sub("_f(64|32)$", "", function), *rest)
-         for define in ("-UTF_REAL_FLOAT", "-DTF_REAL_FLOAT")
-         for source in core if source.endswith(".c")
-         for file, function, *rest in loops_of(source, set(core), define)}
+loops = {loop for define in DEFINES.values() for loop in loops_of_core(define)}
 (BUILD / "loops.txt").write_text(
-    "".join("\t".join(map(str, row)) + "\n" for row in sorted(loops)))
+    "".join("\t".join(map(str, loop[:5])) + "\n" for loop in sorted(loops)))
 
 # None may have escaped: as many as the text has.
-found, there = len({(loop[0], loop[2]) for loop in loops}), in_the_text(core)
+found, there = len({(loop[0], loop[2]) for loop in loops}), in_the_text(CORE)
 if found != there:
     wrong(f"{found} lines with loops in the syntax tree, {there} in the text")
-known = set(excused())
+try:
+    known = set(excused())
+except LoopError as error:
+    known = set()
+    wrong(error)
 used = set()
-for file, function, line, kind, bound in sorted(loops):
+for file, function, line, kind, bound, *_ in sorted(loops):
     if kind == "runtime" and (file, function, bound) in known:
         used.add((file, function, bound))
     elif kind != "constant":

@@ -2,7 +2,7 @@
 # MISRA C:2012 over src/, by cppcheck's addon, in both real types. Every rule
 # that is deviated from stands in misra.deviations with its reason; what it
 # does not name is wrong, and so is a rule there that nothing violates. Before,
-# the checker is shown to find what it is there for.
+# the checker is shown to find planted violations.
 . "$(dirname "$0")/lib.sh"
 need cppcheck cppcheck
 need /usr/bin/python3 python3

@@ -1,12 +1,8 @@
 #!/bin/sh
 # A few wrong changes of src/ (make mutation): the tests notice each, or
 # tools/mutation/equivalent says why it makes no difference. MUTATIONS says how
-# many. First those of one order, which stay the same until their lines change,
-# and all of them. Then those of an order that is the commit's own: what one
-# fixed sample does not draw would never be looked at. Nobody has looked at
-# these before, and about one in fifteen survives, most of them without an
-# effect: that more than six of 24 do, one sample in a thousand, is not chance.
-# Those that survive are shown. MUTATION_SEED repeats such an order.
+# many. First all of one order, then those of the commit's own order, which one
+# fixed sample leaves unseen: more than six survivors of 24 are not chance.
 . "$(dirname "$0")/lib.sh"
 need gcc gcc
 sample=${MUTATIONS:-24}

@@ -18,8 +18,8 @@ from pathlib import Path
 from findings import checked, need, wrong
 
 REPORTS = [f"docs/{name}.md" for name in (
-    "REPORT", "STABILITY", "SIZE", "statistics", "BOUNDS", "FIGURES",
-    "FINDINGS")]
+    "REPORT", "STABILITY", "SIZE", "statistics", "BOUNDS", "BUDGETS",
+    "REALTIME", "FIGURES", "FINDINGS")]
 ORIGIN = re.compile(r"Of commit (.*) of src/ and include/(.*)\.")
 OLDER = "The core has changed since: what follows is of the older one."
 

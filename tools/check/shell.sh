@@ -1,5 +1,5 @@
 #!/bin/sh
-# Shell scripts: shellcheck finds nothing to say.
+# Shell scripts: shellcheck finds nothing wrong.
 . "$(dirname "$0")/lib.sh"
 need shellcheck shellcheck
 {

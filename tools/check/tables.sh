@@ -6,10 +6,11 @@
   echo 'missing: /usr/bin/python3 (apt-get install python3)'
   exit 3
 }
-/usr/bin/python3 -c 'import numpy, scipy' 2>/dev/null || {
-  echo 'missing: numpy, scipy (apt-get install python3-numpy python3-scipy)'
+/usr/bin/python3 -c 'import matplotlib, numpy, scipy' 2>/dev/null || {
+  echo 'missing: python3-numpy, python3-scipy, python3-matplotlib (apt-get)'
   exit 3
 }
+need clang clang
 setting gcc -O3
 in_common "$place/double/twofold" || wrong 'the command line does not build'
 TWOFOLD=$place/double/twofold /usr/bin/python3 -B -m unittest discover -v \

@@ -27,7 +27,7 @@ tidy <"$BUILD/tidy.core" || wrong "core in double"
 tidy -DTF_REAL_FLOAT <"$BUILD/tidy.core" || wrong "core in float"
 tidy -Itools <"$BUILD/tidy.tools" || wrong "tools"
 tidy -Itests -Itests/support -Isrc <"$BUILD/tidy.tests" || wrong "tests"
-# Programs of the boards are told how many steps.
+# Programs of the boards are given a number of steps.
 tidy -DSTEPS=1000 <"$BUILD/tidy.target" || wrong "programs of the boards"
 checked "$(cat "$BUILD"/tidy.core "$BUILD"/tidy.tools "$BUILD"/tidy.tests \
   "$BUILD"/tidy.target | wc -l) files, the core in both real types"

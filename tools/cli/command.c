@@ -11,7 +11,8 @@
 //              without running it
 //   diverge/   the command `diverge`: samples of the motions that can follow a
 //              two-fold. Bottom up: vector_field, canard, tracker, job, motion,
-//              the steppers random, perturbed and lagged, diverge
+//              the steppers random, perturbed and lagged, counts, diverge;
+//              `merge` adds its counts
 //   sweep/     the command `sweep`: one row for each point of a grid of
 //              settings; takes only events.h of run/
 //   setup/     a scene, by its name or from a file, with --set and --select
@@ -64,6 +65,7 @@ static const command_t commands[] = {
     {"design", cli_design, cli_design_help},
     {"atlas", cli_atlas, cli_atlas_help},
     {"diverge", cli_diverge, cli_diverge_help},
+    {"merge", cli_merge, cli_merge_help},
     {"sweep", cli_sweep, cli_sweep_help},
     {"help", perform_help, NULL},
 };

@@ -25,6 +25,7 @@ static const char overview[] =
     "  design SCENE ...   kappa and k2 that put a two-fold at (r, omega)\n"
     "  atlas SCENE ...    for which (r, omega) it is a Teixeira singularity\n"
     "  diverge SCENE ...  what can follow a two-fold: exits, returns, samples\n"
+    "  merge FILE...      adds the counts of shards of diverge\n"
     "  sweep SCENE ...    a grid of settings: what becomes of each point\n"
     "  help [COMMAND]     this text, or the options of a command\n"
     "  help WORD          a parameter, column, mode, law, option, scene, or: "

@@ -129,8 +129,7 @@ int cli_scene(int argc, char *const argv[]) {
   if (code != CLI_DONE) {
     return code;
   }
-  cli_add(&buffer, "# Scene of twofold " TF_VERSION
-                   ", in SI units: 'twofold help scene' has all ranges.\n");
+  cli_add(&buffer, CLI_SCENE_TITLE);
   cli_scene_print(&scene, &scene.params, &buffer);
   return write_text(&args, text, buffer.used);
 }

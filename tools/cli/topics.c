@@ -8,7 +8,10 @@
 
 #include "setup/names.h"
 #include "setup/setup.h"
+#include "sweep/measure.h"
 #include "twofold.h"
+
+#define WORD_ROOM 32 // more than any word of a topic has
 
 typedef struct {
   const char *words; ///< separated by blanks
@@ -42,8 +45,8 @@ static const topic_t topics[] = {
      "h=VALUE: at the start, in place of v; its sign selects the\n"
      "mode.\n"},
     {"g",
-     "Rolling speed of the wheel [m/s]; its sign tells stick+ and stick-\n"
-     "apart.\n"},
+     "Rolling speed of the wheel [m/s]; its sign distinguishes stick+ and\n"
+     "stick-.\n"},
     {"F force",
      "Friction force [N], positive where it lowers h; the mean over\n"
      "the step. As a column of --inputs: a force on the slider along\n"
@@ -66,7 +69,7 @@ static const topic_t topics[] = {
      "is\n"
      "not unique. 'singularities' lists them, 'regions' maps the regions.\n"},
     {"law laws jump coulomb two_piece string smooth none",
-     "--set law=NAME, how friction depends on h and g:\n"
+     "--set law=NAME: how friction depends on h and g.\n"
      "  jump       force and moment jump where h changes sign (set-valued)\n"
      "  coulomb    force jumps, no moment\n"
      "  two_piece  the stretched string in two pieces, no jump\n"
@@ -79,7 +82,7 @@ static const topic_t topics[] = {
      "  square   convex hull of the law of stick\n"
      "  bow_tie  the paper's, not convex: at some points no future\n"},
     {"select rule rules persist random seed",
-     "--select RULE, which of several consistent modes a step takes:\n"
+     "--select RULE: which of several consistent modes a step takes.\n"
      "  persist        the present mode, while it is consistent\n"
      "  slip+, slip-   an escaping stick ends at once, to this side\n"
      "  random[:SEED]  it ends at the rate `rate` [1/s], to either side\n"},
@@ -95,10 +98,11 @@ static const topic_t topics[] = {
      "sends (docs/PROTOCOL.md); plotter, label:value pairs for a serial\n"
      "plotter.\n"},
     {"inputs held linear between table",
-     "run --inputs FILE --between held|linear: inputs over time, from a CSV\n"
-     "table; FILE - is standard input. The first column is t [s], rising; any\n"
-     "of these follow: omega0 [rad/s], r0 [m], force [N], torque [N m]. Lines\n"
-     "that begin with # are comments.\n"
+     "--inputs FILE --between held|linear of 'run' and 'sweep': inputs over\n"
+     "time, from a CSV table; FILE - is standard input. The first column is "
+     "t\n"
+     "[s], rising; any of these follow: omega0 [rad/s], r0 [m], force [N],\n"
+     "torque [N m]. Lines that begin with # are comments.\n"
      "  held    a row holds from the first step that begins at t until the\n"
      "          next row does\n"
      "  linear  between rows; r0, force and torque are the mean over each "
@@ -115,36 +119,67 @@ static const topic_t topics[] = {
      "some steps were degraded or missed their tolerance, 6 done, but frames "
      "of\n"
      "a stream were lost or broken, or a value in it is not finite.\n"
-     "The file --exits of 'diverge' is another thing: 'twofold help "
+     "The file --exits of 'diverge' is something else: 'twofold help "
      "diverge'.\n"},
     {"degraded coarse tolerance-missed",
-     "A step is degraded where what it ends with does not keep its promise to\n"
-     "rounding, and coarse where it misses its tolerance or would create\n"
-     "energy: a smaller dt helps. They are counted, and make exit code 5.\n"},
+     "A step is degraded where no mode is consistent, or h and g contradict "
+     "the\n"
+     "mode, and coarse where it does not resolve the motion or misses its\n"
+     "tolerance: a smaller dt helps. Both are counted, and make exit code "
+     "5.\n"},
     {"summary json",
-     "What 'run' says on standard error at its end. --summary json: one line\n"
-     "of JSON, the last one there; SI units, null for what is not known.\n"},
-    {"provenance units commit",
-     "run --provenance: '# ' lines with version, commit, number type; scene,\n"
+     "What 'run', 'sweep', 'diverge' and 'monitor' say on standard error at\n"
+     "their end.\n"
+     "--summary json: one line of JSON, the last one there; SI units, null\n"
+     "for what is not known.\n"},
+    {"provenance units commit hash parameters number",
+     "--provenance of 'run', 'diverge', 'regions', 'atlas' and 'monitor': "
+     "four\n"
+     "'# ' lines before the header with version, commit, number type; scene,\n"
      "hash of the parameters, law, rule, seed; scheme, dt; units of the\n"
-     "columns. All numbers are in SI units.\n"},
+     "columns. The file of 'sweep' always has such lines, and the JSON of\n"
+     "'singularities' and 'design' has them as members. All numbers are in SI\n"
+     "units.\n"},
+    {"version", "--version prints version and number type of this build.\n"},
+    {"region lambda delassus",
+     "Columns of 'regions': what becomes of motions at a point of the surface\n"
+     "h = 0; the force [N] that holds h = 0 there; how much a force changes h\n"
+     "[1/kg]. 'twofold help regions' has all.\n"},
+    {"K K++ K+- K-+ K-- J1 J2 eigenvalues type case visible invisible "
+     "teixeira physical time_scale residual",
+     "Numbers of a two-fold: 'twofold help singularities'.\n"},
+    {"point status reason done flagged stopped refused resume",
+     "Columns of 'sweep', and what status may be: 'twofold help sweep'.\n"},
+    {"noise smoothing hysteresis delay returned small_cycle timeout canard "
+     "phase side landing landings windings branch branches node counts begun",
+     "What 'diverge' samples and finds: 'twofold help diverge'.\n"},
+    {"alpha",
+     "Acceleration of the turntable [rad/s^2]: it follows from the column\n"
+     "omega0 of --inputs, or from a profile, where that is linear.\n"},
+    {"bench stability figures statistics page firmware fmu board boards dist",
+     "Made by make, not by this program: 'make help' lists the targets.\n"},
     {"save from resume state",
-     "run --save FILE writes where the run stands, whatever ends it; run "
+     "run --save FILE writes the state at the end, whatever ends it; run "
      "--from\n"
-     "FILE goes on bit for bit, with the same machine, scheme and number "
+     "FILE continues bit for bit, with the same machine, scheme and number "
      "type.\n"},
     {"replay record",
-     "monitor DEVICE --send ... --record FILE keeps what a board was told and\n"
-     "when; run SCENE --dt 1/RATE --replay FILE does it again, to the bit.\n"},
+     "monitor DEVICE --send ... --record FILE keeps which commands a board "
+     "got\n"
+     "and when; run SCENE --dt 1/RATE --replay FILE repeats that to the "
+     "bit.\n"},
     {"t-end", "Length of a run [s]: --t-end S, or of a scene.\n"},
     {"profile knots",
      "Speed of the turntable in a scene, linear between up to 8 knots\n"
      "TIME:SPEED; 'run --inputs' takes a table of any length.\n"},
     {"float double number",
      "The number type of a build: build/double/twofold, build/float/twofold\n"
-     "('make all'). --version tells it.\n"},
+     "('make all'). --version prints it.\n"},
     {"set every out events realtime",
      "An option of 'run', and some of other commands: 'twofold help run'.\n"},
+    {"lateness priority",
+     "Options of 'run --realtime': a histogram of how late steps began and\n"
+     "ended, and SCHED_FIFO with locked memory.\n"},
     {"live",
      "--live of 'run' and 'monitor': the planes (g, h) and (r, omega) and the\n"
      "modes over time, drawn in the terminal.\n"},
@@ -156,7 +191,7 @@ static const topic_t topics[] = {
     {"baud send key follow deadman",
      "An option of 'monitor', or a command to a board: 'twofold help "
      "monitor'.\n"},
-    {"by size spread codim2 corner samples cycles shard patience section near "
+    {"by size spread codim2 samples cycles shard patience section near "
      "returns depth count grid branches header exhaustive",
      "An option of 'diverge': 'twofold help diverge'.\n"},
     {"name shows leaves-out based-on",
@@ -174,7 +209,7 @@ static const char *const about[TF_PARAMETERS] = {
     "damping of the slider",
     "rest position of the spring",
     "speed of the turntable",
-    "friction force at h -> 0: a force, no coefficient",
+    "friction force (not a coefficient) at h -> 0",
     "moment per force in stick",
     "angle of the wheel to the slider",
     "width of the smoothed sign",
@@ -183,10 +218,11 @@ static const char *const about[TF_PARAMETERS] = {
     "relaxation length",
     "dynamic / static pressure",
     "half contact length",
-    "of the theta scheme: 1/2 of second order, 1 implicit Euler",
+    "that of the scheme: 1/2 for second order, 1 for implicit Euler",
     "step",
     "exit rate of --select random",
-    "of --scheme located: error of a segment of its series, relative"};
+    "of --scheme located: relative error of a segment of its series",
+    "of --scheme located: how many segments a step may take"};
 
 // Whether a word is in a list.
 static bool is_in(const char *words, const char *word) {
@@ -225,10 +261,24 @@ static bool print_scene(const char *word) {
   return false;
 }
 
+static bool print_outcome(const char *word) {
+  for (size_t i = 0; i < CLI_MEASURES; i++) {
+    const cli_measure_info_t *info = &cli_measures[i];
+    if (strcmp(info->name, word) == 0) {
+      (void)printf("Outcome %s of 'sweep': %s%s%s.\n", word,
+                   info->what[0] != '\0' ? info->what : "state at the end",
+                   info->unit[0] != '\0' ? ", unit " : "", info->unit);
+      return true;
+    }
+  }
+  return false;
+}
+
 // A word may be several things: `string` is a law and a scene.
 bool cli_topic(const char *word) {
   bool found = print_parameter(word);
   found = print_scene(word) || found;
+  found = print_outcome(word) || found;
   for (size_t i = 0; i < TOPICS; i++) {
     if (is_in(topics[i].words, word)) {
       (void)fputs(topics[i].text, stdout);
@@ -238,11 +288,33 @@ bool cli_topic(const char *word) {
   return found;
 }
 
+// Offers each word of a list; the closest one is kept here.
+static void offer_words(cli_closest_t *closest, const char *words) {
+  static char kept[WORD_ROOM];
+  while (*words != '\0') {
+    char word[WORD_ROOM];
+    const size_t span = strcspn(words, " ");
+    (void)snprintf(word, sizeof word, "%.*s", (int)span, words);
+    cli_closest_offer(closest, word);
+    if (closest->name == word) {
+      memcpy(kept, word, sizeof kept);
+      closest->name = kept;
+    }
+    words += span + (words[span] == ' ' ? 1 : 0);
+  }
+}
+
 void cli_topics_offer(cli_closest_t *closest) {
   for (size_t i = 0; i < TF_PARAMETERS; i++) {
     cli_closest_offer(closest, tf_parameter_ranges[i].name);
   }
   for (size_t i = 0; i < TF_SCENES; i++) {
     cli_closest_offer(closest, tf_scenes[i]->name);
+  }
+  for (size_t i = 0; i < CLI_MEASURES; i++) {
+    cli_closest_offer(closest, cli_measures[i].name);
+  }
+  for (size_t i = 0; i < TOPICS; i++) {
+    offer_words(closest, topics[i].words);
   }
 }

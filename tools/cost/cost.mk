@@ -7,12 +7,19 @@ COST := $(wildcard tools/cost/*.c)
 COUNTED := $(CORE:src/%.c=%) inline memory
 EVALUATIONS ?= 100000
 
+# With the lines of the source, by which tools/cost/paths.py knows the loops;
+# gcc makes the same instructions with them as without.
 define cost_rules
-$(BUILD)/$(1)/counted/%.s: src/%.c $(BUILD)/$(1)/flags
+$(BUILD)/$(1)/counted/flags: $(BUILD)/$(1)/flags tools/cost/cost.mk
+	@mkdir -p $$(@D)
+	@cp $$< $$@
+$(BUILD)/$(1)/counted/%.s: src/%.c $(BUILD)/$(1)/counted/flags
 	$$(call assemble,$$(CORE_FLAGS) $$(SRC_FLAGS_$$(*F)) $$(FLAGS_$(1)))
-$(BUILD)/$(1)/counted/inline.s: tools/cost/inline.c $(BUILD)/$(1)/flags
+$(BUILD)/$(1)/counted/inline.s: tools/cost/inline.c \
+    $(BUILD)/$(1)/counted/flags
 	$$(call assemble,$$(CORE_FLAGS) -Itools $$(FLAGS_$(1)))
-$(BUILD)/$(1)/counted/memory.s: port/arch/memory.c $(BUILD)/$(1)/flags
+$(BUILD)/$(1)/counted/memory.s: port/arch/memory.c \
+    $(BUILD)/$(1)/counted/flags
 	$$(call assemble,$$(CORE_FLAGS))
 $(BUILD)/$(1)/counted/%.o: $(BUILD)/$(1)/counted/%.s tools/cost/count.py
 	@tools/cost/count.py $$< >$$(@:.o=.counting)
@@ -25,7 +32,7 @@ endef
 define assemble
 	@mkdir -p $(@D)
 	@echo '  COUNT $@'
-	@$(CC) $(1) -O2 -MMD -MP -S $< -o $@
+	@$(CC) $(1) -O2 -g1 -MMD -MP -S $< -o $@
 endef
 
 $(foreach v,$(VARIANTS),$(eval $(call cost_rules,$(v))))

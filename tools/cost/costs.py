@@ -26,10 +26,36 @@ def read_found(path: str) -> list[Call]:
                                               "genes"])]
 
 
-def read_ways(path: str) -> dict[str, Optional[int]]:
-    """The longest ways, lines "name way"; None: no bound."""
-    return {row["name"]: None if row["way"] == "-" else row.count("way")
+class Way(NamedTuple):
+    """The longest way: so many instructions, and so many more a unit."""
+    first: int
+    slope: int
+
+    def of(self, units: int) -> int:
+        """The most that a call of so many units takes."""
+        return self.first + self.slope * units
+
+    def __str__(self) -> str:
+        return str(self.first) + (f" + {self.slope} n" if self.slope else "")
+
+
+def read_ways(path: str) -> dict[str, Optional[Way]]:
+    """The longest ways, lines "name A B"; None: no bound, "name - why"."""
+    return {row["name"]: None if row["way"].startswith("-")
+            else Way(*map(int, row["way"].split()))
             for row in read.read_words(path, ["name", "way"])}
+
+
+def read_reasons(path: str) -> dict[str, str]:
+    """Why there is no longest way, of those that have none."""
+    return {row["name"]: row["way"][2:]
+            for row in read.read_words(path, ["name", "way"])
+            if row["way"].startswith("-")}
+
+
+def longer(a: Optional[Way], b: Optional[Way]) -> Optional[Way]:
+    """A way that is as long as both; None where one is not known."""
+    return Way(*map(max, a, b)) if a and b else None
 
 
 def most(calls: Iterable[Call]) -> dict[str, dict[int, int]]:

@@ -1,5 +1,6 @@
 #!/usr/bin/python3 -B
-"""Figures of the rows "Cost", as lines "name Cost A B W".
+"""Figures of the rows "Cost", as lines "name Cost A B W V": found by search at
+most A + B units, by the longest way W + V units, 0 where that is not known.
 
 They are two leading digits rounded up, so that a search which finds a little
 more does not break a row. Where the longest way is hardly longer than what was
@@ -10,8 +11,8 @@ from __future__ import annotations
 import argparse
 from typing import Optional
 
-from costs import most, read_found, read_ways
-from tables import read  # costs has told where
+from costs import Way, longer, most, read_found, read_ways
+from tables import read  # costs sets its path
 
 SLACK = 1.25  # what a row may say of what was found
 
@@ -24,12 +25,12 @@ def up(number: int) -> int:
     return -(-number // unit) * unit
 
 
-def constant(found: int, way: Optional[int]) -> str:
+def constant(found: int, way: Optional[Way]) -> str:
     """The row of a function whose cost depends on no number of units."""
-    cost = up(found)
-    if way is not None and found <= way <= SLACK * found:
-        cost = up(way) if up(way) <= SLACK * found else way
-    return f"Cost {cost} 0 {up(way or 0)}"
+    cost, longest = up(found), way.first if way else 0
+    if found <= longest <= SLACK * found:
+        cost = up(longest) if up(longest) <= SLACK * found else longest
+    return f"Cost {cost} 0"
 
 
 def linear(found: dict[int, int]) -> str:
@@ -37,23 +38,25 @@ def linear(found: dict[int, int]) -> str:
     last = max(found)
     slope = up(-(-(found[last] - found[0]) // last))
     first = max(0, *(count - slope * units for units, count in found.items()))
-    return f"Cost {up(first)} {slope} 0"
+    return f"Cost {up(first)} {slope}"
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("ways", help="longest ways of double")
-    parser.add_argument("found", nargs="+", help="what a search has found")
+    for real in "double", "float":
+        parser.add_argument(f"ways_{real}", help=f"longest ways of {real}")
+        parser.add_argument(real, help=f"what was found in {real}")
     given = parser.parse_args()
-    ways = read_ways(given.ways)
-    calls = [call for path in given.found for call in read_found(path)]
+    double, single = read_ways(given.ways_double), read_ways(given.ways_float)
+    calls = read_found(given.double) + read_found(given.float)
     for name, found in most(calls).items():
         if 0 not in found:
             raise read.TableError(f"{name}: was not called with 0 units")
+        way = longer(double.get(name), single.get(name))
         print(name, linear(found) if max(found) > 0
-              else constant(found[0], ways.get(name)))
+              else constant(found[0], way), *map(up, way or Way(0, 0)))
 
 
 if __name__ == "__main__":

@@ -1,12 +1,13 @@
 #!/usr/bin/python3 -B
 """What the headers say of costs and stacks, read or brought up to date.
 
-`claims` prints a line "name A B W" for each public function, from its rows
-"Cost: at most A instructions [and B a UNIT]" and "no way through its code has
-more than W", 0 for what is not said; "name none" where there is no such row.
+`claims` prints a line "name A B W V" for each public function, from its row
+"Cost: at most A instructions [and B a UNIT]" and what it may say of "W [and V]
+by the longest way", 0 for what is not said; "name none" where there is no such
+row.
 
 `put` writes figures into the rows of a header, in place. Lines of FIGURES:
-"name Stack BYTES" or "name Cost A B W". Words around the numbers stay, and so
+"name Stack BYTES" or "name Cost A B W V". Words around the numbers stay, and so
 does what FIGURES does not name.
 """
 from __future__ import annotations
@@ -23,7 +24,7 @@ from tables import read  # noqa: E402
 ALIAS = re.compile(r"#define (tf_[a-z_0-9]+) TF_LINK")
 DECLARED = re.compile(r"(?:TF_API|static inline) (?=.*\()(?:.*?(tf_\w+)\()?")
 COST = re.compile(r"Cost: at most (\d+) instructions(?: and (\d+) a )?")
-WAY = re.compile(r"through its code has more than (\d+)")
+WAY = re.compile(r"(\d+)(?: and (\d+))? by the longest way")
 
 
 class Block(NamedTuple):
@@ -61,7 +62,8 @@ def claims(block: Block) -> str:
     cost, way = COST.search(text), WAY.search(text)
     if not cost:
         return f"{block.name} none"
-    return f"{block.name} {cost[1]} {cost[2] or 0} {way[1] if way else 0}"
+    ways = f"{way[1]} {way[2] or 0}" if way else "0 0"
+    return f"{block.name} {cost[1]} {cost[2] or 0} {ways}"
 
 
 def put(block: Block, figures: dict[tuple[str, str], list[str]]) -> list[str]:
@@ -72,11 +74,13 @@ def put(block: Block, figures: dict[tuple[str, str], list[str]]) -> list[str]:
         replaced.append((r"Stack: \d+ B", f"Stack: {stack[0]} B"))
     cost = figures.get((block.name, "Cost"))
     if cost:
-        most, slope, way = cost
+        most, slope, way, way_slope = cost
+        and_slope = f" and {way_slope}" if way_slope != "0" else ""
         replaced += [(r"at most \d+ instructions",
                       f"at most {most} instructions"),
                      (r"and \d+ a", f"and {slope} a"),
-                     (r"code has more than \d+", f"code has more than {way}")]
+                     (r"\d+(?: and \d+)? by the longest way",
+                      f"{way}{and_slope} by the longest way")]
     lines = block.lines
     for pattern, text in replaced:
         lines = [re.sub(pattern, text, line, count=1) for line in lines]

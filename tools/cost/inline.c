@@ -1,7 +1,9 @@
 // See inline.h. This file is counted, as the core is.
 #include "cost/inline.h"
 
-int cost_is_set_valued(tf_tyre_law_t law) { return tf_tyre_is_set_valued(law); }
+int cost_tyre_is_set_valued(tf_tyre_law_t law) {
+  return tf_tyre_is_set_valued(law);
+}
 
 uint8_t *cost_wire_put(uint8_t *at, uint64_t value, size_t bytes) {
   return tf_wire_put(at, value, bytes);

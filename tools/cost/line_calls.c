@@ -102,7 +102,7 @@ CALL(decoder_block) {
   const unsigned around = TF_FRAME_SIZE(0);
   line_of(s, s->units > around ? s->units - around : 0, &line);
   if (s->units < line.size) line.size = s->units;
-  // Or bytes between zeros that are no frames.
+  // Or bytes between zeros that are not frames.
   if (GENE(8) & 1u) {
     line.size = s->units;
     fill(line.wire, line.size, GENE(9));
@@ -116,7 +116,7 @@ CALL(decoder_block) {
 // A link with a queue of commands of one kind that all take effect.
 typedef struct {
   tf_scene_t scene;
-  tf_session_t session;
+  tf_simulation_t simulation;
   tf_link_t link;
   uint8_t key[TF_KEY_BYTES];
   bool wants_tag;
@@ -180,11 +180,11 @@ static void start_uplink(const subject_t *s, uplink_t *u) {
   u->scene.r = s->state.r;
   u->scene.omega = s->state.w;
   u->scene.h = sized_of(GENE(10), -40, 4);
-  memset(&u->session, 0, sizeof u->session);
+  memset(&u->simulation, 0, sizeof u->simulation);
   fill(u->key, sizeof u->key, GENE(10));
-  u->session.machine = s->machine.machine;
-  u->session.state = s->state;
-  u->session.state.tick = GENE(11);
+  u->simulation.machine = s->machine.machine;
+  u->simulation.state = s->state;
+  u->simulation.state.tick = GENE(11);
   tf_link_open(&u->link, &u->scene, &s->params);
   u->link.session = 1;
   u->wants_tag = (GENE(12) & 2u) != 0;
@@ -219,11 +219,11 @@ CALL(link_open) {
   tf_link_t link;
   return COUNT(tf_link_open(&link, tf_scenes[0], &s->params));
 }
-CALL(link_stir) {
+CALL(link_add_entropy) {
   tf_link_t link;
   memset(&link, 0, sizeof link);
   link.noise = GENE(0);
-  return COUNT(tf_link_stir(&link, GENE(1)));
+  return COUNT(tf_link_add_entropy(&link, GENE(1)));
 }
 CALL(command_seal) {
   uint8_t wire[WIRE], key[TF_KEY_BYTES];
@@ -250,7 +250,7 @@ CALL(link_boundary) {
   uplink_t u;
   start_uplink(s, &u);
   (void)send_commands(s, &u, TF_LINK_QUEUE);
-  return COUNT(tf_link_boundary(&u.link, &u.session));
+  return COUNT(tf_link_boundary(&u.link, &u.simulation));
 }
 CALL(link_answer) {
   uplink_t u;
@@ -258,7 +258,7 @@ CALL(link_answer) {
   uint32_t sequence = GENE(17);
   start_uplink(s, &u);
   (void)send_commands(s, &u, TF_LINK_QUEUE);
-  (void)tf_link_boundary(&u.link, &u.session);
+  (void)tf_link_boundary(&u.link, &u.simulation);
   return COUNT(tf_link_answer(&u.link, wire, &sequence));
 }
 
@@ -375,7 +375,7 @@ const call_t line_calls[] = {
     BYTES(decoder_block, TF_FRAME_SIZE(TF_FRAME_PAYLOAD)),
     ENTRY(link_open),
     ENTRY(link_receive_tagged),
-    ENTRY(link_stir),
+    ENTRY(link_add_entropy),
     BYTES(command_seal, TF_COMMAND_MOST),
     ENTRY(link_receive),
     ENTRY(link_boundary),

@@ -12,7 +12,7 @@
 #define CALL(function) static uint32_t count_##function(const subject_t *s)
 
 CALL(tyre_is_set_valued) {
-  return COUNT(cost_is_set_valued((tf_tyre_law_t)(GENE(0) % 6)));
+  return COUNT(cost_tyre_is_set_valued((tf_tyre_law_t)(GENE(0) % 6)));
 }
 CALL(tyre_force) {
   const tf_real_t h = REAL(0), g = REAL(1);
@@ -46,9 +46,9 @@ CALL(speed_for_slip) {
 CALL(energy) { return COUNT(tf_energy(K, &s->state, s->input.r0)); }
 CALL(speed_for_slip_compensated) {
   tf_state_t state = s->state;
-  tf_compensation_t carry = s->carry;
+  tf_compensation_t compensation = s->compensation;
   const tf_real_t h = REAL(0);
-  return COUNT(tf_speed_for_slip_compensated(&s->machine, &state, &carry,
+  return COUNT(tf_speed_for_slip_compensated(&s->machine, &state, &compensation,
                                              s->input.omega0, h));
 }
 CALL(begin) {
@@ -57,13 +57,19 @@ CALL(begin) {
   state.mode = (uint8_t)(GENE(0) % (TF_MODES + 1));
   return COUNT(tf_begin(K, &state, &s->input, &report));
 }
+CALL(begin_with_slip) {
+  tf_state_t state = s->state;
+  tf_report_t report;
+  const tf_real_t h = REAL(0);
+  return COUNT(tf_begin_with_slip(K, &state, &s->input, h, &report));
+}
 CALL(step) {
   tf_state_t state = s->state;
   tf_report_t report;
   return COUNT(tf_step(K, &state, &s->input, &report));
 }
 // The units are the budget.
-#define MOST_SEGMENTS 8
+#define MAX_SEGMENTS 8
 CALL(step_located) {
   tf_machine_t machine = *K;
   tf_state_t state = s->state;
@@ -73,17 +79,17 @@ CALL(step_located) {
 }
 CALL(step_compensated) {
   tf_state_t state = s->state;
-  tf_compensation_t carry = s->carry;
+  tf_compensation_t compensation = s->compensation;
   tf_report_t report;
-  return COUNT(
-      tf_step_compensated(&s->machine, &state, &carry, &s->input, &report));
+  return COUNT(tf_step_compensated(&s->machine, &state, &compensation,
+                                   &s->input, &report));
 }
 
 // As many equal states as there are units.
-#define MOST_STATES (4 * TF_LANES)
+#define MAX_STATES (4 * TF_LANES)
 CALL(ensemble_step) {
-  static tf_state_block_t blocks[TF_BLOCKS(MOST_STATES)];
-  static tf_report_block_t reports[TF_BLOCKS(MOST_STATES)];
+  static tf_state_block_t blocks[TF_BLOCKS(MAX_STATES)];
+  static tf_report_block_t reports[TF_BLOCKS(MAX_STATES)];
   for (unsigned i = 0; i < s->units; i++) tf_ensemble_put(blocks, i, &s->state);
   return COUNT(tf_ensemble_step(K, blocks, s->units, &s->input, reports));
 }
@@ -136,34 +142,34 @@ CALL(tally_count) {
   const int status = TF_STEP_TOO_LONG + (int)(GENE(3) % 8);
   return COUNT(tf_tally_count(&tally, GENE(4), (tf_status_t)status));
 }
-CALL(session_input) {
+CALL(simulation_input) {
   const tf_scene_t scene = scene_of(s);
-  tf_session_t session;
-  memset(&session, 0, sizeof session);
-  session.machine = *K;
-  session.state = s->state;
-  session.state.tick = GENE(2) >> (GENE(3) % 32);
-  session.source = (tf_input_source_t)(GENE(3) >> 5 & 1u);
-  session.deadman = session.left = GENE(3) >> 6 & 1u;
-  return COUNT(tf_session_input(&session, &scene));
+  tf_simulation_t simulation;
+  memset(&simulation, 0, sizeof simulation);
+  simulation.machine = *K;
+  simulation.state = s->state;
+  simulation.state.tick = GENE(2) >> (GENE(3) % 32);
+  simulation.source = (tf_input_source_t)(GENE(3) >> 5 & 1u);
+  simulation.deadman = simulation.left = GENE(3) >> 6 & 1u;
+  return COUNT(tf_simulation_input(&simulation, &scene));
 }
-CALL(session_set_input) {
-  tf_session_t session;
-  memset(&session, 0, sizeof session);
-  return COUNT(tf_session_set_input(&session, &s->input));
+CALL(simulation_set_input) {
+  tf_simulation_t simulation;
+  memset(&simulation, 0, sizeof simulation);
+  return COUNT(tf_simulation_set_input(&simulation, &s->input));
 }
-CALL(session_start) {
+CALL(simulation_start) {
   const tf_scene_t scene = scene_of(s);
-  tf_session_t session;
-  memset(&session, 0, sizeof session);
-  session.machine = *K;
-  return COUNT(tf_session_start(&session, &scene, GENE(2)));
+  tf_simulation_t simulation;
+  memset(&simulation, 0, sizeof simulation);
+  simulation.machine = *K;
+  return COUNT(tf_simulation_start(&simulation, &scene, GENE(2)));
 }
-CALL(session_open) {
+CALL(simulation_open) {
   const tf_scene_t scene = scene_of(s);
-  tf_session_t session;
-  memset(&session, 0, sizeof session);
-  return COUNT(tf_session_open(&session, &scene, &s->params, GENE(2)));
+  tf_simulation_t simulation;
+  memset(&simulation, 0, sizeof simulation);
+  return COUNT(tf_simulation_open(&simulation, &scene, &s->params, GENE(2)));
 }
 
 CALL(two_folds) {
@@ -197,9 +203,10 @@ CALL(surface_at) {
 const call_t machine_calls[] = {
     WEIGHED(step, 8),
     WEIGHED(step_compensated, 4),
-    {"step_located", count_step_located, "segment", MOST_SEGMENTS, 1},
-    {"ensemble_step", count_ensemble_step, "state", MOST_STATES, 1},
+    {"step_located", count_step_located, "segment", MAX_SEGMENTS, 1},
+    {"ensemble_step", count_ensemble_step, "state", MAX_STATES, 1},
     ENTRY(begin),
+    ENTRY(begin_with_slip),
     ENTRY(prepare),
     ENTRY(prepare_compensated),
     ENTRY(speed_for_slip_compensated),
@@ -215,11 +222,11 @@ const call_t machine_calls[] = {
     ENTRY(ensemble_report),
     ENTRY(scene_input),
     ENTRY(scene_start),
-    ENTRY(session_input),
+    ENTRY(simulation_input),
     ENTRY(tally_count),
-    ENTRY(session_set_input),
-    ENTRY(session_start),
-    ENTRY(session_open),
+    ENTRY(simulation_set_input),
+    ENTRY(simulation_start),
+    ENTRY(simulation_open),
     ENTRY(two_folds),
     ENTRY(normal_form),
     ENTRY(design_two_fold),

@@ -198,9 +198,9 @@ subject_t subject_of(const genes_t *genes) {
     else
       (void)tf_step(k, &s.state, &s.input, &report);
   if (gene[41] & 16u) {
-    s.carry.r = s.state.r * (TF_REAL_EPSILON / 4);
-    s.carry.v = -s.state.v * (TF_REAL_EPSILON / 4);
-    s.carry.w = s.state.w * (TF_REAL_EPSILON / 4);
+    s.compensation.r = s.state.r * (TF_REAL_EPSILON / 4);
+    s.compensation.v = -s.state.v * (TF_REAL_EPSILON / 4);
+    s.compensation.w = s.state.w * (TF_REAL_EPSILON / 4);
   }
   return s;
 }
@@ -218,8 +218,8 @@ void subject_print(const subject_t *s) {
          (double)s->state.r, (double)s->state.v, (double)s->state.w,
          (double)s->state.phi, (unsigned long long)s->state.tick,
          (unsigned)s->state.seed, (int)s->state.mode);
-  printf("carry: r = %a  v = %a  w = %a\n", (double)s->carry.r,
-         (double)s->carry.v, (double)s->carry.w);
+  printf("compensation: r = %a  v = %a  w = %a\n", (double)s->compensation.r,
+         (double)s->compensation.v, (double)s->compensation.w);
   printf("omega0 = %a  r0 = %a  force = %a  torque = %a  alpha = %a\n",
          (double)s->input.omega0, (double)s->input.r0, (double)s->input.force,
          (double)s->input.torque, (double)s->input.alpha);

@@ -24,7 +24,7 @@ typedef struct {
   tf_params_t params;
   tf_compensated_t machine;
   tf_state_t state;
-  tf_compensation_t carry;
+  tf_compensation_t compensation;
   tf_input_t input;
   unsigned units; // bytes, states or segments that it gets
   bool valid;     // false: tf_prepare or tf_begin refused

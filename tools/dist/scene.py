@@ -178,7 +178,7 @@ def make(scene, double, single):
     in_float = constants(single, scene)
     body.add("#ifdef TF_REAL_FLOAT\n" + in_float
              + "#else\n" + constants(double, scene) + "#endif\n"
-             "#define TF_API_MACHINE(c) ((void)(c), &scene_machine)\n"
+             "#define TF_STEP_MACHINE(c) ((void)(c), &scene_machine)\n"
              + law_of(in_float) + "\n")
     for path in sources_of(CALLED):
         body.add_file(path, {"src/num/kernel.h": SMALL})

@@ -57,7 +57,7 @@ static inline tf_machine_t any_machine(void) {
 }
 
 // Every state, in range or not. Its numbers are written one by one, as numbers:
-// of mere bits the analyser cannot keep what a comparison tells.
+// of mere bits the analyser cannot keep the result of a comparison.
 static inline tf_state_t any_state(void) {
   tf_state_t state;
   ANY_BITS(state);

@@ -62,7 +62,8 @@ static inline bool within_by_cases(const tf_real_t *x, tf_real_t limit) {
 
 // NaN passes the branches of clip() here, but not where IEEE 754 holds: then it
 // returns `low`, which is executed
-// (numbers_that_pass_are_finite_and_within_the_limit) and told, not shown.
+// (numbers_that_pass_are_finite_and_within_the_limit) and assumed here, not
+// shown.
 static inline tf_real_t clip_by_cases(tf_real_t x, tf_real_t low,
                                       tf_real_t high) {
   //@ admit \is_NaN(x) || !\is_NaN(x);

@@ -101,12 +101,13 @@ static tf_scene_t any_scene(void) {
 void link_any(void);
 void link_any(void) {
   static tf_link_t link;
-  static tf_session_t session;
+  static tf_simulation_t simulation;
   static uint8_t answer[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
   static const uint8_t key[TF_KEY_BYTES] = {1, 2, 3};
   const tf_scene_t scene = any_scene();
   uint32_t sequence = 0;
-  if (tf_session_open(&session, &scene, &scene.params, 0) != TF_OK) return;
+  if (tf_simulation_open(&simulation, &scene, &scene.params, 0) != TF_OK)
+    return;
   tf_link_open(&link, &scene, &scene.params);
   //@ loop widen_hints "all", TF_LINK_QUEUE, sizeof(link.buffer);
   while (any_bool()) {
@@ -115,25 +116,25 @@ void link_any(void) {
       tf_link_receive(&link, byte);
     else
       tf_link_receive_tagged(&link, byte, key);
-    if (any_bool()) tf_link_stir(&link, byte);
-    if (any_bool()) tf_link_boundary(&link, &session);
+    if (any_bool()) tf_link_add_entropy(&link, byte);
+    if (any_bool()) tf_link_boundary(&link, &simulation);
     if (any_bool()) tf_link_answer(&link, answer, &sequence);
-    if (any_bool()) session.state = any_state();
+    if (any_bool()) simulation.state = any_state();
   }
   //@ check reached: \false;
 }
 
-// Inputs of a scene and a session at any time.
-void session_any(void);
-void session_any(void) {
-  tf_session_t session;
+// Inputs of a scene and a simulation at any time.
+void simulation_any(void);
+void simulation_any(void) {
+  tf_simulation_t simulation;
   const tf_scene_t scene = any_scene();
-  ANY_BITS(session);
-  session.machine = any_machine();
-  session.source =
+  ANY_BITS(simulation);
+  simulation.machine = any_machine();
+  simulation.source =
       (tf_input_source_t)Frama_C_interval(TF_INPUT_SCENE, TF_INPUT_SAFE);
-  tf_session_input(&session, &scene);
-  tf_session_start(&session, &scene, 0);
+  tf_simulation_input(&simulation, &scene);
+  tf_simulation_start(&simulation, &scene, 0);
   //@ check reached: \false;
 }
 

@@ -53,13 +53,13 @@ void compensated_any(void) {
   ANY_BITS(machine);
   machine.machine = any_machine();
   tf_state_t state = state_by_mode();
-  tf_compensation_t carry;
-  ANY_BITS(carry);
+  tf_compensation_t compensation;
+  ANY_BITS(compensation);
   const tf_input_t input = any_input();
   tf_report_t report;
-  tf_speed_for_slip_compensated(&machine, &state, &carry, any_real(),
+  tf_speed_for_slip_compensated(&machine, &state, &compensation, any_real(),
                                 any_real());
-  tf_step_compensated(&machine, &state, &carry, &input, &report);
+  tf_step_compensated(&machine, &state, &compensation, &input, &report);
   //@ check reached: \false;
 }
 

@@ -113,7 +113,7 @@ def returns(folder: Path) -> Curves:
     branches = read.read_csv(str(folder / "branches.csv"))
     yield "branches", [
         f"{row['stick_time']} {side(row, 'mode')} {row['end_r']}"
-        for row in branches if row["end"] == "corner"]
+        for row in branches if row["end"] == "codim2"]
     # Where the stick from the two-fold comes to rest if it never ends.
     yield "rest", picked([row for row in branches if row["mode"] == "slip+"],
                          "exit_r")[-1:]

@@ -59,12 +59,17 @@ $(figdir)/%.svg: tools/figures/%.gp tools/figures/style.gp | figures-gnuplot
 $(figdir)/%.png: tools/figures/%.gp tools/figures/style.gp | figures-gnuplot
 	$(draw)
 
-# Runs a command; what it says appears where it fails.
+# Runs a command that prints rows. Of what it says, how long it still takes
+# appears at once (a line in ten seconds), the rest where it fails.
 define quietly
 @mkdir -p $(figdir)
 @echo '  DATA  $@'
-@{ $(1); } >$@.new 2>$@.log && mv $@.new $@ && rm $@.log || \
-  { cat $@.log >&2; exit 1; }
+@rm -f $@.failed
+@{ { $(1); } 2>&1 >$@.new || : >$@.failed; } | sed -un -e 'w $@.log' \
+  -e 's/^twofold: \(.* left.*\)/        $(@F): \1/p'
+@[ ! -e $@.failed ] || { cat $@.log >&2; rm $@.failed; exit 1; }
+@rm $@.log
+@mv $@.new $@
 endef
 
 $(FIGURE_PROGRAMS:%=$(figtool)/%): %: %.o $(BUILD)/double/libtwofold.a
@@ -103,11 +108,9 @@ $(figdir)/two-fold.dat: tools/figures/two_fold.py $(two) \
 # Returns and exits of one kind of perturbation.
 define by-diverge
 $(figdir)/returns-$(1).csv: $(two) tools/figures/figures.mk | figures-gnuplot
-	@mkdir -p $$(@D)
-	@echo '  DATA  $$@ (and exits)'
-	@$$< diverge chaos $$(BY_$(1)) --samples $$(SAMPLES_$(1)) --patience 300 \
-	  --exits $(figdir)/exits-$(1).csv --returns $$@ 2>$$@.log && \
-	  rm $$@.log || { cat $$@.log >&2; exit 1; }
+	$$(call quietly,$$< diverge chaos $$(BY_$(1)) --samples \
+	  $$(SAMPLES_$(1)) --patience 300 --exits $(figdir)/exits-$(1).csv \
+	  --returns -)
 endef
 $(foreach k,$(KINDS),$(eval $(call by-diverge,$(k))))
 

@@ -78,7 +78,7 @@ def main() -> None:
         parser.error(f"{given.list} needs the branches")
     else:
         branches = [row for row in read.read_csv(given.branches)
-                    if row["end"] == "corner"]
+                    if row["end"] == "codim2"]
         lines = (leavers if given.list == "leavers" else loop)(branches)
     for line in lines:
         print(line)

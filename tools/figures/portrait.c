@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../src/model/rates.h"
 #include "arrow.h"
 #include "twofold.h"
 
@@ -23,21 +24,17 @@ typedef struct {
   double radial, angular; // rho', rho phi' [m/s^2]
 } polar_t;
 
-// m p' = Q_r + F sin(gamma), J z' = d Q_r + Q_phi + F r cos(gamma) + M at
-// v = 0, omega = omega0, p = v - d z, z = omega - omega0.
+// By the core's rates at v = 0, omega = omega0.
 static polar_t rates(const tf_machine_t *k, double r, double phi) {
-  const double h = sin(phi), g = cos(phi), w = (double)k->omega0;
+  const double h = sin(phi), g = cos(phi);
+  const tf_input_t input = tf_input_default(k);
+  const rates_t rate = rates_at(k, &input, (tf_real_t)r, 0, 0, k->omega0);
   const tf_force_t f =
       tf_tyre_force(&k->tyre, h < 0 ? -1 : 1, (tf_real_t)h, (tf_real_t)g);
-  const double m = (double)k->m, s = (double)k->sin_gamma;
-  const double c = (double)k->cos_gamma;
-  const double J = m * ((double)k->beta2 + r * r);
-  const double Q = (double)k->k2 * ((double)k->r0 - r) + m * r * w * w;
-  const double p = (Q + (double)f.F * s) / m;
-  const double z = ((double)k->d * Q - (double)k->c1 * w + (double)f.F * r * c +
-                    (double)f.M) /
-                   J;
-  const double dh = -p * s - r * z * c, dg = -p * c + r * z * s;
+  const double p = (double)(rate.dp + rate.Fp * f.F);
+  const double q = (double)(rate.dq + rate.Fq * f.F + rate.Mq * f.M);
+  const double s = (double)k->sin_gamma, c = (double)k->cos_gamma;
+  const double dh = -p * s - q * c, dg = -p * c + q * s;
   return (polar_t){dg * g + dh * h, dh * g - dg * h};
 }
 

@@ -38,7 +38,8 @@ READERS = {
                "returns-random.csv": "landing_r time landings",
                BRANCHES: "stick_time mode end end_r exit_r"},
 }
-TRAILER = re.compile(rb"# shard 1/1: (\d+) rows, crc32 ([0-9a-f]{8})\n")
+TRAILER = re.compile(
+    rb"# shard 1/1: (\d+) rows, crc32 ([0-9a-f]{8})(, run [0-9a-f]{8}\n)")
 
 
 def counted(data: bytes) -> bytes:
@@ -47,8 +48,8 @@ def counted(data: bytes) -> bytes:
     if not found:
         return data
     rows = data[:found.start()]
-    return rows + b"# shard 1/1: %s rows, crc32 %08x\n" % (
-        found[1], zlib.crc32(rows))
+    return rows + b"# shard 1/1: %s rows, crc32 %08x%s" % (
+        found[1], zlib.crc32(rows), found[3])
 
 
 def with_column(data: bytes) -> bytes:

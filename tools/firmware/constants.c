@@ -24,8 +24,7 @@ static void list(FILE *out, const char *name, const tf_real_t *value,
   fprintf(out, "},\n");
 }
 
-static void write_machine(FILE *out, const tf_machine_t *k) {
-  fprintf(out, "static const tf_machine_t scene_machine = {\n");
+void constants_of_machine(FILE *out, const tf_machine_t *k) {
   REAL(out, k, m);
   REAL(out, k, d);
   REAL(out, k, k2);
@@ -72,7 +71,7 @@ static void write_machine(FILE *out, const tf_machine_t *k) {
   fprintf(out, "    .exit_threshold = %llull,\n",
           (unsigned long long)k->exit_threshold);
   fprintf(out, "    .rule = (tf_rule_t)%d,\n", (int)k->rule);
-  fprintf(out, "    .rest = (tf_rest_law_t)%d,\n    .with_angle = %d};\n\n",
+  fprintf(out, "    .rest = (tf_rest_law_t)%d,\n    .with_angle = %d",
           (int)k->rest, k->with_angle);
 }
 
@@ -141,7 +140,9 @@ int constants_of_firmware(FILE *out, const tf_scene_t *scene,
   }
   fprintf(out, "// Scene %s, made by tools/firmware/constants.c.\n\n",
           scene->name);
-  write_machine(out, &k);
+  fprintf(out, "static const tf_machine_t scene_machine = {\n");
+  constants_of_machine(out, &k);
+  fprintf(out, "};\n\n");
   write_start(out, &x, &report);
   constants_of_scene(out, scene, &params);
   return ferror(out) || fflush(out) ? 4 : 0;

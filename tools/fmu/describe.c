@@ -22,8 +22,9 @@ static void print_number(double value) {
 
 static void print_members(const fmu_variable_t *variable) {
   printf(", \"members\": [");
-  for (int i = 0; variable->members[i] != NULL; i++)
-    printf("%s\"%s\"", i > 0 ? ", " : "", variable->members[i]);
+  const unsigned last = (unsigned)(variable->high - variable->low);
+  for (unsigned i = 0; i <= last; i++)
+    printf("%s\"%s\"", i > 0 ? ", " : "", variable->member(i));
   printf("]");
 }
 
@@ -46,7 +47,7 @@ static void print_variable(const fmu_variable_t *variable, unsigned reference,
   print_number(variable->high);
   printf(", \"start\": ");
   print_number(start);
-  if (variable->members != NULL) print_members(variable);
+  if (variable->member != NULL) print_members(variable);
   printf("}");
 }
 

@@ -100,7 +100,7 @@ fmu_status_t fmu_error(fmu_t *fmu, const char *why);
 /// The message, empty but for the name of the call.
 fmu_message_t *fmu_begin_message(fmu_t *fmu);
 
-/// Turns categories on or off; all of them where count is 0.
+/// Switches categories on or off; all of them where count is 0.
 fmu_status_t fmu_set_logging(fmu_t *fmu, bool on, size_t count,
                              const char *const categories[]);
 

@@ -1,6 +1,6 @@
 // The motion of an instance: how it begins, and its communication steps. Time
 // is the number of steps of dt: it cannot drift, and an importer whose own time
-// does is told so.
+// does gets a message.
 
 #include <string.h>
 
@@ -14,7 +14,7 @@
 // adds up its roundings.
 #define TIME_ROUNDING 0.1
 // The most steps of one motion: whole numbers up to here are exact in a double.
-#define MOST_STEPS 1e15
+#define MAX_STEPS 1e15
 
 static double magnitude_of(double x) { return x < 0 ? -x : x; }
 
@@ -90,7 +90,7 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
   motion->begun = false;
   if (prepare(fmu) != FMU_OK) return FMU_DISCARD;
   const tf_input_t input = input_at(motion, 0);
-  const double h = values->real[FMU_START_H];
+  const tf_real_t h = (tf_real_t)values->real[FMU_START_H];
   tf_state_t start;
   memset(&start, 0, sizeof start);
   start.r = (tf_real_t)values->real[FMU_START_R];
@@ -99,19 +99,20 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
   start.phi = (tf_real_t)values->real[FMU_START_PHI];
   start.seed = (uint32_t)values->whole[FMU_SEED];
   start.mode = TF_NO_MODE;
-  if (values->whole[FMU_START_FROM_H] != 0) {
-    if (tf_speed_for_slip(&motion->machine, start.r, start.w, input.omega0,
-                          (tf_real_t)h, &start.v) != TF_OK)
+  const bool from_h = values->whole[FMU_START_FROM_H] != 0;
+  if ((from_h ? tf_begin_with_slip(&motion->machine, &start, &input, h,
+                                   &motion->report)
+              : tf_begin(&motion->machine, &start, &input, &motion->report)) !=
+      TF_OK) {
+    if (from_h && tf_speed_for_slip(&motion->machine, start.r, start.w,
+                                    input.omega0, h, &start.v) != TF_OK)
       return discard(fmu,
                      "no start.v gives start.h, because sin(gamma) is 0:"
                      " set start.from_h to false");
-    if (h > 0) start.mode = TF_SLIP_PLUS;
-    if (h < 0) start.mode = TF_SLIP_MINUS;
-  }
-  if (tf_begin(&motion->machine, &start, &input, &motion->report) != TF_OK)
     return discard(fmu,
                    "the start is out of range: start.r, start.v,"
                    " start.omega and the inputs add up to more than 1e9");
+  }
   motion->state = start;
   motion->begun = true;
   fmu_observe(motion);
@@ -179,7 +180,7 @@ static fmu_status_t find_end(fmu_t *fmu, double time, double length,
                        " s, after stopTime = ", motion->stop_time);
   const double steps = length / dt;
   const double rounding = 4 * DBL_EPSILON * reach / dt;
-  if (!(steps + (double)motion->state.tick <= MOST_STEPS))
+  if (!(steps + (double)motion->state.tick <= MAX_STEPS))
     return refuse_time(fmu, FMU_DISCARD, "communicationStepSize = ", length,
                        " s is more than 1e15 steps of dt = ", dt);
   const uint64_t whole = (uint64_t)(steps + 0.5);

@@ -5,18 +5,23 @@
 
 #include <string.h>
 
-static const char *const laws[TF_TYRE_LAWS + 1] = {
-    "jump", "coulomb", "two_piece", "string", "smooth", "none", NULL};
-static const char *const rules[TF_RULES + 1] = {"persist", "slip+", "slip-",
-                                                "random", NULL};
-static const char *const schemes[FMU_SCHEMES + 1] = {"moreau", "located", NULL};
-static const char *const modes[TF_MODES + 1] = {"slip+",  "slip-",  "stick+",
-                                                "stick-", "pinned", NULL};
-static const char *const takes[TF_MODES + 2] = {
-    "slip+", "slip-", "stick+", "stick-", "pinned", "choose", NULL};
-static const char *const statuses[TF_COARSE - TF_STEP_TOO_LONG + 2] = {
-    "step_too_long", "diverged", "bad_state", "bad_parameter", "ok", "degraded",
-    "fell_back",     "coarse",   NULL};
+static const char *scheme_name(unsigned scheme) {
+  return scheme == FMU_MOREAU ? "moreau" : "located";
+}
+
+// TF_NO_MODE: the rule of the machine decides.
+static const char *take_name(unsigned mode) {
+  return mode < TF_MODES ? tf_mode_name(mode) : "choose";
+}
+
+// One word each, from the lowest code upwards: names of tf_status_name are
+// sentences.
+static const char *status_word(unsigned i) {
+  static const char *const words[] = {"step_too_long", "diverged", "bad_state",
+                                      "bad_parameter", "ok",       "degraded",
+                                      "fell_back",     "coarse"};
+  return words[i];
+}
 
 // What each parameter is, by its place in tf_params_t.
 #define ABOUT(member, text) \
@@ -88,19 +93,20 @@ static const fmu_variable_t other_reals[FMU_REALS - TF_PARAMETERS] = {
 
 #define TRUTH(name, about) \
   { name, "1", about, FMU_KIND_TRUTH, FMU_ROLE_PARAMETER, NULL, 0, 1 }
-#define MEMBER(name, about, role, names, low, high) \
-  { name, "1", about, FMU_KIND_MEMBER, FMU_ROLE_##role, names, low, high }
+#define MEMBER(name, about, role, name_of, low, high) \
+  { name, "1", about, FMU_KIND_MEMBER, FMU_ROLE_##role, name_of, low, high }
 #define COUNT(name, about) \
   { name, "1", about, FMU_KIND_COUNT, FMU_ROLE_OUTPUT, NULL, 0, 0 }
 #define SMALL(name, about) \
   { name, "1", about, FMU_KIND_SMALL, FMU_ROLE_OUTPUT, NULL, 0, 0 }
 
 static const fmu_variable_t wholes[FMU_WHOLES] = {
-    MEMBER("law", "law of friction", PARAMETER, laws, 0, TF_TYRE_LAWS - 1),
+    MEMBER("law", "law of friction", PARAMETER, tf_tyre_law_name, 0,
+           TF_TYRE_LAWS - 1),
     MEMBER("rule", "which of several consistent modes a step takes", PARAMETER,
-           rules, 0, TF_RULES - 1),
+           tf_rule_name, 0, TF_RULES - 1),
     MEMBER("scheme", "moreau: steps of fixed length; located: events inside",
-           PARAMETER, schemes, 0, FMU_SCHEMES - 1),
+           PARAMETER, scheme_name, 0, FMU_SCHEMES - 1),
     {"seed", "1", "of the rule random", FMU_KIND_SEED, FMU_ROLE_PARAMETER, NULL,
      0, UINT32_MAX},
     TRUTH("with_angle", "integrate phi"),
@@ -108,14 +114,14 @@ static const fmu_variable_t wholes[FMU_WHOLES] = {
     TRUTH("follow_profile",
           "the scene drives omega0 and alpha, not the inputs"),
     MEMBER("take", "the next step takes this mode, one of those in `set`",
-           INPUT, takes, 0, TF_NO_MODE),
-    MEMBER("mode", "mode of contact of the last step", OUTPUT, modes, 0,
+           INPUT, take_name, 0, TF_NO_MODE),
+    MEMBER("mode", "mode of contact of the last step", OUTPUT, tf_mode_name, 0,
            TF_MODES - 1),
     SMALL("choices", "number of modes that were consistent in the last step"),
     SMALL("set",
           "these modes, as a sum: slip+ 1, slip- 2, stick+ 4, stick- 8, "
           "pinned 16"),
-    MEMBER("status", "what the last step returned", OUTPUT, statuses,
+    MEMBER("status", "what the last step returned", OUTPUT, status_word,
            TF_STEP_TOO_LONG, TF_COARSE),
     COUNT("tick", "steps of dt since the start"),
     COUNT("events", "changes of mode or set since the start"),

@@ -100,7 +100,7 @@ typedef struct {
   const char *name, *unit, *about;
   fmu_kind_t kind;
   fmu_role_t role;
-  const char *const *members; ///< of an enumeration, from `low` upwards
+  const char *(*member)(unsigned i); ///< name of the i-th of an enumeration
   double low, high;
 } fmu_variable_t;
 

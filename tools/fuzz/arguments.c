@@ -11,7 +11,7 @@
 #include "cli/text/message.h"
 #include "fuzz/fuzz.h"
 
-#define MOST_WORDS 64
+#define MAX_WORDS 64
 
 static int is_code(int code) {
   return code == CLI_DONE || code == CLI_USAGE || code == CLI_REFUSED;
@@ -118,14 +118,14 @@ static const char *perform(int argc, char *const argv[]) {
 }
 
 const char *fuzz_arguments(const uint8_t *data, size_t size) {
-  char *argv[MOST_WORDS + 1];
+  char *argv[MAX_WORDS + 1];
   int argc = 0;
   // A copy of its own size, so that a read behind the last word is seen.
   char *text = malloc(size + 1);
   FUZZ_HOLD(text != NULL);
   if (size > 0) memcpy(text, data, size);
   text[size] = '\0';
-  for (size_t at = 0; at < size && argc < MOST_WORDS;
+  for (size_t at = 0; at < size && argc < MAX_WORDS;
        at += strlen(text + at) + 1)
     argv[argc++] = text + at;
   argv[argc] = NULL;

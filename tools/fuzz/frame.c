@@ -7,7 +7,7 @@
 
 #define HALF_ROOM TF_DECODER_SIZE(TF_COMMAND_BYTES)
 #define FULL_ROOM TF_DECODER_SIZE(TF_FRAME_PAYLOAD)
-#define MOST_ITEMS 64
+#define MAX_ITEMS 64
 
 static uint32_t plain_crc(const uint8_t *bytes, size_t length) {
   uint32_t crc = 0xffffffffu;
@@ -20,7 +20,7 @@ static uint32_t plain_crc(const uint8_t *bytes, size_t length) {
 }
 
 // What stands between two zeros, as docs/PROTOCOL.md has it. out: FULL_ROOM
-// bytes, header and payload. Returns: their number, 0 where it is no frame.
+// bytes, header and payload. Returns: their number, 0 where it is not a frame.
 static size_t plain_frame(const uint8_t *code, size_t used, uint8_t *out) {
   if (used < 1 + TF_FRAME_HEADER + 5) return 0;
   const size_t stuffed = used - 5;
@@ -110,7 +110,7 @@ typedef struct {
   fuzz_bytes_t in;
   const tf_scene_t *scene;
   tf_link_t link;
-  tf_session_t session;
+  tf_simulation_t simulation;
   line_t line;       // what the uplink hears
   uint32_t up, down; // sequences
   uint8_t key[TF_KEY_BYTES];
@@ -133,12 +133,12 @@ typedef struct {
 static void look(const board_t *b, acting_t *now) {
   memset(now, 0, sizeof *now);
   memcpy(&now->params, &b->link.params, sizeof now->params);
-  memcpy(&now->machine, &b->session.machine, sizeof now->machine);
-  memcpy(&now->state, &b->session.state, sizeof now->state);
-  memcpy(&now->input, &b->session.input, sizeof now->input);
-  now->source = b->session.source;
-  now->deadman = b->session.deadman;
-  now->running = b->session.running;
+  memcpy(&now->machine, &b->simulation.machine, sizeof now->machine);
+  memcpy(&now->state, &b->simulation.state, sizeof now->state);
+  memcpy(&now->input, &b->simulation.input, sizeof now->input);
+  now->source = b->simulation.source;
+  now->deadman = b->simulation.deadman;
+  now->running = b->simulation.running;
 }
 
 static const char *hear(board_t *b, const uint8_t *bytes, size_t length) {
@@ -173,7 +173,7 @@ static size_t make_command(board_t *b, uint8_t *wire) {
   const uint8_t type = fuzz_byte(&b->in);
   const uint8_t form = fuzz_byte(&b->in);
   size_t length = form & 63u;
-  uint64_t due = form & 64u ? b->session.state.tick + fuzz_byte(&b->in) : 0;
+  uint64_t due = form & 64u ? b->simulation.state.tick + fuzz_byte(&b->in) : 0;
   uint8_t *at = wire + TF_COMMAND_AT;
   if (form & 128u) due <<= 8;
   if (length > TF_COMMAND_DATA) length = TF_COMMAND_DATA;
@@ -190,7 +190,7 @@ static size_t make_command(board_t *b, uint8_t *wire) {
   } else {
     for (; length > 0; length--) *at++ = fuzz_byte(&b->in);
   }
-  // Now and then of another session, an old number, or without the tag.
+  // Now and then of another simulation, an old number, or without the tag.
   const uint8_t who = (form & 192u) == 128u ? fuzz_byte(&b->in) : 0;
   if ((who & 15u) == 1) b->up = fuzz_byte(&b->in);
   return tf_command_seal(wire, type, (size_t)(at - wire) - TF_COMMAND_AT,
@@ -219,25 +219,26 @@ static const char *tick(board_t *b) {
   tf_machine_t machine;
   look(b, &before);
   const unsigned most = b->link.waiting + b->link.has_aside;
-  const unsigned effective = tf_link_boundary(&b->link, &b->session);
+  const unsigned effective = tf_link_boundary(&b->link, &b->simulation);
   look(b, &after);
   FUZZ_HOLD(effective <= most && b->answers + most <= b->line.frames);
   if (effective == 0) FUZZ_HOLD(memcmp(&before, &after, sizeof before) == 0);
   // What is in effect is what tf_prepare takes, and is what it makes of it.
   FUZZ_HOLD(tf_prepare(&machine, &b->link.params, NULL) == TF_OK);
-  FUZZ_HOLD(memcmp(&machine, &b->session.machine,
+  FUZZ_HOLD(memcmp(&machine, &b->simulation.machine,
                    offsetof(tf_machine_t, exit_threshold)) == 0);
-  FUZZ_HOLD(machine.rule == b->session.machine.rule);
-  const tf_input_t input = tf_session_input(&b->session, b->scene);
+  FUZZ_HOLD(machine.rule == b->simulation.machine.rule);
+  const tf_input_t input = tf_simulation_input(&b->simulation, b->scene);
   FUZZ_HOLD(fuzz_finite(input.omega0) && fuzz_finite(input.r0));
   FUZZ_HOLD(fuzz_finite(input.force) && fuzz_finite(input.torque));
   FUZZ_HOLD(fuzz_finite(input.alpha));
-  if (!b->session.running) return NULL;
-  const tf_status_t status = tf_step(&b->session.machine, &b->session.state,
-                                     &input, &b->session.report);
-  FUZZ_HOLD(status >= 0 ||
-            memcmp(&after.state, &b->session.state, sizeof after.state) == 0);
-  FUZZ_HOLD(fuzz_in_reach(&b->session.state));
+  if (!b->simulation.running) return NULL;
+  const tf_status_t status =
+      tf_step(&b->simulation.machine, &b->simulation.state, &input,
+              &b->simulation.report);
+  FUZZ_HOLD(status >= 0 || memcmp(&after.state, &b->simulation.state,
+                                  sizeof after.state) == 0);
+  FUZZ_HOLD(fuzz_in_reach(&b->simulation.state));
   return NULL;
 }
 
@@ -274,14 +275,14 @@ static const char *uplink(const uint8_t *data, size_t size) {
   b->line.room = HALF_ROOM;
   const uint8_t first = fuzz_byte(&b->in);
   b->scene = tf_scenes[first % TF_SCENES];
-  FUZZ_HOLD(tf_session_open(&b->session, b->scene, &b->scene->params, 1) ==
-            TF_OK);
+  FUZZ_HOLD(tf_simulation_open(&b->simulation, b->scene, &b->scene->params,
+                               1) == TF_OK);
   tf_link_open(&b->link, b->scene, &b->scene->params);
   const unsigned kind = first / TF_SCENES;
   b->wants_tag = kind & 1u;
   if ((kind & 2u) == 0) b->link.session = 1; // somebody has asked already
   if (kind & 4u) b->link.next = b->up = UINT32_MAX - 8u;
-  for (int i = 0; i < MOST_ITEMS && b->in.at < b->in.end; i++)
+  for (int i = 0; i < MAX_ITEMS && b->in.at < b->in.end; i++)
     FUZZ_HOLD_ALL(perform(b));
   return NULL;
 }

@@ -24,6 +24,12 @@ const char *fuzz_frame(const uint8_t *data, size_t size);
 const char *fuzz_arguments(const uint8_t *data, size_t size);
 /// Text to the reader of scenes, and back to text.
 const char *fuzz_scene(const uint8_t *data, size_t size);
+/// Text to the reader of inputs over time.
+const char *fuzz_table(const uint8_t *data, size_t size);
+/// Changes to a file of --save, to the reader of --from.
+const char *fuzz_state(const uint8_t *data, size_t size);
+/// Rows of a record of a board's session, to its replay.
+const char *fuzz_record(const uint8_t *data, size_t size);
 
 /// The analysis of a machine at one state; its phi serves as the g of a place.
 /// Returns: as a target.
@@ -62,6 +68,8 @@ static inline tf_real_t fuzz_real(fuzz_bytes_t *bytes) {
   memcpy(&value, &bits, sizeof value);
   return (tf_real_t)value;
 }
+
+static inline tf_real_t fuzz_magnitude(tf_real_t x) { return x < 0 ? -x : x; }
 
 /// Whether a number is one.
 static inline int fuzz_finite(tf_real_t x) {

@@ -6,7 +6,7 @@
 #   FUZZ='machine frame'   only these targets
 #   FUZZ_REALS=double      only this real type (of the target machine)
 
-ALL_FUZZ := machine frame arguments scene
+ALL_FUZZ := machine frame arguments scene table state record
 FUZZ ?= $(ALL_FUZZ)
 SECONDS ?= 30
 FUZZ_CC ?= clang

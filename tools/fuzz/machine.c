@@ -5,8 +5,8 @@
 // it took.
 #include "fuzz/fuzz.h"
 
-#define MOST_OPERATIONS 64
-#define MOST_STEPS 128
+#define MAX_OPERATIONS 64
+#define MAX_STEPS 128
 #define LANES (TF_LANES + 3) // a full block, and one that is not
 
 typedef struct {
@@ -14,7 +14,7 @@ typedef struct {
   tf_params_t params;
   tf_compensated_t machine;
   tf_state_t state;
-  tf_compensation_t carry;
+  tf_compensation_t compensation;
   tf_input_t input;
   int steps;
 } subject_t;
@@ -113,7 +113,7 @@ static const char *begin(subject_t *s) {
   memset(&report, 0x5a, sizeof report);
   memcpy(&before, &report, sizeof before);
   memcpy(&was, &s->state, sizeof was);
-  memset(&s->carry, 0, sizeof s->carry);
+  memset(&s->compensation, 0, sizeof s->compensation);
   const tf_status_t status =
       tf_begin(&s->machine.machine, &s->state, &s->input, &report);
   if (status != TF_OK) {
@@ -131,7 +131,7 @@ static const char *step(subject_t *s) {
   tf_report_t report;
   memset(&report, 0, sizeof report);
   memcpy(&was, &s->state, sizeof was);
-  memset(&s->carry, 0, sizeof s->carry);
+  memset(&s->compensation, 0, sizeof s->compensation);
   const tf_status_t status =
       tf_step(&s->machine.machine, &s->state, &s->input, &report);
   FUZZ_HOLD(status <= TF_DEGRADED || status == TF_COARSE);
@@ -144,13 +144,13 @@ static const char *step_compensated(subject_t *s) {
   tf_report_t report;
   memset(&report, 0, sizeof report);
   memcpy(&was, &s->state, sizeof was);
-  memcpy(&kept, &s->carry, sizeof kept);
-  const tf_status_t status = tf_step_compensated(&s->machine, &s->state,
-                                                 &s->carry, &s->input, &report);
+  memcpy(&kept, &s->compensation, sizeof kept);
+  const tf_status_t status = tf_step_compensated(
+      &s->machine, &s->state, &s->compensation, &s->input, &report);
   FUZZ_HOLD(status <= TF_DEGRADED || status == TF_COARSE);
-  if (status < 0) FUZZ_HOLD(memcmp(&kept, &s->carry, sizeof kept) == 0);
-  FUZZ_HOLD(fuzz_finite(s->carry.r) && fuzz_finite(s->carry.v));
-  FUZZ_HOLD(fuzz_finite(s->carry.w));
+  if (status < 0) FUZZ_HOLD(memcmp(&kept, &s->compensation, sizeof kept) == 0);
+  FUZZ_HOLD(fuzz_finite(s->compensation.r) && fuzz_finite(s->compensation.v));
+  FUZZ_HOLD(fuzz_finite(s->compensation.w));
   return judge_step(&was, &s->state, &report, status);
 }
 
@@ -159,7 +159,7 @@ static const char *locate(subject_t *s) {
   tf_report_t report;
   memset(&report, 0, sizeof report);
   memcpy(&was, &s->state, sizeof was);
-  memset(&s->carry, 0, sizeof s->carry);
+  memset(&s->compensation, 0, sizeof s->compensation);
   s->steps += 15; // what it costs more than tf_step
   const tf_status_t status =
       tf_step_located(&s->machine.machine, &s->state, &s->input, &report);
@@ -208,7 +208,7 @@ static const char *take_scene(subject_t *s, unsigned index) {
   const tf_scene_t *scene = tf_scenes[index % TF_SCENES];
   s->params = scene->params;
   memset(&s->state, 0, sizeof s->state);
-  memset(&s->carry, 0, sizeof s->carry);
+  memset(&s->compensation, 0, sizeof s->compensation);
   FUZZ_HOLD_ALL(prepare(s));
   s->input = tf_scene_input(scene, &s->machine.machine, 0);
   s->state.r = scene->r;
@@ -240,7 +240,7 @@ static void set_member(subject_t *s, unsigned index) {
       &s->state.phi,   &s->input.omega0, &s->input.r0,
       &s->input.force, &s->input.torque, &s->input.alpha};
   *members[index % (sizeof members / sizeof members[0])] = fuzz_real(&s->in);
-  memset(&s->carry, 0, sizeof s->carry);
+  memset(&s->compensation, 0, sizeof s->compensation);
 }
 
 static void set_whole(subject_t *s) {
@@ -251,7 +251,7 @@ static void set_whole(subject_t *s) {
 
 static const char *repeat(subject_t *s, unsigned times,
                           const char *(*perform)(subject_t *)) {
-  for (unsigned i = 0; i <= times && s->steps < MOST_STEPS; i++) {
+  for (unsigned i = 0; i <= times && s->steps < MAX_STEPS; i++) {
     s->steps++;
     FUZZ_HOLD_ALL(perform(s));
   }
@@ -307,7 +307,7 @@ const char *fuzz_machine(const uint8_t *data, size_t size) {
   memset(&s, 0, sizeof s);
   s.in = (fuzz_bytes_t){data, data + size};
   FUZZ_HOLD_ALL(take_scene(&s, fuzz_byte(&s.in)));
-  for (int i = 0; i < MOST_OPERATIONS && s.in.at < s.in.end; i++)
+  for (int i = 0; i < MAX_OPERATIONS && s.in.at < s.in.end; i++)
     FUZZ_HOLD_ALL(operate(&s, fuzz_byte(&s.in)));
   return NULL;
 }

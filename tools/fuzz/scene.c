@@ -43,5 +43,7 @@ const char *fuzz_scene(const uint8_t *data, size_t size) {
   FUZZ_HOLD(fuzz_same(a->h, b->h) && fuzz_same(a->v, b->v));
   FUZZ_HOLD(fuzz_same(a->t_end, b->t_end) && a->v_is_given == b->v_is_given);
   FUZZ_HOLD(strcmp(a->name, b->name) == 0);
+  FUZZ_HOLD(strcmp(a->shows, b->shows) == 0);
+  FUZZ_HOLD(strcmp(a->leaves_out, b->leaves_out) == 0);
   return NULL;
 }

@@ -30,7 +30,7 @@ static const tf_scene_t *scene_named(const uint8_t *name, size_t length) {
   return NULL;
 }
 
-// The first session that the board tells, and the number with which to begin.
+// The first session that the board reports, and the number with which to begin.
 // Another one later means that the board has forgotten the run.
 static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
   const uint32_t session = (uint32_t)tf_wire_get(at + 13, 4);

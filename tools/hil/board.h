@@ -46,7 +46,7 @@ typedef struct {
   const uint8_t *key; ///< NULL: the board wants no tag
   // From the schema frame.
   bool has_schema;
-  uint32_t session; ///< that commands name; 0: not told yet
+  uint32_t session; ///< that commands name; 0: not known yet
   uint32_t deadman; ///< steps that an input holds
   tf_params_t params;
   const tf_scene_t *scene;

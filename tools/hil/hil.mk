@@ -4,8 +4,9 @@
 #   HIL='--lockstep --steps 5000'    options, listed by build/float/hil alone
 #   REAL SCENE RATE EVERY: see port/port.mk
 
-HIL_PARTS := $(wildcard tools/hil/*.c) tools/cli/host/source.c \
-  tools/cli/host/host.c tools/cli/host/key.c
+HIL_PARTS := $(wildcard tools/hil/*.c) $(addprefix tools/cli/,\
+  host/source.c host/host.c host/key.c host/output.c host/destination.c \
+  text/message.c)
 
 define hil_rules
 $(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) \

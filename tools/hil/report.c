@@ -4,29 +4,39 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-hil_code_t hil_write_csv(const hil_board_t *board, const char *name) {
+#include "cli/host/output.h"
+
+#define ROW_ROOM 256
+
+static size_t make_row(const hil_sample_t *sample, char row[ROW_ROOM]) {
   const int digits = TF_REAL_BYTES == 4 ? 9 : 17;
-  FILE *file = fopen(name, "w");
-  if (file == NULL) return hil_message(HIL_STOPPED, "%s: cannot write", name);
-  (void)fputs("step,r,v,omega,mode,omega0,torque,effect\n", file);
-  for (size_t i = 0; i < board->count; i++) {
-    const hil_sample_t *sample = &board->samples[i];
-    tf_state_t x;
-    tf_read_state(sample->state, sample->tick, &x);
-    (void)fprintf(file, "%" PRIu64 ",%.*g,%.*g,%.*g,%s", sample->tick, digits,
-                  (double)x.r, digits, (double)x.v, digits, (double)x.w,
-                  tf_mode_name(x.mode));
-    if (sample->sent && sample->answered)
-      (void)fprintf(file, ",%.*g,%.*g,%" PRIu64 "\n", digits,
-                    (double)sample->input.omega0, digits,
-                    (double)sample->input.torque, sample->effect);
-    else
-      (void)fputs(",,,\n", file);
+  tf_state_t x;
+  tf_read_state(sample->state, sample->tick, &x);
+  size_t used =
+      (size_t)snprintf(row, ROW_ROOM, "%" PRIu64 ",%.*g,%.*g,%.*g,%s",
+                       sample->tick, digits, (double)x.r, digits, (double)x.v,
+                       digits, (double)x.w, tf_mode_name(x.mode));
+  if (sample->sent && sample->answered)
+    used += (size_t)snprintf(row + used, ROW_ROOM - used,
+                             ",%.*g,%.*g,%" PRIu64 "\n", digits,
+                             (double)sample->input.omega0, digits,
+                             (double)sample->input.torque, sample->effect);
+  else
+    used += (size_t)snprintf(row + used, ROW_ROOM - used, ",,,\n");
+  return used;
+}
+
+hil_code_t hil_write_csv(const hil_board_t *board, const char *name) {
+  static const char header[] = "step,r,v,omega,mode,omega0,torque,effect\n";
+  static cli_output_t output; // holds the buffer
+  char row[ROW_ROOM];
+  if (cli_output_open(&output, name)) {
+    (void)cli_output_lines(&output, header, sizeof header - 1);
+    for (size_t i = 0; i < board->count; i++)
+      (void)cli_output_lines(&output, row, make_row(&board->samples[i], row));
+    if (cli_output_close(&output, true)) return HIL_EQUAL;
   }
-  const bool bad = ferror(file) != 0;
-  if (fclose(file) != 0 || bad)
-    return hil_message(HIL_STOPPED, "%s: cannot write", name);
-  return HIL_EQUAL;
+  return hil_message(HIL_STOPPED, "%s: %s", name, cli_output_reason(&output));
 }
 
 void hil_report(const hil_board_t *board, const hil_plan_t *plan,

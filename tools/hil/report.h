@@ -6,7 +6,8 @@
 #include "hil/board.h"
 #include "hil/twin.h"
 
-/// Writes a row for every state that was read.
+/// Writes a row for every state that was read, to a file that gets its name
+/// when it is whole.
 /// Returns: HIL_EQUAL, or HIL_STOPPED after a message.
 hil_code_t hil_write_csv(const hil_board_t *board, const char *name);
 

@@ -10,7 +10,7 @@ typedef struct {
   hil_board_t *board;
   const hil_control_t *control;
   hil_verdict_t *verdict;
-  tf_session_t session;
+  tf_simulation_t simulation;
   size_t next;   // sample to compare next
   size_t effect; // sample whose input takes effect next
   double squares;
@@ -29,14 +29,15 @@ static bool is_payload(const uint8_t *wire, size_t size, const uint8_t *payload,
          frame.length == length && memcmp(frame.payload, payload, length) == 0;
 }
 
-static bool same(const tf_session_t *session, const hil_sample_t *sample) {
+static bool same(const tf_simulation_t *simulation,
+                 const hil_sample_t *sample) {
   uint8_t wire[TF_FRAME_SIZE(TF_REPORT_BYTES)];
   uint32_t sequence = 0;
-  size_t size = tf_send_state(wire, &sequence, &session->state);
+  size_t size = tf_send_state(wire, &sequence, &simulation->state);
   if (!is_payload(wire, size, sample->state, TF_STATE_BYTES)) return false;
   if (!sample->has_report) return true;
-  size = tf_send_report(wire, &sequence, session->state.tick, &session->report,
-                        session->stepped);
+  size = tf_send_report(wire, &sequence, simulation->state.tick,
+                        &simulation->report, simulation->stepped);
   return is_payload(wire, size, sample->report, TF_REPORT_BYTES);
 }
 
@@ -56,17 +57,17 @@ static void note_difference(hil_verdict_t *verdict, uint64_t tick) {
 static void compare(twin_t *twin) {
   hil_verdict_t *verdict = twin->verdict;
   hil_sample_t *sample = &twin->board->samples[twin->next];
-  const tf_session_t *session = &twin->session;
-  const tf_real_t error = twin->control->speed - session->state.w;
+  const tf_simulation_t *simulation = &twin->simulation;
+  const tf_real_t error = twin->control->speed - simulation->state.w;
   twin->squares += (double)error * (double)error;
   verdict->compared++;
-  if (!same(session, sample)) {
+  if (!same(simulation, sample)) {
     note_difference(verdict, sample->tick);
     verdict->differ++;
   }
   if (sample->sent) {
     sample->own =
-        hil_control(twin->control, &session->machine, &session->state);
+        hil_control(twin->control, &simulation->machine, &simulation->state);
     verdict->inputs++;
     if (!same_input(&sample->own, &sample->input)) {
       note_difference(verdict, sample->tick);
@@ -82,8 +83,8 @@ static void apply(twin_t *twin) {
   for (; twin->effect < twin->next; twin->effect++) {
     const hil_sample_t *sample = &board->samples[twin->effect];
     if (!sample->sent || !sample->answered || sample->code != 0) continue;
-    if (sample->effect > twin->session.state.tick) return;
-    tf_session_set_input(&twin->session, &sample->own);
+    if (sample->effect > twin->simulation.state.tick) return;
+    tf_simulation_set_input(&twin->simulation, &sample->own);
   }
 }
 
@@ -112,25 +113,25 @@ hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
   twin = (twin_t){.board = board, .control = control, .verdict = verdict};
   *verdict = (hil_verdict_t){0};
   count_times(board, plan, verdict);
-  if (tf_session_open(&twin.session, board->scene, &board->params,
-                      board->seed) != TF_OK)
+  if (tf_simulation_open(&twin.simulation, board->scene, &board->params,
+                         board->seed) != TF_OK)
     return hil_message(HIL_REFUSED, "the scene cannot be started here");
-  tf_session_t *session = &twin.session;
-  session->deadman = board->deadman;
-  while (session->state.tick <= plan->steps) {
-    const uint64_t tick = session->state.tick;
+  tf_simulation_t *simulation = &twin.simulation;
+  simulation->deadman = board->deadman;
+  while (simulation->state.tick <= plan->steps) {
+    const uint64_t tick = simulation->state.tick;
     while (twin.next < board->count && board->samples[twin.next].tick == tick)
       compare(&twin);
     apply(&twin);
     if (tick == plan->steps) break;
-    const tf_input_t input = tf_session_input(session, board->scene);
-    if (tf_step(&session->machine, &session->state, &input, &session->report) <
-        0)
+    const tf_input_t input = tf_simulation_input(simulation, board->scene);
+    if (tf_step(&simulation->machine, &simulation->state, &input,
+                &simulation->report) < 0)
       return hil_message(HIL_REFUSED, "step %lu is refused",
                          (unsigned long)tick);
   }
-  verdict->end = session->state;
-  verdict->expired = session->expired;
+  verdict->end = simulation->state;
+  verdict->expired = simulation->expired;
   if (verdict->compared > 0)
     verdict->rms_error = sqrt(twin.squares / (double)verdict->compared);
   // An input without an answer counts as one that never arrived.

@@ -9,8 +9,8 @@
 // of the first few stays the same when other lines change.
 //
 // Changed are comparisons, arithmetic and logical operators, signs, literals,
-// truth values and strings, where the layout of clang-format tells a binary
-// operator (blanks around it) from a unary one or a pointer. Comments,
+// truth values and strings, where the layout of clang-format shows which
+// operator is binary (blanks around it), unary or a pointer. Comments,
 // characters, directives, case labels, assertions and sizes of arrays are left.
 #include <ctype.h>
 #include <inttypes.h>

@@ -57,7 +57,7 @@ def main() -> None:
     parser.add_argument("--all", required=True, help="list of all changes")
     parser.add_argument("--excused", required=True,
                         help="list of those without effect")
-    parser.add_argument("log", help="what tools/mutation/try has written")
+    parser.add_argument("log", help="what tools/mutation/run has written")
     given = parser.parse_args()
     log = read.read_words(given.log, LOG)
     of_all, excused = (len(read.read_words(path, ["change"]))

@@ -65,7 +65,7 @@ static int pinned_is_possible(const machine_t *p, const ramp_t *ramp,
 }
 
 // The slips that leave; of each side the one direction that a single orbit
-// takes. More than one such, or a fan of orbits, is no unique motion.
+// takes. More than one such, or a fan of orbits, is not a unique motion.
 static unsigned slips_that_leave(const machine_t *p, const ramp_t *ramp,
                                  const motion_t *x, direction_t out[2],
                                  int ways[2]) {

@@ -12,8 +12,8 @@ static real distance(const state_t *a, const state_t *b) {
                 bigger(fabsq(a->v - b->v), fabsq(a->w - b->w)));
 }
 
-static doubt_t compare(const course_t *a, const course_t *b) {
-  doubt_t d = {0, 0, a->events == b->events && a->states == b->states};
+static uncertainty_t compare(const course_t *a, const course_t *b) {
+  uncertainty_t d = {0, 0, a->events == b->events && a->states == b->states};
   for (int i = 0; i < a->states && i < b->states; i++)
     d.state = bigger(d.state, distance(&a->grid[i], &b->grid[i]));
   for (int i = 0; i < a->events && i < b->events; i++) {

@@ -32,7 +32,7 @@ void write_index(FILE *out, const problem_t list[], int n) {
       " `persist`, from the\n"
       " * paper's equations without a line of the core. Numbers have 31"
       " digits; the\n"
-      " * doubts are the largest differences from two more computations,"
+      " * uncertainties are the largest differences from two more computations,"
       " one with the\n"
       " * same extrapolation at a tolerance 1000 times looser, one by"
       " Gauss-Legendre\n"
@@ -64,7 +64,7 @@ void write_index(FILE *out, const problem_t list[], int n) {
       "  long double h; /* at the start; v follows from it */\n"
       "  reference_state_t start;\n"
       "  long double t_grid, t_last;\n"
-      "  double state_doubt, time_doubt;\n"
+      "  double state_uncertainty, time_uncertainty;\n"
       "  int knots; /* of the turntable's speed, linear in between */\n"
       "  long double knot[8][2]; /* [s], [rad/s] */\n"
       "  int states, events;\n"
@@ -104,7 +104,8 @@ static void write_events(FILE *out, const result_t *result) {
   fputs("};\n", out);
 }
 
-static void write_doubt(FILE *out, const char *what, const doubt_t *d) {
+static void write_uncertainty(FILE *out, const char *what,
+                              const uncertainty_t *d) {
   fprintf(out, " *   %s: states %.1e, times of events %.1e s%s\n", what,
           (double)d->state, (double)d->time, d->agree ? "" : ", OTHER EVENTS");
 }
@@ -133,7 +134,7 @@ static void write_row(FILE *out, const result_t *result) {
   state(out, &c->start, "     .start = {", "},\n");
   exact(out, "t_grid", p->t_grid);
   number(out, "     .t_last = ", c->last.t, ",\n");
-  fprintf(out, "     .state_doubt = %.1e, .time_doubt = %.1e,\n",
+  fprintf(out, "     .state_uncertainty = %.1e, .time_uncertainty = %.1e,\n",
           (double)bigger(result->looser.state, result->other.state),
           (double)bigger(result->looser.time, result->other.time));
   if (p->knots) fprintf(out, "     .knots = %d, .knot = {", p->knots);
@@ -152,8 +153,8 @@ void write_problem(FILE *out, const result_t *result) {
       " is.\n"
       " * Differences from\n",
       out);
-  write_doubt(out, "a looser tolerance", &result->looser);
-  write_doubt(out, "collocation", &result->other);
+  write_uncertainty(out, "a looser tolerance", &result->looser);
+  write_uncertainty(out, "collocation", &result->other);
   fputs(" */\n/* clang-format off */\n", out);
   fprintf(out, "#ifndef TESTS_DATA_REFERENCE_%s_H\n", name);
   fprintf(out, "#define TESTS_DATA_REFERENCE_%s_H\n\n", name);

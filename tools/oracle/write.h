@@ -12,12 +12,12 @@
 typedef struct {
   real state, time;
   int agree;
-} doubt_t;
+} uncertainty_t;
 
 typedef struct {
   const problem_t *problem;
   course_t course;
-  doubt_t looser, other; // same method, looser; the other method
+  uncertainty_t looser, other; // same method, looser; the other method
 } result_t;
 
 void write_index(FILE *out, const problem_t list[], int n);

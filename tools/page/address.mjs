@@ -1,19 +1,25 @@
 // The set-up and what was done to the motion as the part of the address behind
 // #, to the bit: numbers are the shortest that read back to the same bits.
-import { LAWS, RESTS, RULES } from './core.mjs';
 import { decimal } from './decimal.mjs';
 
-const LISTED = { law: LAWS, rule: RULES, rest: RESTS };
+// The scene; one from a file with its text, but for comments.
+export function sceneWord(core, scene) {
+  if (scene !== core.ownScene) return `scene=${core.scenes[scene]}`;
+  const lines = core.file.text.replace(/#.*/g, '').split('\n')
+    .map((line) => line.trim()).filter((line) => line !== '');
+  return `file=${encodeURIComponent(core.file.name)}:` +
+    encodeURIComponent(lines.join('\n'));
+}
 
 // What differs from the scene.
 export function write(core, scene, log, tick) {
-  const words = [`scene=${core.scenes[scene]}`];
+  const words = [sceneWord(core, scene)];
   const now = core.names.map((_, i) => core.c.get(i));
   core.c.load(scene);
   core.names.forEach((name, i) => {
     const value = now[i];
     if (name === 'v is given' || Object.is(core.c.get(i), value)) return;
-    const list = LISTED[name];
+    const list = core.lists[name];
     words.push(`${name}=` +
       (list ? encodeURIComponent(list[value]) : decimal(value)));
   });
@@ -42,6 +48,11 @@ export function putBack(core, now) {
   for (const i of order) core.c.set(i, now[i]);
 }
 
+// A value as it was before it stood in an address.
+function plain(value) {
+  try { return decodeURIComponent(value); } catch { return value; }
+}
+
 const isTick = (x) => Number.isSafeInteger(x) && x >= 0;
 
 function readEntry(core, name, value) {
@@ -55,8 +66,21 @@ function readEntry(core, name, value) {
   return isGood ? entry : null;
 }
 
+// Returns: the number of the scene, or why there is none.
+function readScene(core, name, value, word) {
+  if (name === 'scene') {
+    const scene = core.scenes.indexOf(value);
+    return scene >= 0 && scene < core.ownScene ? scene : word;
+  }
+  const [file, text = ''] = word.slice(5).split(':').map(plain);
+  return core.takeFile(file, text) ?? core.ownScene;
+}
+
+const isScene = (name) => name === 'scene' || name === 'file';
+
 function readNumber(core, name, value) {
-  const number = LISTED[name] ? LISTED[name].indexOf(value) : Number(value);
+  const list = core.lists[name];
+  const number = list ? list.indexOf(value) : Number(value);
   if (value === '' || Number.isNaN(number) || name === 'v is given')
     return false;
   return core.set(name, number);
@@ -67,23 +91,19 @@ function readNumber(core, name, value) {
 export function read(core, text) {
   const words = text.split('&').filter((word) => word !== '').map((word) => {
     const [name, ...rest] = word.split('=');
-    let value = rest.join('=');
-    try { value = decodeURIComponent(value); } catch { /* as it is */ }
-    return [name, value, word];
+    return [name, plain(rest.join('=')), word];
   });
   const refused = [], log = [];
   let scene = 0, tick = 0;
   for (const [name, value, word] of words) {
-    if (name !== 'scene') continue;
-    scene = core.scenes.indexOf(value);
-    if (scene < 0) {
-      refused.push(word);
-      scene = 0;
-    }
+    if (!isScene(name)) continue;
+    const got = readScene(core, name, value, word);
+    if (typeof got === 'number') scene = got;
+    else refused.push(got);
   }
   core.c.load(scene);
   for (const [name, value, word] of words) {
-    if (name === 'scene') continue;
+    if (isScene(name)) continue;
     if (name === 'hand' || name === 'take') {
       const entry = readEntry(core, name, value);
       if (entry) log.push(entry);

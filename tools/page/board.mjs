@@ -5,7 +5,7 @@
 import { AT, COLUMNS } from './core.mjs';
 
 const COLUMNS_OF_LINE = 10;
-const MOST_RECORDS = 1 << 14;
+const MAX_RECORDS = 1 << 14;
 const ASK_EVERY = 1000; // [ms] until the schema has come
 
 export class Line {
@@ -77,7 +77,7 @@ export class Record {
   // core: for the tables, and for the regions of the page's own set-up.
   constructor(core) {
     this.core = core;
-    this.rows = new Float64Array(MOST_RECORDS * COLUMNS);
+    this.rows = new Float64Array(MAX_RECORDS * COLUMNS);
     this.now = new Float64Array(COLUMNS);
     this.now.set(core.row);
     this.now[AT.energy] = NaN; // a board does not tell it
@@ -117,8 +117,8 @@ export class Record {
       this.count = 0; // it was started again
       this.changes = [];
     }
-    if (this.count === MOST_RECORDS) {
-      this.rows.copyWithin(0, MOST_RECORDS / 2 * COLUMNS);
+    if (this.count === MAX_RECORDS) {
+      this.rows.copyWithin(0, MAX_RECORDS / 2 * COLUMNS);
       this.count /= 2;
     }
     this.rows.set(now, this.count++ * COLUMNS);

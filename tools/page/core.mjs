@@ -7,10 +7,6 @@ export const ROW = ['t', 'r', 'v', 'omega', 'h', 'g', 'F', 'M', 'mode',
 export const AT = Object.fromEntries(ROW.map((name, i) => [name, i]));
 export const COLUMNS = ROW.length;
 
-export const LAWS = ['jump', 'coulomb', 'two_piece', 'string', 'smooth',
-  'none'];
-export const RULES = ['persist', 'slip+', 'slip-', 'random'];
-export const RESTS = ['hull', 'square', 'bow_tie'];
 export const REGIONS = ['sliding', 'escaping', 'crossing up', 'crossing down',
   'codimension two', 'none'];
 export const BAD_PARAMETER = -1;
@@ -22,7 +18,11 @@ export class Core {
     // The module never grows its memory, so views of it last.
     this.row = new Float64Array(exports.memory.buffer, exports.look(), COLUMNS);
     this.scenes = this.#list(exports.scenes(), 'scene_name');
+    this.ownScene = this.scenes.length; // the number of the one from a file
+    this.file = null; // { name, text } of it
     this.modes = this.#list(5, 'mode_name');
+    this.lists = { law: this.#list(6, 'law_name'),
+      rule: this.#list(4, 'rule_name'), rest: this.#list(3, 'rest_name') };
     this.parameters = [];
     for (let i = 0; this.text(exports.parameter_name(i)) !== ''; i++) {
       this.parameters.push({
@@ -45,6 +45,20 @@ export class Core {
   text(at) {
     const bytes = new Uint8Array(this.c.memory.buffer, at);
     return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+  }
+
+  // Reads a scene from the text of a file. Returns: null, or why it is none, by
+  // line, key and range; then the one before holds.
+  takeFile(name, text) {
+    const { c } = this, encoder = new TextEncoder();
+    const bytes = encoder.encode(text).subarray(0, c.scene_room());
+    const path = encoder.encode(name).subarray(0, c.scene_path_room() - 1);
+    this.bytes(c.scene_bytes(), bytes.length).set(bytes);
+    this.bytes(c.scene_path(), path.length + 1).set([...path, 0]);
+    if (!c.scene_take(bytes.length)) return this.text(c.scene_told());
+    this.scenes[this.ownScene] = this.text(c.scene_name(this.ownScene));
+    this.file = { name, text };
+    return null;
   }
 
   bytes(at, count) {

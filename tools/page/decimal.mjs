@@ -1,7 +1,7 @@
 // Numbers and rows as the command line writes them, byte for byte: the fewest
 // digits that read back to the same bits, laid out as %g of C.
 
-const LEAST_NORMAL = 2 ** -1022;
+const MIN_NORMAL = 2 ** -1022;
 
 export function decimal(x) {
   if (x === 0) return Object.is(x, -0) ? '-0' : '0';
@@ -10,7 +10,7 @@ export function decimal(x) {
   const digits = first + rest, exponent = Number(e);
   // %g takes an exponent from its precision on: that of the command line's
   // search is 15 at least, but for subnormal numbers.
-  const precision = Math.abs(x) < LEAST_NORMAL ? digits.length
+  const precision = Math.abs(x) < MIN_NORMAL ? digits.length
     : Math.max(15, digits.length);
   if (exponent < -4 || exponent >= precision) {
     const size = String(Math.abs(exponent)).padStart(2, '0');

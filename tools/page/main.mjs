@@ -1,9 +1,10 @@
 // The page: one motion, one clock, and what looks at them or acts on them.
 import { AT, Core } from './core.mjs';
-import { putBack, read, write } from './address.mjs';
+import { putBack, read, sceneWord, write } from './address.mjs';
 import { Line, Record, openSerial } from './board.mjs';
 import { short } from './decimal.mjs';
 import { readColours } from './draw.mjs';
+import { download, takeFiles } from './files.mjs';
 import { Mechanism } from './mechanism.mjs';
 import { Motion } from './motion.mjs';
 import { Hand, Panel } from './panel.mjs';
@@ -16,7 +17,7 @@ const TRAIL = 1.5; // [s] in the planes
 const HAND = { spring: 40, damper: 6, brake: 1.5, force: 20, torque: 6 };
 
 const $ = (id) => document.getElementById(id);
-const bytes = Uint8Array.from(atob('@CORE@'), (c) => c.charCodeAt(0));
+const bytes = Uint8Array.from('@CORE@'.match(/../g), (x) => parseInt(x, 16));
 const compiled = new WebAssembly.Module(bytes);
 const core = new Core(compiled), scout = new Core(compiled);
 const motion = new Motion(core, scout);
@@ -71,17 +72,40 @@ function ownValues(number) {
   return Object.fromEntries(core.names.map((name) => [name, core.get(name)]));
 }
 
+// The scene of a file stands last in the list.
+function showFile() {
+  scout.takeFile(core.file.name, core.file.text);
+  const list = $('scene').options;
+  list[core.ownScene] = new Option(core.scenes[core.ownScene]);
+}
+
+// Opens a file with a scene, or says what is wrong in it.
+async function openFile(file) {
+  const refusal = core.takeFile(file.name, await file.text());
+  panel.say(refusal);
+  if (refusal) {
+    say(refusal); // on a phone the panel is far below
+    return;
+  }
+  play(false);
+  open(sceneWord(core, core.ownScene));
+  remember();
+}
+
 // Opens what an address says.
 function open(text) {
   const got = read(core, text);
   own = ownValues(got.scene);
   const again = read(core, text);
   scene = got.scene;
+  if (scene === core.ownScene) showFile();
   scout.c.load(scene);
   const refusal = motion.begin(again.log);
-  if (refusal) {
-    open(`scene=${core.scenes[scene]}`);
-    panel.say(`${refusal.text}; the scene is as it comes`);
+  if (refusal) { // a file may have a start that no motion has
+    const isFile = scene === core.ownScene;
+    open(sceneWord(core, isFile ? 0 : scene));
+    panel.say(`${refusal.text}; ` + (isFile ? `${core.file.name} is not shown`
+      : 'the scene is as it comes'));
     return;
   }
   $('scene').selectedIndex = scene;
@@ -229,16 +253,6 @@ function pull() {
 }
 
 const csvSteps = () => Math.max(motion.tick, 1);
-
-function download() {
-  const url = URL.createObjectURL(new Blob(
-    [motion.csv(motion.every, csvSteps())], { type: 'text/csv' }));
-  const link = document.createElement('a');
-  link.href = url;
-  link.download = `${core.scenes[scene]}.csv`;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(url), 1000);
-}
 
 async function share() {
   const link = `#${write(core, scene, motion.log, motion.tick)}`;
@@ -390,15 +404,19 @@ function wire() {
   core.scenes.forEach((name) => $('scene').append(new Option(name)));
   $('scene').onchange = () => {
     play(false);
-    open(`scene=${core.scenes[$('scene').selectedIndex]}`);
+    open(sceneWord(core, $('scene').selectedIndex));
     remember();
   };
+  takeFiles($('open'), $('file'), openFile);
+  $('save').onclick = () => download(`${core.scenes[scene]}.scene`,
+    core.text(core.c.scene_print()));
   $('play').onclick = () => play(!isPlaying);
   $('home').onclick = () => seek(0);
   $('back').onclick = () => (play(false), seek(motion.tick - 1));
   $('next').onclick = () => (play(false), seek(motion.tick + 1));
   $('fan').onclick = nearest;
-  $('csv').onclick = download;
+  $('csv').onclick = () => download(`${core.scenes[scene]}.csv`,
+    motion.csv(motion.every, csvSteps()));
   $('share').onclick = share;
   $('board').onclick = () => openSerial(connect).catch((error) =>
     say(error.message));

@@ -37,4 +37,10 @@ enum {
   ROW_COLUMNS
 };
 
+/// The scene that was read last, NULL before the first; it is kept.
+const tf_scene_t *own_scene(void);
+
+/// The set-up as a scene.
+tf_scene_t setup_scene(void);
+
 #endif

@@ -5,8 +5,10 @@
 
 #include "module.h"
 
-// A set-up is a scene whose parameters and start the page alters.
+// A set-up is a scene whose parameters and start the page alters. The angle is
+// drawn, so it is integrated here in every scene; nothing depends on it.
 static tf_scene_t setup;
+static bool with_angle; // as the scene has it
 static uint32_t seed;
 
 // The motion, of the set-up with which it began.
@@ -65,20 +67,30 @@ tf_input_t input_applied(void);
 
 uint32_t scenes(void) { return TF_SCENES; }
 
+// The number behind those of the core is that of a file.
+static const tf_scene_t *scene_at(uint32_t number) {
+  if (number < TF_SCENES) return tf_scenes[number];
+  return number == TF_SCENES ? own_scene() : NULL;
+}
+
 const char *scene_name(uint32_t number) {
-  return number < TF_SCENES ? tf_scenes[number]->name : "";
+  const tf_scene_t *at = scene_at(number);
+  return at != NULL ? at->name : "";
 }
 
 const char *scene_shows(uint32_t number) {
-  return number < TF_SCENES ? tf_scenes[number]->shows : "";
+  const tf_scene_t *at = scene_at(number);
+  return at != NULL ? at->shows : "";
 }
 
 // The set-up is that of a scene. Returns: how many numbers it has; 0 where
 // there is no such scene.
 uint32_t load(uint32_t number) {
-  if (number >= TF_SCENES) return 0;
-  setup = *tf_scenes[number];
-  setup.params.with_angle = true; // it is drawn; nothing depends on it
+  const tf_scene_t *at = scene_at(number);
+  if (at == NULL) return 0;
+  setup = *at;
+  with_angle = setup.params.with_angle;
+  setup.params.with_angle = true;
   seed = 0;
   return SETUP_NUMBERS;
 }
@@ -161,6 +173,12 @@ bool set(uint32_t number, double value) {
     default:
       return false;
   }
+}
+
+tf_scene_t setup_scene(void) {
+  tf_scene_t own = setup;
+  own.params.with_angle = with_angle;
+  return own;
 }
 
 double t_end(void) { return setup.t_end; }

@@ -1,12 +1,12 @@
 // A motion on its clock. What the page does to it is a log: inputs by hand and
 // futures that were chosen, each at its tick. Set-up and log decide every bit,
 // so the past is not kept but stepped again from the nearest row: a row every
-// `every` steps is a snapshot. When there are MOST_ROWS, every other one goes.
+// `every` steps is a snapshot. When there are MAX_ROWS, every other one goes.
 import { AT, COLUMNS } from './core.mjs';
 import { HEADER, line } from './decimal.mjs';
 
-const MOST_ROWS = 1 << 17;
-const MOST_CHANGES = 1 << 16;
+const MAX_ROWS = 1 << 17;
+const MAX_CHANGES = 1 << 16;
 
 export class Motion {
   // core moves; scout looks ahead. Both are of one module.
@@ -54,7 +54,7 @@ export class Motion {
   }
 
   #keep() {
-    if (this.count === MOST_ROWS) {
+    if (this.count === MAX_ROWS) {
       this.every *= 2;
       this.count /= 2;
       for (let i = 0; i < this.count; i++)
@@ -114,8 +114,8 @@ export class Motion {
       const known = this.changes[this.changes.length - 1][0];
       for (const change of core.changes())
         if (change[0] > known) this.changes.push(change);
-      if (this.changes.length > MOST_CHANGES)
-        this.changes.splice(1, MOST_CHANGES / 2);
+      if (this.changes.length > MAX_CHANGES)
+        this.changes.splice(1, MAX_CHANGES / 2);
       core.look();
       if (this.tick === this.count * this.every) this.#keep();
       if (status < 0) {

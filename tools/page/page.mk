@@ -13,7 +13,9 @@ PAGE_FLAGS := --target=wasm32 -std=c99 -ffreestanding -Oz -flto \
 PAGE_LINK := -nostdlib -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all \
   -Wl,-z,stack-size=65536
 PAGE_CORE := $(wildcard src/*/*.c) tools/cli/monitor/receiver.c \
-  port/arch/memory.c $(wildcard tools/page/*.c)
+  $(addprefix tools/cli/setup/,scene_file.c scene_values.c scene_print.c \
+    names.c) $(addprefix tools/cli/text/,buffer.c closest.c number.c) \
+  port/arch/memory.c $(wildcard tools/page/*.c tools/page/libc/*.c)
 
 .PHONY: page test-page
 page: ## the simulator as a page: build/page/index.html
@@ -25,7 +27,8 @@ test-page: $(PAGE)/index.html $(BUILD)/double/twofold
 	  CC='$(CC)' tests/page/test_page.py $(ONLY)
 
 $(PAGE)/core.wasm: $(PAGE_CORE) $(wildcard tools/page/*.h tools/page/libc/*.h \
-    tools/cli/monitor/receiver.h src/*/*.h include/*.h include/twofold/*.h) \
+    tools/cli/monitor/receiver.h tools/cli/setup/*.h tools/cli/text/*.h \
+    src/*/*.h include/*.h include/twofold/*.h) \
     tools/page/page.mk
 	@command -v clang wasm-ld >/dev/null || { echo 'make page needs clang' \
 	  'and wasm-ld (Debian: apt-get install clang lld)' >&2; exit 3; }

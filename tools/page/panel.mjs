@@ -2,7 +2,6 @@
 // A slider spans a neighbourhood of the scene's value, within the range of the
 // core; the field beside it takes the whole range. What the core refuses stays
 // in the field, with the reason, and the motion goes on as it was.
-import { LAWS, RESTS, RULES } from './core.mjs';
 import { decimal } from './decimal.mjs';
 
 const STEPS = 400;
@@ -12,7 +11,7 @@ const STARTS = [
   { name: 'h', unit: 'm/s', low: -1e9, high: 1e9, spread: 0.5 },
   { name: 'v', unit: 'm/s', low: -1e9, high: 1e9, spread: 0.5 },
 ];
-const LISTS = [['law', LAWS], ['rule', RULES], ['rest', RESTS]];
+const LOCATED = ['tolerance', 'segments']; // of that scheme, not the page's
 
 // Position 0 to STEPS and back, over what the slider spans.
 export function spanOf({ low, high, spread }, base) {
@@ -31,7 +30,7 @@ export function spanOf({ low, high, spread }, base) {
     from: (x) => (x - a) / (b - a) * STEPS };
 }
 
-// Three digits more than a step of the slider tells apart.
+// Three digits more than the slider's step resolves.
 const rounded = (x) => Number(x.toPrecision(6));
 // What a field shows until it is entered.
 const brief = (x) => decimal(rounded(x));
@@ -43,7 +42,7 @@ function element(tag, properties = {}, ...children) {
 }
 
 export class Panel {
-  // change(name, value): tells the page. Returns: null or a refusal.
+  // change(name, value): informs the page. Returns: null or a refusal.
   constructor(core, change) {
     this.core = core;
     this.change = change;
@@ -55,13 +54,13 @@ export class Panel {
   }
 
   // The set-up in the core, of a scene whose own values are given: what its law
-  // and rule use. The tolerance is that of another scheme than the page's.
+  // and rule use.
   show(own) {
     const { core } = this;
     this.own = own;
     this.rows = {};
     this.lists.replaceChildren();
-    for (const [name, words] of LISTS) {
+    for (const [name, words] of Object.entries(core.lists)) {
       const select = element('select', { id: `list-${name}`, onchange: () =>
         this.#tell(name, select.selectedIndex, select) },
       ...words.map((word) => element('option', {}, word)));
@@ -70,14 +69,14 @@ export class Panel {
       this.rows[name] = { title, field: select };
       this.lists.append(element('label', {}, title, select));
     }
-    const isRandom = RULES[core.get('rule')] === 'random';
+    const isRandom = core.lists.rule[core.get('rule')] === 'random';
     if (isRandom) this.#number({ name: 'seed', unit: '', low: 0,
       high: 4294967295 }, this.lists, true);
     this.numbers.replaceChildren();
     this.starts.replaceChildren();
     const law = core.get('law');
     for (const parameter of core.parameters)
-      if (parameter.laws >> law & 1 && parameter.name !== 'tolerance' &&
+      if (parameter.laws >> law & 1 && !LOCATED.includes(parameter.name) &&
         (isRandom || parameter.name !== 'rate'))
         this.#number(parameter, this.numbers);
     for (const start of STARTS)

@@ -49,7 +49,10 @@ export function commandLine(core, scene, motion, steps) {
       ? `--select ${decodeURIComponent(word.slice(5))}` : `--set ${word}`)
     .map((word) => word.endsWith('random')
       ? `${word}:${core.get('seed')}` : word);
-  return ['twofold run', core.scenes[scene], ...words, '--t-end',
+  const file = scene === core.ownScene ? core.file.name : null;
+  const name = file === null ? core.scenes[scene]
+    : file.includes('.') ? file : `./${file}`;
+  return ['twofold run', name, ...words, '--t-end',
     decimal(steps * motion.dt), '--every', motion.every].join(' ') +
     (motion.log.length ? '  # but for what was done by hand' : '');
 }

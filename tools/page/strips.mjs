@@ -84,7 +84,7 @@ export class Strips {
       colour.mode[mode]));
   }
 
-  // A lane a mode, so that it is told by its place and not by colour alone;
+  // A lane for each mode, which is known by its place and not by colour alone;
   // pale lanes are the modes that are possible besides.
   #ribbon(ctx, motion, from) {
     const { changes } = motion, lane = RIBBON / 5;

@@ -1,12 +1,12 @@
 /// @file
-/// What a good engineer writes by hand: Runge-Kutta at a fixed step, every
+/// What a good engineer would write by hand: Runge-Kutta at a fixed step, every
 /// switch located, libm's tangents.
 ///
 /// A step that passes a switch is taken again up to it: the cubic through both
-/// ends of the step tells where, Newton's rule mends the rest. So a switch
+/// ends of the step says where, and Newton's method refines it. So a switch
 /// costs a step or two and leaves the order as it is. On the way into h = g = 0
 /// the steps shrink with the time that is left, because the field depends on
-/// the angle there, which turns ever faster.
+/// the angle there, which changes ever faster.
 #ifndef TWOFOLD_PEERS_EVENTS_H
 #define TWOFOLD_PEERS_EVENTS_H
 

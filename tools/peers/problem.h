@@ -15,7 +15,7 @@ typedef struct {
   double branch_error; // an error above it is another branch
 } problem_t;
 
-#define PROBLEMS 2
+#define PROBLEMS 3
 
 /// The problem number i, 0 <= i < PROBLEMS.
 problem_t problem_number(int i);
@@ -23,7 +23,8 @@ problem_t problem_number(int i);
 /// Speed v at the start.
 double problem_speed(const problem_t *problem);
 
-/// Largest error of (r, v, w) [m, m/s, rad/s]; infinite where x is no number.
+/// Largest error of (r, v, w) [m, m/s, rad/s]; infinite where x is not a
+/// number.
 double problem_error(const problem_t *problem, const double x[3]);
 
 #endif

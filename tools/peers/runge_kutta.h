@@ -56,14 +56,14 @@ static inline step_t dp5(const model_t *k, contact_t c, point_t y, point_t dy,
   static const real_t weight[6] = {(real_t)35 / 384,     0,
                                    (real_t)500 / 1113,   (real_t)125 / 192,
                                    (real_t)-2187 / 6784, (real_t)11 / 84};
-  static const real_t doubt[6] = {(real_t)71 / 57600,      0,
-                                  (real_t)-71 / 16695,     (real_t)71 / 1920,
-                                  (real_t)-17253 / 339200, (real_t)22 / 525};
+  static const real_t embedded[6] = {(real_t)71 / 57600,      0,
+                                     (real_t)-71 / 16695,     (real_t)71 / 1920,
+                                     (real_t)-17253 / 339200, (real_t)22 / 525};
   point_t rate[6] = {dy};
   for (int i = 0; i < 5; i++)
     rate[i + 1] = contact_rates(k, c, mixed(y, t, rate, stage[i], i + 1));
   return (step_t){mixed(y, t, rate, weight, 6),
-                  mixed((point_t){0, 0, 0}, t, rate, doubt, 6)};
+                  mixed((point_t){0, 0, 0}, t, rate, embedded, 6)};
 }
 
 #endif

@@ -24,7 +24,7 @@
 #include "model.h"
 #include "sweep.h"
 
-enum { MOST_SWITCHES = 200, MOST_STEPS = 50000, ROOTS = 3 };
+enum { MAX_SWITCHES = 200, MAX_STEPS = 50000, ROOTS = 3 };
 
 typedef enum { ADAMS, BDF, ERK } method_t;
 
@@ -100,7 +100,7 @@ static int open_cvode(solver_t *s, motion_t *x, double tol) {
   int bad = CVodeInit(s->memory, right_side, 0, s->y);
   bad |= CVodeSStolerances(s->memory, tol, tol);
   bad |= CVodeSetUserData(s->memory, x);
-  bad |= CVodeSetMaxNumSteps(s->memory, MOST_STEPS);
+  bad |= CVodeSetMaxNumSteps(s->memory, MAX_STEPS);
   bad |= CVodeSetErrFile(s->memory, NULL);
   bad |= CVodeSetNoInactiveRootWarn(s->memory);
   if (x->epsilon2 <= 0) bad |= CVodeRootInit(s->memory, ROOTS, switches);
@@ -118,7 +118,7 @@ static int open_erk(solver_t *s, motion_t *x, double tol) {
   int bad = ERKStepSStolerances(s->memory, tol, tol);
   bad |= ERKStepSetUserData(s->memory, x);
   bad |= ERKStepSetTableNum(s->memory, ARKODE_DORMAND_PRINCE_7_4_5);
-  bad |= ERKStepSetMaxNumSteps(s->memory, MOST_STEPS);
+  bad |= ERKStepSetMaxNumSteps(s->memory, MAX_STEPS);
   bad |= ERKStepSetErrFile(s->memory, NULL);
   bad |= ERKStepRootInit(s->memory, ROOTS, switches);
   return bad | ERKStepSetNoInactiveRootWarn(s->memory);
@@ -218,7 +218,7 @@ static void run(method_t method, const problem_t *problem, double tol,
   point_to(start, s.y);
   int state = method == ERK ? open_erk(&s, &x, tol) : open_cvode(&s, &x, tol);
   if (state == 0) state = advance(&s, problem->t_end, &t);
-  while (state > 0 && ++switched < MOST_SWITCHES) {
+  while (state > 0 && ++switched < MAX_SWITCHES) {
     int root[ROOTS];
     steps += steps_of(&s);
     roots_of(&s, root);

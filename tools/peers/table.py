@@ -44,7 +44,7 @@ class Setting(NamedTuple):
             return float(text)
         except ValueError:
             raise read.TableError(f"{self.row.where}: column 'setting' ends "
-                                  f"in '{text}', which is no number") from None
+                                  f"in '{text}', not a number") from None
 
 
 def read_rounds(path: str) -> list[Setting]:

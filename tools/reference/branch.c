@@ -8,7 +8,7 @@
 
 #include "classes.h"
 
-enum { WAYS = REF_MOST_CONSISTENT + 1, DTS = 3, RUNS = LIB_SCHEMES * DTS };
+enum { WAYS = REF_MAX_CONSISTENT + 1, DTS = 3, RUNS = LIB_SCHEMES * DTS };
 static const double dts[DTS] = {1e-4, 3e-5, 1e-5};
 
 // The consistent modes at the first h = g = 0, a little later.

@@ -54,7 +54,7 @@ int class_branch(const options_t *options);
 int class_path(const options_t *options);
 int class_rounding(const options_t *options);
 int class_energy(const options_t *options);
-int class_blows(const options_t *options);
+int class_impulses(const options_t *options);
 int class_standing(const options_t *options);
 
 #endif

@@ -11,7 +11,7 @@
 static const real_t pi = 3.14159265358979323846264338327950288L;
 
 static void add(ref_consistent_t *out, ref_consistent_mode_t way) {
-  if (out->count < REF_MOST_CONSISTENT) {
+  if (out->count < REF_MAX_CONSISTENT) {
     out->list[out->count++] = way;
   }
 }

@@ -22,9 +22,9 @@ typedef struct {
   bool family;     ///< slip at h = g = 0: many motions share the direction
 } ref_consistent_mode_t;
 
-#define REF_MOST_CONSISTENT 24
+#define REF_MAX_CONSISTENT 24
 typedef struct {
-  ref_consistent_mode_t list[REF_MOST_CONSISTENT];
+  ref_consistent_mode_t list[REF_MAX_CONSISTENT];
   int count;
   bool rests[REF_LAWS]; ///< h = g = 0: rest is possible under the law
   ref_force_t resting;  ///< force that it takes

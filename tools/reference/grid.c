@@ -62,20 +62,20 @@ static step_t step_of(const lib_machine_t *machine) {
   return step;
 }
 
-// Sets a doubtful answer's bit where a value is too near 0 to tell.
-static bool positive(double value_, double size, bool *doubt) {
-  *doubt = *doubt || fabs(value_) < 1e-9 * size;
+// Sets a unsure answer's bit where a value is too near 0 to tell.
+static bool positive(double value_, double size, bool *unsure) {
+  *unsure = *unsure || fabs(value_) < 1e-9 * size;
   return value_ > 0;
 }
 
 // Slip with x = side: every s in Sgn(g) leads to an h.
 static bool slips(const step_t *step, int side, double h0, double g0,
-                  bool *doubt) {
+                  bool *unsure) {
   const double *h = step->form, *g = step->form + 6;
   bool found = false;
   for (int s = -1; s <= 1; s += 2) {
-    if (positive(s * value(g, side, s * side), g0, doubt)) {
-      found |= positive(side * value(h, side, s * side), h0, doubt);
+    if (positive(s * value(g, side, s * side), g0, unsure)) {
+      found |= positive(side * value(h, side, s * side), h0, unsure);
     }
   }
   enum { POINTS = 2000 };
@@ -84,25 +84,25 @@ static bool slips(const step_t *step, int side, double h0, double g0,
     const double ga = value(g, side, a * side), gb = value(g, side, b * side);
     if ((ga > 0) != (gb > 0)) {
       const double s = (a * gb - b * ga) / (gb - ga);
-      found |= positive(side * value(h, side, s * side), h0, doubt);
+      found |= positive(side * value(h, side, s * side), h0, unsure);
     }
   }
   return found;
 }
 
 static bool sticks(const step_t *step, int s, double h0, double g0,
-                   bool *doubt) {
+                   bool *unsure) {
   enum { POINTS = 4000 };
   const double *h = step->form, *g = step->form + 6;
   bool found = false;
-  positive(value(h, 1, s), h0, doubt);
-  positive(value(h, -1, -s), h0, doubt);
+  positive(value(h, 1, s), h0, unsure);
+  positive(value(h, -1, -s), h0, unsure);
   for (int i = 0; i < POINTS; ++i) {
     const double a = -1 + 2.0 * i / POINTS, b = a + 2.0 / POINTS;
     const double ha = value(h, a, s * a), hb = value(h, b, s * b);
     if ((ha > 0) != (hb > 0)) {
       const double x = (a * hb - b * ha) / (hb - ha);
-      found |= positive(s * value(g, x, s * x), g0, doubt);
+      found |= positive(s * value(g, x, s * x), g0, unsure);
     }
   }
   return found;
@@ -116,25 +116,25 @@ static double size_of(const double c[6]) {
   return sum;
 }
 
-static unsigned search(const step_t *step, bool *doubt) {
+static unsigned search(const step_t *step, bool *unsure) {
   const double h0 = size_of(step->form), g0 = size_of(step->form + 6);
   const double x = step->form[13], y = step->form[14];
   unsigned set = 0;
-  *doubt = false;
-  set |= slips(step, 1, h0, g0, doubt) ? 1u << REF_SLIP_PLUS : 0;
-  set |= slips(step, -1, h0, g0, doubt) ? 1u << REF_SLIP_MINUS : 0;
-  set |= sticks(step, 1, h0, g0, doubt) ? 1u << REF_STICK_PLUS : 0;
-  set |= sticks(step, -1, h0, g0, doubt) ? 1u << REF_STICK_MINUS : 0;
+  *unsure = false;
+  set |= slips(step, 1, h0, g0, unsure) ? 1u << REF_SLIP_PLUS : 0;
+  set |= slips(step, -1, h0, g0, unsure) ? 1u << REF_SLIP_MINUS : 0;
+  set |= sticks(step, 1, h0, g0, unsure) ? 1u << REF_STICK_PLUS : 0;
+  set |= sticks(step, -1, h0, g0, unsure) ? 1u << REF_STICK_MINUS : 0;
   if (step->pins && fabs(x) <= 1 && fabs(y) <= fabs(x)) {
     set |= 1u << REF_PINNED;
   }
-  *doubt = *doubt || fabs(fabs(x) - 1) < 1e-6 ||
-           fabs(fabs(y) - fabs(x)) < 1e-6 * fabs(x);
+  *unsure = *unsure || fabs(fabs(x) - 1) < 1e-6 ||
+            fabs(fabs(y) - fabs(x)) < 1e-6 * fabs(x);
   return set;
 }
 
 int class_grid(const options_t *options) {
-  static count_t doubtful = {.what = "too near a border to judge"};
+  static count_t undecided = {.what = "too near a border to judge"};
   static count_t differ = {.what = "set differs from the search"};
   static count_t missing = {.what = "of them a mode is missing"};
   static count_t empty = {.what = "search finds no mode at all"};
@@ -147,12 +147,12 @@ int class_grid(const options_t *options) {
       lib_machine_t machine = draw_machine(&draw, options->range);
       machine.coulomb = false;
       machine.dt = draw_log(&draw, 1e-5, 1e-2);
-      bool doubt;
+      bool unsure;
       const step_t step = step_of(&machine);
-      const unsigned wanted = search(&step, &doubt);
+      const unsigned wanted = search(&step, &unsure);
       const unsigned found = lib_f64.enumerate(step.form, true);
-      count_try(&doubtful, doubt, &hushed, i, &machine, machine.dt, "moreau");
-      if (!doubt) {
+      count_try(&undecided, unsure, &hushed, i, &machine, machine.dt, "moreau");
+      if (!unsure) {
         count_try(&differ, found != wanted, options, i, &machine, machine.dt,
                   "moreau");
         count_try(&missing, (wanted & ~found) != 0, &hushed, i, &machine,
@@ -162,7 +162,7 @@ int class_grid(const options_t *options) {
       }
     }
   }
-  count_print(&doubtful);
+  count_print(&undecided);
   count_print(&differ);
   count_print(&missing);
   count_print(&empty);

@@ -23,7 +23,7 @@ static const struct {
     {"path", class_path, 2000, "(d) ends of motions with one future"},
     {"rounding", class_rounding, 2000, "(e) rest that rounding ends"},
     {"energy", class_energy, 2000, "(f) energy from nothing"},
-    {"blows", class_blows, 2000, "(g) blows shorter than the step"},
+    {"impulses", class_impulses, 2000, "(g) impulses shorter than the step"},
     {"standing", class_standing, 2000, "(h) standing still"},
 };
 

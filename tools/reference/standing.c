@@ -139,7 +139,7 @@ int class_standing(const options_t *options) {
   return 0;
 }
 
-// A stick near its end: slow, on h = 0, and to all appearance for ever.
+// A stick near its end: slow, on h = 0, and apparently without end.
 static bool settles(const lib_machine_t *machine, ref_machine_t *q,
                     ref_state_t *near) {
   ref_orbit_t orbit = class_orbit(machine, q, &lib_f64);

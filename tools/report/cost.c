@@ -8,7 +8,7 @@
 //   cost machine SCHEME PART STEPS  the prepared machine as C, for a build that
 //                                   has it as a constant (specialised)
 //
-// One step is far shorter than a clock can tell, so it is taken many times over
+// One step is far shorter than a clock resolves, so it is taken many times over
 // from a copy of its state: caches and branch prediction are warm.
 #define _POSIX_C_SOURCE 200809L
 
@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include "bench/timing.h"
+#include "firmware/constants.h"
 #include "report/part.h"
 
 #define BATCHES 9
@@ -44,7 +45,7 @@ static void time_step(const run_t *before, run_t *run) {
     const double begin = timing_wall();
     for (int j = 0; j < BATCH; j++) {
       run->state = before->state;
-      run->carry = before->carry;
+      run->compensation = before->compensation;
       sample(run);
     }
     const double time = (timing_wall() - begin) / BATCH;
@@ -70,51 +71,23 @@ static int print_end(run_t *run, long steps) {
     if (sample(run) < 0) return 1;
   printf("%a %a %a %s, %a %a %a\n", (double)run->state.r, (double)run->state.v,
          (double)run->state.w, tf_mode_name(run->state.mode),
-         (double)run->carry.r, (double)run->carry.v, (double)run->carry.w);
+         (double)run->compensation.r, (double)run->compensation.v,
+         (double)run->compensation.w);
   return 0;
-}
-
-// clang-format off
-#define REALS(F)                                                          \
-  F(m) F(d) F(k2) F(c1) F(c2) F(r0) F(omega0) F(sin_gamma) F(cos_gamma)   \
-  F(minus_sin_gamma) F(d_sin_gamma) F(beta2) F(dt) F(theta) F(theta_dt)   \
-  F(explicit_dt) F(a) F(d_a) F(m_plus_a) F(m_a_d2) F(inertia)             \
-  F(mu_sin_gamma) F(mu_d_sin_gamma) F(stick_kappa) F(kappa_mu) F(inv_mu)  \
-  F(inv_kappa_mu) F(inv_mu_dt) F(tolerance) F(tyre.mu) F(tyre.kappa)      \
-  F(tyre.inv_18_kappa) F(tyre.inv_6_kappa) F(tyre.epsilon) F(tyre.k)      \
-  F(tyre.delta) F(tyre.sigma) F(tyre.rho) F(tyre.a)
-// clang-format on
-
-// A member that is missing here ends in other bits, which the report checks.
-static void print_members(const tf_machine_t *k) {
-#define F(name) printf("  .%s = (tf_real_t)%a,\n", #name, (double)k->name);
-  REALS(F)
-#undef F
-  for (int i = 0; i < TF_TYRE_ANCHORS; i++)
-    printf("  .tyre.T_anchor[%d] = (tf_real_t)%a,\n", i,
-           (double)k->tyre.T_anchor[i]);
-  for (int i = 0; i < TF_TYRE_TERMS; i++)
-    printf("  .tyre.T_series[%d] = (tf_real_t)%a,\n", i,
-           (double)k->tyre.T_series[i]);
-  printf("  .exit_threshold = %lluu, .tyre.law = (tf_tyre_law_t)%d,\n",
-         (unsigned long long)k->exit_threshold, (int)k->tyre.law);
-  printf("  .rule = (tf_rule_t)%d, .rest = (tf_rest_law_t)%d,\n", (int)k->rule,
-         (int)k->rest);
-  printf("  .with_angle = %d", (int)k->with_angle);
 }
 
 static void print_machine(const run_t *run) {
   const tf_compensated_t *k = &run->machine;
-  if (run->scheme != CARRIED) {
+  if (run->scheme != COMPENSATED) {
     puts("#define SPECIAL_STATE(run) &run->state");
     puts("static const tf_machine_t special_machine = {");
-    print_members(&k->machine);
+    constants_of_machine(stdout, &k->machine);
     puts("};");
     return;
   }
-  puts("#define SPECIAL_STATE(run) &run->state, &run->carry");
+  puts("#define SPECIAL_STATE(run) &run->state, &run->compensation");
   puts("static const tf_compensated_t special_machine = {.machine = {");
-  print_members(&k->machine);
+  constants_of_machine(stdout, &k->machine);
   printf("},\n  .low_sin_gamma = (tf_real_t)%a,\n", (double)k->low_sin_gamma);
   printf("  .low_cos_gamma = (tf_real_t)%a,\n", (double)k->low_cos_gamma);
   printf("  .low_inertia = (tf_real_t)%a};\n", (double)k->low_inertia);

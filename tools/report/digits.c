@@ -1,4 +1,5 @@
-// What is left of a step's accuracy in float where its rounding is carried.
+// What is left of a step's accuracy in float where its rounding is compensated
+// for.
 //
 //   digits   prints lines `part dt real scheme r v w`: end states of runs whose
 //            step is dt [s], and in double the reference, the finest
@@ -35,7 +36,7 @@ static int print_end(const part_t *part, scheme_t scheme, int k,
   run.state.mode = truth_mode(part->problem, part->from);
   // The start has its slip to all digits: rounding v would turn its sign.
   const tf_real_t h = TO_FLOAT(truth_start_slip(part->problem));
-  if (tf_speed_for_slip_compensated(&run.machine, &run.state, &run.carry,
+  if (tf_speed_for_slip_compensated(&run.machine, &run.state, &run.compensation,
                                     run.input.omega0, h) != TF_OK)
     return 0;
   if (tf_begin(&run.machine.machine, &run.state, &run.input, &run.report) < 0)
@@ -54,7 +55,7 @@ int main(void) {
     if (parts[i].from > 0 || strcmp(parts[i].name, "cycle") == 0) continue;
     if (wide) done = print_end(&parts[i], LOCATED, 0, "reference");
     for (int k = 8; k <= FINEST && done; k += 2) {
-      done = print_end(&parts[i], CARRIED, k, "carried") &&
+      done = print_end(&parts[i], COMPENSATED, k, "compensated") &&
              print_end(&parts[i], MOREAU, k, "plain");
     }
   }

@@ -1,9 +1,9 @@
-"""Errors of runs with carried and plain steps, in both real types.
+"""Errors of runs with compensated and plain steps, in both real types.
 
 They are against the reference run in double:
-  scheme         the carried step in double: its own error, no rounding
-  double plain, float plain, float carried
-then ratio = float carried / scheme, the ulp of float at the largest of r, v
+  scheme         the compensated step in double: its own error, no rounding
+  double plain, float plain, float compensated
+then ratio = float compensated / scheme, the ulp of float at the largest of r, v
 and w at the end, and what that says. Where a float cannot tell the ends of the
 two runs apart, the ratio says nothing.
 """
@@ -15,7 +15,7 @@ from typing import Iterable, Sequence
 from tables import read
 
 COLUMNS = ("run", "dt", "scheme", "double plain", "float plain",
-           "float carried", "ratio", "ulp", "verdict")
+           "float compensated", "ratio", "ulp", "verdict")
 State = tuple[float, ...]
 
 
@@ -31,7 +31,7 @@ def float_ulp(state: State) -> float:
 
 
 def judge(error: float, scheme: float, ulp: float) -> str:
-    """What the error of the carried step in float says."""
+    """What the error of the compensated step in float says."""
     if error <= 3 * scheme:
         return "within 3"
     return "below one ulp of a float" if error <= ulp else "not reached"
@@ -42,10 +42,10 @@ def line(ends: dict[tuple[str, str, str, str], State],
     """One run with one step."""
     reference = references[run]
     scheme, *others = (distance(ends[run, dt, real, way], reference)
-                       for real, way in (("double", "carried"),
+                       for real, way in (("double", "compensated"),
                                          ("double", "plain"),
                                          ("float", "plain"),
-                                         ("float", "carried")))
+                                         ("float", "compensated")))
     kept, ulp = others[-1], float_ulp(reference)
     return [run, dt, *(f"{error:.2e}" for error in (scheme, *others)),
             f"{kept / scheme:.3g}" if scheme > 0 else "-", f"{ulp:.1e}",

@@ -11,7 +11,8 @@ from step import Bench, Ensembles
 from tables import markdown, read
 from tables.markdown import row
 
-PROBLEMS = {"codim2": "chaos", "crossings": "crossings"}
+PROBLEMS = {"codim2": "chaos", "crossings": "crossings",
+            "stickslip": "stickslip"}
 LEVELS = 1e-3, 1e-6, 1e-9
 WORST = 8  # times the median, at most
 
@@ -76,7 +77,7 @@ def peer_race(path: str) -> Race:
 
 
 def best_peers(path: str, most: int = 4) -> list[str]:
-    """Peers that reach 1e-6 on both problems in the least time.
+    """Peers that reach 1e-6 on all problems in the least time.
 
     They are ordered by the product of their times.
     """
@@ -176,11 +177,11 @@ class Digits:
             if one["verdict"] != "not reached":
                 continue
             text = (f"* Compensated float on `{one['run']}` is "
-                    f"{one['float carried']} off, {one['ratio']} times the "
+                    f"{one['float compensated']} off, {one['ratio']} times the "
                     "scheme's error.")
             if before:
                 grown = [one.number(name) / before.number(name)
-                         for name in ("float carried", "scheme")]
+                         for name in ("float compensated", "scheme")]
                 text += (" The motion spreads what rounding F and M to floats "
                          f"begins: since `{before['run']}` that error has "
                          f"grown {grown[0]:.2g} times and the scheme's own "

@@ -17,7 +17,7 @@ const part_t parts[PARTS] = {
     {"cycle", "chaos to t = 2", "chaos", 0, 2, 16, 6e-3},
     {"stickslip", "stickslip to t = 2", "stickslip", 0, 2, 16, 0.5}};
 
-const char *const scheme_names[SCHEMES] = {"moreau", "carried", "located"};
+const char *const scheme_names[SCHEMES] = {"moreau", "compensated", "located"};
 
 // A member of the state, and what rounding it leaves over.
 static void split(long double x, tf_real_t *high, tf_real_t *low) {
@@ -34,14 +34,15 @@ tf_status_t part_begin(run_t *run, const part_t *part,
   params.dt = (tf_real_t)((part->to - part->from) / (long double)n);
   if (tolerance <= 1e-2) params.tolerance = (tf_real_t)tolerance;
   const tf_status_t status =
-      scheme == CARRIED ? tf_prepare_compensated(&run->machine, &params, NULL)
-                        : tf_prepare(&run->machine.machine, &params, NULL);
+      scheme == COMPENSATED
+          ? tf_prepare_compensated(&run->machine, &params, NULL)
+          : tf_prepare(&run->machine.machine, &params, NULL);
   if (status != TF_OK) return status;
   if (tolerance > 1e-2) run->machine.machine.tolerance = (tf_real_t)tolerance;
   run->input = tf_input_default(&run->machine.machine);
-  split(start->x[0], &run->state.r, &run->carry.r);
-  split(start->x[1], &run->state.v, &run->carry.v);
-  split(start->x[2], &run->state.w, &run->carry.w);
+  split(start->x[0], &run->state.r, &run->compensation.r);
+  split(start->x[1], &run->state.v, &run->compensation.v);
+  split(start->x[2], &run->state.w, &run->compensation.w);
   run->state.mode = truth_mode(part->problem, part->from);
   return tf_begin(&run->machine.machine, &run->state, &run->input,
                   &run->report);
@@ -49,19 +50,19 @@ tf_status_t part_begin(run_t *run, const part_t *part,
 
 void part_print_end(const run_t *run, double dt, const char *name) {
   const tf_state_t *s = &run->state;
-  const tf_compensation_t *c = &run->carry;
+  const tf_compensation_t *c = &run->compensation;
   const tf_real_t high[3] = {s->r, s->v, s->w}, low[3] = {c->r, c->v, c->w};
   printf("%.4g %s %s", dt, REAL, name);
   for (int i = 0; i < 3; i++)
     printf(" %.17g",
-           (double)high[i] + (run->scheme == CARRIED ? (double)low[i] : 0));
+           (double)high[i] + (run->scheme == COMPENSATED ? (double)low[i] : 0));
   printf("\n");
 }
 
 double part_error(const run_t *run, const truth_state_t *truth) {
   const tf_state_t *s = &run->state;
-  const tf_compensation_t *c = &run->carry;
-  const int whole = run->scheme == CARRIED;
+  const tf_compensation_t *c = &run->compensation;
+  const int whole = run->scheme == COMPENSATED;
   const tf_real_t high[3] = {s->r, s->v, s->w}, low[3] = {c->r, c->v, c->w};
   double worst = 0;
   for (int i = 0; i < 3; i++) {

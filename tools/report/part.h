@@ -17,7 +17,7 @@ typedef struct {
 #define PARTS 7
 extern const part_t parts[PARTS];
 
-typedef enum { MOREAU, CARRIED, LOCATED } scheme_t;
+typedef enum { MOREAU, COMPENSATED, LOCATED } scheme_t;
 #define SCHEMES 3
 /// The real type of this build.
 #define REAL (sizeof(tf_real_t) == 8 ? "double" : "float")
@@ -28,7 +28,7 @@ typedef struct {
   scheme_t scheme;
   tf_compensated_t machine;
   tf_state_t state;
-  tf_compensation_t carry; // used by CARRIED
+  tf_compensation_t compensation; // used by COMPENSATED
   tf_input_t input;
   tf_report_t report;
 } run_t;
@@ -42,8 +42,8 @@ tf_status_t part_begin(run_t *run, const part_t *part,
 
 static inline tf_status_t part_step(run_t *run) {
   switch (run->scheme) {
-    case CARRIED:
-      return tf_step_compensated(&run->machine, &run->state, &run->carry,
+    case COMPENSATED:
+      return tf_step_compensated(&run->machine, &run->state, &run->compensation,
                                  &run->input, &run->report);
     case LOCATED:
       return tf_step_located(&run->machine.machine, &run->state, &run->input,

@@ -38,7 +38,7 @@ class Style(NamedTuple):
 
 STYLES = (
     Style("moreau", "dt", "#D55E00", "s"),
-    Style("carried", "dt", "#E69F00", "o"),
+    Style("compensated", "dt", "#E69F00", "o"),
     Style("located", "dt", "#0072B2", "^"),
     Style("located", "order", "#56B4E9", "v"),
     Style("located", "tolerance@1s", "#8C7A00", "*"),
@@ -147,7 +147,7 @@ def save(figure: pyplot.Figure, out: Path) -> None:
 
 
 def draw_peers(axes: pyplot.Axes, data: Data, problem: str) -> None:
-    """Other tools; the best are told apart, the others are grey."""
+    """Other tools; the best have colours, the others are grey."""
     for peer in {row["peer"]: None for row in data.peers}:
         rows = [row for row in data.peers
                 if (row["problem"], row["peer"]) == (problem, peer)]
@@ -171,10 +171,11 @@ def precision(data: Data, real: str, out: Path) -> None:
         row = data.parts[part]
         one.set(title=row["title"], xlabel="time of the run [s]", ylabel=ERROR,
                 xlim=(3e-7, 0.3), ylim=(low, TOP))
-        doubt = row.number("doubt")
-        one.axhline(max(doubt, 2 * low), linestyle="--", color="#555555")
-        one.text(0.25, 8 * max(doubt, 2 * low), f"reference: {doubt:.0e}",
-                 horizontalalignment="right", color="#555555")
+        uncertainty = row.number("uncertainty")
+        one.axhline(max(uncertainty, 2 * low), linestyle="--", color="#555555")
+        one.text(0.25, 8 * max(uncertainty, 2 * low),
+                 f"reference: {uncertainty:.0e}", horizontalalignment="right",
+                 color="#555555")
         if with_peers and part in ("crossings", "codim2"):
             draw_peers(one, data, row["problem"])
         for style in STYLES:
@@ -186,7 +187,7 @@ def precision(data: Data, real: str, out: Path) -> None:
             mark(one, what, every, seconds,
                  lambda s: TOP if s.mark == "refused" else s.error)
     handles = style_handles(STYLES) + mark_handles(*MARKS)
-    handles.append(handle("doubt of the reference", linestyle="--",
+    handles.append(handle("uncertainty of the reference", linestyle="--",
                           color="#555555"))
     if with_peers:
         handles += [handle(f"peer {peer}", linestyle="none", color=colour,

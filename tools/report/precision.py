@@ -18,8 +18,8 @@ import numpy as np
 from series import Series, Setting, least_time, read_sweep, timed
 from tables import markdown, read
 
-PART_COLUMNS = ("name", "title", "problem", "begin", "end", "border", "doubt",
-                "source")
+PART_COLUMNS = ("name", "title", "problem", "begin", "end", "border",
+                "uncertainty", "source")
 BUDGETS = {"3 us": 3e3, "10 us": 1e4, "100 us": 1e5, "1 ms": 1e6}
 LEVELS = 1e-3, 1e-6, 1e-9
 MARKS = "ok", "flagged", "branch", "refused"
@@ -133,7 +133,7 @@ def series_row(series: Series, border: float) -> list[str]:
 
 def best_table(parts: list[read.Row], sweep: list[Series]) -> str:
     """The error that a scheme buys, its best dial."""
-    schemes = "moreau", "carried", "located"
+    schemes = "moreau", "compensated", "located"
     rows = []
     for part in parts:
         row = [part["title"]]
@@ -169,8 +169,8 @@ def tables(parts_path: str, sweep_path: str) -> Iterable[str]:
     for part in parts:
         yield f"\n### {part['title']}\n"
         yield (f"Problem `{part['problem']}`, {part['begin']} s to "
-               f"{part['end']} s. Reference: {part['source']}, doubt "
-               f"{part['doubt']}.\n")
+               f"{part['end']} s. Reference: {part['source']}, uncertainty "
+               f"{part['uncertainty']}.\n")
         yield markdown.table(part_columns(), [
             series_row(series, part.number("border"))
             for series in sweep if series.part == part["name"]])

@@ -5,6 +5,7 @@ REPORT := sweep scatter cost digits scenes
 define report_rules
 $(REPORT:%=$(BUILD)/$(1)/tools/report/%): %: %.o \
     $(BUILD)/$(1)/tools/report/part.o $(BUILD)/$(1)/tools/report/truth.o \
+    $(BUILD)/$(1)/tools/firmware/constants.o \
     $(BUILD)/$(1)/libsupport.a $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 endef

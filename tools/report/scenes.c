@@ -54,13 +54,18 @@ static int begin(run_t *run, const tf_scene_t *scene, double dt) {
   run->state.r = TO_FLOAT(scene->r);
   run->state.v = TO_FLOAT(scene->v);
   run->state.w = TO_FLOAT(scene->omega);
-  run->state.mode = scene->h > 0 ? TF_SLIP_PLUS : TF_NO_MODE;
-  if (!scene->v_is_given && tf_speed_for_slip_compensated(
-                                &run->machine, &run->state, &run->carry,
-                                run->input.omega0, TO_FLOAT(scene->h)) != TF_OK)
+  run->state.mode = TF_NO_MODE;
+  const tf_machine_t *machine = &run->machine.machine;
+  const tf_real_t h = TO_FLOAT(scene->h);
+  // The mode goes by the sign of h; then v gets the digits that h needs.
+  if (!scene->v_is_given &&
+      (tf_begin_with_slip(machine, &run->state, &run->input, h, &run->report) !=
+           TF_OK ||
+       tf_speed_for_slip_compensated(&run->machine, &run->state,
+                                     &run->compensation, run->input.omega0,
+                                     h) != TF_OK))
     return 0;
-  return tf_begin(&run->machine.machine, &run->state, &run->input,
-                  &run->report) >= 0;
+  return tf_begin(machine, &run->state, &run->input, &run->report) >= 0;
 }
 
 // One run of n steps of dt; `of` steps are in the name of the row.
@@ -86,10 +91,10 @@ static int print_scene(const tf_scene_t *scene, long steps) {
       law == TF_TYRE_JUMP || law == TF_TYRE_COULOMB || law == TF_TYRE_NONE;
   const long n = located ? (steps + COARSE - 1) / COARSE : steps * FINE;
   const int wide = sizeof(tf_real_t) == 8;
-  if (wide && !print_end(scene, steps, located ? LOCATED : CARRIED, n,
+  if (wide && !print_end(scene, steps, located ? LOCATED : COMPENSATED, n,
                          length / (double)n, "reference"))
     return 0;
-  return print_end(scene, steps, CARRIED, steps, dt, "carried") &&
+  return print_end(scene, steps, COMPENSATED, steps, dt, "compensated") &&
          print_end(scene, steps, MOREAU, steps, dt, "plain");
 }
 

@@ -215,15 +215,16 @@ static void sweep_tolerance(const course_t *course, const char *dial, double dt,
   }
 }
 
-// The parts: name,text,problem,from,to,border,doubt of the reference,its source
+// The parts: name,text,problem,from,to,border,uncertainty of the reference,its
+// source
 static void print_parts(void) {
   for (int i = 0; i < PARTS; i++) {
     const part_t *p = &parts[i];
-    printf(
-        "%s,%s,%s,%g,%g,%g,%.1e,%s\n", p->name, p->text, p->problem,
-        (double)p->from, (double)p->to, p->border,
-        fmax(truth_doubt(p->problem, p->from), truth_doubt(p->problem, p->to)),
-        truth_source(p->problem, p->to));
+    printf("%s,%s,%s,%g,%g,%g,%.1e,%s\n", p->name, p->text, p->problem,
+           (double)p->from, (double)p->to, p->border,
+           fmax(truth_uncertainty(p->problem, p->from),
+                truth_uncertainty(p->problem, p->to)),
+           truth_source(p->problem, p->to));
   }
 }
 
@@ -244,8 +245,8 @@ int main(int argc, char **argv) {
     const double fine = digits ? fmin(6e5, length / 1e-6) : 1e5;
     sweep_steps(&course, (setting_t){"dt", MOREAU, 0, 1e-8}, coarse, fine, 1.3,
                 10 * i);
-    sweep_steps(&course, (setting_t){"dt", CARRIED, 0, 1e-8}, coarse, fine, 1.8,
-                10 * i + 1);
+    sweep_steps(&course, (setting_t){"dt", COMPENSATED, 0, 1e-8}, coarse, fine,
+                1.8, 10 * i + 1);
     sweep_steps(&course, (setting_t){"dt", LOCATED, 0, 1e-8},
                 fmax(1, length / 0.2), 3000 * sqrt(length), 1.2, 10 * i + 2);
     sweep_steps(&course, (setting_t){"order", LOCATED, 0, 0.1},

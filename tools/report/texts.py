@@ -7,8 +7,8 @@ Made by `make bench` in {seconds} s from commit {commit}, compiler
 {compiler}, `{opt} -ffp-contract=off`, on
 {processor}.
 
-Schemes: `moreau` is `tf_step` with theta = 1/2, `carried` the same compensated
-(`tf_step_compensated`), `located` is `tf_step_located`. Dials: `dt` the step
+Schemes: `moreau` is `tf_step` with theta = 1/2, `compensated` the same with
+compensated summation, `located` is `tf_step_located`. Dials: `dt` the step
 (of `located` at the tolerance 1e-8), `order` the step of `located` at a
 tolerance that never splits it, `tolerance@1s`, `@100ms`, `@20ms` and `@5ms`
 the tolerance of `located` at that step. The grids have random shifts, from one

@@ -9,8 +9,8 @@
 #include "../../tests/data/reference.h"
 #include "../../tests/support/orbit.h"
 
-// The orbit is as good as long double is wide; its header says 1e-15.
-#define ORBIT_DOUBT 1e-15
+// The orbit is as accurate as long double permits; its header says 1e-15.
+#define ORBIT_UNCERTAINTY 1e-15
 #define ORBIT_LAST 2.0462L // [s], before the two-fold
 
 static const reference_t *find(const char *problem) {
@@ -102,11 +102,11 @@ int truth_events(const char *problem, long double from, long double to,
   return n;
 }
 
-double truth_doubt(const char *problem, long double t) {
+double truth_uncertainty(const char *problem, long double t) {
   const reference_t *ref = find(problem);
   truth_state_t state;
   if (!ref) return HUGE_VAL;
-  return in_table(ref, t, &state) ? ref->state_doubt : ORBIT_DOUBT;
+  return in_table(ref, t, &state) ? ref->state_uncertainty : ORBIT_UNCERTAINTY;
 }
 
 const char *truth_source(const char *problem, long double t) {

@@ -38,7 +38,7 @@ int truth_events(const char *problem, long double from, long double to,
                  truth_event_t events[TRUTH_EVENTS]);
 
 /// How far the reference may be off at a time, and one line on what it is.
-double truth_doubt(const char *problem, long double t);
+double truth_uncertainty(const char *problem, long double t);
 const char *truth_source(const char *problem, long double t);
 
 #endif

@@ -37,7 +37,7 @@ matplotlib.rcParams.update({"svg.hashsalt": "twofold", "font.size": 9})
 
 
 def units_of(path: str) -> dict[str, str]:
-    """The unit of each column, from the comment that tells them."""
+    """The unit of each column, from the comment that lists them."""
     if path == "-":
         return {}
     with open(path, encoding="utf-8") as file:

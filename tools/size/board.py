@@ -26,6 +26,15 @@ ENVIRONMENT = {name: value for name, value in os.environ.items()
                if name not in ("MAKEFLAGS", "MAKELEVEL")}
 
 
+def plugin() -> Path:
+    """The part of the emulator that counts."""
+    path = Path(BUILD, "count.so")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    subprocess.run(["cc", "-std=c99", "-O2", "-fPIC", "-shared",
+                    "tools/size/count.c", "-o", str(path)], check=True)
+    return path
+
+
 def make(*arguments: str, quiet: bool = True) -> bool:
     """Runs make; its output goes to standard error, or nowhere."""
     out = subprocess.DEVNULL if quiet else sys.stderr
@@ -90,7 +99,8 @@ class Firmware:
 
     def __init__(self, board: Board, real: str, scene: str) -> None:
         self.board, self.real, self.scene = board, real, scene
-        self.place = Path(BUILD, "boards", board.name, f"{scene}-{real}")
+        self.place = Path(BUILD, "boards", board.name,
+                          f"{Path(scene).name}-{real}")
 
     def _make(self, target: str, *more: str, quiet: bool = True) -> bool:
         return make(f"BOARD={self.board.name}", target, f"SCENE={self.scene}",
@@ -156,10 +166,12 @@ class Firmware:
         """All three figures."""
         return Stack(*self.claimed(), self.painted(steps))
 
-    def instructions(self, plugin: Path, steps: int) -> Optional[list[int]]:
+    def instructions(self, plugin: Path, steps: int,
+                     scheme: str = "moreau") -> Optional[list[int]]:
         """Least, median and most of a step, inputs included."""
         if not self.board.emulated() or not self._make(
-                "elf", "PROGRAM=window", f"STEPS={steps}"):
+                "elf", "PROGRAM=window", f"STEPS={steps}",
+                f"SCHEME={scheme}"):
             return None
         elf, counted = self.place / "window.elf", Path(BUILD, "counted")
         counted.unlink(missing_ok=True)

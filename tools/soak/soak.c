@@ -12,8 +12,8 @@
 #include "cli/host/host.h"
 #include "twofold.h"
 
-#define LEAST_STEPS 1000.0
-#define MOST_STEPS 1e15
+#define MIN_STEPS 1000.0
+#define MAX_STEPS 1e15
 #define RATE TF_R(10.0) // of leaving an open stick [1/s]
 #define SEED 2014u
 #define LONGEST_STAY 5.0 // in one mode [s]: it sticks for 2, rests for 0.1
@@ -24,9 +24,9 @@ typedef struct {
   tf_compensated_t machine;
   tf_input_t input;
   tf_state_t state;
-  bool carried;            // by tf_step_compensated
-  tf_compensation_t carry; // else 0
-  uint64_t trail;          // of the bits of all states so far
+  bool compensated;               // by tf_step_compensated
+  tf_compensation_t compensation; // else 0
+  uint64_t trail;                 // of the bits of all states so far
   // Steps that broke a promise.
   uint64_t refused, not_finite, drifted, miscounted;
   // What happened.
@@ -46,9 +46,9 @@ static double rounding(const soak_t *s) {
 }
 
 static tf_status_t advance(soak_t *s, tf_report_t *report) {
-  return s->carried
-             ? tf_step_compensated(&s->machine, &s->state, &s->carry, &s->input,
-                                   report)
+  return s->compensated
+             ? tf_step_compensated(&s->machine, &s->state, &s->compensation,
+                                   &s->input, report)
              : tf_step(&s->machine.machine, &s->state, &s->input, report);
 }
 
@@ -93,7 +93,7 @@ static void step_through(soak_t *s, uint64_t from, uint64_t to, double *shown,
     const unsigned mode = s->state.mode;
     if (advance(s, &report) < 0) {
       s->refused++;
-      return; // it would be refused for ever
+      return; // it would be refused again and again
     }
     judge(s, &report, step, before);
     if (s->state.mode != mode) s->changed = step;
@@ -108,19 +108,19 @@ static void step_through(soak_t *s, uint64_t from, uint64_t to, double *shown,
   }
 }
 
-static int start(soak_t *s, bool carried) {
+static int start(soak_t *s, bool compensated) {
   const tf_scene_t *scene = tf_scenes[0];
   tf_params_t params = scene->params;
-  tf_session_t session;
+  tf_simulation_t simulation;
   params.rule = TF_RULE_RANDOM;
   params.rate = RATE;
   memset(s, 0, sizeof *s);
-  s->carried = carried;
-  if (tf_session_open(&session, scene, &params, SEED) != TF_OK ||
+  s->compensated = compensated;
+  if (tf_simulation_open(&simulation, scene, &params, SEED) != TF_OK ||
       tf_prepare_compensated(&s->machine, &params, NULL) != TF_OK)
     return 0;
-  s->state = session.state;
-  s->input = tf_session_input(&session, scene);
+  s->state = simulation.state;
+  s->input = tf_simulation_input(&simulation, scene);
   return 1;
 }
 
@@ -131,24 +131,24 @@ static void tell(int ok, const char *what, double figure) {
   printf("%-6s %s: %.6g\n", ok ? "ok" : "FAILED", what, figure);
 }
 
-static int soak(uint64_t steps, bool carried) {
+static int soak(uint64_t steps, bool compensated) {
   static soak_t s, again;
   const uint64_t half = steps / 2;
   const bool is_float = sizeof(tf_real_t) == 4;
   const double began = cli_now();
   double shown = began;
-  if (!start(&s, carried) || !start(&again, carried)) return 0;
+  if (!start(&s, compensated) || !start(&again, compensated)) return 0;
   step_through(&s, 0, half, &shown, steps);
   memcpy(&again.state, &s.state, sizeof s.state);
-  memcpy(&again.carry, &s.carry, sizeof s.carry);
+  memcpy(&again.compensation, &s.compensation, sizeof s.compensation);
   again.trail = s.trail;
   step_through(&s, half, steps, &shown, steps);
   step_through(&again, half, steps, &shown, steps);
 
   printf("chaos, rule random, %s: %.6g steps in %.1f s, half of them twice\n",
-         carried    ? "compensated"
-         : is_float ? "float"
-                    : "double",
+         compensated ? "compensated"
+         : is_float  ? "float"
+                     : "double",
          (double)steps, cli_now() - began);
   for (unsigned mode = 0; mode < TF_MODES; mode++)
     printf("# %s: %.6g steps\n", tf_mode_name(mode), (double)s.modes[mode]);
@@ -163,11 +163,12 @@ static int soak(uint64_t steps, bool carried) {
   tell(s.open > 0 && s.modes[TF_STICK_PLUS] > 0 && s.modes[TF_STICK_MINUS] > 0,
        "steps with a choice, of sticks of both signs", (double)s.open);
   const double stay = (double)s.stay * (double)s.machine.machine.dt;
-  if (carried || !is_float)
+  if (compensated || !is_float)
     tell(stay <= LONGEST_STAY, "longest stay in a mode [s]", stay);
   tell(again.trail == s.trail && again.state.tick == steps &&
            memcmp(&again.state, &s.state, sizeof s.state) == 0 &&
-           memcmp(&again.carry, &s.carry, sizeof s.carry) == 0,
+           memcmp(&again.compensation, &s.compensation,
+                  sizeof s.compensation) == 0,
        "steps replayed from the snapshot, bit for bit", (double)(steps - half));
   return 1;
 }
@@ -175,7 +176,7 @@ static int soak(uint64_t steps, bool carried) {
 int main(int argc, char *argv[]) {
   char *end = NULL;
   const double number = argc == 2 ? strtod(argv[1], &end) : 0;
-  if (!(number >= LEAST_STEPS && number <= MOST_STEPS) || *end != '\0') {
+  if (!(number >= MIN_STEPS && number <= MAX_STEPS) || *end != '\0') {
     (void)fprintf(stderr, "usage: soak STEPS, 1e3 to 1e15\n");
     return 2;
   }

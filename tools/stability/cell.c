@@ -9,14 +9,16 @@
 // along the run's own path. No motion of the machine has E > E0 + W. A run with
 // E > 4 (E0 + W) has more than twice the amplitude that this allows: energy
 // was created by the scheme. Less than that is an error, not an instability.
+// What a step gains that says itself that it is too coarse or degraded is known
+// to be wrong: where E > 4 (E0 + W) by that alone, no step has kept silent.
 #include "cell.h"
 
 #include <math.h>
 #include <string.h>
 
 const char *const cell_verdict_names[CELL_VERDICTS] = {
-    "ok",      "degraded",      "physics", "too_long",  "diverged",
-    "created", "bad_parameter", "touched", "non_finite"};
+    "ok",   "degraded", "physics",       "too_long", "diverged",
+    "told", "created",  "bad_parameter", "touched",  "non_finite"};
 
 #define FACTOR 4
 
@@ -107,12 +109,11 @@ static tf_status_t begin(const case_t *c, const tf_machine_t *k,
   x->r = c->r;
   x->v = c->v;
   x->w = c->w;
+  x->mode = TF_NO_MODE;
   const tf_input_t u = input_at(c, k, 0);
-  if (c->v_from_h) {
-    tf_real_t v = c->v;
-    if (tf_speed_for_slip(k, x->r, x->w, u.omega0, c->h, &v) == TF_OK) x->v = v;
-  }
-  x->mode = c->v_from_h && c->h > 0 ? TF_SLIP_PLUS : TF_NO_MODE;
+  // Where no v gives h, the case starts with the v that it has.
+  if (c->v_from_h && tf_begin_with_slip(k, x, &u, c->h, &report) == TF_OK)
+    return TF_OK;
   return tf_begin(k, x, &u, &report);
 }
 
@@ -157,6 +158,7 @@ static tf_status_t ask_finer(const case_t *c, step_t *step, tf_real_t theta,
 typedef struct {
   const tf_machine_t *k;
   long double E0, W, r0, before; // before: slip_rounding of the last state
+  long double E, told; // energy; how far flagged steps have led beyond E0 + W
 } watch_t;
 
 static void worsen(cell_t *cell, cell_verdict_t verdict) {
@@ -183,7 +185,11 @@ static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
   const long double E = energy(k, x, at->r0);
   at->W += wide(k->dt) * fmaxl(power(k, old, omega0), power(k, x, omega0));
   const long double room = at->E0 + at->W + energy_of_rounding(k, x, at->r0);
-  if (!(E <= FACTOR * room)) worsen(cell, CELL_CREATED);
+  if (report->status == TF_COARSE || report->status == TF_DEGRADED)
+    at->told = fmaxl(at->told, fminl(at->told + E - at->E, E - room));
+  at->E = E;
+  if (!(E <= FACTOR * room)) worsen(cell, CELL_TOLD);
+  if (!(E <= FACTOR * (room + at->told))) worsen(cell, CELL_CREATED);
   cell->excess = fmaxl(cell->excess, E / room);
   if (!(at->E0 > 0)) return;
   cell->end_drift = (E - at->E0) / at->E0;
@@ -223,7 +229,7 @@ cell_t cell_run(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt) {
   }
   cell.grows = wide(k.k2) < wide(k.m) * wide(x.w) * wide(x.w);
   watch_t at = {.k = &k, .r0 = wide(k.r0)};
-  at.E0 = energy(&k, &x, at.r0);
+  at.E0 = at.E = energy(&k, &x, at.r0);
   at.before = slip_rounding(&k, &x, k.omega0);
   for (long n = 1; n <= CELL_STEPS; n++) {
     const tf_input_t u = input_at(c, &k, n);

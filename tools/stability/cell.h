@@ -22,12 +22,14 @@ typedef enum {
   CELL_PHYSICS,   ///< the motion itself leaves the range of states
   CELL_TOO_LONG,  ///< refused: r moves by more than its size in a step
   CELL_DIVERGED,  ///< refused, and shorter steps go on: the scheme's fault
-  CELL_CREATED,   ///< more energy than the contact can have put in
+  CELL_TOLD,      ///< more energy than the contact can have put in, by steps
+                  ///< that said TF_COARSE or TF_DEGRADED
+  CELL_CREATED,   ///< the same by steps that said nothing of it
   CELL_PARAMETER, ///< the scheme or the real type does not take the case
   CELL_TOUCHED,   ///< a refused step changed the state, or lied about status
   CELL_NON_FINITE ///< an accepted step left a number that is not finite
 } cell_verdict_t;
-#define CELL_VERDICTS 9
+#define CELL_VERDICTS 10
 extern const char *const cell_verdict_names[CELL_VERDICTS];
 
 typedef struct {
@@ -38,7 +40,7 @@ typedef struct {
   long degraded, fell_back, coarse, sticks;
   bool grows;            ///< k2 < m w^2 at the start
   bool conservative;     ///< no contact, no damping
-  long double excess;    ///< largest E / (E0 + W), see CELL_CREATED
+  long double excess;    ///< largest E / (E0 + W), see CELL_TOLD
   long double drift[2];  ///< largest |E - E0| / E0 in each half of the run
   long double end_drift; ///< (E - E0) / E0 at the last valid state
   long double stick;     ///< largest |h| in stick / rounding of its terms

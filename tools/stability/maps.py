@@ -28,6 +28,7 @@ LEGEND = (
     ("physics", "#0072B2", "the motion leaves the range"),
     ("too_long", "#E69F00", "refused: step too long"),
     ("diverged", "#D55E00", "refused: scheme diverged"),
+    ("told", "#999933", "energy created, and told"),
     ("created", "#000000", "energy created"),
     ("bad_parameter", "#BBBBBB", "law not taken"),
     ("touched", "#CC79A7", "promise broken"),

@@ -16,7 +16,7 @@ from tables import read  # noqa: E402
 from tables.markdown import or_dash, table  # noqa: E402
 
 STABLE = "ok", "degraded"
-VERDICTS = STABLE + ("physics", "too_long", "diverged", "created",
+VERDICTS = STABLE + ("physics", "too_long", "diverged", "told", "created",
                      "bad_parameter")
 CODES = "TF_STEP_TOO_LONG", "TF_DIVERGED", "TF_BAD_STATE", "TF_BAD_PARAMETER"
 FLAGS = "degraded", "fell_back", "coarse"
@@ -152,7 +152,7 @@ def degraded_table(cells: Cells, sweeps: list[Sweep]) -> Iterable[str]:
     yield "## Degraded steps\n"
     yield ("Accepted steps in which no mode was consistent (TF_DEGRADED), and"
            "\nsteps that tf_step_located left to tf_step (TF_FELL_BACK) or "
-           "ended\nwith it for want of segments (TF_COARSE).\n")
+           "ended\nwith it because they ran out of segments (TF_COARSE).\n")
     yield table(["real, scheme", "accepted steps", "degraded", "fell back",
                  "coarse"],
                 [[combo] + [total(rows, column)

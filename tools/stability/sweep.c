@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 
 #include "cell.h"
 
@@ -45,11 +46,32 @@ static void print_cell(const sweep_t *sweep, int i, const char *scheme,
          cell->end_drift, cell->largest, cell->coarse);
 }
 
+#define LOG_EVERY 10 // [s] between two lines of progress
+#define SCHEMES (sizeof schemes / sizeof *schemes)
+
+// How much is done, in cases under a scheme: each has all step sizes.
+static struct {
+  long done, all;
+  time_t started, told;
+} progress;
+
+static void tell_progress(void) {
+  const time_t now = time(NULL);
+  progress.done++;
+  if (difftime(now, progress.told) < LOG_EVERY) return;
+  const double share = (double)progress.done / (double)progress.all;
+  const double spent = difftime(now, progress.started);
+  progress.told = now;
+  fprintf(stderr, "stability, %s: %ld of %ld cases, %.0f s left\n",
+          sizeof(tf_real_t) == 4 ? "float" : "double", progress.done,
+          progress.all, spent * (1 - share) / share);
+}
+
 static void run_sweep(const sweep_t *sweep) {
   for (int i = 0; i < sweep->count; i++) {
     case_t c;
     sweep_case(sweep, i, &c);
-    for (size_t s = 0; s < sizeof schemes / sizeof *schemes; s++) {
+    for (size_t s = 0; s < SCHEMES; s++, tell_progress()) {
       for (int n = 0; n < STEP_SIZES; n++) {
         const double dt = pow(10, -6 + n / 2.0);
         const cell_t cell =
@@ -80,6 +102,10 @@ int main(int argc, char **argv) {
       "sweep,index,value,real,scheme,dt,verdict,refusal,finer,steps,degraded,"
       "fell_back,sticks,stick_drift,energy_excess,grows,conservative,"
       "drift_first_half,drift_second_half,drift_end,largest,coarse");
+  for (int i = 0; i < SWEEPS; i++)
+    if (wanted(sweeps[i].name, argc, argv))
+      progress.all += sweeps[i].count * (long)SCHEMES;
+  progress.started = progress.told = time(NULL);
   for (int i = 0; i < SWEEPS; i++) {
     if (!wanted(sweeps[i].name, argc, argv)) continue;
     run_sweep(&sweeps[i]);

@@ -4,10 +4,10 @@
 // stick along one curve for any time, then slip to either side. Where such a
 // run passes a section r = const, in the plane of (time since the two-fold,
 // phase of the winding), is a curve. A perturbed run that passes there on the
-// curve cannot be told from one of the family; one that is not of the family
-// has no reason to, for it is a curve in a plane. So the distance from it is
-// measured, in units of the spread of the family (standard deviations of time
-// and of phase).
+// curve cannot be distinguished from one of the family; one that is not of the
+// family has no reason to, for it is a curve in a plane. So the distance from
+// it is measured, in units of the spread of the family (standard deviations of
+// time and of phase).
 //
 //   nearest FAMILY RUNS
 //

@@ -24,10 +24,14 @@ import texts  # noqa: E402
 
 SIZES = "1e-5", "5e-6", "2.5e-6"
 KINDS = "noise", "hysteresis", "delay"
+# Two laws of the phase, or of a time in units of its spread, that differ by
+# less than this anywhere in their shares are of no interest as two.
+SMALLEST = 0.05
 PERTURBED = tuple(f"many-{kind}-{size}{half}"
                   for kind in ("noise", "smoothing")
                   for size in ("1e-6", "1e-5", "1e-4")
-                  for half in ("", "-half"))
+                  for half in (("", "-half", "-quarter") if kind == "noise"
+                               else ("", "-half")))
 
 
 class Study:
@@ -117,20 +121,22 @@ Comparison = tuple[str, str, str, str, str]
 def distances(study: Study, pairs: Iterable[Comparison]) -> str:
     """Distances of a column of two runs: (run, run, kind, column, title).
 
-    A pair of which one has no number is left out.
+    A pair of which one has no number is left out. The tests of all tables
+    count as one family.
     """
+    tests = len(step_pairs()) + len(kind_pairs())
     rows = []
     for a, b, kind, column, title in pairs:
         first, second = (read.numbers(study.rows(run, kind), column)
                          for run in (a, b))
         if not first or not second:
             continue
-        found = statistics.kolmogorov_smirnov(first, second)
+        found = statistics.kolmogorov_smirnov(first, second, tests)
         rows.append([a, b, title, f"{found.n}, {found.m}",
                      f"{found.value:.4f}", f"{found.band:.4f}",
-                     f"{found.p:.3g}"])
+                     f"{found.p:.3g}", found.verdict(SMALLEST)])
     return markdown.table(["run", "against", "of", "n, m", "distance",
-                           "95 % band", "p"], rows)
+                           "95 % band", "p", "so they are"], rows)
 
 
 def phases(a: str, b: str) -> Comparison:
@@ -254,7 +260,7 @@ def set_valued(study: Study, program: str) -> str:
 
 
 def cost_row(twofold: str, samples: int) -> list[object]:
-    """Time and memory of a run; GNU time tells the memory, where it is."""
+    """Time and memory of a run; memory only where GNU time is installed."""
     command = [twofold, "diverge", "chaos", "--samples", str(samples),
                "--cycles", "10", "--patience", "300"]
     timed = Path("/usr/bin/time").exists()

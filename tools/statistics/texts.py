@@ -31,8 +31,12 @@ cycle begun.
 STEP = """\
 ## The step
 
-Kolmogorov-Smirnov distance between a step and its half. Alike where the
-distance is below the band.
+Kolmogorov-Smirnov distance between a step and its half. All distances of this
+file count as one family of tests: with 95 % none of them is further than its
+band from that of the two laws (Bonferroni), and p is multiplied by their
+number. Two laws are *different* where the distance is above the band, and
+*alike* where it is below 0.05 by the band: a smaller difference is taken to be
+of no interest. Else it is *open* whether they differ.
 """
 
 EXITS = """\
@@ -51,7 +55,7 @@ SET_VALUED = """\
 ## Samples of the set-valued motion
 
 Distance, in the plane of (time since the two-fold, phase) at the section, from
-the curve of what the law allows without a perturbation: stick for any time,
+the curve of exits from the one stick that is followed: stick for any time,
 then slip to either side. 1 is the spread of that family. The last column has
 the phases dealt to other runs: what chance would give.
 """

@@ -33,7 +33,7 @@ class Row(dict):
             return float(self[column])
         except ValueError:
             raise TableError(f"{self.where}: column '{column}' has "
-                             f"'{self[column]}', which is no number") from None
+                             f"'{self[column]}', not a number") from None
 
     def count(self, column: str) -> int:
         """The whole number in a column."""
@@ -62,7 +62,8 @@ def _open(path: str) -> list[str]:
 
 
 TRAILER = re.compile(
-    rb"# shard (\d+)/(\d+): (\d+) rows, crc32 ([0-9a-f]{8})\n")
+    rb"# shard (\d+)/(\d+): (\d+) rows, crc32 ([0-9a-f]{8}), "
+    rb"run ([0-9a-f]{8})\n")
 
 
 def _check_shard(where: str, trailer: re.Match[bytes], lines: list[bytes],
@@ -76,13 +77,13 @@ def _check_shard(where: str, trailer: re.Match[bytes], lines: list[bytes],
 
 
 def _check_shards(path: str, lines: list[bytes], needed: bool) -> None:
-    """All shards of a run are there, in their order and whole.
+    """All shards of one run are there, in their order and whole.
 
     `lines` keep their line ends. A file without any trailer passes unless one
     is `needed`.
     """
     header = next((line for line in lines if not line.startswith(b"#")), b"")
-    before, past, last, of = [], 0, 0, 0
+    before, past, last, of, run = [], 0, 0, 0, b""
     for i, line in enumerate(lines, start=1):
         trailer = TRAILER.fullmatch(line)
         if trailer:
@@ -90,8 +91,11 @@ def _check_shards(path: str, lines: list[bytes], needed: bool) -> None:
             if shard != last + 1 or of not in (0, shards):
                 raise TableError(f"{path}:{i}: shard {last + 1} is missing, "
                                  f"here is {shard}/{shards}")
+            if run not in (b"", trailer[5]):
+                raise TableError(f"{path}:{i}: shard {shard}/{shards} is of "
+                                 "another run than those before it")
             _check_shard(f"{path}:{i}", trailer, before, header)
-            before, past, last, of = [], i, shard, shards
+            before, past, last, of, run = [], i, shard, shards, trailer[5]
         elif not line.startswith(b"#"):
             before.append(line)
     if last != of:
@@ -109,7 +113,7 @@ def read_csv(path: str, needed: Sequence[str] = (),
 
     `needed` are columns that must be there even where there is no row.
     `counted`: the rows have to be those of whole shards of `twofold diverge`,
-    as the last line of each tells; where such a line is, it is always checked.
+    as the last line of each says; where there is such a line, it is checked.
     """
     raw = _bytes(path).splitlines(keepends=True)
     _check_shards(path, raw, counted)

@@ -29,6 +29,17 @@ class Distance(NamedTuple):
     band: float
     p: float
 
+    def verdict(self, smallest: float) -> str:
+        """What is known of the distance of the two distributions.
+
+        It lies within `band` of that of the samples. Not to find a difference
+        is not to find none: `alike` only where the distance cannot be as large
+        as `smallest`.
+        """
+        if self.value + self.band < smallest:
+            return "alike"
+        return "different" if self.value > self.band else "open"
+
 
 def _share(k: int, n: int, method: str) -> Estimate:
     if n == 0:
@@ -81,19 +92,21 @@ def mean(values: Sequence[float]) -> Estimate:
     return Estimate(centre, centre - float(half), centre + float(half))
 
 
-def kolmogorov_smirnov(a: Sequence[float], b: Sequence[float]) -> Distance:
-    """The distance of two samples.
+def kolmogorov_smirnov(a: Sequence[float], b: Sequence[float],
+                       tests: int = 1) -> Distance:
+    """The distance of two samples, one of so many tests (Bonferroni).
 
     `p` is the probability of a distance as large if both were of one
-    distribution, exact up to 10000 values (`scipy.stats.ks_2samp`). `band` is
-    what the distance then stays below in 95 % of cases, by the distribution
-    of one sample of n m / (n + m).
+    distribution, exact up to 10000 values (`scipy.stats.ks_2samp`), times
+    the number of tests. `band` is what the distance then stays below in 95 %
+    of cases, in all tests together, by the distribution of one sample of
+    n m / (n + m).
     """
     found = stats.ks_2samp(a, b)
     size = round(len(a) * len(b) / (len(a) + len(b)))
-    band = float(stats.kstwo.isf(1 - LEVEL, max(1, size)))
+    band = float(stats.kstwo.isf((1 - LEVEL) / tests, max(1, size)))
     return Distance(len(a), len(b), float(found.statistic), band,
-                    float(found.pvalue))
+                    min(1.0, tests * float(found.pvalue)))
 
 
 def kaplan_meier(at_risk: Sequence[int],
@@ -102,7 +115,7 @@ def kaplan_meier(at_risk: Sequence[int],
 
     at_risk and lost: how many began each interval, and were lost in it. The
     interval is Greenwood's on the scale log(-log), which keeps it in [0, 1];
-    there is none where nobody or everybody was lost.
+    there is none where no sample or every sample was lost.
     """
     survival, variance, shares = 1.0, 0.0, []
     for risk, dead in zip(at_risk, lost):

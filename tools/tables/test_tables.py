@@ -104,6 +104,33 @@ class Distances(unittest.TestCase):
                                places=4)
         self.assertEqual((found.value, found.p), (0, 1))
 
+    def test_several_tests_are_one_family(self):
+        """Of 40 families of 10 tests of one law, about 2 have a distance above
+        its band; without the correction about 16 would."""
+        random = np.random.default_rng(1)
+        bad = {1: 0, 10: 0}
+        for _ in range(40):
+            pairs = [(random.random(200), random.random(200))
+                     for _ in range(10)]
+            for tests, _ in bad.items():
+                found = [statistics.kolmogorov_smirnov(a, b, tests)
+                         for a, b in pairs]
+                bad[tests] += any(one.value > one.band for one in found)
+        self.assertLessEqual(bad[10], 6)
+        self.assertGreaterEqual(bad[1], 8)
+
+    def test_verdict(self):
+        """Not to find a difference in few samples is not to find none."""
+        random = np.random.default_rng(2)
+
+        def verdict(n, shift):
+            found = statistics.kolmogorov_smirnov(
+                random.random(n), random.random(n) + shift)
+            return found.verdict(0.05)
+        self.assertEqual(verdict(100, 0), "open")
+        self.assertEqual(verdict(20000, 0), "alike")
+        self.assertEqual(verdict(20000, 0.1), "different")
+
 
 class Survival(unittest.TestCase):
     """Kaplan and Meier on remissions under 6-MP.
@@ -125,7 +152,7 @@ class Survival(unittest.TestCase):
         self.assertAlmostEqual(found[6].high, 0.6801, places=4)
 
     def test_ends(self):
-        """Where nobody or all are lost there is no interval."""
+        """Where none or all are lost there is no interval."""
         nobody, everybody = statistics.kaplan_meier([5, 5], [0, 5])
         self.assertEqual((nobody.value, everybody.value), (1, 0))
         self.assertTrue(math.isnan(nobody.low))
@@ -198,15 +225,16 @@ class Shards(unittest.TestCase):
 
     PARTS = [b"a,b\n1,2\n", b"", b"3,4\n5,6\n"]
 
-    def shards(self, header: bool = False) -> list[bytes]:
+    def shards(self, header: bool = False, run: int = 7) -> list[bytes]:
         """Three shards, each with its trailer."""
         shards = []
         for i, part in enumerate(self.PARTS, start=1):
             rows = part.count(b"\n") - (i == 1)
             if header and i > 1:
                 part = b"a,b\n" + part
-            shards.append(part + b"# shard %d/3: %d rows, crc32 %08x\n" % (
-                i, rows, zlib.crc32(part)))
+            shards.append(
+                part + b"# shard %d/3: %d rows, crc32 %08x, run %08x\n" % (
+                    i, rows, zlib.crc32(part), run))
         return shards
 
     def read(self, *parts: bytes, counted: bool = True) -> list[read.Row]:
@@ -234,6 +262,14 @@ class Shards(unittest.TestCase):
                       (a, b, c, a)):
             self.refused("is missing|damaged", *parts)
             self.refused("is missing|damaged", *parts, counted=False)
+
+    def test_of_another_run(self):
+        """Whole, but left over from a run before."""
+        shards, others = self.shards(), self.shards(run=8)
+        for i, other in enumerate(others):
+            parts = shards[:i] + [other] + shards[i + 1:]
+            self.refused("is of another run", *parts)
+            self.refused("is of another run", *parts, counted=False)
 
     def test_cut_off(self):
         """Any shard, at any byte."""

@@ -4,7 +4,7 @@
 
 #define EXPORT(symbol) __attribute__((export_name(#symbol))) symbol
 
-static tf_session_t session;
+static tf_simulation_t simulation;
 static const tf_scene_t *scene;
 
 // Always double, whatever the real type: the page views it as a Float64Array.
@@ -34,7 +34,8 @@ int32_t twofold_begin(uint32_t number, double dt, uint32_t rule,
   tf_params_t params = chosen->params;
   if (dt > 0 || dt < 0) params.dt = (tf_real_t)dt;
   params.rule = (tf_rule_t)rule;
-  const tf_status_t status = tf_session_open(&session, chosen, &params, seed);
+  const tf_status_t status =
+      tf_simulation_open(&simulation, chosen, &params, seed);
   scene = status == TF_OK ? chosen : 0;
   return status;
 }
@@ -46,7 +47,7 @@ int32_t twofold_drive(double omega0, double r0, double force, double torque) {
                             .r0 = (tf_real_t)r0,
                             .force = (tf_real_t)force,
                             .torque = (tf_real_t)torque};
-  tf_session_set_input(&session, &input);
+  tf_simulation_set_input(&simulation, &input);
   return TF_OK;
 }
 
@@ -55,17 +56,18 @@ int32_t twofold_drive(double omega0, double r0, double force, double torque) {
 int32_t twofold_step(uint32_t steps) {
   tf_status_t status = scene ? TF_OK : TF_BAD_STATE;
   for (; steps > 0 && status >= 0; steps--) {
-    const tf_input_t input = tf_session_input(&session, scene);
-    status = tf_step(&session.machine, &session.state, &input, &session.report);
+    const tf_input_t input = tf_simulation_input(&simulation, scene);
+    status = tf_step(&simulation.machine, &simulation.state, &input,
+                     &simulation.report);
   }
   return status;
 }
 
 // t, r, v, omega, phi, h, g, F, M, Delassus, residual, mode, set, choices.
 const double *twofold_state(void) {
-  const tf_state_t *x = &session.state;
-  const tf_report_t *report = &session.report;
-  const double now[14] = {(double)((tf_real_t)x->tick * session.machine.dt),
+  const tf_state_t *x = &simulation.state;
+  const tf_report_t *report = &simulation.report;
+  const double now[14] = {(double)((tf_real_t)x->tick * simulation.machine.dt),
                           (double)x->r,
                           (double)x->v,
                           (double)x->w,

@@ -61,9 +61,9 @@ static void near_rate(const tf_rate_t *got, const real want[3], real scale,
 }
 
 TEST(region_names_are_the_contract) {
-  static const char *const names[] = {"sliding",      "escaping",
-                                      "crossing_up",  "crossing_down",
-                                      "codimension2", "unknown"};
+  static const char *const names[] = {"sliding",     "escaping",
+                                      "crossing_up", "crossing_down",
+                                      "codim2",      "unknown"};
   for (unsigned i = 0; i <= TF_REGIONS; i++)
     CHECK(!strcmp(tf_region_name(i), names[i]));
 }
@@ -122,7 +122,7 @@ TEST(sliding_field_against_the_paper) {
   CHECK(seen > 2000);
 }
 
-/* The slip law a hair off h = 0 knows nothing of lambda, A or the regions. */
+/* The slip law just off h = 0, in which neither lambda nor A occurs. */
 TEST(regions_are_what_slip_does) {
   int count[TF_REGIONS] = {0};
   for (int i = 0; i < 20000; i++) {
@@ -188,7 +188,7 @@ TEST(rescaled_field_is_regular_at_the_two_fold) {
 }
 
 /* In equilibrium without friction h' = 0 on both sides: neither side leaves
- * h = 0, so that it is no crossing. */
+ * h = 0, so that it is not a crossing. */
 TEST(equilibrium_without_friction_is_no_crossing) {
   tf_params_t p = random_params();
   p.law = TF_TYRE_COULOMB;

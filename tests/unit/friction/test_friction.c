@@ -156,7 +156,7 @@ static int pinned_by_balance(const step_t *k) {
   const real M = rows[1] - k->Q[1] - F * (k->rt * k->cos - p->d * k->sin);
   const real mu = p->mu, kappa = p->kappa;
   const real size = (fabsl(rows[0]) + fabsl(rows[1]) + k->load) / fabsl(k->sin);
-  /* With a stiff spring the step tells that force from terms that cancel: the
+  /* With a stiff spring the step has that force from terms that cancel: the
    * implicit mass times what the load alone would do to d w. */
   const real inertia = p->m * ((real)p->beta * p->beta + k->rt * k->rt);
   const real implicit = (k->S[0][0] - p->m) * fabsl((real)p->d);
@@ -380,6 +380,25 @@ TEST(mode_names_are_the_contract) {
   CHECK(!strcmp(tf_mode_name(UINT_MAX), "unknown mode"));
 }
 
+TEST(names_of_laws_and_rules_are_the_contract) {
+  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_JUMP), "jump"));
+  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_COULOMB), "coulomb"));
+  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_TWO_PIECE), "two_piece"));
+  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_STRING), "string"));
+  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_SMOOTH), "smooth"));
+  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_NONE), "none"));
+  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_LAWS), "unknown law"));
+  CHECK(!strcmp(tf_rule_name(TF_RULE_PERSIST), "persist"));
+  CHECK(!strcmp(tf_rule_name(TF_RULE_SLIP_PLUS), "slip+"));
+  CHECK(!strcmp(tf_rule_name(TF_RULE_SLIP_MINUS), "slip-"));
+  CHECK(!strcmp(tf_rule_name(TF_RULE_RANDOM), "random"));
+  CHECK(!strcmp(tf_rule_name(UINT_MAX), "unknown rule"));
+  CHECK(!strcmp(tf_rest_law_name(TF_REST_HULL), "hull"));
+  CHECK(!strcmp(tf_rest_law_name(TF_REST_SQUARE), "square"));
+  CHECK(!strcmp(tf_rest_law_name(TF_REST_BOW_TIE), "bow_tie"));
+  CHECK(!strcmp(tf_rest_law_name(TF_REST_LAWS), "unknown law of rest"));
+}
+
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(enumeration_against_grid_search);
@@ -387,5 +406,6 @@ int main(int argc, char **argv) {
   RUN(stick_solves_the_quadratic);
   RUN(residual_vanishes_at_solutions_only);
   RUN(mode_names_are_the_contract);
+  RUN(names_of_laws_and_rules_are_the_contract);
   return tap_end();
 }

@@ -25,14 +25,14 @@ static recorded_t record(tf_type_t type, uint32_t session, uint32_t number,
 /* What a frame does to a board that stands at a boundary, as its answer. */
 static int effect_of(board_t *board, const recorded_t *frame) {
   const acting_t before = acting(board);
-  const tf_state_t state = board->session.state;
+  const tf_state_t state = board->simulation.state;
   hear(board, frame->wire, frame->size);
-  const unsigned effective = tf_link_boundary(&board->link, &board->session);
+  const unsigned effective = tf_link_boundary(&board->link, &board->simulation);
   const int code = code_of(board);
   CHECK((code == TF_ANSWER_DONE) == (effective == 1));
   if (code != TF_ANSWER_DONE)
     CHECK(acts_alike(board, &before) &&
-          same_state(&state, &board->session.state));
+          same_state(&state, &board->simulation.state));
   return code;
 }
 
@@ -45,12 +45,12 @@ TEST(recorded_command_acts_once) {
   const recorded_t reset =
       record(TF_UP_RESET, board.link.session, board.up, 0, NULL);
   CHECK(effect_of(&board, &reset) == TF_ANSWER_DONE);
-  CHECK(board.session.state.tick == 0);
+  CHECK(board.simulation.state.tick == 0);
   for (int n = 0; n < 50; n++) {
     tick(&board);
     CHECK(effect_of(&board, &reset) == TF_ANSWER_OLD);
   }
-  CHECK(board.session.state.tick == 50);
+  CHECK(board.simulation.state.tick == 50);
   for (int n = 0; n < 50; n++) {
     switch_on(&board, "chaos");
     /* Nobody has asked who it is: it has no session that a frame could name. */
@@ -66,14 +66,14 @@ TEST(session_depends_on_every_reading) {
   uint32_t seen[33];
   for (unsigned n = 0; n < 33; n++) {
     switch_on(&board, "chaos");
-    tf_link_stir(&board.link, n < 32 ? 1u << n : 0);
-    tf_link_stir(&board.link, 12345);
+    tf_link_add_entropy(&board.link, n < 32 ? 1u << n : 0);
+    tf_link_add_entropy(&board.link, 12345);
     send_plain(&board, TF_UP_DESCRIBE);
     seen[n] = board.link.session;
     CHECK(seen[n] != 0);
     for (unsigned i = 0; i < n; i++) CHECK(seen[i] != seen[n]);
     /* It stays what it is. */
-    tf_link_stir(&board.link, n);
+    tf_link_add_entropy(&board.link, n);
     send_plain(&board, TF_UP_DESCRIBE);
     CHECK(board.link.session == seen[n]);
   }
@@ -99,7 +99,7 @@ TEST(old_and_foreign_commands_do_nothing) {
   }
   frame = record(TF_UP_START, 0, 101, 0, NULL);
   CHECK(effect_of(&board, &frame) == TF_ANSWER_FOREIGN);
-  CHECK(board.link.next == 101 && !board.session.running);
+  CHECK(board.link.next == 101 && !board.simulation.running);
   /* A number that was refused for another reason is used up too: nothing was
    * saved, and later something is. */
   frame = record(TF_UP_RESTORE, session, 101, 0, NULL);
@@ -127,10 +127,10 @@ TEST(overlong_commands_use_up_their_number) {
     send(&board, TF_UP_STOP, 0, data, TF_COMMAND_DATA + more);
     CHECK(board.link.waiting == 0 && board.link.next == number + 1);
     CHECK(code_of(&board) == 999);
-    CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+    CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
     const answer_t answer = answer_of(&board);
     CHECK(answer.code == TF_ANSWER_LENGTH && answer.sequence == number);
-    CHECK(answer.index == 255 && board.session.running);
+    CHECK(answer.index == 255 && board.simulation.running);
   }
 }
 
@@ -145,7 +145,7 @@ TEST(replayed_frames_do_not_fill_the_queue) {
   for (int n = 0; n < 500; n++) {
     for (int i = 0; i < 20; i++) hear(&board, old.wire, old.size);
     send_plain(&board, n % 2 ? TF_UP_START : TF_UP_STOP);
-    CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+    CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
     CHECK(code_of(&board) == TF_ANSWER_OLD);
     CHECK(code_of(&board) == TF_ANSWER_DONE);
     CHECK(code_of(&board) == 999);
@@ -166,13 +166,13 @@ TEST(refused_clear_keeps_the_queue) {
   for (unsigned i = 0; i < 5; i++) {
     send(&board, TF_UP_CLEAR, dates[i], NULL, 0);
     CHECK(board.link.waiting == TF_LINK_QUEUE);
-    CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+    CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
     CHECK(code_of(&board) == TF_ANSWER_FAR);
   }
   for (size_t length = 1; length <= TF_COMMAND_DATA; length++) {
     send(&board, TF_UP_CLEAR, 0, data, length);
     CHECK(board.link.waiting == TF_LINK_QUEUE);
-    CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+    CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
     CHECK(code_of(&board) == TF_ANSWER_LENGTH);
   }
   CHECK(board.link.ignored == 0);
@@ -192,14 +192,14 @@ TEST(numbers_end_in_another_session) {
     for (uint32_t i = 0; i <= k; i++) {
       CHECK(board.link.session == session && !board.link.describe);
       send_plain(&board, TF_UP_STOP);
-      CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+      CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
       CHECK(code_of(&board) == TF_ANSWER_DONE);
     }
     CHECK(board.link.session != session && board.link.session != 0);
     CHECK(board.link.describe && board.link.next == 0 && board.up == 0);
     CHECK(effect_of(&board, &first) == TF_ANSWER_FOREIGN);
     send_plain(&board, TF_UP_START); /* under the new one */
-    CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+    CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
     CHECK(code_of(&board) == TF_ANSWER_DONE && board.link.lost == 0);
   }
   board_t board; /* the session after the last is not 0 */
@@ -270,7 +270,7 @@ TEST(commands_without_the_tag_do_nothing) {
   switch_on(&board, "chaos");
   board.lock = key;
   send_plain(&board, TF_UP_DESCRIBE); /* anyone may ask */
-  tf_link_boundary(&board.link, &board.session);
+  tf_link_boundary(&board.link, &board.simulation);
   CHECK(code_of(&board) == TF_ANSWER_DONE);
   const uint32_t session = board.link.session;
   recorded_t frame = record(TF_UP_STOP, session, 0, 0, NULL);
@@ -308,71 +308,72 @@ TEST(commands_without_the_tag_do_nothing) {
     forged.size = tf_frame_seal(forged.wire, type, 12, &number, at);
     CHECK(effect_of(&board, &forged) == TF_ANSWER_TAG);
   }
-  CHECK(board.link.next == 0 && board.session.running);
+  CHECK(board.link.next == 0 && board.simulation.running);
   CHECK(effect_of(&board, &frame) == TF_ANSWER_DONE);
-  CHECK(!board.session.running);
+  CHECK(!board.simulation.running);
   CHECK(effect_of(&board, &frame) == TF_ANSWER_OLD);
   /* Commands with data, as a host with the key sends them. */
   board.key = key;
   board.up = 1;
   send_parameter(&board, 0, index_of("mu"), 2);
-  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
   CHECK(answer_of(&board).value == 2);
 }
 
 /* A controller that falls silent leaves its last torque for as long as was
- * declared, then the safe inputs; the count and every answer tell. */
+ * declared, then the safe inputs; the count and every answer show it. */
 TEST(silent_controller_leaves_the_safe_inputs) {
   board_t board;
   power_up(&board, "driven");
   const uint8_t steps[4] = {100, 0, 0, 0};
   send(&board, TF_UP_DEADMAN, 0, steps, sizeof steps);
-  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
-  CHECK(code_of(&board) == TF_ANSWER_DONE && board.session.deadman == 100);
-  CHECK(board.link.describe); /* the schema tells the new number */
-  tf_input_t push = tf_input_default(&board.session.machine);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
+  CHECK(code_of(&board) == TF_ANSWER_DONE && board.simulation.deadman == 100);
+  CHECK(board.link.describe); /* the schema has the new number */
+  tf_input_t push = tf_input_default(&board.simulation.machine);
   push.torque = TF_R(0.5);
   push.omega0 = TF_R(-0.5);
   for (int n = 0; n < 1000; n++) {
     if (n % 100 == 0) send_input(&board, 0, &push); /* in time, just */
     tick(&board);
-    CHECK(board.session.stepped == TF_INPUT_SET);
+    CHECK(board.simulation.stepped == TF_INPUT_SET);
     drain(&board);
   }
-  CHECK(board.session.expired == 0);
-  tf_session_t twin = board.session;
+  CHECK(board.simulation.expired == 0);
+  tf_simulation_t twin = board.simulation;
   tf_input_t safe = tf_input_default(&twin.machine);
   CHECK(safe.torque == 0 && safe.force == 0 && safe.alpha == 0);
   for (int n = 0; n < 1000; n++) {
     tick(&board);
     tf_step(&twin.machine, &twin.state, &safe, &twin.report);
-    CHECK(board.session.stepped == TF_INPUT_SAFE);
-    CHECK(same_state(&twin.state, &board.session.state));
+    CHECK(board.simulation.stepped == TF_INPUT_SAFE);
+    CHECK(same_state(&twin.state, &board.simulation.state));
   }
-  CHECK(board.session.expired == 1);
+  CHECK(board.simulation.expired == 1);
   /* The next command learns it, whatever it is; only an input ends it. */
   send_plain(&board, TF_UP_SNAPSHOT);
   tick(&board);
   CHECK(answer_of(&board).source == TF_INPUT_SAFE);
-  CHECK(board.session.stepped == TF_INPUT_SAFE);
+  CHECK(board.simulation.stepped == TF_INPUT_SAFE);
   send_input(&board, 0, &push);
   tick(&board);
   CHECK(answer_of(&board).source == TF_INPUT_SAFE);
-  CHECK(board.session.stepped == TF_INPUT_SET);
-  send_plain(&board, TF_UP_INPUT); /* those of the scene: nobody has to renew */
+  CHECK(board.simulation.stepped == TF_INPUT_SET);
+  send_plain(&board, TF_UP_INPUT); /* those of the scene need no renewal */
   tick(&board);
   CHECK(answer_of(&board).source == TF_INPUT_SET);
   for (int n = 0; n < 1000; n++) tick(&board);
-  CHECK(board.session.stepped == TF_INPUT_SCENE && board.session.expired == 1);
+  CHECK(board.simulation.stepped == TF_INPUT_SCENE &&
+        board.simulation.expired == 1);
 }
 
-/* Nothing that a controller is not prolongs its inputs: no other command, no
- * broken or repeated frame, no jump of the tick. */
+/* Only a controller prolongs its inputs: no other command, no broken or
+ * repeated frame, no jump of the tick. */
 TEST(only_inputs_feed_the_dead_man) {
   board_t board;
   power_up(&board, "chaos");
-  board.session.deadman = 50;
-  tf_input_t push = tf_input_default(&board.session.machine);
+  board.simulation.deadman = 50;
+  tf_input_t push = tf_input_default(&board.simulation.machine);
   push.force = TF_R(0.25);
   uint8_t back[8 + TF_STATE_BYTES] = {0};
   send_input(&board, 0, &push);
@@ -385,29 +386,31 @@ TEST(only_inputs_feed_the_dead_man) {
     if (n % 4 == 2) send(&board, TF_UP_RESTORE, 0, back, sizeof back);
     if (n % 4 == 3) send_plain(&board, TF_UP_DESCRIBE);
     tick(&board);
-    CHECK(board.session.stepped == TF_INPUT_SET);
+    CHECK(board.simulation.stepped == TF_INPUT_SET);
   }
   tick(&board);
-  CHECK(board.session.stepped == TF_INPUT_SAFE && board.session.expired == 1);
+  CHECK(board.simulation.stepped == TF_INPUT_SAFE &&
+        board.simulation.expired == 1);
   /* A new number holds from now on, for inputs that have not expired. */
   const uint8_t none[4] = {0}, some[4] = {3, 0, 0, 0};
   drain(&board);
   send(&board, TF_UP_DEADMAN, 0, none, 4);
   tick(&board);
-  CHECK(board.session.stepped == TF_INPUT_SAFE);
+  CHECK(board.simulation.stepped == TF_INPUT_SAFE);
   push.force = 1;
   send_input(&board, 0, &push);
   for (int n = 0; n < 500; n++) tick(&board);
-  CHECK(board.session.stepped == TF_INPUT_SET);
+  CHECK(board.simulation.stepped == TF_INPUT_SET);
   send(&board, TF_UP_DEADMAN, 0, some, 4);
   for (int n = 0; n < 3; n++) tick(&board);
-  CHECK(board.session.stepped == TF_INPUT_SET);
+  CHECK(board.simulation.stepped == TF_INPUT_SET);
   tick(&board);
-  CHECK(board.session.stepped == TF_INPUT_SAFE && board.session.expired == 2);
+  CHECK(board.simulation.stepped == TF_INPUT_SAFE &&
+        board.simulation.expired == 2);
   drain(&board);
   send(&board, TF_UP_DEADMAN, 0, some, 3);
   tick(&board);
-  CHECK(code_of(&board) == TF_ANSWER_LENGTH && board.session.deadman == 3);
+  CHECK(code_of(&board) == TF_ANSWER_LENGTH && board.simulation.deadman == 3);
 }
 
 /* Ticks at both ends of 32 bits and at the end of what may be restored: dates
@@ -425,14 +428,14 @@ TEST(dates_hold_at_every_tick) {
       size_t taken;
       tf_decoder_init(&decoder, buffer, sizeof buffer);
       const size_t size =
-          tf_send_state(wire, &board.down, &board.session.state);
+          tf_send_state(wire, &board.down, &board.simulation.state);
       CHECK(tf_decoder_block(&decoder, wire, size, &taken, &frame));
       tf_wire_put(kept, ends[i] - k, 8);
       memcpy(kept + 8, frame.payload, TF_STATE_BYTES);
       send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
       send(&board, TF_UP_STOP, ends[i] - k + 30, NULL, 0);
       for (int n = 0; n < 60; n++) tick(&board);
-      CHECK(board.session.state.tick == ends[i] - k + 30);
+      CHECK(board.simulation.state.tick == ends[i] - k + 30);
       CHECK(code_of(&board) == 0);
       const answer_t answer = answer_of(&board);
       CHECK(answer.code == 0 && answer.tick == ends[i] - k + 30);

@@ -326,7 +326,7 @@ TEST(lost_frames_are_counted) {
   /* The sender starts again: time and number go back, nothing is lost. */
   accepted(&receiver, wire, make(wire, 0, 4));
   CHECK(receiver.decoder.lost == 2 && receiver.decoder.restarts == 1);
-  /* From the upper half of the numbers the gap alone does not tell. */
+  /* In the upper half of the numbers the gap alone does not decide. */
   open_receiver(&receiver);
   accepted(&receiver, wire, make(wire, 0xc0000000u, 4));
   accepted(&receiver, wire, make(wire, 0, 4));
@@ -352,7 +352,7 @@ TEST(lost_frames_are_counted) {
   sequence = 3;
   accepted(&receiver, wire, tf_frame_seal(wire, 8, 5, &sequence, 400));
   CHECK(receiver.decoder.lost == 3 && receiver.decoder.restarts == 0);
-  /* What 16 bits would not have told: a loss of all their numbers. */
+  /* A loss of 2^16 frames, which a number of 16 bits would not show. */
   open_receiver(&receiver);
   accepted(&receiver, wire, make(wire, 7, 4));
   accepted(&receiver, wire, make(wire, 7 + 65537, 4));

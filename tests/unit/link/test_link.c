@@ -1,5 +1,5 @@
 /* Commands over a line: validated, applied at the boundary between two steps
- * and nowhere else, answered; and bytes that are no commands. */
+ * and nowhere else, answered; and bytes that are not commands. */
 #include "same_state.h"
 #include "scene_named.h"
 #include "tap.h"
@@ -7,7 +7,7 @@
 #include "uplink.h"
 
 /* A line that was opened with parameters which no machine has: a command that
- * does not mend them is refused and undone, one that does is taken. */
+ * does not correct them is refused and undone, one that does is taken. */
 TEST(parameters_of_no_machine_are_refused_until_mended) {
   board_t board;
   power_up(&board, "chaos");
@@ -18,14 +18,14 @@ TEST(parameters_of_no_machine_are_refused_until_mended) {
   const uint8_t rule[5] = {TF_RULE_RANDOM, 1, 2, 3, 4};
   send_parameter(&board, 0, index_of("mu"), 2);
   send(&board, TF_UP_RULE, 0, rule, sizeof rule);
-  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
   CHECK(code_of(&board) == TF_BAD_PARAMETER);
   CHECK(code_of(&board) == TF_BAD_PARAMETER);
-  CHECK(acts_alike(&board, &before) && board.session.state.seed == 5);
+  CHECK(acts_alike(&board, &before) && board.simulation.state.seed == 5);
   send_parameter(&board, 0, index_of("m"), 1);
   send(&board, TF_UP_RULE, 0, rule, sizeof rule);
-  CHECK(tf_link_boundary(&board.link, &board.session) == 2);
-  CHECK(board.session.machine.rule == TF_RULE_RANDOM);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 2);
+  CHECK(board.simulation.machine.rule == TF_RULE_RANDOM);
 }
 
 TEST(set_parameter_takes_effect_only_at_the_boundary) {
@@ -34,24 +34,25 @@ TEST(set_parameter_takes_effect_only_at_the_boundary) {
   const acting_t before = acting(&board);
   send_parameter(&board, 0, index_of("mu"), TF_R(1.25));
   CHECK(acts_alike(&board, &before));
-  CHECK(answer_of(&board).length == 0); /* nothing to tell yet */
-  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
-  CHECK(board.session.machine.tyre.mu == TF_R(1.25));
+  CHECK(answer_of(&board).length == 0); /* nothing to report yet */
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
+  CHECK(board.simulation.machine.tyre.mu == TF_R(1.25));
   tf_params_t params = board.scene->params;
   tf_machine_t machine;
   params.mu = TF_R(1.25);
   CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
-  CHECK(board.session.machine.mu_sin_gamma == machine.mu_sin_gamma);
+  CHECK(board.simulation.machine.mu_sin_gamma == machine.mu_sin_gamma);
   CHECK(tf_params_hash(&params) == tf_params_hash(&board.link.params));
   CHECK(tf_params_hash(&params) != tf_params_hash(&board.scene->params));
   /* Dated ahead: not before its tick. */
   send_parameter(&board, 3, index_of("mu"), 1);
   for (int n = 0; n < 3; n++) {
     tick(&board);
-    CHECK(board.session.machine.tyre.mu == TF_R(1.25));
+    CHECK(board.simulation.machine.tyre.mu == TF_R(1.25));
   }
   tick(&board);
-  CHECK(board.session.machine.tyre.mu == 1 && board.session.state.tick == 4);
+  CHECK(board.simulation.machine.tyre.mu == 1 &&
+        board.simulation.state.tick == 4);
   CHECK(code_of(&board) == TF_ANSWER_DONE);
   const answer_t answer = answer_of(&board);
   CHECK(answer.code == TF_ANSWER_DONE && answer.tick == 3);
@@ -63,7 +64,7 @@ TEST(set_parameter_is_validated_and_answered) {
   const tf_real_t none = (tf_real_t)NAN, far = (tf_real_t)INFINITY;
   const unsigned mu = index_of("mu");
   send_parameter(&board, 0, mu, 2);
-  tf_link_boundary(&board.link, &board.session);
+  tf_link_boundary(&board.link, &board.simulation);
   answer_t answer = answer_of(&board);
   CHECK(answer.sequence == 0 && answer.type == TF_UP_PARAMETER);
   CHECK(answer.code == TF_ANSWER_DONE && answer.index == mu);
@@ -74,7 +75,7 @@ TEST(set_parameter_is_validated_and_answered) {
   const acting_t before = acting(&board);
   for (unsigned i = 0; i < 5; i++) {
     send_parameter(&board, 0, mu, bad[i]);
-    CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+    CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
     answer = answer_of(&board);
     CHECK(answer.sequence == 1 + i && answer.code == TF_BAD_PARAMETER);
     CHECK(answer.value == 2); /* what is still in effect */
@@ -87,21 +88,21 @@ TEST(set_parameter_is_validated_and_answered) {
     send_parameter(&board, 0, i, range->low);
     send_parameter(&board, 0, i, range->high * 2 + 1);
     send_parameter(&board, 0, i, range->low * 2 - 1);
-    CHECK(tf_link_boundary(&board.link, &board.session) == 2);
+    CHECK(tf_link_boundary(&board.link, &board.simulation) == 2);
     CHECK(code_of(&board) == 0 && code_of(&board) == 0);
     CHECK(code_of(&board) == TF_BAD_PARAMETER);
     CHECK(code_of(&board) == TF_BAD_PARAMETER);
   }
   send_parameter(&board, 0, TF_PARAMETERS, 1);
   send_parameter(&board, 0, 255, 1);
-  tf_link_boundary(&board.link, &board.session);
+  tf_link_boundary(&board.link, &board.simulation);
   answer = answer_of(&board);
   CHECK(answer.code == TF_BAD_PARAMETER && answer.length == 8);
   CHECK(answer_of(&board).code == TF_BAD_PARAMETER);
   CHECK(answer_of(&board).length == 0);
   /* One that is not even looked at tells nothing of a parameter. */
   send_parameter(&board, TF_LINK_AHEAD + 1, mu, 1);
-  tf_link_boundary(&board.link, &board.session);
+  tf_link_boundary(&board.link, &board.simulation);
   answer = answer_of(&board);
   CHECK(answer.code == TF_ANSWER_FAR && answer.length == 8);
   CHECK(answer.index == 255);
@@ -113,7 +114,7 @@ TEST(lengths_types_and_dates_are_checked) {
   uint8_t payload[TF_COMMAND_DATA];
   memset(payload, 1, sizeof payload);
   const acting_t before = acting(&board);
-  const tf_state_t state = board.session.state;
+  const tf_state_t state = board.simulation.state;
   for (unsigned type = 0; type < 256; type++)
     for (unsigned length = 1; length <= TF_COMMAND_DATA; length++) {
       const bool meant =
@@ -124,24 +125,24 @@ TEST(lengths_types_and_dates_are_checked) {
           (type == TF_UP_RESTORE && length == 8 + TF_STATE_BYTES);
       if (meant) continue;
       send(&board, (tf_type_t)type, 0, payload, length);
-      CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+      CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
       const bool known = type >= TF_UP_INPUT && type <= TF_UP_DEADMAN;
       CHECK(code_of(&board) == (known ? TF_ANSWER_LENGTH : TF_ANSWER_UNKNOWN));
       CHECK(acts_alike(&board, &before));
-      CHECK(same_state(&state, &board.session.state));
+      CHECK(same_state(&state, &board.simulation.state));
     }
   send(&board, TF_UP_STOP, TF_LINK_AHEAD + 1, NULL, 0);
   send(&board, TF_UP_STOP, UINT64_MAX, NULL, 0);
   send(&board, TF_UP_STOP, TF_LINK_AHEAD, NULL, 0);
-  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
   CHECK(code_of(&board) == TF_ANSWER_FAR && code_of(&board) == TF_ANSWER_FAR);
   CHECK(answer_of(&board).length == 0 && board.link.waiting == 1);
   /* How far ahead counts from the present tick, however long the board runs. */
   board.link.waiting = 0;
-  board.session.state.tick = TF_LINK_AHEAD + 5;
+  board.simulation.state.tick = TF_LINK_AHEAD + 5;
   send(&board, TF_UP_STOP, 2 * TF_LINK_AHEAD + 6, NULL, 0);
   send(&board, TF_UP_STOP, 2 * TF_LINK_AHEAD + 5, NULL, 0);
-  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
   CHECK(code_of(&board) == TF_ANSWER_FAR);
   CHECK(answer_of(&board).length == 0 && board.link.waiting == 1);
   /* Longer than any command: counted by the decoder, not written. */
@@ -155,10 +156,10 @@ TEST(lengths_types_and_dates_are_checked) {
 TEST(inputs_act_at_their_tick) {
   board_t board;
   power_up(&board, "driven");
-  tf_session_t pure = board.session;
+  tf_simulation_t pure = board.simulation;
   for (int n = 0; n < 3000; n++) {
-    const uint64_t now = board.session.state.tick;
-    tf_input_t input = tf_session_input(&pure, board.scene);
+    const uint64_t now = board.simulation.state.tick;
+    tf_input_t input = tf_simulation_input(&pure, board.scene);
     if (now >= 100) {
       /* The loop of a brake: it depends on the state. */
       input.torque = TF_R(-0.125) * pure.state.w;
@@ -168,40 +169,40 @@ TEST(inputs_act_at_their_tick) {
       send_input(&board, now, &input);
     }
     tick(&board);
-    CHECK((now >= 100) == (board.session.source == TF_INPUT_SET));
+    CHECK((now >= 100) == (board.simulation.source == TF_INPUT_SET));
     if (now >= 100) {
       CHECK(code_of(&board) == TF_ANSWER_DONE);
-      CHECK(board.session.input.alpha == input.alpha);
+      CHECK(board.simulation.input.alpha == input.alpha);
     }
     tf_step(&pure.machine, &pure.state, &input, &pure.report);
-    CHECK(same_state(&pure.state, &board.session.state));
+    CHECK(same_state(&pure.state, &board.simulation.state));
   }
-  const tf_input_t held = board.session.input;
+  const tf_input_t held = board.simulation.input;
   tf_input_t bad = held;
   bad.force = (tf_real_t)NAN;
   send_input(&board, 0, &bad);
   bad.force = TF_R(1.1e9);
   send_input(&board, 0, &bad);
-  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
   CHECK(code_of(&board) == TF_BAD_STATE && code_of(&board) == TF_BAD_STATE);
-  CHECK(board.session.input.force == held.force);
+  CHECK(board.simulation.input.force == held.force);
   send_plain(&board, TF_UP_INPUT); /* back to the scene */
-  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
-  CHECK(board.session.source == TF_INPUT_SCENE);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
+  CHECK(board.simulation.source == TF_INPUT_SCENE);
 }
 
 TEST(snapshot_and_restore_continue_bit_for_bit) {
   board_t board;
   power_up(&board, "chaos");
   send_plain(&board, TF_UP_RESTORE);
-  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
   CHECK(code_of(&board) == TF_ANSWER_EMPTY);
   const uint8_t random[5] = {TF_RULE_RANDOM, 77, 0, 0, 0};
   send(&board, TF_UP_RULE, 0, random, 5);
   for (int n = 0; n < 15000; n++) tick(&board);
   CHECK(code_of(&board) == TF_ANSWER_DONE);
   send_plain(&board, TF_UP_SNAPSHOT);
-  tf_link_boundary(&board.link, &board.session);
+  tf_link_boundary(&board.link, &board.simulation);
   /* What the host keeps is the frame of the state. */
   uint8_t wire[TF_FRAME_SIZE(TF_STATE_BYTES)];
   uint8_t buffer[TF_DECODER_SIZE(TF_STATE_BYTES)];
@@ -209,12 +210,12 @@ TEST(snapshot_and_restore_continue_bit_for_bit) {
   tf_frame_t frame;
   size_t taken;
   tf_decoder_init(&decoder, buffer, sizeof buffer);
-  const size_t size = tf_send_state(wire, &board.down, &board.session.state);
+  const size_t size = tf_send_state(wire, &board.down, &board.simulation.state);
   CHECK(tf_decoder_block(&decoder, wire, size, &taken, &frame));
   tf_state_t trail[2000];
   for (int n = 0; n < 20000; n++) {
     tick(&board);
-    if (n % 10 == 0) trail[n / 10] = board.session.state;
+    if (n % 10 == 0) trail[n / 10] = board.simulation.state;
   }
   uint8_t kept[8 + TF_STATE_BYTES];
   tf_wire_put(kept, frame.tick, 8);
@@ -228,13 +229,14 @@ TEST(snapshot_and_restore_continue_bit_for_bit) {
       send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
     for (int n = 0; n < 20000; n++) {
       tick(&board);
-      if (n % 10 == 0) CHECK(same_state(&trail[n / 10], &board.session.state));
+      if (n % 10 == 0)
+        CHECK(same_state(&trail[n / 10], &board.simulation.state));
     }
     CHECK(code_of(&board) == TF_ANSWER_DONE);
   }
   CHECK(answered == 1);
   /* A state that is not valid. */
-  const tf_state_t before = board.session.state;
+  const tf_state_t before = board.simulation.state;
   kept[sizeof kept - 1] = TF_NO_MODE;
   send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
   kept[sizeof kept - 1] = 0;
@@ -246,44 +248,45 @@ TEST(snapshot_and_restore_continue_bit_for_bit) {
   memset(kept + 8 + 3 * R, 0, R);
   tf_wire_put(kept, TF_LINK_TICKS, 8); /* a tick that would pass 2^64 */
   send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
-  CHECK(tf_link_boundary(&board.link, &board.session) == 0);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
   for (int i = 0; i < 4; i++) CHECK(code_of(&board) == TF_BAD_STATE);
-  CHECK(same_state(&before, &board.session.state));
+  CHECK(same_state(&before, &board.simulation.state));
 }
 
 TEST(start_stop_reset_and_rule) {
   board_t board;
   power_up(&board, "chaos");
-  const tf_state_t start = board.session.state;
+  const tf_state_t start = board.simulation.state;
   for (int n = 0; n < 50; n++) tick(&board);
   send_plain(&board, TF_UP_STOP);
   for (int n = 0; n < 50; n++) tick(&board);
-  CHECK(board.session.state.tick == 50 && !board.session.running);
+  CHECK(board.simulation.state.tick == 50 && !board.simulation.running);
   send_plain(&board, TF_UP_START);
   tick(&board);
-  CHECK(board.session.state.tick == 51);
+  CHECK(board.simulation.state.tick == 51);
   send_plain(&board, TF_UP_RESET);
-  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
-  CHECK(same_state(&start, &board.session.state) && board.session.running);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
+  CHECK(same_state(&start, &board.simulation.state) &&
+        board.simulation.running);
   CHECK(code_of(&board) == 0 && code_of(&board) == 0 && code_of(&board) == 0);
   /* A start that the parameters make impossible is refused. */
   send_parameter(&board, 0, index_of("gamma"), 0);
   send_plain(&board, TF_UP_RESET);
-  const tf_state_t before = board.session.state;
-  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+  const tf_state_t before = board.simulation.state;
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
   CHECK(code_of(&board) == 0);
   CHECK(code_of(&board) == TF_BAD_STATE);
-  CHECK(same_state(&before, &board.session.state));
+  CHECK(same_state(&before, &board.simulation.state));
   const uint8_t rule[5] = {TF_RULE_RANDOM, 1, 2, 3, 4};
   const uint8_t none[5] = {TF_RULES, 1, 2, 3, 4};
   send(&board, TF_UP_RULE, 0, rule, 5);
   send(&board, TF_UP_RULE, 0, none, 5);
   board.link.describe = false;
-  CHECK(tf_link_boundary(&board.link, &board.session) == 1);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
   CHECK(code_of(&board) == 0);
   CHECK(code_of(&board) == TF_BAD_PARAMETER);
-  CHECK(board.session.machine.rule == TF_RULE_RANDOM);
-  CHECK(board.session.state.seed == 0x04030201u && board.link.describe);
+  CHECK(board.simulation.machine.rule == TF_RULE_RANDOM);
+  CHECK(board.simulation.state.seed == 0x04030201u && board.link.describe);
   board.link.describe = false;
   send_plain(&board, TF_UP_DESCRIBE);
   CHECK(board.link.describe);
@@ -310,7 +313,7 @@ TEST(uplink_flood_changes_nothing) {
     CHECK(board.link.waiting <= TF_LINK_QUEUE);
     tick(&board);
     tick(&quiet);
-    CHECK(same_state(&board.session.state, &quiet.session.state));
+    CHECK(same_state(&board.simulation.state, &quiet.simulation.state));
     if (n % 7 == 0)
       while (answer_of(&board).length) answered++;
   }
@@ -322,9 +325,9 @@ TEST(uplink_flood_changes_nothing) {
   CHECK(board.link.ignored + answered == sent + 1);
   send_plain(&board, TF_UP_CLEAR);
   send_plain(&board, TF_UP_STOP);
-  CHECK(tf_link_boundary(&board.link, &board.session) == 2);
+  CHECK(tf_link_boundary(&board.link, &board.simulation) == 2);
   CHECK(code_of(&board) == 0 && code_of(&board) == 0);
-  CHECK(board.link.ignored + answered == sent + 5 && !board.session.running);
+  CHECK(board.link.ignored + answered == sent + 5 && !board.simulation.running);
 }
 
 TEST(no_byte_changes_a_parameter_by_itself) {
@@ -348,7 +351,7 @@ TEST(no_byte_changes_a_parameter_by_itself) {
     tick(&quiet);
     CHECK(acts_alike(&board, &before));
   }
-  CHECK(same_state(&board.session.state, &quiet.session.state));
+  CHECK(same_state(&board.simulation.state, &quiet.simulation.state));
   CHECK(board.link.decoder.frames == 1 && board.link.decoder.bad > 5000);
 }
 

@@ -101,15 +101,15 @@ static size_t plain(uint8_t *wire, uint8_t type, uint32_t number,
 
 static size_t answer_to(uint8_t *wire, const uint8_t *command, size_t size) {
   static tf_link_t link;
-  static tf_session_t session;
+  static tf_simulation_t simulation;
   const tf_scene_t *scene = tf_scenes[0];
   uint32_t sequence = 7;
-  CHECK(tf_session_open(&session, scene, &scene->params, 7) == TF_OK);
-  session.state.tick = 1000;
+  CHECK(tf_simulation_open(&simulation, scene, &scene->params, 7) == TF_OK);
+  simulation.state.tick = 1000;
   tf_link_open(&link, scene, &scene->params);
   link.session = SESSION;
   for (size_t i = 0; i < size; i++) tf_link_receive(&link, command[i]);
-  CHECK(tf_link_boundary(&link, &session) == 1);
+  CHECK(tf_link_boundary(&link, &simulation) == 1);
   return tf_link_answer(&link, wire, &sequence);
 }
 

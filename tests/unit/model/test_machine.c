@@ -1,7 +1,7 @@
 /* Kinematics, energy, names and the border of a step. The equations of motion
  * are judged by what one short step does: its difference quotient, taken at
  * two step sizes and extrapolated to none, is the right-hand side of the paper
- * (or of the mass matrix, with external inputs, which the paper lacks). */
+ * (or of the mass matrix, with external inputs, which the paper has not). */
 #include <limits.h>
 
 #include "common.h"

@@ -1,7 +1,7 @@
 /* The border of the core: what tf_prepare accepts, what it refuses and which
  * member it blames; then the constants that it derives, against long double.
  * Behind this border nothing is validated again, so every entry of the table
- * is tried at both ends, just outside them and at what is no number. */
+ * is tried at both ends, just outside them and at what is not a number. */
 #include <stddef.h>
 
 #include "common.h"

@@ -72,7 +72,7 @@ TEST(created_energy_in_closed_form) {
 }
 
 /* A step that is beyond doubt neither creates energy nor is too long. */
-TEST(no_doubt_without_reason) {
+TEST(no_check_without_reason) {
   int sure = 0;
   for (int i = 0; i < 20000; i++) {
     const tf_params_t p = conservative();
@@ -266,11 +266,11 @@ TEST(balanced_step_order_and_energy) {
   }
 }
 
-/* A slip whose blow lasts 0.5 us: h meets 0 at g < 0, where the wheel sticks. A
+/* A slip that lasts 0.5 us: h meets 0 at g < 0, where the wheel sticks. A
  * step that is shorter follows it; one of twice that time finds the stick, and
  * like a longer one, whose force would turn g first, says that its way there is
  * not the true one. */
-TEST(a_blow_is_ended_or_told) {
+TEST(an_impulse_ends_or_is_reported) {
   tf_params_t p = tf_scenes[0]->params;
   p.m = TF_R(0.04120466930524657);
   p.beta = TF_R(0.31740032501676296);
@@ -304,12 +304,12 @@ TEST(a_blow_is_ended_or_told) {
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(created_energy_in_closed_form);
-  RUN(no_doubt_without_reason);
+  RUN(no_check_without_reason);
   RUN(no_step_creates_energy);
   RUN(friction_puts_in_no_more_than_the_law_allows);
   RUN(a_turn_beyond_a_right_angle_is_coarse);
   RUN(a_reversal_is_not_coarse);
   RUN(balanced_step_order_and_energy);
-  RUN(a_blow_is_ended_or_told);
+  RUN(an_impulse_ends_or_is_reported);
   return tap_end();
 }

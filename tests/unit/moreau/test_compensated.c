@@ -3,7 +3,7 @@
 #include "resolved.h"
 #include "scene_named.h"
 
-/* Of a pair, as far as long double can tell. */
+/* Of a pair, as far as long double resolves. */
 #define PAIR_EPSILON (EPSILON * EPSILON + LDBL_EPSILON)
 
 typedef struct {
@@ -26,15 +26,12 @@ static run_t begun(const tf_scene_t *scene, double dt) {
   run.params.dt = (tf_real_t)dt;
   CHECK(tf_prepare_compensated(&run.machine, &run.params, NULL) == TF_OK);
   run.input = tf_scene_input(scene, &run.machine.machine, 0);
-  run.state.r = scene->r;
-  run.state.w = scene->omega;
-  run.state.v = scene->v;
-  run.state.seed = 1;
+  CHECK(tf_scene_start(scene, &run.machine.machine, 1, &run.state, &report) ==
+        TF_OK);
   if (!scene->v_is_given)
     CHECK(tf_speed_for_slip_compensated(&run.machine, &run.state,
                                         &run.compensation, run.input.omega0,
                                         scene->h) == TF_OK);
-  run.state.mode = (uint8_t)(scene->h > 0 ? TF_SLIP_PLUS : TF_NO_MODE);
   CHECK(tf_begin(&run.machine.machine, &run.state, &run.input, &report) ==
         TF_OK);
   return run;
@@ -130,7 +127,7 @@ static void true_stick(const paper_t *p, real x[4], real t) {
   }
 }
 
-/* A million steps of 1e-6 s, each below what a float of the state can tell. */
+/* A million steps of 1e-6 s, each below what a float of the state resolves. */
 TEST(rounding_is_compensated) {
   const long steps = 1000000;
   run_t run = begun(scene_named("rolling"), 1e-6), rounded = run;
@@ -318,8 +315,8 @@ TEST(compensated_refusals_touch_nothing) {
 }
 
 /* From rest a motion departs with less than the rounding of r in a step: plain
- * steps of a float would stand still for ever. The wheel sticks for 1.9 s, and
- * what is left to the draw takes 0.1 s. */
+ * steps of a float would stand still. The wheel sticks for 1.9 s, and what is
+ * left to the draw takes 0.1 s. */
 TEST(compensated_departures_do_not_stall) {
   static const uint32_t seeds[] = {1, 2, 5};
   for (size_t i = 0; i < sizeof seeds / sizeof *seeds; i++) {

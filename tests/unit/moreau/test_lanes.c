@@ -122,7 +122,7 @@ TEST(lane_root_is_the_root_within) {
     const tf_real_t less = c2 * (1 - TF_REAL_EPSILON);
     CHECK(!lane_root(c0, 1, less).rare);
     CHECK(lane_root(c0, 1, less).x == root_within(c0, 1, less));
-    /* A slope that is no normal number has the root 0 there. */
+    /* A slope that is not a normal number has the root 0 there. */
     const tf_real_t least = (tf_real_t)sign * TF_REAL_MIN;
     CHECK(!lane_root(least / 4, least, 0).rare);
     CHECK(lane_root(least / 8, least / 2, 0).rare);

@@ -2,6 +2,7 @@
  * DESIGN.md, solved once more in long double, with the mass matrix as it is
  * printed there and the parameters as they were given. */
 #include "common.h"
+#include "moreau/balance.h"
 
 /* One step of a machine: (1)-(5). */
 typedef struct {
@@ -106,11 +107,21 @@ static case_t random_case(tf_tyre_law_t law, double longest) {
   return c;
 }
 
+/* Whether a step of the scheme creates energy: then another one takes its
+ * place, see test_balance. */
+static bool creates_much(const case_t *c, const real x[3]) {
+  const end_state_t from = {c->state.r, c->state.v, c->state.w};
+  const end_state_t to = {(tf_real_t)x[0], (tf_real_t)x[1], (tf_real_t)x[2]};
+  const balance_t b =
+      balance_of(&c->machine, is_midpoint(&c->machine), &c->input, from, to, 0);
+  return b.created > TF_GROWTH_SHARE / 3 * b.product;
+}
+
 /* (1)-(7) and (12) under the force that the step reports, for every law and
  * every theta; the angle of the plain step and of the compensated one. */
 TEST(a_step_ends_where_the_scheme_says) {
   real worst = 0;
-  int judged = 0;
+  int judged = 0, balanced = 0;
   for (int i = 0; i < 20000; i++) {
     const case_t c = random_case((tf_tyre_law_t)(i % TF_TYRE_LAWS), 0.1);
     const scheme_t scheme = scheme_of(&c.params, &c.input, c.x);
@@ -121,6 +132,10 @@ TEST(a_step_ends_where_the_scheme_says) {
     real end[3];
     if (tf_step(&c.machine, &plain, &c.input, &report) != TF_OK) continue;
     end_of(&scheme, c.x, wide(report.force.F), wide(report.force.M), end);
+    if (creates_much(&c, end)) {
+      balanced++;
+      continue;
+    }
     const real size = 1 + fabsl(end[0]) + fabsl(end[1]) + fabsl(end[2]);
     const real got[3] = {wide(plain.r), wide(plain.v), wide(plain.w)};
     for (int n = 0; n < 3; n++)
@@ -138,8 +153,9 @@ TEST(a_step_ends_where_the_scheme_says) {
     CHECK_NEAR(wide(pairs.phi) + wide(low.phi), more, 4 * EPSILON * size);
     judged++;
   }
-  printf("# %d steps, ends %.2Lg epsilon off\n", judged, worst / EPSILON);
-  CHECK(judged > 15000);
+  printf("# %d steps, ends %.2Lg epsilon off; %d create energy\n", judged,
+         worst / EPSILON, balanced);
+  CHECK(judged > 10000);
   CHECK(worst <= 20 * EPSILON);
 }
 
@@ -272,7 +288,7 @@ TEST(compensated_changes_have_twice_the_digits) {
     const real v = wide(x.v) + wide(low.v), w = wide(x.w) + wide(low.w);
     const real size = fabsl(end[1] - at[1]) + fabsl(end[2] - at[2]);
     const real off = fabsl(v - end[1]) + fabsl(w - end[2]);
-    if (size < 0.02L) continue; /* below what long double can tell of it */
+    if (size < 0.02L) continue; /* below what long double resolves of it */
     worst[stick] = fmaxl(worst[stick], off / size);
     sticks += stick;
     slips += !stick;
@@ -283,7 +299,7 @@ TEST(compensated_changes_have_twice_the_digits) {
   CHECK(worst[0] <= EPSILON / 16 && worst[1] <= EPSILON / 16);
 }
 
-/* Where det S is no number of the real type nothing is known of the response:
+/* Where det S is not a number of the real type the response is not known:
  * the step is refused and not taken as if nothing acted. */
 TEST(a_determinant_that_overflows_is_refused) {
   int overflows = 0;

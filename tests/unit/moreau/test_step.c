@@ -1,7 +1,7 @@
 /* The border of a Moreau step: what it refuses and leaves untouched, and that
  * one short step is the equations of motion. Its difference quotient, taken at
  * two step sizes and extrapolated to none, is the right-hand side of the paper
- * (or of the mass matrix, with external inputs, which the paper lacks). */
+ * (or of the mass matrix, with external inputs, which the paper has not). */
 #include "common.h"
 
 TEST(default_inputs_are_those_of_the_parameters) {
@@ -176,7 +176,7 @@ TEST(bad_states_are_refused) {
 }
 
 /* The limit itself: the sum of all seven magnitudes. A heavy, damped machine
- * comes back into the range of states by itself, which is no excuse. */
+ * comes back into the range of states by itself, which is not a excuse. */
 TEST(inputs_beyond_the_limit_are_refused) {
   tf_params_t params = tf_scenes[0]->params;
   params.m = params.c1 = params.c2 = TF_R(1e12);

@@ -15,17 +15,17 @@
 #define EXIT_ULP 16
 
 #ifdef TF_REAL_FLOAT
-#define LEAST_EXPONENT (FLT_MIN_EXP - 1)
+#define MIN_EXPONENT (FLT_MIN_EXP - 1)
 #define PI_REAL 0x1.921fb6p+1f
 #else
-#define LEAST_EXPONENT (DBL_MIN_EXP - 1)
+#define MIN_EXPONENT (DBL_MIN_EXP - 1)
 #define PI_REAL 0x1.921fb54442d18p+1
 #endif
 
 /* Error of got in units in the last place of want. */
 static real ulps(tf_real_t got, real want) {
-  int exponent = want == 0 ? LEAST_EXPONENT : ilogbl(want);
-  if (exponent < LEAST_EXPONENT) exponent = LEAST_EXPONENT;
+  int exponent = want == 0 ? MIN_EXPONENT : ilogbl(want);
+  if (exponent < MIN_EXPONENT) exponent = MIN_EXPONENT;
   return fabsl(wide(got) - want) / ldexpl(wide(TF_REAL_EPSILON), exponent);
 }
 
@@ -266,7 +266,7 @@ static int is_in_reach(tf_real_t x) {
 }
 
 /* Where the check of a step lets numbers pass, each of them is finite and
- * within the limit; and nothing else is refused. tools/eva/cases.h is told that
+ * within the limit; and nothing else is refused. tools/eva/cases.h assumes that
  * clip() makes the lower bound of NaN, and shows the rest. */
 TEST(numbers_that_pass_are_finite_and_within_the_limit) {
   int passed = 0;

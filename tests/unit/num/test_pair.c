@@ -46,7 +46,7 @@ TEST(products_are_exact) {
   }
 }
 
-/* What a pair is, as far as long double can tell. */
+/* What a pair is, as far as long double resolves. */
 static real value(pair_t a) { return wide(a.hi) + wide(a.lo); }
 
 static pair_t random_pair(void) {

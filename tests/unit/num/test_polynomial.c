@@ -42,8 +42,8 @@ TEST(first_of_several_roots_is_found) {
   for (int i = 0; i < 4; i++) CHECK(found[i] > 50);
 }
 
-/* A pair of roots close to each other is told from none as far as halving of
- * the interval goes. */
+/* Two roots close to each other are found as far as halving of the interval
+ * goes. */
 TEST(close_roots_are_parted) {
   for (int n = 2; n < 12; n++) {
     const double root[2] = {0.3, 0.3 + ldexp(1, -n)};
@@ -63,7 +63,7 @@ TEST(close_roots_are_parted) {
 }
 
 /* (t + a) (b - t) rises at first and has its root b all the same; what stays
- * above 0 for want of slope needs no further look. */
+ * above 0 because its slope is too small needs no further look. */
 TEST(no_root_is_taken_for_none) {
   for (int n = 0; n < 1000; n++) {
     const tf_real_t a = uniform(0, 0.1), b = uniform(0.001, 1);

@@ -18,15 +18,8 @@ static run_t started(const tf_scene_t *scene) {
   memset(&run, 0, sizeof run);
   run.scene = scene;
   CHECK(tf_prepare(&run.machine, &scene->params, NULL) == TF_OK);
-  const tf_input_t input = tf_scene_input(scene, &run.machine, 0);
-  run.state.r = scene->r;
-  run.state.w = scene->omega;
-  run.state.v = scene->v;
-  if (!scene->v_is_given)
-    CHECK(tf_speed_for_slip(&run.machine, scene->r, scene->omega, input.omega0,
-                            scene->h, &run.state.v) == TF_OK);
-  run.state.mode = TF_NO_MODE;
-  CHECK(tf_begin(&run.machine, &run.state, &input, &run.report) == TF_OK);
+  CHECK(tf_scene_start(scene, &run.machine, 0, &run.state, &run.report) ==
+        TF_OK);
   return run;
 }
 

@@ -1,6 +1,6 @@
-/* A scene has one start, whoever asks for it: a session, a reset over the line,
- * the firmware that has all scenes, and the constants that a firmware of one
- * scene is made of. Seen here by the side on which a slip starts. */
+/* A scene has one start, whoever asks for it: a simulation, a reset over the
+ * line, the firmware that has all scenes, and the constants that a firmware of
+ * one scene is made of. Seen here by the side on which a slip starts. */
 #include "firmware_start.h"
 #include "same_state.h"
 #include "scene_named.h"
@@ -38,18 +38,18 @@ static void judge(const tf_scene_t *scene, tf_mode_t mode) {
   tf_machine_t machine;
   tf_state_t state, generic;
   tf_report_t report;
-  tf_session_t session;
+  tf_simulation_t simulation;
   memset(&state, 0, sizeof state);
   memset(&generic, 0, sizeof generic);
   CHECK(tf_prepare(&machine, &scene->params, NULL) == TF_OK);
   CHECK(tf_scene_start(scene, &machine, 1, &state, &report) == TF_OK);
   CHECK(state.mode == mode && report.mode == mode && state.tick == 0);
-  CHECK(tf_session_open(&session, scene, &scene->params, 1) == TF_OK);
-  CHECK(same_state(&session.state, &state));
-  session.state.mode = TF_PINNED;
-  session.state.r += 1;
-  CHECK(tf_session_start(&session, scene, 1) == TF_OK);
-  CHECK(same_state(&session.state, &state));
+  CHECK(tf_simulation_open(&simulation, scene, &scene->params, 1) == TF_OK);
+  CHECK(same_state(&simulation.state, &state));
+  simulation.state.mode = TF_PINNED;
+  simulation.state.r += 1;
+  CHECK(tf_simulation_start(&simulation, scene, 1) == TF_OK);
+  CHECK(same_state(&simulation.state, &state));
   CHECK(generic_firmware_start(scene, &generic, &report));
   CHECK(same_state(&generic, &state) && report.mode == mode);
   CHECK(written_mode(scene) == (int)mode);
@@ -66,16 +66,16 @@ TEST(negative_h_starts_in_slip_minus) {
 }
 
 /* In the escaping region stick and both slips are possible; a slip below
- * rounding is told from h = 0 by its sign alone. */
+ * rounding differs from h = 0 by its sign alone. */
 TEST(sign_of_h_decides_where_both_slips_are_possible) {
   int open = 0;
   for (int i = 0; i < 2000 && open < 5; i++) {
     tf_scene_t scene = scene_at("chaos", 0);
-    tf_session_t session;
+    tf_simulation_t simulation;
     scene.r = (tf_real_t)tap_uniform(-0.2, 0.2);
     scene.omega = (tf_real_t)tap_uniform(-1.4, -0.6);
-    CHECK(tf_session_open(&session, &scene, &scene.params, 1) == TF_OK);
-    if (session.report.choices != 3) continue;
+    CHECK(tf_simulation_open(&simulation, &scene, &scene.params, 1) == TF_OK);
+    if (simulation.report.choices != 3) continue;
     open++;
     scene.h = TF_REAL_MIN;
     judge(&scene, TF_SLIP_PLUS);

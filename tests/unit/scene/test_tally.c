@@ -19,19 +19,19 @@ TEST(tally_counts_every_status) {
   CHECK(tally.first == (UINT64_C(1) << 33) + 1);
 }
 
-/* A session counts from its opening, whatever it ran before. */
-TEST(session_opens_with_an_empty_tally) {
-  tf_session_t session;
-  memset(&session, 0xff, sizeof session);
+/* A simulation counts from its opening, whatever it ran before. */
+TEST(simulation_opens_with_an_empty_tally) {
+  tf_simulation_t simulation;
+  memset(&simulation, 0xff, sizeof simulation);
   const tf_scene_t *scene = tf_scenes[0];
-  CHECK(tf_session_open(&session, scene, &scene->params, 0) == TF_OK);
-  const tf_tally_t *t = &session.tally;
+  CHECK(tf_simulation_open(&simulation, scene, &scene->params, 0) == TF_OK);
+  const tf_tally_t *t = &simulation.tally;
   CHECK(t->degraded + t->fell_back + t->coarse + t->refused == 0);
 }
 
 int main(int argc, char **argv) {
   tap_begin(argc, argv);
   RUN(tally_counts_every_status);
-  RUN(session_opens_with_an_empty_tally);
+  RUN(simulation_opens_with_an_empty_tally);
   return tap_end();
 }

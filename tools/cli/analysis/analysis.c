@@ -3,15 +3,18 @@
 
 #include "analysis.h"
 
+#include <inttypes.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "../setup/names.h"
 #include "../setup/scene.h"
+#include "../text/commit.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/options.h"
 
-#define MOST_VALUES 1000000u // in one range
+#define MAX_VALUES 1000000u // in one range
 
 static int check_number(const cli_given_t *option, tf_real_t value) {
   if (value >= -TF_STATE_LIMIT && value <= TF_STATE_LIMIT) {
@@ -40,7 +43,7 @@ static int read_range(const cli_analysis_t *a, const cli_given_t *option,
                       cli_range_t *range) {
   int code = a->takes == CLI_TAKES_GRID
                  ? cli_read_range(option->name, option->value, option->value,
-                                  MOST_VALUES, range)
+                                  MAX_VALUES, range)
                  : read_point(option, range);
   if (code == CLI_DONE) {
     code = check_number(option, range->from);
@@ -68,25 +71,31 @@ static int read_omega(void *to, const cli_given_t *option) {
   return read_range(a, option, &a->omega);
 }
 
+static int read_provenance(void *to, const cli_given_t *option) {
+  cli_analysis_t *a = to;
+  (void)option;
+  a->provenance = true;
+  return CLI_DONE;
+}
+
 static int take(void *to, const char *word) {
   cli_analysis_t *a = to;
   return cli_take_scene(&a->scene, word);
 }
 
-// Those from FIRST_OF_POINT on belong to commands that take a point or a grid.
+// By what a command takes: the first ones, those of a point, those of a grid.
 static const cli_option_t options[] = {
     {"--set", read_set, CLI_REPEATABLE},
     {"--out", read_out, CLI_ONCE},
     {"--r", read_r, CLI_ONCE},
     {"--omega", read_omega, CLI_ONCE},
+    {"--provenance", read_provenance, CLI_FLAG},
 };
-#define OPTIONS (sizeof options / sizeof options[0])
-#define FIRST_OF_POINT 2
+static const size_t options_of[] = {
+    [CLI_TAKES_NOTHING] = 2, [CLI_TAKES_POINT] = 4, [CLI_TAKES_GRID] = 5};
 
 static int read_words(cli_analysis_t *a, int argc, char *const argv[]) {
-  const cli_syntax_t syntax = {
-      a->command, options,
-      a->takes == CLI_TAKES_NOTHING ? FIRST_OF_POINT : OPTIONS, take};
+  const cli_syntax_t syntax = {a->command, options, options_of[a->takes], take};
   int code = cli_read_words(&syntax, a, argc, argv);
   if (code == CLI_DONE) {
     code = cli_need_scene(a->scene, a->command);
@@ -103,8 +112,8 @@ static int read_words(cli_analysis_t *a, int argc, char *const argv[]) {
   return code;
 }
 
-// Tells which settings have no effect because only `run` uses them, or because
-// the command computes their value itself.
+// Reports which settings have no effect because only `run` uses them, or
+// because the command computes their value itself.
 static void print_notes(const cli_analysis_t *a, bool finds_kappa) {
   static const char *const unused[] = {
       "kappa", "k2", "dt", "theta", "tolerance", "r", "v", "omega", "h", "phi"};
@@ -159,7 +168,7 @@ int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment) {
   return cli_message(CLI_REFUSED, "%s %s: %s needs law %s, not %s: %s",
                      origin.option, origin.text, a->command,
                      needs_moment ? "jump" : "jump or coulomb",
-                     cli_law_name(law),
+                     tf_tyre_law_name(law),
                      tf_tyre_is_set_valued(law) ? "stick has no moment under it"
                                                 : "it does not jump at h = 0");
 }
@@ -178,6 +187,24 @@ int cli_analysis_refuse_gamma(const cli_analysis_t *a) {
       "%g and %g",
       gamma.option, gamma.text, a->command, (double)a->setup.machine.sin_gamma,
       (double)a->setup.machine.cos_gamma);
+}
+
+void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
+                             cli_buffer_t *text) {
+  char hash[9];
+  (void)snprintf(hash, sizeof hash, "%08" PRIx32,
+                 tf_params_hash(&a->setup.params));
+  cli_add(text, "{\n  \"version\": \"" TF_VERSION "\", \"commit\": \"");
+  cli_add(text, cli_commit);
+  cli_add(text, sizeof(tf_real_t) == sizeof(float)
+                    ? "\", \"number\": \"float\",\n  \"scene\": \""
+                    : "\", \"number\": \"double\",\n  \"scene\": \"");
+  cli_add(text, a->scene->name);
+  cli_add(text, "\", \"parameters\": \"");
+  cli_add(text, hash);
+  cli_add(text, "\",\n  \"units\": {");
+  cli_add(text, units);
+  cli_add(text, "},\n");
 }
 
 int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length) {

@@ -6,6 +6,7 @@
 
 #include "../host/output.h"
 #include "../setup/setup.h"
+#include "../text/buffer.h"
 #include "../text/range.h"
 
 /// What a command takes as --r and --omega.
@@ -22,6 +23,7 @@ typedef struct {
   const tf_scene_t *scene;
   cli_settings_t settings;
   const char *out; ///< path, NULL: standard output
+  bool provenance; ///< of a grid: comments before the header say what it is of
   cli_range_t r, omega;
   cli_setup_t setup; ///< machine and input at t = 0
   cli_output_t output;
@@ -49,6 +51,12 @@ int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment);
 /// Returns: CLI_REFUSED, after a message.
 int cli_analysis_refuse_mu(const cli_analysis_t *a);
 int cli_analysis_refuse_gamma(const cli_analysis_t *a);
+
+/// Begins an object of JSON: version, commit and number type of this program,
+/// scene, hash of the parameters, and the units of what follows, as members of
+/// an object.
+void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
+                             cli_buffer_t *text);
 
 /// Writes one text and closes the output.
 /// Returns: CLI_DONE, or CLI_STOPPED after a message.

@@ -9,9 +9,11 @@
   "  --out FILE           instead of standard output\n"                       \
   "\n"                                                                        \
   "The inputs are those at t = 0.\n"
-#define GRID_OPTIONS                                       \
-  "  --r A:B:N            N values of r from A to B [m]\n" \
-  "  --omega A:B:N        N values of omega from A to B [rad/s]\n"
+#define GRID_OPTIONS                                                        \
+  "  --r A:B:N            N values of r from A to B [m]\n"                  \
+  "  --omega A:B:N        N values of omega from A to B [rad/s]\n"          \
+  "  --provenance         comment lines before the header: 'twofold help\n" \
+  "                       provenance'\n"
 
 void cli_singularities_help(void) {
   (void)fputs(
@@ -21,7 +23,7 @@ void cli_singularities_help(void) {
       "or\n"
       "why there is none.\n"
       "\n" COMMON_OPTIONS
-      "K++ .. K-- are in the paper's rescaled time tau, dt = clock dtau; "
+      "K++ .. K-- are in the paper's rescaled time tau, dt = time_scale dtau;\n"
       "those\n"
       "under \"physical\" are in m/s^3. J1, J2 and the eigenvalues are the "
       "same\n"
@@ -38,7 +40,7 @@ void cli_regions_help(void) {
       "\n"
       "The region of the surface h = 0 at each point of a grid, as CSV:\n"
       "r,omega,region,lambda,delassus. Regions: sliding, escaping,\n"
-      "crossing_up (from h < 0 to h > 0), crossing_down, and codimension2\n"
+      "crossing_up (from h < 0 to h > 0), crossing_down, and codim2\n"
       "(h = g = 0, where the last two columns are empty). lambda [N] is the\n"
       "force that would hold h = 0; where the surface is crossed it exceeds\n"
       "mu. delassus is in 1/kg.\n"

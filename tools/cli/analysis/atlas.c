@@ -63,8 +63,8 @@ static int check(const cli_analysis_t *a) {
   if (!(k->tyre.mu > 0)) {
     return cli_analysis_refuse_mu(a);
   }
-  const bool too_small =
-      fabs((double)k->sin_gamma) < 1e-6 || fabs((double)k->cos_gamma) < 1e-6;
+  const bool too_small = fabs((double)k->sin_gamma) < (double)TF_MIN_SINE ||
+                         fabs((double)k->cos_gamma) < (double)TF_MIN_SINE;
   return too_small ? cli_analysis_refuse_gamma(a) : CLI_DONE;
 }
 
@@ -77,5 +77,10 @@ int cli_atlas(int argc, char *const argv[]) {
   if (code == CLI_DONE) {
     code = check(&a);
   }
-  return code == CLI_DONE ? cli_analysis_grid(&a, header, write_row) : code;
+  return code == CLI_DONE
+             ? cli_analysis_grid(&a, header,
+                                 "r m, omega rad/s, v m/s, g m/s, kappa m, k2 "
+                                 "N/m, K in rescaled time, others 1",
+                                 write_row)
+             : code;
 }

@@ -9,6 +9,7 @@
 #include "two_fold.h"
 
 #define ROOM 8192 // bytes; one two-fold takes about 1500
+#define UNITS "\"kappa\": \"m\", \"k2\": \"N/m\", " CLI_TWO_FOLD_UNITS
 
 static int out_of_range(const cli_analysis_t *a, const char *name,
                         tf_real_t value) {
@@ -55,9 +56,8 @@ static int refuse(const cli_analysis_t *a, const tf_design_t *design) {
 
 static void describe(const cli_analysis_t *a, const tf_design_t *design,
                      cli_buffer_t *text) {
-  cli_add(text, "{\n  \"scene\": \"");
-  cli_add(text, a->scene->name);
-  cli_add(text, "\",\n  \"kappa\": ");
+  cli_analysis_begin_json(a, UNITS, text);
+  cli_add(text, "  \"kappa\": ");
   cli_add_real(text, design->kappa);
   cli_add(text, ",\n  \"k2\": ");
   cli_add_real(text, design->k2);

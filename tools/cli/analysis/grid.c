@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../host/host.h"
+#include "../setup/provenance.h"
 #include "../text/message.h"
 
 #define FLUSH_EVERY 0.2 // [s]
@@ -31,11 +32,17 @@ static int write_line(cli_analysis_t *a, tf_real_t r, cli_grid_row_t row) {
   return CLI_DONE;
 }
 
-int cli_analysis_grid(cli_analysis_t *a, const char *header,
+int cli_analysis_grid(cli_analysis_t *a, const char *header, const char *units,
                       cli_grid_row_t row) {
+  char lines[CLI_PROVENANCE_ROOM];
   int code = cli_output_begin(&a->output, "--out", a->out);
   if (code != CLI_DONE) {
     return code;
+  }
+  if (a->provenance) {
+    const size_t length =
+        cli_provenance(&a->setup, "inputs at t = 0, no motion", units, lines);
+    (void)cli_output_lines(&a->output, lines, length);
   }
   (void)cli_output_lines(&a->output, header, strlen(header));
   for (uint64_t i = 0; i < a->r.count && code == CLI_DONE; i++) {

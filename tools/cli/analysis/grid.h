@@ -15,8 +15,9 @@ typedef int (*cli_grid_row_t)(const cli_analysis_t *a, tf_real_t r,
                               size_t *length);
 
 /// Writes header and rows, omega inner, r outer, and closes the output.
+/// units: in, of the columns, for --provenance.
 /// Returns: CLI_DONE; after a message CLI_STOPPED or what a row returned.
-int cli_analysis_grid(cli_analysis_t *a, const char *header,
+int cli_analysis_grid(cli_analysis_t *a, const char *header, const char *units,
                       cli_grid_row_t row);
 
 #endif

@@ -47,13 +47,14 @@ static int write_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
 static int check_gamma(const cli_analysis_t *a) {
   const cli_origin_t origin = cli_analysis_origin(a, "gamma");
   const double sine = (double)a->setup.machine.sin_gamma;
-  if (fabs(sine) >= 1e-6) {
+  if (fabs(sine) >= (double)TF_MIN_SINE) {
     return CLI_DONE;
   }
   return cli_message(CLI_REFUSED,
-                     "%s %s: regions needs |sin(gamma)| in [1e-06, 1], it is "
+                     "%s %s: regions needs |sin(gamma)| in [%g, 1], it is "
                      "%g: no speed v follows from h = 0",
-                     origin.option, origin.text, fabs(sine));
+                     origin.option, origin.text, (double)TF_MIN_SINE,
+                     fabs(sine));
 }
 
 int cli_regions(int argc, char *const argv[]) {
@@ -67,7 +68,9 @@ int cli_regions(int argc, char *const argv[]) {
     code = check_gamma(&a);
   }
   if (code == CLI_DONE) {
-    code = cli_analysis_grid(&a, "r,omega,region,lambda,delassus\n", write_row);
+    code = cli_analysis_grid(&a, "r,omega,region,lambda,delassus\n",
+                             "r m, omega rad/s, lambda N, delassus 1/kg",
+                             write_row);
   }
   return code;
 }

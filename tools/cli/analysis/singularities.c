@@ -16,9 +16,8 @@ static int describe(const cli_analysis_t *a, cli_buffer_t *text) {
   const cli_setup_t *setup = &a->setup;
   tf_status_t status =
       tf_two_folds(&setup->machine, &setup->input, points, &count, &absence);
-  cli_add(text, "{\n  \"scene\": \"");
-  cli_add(text, a->scene->name);
-  cli_add(text, "\",\n  \"count\": ");
+  cli_analysis_begin_json(a, CLI_TWO_FOLD_UNITS, text);
+  cli_add(text, "  \"count\": ");
   cli_add_real(text, (tf_real_t)count);
   cli_add(text, ",\n  \"reason\": ");
   if (absence != TF_ABSENCE_NONE) {

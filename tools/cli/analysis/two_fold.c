@@ -93,9 +93,9 @@ void cli_add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at,
   cli_add(text, ",\n");
   cli_add(text, margin);
   cli_add(text, "  ");
-  add_pair(text, "clock", at->time_scale);
+  add_pair(text, "time_scale", at->time_scale);
   cli_add(text, ", ");
-  add_pair(text, "rest", at->residual);
+  add_pair(text, "residual", at->residual);
   cli_add(text, ",\n");
   cli_add(text, margin);
   cli_add(text, "  \"physical\": {");

@@ -1,16 +1,17 @@
-// The canard: the stick that passes through the two-fold along its weak
-// direction and goes on in the escaping region.
+// The canard: a stick that leaves the two-fold along its weak direction and
+// goes on in the escaping region.
 //
 // In backward time every stick in the escaping region tends to the two-fold
-// along the weak direction. In forward time they part from it like the distance
-// to the power of the ratio of the eigenvalues (14.02 in `chaos`), so no time
-// stepping method can follow the canard: within milliseconds rounding errors
-// grow until |lambda| = mu. But it is an analytic curve z(r), regular at the
-// two-fold, and is computed as a polynomial (collocation at Chebyshev points,
-// Newton's method):
-//   A v z'(r) = A z_free(r, z) + N(r, z) z_lambda(r)
-// At the two-fold this reads 0 = 0; elsewhere it is divided by the distance to
-// the two-fold.
+// along the weak direction. In forward time they part like t^ratio, the ratio
+// of the eigenvalues (14.02 in `chaos`). So what leaves the two-fold fills an
+// area; no method can follow one of these curves forward from rounded numbers;
+// and a power series selects none where the ratio is near a whole number. Here
+// the one is taken that passes the farthest point of the tangent, in the
+// escaping region, to which any of them leads. From there it is integrated
+// backward in time, which is stable whatever the ratio: an error shrinks like
+// t^ratio. The steps shrink with the time that is left, down to where the curve
+// and its tangent are the same. Beyond that point it is the stick that begins
+// there.
 
 #include "canard.h"
 
@@ -20,153 +21,217 @@
 #include "../setup/modes.h"
 #include "twofold/singularity.h"
 
-#define TERMS CLI_CANARD_TERMS
-#define NEWTON 12
-#define HALF_PI 1.5707963267948966
-#define STEP 1e-3 // [s], of the Runge-Kutta method along the curve
+// Of the time from the two-fold to the end: before it the tangent is the curve,
+// up to the square of this.
+#define LINEAR 1e-5
+// Nodes while the time falls by the factor e; between two of them one step more
+// for each RATIO of the ratio, so that step times decay, ratio / t, is at most
+// 1/4.
+#define NODES 32
+#define RATIO 8.0
+#define MOST_STEPS 256
+#define TANGENT_STEPS 64 // until g would be 0 on the tangent
+#define HALVINGS 40
+#define AFTER 1e-3 // [s], a step beyond the last node
 
-static double curve(const cli_canard_t *canard, double r, double *slope) {
-  const double x = (r - canard->r) / canard->reach;
-  double z = 0, dz = 0;
-  for (int n = TERMS - 1; n >= 0; n--) {
-    dz = dz * x + z;
-    z = z * x + canard->c[n];
-  }
-  // Here z is the sum of c[n] x^n; the curve is z* + x times that sum.
-  *slope = (z + x * dz) / canard->reach;
-  return canard->z + x * z;
+static bool is_escaping(const cli_canard_t *canard, double r, double z) {
+  const tf_machine_t *k = canard->machine;
+  const cli_point_t at = cli_point_on_surface(k, r, z);
+  const double A = cli_delassus(k, r, canard->s);
+  return A < 0 && fabs(cli_free_slip_rate(k, at)) < -A * (double)k->tyre.mu &&
+         canard->s * (double)cli_slip_at(k, at).g > 0;
 }
 
-static void residuals(const tf_machine_t *k, const cli_canard_t *canard,
-                      double out[TERMS]) {
-  for (int i = 0; i < TERMS; i++) {
-    const double x = cos(HALF_PI * (2 * i + 1) / TERMS);
-    // The number of points is even, so none of them is the two-fold.
-    const double r = canard->r + canard->reach * x;
-    double slope = 0;
-    double field[2];
-    const double z = curve(canard, r, &slope);
-    cli_sliding_field(k, r, z, canard->s, field);
-    out[i] = (field[0] * slope - field[1]) / x;
-  }
+static double speed(const cli_canard_t *canard, double r, double z) {
+  const tf_machine_t *k = canard->machine;
+  return cli_vector_field(k, cli_point_on_surface(k, r, z), 0, 0).r;
 }
 
-// Solves a x = b in place by elimination with partial pivoting.
-// Returns: whether a is regular.
-static bool solve(double a[TERMS][TERMS], double b[TERMS]) {
-  for (int i = 0; i < TERMS; i++) {
-    int pivot = i;
-    for (int j = i + 1; j < TERMS; j++) {
-      pivot = fabs(a[j][i]) > fabs(a[pivot][i]) ? j : pivot;
+// Stick after a time dt from a point: a step of the classical Runge-Kutta
+// method.
+static cli_canard_node_t step(const cli_canard_t *canard,
+                              cli_canard_node_t from, double dt) {
+  static const double part[] = {0, 0.5, 0.5, 1};
+  static const double weight[] = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
+  cli_canard_node_t to = {from.t + dt, from.r, from.z};
+  double rate[2] = {0, 0};
+  for (int i = 0; i < 4; i++) {
+    const double r = from.r + part[i] * dt * rate[0];
+    const double z = from.z + part[i] * dt * rate[1];
+    const double A = cli_delassus(canard->machine, r, canard->s);
+    cli_sliding_field(canard->machine, r, z, canard->s, rate);
+    rate[0] /= A;
+    rate[1] /= A;
+    to.r += weight[i] * dt * rate[0];
+    to.z += weight[i] * dt * rate[1];
+  }
+  return to;
+}
+
+static cli_canard_node_t tangent(const cli_canard_t *canard, double t) {
+  const cli_canard_node_t at = {t, canard->r + canard->v * t,
+                                canard->z + canard->slope * canard->v * t};
+  return at;
+}
+
+// When the tangent leaves the escaping region, no farther than half of the way
+// to r = 0.
+static double end_of_tangent(const cli_canard_t *canard) {
+  const double zero = fabs(canard->z / (canard->slope * canard->v));
+  const double half = 0.5 * fabs(canard->r / canard->v);
+  const double dt = fmin(zero, half) / TANGENT_STEPS;
+  double in = 0, out = dt;
+  cli_canard_node_t at = tangent(canard, out);
+  while (is_escaping(canard, at.r, at.z) && out < half) {
+    in = out;
+    out += dt;
+    at = tangent(canard, out);
+  }
+  for (int i = 0; i < HALVINGS; i++) {
+    const double middle = 0.5 * (in + out);
+    at = tangent(canard, middle);
+    if (is_escaping(canard, at.r, at.z)) {
+      in = middle;
+    } else {
+      out = middle;
     }
-    if (!(fabs(a[pivot][i]) > 0)) {
+  }
+  return in;
+}
+
+// The core has the two-fold to its own precision, the steps here need that of
+// double: A = 0 depends on r alone, then h' = 0 without friction on z.
+static void polish(cli_canard_t *canard) {
+  const tf_machine_t *k = canard->machine;
+  for (int i = 0; i < 4; i++) {
+    const double e = 1e-5 * fabs(canard->r);
+    canard->r -= 2 * e * cli_delassus(k, canard->r, canard->s) /
+                 (cli_delassus(k, canard->r + e, canard->s) -
+                  cli_delassus(k, canard->r - e, canard->s));
+  }
+  for (int i = 0; i < 4; i++) {
+    const double e = 1e-5 * fabs(canard->z);
+    double N[3];
+    for (int j = 0; j < 3; j++) {
+      N[j] = cli_free_slip_rate(
+          k, cli_point_on_surface(k, canard->r, canard->z + (j - 1) * e));
+    }
+    canard->z -= 2 * e * N[1] / (N[2] - N[0]);
+  }
+  canard->v = speed(canard, canard->r, canard->z);
+}
+
+// The time since the two-fold, about: by the higher of the speeds here and
+// there.
+static double time_since(const cli_canard_t *canard, cli_canard_node_t at) {
+  const double v = speed(canard, at.r, at.z);
+  return (at.r - canard->r) / (fabs(v) > fabs(canard->v) ? v : canard->v);
+}
+
+// Goes backward from a node to the next one.
+// Returns: whether all of that is in the escaping region.
+static bool go_back(const cli_canard_t *canard, cli_canard_node_t *at,
+                    double dt) {
+  for (int i = 0; i < canard->steps; i++) {
+    if (!is_escaping(canard, at->r, at->z)) {
       return false;
     }
-    for (int j = 0; j < TERMS; j++) {
-      const double t = a[i][j];
-      a[i][j] = a[pivot][j];
-      a[pivot][j] = t;
-    }
-    const double t = b[i];
-    b[i] = b[pivot];
-    b[pivot] = t;
-    for (int j = i + 1; j < TERMS; j++) {
-      const double f = a[j][i] / a[i][i];
-      for (int n = i; n < TERMS; n++) {
-        a[j][n] -= f * a[i][n];
-      }
-      b[j] -= f * b[i];
-    }
-  }
-  for (int i = TERMS - 1; i >= 0; i--) {
-    for (int j = i + 1; j < TERMS; j++) {
-      b[i] -= a[i][j] * b[j];
-    }
-    b[i] /= a[i][i];
+    *at = step(canard, *at, -dt / canard->steps);
   }
   return true;
 }
 
-bool cli_canard_solve(const tf_machine_t *k, const cli_two_fold_t *two_fold,
-                      cli_canard_t *canard) {
-  double last = (double)INFINITY;
+// Follows stick from a point of the tangent backward in time.
+// Returns: whether it comes from the two-fold, within the room for nodes.
+static bool comes_from_two_fold(cli_canard_t *canard, double whole) {
+  cli_canard_node_t at = tangent(canard, whole);
+  double left = time_since(canard, at);
+  at.t = 0;
+  canard->nodes = 0;
+  while (left > LINEAR * whole) {
+    if (canard->nodes == CLI_CANARD_NODES) {
+      return false;
+    }
+    canard->node[canard->nodes++] = at;
+    if (!go_back(canard, &at, left / NODES)) {
+      return false;
+    }
+    left = time_since(canard, at);
+  }
+  for (int i = 0; i < canard->nodes; i++) {
+    canard->node[i].t += left - at.t;
+  }
+  return canard->nodes > 0 && left >= 0;
+}
+
+cli_canard_status_t cli_canard_solve(const tf_machine_t *k,
+                                     const cli_two_fold_t *two_fold,
+                                     cli_canard_t *canard) {
   memset(canard, 0, sizeof *canard);
   canard->machine = k;
   canard->r = two_fold->r;
   canard->z = two_fold->omega - (double)k->omega0;
+  canard->slope = two_fold->slope;
   canard->s = two_fold->g < 0 ? -1 : 1;
-  // A little further than g keeps its sign on the tangent.
-  canard->reach =
-      fmin(1.05 * fabs(canard->z / two_fold->slope), 0.5 * fabs(canard->r));
-  canard->c[0] = two_fold->slope * canard->reach;
-  for (int i = 0; i < NEWTON; i++) {
-    double a[TERMS][TERMS], at[TERMS], changed[TERMS];
-    residuals(k, canard, at);
-    double size = 0;
-    for (int n = 0; n < TERMS; n++) {
-      size = fmax(size, fabs(at[n]));
-    }
-    if (!(size < last)) {
-      return last < 1e-9 * fabs(two_fold->v * canard->c[0]);
-    }
-    last = size;
-    for (int n = 0; n < TERMS; n++) {
-      const double c = canard->c[n];
-      const double e = 1e-6 * (1 + fabs(c));
-      canard->c[n] = c + e;
-      residuals(k, canard, changed);
-      canard->c[n] = c;
-      for (int j = 0; j < TERMS; j++) {
-        a[j][n] = (changed[j] - at[j]) / e;
-      }
-    }
-    if (!solve(a, at)) {
-      return false;
-    }
-    for (int n = 0; n < TERMS; n++) {
-      canard->c[n] -= at[n];
-    }
+  if (!(two_fold->ratio < RATIO * MOST_STEPS)) {
+    return CLI_CANARD_STIFF;
   }
-  return true;
+  canard->steps = 2 + (int)(two_fold->ratio / RATIO);
+  polish(canard);
+  const double whole = end_of_tangent(canard);
+  if (comes_from_two_fold(canard, whole)) {
+    return CLI_CANARD_SOLVED;
+  }
+  double in = 0, out = whole;
+  for (int i = 0; i < HALVINGS; i++) {
+    const double middle = 0.5 * (in + out);
+    *(comes_from_two_fold(canard, middle) ? &in : &out) = middle;
+  }
+  return comes_from_two_fold(canard, in) ? CLI_CANARD_SOLVED
+                                         : CLI_CANARD_ENTERS;
 }
 
-static double speed(const cli_canard_t *canard, double r) {
-  double slope = 0;
-  const double z = curve(canard, r, &slope);
-  return cli_vector_field(canard->machine,
-                          cli_point_on_surface(canard->machine, r, z), 0, 0)
-      .r;
+const char *cli_canard_failure(cli_canard_status_t status) {
+  return status == CLI_CANARD_STIFF
+             ? "the ratio of its eigenvalues is too large for the steps of the "
+               "solver"
+             : "no point of its tangent is reached by stick from it";
+}
+
+// The canard between the tangent and its last node.
+static cli_canard_node_t between(const cli_canard_t *canard, double t) {
+  int above = 0, below = canard->nodes;
+  while (below - above > 1) {
+    const int middle = (above + below) / 2;
+    *(canard->node[middle].t >= t ? &above : &below) = middle;
+  }
+  cli_canard_node_t at = canard->node[above];
+  const double dt = (t - at.t) / canard->steps;
+  for (int i = 0; i < canard->steps; i++) {
+    at = step(canard, at, dt);
+  }
+  at.t = t;
+  return at;
 }
 
 bool cli_canard_after(const cli_canard_t *canard, double t, cli_point_t *at,
                       double *reached) {
-  const tf_machine_t *k = canard->machine;
-  double r = canard->r, done = 0, slope = 0;
-  *at = cli_point_on_surface(k, r, canard->z);
-  while (done < t) {
-    const double dt = fmin(STEP, t - done);
-    const double a = speed(canard, r);
-    const double b = speed(canard, r + dt / 2 * a);
-    const double c = speed(canard, r + dt / 2 * b);
-    const double d = speed(canard, r + dt * c);
-    const double next = r + dt / 6 * (a + 2 * b + 2 * c + d);
-    const double z = curve(canard, next, &slope);
-    const cli_point_t there = cli_point_on_surface(k, next, z);
-    const double A = cli_delassus(k, next, canard->s);
-    const bool open =
-        fabs(cli_free_slip_rate(k, there)) < fabs(A) * (double)k->tyre.mu &&
-        canard->s * (double)cli_slip_at(k, there).g > 0 &&
-        fabs(next - canard->r) < canard->reach;
-    if (!open) {
-      *reached = done;
-      return false;
-    }
-    *at = there;
-    r = next;
-    done += dt;
+  cli_canard_node_t found = canard->node[0];
+  bool inside = true;
+  if (t < canard->node[canard->nodes - 1].t) {
+    found = tangent(canard, t);
+  } else if (t <= found.t) {
+    found = between(canard, t);
   }
-  *reached = t;
-  return true;
+  while (inside && found.t < t) {
+    const cli_canard_node_t next =
+        step(canard, found, fmin(AFTER, t - found.t));
+    inside = is_escaping(canard, next.r, next.z);
+    found = inside ? next : found;
+  }
+  *at = cli_point_on_surface(canard->machine, found.r, found.z);
+  *reached = found.t;
+  return inside;
 }
 
 bool cli_find_two_fold(const tf_machine_t *k, cli_two_fold_t *out) {
@@ -183,9 +248,12 @@ bool cli_find_two_fold(const tf_machine_t *k, cli_two_fold_t *out) {
         form.through.sticks && form.through.value < 0 &&
         form.across.value < form.through.value) {
       const cli_two_fold_t found = {
-          (double)form.point.r, (double)form.point.w, (double)form.point.g,
+          (double)form.point.r,
+          (double)form.point.w,
+          (double)form.point.g,
           (double)form.point.v,
-          (double)form.through.velocity.w / (double)form.through.velocity.r};
+          (double)form.through.velocity.w / (double)form.through.velocity.r,
+          (double)form.across.value / (double)form.through.value};
       *out = found;
       return true;
     }

@@ -13,6 +13,7 @@ typedef struct {
   double r, omega, g; ///< [m], [rad/s], [m/s]
   double v;           ///< [m/s]
   double slope;       ///< dw/dr of the weak direction [rad/(s m)]
+  double ratio;       ///< eigenvalue across it / eigenvalue along it, > 1
 } cli_two_fold_t;
 
 /// Finds the first one of a machine.
@@ -23,23 +24,41 @@ bool cli_find_two_fold(const tf_machine_t *machine, cli_two_fold_t *out);
 tf_state_t cli_before_two_fold(const tf_machine_t *machine,
                                const cli_two_fold_t *two_fold, double distance);
 
-/// The canard, a curve z(r) on h = 0.
-#define CLI_CANARD_TERMS 14
+/// A point of the canard.
+typedef struct {
+  double t;    ///< since the two-fold [s]
+  double r, z; ///< on h = 0 [m], [rad/s]
+} cli_canard_node_t;
+
+/// The canard, from a point in the escaping region back to the two-fold.
+#define CLI_CANARD_NODES 2048
 typedef struct {
   const tf_machine_t *machine;
-  double r, z;                ///< two-fold
-  double s;                   ///< sign of g
-  double reach;               ///< the curve is valid within r +- reach [m]
-  double c[CLI_CANARD_TERMS]; ///< z - z* = x sum c[n] x^n, x = (r - r*) / reach
+  double r, z, v; ///< two-fold
+  double slope;   ///< dz/dr there
+  double s;       ///< sign of g
+  int steps;      ///< of the integration, from node to node
+  int nodes;
+  cli_canard_node_t node[CLI_CANARD_NODES]; ///< the last one first
 } cli_canard_t;
 
+/// How its computation ended.
+typedef enum {
+  CLI_CANARD_SOLVED,
+  CLI_CANARD_STIFF, ///< the ratio asks for too many steps
+  CLI_CANARD_ENTERS ///< nowhere stick comes from the two-fold
+} cli_canard_status_t;
+
 /// Computes it.
-/// Returns: whether the iteration converged.
-bool cli_canard_solve(const tf_machine_t *machine,
-                      const cli_two_fold_t *two_fold, cli_canard_t *canard);
+cli_canard_status_t cli_canard_solve(const tf_machine_t *machine,
+                                     const cli_two_fold_t *two_fold,
+                                     cli_canard_t *canard);
+
+/// Why it was not computed, as a clause; status: in, not CLI_CANARD_SOLVED.
+const char *cli_canard_failure(cli_canard_status_t status);
 
 /// Follows it from the two-fold for a time t.
-/// at: out, the point then. reached: out, t, or when |lambda| = mu ended it.
+/// at: out, the point then. reached: out, t, or when it ended.
 /// Returns: whether it is still in the escaping region at t.
 bool cli_canard_after(const cli_canard_t *canard, double t, cli_point_t *at,
                       double *reached);

@@ -12,7 +12,9 @@
 #include <unistd.h>
 
 #include "../host/host.h"
+#include "../text/commit.h"
 #include "../text/message.h"
+#include "counts.h"
 #include "exhaustive.h"
 #include "files.h"
 #include "lagged.h"
@@ -31,27 +33,46 @@ static const cli_stepper_t *const steppers[CLI_MECHANISMS] = {
     [CLI_BY_DELAY] = &cli_lagged_stepper,
 };
 
+// --counts
+typedef struct {
+  cli_counts_t counts;
+  cli_output_t output;
+} counting_t;
+
 typedef struct {
   const cli_job_t *job;
   cli_files_t *files;
+  counting_t *counting; ///< NULL: cycles are not counted
   cli_motion_t motion;
   cli_tracker_t tracker;
   uint64_t first, last; ///< samples of this shard
   uint64_t done;        ///< samples that have ended
+  uint64_t in_sample;   ///< cycles of the present one that have ended
   uint64_t cycles;      ///< cycles that have ended
   uint64_t outcomes[CLI_OUTCOMES];
   double started, shown, flushed;
   bool one_line, stopped, unwritten;
 } work_t;
 
+// The time left is as if the samples to come cost as much as those so far.
 static void show_progress(work_t *work, double now) {
   const double samples = (double)(work->last - work->first);
+  const double spent = now - work->started;
+  const double share =
+      ((double)work->done +
+       (double)work->in_sample / (double)work->job->args->cycles) /
+      samples;
+  char left[64] = "";
+  if (share > 0) {
+    (void)snprintf(left, sizeof left, ", %.0f s left",
+                   spent * (1 - share) / share);
+  }
   (void)fprintf(stderr,
                 "%s%.0f of %.0f samples, %" PRIu64 " cycles, %" PRIu64
-                " returned, %.3g cycles/s%s",
+                " returned, %.3g cycles/s%s%s",
                 work->one_line ? "\r" : "twofold: ", (double)work->done,
                 samples, work->cycles, work->outcomes[CLI_CYCLE_RETURNED],
-                (double)work->cycles / (now - work->started),
+                (double)work->cycles / spent, left,
                 work->one_line ? "\033[K" : "\n");
   (void)fflush(stderr);
   work->shown = now;
@@ -123,12 +144,17 @@ static bool do_sample(work_t *work, uint64_t sample) {
     }
   }
   for (uint64_t cycle = 1; cycle <= job->args->cycles; cycle++) {
+    work->in_sample = cycle - 1;
     if (!follow(work, stepper, from_it)) {
       return false;
     }
     const cli_outcome_t outcome = work->tracker.cycle.outcome;
     work->unwritten |=
         !cli_files_put(work->files, sample, cycle, &work->tracker.cycle);
+    if (work->counting != NULL) {
+      cli_counts_cycle(&work->counting->counts, cycle, &work->tracker.cycle,
+                       job->args->patience);
+    }
     work->cycles++;
     work->outcomes[outcome]++;
     check_clock(work);
@@ -166,11 +192,68 @@ static void summarise(work_t *work, double now) {
                        : 0.0);
 }
 
+// The same for a program: one line, the last one on standard error.
+static void summarise_json(const work_t *work, double seconds, int code) {
+  const cli_diverge_args_t *args = work->job->args;
+  (void)fprintf(
+      stderr,
+      "{" CLI_JSON_BUILD
+      ", \"command\": \"diverge\", \"scene\": "
+      "\"%s\", \"by\": \"%s\", \"seed\": %" PRIu32 ", \"samples\": %" PRIu64
+      ", \"done\": %" PRIu64 ", \"cycles\": %" PRIu64,
+      cli_commit, args->scene->name, cli_mechanisms[args->mechanism].name,
+      args->seed, work->last - work->first, work->done, work->cycles);
+  for (int i = 1; i < CLI_OUTCOMES; i++) {
+    (void)fprintf(stderr, ", \"%s\": %" PRIu64,
+                  cli_outcome_name((cli_outcome_t)i), work->outcomes[i]);
+  }
+  (void)fprintf(stderr, ", \"seconds\": %.9g, \"exit\": %d}\n", seconds, code);
+}
+
+// What the counts of all shards are of, and which shard this one is.
+static int begin_counting(const work_t *work, const cli_buffer_t *run) {
+  const cli_diverge_args_t *args = work->job->args;
+  if (work->counting == NULL) {
+    return CLI_DONE;
+  }
+  cli_counts_t *counts = &work->counting->counts;
+  cli_trailer_t trailer = {0, 0, 0};
+  const size_t used = cli_job_provenance(
+      work->job, "time s, landing m, phase windings", counts->about);
+  (void)snprintf(counts->about + used, sizeof counts->about - used,
+                 "# %" PRIu64 " samples of %" PRIu64
+                 " cycles; bins: time %.17g s, phase %g, landing %g m\n",
+                 args->samples, args->cycles, args->patience / CLI_COUNT_TIMES,
+                 1.0 / CLI_COUNT_PHASES, CLI_COUNT_PLACE);
+  cli_trailer_name(&trailer, run->text, run->used);
+  counts->run = trailer.run;
+  counts->of = args->shard.of;
+  (void)cli_counts_shard(counts, args->shard.index);
+  return cli_output_begin(&work->counting->output, "--counts", args->counts);
+}
+
+static int end_counting(const work_t *work, int code) {
+  if (work->counting == NULL) {
+    return code;
+  }
+  if (code == CLI_DONE) {
+    (void)cli_counts_put(&work->counting->counts, &work->counting->output);
+  }
+  return cli_output_end(&work->counting->output, code);
+}
+
 static int perform(work_t *work, const cli_diverge_args_t *args) {
+  char text[CLI_JOB_TEXT];
+  cli_buffer_t run = {text, 0, sizeof text, false};
+  cli_job_describe(work->job, &run);
   cli_shard_range(&args->shard, args->samples, &work->first, &work->last);
-  int code = cli_files_open(work->files, args);
+  int code = cli_files_open(work->files, work->job, &run);
   if (code != CLI_DONE) {
     return code;
+  }
+  code = begin_counting(work, &run);
+  if (code != CLI_DONE) {
+    return cli_files_close(work->files, code);
   }
   work->one_line = cli_is_terminal(STDERR_FILENO);
   work->started = work->shown = work->flushed = cli_now();
@@ -179,19 +262,28 @@ static int perform(work_t *work, const cli_diverge_args_t *args) {
       break;
     }
     work->done++;
+    work->in_sample = 0;
     if (work->stopped || work->unwritten) {
       break;
     }
   }
   // Where the output failed, the message is that of cli_files_close.
   code = work->unwritten || work->stopped ? CLI_STOPPED : CLI_DONE;
-  code = cli_files_close(work->files, code);
-  summarise(work, cli_now());
+  code = end_counting(work, cli_files_close(work->files, code));
+  const double now = cli_now();
+  if (!args->json) {
+    summarise(work, now);
+  } else if (work->one_line) {
+    (void)fputs("\r\033[K", stderr);
+  }
   if (work->stopped) {
     (void)cli_message(CLI_STOPPED,
                       "stopped by a signal after %" PRIu64
                       " samples; what has ended is written",
                       work->done);
+  }
+  if (args->json) {
+    summarise_json(work, now - work->started, code);
   }
   return code;
 }
@@ -211,13 +303,18 @@ int cli_diverge(int argc, char *const argv[]) {
   }
   work_t *work = calloc(1, sizeof *work);
   cli_files_t *files = calloc(1, sizeof *files);
-  if (work == NULL || files == NULL) {
+  counting_t *counting =
+      args.counts != NULL ? calloc(1, sizeof *counting) : NULL;
+  if (work == NULL || files == NULL ||
+      (args.counts != NULL && counting == NULL)) {
     code = cli_message(CLI_STOPPED, "out of memory");
   } else {
     work->job = &job;
     work->files = files;
+    work->counting = counting;
     code = perform(work, &args);
   }
+  free(counting);
   free(files);
   free(work);
   return code;

@@ -7,4 +7,8 @@
 /// Returns: the exit code.
 int cli_diverge(int argc, char *const argv[]);
 
+/// The command `merge`: argv[0] is the first argument after it.
+/// Returns: the exit code.
+int cli_merge(int argc, char *const argv[]);
+
 #endif

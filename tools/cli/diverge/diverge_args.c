@@ -10,9 +10,10 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/options.h"
+#include "counts.h"
 
 #define MOST 1000000000000000u // samples and cycles, exact in a double
-#define MOST_SAMPLES 4294967295u
+#define MAX_SAMPLES 4294967295u
 
 // Reads a real number in [low, high], or in (low, high] if open.
 static int read_real(const cli_given_t *option, bool open, double low,
@@ -41,6 +42,11 @@ static int read_exits(void *to, const cli_given_t *option) {
 static int read_returns(void *to, const cli_given_t *option) {
   cli_diverge_args_t *args = to;
   return cli_read_path(option, &args->returns);
+}
+
+static int read_counts(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  return cli_read_path(option, &args->counts);
 }
 
 static int read_by(void *to, const cli_given_t *option) {
@@ -105,7 +111,7 @@ static int read_section(void *to, const cli_given_t *option) {
 
 static int read_samples(void *to, const cli_given_t *option) {
   cli_diverge_args_t *args = to;
-  return cli_read_count(option, 1, MOST_SAMPLES, &args->samples);
+  return cli_read_count(option, 1, MAX_SAMPLES, &args->samples);
 }
 
 static int read_cycles(void *to, const cli_given_t *option) {
@@ -174,6 +180,18 @@ static int read_header(void *to, const cli_given_t *option) {
   return CLI_DONE;
 }
 
+static int read_provenance(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  (void)option;
+  args->provenance = true;
+  return CLI_DONE;
+}
+
+static int read_summary(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  return cli_read_summary(option, &args->json);
+}
+
 static int read_exhaustive(void *to, const cli_given_t *option) {
   cli_diverge_args_t *args = to;
   (void)option;
@@ -192,7 +210,6 @@ static const cli_option_t options[] = {
     {"--size", read_size, CLI_ONCE},
     {"--spread", read_spread, CLI_ONCE},
     {"--codim2", read_codim2, CLI_ONCE},
-    {"--corner", read_codim2, CLI_ONCE},
     {"--samples", read_samples, CLI_ONCE},
     {"--cycles", read_cycles, CLI_ONCE},
     {"--seed", read_seed, CLI_ONCE},
@@ -204,23 +221,56 @@ static const cli_option_t options[] = {
     {"--set", read_set, CLI_REPEATABLE},
     {"--exits", read_exits, CLI_ONCE},
     {"--returns", read_returns, CLI_ONCE},
+    {"--counts", read_counts, CLI_ONCE},
     {"--depth", read_depth, CLI_ONCE},
     {"--count", read_nodes, CLI_ONCE},
     {"--grid", read_grid, CLI_ONCE},
     {"--branches", read_branches, CLI_ONCE},
     {"--header", read_header, CLI_FLAG},
+    {"--provenance", read_provenance, CLI_FLAG},
+    {"--summary", read_summary, CLI_ONCE},
     {"--exhaustive", read_exhaustive, CLI_FLAG},
 };
+
+static bool is_same(const char *one, const char *other) {
+  return one != NULL && other != NULL && strcmp(one, other) == 0;
+}
+
+static int check_files(cli_diverge_args_t *args) {
+  if (args->exits == NULL && args->returns == NULL && args->counts == NULL) {
+    args->returns = "-";
+  }
+  if (is_same(args->exits, args->returns)) {
+    return cli_message(CLI_USAGE,
+                       "--exits %s, --returns %s: two files are needed",
+                       args->exits, args->returns);
+  }
+  if (is_same(args->counts, args->exits) ||
+      is_same(args->counts, args->returns)) {
+    return cli_message(CLI_USAGE, "--counts %s: needs a file of its own",
+                       args->counts);
+  }
+  if (args->counts != NULL && args->cycles > CLI_COUNT_CYCLES) {
+    return cli_message(CLI_REFUSED, "--counts: at most --cycles %d",
+                       CLI_COUNT_CYCLES);
+  }
+  if (args->counts != NULL && args->shard.of > CLI_COUNT_SHARDS) {
+    return cli_message(CLI_REFUSED, "--counts: at most %d shards",
+                       CLI_COUNT_SHARDS);
+  }
+  return CLI_DONE;
+}
 
 // Options that need or exclude each other, and defaults that depend on others.
 static int check_together(cli_diverge_args_t *args) {
   const cli_mechanism_info_t *mechanism = &cli_mechanisms[args->mechanism];
   const bool sized = args->mechanism != CLI_BY_RANDOM;
-  if (args->exhaustive && (sized || args->exits != NULL ||
-                           args->returns != NULL || args->shard.of > 1)) {
+  if (args->exhaustive &&
+      (sized || args->exits != NULL || args->returns != NULL ||
+       args->counts != NULL || args->shard.of > 1)) {
     return cli_message(CLI_USAGE,
                        "--exhaustive: writes --branches FILE; it takes no "
-                       "--by, --exits, --returns or --shard");
+                       "--by, --exits, --returns, --counts or --shard");
   }
   if (!args->exhaustive && args->only_exhaustive != NULL) {
     return cli_message(CLI_USAGE, "%s: only with --exhaustive",
@@ -235,19 +285,10 @@ static int check_together(cli_diverge_args_t *args) {
                        "--size %s: --by random has a --rate and no size",
                        args->size_text);
   }
-  if (args->exits == NULL && args->returns == NULL) {
-    args->returns = "-";
-  }
-  if (args->exits != NULL && args->returns != NULL &&
-      strcmp(args->exits, args->returns) == 0) {
-    return cli_message(CLI_USAGE,
-                       "--exits %s, --returns %s: two files are needed",
-                       args->exits, args->returns);
-  }
   args->spread = args->spread > 0 ? args->spread : mechanism->spread;
   args->refinement =
       args->refinement > 0 ? args->refinement : mechanism->refinement;
-  return CLI_DONE;
+  return check_files(args);
 }
 
 int cli_diverge_args(cli_diverge_args_t *args, int argc, char *const argv[]) {

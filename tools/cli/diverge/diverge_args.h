@@ -24,14 +24,17 @@ typedef struct {
   const tf_scene_t *scene;
   cli_settings_t settings;
   const char *exits, *returns; ///< paths, NULL: not written, "-": stdout
+  const char *counts;          ///< likewise
   const char *branches;        ///< likewise, of --exhaustive
   bool exhaustive;
   const char *only_exhaustive; ///< an option that needs --exhaustive, or NULL
   bool header;                 ///< a header even if the shard is not the first
+  bool provenance; ///< comments before the header: what the rows are of
+  bool json;       ///< the summary
   cli_mechanism_t mechanism;
   const char *size_text; ///< as typed, NULL: not given
   cli_codim2_choice_t codim2;
-  const char *codim2_name; ///< as typed, --codim2 or --corner; NULL: not given
+  const char *codim2_name; ///< as typed; NULL: not given
   double size;             ///< unit: that of the mechanism; 0: not given
   double spread;           ///< sizes are drawn from [size / spread, size]
   double patience;         ///< longest cycle [s]

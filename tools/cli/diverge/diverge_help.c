@@ -29,7 +29,6 @@ static const char page[] =
     "                       consistent, until a draw (the default);\n"
     "           attracting  the attracting stick where there is one;\n"
     "           even        one of the consistent modes, all equally likely.\n"
-    "                       --corner is its old name\n"
     "how much:\n"
     "  --samples N          in [1, 4294967295], default 100\n"
     "  --cycles N           per sample, at most; default 1\n"
@@ -42,20 +41,32 @@ static const char page[] =
     "  --near K             in [1, 1e6]\n"
     "  --section D          the phase is read where r is D past the two-fold\n"
     "                       [m], in (0, 1000], default 0.001\n"
-    "  --set NAME=VALUE     as in 'twofold help run'\n"
+    "  --set NAME=VALUE     as in 'twofold help run'\n";
+
+static const char files[] =
     "files, CSV:\n"
     "  --exits FILE         sample,cycle,time [s since the arrival],r [m],\n"
     "                       omega [rad/s],g [m/s],side (slip+ or slip-),phase\n"
-    "                       [windings, 0 to 1],how (left, or released: "
-    "|lambda|\n"
-    "                       reached mu),section_time [s since the arrival]\n"
+    "                       [windings, 0 to 1],how (left, or released: the\n"
+    "                       escaping region ended),section_time [s since the\n"
+    "                       arrival]\n"
     "  --returns FILE       sample,cycle,outcome,time [s from exit to end],\n"
     "                       arrived [s],exit_r [m],landing_time [s since the\n"
     "                       exit],landing_r [m],landings,windings\n"
+    "  --counts FILE        cycles counted in integers: what,key,count, with\n"
+    "                       what outcome; begun, returned (by the number of\n"
+    "                       the cycle in its sample); side; phase, time (of\n"
+    "                       return), landing (bins: see the comments in the\n"
+    "                       file). Shards are added by 'twofold merge'\n"
     "  --header             writes a header even if the shard is not the "
     "first\n"
-    "Each ends with '# shard I/N: ROWS rows, crc32 CRC' (of zlib, header and\n"
-    "rows); it appears when it is whole, and is FILE.part until then.\n"
+    "  --provenance         comment lines before the header: 'twofold help\n"
+    "                       provenance'; of --branches, too\n"
+    "  --summary json       the summary as JSON, in the last line of standard\n"
+    "                       error; or text\n"
+    "Each ends with '# shard I/N: ROWS rows, crc32 CRC, run RUN' (CRC of\n"
+    "zlib, header and rows; RUN is the same in all shards of a run); it\n"
+    "appears when it is complete, and is FILE.part until then.\n"
     "Without --exits and --returns the returns go to standard output; FILE -\n"
     "is standard output. Fields of what did not happen are empty. Outcomes:\n"
     "returned, small_cycle (lands 3 times or more and never comes back),\n"
@@ -79,6 +90,7 @@ static const char page[] =
 
 void cli_diverge_help(void) {
   (void)fputs(page, stdout);
+  (void)fputs(files, stdout);
   (void)puts("kind        unit of S   default DT, K, Q");
   for (int i = 0; i < CLI_MECHANISMS; i++) {
     const cli_mechanism_info_t *mechanism = &cli_mechanisms[i];
@@ -92,5 +104,19 @@ void cli_diverge_help(void) {
       "or\n"
       "out of range, 4 stopped (what has ended is in FILE.part) or a file\n"
       "could not be written\n",
+      stdout);
+}
+
+void cli_merge_help(void) {
+  (void)fputs(
+      "usage: twofold merge FILE... [--out FILE]\n"
+      "\n"
+      "Adds files of 'twofold diverge --counts', each of other shards of one\n"
+      "run, in any order, to one file of the same form. The sum of all shards\n"
+      "has the same rows as the run without --shard. Standard error says how\n"
+      "many shards of the run are in it.\n"
+      "\n"
+      "exit codes: 0 done, 2 usage, or a file is damaged, 3 refused: files of\n"
+      "different runs, or a shard twice, 4 the sum could not be written\n",
       stdout);
 }

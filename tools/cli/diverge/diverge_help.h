@@ -4,5 +4,6 @@
 #define TWOFOLD_CLI_DIVERGE_HELP_H
 
 void cli_diverge_help(void);
+void cli_merge_help(void);
 
 #endif

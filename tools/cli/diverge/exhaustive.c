@@ -16,15 +16,19 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "../host/host.h"
 #include "../host/output.h"
+#include "../text/commit.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "random.h"
 #include "rows.h"
 
-#define JOIN 1e-6 // [m]
+#define JOIN 1e-6      // [m]
+#define REDRAW 0.5     // [s] between messages on a terminal
+#define LOG_EVERY 10.0 // [s] between lines where standard error is none
 
 typedef struct {
   tf_state_t state;
@@ -41,7 +45,38 @@ typedef struct {
   cli_motion_t motion;
   cli_tracker_t tracker;
   bool unwritten;
+  uint64_t visited; ///< nodes whose branches have all been followed
+  double part;      ///< of the present one, by the times at which it is left
+  double started, shown;
+  bool one_line;
 } search_t;
+
+// What is left is that of the known nodes: branches may lead to further ones.
+static void show_progress(search_t *search) {
+  const double now = cli_now();
+  char left[64] = "";
+  uint64_t open = 0;
+  if (now - search->shown < (search->one_line ? REDRAW : LOG_EVERY)) {
+    return;
+  }
+  for (uint64_t i = search->visited; i < search->used; i++) {
+    open += search->nodes[i].depth < search->job->args->depth;
+  }
+  const double done = (double)search->visited + search->part;
+  if (done > 0) {
+    (void)snprintf(
+        left, sizeof left, ", %.0f s left for them",
+        (now - search->started) * ((double)open - search->part) / done);
+  }
+  (void)fprintf(stderr,
+                "%s%" PRIu64 " branches, %" PRIu64 " of %" PRIu64
+                " known nodes are done%s%s",
+                search->one_line ? "\r" : "twofold: ", search->branches,
+                search->visited, search->used, left,
+                search->one_line ? "\033[K" : "\n");
+  (void)fflush(stderr);
+  search->shown = now;
+}
 
 static const char header[] =
     "node,depth,kind,r,omega,mode,stick_time,exit_r,exit_omega,end,to,time,"
@@ -88,7 +123,7 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
     next.two_fold = true;
     found = node_at(search, &next);
   } else if (end == CLI_BRANCH_CODIM2) {
-    name = "corner";
+    name = "codim2";
     found = node_at(search, &next);
   } else if (end == CLI_BRANCH_ESCAPING) {
     name = "escaping";
@@ -108,11 +143,12 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
                "%" PRIu64 ",%" PRIu64
                ",%s,%.12g,%.12g,%s,%.6g,%.12g,%.12g,%s,%s,%.9g,"
                "%.12g,%s,%" PRIu64 "\n",
-               index, from->depth, from->two_fold ? "two-fold" : "corner",
+               index, from->depth, from->two_fold ? "two-fold" : "codim2",
                (double)from->state.r, (double)from->state.w, tf_mode_name(mode),
                stick_time, (double)left.r, (double)left.w, name, to, motion->t,
                (double)motion->state.r, landing, cycle->windings);
   search->branches++;
+  show_progress(search);
   if (!cli_output_lines(search->output, row, (size_t)length)) {
     search->unwritten = true;
   }
@@ -130,6 +166,7 @@ static void leave_two_fold(search_t *search, const node_t *node,
         !cli_canard_after(&job->canard, t, &at, &reached)) {
       break;
     }
+    search->part = t / job->args->patience;
     for (unsigned mode = TF_SLIP_PLUS; mode <= TF_SLIP_MINUS; mode++) {
       search->motion.state = cli_state_at(&job->machine, at);
       follow(search, node, index, mode, t);
@@ -162,7 +199,11 @@ static void visit_all(search_t *search) {
   search->motion.tracker = &search->tracker;
   search->motion.long_steps = job->machine;
   (void)node_at(search, &first);
+  search->started = search->shown = cli_now();
+  search->one_line = cli_is_terminal(STDERR_FILENO);
   for (uint64_t i = 0; i < search->used; i++) {
+    search->visited = i;
+    search->part = 0;
     const node_t node = search->nodes[i];
     if (search->unwritten || cli_stop_asked()) {
       break;
@@ -175,6 +216,25 @@ static void visit_all(search_t *search) {
     } else {
       leave_codim2(search, &node, i);
     }
+  }
+  if (search->one_line) {
+    (void)fputs("\r\033[K", stderr);
+  }
+}
+
+static void summarise(const search_t *search, int code) {
+  if (search->job->args->json) {
+    (void)fprintf(stderr,
+                  "{" CLI_JSON_BUILD
+                  ", \"command\": \"diverge --exhaustive\", "
+                  "\"scene\": \"%s\", \"nodes\": %" PRIu64
+                  ", \"branches\": %" PRIu64 ", \"joined\": %" PRIu64
+                  ", \"dropped\": %" PRIu64
+                  ", \"seconds\": %.9g, \"exit\": %d}\n",
+                  cli_commit, search->job->setup.scene->name, search->used,
+                  search->branches, search->joined, search->dropped,
+                  cli_now() - search->started, code);
+    return;
   }
   (void)fprintf(
       stderr,
@@ -196,6 +256,15 @@ int cli_exhaustive(const cli_job_t *job) {
                        job->args->branches, cli_output_reason(output));
   } else {
     cli_catch_signals();
+    char lines[CLI_PROVENANCE_ROOM];
+    if (job->args->provenance) {
+      const size_t length = cli_job_provenance(
+          job,
+          "r m, omega rad/s, stick_time s, exit_r m, exit_omega rad/s, time s, "
+          "end_r m, landing_r m",
+          lines);
+      (void)cli_output_lines(output, lines, length);
+    }
     (void)cli_output_lines(output, header, sizeof header - 1);
     visit_all(&search);
     if (cli_stop_asked()) {
@@ -204,6 +273,7 @@ int cli_exhaustive(const cli_job_t *job) {
                          "have ended are written");
     }
     code = cli_output_end(output, code);
+    summarise(&search, code);
   }
   free(search.nodes);
   free(output);

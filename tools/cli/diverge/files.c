@@ -27,9 +27,23 @@ static int open_file(cli_diverge_file_t *file, const char *option,
   return code;
 }
 
-int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args) {
+// The comments of --provenance, which the trailer does not count.
+static void tell(cli_diverge_file_t *file, const cli_job_t *job,
+                 const char *units) {
+  char lines[CLI_PROVENANCE_ROOM];
+  if (file->is_open && job->args->provenance) {
+    (void)cli_output_lines(&file->output, lines,
+                           cli_job_provenance(job, units, lines));
+  }
+}
+
+int cli_files_open(cli_files_t *files, const cli_job_t *job,
+                   const cli_buffer_t *run) {
+  const cli_diverge_args_t *args = job->args;
   char text[CLI_DIVERGE_ROW];
   files->shard = args->shard;
+  cli_trailer_name(&files->exits.trailer, run->text, run->used);
+  cli_trailer_name(&files->returns.trailer, run->text, run->used);
   int code = open_file(&files->exits, "--exits", args->exits);
   if (code == CLI_DONE) {
     code = open_file(&files->returns, "--returns", args->returns);
@@ -38,6 +52,10 @@ int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args) {
     return cli_files_close(files, code);
   }
   if (args->header || args->shard.index == 1) {
+    tell(&files->exits, job,
+         "time s, r m, omega rad/s, g m/s, phase 1, section_time s");
+    tell(&files->returns, job,
+         "time s, arrived s, exit_r m, landing_time s, landing_r m");
     (void)put(&files->exits, text, cli_exit_header(text), 0);
     (void)put(&files->returns, text, cli_return_header(text), 0);
   }

@@ -4,8 +4,9 @@
 #define TWOFOLD_CLI_FILES_H
 
 #include "../host/output.h"
+#include "../text/buffer.h"
 #include "../text/trailer.h"
-#include "diverge_args.h"
+#include "job.h"
 #include "tracker.h"
 
 typedef struct {
@@ -19,9 +20,10 @@ typedef struct {
   cli_shard_t shard; ///< for the trailers
 } cli_files_t;
 
-/// Opens both.
+/// Opens both. run: in, a text that all shards of the run share.
 /// Returns: CLI_DONE; after a message CLI_STOPPED, and no new file is left.
-int cli_files_open(cli_files_t *files, const cli_diverge_args_t *args);
+int cli_files_open(cli_files_t *files, const cli_job_t *job,
+                   const cli_buffer_t *run);
 
 /// Writes the rows of a cycle.
 /// Returns: whether everything so far could be written.

@@ -4,6 +4,7 @@
 #include "job.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "../setup/names.h"
 #include "../text/message.h"
@@ -19,7 +20,7 @@ static int refuse_scene(const cli_setup_t *setup) {
   if (setup->params.law != TF_TYRE_JUMP) {
     return cli_message(CLI_REFUSED,
                        "scene %s: law %s has no two-fold; law jump has", name,
-                       cli_law_name(setup->params.law));
+                       tf_tyre_law_name(setup->params.law));
   }
   return CLI_DONE;
 }
@@ -47,14 +48,25 @@ static int prepare_two_fold(cli_job_t *job) {
   if (!job->at_two_fold) {
     return CLI_DONE;
   }
-  if (!found ||
-      !cli_canard_solve(&job->machine, &job->two_fold, &job->canard)) {
+  const char *name = job->setup.scene->name;
+  if (!found) {
     return cli_message(
         CLI_REFUSED,
         "scene %s: no two-fold that stick runs through, from a sliding into "
         "an escaping region, exists for these parameters; give a start with "
         "--set r=, omega=, h=",
-        job->setup.scene->name);
+        name);
+  }
+  const cli_canard_status_t status =
+      cli_canard_solve(&job->machine, &job->two_fold, &job->canard);
+  if (status != CLI_CANARD_SOLVED) {
+    return cli_message(
+        CLI_REFUSED,
+        "scene %s: the stick behind the two-fold at r = %g m, omega = %g rad/s "
+        "(ratio of eigenvalues %g) was not computed: %s; give a start with "
+        "--set r=, omega=, h=",
+        name, job->two_fold.r, job->two_fold.omega, job->two_fold.ratio,
+        cli_canard_failure(status));
   }
   return CLI_DONE;
 }
@@ -84,4 +96,55 @@ int cli_job_prepare(cli_job_t *job, const cli_diverge_args_t *args) {
   }
   code = job->at_two_fold ? CLI_DONE : prepare_start(job);
   return code == CLI_DONE ? prepare_two_fold(job) : code;
+}
+
+// The members of the start count only where it was given: a sample from the
+// two-fold begins where the machine has it.
+void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
+  const cli_diverge_args_t *args = job->args;
+  const tf_state_t *x = &job->setup.state;
+  const double numbers[] = {args->size, args->spread, args->patience,
+                            args->section, args->refinement};
+  const tf_real_t start[] = {x->r, x->v, x->w, x->phi};
+  const uint64_t counts[] = {tf_params_hash(&job->setup.params),
+                             (uint64_t)args->mechanism,
+                             (uint64_t)args->codim2,
+                             args->samples,
+                             args->cycles,
+                             args->seed,
+                             job->at_two_fold};
+  cli_add(text, TF_VERSION);
+  cli_add(text, sizeof(tf_real_t) == sizeof(float) ? " float" : " double");
+  for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+    cli_add(text, " ");
+    cli_add_count(text, counts[i]);
+  }
+  for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+    cli_add(text, " ");
+    cli_add_number(text, numbers[i], false);
+  }
+  for (size_t i = 0; i < 4 && !job->at_two_fold; i++) {
+    cli_add(text, " ");
+    cli_add_real(text, start[i]);
+  }
+}
+
+size_t cli_job_provenance(const cli_job_t *job, const char *units,
+                          char out[CLI_PROVENANCE_ROOM]) {
+  const cli_diverge_args_t *args = job->args;
+  const cli_mechanism_info_t *by = &cli_mechanisms[args->mechanism];
+  char how[CLI_PROVENANCE_ROOM / 4];
+  cli_setup_t told = job->setup;
+  told.seed = args->seed;
+  if (args->exhaustive) {
+    (void)snprintf(how, sizeof how, "all branches, grid %.9g s", args->grid);
+  } else if (args->mechanism == CLI_BY_RANDOM) {
+    (void)snprintf(how, sizeof how, "by random, rate %.9g 1/s, dt %.9g s",
+                   job->rate, job->dt);
+  } else {
+    (void)snprintf(how, sizeof how,
+                   "by %s, size %.9g %s, spread %.9g, dt %.9g s", by->name,
+                   args->size, by->unit, args->spread, job->dt);
+  }
+  return cli_provenance(&told, how, units, out);
 }

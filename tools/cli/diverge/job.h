@@ -3,7 +3,9 @@
 #ifndef TWOFOLD_CLI_JOB_H
 #define TWOFOLD_CLI_JOB_H
 
+#include "../setup/provenance.h"
 #include "../setup/setup.h"
+#include "../text/buffer.h"
 #include "canard.h"
 #include "diverge_args.h"
 
@@ -22,5 +24,18 @@ typedef struct {
 /// Prepares the machine, the two-fold and the start of all samples.
 /// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
 int cli_job_prepare(cli_job_t *job, const cli_diverge_args_t *args);
+
+/// Room for what cli_job_describe writes.
+#define CLI_JOB_TEXT 1024
+
+/// Writes what the rows of all samples follow from: version, machine, start and
+/// options. It is the same in all shards of a run.
+void cli_job_describe(const cli_job_t *job, cli_buffer_t *text);
+
+/// What the rows are of, as the comment lines of --provenance. units: in, of
+/// the columns.
+/// Returns: the length.
+size_t cli_job_provenance(const cli_job_t *job, const char *units,
+                          char out[CLI_PROVENANCE_ROOM]);
 
 #endif

@@ -69,10 +69,9 @@ static bool pass_two_fold(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
   cli_point_t at;
   double reached = 0;
-  const double stay = draw_time(motion);
-  const bool escaping = cli_canard_after(&job->canard, stay, &at, &reached);
   const double limit = motion->tracker->patience;
-  reached = reached < limit ? reached : limit;
+  const double stay = fmin(draw_time(motion), limit);
+  const bool escaping = cli_canard_after(&job->canard, stay, &at, &reached);
   motion->t += reached;
   motion->state = cli_state_at(&job->machine, at);
   motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);

@@ -4,7 +4,7 @@
 // "On the surface" means stick if the stepper has modes, otherwise |h| within a
 // band for the dwell time. The phase of the outgoing spiral is the fraction of
 // a winding, from one change from slip- to slip+ to the next, that is completed
-// when r passes the section. It tells where on the spiral the motion is, and
+// when r passes the section. It says where on the spiral the motion is, and
 // does not depend on how the exit is defined.
 
 #include "tracker.h"

@@ -14,8 +14,8 @@ typedef struct {
   cli_point_t at;
   double h, g;   ///< [m/s]
   bool on;       ///< on h = 0, or within the band that stands for it
-  bool pinned;   ///< at rest at h = g = 0, for a while or for ever
-  bool released; ///< stick was ended by |lambda| = mu, not by a draw
+  bool pinned;   ///< at rest at h = g = 0, for a while or for good
+  bool released; ///< stick ended with the escaping region, not by a draw
 } cli_instant_t;
 
 /// How a cycle ended.
@@ -35,7 +35,7 @@ const char *cli_outcome_name(cli_outcome_t outcome);
 typedef struct {
   double arrived; ///< [s]; 0 where the sample starts elsewhere
   bool left;      ///< the surface was left
-  bool released;  ///< by |lambda| = mu
+  bool released;  ///< the escaping region ended
   double exit_t, exit_r, exit_omega, exit_g;
   int side;          ///< of the exit, +1 or -1
   double phase;      ///< at the section [windings]; < 0: not there in slip

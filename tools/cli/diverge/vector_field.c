@@ -6,6 +6,16 @@
 
 #include "vector_field.h"
 
+// J [kg m^2], in double whatever the number type of the core.
+static double inertia_at(const tf_machine_t *k, double r) {
+  return (double)k->m * ((double)k->beta2 + r * r);
+}
+
+// J z' in stick, of lambda = 1 N; s: the sign of g.
+static double stick_arm(const tf_machine_t *k, double r, double s) {
+  return r * (double)k->cos_gamma + s * (double)k->stick_kappa;
+}
+
 cli_point_t cli_vector_field(const tf_machine_t *k, cli_point_t at, double F,
                              double M) {
   const double v = at.p + (double)k->d * at.z;
@@ -13,7 +23,7 @@ cli_point_t cli_vector_field(const tf_machine_t *k, cli_point_t at, double F,
   const double Q_r = (double)k->k2 * ((double)k->r0 - at.r) -
                      (double)k->c2 * v + (double)k->m * at.r * w * w;
   const double Q_phi = -(double)k->c1 * w - 2 * (double)k->m * at.r * v * w;
-  const double J = (double)k->m * ((double)k->beta2 + at.r * at.r);
+  const double J = inertia_at(k, at.r);
   const cli_point_t rate = {
       v, (Q_r + F * (double)k->sin_gamma) / (double)k->m,
       (Q_phi + (double)k->d * Q_r + F * at.r * (double)k->cos_gamma + M) / J};
@@ -44,10 +54,9 @@ cli_point_t cli_point_of(const tf_machine_t *k, const tf_state_t *state) {
 }
 
 double cli_delassus(const tf_machine_t *k, double r, double g) {
-  const double arm = r * (double)k->cos_gamma;
-  const double kappa = g < 0 ? -(double)k->stick_kappa : (double)k->stick_kappa;
   return (double)k->sin_gamma * (double)k->sin_gamma / (double)k->m +
-         arm * (arm + kappa) / ((double)k->m * ((double)k->beta2 + r * r));
+         r * (double)k->cos_gamma * stick_arm(k, r, g < 0 ? -1 : 1) /
+             inertia_at(k, r);
 }
 
 cli_point_t cli_point_on_surface(const tf_machine_t *k, double r, double z) {
@@ -71,8 +80,6 @@ void cli_sliding_field(const tf_machine_t *k, double r, double z, double s,
   const double A = cli_delassus(k, r, s);
   const double N = cli_free_slip_rate(k, at);
   const cli_point_t f = cli_vector_field(k, at, 0, 0);
-  const double J = (double)k->m * ((double)k->beta2 + r * r);
   out[0] = A * f.r;
-  out[1] =
-      A * f.z + N * (r * (double)k->cos_gamma + s * (double)k->stick_kappa) / J;
+  out[1] = A * f.z + N * stick_arm(k, r, s) / inertia_at(k, r);
 }

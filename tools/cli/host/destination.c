@@ -3,7 +3,7 @@
 // the new rows under the name of all. So rows go to a file beside it, because
 // only within a file system does a rename happen at once.
 //
-// What is no regular file has no rows to keep and no name to get, and is
+// What is not a regular file has no rows to keep and no name to get, and is
 // written as it is. Nor has what a symbolic link of /proc names, as /dev/stdout
 // does: it belongs to whoever opened it, even where it is a regular file.
 
@@ -24,8 +24,8 @@
 #include <sys/types.h>
 #include <unistd.h>
 
-#define MOST_LINKS 40 // as many as Linux follows
-#define MOST_TRIES 100
+#define MAX_LINKS 40 // as many as Linux follows
+#define MAX_TRIES 100
 
 bool cli_is_regular(int descriptor) {
   struct stat status;
@@ -62,14 +62,14 @@ static bool in_proc(const char *path) {
 // Replaces a symbolic link by what it names, so that the link survives; the
 // last one may name a file that is not there yet. Returns: 0 or an errno.
 static int follow_links(char path[CLI_PATH_ROOM]) {
-  for (int i = 0; i < MOST_LINKS; i++) {
+  for (int i = 0; i < MAX_LINKS; i++) {
     char link[CLI_PATH_ROOM];
     if (in_proc(path)) {
       return 0;
     }
     const ssize_t length = readlink(path, link, sizeof link);
     if (length < 0) {
-      return 0; // no link: opening it tells what else is wrong
+      return 0; // no link: opening it reports what else is wrong
     }
     const char *slash = strrchr(path, '/');
     const size_t kept =
@@ -87,7 +87,7 @@ static int follow_links(char path[CLI_PATH_ROOM]) {
 // the name is another file's, or nobody's, and it is tried again.
 static int open_part(cli_destination_t *to, const struct stat *before,
                      bool keep) {
-  for (int i = 0; i < MOST_TRIES; i++) {
+  for (int i = 0; i < MAX_TRIES; i++) {
     const int opened =
         open(to->part, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
              0666);

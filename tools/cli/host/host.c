@@ -15,9 +15,11 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
+#include <sched.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -68,6 +70,14 @@ void cli_wait_until(double time) {
   while (!cli_stop_asked() && clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME,
                                               &until, NULL) == EINTR) {
   }
+}
+
+const char *cli_take_priority(void) {
+  const struct sched_param lowest = {.sched_priority =
+                                         sched_get_priority_min(SCHED_FIFO)};
+  const bool has_it = sched_setscheduler(0, SCHED_FIFO, &lowest) == 0 &&
+                      mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+  return has_it ? NULL : strerror(errno);
 }
 
 bool cli_is_terminal(int descriptor) { return isatty(descriptor) == 1; }

@@ -15,6 +15,11 @@ void cli_sleep(int milliseconds);
 /// Waits until cli_now() has reached a time; a request to stop ends it early.
 void cli_wait_until(double time);
 
+/// From now on the program goes before all others that are not of real time
+/// (SCHED_FIFO at its lowest priority), and its memory is not paged out.
+/// Returns: NULL, or why it may not.
+const char *cli_take_priority(void);
+
 /// Whether a descriptor is a terminal.
 bool cli_is_terminal(int descriptor);
 

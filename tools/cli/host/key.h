@@ -1,5 +1,5 @@
 /// @file
-/// The key of a board that wants its commands tagged, from a file: an argument
+/// The key of a board that takes only tagged commands, from a file: an argument
 /// would stand in the list of processes.
 #ifndef TWOFOLD_CLI_KEY_H
 #define TWOFOLD_CLI_KEY_H

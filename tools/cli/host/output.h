@@ -30,7 +30,7 @@ int cli_output_begin(cli_output_t *output, const char *option,
                      const char *path);
 
 /// The same of a file whose part may hold the rows of a run that was stopped:
-/// they stay, until cli_output_go_on tells how many bytes of them are kept.
+/// they stay, until cli_output_go_on says how many bytes of them are kept.
 int cli_output_begin_again(cli_output_t *output, const char *option,
                            const char *path);
 
@@ -39,11 +39,11 @@ int cli_output_begin_again(cli_output_t *output, const char *option,
 bool cli_output_go_on(cli_output_t *output, size_t kept);
 
 /// Closes it for a command that has ended with a code. Under CLI_DONE a file
-/// gets its name, otherwise a message tells where its rows are.
+/// gets its name, otherwise a message says where its rows are.
 /// Returns: the code; CLI_STOPPED after a message if it was CLI_DONE.
 int cli_output_end(cli_output_t *output, int code);
 
-/// Tells where the rows of a file are that was closed before it was whole.
+/// Reports where the rows of a file are that was closed before it was whole.
 void cli_output_tell_part(const cli_output_t *output);
 
 /// The first failure in words; output->error must not be 0.

@@ -19,11 +19,11 @@
 #define DRAWING_ROOM (1 << 20) // all cells, each with its colour
 #define SAID_ROOM 65536
 #define LANES (TF_MODES + 1) // one a mode, and one for several futures
-#define LABEL 9              // columns of a lane's name
+#define LABEL 10             // columns of a lane's name
 #define HEAD 2               // lines above the planes
 #define FOOT 2               // lines below the lanes
-#define LEAST_COLUMNS 40
-#define LEAST_ROWS (HEAD + 1 + 4 + LANES + FOOT)
+#define MIN_COLUMNS 40
+#define MIN_ROWS (HEAD + 1 + 4 + LANES + FOOT)
 
 typedef struct {
   uint64_t number; ///< of the bucket, from 1; 0: empty
@@ -167,7 +167,7 @@ static void add_lane(const cli_live_t *live, unsigned lane, int columns,
   char mark[2] = {cli_pen_mark(lane), '\0'};
   char label[LABEL + 1];
   (void)snprintf(label, sizeof label, "%-*s", LABEL,
-                 lane < TF_MODES ? tf_mode_name(lane) : "futures");
+                 lane < TF_MODES ? tf_mode_name(lane) : "ambiguous");
   cli_add(text, label);
   cli_pen_colour(pen, lane < TF_MODES ? lane + 1 : 0, text);
   for (int i = 0; i < columns; i++) {
@@ -242,10 +242,10 @@ static void compose(cli_live_t *live, const char *title, const char *newline,
   cli_add(text, newline);
   add_state(live, columns, text);
   cli_add(text, newline);
-  if (columns < LEAST_COLUMNS || rows < LEAST_ROWS || live->newest == 0) {
+  if (columns < MIN_COLUMNS || rows < MIN_ROWS || live->newest == 0) {
     char line[64];
-    (void)snprintf(line, sizeof line, "(the planes need %d x %d)",
-                   LEAST_COLUMNS, LEAST_ROWS);
+    (void)snprintf(line, sizeof line, "(the planes need %d x %d)", MIN_COLUMNS,
+                   MIN_ROWS);
     add_cut(live->newest == 0 ? "(nothing yet)" : line, columns, text);
     return;
   }

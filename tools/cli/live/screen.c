@@ -22,7 +22,7 @@
 #define TAKE "\033[?1049h\033[?25l\033[?7l\033[2J"
 #define GIVE_BACK "\033[m\033[?7h\033[?25h\033[?1049l"
 
-// A terminal that takes no more has nobody who looks at it. Once a signal has
+// Nobody looks at a terminal that takes no more bytes. Once a signal has
 // asked for a stop the terminal is no longer ours, and what is left of a
 // drawing is not written.
 static void put(const char *text, bool drawing) {

@@ -62,7 +62,7 @@ static int read_select(cli_board_command_t *command, const char *rest) {
   const size_t length = strcspn(rest, ":");
   uint64_t seed = 0;
   unsigned i = 0;
-  while (i < TF_RULES && !is_name(cli_rule_name((tf_rule_t)i), rest, length)) {
+  while (i < TF_RULES && !is_name(tf_rule_name(i), rest, length)) {
     i++;
   }
   const bool seed_is_good =
@@ -255,7 +255,7 @@ static const char *reason_of(int code) {
   }
 }
 
-// Value and range of a parameter, as an answer tells them.
+// Value and range of a parameter, as an answer has them.
 static void write_range(char *out, size_t room, const tf_frame_t *frame,
                         const cli_receiver_t *receiver) {
   const uint8_t *at = frame->payload + ANSWER_BYTES;

@@ -1,4 +1,4 @@
-// The command `monitor`. It reads as fast as bytes come and tells at the end
+// The command `monitor`. It reads as fast as bytes come and reports at the end
 // what was lost. A device that is unplugged is an error unless --follow waits
 // for it to come back.
 
@@ -17,7 +17,9 @@
 #include "../live/live.h"
 #include "../text/message.h"
 #include "damage.h"
+#include "flagged.h"
 #include "monitor_args.h"
+#include "monitor_summary.h"
 #include "receiver.h"
 #include "session_record.h"
 #include "view.h"
@@ -37,8 +39,10 @@ typedef struct {
   cli_view_t view;
   cli_live_t *live; ///< the picture of --live, or NULL
   cli_damage_t damage;
+  cli_flagged_t flagged;
   tf_decoder_t decoder;
   uint64_t bytes;
+  bool begun; ///< what stands before the rows is written
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint8_t block[BLOCK];
 } monitor_t;
@@ -76,6 +80,22 @@ static void show(monitor_t *monitor, double now) {
   }
 }
 
+// What stands before the rows, once. What they are of is known with the schema,
+// which comes before the first one. Returns: whether it could be written.
+static bool begin_rows(monitor_t *monitor) {
+  const cli_stream_t *as = monitor->args.as;
+  char lines[CLI_RECEIVED_ROOM];
+  if (monitor->begun) {
+    return true;
+  }
+  monitor->begun = true;
+  return (!monitor->args.provenance ||
+          cli_output_lines(
+              &monitor->output, lines,
+              cli_received_provenance(&monitor->receiver, lines))) &&
+         cli_output_lines(&monitor->output, as->header, strlen(as->header));
+}
+
 // Decodes what was read. Returns: whether the rows could be written.
 static bool take_block(monitor_t *monitor, size_t length) {
   const uint8_t *at = monitor->block;
@@ -100,6 +120,8 @@ static bool take_block(monitor_t *monitor, size_t length) {
     const bool completes = cli_receiver_take(&monitor->receiver, &frame, &row);
     cli_damage_frame(&monitor->damage, monitor->source.is_device,
                      &monitor->receiver, &monitor->decoder);
+    cli_flagged_frame(&monitor->flagged, &frame, &monitor->receiver,
+                      completes ? &row : NULL);
     if (!completes) {
       continue;
     }
@@ -107,7 +129,8 @@ static bool take_block(monitor_t *monitor, size_t length) {
     cli_view_note(&monitor->view, monitor->receiver.mode);
     note(monitor->live, &row);
     if (as != NULL &&
-        !cli_output_lines(&monitor->output, line, as->row(&row, line))) {
+        !(begin_rows(monitor) &&
+          cli_output_lines(&monitor->output, line, as->row(&row, line)))) {
       return false;
     }
   }
@@ -216,54 +239,13 @@ static int follow_stream(monitor_t *monitor) {
   return CLI_DONE;
 }
 
-static void summarise(const monitor_t *monitor) {
-  const cli_receiver_t *receiver = &monitor->receiver;
-  const tf_decoder_t *decoder = &monitor->decoder;
-  if (receiver->has_schema) {
-    (void)fprintf(stderr, "sender     %s, scene %s, %s, dt = %g s, ",
-                  receiver->build, receiver->scene,
-                  receiver->is_float ? "float" : "double", receiver->dt);
-    (void)fprintf(stderr, "parameters %08" PRIx32 "\n", receiver->hash);
-  }
-  (void)fprintf(stderr,
-                "frames     %" PRIu32 " in %" PRIu64 " bytes, %" PRIu64
-                " rows, %" PRIu64 " without a match, %" PRIu64 " unknown\n",
-                decoder->frames, monitor->bytes, receiver->rows,
-                receiver->incomplete + receiver->has_state, receiver->unknown);
-  (void)fprintf(stderr,
-                "line       %" PRIu32 " lost, %" PRIu32 " broken, %" PRIu32
-                " too long, %" PRIu32 " of another version, %" PRIu32
-                " restarts\n",
-                decoder->lost, decoder->bad, decoder->too_long,
-                decoder->bad_version, decoder->restarts);
-  if (receiver->has_heartbeat) {
-    const tf_heartbeat_t *beat = &receiver->heartbeat;
-    (void)fprintf(stderr,
-                  "board      %" PRIu32 " steps, %" PRIu32 " overruns, %" PRIu32
-                  " frames dropped, %" PRIu32
-                  " steps refused; a step takes "
-                  "%" PRIu32 " to %" PRIu32 " ns, mean %" PRIu32 "\n",
-                  beat->steps, beat->overruns, beat->dropped, beat->refused,
-                  beat->exec_min, beat->exec_max, beat->exec_mean);
-    (void)fprintf(stderr,
-                  "degraded   %" PRIu32 " steps; %" PRIu32
-                  " missed the tolerance, %" PRIu32 " fell back on moreau\n",
-                  beat->degraded, beat->coarse, beat->fell_back);
-    if (beat->expired > 0) {
-      (void)fprintf(stderr,
-                    "inputs     expired %" PRIu32
-                    " times: nobody renewed them, the machine coasted\n",
-                    beat->expired);
-    }
-  }
-  if (receiver->has_schema && receiver->rows > 0) {
-    (void)fprintf(stderr,
-                  "last       step %" PRIu64
-                  ", r = %.9g m, v = %.9g m/s, "
-                  "omega = %.9g rad/s, %s\n",
-                  receiver->tick, receiver->state[0], receiver->state[1],
-                  receiver->state[2], tf_mode_name(receiver->mode));
-  }
+static cli_seen_t seen_by(const monitor_t *monitor) {
+  return (cli_seen_t){.source = monitor->source.name,
+                      .receiver = &monitor->receiver,
+                      .decoder = &monitor->decoder,
+                      .damage = &monitor->damage,
+                      .flagged = &monitor->flagged,
+                      .bytes = monitor->bytes};
 }
 
 // Opens what is read, and the file that is written.
@@ -280,8 +262,9 @@ static int open_both(monitor_t *monitor) {
     if (!cli_output_open(&monitor->output, args->out)) {
       return output_failed(monitor);
     }
-    (void)cli_output_lines(&monitor->output, args->as->header,
-                           strlen(args->as->header));
+    if (!args->provenance) {
+      (void)begin_rows(monitor);
+    }
   }
   return args->record != NULL
              ? cli_session_record_open(&monitor->record, args->record)
@@ -300,15 +283,6 @@ static int judge_stop(const monitor_t *monitor, int code) {
 
 static int judge_stream(const monitor_t *monitor, int code) {
   const cli_damage_t *damage = &monitor->damage;
-  const uint64_t missing =
-      cli_damage_missing(damage, &monitor->receiver, &monitor->decoder);
-  if (damage->not_finite > 0) {
-    (void)fprintf(stderr,
-                  "values     %" PRIu64
-                  " rows with one that is not finite, first at step %" PRIu64
-                  "\n",
-                  damage->not_finite, damage->first_tick);
-  }
   if (code == CLI_DONE && monitor->args.commands.refused > 0) {
     return CLI_REFUSED;
   }
@@ -316,12 +290,16 @@ static int judge_stream(const monitor_t *monitor, int code) {
     return cli_message(CLI_STOPPED, "%s: no frame of protocol version %d",
                        monitor->args.path, TF_FRAME_VERSION);
   }
-  if (code == CLI_DONE && missing > 0) {
+  if (code == CLI_DONE &&
+      cli_damage_missing(damage, &monitor->receiver, &monitor->decoder) > 0) {
     return cli_message(CLI_DAMAGED,
-                       "%s: frames were lost or broken, as counted above",
+                       "%s: frames were lost or broken, as is counted",
                        monitor->source.name);
   }
-  return code == CLI_DONE && damage->not_finite > 0 ? CLI_DAMAGED : code;
+  if (code == CLI_DONE && damage->not_finite > 0) {
+    return CLI_DAMAGED;
+  }
+  return code == CLI_DONE ? cli_flagged_code(&monitor->flagged) : code;
 }
 
 static int perform(monitor_t *monitor) {
@@ -336,12 +314,20 @@ static int perform(monitor_t *monitor) {
   write_title(monitor, title);
   cli_live_close(monitor->live, title);
   if (monitor->args.as != NULL) {
+    (void)begin_rows(monitor); // a stream without a row has a header, too
     code = cli_output_end(&monitor->output, code);
   }
   code = cli_session_record_close(&monitor->record, code);
   cli_source_close(&monitor->source);
-  summarise(monitor);
-  return judge_stream(monitor, code);
+  const cli_seen_t seen = seen_by(monitor);
+  if (!monitor->args.json) {
+    cli_seen_print(&seen);
+  }
+  code = judge_stream(monitor, code);
+  if (monitor->args.json) {
+    cli_seen_put(&seen, code);
+  }
+  return code;
 }
 
 int cli_monitor(int argc, char *const argv[]) {

@@ -8,7 +8,7 @@
 #include "../text/message.h"
 #include "../text/options.h"
 
-#define MOST_BAUD 100000000u
+#define MAX_BAUD 100000000u
 
 static int choose_stream(cli_monitor_args_t *args, const char *name) {
   const cli_stream_t *as = cli_stream_named(name);
@@ -51,7 +51,7 @@ static int read_live(void *to, const cli_given_t *option) {
 
 static int read_baud(void *to, const cli_given_t *option) {
   cli_monitor_args_t *args = to;
-  return cli_read_count(option, 1, MOST_BAUD, &args->baud);
+  return cli_read_count(option, 1, MAX_BAUD, &args->baud);
 }
 
 static int read_out(void *to, const cli_given_t *option) {
@@ -78,6 +78,18 @@ static int read_key(void *to, const cli_given_t *option) {
                            option->value);
 }
 
+static int read_provenance(void *to, const cli_given_t *option) {
+  cli_monitor_args_t *args = to;
+  (void)option;
+  args->provenance = true;
+  return CLI_DONE;
+}
+
+static int read_summary(void *to, const cli_given_t *option) {
+  cli_monitor_args_t *args = to;
+  return cli_read_summary(option, &args->json);
+}
+
 static int take_source(void *to, const char *word) {
   cli_monitor_args_t *args = to;
   if (args->path != NULL) {
@@ -89,11 +101,17 @@ static int take_source(void *to, const char *word) {
 }
 
 static const cli_option_t options[] = {
-    {"--as", read_as, CLI_ONCE},           {"--csv", read_csv, CLI_FLAG},
-    {"--follow", read_follow, CLI_FLAG},   {"--live", read_live, CLI_FLAG},
-    {"--baud", read_baud, CLI_ONCE},       {"--out", read_out, CLI_ONCE},
-    {"--send", read_send, CLI_REPEATABLE}, {"--key", read_key, CLI_ONCE},
+    {"--as", read_as, CLI_ONCE},
+    {"--csv", read_csv, CLI_FLAG},
+    {"--follow", read_follow, CLI_FLAG},
+    {"--live", read_live, CLI_FLAG},
+    {"--baud", read_baud, CLI_ONCE},
+    {"--out", read_out, CLI_ONCE},
+    {"--send", read_send, CLI_REPEATABLE},
+    {"--key", read_key, CLI_ONCE},
     {"--record", read_record, CLI_ONCE},
+    {"--provenance", read_provenance, CLI_FLAG},
+    {"--summary", read_summary, CLI_ONCE},
 };
 
 int cli_monitor_args(cli_monitor_args_t *args, int argc, char *const argv[]) {
@@ -119,6 +137,9 @@ int cli_monitor_args(cli_monitor_args_t *args, int argc, char *const argv[]) {
   }
   if (args->out != NULL && args->as == NULL) {
     return cli_message(CLI_USAGE, "--out %s: only with --as", args->out);
+  }
+  if (args->provenance && args->as != cli_stream_named("csv")) {
+    return cli_message(CLI_USAGE, "--provenance: only with --as csv");
   }
   return CLI_DONE;
 }

@@ -14,6 +14,8 @@ typedef struct {
   const char *record;     ///< of --record, or NULL
   uint64_t baud;          ///< 0: unchanged
   bool follow, live;
+  bool provenance; ///< of --as csv: comments before the header
+  bool json;       ///< the summary as JSON
   cli_board_commands_t commands;
 } cli_monitor_args_t;
 

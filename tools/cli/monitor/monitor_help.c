@@ -23,6 +23,11 @@ static const char page[] =
     "  --record FILE        the commands that took effect, each with its "
     "step,\n"
     "                       for 'twofold run SCENE --replay FILE'\n"
+    "  --provenance         with --as csv: four '# ' lines before the header,\n"
+    "                       see 'twofold help provenance'\n"
+    "  --summary json       the counts at the end as JSON, in the last line "
+    "of\n"
+    "                       standard error\n"
     "  --baud N             speed of a serial device; default: unchanged\n"
     "  --send COMMAND       sends a command to the board and prints the "
     "answer;\n"
@@ -43,7 +48,9 @@ static const char page[] =
     "standard\n"
     "error at the end; of a device from its first schema on.\n"
     "exit codes: 0 done, 2 usage, 3 a command was refused, 4 no frame, no\n"
-    "answer, interrupted within a file, or the device was unplugged, 6 done,\n"
-    "but frames were lost or broken, or a value is not finite\n";
+    "answer, interrupted within a file, or the device was unplugged, 5 done,\n"
+    "but some steps were degraded or missed their tolerance, as reports and\n"
+    "heartbeats tell, 6 done, but frames were lost or broken, or a value is\n"
+    "not finite\n";
 
 void cli_monitor_help(void) { (void)fputs(page, stdout); }

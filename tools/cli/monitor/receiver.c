@@ -1,4 +1,4 @@
-// From payloads to numbers. The schema tells the sender's real type, and every
+// From payloads to numbers. The schema has the sender's real type, and every
 // length is checked against it.
 
 #include "receiver.h"
@@ -110,6 +110,7 @@ static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
   receiver->mode = at[0];
   receiver->choices = at[2];
   receiver->source = at[4];
+  receiver->status = (tf_status_t)(at[3] < 128 ? at[3] : (int)at[3] - 256);
   receiver->has_state = false;
   receiver->rows++;
   fill_row(receiver, CLI_CSV_COLUMNS, row);

@@ -26,7 +26,8 @@ typedef struct {
   double state[4];  ///< r, v, omega, phi
   double report[6]; ///< h, g, F, M, delassus, residual
   uint8_t mode, choices, source;
-  bool has_state; ///< a state has come, its report not yet
+  tf_status_t status; ///< of the last report
+  bool has_state;     ///< a state has come, its report not yet
 
   bool has_heartbeat;
   tf_heartbeat_t heartbeat;

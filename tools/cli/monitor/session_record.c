@@ -1,8 +1,9 @@
 // A record is CSV: tick, type and payload of a frame of docs/PROTOCOL.md, and
 // for a person the command as typed. The first row is the schema, so the
-// record tells what it belongs to in the words of the board. Of the states
+// record says what it belongs to in the words of the board. Of the states
 // the last one is kept: a replay that ends in its bits was the same throughout.
-// What was refused did nothing and is left out.
+// What was refused did nothing and is left out. The last line counts the rows:
+// a record that is cut off would be a session of fewer commands.
 
 #include "session_record.h"
 
@@ -14,6 +15,12 @@
 
 #define ROW_ROOM (2 * TF_FRAME_PAYLOAD + 128)
 
+static void put(cli_session_record_t *record, const char *lines, size_t length,
+                uint64_t rows) {
+  cli_trailer_add(&record->trailer, lines, length, rows);
+  (void)cli_output_lines(&record->output, lines, length);
+}
+
 static void put_row(cli_session_record_t *record, uint64_t tick, uint8_t type,
                     const uint8_t *data, size_t length, const char *text) {
   char row[ROW_ROOM];
@@ -24,17 +31,21 @@ static void put_row(cli_session_record_t *record, uint64_t tick, uint8_t type,
         (size_t)snprintf(row + at, sizeof row - at, "%02x", (unsigned)data[i]);
   }
   at += (size_t)snprintf(row + at, sizeof row - at, ",%.64s\n", text);
-  (void)cli_output_lines(&record->output, row, at);
+  if (type == TF_DOWN_SCHEMA) {
+    cli_trailer_name(&record->trailer, row, at - 1);
+  }
+  put(record, row, at, 1);
 }
 
 int cli_session_record_open(cli_session_record_t *record, const char *path) {
-  static const char header[] =
-      "# Record of a board's session, for 'twofold run SCENE --replay'.\n"
-      "tick,type,data,command\n";
+  static const char title[] =
+      "# Record of a board's session, for 'twofold run SCENE --replay'.\n";
+  static const char header[] = "tick,type,data,command\n";
   const int code = cli_output_begin(&record->output, "--record", path);
   record->is_open = code == CLI_DONE;
   if (record->is_open) {
-    (void)cli_output_lines(&record->output, header, sizeof header - 1);
+    (void)cli_output_lines(&record->output, title, sizeof title - 1);
+    put(record, header, sizeof header - 1, 0);
   }
   return code;
 }
@@ -77,6 +88,12 @@ int cli_session_record_close(cli_session_record_t *record, int code) {
   if (record->has_state) {
     put_row(record, record->tick, TF_DOWN_STATE, record->state, record->length,
             "state");
+  }
+  if (code == CLI_DONE) {
+    char line[CLI_TRAILER_ROOM];
+    (void)cli_output_lines(
+        &record->output, line,
+        cli_trailer_line(&record->trailer, &cli_whole_shard, line));
   }
   return cli_output_end(&record->output, code);
 }

@@ -6,10 +6,12 @@
 #define TWOFOLD_CLI_SESSION_RECORD_H
 
 #include "../host/output.h"
+#include "../text/trailer.h"
 #include "board_command.h"
 
 typedef struct {
   cli_output_t output;
+  cli_trailer_t trailer;
   bool is_open;
   bool has_schema; ///< the first one is written
   bool has_state;  ///< a state has come since the last command

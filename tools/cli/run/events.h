@@ -37,7 +37,7 @@ typedef struct {
 
 /// All events of a run: the first `limit` steps in detail, the others counted.
 /// The windings around the two-fold, from slip to slip, are listed one by one
-/// only if limit is UINT64_MAX. Otherwise a line between two events tells how
+/// only if limit is UINT64_MAX. Otherwise a line between two events says how
 /// many there were, so that every change of mode is either listed or counted.
 typedef struct {
   uint64_t limit;

@@ -4,6 +4,7 @@
 #ifndef TWOFOLD_CLI_RECORD_H
 #define TWOFOLD_CLI_RECORD_H
 
+#include "../host/lateness.h"
 #include "../host/output.h"
 #include "../live/live.h"
 #include "../setup/drive.h"
@@ -30,14 +31,16 @@ typedef struct {
   bool replays; ///< instead of driving the scene
   cli_format_t format;
   uint64_t every, steps;
-  bool real_time;    ///< step n is taken n dt after the start
-  double start;      ///< cli_now() at t = 0
-  uint64_t late;     ///< steps that ended after the time of the next one
-  double latest;     ///< largest delay among them [s]
-  uint64_t first;    ///< steps taken before this run, by another one
-  uint64_t done;     ///< steps taken, by both
-  uint64_t written;  ///< step of the last row
-  uint32_t sequence; ///< of the next frame
+  bool real_time;           ///< step n is taken n dt after the start
+  double start;             ///< cli_now() at t = 0
+  uint64_t late;            ///< steps that ended after the time of the next one
+  double latest;            ///< largest delay among them [s]
+  double began;             ///< delay of the beginning of the last step [s]
+  cli_lateness_t *lateness; ///< of all steps in real time, or NULL
+  uint64_t first;           ///< steps taken before this run, by another one
+  uint64_t done;            ///< steps taken, by both
+  uint64_t written;         ///< step of the last row
+  uint32_t sequence;        ///< of the next frame
   cli_system_t system;
   tf_report_t report; ///< of the last step that was taken
   tf_status_t status; ///< of the last step that was tried
@@ -52,9 +55,10 @@ typedef struct {
   double output_seconds;    ///< wall time of the output
   double idle_seconds;      ///< wall time spent waiting
   cli_output_t output;
-  cli_live_t *live;   ///< the picture, or NULL
-  bool rowless;       ///< the terminal shows the picture in place of rows
-  cli_output_t saved; ///< of --save
+  cli_live_t *live;       ///< the picture, or NULL
+  bool rowless;           ///< the terminal shows the picture in place of rows
+  cli_output_t saved;     ///< of --save
+  cli_output_t late_rows; ///< of --lateness
 } cli_run_t;
 
 /// Time after the given number of steps, rounded once [s].

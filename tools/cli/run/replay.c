@@ -1,7 +1,7 @@
 // A record is read as a whole and walked through once before the replay, which
-// tells how many steps it has. The replay itself keeps what a board keeps, a
-// session and a link; commands go through the link as they do there, and the
-// system of the run is the session's machine and state.
+// says how many steps it has. The replay itself keeps what a board keeps, a
+// simulation and a link; commands go through the link as they do there, and the
+// system of the run is the simulation's machine and state.
 
 #include "replay.h"
 
@@ -11,8 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../text/lines.h"
 #include "../text/message.h"
 #include "../text/number.h"
+#include "../text/trailer.h"
 
 #define LINE_ROOM 1024
 // Where these stand in the payload of a schema.
@@ -75,48 +77,97 @@ static bool add(cli_replay_t *replay, const cli_replay_row_t *row) {
   return true;
 }
 
-static int read_all(cli_replay_t *replay, FILE *file) {
-  char line[LINE_ROOM];
+typedef struct {
+  cli_replay_t *replay;
+  cli_trailer_t sum; // of header and rows so far
+  unsigned long line;
+  bool has_header, has_schema, is_whole;
+} reader_t;
+
+static int no_record(const reader_t *reader) {
+  return cli_message(CLI_USAGE, "%s:%lu: no record of 'monitor --record'",
+                     reader->replay->name, reader->line);
+}
+
+static int cut_off(const reader_t *reader) {
+  return cli_message(CLI_REFUSED,
+                     "%s: cut off or changed: no last line counts its rows",
+                     reader->replay->name);
+}
+
+static int take_row(reader_t *reader, char *line) {
+  cli_replay_t *replay = reader->replay;
   cli_replay_row_t row;
-  unsigned long number = 0;
-  bool has_header = false, has_schema = false;
-  while (fgets(line, sizeof line, file) != NULL) {
-    number++;
-    if (line[0] == '#') {
-      continue;
-    }
-    if (!has_header && strcmp(line, "tick,type,data,command\n") == 0) {
-      has_header = true;
-      continue;
-    }
-    if (!has_header || !read_row(line, &row) ||
-        (row.type == TF_DOWN_SCHEMA) == has_schema) {
-      return cli_message(CLI_USAGE, "%s:%lu: no record of 'monitor --record'",
-                         replay->name, number);
-    }
-    if (!has_schema) {
-      has_schema = true;
-      replay->schema = row;
-    } else if (!add(replay, &row)) {
-      return cli_message(CLI_STOPPED, "%s: out of memory", replay->name);
-    }
+  if (!read_row(line, &row) ||
+      (row.type == TF_DOWN_SCHEMA) == reader->has_schema) {
+    return no_record(reader);
   }
-  if (ferror(file) != 0) {
-    return cli_message(CLI_USAGE, "%s: %s", replay->name, strerror(errno));
+  if (!reader->has_schema) {
+    reader->has_schema = true;
+    replay->schema = row;
+    return row.length >= SCHEMA_LEAST ? CLI_DONE : no_record(reader);
   }
-  return has_schema && replay->schema.length >= SCHEMA_LEAST
+  return add(replay, &row)
              ? CLI_DONE
-             : cli_message(CLI_USAGE, "%s: no record of 'monitor --record'",
-                           replay->name);
+             : cli_message(CLI_STOPPED, "%s: out of memory", replay->name);
+}
+
+// The last line has to be that of the rows before it, and the last one.
+static int take_line(reader_t *reader, char *line) {
+  char last[CLI_TRAILER_ROOM];
+  const size_t length = strlen(line);
+  if (reader->is_whole) {
+    return cut_off(reader);
+  }
+  if (strncmp(line, "# shard", 7) == 0) {
+    const size_t end = cli_trailer_line(&reader->sum, &cli_whole_shard, last);
+    reader->is_whole = length + 1 == end && memcmp(line, last, length) == 0;
+    return reader->is_whole ? CLI_DONE : cut_off(reader);
+  }
+  if (line[0] == '#') {
+    return CLI_DONE;
+  }
+  if (reader->has_header && !reader->has_schema) {
+    cli_trailer_name(&reader->sum, line, length);
+  }
+  cli_trailer_add(&reader->sum, line, length, reader->has_header);
+  cli_trailer_add(&reader->sum, "\n", 1, 0);
+  if (reader->has_header) {
+    return take_row(reader, line);
+  }
+  reader->has_header = true;
+  return strcmp(line, "tick,type,data,command") == 0 ? CLI_DONE
+                                                     : no_record(reader);
+}
+
+int cli_replay_parse(cli_replay_t *replay, const char *name, FILE *file) {
+  char line[LINE_ROOM];
+  reader_t reader = {.replay = replay};
+  int code = CLI_DONE;
+  replay->name = name;
+  while (code == CLI_DONE) {
+    const cli_line_t found = cli_read_line(file, line, sizeof line);
+    if (found == CLI_LINE_END) {
+      break;
+    }
+    reader.line++;
+    code = found == CLI_LINE ? take_line(&reader, line) : no_record(&reader);
+  }
+  if (code == CLI_DONE && ferror(file) != 0) {
+    return cli_message(CLI_USAGE, "%s: %s", name, strerror(errno));
+  }
+  if (code == CLI_DONE && !reader.has_schema) {
+    return no_record(&reader);
+  }
+  return code == CLI_DONE && !reader.is_whole ? cut_off(&reader) : code;
 }
 
 int cli_replay_read(cli_replay_t *replay, const char *path) {
   FILE *file = fopen(path, "r");
-  replay->name = path;
   if (file == NULL) {
     return cli_message(CLI_USAGE, "--replay %s: %s", path, strerror(errno));
   }
-  const int code = read_all(replay, file);
+  const int code = cli_replay_parse(replay, path, file);
   (void)fclose(file);
   return code;
 }
@@ -146,6 +197,10 @@ static int count_steps(const cli_replay_t *replay, uint64_t *steps) {
                          "--replay %s: row %zu is at step %" PRIu64
                          ", when the board has taken %" PRIu64,
                          replay->name, i + 1, row->tick, tick);
+    }
+    if (row->tick - tick > CLI_MAX_STEPS - *steps) {
+      return cli_message(CLI_REFUSED, "--replay %s: more than 1e15 steps",
+                         replay->name);
     }
     *steps += row->tick - tick;
     tick = tick_after(row, &saved);
@@ -198,9 +253,10 @@ int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
   setup->seed = (uint32_t)tf_wire_get(schema + SCHEMA_SEED, 4);
   setup->state.seed = setup->seed;
   tf_link_open(&replay->link, setup->scene, &setup->params);
-  (void)tf_session_open(&replay->session, setup->scene, &setup->params,
-                        setup->seed);
-  replay->session.deadman = (uint32_t)tf_wire_get(schema + SCHEMA_DEADMAN, 4);
+  (void)tf_simulation_open(&replay->simulation, setup->scene, &setup->params,
+                           setup->seed);
+  replay->simulation.deadman =
+      (uint32_t)tf_wire_get(schema + SCHEMA_DEADMAN, 4);
   replay->link.session = 1;
   return CLI_DONE;
 }
@@ -220,7 +276,7 @@ static bool perform(cli_replay_t *replay, const cli_replay_row_t *row) {
   for (size_t i = 0; i < length; i++) {
     tf_link_receive(&replay->link, wire[i]);
   }
-  const unsigned done = tf_link_boundary(&replay->link, &replay->session);
+  const unsigned done = tf_link_boundary(&replay->link, &replay->simulation);
   (void)tf_link_answer(&replay->link, wire, &down);
   replay->commands += done;
   return done == 1;
@@ -241,31 +297,31 @@ static bool same_state(const cli_replay_row_t *row, const tf_state_t *state) {
 
 bool cli_replay_next(cli_replay_t *replay, cli_system_t *system,
                      const tf_scene_t *scene, tf_input_t *input) {
-  tf_session_t *session = &replay->session;
-  session->state = system->state;
+  tf_simulation_t *simulation = &replay->simulation;
+  simulation->state = system->state;
   while (replay->next < replay->count &&
-         replay->rows[replay->next].tick == session->state.tick &&
+         replay->rows[replay->next].tick == simulation->state.tick &&
          replay->failed == NULL) {
     const cli_replay_row_t *row = &replay->rows[replay->next++];
     if (row->type == TF_DOWN_STATE) {
       replay->states++;
-      if (!same_state(row, &session->state)) {
+      if (!same_state(row, &simulation->state)) {
         replay->failed = "the state is not that of the board";
       }
     } else if (!perform(replay, row)) {
       replay->failed = "a command is refused that the board took";
     }
   }
-  system->state = session->state;
-  system->machine.machine = session->machine;
+  system->state = simulation->state;
+  system->machine.machine = simulation->machine;
   if (replay->failed != NULL || replay->next == replay->count) {
     return false;
   }
-  if (!session->running) {
+  if (!simulation->running) {
     replay->failed = "the board stood still, and is said to have moved";
     return false;
   }
-  *input = tf_session_input(session, scene);
+  *input = tf_simulation_input(simulation, scene);
   return true;
 }
 

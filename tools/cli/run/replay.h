@@ -1,9 +1,11 @@
 /// @file
-/// A board's session again, from a record of `monitor --record`: each command
+/// What a board did, from a record of `monitor --record`: each command
 /// takes effect after the step at which it did there, by the functions that
 /// the board calls, so the motion has the board's bits.
 #ifndef TWOFOLD_CLI_REPLAY_H
 #define TWOFOLD_CLI_REPLAY_H
+
+#include <stdio.h>
 
 #include "../setup/scheme.h"
 
@@ -20,17 +22,23 @@ typedef struct {
   cli_replay_row_t *rows; ///< from the heap
   size_t count, room;
   size_t next; ///< row to come
-  tf_session_t session;
+  tf_simulation_t simulation;
   tf_link_t link;
   uint32_t sequence;
   uint64_t commands;  ///< that took effect
   uint64_t states;    ///< that were compared
-  const char *failed; ///< why the replay is not the session, or NULL
+  const char *failed; ///< why the replay is not the simulation, or NULL
 } cli_replay_t;
 
-/// Reads a record.
-/// replay: out; to be freed by cli_replay_free, whatever is returned.
-/// Returns: CLI_DONE; after a message CLI_USAGE or CLI_STOPPED.
+/// Reads a record from an open file.
+/// replay: in/out, empty; to be freed by cli_replay_free, whatever is returned.
+/// name: in, kept, for messages.
+/// Returns: CLI_DONE; after a message CLI_USAGE, CLI_REFUSED (cut off or
+/// changed) or CLI_STOPPED.
+int cli_replay_parse(cli_replay_t *replay, const char *name, FILE *file);
+
+/// The same from a path.
+/// Returns: as cli_replay_parse; CLI_USAGE as well where it cannot be opened.
 int cli_replay_read(cli_replay_t *replay, const char *path);
 
 /// Begins it at the start of a setup, which takes the seed of the board.

@@ -20,6 +20,7 @@ typedef enum {
 
 /// A row of CSV in numbers: t r v omega h g F M.
 #define CLI_CSV_COLUMNS 8
+#define CLI_CSV_UNITS "t s, r m, v m/s, omega rad/s, h m/s, g m/s, F N, M N m"
 typedef struct {
   double column[CLI_CSV_COLUMNS];
   size_t columns; ///< how many are known; the others stay empty

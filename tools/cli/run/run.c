@@ -7,6 +7,7 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -14,6 +15,8 @@
 #include "../host/host.h"
 #include "../setup/provenance.h"
 #include "../text/message.h"
+#include "../text/number.h"
+#include "../text/tally.h"
 #include "frames.h"
 #include "progress.h"
 #include "record.h"
@@ -90,6 +93,7 @@ static bool take_step(cli_run_t *run) {
 static void await_step(cli_run_t *run) {
   const double before = cli_now();
   const double time = run->start + cli_run_time(run, run->done + 1);
+  run->began = before - time;
   if (before >= time) {
     return;
   }
@@ -98,14 +102,20 @@ static void await_step(cli_run_t *run) {
     return;
   }
   cli_wait_until(time);
-  run->idle_seconds += cli_now() - before;
+  const double now = cli_now();
+  run->idle_seconds += now - before;
+  run->began = now - time;
 }
 
 // A step and its row have to be done before the time of the next step. Lost
 // time is made up for: the steps after a late one do not wait.
 static void check_time(cli_run_t *run) {
-  const double late =
-      cli_now() - (run->start + cli_run_time(run, run->done + 1));
+  const double ended = cli_now() - run->start;
+  const double late = ended - cli_run_time(run, run->done + 1);
+  if (run->lateness != NULL) {
+    cli_lateness_note(run->lateness, run->began,
+                      ended - cli_run_time(run, run->done));
+  }
   if (late > 0) {
     run->late++;
     run->latest = fmax(run->latest, late);
@@ -173,9 +183,12 @@ static void write_header(cli_run_t *run, bool provenance) {
   char header[CLI_ROW_ROOM], lines[CLI_PROVENANCE_ROOM];
   uint8_t frames[CLI_FRAMES_ROOM];
   if (provenance) {
-    const size_t written = cli_provenance(
-        run->setup, run->scheme,
-        "t s, r m, v m/s, omega rad/s, h m/s, g m/s, F N, M N m", lines);
+    char how[CLI_ROW_ROOM], dt[CLI_REAL_ROOM];
+    (void)cli_write_real(dt, run->setup->machine.dt);
+    (void)snprintf(how, sizeof how, "scheme %s, dt %s s", run->scheme->name,
+                   dt);
+    const size_t written =
+        cli_provenance(run->setup, how, CLI_CSV_UNITS, lines);
     (void)cli_output_lines(&run->output, lines, written);
   }
   if (run->format == CLI_FORMAT_FRAMES) {
@@ -186,6 +199,24 @@ static void write_header(cli_run_t *run, bool provenance) {
   } else {
     (void)cli_output_lines(&run->output, header,
                            cli_header(run->format, header));
+  }
+}
+
+// Ends a stream of frames with the counts of all its steps: most of them may
+// lie between two rows.
+static void write_end(cli_run_t *run) {
+  if (run->rowless || run->format != CLI_FORMAT_FRAMES ||
+      run->end == CLI_NOT_WRITTEN) {
+    return;
+  }
+  uint8_t frame[CLI_FRAMES_ROOM];
+  tf_tally_t tally = run->tally;
+  tally.refused += run->end == CLI_STEP_REFUSED;
+  const size_t length =
+      cli_frames_end(&run->sequence, run->system.state.tick,
+                     run->done - run->first, run->late, &tally, frame);
+  if (!cli_output_lines(&run->output, (const char *)frame, length)) {
+    run->end = CLI_NOT_WRITTEN;
   }
 }
 
@@ -202,35 +233,58 @@ static bool save(cli_run_t *run, const char *path) {
   return cli_output_end(&run->saved, CLI_DONE) == CLI_DONE;
 }
 
+// Writes the histogram of a run that has ended with a code.
+static int end_lateness(cli_run_t *run, int code) {
+  cli_lateness_write(run->lateness, &run->late_rows);
+  const int written = cli_output_end(&run->late_rows, CLI_DONE);
+  return written == CLI_DONE ? code : written;
+}
+
+// Opens the files beside the rows.
+static int open_files(cli_run_t *run, const cli_run_args_t *args) {
+  int code = CLI_DONE;
+  if (args->save != NULL) {
+    code = cli_output_begin(&run->saved, "--save", args->save);
+  }
+  if (code == CLI_DONE && args->lateness != NULL) {
+    static cli_lateness_t lateness;
+    run->lateness = &lateness;
+    code = cli_output_begin(&run->late_rows, "--lateness", args->lateness);
+  }
+  return code;
+}
+
 // Opens what is written, runs, closes it and prints the summary.
 static int perform(cli_run_t *run, const cli_run_args_t *args) {
   int code = cli_output_begin(&run->output, "--out", args->out);
   if (code != CLI_DONE) {
     return code;
   }
-  if (args->save != NULL) {
-    code = cli_output_begin(&run->saved, "--save", args->save);
-  }
+  code = open_files(run, args);
   if (code != CLI_DONE) {
     return cli_output_end(&run->output, code);
   }
   run->live = args->live ? cli_live_open(cli_run_time(run, run->steps)) : NULL;
   run->rowless =
       run->live != NULL && run->output.to.descriptor == STDOUT_FILENO;
+  const char *why = args->priority ? cli_take_priority() : NULL;
+  if (why != NULL) {
+    (void)fprintf(stderr, "twofold: --priority: not given: %s\n", why);
+  }
   write_header(run, args->provenance);
   step_through(run);
+  write_end(run);
   cli_live_close(run->live, run->setup->scene->name);
   const bool saved = save(run, args->save);
   if (!cli_output_close(&run->output, run->end == CLI_ENDED)) {
     run->end = CLI_NOT_WRITTEN;
   }
-  const bool doubted = run->tally.degraded + run->tally.coarse > 0;
-  code = doubted ? CLI_DOUBTED : CLI_DONE;
+  code = cli_tally_code(&run->tally);
   if (run->end != CLI_ENDED || !saved) {
     code = CLI_STOPPED;
   }
   cli_summary(run, args->json, code);
-  return code;
+  return args->lateness != NULL ? end_lateness(run, code) : code;
 }
 
 static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
@@ -247,6 +301,7 @@ static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
   }
   if (code == CLI_DONE) {
     cli_drive_begin(&run->drive, setup);
+    cli_drive_notes(&run->drive, setup);
     code = cli_setup_start(setup);
   }
   return code == CLI_DONE ? cli_count_steps(args->t_end, args->t_end_text,

@@ -45,7 +45,7 @@ static int read_select(void *to, const cli_given_t *option) {
 
 static int read_every(void *to, const cli_given_t *option) {
   cli_run_args_t *args = to;
-  return cli_read_count(option, 1, CLI_MOST_STEPS, &args->every);
+  return cli_read_count(option, 1, CLI_MAX_STEPS, &args->every);
 }
 
 static int read_format(void *to, const cli_given_t *option) {
@@ -102,7 +102,7 @@ static int read_events(void *to, const cli_given_t *option) {
     args->listed = UINT64_MAX;
     return CLI_DONE;
   }
-  if (cli_read_whole(option->value, 0, CLI_MOST_STEPS, &args->listed)) {
+  if (cli_read_whole(option->value, 0, CLI_MAX_STEPS, &args->listed)) {
     return CLI_DONE;
   }
   return cli_message(CLI_USAGE,
@@ -113,11 +113,7 @@ static int read_events(void *to, const cli_given_t *option) {
 
 static int read_summary(void *to, const cli_given_t *option) {
   cli_run_args_t *args = to;
-  args->json = strcmp(option->value, "json") == 0;
-  return args->json || strcmp(option->value, "text") == 0
-             ? CLI_DONE
-             : cli_message(CLI_USAGE, "--summary %s: must be text or json",
-                           option->value);
+  return cli_read_summary(option, &args->json);
 }
 
 static int read_provenance(void *to, const cli_given_t *option) {
@@ -132,6 +128,18 @@ static int read_real_time(void *to, const cli_given_t *option) {
   (void)option;
   args->real_time = true;
   return CLI_DONE;
+}
+
+static int read_priority(void *to, const cli_given_t *option) {
+  cli_run_args_t *args = to;
+  (void)option;
+  args->priority = true;
+  return CLI_DONE;
+}
+
+static int read_lateness(void *to, const cli_given_t *option) {
+  cli_run_args_t *args = to;
+  return cli_read_path(option, &args->lateness);
 }
 
 static int read_live(void *to, const cli_given_t *option) {
@@ -165,6 +173,8 @@ static const cli_option_t options[] = {
     {"--summary", read_summary, CLI_ONCE},
     {"--provenance", read_provenance, CLI_FLAG},
     {"--realtime", read_real_time, CLI_FLAG},
+    {"--priority", read_priority, CLI_FLAG},
+    {"--lateness", read_lateness, CLI_ONCE},
     {"--live", read_live, CLI_FLAG},
 };
 
@@ -193,6 +203,11 @@ int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]) {
   }
   if (code == CLI_DONE && args->provenance && args->format != CLI_FORMAT_CSV) {
     code = cli_message(CLI_USAGE, "--provenance: only with --format csv");
+  }
+  if (code == CLI_DONE && !args->real_time &&
+      (args->priority || args->lateness != NULL)) {
+    code = cli_message(CLI_USAGE, "%s: only with --realtime",
+                       args->priority ? "--priority" : "--lateness");
   }
   if (code == CLI_DONE && args->replay != NULL) {
     code = check_replay(args);

@@ -26,6 +26,8 @@ typedef struct {
   uint64_t listed;        ///< number of events that the summary lists
   bool live;              ///< a picture in the terminal
   bool real_time;         ///< every step waits for its time on the clock
+  bool priority;          ///< of real time, with locked memory
+  const char *lateness;   ///< path of its histogram, or NULL
   tf_real_t t_end;        ///< [s]
   const char *t_end_text; ///< as typed, NULL: the scene's own
 } cli_run_args_t;

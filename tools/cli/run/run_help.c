@@ -21,6 +21,12 @@ static const char page[] =
     "                       for small steps in float\n"
     "  --realtime           every step waits for its time on the wall clock;\n"
     "                       the summary counts the late ones\n"
+    "  --priority           with --realtime: before all other programs, with\n"
+    "                       memory locked (SCHED_FIFO, which needs the "
+    "right)\n"
+    "  --lateness FILE      with --realtime: a histogram of how long after\n"
+    "                       their time steps began and ended, "
+    "us,began,ended\n"
     "  --live               draws the planes (g, h) and (r, omega) and the "
     "modes\n"
     "                       over time in the terminal, with --realtime at the\n"
@@ -40,25 +46,25 @@ static const char page[] =
     "  --format plotter     label:value pairs for a serial plotter\n"
     "  --format frames      what a board sends: see docs/PROTOCOL.md\n"
     "  --out FILE           instead of standard output\n"
-    "  --save FILE          where the run stands at its end, whatever ends it\n"
-    "  --from FILE          goes on from there, bit for bit: t-end is that of\n"
-    "                       the whole, and the first row is the last one of "
-    "the\n"
-    "                       run before\n"
-    "  --replay FILE        does again what a board did while 'twofold "
-    "monitor\n"
-    "                       --record FILE' sent it commands, to the bit; with\n"
-    "                       --dt 1/RATE of its firmware, in its number type\n"
+    "  --save FILE          the state at the end of the run, whatever ends it\n"
+    "  --from FILE          continues from there, bit for bit: t-end is that\n"
+    "                       of the whole, and the first row is the last one\n"
+    "                       of the run before\n"
+    "  --replay FILE        repeats, to the bit, what a board did while\n"
+    "                       'twofold monitor --record FILE' sent it commands;\n"
+    "                       with --dt 1/RATE of its firmware, in its number\n"
+    "                       type\n"
     "  --provenance         four comment lines before the header: version,\n"
     "                       commit, scene, scheme, units ('twofold help csv')\n"
     "  --summary json       the summary as JSON, in the last line of standard\n"
     "                       error; or text\n"
     "  --events N|all       events that the summary lists (default 20)\n"
     "\n"
-    "No other option may be given twice. Numbers are decimal, or hexadecimal\n"
+    "Every other option may be given once. Numbers are decimal, or "
+    "hexadecimal\n"
     "as in C: 0x1.8p-3 is 0.1875 exactly, 0x10 is 16.\n"
     "\n"
-    "FILE appears when it is whole. Until then its rows are in FILE.part, "
+    "FILE appears when it is complete. Until then its rows are in FILE.part, "
     "which\n"
     "stays where the run is stopped, and which one program at a time can "
     "write.\n"
@@ -83,12 +89,11 @@ static void print_names(void) {
   }
   (void)printf("  %-9s ", "law");
   for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
-    (void)printf("%s%s", law > 0 ? ", " : "", cli_law_name((tf_tyre_law_t)law));
+    (void)printf("%s%s", law > 0 ? ", " : "", tf_tyre_law_name(law));
   }
   (void)printf("\n  %-9s ", "rest");
   for (unsigned rest = 0; rest < TF_REST_LAWS; rest++) {
-    (void)printf("%s%s", rest > 0 ? ", " : "",
-                 cli_rest_name((tf_rest_law_t)rest));
+    (void)printf("%s%s", rest > 0 ? ", " : "", tf_rest_law_name(rest));
   }
   (void)fputs(
       ", the law at h = g = 0, only in law jump\n"

@@ -9,12 +9,13 @@
 //   crc32 0123abcd           of all bytes before
 //
 // The scene is there as a whole and not as a hash, so that what differs can be
-// told by name. Its start is not compared: the state is in its place.
+// reported by name. Its start is not compared: the state is in its place.
 
 #include "state_file.h"
 
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -30,10 +31,20 @@
 #define WHOLES 7
 #define CRC_LINE 15 // "crc32 0123abcd\n"
 
-static const char *const real_names[REALS] = {
-    "r",       "v",       "omega",     "phi",     "carry-r",
-    "carry-v", "carry-w", "carry-phi", "force-F", "force-M",
-    "slip-h",  "slip-g",  "delassus",  "residual"};
+static const char *const real_names[REALS] = {"r",
+                                              "v",
+                                              "omega",
+                                              "phi",
+                                              "compensation-r",
+                                              "compensation-v",
+                                              "compensation-w",
+                                              "compensation-phi",
+                                              "force-F",
+                                              "force-M",
+                                              "slip-h",
+                                              "slip-g",
+                                              "delassus",
+                                              "residual"};
 static const struct {
   const char *name;
   uint64_t most;
@@ -87,7 +98,7 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
   }
   cli_add(&text, "scene\n");
   cli_scene_print(setup->scene, &setup->params, &text);
-  cli_trailer_t sum = {0, 0};
+  cli_trailer_t sum = {0};
   cli_trailer_add(&sum, out, text.used, 0);
   (void)snprintf(number, sizeof number, "%08" PRIx32, sum.crc);
   add_pair(&text, "crc32", number);
@@ -147,16 +158,16 @@ static int compare_params(const reader_t *reader, const tf_params_t *there,
     }
   }
   if (there->law != here->law) {
-    return differs(reader, "law", cli_law_name(there->law),
-                   cli_law_name(here->law));
+    return differs(reader, "law", tf_tyre_law_name(there->law),
+                   tf_tyre_law_name(here->law));
   }
   if (there->rule != here->rule) {
-    return differs(reader, "rule", cli_rule_name(there->rule),
-                   cli_rule_name(here->rule));
+    return differs(reader, "rule", tf_rule_name(there->rule),
+                   tf_rule_name(here->rule));
   }
   if (there->rest != here->rest) {
-    return differs(reader, "rest", cli_rest_name(there->rest),
-                   cli_rest_name(here->rest));
+    return differs(reader, "rest", tf_rest_law_name(there->rest),
+                   tf_rest_law_name(here->rest));
   }
   return there->with_angle == here->with_angle
              ? CLI_DONE
@@ -216,11 +227,32 @@ static int read_values(reader_t *reader, cli_stand_t *stand) {
   return CLI_DONE;
 }
 
+// The checksum says that the file is as it was written, not that a run wrote
+// it.
+static int check_stand(const reader_t *reader, cli_stand_t *stand) {
+  const tf_state_t *x = &stand->state;
+  tf_real_t *real[REALS];
+  list_reals(stand, real);
+  for (size_t i = 0; i < REALS; i++) {
+    if (!isfinite(*real[i])) {
+      return cli_message(CLI_REFUSED, "--from %s: %s is not finite",
+                         reader->path, real_names[i]);
+    }
+  }
+  const double reach =
+      fabs((double)x->r) + fabs((double)x->v) + fabs((double)x->w);
+  return reach <= (double)TF_STATE_LIMIT
+             ? CLI_DONE
+             : cli_message(CLI_REFUSED,
+                           "--from %s: |r| + |v| + |omega| = %g, beyond %g",
+                           reader->path, reach, (double)TF_STATE_LIMIT);
+}
+
 // Cuts the last line off, the checksum. Returns: whether it is right.
 static bool is_whole(char *text, size_t size) {
   char line[CRC_LINE + 1];
-  cli_trailer_t sum = {0, 0};
-  if (size < CRC_LINE) {
+  cli_trailer_t sum = {0};
+  if (size < CRC_LINE || memchr(text, 0, size) != NULL) {
     return false;
   }
   cli_trailer_add(&sum, text, size - CRC_LINE, 0);
@@ -230,21 +262,10 @@ static bool is_whole(char *text, size_t size) {
   return right;
 }
 
-int cli_state_read(cli_stand_t *stand, const char *path,
-                   const cli_setup_t *setup, const cli_scheme_t *scheme) {
-  char text[CLI_STATE_BYTES + 1];
+int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
+                    size_t size, const cli_setup_t *setup,
+                    const cli_scheme_t *scheme) {
   reader_t reader = {path, text};
-  FILE *file = fopen(path, "r");
-  if (file == NULL) {
-    return no_state(&reader, strerror(errno));
-  }
-  const size_t size = fread(text, 1, sizeof text - 1, file);
-  const int error = ferror(file) != 0 ? errno : 0;
-  (void)fclose(file);
-  if (error != 0) {
-    return no_state(&reader, strerror(error));
-  }
-  text[size] = '\0';
   if (strncmp(text, "twofold-state ", 14) != 0) {
     return no_state(&reader, "no file of --save");
   }
@@ -258,5 +279,24 @@ int cli_state_read(cli_stand_t *stand, const char *path,
   code = code == CLI_DONE ? expect_word(&reader, "number", NUMBER) : code;
   code = code == CLI_DONE ? expect_word(&reader, "scheme", scheme->name) : code;
   code = code == CLI_DONE ? read_values(&reader, stand) : code;
+  code = code == CLI_DONE ? check_stand(&reader, stand) : code;
   return code == CLI_DONE ? compare_scene(&reader, setup) : code;
+}
+
+int cli_state_read(cli_stand_t *stand, const char *path,
+                   const cli_setup_t *setup, const cli_scheme_t *scheme) {
+  char text[CLI_STATE_BYTES + 1];
+  const reader_t reader = {path, text};
+  FILE *file = fopen(path, "r");
+  if (file == NULL) {
+    return no_state(&reader, strerror(errno));
+  }
+  const size_t size = fread(text, 1, sizeof text - 1, file);
+  const int error = ferror(file) != 0 ? errno : 0;
+  (void)fclose(file);
+  if (error != 0) {
+    return no_state(&reader, strerror(error));
+  }
+  text[size] = '\0';
+  return cli_state_parse(stand, path, text, size, setup, scheme);
 }

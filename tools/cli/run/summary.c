@@ -1,5 +1,5 @@
 // The summary of a run, for a person. It repeats the request, because a log
-// often outlives its command line, and it tells how often more than one mode
+// often outlives its command line, and it says how often more than one mode
 // was consistent, because that is what the simulator is about. All of it goes
 // to standard error, so that standard output has nothing but the rows.
 
@@ -11,14 +11,15 @@
 
 #include "../setup/names.h"
 #include "../text/message.h"
+#include "../text/tally.h"
 #include "summary_json.h"
 
 static void print_request(const cli_run_t *run) {
   const cli_setup_t *setup = run->setup;
   (void)fprintf(stderr, "scene      %s, law %s\n", setup->scene->name,
-                cli_law_name(setup->params.law));
+                tf_tyre_law_name(setup->params.law));
   (void)fprintf(stderr, "scheme     %s, rule %s", run->scheme->name,
-                cli_rule_name(setup->params.rule));
+                tf_rule_name(setup->params.rule));
   if (setup->params.rule == TF_RULE_RANDOM) {
     (void)fprintf(stderr, ":%" PRIu32 ", exit rate %g /s", setup->seed,
                   (double)setup->params.rate);
@@ -84,26 +85,15 @@ static void print_drive(const cli_run_t *run) {
 static void print_quality(const cli_run_t *run) {
   const double steps =
       run->done > run->first ? (double)(run->done - run->first) : 1.0;
-  (void)fprintf(stderr, "futures    more than one in %" PRIu64 " steps",
+  (void)fprintf(stderr, "ambiguous  several modes in %" PRIu64 " steps",
                 run->ambiguous_steps);
   if (run->ambiguous_steps > 0) {
     (void)fprintf(stderr, " (%.3g %%), first at t = %g s",
                   100 * (double)run->ambiguous_steps / steps,
                   run->ambiguous_since);
   }
-  const tf_tally_t *tally = &run->tally;
-  (void)fprintf(stderr, "\ndegraded   %" PRIu64 " steps", tally->degraded);
-  if (tally->coarse > 0 || tally->fell_back > 0) {
-    (void)fprintf(stderr,
-                  "; %" PRIu64 " missed the tolerance, %" PRIu64
-                  " fell back on moreau",
-                  tally->coarse, tally->fell_back);
-  }
-  if (tally->degraded + tally->coarse + tally->fell_back > 0) {
-    (void)fprintf(stderr, ", first at t = %g s",
-                  cli_run_time(run, tally->first));
-  }
   (void)fputc('\n', stderr);
+  cli_tally_print(&run->tally, "first", cli_run_time(run, run->tally.first));
   (void)fprintf(stderr, "largest    |h| in stick %.3g m/s, residual %.3g N\n",
                 run->largest_h, run->largest_residual);
 }

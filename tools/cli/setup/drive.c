@@ -43,6 +43,9 @@ void cli_drive_begin(cli_drive_t *drive, cli_setup_t *setup) {
   setup->input = tf_input_default(&setup->machine);
   cli_inputs_start(&drive->profile, 0, 0, &setup->input);
   cli_inputs_start(&drive->table, 0, 0, &setup->input);
+}
+
+void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup) {
   for (size_t i = 0; i < CLI_INPUTS; i++) {
     const cli_setting_t *setting =
         cli_setup_setting(setup, cli_input_columns[i].name);

@@ -25,8 +25,11 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                    const cli_drive_args_t *args);
 
 /// Prepares it for the machine of a setup and sets the inputs of the setup at
-/// t = 0; tells which settings have no effect beside the table.
+/// t = 0.
 void cli_drive_begin(cli_drive_t *drive, cli_setup_t *setup);
+
+/// Reports on standard error which settings have no effect beside the table.
+void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup);
 
 /// Goes to a tick and its time, at which a run begins that goes on from another
 /// one.

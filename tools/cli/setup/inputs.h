@@ -15,6 +15,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "twofold.h"
 
@@ -56,11 +57,15 @@ bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row);
 /// Returns: CLI_DONE, or CLI_STOPPED after a message.
 int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene);
 
-/// Reads a table from a file, "-" for standard input: CSV with the header
-/// `t,...`; lines that begin with # are comments.
-/// inputs: in/out; linear is set by the caller.
+/// Reads a table from an open file: CSV with the header `t,...`; lines that
+/// begin with # are comments.
+/// inputs: in/out; linear is set by the caller. name: in, kept, for messages.
 /// Returns: CLI_DONE; after a message with line, column and reason CLI_USAGE
 /// or CLI_REFUSED (out of range); CLI_STOPPED (out of memory).
+int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file);
+
+/// The same from a path, "-" for standard input.
+/// Returns: as cli_inputs_parse; CLI_USAGE as well where it cannot be opened.
 int cli_inputs_read(cli_inputs_t *inputs, const char *path);
 
 /// Finds the steps that the rows begin to hold for.

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../text/closest.h"
+#include "../text/lines.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "inputs.h"
@@ -146,14 +147,7 @@ static int read_row(reader_t *reader, char *line) {
                            (unsigned long long)reader->line);
 }
 
-static int read_line(reader_t *reader, char *line, bool at_end) {
-  const size_t length = strlen(line);
-  if ((length == 0 || line[length - 1] != '\n') && !at_end) {
-    return cli_message(
-        CLI_USAGE, "%s:%llu: a zero, or a line of more than %d characters",
-        reader->name, (unsigned long long)reader->line, LINE_ROOM - 2);
-  }
-  line[strcspn(line, "\r\n")] = '\0';
+static int read_line(reader_t *reader, char *line) {
   if (line[strspn(line, " \t")] == '\0' || line[0] == '#') {
     return CLI_DONE;
   }
@@ -164,9 +158,19 @@ static int read_line(reader_t *reader, char *line, bool at_end) {
 static int read_all(reader_t *reader, FILE *file) {
   char line[LINE_ROOM];
   int code = CLI_DONE;
-  while (code == CLI_DONE && fgets(line, sizeof line, file) != NULL) {
+  while (code == CLI_DONE) {
+    const cli_line_t found = cli_read_line(file, line, sizeof line);
+    if (found == CLI_LINE_END) {
+      break;
+    }
     reader->line++;
-    code = read_line(reader, line, feof(file) != 0);
+    code = found == CLI_LINE
+               ? read_line(reader, line)
+               : cli_message(CLI_USAGE,
+                             "%s:%llu: a zero, or a line of more than %d "
+                             "characters",
+                             reader->name, (unsigned long long)reader->line,
+                             LINE_ROOM - 1);
   }
   if (code == CLI_DONE && ferror(file) != 0) {
     return cli_message(CLI_USAGE, "%s: %s", reader->name, strerror(errno));
@@ -178,15 +182,20 @@ static int read_all(reader_t *reader, FILE *file) {
   return code;
 }
 
+int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file) {
+  inputs->name = name;
+  reader_t reader = {.inputs = inputs, .name = name};
+  return read_all(&reader, file);
+}
+
 int cli_inputs_read(cli_inputs_t *inputs, const char *path) {
   const bool standard = strcmp(path, "-") == 0;
   FILE *file = standard ? stdin : fopen(path, "r");
   if (file == NULL) {
     return cli_message(CLI_USAGE, "--inputs %s: %s", path, strerror(errno));
   }
-  inputs->name = standard ? "standard input" : path;
-  reader_t reader = {.inputs = inputs, .name = inputs->name};
-  const int code = read_all(&reader, file);
+  const int code =
+      cli_inputs_parse(inputs, standard ? "standard input" : path, file);
   if (!standard) {
     (void)fclose(file);
   }

@@ -1,4 +1,4 @@
-// Names of laws and rules, in the order of their enums, and of parameters.
+// Laws and rules by their names, and parameters.
 
 #include "names.h"
 
@@ -10,20 +10,6 @@
 #include "../text/number.h"
 
 #define NAME_ROOM 16 // longer than any name, with its terminating zero
-
-static const char *const law_names[TF_TYRE_LAWS] = {
-    "jump", "coulomb", "two_piece", "string", "smooth", "none"};
-static const char *const rule_names[TF_RULES] = {"persist", "slip+", "slip-",
-                                                 "random"};
-
-static const char *const rest_names[TF_REST_LAWS] = {"hull", "square",
-                                                     "bow_tie"};
-
-const char *cli_rest_name(tf_rest_law_t rest) { return rest_names[rest]; }
-
-const char *cli_law_name(tf_tyre_law_t law) { return law_names[law]; }
-
-const char *cli_rule_name(tf_rule_t rule) { return rule_names[rule]; }
 
 size_t cli_parameter_index(const char *name) {
   size_t i = 0;
@@ -42,7 +28,7 @@ void cli_print_range(size_t parameter) {
     const char *separator = ", only in law ";
     for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
       if ((range->laws & (1u << law)) != 0) {
-        (void)printf("%s%s", separator, cli_law_name((tf_tyre_law_t)law));
+        (void)printf("%s%s", separator, tf_tyre_law_name(law));
         separator = ", ";
       }
     }
@@ -56,16 +42,16 @@ void cli_print_ranges(void) {
   }
 }
 
-// Index of a name in a table, or count where it is not there; then hint is the
-// end of a message that suggests the closest one.
-static size_t find_name(const char *const *names, size_t count,
+// The number that has a name, or count where none has; then hint is the end of
+// a message that suggests the closest one.
+static size_t find_name(const char *name_of(unsigned), size_t count,
                         const char *name, cli_hint_t *hint) {
   cli_closest_t closest = cli_closest_to(name);
-  for (size_t i = 0; i < count; i++) {
-    if (strcmp(names[i], name) == 0) {
+  for (unsigned i = 0; i < count; i++) {
+    if (strcmp(name_of(i), name) == 0) {
       return i;
     }
-    cli_closest_offer(&closest, names[i]);
+    cli_closest_offer(&closest, name_of(i));
   }
   *hint = cli_closest_hint(&closest);
   return count;
@@ -74,7 +60,7 @@ static size_t find_name(const char *const *names, size_t count,
 int cli_find_law(const char *option, const char *text, const char *name,
                  tf_tyre_law_t *law) {
   cli_hint_t hint;
-  const size_t found = find_name(law_names, TF_TYRE_LAWS, name, &hint);
+  const size_t found = find_name(tf_tyre_law_name, TF_TYRE_LAWS, name, &hint);
   if (found == TF_TYRE_LAWS) {
     return cli_message(CLI_USAGE,
                        "%s %s: unknown law '%s'; laws are jump, coulomb, "
@@ -88,7 +74,7 @@ int cli_find_law(const char *option, const char *text, const char *name,
 int cli_find_rest(const char *option, const char *text, const char *name,
                   tf_rest_law_t *rest) {
   cli_hint_t hint;
-  const size_t found = find_name(rest_names, TF_REST_LAWS, name, &hint);
+  const size_t found = find_name(tf_rest_law_name, TF_REST_LAWS, name, &hint);
   if (found == TF_REST_LAWS) {
     return cli_message(CLI_USAGE,
                        "%s %s: unknown law of rest '%s'; they are hull, square "
@@ -102,7 +88,7 @@ int cli_find_rest(const char *option, const char *text, const char *name,
 int cli_find_rule(const char *option, const char *text, const char *name,
                   tf_rule_t *rule) {
   cli_hint_t hint;
-  const size_t found = find_name(rule_names, TF_RULES, name, &hint);
+  const size_t found = find_name(tf_rule_name, TF_RULES, name, &hint);
   if (found == TF_RULES) {
     return cli_message(CLI_USAGE,
                        "%s %s: unknown rule '%s'; rules are persist, slip+, "

@@ -8,12 +8,6 @@
 
 #include "twofold.h"
 
-/// Name of a friction law, of a law of rest at h = g = 0, and of a rule that
-/// selects a mode.
-const char *cli_law_name(tf_tyre_law_t law);
-const char *cli_rest_name(tf_rest_law_t rest);
-const char *cli_rule_name(tf_rule_t rule);
-
 /// Index of a parameter in tf_parameter_ranges, TF_PARAMETERS where no
 /// parameter has that name.
 size_t cli_parameter_index(const char *name);

@@ -119,7 +119,7 @@ static int check_parameters(cli_scene_reader_t *reader) {
                        "%s: %s is missing, which law %s needs: give it a value "
                        "in [%g, %g] %s, or begin with 'based-on SCENE'",
                        reader->path, range->name,
-                       cli_law_name(scene->params.law), (double)range->low,
+                       tf_tyre_law_name(scene->params.law), (double)range->low,
                        (double)range->high, range->unit);
   }
   return CLI_DONE;
@@ -171,6 +171,10 @@ int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
                     size_t size) {
   cli_scene_reader_t reader = {.file = file, .path = path};
   memset(file, 0, sizeof *file);
+  if (size > CLI_SCENE_BYTES) {
+    return cli_message(CLI_USAGE, "%s: longer than %d bytes, no scene", path,
+                       CLI_SCENE_BYTES);
+  }
   int code = read_lines(&reader, text, size);
   if (code == CLI_DONE) {
     code = check_start(&reader);
@@ -198,10 +202,6 @@ int cli_scene_read(cli_scene_file_t *file, const char *path) {
   (void)fclose(opened);
   if (error != 0) {
     return cli_message(CLI_USAGE, "%s: %s", path, strerror(error));
-  }
-  if (size > CLI_SCENE_BYTES) {
-    return cli_message(CLI_USAGE, "%s: longer than %d bytes, no scene", path,
-                       CLI_SCENE_BYTES);
   }
   return cli_scene_parse(file, path, text, size);
 }

@@ -23,6 +23,11 @@ int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
 /// Returns: as cli_scene_parse; CLI_USAGE as well where it cannot be read.
 int cli_scene_read(cli_scene_file_t *file, const char *path);
 
+/// The first line of a file that is printed.
+#define CLI_SCENE_TITLE            \
+  "# Scene of twofold " TF_VERSION \
+  ", in SI units: 'twofold help scene' has all ranges.\n"
+
 /// Appends a scene with some parameters, those of the scene or altered ones.
 void cli_scene_print(const tf_scene_t *scene, const tf_params_t *params,
                      cli_buffer_t *out);

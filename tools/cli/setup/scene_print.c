@@ -42,8 +42,11 @@ static size_t add_key(cli_buffer_t *out, size_t key) {
   return line;
 }
 
+// A text that begins with = would lose it to the one that may stand before a
+// value.
 static void add_word(cli_buffer_t *out, size_t key, const char *word) {
   (void)add_key(out, key);
+  cli_add(out, word[0] == '=' ? "= " : "");
   cli_add(out, word);
   cli_add(out, "\n");
 }
@@ -84,9 +87,9 @@ void cli_scene_print(const tf_scene_t *scene, const tf_params_t *params,
     add_word(out, CLI_KEY_LEAVES_OUT, scene->leaves_out);
   }
   cli_add(out, "\n# the machine\n");
-  add_word(out, CLI_KEY_LAW, cli_law_name(params->law));
-  add_word(out, CLI_KEY_REST, cli_rest_name(params->rest));
-  add_word(out, CLI_KEY_RULE, cli_rule_name(params->rule));
+  add_word(out, CLI_KEY_LAW, tf_tyre_law_name(params->law));
+  add_word(out, CLI_KEY_REST, tf_rest_law_name(params->rest));
+  add_word(out, CLI_KEY_RULE, tf_rule_name(params->rule));
   add_word(out, CLI_KEY_WITH_ANGLE, params->with_angle ? "yes" : "no");
   for (size_t i = 0; i < TF_PARAMETERS; i++) {
     tf_real_t value = 0;

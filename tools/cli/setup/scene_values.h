@@ -26,7 +26,7 @@ tf_real_t *cli_scene_parameter_of(tf_scene_t *scene, size_t key);
 /// Whether the first characters of a text may be the name of a scene.
 bool cli_scene_is_name(const char *text, size_t length);
 
-/// Tells that the value of a key is out of its range. Returns: CLI_REFUSED.
+/// Reports that the value of a key is out of its range. Returns: CLI_REFUSED.
 int cli_scene_refuse_range(cli_scene_reader_t *reader, size_t key,
                            tf_real_t value, double low, double high);
 

@@ -65,13 +65,13 @@ int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law) {
   return cli_message(CLI_REFUSED,
                      "--scheme %s: law must be jump, coulomb or none, not "
                      "%s; --scheme moreau takes every law",
-                     scheme->name, cli_law_name(law));
+                     scheme->name, tf_tyre_law_name(law));
 }
 
 int cli_count_steps(tf_real_t t_end, const char *text, tf_real_t dt,
                     uint64_t *steps) {
   const double count = round((double)t_end / (double)dt);
-  const double most = (double)CLI_MOST_STEPS;
+  const double most = (double)CLI_MAX_STEPS;
   if (!(t_end >= 0 && count <= most)) {
     return cli_message(CLI_REFUSED,
                        "--t-end %s: t-end must lie in [0, %g] s (at most 1e15 "

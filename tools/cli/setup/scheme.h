@@ -28,7 +28,7 @@ typedef struct {
 
 /// Largest number of steps of a run, and between two rows: a double holds every
 /// integer up to it.
-#define CLI_MOST_STEPS 1000000000000000u
+#define CLI_MAX_STEPS 1000000000000000u
 
 #define CLI_SCHEMES 3
 /// The first is the default.

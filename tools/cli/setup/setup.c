@@ -1,6 +1,6 @@
 // Preparing a machine and its initial state, with messages that tell what to
 // do. The core reports only which parameter is out of range; where the value
-// came from and what would be allowed is told here. A range may also be
+// came from and what would be allowed is reported here. A range may also be
 // violated by a value that nobody typed: a scene does not give the parameters
 // of laws that it does not use, so `--set law=string` may require them.
 
@@ -45,7 +45,7 @@ static int refuse_parameter(const cli_setup_t *setup, int offender) {
   return cli_message(CLI_REFUSED,
                      "scene %s with law %s: %s = %s must lie in [%g, %g]%s%s; "
                      "give --set %s=VALUE",
-                     setup->scene->name, cli_law_name(setup->params.law),
+                     setup->scene->name, tf_tyre_law_name(setup->params.law),
                      range->name, text, (double)range->low, (double)range->high,
                      space, unit, range->name);
 }
@@ -104,12 +104,13 @@ int cli_setup_check_starts(const cli_setup_t *setup) {
   return CLI_DONE;
 }
 
-// Computes the speed v from the slip speed h. The sign of h selects the mode.
-static int solve_v(cli_setup_t *setup) {
+// The start is refused: says why. The speed that belongs to h is a part of it.
+static int refuse_start(cli_setup_t *setup, tf_status_t status) {
   const tf_real_t h = setup->start[CLI_START_H];
   const cli_setting_t *setting = setup->set_start[CLI_START_H];
   tf_state_t *state = &setup->state;
-  if (tf_speed_for_slip(&setup->machine, state->r, state->w,
+  if (setup->v_from_h &&
+      tf_speed_for_slip(&setup->machine, state->r, state->w,
                         setup->input.omega0, h, &state->v) != TF_OK) {
     return cli_message(CLI_REFUSED,
                        "%s %s: no speed v gives the slip speed h = %g m/s, "
@@ -118,18 +119,19 @@ static int solve_v(cli_setup_t *setup) {
                        setting != NULL ? setting->text : setup->scene->name,
                        (double)h, (double)setup->machine.sin_gamma);
   }
-  if (h > 0) {
-    state->mode = TF_SLIP_PLUS;
-  } else if (h < 0) {
-    state->mode = TF_SLIP_MINUS;
-  }
-  return CLI_DONE;
+  const tf_slip_t slip = tf_slip(&setup->machine, state->r, state->v, state->w,
+                                 setup->input.omega0);
+  return cli_message(CLI_REFUSED,
+                     "scene %s: the start r = %g m, v = %g m/s, omega = %g "
+                     "rad/s, h = %g m/s is refused: %s",
+                     setup->scene->name, (double)state->r, (double)state->v,
+                     (double)state->w, (double)slip.h, tf_status_name(status));
 }
 
 int cli_setup_start(cli_setup_t *setup) {
   const bool v_typed = setup->set_start[CLI_START_V] != NULL;
   const bool h_typed = setup->set_start[CLI_START_H] != NULL;
-  int code = cli_setup_check_starts(setup);
+  const int code = cli_setup_check_starts(setup);
   tf_state_t *state = &setup->state;
   state->r = setup->start[CLI_START_R];
   state->v = setup->start[CLI_START_V];
@@ -138,27 +140,15 @@ int cli_setup_start(cli_setup_t *setup) {
   state->seed = setup->seed;
   state->mode = TF_NO_MODE;
   setup->v_from_h = !v_typed && (h_typed || !setup->scene->v_is_given);
-  if (code == CLI_DONE && setup->v_from_h) {
-    code = solve_v(setup);
-  }
   if (code != CLI_DONE) {
     return code;
   }
-  const unsigned mode = state->mode;
   const tf_status_t status =
-      tf_begin(&setup->machine, state, &setup->input, &setup->report);
-  if (status < 0) {
-    const tf_slip_t slip = tf_slip(&setup->machine, state->r, state->v,
-                                   state->w, setup->input.omega0);
-    return cli_message(
-        CLI_REFUSED,
-        "scene %s: the start r = %g m, v = %g m/s, omega = %g "
-        "rad/s, h = %g m/s%s%s is refused: %s",
-        setup->scene->name, (double)state->r, (double)state->v,
-        (double)state->w, (double)slip.h, mode < TF_MODES ? " in mode " : "",
-        mode < TF_MODES ? tf_mode_name(mode) : "", tf_status_name(status));
-  }
-  return CLI_DONE;
+      setup->v_from_h
+          ? tf_begin_with_slip(&setup->machine, state, &setup->input,
+                               setup->start[CLI_START_H], &setup->report)
+          : tf_begin(&setup->machine, state, &setup->input, &setup->report);
+  return status == TF_OK ? CLI_DONE : refuse_start(setup, status);
 }
 
 void cli_setup_notes(const cli_setup_t *setup, const char *unused,
@@ -173,7 +163,7 @@ void cli_setup_notes(const cli_setup_t *setup, const char *unused,
       (void)cli_message(CLI_DONE,
                         "note: %s %s has no effect: law %s does not use %s",
                         setting->option, setting->text,
-                        cli_law_name(setup->params.law), name);
+                        tf_tyre_law_name(setup->params.law), name);
     } else if (setup->scene->knots > 0 && strcmp(name, "omega0") == 0) {
       (void)cli_message(CLI_DONE,
                         "note: %s %s has no effect: scene %s drives omega0",

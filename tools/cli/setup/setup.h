@@ -64,7 +64,7 @@ int cli_setup_check_starts(const cli_setup_t *setup);
 /// CLI_REFUSED.
 int cli_setup_start(cli_setup_t *setup);
 
-/// Tells on standard error which settings have no effect in this scene.
+/// Reports on standard error which settings have no effect in this scene.
 /// unused, why: in, a parameter that the scheme does not use, and the end of
 /// the message "... has no effect".
 void cli_setup_notes(const cli_setup_t *setup, const char *unused,

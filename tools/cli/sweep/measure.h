@@ -30,7 +30,7 @@ typedef enum {
 } cli_measure_t;
 #define CLI_MEASURES 19
 
-/// Name of a column, unit ("" of what is no number), and what it is.
+/// Name of a column, unit ("" of what is not a number), and what it is.
 typedef struct {
   const char *name, *unit, *what;
 } cli_measure_info_t;

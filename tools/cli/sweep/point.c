@@ -23,6 +23,8 @@ typedef struct {
   char text[CLI_AXES][CLI_NAME_ROOM + CLI_REAL_ROOM];
   char select[CLI_REAL_ROOM];
   cli_setup_t setup;
+  cli_drive_t drive; // its tables are those of args
+  tf_input_t input;  // of the last step
   cli_system_t system;
   cli_course_t course;
   tf_tally_t tally;
@@ -39,7 +41,7 @@ static void indices_of(const cli_sweep_args_t *args, uint64_t index,
 }
 
 const char *cli_point_status(cli_point_end_t end) {
-  static const char *const names[] = {"done", "doubted", "stopped", "refused"};
+  static const char *const names[] = {"done", "flagged", "stopped", "refused"};
   return names[end];
 }
 
@@ -97,14 +99,28 @@ static int prepare(point_t *point, uint64_t *steps) {
     code = cli_setup_machine(&point->setup);
   }
   if (code == CLI_DONE) {
+    point->drive = args->drive;
+    cli_drive_begin(&point->drive, &point->setup);
     code = cli_count_steps(args->t_end, args->t_end_text,
                            point->setup.machine.dt, steps);
   }
   return code;
 }
 
-// All of a scene that a motion depends on.
-static uint32_t hash_of(const cli_setup_t *setup) {
+static void add_table(const cli_inputs_t *table, cli_trailer_t *sum) {
+  char text[CLI_SWEEP_ROW];
+  for (size_t i = 0; i < table->count; i++) {
+    const cli_input_row_t *row = &table->rows[i];
+    const int length =
+        snprintf(text, sizeof text, " %a %a %a %a %a", (double)row->t,
+                 (double)row->value[0], (double)row->value[1],
+                 (double)row->value[2], (double)row->value[3]);
+    cli_trailer_add(sum, text, (size_t)length, 0);
+  }
+}
+
+// All of a scene and of a table of inputs that a motion depends on.
+static uint32_t hash_of(const cli_setup_t *setup, const cli_inputs_t *table) {
   const tf_scene_t *scene = setup->scene;
   char text[CLI_SWEEP_ROW];
   cli_trailer_t sum = {0};
@@ -119,6 +135,7 @@ static uint32_t hash_of(const cli_setup_t *setup) {
                       (double)scene->profile[i].omega0);
     cli_trailer_add(&sum, text, (size_t)length, 0);
   }
+  add_table(table, &sum);
   return sum.crc;
 }
 
@@ -139,8 +156,9 @@ static int check_end(const cli_sweep_args_t *args, bool last, uint32_t *hash) {
     code = cli_setup_check_starts(&point.setup);
   }
   if (code == CLI_DONE && !last) {
-    *hash = hash_of(&point.setup);
+    *hash = hash_of(&point.setup, &args->drive.table);
     cli_setup_notes(&point.setup, args->scheme->unused, args->scheme->why);
+    cli_drive_notes(&args->drive, &point.setup);
   }
   return code;
 }
@@ -152,7 +170,7 @@ int cli_point_check(const cli_sweep_args_t *args, uint32_t *hash) {
 
 static double energy_of(const point_t *point) {
   return (double)tf_energy(&point->setup.machine, &point->system.state,
-                           point->setup.params.r0);
+                           point->input.r0);
 }
 
 // Follows the motion. steps: to take.
@@ -162,11 +180,12 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
   tf_report_t report = setup->report;
   cli_system_begin(&point->system, point->args->scheme, setup, &report);
   cli_course_begin(&point->course, &point->system.state, &report);
+  point->input = setup->input;
   point->course.energy_at_start = energy_of(point);
   for (uint64_t i = 1; i <= steps; i++) {
     const double t = (double)i * dt;
     const tf_input_t input =
-        tf_scene_input(setup->scene, &setup->machine, (tf_real_t)t);
+        cli_drive_step(&point->drive, &setup->machine, i - 1, (tf_real_t)t);
     if (i % BATCH == 0 && cli_stop_asked()) {
       return CLI_POINT_INTERRUPTED;
     }
@@ -178,6 +197,7 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
       point->course.energy = energy_of(point);
       return CLI_POINT_STOPPED;
     }
+    point->input = input;
     tf_tally_count(&point->tally, i, status);
     cli_course_see(&point->course, t, &point->system.state, &report);
   }
@@ -189,7 +209,7 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
                    (unsigned long long)point->tally.degraded,
                    (unsigned long long)point->tally.coarse,
                    (double)point->tally.first * dt);
-    return CLI_POINT_DOUBTED;
+    return CLI_POINT_FLAGGED;
   }
   return CLI_POINT_DONE;
 }

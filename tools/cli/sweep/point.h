@@ -10,7 +10,7 @@
 /// How a point ended.
 typedef enum {
   CLI_POINT_DONE,
-  CLI_POINT_DOUBTED,    ///< some steps were degraded or missed their tolerance
+  CLI_POINT_FLAGGED,    ///< some steps were degraded or missed their tolerance
   CLI_POINT_STOPPED,    ///< a step was refused
   CLI_POINT_REFUSED,    ///< the machine or its start was refused
   CLI_POINT_INTERRUPTED ///< by a signal: it has no row
@@ -19,7 +19,7 @@ typedef enum {
 
 /// Checks what is the same at all points, and the ends of every axis.
 /// hash: out, of all that a motion depends on and that the command line does
-/// not name: the scene's parameters and its start.
+/// not name: the scene's parameters, its start, and the table of inputs.
 /// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
 int cli_point_check(const cli_sweep_args_t *args, uint32_t *hash);
 

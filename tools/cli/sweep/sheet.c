@@ -1,7 +1,7 @@
 // The file of a sweep. A row depends on the command and its own number alone,
 // so a sweep that was stopped, even by SIGKILL, goes on behind the last whole
 // row of FILE.part and ends with the bytes of one that was not. That the part
-// is of the same command, its second line tells, and that of each row, the
+// is of the same command, its second line says, and that of each row, the
 // fields by which the row begins; from the first one on that is not as it must
 // be, rows are computed again.
 //
@@ -21,15 +21,10 @@
 #include <sys/stat.h>
 
 #include "../setup/names.h"
+#include "../text/commit.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "point.h"
-
-#ifdef TF_REAL_FLOAT
-#define REAL_TYPE "float"
-#else
-#define REAL_TYPE "double"
-#endif
 
 #define COLUMNS_BEFORE 4 // point, status, reason, t
 
@@ -69,17 +64,22 @@ static void add_word(cli_buffer_t *text, const char *option,
   cli_add(text, value);
 }
 
-// The command that makes the same rows, and what it does not name.
-static void add_command(const cli_sweep_args_t *args, uint32_t hash,
-                        cli_buffer_t *text) {
+// The command that makes the rows of all shards.
+static void add_command(const cli_sweep_args_t *args, cli_buffer_t *text) {
   char digits[CLI_REAL_ROOM];
-  cli_add(text, "# twofold " TF_VERSION " " REAL_TYPE ": sweep ");
+  cli_add(text, "# twofold " TF_VERSION ", commit ");
+  cli_add(text, cli_commit);
+  cli_add(text, ", numbers are " CLI_NUMBER_TYPE ": sweep ");
   cli_add(text, args->scene->name);
   add_word(text, "--scheme", args->scheme->name);
   (void)cli_write_real(digits, args->t_end);
   add_word(text, "--t-end", digits);
   if (args->select != NULL) {
     add_word(text, "--select", args->select);
+  }
+  if (args->drive_args.inputs != NULL) {
+    add_word(text, "--inputs", args->drive_args.inputs);
+    add_word(text, "--between", args->drive_args.between);
   }
   for (size_t i = 0; i < args->settings.count; i++) {
     const cli_setting_t *setting = &args->settings.list[i];
@@ -93,11 +93,29 @@ static void add_command(const cli_sweep_args_t *args, uint32_t hash,
   for (size_t i = 0; i < args->measures; i++) {
     add_word(text, "--outcome", cli_measures[args->measure[i]].name);
   }
-  (void)snprintf(digits, sizeof digits, "%" PRIu64 "/%" PRIu64,
-                 args->shard.index, args->shard.of);
-  add_word(text, "--shard", digits);
+}
+
+// What the rows follow from, beside the command.
+static void add_scene(uint32_t hash, cli_buffer_t *text) {
+  char digits[CLI_REAL_ROOM];
   (void)snprintf(digits, sizeof digits, " (scene %08" PRIx32 ")\n", hash);
   cli_add(text, digits);
+}
+
+// The shards of a run have all of this in common.
+static void name_run(cli_sheet_t *sheet, uint32_t hash) {
+  char command[CLI_PROLOGUE_ROOM];
+  cli_buffer_t text = {command, 0, sizeof command, false};
+  add_command(sheet->args, &text);
+  add_scene(hash, &text);
+  cli_trailer_name(&sheet->trailer, command, text.used);
+}
+
+static void add_shard(const cli_shard_t *shard, cli_buffer_t *text) {
+  char digits[CLI_REAL_ROOM];
+  (void)snprintf(digits, sizeof digits, "%" PRIu64 "/%" PRIu64, shard->index,
+                 shard->of);
+  add_word(text, "--shard", digits);
 }
 
 static void add_unit(cli_buffer_t *text, const char *name, const char *unit) {
@@ -126,10 +144,13 @@ static bool make_prologue(cli_sheet_t *sheet, uint32_t hash) {
     add_header(sheet->args, &text);
   }
   sheet->header = text.used;
-  add_command(sheet->args, hash, &text);
+  add_command(sheet->args, &text);
+  add_shard(&sheet->args->shard, &text);
+  add_scene(hash, &text);
   add_units(sheet->args, &text);
   sheet->length = text.used;
   cli_trailer_add(&sheet->trailer, sheet->prologue, sheet->header, 0);
+  name_run(sheet, hash);
   return !text.truncated;
 }
 
@@ -183,13 +204,13 @@ static bool take_up(cli_sheet_t *sheet, FILE *file, size_t *kept) {
 
 static int refuse_other(const char *path) {
   return cli_message(CLI_REFUSED,
-                     "--resume: %s is of another sweep; remove it, or give "
-                     "another --out",
+                     "--resume: %s is of another sweep, or of another build "
+                     "of twofold; remove it, or give another --out",
                      path);
 }
 
-// FILE, if it is there, is whole or of another sweep. What is no regular file
-// keeps no rows, and opening it could wait for a writer.
+// FILE, if it is there, is whole or of another sweep. What is not a regular
+// file keeps no rows, and opening it could wait for a writer.
 static int look_at_file(cli_sheet_t *sheet) {
   size_t kept = 0;
   struct stat status;

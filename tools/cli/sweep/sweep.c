@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "../host/host.h"
+#include "../text/commit.h"
 #include "../text/message.h"
 #include "point.h"
 #include "sheet.h"
@@ -95,6 +96,23 @@ static void summarise(const work_t *work, double seconds) {
                 work->done > 0 ? 1e3 * seconds / (double)work->done : 0.0);
 }
 
+// The same for a program: one line, the last one on standard error.
+static void summarise_json(const work_t *work, double seconds, int code) {
+  const cli_sheet_t *sheet = work->sheet;
+  (void)fprintf(stderr,
+                "{" CLI_JSON_BUILD
+                ", \"command\": \"sweep\", \"scene\": "
+                "\"%s\", \"scheme\": \"%s\", \"points\": %" PRIu64
+                ", \"kept\": %" PRIu64,
+                cli_commit, work->args->scene->name, work->args->scheme->name,
+                sheet->end - sheet->first, sheet->kept);
+  for (int i = 0; i < CLI_POINT_ENDS; i++) {
+    (void)fprintf(stderr, ", \"%s\": %" PRIu64,
+                  cli_point_status((cli_point_end_t)i), work->ends[i]);
+  }
+  (void)fprintf(stderr, ", \"seconds\": %.9g, \"exit\": %d}\n", seconds, code);
+}
+
 static int perform(work_t *work, uint32_t hash) {
   cli_sheet_t *sheet = work->sheet;
   int code = cli_sheet_open(sheet, work->args, hash);
@@ -102,8 +120,12 @@ static int perform(work_t *work, uint32_t hash) {
     return code;
   }
   if (sheet->whole) {
-    return cli_message(CLI_DONE, "%s has all of its %" PRIu64 " points",
-                       work->args->out, sheet->kept);
+    (void)cli_message(CLI_DONE, "%s has all of its %" PRIu64 " points",
+                      work->args->out, sheet->kept);
+    if (work->args->json) {
+      summarise_json(work, 0, CLI_DONE);
+    }
+    return CLI_DONE;
   }
   work->one_line = cli_is_terminal(STDERR_FILENO);
   work->started = cli_now();
@@ -115,9 +137,15 @@ static int perform(work_t *work, uint32_t hash) {
     (void)fputs("\r\033[K", stderr);
   }
   code = cli_sheet_close(sheet, code);
-  summarise(work, cli_now() - work->started);
+  const double seconds = cli_now() - work->started;
+  if (!work->args->json) {
+    summarise(work, seconds);
+  }
   if (code != CLI_DONE && sheet->output.to.left) {
     (void)cli_message(code, "the same command with --resume goes on");
+  }
+  if (work->args->json) {
+    summarise_json(work, seconds, code);
   }
   return code;
 }
@@ -130,9 +158,10 @@ int cli_sweep(int argc, char *const argv[]) {
   if (code == CLI_DONE) {
     code = cli_point_check(&args, &hash);
   }
-  if (code != CLI_DONE) {
-    return code;
+  if (code == CLI_DONE) {
+    work_t work = {.args = &args, .sheet = &sheet};
+    code = perform(&work, hash);
   }
-  work_t work = {.args = &args, .sheet = &sheet};
-  return perform(&work, hash);
+  cli_drive_free(&args.drive);
+  return code;
 }

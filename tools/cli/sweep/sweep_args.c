@@ -13,8 +13,8 @@
 #include "../text/number.h"
 #include "../text/options.h"
 
-#define MOST_VALUES 1000000u            // of one axis
-#define MOST_POINTS 1000000000000000ull // exact in a double
+#define MAX_VALUES 1000000u            // of one axis
+#define MAX_POINTS 1000000000000000ull // exact in a double
 
 static int read_t_end(void *to, const cli_given_t *option) {
   cli_sweep_args_t *args = to;
@@ -48,6 +48,17 @@ static int read_select(void *to, const cli_given_t *option) {
   return CLI_DONE;
 }
 
+static int read_inputs(void *to, const cli_given_t *option) {
+  cli_sweep_args_t *args = to;
+  return cli_read_path(option, &args->drive_args.inputs);
+}
+
+static int read_between(void *to, const cli_given_t *option) {
+  cli_sweep_args_t *args = to;
+  args->drive_args.between = option->value;
+  return CLI_DONE;
+}
+
 static int read_shard(void *to, const cli_given_t *option) {
   cli_sweep_args_t *args = to;
   return cli_read_shard(option, &args->shard);
@@ -63,6 +74,11 @@ static int read_resume(void *to, const cli_given_t *option) {
   (void)option;
   args->resume = true;
   return CLI_DONE;
+}
+
+static int read_summary(void *to, const cli_given_t *option) {
+  cli_sweep_args_t *args = to;
+  return cli_read_summary(option, &args->json);
 }
 
 static bool is_seed(double value) {
@@ -107,7 +123,7 @@ static int read_over(void *to, const cli_given_t *option) {
   cli_axis_t *axis = &args->axis[args->axes];
   const size_t length = (size_t)(equals - text);
   int code =
-      cli_read_range(option->name, text, equals + 1, MOST_VALUES, &axis->range);
+      cli_read_range(option->name, text, equals + 1, MAX_VALUES, &axis->range);
   if (code == CLI_DONE && length == 4 && strncmp(text, "seed", 4) == 0) {
     memcpy(axis->name, "seed", 5);
     code = add_seed(args, axis);
@@ -117,9 +133,9 @@ static int read_over(void *to, const cli_given_t *option) {
     memcpy(axis->name, args->settings.list[axis->setting].name,
            sizeof axis->name);
   }
-  if (code == CLI_DONE && args->points > MOST_POINTS / axis->range.count) {
+  if (code == CLI_DONE && args->points > MAX_POINTS / axis->range.count) {
     code = cli_message(CLI_REFUSED, "--over %s: more than %llu points", text,
-                       MOST_POINTS);
+                       MAX_POINTS);
   }
   if (code == CLI_DONE) {
     args->points *= axis->range.count;
@@ -183,9 +199,12 @@ static const cli_option_t options[] = {
     {"--scheme", read_scheme, CLI_ONCE},
     {"--select", read_select, CLI_ONCE},
     {"--set", read_set, CLI_REPEATABLE},
+    {"--inputs", read_inputs, CLI_ONCE},
+    {"--between", read_between, CLI_ONCE},
     {"--shard", read_shard, CLI_ONCE},
     {"--out", read_out, CLI_ONCE},
     {"--resume", read_resume, CLI_FLAG},
+    {"--summary", read_summary, CLI_ONCE},
 };
 
 // Options that need each other, and defaults.
@@ -226,5 +245,8 @@ int cli_sweep_args(cli_sweep_args_t *args, int argc, char *const argv[]) {
   if (code == CLI_DONE) {
     code = cli_need_scene(args->scene, "sweep");
   }
-  return code == CLI_DONE ? check_together(args) : code;
+  code = code == CLI_DONE ? check_together(args) : code;
+  return code == CLI_DONE
+             ? cli_drive_read(&args->drive, args->scene, &args->drive_args)
+             : code;
 }

@@ -3,6 +3,7 @@
 #ifndef TWOFOLD_CLI_SWEEP_ARGS_H
 #define TWOFOLD_CLI_SWEEP_ARGS_H
 
+#include "../setup/drive.h"
 #include "../setup/scheme.h"
 #include "../setup/settings.h"
 #include "../text/range.h"
@@ -24,10 +25,12 @@ typedef struct {
   const tf_scene_t *scene;
   const cli_scheme_t *scheme;
   cli_settings_t settings; ///< the axes are among them, under --over
-  const char *select;      ///< RULE[:SEED], NULL: the scene's own rule
-  const char *out;         ///< path, NULL: standard output
-  tf_real_t t_end;         ///< [s]
-  const char *t_end_text;  ///< as typed, NULL: the scene's own
+  cli_drive_args_t drive_args;
+  cli_drive_t drive;      ///< of those
+  const char *select;     ///< RULE[:SEED], NULL: the scene's own rule
+  const char *out;        ///< path, NULL: standard output
+  tf_real_t t_end;        ///< [s]
+  const char *t_end_text; ///< as typed, NULL: the scene's own
   cli_axis_t axis[CLI_AXES];
   size_t axes;
   uint64_t points; ///< product of the axes
@@ -35,9 +38,11 @@ typedef struct {
   size_t measures;
   cli_shard_t shard;
   bool resume;
+  bool json; ///< the summary
 } cli_sweep_args_t;
 
-/// Reads the arguments after `sweep`.
+/// Reads the arguments after `sweep`, and the table of --inputs.
+/// args: out; its drive is to be freed, whatever is returned.
 /// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
 int cli_sweep_args(cli_sweep_args_t *args, int argc, char *const argv[]);
 

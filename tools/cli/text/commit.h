@@ -3,8 +3,21 @@
 #ifndef TWOFOLD_CLI_COMMIT_H
 #define TWOFOLD_CLI_COMMIT_H
 
+#include "twofold.h"
+
 /// Its short hash, with "-dirty" behind it where files had been changed;
 /// "unknown" where it was not compiled in a git work tree.
 extern const char *const cli_commit;
+
+#ifdef TF_REAL_FLOAT
+#define CLI_NUMBER_TYPE "float"
+#else
+#define CLI_NUMBER_TYPE "double"
+#endif
+
+/// Format of the members by which a JSON summary begins, for cli_commit.
+#define CLI_JSON_BUILD         \
+  "\"version\": \"" TF_VERSION \
+  "\", \"commit\": \"%s\", \"number\": \"" CLI_NUMBER_TYPE "\""
 
 #endif

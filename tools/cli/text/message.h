@@ -14,7 +14,7 @@ enum {
   CLI_USAGE = 2,   ///< unknown command, option or name, or unreadable number
   CLI_REFUSED = 3, ///< a value was read but lies outside its range
   CLI_STOPPED = 4, ///< interrupted, refused by a step, or not writable
-  CLI_DOUBTED = 5, ///< all was done, and some steps said that they cannot be
+  CLI_FLAGGED = 5, ///< all was done, and some steps said that they cannot be
                    ///< trusted to their bound: degraded, or coarse
   CLI_DAMAGED = 6  ///< all that came was read, and frames were lost or broken,
                    ///< or a value is not finite

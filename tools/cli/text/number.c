@@ -4,7 +4,7 @@
 // leading blanks, "1x", and "1e-999" as 0; each of them is a typing error that
 // must not start a run. "nan", "inf" and "1e999", which is read as infinite,
 // are numbers: they are refused later by the range of the value, whose message
-// tells what is allowed. The text is read directly into tf_real_t, because a
+// says what is allowed. The text is read directly into tf_real_t, because a
 // decimal rounded to double and then to float may end at a different float.
 //
 // Out: the fewest digits that read back to the same bits. Any decimal of

@@ -87,6 +87,14 @@ int cli_read_path(const cli_given_t *given, const char **out) {
   return CLI_DONE;
 }
 
+int cli_read_summary(const cli_given_t *given, bool *json) {
+  *json = strcmp(given->value, "json") == 0;
+  return *json || strcmp(given->value, "text") == 0
+             ? CLI_DONE
+             : cli_message(CLI_USAGE, "%s %s: must be text or json",
+                           given->name, given->value);
+}
+
 int cli_read_count(const cli_given_t *given, uint64_t low, uint64_t high,
                    uint64_t *out) {
   if (cli_read_whole(given->value, low, high, out)) {

@@ -4,6 +4,7 @@
 #ifndef TWOFOLD_CLI_OPTIONS_H
 #define TWOFOLD_CLI_OPTIONS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -45,6 +46,10 @@ int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
 /// Stores the name of a file, which must not be empty.
 /// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_read_path(const cli_given_t *given, const char **out);
+
+/// Stores whether the summary is to be JSON: `text` or `json`.
+/// Returns: CLI_DONE, or CLI_USAGE after a message.
+int cli_read_summary(const cli_given_t *given, bool *json);
 
 /// Stores an integer in [low, high].
 /// Returns: CLI_DONE, or CLI_USAGE after a message.

@@ -9,7 +9,9 @@
 #include "message.h"
 #include "number.h"
 
-#define MOST_SHARDS 1000000000000000u
+#define MAX_SHARDS 1000000000000000u
+
+const cli_shard_t cli_whole_shard = {1, 1};
 
 int cli_read_shard(const cli_given_t *given, cli_shard_t *shard) {
   char first[CLI_REAL_ROOM];
@@ -18,8 +20,8 @@ int cli_read_shard(const cli_given_t *given, cli_shard_t *shard) {
   (void)snprintf(first, sizeof first, "%.*s",
                  (int)(length < sizeof first ? length : sizeof first - 1),
                  given->value);
-  if (*second != '/' || !cli_read_whole(first, 0, MOST_SHARDS, &shard->index) ||
-      !cli_read_whole(second + 1, 0, MOST_SHARDS, &shard->of)) {
+  if (*second != '/' || !cli_read_whole(first, 0, MAX_SHARDS, &shard->index) ||
+      !cli_read_whole(second + 1, 0, MAX_SHARDS, &shard->of)) {
     return cli_message(CLI_USAGE, "%s %s: expected I/N, two whole numbers",
                        given->name, given->value);
   }

@@ -12,6 +12,9 @@ typedef struct {
   uint64_t index, of;
 } cli_shard_t;
 
+/// All of the work.
+extern const cli_shard_t cli_whole_shard;
+
 /// Reads I/N.
 /// Returns: CLI_DONE; after a message CLI_USAGE, or CLI_REFUSED where I does
 /// not lie in [1, N].

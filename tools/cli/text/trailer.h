@@ -12,13 +12,18 @@
 typedef struct {
   uint64_t rows; ///< lines without the header
   uint32_t crc;  ///< CRC-32 of zlib over all bytes, the header's included
+  uint32_t run;  ///< the same in all shards of a run, another one in others
 } cli_trailer_t;
 
 /// Counts lines that are written. rows: how many rows they are.
 void cli_trailer_add(cli_trailer_t *trailer, const char *lines, size_t length,
                      uint64_t rows);
 
-/// Writes the comment `# shard I/N: ROWS rows, crc32 CRC` and a newline.
+/// Names the run by the CRC-32 of a text that all of its shards share.
+void cli_trailer_name(cli_trailer_t *trailer, const char *text, size_t length);
+
+/// Writes the comment `# shard I/N: ROWS rows, crc32 CRC, run RUN` and a
+/// newline.
 /// Returns: the length.
 size_t cli_trailer_line(const cli_trailer_t *trailer, const cli_shard_t *shard,
                         char out[CLI_TRAILER_ROOM]);

@@ -22,9 +22,6 @@ from pathlib import Path
 import numpy as np
 
 __version__ = "@VERSION@"
-MODES = ("slip+", "slip-", "stick+", "stick-", "pinned")
-LAWS = ("jump", "coulomb", "two_piece", "string", "smooth", "none")
-RULES = ("persist", "slip+", "slip-", "random")
 LANES = 16
 NO_MODE = 5
 LAYOUT = ("params", "law", "rule", "with_angle", "machine", "state", "input",
@@ -33,6 +30,17 @@ LAYOUT = ("params", "law", "rule", "with_angle", "machine", "state", "input",
 
 _shared = ctypes.CDLL(str(Path(__file__).with_name(
     "_twofold" + sysconfig.get_config_var("EXT_SUFFIX"))))
+
+
+def _names(function, count):
+    name = getattr(_shared, f"{function}_f64")
+    name.argtypes, name.restype = [c_uint], c_char_p
+    return tuple(name(i).decode() for i in range(count))
+
+
+MODES = _names("tf_mode_name", 5)
+LAWS = _names("tf_tyre_law_name", 6)
+RULES = _names("tf_rule_name", 4)
 
 
 class _Core:
@@ -100,9 +108,9 @@ class _Core:
         for name, result, arguments in (
                 ("tf_prepare", c_int, (any_, any_, POINTER(c_int))),
                 ("tf_input_default", self.Input, (any_,)),
-                ("tf_speed_for_slip", c_int,
-                 (any_, real, real, real, real, POINTER(real))),
                 ("tf_begin", c_int, (any_, state, input_, report)),
+                ("tf_begin_with_slip", c_int,
+                 (any_, state, input_, real, report)),
                 ("tf_scene_start", c_int,
                  (any_, any_, c_uint32, state, report)),
                 ("tf_energy", real, (any_, state, real)),
@@ -229,25 +237,18 @@ class Machine:
         speed of the slider v [m/s], or with a slip speed h [m/s] instead."""
         if (v is None) == (h is None):
             raise ValueError("either v or h is to be given")
-        state = self._placed(r, omega, v, h)
-        report = self.core.new_report()
-        self.core.fail(self.core.call_begin(
-            self._machine, byref(state), byref(self.input()), report),
-            "place")
-        self.state, self.report = state, report
+        self.state, self.report = self._begun(r, omega, v, h, self.seed,
+                                              "place")
 
-    def _placed(self, r, omega, v, h):
-        state = self.core.State(r=r, w=omega, v=v or 0, seed=self.seed,
+    def _begun(self, r, omega, v, h, seed, what):
+        state = self.core.State(r=r, w=omega, v=v or 0, seed=seed,
                                 mode=NO_MODE)
-        if h is not None:
-            speed = self.core.real()
-            self.core.fail(self.core.call_speed_for_slip(
-                self._machine, r, omega, self.input().omega0, h, byref(speed)),
-                "place")
-            state.v = speed.value
-            if h != 0:
-                state.mode = int(h < 0)
-        return state
+        report, input_ = self.core.new_report(), byref(self.input())
+        self.core.fail(
+            self.core.call_begin(self._machine, byref(state), input_, report)
+            if h is None else self.core.call_begin_with_slip(
+                self._machine, byref(state), input_, h, report), what)
+        return state, report
 
     def input(self, **changed):
         """The inputs of a machine that nothing drives, with changes: omega0
@@ -335,12 +336,9 @@ class Ensemble:
                 given, (float(a.flat[i]) for a in arrays))))
 
     def _begin(self, i, seed, place):
-        state = self.machine._placed(place["r"], place["omega"],
-                                     place.get("v"), place.get("h"))
-        state.seed = seed
-        self.core.fail(self.core.call_begin(
-            self.machine._machine, byref(state), byref(self.machine.input()),
-            self.core.new_report()), f"state {i}")
+        state, _ = self.machine._begun(
+            place["r"], place["omega"], place.get("v"), place.get("h"), seed,
+            f"state {i}")
         self.core.call_ensemble_put(self.states.ctypes.data, i, byref(state))
 
     def step(self, steps=1, inputs=None):

@@ -44,6 +44,53 @@ include /usr/share/arduino/Arduino.mk
 """
 
 
+# Of ESP-IDF what a project calls, as docs of its build system tell: first every
+# component is read as a script, which ends where it is registered, to find what
+# it requires; then it is added, in a scope of its own.
+IDF = {
+    "tools/cmake/project.cmake": """\
+macro(project name)
+  foreach(part ${COMPONENT} ${CMAKE_SOURCE_DIR}/main)
+    execute_process(COMMAND ${CMAKE_COMMAND} -DPART=${part}
+      -P $ENV{IDF_PATH}/scan.cmake RESULT_VARIABLE code)
+    if(code)
+      message(FATAL_ERROR "${part} is no script")
+    endif()
+  endforeach()
+  _project(${name} C)
+  include($ENV{IDF_PATH}/component.cmake)
+  add_subdirectory(${COMPONENT} twofold)
+  add_subdirectory(main)
+endmacro()
+""",
+    "scan.cmake": """\
+macro(idf_component_register)
+  cmake_parse_arguments(IDF "" "" "SRCS;INCLUDE_DIRS;REQUIRES" ${ARGN})
+  message("requires ${IDF_REQUIRES}")
+  return()
+endmacro()
+include(${PART}/CMakeLists.txt)
+""",
+    "component.cmake": """\
+macro(idf_component_register)
+  cmake_parse_arguments(IDF "" "" "SRCS;INCLUDE_DIRS;REQUIRES" ${ARGN})
+  get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  set(COMPONENT_LIB __idf_${name})
+  add_library(${COMPONENT_LIB} STATIC ${IDF_SRCS})
+  target_include_directories(${COMPONENT_LIB} PUBLIC ${IDF_INCLUDE_DIRS}
+    PRIVATE $ENV{IDF_PATH}/headers)
+  foreach(other ${IDF_REQUIRES})
+    target_link_libraries(${COMPONENT_LIB} PUBLIC __idf_${other})
+  endforeach()
+endmacro()
+""",
+    "headers/freertos/FreeRTOS.h":
+        "#pragma once\n#define pdMS_TO_TICKS(ms) (ms)\n",
+    "headers/freertos/task.h":
+        "#pragma once\nvoid vTaskDelay(unsigned ticks);\n",
+}
+
+
 def properties():
     """library.properties by the rules of the specification."""
     library = DIST / "arduino/twofold"
@@ -197,8 +244,10 @@ def stand_in(name, commands, package, headers, compiler):
 
 
 def esp_idf():
-    """The component and its example compile for the chip of an ESP32-C3, in
-    gnu17 as ESP-IDF does."""
+    """The project of the example, as it is, compiles for the chip of an
+    ESP32-C3 against a stand-in of ESP-IDF: scanned and added as that does, in
+    gnu17."""
+    need("cmake", "cmake")
     compiler = need("riscv64-unknown-elf-gcc", "gcc-riscv64-unknown-elf")
     component = DIST / "esp-idf/twofold"
     manifest = (component / "idf_component.yml").read_text()
@@ -208,17 +257,27 @@ def esp_idf():
     if "/" not in run(compiler, f"-print-file-name={picolibc[0]}"):
         raise Missing(f"picolibc is missing (Debian: apt-get install "
                       f"{picolibc[1]})")
-    stand_in(
-        "esp-idf",
-        "macro(idf_component_register)\n"
-        "  cmake_parse_arguments(IDF \"\" \"\" \"SRCS;INCLUDE_DIRS\" ${ARGN})\n"
-        "  set(COMPONENT_LIB twofold)\n"
-        "  add_library(twofold STATIC ${IDF_SRCS})\n"
-        "  target_include_directories(twofold PUBLIC ${IDF_INCLUDE_DIRS})\n"
-        "endmacro()", ".",
-        {"freertos/FreeRTOS.h": "#define pdMS_TO_TICKS(ms) (ms)\n",
-         "freertos/task.h": "void vTaskDelay(unsigned ticks);\n"},
-        [compiler, "-march=rv32imc", "-mabi=ilp32", "-specs=picolibc.specs"])
+    place, example = folder("esp-idf"), component / "examples/chaos"
+    override = re.search(r'override_path: "(.+)"',
+                         (example / "main/idf_component.yml").read_text())
+    equal("the component that the example names",
+          (example / "main" / override[1]).resolve(), component.resolve())
+    for path, text in IDF.items():
+        (place / path).parent.mkdir(parents=True, exist_ok=True)
+        (place / path).write_text(text)
+    said = run(
+        "cmake", "-S", example, "-B", place / "built", "-G", "Unix Makefiles",
+        f"-DCMAKE_C_COMPILER={compiler}", "-DCMAKE_SYSTEM_NAME=Generic",
+        "-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY",
+        f"-DCOMPONENT={component.resolve()}",
+        "-DCMAKE_C_FLAGS=-march=rv32imc -mabi=ilp32 -specs=picolibc.specs "
+        "-std=gnu17 -Os -Wall -Wextra -Werror",
+        env={"IDF_PATH": str(place)})
+    if "requires twofold" not in said:
+        raise Wrong(f"the scan of the example does not find twofold: {said}")
+    said = run("cmake", "--build", place / "built", "--verbose")
+    if "TF_REAL_FLOAT" not in said:
+        raise Wrong("the package is not compiled in float")
 
 
 def zephyr():

@@ -68,7 +68,7 @@ def folder(name):
 
 
 def version():
-    """TF_VERSION, as the program tells it."""
+    """TF_VERSION, as the program prints it."""
     return run(TWOFOLD, "--version").split()[1].rstrip(",")
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -B
 """Tests of the packages, each as its user would try it: run.py [NAME...]. What
-a test lacks is said, with the package that has it; such a test has not passed
-and is told from one that failed. The last line is the sum."""
+a test needs and does not find is named, with its package; such a test counts
+neither as passed nor as failed. The last line is the sum."""
 import os
 import sys
 
@@ -34,7 +34,7 @@ def main(names):
             print(f"ok       {name}")
         sys.stdout.flush()
     if missing:
-        print(f"{missing} not tried, for lack of what is named above")
+        print(f"{missing} not tried, because what is named above is missing")
     print(f"{passed} passed, {failed} failed")
     # Where .ci/required holds, nothing may be missing.
     sys.exit(failed > 0 or passed == 0

@@ -11,30 +11,30 @@ namespace {
 class Simulation {
  public:
   explicit Simulation(const tf_scene_t &scene) : scene_(scene) {
-    if (tf_session_open(&session_, &scene_, &scene_.params, 1) != TF_OK)
+    if (tf_simulation_open(&simulation_, &scene_, &scene_.params, 1) != TF_OK)
       throw std::runtime_error("refused");
   }
 
   void step() {
-    const tf_input_t input = tf_session_input(&session_, &scene_);
-    if (tf_step(&session_.machine, &session_.state, &input, &session_.report) <
+    const tf_input_t input = tf_simulation_input(&simulation_, &scene_);
+    if (tf_step(&simulation_.machine, &simulation_.state, &input, &simulation_.report) <
         0)
-      throw std::runtime_error(tf_status_name(session_.report.status));
+      throw std::runtime_error(tf_status_name(simulation_.report.status));
   }
 
   int two_folds() const {
     std::array<tf_surface_point_t, TF_TWO_FOLDS> points;
-    const tf_input_t input = tf_input_default(&session_.machine);
+    const tf_input_t input = tf_input_default(&simulation_.machine);
     int count = 0;
-    tf_two_folds(&session_.machine, &input, points.data(), &count, nullptr);
+    tf_two_folds(&simulation_.machine, &input, points.data(), &count, nullptr);
     return count;
   }
 
-  const tf_state_t &state() const { return session_.state; }
+  const tf_state_t &state() const { return simulation_.state; }
 
  private:
   const tf_scene_t &scene_;
-  tf_session_t session_ = tf_session_t();
+  tf_simulation_t simulation_ = tf_simulation_t();
 };
 
 } // namespace

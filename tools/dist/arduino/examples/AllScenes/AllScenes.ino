@@ -2,7 +2,7 @@
 // KB of flash or more, as a Mega. Rows are for the serial plotter.
 #include <twofold.h>
 
-static tf_session_t session;
+static tf_simulation_t simulation;
 static uint8_t chosen;
 static unsigned long due;
 
@@ -11,7 +11,7 @@ static void open_scene() {
   tf_params_t params = scene->params;
   params.dt = 1e-3f;
   Serial.println(scene->name);
-  if (tf_session_open(&session, scene, &params, 1) != TF_OK) {
+  if (tf_simulation_open(&simulation, scene, &params, 1) != TF_OK) {
     Serial.println(F("refused"));
   }
 }
@@ -22,19 +22,19 @@ void setup() {
 }
 
 void loop() {
-  const tf_input_t input = tf_session_input(&session, tf_scenes[chosen]);
+  const tf_input_t input = tf_simulation_input(&simulation, tf_scenes[chosen]);
   const tf_status_t status =
-      tf_step(&session.machine, &session.state, &input, &session.report);
-  if (status < 0 || session.state.tick >= 10000) {
+      tf_step(&simulation.machine, &simulation.state, &input, &simulation.report);
+  if (status < 0 || simulation.state.tick >= 10000) {
     chosen = (chosen + 1) % TF_SCENES;
     open_scene();
   }
   if (millis() - due < 20) return;
   due = millis();
   Serial.print(F("r:"));
-  Serial.print((double)session.state.r, 6);
+  Serial.print((double)simulation.state.r, 6);
   Serial.print(F(" omega:"));
-  Serial.print((double)session.state.w, 6);
+  Serial.print((double)simulation.state.w, 6);
   Serial.print(F(" mode:"));
-  Serial.println(session.report.mode);
+  Serial.println(simulation.report.mode);
 }

@@ -1,0 +1,153 @@
+/* The stick behind a two-fold that `diverge` follows: for designs of case 1 of
+ * the paper, from the whole window of its figure 4, it is computed or its
+ * failure has a name; where it is computed the core says that it is stick, in
+ * the escaping region, and that it comes from the two-fold. */
+#include "sample.h"
+/* Of the command line, which tests are not linked with. */
+#include "../../tools/cli/diverge/canard.c"       /* NOLINT */
+#include "../../tools/cli/diverge/vector_field.c" /* NOLINT */
+
+static tf_machine_t machine;
+static cli_two_fold_t through;
+static cli_canard_t canard;
+static double end; /* of the stay that is judged: the last node [s] */
+
+/* Whether scene `chaos` with a two-fold at (r, w) instead of its own has one
+ * of case 1 there; puts it into `machine`. */
+static bool is_case_1(double r, double w) {
+  tf_params_t params = tf_scenes[0]->params;
+  const tf_machine_t scene = prepared(&params);
+  const tf_input_t input = tf_input_default(&scene);
+  tf_design_t design;
+  if (tf_design_two_fold(&scene, &input, (tf_real_t)r, (tf_real_t)w, &design) !=
+          TF_OK ||
+      design.two_fold.paper_case != 1)
+    return false;
+  params.kappa = design.kappa;
+  params.k2 = design.k2;
+  return tf_prepare(&machine, &params, NULL) == TF_OK;
+}
+
+/* The canard against the core at a time after the two-fold. */
+static void judge_at(double t) {
+  const double dt = 1e-3 * fmin(t, end - t);
+  cli_point_t before, at, after;
+  tf_surface_t surface;
+  double reached = 0;
+  CHECK(cli_canard_after(&canard, t - dt, &before, &reached));
+  CHECK(cli_canard_after(&canard, t + dt, &after, &reached));
+  CHECK(cli_canard_after(&canard, t, &at, &reached) && reached == t);
+  const tf_state_t x = cli_state_at(&machine, at);
+  const tf_input_t input = tf_input_default(&machine);
+  CHECK(tf_surface_at(&machine, &input, x.r, x.v, x.w, &surface) == TF_OK);
+  /* Stick that tends to rest at h = g = 0: the core does not know its g. */
+  if (fabs((double)surface.slip.g) < 64 * (double)TF_REAL_EPSILON) return;
+  CHECK(surface.delassus < 0 && (double)surface.slip.g * canard.s > 0);
+  CHECK(fabs((double)surface.lambda) < 1.001 * (double)machine.tyre.mu);
+  const double rate[] = {(after.r - before.r) / (2 * dt),
+                         (after.z - before.z) / (2 * dt)};
+  const double A = (double)surface.delassus;
+  const double tolerance = IS_DOUBLE ? 1e-4 : 1e-2;
+  const double slow = fabs(canard.z / end);
+  const double rounding = 64 * (double)TF_REAL_EPSILON * (1 + 1 / fabs(A));
+  CHECK_NEAR(rate[0], (double)surface.scaled.r / A,
+             tolerance * (fabs(rate[0]) + fabs(canard.v)) + rounding);
+  CHECK_NEAR(
+      rate[1], (double)surface.scaled.w / A,
+      tolerance * (fabs(rate[1]) + fabs(canard.slope * canard.v) + slow) +
+          rounding);
+}
+
+/* Near the two-fold the canard is its tangent, and it ends at its end. */
+static void judge_ends(void) {
+  cli_point_t at;
+  double reached = 0;
+  const double t = 1e-4 * end;
+  CHECK(cli_canard_after(&canard, t, &at, &reached));
+  CHECK_NEAR(at.r, canard.r + canard.v * t, 0.01 * fabs(canard.v) * t);
+  CHECK_NEAR(at.z - canard.z, canard.slope * canard.v * t,
+             0.01 * (fabs(canard.slope * canard.v) + fabs(canard.z / end)) * t);
+}
+
+/* Draws designs of case 1 from a window. Returns the share that is followed;
+ * the others have a name for it. */
+static double followed(double r_least, double r_most, double w_least,
+                       double w_most) {
+  int drawn = 0, solved = 0;
+  double largest = 0;
+  while (drawn < 100) {
+    const double r = tap_uniform(r_least, r_most);
+    if (!is_case_1(r, tap_uniform(w_least, w_most))) continue;
+    drawn++;
+    CHECK(cli_find_two_fold(&machine, &through));
+    largest = fmax(largest, through.ratio);
+    const cli_canard_status_t status =
+        cli_canard_solve(&machine, &through, &canard);
+    if (status != CLI_CANARD_SOLVED) {
+      CHECK(strlen(cli_canard_failure(status)) > 20);
+      continue;
+    }
+    solved++;
+    end = canard.node[0].t;
+    judge_ends();
+    for (int i = 1; i < 8; i++) judge_at(i * end / 8);
+  }
+  printf("# r %g to %g, omega %g to %g: %d of %d followed, ratio up to %g\n",
+         r_least, r_most, w_least, w_most, solved, drawn, largest);
+  return (double)solved / drawn;
+}
+
+TEST(designs_near_the_paper_are_all_followed) {
+  CHECK(followed(0.16, 0.22, -1.2, -1.005) == 1);
+}
+
+TEST(designs_of_figure_4_are_followed_or_say_why) {
+  CHECK(followed(0.005, 1, -3, 1) > 0.95);
+}
+
+/* Of other masses, angles, springs and friction, too. */
+TEST(random_machines_are_followed_or_say_why) {
+  int drawn = 0, solved = 0;
+  while (drawn < 100) {
+    const sample_t c = random_two_fold();
+    if (c.design.two_fold.paper_case != 1 ||
+        !cli_find_two_fold(&c.machine, &through))
+      continue;
+    drawn++;
+    const cli_canard_status_t status =
+        cli_canard_solve(&c.machine, &through, &canard);
+    CHECK(status == CLI_CANARD_SOLVED || through.ratio > 1000);
+    if (status != CLI_CANARD_SOLVED) continue;
+    solved++;
+    for (int i = 1; i < 8; i++) {
+      cli_point_t at;
+      double reached = 0;
+      CHECK(cli_canard_after(&canard, i * canard.node[0].t / 8, &at, &reached));
+      const double A = cli_delassus(&c.machine, at.r, canard.s);
+      CHECK(A < 0 && canard.s * (double)cli_slip_at(&c.machine, at).g > 0);
+      CHECK(fabs(cli_free_slip_rate(&c.machine, at) / A) <
+            1.001 * (double)c.machine.tyre.mu);
+    }
+  }
+  printf("# random machines: %d of %d followed\n", solved, drawn);
+}
+
+/* A two-fold next to g = 0: its eigenvalues are too different. */
+TEST(a_stiff_two_fold_is_a_failure_with_a_name) {
+  CHECK(is_case_1(0.1859, -1.0002));
+  CHECK(cli_find_two_fold(&machine, &through));
+  CHECK(through.ratio > 2048);
+  const cli_canard_status_t status =
+      cli_canard_solve(&machine, &through, &canard);
+  CHECK(status == CLI_CANARD_STIFF);
+  CHECK(strstr(cli_canard_failure(status), "eigenvalues") != NULL);
+}
+
+int main(int argc, char **argv) {
+  tap_begin(argc, argv);
+  RUN(designs_near_the_paper_are_all_followed);
+  RUN(designs_of_figure_4_are_followed_or_say_why);
+  RUN(random_machines_are_followed_or_say_why);
+  RUN(a_stiff_two_fold_is_a_failure_with_a_name);
+  return tap_end();
+}

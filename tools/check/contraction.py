@@ -1,0 +1,82 @@
+#!/usr/bin/python3 -B
+"""Bits under foreign build systems: compiled in gnu mode with none of the
+project's flags, the core has no fused operation on five targets that have
+them, the golden hashes hold, and each option that changes bits and that a
+macro shows is refused. A control shows that each count can see one."""
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from findings import BUILD, DEFINES, ROOT, build, checked, need, wrong
+
+WORK = BUILD.absolute() / "contraction"
+FUSED = re.compile(r"\s(?:vfn?m[as]\.|vfn?m(?:add|sub)|fn?m(?:add|sub)\.)")
+CONTROL = """double f(double a, double b, double c) { return a * b + c; }
+float g(float a, float b, float c) { return a * b + c; }
+"""
+# The types that a target computes in hardware, its compiler and options.
+BOTH = tuple(DEFINES)
+TARGETS = (
+    (("float",), "arm-none-eabi-gcc -mcpu=cortex-m33 -mfloat-abi=hard"),
+    (BOTH, "arm-none-eabi-gcc -mcpu=cortex-m7 -mfloat-abi=hard"),
+    (("float",), "arm-none-eabi-gcc -mcpu=cortex-m4 -mfloat-abi=hard"),
+    (("float",), "riscv64-unknown-elf-gcc -ffreestanding -march=rv32imafc "
+                 "-mabi=ilp32f"),
+    (BOTH, "gcc -march=haswell"),
+    (("double",), "gcc -march=haswell -ffp-contract=fast"),
+    (BOTH, "clang -march=haswell"))
+REFUSED = (
+    "gcc -Ofast", "gcc -ffast-math", "gcc -funsafe-math-optimizations",
+    "gcc -fassociative-math -fno-signed-zeros -fno-trapping-math",
+    "gcc -freciprocal-math", "gcc -ffinite-math-only", "gcc -fno-signed-zeros",
+    "gcc -fsingle-precision-constant", "gcc -mfpmath=387", "clang -Ofast",
+    "clang -ffast-math", "clang -ffinite-math-only")
+
+
+def fused(compiler, *arguments):
+    """How many fused operations a compiler makes; None where it fails."""
+    for old in WORK.glob("*.s"):
+        old.unlink()
+    if subprocess.run([*compiler.split(), "-S", f"-I{ROOT}/include", "-O2",
+                       "-std=gnu17", *arguments], cwd=WORK,
+                      check=False).returncode:
+        return None
+    return sum(len(FUSED.findall(file.read_text()))
+               for file in WORK.glob("*.s"))
+
+
+for tool, package in (
+        ("gcc", "gcc"), ("clang", "clang"),
+        ("arm-none-eabi-gcc", "gcc-arm-none-eabi"),
+        ("riscv64-unknown-elf-gcc", "gcc-riscv64-unknown-elf")):
+    need(tool, package)
+shutil.rmtree(WORK, ignore_errors=True)
+WORK.mkdir(parents=True)
+(WORK / "control.c").write_text(CONTROL)
+sources = sorted((ROOT / "src").rglob("*.c"))
+for reals, target in TARGETS:
+    for real in reals:
+        found = fused(target, DEFINES[real], *sources)
+        if found != 0:
+            wrong(f"{target}, {real}: {found} fused operations")
+    if not fused(target, "-ffp-contract=fast", "control.c"):
+        wrong(f"{target}: the control has none")
+
+# The golden hashes, in gnu mode, on what this processor has.
+FLAGS = "-std=gnu17 -O2 -march=native -Iinclude"
+for one in ("gcc", "clang"):
+    if not build(f"CC={one}", f"BUILD={WORK}/{one}",
+                 "TESTS=tests/golden/test_golden.c "
+                 "tests/golden/test_population.c", f"CORE_FLAGS={FLAGS}",
+                 f"TEST_FLAGS={FLAGS} -Itests -Itests/support -Isrc", "test"):
+        wrong(f"{one}: other golden hashes in gnu mode")
+
+for line in REFUSED:
+    if subprocess.run([*line.split(), "-c", "-Iinclude", "src/moreau/step.c",
+                       "-o", WORK / "step.o"], stderr=subprocess.DEVNULL,
+                      check=False).returncode == 0:
+        wrong(f"{line} is not refused")
+checked("no fused operation in gnu mode on M33, M7, M4F, rv32imafc and x86, "
+        f"golden hashes hold by gcc and clang, {len(REFUSED)} options are "
+        "refused")

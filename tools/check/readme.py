@@ -1,0 +1,213 @@
+#!/usr/bin/python3 -B
+"""README.md: at most 120 lines; its C program compiles without a warning
+against the library in both real types, runs and prints what is said; its
+commands are those that continuous integration runs; the lines of "use it from"
+run; each promise names a test that exists. What the documents link to is
+there. In docs/PAPER.md each label, function and test is there, and each command
+prints what is quoted."""
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from findings import BUILD, DEFINES, checked, in_common, quietly, wrong
+
+PLACE = BUILD / "gcc-O3"  # that of `setting gcc -O3` in lib.sh
+STRICT = ("-std=c99 -O2 -Wall -Wextra -pedantic -Wconversion "
+          "-Wdouble-promotion -Werror -ffp-contract=off -Iinclude").split()
+PROGRAM, DEMO = BUILD / "readme.c", BUILD / "demo"
+TESTS = "\n".join(path.read_text() for path in Path("tests").rglob("*.[ch]"))
+text = Path("README.md").read_text()
+
+
+def make(*arguments):
+    return in_common(PLACE, "gcc", "-O3", *arguments)
+
+
+def printed(program):
+    """What a program prints; None where it fails."""
+    done = subprocess.run([program], stdout=subprocess.PIPE, text=True,
+                          check=False)
+    return None if done.returncode else done.stdout
+
+
+def section(begin, end):
+    """Of the document, from a line that begins so up to another."""
+    return (re.search(rf"^{begin}.*?(?=^{end})", text, re.M | re.S) or [""])[0]
+
+
+def judge_program():
+    """In both real types with warnings; then by the line that compiles it, as
+    the reader would type it. Returns what it prints."""
+    for real, define in DEFINES.items():
+        library = PLACE / real / "libtwofold.a"
+        if not make(library):
+            wrong(f"{library} does not compile")
+        program = BUILD / f"readme-{real}"
+        if not quietly("gcc", *STRICT, define, PROGRAM, library, "-o", program):
+            wrong(f"the program of README.md does not compile in {real}")
+        elif not printed(program):
+            wrong(f"the program of README.md prints nothing or fails in {real}")
+    line = (re.search(r"^    (gcc (?:.*\\\n)*.*)$", text, re.M) or ["", ""])[1]
+    if "-fno-math-errno" not in line:
+        wrong("README.md has no line with gcc, or no -fno-math-errno in it")
+    line = line.replace(" demo.c ", f" {PROGRAM} ").replace(
+        "-o demo", f"-o {BUILD}/readme-line")
+    if not quietly("sh", "-c", line):
+        wrong("the line of README.md does not compile its program")
+    said = printed(BUILD / "readme-line")
+    if printed(BUILD / "readme-double") != said:
+        wrong("the program prints otherwise when compiled by the line of "
+              "README.md")
+    claim = re.search(r"^It prints `([^`]*)`", text, re.M)
+    if not claim or claim[1] not in (said or "").splitlines():
+        wrong(f"the program does not print: {claim and claim[1]}")
+    return said
+
+
+def judge_uses(said):
+    """The table of what it can be used from: its lines as the reader would type
+    them, in a build that checks share and a home of their own. Where one makes
+    `demo`, it prints what the program prints."""
+    home = BUILD.absolute() / "readme-home"
+    for old in (home, PLACE / "py", PLACE / "demo"):
+        shutil.rmtree(old, ignore_errors=True)
+    if not make(PLACE / "double/twofold"):
+        wrong("the command line does not build")
+    table = section(r"\| use it from ", "$").replace(r"\|", "\0")
+    rows = table.splitlines()[2:]
+    uses = [found[1].replace("\0", "|") for found in (
+        re.match(r"\|[^|]*\| `([^`]*)`.*\|$", row) for row in rows) if found]
+    if not uses or len(uses) != len(rows):
+        wrong("README.md: each use is a row | from | `line` |")
+    functions = (
+        f'make() {{ flock {PLACE}.lock "${{MAKE:-make}}" --no-print-directory '
+        f'CC=gcc OPT=-O3 BUILD={PLACE} EXTRA=-Werror "$@"; }}\n'
+        'pip() { /usr/bin/python3 -m pip "$@"; }\n')
+    environment = {**os.environ, "HOME": str(home)}
+    environment.pop("PKG_CONFIG_PATH", None)  # the line says what it needs
+    for use in uses:
+        line = re.sub(r"-o demo$", f"-o {DEMO}", use.replace(
+            "build/", f"{PLACE}/").replace(" demo.c", f" {PROGRAM}"))
+        DEMO.unlink(missing_ok=True)
+        if not quietly("sh", "-c", functions + line, env=environment,
+                       stdin=subprocess.DEVNULL):
+            wrong(f"README.md: this line fails: {use}")
+        elif line.endswith(f"-o {DEMO}") and printed(DEMO) != said:
+            wrong(f"the program prints otherwise when compiled by {use}")
+    return uses
+
+
+def judge_promises():
+    """The last column of the table: a test, or a file of tests, in every
+    row."""
+    rows = [line for line in section("## Promises", "## More").splitlines()
+            if line.startswith("|")][2:]
+    tests = [found[1] for found in (
+        re.match(r"\| [^|]* \| `([^`]*)` \|$", row) for row in rows) if found]
+    if not tests or len(tests) != len(rows):
+        wrong("README.md: each promise is a row | promise | `test` |")
+    for test in tests:
+        if not Path(test).is_file() and not re.search(
+                rf"^(?:TEST|LAW)\({re.escape(test)}\)", TESTS, re.M):
+            wrong(f"README.md promises by a test that does not exist: {test}")
+    return tests
+
+
+def judge_links():
+    """Of all documents, from where each lies."""
+    for document in [*Path().glob("*.md"), *Path("docs").glob("*.md")]:
+        for target in re.findall(r"\]\(([^)#:\n]+)\)", document.read_text()):
+            if not (document.parent / target).exists():
+                wrong(f"a link leads nowhere: {document}: {target}")
+
+
+STATES = ("confirmed", "corrected", "open")
+COMMAND = re.compile(r"`twofold ([^`]*)`(?: prints `([^`]*)`)?")
+# A label of the paper, and the last one of several: (ds1)-(ds3).
+LABEL = re.compile(r"\((\w+)\)")
+
+
+def comments():
+    """Of all C files that may cite the paper."""
+    return "\n".join(
+        comment for room in ("src", "include", "tests", "tools")
+        for path in Path(room).rglob("*.[ch]")
+        for comment in re.findall(r"//.*|/\*.*?\*/", path.read_text(), re.S))
+
+
+def wrong_places(cell):
+    """Files that are not there, and names that those do not have."""
+    words = re.findall("`([^`]*)`", cell)
+    files = [Path(word) for word in words if "/" in word]
+    yield from (f"no {path}" for path in files if not path.is_file())
+    code = "\n".join(path.read_text() for path in files if path.is_file())
+    for name in (word for word in words if "/" not in word):
+        if not re.search(rf"\b{re.escape(name)}\b", code):
+            yield f"no {name} in {', '.join(map(str, files))}"
+
+
+def wrong_evidence(cell):
+    """Tests that are not run, and commands that fail or print otherwise."""
+    for command, text in COMMAND.findall(cell):
+        done = subprocess.run([PLACE / "double/twofold", *command.split()],
+                              stdout=subprocess.PIPE, text=True, check=False,
+                              stderr=subprocess.STDOUT)
+        if done.returncode or text not in done.stdout:
+            yield f"twofold {command} does not print {text}"
+    for name in re.findall(r"`(\w+)`", COMMAND.sub("", cell)):
+        if not re.search(rf"^  RUN\({name}\);", TESTS, re.M):
+            yield f"no test is run as {name}"
+
+
+def wrong_items(page, cited):
+    """What is wrong in the rows of the page; cited: comments of the code."""
+    equations = page.partition("## Figures")[0]
+    for row in re.findall(r"^\| (?!item)(.*) \|$", page, re.M):
+        cells = re.split(r" \| ", row)
+        if len(cells) != 4 or not cells[3].startswith(STATES):
+            yield f"{row[:40]}: item, code, evidence, {' or '.join(STATES)}"
+            continue
+        found = [*wrong_places(cells[1]), *wrong_evidence(cells[2])]
+        if row in equations and cells[1] != "-" and row[0] == "(":
+            found += [f"no comment cites ({label})"
+                      for label in LABEL.findall(cells[0])
+                      if f"({label})" not in cited]
+        yield from (f"{cells[0]}: {one}" for one in found)
+
+
+def judge_paper():
+    """The page, and first one with planted mistakes."""
+    page, cited = Path("docs/PAPER.md").read_text(), comments()
+    row = ("| (none) | `src/none.c`: `none` | `none`; `twofold scenes` prints "
+           "`none` | confirmed |")
+    planted = [*wrong_items(row + "\n| x | - | - | maybe |\n", cited)]
+    if len(planted) != 6:
+        wrong(f"of six planted mistakes in a row {planted} are found")
+    for one in wrong_items(page, cited):
+        wrong(f"docs/PAPER.md: {one}")
+    return page.count(" prints `")
+
+
+BUILD.mkdir(parents=True, exist_ok=True)
+lines = len(text.splitlines())
+if lines > 120:
+    wrong(f"README.md: {lines} lines, at most 120")
+for command in ("make run", "make test"):
+    if command not in text:
+        wrong(f"README.md does not say: {command}")
+if "make test" not in Path(".ci/run").read_text():
+    wrong(".ci/run does not run make test")
+PROGRAM.write_text((re.search(r"^```c\n(.*?)^```", text, re.M | re.S) or
+                    ["", ""])[1])
+if not PROGRAM.read_text():
+    wrong("README.md has no block ```c")
+used = judge_uses(judge_program())
+promised = judge_promises()
+judge_links()
+quoted = judge_paper()
+checked(f"{lines} lines, {len(promised)} promises with a test, links; its "
+        f"program of {len(PROGRAM.read_text().splitlines())} lines and "
+        f"{len(used)} uses run; {quoted} commands of docs/PAPER.md print "
+        "what it quotes")

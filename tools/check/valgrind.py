@@ -1,0 +1,96 @@
+#!/usr/bin/python3 -B
+"""Tests of both real types under valgrind's memcheck: what the sanitizers of
+gcc do not see is a decision by a value that was never set.
+
+    valgrind.py        the quick tests below, of the line, the session, the step
+                       and what is beside it
+    valgrind.py all    (`make valgrind`) every program; those that are not done
+                       in LIMIT seconds, as orbits of 1e6 steps and sweeps of
+                       random machines, are stopped and named
+"""
+import os
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from findings import BUILD, DEFINES, build, checked, need, quietly, wrong
+
+# Program, or program:test.
+FEW = """unit/link/test_protocol unit/link/test_link unit/link/test_text
+  unit/scene/test_simulation unit/scene/test_scene unit/model/test_prepare
+  unit/friction/test_select unit/friction/test_slip_residual
+  unit/link/test_frame:frames_survive_the_line
+  unit/link/test_frame:long_runs_stay_in_the_buffer
+  unit/link/test_frame:block_decoder_is_the_byte_decoder
+  unit/link/test_frame:lost_frames_are_counted
+  unit/link/test_frame:other_versions_and_lengths_are_counted
+  unit/moreau/test_begin:begin_at_codimension_two_is_pinned
+  unit/moreau/test_ensemble:ensemble_of_any_size
+  law/test_located_report:located_residual_is_that_of_the_law
+  law/test_located_report:located_event_at_the_end_of_a_step
+  law/test_extremes:overflow_of_a_slope_keeps_every_number_finite
+  regress/test_no_friction
+  regress/test_degraded:degraded_step_reports_the_consistent_set""".split()
+# It must find a decision by what was never set.
+SEED = """#include <stdlib.h>
+int main(void) {
+  int *seed = malloc(sizeof *seed);
+  const int is_seven = seed && *seed == 7;
+  free(seed);
+  return is_seven;
+}
+"""
+ROOM = BUILD / "valgrind"
+LIMIT = os.environ.get("LIMIT") or "60"
+MEMCHECK = ["valgrind", "-q", "--error-exitcode=99"]
+
+
+def judge_seed():
+    ROOM.mkdir(parents=True, exist_ok=True)
+    (ROOM / "seed.c").write_text(SEED)
+    if not quietly("gcc", "-g", "-O0", ROOM / "seed.c", "-o", ROOM / "seed"):
+        sys.exit(1)
+    if subprocess.run([*MEMCHECK, ROOM / "seed"], stderr=subprocess.DEVNULL,
+                      check=False).returncode != 99:
+        wrong("memcheck does not find a value that was never set")
+
+
+def run(real, test):
+    """Whether a test was stopped; what is found is printed."""
+    program, _, name = test.partition(":")
+    only = ["--only", name] if name else []
+    done = subprocess.run(
+        ["timeout", LIMIT, *MEMCHECK, "--leak-check=full",
+         ROOM / real / "tests" / program, *only], text=True, check=False,
+        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT)
+    lines = done.stdout.splitlines()
+    if done.returncode not in (0, 124) or any(
+            line.startswith("==") for line in lines):
+        wrong("\n".join([f"{real}: {test}: found by memcheck, or failed",
+                         *lines[-40:]]))
+        return False
+    if done.returncode == 124:
+        print(f"stopped after {LIMIT} s, nothing found: {real} {test}")
+    return done.returncode == 124
+
+
+need("valgrind", "valgrind")
+tests = FEW
+if sys.argv[1:] == ["all"]:
+    tests = sorted(str(path.relative_to("tests").with_suffix(""))
+                   for path in Path("tests").rglob("test_*.c"))
+judge_seed()
+runs = [(real, test) for real in DEFINES for test in tests]
+if not build("CC=gcc", f"BUILD={ROOM}", "OPT=-O1 -g", *sorted({
+        f"{ROOM}/{real}/tests/{test.partition(':')[0]}"
+        for real, test in runs})):
+    sys.exit(1)
+with ThreadPoolExecutor(int(os.environ.get("JOBS") or
+                            len(os.sched_getaffinity(0)))) as pool:
+    stopped = sum(pool.map(lambda pair: run(*pair), runs))
+if stopped == len(runs):
+    wrong("nothing was done in time")
+checked(f"{len(runs)} runs of tests under memcheck, both real types; {stopped} "
+        f"stopped after {LIMIT} s; the seeded error is found")

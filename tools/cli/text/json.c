@@ -1,0 +1,84 @@
+// Text from outside may hold any byte, and JSON is UTF-8: a byte that is none
+// is replaced, as Unicode proposes.
+
+#include "json.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "number.h"
+
+void cli_put_number(const char *key, double value, bool is_float) {
+  char text[CLI_REAL_ROOM] = "null";
+  if (isfinite(value)) {
+    (void)cli_write_number(text, value, is_float);
+  }
+  (void)fprintf(stderr, "\"%s\": %s", key, text);
+}
+
+void cli_put_real(const char *key, tf_real_t value) {
+  cli_put_number(key, (double)value, sizeof value == sizeof(float));
+  (void)fputs(", ", stderr);
+}
+
+void cli_put_double(const char *key, double value) {
+  cli_put_number(key, value, false);
+  (void)fputs(", ", stderr);
+}
+
+void cli_put_null(const char *key) {
+  (void)fprintf(stderr, "\"%s\": null, ", key);
+}
+
+void cli_put_count(const char *key, uint64_t value) {
+  (void)fprintf(stderr, "\"%s\": %" PRIu64 ", ", key, value);
+}
+
+void cli_put_hash(const char *key, uint32_t value) {
+  (void)fprintf(stderr, "\"%s\": \"%08" PRIx32 "\", ", key, value);
+}
+
+void cli_put_word(const char *key, const char *word) {
+  (void)fprintf(stderr, "\"%s\": \"%s\", ", key, word);
+}
+
+// The length of the character that begins here; 0: it is not UTF-8.
+static size_t utf8_length(const char *text) {
+  static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+  const unsigned char lead = (unsigned char)*text;
+  const size_t length = lead < 0x80                   ? 1
+                        : lead >= 0xC0 && lead < 0xE0 ? 2
+                        : lead >= 0xE0 && lead < 0xF0 ? 3
+                        : lead >= 0xF0 && lead < 0xF8 ? 4
+                                                      : 0;
+  uint32_t code = length > 1 ? lead & (0xFFu >> (length + 1)) : lead;
+  for (size_t i = 1; i < length; i++) {
+    const unsigned char byte = (unsigned char)text[i]; // 0 at the end
+    if ((byte & 0xC0u) != 0x80) {
+      return 0;
+    }
+    code = code << 6 | (byte & 0x3Fu);
+  }
+  const bool surrogate = code >= 0xD800 && code < 0xE000;
+  return code >= least[length] && code <= 0x10FFFF && !surrogate ? length : 0;
+}
+
+void cli_put_text(const char *key, const char *text) {
+  (void)fprintf(stderr, "\"%s\": \"", key);
+  while (*text != '\0') {
+    const unsigned char byte = (unsigned char)*text;
+    const size_t length = utf8_length(text);
+    if (length == 0) {
+      (void)fputs("\\ufffd", stderr);
+    } else if (byte == '"' || byte == '\\') {
+      (void)fprintf(stderr, "\\%c", byte);
+    } else if (byte < ' ' || byte == 0x7F) {
+      (void)fprintf(stderr, "\\u%04x", (unsigned)byte);
+    } else {
+      (void)fwrite(text, 1, length, stderr);
+    }
+    text += length > 0 ? length : 1;
+  }
+  (void)fputs("\", ", stderr);
+}

@@ -1,0 +1,20 @@
+// Lines of a text file, of a length that has a bound.
+
+#include "lines.h"
+
+cli_line_t cli_read_line(FILE *file, char *out, size_t room) {
+  size_t used = 0;
+  int byte = getc(file);
+  if (byte == EOF) {
+    return CLI_LINE_END;
+  }
+  for (; byte != EOF && byte != '\n'; byte = getc(file)) {
+    if (byte == 0 || used + 1 == room) {
+      return CLI_LINE_BAD;
+    }
+    out[used++] = (char)byte;
+  }
+  used -= used > 0 && out[used - 1] == '\r';
+  out[used] = '\0';
+  return CLI_LINE;
+}
