@@ -172,16 +172,16 @@ LINE := $(if $(filter tests/line/test_line.c tests/line/test_hostile.c \
   $(foreach v,$(VARIANTS),$(BUILD)/$(v)/hil line-$(v)))
 LINE += $(if $(filter tests/line/test_own_scene.sh,$(TESTS)),own-scene)
 LINE += $(if $(filter tests/line/test_streams.sh,$(TESTS)),line-csv \
-  $(BUILD)/double/accepted)
+  line-plotter $(BUILD)/double/accepted)
 line_firmware = @MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf \
   BOARD=host CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' \
   SCENE=$(or $(2),chaos) RATE=1000 $(1)
 $(VARIANTS:%=line-%): line-%: $(BUILD)/%/constants
 	$(call line_firmware,REAL=$* EVERY=1 STEPS=0 FORMAT=frames UPLINK=yes \
 	  NAMED=-line)
-line-csv: $(BUILD)/float/constants
-	$(call line_firmware,REAL=float EVERY=5 STEPS=400 FORMAT=csv UPLINK= \
-	  NAMED=-csv)
+line-csv line-plotter: line-%: $(BUILD)/float/constants
+	$(call line_firmware,REAL=float EVERY=5 STEPS=400 FORMAT=$* UPLINK= \
+	  NAMED=-$*)
 $(BUILD)/double/accepted: $(BUILD)/double/tools/protocol/accepted.o \
     $(BUILD)/double/libtwofold.a
 	$(link)

@@ -18,7 +18,7 @@
 #elif defined(CSV)
 #include "telemetry_csv.h"
 #else
-#include "telemetry_text.h"
+#include "telemetry_plotter.h"
 #endif
 
 const loop_plan_t app_plan = {RATE, STEPS, EVERY, RATE, OVERRUN};

@@ -11,7 +11,7 @@
 #                    moreau
 #   RATE=1000        steps a second; dt is 1/RATE
 #   STEPS=0          how many; 0 without end
-#   FORMAT=text      or csv, or frames (docs/PROTOCOL.md)
+#   FORMAT=plotter   or csv, or frames (docs/PROTOCOL.md)
 #   UPLINK=          yes: takes commands (frames); else locked
 #   DEADMAN=         steps that inputs from the uplink hold, 0 without end; by
 #                    default those of half a second
@@ -29,7 +29,7 @@ BOARD ?= host
 REAL ?= float
 RATE ?= 1000
 STEPS ?= 0
-FORMAT ?= text
+FORMAT ?= plotter
 PROGRAM ?= firmware
 BOARD_OPT ?= -Os
 
@@ -79,7 +79,7 @@ BOARD_SCENE := $(or $(firstword $(BOARD_SCENES)),chaos)
 SCENE ?= $(BOARD_SCENE)
 
 ifneq ($(BOARD_SMALL),)
-ifneq ($(filter generic,$(SCENE))$(filter-out text csv,$(FORMAT))$(UPLINK),)
+ifneq ($(filter generic,$(SCENE))$(filter-out plotter csv,$(FORMAT))$(UPLINK),)
 $(error $(BOARD) takes one scene and text or CSV, locked: docs/PORTS.md)
 endif
 endif
@@ -119,10 +119,10 @@ FIRMWARE_FLAGS := -std=c99 $(BOARD_OPT) -ffp-contract=off -fno-math-errno \
 ifneq ($(FIRMWARE_RATE),)
 FIRMWARE_FLAGS += -DRATE=$(RATE) -DSCENE_RATE=$(RATE)
 endif
-ifeq ($(filter text csv frames,$(FORMAT)),)
-$(error FORMAT is text, csv or frames, not $(FORMAT))
+ifeq ($(filter plotter csv frames,$(FORMAT)),)
+$(error FORMAT is plotter, csv or frames, not $(FORMAT))
 endif
-ifneq ($(FORMAT),text)
+ifneq ($(FORMAT),plotter)
 FIRMWARE_FLAGS += -D$(shell echo $(FORMAT) | tr a-z A-Z)
 endif
 ifneq ($(UPLINK),)

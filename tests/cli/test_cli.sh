@@ -79,7 +79,7 @@ check 'options before the scene, with =' cmp -s out all.csv
 chaos --t-end 1e-3 --format plotter
 n='[-+.0-9e]+'
 equal 'plotter rows, and no header' "$(wc -l <out)" "$(
-  grep -Ec "^r:$n v:$n omega:$n h:$n g:$n\$" out)"
+  grep -Ec "^r:$n v:$n omega:$n h:$n g:$n mode:[0-4] choices:[1-5]\$" out)"
 equal 'as many as in CSV' "$(wc -l <out)" 11
 
 # Numbers, as they are typed and as they are printed.

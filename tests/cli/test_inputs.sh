@@ -13,10 +13,16 @@ for scheme in moreau located compensated; do
   check "the profile as a table, $scheme" cmp out want
 done
 check 'the summary tells what was applied' says \
-  'knots.csv, linear: 5 of 5 rows, t = 0 to 10 s; omega0 in [-2, 1] rad/s'
+  'knots.csv, linear: 5 of 5 rows, t = 0 to 10 s; applied omega0 in [-2, 1] rad'
 runs run driven --t-end 3
 check 'of a shorter run: what it came to see' says \
-  'profile of the scene, linear: 3 of 5 rows, t = 0 to 4 s; omega0 in [-2, -1]'
+  'linear: 3 of 5 rows, t = 0 to 4 s; applied omega0 in [-2, -1.00005] rad/s'
+
+# A mark of UTF-8 and quotes, as other programs write them, change nothing.
+runs run driven --t-end 1 --inputs knots.csv --between held --out want
+sed '1s/^/\xEF\xBB\xBF/; 2s/.*/"t","omega0"/' knots.csv >quoted.csv
+runs run driven --t-end 1 --inputs quoted.csv --between held
+check 'quotes and a mark of UTF-8' cmp out want
 
 # dt is a power of two, so that the times below are exact.
 set -- run chaos --dt 0x1p-10 --t-end 0.5

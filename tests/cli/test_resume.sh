@@ -65,7 +65,12 @@ equal 'and it goes on' "$(sed -n 2p out)" "$(tail -n 1 big.part)"
 # What differs.
 runs run chaos --t-end 0.5 --save at --out one
 cp at before
+printf 't,force\n0,0\n' >force.csv
+runs run chaos --t-end 0.1 --inputs force.csv --between held --save driven
 expectations run <<'WORDS'
+0 chaos --from driven --t-end 0.2|came there with --inputs, and goes on without
+0 chaos --from at --inputs force.csv --between held|came there without --inputs
+0 chaos --from driven --inputs force.csv --between linear|with another table
 3 chaos --from at --set kappa=0.3|kappa is 0.27&there and 0.3 here
 3 chaos --from at --dt 1e-3|dt is 0.0001 there and 0.001 here
 3 chaos --from at --set law=coulomb|law is jump there and coulomb here

@@ -77,7 +77,7 @@ wrong 3 'wrong.scene: k is missing, which law string needs' \
 wrong 2 'wrong.scene: law is missing' 'm 1\n'
 wrong 2 'wrong.scene: v or h is missing' 'law none\nr 0\nomega 0\nt-end 1\n'
 wrong 2 'wrong.scene:1: law: unknown law&did you mean '\''jump'\''' 'law jmp\n'
-wrong 2 'wrong.scene:1: rule: unknown rule' 'rule random:7\n'
+wrong 2 'wrong.scene:1: rule: a seed is not part of a scene' 'rule random:7\n'
 wrong 2 'wrong.scene:1: rest: unknown law of rest' 'rest bow\n'
 wrong 2 'scene:1: with-angle: '\''1'\'' must be yes or no' 'with-angle 1\n'
 wrong 2 'wrong.scene:3: v: give h or v' 'based-on chaos\nh 0\nv 1\n'

@@ -4,7 +4,8 @@ the tools that are to read it, and the frames by tools/protocol/decode.py.
 
 usage: streams.py NAME    one test; without a name their names
 Environment: TWOFOLD the command line, ACCEPTED the program of tools/protocol,
-FIRMWARE_CSV a firmware of the host that ends by itself."""
+FIRMWARE the beginning of the paths of two firmwares of the host that end by
+themselves, to which -csv.elf or -plotter.elf is added."""
 import json
 import os
 import random
@@ -20,7 +21,10 @@ sys.path.insert(0, str(ROOT / "tools/protocol"))
 import decode  # noqa: E402  (the path comes first)
 
 NAMES = "t,r,v,omega,h,g,F,M,mode,choices".split(",")
+PLOTTED = "r,v,omega,h,g,mode,choices".split(",")
 MODES = ["slip+", "slip-", "stick+", "stick-", "pinned"]
+RUN = [os.environ.get("TWOFOLD", ""), "run", "chaos", "--t-end", "0.5", "--dt",
+       "1e-3"]
 
 
 def arduino(text):
@@ -123,16 +127,14 @@ def output(*command, **options):
 def motion():
     """A run as rows of values by name, and a function that shows its frames in
     a form of `monitor`."""
-    twofold = os.environ["TWOFOLD"]
-    run = [twofold, "run", "chaos", "--t-end", "0.5", "--dt", "1e-3"]
-    lines = output(*run, text=True).splitlines()[1:]
-    stream = output(*run, "--format", "frames")
+    lines = output(*RUN, text=True).splitlines()[1:]
+    stream = output(*RUN, "--format", "frames")
     rows = []
     for line in lines:
         *numbers, mode, choices = line.split(",")
         rows.append(dict(zip(NAMES, [*map(float, numbers), mode,
                                      int(choices)])))
-    return rows, lambda form: output(twofold, "monitor", "-", "--as", form,
+    return rows, lambda form: output(RUN[0], "monitor", "-", "--as", form,
                                      input=stream).decode()
 
 
@@ -145,16 +147,30 @@ def same(got, want):
 def of_board():
     """A stream of FORMAT=csv that a reader enters in the middle of a row, with
     the header again in it."""
-    whole = output(os.environ["FIRMWARE_CSV"]).decode("ascii")
+    whole = output(os.environ["FIRMWARE"] + "-csv.elf").decode("ascii")
     return whole, whole[whole.index("\n", 200) - 5:] + whole
 
 
 def test_arduino_plots_the_pairs_of_monitor():
     rows, shown = motion()
     _, messages = arduino(shown("plotter"))
-    names = NAMES[1:]
     same(messages, [[(name, MODES.index(row[name]) if name == "mode"
-                      else row[name]) for name in names] for row in rows])
+                      else row[name]) for name in PLOTTED] for row in rows])
+
+
+def test_run_and_monitor_write_the_same_pairs():
+    _, shown = motion()
+    same(output(*RUN, "--format", "plotter").decode(), shown("plotter"))
+
+
+def test_a_board_writes_pairs_of_the_same_labels():
+    """Beside its heartbeats."""
+    whole = output(os.environ["FIRMWARE"] + "-plotter.elf").decode("ascii")
+    _, messages = arduino(whole)
+    rows = [pairs for pairs in messages if pairs[0][0] != "steps"]
+    same(len(rows) > 40, True)
+    same([row for row in rows if [name for name, _ in row] != PLOTTED], [])
+    same(rows[0][0], ("r", 0.18))
 
 
 def test_serial_studio_cannot_read_pairs():

@@ -12,7 +12,7 @@
 #define telemetry_record text_record
 #define telemetry_heartbeat text_heartbeat
 #define telemetry_other text_other
-#include "../../port/telemetry_text.h"
+#include "../../port/telemetry_plotter.h"
 #undef telemetry_record
 #undef telemetry_heartbeat
 #undef telemetry_other

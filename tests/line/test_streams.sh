@@ -6,8 +6,8 @@
 builds=${T%/*/twofold}
 TWOFOLD=$T
 ACCEPTED=$builds/double/accepted
-FIRMWARE_CSV=$builds/boards/host/chaos-float/firmware-csv.elf
-export TWOFOLD ACCEPTED FIRMWARE_CSV
+FIRMWARE=$builds/boards/host/chaos-float/firmware
+export TWOFOLD ACCEPTED FIRMWARE
 streams=$root/tests/line/streams.py
 if [ -x /usr/bin/python3 ]; then
   for name in $("$streams"); do

@@ -66,9 +66,9 @@ PORT_INCLUDES = {
     "sim": ("app", "core"),
     "telemetry_csv": ("sim", "text"),
     "telemetry_frames": ("port", "sim"),
-    "telemetry_text": ("sim", "text"),
+    "telemetry_plotter": ("sim", "text"),
     "firmware": ("app", "sim", "telemetry_csv", "telemetry_frames",
-                 "telemetry_text"),
+                 "telemetry_plotter"),
 }
 # What the folder of a board may include of other folders; the module for
 # WebAssembly is the core itself and has no loop.

@@ -6,7 +6,7 @@
 //              single words), the commands `scenes` and `scene`
 //   monitor/   the command `monitor`: frames of a board become rows or a live
 //              view, and commands are sent to it; takes only row.h of run/
-//   run/       the command `run`: loop, rows, frames, events, progress, summary
+//   run/       the command `run`: loop, rows, frames, events, summary
 //   analysis/  singularities, regions, design and atlas: they examine a machine
 //              without running it
 //   diverge/   the command `diverge`: samples of the motions that can follow a
@@ -18,7 +18,8 @@
 //   setup/     a scene, by its name or from a file, with --set and --select
 //              becomes a machine with its initial state; schemes, names
 //   live/      --live of run and monitor: planes and modes in a terminal
-//   host/      what POSIX provides: clock, signals, output files, serial lines
+//   host/      what POSIX provides: clock, signals, output files, serial lines,
+//              progress
 //   text/      messages, numbers, options, text in buffers
 //
 // run, analysis, diverge and sweep do not include each other otherwise. In the
@@ -29,6 +30,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "analysis/analysis_help.h"
@@ -44,6 +46,8 @@
 #include "sweep/sweep.h"
 #include "sweep/sweep_help.h"
 #include "text/closest.h"
+#include "text/commit.h"
+#include "text/json.h"
 #include "text/message.h"
 #include "topics.h"
 
@@ -143,6 +147,30 @@ static bool asks_for_help(int argc, char *const argv[]) {
   return false;
 }
 
+static bool asks_for_json(int argc, char *const argv[]) {
+  for (int i = 0; i < argc; i++) {
+    if (strcmp(argv[i], "--summary=json") == 0 ||
+        (i > 0 && strcmp(argv[i - 1], "--summary") == 0 &&
+         strcmp(argv[i], "json") == 0)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Performs a command. A program that has asked for JSON gets it also where the
+// command ends before its summary: the reason and the exit code.
+static int perform(const command_t *command, int argc, char *const argv[]) {
+  const int code = command->perform(argc, argv);
+  if (asks_for_json(argc, argv) && !cli_put_ended()) {
+    (void)fprintf(stderr, "{" CLI_JSON_BUILD ", ", cli_commit);
+    cli_put_word("command", command->name);
+    cli_put_text("message", cli_last_message());
+    cli_put_exit(code);
+  }
+  return code;
+}
+
 int cli_command(int argc, char *const argv[]) {
   if (argc < 1) {
     return cli_message(CLI_USAGE, "which command? ('twofold help' lists them)");
@@ -157,6 +185,6 @@ int cli_command(int argc, char *const argv[]) {
   if (asks_for_help(argc - 1, argv + 1)) {
     return perform_help(command != NULL && command->help != NULL ? 1 : 0, argv);
   }
-  return command != NULL ? command->perform(argc - 1, argv + 1)
+  return command != NULL ? perform(command, argc - 1, argv + 1)
                          : unknown_command(argv[0]);
 }

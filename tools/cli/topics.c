@@ -93,10 +93,16 @@ static const topic_t topics[] = {
      "               jump, coulomb, none\n"
      "  compensated  moreau with compensated summation, for small steps in\n"
      "               float\n"},
-    {"format formats frames plotter",
+    {"format formats frames",
      "--format NAME of 'run': csv ('twofold help csv'); frames, what a board\n"
-     "sends (docs/PROTOCOL.md); plotter, label:value pairs for a serial\n"
-     "plotter.\n"},
+     "sends (docs/PROTOCOL.md); plotter ('twofold help plotter').\n"},
+    {"plotter",
+     "Lines of label:value pairs for a serial plotter, from 'run --format\n"
+     "plotter', 'monitor --as plotter' and a board with FORMAT=plotter:\n"
+     "r:0.18 v:-0.03 omega:-1.037 h:0 g:0.009 mode:2 choices:1\n"
+     "in m, m/s, rad/s, m/s, m/s; the modes are numbered slip+, slip-, "
+     "stick+,\n"
+     "stick-, pinned from 0.\n"},
     {"inputs held linear between table",
      "--inputs FILE --between held|linear of 'run' and 'sweep': inputs over\n"
      "time, from a CSV table; FILE - is standard input. The first column is "
@@ -131,13 +137,33 @@ static const topic_t topics[] = {
      "What 'run', 'sweep', 'diverge' and 'monitor' say on standard error at\n"
      "their end.\n"
      "--summary json: one line of JSON, the last one there; SI units, null\n"
-     "for what is not known.\n"},
+     "for what is not known. A command that is refused says why in "
+     "'message'.\n"},
+    {"progress",
+     "Work of more than two seconds tells on standard error how far it is and\n"
+     "how long it still takes: one line on a terminal, a line now and then in "
+     "a\n"
+     "log; not where the rows go to the same terminal.\n"},
+    {"tick step",
+     "A step of the length dt [s], the parameter; its number is the tick, and\n"
+     "time is tick times dt. Frames, records and --save count ticks.\n"},
+    {"crc crc32 trailer",
+     "CRC-32 as of zlib: of all bytes of a file in its last line ('sweep',\n"
+     "'diverge', --save), where readers check it, of a frame, and of a table "
+     "of\n"
+     "--inputs.\n"},
+    {"dead-man safe",
+     "Inputs that a board got by a command expire after so many ticks, then "
+     "the\n"
+     "inputs of the scene hold: 'twofold help monitor', docs/PROTOCOL.md.\n"},
     {"provenance units commit hash parameters number",
      "--provenance of 'run', 'diverge', 'regions', 'atlas' and 'monitor': "
      "four\n"
      "'# ' lines before the header with version, commit, number type; scene,\n"
-     "hash of the parameters, law, rule, seed; scheme, dt; units of the\n"
-     "columns. The file of 'sweep' always has such lines, and the JSON of\n"
+     "its hash, that of the parameters, law, rule, seed; scheme, dt, hash of "
+     "the\n"
+     "inputs; units of the columns. The file of 'sweep' always has such lines, "
+     "and the JSON of\n"
      "'singularities' and 'design' has them as members. All numbers are in SI\n"
      "units.\n"},
     {"version", "--version prints version and number type of this build.\n"},

@@ -5,13 +5,16 @@
 #include <string.h>
 
 #include "../host/host.h"
+#include "../host/progress.h"
 #include "../setup/provenance.h"
 #include "../text/message.h"
 
 #define FLUSH_EVERY 0.2 // [s]
 
-// The rows of one r.
-static int write_line(cli_analysis_t *a, tf_real_t r, cli_grid_row_t row) {
+// The rows of one r, the one with number i.
+static int write_line(cli_analysis_t *a, uint64_t i, cli_grid_row_t row,
+                      cli_progress_t *progress) {
+  const tf_real_t r = cli_range_at(&a->r, i);
   char text[CLI_GRID_ROOM];
   for (uint64_t j = 0; j < a->omega.count; j++) {
     size_t length = 0;
@@ -25,8 +28,15 @@ static int write_line(cli_analysis_t *a, tf_real_t r, cli_grid_row_t row) {
     if (!cli_output_lines(&a->output, text, length)) {
       return CLI_STOPPED; // the message is that of cli_output_end
     }
-    if (cli_now() - a->output.flushed >= FLUSH_EVERY) {
+    const double now = cli_now();
+    if (now - a->output.flushed >= FLUSH_EVERY) {
       (void)cli_output_flush(&a->output);
+    }
+    if (cli_progress_due(progress, now)) {
+      const double done = (double)i * (double)a->omega.count + (double)(j + 1);
+      const double points = (double)a->r.count * (double)a->omega.count;
+      cli_progress_say(progress, now, done / points, "%.0f of %.0f points",
+                       done, points);
     }
   }
   return CLI_DONE;
@@ -45,8 +55,11 @@ int cli_analysis_grid(cli_analysis_t *a, const char *header, const char *units,
     (void)cli_output_lines(&a->output, lines, length);
   }
   (void)cli_output_lines(&a->output, header, strlen(header));
+  cli_progress_t progress =
+      cli_progress_start(cli_now(), a->output.to.descriptor);
   for (uint64_t i = 0; i < a->r.count && code == CLI_DONE; i++) {
-    code = write_line(a, cli_range_at(&a->r, i), row);
+    code = write_line(a, i, row, &progress);
   }
+  cli_progress_clear(&progress);
   return cli_output_end(&a->output, code);
 }

@@ -12,7 +12,9 @@
 #include <unistd.h>
 
 #include "../host/host.h"
+#include "../host/progress.h"
 #include "../text/commit.h"
+#include "../text/json.h"
 #include "../text/message.h"
 #include "counts.h"
 #include "exhaustive.h"
@@ -22,7 +24,6 @@
 #include "random.h"
 
 #define FLUSH_EVERY 0.5 // [s]
-#define LOG_EVERY 10.0  // [s] between lines where standard error is no terminal
 #define BATCH 4096      // steps between two checks for a signal
 
 static const cli_stepper_t *const steppers[CLI_MECHANISMS] = {
@@ -50,32 +51,23 @@ typedef struct {
   uint64_t in_sample;   ///< cycles of the present one that have ended
   uint64_t cycles;      ///< cycles that have ended
   uint64_t outcomes[CLI_OUTCOMES];
-  double started, shown, flushed;
-  bool one_line, stopped, unwritten;
+  double flushed;
+  cli_progress_t progress;
+  bool stopped, unwritten;
 } work_t;
 
-// The time left is as if the samples to come cost as much as those so far.
 static void show_progress(work_t *work, double now) {
   const double samples = (double)(work->last - work->first);
-  const double spent = now - work->started;
   const double share =
       ((double)work->done +
        (double)work->in_sample / (double)work->job->args->cycles) /
       samples;
-  char left[64] = "";
-  if (share > 0) {
-    (void)snprintf(left, sizeof left, ", %.0f s left",
-                   spent * (1 - share) / share);
-  }
-  (void)fprintf(stderr,
-                "%s%.0f of %.0f samples, %" PRIu64 " cycles, %" PRIu64
-                " returned, %.3g cycles/s%s%s",
-                work->one_line ? "\r" : "twofold: ", (double)work->done,
-                samples, work->cycles, work->outcomes[CLI_CYCLE_RETURNED],
-                (double)work->cycles / spent, left,
-                work->one_line ? "\033[K" : "\n");
-  (void)fflush(stderr);
-  work->shown = now;
+  cli_progress_say(&work->progress, now, share,
+                   "%" PRIu64 " of %.0f samples, %" PRIu64 " cycles, %" PRIu64
+                   " returned, %.3g cycles/s",
+                   work->done, samples, work->cycles,
+                   work->outcomes[CLI_CYCLE_RETURNED],
+                   (double)work->cycles / (now - work->progress.started));
 }
 
 static void check_clock(work_t *work) {
@@ -83,7 +75,7 @@ static void check_clock(work_t *work) {
   if (cli_stop_asked()) {
     work->stopped = true;
   }
-  if (now - work->shown > (work->one_line ? 0.5 : LOG_EVERY)) {
+  if (cli_progress_due(&work->progress, now)) {
     show_progress(work, now);
   }
   if (now - work->flushed > FLUSH_EVERY) {
@@ -170,10 +162,7 @@ static bool do_sample(work_t *work, uint64_t sample) {
   return true;
 }
 
-static void summarise(work_t *work, double now) {
-  if (work->one_line) {
-    (void)fputs("\r\033[K", stderr);
-  }
+static void summarise(const work_t *work, double seconds) {
   (void)fprintf(stderr,
                 "samples    %" PRIu64 " of %" PRIu64
                 ", by %s\ncycles     "
@@ -186,10 +175,8 @@ static void summarise(work_t *work, double now) {
                     work->outcomes[i]);
     }
   }
-  (void)fprintf(
-      stderr, "\ncost       %.3g s, %.3g ms a cycle\n", now - work->started,
-      work->cycles > 0 ? 1e3 * (now - work->started) / (double)work->cycles
-                       : 0.0);
+  (void)fprintf(stderr, "\ncost       %.3g s, %.3g ms a cycle\n", seconds,
+                work->cycles > 0 ? 1e3 * seconds / (double)work->cycles : 0.0);
 }
 
 // The same for a program: one line, the last one on standard error.
@@ -207,7 +194,8 @@ static void summarise_json(const work_t *work, double seconds, int code) {
     (void)fprintf(stderr, ", \"%s\": %" PRIu64,
                   cli_outcome_name((cli_outcome_t)i), work->outcomes[i]);
   }
-  (void)fprintf(stderr, ", \"seconds\": %.9g, \"exit\": %d}\n", seconds, code);
+  (void)fprintf(stderr, ", \"seconds\": %.9g, ", seconds);
+  cli_put_exit(code);
 }
 
 // What the counts of all shards are of, and which shard this one is.
@@ -255,8 +243,8 @@ static int perform(work_t *work, const cli_diverge_args_t *args) {
   if (code != CLI_DONE) {
     return cli_files_close(work->files, code);
   }
-  work->one_line = cli_is_terminal(STDERR_FILENO);
-  work->started = work->shown = work->flushed = cli_now();
+  work->flushed = cli_now();
+  work->progress = cli_progress_start(work->flushed, -1);
   for (uint64_t i = work->first; i < work->last; i++) {
     if (!do_sample(work, i)) {
       break;
@@ -270,11 +258,10 @@ static int perform(work_t *work, const cli_diverge_args_t *args) {
   // Where the output failed, the message is that of cli_files_close.
   code = work->unwritten || work->stopped ? CLI_STOPPED : CLI_DONE;
   code = end_counting(work, cli_files_close(work->files, code));
-  const double now = cli_now();
+  const double seconds = cli_now() - work->progress.started;
+  cli_progress_clear(&work->progress);
   if (!args->json) {
-    summarise(work, now);
-  } else if (work->one_line) {
-    (void)fputs("\r\033[K", stderr);
+    summarise(work, seconds);
   }
   if (work->stopped) {
     (void)cli_message(CLI_STOPPED,
@@ -283,7 +270,7 @@ static int perform(work_t *work, const cli_diverge_args_t *args) {
                       work->done);
   }
   if (args->json) {
-    summarise_json(work, now - work->started, code);
+    summarise_json(work, seconds, code);
   }
   return code;
 }

@@ -20,15 +20,15 @@
 
 #include "../host/host.h"
 #include "../host/output.h"
+#include "../host/progress.h"
 #include "../text/commit.h"
+#include "../text/json.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "random.h"
 #include "rows.h"
 
-#define JOIN 1e-6      // [m]
-#define REDRAW 0.5     // [s] between messages on a terminal
-#define LOG_EVERY 10.0 // [s] between lines where standard error is none
+#define JOIN 1e-6 // [m]
 
 typedef struct {
   tf_state_t state;
@@ -47,35 +47,24 @@ typedef struct {
   bool unwritten;
   uint64_t visited; ///< nodes whose branches have all been followed
   double part;      ///< of the present one, by the times at which it is left
-  double started, shown;
-  bool one_line;
+  cli_progress_t progress;
 } search_t;
 
 // What is left is that of the known nodes: branches may lead to further ones.
 static void show_progress(search_t *search) {
   const double now = cli_now();
-  char left[64] = "";
   uint64_t open = 0;
-  if (now - search->shown < (search->one_line ? REDRAW : LOG_EVERY)) {
+  if (!cli_progress_due(&search->progress, now)) {
     return;
   }
   for (uint64_t i = search->visited; i < search->used; i++) {
     open += search->nodes[i].depth < search->job->args->depth;
   }
   const double done = (double)search->visited + search->part;
-  if (done > 0) {
-    (void)snprintf(
-        left, sizeof left, ", %.0f s left for them",
-        (now - search->started) * ((double)open - search->part) / done);
-  }
-  (void)fprintf(stderr,
-                "%s%" PRIu64 " branches, %" PRIu64 " of %" PRIu64
-                " known nodes are done%s%s",
-                search->one_line ? "\r" : "twofold: ", search->branches,
-                search->visited, search->used, left,
-                search->one_line ? "\033[K" : "\n");
-  (void)fflush(stderr);
-  search->shown = now;
+  cli_progress_say(
+      &search->progress, now, done / ((double)search->visited + (double)open),
+      "%" PRIu64 " branches, %" PRIu64 " of %" PRIu64 " known nodes are done",
+      search->branches, search->visited, search->used);
 }
 
 static const char header[] =
@@ -199,8 +188,8 @@ static void visit_all(search_t *search) {
   search->motion.tracker = &search->tracker;
   search->motion.long_steps = job->machine;
   (void)node_at(search, &first);
-  search->started = search->shown = cli_now();
-  search->one_line = cli_is_terminal(STDERR_FILENO);
+  search->progress =
+      cli_progress_start(cli_now(), search->output->to.descriptor);
   for (uint64_t i = 0; i < search->used; i++) {
     search->visited = i;
     search->part = 0;
@@ -217,9 +206,7 @@ static void visit_all(search_t *search) {
       leave_codim2(search, &node, i);
     }
   }
-  if (search->one_line) {
-    (void)fputs("\r\033[K", stderr);
-  }
+  cli_progress_clear(&search->progress);
 }
 
 static void summarise(const search_t *search, int code) {
@@ -229,11 +216,11 @@ static void summarise(const search_t *search, int code) {
                   ", \"command\": \"diverge --exhaustive\", "
                   "\"scene\": \"%s\", \"nodes\": %" PRIu64
                   ", \"branches\": %" PRIu64 ", \"joined\": %" PRIu64
-                  ", \"dropped\": %" PRIu64
-                  ", \"seconds\": %.9g, \"exit\": %d}\n",
+                  ", \"dropped\": %" PRIu64 ", \"seconds\": %.9g, ",
                   cli_commit, search->job->setup.scene->name, search->used,
                   search->branches, search->joined, search->dropped,
-                  cli_now() - search->started, code);
+                  cli_now() - search->progress.started);
+    cli_put_exit(code);
     return;
   }
   (void)fprintf(

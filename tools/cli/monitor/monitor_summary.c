@@ -147,7 +147,7 @@ void cli_seen_put(const cli_seen_t *seen, int code) {
   cli_put_count("coarse", tally.coarse);
   cli_put_count("fell_back", tally.fell_back);
   put_last(seen->receiver);
-  (void)fprintf(stderr, "\"exit\": %d}\n", code);
+  cli_put_exit(code);
 }
 
 size_t cli_received_provenance(const cli_receiver_t *receiver,

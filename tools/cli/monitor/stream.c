@@ -8,31 +8,12 @@
 
 #include "../text/buffer.h"
 
-static const struct {
-  const char *name, *unit;
-} columns[CLI_CSV_COLUMNS] = {{"t", "s"},         {"r", "m"},   {"v", "m/s"},
-                              {"omega", "rad/s"}, {"h", "m/s"}, {"g", "m/s"},
-                              {"F", "N"},         {"M", "N m"}};
-
 static size_t csv(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
   return cli_csv_row(row, out);
 }
 
-// No time: the tool counts rows.
 static size_t plotter(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
-  cli_buffer_t text = {out, 0, CLI_STREAM_ROOM, false};
-  for (size_t i = 1; i < row->columns; i++) {
-    cli_add(&text, columns[i].name);
-    cli_add(&text, ":");
-    cli_add_number(&text, row->column[i], row->is_float);
-    cli_add(&text, " ");
-  }
-  cli_add(&text, "mode:");
-  cli_add_count(&text, row->mode);
-  cli_add(&text, " choices:");
-  cli_add_count(&text, row->choices);
-  cli_add(&text, "\n");
-  return text.used;
+  return cli_plotter_row(row, out);
 }
 
 static void teleplot_name(cli_buffer_t *text, const cli_csv_t *row,
@@ -47,10 +28,10 @@ static void teleplot_name(cli_buffer_t *text, const cli_csv_t *row,
 static size_t teleplot(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_STREAM_ROOM, false};
   for (size_t i = 1; i < row->columns; i++) {
-    teleplot_name(&text, row, columns[i].name);
+    teleplot_name(&text, row, cli_csv_columns[i].name);
     cli_add_number(&text, row->column[i], row->is_float);
     cli_add(&text, "\xC2\xA7"); // the section sign, before the unit
-    cli_add(&text, columns[i].unit);
+    cli_add(&text, cli_csv_columns[i].unit);
     cli_add(&text, "|g\n");
   }
   teleplot_name(&text, row, "mode");
@@ -76,7 +57,7 @@ static size_t json(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
   json_number(&text, row, 0);
   for (size_t i = 1; i < row->columns; i++) {
     cli_add(&text, ",\"");
-    cli_add(&text, columns[i].name);
+    cli_add(&text, cli_csv_columns[i].name);
     cli_add(&text, "\":");
     json_number(&text, row, i);
   }

@@ -30,6 +30,7 @@ typedef struct {
   cli_replay_t replay;
   bool replays; ///< instead of driving the scene
   cli_format_t format;
+  bool provenance; ///< lines before the header
   uint64_t every, steps;
   bool real_time;           ///< step n is taken n dt after the start
   double start;             ///< cli_now() at t = 0

@@ -32,6 +32,17 @@ typedef struct {
 /// Returns: the length.
 size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
 
+/// Names and units of those columns.
+typedef struct {
+  const char *name, *unit;
+} cli_csv_column_t;
+extern const cli_csv_column_t cli_csv_columns[CLI_CSV_COLUMNS];
+
+/// Writes "r:0.18 v:1.2 omega:-1.037 h:1e-10 g:0.05 mode:3 choices:1" and a
+/// newline: the labels are those that a board sends with FORMAT=plotter.
+/// Returns: the length.
+size_t cli_plotter_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
+
 /// Writes the header of a format, which may be empty.
 /// Returns: the length.
 size_t cli_header(cli_format_t format, char out[CLI_ROW_ROOM]);

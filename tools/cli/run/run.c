@@ -13,12 +13,13 @@
 #include <unistd.h>
 
 #include "../host/host.h"
+#include "../host/progress.h"
 #include "../setup/provenance.h"
+#include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/tally.h"
 #include "frames.h"
-#include "progress.h"
 #include "record.h"
 #include "run_args.h"
 #include "state_file.h"
@@ -147,11 +148,22 @@ static void take_batch(cli_run_t *run) {
   }
 }
 
+static void show_progress(cli_progress_t *progress, double now,
+                          const cli_run_t *run) {
+  const double done = (double)(run->done - run->first);
+  const double speed = done / (now - progress->started);
+  cli_progress_say(progress, now, done / (double)(run->steps - run->first),
+                   "t = %.6g s of %.6g s, %.3g steps/s, %.3g x real time",
+                   cli_run_time(run, run->done), cli_run_time(run, run->steps),
+                   speed, speed * (double)run->setup->machine.dt);
+}
+
 static void step_through(cli_run_t *run) {
   const double started = cli_now();
   const double flush_every = run->real_time ? LIVE_EVERY : FLUSH_EVERY;
   cli_progress_t progress =
-      cli_progress_start(started, run->output.to.descriptor, run->live != NULL);
+      cli_progress_start(started, run->output.to.descriptor);
+  progress.silent = progress.silent || run->live != NULL;
   run->start = started - cli_run_time(run, run->first);
   cli_run_show(run);
   write_row(run);
@@ -164,7 +176,9 @@ static void step_through(cli_run_t *run) {
       }
       run->output_seconds += cli_now() - now;
     }
-    cli_progress_poll(&progress, now, run);
+    if (cli_progress_due(&progress, now)) {
+      show_progress(&progress, now, run);
+    }
     if (cli_live_due(run->live, now)) {
       cli_live_draw(run->live, run->setup->scene->name, now);
     }
@@ -176,21 +190,41 @@ static void step_through(cli_run_t *run) {
   }
 }
 
-static void write_header(cli_run_t *run, bool provenance) {
+// What the rows are of, if that is asked for.
+static void write_provenance(const cli_run_t *run, const char *units,
+                             cli_output_t *output) {
+  char how[CLI_ROW_ROOM], hash[16], lines[CLI_PROVENANCE_ROOM];
+  const cli_inputs_t *table = &run->drive.table;
+  cli_buffer_t text = {how, 0, sizeof how, false};
+  if (!run->provenance) {
+    return;
+  }
+  cli_add(&text, "scheme ");
+  cli_add(&text, run->scheme->name);
+  cli_add(&text, ", dt ");
+  cli_add_real(&text, run->setup->machine.dt);
+  cli_add(&text, " s");
+  if (table->count > 0) {
+    (void)snprintf(hash, sizeof hash, "%08" PRIx32, cli_inputs_hash(table));
+    cli_add(&text, table->linear ? ", linear inputs " : ", held inputs ");
+    cli_add(&text, hash);
+  }
+  cli_add(&text, run->replays ? ", replayed from a record" : "");
+  if (run->first > 0) {
+    cli_add(&text, ", from step ");
+    cli_add_count(&text, run->first);
+  }
+  const size_t written = cli_provenance(run->setup, how, units, lines);
+  (void)cli_output_lines(output, lines, written);
+}
+
+static void write_header(cli_run_t *run) {
   if (run->rowless) {
     return;
   }
-  char header[CLI_ROW_ROOM], lines[CLI_PROVENANCE_ROOM];
+  char header[CLI_ROW_ROOM];
   uint8_t frames[CLI_FRAMES_ROOM];
-  if (provenance) {
-    char how[CLI_ROW_ROOM], dt[CLI_REAL_ROOM];
-    (void)cli_write_real(dt, run->setup->machine.dt);
-    (void)snprintf(how, sizeof how, "scheme %s, dt %s s", run->scheme->name,
-                   dt);
-    const size_t written =
-        cli_provenance(run->setup, how, CLI_CSV_UNITS, lines);
-    (void)cli_output_lines(&run->output, lines, written);
-  }
+  write_provenance(run, CLI_CSV_UNITS, &run->output);
   if (run->format == CLI_FORMAT_FRAMES) {
     const size_t length = cli_frames_header(run->setup, run->scheme, run->first,
                                             &run->sequence, frames);
@@ -227,7 +261,7 @@ static bool save(cli_run_t *run, const char *path) {
     return true;
   }
   const cli_stand_t stand = {run->system.state, run->system.compensation,
-                             run->report};
+                             run->report, cli_inputs_hash(&run->drive.table)};
   const size_t length = cli_state_print(&stand, run->setup, run->scheme, text);
   (void)cli_output_lines(&run->saved, text, length);
   return cli_output_end(&run->saved, CLI_DONE) == CLI_DONE;
@@ -235,6 +269,7 @@ static bool save(cli_run_t *run, const char *path) {
 
 // Writes the histogram of a run that has ended with a code.
 static int end_lateness(cli_run_t *run, int code) {
+  write_provenance(run, "us us, began and ended 1 (steps)", &run->late_rows);
   cli_lateness_write(run->lateness, &run->late_rows);
   const int written = cli_output_end(&run->late_rows, CLI_DONE);
   return written == CLI_DONE ? code : written;
@@ -271,7 +306,8 @@ static int perform(cli_run_t *run, const cli_run_args_t *args) {
   if (why != NULL) {
     (void)fprintf(stderr, "twofold: --priority: not given: %s\n", why);
   }
-  write_header(run, args->provenance);
+  run->provenance = args->provenance;
+  write_header(run);
   step_through(run);
   write_end(run);
   cli_live_close(run->live, run->setup->scene->name);
@@ -337,6 +373,15 @@ static int go_on(cli_run_t *run, const cli_run_args_t *args,
                        "%.9g s",
                        args->from, cli_run_time(run, stand.state.tick),
                        cli_run_time(run, run->steps));
+  }
+  // Inputs are no part of the machine, so it may go on under others; but not
+  // without a word.
+  if (stand.inputs != cli_inputs_hash(&run->drive.table)) {
+    (void)cli_message(CLI_DONE, "note: --from %s: it came there %s", args->from,
+                      stand.inputs == 0 ? "without --inputs"
+                      : run->drive.table.count == 0
+                          ? "with --inputs, and goes on without"
+                          : "with another table of --inputs");
   }
   setup->seed = stand.state.seed;
   run->system.state = stand.state;

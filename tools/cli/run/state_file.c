@@ -1,8 +1,9 @@
 // Where a run stands, as text:
 //
-//   twofold-state 1          version of this format
+//   twofold-state 2          version of this format
 //   number double            type of all numbers below
 //   scheme moreau
+//   inputs 00000000          hash of the table of --inputs, 0: none
 //   tick 12345, seed, mode, r, v, omega, phi, what the rounding of these has
 //                            left out, and the last report: a line each
 //   scene                    then the scene, as `twofold scene` prints it
@@ -17,6 +18,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../setup/names.h"
@@ -25,7 +27,7 @@
 #include "../text/number.h"
 #include "../text/trailer.h"
 
-#define VERSION "1"
+#define VERSION "2"
 #define NUMBER (sizeof(tf_real_t) == sizeof(float) ? "float" : "double")
 #define REALS 14
 #define WHOLES 7
@@ -87,6 +89,8 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
   add_pair(&text, "twofold-state", VERSION);
   add_pair(&text, "number", NUMBER);
   add_pair(&text, "scheme", scheme->name);
+  (void)snprintf(number, sizeof number, "%08" PRIx32, stand->inputs);
+  add_pair(&text, "inputs", number);
   for (size_t i = 0; i < WHOLES; i++) {
     (void)snprintf(number, sizeof number, "%" PRIu64, whole[i]);
     add_pair(&text, wholes[i].name, number);
@@ -204,6 +208,12 @@ static int read_values(reader_t *reader, cli_stand_t *stand) {
   uint64_t whole[WHOLES];
   tf_real_t *real[REALS];
   const char *why = "";
+  const char *inputs = next_value(reader, "inputs");
+  if (inputs == NULL || strlen(inputs) != 8 ||
+      strspn(inputs, "0123456789abcdef") != 8) {
+    return no_state(reader, "no file of --save");
+  }
+  stand->inputs = (uint32_t)strtoul(inputs, NULL, 16);
   list_reals(stand, real);
   for (size_t i = 0; i < WHOLES; i++) {
     const char *value = next_value(reader, wholes[i].name);

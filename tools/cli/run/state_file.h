@@ -15,6 +15,7 @@ typedef struct {
   tf_state_t state;
   tf_compensation_t compensation;
   tf_report_t report; ///< of the last step, or of the start
+  uint32_t inputs;    ///< cli_inputs_hash of what drove it
 } cli_stand_t;
 
 /// Writes it as text.

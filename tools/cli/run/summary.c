@@ -6,7 +6,6 @@
 #include "summary.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdio.h>
 
 #include "../setup/names.h"
@@ -34,19 +33,7 @@ static void print_request(const cli_run_t *run) {
   (void)fputc('\n', stderr);
 }
 
-static void print_column(const cli_inputs_t *table, size_t column, size_t first,
-                         size_t last, const char *comma) {
-  double low = (double)table->rows[first].value[column], high = low;
-  for (size_t i = first; i <= last; i++) {
-    low = fmin(low, (double)table->rows[i].value[column]);
-    high = fmax(high, (double)table->rows[i].value[column]);
-  }
-  (void)fprintf(stderr, "%s%s in [%.6g, %.6g] %s", comma,
-                cli_input_columns[column].name, low, high,
-                cli_input_columns[column].unit);
-}
-
-// The rows of a table that the steps came to see, and what these hold.
+// The rows of a table that the steps came to see, and what was applied to them.
 static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
   if (table->count == 0) {
     return;
@@ -55,15 +42,17 @@ static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
       table->linear && table->at + 1 < table->count &&
       (double)table->rows[table->at].t < cli_run_time(run, run->done);
   const size_t last = table->at + ahead;
-  (void)fprintf(stderr, "inputs     %s, %s: %zu of %zu rows, t = %g to %g s;",
+  (void)fprintf(stderr, "inputs     %s, %s: %zu of %zu rows, t = %g to %g s%s",
                 table->name, table->linear ? "linear" : "held",
                 last - table->first + 1, table->count,
                 (double)table->rows[table->first].t,
-                (double)table->rows[last].t);
+                (double)table->rows[last].t, table->applied ? "; applied" : "");
   const char *comma = " ";
   for (size_t i = 0; i < CLI_INPUTS; i++) {
-    if (table->given[i]) {
-      print_column(table, i, table->first, last, comma);
+    if (table->given[i] && table->applied) {
+      (void)fprintf(stderr, "%s%s in [%.6g, %.6g] %s", comma,
+                    cli_input_columns[i].name, (double)table->low[i],
+                    (double)table->high[i], cli_input_columns[i].unit);
       comma = ", ";
     }
   }

@@ -9,8 +9,10 @@
 #include <stdio.h>
 
 #include "../setup/names.h"
+#include "../setup/provenance.h"
 #include "../text/commit.h"
 #include "../text/json.h"
+#include "../text/number.h"
 
 static void put_request(const cli_run_t *run) {
   const cli_setup_t *setup = run->setup;
@@ -20,6 +22,7 @@ static void put_request(const cli_run_t *run) {
   cli_put_word("number",
                sizeof(tf_real_t) == sizeof(float) ? "float" : "double");
   cli_put_word("scene", setup->scene->name);
+  cli_put_hash("scene_hash", cli_scene_hash(setup));
   cli_put_hash("parameters", tf_params_hash(&setup->params));
   cli_put_word("law", tf_tyre_law_name(setup->params.law));
   cli_put_word("rule", tf_rule_name(setup->params.rule));
@@ -43,9 +46,21 @@ static void put_table(const char *key, const cli_inputs_t *table) {
   cli_put_count("first", table->first);
   cli_put_count("last", table->at);
   cli_put_real("t_first", table->rows[table->first].t);
-  cli_put_number("t_last", (double)table->rows[table->at].t,
-                 sizeof(tf_real_t) == sizeof(float));
-  (void)fputs("}, ", stderr);
+  cli_put_real("t_last", table->rows[table->at].t);
+  cli_put_hash("crc32", cli_inputs_hash(table));
+  (void)fputs("\"applied\": {", stderr);
+  const char *comma = "";
+  for (size_t i = 0; i < CLI_INPUTS; i++) {
+    if (table->given[i] && table->applied) {
+      char low[CLI_REAL_ROOM], high[CLI_REAL_ROOM];
+      (void)cli_write_real(low, table->low[i]);
+      (void)cli_write_real(high, table->high[i]);
+      (void)fprintf(stderr, "%s\"%s\": [%s, %s]", comma,
+                    cli_input_columns[i].name, low, high);
+      comma = ", ";
+    }
+  }
+  (void)fputs("}}, ", stderr);
 }
 
 static void put_quality(const cli_run_t *run) {
@@ -124,6 +139,5 @@ void cli_summary_json(const cli_run_t *run, int code) {
   cli_put_count("late", run->late);
   cli_put_double("latest", run->latest);
   cli_put_word("end", ends[run->end]);
-  (void)fprintf(stderr, "\"exit\": %d}\n", code);
-  (void)fflush(stderr);
+  cli_put_exit(code);
 }

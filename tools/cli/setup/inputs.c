@@ -4,9 +4,11 @@
 #include "inputs.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "../text/message.h"
+#include "../text/trailer.h"
 
 const cli_input_column_t cli_input_columns[CLI_INPUTS] = {
     {"omega0", "rad/s"}, {"r0", "m"}, {"force", "N"}, {"torque", "N m"}};
@@ -40,6 +42,24 @@ int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene) {
     }
   }
   return CLI_DONE;
+}
+
+uint32_t cli_inputs_hash(const cli_inputs_t *inputs) {
+  char text[32 * (CLI_INPUTS + 1)];
+  cli_trailer_t sum = {0};
+  for (size_t i = 0; i < inputs->count; i++) {
+    const cli_input_row_t *row = &inputs->rows[i];
+    int length =
+        snprintf(text, sizeof text, "%d %a", inputs->linear, (double)row->t);
+    for (size_t column = 0; column < CLI_INPUTS; column++) {
+      if (inputs->given[column]) {
+        length += snprintf(text + length, sizeof text - (size_t)length,
+                           " %zu:%a", column, (double)row->value[column]);
+      }
+    }
+    cli_trailer_add(&sum, text, (size_t)length, 0);
+  }
+  return sum.crc;
 }
 
 // The first step that begins at a time or later. A time that is n dt but for
@@ -109,6 +129,21 @@ static void set(const cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS],
   }
 }
 
+// Sets the inputs of a step, and notes between which values they have been.
+static void apply(cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS],
+                  tf_input_t *input) {
+  for (size_t i = 0; i < CLI_INPUTS; i++) {
+    if (!inputs->applied || value[i] < inputs->low[i]) {
+      inputs->low[i] = value[i];
+    }
+    if (!inputs->applied || value[i] > inputs->high[i]) {
+      inputs->high[i] = value[i];
+    }
+  }
+  inputs->applied = true;
+  set(inputs, value, input);
+}
+
 void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
                      tf_real_t dt, tf_input_t *input) {
   tf_real_t before[CLI_INPUTS], after[CLI_INPUTS], mean[CLI_INPUTS];
@@ -117,7 +152,7 @@ void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
   }
   if (!inputs->linear) {
     go_to_tick(inputs, tick);
-    set(inputs, inputs->rows[inputs->at].value, input);
+    apply(inputs, inputs->rows[inputs->at].value, input);
     return;
   }
   look_up(inputs, t - dt, before);
@@ -126,7 +161,7 @@ void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
     mean[i] = (before[i] + after[i]) / 2;
   }
   mean[CLI_INPUT_OMEGA0] = after[CLI_INPUT_OMEGA0];
-  set(inputs, mean, input);
+  apply(inputs, mean, input);
   if (inputs->given[CLI_INPUT_OMEGA0]) {
     input->alpha = (after[CLI_INPUT_OMEGA0] - before[CLI_INPUT_OMEGA0]) / dt;
   }

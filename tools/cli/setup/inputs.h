@@ -46,6 +46,8 @@ typedef struct {
   size_t count, room;
   size_t at;    ///< row of the last look-up
   size_t first; ///< row of the first one
+  bool applied; ///< to a step, or more of them; then their least and largest:
+  tf_real_t low[CLI_INPUTS], high[CLI_INPUTS];
 } cli_inputs_t;
 
 /// Appends a row; its time must be later than that of the row before.
@@ -67,6 +69,10 @@ int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file);
 /// The same from a path, "-" for standard input.
 /// Returns: as cli_inputs_parse; CLI_USAGE as well where it cannot be opened.
 int cli_inputs_read(cli_inputs_t *inputs, const char *path);
+
+/// CRC-32 of all that a table gives: columns, what holds between rows, rows. 0
+/// without rows.
+uint32_t cli_inputs_hash(const cli_inputs_t *inputs);
 
 /// Finds the steps that the rows begin to hold for.
 void cli_inputs_prepare(cli_inputs_t *inputs, tf_real_t dt);

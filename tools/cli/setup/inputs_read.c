@@ -30,7 +30,8 @@ static int refuse(const reader_t *reader, int code, size_t field,
                      (unsigned long long)reader->line, field + 1, text, why);
 }
 
-// Cuts the next field off a line. Returns: it, without blanks around it.
+// Cuts the next field off a line. Returns: it, without blanks around it and
+// without the quotes in which some programs put every field.
 static char *next_field(char **line) {
   char *field = *line + strspn(*line, " \t");
   char *end = *line + strcspn(*line, ",");
@@ -38,6 +39,11 @@ static char *next_field(char **line) {
   *end = '\0';
   for (size_t i = strlen(field); i > 0 && strchr(" \t", field[i - 1]); i--) {
     field[i - 1] = '\0';
+  }
+  const size_t length = strlen(field);
+  if (length >= 2 && field[0] == '"' && field[length - 1] == '"') {
+    field[length - 1] = '\0';
+    field++;
   }
   return field;
 }
@@ -148,6 +154,10 @@ static int read_row(reader_t *reader, char *line) {
 }
 
 static int read_line(reader_t *reader, char *line) {
+  static const char mark[] = "\xEF\xBB\xBF"; // of UTF-8, by Windows programs
+  if (reader->line == 1 && strncmp(line, mark, 3) == 0) {
+    line += 3;
+  }
   if (line[strspn(line, " \t")] == '\0' || line[0] == '#') {
     return CLI_DONE;
   }

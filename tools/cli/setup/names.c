@@ -88,6 +88,12 @@ int cli_find_rest(const char *option, const char *text, const char *name,
 int cli_find_rule(const char *option, const char *text, const char *name,
                   tf_rule_t *rule) {
   cli_hint_t hint;
+  if (strncmp(name, "random:", 7) == 0) {
+    return cli_message(CLI_USAGE,
+                       "%s %s: a seed is not part of a scene: give 'random' "
+                       "here, and --select %s to 'run'",
+                       option, text, name);
+  }
   const size_t found = find_name(tf_rule_name, TF_RULES, name, &hint);
   if (found == TF_RULES) {
     return cli_message(CLI_USAGE,

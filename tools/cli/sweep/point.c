@@ -9,10 +9,10 @@
 #include <string.h>
 
 #include "../host/host.h"
+#include "../setup/provenance.h"
 #include "../setup/setup.h"
 #include "../text/message.h"
 #include "../text/number.h"
-#include "../text/trailer.h"
 
 #define BATCH 4096 // steps between two checks for a signal
 #define REASON_ROOM 512
@@ -107,38 +107,6 @@ static int prepare(point_t *point, uint64_t *steps) {
   return code;
 }
 
-static void add_table(const cli_inputs_t *table, cli_trailer_t *sum) {
-  char text[CLI_SWEEP_ROW];
-  for (size_t i = 0; i < table->count; i++) {
-    const cli_input_row_t *row = &table->rows[i];
-    const int length =
-        snprintf(text, sizeof text, " %a %a %a %a %a", (double)row->t,
-                 (double)row->value[0], (double)row->value[1],
-                 (double)row->value[2], (double)row->value[3]);
-    cli_trailer_add(sum, text, (size_t)length, 0);
-  }
-}
-
-// All of a scene and of a table of inputs that a motion depends on.
-static uint32_t hash_of(const cli_setup_t *setup, const cli_inputs_t *table) {
-  const tf_scene_t *scene = setup->scene;
-  char text[CLI_SWEEP_ROW];
-  cli_trailer_t sum = {0};
-  int length =
-      snprintf(text, sizeof text, "%08x %a %a %a %a %d",
-               (unsigned)tf_params_hash(&setup->params), (double)scene->r,
-               (double)scene->v, (double)scene->omega, (double)scene->h,
-               (int)scene->v_is_given);
-  cli_trailer_add(&sum, text, (size_t)length, 0);
-  for (unsigned i = 0; i < scene->knots; i++) {
-    length = snprintf(text, sizeof text, " %a %a", (double)scene->profile[i].t,
-                      (double)scene->profile[i].omega0);
-    cli_trailer_add(&sum, text, (size_t)length, 0);
-  }
-  add_table(table, &sum);
-  return sum.crc;
-}
-
 // An end of every axis, by a message that names the axis and its range.
 static int check_end(const cli_sweep_args_t *args, bool last, uint32_t *hash) {
   point_t point = {0};
@@ -156,7 +124,7 @@ static int check_end(const cli_sweep_args_t *args, bool last, uint32_t *hash) {
     code = cli_setup_check_starts(&point.setup);
   }
   if (code == CLI_DONE && !last) {
-    *hash = hash_of(&point.setup, &args->drive.table);
+    *hash = cli_scene_hash(&point.setup);
     cli_setup_notes(&point.setup, args->scheme->unused, args->scheme->why);
     cli_drive_notes(&args->drive, &point.setup);
   }

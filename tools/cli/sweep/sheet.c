@@ -80,6 +80,9 @@ static void add_command(const cli_sweep_args_t *args, cli_buffer_t *text) {
   if (args->drive_args.inputs != NULL) {
     add_word(text, "--inputs", args->drive_args.inputs);
     add_word(text, "--between", args->drive_args.between);
+    (void)snprintf(digits, sizeof digits, " (%08" PRIx32 ")",
+                   cli_inputs_hash(&args->drive.table));
+    cli_add(text, digits);
   }
   for (size_t i = 0; i < args->settings.count; i++) {
     const cli_setting_t *setting = &args->settings.list[i];

@@ -11,39 +11,31 @@
 #include <unistd.h>
 
 #include "../host/host.h"
+#include "../host/progress.h"
 #include "../text/commit.h"
+#include "../text/json.h"
 #include "../text/message.h"
 #include "point.h"
 #include "sheet.h"
 
 #define FLUSH_EVERY 0.2 // [s], so at most so much work is lost by a kill
-#define PATIENCE 2.0    // [s] before the first message
-#define REDRAW 0.5      // [s] between messages on a terminal
-#define LOG_EVERY 10.0  // [s] between lines in a log
 
 typedef struct {
   const cli_sweep_args_t *args;
   cli_sheet_t *sheet;
   uint64_t done; ///< points of this call
   uint64_t ends[CLI_POINT_ENDS];
-  double started, next;
-  bool one_line, shown;
+  cli_progress_t progress;
 } work_t;
 
 static void show_progress(work_t *work, double now) {
   const cli_sheet_t *sheet = work->sheet;
   const uint64_t points = sheet->end - sheet->first;
-  const uint64_t left = points - sheet->kept - work->done;
-  const double spent = now - work->started;
-  (void)fprintf(
-      stderr,
-      "%s%" PRIu64 " of %" PRIu64 " points, %.3g points/s, %.0f s left%s",
-      work->one_line ? "\r" : "twofold: ", sheet->kept + work->done, points,
-      (double)work->done / spent, spent * (double)left / (double)work->done,
-      work->one_line ? "\033[K" : "\n");
-  (void)fflush(stderr);
-  work->shown = work->one_line;
-  work->next = now + (work->one_line ? REDRAW : LOG_EVERY);
+  const double done = (double)work->done;
+  cli_progress_say(&work->progress, now, done / (double)(points - sheet->kept),
+                   "%" PRIu64 " of %" PRIu64 " points, %.3g points/s",
+                   sheet->kept + work->done, points,
+                   done / (now - work->progress.started));
 }
 
 // Returns: CLI_DONE, or CLI_STOPPED; where the output failed, the message is
@@ -69,7 +61,7 @@ static int do_points(work_t *work) {
         !cli_output_flush(&sheet->output)) {
       return CLI_STOPPED;
     }
-    if (now >= work->next) {
+    if (cli_progress_due(&work->progress, now)) {
       show_progress(work, now);
     }
   }
@@ -110,7 +102,8 @@ static void summarise_json(const work_t *work, double seconds, int code) {
     (void)fprintf(stderr, ", \"%s\": %" PRIu64,
                   cli_point_status((cli_point_end_t)i), work->ends[i]);
   }
-  (void)fprintf(stderr, ", \"seconds\": %.9g, \"exit\": %d}\n", seconds, code);
+  (void)fprintf(stderr, ", \"seconds\": %.9g, ", seconds);
+  cli_put_exit(code);
 }
 
 static int perform(work_t *work, uint32_t hash) {
@@ -127,17 +120,11 @@ static int perform(work_t *work, uint32_t hash) {
     }
     return CLI_DONE;
   }
-  work->one_line = cli_is_terminal(STDERR_FILENO);
-  work->started = cli_now();
-  work->next = cli_is_terminal(sheet->output.to.descriptor)
-                   ? 1e300 // the rows themselves show how far it is
-                   : work->started + (work->one_line ? PATIENCE : LOG_EVERY);
+  work->progress = cli_progress_start(cli_now(), sheet->output.to.descriptor);
   code = do_points(work);
-  if (work->shown) {
-    (void)fputs("\r\033[K", stderr);
-  }
+  cli_progress_clear(&work->progress);
   code = cli_sheet_close(sheet, code);
-  const double seconds = cli_now() - work->started;
+  const double seconds = cli_now() - work->progress.started;
   if (!work->args->json) {
     summarise(work, seconds);
   }

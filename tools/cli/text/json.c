@@ -43,6 +43,16 @@ void cli_put_word(const char *key, const char *word) {
   (void)fprintf(stderr, "\"%s\": \"%s\", ", key, word);
 }
 
+static bool ended;
+
+void cli_put_exit(int code) {
+  (void)fprintf(stderr, "\"exit\": %d}\n", code);
+  (void)fflush(stderr);
+  ended = true;
+}
+
+bool cli_put_ended(void) { return ended; }
+
 // The length of the character that begins here; 0: it is not UTF-8.
 static size_t utf8_length(const char *text) {
   static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};

@@ -28,6 +28,13 @@ void cli_put_hash(const char *key, uint32_t value);
 /// A word of this program, without a character that JSON escapes.
 void cli_put_word(const char *key, const char *word);
 
+/// The member by which every summary ends, the brace and a newline.
+/// code: in, the exit code.
+void cli_put_exit(int code);
+
+/// Whether a summary was written.
+bool cli_put_ended(void);
+
 /// Text from outside: the path of a file, what a board says of itself.
 void cli_put_text(const char *key, const char *text);
 

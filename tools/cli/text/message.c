@@ -10,14 +10,22 @@
 
 static char *diverted;
 static size_t diverted_room;
+static char last[512];
 
 void cli_message_divert(char *out, size_t room) {
   diverted = out;
   diverted_room = room;
 }
 
+const char *cli_last_message(void) { return last; }
+
 int cli_message(int code, const char *format, ...) {
   va_list arguments;
+  if (code != CLI_DONE) {
+    va_start(arguments, format);
+    (void)vsnprintf(last, sizeof last, format, arguments);
+    va_end(arguments);
+  }
   va_start(arguments, format);
   if (diverted != NULL) {
     size_t used = strlen(diverted);

@@ -30,6 +30,10 @@ enum {
 /// Returns: code, so that a failing path is a single return statement.
 int cli_message(int code, const char *format, ...) CLI_PRINTF(2, 3);
 
+/// The last message of a code other than CLI_DONE, cut off where it is long;
+/// empty: there was none.
+const char *cli_last_message(void);
+
 /// From now on a message is appended to the text in `out`, without "twofold: ",
 /// a newline before it if it is not the first, and nothing is written; NULL:
 /// standard error again. out: in/out, kept, zero-terminated; cut off at room.

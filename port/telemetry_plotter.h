@@ -2,8 +2,8 @@
 /// Telemetry as lines of label:value pairs for a serial plotter: tf_text_row
 /// with mode and choices, and a heartbeat of the same form, whose times are in
 /// units of port_clock.
-#ifndef TWOFOLD_PORT_TELEMETRY_TEXT_H
-#define TWOFOLD_PORT_TELEMETRY_TEXT_H
+#ifndef TWOFOLD_PORT_TELEMETRY_PLOTTER_H
+#define TWOFOLD_PORT_TELEMETRY_PLOTTER_H
 
 #include "sim.h"
 #include "text.h"

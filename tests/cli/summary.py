@@ -1,0 +1,294 @@
+#!/usr/bin/python3
+"""What programs read: the summary as JSON, the time left, and rows that say
+what they are of in a form that numpy, R and gnuplot skip.
+
+usage: summary.py NAME    one test; without a name their names. It runs in a
+folder of its own.
+Environment: TWOFOLD the command line."""
+import json
+import os
+import pty
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+TWOFOLD = os.environ.get("TWOFOLD", "")
+SHORT = ["run", "chaos", "--t-end", "0.2", "--every", "10"]
+CHAOS = r"# scene chaos, (?:hash [0-9a-f]{8}, )?parameters ([0-9a-f]{8})"
+
+
+def call(*words, code=0):
+    """(standard output, standard error) of a command."""
+    done = subprocess.run([TWOFOLD, *words], stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, check=False)
+    same(done.returncode, code)
+    return done.stdout, done.stderr
+
+
+def told(*words, code=0):
+    """The summary of a command as JSON: one line, the last one."""
+    lines = call(*words, "--summary", "json", code=code)[1].splitlines()
+    same([line[0] for line in lines].count("{"), 1)
+    summary = json.loads(lines[-1])
+    same(summary["exit"], code)
+    return summary
+
+
+def rows_of(path):
+    """Rows of a file that begin with a digit."""
+    lines = Path(path).read_text("ascii").splitlines()
+    return [line.split(",") for line in lines if line[:1].isdigit()]
+
+
+def same(got, want):
+    """Fails where they differ."""
+    if got != want:
+        sys.exit(f"got  {str(got)[:300]}\nwant {str(want)[:300]}")
+
+
+def test_run():
+    _, err = call(*SHORT, "--summary", "json", "--set", "rate=3")
+    same("note: --set rate=3 has no effect" in err, True)
+    got = told("run", "chaos", "--t-end", "3", "--every", "100", "--out",
+               "rows")
+    same((got["scene"], got["steps"], got["end"]), ("chaos", 30000, "done"))
+    same(got["final"]["r"], float(rows_of("rows")[-1][1]))
+    same(got["events"]["two_fold"], 1)
+    same(got["events"]["list"][0]["kinds"], ["slip_to_stick", "codim2"])
+
+
+def test_inputs_of_run():
+    """The profile; a table, whose path is quoted; what was applied of it."""
+    words = ["--t-end", "1", "--every", "100", "--out", "rows"]
+    same(told("run", "driven", *words)["profile"]["rows"], 5)
+    name = 'a "b" \\.csv'
+    Path(name).write_text("t,force\n0,0.1\n0.5,-0.3\n2,0.7\n", "ascii")
+    held = told("run", "frictionless", *words, "--inputs", name, "--between",
+                "held")
+    same(held["inputs"]["name"], name)
+    same(held["inputs"]["applied"], {"force": [-0.3, 0.1]})
+    dt = 0.001
+    got = told("run", "frictionless", *words, "--dt", str(dt), "--inputs",
+               name, "--between", "linear")["inputs"]["applied"]["force"]
+    # The mean of the two ends of a step: of the first one behind the knot of
+    # -0.3 N, and of the very first one.
+    want = [-0.3 + 1 / 1.5 * dt / 2, 0.1 - 0.8 * dt / 2]
+    same([round(x, 9) for x in got], [round(x, 9) for x in want])
+    last = told("run", "frictionless", "--t-end", "0.5", "--every", "100",
+                "--out", "rows", "--inputs", name, "--between", "held")
+    same(last["inputs"]["applied"], {"force": [0.1, 0.1]})
+
+
+def test_codes_of_run():
+    got = told("run", "chaos", "--set", "k2=1e10", "--t-end", "1", "--dt",
+               "0.01", "--out", "rows", code=5)
+    same(got["end"], "done")
+    got = told("run", "chaos", "--set", "v=9e8", "--dt", "0.1", code=4)
+    same(got["end"], "refused")
+
+
+def test_refusals():
+    """Of every command, before it has done anything, in either order."""
+    for words, code, why in (
+            (["run", "chaos", "--set", "mu=-1"], 3, "mu must lie in"),
+            (["run", "nowhere"], 2, "nowhere"),
+            (["run", "chaos", "--out", "none/rows"], 4, "none/rows"),
+            (["sweep", "chaos", "--over", "mu=1:2"], 2, "mu=1:2"),
+            (["diverge", "coulomb"], 3, "has no two-fold"),
+            (["monitor", "nothing"], 4, "nothing"),
+            (["regions", "chaos"], 2, "--summary")):
+        got = told(*words, code=code)
+        same((got["command"], why in got["message"]), (words[0], True))
+    _, err = call("run", "--summary=json", "chaos", "--t-end", "no", code=2)
+    same(json.loads(err.splitlines()[-1])["exit"], 2)
+    _, err = call("run", "chaos", "--summary", "xml", code=2)
+    same("--summary xml: must be text or json" in err, True)
+
+
+def test_sweep():
+    got = told("sweep", "chaos", "--over", "mu=1:2:3", "--over", "r=0:1e9:2",
+               "--t-end", "0.1", "--out", "rows")
+    done = [row for row in rows_of("rows") if "done" in row]
+    same((got["points"], got["done"], got["kept"]), (6, len(done), 0))
+    same(f"twofold {got['version']}, tf_real_t is {got['number']}",
+         call("--version")[0].strip())
+
+
+def test_diverge():
+    got = told("diverge", "chaos", "--samples", "3", "--cycles", "2",
+               "--returns", "rows")
+    same((got["samples"], got["done"], got["cycles"]),
+         (3, 3, len(rows_of("rows"))))
+    got = told("diverge", "chaos", "--exhaustive", "--depth", "1", "--grid",
+               "0.1", "--patience", "1", "--branches", "rows")
+    same(got["branches"], len(rows_of("rows")))
+
+
+def test_monitor():
+    call("run", "chaos", "--t-end", "0.005", "--format", "frames", "--out",
+         "frames")
+    got = told("monitor", "frames", "--csv", "--out", "rows")
+    same((got["rows"], got["last"]["step"]), (len(rows_of("rows")), 50))
+    two_folds = json.loads(call("singularities", "chaos")[0])
+    same((got["parameters"], two_folds["units"]["r"]),
+         (two_folds["parameters"], "m"))
+
+
+def test_time_left():
+    """On a terminal and in a log, of all long work."""
+    for words in (["diverge", "chaos", "--samples", "1000", "--cycles", "1000",
+                   "--returns", "rows"],
+                  ["diverge", "chaos", "--exhaustive", "--grid", "1e-6",
+                   "--count", "1000000", "--branches", "rows"],
+                  ["sweep", "chaos", "--over", "mu=1:2:100000", "--out",
+                   "rows"],
+                  ["regions", "chaos", "--r", "0.1:0.2:100000",
+                   "--omega=-1:1:99", "--out", "rows"],
+                  ["atlas", "chaos", "--r", "0.1:0.2:100000",
+                   "--omega=-1:1:99", "--out", "rows"],
+                  ["run", "chaos", "--t-end", "1e6", "--every", "1000000",
+                   "--out", "rows"]):
+        Path("rows.part").unlink(missing_ok=True)
+        pid, terminal = pty.fork()
+        if pid == 0:
+            os.execv(TWOFOLD, [TWOFOLD, *words])
+        seen = b""
+        while b" s left" not in seen:
+            seen += os.read(terminal, 4096)
+        os.kill(pid, 9)
+        os.waitpid(pid, 0)
+        Path("rows.part").unlink(missing_ok=True)
+        with subprocess.Popen([TWOFOLD, *words], stderr=subprocess.PIPE,
+                              text=True) as log:
+            line = log.stderr.readline()
+            log.kill()
+        same(bool(re.fullmatch(r"twofold: .*, \d+ s left\n", line)), True)
+
+
+def test_provenance_of_run():
+    """Four lines before the header; without them the file is the same."""
+    plain, rows = call(*SHORT)[0], call(*SHORT, "--provenance")[0]
+    lines = rows.splitlines(keepends=True)
+    same("".join(lines[4:]), plain)
+    number = call("--version")[0].split()[-1]
+    for line, form in zip(lines, (
+            rf"# twofold [0-9.]+, commit \S+, numbers are {number}",
+            CHAOS + ", law jump, rule persist, seed 0",
+            "# scheme moreau, dt 0.0001 s", "# units: t s, r m, v m/s, .*")):
+        same(bool(re.fullmatch(form + "\n", line)), True)
+    call("run", "chaos", "--t-end", "0.005", "--format", "frames", "--out",
+         "frames")
+    err = call("monitor", "frames", "--csv")[1]
+    same(re.match(CHAOS, lines[1])[1] in err, True)
+    call(*SHORT, "--provenance", "--format", "plotter", code=2)
+
+
+def test_provenance_tells_all_that_matters():
+    """What a motion depends on changes a hash or a word; a name does not."""
+    scenes = {"plain": "", "knots": "profile 0:-1 1:-2\n",
+              "other": "profile 0:-1 1:-3\n", "start": "r 0.2\n",
+              "rule": "rule slip+\n", "machine": "mu 1.25\n"}
+    tables = {"one": "t,force\n0,1\n", "two": "t,force\n0,2\n",
+              "three": "t,torque\n0,1\n"}
+    told_by = {}
+    for name, lines in scenes.items():
+        Path(f"{name}.scene").write_text(
+            f"based-on chaos\nname mine\n{lines}", "ascii")
+        told_by[name] = [f"{name}.scene"]
+    for name, text in tables.items():
+        Path(f"{name}.csv").write_text(text, "ascii")
+        for between in ("held", "linear"):
+            told_by[name + between] = ["chaos", "--inputs", f"{name}.csv",
+                                       "--between", between]
+    told_by["set"] = ["plain.scene", "--set", "r=0.21"]
+    told_by["by v"] = ["plain.scene", "--set", "v=0"]
+    told_by["seed"] = ["plain.scene", "--select", "random:3"]
+    seen = {}
+    for name, words in told_by.items():
+        lines = call("run", *words, "--t-end", "0", "--provenance")[0]
+        said = tuple(line.replace("scene mine", "scene chaos")
+                     for line in lines.splitlines()[1:3])
+        same(seen.setdefault(said, name), name)
+    same(call("run", "plain.scene", "--t-end", "0", "--provenance")[0].replace(
+        "scene mine", "scene chaos"),
+        call("run", "chaos", "--t-end", "0", "--provenance")[0])
+
+
+def test_provenance_of_other_rows():
+    """The same lines, and without them the same file."""
+    call("run", "chaos", "--t-end", "0.005", "--format", "frames", "--out",
+         "frames")
+    for words in (["regions", "chaos", "--r", "0.1:0.2:2", "--omega=-1:1:2"],
+                  ["atlas", "chaos", "--r", "0.1:0.2:2",
+                   "--omega=-1.1:-1.05:2"],
+                  ["diverge", "chaos", "--samples", "3", "--returns", "-"],
+                  ["diverge", "chaos", "--samples", "3", "--by", "noise",
+                   "--size", "1e-4", "--exits", "-"],
+                  ["diverge", "chaos", "--exhaustive", "--depth", "1",
+                   "--grid", "0.1", "--patience", "1"],
+                  ["monitor", "frames", "--csv"]):
+        plain = call(*words)[0]
+        lines = call(*words, "--provenance")[0].splitlines(keepends=True)
+        same("".join(lines[4:]), plain)
+        for line, form in zip(lines, ("# twofold .*commit .*", CHAOS + ".*",
+                                      "# .*", "# units: .*")):
+            same(bool(re.fullmatch(form + "\n", line)), True)
+
+
+def test_provenance_of_lateness():
+    call("run", "chaos", "--realtime", "--t-end", "0.02", "--dt", "1e-3",
+         "--out", "rows", "--provenance", "--lateness", "late")
+    lines = Path("late").read_text("ascii").splitlines()
+    same(bool(re.match(CHAOS, lines[1])), True)
+    same(lines[3:5], ["# units: us us, began and ended 1 (steps)",
+                      "us,began,ended"])
+
+
+def missing(package):
+    """Ends the test, which is skipped by that name."""
+    print(package)
+    sys.exit(77)
+
+
+def test_numpy_reads_it():
+    try:
+        import numpy
+    except ImportError:
+        missing("python3-numpy")
+    call(*SHORT, "--provenance", "--out", "told")
+    one = numpy.genfromtxt("told", delimiter=",", names=True, dtype=None,
+                           encoding="ascii", skip_header=4)
+    two = numpy.loadtxt("told", delimiter=",", usecols=range(8), skiprows=5)
+    same(one.dtype.names[:3], ("t", "r", "v"))
+    same((len(one), list(one["r"])), (201, list(two[:, 1])))
+
+
+def reads(program, package, code):
+    """What a program prints that reads the rows."""
+    if not shutil.which(program):
+        missing(package)
+    call(*SHORT, "--provenance", "--out", "told")
+    done = subprocess.run([program, "-e", code], capture_output=True,
+                          text=True, check=True)
+    return (done.stdout + done.stderr).split()[-1]
+
+
+def test_gnuplot_reads_it():
+    same(reads("gnuplot", "gnuplot-nox",
+               'set datafile separator ","; set key autotitle columnhead; '
+               'stats "told" using 1:2 nooutput; print STATS_records'), "201")
+
+
+def test_r_reads_it():
+    same(reads("Rscript", "r-base-core",
+               'cat(nrow(read.csv("told", comment.char = "#")))'), "201")
+
+
+TESTS = {name[5:]: test for name, test in list(globals().items())
+         if name.startswith("test_")}
+if len(sys.argv) == 1:
+    print("\n".join(TESTS))
+else:
+    TESTS[sys.argv[1]]()
