@@ -115,7 +115,7 @@ static inline void change(const model_t *k, switch_t at, motion_t *x) {
     x->contact.roll = -x->contact.roll;
   } else {
     x->y.z = 0;
-    x->lost = !capture(k, (point_t){0, 0, 0}, 0, &x->y, &x->contact);
+    x->lost = !capture(k, (point_t){0, 0, 0, 1}, 0, &x->y, &x->contact);
   }
 }
 

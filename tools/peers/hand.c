@@ -34,6 +34,10 @@ static void events_dp5(const problem_t *problem, double tol, double width,
 
 static void smooth_rk4(const problem_t *problem, double dt, double width,
                        answer_t *answer) {
+  if (problem->alpha > 0) {
+    answer->lost = 1; // written for a constant speed
+    return;
+  }
   tf_params_t params = problem->params;
   const long steps = sweep_steps(problem, dt);
   params.dt = problem->t_end / (double)steps;

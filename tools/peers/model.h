@@ -6,7 +6,7 @@
 /// the turntable. With h itself in the state stick holds h = 0 exactly, and
 /// h = 0 is as sharp next to h = g = 0 as elsewhere:
 ///   q = r z,  p = -(h + q cos) / sin,  g = (q + h cos) / sin
-///   v = p + d z,  w = z + omega0
+///   v = p + d z,  w = z + omega0 + alpha t
 ///
 /// Every peer needs a rule for h = g = 0, where the field has no limit: inside
 /// a small radius the rest of the way is taken as a straight line, and the
@@ -30,6 +30,7 @@ typedef struct {
   real_t r; // [m]
   real_t h; // [m/s]
   real_t z; // [rad/s]
+  real_t t; // [s], for the speed of the turntable
 } point_t;
 
 // side: sign of h, 0 in stick. roll: sign of g. Both are frozen over a step,
@@ -39,7 +40,7 @@ typedef struct {
 } contact_t;
 
 typedef struct {
-  real_t d, k2, c1, c2, r0, omega0, m, inv_m, beta2, sin, cos, inv_sin;
+  real_t d, k2, c1, c2, r0, omega0, alpha, m, inv_m, beta2, sin, cos, inv_sin;
   real_t mu, kappa;
   real_t a;       // T(y) = tan(a atan y)
   real_t quarter; // a pi / 2
@@ -55,6 +56,7 @@ static inline model_t model_of(const problem_t *problem) {
   k.c2 = (real_t)p->c2;
   k.r0 = (real_t)p->r0;
   k.omega0 = (real_t)p->omega0;
+  k.alpha = (real_t)problem->alpha;
   k.m = (real_t)p->m;
   k.inv_m = 1 / k.m;
   k.beta2 = beta * beta;
@@ -73,7 +75,7 @@ static inline model_t model_of(const problem_t *problem) {
 
 static inline point_t model_start(const model_t *k, const problem_t *problem) {
   return (point_t){(real_t)problem->r, (real_t)problem->h,
-                   (real_t)problem->omega - k->omega0};
+                   (real_t)problem->omega - k->omega0, 0};
 }
 
 static inline real_t rolling(const model_t *k, point_t y) {
@@ -89,20 +91,22 @@ static inline void model_end(const model_t *k, point_t y, double x[3]) {
   const real_t p = -(y.h + y.r * y.z * k->cos) * k->inv_sin;
   x[0] = (double)y.r;
   x[1] = (double)(p + k->d * y.z);
-  x[2] = (double)(y.z + k->omega0);
+  x[2] = (double)(y.z + k->omega0 + k->alpha * y.t);
 }
 
-// m p' = Q_r + F sin,  m (beta^2 + r^2) z' = Q_phi + d Q_r + F r cos + M.
+// m (p' - d alpha) = Q_r + F sin,
+// m (beta^2 + r^2) (z' + alpha) = Q_phi + d Q_r + F r cos + M.
 static inline point_t rates(const model_t *k, point_t y, real_t F, real_t M) {
   const real_t p = -(y.h + y.r * y.z * k->cos) * k->inv_sin;
-  const real_t v = p + k->d * y.z, w = y.z + k->omega0;
+  const real_t v = p + k->d * y.z, w = y.z + k->omega0 + k->alpha * y.t;
   const real_t mrw = k->m * y.r * w;
   const real_t Q_r = k->k2 * (k->r0 - y.r) - k->c2 * v + mrw * w;
   const real_t Q_phi = -k->c1 * w - 2 * mrw * v;
   const real_t dz = (Q_phi + k->d * Q_r + F * y.r * k->cos + M) * k->inv_m /
-                    (k->beta2 + y.r * y.r);
-  const real_t dp = (Q_r + F * k->sin) * k->inv_m;
-  return (point_t){v, -k->sin * dp - k->cos * (v * y.z + y.r * dz), dz};
+                        (k->beta2 + y.r * y.r) -
+                    k->alpha;
+  const real_t dp = (Q_r + F * k->sin) * k->inv_m + k->d * k->alpha;
+  return (point_t){v, -k->sin * dp - k->cos * (v * y.z + y.r * dz), dz, 1};
 }
 
 // T = tan(a (pi/2 - angle)), angle = arctan(H / G), in the form that stays
@@ -164,6 +168,7 @@ static inline real_t time_to_fall(const model_t *k, point_t y, point_t dy) {
 static inline int capture(const model_t *k, point_t dy, real_t fall, point_t *y,
                           contact_t *c) {
   y->r += fall * dy.r;
+  y->t += fall;
   y->h = y->z = 0;
   for (int roll = -1; roll <= 1; roll += 2) {
     const stick_t s = stick_at(k, roll, *y);

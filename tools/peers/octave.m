@@ -20,12 +20,13 @@ function dy = rates(k, y, F, M)
   z = y(3);
   p = -(y(2) + r * z * k.cos) / k.sin;
   v = p + k.d * z;
-  w = z + k.omega0;
+  w = z + k.omega0 + k.alpha * y(4);
   Q_r = k.k2 * (k.r0 - r) - k.c2 * v + k.m * r * w * w;
   Q_phi = -k.c1 * w - 2 * k.m * r * w * v;
-  dz = (Q_phi + k.d * Q_r + F * r * k.cos + M) / (k.m * (k.beta2 + r * r));
-  dp = (Q_r + F * k.sin) / k.m;
-  dy = [v; -k.sin * dp - k.cos * (v * z + r * dz); dz];
+  dz = (Q_phi + k.d * Q_r + F * r * k.cos + M) / ...
+       (k.m * (k.beta2 + r * r)) - k.alpha;
+  dp = (Q_r + F * k.sin) / k.m + k.d * k.alpha;
+  dy = [v; -k.sin * dp - k.cos * (v * z + r * dz); dz; 1];
 end
 
 function dy = slip_rates(k, side, roll, y)
@@ -39,7 +40,7 @@ function [dy, lambda, A] = stick_rates(k, roll, y)
   A = k.sin^2 / k.m + k.cos * y(1) * spin;
   dy = rates(k, y, 0, 0);
   lambda = dy(2) / A;
-  dy = [dy(1); 0; dy(3) + lambda * spin];
+  dy = [dy(1); 0; dy(3) + lambda * spin; 1];
 end
 
 function dy = contact_rates(k, side, roll, y)
@@ -98,7 +99,7 @@ function [y, t] = onto(k, side, roll, which, y, guess)
 end
 
 function [side, roll, y, fall, found] = capture(k, dy, fall, y)
-  y = [y(1) + fall * dy(1); 0; 0];
+  y = [y(1) + fall * dy(1); 0; 0; y(4) + fall];
   side = 0;
   for roll = [-1, 1]
     [dy, lambda, A] = stick_rates(k, roll, y);
@@ -109,7 +110,7 @@ function [side, roll, y, fall, found] = capture(k, dy, fall, y)
 end
 
 function [y, steps, lost] = solve(k, tol)
-  y = [k.r; k.h; k.omega - k.omega0];
+  y = [k.r; k.h; k.omega - k.omega0; 0];
   t = 0;
   steps = 0;
   side = k.side;
@@ -173,7 +174,7 @@ file = fopen(argv(){end});
 names = strsplit(strtrim(fgetl(file)(2:end)), ' ');
 fclose(file);
 fields = {'r', 'omega', 'h', 'side', 't_end', 'm', 'd', 'beta', 'k2', 'c1', ...
-          'c2', 'r0', 'omega0', 'mu', 'kappa', 'gamma', 'end_r', 'end_v', ...
+          'c2', 'r0', 'omega0', 'mu', 'kappa', 'gamma', 'alpha', 'end_r', 'end_v', ...
           'end_w', 'branch_error'};
 factor = 10^0.75;
 rand('twister', 20240607);
@@ -192,7 +193,8 @@ for tol = 1e-3 * factor.^-(0:12)
     [y, steps, lost] = solve(k, shifted);
     time = toc;
     z = y(3);
-    x = [y(1), -(y(2) + y(1) * z * k.cos) / k.sin + k.d * z, z + k.omega0];
+    x = [y(1), -(y(2) + y(1) * z * k.cos) / k.sin + k.d * z, ...
+         z + k.omega0 + k.alpha * y(4)];
     e = max(abs(x - [k.end_r, k.end_v, k.end_w]));
     if lost || isnan(e), e = Inf; end
     printf('%s,octave-ode45,tol=%.3e,%d,%.3e,%.0f,%d\n', names{i}, shifted, ...

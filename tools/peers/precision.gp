@@ -2,7 +2,7 @@
 # integration, one panel a problem. Colours are Okabe and Ito's for colour-blind
 # readers, and every peer has a symbol of its own. A setting that failed has no
 # point. Usage: gnuplot -e "csv='F'; out='F'" precision.gp
-set terminal svg size 1500,620 font 'Helvetica,13' background rgb 'white'
+set terminal svg size 1300,1000 font 'Helvetica,13' background rgb 'white'
 set output out
 set datafile separator ','
 peers = 'twofold-moreau twofold-located events-rk4 events-dp5 cvode-adams '. \
@@ -28,11 +28,11 @@ set grid lc rgb '#dddddd'
 colours = '#000000 #000000 #D55E00 #D55E00 #0072B2 #0072B2 #56B4E9 #009E73 '. \
   '#009E73 #CC79A7 #E69F00 #CC79A7'
 symbols = '6 7 4 5 8 9 11 1 2 3 13 12'
-set multiplot layout 1,3 margins 0.05,0.88,0.11,0.94 spacing 0.05
-do for [problem in 'chaos crossings stickslip'] {
+set multiplot layout 2,2 margins 0.06,0.84,0.07,0.96 spacing 0.06,0.13
+do for [problem in 'chaos crossings stickslip driven'] {
   set title problem
   if (problem eq 'chaos') {
-    set key at screen 0.89,0.94 left top vertical Left reverse samplen 1
+    set key at screen 0.85,0.96 left top vertical Left reverse samplen 1
   } else {
     unset key
     unset ylabel

@@ -1,6 +1,6 @@
-// Three problems near scene `chaos`: one passes h = g = 0, where the motion is
-// not unique, one crosses h = 0 again and again from slip to slip, and one
-// sticks again and again.
+// Four problems near scene `chaos`: one passes h = g = 0, where the motion is
+// not unique, one crosses h = 0 again and again from slip to slip, one sticks
+// again and again, and one does so on a turntable whose speed moves.
 //
 // A wheel that stays pinned at h = g = 0 ends 0.0126 away from the reference of
 // the first: an error above half of it counts as another branch. The other
@@ -34,7 +34,7 @@ problem_t problem_number(int i) {
   p.side = -1;
   p.h = -0.01;
   p.t_end = 2;
-  if (i == 2) {
+  if (i >= 2) {
     p.name = "stickslip";
     p.params.beta = 0.2;
     p.params.k2 = 20;
@@ -42,8 +42,13 @@ problem_t problem_number(int i) {
     p.r = 0.5;
     p.omega = -0.8;
     memcpy(p.end, (const double[3])REFERENCE_STICKSLIP, sizeof p.end);
-    return p;
   }
+  if (i == 3) {
+    p.name = "driven";
+    p.alpha = 1; // it reverses
+    memcpy(p.end, (const double[3])REFERENCE_DRIVEN, sizeof p.end);
+  }
+  if (i >= 2) return p;
   p.name = "crossings";
   p.params.beta = 0.3;
   p.params.k2 = 30;

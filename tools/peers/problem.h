@@ -8,6 +8,7 @@
 typedef struct {
   const char *name;
   tf_params_t params;  // law jump, rule persist
+  double alpha;        // of the turntable [rad/s^2], whose speed moves
   double r, omega, h;  // start; v follows from h
   int side;            // sign of h at the start
   double t_end;        // [s]
@@ -15,7 +16,7 @@ typedef struct {
   double branch_error; // an error above it is another branch
 } problem_t;
 
-#define PROBLEMS 3
+#define PROBLEMS 4
 
 /// The problem number i, 0 <= i < PROBLEMS.
 problem_t problem_number(int i);

@@ -21,10 +21,11 @@ static int write_problems(const char *name) {
   for (int i = 0; i < PROBLEMS; i++) {
     const problem_t q = problem_number(i);
     const tf_params_t *p = &q.params;
-    const double row[] = {
-        q.r,      q.omega,  q.h,      q.side,   q.t_end,  p->m,          p->d,
-        p->beta,  p->k2,    p->c1,    p->c2,    p->r0,    p->omega0,     p->mu,
-        p->kappa, p->gamma, q.end[0], q.end[1], q.end[2], q.branch_error};
+    const double row[] = {q.r,           q.omega, q.h,       q.side,   q.t_end,
+                          p->m,          p->d,    p->beta,   p->k2,    p->c1,
+                          p->c2,         p->r0,   p->omega0, p->mu,    p->kappa,
+                          p->gamma,      q.alpha, q.end[0],  q.end[1], q.end[2],
+                          q.branch_error};
     for (size_t j = 0; j < sizeof row / sizeof *row; j++)
       fprintf(file, "%.17g ", row[j]);
     fputs("\n", file);

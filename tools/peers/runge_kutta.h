@@ -7,7 +7,8 @@
 #include "model.h"
 
 static inline point_t ahead(point_t y, real_t t, point_t dy) {
-  return (point_t){y.r + t * dy.r, y.h + t * dy.h, y.z + t * dy.z};
+  return (point_t){y.r + t * dy.r, y.h + t * dy.h, y.z + t * dy.z,
+                   y.t + t * dy.t};
 }
 
 // A step: its end, and the estimate of its error but for the part that hangs
@@ -28,14 +29,14 @@ static inline step_t rk4(const model_t *k, contact_t c, point_t y, point_t dy,
   const real_t sixth = t / 6;
   return (step_t){{y.r + sixth * (dy.r + 2 * (k2.r + k3.r) + k4.r),
                    y.h + sixth * (dy.h + 2 * (k2.h + k3.h) + k4.h),
-                   y.z + sixth * (dy.z + 2 * (k2.z + k3.z) + k4.z)},
-                  {0, 0, 0}};
+                   y.z + sixth * (dy.z + 2 * (k2.z + k3.z) + k4.z), y.t + t},
+                  {0, 0, 0, 0}};
 }
 
 // y + t (b[0] rate[0] + ... + b[n - 1] rate[n - 1])
 static inline point_t mixed(point_t y, real_t t, const point_t *rate,
                             const real_t *b, int n) {
-  point_t sum = {0, 0, 0};
+  point_t sum = {0, 0, 0, 0};
   for (int i = 0; i < n; i++) sum = ahead(sum, b[i], rate[i]);
   return ahead(y, t, sum);
 }
@@ -63,7 +64,7 @@ static inline step_t dp5(const model_t *k, contact_t c, point_t y, point_t dy,
   for (int i = 0; i < 5; i++)
     rate[i + 1] = contact_rates(k, c, mixed(y, t, rate, stage[i], i + 1));
   return (step_t){mixed(y, t, rate, weight, 6),
-                  mixed((point_t){0, 0, 0}, t, rate, embedded, 6)};
+                  mixed((point_t){0, 0, 0, 0}, t, rate, embedded, 6)};
 }
 
 #endif

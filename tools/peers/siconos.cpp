@@ -17,12 +17,13 @@ namespace {
 
 model_t machine;
 
-point_t point_of(const double *x) { return {x[0], x[1], x[2]}; }
+point_t point_of(const double *x) { return {x[0], x[1], x[2], x[3]}; }
 
 void put(point_t y, double *x) {
   x[0] = y.r;
   x[1] = y.h;
   x[2] = y.z;
+  x[3] = y.t;
 }
 
 void smooth(double, unsigned, double *x, double *f, unsigned, double *) {
@@ -33,15 +34,16 @@ void smooth(double, unsigned, double *x, double *f, unsigned, double *) {
 void smooth_jacobian(double, unsigned, double *x, double *J, unsigned,
                      double *) {
   const double step = 1e-6;
-  for (int j = 0; j < 3; j++) {
-    double up[3] = {x[0], x[1], x[2]}, down[3] = {x[0], x[1], x[2]};
-    double f_up[3], f_down[3];
+  for (int j = 0; j < 4; j++) {
+    double up[4] = {x[0], x[1], x[2], x[3]};
+    double down[4] = {x[0], x[1], x[2], x[3]};
+    double f_up[4], f_down[4];
     up[j] += step;
     down[j] -= step;
-    smooth(0, 3, up, f_up, 0, nullptr);
-    smooth(0, 3, down, f_down, 0, nullptr);
-    for (int i = 0; i < 3; i++)
-      J[3 * j + i] = (f_up[i] - f_down[i]) / (2 * step);
+    smooth(0, 4, up, f_up, 0, nullptr);
+    smooth(0, 4, down, f_down, 0, nullptr);
+    for (int i = 0; i < 4; i++)
+      J[4 * j + i] = (f_up[i] - f_down[i]) / (2 * step);
   }
 }
 
@@ -56,13 +58,15 @@ void relay_column(point_t y, SimpleMatrix &B) {
   B(0, 0) = 0;
   B(1, 0) = without.h - with.h;
   B(2, 0) = without.z - with.z;
+  B(3, 0) = 0;
 }
 
 // Half a step ahead of y by what the last step did, unless that would turn the
 // sign of h or g: then y itself.
 point_t middle(point_t y, point_t before) {
   const point_t ahead = {1.5 * y.r - 0.5 * before.r, 1.5 * y.h - 0.5 * before.h,
-                         1.5 * y.z - 0.5 * before.z};
+                         1.5 * y.z - 0.5 * before.z,
+                         1.5 * y.t - 0.5 * before.t};
   const double g = rolling(&machine, y);
   const bool stuck = fabs(y.h) < 1e-9;
   if (g * rolling(&machine, ahead) <= 0 || g * rolling(&machine, before) <= 0)
@@ -76,13 +80,13 @@ void moreau(const problem_t *problem, double dt, double, answer_t *answer) {
   const double step = problem->t_end / (double)steps;
   const double mu = machine.mu;
   const point_t start = model_start(&machine, problem);
-  auto x0 = std::make_shared<SiconosVector>(3);
+  auto x0 = std::make_shared<SiconosVector>(4);
   put(start, x0->getArray());
   auto ds = std::make_shared<FirstOrderNonLinearDS>(x0);
   ds->setComputeFFunction(smooth);
   ds->setComputeJacobianfxFunction(smooth_jacobian);
-  auto C = std::make_shared<SimpleMatrix>(1, 3);
-  auto B = std::make_shared<SimpleMatrix>(3, 1);
+  auto C = std::make_shared<SimpleMatrix>(1, 4);
+  auto B = std::make_shared<SimpleMatrix>(4, 1);
   C->zero();
   (*C)(0, 1) = 1;
   relay_column(start, *B);

@@ -37,7 +37,7 @@ typedef struct {
 
 static point_t point_of(N_Vector y) {
   const sunrealtype *data = N_VGetArrayPointer(y);
-  return (point_t){data[0], data[1], data[2]};
+  return (point_t){data[0], data[1], data[2], data[3]};
 }
 
 static void point_to(point_t x, N_Vector y) {
@@ -45,6 +45,7 @@ static void point_to(point_t x, N_Vector y) {
   data[0] = x.r;
   data[1] = x.h;
   data[2] = x.z;
+  data[3] = x.t;
 }
 
 // The law with sign(h) smoothed to h / sqrt(h^2 + epsilon^2).
@@ -108,7 +109,7 @@ static int open_cvode(solver_t *s, motion_t *x, double tol) {
     s->fixed_point = SUNNonlinSol_FixedPoint(s->y, 0, s->context);
     return bad | CVodeSetNonlinearSolver(s->memory, s->fixed_point);
   }
-  s->matrix = SUNDenseMatrix(3, 3, s->context);
+  s->matrix = SUNDenseMatrix(4, 4, s->context);
   s->linear = SUNLinSol_Dense(s->y, s->matrix, s->context);
   return bad | CVodeSetLinearSolver(s->memory, s->linear, s->matrix);
 }
@@ -194,7 +195,7 @@ static int change(motion_t *x, const int root[ROOTS], double *t, N_Vector y) {
     c->side = stick_at(k, c->roll, at).lambda > 0 ? 1 : -1;
   } else {
     at.z = 0;
-    found = capture(k, (point_t){0, 0, 0}, 0, &at, c);
+    found = capture(k, (point_t){0, 0, 0, 1}, 0, &at, c);
   }
   point_to(at, y);
   return found;
@@ -214,7 +215,7 @@ static void run(method_t method, const problem_t *problem, double tol,
   x.contact.roll = rolling(&x.model, start) < 0 ? -1 : 1;
   answer->lost = 1;
   if (SUNContext_Create(NULL, &s.context) != 0) return;
-  s.y = N_VNew_Serial(3, s.context);
+  s.y = N_VNew_Serial(4, s.context);
   point_to(start, s.y);
   int state = method == ERK ? open_erk(&s, &x, tol) : open_cvode(&s, &x, tol);
   if (state == 0) state = advance(&s, problem->t_end, &t);

@@ -23,11 +23,13 @@ static inline void run(scheme_t *scheme, const problem_t *problem, double dt,
     answer->lost = 1;
     return;
   }
-  const tf_input_t input = tf_input_default(&machine);
+  tf_input_t input = tf_input_default(&machine);
   status =
       tf_speed_for_slip(&machine, x.r, x.w, input.omega0, problem->h, &x.v);
   if (status == TF_OK) status = tf_begin(&machine, &x, &input, &report);
+  input.alpha = problem->alpha;
   for (long i = 0; i < steps && status >= 0; i++) {
+    input.omega0 = params.omega0 + problem->alpha * (double)(i + 1) * params.dt;
     status = scheme(&machine, &x, &input, &report);
   }
   *answer = (answer_t){{x.r, x.v, x.w}, (long)x.tick, status < 0};

@@ -13,6 +13,9 @@ from tables.markdown import row
 
 PROBLEMS = {"codim2": "chaos", "crossings": "crossings",
             "stickslip": "stickslip"}
+RACES = *PROBLEMS.values(), "driven"
+OWN = {"twofold-located": "located", "twofold-loc-dt": "located",
+       "twofold-moreau": "moreau"}
 LEVELS = 1e-3, 1e-6, 1e-9
 WORST = 8  # times the median, at most
 
@@ -49,9 +52,16 @@ class Race:
         return found
 
 
-def own_race(sweep: str) -> Race:
-    """The schemes of this project."""
+def own_race(sweep: str, peers: Optional[str]) -> Race:
+    """The schemes of this project; under moving inputs as bench-peers has
+    measured them, beside the others."""
     race = Race()
+    for one in read.read_csv(peers) if peers else ():
+        if one["problem"] == "driven" and one["peer"] in OWN:
+            words = one["setting"].split()
+            who = ",".join([OWN[one["peer"]], one["peer"], *words[:-1]])
+            race.series["driven", who].append(
+                (one.number("ns"), one.number("error")))
     for series in read_sweep(sweep):
         if series.real != "double" or series.part not in PROBLEMS:
             continue
@@ -89,9 +99,9 @@ def best_peers(path: str, most: int = 4) -> list[str]:
         times[one["problem"]] = min(one.number("ns"),
                                     times.get(one["problem"], math.inf))
     product = {peer: math.prod(times[problem]
-                               for problem in PROBLEMS.values())
+                               for problem in RACES)
                for peer, times in least.items()
-               if times.keys() >= set(PROBLEMS.values())}
+               if times.keys() >= set(RACES)}
     return sorted(product, key=product.__getitem__)[:most]
 
 
@@ -117,7 +127,7 @@ def versus(own: Race, peers: Race, problem: str, scheme: str,
 
 def races(own: Race, peers: Optional[Race]) -> Iterable[str]:
     """Rows of work and precision."""
-    for problem in PROBLEMS.values():
+    for problem in RACES:
         for scheme, levels, factor in (("located", LEVELS, 1 / 3),
                                        ("moreau", LEVELS[:1], 1)):
             for level in levels:
@@ -238,7 +248,7 @@ class Costs:
 def tables(sweep: str, costs: str, digits: str, steps: str, ensemble: str,
            peers: Optional[str]) -> Iterable[str]:
     """The table of figures and the reasons below it."""
-    own, cost, kept = own_race(sweep), Costs(costs), Digits(digits)
+    own, cost, kept = own_race(sweep, peers), Costs(costs), Digits(digits)
     bench, ensembles = Bench(steps), Ensembles(ensemble)
     yield markdown.header(["figure", "measured", "against", "verdict"])
     yield from races(own, peer_race(peers) if peers else None)

@@ -75,7 +75,9 @@ the common path.
 PEERS = """\
 From `make bench-peers` on the same machine ({stamp}): the least time at which
 a peer keeps an error, the next two finer settings included. A smoothed law is
-there once for every width (eps). All settings are in the picture above.
+there once for every width (eps). All settings are in the picture above. In
+`driven` the turntable is accelerated from -1 to 1 rad/s; `rk4-smooth` is
+written for a constant speed and fails there.
 
 h = g = 0 is in no peer's model: without a rule it would leave the branch of
 the reference there. So each that locates switches (`events-*`, CVODE, ARKODE,
