@@ -205,6 +205,8 @@ def counts(folder):
     call(TWOFOLD, "diverge", *COUNTED[:-1], "5", "--counts", bad)
     said = counted(parts[0], bad, out=folder / "no", code=3)
     check("another run" in said, said)
+    said = counted(one, parts[0], out=folder / "no", code=3)
+    check("of the same run, cut into 5 shards and not 1" in said, said)
     check(not (folder / "no").exists(), "what is refused writes nothing")
     for wrong in (["--counts", one, "--exits", one], ["--exhaustive",
                                                       "--counts", one]):

@@ -296,10 +296,15 @@ int cli_counts_read(cli_counts_t *counts, const char *name) {
 
 int cli_counts_add(cli_counts_t *counts, const cli_counts_t *more,
                    const char *name) {
-  if (counts->run != more->run || counts->of != more->of ||
-      strcmp(counts->about, more->about) != 0) {
+  if (counts->run != more->run || strcmp(counts->about, more->about) != 0) {
     return cli_message(CLI_REFUSED, "%s: of another run than the first file",
                        name);
+  }
+  if (counts->of != more->of) {
+    return cli_message(CLI_REFUSED,
+                       "%s: of the same run, cut into %" PRIu64
+                       " shards and not %" PRIu64 "; a merged run is whole, 1",
+                       name, more->of, counts->of);
   }
   for (uint64_t i = 1; i <= more->of; i++) {
     if (has_shard(more, i) && !cli_counts_shard(counts, i)) {
