@@ -2,6 +2,7 @@
 // futures that were chosen, each at its tick. Set-up and log decide every bit,
 // so the past is not kept but stepped again from the nearest row: a row every
 // `every` steps is a snapshot. When there are MAX_ROWS, every other one goes.
+import { numbers, putBack } from './address.mjs';
 import { AT, COLUMNS } from './core.mjs';
 import { HEADER, line } from './decimal.mjs';
 
@@ -35,8 +36,7 @@ export class Motion {
     this.changes = [[0, start[AT.mode], start[AT.mode], start[AT.set],
       start[AT.choices]]];
     this.#keep();
-    for (let i = 0; i < this.core.names.length; i++)
-      this.scout.c.set(i, this.core.c.get(i));
+    putBack(this.scout, numbers(this.core));
     return null;
   }
 
