@@ -7,8 +7,6 @@ export const ROW = ['t', 'r', 'v', 'omega', 'h', 'g', 'F', 'M', 'mode',
 export const AT = Object.fromEntries(ROW.map((name, i) => [name, i]));
 export const COLUMNS = ROW.length;
 
-export const REGIONS = ['sliding', 'escaping', 'crossing up', 'crossing down',
-  'codimension two', 'none'];
 export const BAD_PARAMETER = -1;
 const LOCATED = ['tolerance', 'segments']; // of that scheme, not the page's
 
