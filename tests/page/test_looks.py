@@ -300,6 +300,25 @@ NAMED = [["F", "M", "r = 0.2 m", "0.5 m", "9 times as large"],
           "−0.96", "−1.1", "0.03", "−0.01"]]
 
 
+def no_regions_without_stick():
+    """Drawings name what is not there: regions, and stick."""
+    tab = opened()
+    for scene, lacks in (("chaos", None), ("rolling", None), ("coulomb", None),
+                         ("smooth", "this law has no stick"),
+                         ("string", "this law has no stick"),
+                         ("frictionless", "this law has no stick"),
+                         ("gamma_zero", "here v does not follow from r and ω")):
+        tab.value(f"location.hash = '#scene={scene}&end'")
+        settled(tab)
+        go(tab, 2000)
+        slip, surface = (tab.value(f"twofold.draw(), twofold.views[{i}].sheet"
+                                   ".ctx.words.map(({ words }) => words)")
+                         for i in (1, 2))
+        check(("stick+" in slip) == (lacks != "this law has no stick"), slip)
+        check([words for words in surface if " does not " in words
+               or " has no " in words] == [lacks] * bool(lacks), surface)
+
+
 def words_lie_apart():
     """At each width, in every scene and at several instants."""
     for options in ({"width": 1280, "height": 860},
@@ -350,5 +369,6 @@ def moving_picture_of_this_core():
 
 
 TESTS = [no_request_to_anywhere, size, frame_time, picture_of_a_desk,
-         picture_of_a_phone, regions_differ, map_of_regions, words_lie_apart,
+         picture_of_a_phone, regions_differ, map_of_regions,
+         no_regions_without_stick, words_lie_apart,
          moving_picture_of_this_core]

@@ -172,7 +172,11 @@ class Reader {
       : this.number(value, word);
     if (number === null) return null;
     const why = core.refusal(name, number);
-    if (why) return this.refuse(word, why);
+    if (why && isList) return this.refuse(word, why);
+    if (why) { // by name already
+      this.told.push(why);
+      return null;
+    }
     core.set(name, number);
     this.names.push(name);
     return null;

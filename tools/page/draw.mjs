@@ -204,7 +204,7 @@ export class Frame {
     for (const value of ticks(this.rangeY.low, this.rangeY.high, 4)) {
       const y = this.y(value);
       path(ctx, [[this.left - 4, y], [this.left, y]], colour.soft, 1);
-      text(ctx, short(value), this.left - 7, y, 'right');
+      if (y > this.top + 18) text(ctx, short(value), this.left - 7, y, 'right');
     }
   }
 }

@@ -39,11 +39,13 @@ function drawNow(ctx, x, y, mode) {
   dot(ctx, x, y, 4.5, colour.mode[mode]);
 }
 
+const NO_REGION = 5; // the law has none, or the point has no speed v
+const hasAny = (regions) => regions?.some((region) => region < NO_REGION);
 const REGION_COLOUR = ['sliding', 'escaping', 'up', 'down', 'line', 'panel'];
 
 // What is drawn over the colour of a region, so that it is known without it, as
-// lines in a tile: stripes over escaping points, arrowheads over those where the
-// slip crosses h = 0, upwards or downwards, and nothing over sliding ones.
+// lines in a tile: nothing over sliding points, stripes over escaping ones, and
+// arrowheads where the slip crosses h = 0, upwards or downwards.
 const TILE = 16;
 const stripes = [0, 1, 2, 3, 4, 5].map((i) => i * TILE / 3)
   .map((sum) => [[-1, sum + 1], [sum + 1, -1]]);
@@ -116,7 +118,7 @@ export class SlipPlane {
     this.frame = frame;
     frame.clip(ctx);
     this.#halves(ctx, frame);
-    this.#line(ctx, frame, motion);
+    const canStick = this.#line(ctx, frame, motion);
     path(ctx, [[frame.x(0), frame.top], [frame.x(0), frame.bottom]],
       colour.line, 1);
     const place = (row) => [frame.x(row[AT.g]), frame.y(row[AT.h])];
@@ -127,7 +129,7 @@ export class SlipPlane {
     ctx.restore();
     frame.axes(ctx, 'g', 'h');
     ctx.room = frame;
-    this.#names(ctx, frame);
+    this.#names(ctx, frame, canStick);
   }
 
   #halves(ctx, frame) {
@@ -141,24 +143,28 @@ export class SlipPlane {
     ctx.globalAlpha = 1;
   }
 
-  // h = 0, by the regions that it has at the present r.
+  // h = 0, by the regions that it has at the present r. Returns: whether it has
+  // any.
   #line(ctx, frame, motion) {
     const count = Math.max(2, Math.round((frame.right - frame.left) / 3));
     const { low, high } = frame.rangeX;
     const regions = motion.core.regionsAt(motion.now[AT.r], low, high, count);
-    if (!regions) return;
     const width = (frame.right - frame.left) / count, y = frame.y(0);
+    path(ctx, [[frame.left, y], [frame.right, y]], colour.line, 1);
+    if (!hasAny(regions)) return false;
     for (let i = 0; i < count; i++)
       if (regions[i] <= 1) fillRegion(ctx, regions[i], this.sheet.ratio,
         frame.left + i * width, y - 5, width + 0.6, 10);
     path(ctx, [[frame.left, y], [frame.right, y]], colour.soft, 1);
+    return true;
   }
 
-  #names(ctx, frame) {
+  #names(ctx, frame, canStick) {
     const { left, right, top, bottom } = frame, y = frame.y(0);
     const end = right - 8;
     label(ctx, 'slip+', [[end, top + 12, 'right']], colour.mode[0]);
     label(ctx, 'slip−', [[end, bottom - 12, 'right']], colour.mode[1]);
+    if (!canStick) return;
     label(ctx, 'stick+', [y - 14, y + 14].map((at) => [end, at, 'right']),
       colour.mode[2]);
     if (frame.x(0) - left > 60)
@@ -239,6 +245,8 @@ export class SurfacePlane {
     for (const key of keys) this.#key(ctx, key);
     frame.axes(ctx, 'r', 'ω');
     ctx.room = frame;
+    if (this.lacks) label(ctx, this.lacks, [[(frame.left + frame.right) / 2,
+      frame.bottom - 14, 'center']]);
     for (const [a, b] of marks)
       label(ctx, 'two-fold', [[a + 10, b - 11], [a - 10, b - 11, 'right'],
         [a + 10, b + 11], [a - 10, b + 11, 'right']], colour.ink);
@@ -267,6 +275,13 @@ export class SurfacePlane {
       frame.bottom - frame.top);
   }
 
+  // Why the map has no regions. Where sin(gamma) is 0 the surface has them, but
+  // its points are not known by r and omega.
+  #why({ core, now }) {
+    return hasAny(core.regionsAt(now[AT.r], -1, 1, 2))
+      ? 'here v does not follow from r and ω' : 'this law has no stick';
+  }
+
   // The regions of a grid of points, and over them the pattern of each.
   #paint(motion, x, y) {
     const { columns, rows } = MAP, { image, layer, small } = this;
@@ -280,11 +295,12 @@ export class SurfacePlane {
       const data = new ImageData(columns, rows);
       for (let j = 0; j < rows; j++)
         for (let i = 0; i < columns; i++)
-          data.data.set(paint(regions ? regions[j * columns + i] : 5),
+          data.data.set(paint(regions ? regions[j * columns + i] : NO_REGION),
             4 * ((rows - 1 - j) * columns + i));
       from.putImageData(data, 0, 0);
       to.drawImage(small, 0, 0, width, height);
     };
+    this.lacks = hasAny(regions) ? null : this.#why(motion);
     const paints = REGION_COLOUR.map((name) => channels(colour[name]));
     enlarge(c, (region) => paints[region]);
     for (const region of [1, 2, 3]) {
