@@ -48,6 +48,9 @@ def alone(test):
 
 
 def opened(address="", **options):
+    """A tab with the page at an address that is whole."""
+    if address and not address.endswith("&end"):
+        address += "&end"
     made = tab(**options)
     made.open(f"{URL}#{address}" if address else URL)
     return made

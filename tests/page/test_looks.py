@@ -1,6 +1,7 @@
 """How the page looks, what it weighs and what it asks for."""
 import gzip
 import io
+import itertools
 import subprocess
 
 from page import (COMMAND, PAGE, ROOT, TWO_FOLD, URL, check, go, opened,
@@ -127,6 +128,220 @@ def picture_of_a_phone():
     whole("phone-dark", width=360, height=740, phone=True, dark=True)
 
 
+REGIONS = ["sliding", "escaping", "up", "down"]
+MODES = ["slip-plus", "slip-minus", "stick-plus", "stick-minus", "pinned"]
+LEAST_DIFFERENCE = 10  # CIE 1976 Delta-E of two regions, or one and the panel
+LEAST_CONTRAST = 2.0    # WCAG, of a pattern or a path to what it is drawn on
+LEAST_TO_PANEL = 1.25   # WCAG, of a region to the panel
+# Machado, Oliveira & Fernandes (2009), severity 1, on linear RGB.
+EYES = {
+    "all cones": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+    "protanopia": [[0.152286, 1.052583, -0.204868],
+                   [0.114503, 0.786281, 0.099216],
+                   [-0.003882, -0.048116, 1.051998]],
+    "deuteranopia": [[0.367322, 0.860646, -0.227968],
+                     [0.280085, 0.672501, 0.047413],
+                     [-0.011820, 0.042940, 0.968881]],
+    "tritanopia": [[1.255528, -0.076749, -0.178779],
+                   [-0.078411, 0.930809, 0.147602],
+                   [0.004733, 0.691367, 0.303900]]}
+XYZ = [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722],
+       [0.0193, 0.1192, 0.9505]]
+
+
+def times(matrix, vector):
+    return [sum(a * b for a, b in zip(row, vector)) for row in matrix]
+
+
+def linear(colour):
+    parts = [int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+    return [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
+            for c in parts]
+
+
+def contrast(a, b):
+    low, high = sorted(times(XYZ, linear(c))[1] for c in (a, b))
+    return (high + 0.05) / (low + 0.05)
+
+
+def cie_lab(colour, eye):
+    seen = [min(max(c, 0), 1) for c in times(EYES[eye], linear(colour))]
+    x, y, z = (t ** (1 / 3) if t > 0.008856 else 7.787 * t + 16 / 116
+               for t in (part / white for part, white in
+                         zip(times(XYZ, seen), (0.95047, 1, 1.08883))))
+    return 116 * y - 16, 500 * (x - y), 200 * (y - z)
+
+
+def difference(a, b, eye):
+    return sum((p - q) ** 2
+               for p, q in zip(cie_lab(a, eye), cie_lab(b, eye))) ** 0.5
+
+
+def style(tab, names):
+    return {name: tab.value("getComputedStyle(document.documentElement)"
+                            f".getPropertyValue('--{name}').trim()")
+            for name in names}
+
+
+def regions_differ():
+    """In light and dark, for every eye: by colour, by luminance from the panel,
+    and by patterns that are seen on them; paths are seen on all."""
+    for dark in (False, True):
+        tab = opened(dark=dark)
+        fill = style(tab, REGIONS + ["panel"])
+        least = []
+        for (one, a), (other, b) in itertools.combinations(fill.items(), 2):
+            for eye in EYES:
+                least.append((difference(a, b, eye), one, other, eye))
+        check(min(least)[0] >= LEAST_DIFFERENCE, f"{dark}: {min(least)}")
+        print(f"# {'dark' if dark else 'light'}: Delta-E {min(least)[0]:.1f} "
+              f"at least, {' and '.join(min(least)[1:3])} in {min(least)[3]}")
+        for name in REGIONS:
+            check(contrast(fill[name], fill["panel"]) >= LEAST_TO_PANEL,
+                  f"{dark}: {name} on the panel")
+            for mode, path in style(tab, MODES).items():
+                check(contrast(path, fill[name]) >= LEAST_CONTRAST,
+                      f"{dark}: {mode} on {name}")
+        lines = style(tab, [f"{name}-lines" for name in REGIONS[1:]])
+        for name, line in lines.items():
+            ratio = contrast(line, fill[name.removesuffix("-lines")])
+            check(ratio >= LEAST_CONTRAST, f"{dark}: {name}: {ratio}")
+
+
+# The pixels of the map by region: how many have its colour, how many the one of
+# its pattern, and for these the sum of (distance from the middle of the nearest
+# arrowhead - 1.1) times (height on it - 3.75): > 0 where arrows point upwards.
+PATTERNED = """(colours) => {
+  const { image, frame } = twofold.views[2], { core, motion } = twofold;
+  const { width, height } = image, { rangeX: x, rangeY: y } = frame;
+  const data = image.getContext('2d').getImageData(0, 0, width, height).data;
+  const columns = 200, rows = 120;
+  const regions = core.regions(x.low, x.high, columns, y.low, y.high, rows);
+  const near = (at, hex) => [0, 1, 2].every((i) => Math.abs(data[at + i] -
+    parseInt(hex.slice(2 * i + 1, 2 * i + 3), 16)) < 12);
+  const found = colours.map(() => ({ all: 0, fill: 0, lines: 0, up: 0 }));
+  for (let j = 0; j < height; j++) {
+    for (let i = 0; i < width; i++) {
+      const cell = (dx, dy) => regions[
+        Math.floor((height - 1 - j + 0.5) / height * rows + dy) * columns +
+        Math.floor((i + 0.5) / width * columns + dx)];
+      const region = cell(0, 0), at = 4 * (j * width + i);
+      if (!colours[region] || [-3, 3].some((d) => cell(d, 0) !== region ||
+        cell(0, d) !== region)) continue;
+      const got = found[region], [fill, lines] = colours[region];
+      got.all++;
+      got.fill += near(at, fill);
+      if (!lines || !near(at, lines)) continue;
+      got.lines++;
+      const away = Math.min(Math.abs((i + 0.5) % 16 - 4.25),
+        Math.abs((i + 0.5) % 16 - 12.25));
+      got.up += (away - 1.1) * ((j + 0.5) % 8 - 3.75);
+    }
+  }
+  return found;
+}"""
+
+
+def map_of_regions():
+    """Each point of the map has the colour and the pattern of its region, and
+    arrowheads point the way that the slip crosses."""
+    tab = opened(f"tick={TWO_FOLD}", width=1600, height=1200)
+    go(tab, TWO_FOLD)
+    colours = style(tab, REGIONS + [f"{name}-lines" for name in REGIONS])
+    pairs = [[colours[name], colours[f"{name}-lines"]] for name in REGIONS]
+    found = tab.value(f"({PATTERNED})({pairs})")
+    for name, got in zip(REGIONS, found):
+        print(f"# {name}: {got}")
+        check(got["all"] > 2000, f"{name} is not in the map")
+        lines, fill = (got[part] / got["all"] for part in ("lines", "fill"))
+        check(lines == 0 and fill > 0.999 if name == "sliding"
+              else 0.01 < lines < 0.3 < fill, f"{name}: {got}")
+    check(found[2]["up"] > 0 > found[3]["up"], "which way the arrows point")
+
+
+# Words of a drawing that overlap, or that run over its edge.
+CROWDED = """(() => {
+  const found = [];
+  for (const { sheet } of twofold.views) {
+    const { words } = sheet.ctx;
+    words.forEach((a, i) => {
+      if (a.left < 0 || a.top < 0 || a.right > sheet.width ||
+        a.bottom > sheet.height) found.push(`${a.words} at the edge`);
+      for (const b of words.slice(i + 1))
+        if (a.left < b.right && b.left < a.right && a.top < b.bottom &&
+          b.top < a.bottom) found.push(`${a.words} and ${b.words}`);
+    });
+  }
+  const shown = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  const texts = [];
+  while (shown.nextNode()) {
+    const node = shown.currentNode, range = document.createRange();
+    if (!node.data.trim() || node.parentElement.closest(
+      'option, script, noscript, svg, #choices, #said')) continue;
+    range.selectNodeContents(node);
+    for (const box of range.getClientRects())
+      if (box.width > 0) texts.push([node.data, box]);
+  }
+  texts.forEach(([words, a], i) => {
+    for (const [other, b] of texts.slice(i + 1))
+      if (a.left < b.right - 1 && b.left < a.right - 1 &&
+        a.top < b.bottom - 2 && b.top < a.bottom - 2)
+        found.push(`${words} and ${other}`);
+  });
+  return found;
+})()"""
+# What is named in each drawing of `chaos`, whatever its size.
+NAMED = [["F", "M", "r = 0.2 m", "0.5 m", "9 times as large"],
+         ["g", "h", "0", "slip+", "slip−", "stick+", "stick−"],
+         ["r", "ω", "sliding", "escaping", "crossing ↑", "crossing ↓",
+          "two-fold", "ω = ω₀", "−1"],
+         ["slip+", "slip−", "stick+", "stick−", "pinned", "r [m]", "ω [rad/s]",
+          "h [m/s]", "g [m/s]", "F [N]", "M [N m]", "t [s]", "0.196", "0.176",
+          "−0.96", "−1.1", "0.03", "−0.01"]]
+
+
+def no_regions_without_stick():
+    """Drawings name what is not there: regions, and stick."""
+    tab = opened()
+    for scene, lacks in (("chaos", None), ("rolling", None), ("coulomb", None),
+                         ("smooth", "this law has no stick"),
+                         ("string", "this law has no stick"),
+                         ("frictionless", "this law has no stick"),
+                         ("gamma_zero", "here v does not follow from r and ω")):
+        tab.value(f"location.hash = '#scene={scene}&end'")
+        settled(tab)
+        go(tab, 2000)
+        slip, surface = (tab.value(f"twofold.draw(), twofold.views[{i}].sheet"
+                                   ".ctx.words.map(({ words }) => words)")
+                         for i in (1, 2))
+        check(("stick+" in slip) == (lacks != "this law has no stick"), slip)
+        check([words for words in surface if " does not " in words
+               or " has no " in words] == [lacks] * bool(lacks), surface)
+
+
+def words_lie_apart():
+    """At each width, in every scene and at several instants."""
+    for options in ({"width": 1280, "height": 860},
+                    {"width": 1440, "height": 780},
+                    {"width": 390, "height": 844, "phone": True},
+                    {"width": 360, "height": 740, "phone": True}):
+        tab = opened(f"tick={TWO_FOLD + 300}", **options)
+        go(tab, TWO_FOLD + 300)
+        tab.value("twofold.draw()")
+        for i, names in enumerate(NAMED):
+            words = tab.value(f"twofold.views[{i}].sheet.ctx.words"
+                              ".map(({ words }) => words)")
+            check(set(names) <= set(words),
+                  f"{options}: {set(names) - set(words)} not in {words}")
+        for scene in tab.value("twofold.core.scenes"):
+            tab.value(f"location.hash = '#scene={scene}&end'")
+            settled(tab)
+            for tick in (0, 300, 4000, 19000, 40000):
+                go(tab, tick)
+                crowded = tab.value(f"twofold.draw(), {CROWDED}")
+                check(not crowded, f"{scene} {tick} {options}: {crowded}")
+
+
 def brightness(picture):
     # Only here, so that the other tests do without it.
     import matplotlib.image  # pylint: disable=import-outside-toplevel
@@ -154,4 +369,6 @@ def moving_picture_of_this_core():
 
 
 TESTS = [no_request_to_anywhere, size, frame_time, picture_of_a_desk,
-         picture_of_a_phone, moving_picture_of_this_core]
+         picture_of_a_phone, regions_differ, map_of_regions,
+         no_regions_without_stick, words_lie_apart,
+         moving_picture_of_this_core]

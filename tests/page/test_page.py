@@ -12,6 +12,7 @@ import test_board
 import test_looks
 import test_motion
 import test_scene
+import test_setup
 from tap import run
 
 
@@ -21,8 +22,8 @@ def main(words):
         return 3
     try:
         return run([(test.__name__, page.alone(test)) for test in
-                    test_motion.TESTS + test_scene.TESTS + test_looks.TESTS
-                    + test_board.TESTS
+                    test_motion.TESTS + test_setup.TESTS + test_scene.TESTS
+                    + test_looks.TESTS + test_board.TESTS
                     if any(word in test.__name__ for word in words)])
     finally:
         page.close()

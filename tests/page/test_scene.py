@@ -94,7 +94,8 @@ def wrong_files():
     check(tab.value("twofold.motion.advance(100)"), "does not go on")
     # A file whose start no motion has: the page shows another scene.
     tab = opened("file=no.scene:" + quote("based-on chaos\ngamma 0\nh 1"))
-    check("no.scene is not shown" in told(tab), told(tab))
+    check("gamma = 0: with a start by h, |sin(gamma)| must be" in told(tab)
+          and "scene chaos is shown as it comes" in told(tab), told(tab))
     check(tab.value("document.getElementById('scene').selectedIndex") == 0, "0")
     check(not tab.complaints(), tab.complaints())
 

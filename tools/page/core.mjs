@@ -7,9 +7,11 @@ export const ROW = ['t', 'r', 'v', 'omega', 'h', 'g', 'F', 'M', 'mode',
 export const AT = Object.fromEntries(ROW.map((name, i) => [name, i]));
 export const COLUMNS = ROW.length;
 
-export const REGIONS = ['sliding', 'escaping', 'crossing up', 'crossing down',
-  'codimension two', 'none'];
 export const BAD_PARAMETER = -1;
+const LOCATED = ['tolerance', 'segments']; // of that scheme, not the page's
+
+const unitOf = (p) => (p.unit === '1' ? '' : ` ${p.unit}`);
+export const rangeOf = (p) => `[${p.low}, ${p.high}]${unitOf(p)}`;
 
 export class Core {
   constructor(module) {
@@ -31,8 +33,17 @@ export class Core {
         low: exports.parameter_low(i),
         high: exports.parameter_high(i),
         laws: exports.parameter_laws(i),
+        scene: exports.parameter_scene(i), // where another has a value for it
+        there: exports.parameter_there(i),
       });
     }
+    const limit = exports.state_limit();
+    this.ranges = new Map(this.parameters.map((p) => [p.name, p]));
+    for (const [name, unit] of
+      [['r', 'm'], ['omega', 'rad/s'], ['h', 'm/s'], ['v', 'm/s']])
+      this.ranges.set(name, { name, unit, low: -limit, high: limit });
+    this.ranges.set('seed', { name: 'seed', unit: '1', low: 0,
+      high: 2 ** 32 - 1, isWhole: true });
     this.names = [...this.parameters.map((p) => p.name), 'law', 'rule', 'rest',
       'r', 'omega', 'h', 'v', 'v is given', 'seed'];
     this.at = Object.fromEntries(this.names.map((name, i) => [name, i]));
@@ -71,28 +82,91 @@ export class Core {
 
   get(name) { return this.c.get(this.at[name]); }
 
+  // Returns: the number that a text is for the command line, or why it is none.
+  number(text) {
+    const { c } = this, bytes = new TextEncoder().encode(text);
+    if (bytes.length >= c.number_room()) return 'is not a number';
+    this.bytes(c.number_text(), bytes.length + 1).set([...bytes, 0]);
+    return this.text(c.number_take(bytes.length)) || c.number_value();
+  }
+
+  // Returns: whether the law needs a parameter.
+  needs(p, law = this.get('law')) { return (p.laws >> law & 1) !== 0; }
+
+  // Returns: null, or why a value is none of the set-up's number of this name,
+  // by name and range. A parameter that the law does not need may be 0.
+  refusal(name, value) {
+    const list = this.lists[name], p = this.ranges.get(name);
+    if (list) return list[value] === undefined
+      ? `unknown ${name}; there are ${list.join(', ')}` : null;
+    if (!p) return 'unknown name';
+    const isNone = value === 0 && p.laws !== undefined && !this.needs(p);
+    const isGood = value >= p.low && value <= p.high &&
+      (!p.isWhole || Number.isInteger(value));
+    return isGood || isNone ? null
+      : `${name} = ${value} must ${p.isWhole ? 'be a whole number' : 'lie'} ` +
+        `in ${rangeOf(p)}`;
+  }
+
+  // Returns: null, or why a number of the set-up has no effect.
+  unused(name) {
+    const p = this.ranges.get(name), rule = this.lists.rule[this.get('rule')];
+    if (p?.laws !== undefined && !this.needs(p))
+      return `law ${this.lists.law[this.get('law')]} does not use it`;
+    if (LOCATED.includes(name)) return 'only scheme located uses it';
+    if (['rate', 'seed'].includes(name) && rule !== 'random')
+      return `rule ${rule} draws nothing`;
+    if (name === 'rest' && !this.c.uses_rest())
+      return `law ${this.lists.law[this.get('law')]} has no moment in stick`;
+    return null;
+  }
+
+  // A law has been chosen. Parameters that it needs and that have no value get
+  // the one of a scene that uses them; those that have it no longer need it.
+  // own: the scene's values. Returns: what was given to them, in words.
+  fill(own) {
+    const given = new Map(), ownLaw = own.law;
+    for (const p of this.parameters) {
+      const value = this.get(p.name);
+      const hadNone = own[p.name] === 0 && !this.needs(p, ownLaw);
+      if (!this.needs(p)) {
+        if (hadNone && value === p.there) this.set(p.name, 0);
+      } else if (hadNone && value === 0 || !(value >= p.low)) {
+        this.set(p.name, p.there);
+        const words = `${p.name} = ${p.there}${unitOf(p)}`;
+        const before = given.get(p.scene);
+        given.set(p.scene, before ? `${before}, ${words}` : words);
+      }
+    }
+    return [...given].map(([scene, words]) =>
+      `${words} as in scene ${this.scenes[scene]}`).join('; ');
+  }
+
   // Returns: whether the set-up has such a number and, if it is one of a list,
-  // whether it is in the list. Ranges are checked by begin.
+  // whether it is in the list. Ranges are checked by refusal and begin.
   set(name, value) {
-    return name in this.at && this.c.set(this.at[name], value) !== 0;
+    return Object.hasOwn(this.at, name) &&
+      this.c.set(this.at[name], value) !== 0;
   }
 
   // Returns: null, or why the core refuses, by name and range.
   begin() {
-    const status = this.c.begin();
+    const { c } = this, status = c.begin();
     if (status === 0) {
       this.look();
       return null;
     }
-    const p = this.parameters[this.c.offending()];
-    if (status === BAD_PARAMETER && p) {
-      const unit = p.unit === '1' ? '' : ` ${p.unit}`;
-      return { name: p.name, text: `${p.name} = ${this.get(p.name)} must lie ` +
-        `in [${p.low}, ${p.high}]${unit}` };
-    }
-    return { name: '', text: `the start r = ${this.get('r')} m, omega = ` +
-      `${this.get('omega')} rad/s is refused: ` +
-      this.text(this.c.status_name(status)) };
+    const p = this.parameters[c.offending()];
+    if (status === BAD_PARAMETER && p)
+      return `${this.refusal(p.name, this.get(p.name))}: law ` +
+        `${this.lists.law[this.get('law')]} needs it`;
+    const gamma = this.get('gamma'), sine = Math.abs(Math.sin(gamma));
+    if (!this.get('v is given') && sine < c.least_sine())
+      return `gamma = ${gamma}: with a start by h, |sin(gamma)| must be at ` +
+        `least ${c.least_sine()}`;
+    return `the start r = ${this.get('r')} m, omega = ${this.get('omega')} ` +
+      `rad/s is refused, |r| + |v| + |omega| must be at most ` +
+      `${c.state_limit()}: ${this.status(status)}`;
   }
 
   status(code) { return this.text(this.c.status_name(code)); }

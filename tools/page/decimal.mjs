@@ -23,6 +23,13 @@ export function decimal(x) {
   return sign + whole + (part && `.${part}`);
 }
 
+// A number for whoever reads it back: the reader refuses decimals that are too
+// small for all of their digits to count, so those are hexadecimal.
+export function exact(x) {
+  if (x === 0 || Math.abs(x) >= MIN_NORMAL) return decimal(x);
+  return `${x < 0 ? '-' : ''}0x${Math.abs(x / 2 ** -1074).toString(16)}p-1074`;
+}
+
 export const HEADER = 't,r,v,omega,h,g,F,M,mode,choices\n';
 
 // row: t r v omega h g F M mode choices.

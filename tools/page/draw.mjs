@@ -10,7 +10,8 @@ export const colour = {};
 export function readColours() {
   const style = getComputedStyle(document.documentElement);
   for (const name of ['paper', 'panel', 'ink', 'soft', 'line', 'faint',
-    'accent', 'sliding', 'escaping', 'up', 'down', 'steel'])
+    'accent', 'sliding', 'escaping', 'up', 'down', 'escaping-lines',
+    'up-lines', 'down-lines', 'steel'])
     colour[name] = style.getPropertyValue(`--${name}`).trim();
   colour.mode = ['slip-plus', 'slip-minus', 'stick-plus', 'stick-minus',
     'pinned'].map((name) => style.getPropertyValue(`--${name}`).trim());
@@ -45,6 +46,8 @@ export class Sheet {
     ctx.lineJoin = ctx.lineCap = 'round';
     ctx.textAlign = 'left';
     ctx.textBaseline = 'middle';
+    ctx.words = [];
+    ctx.room = { left: 0, right: this.width, top: 0, bottom: this.height };
     return ctx;
   }
 
@@ -84,19 +87,49 @@ export function steady(range, low, high, least) {
     high: Math.ceil((middle + half) / step) * step };
 }
 
-export function text(ctx, words, x, y, align = 'left', fill = colour.soft) {
-  ctx.fillStyle = fill;
-  ctx.textAlign = align;
-  ctx.fillText(words, x, y);
+// What words take on the sheet.
+function boxOf(ctx, words, x, y) {
+  const size = ctx.measureText(words);
+  return { words, left: x - size.actualBoundingBoxLeft,
+    right: x + size.actualBoundingBoxRight,
+    top: y - size.actualBoundingBoxAscent,
+    bottom: y + size.actualBoundingBoxDescent };
 }
 
-// The same, legible on whatever is behind it.
-export function label(ctx, words, x, y, align = 'left', fill = colour.soft) {
-  ctx.textAlign = align;
-  ctx.strokeStyle = colour.panel;
-  ctx.lineWidth = 3.5;
-  ctx.strokeText(words, x, y);
-  text(ctx, words, x, y, align, fill);
+const GAP = 3; // least space between words in a row
+
+const isWithin = (box, room) => box.left >= room.left &&
+  box.right <= room.right && box.top >= room.top && box.bottom <= room.bottom;
+const isApart = (a, b) => a.right + GAP <= b.left || b.right + GAP <= a.left ||
+  a.bottom <= b.top || b.bottom <= a.top;
+
+// Words at the first of some places, [x, y, align] each, where they lie on no
+// other words and within the room; nowhere, if there is none. hasHalo: they are
+// legible on whatever is behind them.
+function place(ctx, words, places, fill, hasHalo) {
+  for (const [x, y, align = 'left'] of places) {
+    ctx.textAlign = align;
+    const box = boxOf(ctx, words, x, y);
+    if (!isWithin(box, ctx.room) ||
+      !ctx.words.every((other) => isApart(box, other))) continue;
+    ctx.words.push(box);
+    if (hasHalo) {
+      ctx.strokeStyle = colour.panel;
+      ctx.lineWidth = 3.5;
+      ctx.strokeText(words, x, y);
+    }
+    ctx.fillStyle = fill;
+    ctx.fillText(words, x, y);
+    return;
+  }
+}
+
+export function text(ctx, words, x, y, align = 'left', fill = colour.soft) {
+  place(ctx, words, [[x, y, align]], fill, false);
+}
+
+export function label(ctx, words, places, fill = colour.soft) {
+  place(ctx, words, places, fill, true);
 }
 
 export function dot(ctx, x, y, radius, fill) {
@@ -134,12 +167,11 @@ export function arrow(ctx, x0, y0, x1, y1, stroke, width = 2.5) {
 
 // A frame with axes: x and y map numbers to pixels.
 export class Frame {
-  constructor(sheet, x, y, margins = { left: 58, right: 14, top: 8,
-    bottom: 34 }) {
-    this.left = margins.left;
-    this.right = sheet.width - margins.right;
-    this.top = margins.top;
-    this.bottom = sheet.height - margins.bottom;
+  constructor(sheet, x, y, top = 8) {
+    this.left = 58;
+    this.right = sheet.width - 14;
+    this.top = top;
+    this.bottom = sheet.height - 34;
     const across = (this.right - this.left) / (x.high - x.low);
     const up = (this.bottom - this.top) / (y.high - y.low);
     this.rangeX = x;
@@ -161,19 +193,18 @@ export class Frame {
     ctx.lineWidth = 1;
     ctx.strokeRect(this.left, this.top, this.right - this.left,
       this.bottom - this.top);
+    text(ctx, nameX, this.right, this.bottom + 14, 'right', colour.ink);
+    text(ctx, nameY, this.left - 7, this.top + 7, 'right', colour.ink);
     const count = Math.max(2, Math.floor((this.right - this.left) / 80));
     for (const value of ticks(this.rangeX.low, this.rangeX.high, count)) {
       const x = this.x(value);
       path(ctx, [[x, this.bottom], [x, this.bottom + 4]], colour.soft, 1);
-      if (x < this.right - 24) text(ctx, short(value), x, this.bottom + 14,
-        'center');
+      text(ctx, short(value), x, this.bottom + 14, 'center');
     }
     for (const value of ticks(this.rangeY.low, this.rangeY.high, 4)) {
       const y = this.y(value);
       path(ctx, [[this.left - 4, y], [this.left, y]], colour.soft, 1);
       if (y > this.top + 18) text(ctx, short(value), this.left - 7, y, 'right');
     }
-    text(ctx, nameX, this.right, this.bottom + 14, 'right', colour.ink);
-    text(ctx, nameY, this.left - 7, this.top + 7, 'right', colour.ink);
   }
 }

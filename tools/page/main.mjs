@@ -1,6 +1,6 @@
 // The page: one motion, one clock, and what looks at them or acts on them.
 import { AT, Core } from './core.mjs';
-import { putBack, read, sceneWord, write } from './address.mjs';
+import { numbers, putBack, read, sceneWord, whole, write } from './address.mjs';
 import { Line, Record, openSerial } from './board.mjs';
 import { short } from './decimal.mjs';
 import { readColours } from './draw.mjs';
@@ -29,7 +29,7 @@ const surface = new SurfacePlane(), strips = new Strips();
 const views = [mechanism, plane, surface, strips];
 const hand = new Hand((force, torque) => act(() =>
   motion.drive(force, torque)));
-const panel = new Panel(core, change);
+const panel = new Panel(core, change, refuse);
 
 let scene = 0;
 let own = {};            // the scene's values
@@ -49,7 +49,8 @@ const span = () => Number($('span').value);
 function say(words) {
   $('said').textContent = words;
   clearTimeout(sayTimer);
-  sayTimer = setTimeout(() => { $('said').textContent = ''; }, 4000);
+  sayTimer = setTimeout(() => { $('said').textContent = ''; },
+    4000 + 60 * words.length);
 }
 
 // Does something to the present; what lay ahead is another motion now.
@@ -67,9 +68,11 @@ function remember() {
     `#${write(core, scene, motion.log, motion.tick)}`), 250);
 }
 
-function ownValues(number) {
-  core.c.load(number);
-  return Object.fromEntries(core.names.map((name) => [name, core.get(name)]));
+// What is refused is said twice: where it was entered, and in sight, because on
+// a phone the panel is far below.
+function refuse(words) {
+  panel.say(words);
+  if (words) say(words);
 }
 
 // The scene of a file stands last in the list.
@@ -82,61 +85,76 @@ function showFile() {
 // Opens a file with a scene, or says what is wrong in it.
 async function openFile(file) {
   const refusal = core.takeFile(file.name, await file.text());
-  panel.say(refusal);
-  if (refusal) {
-    say(refusal); // on a phone the panel is far below
-    return;
-  }
+  refuse(refusal);
+  if (refusal) return;
   play(false);
-  open(sceneWord(core, core.ownScene));
+  open(whole([sceneWord(core, core.ownScene)]));
   remember();
+}
+
+// Begins what an address says; where the core refuses that, the scene as it
+// comes, or the first one: a file may have a start that no motion has.
+function begin(text) {
+  const first = read(core, text);
+  const refusal = motion.begin(first.log);
+  if (!refusal) {
+    for (const name of first.names) {
+      const why = core.unused(name);
+      if (why) first.told.push(`${name} has no effect: ${why}`);
+    }
+    return first;
+  }
+  for (const number of [first.scene, 0]) {
+    const next = read(core, whole([sceneWord(core, number)]));
+    if (motion.begin()) continue;
+    next.told = [...first.told, `${refusal}; scene ${core.scenes[number]} is ` +
+      'shown as it comes'];
+    return next;
+  }
+  throw new Error(refusal);
 }
 
 // Opens what an address says.
 function open(text) {
-  const got = read(core, text);
-  own = ownValues(got.scene);
-  const again = read(core, text);
+  const got = begin(text);
   scene = got.scene;
-  if (scene === core.ownScene) showFile();
+  own = got.own;
+  if (core.file) showFile();
   scout.c.load(scene);
-  const refusal = motion.begin(again.log);
-  if (refusal) { // a file may have a start that no motion has
-    const isFile = scene === core.ownScene;
-    open(sceneWord(core, isFile ? 0 : scene));
-    panel.say(`${refusal.text}; ` + (isFile ? `${core.file.name} is not shown`
-      : 'the scene is as it comes'));
-    return;
-  }
   $('scene').selectedIndex = scene;
   $('shows').textContent = core.text(core.c.scene_shows(scene));
   panel.show(own);
-  panel.say(got.refused.length
-    ? `not understood in the address: ${got.refused.join(', ')}` : null);
+  refuse(got.told.length ? `address: ${got.told.join('; ')}` : null);
   views.forEach((view) => view.begin(core));
-  goal = again.tick;
+  goal = got.tick;
   part = 0;
   showFan(null);
   isStale = true;
 }
 
 // A number of the set-up has a new value: the same motion, from its start.
+// Returns: null or why not; then the set-up is as it was.
 function change(name, value) {
-  const before = core.names.map((_, i) => core.c.get(i));
+  const before = numbers(core);
   const time = Math.max(motion.tick, goal) * motion.dt;
-  const isKnown = !Number.isNaN(value) && core.set(name, value);
-  const refusal = isKnown ? motion.begin(motion.log)
-    : { name, text: `${name}: not a number that it takes` };
-  if (refusal) putBack(core, before);
+  let refusal = core.refusal(name, value), given = '';
   if (!refusal) {
-    goal = Math.round(time / motion.dt);
-    mechanism.begin(core);
-    surface.key = '';
-    showFan(null);
-    remember();
+    core.set(name, value);
+    if (name === 'law') given = core.fill(own);
+    refusal = motion.begin(motion.log);
   }
   isStale = true;
-  return refusal;
+  if (refusal) {
+    putBack(core, before);
+    return refusal;
+  }
+  if (given) say(`law ${core.lists.law[value]}: ${given}`);
+  goal = Math.round(time / motion.dt);
+  mechanism.begin(core);
+  surface.key = '';
+  showFan(null);
+  remember();
+  return null;
 }
 
 // The futures of the step that ends at a tick, or none.
@@ -404,7 +422,7 @@ function wire() {
   core.scenes.forEach((name) => $('scene').append(new Option(name)));
   $('scene').onchange = () => {
     play(false);
-    open(sceneWord(core, $('scene').selectedIndex));
+    open(whole([sceneWord(core, $('scene').selectedIndex)]));
     remember();
   };
   takeFiles($('open'), $('file'), openFile);

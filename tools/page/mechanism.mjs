@@ -196,6 +196,7 @@ export class Mechanism {
     ctx.stroke();
     this.#wheel(ctx, px, y, 0, lens * 0.24, row[AT.mode]);
     this.#forces(ctx, row, px, y);
+    this.#railNames(ctx, k);
     ctx.restore();
     ctx.beginPath();
     ctx.arc(x, y, lens, 0, TAU);
@@ -239,9 +240,18 @@ export class Mechanism {
       const isLong = i % 5 === 0;
       path(ctx, [[at, y + lens * 0.32], [at, y + lens * (isLong ? 0.4 : 0.36)]],
         colour.ink, isLong ? 1.4 : 0.8);
-      if (isLong && Math.abs(at - x) < lens * 0.75)
-        label(ctx, `r = ${short(i * step)} m`, at, y + lens * 0.62, 'center',
-          colour.soft);
+    }
+  }
+
+  // Behind the forces, which name themselves where they are.
+  #railNames(ctx, k) {
+    const { lensX: x, lensY: y, lens, middle, reach } = this;
+    for (let i = Math.ceil((middle - reach) / reach);
+      i * reach < middle + reach; i++) {
+      const at = x + k * (i * reach - middle);
+      if (Math.abs(at - x) < lens * 0.75)
+        label(ctx, `r = ${short(i * reach)} m`, [0.62, 0.76, -0.62, -0.76]
+          .map((part) => [at, y + lens * part, 'center']));
     }
   }
 
@@ -252,16 +262,16 @@ export class Mechanism {
     const size = 0.6 * lens * row[AT.F] / mu;
     arrow(ctx, x, y, x + size * Math.sin(gamma), y - size * Math.cos(gamma),
       colour.ink);
+    const tip = size + Math.sign(size) * 10;
     if (Math.abs(size) > 14)
-      label(ctx, 'F', x + (size + Math.sign(size) * 10) * Math.sin(gamma),
-        y - (size + Math.sign(size) * 10) * Math.cos(gamma), 'center',
-        colour.ink);
+      label(ctx, 'F', [[x + tip * Math.sin(gamma), y - tip * Math.cos(gamma),
+        'center']], colour.ink);
     const turn = kappa > 0 ? -0.75 * Math.PI * row[AT.M] / (kappa * mu) : 0;
     if (Math.abs(turn) > 0.15) {
       this.#arc(ctx, x, y, lens * 0.4, -0.3, turn, colour.soft);
-      const at = -0.3 + turn / 2;
-      label(ctx, 'M', x + lens * 0.5 * Math.cos(at), y + lens * 0.5 *
-        Math.sin(at), 'center', colour.soft);
+      label(ctx, 'M', [0.5, 0.3, 0.7].map((part) => -0.3 + part * turn)
+        .map((at) => [x + lens * 0.5 * Math.cos(at), y + lens * 0.5 *
+          Math.sin(at), 'center']));
     }
     if (row[AT.force] !== 0)
       arrow(ctx, x, y - lens * 0.33, x + Math.sign(row[AT.force]) *
@@ -274,7 +284,7 @@ export class Mechanism {
     const x = 12, y = this.sheet.height - 12;
     path(ctx, [[x, y - 4], [x, y], [x + long * this.scale, y],
       [x + long * this.scale, y - 4]], colour.soft, 1);
-    label(ctx, `${short(long)} m`, x + long * this.scale + 6, y - 3);
+    label(ctx, `${short(long)} m`, [[x + long * this.scale + 6, y - 3]]);
     text(ctx, `${short(k / this.scale, 2)} times as large`, this.lensX +
       this.lens, this.lensY - this.lens - 8, 'right');
   }

@@ -55,6 +55,7 @@ double EXPORT(t_end)(void);
 bool EXPORT(is_driven)(void);
 int32_t EXPORT(begin)(void);
 int32_t EXPORT(offending)(void);
+bool EXPORT(uses_rest)(void);
 void EXPORT(by_hand)(double new_force, double new_torque);
 int32_t EXPORT(step)(uint32_t steps);
 int32_t EXPORT(take)(uint32_t mode);
@@ -211,6 +212,9 @@ int32_t begin(void) {
 }
 
 int32_t offending(void) { return offender; }
+
+// Whether the law of rest matters: only where stick carries a moment.
+bool uses_rest(void) { return begun && machine.stick_kappa > 0; }
 
 // A force and a torque beside those of the scene, from the next step on.
 void by_hand(double new_force, double new_torque) {

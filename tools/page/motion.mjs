@@ -2,7 +2,8 @@
 // futures that were chosen, each at its tick. Set-up and log decide every bit,
 // so the past is not kept but stepped again from the nearest row: a row every
 // `every` steps is a snapshot. When there are MAX_ROWS, every other one goes.
-import { AT, COLUMNS } from './core.mjs';
+import { numbers, putBack } from './address.mjs';
+import { AT, BAD_PARAMETER, COLUMNS } from './core.mjs';
 import { HEADER, line } from './decimal.mjs';
 
 const MAX_ROWS = 1 << 17;
@@ -35,8 +36,7 @@ export class Motion {
     this.changes = [[0, start[AT.mode], start[AT.mode], start[AT.set],
       start[AT.choices]]];
     this.#keep();
-    for (let i = 0; i < this.core.names.length; i++)
-      this.scout.c.set(i, this.core.c.get(i));
+    putBack(this.scout, numbers(this.core));
     return null;
   }
 
@@ -119,7 +119,10 @@ export class Motion {
       core.look();
       if (this.tick === this.count * this.every) this.#keep();
       if (status < 0) {
-        this.stopped = { tick: this.tick, text: core.status(status) };
+        const taken = this.#taken(this.tick);
+        this.stopped = { tick: this.tick, text: status === BAD_PARAMETER
+          ? `no step from here ends in ${core.modes[taken.mode]}`
+          : core.status(status) };
         return false;
       }
     }
@@ -200,7 +203,9 @@ export class Motion {
   // Goes on with one of the futures of the step that ends at a tick.
   choose(tick, mode) {
     this.seek(tick - 1);
+    const held = this.#held(tick - 1);
     this.#cut();
+    if (held.tick === tick - 1) this.log.push(held);
     this.log.push({ tick: tick - 1, mode });
     return this.advance(tick);
   }

@@ -1,17 +1,12 @@
 // The set-up as sliders, fields and lists, all of them from the core's tables.
 // A slider spans a neighbourhood of the scene's value, within the range of the
-// core; the field beside it takes the whole range. What the core refuses stays
-// in the field, with the reason, and the motion goes on as it was.
+// core; the field beside it takes the whole range. Where the core refuses, why
+// is told and every field shows what holds: the motion goes on as it was.
+import { rangeOf } from './core.mjs';
 import { decimal } from './decimal.mjs';
 
 const STEPS = 400;
-const STARTS = [
-  { name: 'r', unit: 'm', low: -1e9, high: 1e9, spread: 0.2 },
-  { name: 'omega', unit: 'rad/s', low: -1e9, high: 1e9, spread: 1 },
-  { name: 'h', unit: 'm/s', low: -1e9, high: 1e9, spread: 0.5 },
-  { name: 'v', unit: 'm/s', low: -1e9, high: 1e9, spread: 0.5 },
-];
-const LOCATED = ['tolerance', 'segments']; // of that scheme, not the page's
+const SPREAD = { r: 0.2, omega: 1, h: 0.5, v: 0.5 };
 
 // Position 0 to STEPS and back, over what the slider spans.
 export function spanOf({ low, high, spread }, base) {
@@ -43,9 +38,11 @@ function element(tag, properties = {}, ...children) {
 
 export class Panel {
   // change(name, value): informs the page. Returns: null or a refusal.
-  constructor(core, change) {
+  // refuse(words): tells one, or that there is none.
+  constructor(core, change, refuse) {
     this.core = core;
     this.change = change;
+    this.refuse = refuse;
     this.lists = document.getElementById('lists');
     this.numbers = document.getElementById('numbers');
     this.starts = document.getElementById('starts');
@@ -62,76 +59,70 @@ export class Panel {
     this.lists.replaceChildren();
     for (const [name, words] of Object.entries(core.lists)) {
       const select = element('select', { id: `list-${name}`, onchange: () =>
-        this.#tell(name, select.selectedIndex, select) },
+        this.#tell(name, select.selectedIndex) },
       ...words.map((word) => element('option', {}, word)));
-      select.selectedIndex = core.get(name);
       const title = element('span', {}, name);
-      this.rows[name] = { title, field: select };
-      this.lists.append(element('label', {}, title, select));
+      const label = element('label', {}, title, select);
+      this.rows[name] = { title, label, list: select };
+      this.lists.append(label);
     }
-    const isRandom = core.lists.rule[core.get('rule')] === 'random';
-    if (isRandom) this.#number({ name: 'seed', unit: '', low: 0,
-      high: 4294967295 }, this.lists, true);
+    if (!core.unused('seed'))
+      this.#number(core.ranges.get('seed'), this.lists, true);
     this.numbers.replaceChildren();
     this.starts.replaceChildren();
-    const law = core.get('law');
     for (const parameter of core.parameters)
-      if (parameter.laws >> law & 1 && !LOCATED.includes(parameter.name) &&
-        (isRandom || parameter.name !== 'rate'))
-        this.#number(parameter, this.numbers);
-    for (const start of STARTS)
-      if (start.name !== (core.get('v is given') ? 'h' : 'v'))
-        this.#number(start, this.starts);
+      if (!core.unused(parameter.name)) this.#number(parameter, this.numbers);
+    for (const name of ['r', 'omega', core.get('v is given') ? 'v' : 'h'])
+      this.#number({ ...core.ranges.get(name), spread: SPREAD[name] },
+        this.starts);
     this.mark();
   }
 
   #number(about, place, isPlain = false) {
     const { name, low, high } = about;
-    const value = this.core.get(name);
     const unit = about.unit === '1' ? '' : about.unit;
     const range = `${name}: ${low} to ${high} ${unit}`;
     const title = element('span', { title: range }, name);
     const field = element('input', { type: 'text', inputMode: 'decimal',
-      value: brief(value), title: range, autocomplete: 'off',
+      title: range, autocomplete: 'off',
       onfocus: () => { field.value = decimal(this.core.get(name)); },
-      onblur: () => {
-        if (field.getAttribute('aria-invalid') !== 'true')
-          field.value = brief(this.core.get(name));
-      },
-      onchange: () => this.#tell(name, Number(field.value.trim() || NaN),
-        field) });
+      onblur: () => { field.value = brief(this.core.get(name)); },
+      onchange: () => this.#read(name, field) });
     field.setAttribute('aria-label', range);
     if (isPlain) {
       this.rows[name] = { title, field };
       place.append(title, field);
       return;
     }
-    const span = spanOf(about, this.own[name]);
+    const hasOwn = about.laws === undefined ||
+      this.core.needs(about, this.own.law);
+    const span = spanOf(about, hasOwn ? this.own[name] : about.there);
     const slider = element('input', { type: 'range', min: 0, max: STEPS,
-      step: 1, title: range, oninput: () => {
-        const next = rounded(span.to(Number(slider.value)));
-        field.value = brief(next);
-        this.#tell(name, next, field);
-      } });
+      step: 1, title: range, oninput: () =>
+        this.#tell(name, rounded(span.to(Number(slider.value)))) });
     slider.setAttribute('aria-label', range);
-    slider.value = span.from(value);
     this.rows[name] = { title, field, slider, span };
     place.append(title, slider, field, element('span', { className: 'unit' },
       unit));
   }
 
-  #tell(name, value, field) {
-    const refusal = this.change(name, value);
-    this.refusal.hidden = !refusal;
-    this.refusal.textContent = refusal ? refusal.text : '';
-    field.setAttribute('aria-invalid', Boolean(refusal));
-    if (refusal) return;
-    for (const row of Object.values(this.rows))
-      row.field.setAttribute('aria-invalid', false);
-    const row = this.rows[name];
-    if (row.slider) row.slider.value = row.span.from(value);
-    if (name === 'law' || name === 'rule') this.show(this.own);
-    else this.mark();
+  // What was typed is read as the command line reads it.
+  #read(name, field) {
+    const text = field.value.trim(), value = this.core.number(text);
+    if (typeof value === 'number') this.#tell(name, value);
+    else this.#end(name, `${name}: '${text}' ${value}; it takes ` +
+      rangeOf(this.core.ranges.get(name)));
+  }
+
+  #tell(name, value) { this.#end(name, this.change(name, value)); }
+
+  #end(name, refusal) {
+    const isList = this.rows[name].list !== undefined;
+    this.refuse(refusal);
+    if (isList && !refusal) {
+      this.show(this.own);
+      this.rows[name].list.focus();
+    } else this.mark();
   }
 
   say(refusal) {
@@ -139,14 +130,21 @@ export class Panel {
     this.refusal.textContent = refusal ?? '';
   }
 
-  // What differs from the scene.
+  // All fields show what holds, and what of it differs from the scene.
   mark() {
+    const { core } = this;
     let count = 0;
     for (const [name, row] of Object.entries(this.rows)) {
-      const differs = !Object.is(this.core.get(name), this.own[name]);
+      const value = core.get(name);
+      if (row.list) row.list.selectedIndex = value;
+      if (row.field) row.field.value = row.field === document.activeElement
+        ? decimal(value) : brief(value);
+      if (row.slider) row.slider.value = row.span.from(value);
+      const differs = !Object.is(value, this.own[name]);
       row.title.className = differs ? 'was' : '';
       count += differs;
     }
+    this.rows.rest.label.hidden = core.unused('rest') !== null;
     document.getElementById('changed').textContent =
       count ? `${count} changed` : 'as in the scene';
   }

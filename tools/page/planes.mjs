@@ -1,7 +1,7 @@
 // Two planes on the clock of the motion: the slip (g, h), and the surface h = 0
 // over (r, omega) with the regions of its points.
-import { AT, REGIONS } from './core.mjs';
-import { Frame, Sheet, colour, dot, label, path, roundUp, steady, text }
+import { AT } from './core.mjs';
+import { Frame, Sheet, colour, dot, label, path, steady, text }
   from './draw.mjs';
 
 // Rows of the recent past, at most `most` of them.
@@ -39,27 +39,46 @@ function drawNow(ctx, x, y, mode) {
   dot(ctx, x, y, 4.5, colour.mode[mode]);
 }
 
+const NO_REGION = 5; // the law has none, or the point has no speed v
+const hasAny = (regions) => regions?.some((region) => region < NO_REGION);
 const REGION_COLOUR = ['sliding', 'escaping', 'up', 'down', 'line', 'panel'];
 
-// Pale lines, so that regions differ without their colours: escaping ones.
-let tile = null;
-function hatch(ctx) {
-  if (tile?.title !== colour.escaping) {
-    tile = document.createElement('canvas');
-    tile.title = colour.escaping; // of which colours it is
-    tile.width = tile.height = 8;
+// What is drawn over the colour of a region, so that it is known without it, as
+// lines in a tile: nothing over sliding points, stripes over escaping ones, and
+// arrowheads where the slip crosses h = 0, upwards or downwards.
+const TILE = 16;
+const stripes = [0, 1, 2, 3, 4, 5].map((i) => i * TILE / 3)
+  .map((sum) => [[-1, sum + 1], [sum + 1, -1]]);
+const heads = (from, to) => [[2, 0], [10, 8]].map(([x, y]) =>
+  [[x, y + from], [x + 2.25, y + to], [x + 4.5, y + from]]);
+const PATTERNS = [[], stripes, heads(5, 2.5), heads(2.5, 5)];
+
+// A pattern in the units of a sheet that has `ratio` pixels for each.
+const made = new Map();
+function pattern(ctx, region, ratio) {
+  const stroke = colour[`${REGION_COLOUR[region]}-lines`];
+  const key = `${region} ${ratio} ${stroke}`;
+  if (!made.has(key)) {
+    const tile = document.createElement('canvas');
+    tile.width = tile.height = Math.round(TILE * ratio);
     const c = tile.getContext('2d');
-    c.strokeStyle = colour.mode[0];
-    c.globalAlpha = 0.5;
-    c.lineWidth = 1.2;
-    c.beginPath();
-    for (const shift of [-8, 0, 8]) {
-      c.moveTo(shift - 1, 9);
-      c.lineTo(shift + 9, -1);
-    }
-    c.stroke();
+    c.scale(tile.width / TILE, tile.width / TILE);
+    c.lineCap = 'round';
+    for (const points of PATTERNS[region]) path(c, points, stroke, 1.1);
+    made.set(key, tile);
   }
-  return ctx.createPattern(tile, 'repeat');
+  const tile = made.get(key), filled = ctx.createPattern(tile, 'repeat');
+  filled.setTransform(new DOMMatrix().scale(TILE / tile.width));
+  return filled;
+}
+
+// A rectangle as the points of a region are drawn.
+function fillRegion(ctx, region, ratio, ...box) {
+  ctx.fillStyle = colour[REGION_COLOUR[region]];
+  ctx.fillRect(...box);
+  if (!PATTERNS[region]?.length) return;
+  ctx.fillStyle = pattern(ctx, region, ratio);
+  ctx.fillRect(...box);
 }
 
 const NONE = { low: Infinity, high: -Infinity };
@@ -99,7 +118,7 @@ export class SlipPlane {
     this.frame = frame;
     frame.clip(ctx);
     this.#halves(ctx, frame);
-    this.#line(ctx, frame, motion);
+    const canStick = this.#line(ctx, frame, motion);
     path(ctx, [[frame.x(0), frame.top], [frame.x(0), frame.bottom]],
       colour.line, 1);
     const place = (row) => [frame.x(row[AT.g]), frame.y(row[AT.h])];
@@ -108,8 +127,9 @@ export class SlipPlane {
     const [x, y] = place(motion.now);
     drawNow(ctx, x, y, motion.now[AT.mode]);
     ctx.restore();
-    this.#names(ctx, frame);
     frame.axes(ctx, 'g', 'h');
+    ctx.room = frame;
+    this.#names(ctx, frame, canStick);
   }
 
   #halves(ctx, frame) {
@@ -123,48 +143,34 @@ export class SlipPlane {
     ctx.globalAlpha = 1;
   }
 
-  // h = 0, by the regions that it has at the present r.
+  // h = 0, by the regions that it has at the present r. Returns: whether it has
+  // any.
   #line(ctx, frame, motion) {
     const count = Math.max(2, Math.round((frame.right - frame.left) / 3));
     const { low, high } = frame.rangeX;
     const regions = motion.core.regionsAt(motion.now[AT.r], low, high, count);
-    if (!regions) return;
     const width = (frame.right - frame.left) / count, y = frame.y(0);
-    const lines = hatch(ctx);
-    for (let i = 0; i < count; i++) {
-      const region = regions[i];
-      if (region > 1) continue;
-      ctx.fillStyle = colour[REGION_COLOUR[region]];
-      ctx.fillRect(frame.left + i * width, y - 5, width + 0.6, 10);
-      if (region !== 1) continue;
-      ctx.fillStyle = lines;
-      ctx.fillRect(frame.left + i * width, y - 5, width + 0.6, 10);
-    }
+    path(ctx, [[frame.left, y], [frame.right, y]], colour.line, 1);
+    if (!hasAny(regions)) return false;
+    for (let i = 0; i < count; i++)
+      if (regions[i] <= 1) fillRegion(ctx, regions[i], this.sheet.ratio,
+        frame.left + i * width, y - 5, width + 0.6, 10);
     path(ctx, [[frame.left, y], [frame.right, y]], colour.soft, 1);
+    return true;
   }
 
-  #names(ctx, frame) {
+  #names(ctx, frame, canStick) {
     const { left, right, top, bottom } = frame, y = frame.y(0);
-    const isWide = frame.x(0) - left > 60;
-    label(ctx, 'slip+', right - 8, top + 12, 'right', colour.mode[0]);
-    label(ctx, 'slip−', right - 8, bottom - 12, 'right', colour.mode[1]);
-    label(ctx, 'stick+', right - 8, y - 14, 'right', colour.mode[2]);
-    if (isWide)
-      label(ctx, 'stick−', left + 8, y - 14, 'left', colour.mode[3]);
+    const end = right - 8;
+    label(ctx, 'slip+', [[end, top + 12, 'right']], colour.mode[0]);
+    label(ctx, 'slip−', [[end, bottom - 12, 'right']], colour.mode[1]);
+    if (!canStick) return;
+    label(ctx, 'stick+', [y - 14, y + 14].map((at) => [end, at, 'right']),
+      colour.mode[2]);
+    if (frame.x(0) - left > 60)
+      label(ctx, 'stick−', [y - 14, y + 14].map((at) => [left + 8, at]),
+        colour.mode[3]);
   }
-}
-
-// Pixels as a canvas of the size of another.
-function enlarged(data, { width, height }) {
-  const small = document.createElement('canvas');
-  small.width = data.width;
-  small.height = data.height;
-  small.getContext('2d').putImageData(data, 0, 0);
-  const large = document.createElement('canvas');
-  large.width = width;
-  large.height = height;
-  large.getContext('2d').drawImage(small, 0, 0, width, height);
-  return large;
 }
 
 // #rrggbb as four bytes.
@@ -172,12 +178,14 @@ const channels = (hex) => [1, 3, 5].map((i) =>
   parseInt(hex.slice(i, i + 2), 16)).concat(255);
 
 const MAP = { columns: 200, rows: 120 };
-const ENLARGED = 4; // times, for lines finer than a cell
 
 export class SurfacePlane {
   constructor() {
     this.sheet = new Sheet('surface');
-    this.image = document.createElement('canvas');
+    for (const name of ['image', 'layer', 'small'])
+      this[name] = document.createElement('canvas');
+    this.small.width = MAP.columns;
+    this.small.height = MAP.rows;
     this.begin();
   }
 
@@ -219,8 +227,9 @@ export class SurfacePlane {
     const near = folds.filter(({ r, omega }) =>
       Math.abs(r - motion.now[AT.r]) < 0.1 &&
       Math.abs(omega - motion.now[AT.omega]) < 0.3);
+    const keys = this.#keys(ctx);
     const frame = new Frame(this.sheet, this.#range('r', seen, near),
-      this.#range('omega', seen, near));
+      this.#range('omega', seen, near), keys[keys.length - 1].y + 15);
     this.frame = frame;
     frame.clip(ctx);
     this.#map(ctx, frame, motion);
@@ -229,89 +238,122 @@ export class SurfacePlane {
     const place = (row) => [frame.x(row[AT.r]), frame.y(row[AT.omega])];
     drawTrail(ctx, past, place);
     drawFutures(ctx, futures, place);
-    this.#folds(ctx, frame, folds);
+    const marks = this.#folds(ctx, frame, folds);
     const [x, y] = place(motion.now);
     drawNow(ctx, x, y, motion.now[AT.mode]);
     ctx.restore();
-    if (y0 > frame.top + 14 && y0 < frame.bottom)
-      label(ctx, 'ω = ω₀', frame.left + 6, y0 - 9);
-    this.#key(ctx, frame);
+    for (const key of keys) this.#key(ctx, key);
     frame.axes(ctx, 'r', 'ω');
+    ctx.room = frame;
+    if (this.lacks) label(ctx, this.lacks, [[(frame.left + frame.right) / 2,
+      frame.bottom - 14, 'center']]);
+    for (const [a, b] of marks)
+      label(ctx, 'two-fold', [[a + 10, b - 11], [a - 10, b - 11, 'right'],
+        [a + 10, b + 11], [a - 10, b + 11, 'right']], colour.ink);
+    if (y0 > frame.top && y0 < frame.bottom)
+      label(ctx, 'ω = ω₀', [[frame.right - 6, y0 - 9, 'right'],
+        [frame.left + 6, y0 - 9], [frame.right - 6, y0 + 10, 'right']],
+      colour.ink);
   }
 
   #map(ctx, frame, motion) {
     const { rangeX: x, rangeY: y } = frame;
-    const key = `${x.low} ${x.high} ${y.low} ${y.high} ` +
+    const { ratio } = this.sheet;
+    const width = Math.round((frame.right - frame.left) * ratio);
+    const height = Math.round((frame.bottom - frame.top) * ratio);
+    if (width < 1 || height < 1) return;
+    const key = `${width} ${height} ${x.low} ${x.high} ${y.low} ${y.high} ` +
       `${motion.now[AT.omega0]} ${motion.now[AT.r0]} ${motion.now[AT.force]} ` +
       `${motion.now[AT.torque]} ${colour.sliding}`;
     if (key !== this.key) {
       this.key = key;
+      this.image.width = this.layer.width = width;
+      this.image.height = this.layer.height = height;
       this.#paint(motion, x, y);
     }
     ctx.drawImage(this.image, frame.left, frame.top, frame.right - frame.left,
       frame.bottom - frame.top);
   }
 
-  // The regions of a grid of points, with lines over the escaping ones.
+  // Why the map has no regions. Where sin(gamma) is 0 the surface has them, but
+  // its points are not known by r and omega.
+  #why({ core, now }) {
+    return hasAny(core.regionsAt(now[AT.r], -1, 1, 2))
+      ? 'here v does not follow from r and ω' : 'this law has no stick';
+  }
+
+  // The regions of a grid of points, and over them the pattern of each.
   #paint(motion, x, y) {
-    const { columns, rows } = MAP;
+    const { columns, rows } = MAP, { image, layer, small } = this;
+    const { width, height } = image, ratio = this.sheet.ratio;
     const regions = motion.core.regions(x.low, x.high, columns, y.low, y.high,
       rows);
-    const paint = REGION_COLOUR.map((name) => channels(colour[name]));
-    const data = new ImageData(columns, rows), mask = new ImageData(columns,
-      rows);
-    for (let j = 0; j < rows; j++) {
-      for (let i = 0; i < columns; i++) {
-        const region = regions ? regions[j * columns + i] : 5;
-        const at = 4 * ((rows - 1 - j) * columns + i);
-        data.data.set(paint[region], at);
-        mask.data[at + 3] = REGIONS[region] === 'escaping' ? 255 : 0;
-      }
+    const c = image.getContext('2d'), cover = layer.getContext('2d');
+    const from = small.getContext('2d');
+    // The cells as pixels, then as large as the map.
+    const enlarge = (to, paint) => {
+      const data = new ImageData(columns, rows);
+      for (let j = 0; j < rows; j++)
+        for (let i = 0; i < columns; i++)
+          data.data.set(paint(regions ? regions[j * columns + i] : NO_REGION),
+            4 * ((rows - 1 - j) * columns + i));
+      from.putImageData(data, 0, 0);
+      to.drawImage(small, 0, 0, width, height);
+    };
+    this.lacks = hasAny(regions) ? null : this.#why(motion);
+    const paints = REGION_COLOUR.map((name) => channels(colour[name]));
+    enlarge(c, (region) => paints[region]);
+    for (const region of [1, 2, 3]) {
+      if (!regions?.includes(region)) continue;
+      cover.setTransform(1, 0, 0, 1, 0, 0);
+      cover.globalCompositeOperation = 'copy';
+      enlarge(cover, (at) => [0, 0, 0, at === region ? 255 : 0]);
+      cover.globalCompositeOperation = 'source-in';
+      cover.scale(ratio, ratio);
+      cover.fillStyle = pattern(cover, region, ratio);
+      cover.fillRect(0, 0, width, height);
+      c.drawImage(layer, 0, 0);
     }
-    const { image } = this;
-    image.width = columns * ENLARGED;
-    image.height = rows * ENLARGED;
-    const c = image.getContext('2d');
-    c.drawImage(enlarged(mask, image), 0, 0);
-    c.globalCompositeOperation = 'source-in';
-    c.fillStyle = hatch(c);
-    c.fillRect(0, 0, image.width, image.height);
-    c.globalCompositeOperation = 'destination-over';
-    c.drawImage(enlarged(data, image), 0, 0);
   }
 
+  // Returns: where they are.
   #folds(ctx, frame, folds) {
-    for (const fold of folds) {
-      const x = frame.x(fold.r), y = frame.y(fold.omega);
-      if (x < frame.left || x > frame.right || y < frame.top ||
-        y > frame.bottom) continue;
-      path(ctx, [[x - 7, y], [x, y - 7], [x + 7, y], [x, y + 7], [x - 7, y]],
-        colour.panel, 4);
-      path(ctx, [[x - 7, y], [x, y - 7], [x + 7, y], [x, y + 7], [x - 7, y]],
-        colour.ink, 1.8);
-      label(ctx, 'two-fold', x + 12, y, 'left', colour.ink);
+    const places = folds.map((fold) => [frame.x(fold.r), frame.y(fold.omega)])
+      .filter(([x, y]) => x >= frame.left && x <= frame.right &&
+        y >= frame.top && y <= frame.bottom);
+    for (const [x, y] of places) {
+      const corners = [[x - 7, y], [x, y - 7], [x + 7, y], [x, y + 7],
+        [x - 7, y]];
+      path(ctx, corners, colour.panel, 4);
+      path(ctx, corners, colour.ink, 1.8);
     }
+    return places;
   }
 
-  #key(ctx, frame) {
-    let x = frame.left + 8, y = frame.top + 12;
-    ['sliding', 'escaping', 'crossing ↑', '↓'].forEach((name, i) => {
-      const width = 27 + ctx.measureText(name).width;
-      if (x + width > frame.right) {
-        x = frame.left + 8;
-        y += 17;
-      }
-      ctx.fillStyle = colour[REGION_COLOUR[i]];
-      ctx.fillRect(x, y - 5, 14, 10);
-      if (i === 1) {
-        ctx.fillStyle = hatch(ctx);
-        ctx.fillRect(x, y - 5, 14, 10);
-      }
-      ctx.strokeStyle = colour.soft;
-      ctx.lineWidth = 0.8;
-      ctx.strokeRect(x, y - 5, 14, 10);
-      label(ctx, name, x + 18, y, 'left', colour.ink);
-      x += width;
-    });
+  // Where the regions are explained, above the map: in lines as they fit.
+  #keys(ctx) {
+    let x = 12, y = 14;
+    return ['sliding', 'escaping', 'crossing ↑', 'crossing ↓']
+      .map((name, region) => {
+        const width = 22 + ctx.measureText(name).width;
+        if (x + width > this.sheet.width - 8) {
+          x = 12;
+          y += 19;
+        }
+        const key = { name, region, x, y };
+        x += width + Math.min(16, this.sheet.width / 36);
+        return key;
+      });
+  }
+
+  #key(ctx, { name, region, x, y }) {
+    ctx.save();
+    ctx.translate(x, y - 7.75); // two whole arrowheads
+    fillRegion(ctx, region, this.sheet.ratio, 0, 1.75, 17, 12);
+    ctx.strokeStyle = colour.soft;
+    ctx.lineWidth = 0.8;
+    ctx.strokeRect(0, 1.75, 17, 12);
+    ctx.restore();
+    text(ctx, name, x + 22, y, 'left', colour.ink);
   }
 }

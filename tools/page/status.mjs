@@ -1,7 +1,7 @@
 // What the page says in words: the state, and the command line that computes
 // the same.
 import { AT } from './core.mjs';
-import { write } from './address.mjs';
+import { differences } from './address.mjs';
 import { decimal } from './decimal.mjs';
 
 const minus = (words) => words.replace('-', '\u2212');
@@ -43,12 +43,16 @@ export function tellTime(strips, row, end, modes) {
 }
 
 export function commandLine(core, scene, motion, steps) {
-  const words = write(core, scene, [], 0).split('&').slice(1)
-    .filter((word) => !word.startsWith('seed='))
-    .map((word) => word.startsWith('rule=')
-      ? `--select ${decodeURIComponent(word.slice(5))}` : `--set ${word}`)
-    .map((word) => word.endsWith('random')
-      ? `${word}:${core.get('seed')}` : word);
+  const words = [], names = [];
+  for (const [name, value] of differences(core, scene)) {
+    names.push(name);
+    if (name !== 'seed' && name !== 'rule')
+      words.push(`--set ${name}=${value}`);
+  }
+  const rule = core.lists.rule[core.get('rule')];
+  if (names.includes('rule') || names.includes('seed') && rule === 'random')
+    words.push(`--select ${rule}` +
+      (rule === 'random' ? `:${core.get('seed')}` : ''));
   const file = scene === core.ownScene ? core.file.name : null;
   const name = file === null ? core.scenes[scene]
     : file.includes('.') ? file : `./${file}`;

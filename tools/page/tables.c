@@ -7,6 +7,10 @@ const char *EXPORT(parameter_unit)(uint32_t number);
 double EXPORT(parameter_low)(uint32_t number);
 double EXPORT(parameter_high)(uint32_t number);
 uint32_t EXPORT(parameter_laws)(uint32_t number);
+uint32_t EXPORT(parameter_scene)(uint32_t number);
+double EXPORT(parameter_there)(uint32_t number);
+double EXPORT(state_limit)(void);
+double EXPORT(least_sine)(void);
 const char *EXPORT(mode_name)(uint32_t mode);
 const char *EXPORT(law_name)(uint32_t law);
 const char *EXPORT(rule_name)(uint32_t rule);
@@ -35,6 +39,28 @@ double parameter_high(uint32_t number) {
 uint32_t parameter_laws(uint32_t number) {
   return number < TF_PARAMETERS ? tf_parameter_ranges[number].laws : 0;
 }
+
+// The first scene of the core whose law uses it; TF_SCENES where none does.
+uint32_t parameter_scene(uint32_t number) {
+  const uint32_t laws = parameter_laws(number);
+  uint32_t scene = 0;
+  while (scene < TF_SCENES && !(laws >> tf_scenes[scene]->params.law & 1u))
+    scene++;
+  return scene;
+}
+
+// Its value in that scene; the low end of its range where there is none.
+double parameter_there(uint32_t number) {
+  const uint32_t scene = parameter_scene(number);
+  if (scene == TF_SCENES) return parameter_low(number);
+  return *(
+      const tf_real_t *)(const void *)((const char *)&tf_scenes[scene]->params +
+                                       tf_parameter_ranges[number].offset);
+}
+
+double state_limit(void) { return TF_STATE_LIMIT; }
+
+double least_sine(void) { return TF_MIN_SINE; }
 
 const char *mode_name(uint32_t mode) {
   return mode < TF_MODES ? tf_mode_name(mode) : "";
