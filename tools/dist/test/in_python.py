@@ -74,6 +74,10 @@ def python():
     program.write_text(PROGRAM)
     env = {"PYTHONPATH": str(place / "site")}
     ends = json.loads(run(python3, program, version(), env=env))
+    said = run(python3, TEST / "arguments.py", env=env)
+    if not said.endswith("bad values are refused\n"):
+        raise Wrong(f"arguments.py: {said}")
+    print(f"#        {said.strip()}")
     for key, got in ends.items():
         real, scene = key.split()
         equal(f"end of {scene} in {real}",
