@@ -17,7 +17,6 @@ import ctypes
 import math
 import numbers
 import operator
-import sysconfig
 from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_int8, c_size_t
 from ctypes import c_uint, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p
 from pathlib import Path
@@ -39,8 +38,7 @@ LAYOUT = ("params", "law", "rule", "with_angle", "machine", "state", "input",
           "report", "state_block", "report_block", "point", "parameters",
           "two_folds")
 
-_shared = ctypes.CDLL(str(Path(__file__).with_name(
-    "_twofold" + sysconfig.get_config_var("EXT_SUFFIX"))))
+_shared = ctypes.CDLL(str(Path(__file__).with_name("_twofold.so")))
 
 
 def _names(function, count):
