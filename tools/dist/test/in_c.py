@@ -72,7 +72,8 @@ def decimals():
     place = folder("decimals")
     wide, narrow = [], []
     for _ in range(3000):
-        wide.append(math.ldexp(1 + random.random(), random.randint(-1000, 1000)))
+        wide.append(math.ldexp(1 + random.random(),
+                               random.randint(-1000, 1000)))
         narrow.append(math.ldexp(1 + random.getrandbits(23) / 2**23,
                                  random.randint(-126, 126)))
     for exponent in range(-120, 121):
@@ -84,12 +85,12 @@ def decimals():
                          + random.choice((-1, 0, 1)) / 2**52,
                          random.randint(-100, 100)) for _ in range(3000)]
     text = SAME_BITS
-    for name, values, suffix in (("FLOATS", narrow, "f"), ("DOUBLES", wide, ""),
-                                 ("SHORTENED", middle, "")):
-        written = [value.hex() + suffix for value in values]
-        tail = "f" if name == "SHORTENED" else ""
-        for key, some in ((name, written), (name + "10", [
-                without_hexadecimals(one) for one in written])):
+    for name, values, suffix, tail in (
+            ("FLOATS", narrow, "f", ""), ("DOUBLES", wide, "", ""),
+            ("SHORTENED", middle, "", "f")):
+        before = [value.hex() + suffix for value in values]
+        after = [without_hexadecimals(one) for one in before]
+        for key, some in ((name, before), (name + "10", after)):
             text = text.replace(f"@{key}@", ",\n".join(
                 one + tail for one in some))
     source = place / "same_bits.c"
