@@ -9,6 +9,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 from findings import BUILD, DEFINES, checked, in_common, quietly, wrong
@@ -66,12 +67,23 @@ def judge_program():
     return said
 
 
+def need_for_python():
+    """Of Debian's Python, what the line of README.md needs."""
+    for module, package in (("ensurepip", "python3-venv"),
+                            ("numpy", "python3-numpy")):
+        if subprocess.run(["/usr/bin/python3", "-c", f"import {module}"],
+                          check=False, stderr=subprocess.DEVNULL).returncode:
+            print(f"missing: {package} (apt-get install {package})")
+            sys.exit(3)
+
+
 def judge_uses(said):
     """The table of what it can be used from: its lines as the reader would type
     them, in a build that checks share and a home of their own. Where one makes
     `demo`, it prints what the program prints."""
     home = BUILD.absolute() / "readme-home"
-    for old in (home, PLACE / "py", PLACE / "demo"):
+    venv = PLACE / "venv"
+    for old in (home, venv, PLACE / "demo"):
         shutil.rmtree(old, ignore_errors=True)
     if not make(PLACE / "double/twofold"):
         wrong("the command line does not build")
@@ -84,9 +96,14 @@ def judge_uses(said):
     functions = (
         f'make() {{ flock {PLACE}.lock "${{MAKE:-make}}" --no-print-directory '
         f'CC=gcc OPT=-O3 BUILD={PLACE} EXTRA=-Werror "$@"; }}\n'
-        'pip() { /usr/bin/python3 -m pip "$@"; }\n')
-    environment = {**os.environ, "HOME": str(home)}
-    environment.pop("PKG_CONFIG_PATH", None)  # the line says what it needs
+)
+    need_for_python()
+    # As on a plain Debian: its python3, no settings of pip, an empty home.
+    environment = {**os.environ, "HOME": str(home), "PIP_NO_CACHE_DIR": "1",
+                   "PATH": "/usr/bin:" + os.environ["PATH"],
+                   "PIP_CONFIG_FILE": os.devnull}
+    for name in ("PKG_CONFIG_PATH", "PYTHONPATH"):
+        environment.pop(name, None)  # the line says what it needs
     for use in uses:
         line = re.sub(r"-o demo$", f"-o {DEMO}", use.replace(
             "build/", f"{PLACE}/").replace(" demo.c", f" {PROGRAM}"))
@@ -96,6 +113,9 @@ def judge_uses(said):
             wrong(f"README.md: this line fails: {use}")
         elif line.endswith(f"-o {DEMO}") and printed(DEMO) != said:
             wrong(f"the program prints otherwise when compiled by {use}")
+    if not quietly(venv / "bin/python", "-c", "import twofold; "
+                   "twofold.Machine().run(t_end=0.1)", env=environment):
+        wrong("README.md: the module of Python does not run")
     return uses
 
 

@@ -24,17 +24,23 @@ dist: $(DIST_CONSTANTS)
 	@tools/dist/packages.py $(DIST)/c $(DIST)
 	@echo 'The packages are in $(DIST).'
 
-# What is installed: file, and where; as the user's tools expect it. Libraries
-# of both types have names of their own, as their functions have.
-AT := $(DESTDIR)$(PREFIX)
-INSTALLED = $(PREFIX)/bin/twofold $(PREFIX)/include/twofold.h \
-  $(patsubst include/%,$(PREFIX)/include/%,$(wildcard include/twofold/*.h)) \
-  $(PREFIX)/lib/libtwofold_f64.a $(PREFIX)/lib/libtwofold_f32.a \
-  $(patsubst tools/dist/install/%.pc,$(PREFIX)/lib/pkgconfig/%.pc,\
+# What is installed, below PREFIX. Libraries of both types have names of their
+# own, as their functions have. A folder may have blanks in its name.
+AT := '$(subst ','\'',$(DESTDIR)$(PREFIX))'
+INSTALLED = bin/twofold include/twofold.h \
+  $(wildcard include/twofold/*.h) \
+  lib/libtwofold_f64.a lib/libtwofold_f32.a \
+  $(patsubst tools/dist/install/%.pc,lib/pkgconfig/%.pc,\
     $(wildcard tools/dist/install/*.pc)) \
-  $(patsubst tools/dist/install/%.cmake,$(PREFIX)/lib/cmake/twofold/%.cmake,\
+  $(patsubst tools/dist/install/%.cmake,lib/cmake/twofold/%.cmake,\
     $(wildcard tools/dist/install/*.cmake)) \
-  $(PREFIX)/share/man/man1/twofold.1
+  share/man/man1/twofold.1
+# Folders of its own, and others, which go with it where they are then empty and
+# no folder of the system.
+ROOMS := include/twofold lib/cmake/twofold
+ifneq ($(filter-out '/usr' '/usr/' '/usr/local' '/usr/local/',$(AT)),)
+ROOMS += bin include lib/pkgconfig lib/cmake lib share/man/man1 share/man share
+endif
 
 fill = sed 's/@VERSION@/$(TF_VERSION)/g' $(1) >$(2)
 install: ## libraries, headers, program: DESTDIR= PREFIX=/usr/local
@@ -47,18 +53,18 @@ install: $(BUILD)/double/twofold $(BUILD)/float/libtwofold.a
 	@install -m 644 $(BUILD)/double/libtwofold.a $(AT)/lib/libtwofold_f64.a
 	@install -m 644 $(BUILD)/float/libtwofold.a $(AT)/lib/libtwofold_f32.a
 	@for file in tools/dist/install/*.pc; do \
-	  $(call fill,$$file,$(AT)/lib/pkgconfig/$$(basename $$file)) || exit 1; \
+	  $(call fill,$$file,$(AT)/lib/pkgconfig/$${file##*/}) || exit 1; \
 	done
 	@for file in tools/dist/install/*.cmake; do \
-	  $(call fill,$$file,$(AT)/lib/cmake/twofold/$$(basename $$file)) || \
+	  $(call fill,$$file,$(AT)/lib/cmake/twofold/$${file##*/}) || \
 	  exit 1; done
 	@tools/dist/manual $(BUILD)/double/twofold $(TF_VERSION) \
 	  >$(AT)/share/man/man1/twofold.1
-	@echo 'twofold $(TF_VERSION) is in $(AT).'
+	@echo 'twofold $(TF_VERSION) is in' $(AT).
 
 uninstall: ## remove what `make install` put there
-	@rm -f $(addprefix $(DESTDIR),$(INSTALLED))
-	@rmdir $(AT)/include/twofold $(AT)/lib/cmake/twofold 2>/dev/null || true
+	@rm -f $(foreach file,$(INSTALLED),$(AT)/$(file))
+	@rmdir $(foreach room,$(ROOMS),$(AT)/$(room)) 2>/dev/null || true
 
 test-dist: ## each package, compiled and run as its user would
 test-dist: dist $(BUILD)/double/twofold $(BUILD)/float/twofold

@@ -70,6 +70,11 @@ const char *tf_@scene@_mode_name(unsigned mode) { return tf_mode_name(mode); }
 
 """
 
+# Of the code all is local to the file that holds it.
+LOCAL = """\
+#define TF_API static __attribute__((unused))
+
+"""
 # Where size is asked for, the parts of a step stay functions: half the size.
 SMALL = """\
 #ifdef __OPTIMIZE_SIZE__
@@ -78,6 +83,52 @@ SMALL = """\
 #endif
 
 """
+
+# What the code defines for its whole file: macros, functions, tables, types,
+# enumerators.
+DEFINED = (
+    r"^#define (\w+)",
+    r"^(?!typedef)(?:[A-Za-z_].*?\W)??(?!__)(\w+)\(",
+    r"^static const [^=({;]*?(\w+)(?:\[\w*\])*\s=",
+    r"^typedef .*?(\w+);", r"^\} (\w+);", r"^(?:struct|union|enum) (\w+) \{",
+    r"^typedef \w+ \*?\(\*(\w+)\)")
+# Of a public header, what is another one for a scene.
+SET_VALUED = "tf_tyre_is_set_valued"
+# A word, and whether it is a member; comments and strings are one piece.
+WORD = re.compile(r'//.*|"[^"\n]*"|(->|\.|\b)([A-Za-z_]\w*)')
+
+
+def names_in(code):
+    """Of what the code defines, without comments."""
+    code = re.sub(r"//.*", "", code)
+    found = {name for pattern in DEFINED
+             for name in re.findall(pattern, code, re.M)}
+    for body in re.findall(r"\benum(?: \w+)? \{([^}]*)\}", code):
+        found |= set(re.findall(r"(\w+)[^,]*", body))
+    return found
+
+
+def of_scene(scene, headers, code):
+    """The code with the name of the scene before all that it defines, so that
+    the code of several scenes can stand in one file. Members that the public
+    headers know keep their names."""
+    own = {SET_VALUED} | {name for name in names_in(code)
+                          if not name.startswith(f"tf_{scene}_")}
+    public = set(re.findall(r"\w+", re.sub(r"//.*", "", headers)))
+
+    def named(word):
+        member, name = word.groups()
+        kept = name not in own or member and name in public
+        return word[0] if kept else f"{member}{scene}_{name}"
+    return WORD.sub(named, code)
+
+
+def prototypes(headers, code):
+    """Of the functions of public headers that the code defines."""
+    defined, text = names_in(code), re.sub(r"//.*", "", headers)
+    return "".join(
+        declared + "\n" for declared, name in re.findall(
+            r"^(TF_API [^;(]*?(\w+)\([^;]*;)", text, re.M) if name in defined)
 
 
 def order_of(struct, name):
@@ -111,6 +162,12 @@ def initialiser(struct, members):
     return "{" + ", ".join(parts) + "}"
 
 
+def halves(found):
+    """An integer of 64 bits, for a C++ that has no constants of that length."""
+    high, low = divmod(int(found[1]), 1 << 32)
+    return f"((uint64_t){high}u << 32 | {low}u)"
+
+
 def constants(program, scene):
     """What `constants` prints, as C that C++ takes too."""
     said = subprocess.run([program, scene], check=True, text=True,
@@ -121,6 +178,7 @@ def constants(program, scene):
         members = []
         for item in re.split(r"\n?    \.", "\n" + body)[1:]:
             path, value = item.split(" = ", 1)
+            value = re.sub(r"\b(\d+)ll\b", halves, value)
             members.append((path, value.strip().rstrip(",")))
         text += (f"static const {struct} {name} =\n" + textwrap.fill(
             initialiser(struct, members) + ";", 80, break_on_hyphens=False,
@@ -128,13 +186,13 @@ def constants(program, scene):
     return text
 
 
-def law_of(text):
+def law_of(scene, text):
     """Whether the law of the machine is set-valued, for the preprocessor: a
     linker that optimises a program as a whole (Arduino's) keeps functions that
     only the steps under other laws call."""
     law = re.search(r"\(tf_tyre_law_t\)\d+", text)[0]
-    return ("#define tf_tyre_is_set_valued(law) \\\n"
-            f"  ((void)(law), tf_tyre_is_set_valued({law}))\n")
+    return (f"#define {scene}_{SET_VALUED}(law) \\\n"
+            f"  ((void)(law), {SET_VALUED}({law}))\n\n")
 
 
 def guard(name, text):
@@ -160,12 +218,9 @@ def make(scene, double, single):
 //   }}
 //
 // One source file of a program, in C99, defines {code} before it
-// includes this header, and so holds the code. TF_REAL_FLOAT selects float.
+// includes this header, and so holds the code; it may hold that of other scenes
+// too. TF_REAL_FLOAT selects float.
 """.rstrip()))
-    whole.add(f"#if defined({code}) && !defined(TF_API_STATIC)\n"
-              "#ifdef TWOFOLD_REAL_H\n"
-              f"#error \"the file with {code} includes this header first\"\n"
-              "#endif\n#define TF_API_STATIC\n#endif\n")
     whole.add(f"#ifdef {code}\n{COMPILERS}"
               '#pragma GCC diagnostic ignored "-Wunused-function"\n#endif\n\n')
     types = Text()
@@ -179,11 +234,16 @@ def make(scene, double, single):
     body.add("#ifdef TF_REAL_FLOAT\n" + in_float
              + "#else\n" + constants(double, scene) + "#endif\n"
              "#define TF_STEP_MACHINE(c) ((void)(c), &scene_machine)\n"
-             + law_of(in_float) + "\n")
+             + LOCAL)
+    core = Text(without=types.there)
     for path in sources_of(CALLED):
-        body.add_file(path, {"src/num/kernel.h": SMALL})
-    body.add(DEFINITIONS.replace("@scene@", scene))
-    inner = guard(f"{code}_IS_HERE", "".join(body.parts))
+        core.add_file(path, {"src/num/kernel.h": SMALL})
+    core.add(DEFINITIONS.replace("@scene@", scene))
+    headers, text = "".join(types.parts), "".join(core.parts)
+    body.add(prototypes(headers, text) + "\n" + text)
+    all_of_it = (law_of(scene, in_float)
+                 + of_scene(scene, headers, "".join(body.parts)))
+    inner = guard(f"{code}_IS_HERE", all_of_it)
     whole.add(f"#ifdef {code}\n{inner}#endif\n")
     return whole
 

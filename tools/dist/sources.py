@@ -4,11 +4,18 @@ A source or header is written out with the headers that it includes, each of
 them once, at the place of its first include; includes of the C library are
 kept, each once. Names that are local to a file are unique in all of src/ (check
 arrows), so that any choice of files can stand in one."""
+import math
 import re
+from fractions import Fraction
+from itertools import count
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 INCLUDE = re.compile(r'\s*#\s*include\s+([<"])([^>"]+)[>"]')
+HEXADECIMAL = re.compile(
+    r"\b(0[xX][0-9a-fA-F]+(?:\.[0-9a-fA-F]*)?[pP][+-]?[0-9]+)(f?)\b")
+# Bits of the mantissa of float and double.
+FLOAT, DOUBLE = 24, 53
 
 
 def version():
@@ -22,6 +29,31 @@ def preface(purpose):
     license_text = (ROOT / "LICENSE").read_text().strip()
     lines = [f"twofold {version()}: {purpose}", "", *license_text.split("\n")]
     return "".join(f"// {line}".rstrip() + "\n" for line in lines) + "\n"
+
+
+def nearest(number, bits):
+    """A fraction, rounded to so many bits."""
+    unit = Fraction(2) ** (math.frexp(number)[1] - bits)
+    return round(number / unit) * unit
+
+
+def decimal(found):
+    """The shortest decimal that reads back to the bits of a hexadecimal
+    constant; what has no suffix may stand in TF_R, and does so in both real
+    types."""
+    value = float.fromhex(found[1])
+    types = (FLOAT,) if found[2] else (FLOAT, DOUBLE)
+    for digits in count(1):
+        text = f"{value:.{digits}g}"
+        if all(nearest(Fraction(text), bits) == nearest(Fraction(value), bits)
+               for bits in types):
+            return text + (".0" if text.isdigit() else "") + found[2]
+
+
+def without_hexadecimals(text):
+    """A text that C++ before C++17 takes without a warning: it has no
+    hexadecimal constants of a floating type."""
+    return HEXADECIMAL.sub(decimal, text)
 
 
 class Text:
@@ -77,7 +109,8 @@ class Text:
 
     def write(self, to):
         """Writes the file."""
-        Path(to).write_text("".join(self.parts).rstrip("\n") + "\n")
+        text = without_hexadecimals("".join(self.parts))
+        Path(to).write_text(text.rstrip("\n") + "\n")
 
 
 # For a compiler of C++: the core is C99, of which gcc and clang know all that

@@ -14,22 +14,31 @@ All numbers are in SI units. `parameters()` lists names, units and ranges.
 from __future__ import annotations
 
 import ctypes
-import sysconfig
+import math
+import numbers
+import operator
 from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_int8, c_size_t
 from ctypes import c_uint, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p
 from pathlib import Path
 
 import numpy as np
 
+__all__ = ["Ensemble", "LAWS", "MODES", "Machine", "RULES", "parameters",
+           "scenes"]
 __version__ = "@VERSION@"
 LANES = 16
 NO_MODE = 5
+# Largest magnitude of a state and of an input, and number of steps at once.
+LIMIT = 1e9
+STEPS = 2 ** 53
+INPUTS = {"omega0": "rad/s", "r0": "m", "force": "N", "torque": "N m",
+          "alpha": "rad/s^2"}
+PLACE = {"r": "m", "omega": "rad/s", "v": "m/s", "h": "m/s"}
 LAYOUT = ("params", "law", "rule", "with_angle", "machine", "state", "input",
           "report", "state_block", "report_block", "point", "parameters",
           "two_folds")
 
-_shared = ctypes.CDLL(str(Path(__file__).with_name(
-    "_twofold" + sysconfig.get_config_var("EXT_SUFFIX"))))
+_shared = ctypes.CDLL(str(Path(__file__).with_name("_twofold.so")))
 
 
 def _names(function, count):
@@ -41,6 +50,86 @@ def _names(function, count):
 MODES = _names("tf_mode_name", 5)
 LAWS = _names("tf_tyre_law_name", 6)
 RULES = _names("tf_rule_name", 4)
+
+
+# What the core is given is checked here: ctypes itself takes a bool for a
+# number, and an integer modulo its size.
+def _refuse(name, value, low, high, unit=""):
+    raise ValueError(f"{name} is {value}, allowed is [{low}, {high}] {unit}"
+                     .rstrip())
+
+
+def _integer(name, value, low, high):
+    """An integer in a range; a float is none, even where it is whole."""
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is {value}, not an integer")
+    try:
+        whole = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} is {value!r}, not an integer") from None
+    if not low <= whole <= high:
+        _refuse(name, whole, low, high)
+    return whole
+
+
+def _number(name, value, low=-math.inf, high=math.inf, unit=""):
+    """A real number in a range, as a float; without a range also one that is
+    not finite, which the core judges."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(f"{name} is {value!r}, not a number")
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf if value > 0 else -math.inf
+    if low > -math.inf and not low <= number <= high:
+        _refuse(name, number, low, high, unit)
+    return number
+
+
+def _flag(name, value):
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is {value!r}, not True or False")
+    return bool(value)
+
+
+def _word(name, value, words):
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is {value!r}, not a str")
+    if value not in words:
+        raise ValueError(f"{name} is {value!r}, not one of "
+                         + ", ".join(words))
+    return value
+
+
+def _column(name, values, kinds, low, high, unit=""):
+    """Numbers in a range, of the kinds that numpy has for them: a number, or an
+    array of one dimension."""
+    try:
+        array = np.asarray(values)
+    except ValueError:  # rows of several lengths
+        raise TypeError(f"{name} is no array of numbers") from None
+    if array.dtype.kind not in kinds:
+        raise TypeError(f"{name} is of {array.dtype}, not of "
+                        + ("numbers" if "f" in kinds else "integers"))
+    if array.ndim > 1 or array.size == 0:
+        raise ValueError(f"{name} has the shape {array.shape}, not (n,)")
+    allowed = (low <= array) & (array <= high)
+    if not allowed.all():
+        _refuse(name, array.flat[np.argmin(allowed)], low, high, unit)
+    return array
+
+
+def _columns(columns):
+    """All with the length of those that are no single numbers."""
+    length, first = 1, None
+    for name, array in columns.items():
+        if array.ndim and first is None:
+            length, first = array.size, name
+        if array.ndim and array.size != length:
+            raise ValueError(f"{name} has {array.size} values, {first} has "
+                             f"{length}")
+    return {name: np.broadcast_to(array, length)
+            for name, array in columns.items()}
 
 
 class _Core:
@@ -181,32 +270,31 @@ class Machine:
 
     def __init__(self, scene="chaos", real="double", law=None, rule=None,
                  with_angle=None, seed=1, **changed):
-        self.core = core = _CORES[real]
+        self.core = core = _CORES[_word("real", real, _CORES)]
         known = core.scenes()
-        if scene not in known:
-            raise ValueError(f"no scene is named {scene!r}; there are: "
-                             + ", ".join(known))
-        self.scene, self.name, self.seed = known[scene], scene, seed
+        self.scene = known[_word("scene", scene, known)]
+        self.name, self.seed = scene, seed
         self._params = ctypes.create_string_buffer(
             ctypes.string_at(core.call_scene_params(self.scene),
                              core.size["params"]), core.size["params"])
         for name, value in changed.items():
-            self._put(self._range(name).offset, core.real, value)
+            one = self._range(name)
+            rounded = core.real(_number(name, value)).value
+            self._put(one.offset, core.real, _number(
+                name, rounded, one.low, one.high, one.unit.decode()))
         for name, value, names in (("law", law, LAWS), ("rule", rule, RULES)):
             if value is not None:
-                if value not in names:
-                    raise ValueError(f"{name} is {value!r}, not one of "
-                                     + ", ".join(names))
-                self._put(core.size[name], c_uint, names.index(value))
+                self._put(core.size[name], c_uint,
+                          names.index(_word(name, value, names)))
         if with_angle is not None:
-            self._put(core.size["with_angle"], ctypes.c_bool, with_angle)
+            self._put(core.size["with_angle"], ctypes.c_bool,
+                      _flag("with_angle", with_angle))
         self._machine = ctypes.create_string_buffer(core.size["machine"])
         offender = c_int(-1)
         if core.call_prepare(self._machine, self._params, byref(offender)) < 0:
             bad = core.ranges[offender.value]
-            raise ValueError(
-                f"{bad.name.decode()} is {self[bad.name.decode()]}, allowed is "
-                f"[{bad.low}, {bad.high}] {bad.unit.decode()}")
+            name = bad.name.decode()
+            _refuse(name, self[name], bad.low, bad.high, bad.unit.decode())
         self.start()
 
     def _put(self, offset, type_, value):
@@ -214,11 +302,8 @@ class Machine:
                        ctypes.sizeof(type_))
 
     def _range(self, name):
-        for one in self.core.ranges:
-            if one.name.decode() == name:
-                return one
-        raise ValueError(f"no parameter is named {name!r}; there are: "
-                         + ", ".join(parameters()))
+        known = {one.name.decode(): one for one in self.core.ranges}
+        return known[_word("name of a parameter", name, known)]
 
     def __getitem__(self, name):
         """Value of a parameter in SI units, by its name."""
@@ -227,27 +312,30 @@ class Machine:
 
     def start(self):
         """Returns to the start of the scene."""
-        self.state, self.report = self.core.State(), self.core.new_report()
+        state, report = self.core.State(), self.core.new_report()
         self.core.fail(self.core.call_scene_start(
-            self.scene, self._machine, self.seed, byref(self.state),
-            self.report), f"start of {self.name}")
+            self.scene, self._machine, self._seed(), byref(state), report),
+            f"start of {self.name}")
+        self.state, self.report = state, report
+
+    def _seed(self):
+        return _integer("seed", self.seed, 0, 2 ** 32 - 1)
 
     def place(self, r, omega, v=None, h=None):
         """Puts the wheel at rest of history at r [m] and omega [rad/s], with a
         speed of the slider v [m/s], or with a slip speed h [m/s] instead."""
-        if (v is None) == (h is None):
-            raise ValueError("either v or h is to be given")
-        self.state, self.report = self._begun(r, omega, v, h, self.seed,
-                                              "place")
+        given = {name: _number(name, value, -LIMIT, LIMIT, PLACE[name])
+                 for name, value in _placed(r, omega, v, h).items()}
+        self.state, self.report = self._begun(given, self._seed(), "place")
 
-    def _begun(self, r, omega, v, h, seed, what):
-        state = self.core.State(r=r, w=omega, v=v or 0, seed=seed,
-                                mode=NO_MODE)
+    def _begun(self, given, seed, what):
+        state = self.core.State(r=given["r"], w=given["omega"],
+                                v=given.get("v", 0), seed=seed, mode=NO_MODE)
         report, input_ = self.core.new_report(), byref(self.input())
         self.core.fail(
             self.core.call_begin(self._machine, byref(state), input_, report)
-            if h is None else self.core.call_begin_with_slip(
-                self._machine, byref(state), input_, h, report), what)
+            if "v" in given else self.core.call_begin_with_slip(
+                self._machine, byref(state), input_, given["h"], report), what)
         return state, report
 
     def input(self, **changed):
@@ -255,10 +343,20 @@ class Machine:
         [rad/s], r0 [m], force [N], torque [N m], alpha [rad/s^2]."""
         given = self.core.call_input_default(self._machine)
         for name, value in changed.items():
-            if name not in ("omega0", "r0", "force", "torque", "alpha"):
-                raise ValueError(f"no input is named {name!r}")
-            setattr(given, name, value)
+            _word("name of an input", name, INPUTS)
+            setattr(given, name, _number(name, value, -LIMIT, LIMIT,
+                                         INPUTS[name]))
         return given
+
+    def _given(self, inputs):
+        """Inputs of input(), which may have been altered since."""
+        if not isinstance(inputs, self.core.Input):
+            raise TypeError(f"inputs is {inputs!r}, not of input() of a "
+                            "machine of this real type")
+        for name, unit in INPUTS.items():
+            _number(f"inputs: {name}", getattr(inputs, name), -LIMIT, LIMIT,
+                    unit)
+        return byref(inputs)
 
     def two_folds(self):
         """Every two-fold at g != 0: an array of rows r [m], v [m/s], omega
@@ -289,25 +387,30 @@ class Machine:
           1 << mode of each that was possible), choices, status.
         Raises ValueError where a step is refused; `state` is the last one.
         """
-        if scheme not in ("moreau", "located"):
-            raise ValueError(f"scheme is {scheme!r}, not moreau or located")
-        if int(every) < 1:
-            raise ValueError(f"every is {every}, not 1 or more")
+        _word("scheme", scheme, ("moreau", "located"))
+        every = _integer("every", every, 1, STEPS)
         if t_end is None:
             t_end = self.core.call_scene_end(self.scene)
-        if not 0 <= t_end < 1e12:
-            raise ValueError(f"t_end is {t_end}, not a length in seconds")
-        steps, every = round(t_end / self["dt"]), int(every)
+        steps = round(_number("t_end", t_end, 0, STEPS * self["dt"], "s")
+                      / self["dt"])
+        held = None if inputs is None else self._given(inputs)
         rows = np.zeros(1 + -(-steps // every), self.core.row)
         self.core.call_row(self._machine, byref(self.state), self.report, 0,
                        rows.ctypes.data)
         status = c_int(0)
         done = self.core.call_run(
             self._machine, self.scene, scheme == "located", byref(self.state),
-            None if inputs is None else byref(inputs), self.report,
-            steps, every, rows[1:].ctypes.data, byref(status))
+            held, self.report, steps, every, rows[1:].ctypes.data,
+            byref(status))
         self.core.fail(status.value, f"step {done + 1}")
         return rows
+
+
+def _placed(r, omega, v, h):
+    """What of a place is given, by its name."""
+    if (v is None) == (h is None):
+        raise ValueError("either v or h is to be given")
+    return {"r": r, "omega": omega, **({"h": h} if v is None else {"v": v})}
 
 
 class Ensemble:
@@ -315,48 +418,52 @@ class Ensemble:
     steps.
 
     machine: a Machine. r [m], omega [rad/s], v [m/s] or h [m/s]: arrays of one
-    length, or numbers. seed: of rule "random", one a state.
+    length and one dimension, or numbers. seed: of rule "random", one a state.
     """
 
     def __init__(self, machine, r, omega, v=None, h=None, seed=None):
+        if not isinstance(machine, Machine):
+            raise TypeError(f"machine is {machine!r}, not a Machine")
         self.machine, self.core = machine, machine.core
-        given = {"r": r, "omega": omega}
-        if (v is None) == (h is None):
-            raise ValueError("either v or h is to be given")
-        given["v" if h is None else "h"] = v if h is None else h
-        arrays = np.broadcast_arrays(*map(np.atleast_1d, given.values()))
-        self.n = arrays[0].size
+        given = {name: _column(name, values, "iuf", -LIMIT, LIMIT, PLACE[name])
+                 for name, values in _placed(r, omega, v, h).items()}
+        if seed is not None:
+            given["seed"] = _column("seed", seed, "iu", 0, 2 ** 32 - 1)
+        given = _columns(given)
+        self.n = given["r"].size
+        seeds = given.pop("seed", np.arange(self.n))
         blocks = -(-self.n // LANES)
         self.states = np.zeros(blocks, self.core.state_block)
         self.reports = np.zeros(blocks, self.core.report_block)
-        seeds = np.arange(self.n) if seed is None else np.broadcast_to(
-            seed, self.n)
         for i in range(self.n):
-            self._begin(i, int(seeds[i]), dict(zip(
-                given, (float(a.flat[i]) for a in arrays))))
-
-    def _begin(self, i, seed, place):
-        state, _ = self.machine._begun(
-            place["r"], place["omega"], place.get("v"), place.get("h"), seed,
-            f"state {i}")
-        self.core.call_ensemble_put(self.states.ctypes.data, i, byref(state))
+            state, _ = machine._begun(
+                {name: float(values[i]) for name, values in given.items()},
+                int(seeds[i]), f"state {i}")
+            self.core.call_ensemble_put(self.states.ctypes.data, i,
+                                        byref(state))
 
     def step(self, steps=1, inputs=None):
         """Takes so many steps. inputs: of Machine.input(), held. A state whose
         step is refused stays where it is; see status."""
-        given = inputs or self.machine.input()
+        steps = _integer("steps", steps, 0, STEPS)
+        given = self.machine._given(self.machine.input() if inputs is None
+                                    else inputs)
         for _ in range(steps):
             self.core.call_ensemble_step(
                 self.machine._machine, self.states.ctypes.data, self.n,
-                byref(given), self.reports.ctypes.data)
+                given, self.reports.ctypes.data)
 
     def __getitem__(self, name):
         """An array over the states: r [m], v [m/s], omega [rad/s], phi [rad],
         tick, seed; F [N], M [N m], h, g [m/s], delassus [1/kg], residual [N],
         mode (index into MODES), set, choices, status (< 0: refused). Forces,
         slips, set, choices and status are those of the last step."""
-        name = "w" if name == "omega" else name
-        home = self.states if name in self.states.dtype.names else self.reports
+        states = {"omega" if one == "w" else one: one
+                  for one in self.states.dtype.names}
+        _word("name of a quantity", name,
+              dict.fromkeys((*states, *self.reports.dtype.names)))
+        home, name = ((self.states, states[name]) if name in states
+                      else (self.reports, name))
         return home[name].reshape(-1)[:self.n].copy()
 
     def __len__(self):

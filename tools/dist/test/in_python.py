@@ -2,8 +2,10 @@
 import importlib.util
 import json
 import sys
+import tarfile
 
-from harness import DIST, Missing, equal, folder, need, rows_of, run, version
+from harness import (DIST, ROOT, Missing, Wrong, equal, folder, rows_of, run,
+                     version)
 
 PROGRAM = """\
 import json, sys
@@ -58,22 +60,66 @@ def need_module(module, package):
                       f"{package})")
 
 
+# No network, no settings of this machine, no wheel of an earlier run.
+ALONE = {"PIP_NO_INDEX": "1", "PIP_CONFIG_FILE": "/dev/null",
+         "PIP_NO_CACHE_DIR": "1", "PYTHONPATH": ""}
+
+
+def environment(place, archive, of_venv, of_pip):
+    """The python of a new environment that has the archive; with an option of
+    venv and one of pip."""
+    run(sys.executable, "-m", "venv", of_venv, place)
+    # An old setuptools there is not asked for; newer Pythons bring none.
+    run(place / "bin/pip", "uninstall", "--yes", "setuptools", "wheel",
+        env=ALONE)
+    run(place / "bin/pip", "install", of_pip, archive, env=ALONE, cwd=place)
+    return place / "bin/python"
+
+
+def judge_archive(place, archive):
+    """What its backend packs again are the same files."""
+    def files(path):
+        with tarfile.open(path) as tar:
+            return {one.name: tar.extractfile(one).read()
+                    for one in tar.getmembers() if one.isfile()}
+
+    with tarfile.open(archive) as tar:
+        tar.extractall(place)
+    again = run(sys.executable, "-c", "import backend; "
+                f"print(backend.build_sdist({str(place)!r}))",
+                cwd=place / archive.name.removesuffix(".tar.gz"))
+    if files(place / again.strip()) != files(archive):
+        raise Wrong("build_sdist packs other files")
+    said = run(sys.executable, "-c", "import backend; "
+               f"backend.build_wheel({str(place)!r})", fails=True,
+               cwd=place / archive.name.removesuffix(".tar.gz"),
+               env={"CC": "no-such-cc -g"})
+    if "needs a C compiler" not in said or "no-such-cc" not in said:
+        raise Wrong(f"without a compiler it says: {said}")
+
+
 def python():
-    """pip installs the archive offline; runs have the bits of the command line;
-    the example draws."""
-    python3 = need(sys.executable, "python3")
-    for module, package in (("pip", "python3-pip"), ("wheel", "python3-wheel"),
-                            ("setuptools", "python3-setuptools"),
+    """pip installs the archive in a bare environment, without a network,
+    setuptools and wheel; runs have the bits of the command line; each bad
+    argument is refused; the example draws."""
+    for module, package in (("ensurepip", "python3-venv"),
                             ("numpy", "python3-numpy")):
         need_module(module, package)
     place = folder("python")
     archive = DIST / f"python/twofold-{version()}.tar.gz"
-    run(python3, "-m", "pip", "install", "--no-index", "--no-build-isolation",
-        "--target", place / "site", "--no-deps", archive, cwd=place)
+    judge_archive(place, archive)
+    environment(place / "bare", archive, "--clear", "--no-deps")
+    python3 = environment(place / "venv", archive, "--system-site-packages",
+                          "--no-index")
+    env = ALONE
     program = place / "program.py"
     program.write_text(PROGRAM)
     env = {"PYTHONPATH": str(place / "site")}
     ends = json.loads(run(python3, program, version(), env=env))
+    said = run(python3, ROOT / "tools/dist/test/arguments.py", env=env)
+    if not said.endswith("bad values are refused\n"):
+        raise Wrong(f"arguments.py: {said}")
+    print(f"#        {said.strip()}")
     for key, got in ends.items():
         real, scene = key.split()
         equal(f"end of {scene} in {real}",

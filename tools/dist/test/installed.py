@@ -1,4 +1,6 @@
 """make install, pkg-config, and the CMake package."""
+import re
+import shlex
 import shutil
 
 from harness import (BUILD, DIST, MAKE, ROOT, STRICT, TWOFOLD, Wrong, ends_at,
@@ -8,46 +10,83 @@ DEMO = ROOT / "tools/dist/cmake/examples/demo"
 NAMES = {"double": "f64", "float": "f32"}
 
 
-def install_into(root):
-    """Installs below a folder, as a package would be put together."""
-    run(MAKE, "-C", ROOT, "install", f"BUILD={BUILD}", f"DESTDIR={root}",
-        "PREFIX=/usr")
+def make_in(root, target, prefix="/usr"):
+    """`make install` or `make uninstall` below a folder, as a package would be
+    put together."""
+    run(MAKE, "-C", ROOT, target, f"BUILD={BUILD}", f"DESTDIR={root}",
+        f"PREFIX={prefix}")
 
 
-def install():
-    """What is installed compiles, links, runs and has the bits of the tree, in
-    both real types; uninstall leaves no file."""
-    need("pkg-config", "pkg-config")
-    root = folder("install")
-    install_into(root)
-    env = {"PKG_CONFIG_PATH": str(root / "usr/lib/pkgconfig"),
+def judge_pkg_config(root):
+    """What pkg-config finds below a folder compiles, links and has the bits of
+    the tree."""
+    env = {"PKG_CONFIG_PATH": str(root / "lib/pkgconfig"),
            "PKG_CONFIG_ALLOW_SYSTEM_CFLAGS": "1"}
     for real, name in (*NAMES.items(), ("double", None)):
         module = f"twofold_{name}" if name else "twofold"
         equal(f"version of {module}",
               run("pkg-config", "--modversion", module, env=env).strip(),
               version())
-        flags = run("pkg-config", "--cflags", "--libs", module,
-                    env=env).split()
-        run("gcc", "-std=c99", *STRICT, DEMO / "demo.c", *flags, "-o",
-            root / "demo")
-        equal(module, run(root / "demo"), ends_at(real))
-    equal("twofold --version",
-          run(root / "usr/bin/twofold", "--version"),
-          run(TWOFOLD, "--version"))
-    page = (root / "usr/share/man/man1/twofold.1").read_text()
-    for line in ("TH TWOFOLD 1", version(), "SH TWOFOLD RUN", "exit codes"):
+        # As a shell reads them.
+        flags = shlex.split(run("pkg-config", "--cflags", "--libs", module,
+                                env=env))
+        demo = root.parent / "demo"
+        run("gcc", "-std=c99", *STRICT, DEMO / "demo.c", *flags, "-o", demo)
+        equal(module, run(demo), ends_at(real))
+        demo.unlink()
+
+
+def judge_manual(page):
+    """A section for each command that `twofold --help` lists, none of which
+    says what another one does; that of scenes has them all."""
+    for line in ("TH TWOFOLD 1", version(), "exit codes"):
         if line not in page:
             raise Wrong(f"twofold.1 does not say {line}")
-    if shutil.which("man"):
-        equal("warnings of man",
-              run("sh", "-c", "man --warnings -l \"$1\" 2>&1 >/dev/null", "sh",
-                  root / "usr/share/man/man1/twofold.1"), "")
-    (root / "demo").unlink()
-    run(MAKE, "-C", ROOT, "uninstall", f"BUILD={BUILD}", f"DESTDIR={root}",
-        "PREFIX=/usr")
-    left = [path for path in root.rglob("*") if path.is_file()]
-    equal("files that uninstall leaves", left, [])
+    _, *sections = re.split(r"^\.SH ", page, flags=re.M)
+    body = dict(section.split("\n", 1) for section in sections)
+    equal("sections of twofold.1 that are there twice", len(body),
+          len(sections))
+    commands = re.findall(r"^  ([a-z]+) ", run(TWOFOLD, "--help"), re.M)
+    equal("commands in twofold.1",
+          [name[8:].lower() for name in body if name.startswith("TWOFOLD ")],
+          [name for name in commands if name != "help"])
+    for name, text in body.items():
+        same = [other for other in body if other != name
+                and text.strip() in body[other]]
+        equal(f"sections of twofold.1 that say what {name} says", same, [])
+    listed = re.findall(r"^(\w+) ", body["TWOFOLD SCENES"], re.M)
+    equal("scenes in twofold.1", listed,
+          re.findall(r"^(\w+) ", run(TWOFOLD, "scenes"), re.M))
+
+
+def install():
+    """What is installed can be used, in both real types; uninstall leaves
+    nothing of it, and what is another's. Names of folders may have blanks."""
+    need("pkg-config", "pkg-config")
+    for name, prefix in (("install", "/usr"), ("two words", "/a prefix"),
+                         ("install-empty", "/usr/local")):
+        top = folder(name)
+        root = top / prefix[1:]
+        before = {root / "bin/other", root / "share/man/man1/other.1"}
+        for path in before if name != "install-empty" else ():
+            path.parent.mkdir(parents=True)
+            path.touch()
+        make_in(top, "install", prefix)
+        judge_pkg_config(root)
+        equal("twofold --version", run(root / "bin/twofold", "--version"),
+              run(TWOFOLD, "--version"))
+        page = root / "share/man/man1/twofold.1"
+        judge_manual(page.read_text())
+        if shutil.which("man"):
+            equal("warnings of man",
+                  run("sh", "-c", "man --warnings -l \"$1\" 2>&1 >/dev/null",
+                      "sh", page), "")
+        make_in(top, "uninstall", prefix)
+        left = {path for path in root.rglob("*")
+                if not any(path in other.parents for other in before)}
+        equal("what uninstall leaves", left,
+              set() if name == "install-empty" else before)
+        make_in(top, "uninstall", prefix)  # nothing is there: no failure
 
 
 def build_demo(place, *options):
@@ -61,7 +100,8 @@ def build_demo(place, *options):
 
 def cmake():
     """FetchContent; find_package after CMake's install and after make's, which
-    refuses another minor version; an Arm toolchain file."""
+    refuses another minor version. A prefix may have blanks and an apostrophe in
+    its name."""
     need("cmake", "cmake")
     place = folder("cmake")
     build_demo(place / "fetched")
@@ -69,9 +109,11 @@ def cmake():
     run("cmake", "-S", source, "-B", place / "built")
     run("cmake", "--build", place / "built")
     run("cmake", "--install", place / "built", "--prefix", place / "one/usr")
-    install_into(place / "two")
-    for root in ("one", "two"):
-        prefix = f"-DCMAKE_PREFIX_PATH={place / root / 'usr'}"
+    make_in(place / "two", "install")
+    make_in(place / "it's three", "install", "/a prefix")
+    for root in ("one/usr", "two/usr", "it's three/a prefix"):
+        prefix = f"-DCMAKE_PREFIX_PATH={place / root}"
+        root = root.split("/", maxsplit=1)[0].replace("it's ", "")
         build_demo(place / f"found-{root}", prefix, "-DTWOFOLD_INSTALLED=ON")
         other = place / f"other-{root}"
         other.mkdir()

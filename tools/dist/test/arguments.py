@@ -1,0 +1,202 @@
+#!/usr/bin/python3
+"""Arguments that the module twofold refuses: each argument of each public
+function and method, with each kind of bad value. Run by in_python.py, where the
+module is installed."""
+import ctypes
+import inspect
+import math
+from fractions import Fraction
+
+import numpy as np
+
+import twofold
+
+HUGE = 10 ** 400
+# What is of another type, by what is asked for.
+NO_NUMBER = (True, np.bool_(True), "1", b"1", 1j, [1.0], np.ones(2), {})
+NO_INTEGER = (*NO_NUMBER, 2.0, 2.5, math.nan, math.inf, np.float64(3),
+              Fraction(5, 2), np.array([1, 2]))
+NO_WORD = (0, True, 1.5, b"chaos", ["chaos"], np.arange(2))
+NO_COLUMN = (True, [True, False], "1", ["1", "2"], 1j, [1j, 2], [None, 1.0],
+             [[1.0], [1.0, 2.0]], {}, [HUGE, 1])
+BAD_SHAPE = (np.ones((2, 2)), np.ones((1, 3)), np.ones((3, 1)), np.ones(0), [],
+             np.ones(2))
+
+
+def integer(low, high):
+    """Bad values of an integer in a range."""
+    return ([(value, TypeError) for value in (None, *NO_INTEGER)]
+            + [(value, ValueError)
+               for value in (low - 1, -5, high + 1, 2 ** 64, HUGE, -HUGE,
+                             np.int64(-5))])
+
+
+def number(low, high):
+    """Bad values of a real number in a range."""
+    return ([(value, TypeError) for value in NO_NUMBER]
+            + [(value, ValueError)
+               for value in (math.nan, math.inf, -math.inf, low * 1.001 - 1e-3,
+                             high * 1.001 + 1e-3, HUGE, -HUGE,
+                             np.float64("nan"), Fraction(HUGE))])
+
+
+def column(low, high):
+    """Bad values of a column of real numbers; the others have 3."""
+    return ([(value, TypeError) for value in (None, *NO_COLUMN)]
+            + [(value, ValueError) for value in BAD_SHAPE]
+            + [([0.1, bad, 0.2], ValueError)
+               for bad in (math.nan, math.inf, 2 * low, 2 * high)]
+            + [(math.nan, ValueError), (2 * high, ValueError)])
+
+
+SEEDS = ([(value, TypeError) for value in (*NO_COLUMN, 1.0, 2.5, np.ones(3))]
+         + [(value.astype(int) if isinstance(value, np.ndarray) else
+             np.array(value, int), ValueError) for value in BAD_SHAPE]
+         + [(value, ValueError) for value in (-1, 2 ** 32, [0, 1, -1],
+                                              [0, 1, 2 ** 32])])
+WORD = ([(value, TypeError) for value in NO_WORD]
+        + [(value, ValueError) for value in ("", "half", "CHAOS", "chaos ")])
+FLAG = [(value, TypeError) for value in (0, 1, 0.0, "yes", [], np.ones(1))]
+SEED = integer(0, 2 ** 32 - 1)
+PLACE = number(-1e9, 1e9)
+COLUMN = column(-1e9, 1e9)
+# None says that neither v nor h is given.
+WITHOUT_NONE = [pair for pair in COLUMN if pair[0] is not None]
+
+
+def raises(kind, words, call, *arguments, **named):
+    """Whether a call raises this kind of error, which has the words."""
+    try:
+        call(*arguments, **named)
+    except (TypeError, ValueError) as error:
+        # Those of ctypes are other classes, or say nothing.
+        assert type(error) is kind, (words, arguments, named, repr(error))
+        assert words in str(error), (words, arguments, named, str(error))
+    else:
+        raise AssertionError(f"accepted: {words} {arguments} {named}")
+
+
+def altered(machine, name, value):
+    """Inputs that were altered after they were made."""
+    inputs = machine.input()
+    setattr(inputs, name, value)
+    return inputs
+
+
+def table(real):
+    """Rows: name of a callable, it, arguments that it accepts, and by the name
+    of an argument its bad values."""
+    machine = twofold.Machine(real=real)
+    other = twofold.Machine(real="float" if real == "double" else "double")
+    ensemble = twofold.Ensemble(machine, r=[0.1, 0.2, 0.3], omega=-1, v=0)
+    inputs = ([(value, TypeError) for value in
+               (1, "u", (), {}, [0.0] * 5, other.input(), ctypes.c_int(1))]
+              + [(altered(machine, name, value), ValueError)
+                 for name in twofold.INPUTS
+                 for value in (math.nan, math.inf, -2e9)])
+    three = {"r": [0.1, 0.2, 0.3], "omega": [-1, -1.0, -1]}
+    return machine, ensemble, (
+        ("Machine", twofold.Machine, {"real": real},
+         {"scene": WORD, "real": [(None, TypeError), *WORD], "law": WORD,
+          "rule": WORD, "with_angle": FLAG, "seed": SEED,
+          **{name: number(low, high) for name, (_, low, high) in
+             twofold.parameters().items()}}),
+        ("Machine.place", machine.place, {"r": 0.1, "omega": -1, "v": 0},
+         {"r": [(None, TypeError), *PLACE],
+          "omega": [(None, TypeError), *PLACE], "v": PLACE}),
+        ("Machine.place", machine.place, {"r": 0.1, "omega": -1, "h": 0},
+         {"h": PLACE}),
+        ("Machine.input", machine.input, {},
+         {name: [(None, TypeError), *PLACE] for name in twofold.INPUTS}),
+        ("Machine.run", machine.run, {"t_end": 1e-3},
+         {"t_end": number(0, 2 ** 53 * machine["dt"]),
+          "every": integer(1, 2 ** 53),
+          "scheme": [(None, TypeError), *WORD], "inputs": inputs}),
+        ("Ensemble", twofold.Ensemble, {"machine": machine, **three, "v": 0},
+         {"machine": [(value, TypeError) for value in
+                      (None, "chaos", 1, twofold.Machine, machine._machine)],
+          "r": COLUMN, "omega": COLUMN, "v": WITHOUT_NONE, "seed": SEEDS}),
+        ("Ensemble", twofold.Ensemble, {"machine": machine, **three, "h": 0},
+         {"h": WITHOUT_NONE}),
+        ("Ensemble.step", ensemble.step, {},
+         {"steps": integer(0, 2 ** 53), "inputs": inputs}),
+    )
+
+
+def bits(machine, ensemble):
+    """All that a refused call must leave as it is."""
+    return (bytes(machine.state), machine.report.raw, machine._params.raw,
+            ensemble.states.tobytes(), ensemble.reports.tobytes())
+
+
+def judge_completeness(rows):
+    """The table has every argument of every public callable."""
+    named = {}
+    for name, _, _, bad in rows:
+        named.setdefault(name, set()).update(bad)
+    for name in twofold.__all__:
+        what = getattr(twofold, name)
+        if not callable(what):
+            continue
+        own = {name: what.__init__ if inspect.isclass(what) else what}
+        if inspect.isclass(what):
+            own |= {f"{name}.{part}": value for part, value in
+                    vars(what).items() if not part.startswith("_")}
+        for key, function in own.items():
+            wanted = {one.name for one in
+                      inspect.signature(function).parameters.values()
+                      if one.name != "self" and one.kind != one.VAR_KEYWORD}
+            assert wanted <= named.get(key, set()), (key, wanted)
+
+
+def judge(real):
+    """Every row; how many bad values are refused."""
+    count = 0
+    machine, ensemble, rows = table(real)
+    judge_completeness(rows)
+    before = bits(machine, ensemble)
+    for _, call, good, bad in rows:
+        for name, values in bad.items():
+            for value, kind in values:
+                raises(kind, name, call, **{**good, name: value})
+                count += 1
+    assert bits(machine, ensemble) == before
+    for key, kind in ((0, TypeError), (None, TypeError), ("x", ValueError)):
+        raises(kind, "name of a parameter", machine.__getitem__, key)
+        raises(kind, "name of a quantity", ensemble.__getitem__, key)
+    raises(ValueError, "name of a parameter", twofold.Machine, mass=1)
+    # What the law that is asked for needs, and the scene does not give.
+    raises(ValueError, "epsilon is 0.0, allowed is", twofold.Machine,
+           law="smooth")
+    raises(ValueError, "name of an input", machine.input, thrust=1)
+    for given in ({}, {"v": 0, "h": 0}):
+        raises(ValueError, "either v or h", machine.place, 0.1, -1, **given)
+        raises(ValueError, "either v or h", twofold.Ensemble, machine, 0.1, -1,
+               **given)
+    machine.seed = -1  # set later, and used by these
+    raises(ValueError, "seed", machine.start)
+    raises(ValueError, "seed", machine.place, 0.1, -1, 0)
+    assert bits(machine, ensemble) == before
+    return count
+
+
+def judge_good():
+    """What is taken: the ends of the ranges, and numbers of numpy."""
+    machine = twofold.Machine("driven", seed=2 ** 32 - 1, with_angle=True,
+                              rule="random", m=np.float32(1), mu=1)
+    assert machine.state.seed == 2 ** 32 - 1
+    machine.place(np.float64(0.1), Fraction(-1), v=np.int64(0))
+    assert len(machine.run(t_end=0, every=2 ** 53)) == 1
+    assert len(machine.run(t_end=1e-3, every=np.uint8(3),
+                           inputs=machine.input(force=-3))) == 5
+    many = twofold.Ensemble(machine, [0.1, 0.2], -1, v=0,
+                            seed=np.array([0, 2 ** 32 - 1], "u4"))
+    many.step(np.int16(2))
+    many.step(0)
+    assert [*many["seed"]] == [0, 2 ** 32 - 1] and [*many["tick"]] == [2, 2]
+    assert len(twofold.Ensemble(machine, 0.1, -1, v=0)) == 1
+    assert set(twofold.scenes()) and len(twofold.parameters()) == 22
+
+
+judge_good()
+print(judge("double") + judge("float"), "bad values are refused")
