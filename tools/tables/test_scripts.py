@@ -115,7 +115,8 @@ class Recurrence(unittest.TestCase):
             build = Path(folder)
             (build / "double").mkdir()
             (build / "double/twofold").symlink_to(twofold)
-            environment = dict(os.environ, BUILD=folder, MACHINES="102")
+            environment = dict(os.environ, BUILD=folder, MACHINES="102",
+                               SIDE="5", DESIGNS="2")
             command = [TOOLS / "recurrence/recurrence"]
             work = build / "recurrence"
             for _ in range(2):
@@ -126,6 +127,7 @@ class Recurrence(unittest.TestCase):
             self.assertEqual(at, (work / "1.csv").stat().st_mtime_ns)
             text = (work / "RECURRENCE.md").read_text("utf-8")
             self.assertIn("| the designs of figure 4 | random | 51 |", text)
+            self.assertIn("| h = -0.05 m/s | 25 | 0.", text)
             table = work / "recurrence.csv"
             rows = [line.split(",") for line in
                     table.read_text("ascii").splitlines() if line[0] != "#"]
