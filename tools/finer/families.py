@@ -10,8 +10,7 @@ from typing import Optional
 
 # The wheel's angle from the slider, gamma + pi: a half turn of the wheel
 # changes the signs of h and g and nothing else, so 0 to pi/2 is all.
-ANGLES = (0.001, 0.01, 0.03, 0.1, 0.3, 0.5, math.pi / 4, 1.1, 1.3, 1.47, 1.54,
-          1.56, 1.57)
+ANGLES = 0.01, 0.1, 0.3, 0.5, math.pi / 4, 1.1, 1.3, 1.54, 1.57
 PLACE = 0.1859, -1.037
 CIRCLE = -1.45, -1.415, -1.2, 1.415, 1.6
 

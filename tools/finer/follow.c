@@ -85,9 +85,9 @@ outcome_t follow(motion_t *k, const course_t *c, point_t p) {
   while ((double)p.t < end && isnan(out.zero_t)) {
     point_t next;
     next_point(k, c, &p, &dt, &next);
-    const double grown = (double)((next.t - p.t) *
-                                  (layer_rate(k, p.x) + layer_rate(k, next.x)) /
-                                  2);
+    const double grown =
+        (double)((next.t - p.t) * (layer_rate(k, p.x) + layer_rate(k, next.x)) /
+                 2);
     if (isnan(out.fold_t)) {
       out.before += grown;
       if (crosses(k, c, beyond_fold, &p, &next)) {

@@ -1,8 +1,8 @@
 #include "law.h"
 
-const char *const form_names[FORMS] = {"algebraic", "tanh",   "arctan", "cubic",
-                                       "skew",      "corner", "angle",
-                                       "two_piece"};
+const char *const form_names[FORMS] = {"algebraic", "tanh",     "arctan",
+                                       "cubic",     "skew",     "corner",
+                                       "angle",     "two_piece"};
 
 law_t law_of(const machine_t *machine) {
   const real_t kappa = (real_t)machine->kappa, right = angle(1, 0);

@@ -29,20 +29,39 @@ static const char head[] =
     "form,bits,width,delta,kick,side,fold_t,exit_t,exit_r,zero_t,zero_r,"
     "before,behind,windings,steps,error,t,r,v,w";
 
-#define OF_MACHINE(name) {#name, offsetof(options_t, machine.name)}
-#define OF_COURSE(name) {#name, offsetof(options_t, course.name)}
-#define OWN(name) {#name, offsetof(options_t, name)}
+#define OF_MACHINE(name) \
+  { #name, offsetof(options_t, machine.name) }
+#define OF_COURSE(name) \
+  { #name, offsetof(options_t, course.name) }
+#define OWN(name) \
+  { #name, offsetof(options_t, name) }
 static const struct {
   const char *name;
   size_t offset;
-} names[] = {OF_MACHINE(m),     OF_MACHINE(d),      OF_MACHINE(beta),
-             OF_MACHINE(k2),    OF_MACHINE(c1),     OF_MACHINE(c2),
-             OF_MACHINE(r0),    OF_MACHINE(omega0), OF_MACHINE(mu),
-             OF_MACHINE(kappa), OF_MACHINE(gamma),  OF_MACHINE(width),
-             OF_COURSE(until),  OF_COURSE(fold),    OF_COURSE(exit),
-             OF_COURSE(kick),   OF_COURSE(step),    OWN(r),
-             OWN(w),            OWN(x),             OWN(tolerance),
-             OWN(delta),        OWN(samples),       OWN(seed),
+} names[] = {OF_MACHINE(m),
+             OF_MACHINE(d),
+             OF_MACHINE(beta),
+             OF_MACHINE(k2),
+             OF_MACHINE(c1),
+             OF_MACHINE(c2),
+             OF_MACHINE(r0),
+             OF_MACHINE(omega0),
+             OF_MACHINE(mu),
+             OF_MACHINE(kappa),
+             OF_MACHINE(gamma),
+             OF_MACHINE(width),
+             OF_COURSE(until),
+             OF_COURSE(fold),
+             OF_COURSE(exit),
+             OF_COURSE(kick),
+             OF_COURSE(step),
+             OWN(r),
+             OWN(w),
+             OWN(x),
+             OWN(tolerance),
+             OWN(delta),
+             OWN(samples),
+             OWN(seed),
              OWN(columns)};
 
 static bool set_form(options_t *o, const char *word) {
@@ -86,23 +105,34 @@ static void sample(const options_t *o, motion_t *k, double delta,
   k->steps = 0;
   k->error = 0;
   const outcome_t out = follow(k, &course, p);
-  printf("%s,%d,%.6g,%.6g,%.6g,%d,%.12g,%.12g,%.12g,%.12g,%.12g,%.9g,%.9g,"
-         "%d,%ld,%.3g,%.12g,%.17g,%.17g,%.17g\n",
-         form_names[o->machine.form], FINER_BITS, o->machine.width, delta,
-         course.kick, out.side, out.fold_t, out.exit_t, out.exit_r, out.zero_t,
-         out.zero_r, out.before, out.behind, out.windings, k->steps,
-         (double)k->error, (double)out.end.t, (double)out.end.x[0],
-         (double)out.end.x[1], (double)out.end.x[2]);
+  printf(
+      "%s,%d,%.6g,%.6g,%.6g,%d,%.12g,%.12g,%.12g,%.12g,%.12g,%.9g,%.9g,"
+      "%d,%ld,%.3g,%.12g,%.17g,%.17g,%.17g\n",
+      form_names[o->machine.form], FINER_BITS, o->machine.width, delta,
+      course.kick, out.side, out.fold_t, out.exit_t, out.exit_r, out.zero_t,
+      out.zero_r, out.before, out.behind, out.windings, k->steps,
+      (double)k->error, (double)out.end.t, (double)out.end.x[0],
+      (double)out.end.x[1], (double)out.end.x[2]);
 }
 
 int main(int argc, char **argv) {
-  options_t o = {
-      .machine = {.m = 1, .d = 1, .beta = 0.05, .k2 = 2.2270992253886014441,
-                  .c1 = 1e-3, .c2 = 1e-3, .r0 = 0.1, .omega0 = -1, .mu = 1,
-                  .kappa = 0.27241153714062027818,
-                  .gamma = -2.35619449019234492885, .width = 1e-4},
-      .course = {.until = 3, .fold = 0.1859, .exit = 3},
-      .r = 0.191960972, .w = -1.053244828, .samples = 1, .columns = COLUMNS};
+  options_t o = {.machine = {.m = 1,
+                             .d = 1,
+                             .beta = 0.05,
+                             .k2 = 2.2270992253886014441,
+                             .c1 = 1e-3,
+                             .c2 = 1e-3,
+                             .r0 = 0.1,
+                             .omega0 = -1,
+                             .mu = 1,
+                             .kappa = 0.27241153714062027818,
+                             .gamma = -2.35619449019234492885,
+                             .width = 1e-4},
+                 .course = {.until = 3, .fold = 0.1859, .exit = 3},
+                 .r = 0.191960972,
+                 .w = -1.053244828,
+                 .samples = 1,
+                 .columns = COLUMNS};
   for (int n = 1; n < argc; n++)
     if (!set_form(&o, argv[n]) && !set_number(&o, argv[n])) {
       fprintf(stderr, "finer: %s: not NAME=VALUE, or not a name\n", argv[n]);

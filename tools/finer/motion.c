@@ -67,8 +67,8 @@ real_t layer_rate(const motion_t *k, const real_t x[STATES]) {
          (2 * by * D);
 }
 
-static void midpoint(const motion_t *k, const real_t x[STATES], real_t dt, int n,
-                     real_t y[STATES]) {
+static void midpoint(const motion_t *k, const real_t x[STATES], real_t dt,
+                     int n, real_t y[STATES]) {
   const real_t h = dt / (real_t)n;
   real_t before[STATES], dx[STATES];
   rate(k, x, dx);
@@ -116,7 +116,8 @@ void advance(motion_t *k, const point_t *from, real_t *dt, point_t *to) {
     const real_t error = leap(k, from, *dt, COLUMNS, to);
     const double ratio = (double)(error / k->tolerance);
     const double change =
-        ratio == ratio ? 0.8 * pow(ratio + 1e-9, -1.0 / (2 * COLUMNS - 1)) : 0.2;
+        ratio == ratio ? 0.8 * pow(ratio + 1e-9, -1.0 / (2 * COLUMNS - 1))
+                       : 0.2;
     const real_t taken = *dt;
     *dt *= (real_t)(change > 2 ? 2 : change < 0.2 ? 0.2 : change);
     if (*dt > REAL(0.01)) *dt = REAL(0.01);

@@ -7,7 +7,7 @@
 #define SHORT REAL(0.1)
 
 // One round of Newton doubles the digits of the C library's root: two are
-// enough for 113 bits, and neither changes a root of 24.
+// enough for 113 bits.
 real_t root(real_t x) {
   if (x <= 0) return 0;
   real_t y = (real_t)sqrt((double)x);

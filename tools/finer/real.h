@@ -7,6 +7,10 @@
 
 #include <stdbool.h>
 
+#ifndef FINER_BITS
+#define FINER_BITS 53
+#endif
+
 // UNIT is half a unit in the last place of 1; TOLERANCE of a step is above what
 // rounding makes of an extrapolated step, or no step would meet it.
 #if FINER_BITS == 24

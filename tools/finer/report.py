@@ -43,6 +43,13 @@ def exit_of(row: read.Row) -> str:
     return f"{side(row)} {1e3 * time_behind(row):.4g}"
 
 
+def between(values: Sequence[float], digits: int) -> str:
+    """The range of some numbers."""
+    low, high = (f"{end:.{digits}f}" for end in (min(values, default=math.nan),
+                                                 max(values, default=math.nan)))
+    return "-" if not values else low if low == high else f"{low} to {high}"
+
+
 def told(width: float) -> str:
     return f"{width:.2g}"
 
@@ -72,33 +79,22 @@ class Study:
         return row.number("width") / self.fold.width(row["form"], 1)
 
     def selected(self) -> str:
-        """Side and time by form and width."""
-        steps = sorted({n for _, n in self.exact})
-        return markdown.table(
-            ["effective width [m/s]", *theory.PHI],
-            [[told(10 ** (-n / 4)), *(
-                exit_of(self.exact[form, n]) if (form, n) in self.exact
-                else "" for form in theory.PHI)] for n in steps])
-
-    def exponents(self) -> str:
-        """The exponents and the spread among forms."""
+        """Side and time by form and width, and what follows."""
         lines = []
         for n in sorted({n for _, n in self.exact}):
             here = [self.exact[form, n] for form in theory.PHI
                     if (form, n) in self.exact]
-            left = [row for row in here if row["side"] != "0"]
-            if len(here) < len(theory.PHI):
-                continue
-            found = [row.number("behind") for row in left]
-            places = [1e3 * row.number("zero_r") for row in here]
+            grown = [row.number("behind") for row in here
+                     if row["side"] != "0"]
+            places = [1e3 * row.number("zero_r") for row in here
+                      if row["form"] != "angle"]
             lines.append([
-                told(10 ** (-n / 4)), f"{len(left)} of {len(here)}",
-                f"{sum(row['side'] == '1' for row in left)}",
-                f"{min(found):.1f} to {max(found):.1f}" if found else "",
-                f"{min(places):.2f} to {max(places):.2f}"])
-        return markdown.table(
-            ["effective width [m/s]", "forms that leave", "to slip+",
-             "exponent of growth", "r where g = 0 [mm]"], lines)
+                told(10 ** (-n / 4)),
+                *(exit_of(self.exact[form, n]) if (form, n) in self.exact
+                  else "" for form in theory.PHI), between(grown, 1),
+                between(places, 2)])
+        return markdown.table(["effective width [m/s]", *theory.PHI, "E",
+                               "r [mm], all but `angle`"], lines)
 
     def power(self) -> tuple[float, float, int]:
         """Exponent of the disturbance over the width, its 95 % half interval
@@ -224,7 +220,7 @@ class Study:
                 want = (self.fold.exponent(gain)
                         if gain > self.fold.gain(27) else None)
                 lines.append((float(width), -kick, [
-                    width, f"{kick:g}", exit_of(row),
+                    f"{float(width):g}", f"{kick:g}", exit_of(row),
                     f"{row.number('behind'):.2f}",
                     f"{want:.2f}" if want else "-"]))
         return markdown.table(
@@ -296,8 +292,9 @@ class Study:
                  ) / 2 for s, sign in ((1, -1), (-1, 1))]
         rates = self.families["circle"]["rates"]
         return {
-            "share": self.fold.share, "ratio": self.fold.ratio, "nu": nu,
-            "half": nu / 2, "power": nu / 2 + 1, "slope": slope,
+            "exit": theory.EXIT, "four_nu": 4 * nu, "half_four": 2 * nu,
+            "off": self.fold.ratio - 14, "share": self.fold.share, "ratio": self.fold.ratio, "nu": nu,
+            "power": nu / 2 + 1, "slope": slope,
             "error": error, "count": count, "C": 1e3 * self.families["C"],
             "units": units, "designed": limits["designed"],
             "low": limits["held_low"], "high": limits["held_high"],
@@ -357,7 +354,7 @@ def main() -> None:
     study = Study(sys.argv[1], Path(sys.argv[2]))
     draw(study, Path(sys.argv[2], "finer.png"))
     tables = {name: getattr(study, name)() for name in (
-        "core", "contraction", "selected", "exponents", "kicked", "starts",
+        "core", "contraction", "selected", "kicked", "starts",
         "precision", "kicks", "stiff", "gamma", "circle")}
     print(texts.PAGE.format(**study.numbers(), **tables), end="")
 

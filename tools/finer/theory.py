@@ -1,8 +1,9 @@
 """What theory says about a motion in the layer next to the two-fold.
 
-Across a layer of effective width eps (the width over the slope of phi where the
-stick through the two-fold runs, phi = lambda/mu), at a time t from the two-fold
-and with s = t sqrt(a/eps), a = |dA/dt| mu, a deviation xi (in units of eps) obeys
+Across a layer of effective width eps (the width over the slope of phi where
+the stick through the two-fold runs, phi = lambda/mu), at a time t from the
+two-fold and with s = t sqrt(a/eps), a = |dA/dt| mu, a deviation xi (in units of
+eps) obeys
 
     xi'' - s xi' + nu xi = 0,   nu = (ratio of the eigenvalues) - 1
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3 -B
-"""Tests of tools/finer at small size: its integrator converges, it is the core's
-law `smooth`, and the layer next to the two-fold is what theory says.
+"""Tests of tools/finer at small size: its integrator converges to the motion of
+the core's law `smooth`, and the layer next to the two-fold is as theory says.
 
 usage: TWOFOLD=build/double/twofold test_finer.py [unittest option]...
 """
