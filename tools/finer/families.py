@@ -10,7 +10,7 @@ from typing import Optional
 
 # The wheel's angle from the slider, gamma + pi: a half turn of the wheel
 # changes the signs of h and g and nothing else, so 0 to pi/2 is all.
-ANGLES = 0.01, 0.1, 0.3, 0.5, math.pi / 4, 1.1, 1.3, 1.54, 1.57
+ANGLES = 0.01, 0.1, 0.3, 0.5, math.pi / 4, 1.1, 1.3, 1.54
 PLACE = 0.1859, -1.037
 CIRCLE = -1.45, -1.415, -1.2, 1.415, 1.6
 
@@ -57,7 +57,7 @@ def behind(twofold: str, angle: float, found: dict) -> Optional[float]:
     followed to its end."""
     text = said(twofold, "diverge", "chaos", "--set",
                 f"gamma={angle - math.pi!r}", *found["set"].split(),
-                "--rate", "1e-6", "--samples", 1, "--patience", 1,
+                "--rate", "1e-6", "--samples", 1, "--patience", 30,
                 "--exits", "-", "--returns", "/dev/null")
     for line in (text or "").splitlines():
         if ",released," in line:

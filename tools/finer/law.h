@@ -1,6 +1,6 @@
-// Laws without a jump. All but the last two are the paper's law with sign(h)
-// replaced by phi(x), x = h / width; in the layer |x| = O(1) they are stick, and
-// as the width goes to 0 each becomes the law with the jump.
+// Laws without a jump: the paper's law with sign(h) replaced by phi(x), x =
+// h / width. In the layer |x| = O(1) they are stick, and as the width goes to 0
+// each but the last becomes the law with the jump.
 #ifndef FINER_LAW_H
 #define FINER_LAW_H
 

@@ -6,9 +6,9 @@
 // Names: form (law.h) and width; the machine's parameters, by default those of
 // scene `chaos`; r, w, x: the start [m, rad/s, h in widths], by default where
 // `chaos` lands in the sliding region before the two-fold; until, fold, exit,
-// kick, step, columns (follow.h); tolerance of a step. samples, seed, delta: that
-// many motions, in which kick is multiplied and w changed (by the share delta)
-// by draws from (-1, 1).
+// kick, step, columns (follow.h); tolerance of a step. samples, seed, delta:
+// that many motions, in which kick is multiplied and w changed (by the share
+// delta) by draws from (-1, 1).
 //
 // Writes a line for each motion, with the columns of `head`.
 #include <stddef.h>

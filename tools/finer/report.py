@@ -91,7 +91,7 @@ class Study:
             lines.append([
                 told(10 ** (-n / 4)),
                 *(exit_of(self.exact[form, n]) if (form, n) in self.exact
-                  else "" for form in theory.PHI), between(grown, 1),
+                  else "" for form in theory.PHI), between(grown, 1) if min(grown, default=0) > GROWN else "-",
                 between(places, 2)])
         return markdown.table(["effective width [m/s]", *theory.PHI, "E",
                                "r [mm], all but `angle`"], lines)
@@ -132,27 +132,17 @@ class Study:
             [line for _, _, line in sorted(lines)])
 
     def starts(self) -> str:
-        """The same under changes of the start."""
-        lines = []
-        for name, rows in self.runs.items():
-            if name.startswith("start "):
-                lines.append([name.split()[1], *(
-                    markdown.digits(np.ptp([scale * row.number(column)
-                                            for row in rows]), 2)
-                    for column, scale in (("fold_t", 1e3), ("exit_r", 1e3),
-                                          ("zero_r", 1e3)))])
-        return markdown.table(
-            ["change of w at the start", "range of arrival [ms]",
-             "range of r at exit [mm]", "range of r where g = 0 [mm]"],
-            sorted(lines, key=lambda line: float(line[0])))
+        """How far the exit moves under changes of the start [m]."""
+        rows = self.runs[f"start {0.001:g}"]
+        return f"{np.ptp([row.number('exit_r') for row in rows]):.0e}"
 
     def alike(self, bits: int, n: int) -> Optional[float]:
         """The share of last-bit starts whose exit is that of quad."""
         rows = [row for row in self.runs.get(f"bits {n}", [])
                 if row["bits"] == str(bits)]
-        exact = self.exact["algebraic", n]
         if not rows:
             return None
+        exact = self.exact["algebraic", n]
         if exact["side"] == "0":
             return sum(row["side"] == "0" for row in rows) / len(rows)
         return sum(row["side"] == exact["side"]
@@ -232,9 +222,9 @@ class Study:
                        if name.startswith("stiff ") for row in rows),
                       key=lambda row: -row.number("width"))
         return markdown.table(
-            ["k [1/m^2]", "exit: side, time [ms]", "changes of side after it",
+            ["k [1/m^2]", "bits", "exit: side, time [ms]", "changes of side after it",
              "r where g = 0 [mm]"],
-            [[f"{1 / row.number('width'):.4g}", exit_of(row), row["windings"],
+            [[f"{1 / row.number('width'):.4g}", row["bits"], exit_of(row), row["windings"],
               f"{1e3 * row.number('zero_r'):.2f}"] for row in rows])
 
     def gamma(self) -> str:
@@ -268,17 +258,8 @@ class Study:
              "behind, at the exit"], lines)
 
     def core(self) -> str:
-        return markdown.table(["dt [s]", "largest difference"], [
-            [f"{dt:g}", f"{error:.2g}"]
-            for dt, error in self.families["core"]])
-
-    def circle(self) -> str:
-        return markdown.table(
-            ["omega at 0 [rad/s]", "largest change of r [m]",
-             "omega at 20 s", "mode", "F/mu"],
-            [[f"{omega:g}", f"{gone:g}", f"{end:.7f}", mode, f"{force:.6f}"]
-             for omega, gone, end, mode, force
-             in self.families["circle"]["motions"]])
+        return ", ".join(f"{error:.2g} at dt = {dt:g} s"
+                         for dt, error in self.families["core"])
 
     def numbers(self) -> dict[str, object]:
         """What the text quotes."""
@@ -291,11 +272,18 @@ class Study:
         ends = [(-s * Q + sign * math.sqrt(Q * Q + 4 * 2.2270992253886014 * 0.9)
                  ) / 2 for s, sign in ((1, -1), (-1, 1))]
         rates = self.families["circle"]["rates"]
+        motions = self.families["circle"]["motions"]
+        critical = {f"crit{bits}": self.critical(bits) for bits in (24, 53, 64)}
         return {
-            "exit": theory.EXIT, "four_nu": 4 * nu, "half_four": 2 * nu,
-            "off": self.fold.ratio - 14, "share": self.fold.share, "ratio": self.fold.ratio, "nu": nu,
+            "exit": theory.EXIT, "half_four": 2 * nu,
+            "off": self.fold.ratio - 14, "share": self.fold.share, "nu": nu,
             "power": nu / 2 + 1, "slope": slope,
             "error": error, "count": count, "C": 1e3 * self.families["C"],
+            **critical, "up": critical["crit24"] / critical["crit53"],
+            "down": critical["crit64"] / critical["crit53"],
+            "drift": max(gone for _, gone, _, _, _ in motions),
+            "apart": max(min(abs(end - one) for one in ends)
+                         for _, _, end, _, _ in motions),
             "units": units, "designed": limits["designed"],
             "low": limits["held_low"], "high": limits["held_high"],
             "at_6": self.disturbance(self.exact["algebraic", 24]),
@@ -355,7 +343,7 @@ def main() -> None:
     draw(study, Path(sys.argv[2], "finer.png"))
     tables = {name: getattr(study, name)() for name in (
         "core", "contraction", "selected", "kicked", "starts",
-        "precision", "kicks", "stiff", "gamma", "circle")}
+        "precision", "kicks", "stiff", "gamma")}
     print(texts.PAGE.format(**study.numbers(), **tables), end="")
 
 
