@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import sys
+import textwrap
 from collections import defaultdict
 from pathlib import Path
 from typing import Optional, Sequence
@@ -91,7 +93,8 @@ class Study:
             lines.append([
                 told(10 ** (-n / 4)),
                 *(exit_of(self.exact[form, n]) if (form, n) in self.exact
-                  else "" for form in theory.PHI), between(grown, 1) if min(grown, default=0) > GROWN else "-",
+                  else "" for form in theory.PHI),
+                between(grown if min(grown, default=0) > GROWN else [], 1),
                 between(places, 2)])
         return markdown.table(["effective width [m/s]", *theory.PHI, "E",
                                "r [mm], all but `angle`"], lines)
@@ -222,10 +225,11 @@ class Study:
                        if name.startswith("stiff ") for row in rows),
                       key=lambda row: -row.number("width"))
         return markdown.table(
-            ["k [1/m^2]", "bits", "exit: side, time [ms]", "changes of side after it",
-             "r where g = 0 [mm]"],
-            [[f"{1 / row.number('width'):.4g}", row["bits"], exit_of(row), row["windings"],
-              f"{1e3 * row.number('zero_r'):.2f}"] for row in rows])
+            ["k [1/m^2]", "bits", "exit: side, time [ms]",
+             "changes of side after it", "r where g = 0 [mm]"],
+            [[f"{1 / row.number('width'):.4g}", row["bits"], exit_of(row),
+              row["windings"], f"{1e3 * row.number('zero_r'):.2f}"]
+             for row in rows])
 
     def gamma(self) -> str:
         lines = []
@@ -338,13 +342,28 @@ def draw(study: Study, path: Path) -> None:
     figure.savefig(path, dpi=90)
 
 
+def filled(page: str) -> str:
+    """Its paragraphs and lists in lines of 79; what else there is as it is."""
+    parts = []
+    for part in page.rstrip().split("\n\n"):
+        if not part.startswith(("#", "|", "![")):
+            part = "\n".join(
+                textwrap.fill(" ".join(item.split()), 79,
+                              break_on_hyphens=False, break_long_words=False,
+                              subsequent_indent=" " * len(mark[0]))
+                for item in re.split(r"\n(?=\d\. |\* )", part)
+                for mark in [re.match(r"\d\. |\* |", item)])
+        parts.append(part)
+    return "\n\n".join(parts)
+
+
 def main() -> None:
     study = Study(sys.argv[1], Path(sys.argv[2]))
     draw(study, Path(sys.argv[2], "finer.png"))
     tables = {name: getattr(study, name)() for name in (
         "core", "contraction", "selected", "kicked", "starts",
         "precision", "kicks", "stiff", "gamma")}
-    print(texts.PAGE.format(**study.numbers(), **tables), end="")
+    print(filled(texts.PAGE.format(**study.numbers(), **tables)))
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ leave](finer.png)
    m/s shifts its time by 4 % (second table). What
    the motion brings with it is worth a kick of {at_6:.0e} m/s there and of
    {at_finest:.0e} m/s at {finest:.0e} m/s, by theory's leading order. It falls
-   as width^{slope:.2f} (+- {error:.2f}, {count} motions from 3e-6 m/s down);
+   as width^{slope:.2f} (+- {error:.2f} by the fit alone, {count} motions from 3e-6 m/s down);
    for width to 0 theory has (ratio + 1)/2 = {power:.2f}, which is not reached
    here.
 3. So rounding decides below a critical width that is a power of the precision
@@ -129,10 +129,11 @@ sin^2/(m r cos) in omega'.
 ## The rolling circle r = d tan gamma
 
 There h = 0 gives v = 0 for every omega, so stick keeps r, and (r - d tan
-gamma)' = -(omega - omega0) cot(gamma) (r - d tan gamma): it attracts for omega
-> omega0 and repels for omega < omega0. On it omega tends to a root of m R
+gamma)' = -(omega - omega0) cot(gamma) (r - d tan gamma): it attracts where omega is above omega0 and
+repels below. On it omega tends to a root of m R
 omega^2 +- c1 omega sin(gamma)/kappa + k2 (r0 - R) = 0, R = 1 m:
-{end_minus:.7f} (g > 0) and {end_plus:.7f} rad/s (g < 0). `twofold run chaos
+{end_minus:.7f} for positive g and
+{end_plus:.7f} rad/s for negative g. `twofold run chaos
 --scheme located --set r=1 --set omega=W --set h=0 --t-end 20` begun at omega =
 -1.45, -1.415, -1.2, 1.415 and 1.6 keeps r to {drift:g} m and ends within
 {apart:.0e} rad/s of them. From r = 1.000001 m the distance changes at
