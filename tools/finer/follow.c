@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#define AT_REST REAL(1e-8) // [m/s], the sum of |h| and |g|
+
 typedef real_t (*event_t)(const motion_t *, const course_t *, const point_t *);
 
 static real_t beyond_fold(const motion_t *k, const course_t *c,
@@ -77,6 +79,12 @@ static void note(motion_t *k, const course_t *c, const point_t *p,
   }
 }
 
+// Laws of the slip angle alone have no limit there: what follows is rounding.
+static bool at_rest(const motion_t *k, const point_t *p) {
+  const slip_t s = slip_at(k, p->x);
+  return k->law.form >= FORM_ANGLE && absolute(s.h) + absolute(s.g) < AT_REST;
+}
+
 outcome_t follow(motion_t *k, const course_t *c, point_t p) {
   outcome_t out = {NAN, NAN, NAN, NAN, NAN, 0, 0, 0, 0, p};
   real_t dt = REAL(1e-6);
@@ -98,8 +106,8 @@ outcome_t follow(motion_t *k, const course_t *c, point_t p) {
     } else {
       if (out.side == 0) out.behind += grown;
       note(k, c, &p, &next, &out);
-      if (crosses(k, c, rolling, &p, &next)) {
-        next = locate(k, c, rolling, &p, &next);
+      if (crosses(k, c, rolling, &p, &next) || at_rest(k, &next)) {
+        if (!at_rest(k, &next)) next = locate(k, c, rolling, &p, &next);
         out.zero_t = (double)next.t;
         out.zero_r = (double)next.x[0];
       }

@@ -1,5 +1,6 @@
 // One motion, from the sliding region through the two-fold to where it leaves
-// the layer and on to where g changes its sign.
+// the layer and on to where g changes its sign, or h = g = 0 is reached under a
+// law of the slip angle.
 #ifndef FINER_FOLLOW_H
 #define FINER_FOLLOW_H
 

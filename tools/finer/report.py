@@ -223,13 +223,14 @@ class Study:
     def stiff(self) -> str:
         rows = sorted((row for name, rows in self.runs.items()
                        if name.startswith("stiff ") for row in rows),
-                      key=lambda row: -row.number("width"))
+                      key=lambda row: (-row.number("width"), row["bits"]))
         return markdown.table(
-            ["k [1/m^2]", "bits", "exit: side, time [ms]",
-             "changes of side after it", "r where g = 0 [mm]"],
-            [[f"{1 / row.number('width'):.4g}", row["bits"], exit_of(row),
-              row["windings"], f"{1e3 * row.number('zero_r'):.2f}"]
-             for row in rows])
+            ["k [1/m^2]", "bits", "left the layer before",
+             "h = g = 0 after [ms]", "r [mm]"],
+            [[f"{1 / row.number('width'):.4g}", row["bits"],
+              "no" if row["side"] == "0" else "yes",
+              f"{1e3 * (row.number('zero_t') - row.number('fold_t')):.4g}",
+              f"{1e3 * row.number('zero_r'):.3f}"] for row in rows])
 
     def gamma(self) -> str:
         lines = []

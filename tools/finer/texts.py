@@ -105,8 +105,9 @@ beyond it the law of the jump. The string itself (`two_piece`: Appendix B with
 sigma = 0, rho = 2/3) tends to another law as k grows: Coulomb's, |F| = 4 mu/3
 and M = 0, which has no two-fold. On the way F rises from mu to 4 mu/3 while M
 falls, at slip angles of order 1/k, and there its stick is stable again, next
-to either side of h = 0. k = 1.224 is the law that the paper stretches. One
-motion each; from k = 10 on double and x87 disagree in what follows:
+to either side of h = 0. So the wheel does not leave: it creeps to h = g = 0,
+where a law of the slip angle alone has no limit and the run ends. Double and
+x87 agree on it up to k = 100. k = 1.224 is the law that the paper stretches:
 
 {stiff}
 
@@ -152,7 +153,7 @@ slips off it.
   converge.
 * `corner` and `angle` differ in what follows at h = g = 0, not studied by
   itself.
-* Errors of `angle` at g = 0, where its layer has no width, are not controlled.
+* What `angle` and `two_piece` do at h = g = 0, where the layer has no width.
 * Resonances: at a whole ratio the growth of what the motion carries vanishes
   to first order (1/Gamma(-nu)); `chaos` is {off:.3f} from 14. Other machines.
 * The cubic and the clipped forms have kinks, at which steps are short but of
