@@ -78,6 +78,7 @@ MEASURE_MAKEFILES := tools/bench/bench.mk tools/report/report.mk \
   tools/peers/peers.mk tools/stability/stability.mk \
   tools/realtime/realtime.mk \
   tools/statistics/statistics.mk tools/recurrence/recurrence.mk \
+  tools/finer/finer.mk \
   tools/figures/figures.mk tools/shards/shards.mk
 VERIFY_MAKEFILES := tools/check/check.mk tools/fuzz/fuzz.mk \
   tools/soak/soak.mk tools/mutation/mutation.mk tools/eva/eva.mk \
