@@ -5,6 +5,8 @@ AVR_CHIP := atmega328p
 AVR_MACHINE := arduino-uno
 AVR_STACK := 832
 include port/arch/avr.mk
+# Without these two passes of gcc 5.4 the program is 1.2 % smaller.
+BOARD_FLAGS += -fno-tree-coalesce-vars -fno-gcse
 BOARD_SMALL := yes
 BOARD_SCENES := string frictionless
 BOARD_LARGER := mega
