@@ -19,7 +19,7 @@ from findings import checked, need, wrong
 
 REPORTS = [f"docs/{name}.md" for name in (
     "REPORT", "STABILITY", "SIZE", "statistics", "BOUNDS", "BUDGETS",
-    "REALTIME", "FIGURES", "FINDINGS", "FINER")]
+    "REALTIME", "RECURRENCE", "FIGURES", "FINDINGS", "FINER")]
 ORIGIN = re.compile(r"Of commit (.*) of src/ and include/(.*)\.")
 OLDER = "The core has changed since: what follows is of the older one."
 

@@ -112,7 +112,9 @@ static int perform_help(int argc, char *const argv[]) {
     command->help();
   } else if (command != NULL) {
     cli_overview();
-  } else if (argc > 1 || !cli_topic(word)) {
+  } else if (argc > 1) {
+    return cli_message(CLI_USAGE, "help: one word at a time");
+  } else if (!cli_topic(word)) {
     return no_help(argv[argc - 1]);
   }
   return cli_finish_stdout();

@@ -103,7 +103,7 @@ static const topic_t topics[] = {
      "in m, m/s, rad/s, m/s, m/s; the modes are numbered slip+, slip-, "
      "stick+,\n"
      "stick-, pinned from 0.\n"},
-    {"inputs held linear between table",
+    {"input inputs held linear between table",
      "--inputs FILE --between held|linear of 'run' and 'sweep': inputs over\n"
      "time, from a CSV table; FILE - is standard input. The first column is "
      "t\n"
@@ -127,12 +127,13 @@ static const topic_t topics[] = {
      "a stream were lost or broken, or a value in it is not finite.\n"
      "The file --exits of 'diverge' is something else: 'twofold help "
      "diverge'.\n"},
-    {"degraded coarse tolerance-missed",
+    {"degraded coarse fell_back fell-back tolerance-missed",
      "A step is degraded where no mode is consistent, or h and g contradict "
      "the\n"
      "mode, and coarse where it does not resolve the motion or misses its\n"
      "tolerance: a smaller dt helps. Both are counted, and make exit code "
-     "5.\n"},
+     "5.\n"
+     "fell_back: a located step that tf_step took, to its own order.\n"},
     {"summary json",
      "What 'run', 'sweep', 'diverge' and 'monitor' say on standard error at\n"
      "their end.\n"
@@ -156,7 +157,7 @@ static const topic_t topics[] = {
      "Inputs that a board got by a command expire after so many ticks, then "
      "the\n"
      "inputs of the scene hold: 'twofold help monitor', docs/PROTOCOL.md.\n"},
-    {"provenance units commit hash parameters number",
+    {"provenance unit units commit hash parameters number",
      "--provenance of 'run', 'diverge', 'regions', 'atlas' and 'monitor': "
      "four\n"
      "'# ' lines before the header with version, commit, number type; scene,\n"
@@ -184,7 +185,7 @@ static const topic_t topics[] = {
      "omega0 of --inputs, or from a profile, where that is linear.\n"},
     {"bench stability figures statistics page firmware fmu board boards dist",
      "Made by make, not by this program: 'make help' lists the targets.\n"},
-    {"save from resume state",
+    {"save from resume state snapshot carry",
      "run --save FILE writes the state at the end, whatever ends it; run "
      "--from\n"
      "FILE continues bit for bit, with the same machine, scheme and number "
@@ -194,6 +195,11 @@ static const topic_t topics[] = {
      "got\n"
      "and when; run SCENE --dt 1/RATE --replay FILE repeats that to the "
      "bit.\n"},
+    {"shard shards merge",
+     "--shard I/N of 'diverge' and 'sweep': one of N parts of the work, whose\n"
+     "rows one after the other are those of one run; 'twofold help merge' "
+     "adds\n"
+     "counts. Docs: docs/SWEEPS.md.\n"},
     {"t-end", "Length of a run [s]: --t-end S, or of a scene.\n"},
     {"profile knots",
      "Speed of the turntable in a scene, linear between up to 8 knots\n"
@@ -217,7 +223,7 @@ static const topic_t topics[] = {
     {"baud send key follow deadman",
      "An option of 'monitor', or a command to a board: 'twofold help "
      "monitor'.\n"},
-    {"by size spread codim2 samples cycles shard patience section near "
+    {"by size spread codim2 samples cycles patience section near "
      "returns depth count grid branches header exhaustive",
      "An option of 'diverge': 'twofold help diverge'.\n"},
     {"name shows leaves-out based-on",

@@ -117,12 +117,14 @@ def draw_designs(axes: pyplot.Axes, rows: Sequence[read.Row],
     for one in CLASSES:
         here = [row for row in rows if class_of(row, kind) == one]
         axes.plot([row.number("r") for row in here],
-                  [row.number("omega") for row in here], "s", ms=2.2,
+                  [row.number("omega") for row in here], "s", ms=3.4,
                   mew=0, color=COLOURS[one], label=f"{one} ({len(here)})")
-    axes.plot(0.1859, -1.037, "+", color="black", ms=9, label="`chaos`")
+    axes.plot(0.1859, -1.037, "+", color="black", ms=9)
+    axes.annotate("chaos", (0.1859, -1.037), (4, 4), fontsize=8,
+                  textcoords="offset points")
     axes.set(title=f"designs, exits by {kind}", xlabel="r* [m]",
              ylabel="omega* [rad/s]")
-    axes.legend(loc="lower left", fontsize=7, markerscale=3)
+    axes.legend(loc="lower left", fontsize=7, markerscale=2)
 
 
 def draw_shares(axes: pyplot.Axes, rows: Sequence[read.Row],

@@ -42,9 +42,10 @@ static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
       table->linear && table->at + 1 < table->count &&
       (double)table->rows[table->at].t < cli_run_time(run, run->done);
   const size_t last = table->at + ahead;
+  const size_t passed = cli_inputs_passed(table, table->first, last);
   (void)fprintf(stderr, "inputs     %s, %s: %zu of %zu rows, t = %g to %g s%s",
                 table->name, table->linear ? "linear" : "held",
-                last - table->first + 1, table->count,
+                last - table->first + 1 - passed, table->count,
                 (double)table->rows[table->first].t,
                 (double)table->rows[last].t, table->applied ? "; applied" : "");
   const char *comma = " ";
@@ -57,6 +58,12 @@ static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
     }
   }
   (void)fputc('\n', stderr);
+  if (passed > 0) {
+    (void)fprintf(stderr,
+                  "           %zu other rows lie between two steps and never "
+                  "held\n",
+                  passed);
+  }
 }
 
 static void print_drive(const cli_run_t *run) {

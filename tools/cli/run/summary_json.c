@@ -45,6 +45,7 @@ static void put_table(const char *key, const cli_inputs_t *table) {
   cli_put_count("rows", table->count);
   cli_put_count("first", table->first);
   cli_put_count("last", table->at);
+  cli_put_count("passed", cli_inputs_passed(table, table->first, table->at));
   cli_put_real("t_first", table->rows[table->first].t);
   cli_put_real("t_last", table->rows[table->at].t);
   cli_put_hash("crc32", cli_inputs_hash(table));

@@ -63,16 +63,27 @@ uint32_t cli_inputs_hash(const cli_inputs_t *inputs) {
 }
 
 // The first step that begins at a time or later. A time that is n dt but for
-// the rounding of decimals is n.
+// the rounding of decimals is n; where that is coarser than a step, the step
+// that begins next to it.
 void cli_inputs_prepare(cli_inputs_t *inputs, tf_real_t dt) {
   for (size_t i = 0; i < inputs->count; i++) {
     const double n = (double)inputs->rows[i].t / (double)dt;
-    const double rounding = 1e-6 + 4 * (double)TF_REAL_EPSILON * fabs(n);
+    const double rounding =
+        fmin(1e-6 + 4 * (double)TF_REAL_EPSILON * fabs(n), 0.5);
     const double first = ceil(n - rounding);
     inputs->rows[i].tick =
         first < 1 ? 0 : (first < 1e18 ? (uint64_t)first : UINT64_MAX);
   }
   inputs->at = 0;
+}
+
+size_t cli_inputs_passed(const cli_inputs_t *inputs, size_t first,
+                         size_t last) {
+  size_t passed = 0;
+  for (size_t i = first; !inputs->linear && i < last; i++) {
+    passed += inputs->rows[i].tick == inputs->rows[i + 1].tick;
+  }
+  return passed;
 }
 
 static void go_to_tick(cli_inputs_t *inputs, uint64_t tick) {
@@ -112,6 +123,33 @@ static void look_up(cli_inputs_t *inputs, tf_real_t t,
       value[i] += (row[1].value[i] - row->value[i]) *
                   ((t - row->t) / (row[1].t - row->t));
     }
+  }
+}
+
+// The means over a step that begins at t - dt with the values `before`: piece by
+// piece where rows lie in it.
+static void mean_over(cli_inputs_t *inputs, tf_real_t t, tf_real_t dt,
+                      const tf_real_t before[CLI_INPUTS],
+                      const tf_real_t after[CLI_INPUTS],
+                      tf_real_t mean[CLI_INPUTS]) {
+  const tf_real_t start = t - dt;
+  size_t next = inputs->at; // the last row not after t, or the first one
+  while (next > 0 && inputs->rows[next - 1].t > start) {
+    next--;
+  }
+  while (next < inputs->count && inputs->rows[next].t <= start) {
+    next++;
+  }
+  for (size_t i = 0; i < CLI_INPUTS; i++) {
+    tf_real_t from = start, value = before[i], sum = 0;
+    for (size_t k = next; k < inputs->count && inputs->rows[k].t < t; k++) {
+      const cli_input_row_t *row = &inputs->rows[k];
+      sum += (value + row->value[i]) / 2 * ((row->t - from) / dt);
+      from = row->t;
+      value = row->value[i];
+    }
+    mean[i] = from > start ? sum + (value + after[i]) / 2 * ((t - from) / dt)
+                           : (before[i] + after[i]) / 2;
   }
 }
 
@@ -157,9 +195,7 @@ void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
   }
   look_up(inputs, t - dt, before);
   look_up(inputs, t, after);
-  for (size_t i = 0; i < CLI_INPUTS; i++) {
-    mean[i] = (before[i] + after[i]) / 2;
-  }
+  mean_over(inputs, t, dt, before, after, mean);
   mean[CLI_INPUT_OMEGA0] = after[CLI_INPUT_OMEGA0];
   apply(inputs, mean, input);
   if (inputs->given[CLI_INPUT_OMEGA0]) {

@@ -6,7 +6,8 @@
 ///   the next row does.
 /// linear: between rows. omega0 is that of the end of the step, alpha the mean
 ///   over the step, as in tf_scene_input and bit for bit the same; r0, force
-///   and torque are constant over a step and the mean of its two ends.
+///   and torque are constant over a step and the mean over it, so that no part
+///   of a force is lost.
 ///
 /// Before the first row and after the last one inputs are those of that row.
 #ifndef TWOFOLD_CLI_INPUTS_H
@@ -73,6 +74,10 @@ int cli_inputs_read(cli_inputs_t *inputs, const char *path);
 /// CRC-32 of all that a table gives: columns, what holds between rows, rows. 0
 /// without rows.
 uint32_t cli_inputs_hash(const cli_inputs_t *inputs);
+
+/// How many of the rows first to last, both included, never held, because the
+/// next one begins to hold with the same step. A linear table has none.
+size_t cli_inputs_passed(const cli_inputs_t *inputs, size_t first, size_t last);
 
 /// Finds the steps that the rows begin to hold for.
 void cli_inputs_prepare(cli_inputs_t *inputs, tf_real_t dt);

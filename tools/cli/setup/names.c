@@ -19,6 +19,11 @@ size_t cli_parameter_index(const char *name) {
   return i;
 }
 
+bool cli_is_whole(tf_real_t value) {
+  return value >= 0 && value < TF_R(65536.0) &&
+         (double)(uint32_t)value >= (double)value;
+}
+
 void cli_print_range(size_t parameter) {
   const tf_parameter_range_t *range = &tf_parameter_ranges[parameter];
   const bool plain = strcmp(range->unit, "1") == 0;
@@ -88,10 +93,10 @@ int cli_find_rest(const char *option, const char *text, const char *name,
 int cli_find_rule(const char *option, const char *text, const char *name,
                   tf_rule_t *rule) {
   cli_hint_t hint;
-  if (strncmp(name, "random:", 7) == 0) {
+  if (strchr(name, ':') != NULL) {
     return cli_message(CLI_USAGE,
-                       "%s %s: a seed is not part of a scene: give 'random' "
-                       "here, and --select %s to 'run'",
+                       "%s %s: a seed is not part of a scene: give the rule "
+                       "alone here, and --select %s to 'run'",
                        option, text, name);
   }
   const size_t found = find_name(tf_rule_name, TF_RULES, name, &hint);

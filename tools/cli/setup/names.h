@@ -17,6 +17,10 @@ size_t cli_parameter_index(const char *name);
 void cli_print_range(size_t parameter);
 void cli_print_ranges(void);
 
+/// Whether a number has no fraction, as the parameter `segments` needs it. The
+/// core would cut it off.
+bool cli_is_whole(tf_real_t value);
+
 /// Finds a law by its name.
 /// option, text: in, for the message. name: in, as typed.
 /// Returns: CLI_DONE, or CLI_USAGE after a message with the closest name.

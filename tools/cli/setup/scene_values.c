@@ -44,6 +44,20 @@ static int read_number(cli_scene_reader_t *reader, size_t key, const char *text,
                      cli_key_name(key), text, why);
 }
 
+// The speed of a knot, in the range of the parameter omega0.
+static int read_speed_of_knot(cli_scene_reader_t *reader, const char *text,
+                              tf_real_t *value) {
+  const tf_parameter_range_t *range =
+      &tf_parameter_ranges[cli_parameter_index("omega0")];
+  const int code = read_number(reader, CLI_KEY_PROFILE, text, value);
+  return code != CLI_DONE || (*value >= range->low && *value <= range->high)
+             ? code
+             : cli_message(CLI_REFUSED,
+                           "%s profile: omega0 = %s must lie in [%g, %g] %s",
+                           reader->place, text, (double)range->low,
+                           (double)range->high, range->unit);
+}
+
 // A number that no law has a range for.
 static int read_bounded(cli_scene_reader_t *reader, size_t key,
                         const char *text, tf_real_t *value) {
@@ -67,7 +81,7 @@ static int read_knot(cli_scene_reader_t *reader, char *text) {
   *colon = '\0';
   int code = read_bounded(reader, CLI_KEY_PROFILE, text, &knot.t);
   if (code == CLI_DONE) {
-    code = read_bounded(reader, CLI_KEY_PROFILE, colon + 1, &knot.omega0);
+    code = read_speed_of_knot(reader, colon + 1, &knot.omega0);
   }
   if (code != CLI_DONE) {
     return code;

@@ -54,6 +54,10 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
     return cli_message(CLI_USAGE, "%s %s: '%s' %s", setting->option,
                        setting->text, setting->value, why);
   }
+  if (strcmp(setting->name, "segments") == 0 && !cli_is_whole(value)) {
+    return cli_message(CLI_REFUSED, "%s %s: segments must be a whole number",
+                       setting->option, setting->text);
+  }
   if (parameter < TF_PARAMETERS) {
     unsigned char *params = (unsigned char *)&setup->params;
     memcpy(params + tf_parameter_ranges[parameter].offset, &value,
