@@ -294,6 +294,9 @@ expect 5 "missed the tolerance&first at t = " \
   run chaos --set k2=1e10 --t-end 1 --dt 0.01 --every 1000
 equal 'of moreau every step is too long' "$(degraded_count missed)" 100
 
+expect 2 'two files are needed' run chaos --save one --out one
+expect 3 'segments must be a whole number' run chaos --set segments=2.5
+
 # The summary and its events.
 chaos --t-end 10 --every 1000000
 for word in scene scheme steps events ambiguous degraded largest final cost; do

@@ -76,5 +76,5 @@ expect 2 "no help on 'kapa'; did you mean 'kappa'?" help kapa
 expect 2 "no help on 'inpts'; did you mean 'inputs'?" help inpts
 expect 2 "no help on 'sumary'; did you mean 'summary'?" help sumary
 expect 2 "no help on 'xyzzy1234'; try" help xyzzy1234
-expect 2 "no help on 'chaos'" help run chaos
+expect 2 'help: one word at a time' help run chaos
 finish

@@ -24,6 +24,16 @@ sed '1s/^/\xEF\xBB\xBF/; 2s/.*/"t","omega0"/' knots.csv >quoted.csv
 runs run driven --t-end 1 --inputs quoted.csv --between held
 check 'quotes and a mark of UTF-8' cmp out want
 
+# Rows within a step: linear loses no part of an impulse (140 N s on 1 kg), held
+# says which rows never held.
+printf 't,force\n0,0\n0.00025,1e6\n0.00028,0\n' >blow.csv
+set -- --inputs blow.csv --t-end 0.001 --between
+runs run frictionless --set k2=0 --set c1=0 --set c2=0 --set d=0 --set omega=0 \
+  --set v=0 "$@" linear
+within 'an impulse within a step' "$(row 12 3 out)" 140 1e-4
+runs run chaos "$@" held
+check 'a row that never held' says 'held: 2 of 3 rows&1 other rows lie between'
+
 # dt is a power of two, so that the times below are exact.
 set -- run chaos --dt 0x1p-10 --t-end 0.5
 awk 'BEGIN { print "t,force"; print "0,0"; print "0.5,0.5" }' >ramp.csv

@@ -126,8 +126,8 @@ static void look_up(cli_inputs_t *inputs, tf_real_t t,
   }
 }
 
-// The means over a step that begins at t - dt with the values `before`: piece by
-// piece where rows lie in it.
+// The means over a step that begins at t - dt with the values `before`: piece
+// by piece where rows lie in it.
 static void mean_over(cli_inputs_t *inputs, tf_real_t t, tf_real_t dt,
                       const tf_real_t before[CLI_INPUTS],
                       const tf_real_t after[CLI_INPUTS],
