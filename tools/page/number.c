@@ -8,7 +8,7 @@
 
 #define ROOM 1024 // beyond any number that people or programs write
 static char text[ROOM];
-static double value;
+static double taken;
 
 char *EXPORT(number_text)(void);
 uint32_t EXPORT(number_room)(void);
@@ -25,7 +25,7 @@ uint32_t number_room(void) { return ROOM; }
 const char *number_take(uint32_t length) {
   const char *why = "is not a number";
   if (length >= ROOM || strlen(text) != length) return why;
-  return cli_read_real(text, &value, &why) ? "" : why;
+  return cli_read_real(text, &taken, &why) ? "" : why;
 }
 
-double number_value(void) { return value; }
+double number_value(void) { return taken; }
