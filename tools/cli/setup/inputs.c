@@ -126,31 +126,40 @@ static void look_up(cli_inputs_t *inputs, tf_real_t t,
   }
 }
 
-// The means over a step that begins at t - dt with the values `before`: piece
-// by piece where rows lie in it.
-static void mean_over(cli_inputs_t *inputs, tf_real_t t, tf_real_t dt,
-                      const tf_real_t before[CLI_INPUTS],
-                      const tf_real_t after[CLI_INPUTS],
-                      tf_real_t mean[CLI_INPUTS]) {
-  const tf_real_t start = t - dt;
-  size_t next = inputs->at; // the last row not after t, or the first one
+// The mean over a step from `start` to t of one input, piece by piece where
+// rows lie in it: from row `next` on. A mean is never outside of its values, whatever
+// the rounding.
+static tf_real_t mean_of(const cli_inputs_t *inputs, size_t column, size_t next,
+                         tf_real_t start, tf_real_t t, tf_real_t before,
+                         tf_real_t after) {
+  tf_real_t from = start, value = before, sum = 0;
+  tf_real_t low = before < after ? before : after;
+  tf_real_t high = before < after ? after : before;
+  if (next == inputs->count || !(inputs->rows[next].t < t)) {
+    return (before + after) / 2;
+  }
+  for (size_t k = next; k < inputs->count && inputs->rows[k].t < t; k++) {
+    const tf_real_t then = inputs->rows[k].value[column];
+    sum += (value + then) / 2 * ((inputs->rows[k].t - from) / (t - start));
+    from = inputs->rows[k].t;
+    value = then;
+    low = then < low ? then : low;
+    high = then > high ? then : high;
+  }
+  sum += (value + after) / 2 * ((t - from) / (t - start));
+  return sum < low ? low : sum > high ? high : sum;
+}
+
+// The first row after a time, of those not after the last look-up.
+static size_t row_after(const cli_inputs_t *inputs, tf_real_t start) {
+  size_t next = inputs->at;
   while (next > 0 && inputs->rows[next - 1].t > start) {
     next--;
   }
   while (next < inputs->count && inputs->rows[next].t <= start) {
     next++;
   }
-  for (size_t i = 0; i < CLI_INPUTS; i++) {
-    tf_real_t from = start, value = before[i], sum = 0;
-    for (size_t k = next; k < inputs->count && inputs->rows[k].t < t; k++) {
-      const cli_input_row_t *row = &inputs->rows[k];
-      sum += (value + row->value[i]) / 2 * ((row->t - from) / dt);
-      from = row->t;
-      value = row->value[i];
-    }
-    mean[i] = from > start ? sum + (value + after[i]) / 2 * ((t - from) / dt)
-                           : (before[i] + after[i]) / 2;
-  }
+  return next;
 }
 
 static void set(const cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS],
@@ -195,7 +204,10 @@ void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
   }
   look_up(inputs, t - dt, before);
   look_up(inputs, t, after);
-  mean_over(inputs, t, dt, before, after, mean);
+  const size_t next = row_after(inputs, t - dt);
+  for (size_t i = 0; i < CLI_INPUTS; i++) {
+    mean[i] = mean_of(inputs, i, next, t - dt, t, before[i], after[i]);
+  }
   mean[CLI_INPUT_OMEGA0] = after[CLI_INPUT_OMEGA0];
   apply(inputs, mean, input);
   if (inputs->given[CLI_INPUT_OMEGA0]) {
