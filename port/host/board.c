@@ -13,7 +13,7 @@
 //
 // When nothing reads the line it fills up, and the loop drops records. When the
 // line is gone (device unplugged, pipe closed) the program ends with code 4.
-// The reader of a pseudo-terminal may come and go. SIGINT and SIGTERM end the
+// The reader of a pseudo-terminal may come and go. SIGINT, SIGTERM and SIGHUP end the
 // program with code 0.
 #define _XOPEN_SOURCE 700
 
@@ -129,6 +129,9 @@ static void catch_signals(void) {
   struct sigaction action = {.sa_handler = ask_stop};
   (void)sigaction(SIGINT, &action, NULL);
   (void)sigaction(SIGTERM, &action, NULL);
+  struct sigaction before;
+  (void)sigaction(SIGHUP, NULL, &before);
+  if (before.sa_handler != SIG_IGN) (void)sigaction(SIGHUP, &action, NULL);
   action.sa_handler = SIG_IGN; // writing to a closed pipe is an error instead
   (void)sigaction(SIGPIPE, &action, NULL);
 }

@@ -44,7 +44,8 @@ skip() {
 # lacks NAME PACKAGE: a test that cannot be made without the package: skipped,
 # or failed where the file REQUIRED lists the package (.ci/required).
 lacks() {
-  if [ -n "${REQUIRED-}" ] && grep -q " $2\$" "$REQUIRED"; then
+  if [ -n "${REQUIRED-}" ] &&
+    { [ ! -r "$REQUIRED" ] || grep -q " $2\$" "$REQUIRED"; }; then
     result 1 "$1" "missing, and required: $2"
   else
     skip "$1" "missing: $2"
