@@ -133,7 +133,7 @@ FIRMWARE_FLAGS += -DUPLINK
 endif
 # A whole number of at most 32 bits, which the compiler would cut to them.
 is_whole = $(shell echo '$(strip $(1))' | grep -Exq '[0-9]{1,10}' && \
-  [ '$(strip $(1))' -ge $(2) ] && [ '$(strip $(1))' -lt 4294967296 ] && echo yes)
+  [ $(strip $(1)) -ge $(2) ] && [ $(strip $(1)) -lt 4294967296 ] && echo yes)
 must_be_whole = $(if $($(1)),$(if $(call is_whole,$($(1)),$(2)),,$(error $(1) \
   must be a whole number in [$(2), 4294967295], not $($(1)))))
 $(call must_be_whole,DEADMAN,0)

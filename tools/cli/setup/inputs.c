@@ -127,8 +127,8 @@ static void look_up(cli_inputs_t *inputs, tf_real_t t,
 }
 
 // The mean over a step from `start` to t of one input, piece by piece where
-// rows lie in it: from row `next` on. A mean is never outside of its values, whatever
-// the rounding.
+// rows lie in it: from row `next` on. A mean is never outside of its values,
+// whatever the rounding.
 static tf_real_t mean_of(const cli_inputs_t *inputs, size_t column, size_t next,
                          tf_real_t start, tf_real_t t, tf_real_t before,
                          tf_real_t after) {
