@@ -13,8 +13,8 @@
 //
 // When nothing reads the line it fills up, and the loop drops records. When the
 // line is gone (device unplugged, pipe closed) the program ends with code 4.
-// The reader of a pseudo-terminal may come and go. SIGINT, SIGTERM and SIGHUP end the
-// program with code 0.
+// The reader of a pseudo-terminal may come and go. SIGINT, SIGTERM and, unless
+// it is ignored, SIGHUP end the program with code 0.
 #define _XOPEN_SOURCE 700
 
 #include <errno.h>
