@@ -64,6 +64,8 @@ class Study:
         self.runs: Runs = defaultdict(list)
         for row in read.read_csv(str(folder / "runs.csv"), ["experiment"]):
             self.runs[row["experiment"]].append(row)
+        self.turned = [(row.number("width"), abs(row.number("high"))) for row
+                       in read.read_csv(str(folder / "turning.csv"))]
         self.families = json.loads((folder / "families.json").read_text())
         self.exact = {(row["form"], int(name.split()[1])): row
                       for name, rows in self.runs.items()
@@ -278,12 +280,16 @@ class Study:
                  ) / 2 for s, sign in ((1, -1), (-1, 1))]
         rates = self.families["circle"]["rates"]
         motions = self.families["circle"]["motions"]
+        width, kick = np.log(np.array(self.turned)).T
         critical = {f"crit{bits}": self.critical(bits) for bits in (24, 53, 64)}
         return {
             "exit": theory.EXIT, "half_four": 2 * nu,
             "off": self.fold.ratio - 14, "share": self.fold.share, "nu": nu,
             "power": nu / 2 + 1, "slope": slope,
             "error": error, "count": count, "C": 1e3 * self.families["C"],
+            "turned": ", ".join(f"{two:.2g} m/s at {one:.2g} m/s"
+                                for one, two in self.turned),
+            "turn_slope": np.polyfit(width, kick, 1)[0],
             **critical, "up": critical["crit24"] / critical["crit53"],
             "down": critical["crit64"] / critical["crit53"],
             "drift": max(gone for _, gone, _, _, _ in motions),
@@ -309,6 +315,8 @@ def draw(study: Study, path: Path) -> None:
                   if name == form and study.disturbance(row)]
         if points:
             left.loglog(*zip(*points), "o-", ms=3, lw=0.8, label=form)
+    left.loglog(*zip(*study.turned), "s", ms=6, mfc="none", color="black",
+                label="turns the exit")
     for bits, name in (24, "float"), (53, "double"), (64, "x87"):
         points = [(study.effective(row), study.disturbance(row))
                   for key, rows in study.runs.items()
@@ -318,7 +326,7 @@ def draw(study: Study, path: Path) -> None:
             left.loglog(*zip(*points), "x", ms=3, color="0.5")
             left.annotate(name, points[-1], fontsize=8)
     left.set(xlabel="effective width [m/s]",
-             ylabel="kick at the two-fold that decides [m/s]",
+             ylabel="kick at the two-fold that decides, from E [m/s]",
              title="binary128: the motion itself; grey: rounding")
     left.legend(fontsize=7)
     for kick, mark in ("1e-08", "s"), ("1e-12", "o"):

@@ -18,15 +18,14 @@ leave](finer.png)
 1. Sensitivity to the *start* is lost, not gained. 4 motions each in binary128
    at 1e-6 m/s: w changed by up to 1e-3 at the start moves r at the exit by
    {starts} m, and r where g = 0 next by as little.
-2. Sensitivity to a *disturbance at the two-fold* is extreme: at 1e-6 m/s a
-   kick of h of 1e-17 m/s turns the exit to the other side, and one of 1e-20
-   m/s shifts its time by 4 % (second table). What
-   the motion brings with it is worth a kick of {at_6:.0e} m/s there and of
-   {at_finest:.0e} m/s at {finest:.0e} m/s, by theory's leading order. It falls
-   as width^{slope:.2f} (+- {error:.2f} by the fit alone,
-   {count} motions from 3e-6 m/s down);
-   for width to 0 theory has (ratio + 1)/2 = {power:.2f}, which is not reached
-   here.
+2. Sensitivity to a *disturbance at the two-fold* is extreme. The least kick of
+   h there that turns the exit to the other side, by bisection in binary128, is
+   {turned} of effective width (form algebraic): it falls as
+   width^{turn_slope:.1f} over these widths, and steeper the smaller they are;
+   for width to 0 theory has (ratio + 1)/2 = {power:.2f}. From E, by theory's
+   leading order, it would be {at_6:.0e} m/s at 1e-6 and {at_finest:.0e} at
+   {finest:.0e}, with an exponent of {slope:.2f} (+- {error:.2f} by the fit
+   alone, {count} motions from 3e-6 m/s down): the magnitude, not the number.
 3. So rounding decides below a critical width that is a power of the precision
    u, not of its logarithm as a relation of entry and exit would have it:
    {crit24:.1e} m/s in float, {crit53:.1e} in double, {crit64:.1e} in x87. To
