@@ -7,6 +7,8 @@
 
 #include <stdbool.h>
 
+#include "../text/message.h"
+
 typedef struct {
   bool silent;    ///< something else shows how far the work is
   bool one_line;  ///< standard error is a terminal: the line is overwritten
@@ -27,11 +29,8 @@ bool cli_progress_due(const cli_progress_t *progress, double now);
 /// mean speed of what is done.
 /// share: in, of the work that is done, 0: none, and no time left is told.
 /// format: in, of the message, which says what is done.
-#ifdef __GNUC__
-__attribute__((format(printf, 4, 5)))
-#endif
 void cli_progress_say(cli_progress_t *progress, double now, double share,
-                      const char *format, ...);
+                      const char *format, ...) CLI_PRINTF(4, 5);
 
 /// Removes the line from the screen.
 void cli_progress_clear(cli_progress_t *progress);
