@@ -107,7 +107,8 @@ TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise);
 ///   should put the byte into a queue of its own.
 /// Claims: uplink_flood_changes_nothing, no_byte_changes_a_parameter_by_itself,
 ///   recorded_command_acts_once, old_and_foreign_commands_do_nothing,
-///   refused_clear_keeps_the_queue
+///   refused_clear_keeps_the_queue, doubled_frames_are_answered_once,
+///   another_command_of_a_number_that_waits_is_old
 #define tf_link_receive TF_LINK(tf_link_receive)
 TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
 

@@ -58,6 +58,8 @@ typedef struct {
   uint8_t scheme; ///< 0: tf_step, 1: tf_step_located, 2: tf_step_compensated
   bool takes_commands; ///< the build has an uplink
   bool wants_tag;      ///< commands without the tag of its key are refused
+  bool ends;           ///< a heartbeat is the last frame: a stream without it
+                       ///< is not whole. A board's has no end
   uint32_t session;    ///< that commands have to name; 0: none before the
                        ///< first TF_UP_DESCRIBE
   uint32_t sequence;   ///< least number of a command that is still taken

@@ -4,12 +4,14 @@
 //   pty                 a new pseudo-terminal; its name is printed on standard
 //                       error
 //   /dev/ttyACM0:115200 a serial device with its baud rate
-//   anything else       a file, overwritten
+//   anything else       a file, overwritten; refused while another one writes
+//                       it
 // Ticks are counted by the monotonic clock. The process sleeps to absolute
 // deadlines, so that delays do not add up, and prints at the end on standard
 // error how late it woke. TWOFOLD_REALTIME asks for real-time priority and
 // locked memory. TWOFOLD_LATENESS names a file for the histogram of how long
-// after the time that it slept to it woke, and was done: us,began,ended.
+// after the time that it slept to it woke, and was done: us,began,ended. It is
+// written as FILE.part and gets its name when it is whole.
 //
 // When nothing reads the line it fills up, and the loop drops records. When the
 // line is gone (device unplugged, pipe closed) the program ends with code 4.
@@ -25,6 +27,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <time.h>
 #include <unistd.h>
@@ -120,9 +123,18 @@ static void open_device(const char *port) {
   make_raw(host.in, speed_of(colon + 1));
 }
 
+// A file has one writer: what is in it stays until it is locked.
 static void open_file(const char *name) {
-  host.out = open(name, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  if (host.out < 0) fail(name);
+  struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+  struct stat status;
+  host.out = open(name, O_WRONLY | O_CREAT, 0666);
+  if (host.out < 0 || fstat(host.out, &status) != 0) fail(name);
+  if (!S_ISREG(status.st_mode)) return;
+  if (fcntl(host.out, F_SETLK, &whole) != 0) {
+    if (errno == EACCES || errno == EAGAIN) errno = EBUSY;
+    fail(name);
+  }
+  if (ftruncate(host.out, 0) != 0) fail(name);
 }
 
 static void catch_signals(void) {
@@ -238,14 +250,24 @@ void port_idle(uint32_t seen) {
 }
 
 static void write_lateness(const char *path) {
-  FILE *file = fopen(path, "w");
-  if (file == NULL) fail(path);
+  char part[4096];
+  struct stat before;
+  // What is no regular file, as /dev/stdout, has no name to get.
+  const bool beside = stat(path, &before) != 0 || S_ISREG(before.st_mode);
+  const int length =
+      snprintf(part, sizeof part, "%s%s", path, beside ? ".part" : "");
+  errno = ENAMETOOLONG;
+  if (length < 0 || (size_t)length >= sizeof part) fail(path);
+  FILE *file = fopen(part, "w");
+  if (file == NULL) fail(part);
   fputs("us,began,ended\n", file);
   for (unsigned us = 0; us <= LATENESS_BINS; us++)
     if (host.began[us] + host.ended[us] > 0)
       fprintf(file, "%u,%llu,%llu\n", us, (unsigned long long)host.began[us],
               (unsigned long long)host.ended[us]);
-  if (fclose(file) != 0) fail(path);
+  const bool broken = ferror(file) != 0;
+  if (fclose(file) != 0 || broken) fail(part);
+  if (beside && rename(part, path) != 0) fail(path);
 }
 
 void port_halt(int code) {

@@ -90,12 +90,31 @@ static int judge_clear(const tf_frame_t *frame, size_t length) {
   return frame->tick != 0 ? TF_ANSWER_FAR : TF_ANSWER_DONE;
 }
 
+// Whether the same command waits for its turn or its answer: then the line has
+// doubled a frame. One answer is due, that of the first; `old` before it would
+// say that a command which acts was refused.
+static bool is_waiting(const tf_link_t *link, const tf_frame_t *frame) {
+  const uint8_t *data = frame->payload + TF_SESSION_BYTES;
+  const size_t length = frame->length - TF_SESSION_BYTES;
+  for (unsigned i = 0; i < link->waiting; i++) {
+    const tf_command_t *command = &link->queue[i];
+    size_t same = 0;
+    if (command->sequence != frame->sequence || command->type != frame->type ||
+        command->length != length)
+      continue;
+    while (same < length && command->data[same] == data[same]) same++;
+    if (same == length) return true;
+  }
+  return false;
+}
+
 static void take_frame(tf_link_t *link, const tf_frame_t *frame) {
   if (frame->type == TF_UP_DESCRIBE) {
     describe(link, frame);
     return;
   }
   int code = admit(link, frame);
+  if (code == TF_ANSWER_OLD && is_waiting(link, frame)) return;
   if (code != TF_ANSWER_DONE) {
     set_aside(link, frame, code);
     return;

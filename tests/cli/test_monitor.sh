@@ -106,7 +106,7 @@ done
 cat frames frames >bad
 tail -n +2 want | cat want - >both
 decodes 'twice: a restart, no loss' bad both \
-  '0 lost, 0 broken, 0 too long, 0 of&1 restarts'
+  '0 lost, 0 broken, 0 too long, 0 of&1 restarts&more than one run' 6
 
 # Steps that are not to be trusted: the words and the exit code are those of the
 # run, whether reports, the heartbeat at the end or both tell of them.
@@ -125,7 +125,7 @@ said=$(degraded)
 expect 5 'board      100 steps, 0 overruns' monitor frames
 equal 'coarse: the words of the run' "$(degraded)" "$said"
 head -c $((size - heartbeat)) frames >bad
-expect 5 '' monitor bad --csv --out rows
+expect 6 'ends before its run' monitor bad --csv --out rows
 equal 'coarse: reports alone' "$(degraded)" "$said"
 check 'coarse: the file is whole' [ "$(wc -l <rows)" -eq 102 ]
 coarse --t-end 0.1 --every 50
@@ -146,7 +146,7 @@ head -c $((size - heartbeat)) frames >still
 said=$("$T" monitor still 2>&1 >rows | sed -n '/^degraded/p')
 tail -c $row still >again
 cat still again >bad
-expect 5 '4 rows, 0 without a match&1 restarts' monitor bad
+expect 6 '4 rows, 0 without a match&1 restarts' monitor bad
 equal 'a board that stands still: counted once' \
   "$(sed -n '/^degraded/p' err)" "$said"
 

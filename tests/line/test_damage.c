@@ -18,7 +18,7 @@ static void begin(void) {
 }
 
 static void hear(void) {
-  cli_damage_frame(&damage, false, &receiver, &decoder);
+  cli_damage_frame(&damage, false, TF_DOWN_STATE, &receiver, &decoder);
 }
 
 static void count(uint32_t *counter, uint32_t value) {
@@ -92,16 +92,33 @@ TEST(what_came_before_a_device_was_heard_is_no_loss) {
   receiver.has_schema = false;
   decoder.bad = 7;
   receiver.incomplete = 2;
-  cli_damage_frame(&damage, true, &receiver, &decoder);
+  cli_damage_frame(&damage, true, TF_DOWN_STATE, &receiver, &decoder);
   receiver.has_schema = true;
-  cli_damage_frame(&damage, true, &receiver, &decoder);
+  cli_damage_frame(&damage, true, TF_DOWN_STATE, &receiver, &decoder);
   CHECK(missing() == 0);
   decoder.lost = 3;
   receiver.incomplete = 4;
-  cli_damage_frame(&damage, true, &receiver, &decoder);
+  cli_damage_frame(&damage, true, TF_DOWN_STATE, &receiver, &decoder);
   CHECK(missing() == 5);
   receiver.has_state = true; /* whose report has not come */
   CHECK(missing() == 6);
+}
+
+/* A run's stream has an end, a board's has none. */
+TEST(a_stream_is_open_until_its_heartbeat) {
+  static const uint8_t types[] = {TF_DOWN_SCHEMA, TF_DOWN_LAYOUT, TF_DOWN_STATE,
+                                  TF_DOWN_REPORT, TF_DOWN_COMPACT};
+  for (unsigned ends = 0; ends < 2; ends++) {
+    begin();
+    receiver.ends = ends;
+    CHECK(!damage.is_open);
+    for (unsigned i = 0; i < sizeof types; i++) {
+      cli_damage_frame(&damage, false, types[i], &receiver, &decoder);
+      CHECK(damage.is_open == (ends == 1));
+      cli_damage_frame(&damage, false, TF_DOWN_HEARTBEAT, &receiver, &decoder);
+      CHECK(!damage.is_open);
+    }
+  }
 }
 
 int main(int argc, char **argv) {
@@ -111,5 +128,6 @@ int main(int argc, char **argv) {
   RUN(drops_go_round);
   RUN(lost_frames_go_round);
   RUN(what_came_before_a_device_was_heard_is_no_loss);
+  RUN(a_stream_is_open_until_its_heartbeat);
   return tap_end();
 }

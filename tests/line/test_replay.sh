@@ -10,6 +10,8 @@ board=
 at_exit() { [ -z "$board" ] || kill "$board" 2>/dev/null; }
 named() { line=$(grep -o '^/dev/.*' said); }
 
+check "make test has made $firmware-$real/firmware-line.elf" \
+  test -x "$firmware-$real/firmware-line.elf"
 TWOFOLD_PORT=pty "$firmware-$real/firmware-line.elf" 2>said </dev/null &
 board=$!
 check 'a board on a line' poll named

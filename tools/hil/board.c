@@ -98,13 +98,16 @@ static void take_report(hil_board_t *board, const tf_frame_t *frame) {
   last->has_report = true;
 }
 
-// An answer belongs to the command of its type and number. `old` means that the
-// command was taken before and only its answer was lost.
+// An answer belongs to the command of its type and number, and the first one
+// counts: a line that doubles a frame that was answered already brings `old`
+// behind it. To a command that was sent again `old` means that it was taken
+// before and only its answer was lost: nobody else commands this board.
 static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
   const uint32_t sequence = (uint32_t)tf_wire_get(frame->payload, 4);
   const uint8_t type = frame->payload[4], code = frame->payload[5];
   const int value = code < 128 ? code : code - 256;
   if (type == board->ordered && sequence == board->number) {
+    if (board->has_answer) return;
     board->answer = value == TF_ANSWER_OLD && board->tries > 1 ? 0 : value;
     board->has_answer = true;
     return;

@@ -225,7 +225,7 @@ TEST(schema_says_what_runs) {
   CHECK(!strcmp((const char *)at + 25 + R + 6, "demo"));
   CHECK(received.frame.length == 25 + R + 6 + 5);
   /* Each flag has a bit of its own. */
-  for (unsigned flags = 0; flags < 32; flags++) {
+  for (unsigned flags = 0; flags < 64; flags++) {
     if ((flags >> 2 & 3u) >= TF_REST_LAWS) continue;
     tf_params_t flagged = *params;
     flagged.rest = (tf_rest_law_t)(flags >> 2 & 3u);
@@ -233,6 +233,7 @@ TEST(schema_says_what_runs) {
     flagged.with_angle = flags & 1u;
     variant.takes_commands = flags & 2u;
     variant.wants_tag = flags & 16u;
+    variant.ends = flags & 32u;
     variant.params = &flagged;
     receive(&received, wire, tf_send_schema(wire, &sequence, 0, &variant));
     CHECK(received.frame.payload[4] == flags);

@@ -30,7 +30,7 @@ static void note_dropped(cli_damage_t *damage, uint32_t told) {
   damage->last_told = told;
 }
 
-void cli_damage_frame(cli_damage_t *damage, bool is_device,
+void cli_damage_frame(cli_damage_t *damage, bool is_device, uint8_t type,
                       const cli_receiver_t *receiver,
                       const tf_decoder_t *decoder) {
   damage->missed += (uint32_t)(counted(decoder) - damage->last_counted);
@@ -39,6 +39,7 @@ void cli_damage_frame(cli_damage_t *damage, bool is_device,
     damage->heard = true;
     damage->before = is_device ? missing_so_far(damage, receiver, decoder) : 0;
   }
+  damage->is_open = receiver->ends && type != TF_DOWN_HEARTBEAT;
   if (receiver->has_heartbeat) {
     note_dropped(damage, receiver->heartbeat.dropped);
   }

@@ -13,14 +13,15 @@ typedef struct {
   uint64_t dropped;    ///< frames that the board itself dropped meanwhile
   uint32_t last_told;  ///< dropped frames as the last heartbeat has them
   bool has_told;       ///< there was one
+  bool is_open;        ///< the stream has an end, which has not come yet
   uint64_t not_finite; ///< rows with a value that is not finite
   uint64_t first_tick; ///< of the first of these
 } cli_damage_t;
 
-/// Takes note of a frame that the receiver has taken. is_device: the stream
-/// began before it was read, so what came before the first schema is not a
-/// loss.
-void cli_damage_frame(cli_damage_t *damage, bool is_device,
+/// Takes note of a frame of a type that the receiver has taken. is_device: the
+/// stream began before it was read, so what came before the first schema is not
+/// a loss.
+void cli_damage_frame(cli_damage_t *damage, bool is_device, uint8_t type,
                       const cli_receiver_t *receiver,
                       const tf_decoder_t *decoder);
 

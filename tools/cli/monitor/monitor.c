@@ -42,7 +42,8 @@ typedef struct {
   cli_flagged_t flagged;
   tf_decoder_t decoder;
   uint64_t bytes;
-  bool begun; ///< what stands before the rows is written
+  bool begun;  ///< what stands before the rows is written
+  bool at_end; ///< of a file or a pipe
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint8_t block[BLOCK];
 } monitor_t;
@@ -118,7 +119,7 @@ static bool take_block(monitor_t *monitor, size_t length) {
     }
     cli_session_record_frame(&monitor->record, &frame);
     const bool completes = cli_receiver_take(&monitor->receiver, &frame, &row);
-    cli_damage_frame(&monitor->damage, monitor->source.is_device,
+    cli_damage_frame(&monitor->damage, monitor->source.is_device, frame.type,
                      &monitor->receiver, &monitor->decoder);
     cli_flagged_frame(&monitor->flagged, &frame, &monitor->receiver,
                       completes ? &row : NULL);
@@ -140,6 +141,7 @@ static bool take_block(monitor_t *monitor, size_t length) {
 // At the end of a file or a pipe: what stands in the decoder is a frame without
 // its last byte, or a piece of one, which is counted.
 static bool take_end(monitor_t *monitor) {
+  monitor->at_end = true;
   monitor->block[0] = 0;
   monitor->bytes--;
   return take_block(monitor, 1);
@@ -281,6 +283,24 @@ static int judge_stop(const monitor_t *monitor, int code) {
   return code;
 }
 
+// Where all frames are right, they may still be of more than one run, or of a
+// part of one. With --follow a board may be started again.
+static int judge_whole(const monitor_t *monitor) {
+  const char *name = monitor->source.name;
+  if (monitor->decoder.restarts > 0 && !monitor->args.follow) {
+    return cli_message(CLI_DAMAGED,
+                       "%s: the sender was started again, or frames came "
+                       "twice: these are rows of more than one run",
+                       name);
+  }
+  return monitor->at_end && monitor->damage.is_open
+             ? cli_message(CLI_DAMAGED,
+                           "%s: ends before its run: the heartbeat that ends "
+                           "it has not come",
+                           name)
+             : CLI_DONE;
+}
+
 static int judge_stream(const monitor_t *monitor, int code) {
   const cli_damage_t *damage = &monitor->damage;
   if (code == CLI_DONE && monitor->args.commands.refused > 0) {
@@ -295,6 +315,9 @@ static int judge_stream(const monitor_t *monitor, int code) {
     return cli_message(CLI_DAMAGED,
                        "%s: frames were lost or broken, as is counted",
                        monitor->source.name);
+  }
+  if (code == CLI_DONE) {
+    code = judge_whole(monitor);
   }
   if (code == CLI_DONE && damage->not_finite > 0) {
     return CLI_DAMAGED;

@@ -46,11 +46,14 @@ static const char page[] =
     "FILE is FILE.part until the end, see 'twofold help run'. Lost and broken\n"
     "frames, and rows with a value that is not finite, are counted on "
     "standard\n"
-    "error at the end; of a device from its first schema on.\n"
+    "error at the end; of a device from its first schema on. A stream of "
+    "`run`\n"
+    "has an end: without it, it is not whole.\n"
     "exit codes: 0 done, 2 usage, 3 a command was refused, 4 no frame, no\n"
     "answer, interrupted within a file, or the device was unplugged, 5 done,\n"
     "but some steps were degraded or missed their tolerance, as reports and\n"
-    "heartbeats tell, 6 done, but frames were lost or broken, or a value is\n"
-    "not finite\n";
+    "heartbeats tell, 6 done, but frames were lost or broken, the stream ends\n"
+    "before its run, the sender was started again (unless there is --follow),\n"
+    "or a value is not finite\n";
 
 void cli_monitor_help(void) { (void)fputs(page, stdout); }

@@ -58,6 +58,7 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   receiver->is_float = at[0] == 4;
   receiver->hash = (uint32_t)tf_wire_get(at + 9, 4);
   receiver->wants_tag = (at[4] & 16u) != 0;
+  receiver->ends = (at[4] & 32u) != 0;
   receiver->session = (uint32_t)tf_wire_get(at + 13, 4);
   receiver->sequence = (uint32_t)tf_wire_get(at + 17, 4);
   receiver->schemas++;

@@ -10,7 +10,8 @@ size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
                               .scene = setup->scene->name,
                               .build = "twofold " TF_VERSION ", host",
                               .seed = setup->seed,
-                              .scheme = scheme->code};
+                              .scheme = scheme->code,
+                              .ends = true};
   size_t at = tf_send_schema(out, sequence, tick, &schema);
   at +=
       tf_send_layout(out + at, sequence, tick, TF_DOWN_STATE, tf_layout_state);

@@ -17,7 +17,8 @@ enum {
   CLI_FLAGGED = 5, ///< all was done, and some steps said that they cannot be
                    ///< trusted to their bound: degraded, or coarse
   CLI_DAMAGED = 6  ///< all that came was read, and frames were lost or broken,
-                   ///< or a value is not finite
+                   ///< or are not those of one whole run, or a value is not
+                   ///< finite
 };
 
 #if defined(__GNUC__)
