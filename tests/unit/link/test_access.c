@@ -153,57 +153,6 @@ TEST(replayed_frames_do_not_fill_the_queue) {
   CHECK(board.link.ignored == 500 * 19);
 }
 
-/* A line that doubles frames: one answer, that of the first, whether the copy
- * comes while the command waits for its date, or for its answer to be sent. */
-TEST(doubled_frames_are_answered_once) {
-  const tf_type_t types[] = {TF_UP_START, TF_UP_STOP, TF_UP_RESET,
-                             TF_UP_SNAPSHOT, TF_UP_INPUT};
-  board_t board;
-  power_up(&board, "chaos");
-  for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
-    for (uint64_t ahead = 0; ahead < 3; ahead++) {
-      const uint64_t now = board.simulation.state.tick;
-      const recorded_t frame = record(types[i], board.link.session, board.up++,
-                                      now + ahead, NULL);
-      const uint32_t ignored = board.link.ignored;
-      unsigned effective = 0;
-      hear(&board, frame.wire, frame.size);
-      for (uint64_t n = 0; n <= ahead; n++) {
-        hear(&board, frame.wire, frame.size);
-        CHECK(code_of(&board) == 999);
-        effective += tf_link_boundary(&board.link, &board.simulation);
-        hear(&board, frame.wire, frame.size);
-        board.simulation.state.tick += n < ahead;
-      }
-      CHECK(effective == 1);
-      CHECK(code_of(&board) == TF_ANSWER_DONE);
-      CHECK(code_of(&board) == 999 && board.link.ignored == ignored);
-      /* Once it is answered, a copy is old. */
-      CHECK(effect_of(&board, &frame) == TF_ANSWER_OLD);
-    }
-  }
-}
-
-/* The number of a command that waits, and anything else: no copy of it. */
-TEST(another_command_of_a_number_that_waits_is_old) {
-  uint8_t data[5] = {TF_RULE_PERSIST, 1, 2, 3, 4};
-  board_t board;
-  power_up(&board, "chaos");
-  const uint32_t number = board.up;
-  send(&board, TF_UP_RULE, 5, data, sizeof data);
-  CHECK(board.link.waiting == 1);
-  for (size_t length = 0; length <= sizeof data; length++) {
-    for (int type = TF_UP_RULE; type <= TF_UP_START; type++) {
-      data[4] = length == sizeof data ? 5 : 4;
-      board.up = number;
-      send(&board, (tf_type_t)type, 5, data, length);
-      CHECK(board.link.waiting == 1);
-      (void)tf_link_boundary(&board.link, &board.simulation);
-      CHECK(code_of(&board) == TF_ANSWER_OLD && code_of(&board) == 999);
-    }
-  }
-}
-
 /* A clear that is dated, or carries anything, is refused like any command: what
  * waits goes on waiting. */
 TEST(refused_clear_keeps_the_queue) {

@@ -81,8 +81,7 @@ bool cli_one_file(const char *one, const char *other) {
   if (there) {
     return S_ISREG(a.st_mode) && same_file(&a, &b);
   }
-  return strcmp(name_of(one), name_of(other)) == 0 &&
-         in_one_folder(one, other);
+  return strcmp(name_of(one), name_of(other)) == 0 && in_one_folder(one, other);
 }
 
 // Whether a path is an entry of /proc, such as a descriptor of this process.

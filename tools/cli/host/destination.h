@@ -31,7 +31,7 @@ int cli_destination_open(cli_destination_t *destination, const char *path,
 int cli_destination_close(cli_destination_t *destination, bool whole);
 
 /// Whether two paths name one regular file, there or not yet; NULL and "-" are
-/// none, and what is no regular file (a terminal, /dev/null) may be named twice.
+/// none, and what is no regular file (a terminal, /dev/null) may come twice.
 bool cli_one_file(const char *one, const char *other);
 
 /// Whether a descriptor is a regular file.

@@ -17,7 +17,7 @@ typedef struct {
   double base;   ///< time = base + tick dt; not 0 once dt was changed [s]
   uint32_t hash; ///< of the parameters
   bool wants_tag;
-  bool ends; ///< the stream has an end, which is a heartbeat
+  bool ends;         ///< the stream has an end, which is a heartbeat
   uint32_t session;  ///< that commands have to name
   uint32_t sequence; ///< least number of a command that is still taken
   uint64_t schemas;  ///< that have come

@@ -237,8 +237,8 @@ static void write_header(cli_run_t *run) {
 }
 
 // Ends a stream of frames with the counts of all its steps: most of them may
-// lie between two rows. Of a run that was interrupted there is no end: by that a
-// reader knows it.
+// lie between two rows. A run that was interrupted has no end: by that a reader
+// knows it.
 static void write_end(cli_run_t *run) {
   if (run->rowless || run->format != CLI_FORMAT_FRAMES ||
       run->end == CLI_NOT_WRITTEN || run->end == CLI_INTERRUPTED) {
