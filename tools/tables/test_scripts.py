@@ -5,6 +5,8 @@ usage: TWOFOLD=build/double/twofold test_scripts.py [unittest option]...
 """
 from __future__ import annotations
 
+import csv
+import json
 import os
 import subprocess
 import tempfile
@@ -143,6 +145,26 @@ class Recurrence(unittest.TestCase):
                 text=True)
             self.assertIn("is damaged", done.stdout)
             self.assertNotEqual(done.returncode, 0)
+
+
+class Diverge(unittest.TestCase):
+    """Cycles of `twofold diverge`, of designs with a two-fold elsewhere."""
+
+    def test_motion_from_the_two_fold_is_no_return(self):
+        """A cycle that returns has left the surface: at its start A = 0 has
+        the sign of its rounding, which is another one for each r."""
+        twofold = os.environ["TWOFOLD"]
+        for i in range(16):
+            design = json.loads(script(
+                twofold, "design", "chaos", "--r", 0.3 + 0.0064197530864 * i,
+                "--omega=-1.27"))
+            cycles = csv.DictReader(line for line in script(
+                twofold, "diverge", "chaos", *design["set"].split(),
+                "--samples", 2, "--patience", 1, "--returns",
+                "-").splitlines() if line[0] != "#")
+            self.assertEqual([cycle for cycle in cycles
+                              if cycle["outcome"] == "returned"
+                              and not cycle["exit_r"]], [])
 
 
 if __name__ == "__main__":
