@@ -107,46 +107,6 @@ class Statistics(unittest.TestCase):
 
 
 
-class Recurrence(unittest.TestCase):
-    """A few machines of `make recurrence`."""
-
-    def test_parts_are_made_once_and_counted(self):
-        """The second run finds them whole; a cut one is refused."""
-        twofold = Path(os.environ["TWOFOLD"]).resolve()
-        with tempfile.TemporaryDirectory() as folder:
-            build = Path(folder)
-            (build / "double").mkdir()
-            (build / "double/twofold").symlink_to(twofold)
-            environment = dict(os.environ, BUILD=folder, MACHINES="102",
-                               SIDE="5", DESIGNS="2")
-            command = [TOOLS / "recurrence/recurrence"]
-            work = build / "recurrence"
-            for _ in range(2):
-                subprocess.run(command, check=True, env=environment,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-                at = (work / "1.csv").stat().st_mtime_ns
-                (work / "2.csv").unlink()
-            self.assertEqual(at, (work / "1.csv").stat().st_mtime_ns)
-            text = (work / "RECURRENCE.md").read_text("utf-8")
-            self.assertIn("| the designs of figure 4 | random | 51 |", text)
-            self.assertIn("| h = -0.05 m/s | 25 | 0.", text)
-            table = work / "recurrence.csv"
-            rows = [line.split(",") for line in
-                    table.read_text("ascii").splitlines() if line[0] != "#"]
-            followed = [row for row in rows[1:] if not row[-1]]
-            self.assertGreater(len(followed), 20)
-            for row in followed:  # cycles, returned, how others ended
-                self.assertEqual(row[12] == row[13], row[14] == "")
-            cut = table.read_text("ascii").splitlines(keepends=True)
-            table.write_text("".join(cut[:50] + cut[51:]), "ascii")
-            done = subprocess.run(
-                [TOOLS / "recurrence/report.py", table, work / "no.png"],
-                check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                text=True)
-            self.assertIn("is damaged", done.stdout)
-            self.assertNotEqual(done.returncode, 0)
-
-
 class Diverge(unittest.TestCase):
     """Cycles of `twofold diverge`, of designs with a two-fold elsewhere."""
 
