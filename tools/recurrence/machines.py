@@ -25,7 +25,8 @@ SETTINGS = "beta", "mu", "c1", "c2", "gamma"
 
 
 class Space(NamedTuple):
-    """Machines first to last of each EIGHT; of a grid: r* [m], omega* [rad/s]."""
+    """Machines first to last of each EIGHT; window: of a grid, r* [m] and
+    omega* [rad/s]."""
     title: str
     first: int
     last: int

@@ -37,13 +37,14 @@ random, log-uniform in {drawn}, and gamma uniform in {gamma}. kappa and k2
 follow from the place of the two-fold (`twofold design`). A machine whose
 two-fold is of case 1 is followed from there."""
 CLASSES_ARE = """\
-Each run of a machine has a seed of its own: {count} N + 1 to {count} N + {count}
-for machine N. A machine is *lasting* where no cycle of either pass is lost: by
-the exact 95 % interval it then loses fewer than {bound_random} of its cycles by
-exits at random ({cycles_random} cycles), and fewer than {bound_noise} by noise
-({cycles_noise}). It is *partly* where some cycle returned, *never* where none
-did. A cycle longer than the pass waits is lost. `tools/recurrence/recurrence
-machine N` prints a machine and its commands. {example}"""
+Each run of a machine has a seed of its own: {count} N + 1 to
+{count} N + {count} for machine N. A machine is *lasting* where no cycle of
+either pass is lost: by the exact 95 % interval it then loses fewer than
+{bound_random} of its cycles by exits at random ({cycles_random} cycles), and
+fewer than {bound_noise} by noise ({cycles_noise}). It is *partly* where some
+cycle returned, *never* where none did. A cycle longer than the pass waits is
+lost. `tools/recurrence/recurrence machine N` prints a machine and its commands.
+{example}"""
 PICTURE = """\
 ![Maps over the designs, shares over the ratio of eigenvalues and over the
 parameters](recurrence.png)

@@ -135,8 +135,8 @@ def section(rows: Sequence[read.Row], class_of: ClassOf) -> str:
             f"{LEVEL:g}. {said} The picture has the shares in bins of "
             f"{BINS[1] - BINS[0]:.2g}.")
     return "\n".join([*wrapped(text), "", markdown.table(
-        ["machines", "share that", "whole number", "near", "beside", "difference",
-         "corrected p"], lines), ""])
+        ["machines", "share that", "whole number", "near", "beside",
+         "difference", "corrected p"], lines), ""])
 
 
 def wrapped(text: str) -> list[str]:

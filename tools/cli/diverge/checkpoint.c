@@ -3,7 +3,8 @@
 // whose bytes and checksum it knows; counts are in it. It is written under
 // another name and renamed, so that it is whole or the one before; rows are
 // handed to the system first, so there are never fewer than it says. Where a
-// machine lost power and there are, or they were changed, the shard begins anew.
+// machine lost power and there are, or they were changed, the shard begins
+// anew.
 
 #include "checkpoint.h"
 
