@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections import Counter
 from pathlib import Path
 
@@ -215,6 +216,90 @@ def counts(folder):
          code=3)
 
 
+STUDY = ["diverge", "chaos", "--samples", "60", "--cycles", "40", "--shard",
+         "2/2", "--header", "--provenance"]
+
+
+def files_of(folder, kinds, name):
+    return [word for kind in kinds
+            for word in (f"--{kind}", str(folder / f"{name}-{kind}"))]
+
+
+def killed(folder, command, first):
+    """Kills a command, again and again, a little after it has said where it
+    stands. Returns: how often, until it ended by itself."""
+    note, kills = first.with_name(first.name + ".resume"), 0
+    while True:
+        before = note.stat().st_mtime_ns if note.exists() else 0
+        with subprocess.Popen(command, stderr=subprocess.DEVNULL) as process:
+            while process.poll() is None and (
+                    not note.exists() or note.stat().st_mtime_ns == before):
+                time.sleep(0.01)
+            time.sleep(0.1)
+            process.kill()
+        if process.returncode == 0:
+            return kills
+        kills += 1
+        check(kills < 100, "it never ends")
+
+
+def diverge_goes_on(folder):
+    """A shard that is killed, of rows, of counts, and of both."""
+    for kinds in (["exits", "returns"], ["counts"],
+                  ["counts", "returns", "exits"]):
+        one, parts = (files_of(folder, kinds, name) for name in ("one", "k"))
+        call(TWOFOLD, *STUDY, *one)
+        command = [TWOFOLD, *STUDY, *parts, "--resume"]
+        noted = [kind for kind in ("counts", "returns") if kind in kinds][0]
+        kills = killed(folder, command, folder / f"k-{noted}")
+        check(kills > 0, "it was too fast to be killed")
+        for a, b in zip(one[1::2], parts[1::2]):
+            check(Path(a).read_bytes() == Path(b).read_bytes(),
+                  f"{b}: other bytes after {kills} kills")
+        left = {path.name for path in folder.iterdir()}
+        check(left == {Path(path).name for path in one[1::2] + parts[1::2]},
+              f"left over: {left}")
+        at = Path(parts[1]).stat().st_mtime_ns
+        said = call(*command)
+        check("all of the 30 samples are there" in said, said)
+        check(Path(parts[1]).stat().st_mtime_ns == at, "it is written again")
+        said = call(*command, "--seed", "9", code=3)
+        check("is of another run" in said, said)
+        for path in folder.iterdir():
+            path.unlink()
+
+
+def diverge_does_not_go_on(folder):
+    """With rows or a note that were changed, it begins anew; with those of
+    another run it does not begin."""
+    one, parts = (files_of(folder, ["returns"], name) for name in ("one", "k"))
+    call(TWOFOLD, *STUDY, *one)
+    note = folder / "k-returns.resume"
+    for change in "rows", "note", "none":
+        with subprocess.Popen([TWOFOLD, *STUDY, *parts, "--resume"],
+                              stderr=subprocess.DEVNULL) as process:
+            while process.poll() is None and not note.exists():
+                time.sleep(0.01)
+            process.kill()
+        check(note.exists(), "it was too fast to be killed")
+        changed = {"rows": folder / "k-returns.part", "note": note}.get(change)
+        if changed is None:
+            said = call(TWOFOLD, *STUDY, *parts, "--resume", "--seed", "9",
+                        code=3)
+            check("k-returns.resume is of another run" in said, said)
+        else:
+            text = bytearray(changed.read_bytes())
+            text[len(text) // 4] ^= 1
+            changed.write_bytes(text)
+        call(TWOFOLD, *STUDY, *parts, "--resume")
+        check(Path(parts[1]).read_bytes() == Path(one[1]).read_bytes(),
+              f"{change}: other bytes")
+        Path(parts[1]).unlink()
+    for words in (["--returns", "-"], [], ["--exhaustive", *parts[:1], "x"]):
+        said = call(TWOFOLD, "diverge", "chaos", *words, "--resume", code=2)
+        check("--exhaustive" in said or "--resume: only with" in said, said)
+
+
 def under_snakemake(folder):
     needs("snakemake", "snakemake")
     command = ["snakemake", "-s", TOOLS / "Snakefile", "--cores", "2",
@@ -297,6 +382,8 @@ TESTS = [("parallel: the rows of one run", under_parallel),
          ("map: what it refuses", maps_refuse),
          ("numpy reads joined shards", reads_numpy),
          ("counts: those of the rows, merged in any order", counts),
+         ("diverge: a shard that is killed goes on", diverge_goes_on),
+         ("diverge: what it does not go on with", diverge_does_not_go_on),
          ("counts: a Slurm array of which a task was lost",
           counts_under_slurm)]
 

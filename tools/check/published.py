@@ -1,14 +1,13 @@
 #!/usr/bin/python3
-"""What docs/statistics.md has published still comes out: each of its runs again
-with few samples and another seed. The share that returned and the share of
-exits by slip+ each have an interval, which must meet the published one. With
-99.9 % each, a check of all of them fails by chance once in twenty changes of
-the core, and not twice with the same core, because the seed is fixed."""
-import importlib.machinery
-import importlib.util
+"""What is published still comes out: each run of docs/statistics.md again with
+few samples and another seed, and a few machines and motions of
+docs/RECURRENCE.md and docs/FINER.md (published_tools.py). The shares, and the
+distances of distributions, each have an interval, which must meet the published
+one. With 99.9 % each, a check of all of them fails by chance once in ten
+changes of the core, and not twice with the same core, because the seeds are
+fixed."""
 import re
 import subprocess
-import sys
 
 from findings import BUILD, ROOT, checked, in_common, need, wrong
 
@@ -16,21 +15,21 @@ try:
     from scipy import stats
 except ImportError:
     need("scipy, a module of Debian's Python", "python3-scipy")
+import published_tools  # noqa: E402
 
 PLACE = BUILD / "gcc-O3"
-SEED = "77"
+SEED = 77  # of the first run, the next one has the next
 FEW = {"--samples": 60, "--cycles": 4}  # at most so many of a run
 PERTURBED = {"--samples": 8, "--cycles": 3}
+FIRST = {"--samples": 300}  # of first cycles, which are short
+COLUMNS = {"exits": "sample cycle time r omega g side phase".split(),
+           "returns": ("sample cycle outcome time arrived exit_r landing_time "
+                       "landing_r").split()}
 
 
 def runs_of_the_study():
     """The options of each run, by its name."""
-    loader = importlib.machinery.SourceFileLoader(
-        "study", str(ROOT / "tools/statistics/study"))
-    study = importlib.util.module_from_spec(
-        importlib.util.spec_from_loader("study", loader))
-    sys.dont_write_bytecode = True
-    loader.exec_module(study)
+    study = published_tools.script(ROOT / "tools/statistics/study")
     return dict([*study.returns(), *study.perturbed(), *study.first_cycles()])
 
 
@@ -48,10 +47,10 @@ def published(text, columns):
     return found
 
 
-def again(options, most):
+def again(options, most, seed):
     """The run with few samples. Returns: its exits and returns, rows without
     header and comments."""
-    words = options.split() + ["--seed", SEED]
+    words = options.split() + ["--seed", str(seed)]
     for option, value in most.items():
         if option in words:
             at = words.index(option) + 1
@@ -66,12 +65,18 @@ def again(options, most):
                    if line[0].isdigit()] for kind, path in files.items()}
 
 
+def exact(k, n):
+    """The interval of a share k of n."""
+    found = stats.binomtest(k, n).proportion_ci(0.999, "exact")
+    return found.low, found.high
+
+
 def meets(interval, k, n):
     """Whether a share k of n may be one that was published."""
     if n == 0:
         return False
-    found = stats.binomtest(k, n).proportion_ci(0.999, "exact")
-    return found.low <= interval[1] and found.high >= interval[0]
+    low, high = exact(k, n)
+    return low <= interval[1] and high >= interval[0]
 
 
 def judge(run, what, interval, k, n):
@@ -80,32 +85,88 @@ def judge(run, what, interval, k, n):
               f"[{interval[0]:.3g}, {interval[1]:.3g}]")
 
 
+def distances(text):
+    """Two runs, what of them, their distance and its band, of all tables."""
+    for row in published_tools.rows_of(text, ["run", "against", "of"]):
+        yield (row["run"], row["against"], row["of"], float(row["distance"]),
+               float(row["95 % band"]))
+
+
+def columns_of_pairs():
+    """(run, run, what) of a distance: which file and column it is of."""
+    report = published_tools.script(ROOT / "tools/statistics/report.py")
+    return {(a, b, title): (kind, column) for a, b, kind, column, title in
+            [*report.step_pairs(), *report.kind_pairs()]}
+
+
+def is_far(distance, band, a, b):
+    """Whether two samples are at a distance that is none of those within the
+    band: the distance of few samples, and its own band."""
+    if not a or not b:
+        return None, True
+    found = stats.ks_2samp(a, b).statistic
+    own = stats.kstwo.isf(1e-3, max(1, len(a) * len(b) // (len(a) + len(b))))
+    return found, abs(found - distance) > band + own
+
+
+def column(rows, kind, name):
+    """The numbers of a column of the rows of a run."""
+    at = COLUMNS[kind].index(name)
+    return [float(row[at]) for row in rows[kind] if row[at]]
+
+
+def judge_distance(pair, ofs, published_one, rows):
+    a, b, title = pair
+    distance, band = published_one
+    first, second = (column(rows[run], *ofs) for run in (a, b))
+    found, far = is_far(distance, band, first, second)
+    if far:
+        wrong(f"{a} against {b}, {title}: distance {found} of {len(first)} and "
+              f"{len(second)}; docs/statistics.md has {distance} +- {band}")
+
+
 def main():
-    if not in_common(PLACE, "gcc", "-O3", PLACE / "double/twofold"):
-        wrong("the command line does not build")
+    if not in_common(PLACE, "gcc", "-O3", PLACE / "double/twofold",
+                     PLACE / "finer/finer-64"):
+        wrong("the tools do not build")
         checked("nothing")
     if meets((0.4, 0.6), 57, 60) or meets((0.99, 1), 3, 8) or \
             not meets((0.9, 0.95), 60, 60):
         wrong("planted shares are not judged right")
+    few, others = [i / 50 for i in range(50)], [1 + i for i in range(50)]
+    if is_far(0.05, 0.05, few, few)[1] or not is_far(0.6, 0.05, few, few)[1] \
+            or not is_far(0.5, 0.1, few, others)[1]:
+        wrong("planted distances are not judged right")
     text = (ROOT / "docs/statistics.md").read_text(encoding="utf-8")
     runs = runs_of_the_study()
     back = published(text, ["run", "cycles", "share that returned"])
     sides = published(text, ["run", "exits", "share by slip+"])
-    for run in sorted((back.keys() | sides.keys()) - runs.keys()):
+    pairs, ofs = list(distances(text)), columns_of_pairs()
+    named = {run for a, b, *_ in pairs for run in (a, b)}
+    rows_of = {}
+    for run in sorted((back.keys() | sides.keys() | named) - runs.keys()):
         wrong(f"docs/statistics.md has run {run}, tools/statistics/study not")
-    for run in sorted((back.keys() | sides.keys()) & runs.keys()):
-        rows = again(runs[run], PERTURBED if run in back and "--by" in
-                     runs[run] else FEW)
+    for seed, run in enumerate(sorted((back.keys() | sides.keys() | named) &
+                                      runs.keys()), SEED):
+        most = FIRST if run.startswith(("exit-", "near-")) else \
+            PERTURBED if "--by" in runs[run] else FEW
+        rows = rows_of[run] = again(runs[run], most, seed)
         if run in back:
             judge(run, "that returned", back[run], sum(
                 row[2] == "returned" for row in rows["returns"]),
                 len(rows["returns"]))
-        else:
+        elif run in sides:
             judge(run, "by slip+", sides[run], sum(
                 row[6] == "slip+" for row in rows["exits"]),
                 len(rows["exits"]))
-    checked(f"{len(back)} shares of returns and {len(sides)} of sides, each "
-            "within reach of what is published")
+    for *pair, distance, band in pairs:
+        judge_distance(tuple(pair), ofs[tuple(pair)], (distance, band), rows_of)
+    machines = published_tools.recurrence(PLACE, meets)
+    motions = published_tools.finer(PLACE, meets, exact)
+    checked(f"{len(back)} shares of returns, {len(sides)} of sides and "
+            f"{len(pairs)} distances; {machines} shares of machines; {motions} "
+            "of motions under finer laws; each within reach of what is "
+            "published")
 
 
 main()

@@ -64,9 +64,10 @@ hold:
 At s = 0 the deviation is of order width^(nu/2), times the width in h: the
 exponent (nu + 2)/2. Behind, all grows by Kummer's function M(-nu/2, 1/2, E), E
 the integral of the layer's rate. Kicks of h at the two-fold test it without a
-fitted number: measured E are above what is predicted by up to 6 %. It is
-linear, and below s^2 = 4 nu, E = {half_four:.0f}, deviations oscillate. (At
-1e-20 m/s the kick nearly cancels what the motion brings with it.)
+fitted number: measured E are above what is predicted by {kick_low:.1g} to
+{kick_high:.1g} %, and by {kick_last:.0f} % at the least kick, {kick_least:g}
+m/s, which nearly cancels what the motion brings with it. The theory is linear,
+and below s^2 = 4 nu, E = {half_four:.0f}, deviations oscillate.
 
 {kicks}
 

@@ -1,8 +1,10 @@
 #!/usr/bin/python3 -B
-"""What `make recurrence` found, as Markdown, and its picture.
+"""What `make recurrence` found, as Markdown, and its picture (picture.py).
 
-A machine is *lasting* where every cycle that was followed returned, *partly*
-where some did, *never* where none did. Shares have Wilson's 95 % interval.
+A machine is *lasting* where every cycle that was followed returned, in the
+first pass and in the long one, *partly* where some did, *never* where none
+did. Shares have Wilson's 95 % interval. Whatever the page says of the result
+is written from the rows.
 """
 from __future__ import annotations
 
@@ -12,48 +14,63 @@ from collections import Counter
 from pathlib import Path
 from typing import Iterable, Optional, Sequence
 
-import matplotlib
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import machines  # noqa: E402
+import resonance  # noqa: E402
+from machines import ENDINGS, KINDS, LOST, PASSES, SPACES  # noqa: E402
+from resonance import wrapped  # noqa: E402
 from tables import markdown, read, statistics  # noqa: E402
 
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-
-SPACES = {"designs": "the designs of figure 4", "random": "machines at random"}
-KINDS = "random", "noise"
 CLASSES = "lasting", "partly", "never"
-COLOURS = {"lasting": "#0072B2", "partly": "#E69F00", "never": "#BBBBBB"}
 REASONS = "no design", "not case 1", "not followed"
 RATIOS = 1, 2, 3, 4, 6, 8, 16, 32, 2048
-DRAWN = "r", "omega", "beta", "mu", "c1", "c2", "gamma", "kappa", "k2"
+QUARTERED = "r", "omega", *machines.SETTINGS, "kappa", "k2"
 
-HEAD = """\
-# Where the motion returns
-
-Made by `make recurrence`. {machines} machines: half of them designs of the
-paper's figure 4, (r\\*, omega\\*) on a grid over its window and all else as in
-`chaos`; half at random (beta, mu, dampings, gamma and the place of the
-two-fold; ranges in `tools/recurrence/recurrence`). kappa and k2 follow from the
-place. A machine whose two-fold is of case 1 is followed from there: by exits at
-random, 10 samples of up to 5 cycles of at most 60 s, and by noise of 1e-5
-m/s^1.5, 4 samples of up to 2 cycles of at most 20 s. It is *lasting* where
-every cycle returned to the two-fold (of 50: fewer than 7 % are lost), *partly*
-where some did, *never* where none did. The window is 0.01 < r\\* < 0.5 m and
--1.5 < omega\\* < -1.005 rad/s, a fifth of figure 4. The draws of all machines
-have one seed; intervals are those of independent ones.
-
-![Map over the designs, shares over the ratio of eigenvalues and over the
+ABOUT = """\
+Made by `make recurrence`; what a machine is, and how it is followed, is in
+`tools/recurrence/machines.py`. {all} machines: {designs} designs of the paper's
+figure 4, (r\\*, omega\\*) on a grid over all of it ({wide}) and all else as in
+`chaos`; {near} more on a finer grid around `chaos` ({fine}); {random} drawn at
+random, log-uniform in {drawn}, and gamma uniform in {gamma}. kappa and k2
+follow from the place of the two-fold (`twofold design`). A machine whose
+two-fold is of case 1 is followed from there."""
+CLASSES_ARE = """\
+Each run of a machine has a seed of its own: {count} N + 1 to
+{count} N + {count} for machine N. A machine is *lasting* where no cycle of
+either pass is lost: by the exact 95 % interval it then loses fewer than
+{bound_random} of its cycles by exits at random ({cycles_random} cycles), and
+fewer than {bound_noise} by noise ({cycles_noise}). It is *partly* where some
+cycle returned, *never* where none did. A cycle longer than the pass waits is
+lost. `tools/recurrence/recurrence machine N` prints a machine and its commands.
+{example}"""
+PICTURE = """\
+![Maps over the designs, shares over the ratio of eigenvalues and over the
 parameters](recurrence.png)
 """
 
 
+def ends(row: read.Row, name: str) -> list[int]:
+    """Cycles of a pass, by how they ended."""
+    return [row.count(f"{name}_{ending}") for ending in ENDINGS]
+
+
+def passes_of(kind: str) -> list[str]:
+    return [name for name, run in PASSES.items() if run.kind == kind]
+
+
 def class_of(row: read.Row, kind: str) -> str:
     """What became of a machine that was followed."""
-    back = row.count(f"{kind}_returned")
-    return ("never" if back == 0 else "partly" if row[f"{kind}_lost"]
-            else "lasting")
+    found = np.array([ends(row, name) for name in passes_of(kind)])
+    if found[:, 0].sum() == 0:
+        return "never"
+    return "partly" if found[:, 1:].sum() else "lasting"
+
+
+def bound(cycles: int) -> float:
+    """The share of lost cycles that none of so many leaves possible."""
+    return statistics.clopper_pearson(0, cycles).high
 
 
 def share(k: int, n: int) -> str:
@@ -61,21 +78,127 @@ def share(k: int, n: int) -> str:
     return markdown.estimate(*statistics.wilson(k, n), 3) if n else "-"
 
 
+def window(space: machines.Space) -> str:
+    (low, high), (slow, fast) = space.window
+    return f"{low:g} < r\\* < {high:g} m, {slow:g} < omega\\* < {fast:g} rad/s"
+
+
+def command(row: read.Row, name: str) -> str:
+    """`twofold diverge` of a machine in a pass."""
+    settings = machines.settings_of(row)
+    seed = machines.seed_of(row.count("machine"), name)
+    return " ".join(["twofold", *machines.follow_words(name, settings, seed)])
+
+
+def head(rows: Sequence[read.Row]) -> str:
+    """What was done, with an example."""
+    count = Counter(row["space"] for row in rows)
+    names = {"r": "r\\*", "below": "omega0 - omega\\*"}
+    one = next((row for row in rows if not row["reason"] and
+                class_of(row, "random") == "lasting"), None)
+    example = [] if one is None else [f"    {command(one, 'random')}", ""]
+    of = {kind: sum(PASSES[name].all_cycles() for name in passes_of(kind))
+          for kind in KINDS}
+    about = ABOUT.format(
+        all=len(rows), wide=window(SPACES["designs"]),
+        fine=window(SPACES["near"]),
+        drawn=", ".join(f"{names.get(name, name)} from {a:g} to {b:g}"
+                        for name, (a, b) in machines.DRAWN.items()),
+        gamma=f"{machines.GAMMA[0]:.3f} to {machines.GAMMA[1]:.3f}",
+        **{name: count[name] for name in SPACES})
+    classes = CLASSES_ARE.format(
+        count=len(PASSES),
+        example="No machine is lasting." if one is None else
+        f"Of machine {one['machine']}, which is lasting, the first is:",
+        **{f"bound_{kind}": f"{100 * bound(of[kind]):.2g} %"
+           for kind in KINDS},
+        **{f"cycles_{kind}": of[kind] for kind in KINDS})
+    passes = markdown.table(
+        ["pass", "exits", "samples", "cycles of each, at most",
+         "longest cycle", "machines"],
+        [[f"`{name}`", run.options or "at random", run.samples, run.cycles,
+          f"{run.patience} s", "all" if run.after is None else
+          f"those of which `{run.after}` loses no cycle"]
+         for name, run in PASSES.items()], [2, 3, 4])
+    return "\n".join(["# Where the motion returns", "", *wrapped(about), "",
+                      passes, "", *wrapped(classes), "", *example, PICTURE])
+
+
 def overview(rows: Sequence[read.Row]) -> str:
     """Each space: what could be followed, and what became of it."""
     lines = []
-    for space, name in SPACES.items():
-        here = [row for row in rows if row["space"] == space]
+    for name, space in SPACES.items():
+        here = [row for row in rows if row["space"] == name]
         followed = [row for row in here if not row["reason"]]
         why = Counter(row["reason"] for row in here)
         for kind in KINDS:
             classes = Counter(class_of(row, kind) for row in followed)
-            lines.append([name, kind, len(here),
+            lines.append([space.title, kind, len(here),
                           *(why[reason] for reason in REASONS), len(followed),
                           *(share(classes[one], len(followed))
                             for one in CLASSES)])
     return markdown.table(["machines", "exits by", "drawn", *REASONS,
                            "followed", *CLASSES], lines, range(2, 7))
+
+
+def second_pass(rows: Sequence[read.Row]) -> str:
+    """How many machines lose a cycle only in the long pass."""
+    lines = []
+    for name, space in SPACES.items():
+        for kind in KINDS:
+            first, second = passes_of(kind)
+            here = [ends(row, second) for row in rows
+                    if row["space"] == name and not sum(ends(row, first)[1:])]
+            lost = [found for found in here if sum(found[1:])]
+            cycles = sum(map(sum, here))
+            lines.append([space.title, kind, len(here), len(lost), cycles,
+                          sum(sum(found[1:]) for found in lost)])
+    return markdown.table(
+        ["machines", "exits by", "none lost in the first pass",
+         "of these, some lost in the long one", "cycles of it", "lost"], lines,
+        range(2, 6))
+
+
+def late(rows: Sequence[read.Row]) -> str:
+    """How much waiting longer might change."""
+    said = []
+    for kind in KINDS:
+        back = sum(ends(row, name)[0] for row in rows
+                   for name in passes_of(kind))
+        found = sum(row.count(f"{name}_late") for row in rows
+                    for name in passes_of(kind))
+        said.append(f"{found} of {back} by {kind}")
+    return "\n".join(wrapped(
+        "Of the cycles that returned, in all passes, so many took more than "
+        f"half of the longest cycle: {', '.join(said)}. What waiting longer "
+        "would bring back is counted as lost here.") + [""])
+
+
+def most(found: Sequence[int]) -> str:
+    """How most of the cycles that did not return ended."""
+    return max(zip(found[1:], LOST), key=lambda one: one[0])[1]
+
+
+def endings(rows: Sequence[read.Row]) -> str:
+    """Machines that never return, by how most of their cycles end; and all
+    cycles of the first passes that did not."""
+    lines = []
+    for name, space in SPACES.items():
+        here = [row for row in rows if row["space"] == name]
+        for kind in KINDS:
+            never = [ends(row, kind) for row in here
+                     if class_of(row, kind) == "never"]
+            of = Counter(most(found) for found in never)
+            mixed = sum(sum(n > 0 for n in found[1:]) > 1 for found in never)
+            cycles = np.sum([ends(row, kind) for row in here] or
+                            [[0] * len(ENDINGS)], axis=0)
+            lines.append([space.title, kind, "machines", len(never),
+                          *(of[end] for end in LOST), mixed])
+            lines.append([space.title, kind, "cycles", cycles[1:].sum(),
+                          *cycles[1:], "-"])
+    return markdown.table(["machines", "exits by", "of", "in all",
+                           *LOST, "several"], lines,
+                          range(3, 11))
 
 
 def by_bins(rows: Sequence[read.Row], column: str,
@@ -90,109 +213,75 @@ def by_bins(rows: Sequence[read.Row], column: str,
 
 def ratios(rows: Sequence[read.Row]) -> str:
     """Shares by the ratio of the eigenvalues."""
-    lines = [[SPACES[space], *line] for space in SPACES
+    lines = [[space.title, *line] for name, space in SPACES.items()
              for line in by_bins([row for row in rows
-                                  if row["space"] == space], "ratio", RATIOS)]
+                                  if row["space"] == name], "ratio", RATIOS)]
     return markdown.table(["machines", "ratio of eigenvalues", "followed",
                            *CLASSES], lines, [2])
 
 
-def quarters(rows: Sequence[read.Row], column: str) -> list[float]:
-    """The edges of four bins with as many machines each."""
-    values = [row.number(column) for row in rows]
-    edges = list(np.quantile(values, [0, 0.25, 0.5, 0.75, 1]))
+def quarters(rows: Sequence[read.Row], column: str,
+             parts: int = 4) -> list[float]:
+    """The edges of bins with as many machines each."""
+    values = [row.number(column) for row in rows] or [0]
+    edges = list(np.quantile(values, np.linspace(0, 1, parts + 1)))
     edges[-1] = float(np.nextafter(edges[-1], np.inf))
     return edges
 
 
 def parameters(rows: Sequence[read.Row]) -> str:
     """Shares by quarters of each parameter that was drawn."""
-    lines = [[column, *line] for column in DRAWN
+    lines = [[column, *line] for column in QUARTERED
              for line in by_bins(rows, column, quarters(rows, column))]
     return markdown.table(["parameter", "quarter", "followed", *CLASSES],
                           lines, [2])
 
 
-def draw_designs(axes: pyplot.Axes, rows: Sequence[read.Row],
-                 kind: str) -> None:
-    """The window of figure 4."""
-    for one in CLASSES:
-        here = [row for row in rows if class_of(row, kind) == one]
-        axes.plot([row.number("r") for row in here],
-                  [row.number("omega") for row in here], "s", ms=3.4,
-                  mew=0, color=COLOURS[one], label=f"{one} ({len(here)})")
-    axes.plot(0.1859, -1.037, "+", color="black", ms=9)
-    axes.annotate("chaos", (0.1859, -1.037), (4, 4), fontsize=8,
-                  textcoords="offset points")
-    axes.set(title=f"designs, exits by {kind}", xlabel="r* [m]",
-             ylabel="omega* [rad/s]")
-    axes.legend(loc="lower left", fontsize=7, markerscale=2)
+def above(rows: Sequence[read.Row]) -> str:
+    """What the half of figure 4 above omega0 is."""
+    here = [row for row in rows if row["space"] == "designs" and
+            row.number("omega") >= machines.OMEGA0]
+    found = sum(row["reason"] in ("", "not followed") for row in here)
+    return "\n".join(wrapped(
+        f"At omega\\* >= omega0 = {machines.OMEGA0:g} rad/s {found or 'none'} "
+        f"of {len(here)} designs of figure 4 {'are' if found > 1 else 'is'} "
+        "of case 1; the maps end there.") + [""])
 
 
-def draw_shares(axes: pyplot.Axes, rows: Sequence[read.Row],
-                column: str, edges: Sequence[float], label: str) -> None:
-    """The share of lasting machines over bins, with its interval."""
-    at, middle, low, high = [], [], [], []
-    for a, b in zip(edges, edges[1:]):
-        here = [row for row in rows if a <= row.number(column) < b]
-        if len(here) < 10:
-            continue
-        found = statistics.wilson(sum(class_of(row, "random") == "lasting"
-                                      for row in here), len(here))
-        at.append((a + b) / 2)
-        middle.append(found.value)
-        low.append(found.value - found.low)
-        high.append(found.high - found.value)
-    axes.errorbar(at, middle, [low, high], fmt=".-", lw=1, label=label)
-
-
-def draw(path: str, rows: Sequence[read.Row]) -> None:
-    """The picture."""
-    figure, panels = pyplot.subplots(2, 2, figsize=(11, 8.5))
-    designs = [row for row in rows if row["space"] == "designs"]
-    others = [row for row in rows if row["space"] == "random"]
-    for axes, kind in zip(panels[0], KINDS):
-        draw_designs(axes, designs, kind)
-    axes = panels[1][0]
-    for here, label in (designs, "designs"), (others, "at random"):
-        draw_shares(axes, here, "ratio", np.arange(1, 16.01, 0.5), label)
-    axes.set(title="exits at random", xlabel="ratio of the eigenvalues",
-             ylabel="share of lasting machines", ylim=(0, 1))
-    axes.legend(fontsize=8)
-    axes = panels[1][1]
-    for column in DRAWN:
-        edges = quarters(others, column)
-        ranks = [statistics.wilson(sum(
-            class_of(row, "random") == "lasting" for row in here),
-            max(1, len(here))).value for here in (
-                [row for row in others if a <= row.number(column) < b]
-                for a, b in zip(edges, edges[1:]))]
-        axes.plot(range(1, 5), ranks, ".-", lw=1, label=column)
-    axes.set(title="machines at random, exits at random",
-             xlabel="quarter of the parameter's values", xticks=range(1, 5),
-             ylabel="share of lasting machines", ylim=(0, 1))
-    axes.legend(fontsize=7, ncol=3)
-    figure.tight_layout()
-    figure.savefig(path, dpi=100)
+def page(rows: Sequence[read.Row]) -> str:
+    """All of it but the basins."""
+    followed = [row for row in rows if not row["reason"]]
+    told = "\n".join(f"* `{name}`: {text}" for name, text in
+                     list(ENDINGS.items())[1:])
+    return "\n".join([
+        head(rows), overview(rows), "", above(rows),
+        "## The long pass\n", second_pass(followed), "",
+        late(followed),
+        "## How it ends\n",
+        *wrapped("Machines that never return, by how most of their cycles end "
+                 "(`several`: those of more than one ending), and all cycles "
+                 "of the first passes that did not return. When the time of a "
+                 "cycle is over, it has"), "", told, "", endings(followed), "",
+        "## By the ratio of the eigenvalues\n", "Exits at random.\n",
+        ratios(followed), "",
+        resonance.section(followed, class_of),
+        "## By the parameters\n",
+        *wrapped("Machines at random, exits at random, in quarters of each "
+                 "parameter. The picture has maps over pairs of them."), "",
+        parameters([row for row in followed if row["space"] == "random"])])
 
 
 def main(words: Optional[Sequence[str]] = None) -> None:
+    import picture
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("table", help="all parts, one after the other")
     parser.add_argument("picture", help="ends in .png or .svg")
     given = parser.parse_args(words)
-    rows = read.read_csv(given.table, ["reason"], counted=True)
-    followed = [row for row in rows if not row["reason"]]
-    draw(given.picture, followed)
-    print(HEAD.format(machines=len(rows)))
-    print(overview(rows), end="\n\n## By the ratio of the eigenvalues\n\n")
-    print("Exits at random.\n")
-    print(ratios(followed), end="\n\n## By the parameters\n\n")
-    print("Machines at random, exits at random, in quarters of each "
-          "parameter.\n")
-    print(parameters([row for row in followed if row["space"] == "random"]))
+    rows = read.read_csv(given.table, machines.COLUMNS, counted=True)
+    picture.draw(given.picture, rows)
+    print(page(rows))
 
 
 if __name__ == "__main__":

@@ -34,9 +34,10 @@ STEP = """\
 Kolmogorov-Smirnov distance between a step and its half. All distances of this
 file count as one family of tests: with 95 % none of them is further than its
 band from that of the two laws (Bonferroni), and p is multiplied by their
-number. Two laws are *different* where the distance is above the band, and
-*alike* where it is below 0.05 by the band: a smaller difference is taken to be
-of no interest. Else it is *open* whether they differ.
+number. Two laws are *different* where the distance is above the band: by less
+than 0.05, the smallest difference of interest, where distance and band together
+are below that. They are *alike* where no difference is seen and one of 0.05
+would be. Else it is *open* whether they differ.
 """
 
 EXITS = """\

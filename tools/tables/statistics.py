@@ -33,12 +33,15 @@ class Distance(NamedTuple):
         """What is known of the distance of the two distributions.
 
         It lies within `band` of that of the samples. Not to find a difference
-        is not to find none: `alike` only where the distance cannot be as large
-        as `smallest`.
+        is not to find none: `alike` only where none is found and the distance
+        cannot be as large as `smallest`; one that is found stays a difference,
+        however small.
         """
-        if self.value + self.band < smallest:
-            return "alike"
-        return "different" if self.value > self.band else "open"
+        small = self.value + self.band < smallest
+        if self.value > self.band:
+            return f"different, by less than {smallest:g}" if small else \
+                "different"
+        return "alike" if small else "open"
 
 
 def _share(k: int, n: int, method: str) -> Estimate:

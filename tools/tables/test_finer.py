@@ -13,7 +13,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from finer import families, theory
+from finer import families, report, theory
+from tables import read
 
 FINER = Path(__file__).resolve().parents[1] / "finer"
 
@@ -93,6 +94,25 @@ class Finer(unittest.TestCase):
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.assertEqual((said.returncode, said.stdout), (2, ""))
         self.assertIn("colour=1", said.stderr)
+
+
+class Words(unittest.TestCase):
+    """What the page says of its tables."""
+
+    def test_excess_of_the_kicks(self):
+        """Over all but the least one, and at that; of one that is too large
+        nothing is predicted."""
+        study = report.Study.__new__(report.Study)
+        study.kicked = lambda: [
+            ("1e-06", read.Row("", ("kick", "behind"), (kick, behind)), want)
+            for kick, behind, want in (("1e-8", "9.94", None),
+                                       ("1e-17", "46.9", 44.57),
+                                       ("1e-20", "59.87", 52.99),
+                                       ("1e-13", "28.52", 28.39))]
+        self.assertEqual({name: round(value, 21 if name == "kick_least" else 1)
+                          for name, value in study.excess().items()},
+                         {"kick_least": 1e-20, "kick_last": 13.0,
+                          "kick_low": 0.5, "kick_high": 5.2})
 
 
 if __name__ == "__main__":

@@ -5,6 +5,8 @@ usage: TWOFOLD=build/double/twofold test_scripts.py [unittest option]...
 """
 from __future__ import annotations
 
+import csv
+import json
 import os
 import subprocess
 import tempfile
@@ -105,44 +107,24 @@ class Statistics(unittest.TestCase):
 
 
 
-class Recurrence(unittest.TestCase):
-    """A few machines of `make recurrence`."""
+class Diverge(unittest.TestCase):
+    """Cycles of `twofold diverge`, of designs with a two-fold elsewhere."""
 
-    def test_parts_are_made_once_and_counted(self):
-        """The second run finds them whole; a cut one is refused."""
-        twofold = Path(os.environ["TWOFOLD"]).resolve()
-        with tempfile.TemporaryDirectory() as folder:
-            build = Path(folder)
-            (build / "double").mkdir()
-            (build / "double/twofold").symlink_to(twofold)
-            environment = dict(os.environ, BUILD=folder, MACHINES="102",
-                               SIDE="5", DESIGNS="2")
-            command = [TOOLS / "recurrence/recurrence"]
-            work = build / "recurrence"
-            for _ in range(2):
-                subprocess.run(command, check=True, env=environment,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-                at = (work / "1.csv").stat().st_mtime_ns
-                (work / "2.csv").unlink()
-            self.assertEqual(at, (work / "1.csv").stat().st_mtime_ns)
-            text = (work / "RECURRENCE.md").read_text("utf-8")
-            self.assertIn("| the designs of figure 4 | random | 51 |", text)
-            self.assertIn("| h = -0.05 m/s | 25 | 0.", text)
-            table = work / "recurrence.csv"
-            rows = [line.split(",") for line in
-                    table.read_text("ascii").splitlines() if line[0] != "#"]
-            followed = [row for row in rows[1:] if not row[-1]]
-            self.assertGreater(len(followed), 20)
-            for row in followed:  # cycles, returned, how others ended
-                self.assertEqual(row[12] == row[13], row[14] == "")
-            cut = table.read_text("ascii").splitlines(keepends=True)
-            table.write_text("".join(cut[:50] + cut[51:]), "ascii")
-            done = subprocess.run(
-                [TOOLS / "recurrence/report.py", table, work / "no.png"],
-                check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                text=True)
-            self.assertIn("is damaged", done.stdout)
-            self.assertNotEqual(done.returncode, 0)
+    def test_motion_from_the_two_fold_is_no_return(self):
+        """A cycle that returns has left the surface: at its start A = 0 has
+        the sign of its rounding, which is another one for each r."""
+        twofold = os.environ["TWOFOLD"]
+        for i in range(16):
+            design = json.loads(script(
+                twofold, "design", "chaos", "--r", 0.3 + 0.0064197530864 * i,
+                "--omega=-1.27"))
+            cycles = csv.DictReader(line for line in script(
+                twofold, "diverge", "chaos", *design["set"].split(),
+                "--samples", 2, "--patience", 1, "--returns",
+                "-").splitlines() if line[0] != "#")
+            self.assertEqual([cycle for cycle in cycles
+                              if cycle["outcome"] == "returned"
+                              and not cycle["exit_r"]], [])
 
 
 if __name__ == "__main__":

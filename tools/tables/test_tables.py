@@ -130,6 +130,8 @@ class Distances(unittest.TestCase):
         self.assertEqual(verdict(100, 0), "open")
         self.assertEqual(verdict(20000, 0), "alike")
         self.assertEqual(verdict(20000, 0.1), "different")
+        self.assertEqual(verdict(20000, 0.025),
+                         "different, by less than 0.05")
 
 
 class Survival(unittest.TestCase):

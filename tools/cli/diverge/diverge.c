@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "../host/host.h"
@@ -16,6 +17,7 @@
 #include "../text/commit.h"
 #include "../text/json.h"
 #include "../text/message.h"
+#include "checkpoint.h"
 #include "counts.h"
 #include "exhaustive.h"
 #include "files.h"
@@ -23,8 +25,9 @@
 #include "perturbed.h"
 #include "random.h"
 
-#define FLUSH_EVERY 0.5 // [s]
-#define BATCH 4096      // steps between two checks for a signal
+#define FLUSH_EVERY 0.5      // [s]
+#define BATCH 4096           // steps between two checks for a signal
+#define CHECKPOINT_EVERY 1.0 // [s], under --resume
 
 static const cli_stepper_t *const steppers[CLI_MECHANISMS] = {
     [CLI_BY_RANDOM] = &cli_random_stepper,
@@ -50,8 +53,9 @@ typedef struct {
   uint64_t done;        ///< samples that have ended
   uint64_t in_sample;   ///< cycles of the present one that have ended
   uint64_t cycles;      ///< cycles that have ended
+  uint64_t kept;        ///< of them, those of the run that was stopped
   uint64_t outcomes[CLI_OUTCOMES];
-  double flushed;
+  double flushed, saved;
   cli_progress_t progress;
   bool stopped, unwritten;
 } work_t;
@@ -62,12 +66,12 @@ static void show_progress(work_t *work, double now) {
       ((double)work->done +
        (double)work->in_sample / (double)work->job->args->cycles) /
       samples;
-  cli_progress_say(&work->progress, now, share,
-                   "%" PRIu64 " of %.0f samples, %" PRIu64 " cycles, %" PRIu64
-                   " returned, %.3g cycles/s",
-                   work->done, samples, work->cycles,
-                   work->outcomes[CLI_CYCLE_RETURNED],
-                   (double)work->cycles / (now - work->progress.started));
+  cli_progress_say(
+      &work->progress, now, share,
+      "%" PRIu64 " of %.0f samples, %" PRIu64 " cycles, %" PRIu64
+      " returned, %.3g cycles/s",
+      work->done, samples, work->cycles, work->outcomes[CLI_CYCLE_RETURNED],
+      (double)(work->cycles - work->kept) / (now - work->progress.started));
 }
 
 static void check_clock(work_t *work) {
@@ -175,8 +179,9 @@ static void summarise(const work_t *work, double seconds) {
                     work->outcomes[i]);
     }
   }
+  const uint64_t cycles = work->cycles - work->kept;
   (void)fprintf(stderr, "\ncost       %.3g s, %.3g ms a cycle\n", seconds,
-                work->cycles > 0 ? 1e3 * seconds / (double)work->cycles : 0.0);
+                cycles > 0 ? 1e3 * seconds / (double)cycles : 0.0);
 }
 
 // The same for a program: one line, the last one on standard error.
@@ -230,12 +235,70 @@ static int end_counting(const work_t *work, int code) {
   return cli_output_end(&work->counting->output, code);
 }
 
+// Under --resume, after a sample.
+static void save(work_t *work, uint32_t run) {
+  const cli_diverge_args_t *args = work->job->args;
+  if (!args->resume || cli_now() - work->saved < CHECKPOINT_EVERY) {
+    return;
+  }
+  cli_checkpoint_t at;
+  memset(&at, 0, sizeof at); // its bytes have a checksum
+  at.run = run;
+  at.number = sizeof(tf_real_t);
+  at.shard = args->shard;
+  at.samples = work->done;
+  at.cycles = work->cycles;
+  memcpy(at.outcomes, work->outcomes, sizeof at.outcomes);
+  at.exits = cli_file_place(&work->files->exits);
+  at.returns = cli_file_place(&work->files->returns);
+  work->saved = cli_now();
+  if (!cli_files_flush(work->files) ||
+      !cli_checkpoint_put(
+          args, &at, work->counting != NULL ? &work->counting->counts : NULL)) {
+    work->unwritten = true;
+  }
+}
+
+// Where the shard begins: behind what --resume finds.
+static cli_resume_t find_place(work_t *work, const cli_buffer_t *run,
+                               cli_checkpoint_t *at) {
+  const cli_diverge_args_t *args = work->job->args;
+  cli_counts_t *counts =
+      work->counting != NULL ? &work->counting->counts : NULL;
+  cli_trailer_t trailer = {0, 0, 0};
+  cli_trailer_name(&trailer, run->text, run->used);
+  const cli_resume_t found =
+      args->resume ? cli_checkpoint_find(args, trailer.run, at, counts)
+                   : CLI_RESUME_NEW;
+  if (found != CLI_RESUME_GO_ON) {
+    memset(at, 0, sizeof *at);
+    if (counts != NULL) {
+      memset(counts, 0, sizeof *counts);
+    }
+  }
+  at->run = trailer.run;
+  work->done = at->samples;
+  work->cycles = work->kept = at->cycles;
+  memcpy(work->outcomes, at->outcomes, sizeof at->outcomes);
+  return found;
+}
+
 static int perform(work_t *work, const cli_diverge_args_t *args) {
   char text[CLI_JOB_TEXT];
   cli_buffer_t run = {text, 0, sizeof text, false};
+  cli_checkpoint_t at;
   cli_job_describe(work->job, &run);
   cli_shard_range(&args->shard, args->samples, &work->first, &work->last);
-  int code = cli_files_open(work->files, work->job, &run);
+  const cli_resume_t found = find_place(work, &run, &at);
+  if (found == CLI_RESUME_OTHER) {
+    return CLI_REFUSED;
+  }
+  if (found == CLI_RESUME_WHOLE) {
+    return cli_message(CLI_DONE, "all of the %" PRIu64 " samples are there",
+                       work->last - work->first);
+  }
+  int code =
+      cli_files_open(work->files, work->job, &run, &at.exits, &at.returns);
   if (code != CLI_DONE) {
     return code;
   }
@@ -243,14 +306,15 @@ static int perform(work_t *work, const cli_diverge_args_t *args) {
   if (code != CLI_DONE) {
     return cli_files_close(work->files, code);
   }
-  work->flushed = cli_now();
+  work->flushed = work->saved = cli_now();
   work->progress = cli_progress_start(work->flushed, -1);
-  for (uint64_t i = work->first; i < work->last; i++) {
+  for (uint64_t i = work->first + work->done; i < work->last; i++) {
     if (!do_sample(work, i)) {
       break;
     }
     work->done++;
     work->in_sample = 0;
+    save(work, at.run);
     if (work->stopped || work->unwritten) {
       break;
     }
@@ -258,6 +322,9 @@ static int perform(work_t *work, const cli_diverge_args_t *args) {
   // Where the output failed, the message is that of cli_files_close.
   code = work->unwritten || work->stopped ? CLI_STOPPED : CLI_DONE;
   code = end_counting(work, cli_files_close(work->files, code));
+  if (args->resume && code == CLI_DONE) {
+    cli_checkpoint_remove(args);
+  }
   const double seconds = cli_now() - work->progress.started;
   cli_progress_clear(&work->progress);
   if (!args->json) {
@@ -268,6 +335,9 @@ static int perform(work_t *work, const cli_diverge_args_t *args) {
                       "stopped by a signal after %" PRIu64
                       " samples; what has ended is written",
                       work->done);
+    if (args->resume) {
+      (void)cli_message(CLI_STOPPED, "the same command goes on");
+    }
   }
   if (args->json) {
     summarise_json(work, seconds, code);

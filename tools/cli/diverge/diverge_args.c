@@ -173,6 +173,13 @@ static int read_grid(void *to, const cli_given_t *option) {
   return read_real(option, false, 1e-6, 1e3, "s", &args->grid);
 }
 
+static int read_resume(void *to, const cli_given_t *option) {
+  cli_diverge_args_t *args = to;
+  (void)option;
+  args->resume = true;
+  return CLI_DONE;
+}
+
 static int read_header(void *to, const cli_given_t *option) {
   cli_diverge_args_t *args = to;
   (void)option;
@@ -226,6 +233,7 @@ static const cli_option_t options[] = {
     {"--count", read_nodes, CLI_ONCE},
     {"--grid", read_grid, CLI_ONCE},
     {"--branches", read_branches, CLI_ONCE},
+    {"--resume", read_resume, CLI_FLAG},
     {"--header", read_header, CLI_FLAG},
     {"--provenance", read_provenance, CLI_FLAG},
     {"--summary", read_summary, CLI_ONCE},
@@ -249,6 +257,13 @@ static int check_files(cli_diverge_args_t *args) {
       is_same(args->counts, args->returns)) {
     return cli_message(CLI_USAGE, "--counts %s: needs a file of its own",
                        args->counts);
+  }
+  if (args->resume &&
+      (args->exhaustive || is_same(args->exits, "-") ||
+       is_same(args->returns, "-") || is_same(args->counts, "-"))) {
+    return cli_message(CLI_USAGE,
+                       "--resume: only with --exits, --returns or "
+                       "--counts to files");
   }
   if (args->counts != NULL && args->cycles > CLI_COUNT_CYCLES) {
     return cli_message(CLI_REFUSED, "--counts: at most --cycles %d",

@@ -28,6 +28,7 @@ typedef struct {
   const char *branches;        ///< likewise, of --exhaustive
   bool exhaustive;
   const char *only_exhaustive; ///< an option that needs --exhaustive, or NULL
+  bool resume;                 ///< goes on with the rows that are there
   bool header;                 ///< a header even if the shard is not the first
   bool provenance; ///< comments before the header: what the rows are of
   bool json;       ///< the summary

@@ -58,6 +58,8 @@ static const char files[] =
     "                       the cycle in its sample); side; phase, time (of\n"
     "                       return), landing (bins: see the comments in the\n"
     "                       file). Shards are added by 'twofold merge'\n"
+    "  --resume             goes on after a kill; FILE.resume says where\n"
+    "                       (of the first of --counts, --returns, --exits)\n"
     "  --header             writes a header even if the shard is not the "
     "first\n"
     "  --provenance         comment lines before the header: 'twofold help\n"

@@ -14,17 +14,30 @@ static bool put(cli_diverge_file_t *file, const char *text, size_t length,
     return true;
   }
   cli_trailer_add(&file->trailer, text, length, rows);
+  file->bytes += length;
   return cli_output_lines(&file->output, text, length);
 }
 
 static int open_file(cli_diverge_file_t *file, const char *option,
-                     const char *path) {
+                     const char *path, const cli_file_place_t *at) {
   if (path == NULL) {
     return CLI_DONE;
   }
-  const int code = cli_output_begin(&file->output, option, path);
+  const int code = cli_output_begin_again(&file->output, option, path);
   file->is_open = code == CLI_DONE;
+  if (file->is_open && file->output.to.beside) {
+    (void)cli_output_go_on(&file->output, (size_t)at->bytes);
+  }
+  file->bytes = at->bytes;
+  file->trailer.rows = at->rows;
+  file->trailer.crc = at->crc;
   return code;
+}
+
+cli_file_place_t cli_file_place(const cli_diverge_file_t *file) {
+  const cli_file_place_t at = {file->bytes, file->trailer.rows,
+                               file->trailer.crc};
+  return at;
 }
 
 // The comments of --provenance, which the trailer does not count.
@@ -32,33 +45,43 @@ static void tell(cli_diverge_file_t *file, const cli_job_t *job,
                  const char *units) {
   char lines[CLI_PROVENANCE_ROOM];
   if (file->is_open && job->args->provenance) {
-    (void)cli_output_lines(&file->output, lines,
-                           cli_job_provenance(job, units, lines));
+    const size_t length = cli_job_provenance(job, units, lines);
+    file->bytes += length;
+    (void)cli_output_lines(&file->output, lines, length);
+  }
+}
+
+// What stands before the first row.
+static void begin(cli_diverge_file_t *file, const cli_job_t *job,
+                  const char *units, const char *header, size_t length) {
+  const cli_diverge_args_t *args = job->args;
+  if (file->bytes == 0 && (args->header || args->shard.index == 1)) {
+    tell(file, job, units);
+    (void)put(file, header, length, 0);
   }
 }
 
 int cli_files_open(cli_files_t *files, const cli_job_t *job,
-                   const cli_buffer_t *run) {
+                   const cli_buffer_t *run, const cli_file_place_t *exits,
+                   const cli_file_place_t *returns) {
   const cli_diverge_args_t *args = job->args;
   char text[CLI_DIVERGE_ROW];
   files->shard = args->shard;
   cli_trailer_name(&files->exits.trailer, run->text, run->used);
   cli_trailer_name(&files->returns.trailer, run->text, run->used);
-  int code = open_file(&files->exits, "--exits", args->exits);
+  int code = open_file(&files->exits, "--exits", args->exits, exits);
   if (code == CLI_DONE) {
-    code = open_file(&files->returns, "--returns", args->returns);
+    code = open_file(&files->returns, "--returns", args->returns, returns);
   }
   if (code != CLI_DONE) {
     return cli_files_close(files, code);
   }
-  if (args->header || args->shard.index == 1) {
-    tell(&files->exits, job,
-         "time s, r m, omega rad/s, g m/s, phase 1, section_time s");
-    tell(&files->returns, job,
-         "time s, arrived s, exit_r m, landing_time s, landing_r m");
-    (void)put(&files->exits, text, cli_exit_header(text), 0);
-    (void)put(&files->returns, text, cli_return_header(text), 0);
-  }
+  begin(&files->exits, job,
+        "time s, r m, omega rad/s, g m/s, phase 1, section_time s", text,
+        cli_exit_header(text));
+  begin(&files->returns, job,
+        "time s, arrived s, exit_r m, landing_time s, landing_r m", text,
+        cli_return_header(text));
   return CLI_DONE;
 }
 

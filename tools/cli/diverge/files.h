@@ -9,9 +9,16 @@
 #include "job.h"
 #include "tracker.h"
 
+/// How far a file of rows is written.
+typedef struct {
+  uint64_t bytes, rows;
+  uint32_t crc; ///< as in the trailer
+} cli_file_place_t;
+
 typedef struct {
   cli_output_t output;
   cli_trailer_t trailer;
+  uint64_t bytes;
   bool is_open;
 } cli_diverge_file_t;
 
@@ -20,10 +27,15 @@ typedef struct {
   cli_shard_t shard; ///< for the trailers
 } cli_files_t;
 
-/// Opens both. run: in, a text that all shards of the run share.
+/// Opens both, and goes on behind these places; behind bytes = 0 with the
+/// header. run: in, a text that all shards of the run share.
 /// Returns: CLI_DONE; after a message CLI_STOPPED, and no new file is left.
 int cli_files_open(cli_files_t *files, const cli_job_t *job,
-                   const cli_buffer_t *run);
+                   const cli_buffer_t *run, const cli_file_place_t *exits,
+                   const cli_file_place_t *returns);
+
+/// How far a file is.
+cli_file_place_t cli_file_place(const cli_diverge_file_t *file);
 
 /// Writes the rows of a cycle.
 /// Returns: whether everything so far could be written.

@@ -76,6 +76,9 @@ static bool pass_two_fold(cli_motion_t *motion) {
   motion->state = cli_state_at(&job->machine, at);
   motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
   const cli_instant_t on = instant(motion);
+  // To go on from the two-fold is no arrival there, wherever the sign of A is
+  // that of its rounding.
+  motion->tracker->last = on;
   return cli_track(motion->tracker, &on) || leave_stick(motion, !escaping);
 }
 

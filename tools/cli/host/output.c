@@ -146,6 +146,13 @@ bool cli_output_go_on(cli_output_t *output, size_t kept) {
   return output->error == 0;
 }
 
+int cli_output_refuse_other(const char *path, const char *what) {
+  return cli_message(CLI_REFUSED,
+                     "--resume: %s is of another %s, or of another build of "
+                     "twofold; remove it, or give another file",
+                     path, what);
+}
+
 int cli_output_end(cli_output_t *output, int code) {
   const bool closed = cli_output_close(output, code == CLI_DONE);
   if (!closed) {

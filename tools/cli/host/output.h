@@ -38,6 +38,10 @@ int cli_output_begin_again(cli_output_t *output, const char *option,
 /// them. Returns: as cli_output_lines.
 bool cli_output_go_on(cli_output_t *output, size_t kept);
 
+/// Refuses to go on with a file that is of something else; what: in, a sweep or
+/// a run. Returns: CLI_REFUSED after a message.
+int cli_output_refuse_other(const char *path, const char *what);
+
 /// Closes it for a command that has ended with a code. Under CLI_DONE a file
 /// gets its name, otherwise a message says where its rows are.
 /// Returns: the code; CLI_STOPPED after a message if it was CLI_DONE.

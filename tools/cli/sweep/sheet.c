@@ -206,10 +206,7 @@ static bool take_up(cli_sheet_t *sheet, FILE *file, size_t *kept) {
 }
 
 static int refuse_other(const char *path) {
-  return cli_message(CLI_REFUSED,
-                     "--resume: %s is of another sweep, or of another build "
-                     "of twofold; remove it, or give another --out",
-                     path);
+  return cli_output_refuse_other(path, "sweep");
 }
 
 // FILE, if it is there, is whole or of another sweep. What is not a regular

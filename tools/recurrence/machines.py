@@ -1,0 +1,145 @@
+"""The machines of `make recurrence`, and the commands that follow each.
+
+A machine follows from its number alone. Of each eight, four are designs of
+the paper's figure 4, (r*, omega*) on a grid over all of it, all else as in
+`chaos`; two are on a finer grid around `chaos`; two are drawn at random: r*,
+omega0 - omega*, beta, mu and both dampings, all log-uniform, and gamma. kappa
+and k2 follow from the place of the two-fold (`twofold design`).
+"""
+from __future__ import annotations
+
+import math
+import os
+from typing import NamedTuple, Optional
+
+import numpy as np
+
+MACHINES = int(os.environ.get("MACHINES") or 20000)
+SEED = 2026
+OMEGA0 = -1.0  # of `chaos` [rad/s]
+# Log-uniform; below is how far omega* is below omega0.
+DRAWN = {"r": (0.05, 1), "below": (0.02, 1), "beta": (0.05, 1),
+         "mu": (0.1, 3), "c1": (1e-4, 0.1), "c2": (1e-4, 0.1)}
+GAMMA = -3 * math.pi / 4 - 0.5, -3 * math.pi / 4 + 0.5
+SETTINGS = "beta", "mu", "c1", "c2", "gamma"
+
+
+class Space(NamedTuple):
+    """Machines first to last of each EIGHT; window: of a grid, r* [m] and
+    omega* [rad/s]."""
+    title: str
+    first: int
+    last: int
+    window: Optional[tuple[tuple[float, float], tuple[float, float]]] = None
+
+
+EIGHT = 8
+SPACES = {
+    "designs": Space("figure 4", 0, 3, ((0.0, 1.0), (-3.0, 1.0))),
+    "near": Space("around `chaos`", 4, 5, ((0.1, 0.5), (-1.5, -1.005))),
+    "random": Space("at random", 6, 7)}
+
+
+class Pass(NamedTuple):
+    """A run of `twofold diverge`. `after`: only where that one lost nothing."""
+    kind: str
+    options: str
+    samples: int
+    cycles: int
+    patience: int  # [s]
+    after: Optional[str] = None
+
+    def all_cycles(self) -> int:
+        """How many there are where none is lost."""
+        return self.samples * self.cycles
+
+
+NOISE = "--by noise --size 1e-5"
+PASSES = {
+    "random": Pass("random", "", 10, 5, 60),
+    "random_long": Pass("random", "", 25, 20, 60, "random"),
+    "noise": Pass("noise", NOISE, 8, 5, 20),
+    "noise_long": Pass("noise", NOISE, 25, 8, 20, "noise")}
+KINDS = "random", "noise"
+# How a cycle ends; a `timeout` of diverge is told by what came before it.
+ENDINGS = {
+    "returned": "come back to the two-fold",
+    "small_cycle": "landed on the sliding region beyond g = 0 three times or "
+                   "more, without coming back",
+    "pinned": "come to rest at h = g = 0, and is there",
+    "landed": "landed once or twice, without coming back",
+    "slipping": "left the surface and not landed",
+    "sticking": "not left the escaping stick",
+    "refused": "met a step that the core refuses, before that"}
+LOST = list(ENDINGS)[1:]
+# late: of those that returned, after more than half of the longest cycle.
+COLUMNS = ("machine", "space", "r", "omega", "kappa", "k2", *SETTINGS, "ratio",
+           "seed", *(f"{name}_{what}" for name in PASSES
+                     for what in (*ENDINGS, "late")), "reason")
+
+
+def seed_of(number: int, name: str) -> int:
+    """The seed of a machine in a pass: no two runs share one."""
+    return len(PASSES) * number + list(PASSES).index(name) + 1
+
+
+def space_of(number: int) -> str:
+    """To which of SPACES a machine belongs."""
+    return next(name for name, space in SPACES.items()
+                if space.first <= number % EIGHT <= space.last)
+
+
+def rank(number: int, name: str) -> int:
+    """How many machines of a space are before this one."""
+    space = SPACES[name]
+    each = space.last - space.first + 1
+    return number // EIGHT * each + min(
+        max(number % EIGHT - space.first, 0), each)
+
+
+def side(name: str, machines: int) -> int:
+    """How many machines lie along each side of a grid."""
+    return math.ceil(math.sqrt(rank(machines, name)))
+
+
+def cell(number: int, name: str, machines: int) -> tuple[int, int]:
+    """Row (along omega*) and column (along r*) in a grid."""
+    return divmod(rank(number, name), side(name, machines))
+
+
+def drawn(number: int) -> tuple[str, float, float, dict[str, float]]:
+    """Space, r*, omega* and settings of a machine."""
+    name = space_of(number)
+    if SPACES[name].window:
+        (low, high), (slow, fast) = SPACES[name].window
+        row, column = cell(number, name, MACHINES)
+        cells = side(name, MACHINES)
+        return (name, low + (high - low) * (column + 0.5) / cells,
+                slow + (fast - slow) * (row + 0.5) / cells, {})
+    u = np.random.default_rng([SEED, number]).random(len(DRAWN) + 1)
+    settings = {name: float(a * (b / a) ** u[i])
+                for i, (name, (a, b)) in enumerate(DRAWN.items())}
+    r, below = settings.pop("r"), settings.pop("below")
+    settings["gamma"] = float(GAMMA[0] + (GAMMA[1] - GAMMA[0]) * u[-1])
+    return name, r, OMEGA0 - below, settings
+
+
+def set_words(settings: dict[str, float]) -> list[str]:
+    """Options of `twofold` that set these, to the bit."""
+    return [word for name, value in settings.items()
+            for word in ("--set", f"{name}={value!r}")]
+
+
+def follow_words(name: str, settings: dict[str, float],
+                 seed: int) -> list[str]:
+    """`twofold diverge` of a pass; settings hold kappa and k2 as well."""
+    run = PASSES[name]
+    return ["diverge", "chaos", *set_words(settings), *run.options.split(),
+            "--samples", str(run.samples), "--cycles", str(run.cycles),
+            "--patience", str(run.patience), "--seed", str(seed)]
+
+
+def settings_of(row: dict[str, str]) -> dict[str, float]:
+    """What `diverge` has to set for a row of recurrence.csv."""
+    return {name: float(row[name]) for name in (*SETTINGS, "kappa", "k2")
+            if row[name]}
