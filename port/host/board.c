@@ -250,7 +250,7 @@ void port_idle(uint32_t seen) {
 }
 
 static void write_lateness(const char *path) {
-  char part[4096];
+  static char part[4096]; // not on the stack of the loop
   struct stat before;
   // What is no regular file, as /dev/stdout, has no name to get.
   const bool beside = stat(path, &before) != 0 || S_ISREG(before.st_mode);
