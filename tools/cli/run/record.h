@@ -9,6 +9,7 @@
 #include "../live/live.h"
 #include "../setup/drive.h"
 #include "../setup/scheme.h"
+#include "ambiguity.h"
 #include "events.h"
 #include "replay.h"
 #include "row.h"
@@ -47,14 +48,13 @@ typedef struct {
   tf_status_t status; ///< of the last step that was tried
   cli_end_t end;
   cli_events_t events;
-  uint64_t ambiguous_steps; ///< with more than one consistent mode
-  double ambiguous_since;   ///< time of the first of them [s]
-  tf_tally_t tally;         ///< of the steps that were taken
-  double largest_h;         ///< |h| in stick or pinned [m/s]
-  double largest_residual;  ///< [N]
-  double seconds;           ///< wall time of the steps without the output
-  double output_seconds;    ///< wall time of the output
-  double idle_seconds;      ///< wall time spent waiting
+  cli_ambiguity_t ambiguity;
+  tf_tally_t tally;        ///< of the steps that were taken
+  double largest_h;        ///< |h| in stick or pinned [m/s]
+  double largest_residual; ///< [N]
+  double seconds;          ///< wall time of the steps without the output
+  double output_seconds;   ///< wall time of the output
+  double idle_seconds;     ///< wall time spent waiting
   cli_output_t output;
   cli_live_t *live;       ///< the picture, or NULL
   bool rowless;           ///< the terminal shows the picture in place of rows

@@ -434,6 +434,7 @@ static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
   if (code != CLI_DONE) {
     return code;
   }
+  cli_ambiguity_begin(&run->ambiguity, run->first == 0 ? &run->report : NULL);
   cli_setup_notes(setup, args->scheme->unused, args->scheme->why);
   return perform(run, args);
 }

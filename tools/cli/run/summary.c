@@ -6,6 +6,7 @@
 #include "summary.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 
 #include "../setup/names.h"
@@ -78,17 +79,22 @@ static void print_drive(const cli_run_t *run) {
   }
 }
 
-static void print_quality(const cli_run_t *run) {
-  const double steps =
-      run->done > run->first ? (double)(run->done - run->first) : 1.0;
-  (void)fprintf(stderr, "ambiguous  several modes in %" PRIu64 " steps",
-                run->ambiguous_steps);
-  if (run->ambiguous_steps > 0) {
-    (void)fprintf(stderr, " (%.3g %%), first at t = %g s",
-                  100 * (double)run->ambiguous_steps / steps,
-                  run->ambiguous_since);
+static void print_ambiguity(const cli_run_t *run) {
+  const cli_ambiguity_t *ambiguity = &run->ambiguity;
+  const double steps = (double)(run->done - run->first);
+  (void)fprintf(stderr, "ambiguous  several modes %sin %" PRIu64 " steps",
+                ambiguity->start > 1 ? "at the start and " : "",
+                ambiguity->steps);
+  if (ambiguity->steps > 0) {
+    (void)fprintf(stderr, " (%.3g %%)", 100 * (double)ambiguity->steps / steps);
+  }
+  if (!isnan(ambiguity->since)) {
+    (void)fprintf(stderr, ", first at t = %g s", ambiguity->since);
   }
   (void)fputc('\n', stderr);
+}
+
+static void print_quality(const cli_run_t *run) {
   cli_tally_print(&run->tally, "first", cli_run_time(run, run->tally.first));
   (void)fprintf(stderr, "largest    |h| in stick %.3g m/s, residual %.3g N\n",
                 run->largest_h, run->largest_residual);
@@ -169,6 +175,7 @@ void cli_summary(const cli_run_t *run, bool json, int code) {
     print_request(run);
     print_drive(run);
     cli_events_print(&run->events, stderr);
+    print_ambiguity(run);
     print_quality(run);
     print_final(run);
     print_cost(run);

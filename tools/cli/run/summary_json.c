@@ -67,9 +67,13 @@ static void put_table(const char *key, const cli_inputs_t *table) {
 static void put_quality(const cli_run_t *run) {
   const tf_tally_t *tally = &run->tally;
   const uint64_t reserved = tally->degraded + tally->coarse + tally->fell_back;
-  cli_put_count("ambiguous", run->ambiguous_steps);
-  cli_put_double("ambiguous_since",
-                 run->ambiguous_steps > 0 ? run->ambiguous_since : (double)NAN);
+  cli_put_count("ambiguous", run->ambiguity.steps);
+  cli_put_double("ambiguous_since", run->ambiguity.since);
+  if (run->ambiguity.start > 0) {
+    cli_put_count("choices_at_start", run->ambiguity.start);
+  } else {
+    cli_put_null("choices_at_start");
+  }
   cli_put_count("degraded", tally->degraded);
   cli_put_count("coarse", tally->coarse);
   cli_put_count("fell_back", tally->fell_back);
