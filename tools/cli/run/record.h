@@ -28,8 +28,8 @@ typedef struct {
   const cli_setup_t *setup;
   const cli_scheme_t *scheme;
   cli_drive_t drive;
-  cli_replay_t replay;
-  bool replays; ///< instead of driving the scene
+  cli_replay_t replay; ///< its simulation has inputs that hold by a command
+  bool replays;        ///< instead of driving the scene
   cli_format_t format;
   bool provenance; ///< lines before the header
   uint64_t every, steps;
@@ -61,6 +61,18 @@ typedef struct {
   cli_output_t saved;     ///< of --save
   cli_output_t late_rows; ///< of --lateness
 } cli_run_t;
+
+/// The setup as it is in effect: commands of a replay change parameters, rule
+/// and seed.
+cli_setup_t cli_run_setup(const cli_run_t *run);
+
+/// Room for an option of each parameter, the rule, and the terminating zero.
+#define CLI_CHANGES_ROOM 1024
+
+/// What commands of a replay have changed, as the options, each behind a space,
+/// by which another run is of the same machine.
+/// Returns: the length, 0: nothing.
+size_t cli_run_changes(const cli_run_t *run, char out[CLI_CHANGES_ROOM]);
 
 /// Time after the given number of steps, rounded once [s].
 double cli_run_time(const cli_run_t *run, uint64_t steps);
