@@ -59,6 +59,34 @@ def test_run():
     same(got["events"]["list"][0]["kinds"], ["slip_to_stick", "codim2"])
 
 
+def test_start_with_several_modes():
+    """It is the first ambiguous instant, also where no step follows; a run that
+    goes on from another one has no start of its own."""
+    here = ["--set", "omega=-1.02"]
+    for h, t_end, choices, steps, since in (
+            ("0", "0", 3, 0, 0), ("0", "0.001", 3, 10, 0),
+            ("1e-3", "0", 1, 0, None), ("1e-3", "0.001", 1, 0, None)):
+        words = ["run", "chaos", *here, "--set", f"h={h}", "--t-end", t_end]
+        got = told(*words, "--save", "at", "--out", "rows")
+        same([got[key] for key in ("choices_at_start", "ambiguous",
+                                   "ambiguous_since")],
+             [choices, steps, since])
+        same(rows_of("rows")[0][-1], str(choices))
+        text = re.search("^ambiguous  several modes (.*)$",
+                         call(*words)[1], re.M)[1]
+        same(text, ("at the start and " if choices > 1 else "")
+             + f"in {steps} steps" + " (100 %)" * (steps > 0)
+             + ", first at t = 0 s" * (since == 0))
+        call("sweep", "chaos", *here, "--over", f"h={h}:{h}:1", "--t-end",
+             t_end, "--outcome", "ambiguous", "--out", "rows")
+        same(rows_of("rows")[0][-1], "" if since is None else "0")
+        if steps > 0:
+            got = told("run", "chaos", "--t-end", "0.002", "--from", "at",
+                       "--out", "rows")
+            same((got["choices_at_start"], got["ambiguous"],
+                  round(got["ambiguous_since"], 9)), (None, 10, 0.0011))
+
+
 def test_inputs_of_run():
     """The profile; a table, whose path is quoted; what was applied of it."""
     words = ["--t-end", "1", "--every", "100", "--out", "rows"]

@@ -47,7 +47,7 @@ while IFS=, read -r kappa h; do
   awk -F, '
     NR == 1 { next }
     { seen[$9]; if (NR > 2 && $9 != mode) changes++; mode = $9 }
-    NR > 2 && $10 > 1 { if (!n++) first = $1 }
+    $10 > 1 { if (!n++) first = $1 }
     NR > 2 && $9 !~ /slip/ { stuck++ }
     NR == 2 || $2 < low { low = $2 }
     NR == 2 || $2 > high { high = $2 }

@@ -38,7 +38,7 @@ equal 'the record has those that took effect' \
 check 'and a state' grep -q ',03,.*,state$' record
 
 # A step that passes by h = g = 0 may say so: when depends on the commands.
-run run chaos --dt 1e-3 --replay record --out again
+run run chaos --dt 1e-3 --replay record --save at --out again
 check 'the record is replayed' test "$code" = 0 -o "$code" = 5
 check 'what it did is told' says 'record: 12 commands took effect, 1 states'
 # The first row is the start, which a board does not send.
@@ -49,6 +49,17 @@ equal 'every row of the board is in the replay' \
 check 'there were enough of them' [ "$(wc -l <sent)" -gt 1000 ]
 equal 'the last row is the same' "$(tail -n 1 again)" \
   "$(grep "^$(tail -n 1 again | cut -d , -f 1)," rows | tail -n 1)"
+needs=$(sed -n 's/^ *which now needs//p' err)
+# shellcheck disable=SC2086  # a list of options
+run run chaos --dt 1e-3 $needs --from at --t-end 60
+equal 'and another run goes on from there' "$(sed -n 2p out)" \
+  "$(tail -n 1 again)"
+if [ -x /usr/bin/python3 ]; then
+  TWOFOLD=$T "$root/tests/line/replayed.py" >said
+  result $? 'what is saved goes on to the bit' "$(grep '^not' said)"
+else
+  lacks 'what is saved goes on to the bit' python3
+fi
 
 # Every row counts, and nothing may follow.
 check 'the record tells its rows' grep -Eqx \

@@ -123,6 +123,43 @@ def picture_of_a_desk():
     check(brightness(light) > 0.8 > 0.3 > brightness(dark), "light and dark")
 
 
+def picture_of_a_flat_window():
+    whole("flat", width=1440, height=780)
+    whole("table", width=800, height=1000)
+
+
+BOXES = """(() => {
+  const box = (id) => {
+    const { left, right, top, bottom } =
+      document.getElementById(id).getBoundingClientRect();
+    return { left, right, top, bottom };
+  };
+  return [...document.querySelectorAll('#row, #choices, #choices button')]
+    .map((e) => e.getBoundingClientRect().bottom)
+    .concat(box('strips').top, box('clock').right, box('row').right);
+})()"""
+
+
+def futures_cover_nothing():
+    """They have a row above the ribbon, of one height whether it is empty or
+    not, so that the mark stays where the pointer is."""
+    for options in ({"width": 1280, "height": 860},
+                    {"width": 800, "height": 1000},
+                    {"width": 390, "height": 844, "phone": True},
+                    {"width": 360, "height": 740, "phone": True}):
+        tab = opened("scene=driven", **options)
+        go(tab, 84000)
+        tops, most = set(), 0
+        for tick in (None, *tab.value("twofold.motion.openings()")[:40]):
+            tab.value(f"twofold.showFan({'null' if tick is None else tick})")
+            *bottoms, top, clock, row = tab.value(BOXES)
+            tops.add(top)
+            most = max(most, len(bottoms) - 2)
+            check(max(bottoms) <= top and row <= clock, f"{tick}: {options}")
+        check(len(tops) == 1, f"the strips move: {tops}")
+        check(most >= 3, f"{most} futures at most")
+
+
 def picture_of_a_phone():
     whole("phone", width=390, height=844, phone=True)
     whole("phone-dark", width=360, height=740, phone=True, dark=True)
@@ -369,6 +406,6 @@ def moving_picture_of_this_core():
 
 
 TESTS = [no_request_to_anywhere, size, frame_time, picture_of_a_desk,
-         picture_of_a_phone, regions_differ, map_of_regions,
-         no_regions_without_stick, words_lie_apart,
-         moving_picture_of_this_core]
+         picture_of_a_phone, picture_of_a_flat_window, futures_cover_nothing,
+         regions_differ, map_of_regions, no_regions_without_stick,
+         words_lie_apart, moving_picture_of_this_core]

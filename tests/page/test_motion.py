@@ -1,4 +1,7 @@
 """What the page computes and how one acts on it."""
+import re
+import time
+
 from page import TWO_FOLD, check, command, go, opened, settled
 
 
@@ -108,6 +111,109 @@ def futures_fan_out():
         check(names == expected, f"{tick}: {names}")
 
 
+def futures_of_the_start():
+    """A start with several modes has a mark, that of the first step, and what
+    is chosen there goes on, also by its address."""
+    tab = opened("h=0&omega=-1.02")
+    tab.key("f")
+    settled(tab)
+    check(tab.value("twofold.motion.tick") == 1, "not the first step")
+    check(tab.value("document.querySelectorAll('#choices button').length") == 3,
+          tab.value("document.getElementById('said').textContent"))
+    tab.key("2")
+    tab.value("twofold.motion.advance(300)")
+    row = tab.value("twofold.motion.now.join()")
+    check(tab.value("twofold.motion.changes[1][2]") == 1, "no slip-")
+    again = opened(tab.value("twofold.write()"))
+    go(again, 300)
+    check(again.value("twofold.motion.now.join()") == row, "another motion")
+
+
+TOLD = """(() => {
+  const row = document.getElementById('row');
+  return row.className !== 'far' ? null : { tick: twofold.motion.tick,
+    done: document.getElementById('done').value,
+    left: document.getElementById('left').textContent,
+    seen: document.getElementById('stop').checkVisibility() };
+})()"""
+
+
+def told_of(tab, limit=40):
+    """What is said of work that takes long, as soon as it is."""
+    end = time.monotonic() + limit
+    while time.monotonic() < end:
+        told = tab.value(TOLD)
+        if told:
+            return told
+        time.sleep(0.05)
+    raise AssertionError("nothing is said of it")
+
+
+def far_goal_has_a_time_and_an_end():
+    """Of a tick that is far away it is told how long that takes; a button and
+    Escape end it where the motion is, and then the address says that."""
+    for end in ("document.getElementById('stop').click()", None):
+        tab = opened("tick=8000000000000000")
+        first = told_of(tab)
+        check(re.fullmatch(r"to t = 8e11 s, \S+ years left", first["left"])
+              and first["seen"], first)
+        time.sleep(0.3)
+        later = tab.value(TOLD)
+        check(later["tick"] > first["tick"], "it stands still")
+        check(0 < first["done"] < later["done"] < 1e-4, [first, later])
+        check(tab.value("location.hash")
+              == "#scene=chaos&tick=8000000000000000&end",
+              "the address has lost its tick")
+        if end:
+            tab.value(end)
+        else:
+            tab.key("Escape")
+        settled(tab)
+        tick = tab.value("twofold.motion.tick")
+        check(tab.value(TOLD) is None, "it is said on")
+        time.sleep(0.5)
+        check(tab.value("twofold.motion.tick") == tick, "it goes on")
+        check(tab.value("location.hash") == f"#scene=chaos&tick={tick}&end",
+              tab.value("location.hash"))
+    # The time is that of the rest, and at the goal nothing is said.
+    tab = opened("tick=12000000")
+    shares = [told_of(tab)["done"]]
+    while (told := tab.value(TOLD)) is not None:
+        check(re.fullmatch(r"to t = 1200 s, \d+ (s|min) left", told["left"]),
+              told)
+        shares.append(told["done"])
+        time.sleep(0.1)
+    check(shares == sorted(shares) and len(shares) > 3, shares)
+    check(tab.value("twofold.motion.tick") == 12000000, "not the goal")
+
+
+WRITTEN = """new Promise((done) => {
+  URL.createObjectURL = (blob) => { blob.text().then(done); return '#'; };
+  HTMLAnchorElement.prototype.click = () => {};
+  document.getElementById('csv').click();
+})"""
+
+
+def file_of_rows():
+    """The button writes what the command line at the foot of the set-up does;
+    of a file that takes long it is told how long, and stop writes none."""
+    tab = opened("scene=driven&rule=random&seed=3&tick=60007")
+    go(tab, 60007)
+    tab.value("twofold.draw()")
+    words = tab.value("document.getElementById('command').textContent").split()
+    check(tab.value(WRITTEN) == command(*words[1:]), words)
+    check(tab.value("twofold.motion.tick") == 60007, "the motion has moved")
+    tab.value("""window.made = 0; URL.createObjectURL = () => ++made;
+      twofold.motion.advance(4e6); twofold.seek(4e6);
+      document.getElementById('csv').click()""")
+    told = told_of(tab)
+    check(re.fullmatch(r"driven.csv, \d+ (s|min) left", told["left"]), told)
+    tab.value("document.getElementById('stop').click()")
+    settled(tab)
+    time.sleep(0.3)
+    check(tab.value(TOLD) is None and tab.value("made") == 0, "not stopped")
+
+
 def by_hand():
     """A pulled slider is a force in the log; its address has the same bits."""
     tab = opened()
@@ -188,5 +294,5 @@ def reduced_motion():
 
 
 TESTS = [csv_of_every_scene, csv_of_other_set_ups, scrubbing_has_the_same_bits,
-         futures_fan_out, by_hand, choice_keeps_the_hand, keyboard,
-         reduced_motion]
+         futures_fan_out, futures_of_the_start, far_goal_has_a_time_and_an_end,
+         file_of_rows, by_hand, choice_keeps_the_hand, keyboard, reduced_motion]

@@ -154,9 +154,10 @@ static const topic_t topics[] = {
      "of\n"
      "--inputs.\n"},
     {"dead-man safe",
-     "Inputs that a board got by a command expire after so many ticks, then "
+     "Inputs that a board got by a command expire after so many ticks; then "
      "the\n"
-     "inputs of the scene hold: 'twofold help monitor', docs/PROTOCOL.md.\n"},
+     "safe ones hold, those of a machine that nothing drives: 'twofold help\n"
+     "monitor', docs/PROTOCOL.md.\n"},
     {"provenance unit units commit hash parameters number",
      "--provenance of 'run', 'diverge', 'regions', 'atlas' and 'monitor': "
      "four\n"
@@ -194,7 +195,8 @@ static const topic_t topics[] = {
      "monitor DEVICE --send ... --record FILE keeps which commands a board "
      "got\n"
      "and when; run SCENE --dt 1/RATE --replay FILE repeats that to the "
-     "bit.\n"},
+     "bit,\n"
+     "and with --save FILE another run goes on from its end.\n"},
     {"shard shards merge",
      "--shard I/N of 'diverge' and 'sweep': one of N parts of the work, whose\n"
      "rows one after the other are those of one run; 'twofold help merge' "

@@ -144,7 +144,7 @@ static const char *replay_it(cli_replay_t *replay, cli_setup_t *setup) {
   cli_system_begin(&system, &cli_schemes[0], setup, &report);
   uint64_t taken = 0;
   for (; taken < STEPS; taken++) {
-    if (!cli_replay_next(replay, &system, setup->scene, &input)) break;
+    if (!cli_replay_next(replay, &system, setup->scene, &report, &input)) break;
     FUZZ_HOLD(fuzz_in_reach(&system.state));
     FUZZ_HOLD(fuzz_finite(input.omega0) && fuzz_finite(input.r0));
     FUZZ_HOLD(fuzz_finite(input.force) && fuzz_finite(input.torque));

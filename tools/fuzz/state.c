@@ -32,7 +32,10 @@ static const char *make_file(file_t *file, fuzz_bytes_t *in) {
   FUZZ_HOLD(cli_setup_start(&file->setup) == CLI_DONE);
   stand.report = file->setup.report;
   cli_system_begin(&system, file->scheme, &file->setup, &stand.report);
-  for (unsigned n = fuzz_byte(in) % 16u; n > 0; n--) {
+  const unsigned byte = fuzz_byte(in);
+  stand.held = (cli_held_t){(tf_input_source_t)(byte / 16 % 3), byte, byte / 2,
+                            file->setup.input};
+  for (unsigned n = byte % 16u; n > 0; n--) {
     tf_report_t report;
     if (file->scheme->step(&system, &file->setup.input, &report) < 0) break;
     stand.report = report;
@@ -90,6 +93,9 @@ static const char *judge(const cli_stand_t *stand, const file_t *file) {
   FUZZ_HOLD(x->tick == y->tick && x->seed == y->seed && x->mode == y->mode);
   FUZZ_HOLD(fuzz_same(stand->compensation.phi, copy.compensation.phi));
   FUZZ_HOLD(fuzz_same(stand->report.force.M, copy.report.force.M));
+  FUZZ_HOLD(stand->held.source == copy.held.source);
+  FUZZ_HOLD(stand->held.left == copy.held.left);
+  FUZZ_HOLD(fuzz_same(stand->held.input.alpha, copy.held.input.alpha));
   return NULL;
 }
 

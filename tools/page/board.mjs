@@ -102,7 +102,10 @@ export class Record {
     return Math.max(0, low - 1);
   }
 
-  openings() { return this.changes.filter((change) => change[4] > 1); }
+  openings() {
+    return this.changes.filter((change) => change[4] > 1)
+      .map(([tick]) => tick);
+  }
 
   // The board says how many modes are possible, not which.
   take(values) {

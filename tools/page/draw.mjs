@@ -199,12 +199,13 @@ export class Frame {
     for (const value of ticks(this.rangeX.low, this.rangeX.high, count)) {
       const x = this.x(value);
       path(ctx, [[x, this.bottom], [x, this.bottom + 4]], colour.soft, 1);
-      text(ctx, short(value), x, this.bottom + 14, 'center');
+      text(ctx, short(value, 9), x, this.bottom + 14, 'center');
     }
     for (const value of ticks(this.rangeY.low, this.rangeY.high, 4)) {
       const y = this.y(value);
       path(ctx, [[this.left - 4, y], [this.left, y]], colour.soft, 1);
-      if (y > this.top + 18) text(ctx, short(value), this.left - 7, y, 'right');
+      if (y > this.top + 18)
+        text(ctx, short(value, 9), this.left - 7, y, 'right');
     }
   }
 }

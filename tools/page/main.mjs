@@ -4,6 +4,7 @@ import { numbers, putBack, read, sceneWord, whole, write } from './address.mjs';
 import { Line, Record, openSerial } from './board.mjs';
 import { short } from './decimal.mjs';
 import { readColours } from './draw.mjs';
+import { Far } from './far.mjs';
 import { download, takeFiles } from './files.mjs';
 import { Mechanism } from './mechanism.mjs';
 import { Motion } from './motion.mjs';
@@ -12,7 +13,8 @@ import { SlipPlane, SurfacePlane } from './planes.mjs';
 import { commandLine, showState, tellTime } from './status.mjs';
 import { Strips } from './strips.mjs';
 
-const BUDGET = 9; // of a frame, for steps [ms]
+const BUDGET = 9;   // of a frame, for steps [ms]
+const PATIENT = 40; // of one that is on its way to a far goal
 const TRAIL = 1.5; // [s] in the planes
 const HAND = { spring: 40, damper: 6, brake: 1.5, force: 20, torque: 6 };
 
@@ -30,6 +32,7 @@ const views = [mechanism, plane, surface, strips];
 const hand = new Hand((force, torque) => act(() =>
   motion.drive(force, torque)));
 const panel = new Panel(core, change, refuse);
+const far = new Far(stop);
 
 let scene = 0;
 let own = {};            // the scene's values
@@ -40,6 +43,7 @@ let held = null;         // what a pointer holds
 let fan = null;          // { tick, futures }
 let live = null;         // a board's line in place of the motion
 let isStale = true;
+let writing = null;      // the rows that are written to a file
 let sayTimer = 0;
 let draws = 0;
 
@@ -65,7 +69,15 @@ function remember() {
   isStale = true;
   clearTimeout(remember.timer);
   remember.timer = setTimeout(() => history.replaceState(null, '',
-    `#${write(core, scene, motion.log, motion.tick)}`), 250);
+    `#${write(core, scene, motion.log, Math.max(motion.tick, goal))}`), 250);
+}
+
+// Ends what takes long: what is reached is where the motion stays.
+function stop() {
+  writing = null;
+  goal = motion.tick;
+  far.end();
+  remember();
 }
 
 // What is refused is said twice: where it was entered, and in sight, because on
@@ -165,12 +177,7 @@ function showFan(tick) {
   fan = tick === null ? null
     : { tick, futures: all.filter(({ rows }) => rows.length) };
   const box = $('choices');
-  box.hidden = !fan;
   box.replaceChildren();
-  if (fan) { // on the side where it hides neither the mark nor the futures
-    const isLate = strips.x(tick * motion.dt) > strips.sheet.width / 2;
-    box.className = isLate ? 'left' : '';
-  }
   isStale = true;
   if (!fan) return;
   box.append(`t = ${short(tick * motion.dt, 7)} s`);
@@ -200,6 +207,7 @@ function choose(mode) {
 }
 
 function play(on) {
+  if (isPlaying && !on) goal = motion.tick;
   isPlaying = on;
   $('play').classList.toggle('on', on);
   $('play').setAttribute('aria-label', on ? 'Pause' : 'Play');
@@ -216,7 +224,7 @@ function seek(tick) {
 
 // The nearest opening at or before the present, else the next one.
 function nearest() {
-  const all = motion.openings().map(([tick]) => tick).filter((t) => t > 0);
+  const all = motion.openings();
   const past = all.filter((tick) => tick <= motion.tick);
   const tick = past.length ? past[past.length - 1] : all[0];
   if (tick === undefined) return say('one future at every instant so far');
@@ -236,7 +244,8 @@ function move(seconds) {
     goal = motion.tick + steps;
     pull();
   }
-  while (motion.tick < goal && performance.now() - started < BUDGET) {
+  const budget = isPlaying ? BUDGET : PATIENT;
+  while (motion.tick < goal && performance.now() - started < budget) {
     isStale = true;
     if (!motion.advance(Math.min(goal, motion.tick + 500))) {
       say(`stopped at t = ${short(motion.tick * motion.dt, 6)} s: ` +
@@ -248,6 +257,9 @@ function move(seconds) {
   }
   // What could not be done in time is not owed.
   if (isPlaying && goal - motion.tick > 1e5) goal = motion.tick;
+  if (writing) return;
+  if (isPlaying || motion.tick >= goal) far.end();
+  else far.tell(`to t = ${short(goal * motion.dt, 6)} s`, motion.tick, goal);
 }
 
 // A pointer that holds the slider pulls it by a spring with a damper; one that
@@ -271,6 +283,29 @@ function pull() {
 }
 
 const csvSteps = () => Math.max(motion.tick, 1);
+
+// Writes the rows from a motion of its own, so that this one is free.
+async function writeRows() {
+  const other = new Core(compiled), steps = csvSteps(), parts = [];
+  if (core.file) other.takeFile(core.file.name, core.file.text);
+  other.c.load(scene);
+  putBack(other, numbers(core));
+  const copy = new Motion(other, scout), name = `${core.scenes[scene]}.csv`;
+  copy.begin(motion.log);
+  const rows = writing = copy.lines(motion.every, steps);
+  let until = 0;
+  for (const row of rows) {
+    parts.push(row);
+    if (performance.now() < until) continue;
+    far.tell(name, copy.tick, steps);
+    await new Promise(requestAnimationFrame);
+    if (writing !== rows) return;
+    until = performance.now() + BUDGET;
+  }
+  writing = null;
+  far.end();
+  download(name, parts.join(''));
+}
 
 async function share() {
   const link = `#${write(core, scene, motion.log, motion.tick)}`;
@@ -346,7 +381,7 @@ function keys(event) {
     Home: () => seek(0),
     End: () => seek(motion.last),
     f: nearest,
-    Escape: () => showFan(null),
+    Escape: () => (showFan(null), stop()),
   };
   const future = fan?.futures[Number(event.key) - 1];
   const action = future ? () => choose(future.mode) : actions[event.key];
@@ -433,8 +468,7 @@ function wire() {
   $('back').onclick = () => (play(false), seek(motion.tick - 1));
   $('next').onclick = () => (play(false), seek(motion.tick + 1));
   $('fan').onclick = nearest;
-  $('csv').onclick = () => download(`${core.scenes[scene]}.csv`,
-    motion.csv(motion.every, csvSteps()));
+  $('csv').onclick = writeRows;
   $('share').onclick = share;
   $('board').onclick = () => openSerial(connect).catch((error) =>
     say(error.message));

@@ -32,9 +32,10 @@ export class Mechanism {
   #lay(row) {
     const { width, height } = this.sheet;
     // Disc and lens in opposite corners, as large as they can be without
-    // touching: (a - q)^2 + (b - q)^2 = q^2, with q the sum of their radii.
+    // touching: (a - q)^2 + (b - q)^2 = q^2, with q the sum of their radii; and
+    // in a flat sheet or a narrow one, as the disc has room.
     const a = width - 26, b = height - 24;
-    const q = a + b - Math.sqrt(2 * a * b);
+    const q = Math.min(a + b - Math.sqrt(2 * a * b), Math.min(a, b) / 1.2);
     this.radius = 0.6 * q;
     this.lens = 0.4 * q;
     this.scale = this.radius / (1.32 * this.size);

@@ -210,30 +210,36 @@ export class Motion {
     return this.advance(tick);
   }
 
-  // The instants from which on several futures are open, [tick, set] each: not
-  // those of a slip that goes on, whose second mode is one of the finite step.
+  // The ends of the steps from which on several futures are open: not those of
+  // a slip that goes on, whose second mode is one of the finite step. A start
+  // that has several is told by the first step.
   openings() {
     return this.changes.filter(([, before, mode, , choices]) =>
-      choices > 1 && !(mode < 2 && before === mode));
+      choices > 1 && !(mode < 2 && before === mode))
+      .map(([tick]) => Math.max(1, tick));
   }
 
-  // What the command line prints for this set-up: a row every `every` steps,
-  // the first and the last. The motion returns to where it was.
-  csv(every, steps) {
-    const here = this.tick;
-    const parts = [HEADER];
+  // What the command line prints for this set-up, part by part: a row every
+  // `every` steps, the first and the last.
+  *lines(every, steps) {
+    const { modes } = this.core;
     this.seek(0);
     let written = 0;
-    parts.push(line(this.now, this.core.modes));
+    yield HEADER + line(this.now, modes);
     for (let tick = every; tick <= steps && this.advance(tick); tick += every) {
       written = tick;
-      parts.push(line(this.now, this.core.modes));
+      yield line(this.now, modes);
     }
     if (written < steps) {
       this.advance(steps);
-      if (this.tick > written) parts.push(line(this.now, this.core.modes));
+      if (this.tick > written) yield line(this.now, modes);
     }
+  }
+
+  // All of it; then the motion is where it was.
+  csv(every, steps) {
+    const here = this.tick, text = [...this.lines(every, steps)].join('');
     this.seek(here);
-    return parts.join('');
+    return text;
   }
 }

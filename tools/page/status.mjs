@@ -42,6 +42,12 @@ export function tellTime(strips, row, end, modes) {
     `${modes[row[AT.mode]]}, ${row[AT.choices]} possible`);
 }
 
+// A time of which the nearest step is that one, short where it can be.
+function seconds(steps, dt) {
+  const brief = Number((steps * dt).toPrecision(12));
+  return Math.round(brief / dt) === steps ? brief : steps * dt;
+}
+
 export function commandLine(core, scene, motion, steps) {
   const words = [], names = [];
   for (const [name, value] of differences(core, scene)) {
@@ -57,6 +63,6 @@ export function commandLine(core, scene, motion, steps) {
   const name = file === null ? core.scenes[scene]
     : file.includes('.') ? file : `./${file}`;
   return ['twofold run', name, ...words, '--t-end',
-    decimal(steps * motion.dt), '--every', motion.every].join(' ') +
+    decimal(seconds(steps, motion.dt)), '--every', motion.every].join(' ') +
     (motion.log.length ? '  # but for what was done by hand' : '');
 }

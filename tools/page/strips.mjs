@@ -57,8 +57,8 @@ export class Strips {
     ctx.clip();
     this.#grid(ctx, from, height);
     this.#ribbon(ctx, motion, from);
-    this.#openings(ctx, motion, hovered);
     ctx.restore();
+    this.#openings(ctx, motion, hovered);
     this.#modes(ctx, motion);
     const room = (height - MARKS - RIBBON - AXIS - 6) / STRIPS.length;
     STRIPS.forEach((strip, i) => this.#strip(ctx, motion, strip, i,
@@ -72,7 +72,7 @@ export class Strips {
     for (const t of ticks(from, this.to, this.sheet.width / 110)) {
       const x = this.x(t);
       path(ctx, [[x, MARKS], [x, height - AXIS]], colour.faint, 1);
-      text(ctx, short(t), Math.max(LEFT + 4, Math.min(x, this.sheet.width -
+      text(ctx, String(t), Math.max(LEFT + 4, Math.min(x, this.sheet.width -
         RIGHT - 14)), height - AXIS / 2, 'center');
     }
   }
@@ -110,9 +110,10 @@ export class Strips {
   #openings(ctx, motion, hovered) {
     this.marks = [];
     let lastX = -Infinity;
-    for (const [tick] of motion.openings()) {
+    for (const tick of motion.openings()) {
       const x = this.x(tick * motion.dt);
-      if (x < LEFT - 6 || x > this.sheet.width || x - lastX < 3) continue;
+      if (x < LEFT - 1 || x > this.sheet.width - RIGHT || x - lastX < 3)
+        continue;
       lastX = x;
       this.marks.push({ tick, x });
       const y = MARKS / 2 + 1, size = tick === hovered ? 7 : 5;

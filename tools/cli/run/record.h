@@ -9,6 +9,7 @@
 #include "../live/live.h"
 #include "../setup/drive.h"
 #include "../setup/scheme.h"
+#include "ambiguity.h"
 #include "events.h"
 #include "replay.h"
 #include "row.h"
@@ -27,8 +28,8 @@ typedef struct {
   const cli_setup_t *setup;
   const cli_scheme_t *scheme;
   cli_drive_t drive;
-  cli_replay_t replay;
-  bool replays; ///< instead of driving the scene
+  cli_replay_t replay; ///< its simulation has inputs that hold by a command
+  bool replays;        ///< instead of driving the scene
   cli_format_t format;
   bool provenance; ///< lines before the header
   uint64_t every, steps;
@@ -47,20 +48,31 @@ typedef struct {
   tf_status_t status; ///< of the last step that was tried
   cli_end_t end;
   cli_events_t events;
-  uint64_t ambiguous_steps; ///< with more than one consistent mode
-  double ambiguous_since;   ///< time of the first of them [s]
-  tf_tally_t tally;         ///< of the steps that were taken
-  double largest_h;         ///< |h| in stick or pinned [m/s]
-  double largest_residual;  ///< [N]
-  double seconds;           ///< wall time of the steps without the output
-  double output_seconds;    ///< wall time of the output
-  double idle_seconds;      ///< wall time spent waiting
+  cli_ambiguity_t ambiguity;
+  tf_tally_t tally;        ///< of the steps that were taken
+  double largest_h;        ///< |h| in stick or pinned [m/s]
+  double largest_residual; ///< [N]
+  double seconds;          ///< wall time of the steps without the output
+  double output_seconds;   ///< wall time of the output
+  double idle_seconds;     ///< wall time spent waiting
   cli_output_t output;
   cli_live_t *live;       ///< the picture, or NULL
   bool rowless;           ///< the terminal shows the picture in place of rows
   cli_output_t saved;     ///< of --save
   cli_output_t late_rows; ///< of --lateness
 } cli_run_t;
+
+/// The setup as it is in effect: commands of a replay change parameters, rule
+/// and seed.
+cli_setup_t cli_run_setup(const cli_run_t *run);
+
+/// Room for an option of each parameter, the rule, and the terminating zero.
+#define CLI_CHANGES_ROOM 1024
+
+/// What commands of a replay have changed, as the options, each behind a space,
+/// by which another run is of the same machine.
+/// Returns: the length, 0: nothing.
+size_t cli_run_changes(const cli_run_t *run, char out[CLI_CHANGES_ROOM]);
 
 /// Time after the given number of steps, rounded once [s].
 double cli_run_time(const cli_run_t *run, uint64_t steps);

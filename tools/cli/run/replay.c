@@ -258,6 +258,7 @@ int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
   replay->simulation.deadman =
       (uint32_t)tf_wire_get(schema + SCHEMA_DEADMAN, 4);
   replay->link.session = 1;
+  replay->link.describe = false;
   return CLI_DONE;
 }
 
@@ -295,8 +296,25 @@ static bool same_state(const cli_replay_row_t *row, const tf_state_t *state) {
          there.seed == state->seed && there.mode == state->mode;
 }
 
+// The report of a state that a command has put in the place of another one:
+// that of the start after a reset, and of a motion that starts there after a
+// restore.
+static void look_again(const tf_simulation_t *simulation,
+                       const tf_scene_t *scene, uint8_t command,
+                       tf_report_t *report) {
+  if (command == TF_UP_RESET) {
+    *report = simulation->report;
+  } else if (command == TF_UP_RESTORE) {
+    tf_simulation_t before = *simulation;
+    before.state.tick--;
+    const tf_input_t input = tf_simulation_input(&before, scene);
+    (void)tf_begin(&before.machine, &before.state, &input, report);
+  }
+}
+
 bool cli_replay_next(cli_replay_t *replay, cli_system_t *system,
-                     const tf_scene_t *scene, tf_input_t *input) {
+                     const tf_scene_t *scene, tf_report_t *report,
+                     tf_input_t *input) {
   tf_simulation_t *simulation = &replay->simulation;
   simulation->state = system->state;
   while (replay->next < replay->count &&
@@ -310,6 +328,8 @@ bool cli_replay_next(cli_replay_t *replay, cli_system_t *system,
       }
     } else if (!perform(replay, row)) {
       replay->failed = "a command is refused that the board took";
+    } else {
+      look_again(simulation, scene, row->type, report);
     }
   }
   system->state = simulation->state;

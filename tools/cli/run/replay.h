@@ -50,9 +50,12 @@ int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
 
 /// Applies what is due before the next step of a system, and finds the inputs
 /// of that step.
+/// report: in/out, of the last step; where a command puts another state in the
+/// place of the one that it led to, that of the other state.
 /// Returns: whether there is a next step; not where replay->failed is set.
 bool cli_replay_next(cli_replay_t *replay, cli_system_t *system,
-                     const tf_scene_t *scene, tf_input_t *input);
+                     const tf_scene_t *scene, tf_report_t *report,
+                     tf_input_t *input);
 
 void cli_replay_free(cli_replay_t *replay);
 

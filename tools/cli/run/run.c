@@ -21,8 +21,8 @@
 #include "../text/tally.h"
 #include "frames.h"
 #include "record.h"
+#include "resume.h"
 #include "run_args.h"
-#include "state_file.h"
 #include "summary.h"
 
 #define FLUSH_EVERY 0.2 // [s]
@@ -42,9 +42,11 @@ static void write_row(cli_run_t *run) {
   const double started = cli_now();
   if (run->format == CLI_FORMAT_FRAMES) {
     bytes = (const char *)frames;
-    length = cli_frames_row(
-        &run->sequence, &run->system.state, &run->report,
-        run->drive.table.count > 0 ? TF_INPUT_SET : TF_INPUT_SCENE, frames);
+    length = cli_frames_row(&run->sequence, &run->system.state, &run->report,
+                            run->drive.table.count > 0
+                                ? TF_INPUT_SET
+                                : run->replay.simulation.stepped,
+                            frames);
   } else {
     const tf_real_t t = (tf_real_t)cli_run_time(run, run->system.state.tick);
     length = cli_row(run->format, t, &run->system.state, &run->report, row);
@@ -56,14 +58,35 @@ static void write_row(cli_run_t *run) {
   run->output_seconds += cli_now() - started;
 }
 
+// Says by which schema and layouts frames are read.
+static void write_schema(cli_run_t *run) {
+  uint8_t frames[CLI_FRAMES_ROOM];
+  const cli_setup_t setup = cli_run_setup(run);
+  const size_t length = cli_frames_header(
+      &setup, run->scheme, run->system.state.tick, &run->sequence, frames);
+  (void)cli_output_lines(&run->output, (const char *)frames, length);
+}
+
 // Inputs of the next step. Returns: whether there is one.
 static bool next_input(cli_run_t *run, tf_input_t *input) {
+  tf_simulation_t *simulation = &run->replay.simulation;
+  const tf_scene_t *scene = run->setup->scene;
+  if (!run->replays && simulation->source != TF_INPUT_SCENE) {
+    *input = tf_simulation_input(simulation, scene);
+    return true;
+  }
   if (!run->replays) {
     const tf_real_t t = (tf_real_t)cli_run_time(run, run->done + 1);
     *input = cli_drive_step(&run->drive, &run->setup->machine, run->done, t);
     return true;
   }
-  if (cli_replay_next(&run->replay, &run->system, run->setup->scene, input)) {
+  const bool goes_on =
+      cli_replay_next(&run->replay, &run->system, scene, &run->report, input);
+  if (run->replay.link.describe && run->format == CLI_FORMAT_FRAMES) {
+    run->replay.link.describe = false;
+    write_schema(run);
+  }
+  if (goes_on) {
     return true;
   }
   run->steps = run->done;
@@ -209,7 +232,7 @@ static void write_provenance(const cli_run_t *run, const char *units,
     cli_add(&text, table->linear ? ", linear inputs " : ", held inputs ");
     cli_add(&text, hash);
   }
-  cli_add(&text, run->replays ? ", replayed from a record" : "");
+  cli_add(&text, run->replays ? ", replayed from a record that begins so" : "");
   if (run->first > 0) {
     cli_add(&text, ", from step ");
     cli_add_count(&text, run->first);
@@ -223,13 +246,10 @@ static void write_header(cli_run_t *run) {
     return;
   }
   char header[CLI_ROW_ROOM];
-  uint8_t frames[CLI_FRAMES_ROOM];
   write_provenance(run, CLI_CSV_UNITS, &run->output);
   if (run->format == CLI_FORMAT_FRAMES) {
-    const size_t length = cli_frames_header(run->setup, run->scheme, run->first,
-                                            &run->sequence, frames);
     run->output.last = '\0';
-    (void)cli_output_lines(&run->output, (const char *)frames, length);
+    write_schema(run);
   } else {
     (void)cli_output_lines(&run->output, header,
                            cli_header(run->format, header));
@@ -253,19 +273,6 @@ static void write_end(cli_run_t *run) {
   if (!cli_output_lines(&run->output, (const char *)frame, length)) {
     run->end = CLI_NOT_WRITTEN;
   }
-}
-
-// Saves where the run stands. Returns: whether that is written, or not asked.
-static bool save(cli_run_t *run, const char *path) {
-  char text[CLI_STATE_BYTES];
-  if (path == NULL) {
-    return true;
-  }
-  const cli_stand_t stand = {run->system.state, run->system.compensation,
-                             run->report, cli_inputs_hash(&run->drive.table)};
-  const size_t length = cli_state_print(&stand, run->setup, run->scheme, text);
-  (void)cli_output_lines(&run->saved, text, length);
-  return cli_output_end(&run->saved, CLI_DONE) == CLI_DONE;
 }
 
 // Writes the histogram of a run that has ended with a code.
@@ -312,7 +319,7 @@ static int perform(cli_run_t *run, const cli_run_args_t *args) {
   step_through(run);
   write_end(run);
   cli_live_close(run->live, run->setup->scene->name);
-  const bool saved = save(run, args->save);
+  const bool saved = cli_run_save(run, args->save);
   if (!cli_output_close(&run->output, run->end == CLI_ENDED)) {
     run->end = CLI_NOT_WRITTEN;
   }
@@ -344,54 +351,6 @@ static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
   return code == CLI_DONE ? cli_count_steps(args->t_end, args->t_end_text,
                                             setup->machine.dt, &run->steps)
                           : code;
-}
-
-// Puts a run where another one has left it.
-static int go_on(cli_run_t *run, const cli_run_args_t *args,
-                 cli_setup_t *setup) {
-  cli_stand_t stand;
-  for (size_t i = 0; i < CLI_STARTS; i++) {
-    if (setup->set_start[i] != NULL) {
-      return cli_message(CLI_USAGE, "%s %s: --from %s gives the state",
-                         setup->set_start[i]->option, setup->set_start[i]->text,
-                         args->from);
-    }
-  }
-  const int code = cli_state_read(&stand, args->from, setup, args->scheme);
-  if (code != CLI_DONE) {
-    return code;
-  }
-  if (args->select != NULL && strchr(args->select, ':') != NULL &&
-      stand.state.seed != setup->seed) {
-    return cli_message(CLI_REFUSED,
-                       "--from %s: the seed is %" PRIu32 " there and %" PRIu32
-                       " here",
-                       args->from, stand.state.seed, setup->seed);
-  }
-  if (stand.state.tick > run->steps) {
-    return cli_message(CLI_REFUSED,
-                       "--from %s: it stands at t = %.9g s, after the end at "
-                       "%.9g s",
-                       args->from, cli_run_time(run, stand.state.tick),
-                       cli_run_time(run, run->steps));
-  }
-  // Inputs are no part of the machine, so it may go on under others; but not
-  // without a word.
-  if (stand.inputs != cli_inputs_hash(&run->drive.table)) {
-    (void)cli_message(CLI_DONE, "note: --from %s: it came there %s", args->from,
-                      stand.inputs == 0 ? "without --inputs"
-                      : run->drive.table.count == 0
-                          ? "with --inputs, and goes on without"
-                          : "with another table of --inputs");
-  }
-  setup->seed = stand.state.seed;
-  run->system.state = stand.state;
-  run->system.compensation = stand.compensation;
-  run->report = stand.report;
-  run->first = run->done = stand.state.tick;
-  const tf_real_t t = (tf_real_t)cli_run_time(run, run->first);
-  cli_drive_go_to(&run->drive, run->first, t);
-  return CLI_DONE;
 }
 
 // The step after the last one of the record is never taken; what stands at the
@@ -430,11 +389,12 @@ static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
   run->events.limit = args->listed;
   run->end = CLI_ENDED;
   if (args->from != NULL) {
-    code = go_on(run, args, setup);
+    code = cli_run_go_on(run, args, setup);
   }
   if (code != CLI_DONE) {
     return code;
   }
+  cli_ambiguity_begin(&run->ambiguity, run->first == 0 ? &run->report : NULL);
   cli_setup_notes(setup, args->scheme->unused, args->scheme->why);
   return perform(run, args);
 }

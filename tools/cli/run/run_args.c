@@ -182,7 +182,6 @@ static const cli_option_t options[] = {
 static int check_replay(const cli_run_args_t *args) {
   const char *other = args->drive.inputs != NULL ? "--inputs"
                       : args->from != NULL       ? "--from"
-                      : args->save != NULL       ? "--save"
                       : args->t_end_text != NULL ? "--t-end"
                                                  : NULL;
   return other == NULL ? CLI_DONE

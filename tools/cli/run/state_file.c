@@ -4,8 +4,12 @@
 //   number double            type of all numbers below
 //   scheme moreau
 //   inputs 00000000          hash of the table of --inputs, 0: none
+//   source outside           or safe: inputs that a board got by a command hold
+//                            on or have expired; else this line is missing
 //   tick 12345, seed, mode, r, v, omega, phi, what the rounding of these has
-//                            left out, and the last report: a line each
+//                            left out, and the last report: a line each;
+//                            where there is a source, the dead-man behind the
+//                            last whole number and those inputs at the end
 //   scene                    then the scene, as `twofold scene` prints it
 //   crc32 0123abcd           of all bytes before
 //
@@ -29,8 +33,10 @@
 
 #define VERSION "2"
 #define NUMBER (sizeof(tf_real_t) == sizeof(float) ? "float" : "double")
-#define REALS 14
-#define WHOLES 7
+#define REALS 19
+#define HELD_REALS 5 // the last ones, where a command's inputs hold
+#define WHOLES 9
+#define HELD_WHOLES 2
 #define CRC_LINE 15 // "crc32 0123abcd\n"
 
 static const char *const real_names[REALS] = {"r",
@@ -46,7 +52,12 @@ static const char *const real_names[REALS] = {"r",
                                               "slip-h",
                                               "slip-g",
                                               "delassus",
-                                              "residual"};
+                                              "residual",
+                                              "held-omega0",
+                                              "held-r0",
+                                              "held-force",
+                                              "held-torque",
+                                              "held-alpha"};
 static const struct {
   const char *name;
   uint64_t most;
@@ -54,15 +65,22 @@ static const struct {
     {"tick", UINT64_C(1) << 62},   {"seed", UINT32_MAX},
     {"mode", TF_MODES - 1},        {"report-mode", TF_MODES - 1},
     {"set", (1u << TF_MODES) - 1}, {"choices", TF_MODES},
-    {"status", TF_COARSE}};
+    {"status", TF_COARSE},         {"deadman", UINT32_MAX},
+    {"left", UINT32_MAX}};
+static const char *const sources[] = {"scene", "outside", "safe"};
 
 static void list_reals(cli_stand_t *stand, tf_real_t *at[REALS]) {
   tf_real_t *const all[REALS] = {
-      &stand->state.r,         &stand->state.v,          &stand->state.w,
-      &stand->state.phi,       &stand->compensation.r,   &stand->compensation.v,
-      &stand->compensation.w,  &stand->compensation.phi, &stand->report.force.F,
-      &stand->report.force.M,  &stand->report.slip.h,    &stand->report.slip.g,
-      &stand->report.delassus, &stand->report.residual};
+      &stand->state.r,           &stand->state.v,
+      &stand->state.w,           &stand->state.phi,
+      &stand->compensation.r,    &stand->compensation.v,
+      &stand->compensation.w,    &stand->compensation.phi,
+      &stand->report.force.F,    &stand->report.force.M,
+      &stand->report.slip.h,     &stand->report.slip.g,
+      &stand->report.delassus,   &stand->report.residual,
+      &stand->held.input.omega0, &stand->held.input.r0,
+      &stand->held.input.force,  &stand->held.input.torque,
+      &stand->held.input.alpha};
   memcpy(at, all, sizeof all);
 }
 
@@ -85,18 +103,24 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                                   stand->report.mode,
                                   stand->report.set,
                                   stand->report.choices,
-                                  (uint64_t)stand->report.status};
+                                  (uint64_t)stand->report.status,
+                                  stand->held.deadman,
+                                  stand->held.left};
+  const size_t held = stand->held.source != TF_INPUT_SCENE;
   add_pair(&text, "twofold-state", VERSION);
   add_pair(&text, "number", NUMBER);
   add_pair(&text, "scheme", scheme->name);
   (void)snprintf(number, sizeof number, "%08" PRIx32, stand->inputs);
   add_pair(&text, "inputs", number);
-  for (size_t i = 0; i < WHOLES; i++) {
+  if (held != 0) {
+    add_pair(&text, "source", sources[stand->held.source]);
+  }
+  for (size_t i = 0; i < WHOLES - HELD_WHOLES + held * HELD_WHOLES; i++) {
     (void)snprintf(number, sizeof number, "%" PRIu64, whole[i]);
     add_pair(&text, wholes[i].name, number);
   }
   list_reals(&copy, real);
-  for (size_t i = 0; i < REALS; i++) {
+  for (size_t i = 0; i < REALS - HELD_REALS + held * HELD_REALS; i++) {
     (void)cli_write_real(number, *real[i]);
     add_pair(&text, real_names[i], number);
   }
@@ -151,10 +175,7 @@ static int compare_params(const reader_t *reader, const tf_params_t *there,
                           const tf_params_t *here) {
   char one[CLI_REAL_ROOM], two[CLI_REAL_ROOM];
   for (size_t i = 0; i < TF_PARAMETERS; i++) {
-    const size_t offset = tf_parameter_ranges[i].offset;
-    tf_real_t a = 0, b = 0;
-    memcpy(&a, (const char *)there + offset, sizeof a);
-    memcpy(&b, (const char *)here + offset, sizeof b);
+    const tf_real_t a = cli_parameter(there, i), b = cli_parameter(here, i);
     if (memcmp(&a, &b, sizeof a) != 0) {
       (void)cli_write_real(one, a);
       (void)cli_write_real(two, b);
@@ -204,8 +225,22 @@ static int compare_scene(reader_t *reader, const cli_setup_t *setup) {
   return code;
 }
 
+// Whose inputs the next step has. Returns: whether that can be read.
+static bool read_source(reader_t *reader, cli_stand_t *stand) {
+  const char *source = next_value(reader, "source");
+  if (source == NULL) {
+    return true;
+  }
+  if (strcmp(source, sources[TF_INPUT_SAFE]) == 0) {
+    stand->held.source = TF_INPUT_SAFE;
+  } else if (strcmp(source, sources[TF_INPUT_SET]) == 0) {
+    stand->held.source = TF_INPUT_SET;
+  }
+  return stand->held.source != TF_INPUT_SCENE;
+}
+
 static int read_values(reader_t *reader, cli_stand_t *stand) {
-  uint64_t whole[WHOLES];
+  uint64_t whole[WHOLES] = {0};
   tf_real_t *real[REALS];
   const char *why = "";
   const char *inputs = next_value(reader, "inputs");
@@ -214,14 +249,18 @@ static int read_values(reader_t *reader, cli_stand_t *stand) {
     return no_state(reader, "no file of --save");
   }
   stand->inputs = (uint32_t)strtoul(inputs, NULL, 16);
+  if (!read_source(reader, stand)) {
+    return no_state(reader, "no file of --save");
+  }
+  const size_t held = stand->held.source != TF_INPUT_SCENE;
   list_reals(stand, real);
-  for (size_t i = 0; i < WHOLES; i++) {
+  for (size_t i = 0; i < WHOLES - HELD_WHOLES + held * HELD_WHOLES; i++) {
     const char *value = next_value(reader, wholes[i].name);
     if (value == NULL || !cli_read_whole(value, 0, wholes[i].most, &whole[i])) {
       return no_state(reader, "no file of --save");
     }
   }
-  for (size_t i = 0; i < REALS; i++) {
+  for (size_t i = 0; i < REALS - HELD_REALS + held * HELD_REALS; i++) {
     const char *value = next_value(reader, real_names[i]);
     if (value == NULL || !cli_read_real(value, real[i], &why)) {
       return no_state(reader, "no file of --save");
@@ -234,6 +273,8 @@ static int read_values(reader_t *reader, cli_stand_t *stand) {
   stand->report.set = (uint8_t)whole[4];
   stand->report.choices = (uint8_t)whole[5];
   stand->report.status = (tf_status_t)whole[6];
+  stand->held.deadman = (uint32_t)whole[7];
+  stand->held.left = (uint32_t)whole[8];
   return CLI_DONE;
 }
 

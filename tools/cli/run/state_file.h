@@ -11,11 +11,20 @@
 /// Room for the text of a file.
 #define CLI_STATE_BYTES 8192
 
+/// Inputs that a board got by a command, which hold on or have expired; the
+/// members are those of tf_simulation_t. Under TF_INPUT_SCENE there are none.
+typedef struct {
+  tf_input_source_t source;
+  uint32_t deadman, left;
+  tf_input_t input;
+} cli_held_t;
+
 typedef struct {
   tf_state_t state;
   tf_compensation_t compensation;
   tf_report_t report; ///< of the last step, or of the start
   uint32_t inputs;    ///< cli_inputs_hash of what drove it
+  cli_held_t held;
 } cli_stand_t;
 
 /// Writes it as text.

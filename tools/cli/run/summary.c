@@ -6,6 +6,7 @@
 #include "summary.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 
 #include "../setup/names.h"
@@ -14,18 +15,18 @@
 #include "summary_json.h"
 
 static void print_request(const cli_run_t *run) {
-  const cli_setup_t *setup = run->setup;
-  (void)fprintf(stderr, "scene      %s, law %s\n", setup->scene->name,
-                tf_tyre_law_name(setup->params.law));
+  const cli_setup_t setup = cli_run_setup(run);
+  (void)fprintf(stderr, "scene      %s, law %s\n", setup.scene->name,
+                tf_tyre_law_name(setup.params.law));
   (void)fprintf(stderr, "scheme     %s, rule %s", run->scheme->name,
-                tf_rule_name(setup->params.rule));
-  if (setup->params.rule == TF_RULE_RANDOM) {
-    (void)fprintf(stderr, ":%" PRIu32 ", exit rate %g /s", setup->seed,
-                  (double)setup->params.rate);
+                tf_rule_name(setup.params.rule));
+  if (setup.params.rule == TF_RULE_RANDOM) {
+    (void)fprintf(stderr, ":%" PRIu32 ", exit rate %g /s", setup.seed,
+                  (double)setup.params.rate);
   }
   (void)fprintf(stderr,
                 "\nsteps      %" PRIu64 " of %" PRIu64 ", dt = %g s, t = %g s",
-                run->done, run->steps, (double)setup->machine.dt,
+                run->done, run->steps, (double)setup.machine.dt,
                 cli_run_time(run, run->done));
   if (run->first > 0) {
     (void)fprintf(stderr, ", %" PRIu64 " of them by another run", run->first);
@@ -66,29 +67,60 @@ static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
   }
 }
 
+// Inputs that a board got by a command, as they stand at the end.
+static void print_held(const tf_simulation_t *simulation) {
+  const tf_input_t *input = &simulation->input;
+  if (simulation->source == TF_INPUT_SAFE) {
+    (void)fputs("inputs     safe ones: those by a command have expired\n",
+                stderr);
+  } else if (simulation->source == TF_INPUT_SET) {
+    (void)fprintf(stderr,
+                  "inputs     by a command: omega0 = %.6g rad/s, r0 = %.6g m, "
+                  "force = %.6g N,\n           torque = %.6g N m, alpha = %.6g "
+                  "rad/s^2",
+                  (double)input->omega0, (double)input->r0,
+                  (double)input->force, (double)input->torque,
+                  (double)input->alpha);
+    if (simulation->deadman > 0) {
+      (void)fprintf(stderr, ", for %" PRIu32 " more steps", simulation->left);
+    }
+    (void)fputc('\n', stderr);
+  }
+}
+
 static void print_drive(const cli_run_t *run) {
   if (run->replays) {
     (void)fprintf(stderr,
                   "replay     %s: %" PRIu64 " commands took effect, %" PRIu64
                   " states were compared\n",
                   run->replay.name, run->replay.commands, run->replay.states);
+    char changes[CLI_CHANGES_ROOM];
+    if (cli_run_changes(run, changes) > 0) {
+      (void)fprintf(stderr, "           which now needs%s\n", changes);
+    }
   } else {
     print_table(run, &run->drive.profile);
     print_table(run, &run->drive.table);
   }
+  print_held(&run->replay.simulation);
+}
+
+static void print_ambiguity(const cli_run_t *run) {
+  const cli_ambiguity_t *ambiguity = &run->ambiguity;
+  const double steps = (double)(run->done - run->first);
+  (void)fprintf(stderr, "ambiguous  several modes %sin %" PRIu64 " steps",
+                ambiguity->start > 1 ? "at the start and " : "",
+                ambiguity->steps);
+  if (ambiguity->steps > 0) {
+    (void)fprintf(stderr, " (%.3g %%)", 100 * (double)ambiguity->steps / steps);
+  }
+  if (!isnan(ambiguity->since)) {
+    (void)fprintf(stderr, ", first at t = %g s", ambiguity->since);
+  }
+  (void)fputc('\n', stderr);
 }
 
 static void print_quality(const cli_run_t *run) {
-  const double steps =
-      run->done > run->first ? (double)(run->done - run->first) : 1.0;
-  (void)fprintf(stderr, "ambiguous  several modes in %" PRIu64 " steps",
-                run->ambiguous_steps);
-  if (run->ambiguous_steps > 0) {
-    (void)fprintf(stderr, " (%.3g %%), first at t = %g s",
-                  100 * (double)run->ambiguous_steps / steps,
-                  run->ambiguous_since);
-  }
-  (void)fputc('\n', stderr);
   cli_tally_print(&run->tally, "first", cli_run_time(run, run->tally.first));
   (void)fprintf(stderr, "largest    |h| in stick %.3g m/s, residual %.3g N\n",
                 run->largest_h, run->largest_residual);
@@ -169,6 +201,7 @@ void cli_summary(const cli_run_t *run, bool json, int code) {
     print_request(run);
     print_drive(run);
     cli_events_print(&run->events, stderr);
+    print_ambiguity(run);
     print_quality(run);
     print_final(run);
     print_cost(run);

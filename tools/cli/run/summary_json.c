@@ -7,6 +7,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "../setup/names.h"
 #include "../setup/provenance.h"
@@ -15,14 +16,14 @@
 #include "../text/number.h"
 
 static void put_request(const cli_run_t *run) {
-  const cli_setup_t *setup = run->setup;
+  const cli_setup_t now = cli_run_setup(run), *setup = &now;
   (void)fputs("{", stderr);
   cli_put_word("version", TF_VERSION);
   cli_put_word("commit", cli_commit);
   cli_put_word("number",
                sizeof(tf_real_t) == sizeof(float) ? "float" : "double");
   cli_put_word("scene", setup->scene->name);
-  cli_put_hash("scene_hash", cli_scene_hash(setup));
+  cli_put_hash("scene_hash", cli_scene_hash(run->setup));
   cli_put_hash("parameters", tf_params_hash(&setup->params));
   cli_put_word("law", tf_tyre_law_name(setup->params.law));
   cli_put_word("rule", tf_rule_name(setup->params.rule));
@@ -33,6 +34,41 @@ static void put_request(const cli_run_t *run) {
   cli_put_count("steps", run->done);
   cli_put_count("asked", run->steps);
   cli_put_double("t", cli_run_time(run, run->done));
+}
+
+static void put_replay(const cli_run_t *run) {
+  char changes[CLI_CHANGES_ROOM];
+  if (!run->replays) {
+    return;
+  }
+  (void)cli_run_changes(run, changes);
+  (void)fputs("\"replay\": {", stderr);
+  cli_put_text("name", run->replay.name);
+  cli_put_count("commands", run->replay.commands);
+  cli_put_count("states", run->replay.states);
+  cli_put_hash("began_with", tf_params_hash(&run->setup->params));
+  (void)fprintf(stderr, "\"changes\": \"%s\"}, ",
+                changes + strspn(changes, " "));
+}
+
+// Inputs that a board got by a command, as they stand at the end.
+static void put_held(const tf_simulation_t *simulation) {
+  const tf_input_t *input = &simulation->input;
+  if (simulation->source == TF_INPUT_SCENE) {
+    return;
+  }
+  (void)fputs("\"held\": {", stderr);
+  cli_put_word("source",
+               simulation->source == TF_INPUT_SAFE ? "safe" : "outside");
+  cli_put_count("deadman", simulation->deadman);
+  cli_put_count("left", simulation->left);
+  cli_put_real("omega0", input->omega0);
+  cli_put_real("r0", input->r0);
+  cli_put_real("force", input->force);
+  cli_put_real("torque", input->torque);
+  cli_put_number("alpha", (double)input->alpha,
+                 sizeof input->alpha == sizeof(float));
+  (void)fputs("}, ", stderr);
 }
 
 static void put_table(const char *key, const cli_inputs_t *table) {
@@ -67,9 +103,13 @@ static void put_table(const char *key, const cli_inputs_t *table) {
 static void put_quality(const cli_run_t *run) {
   const tf_tally_t *tally = &run->tally;
   const uint64_t reserved = tally->degraded + tally->coarse + tally->fell_back;
-  cli_put_count("ambiguous", run->ambiguous_steps);
-  cli_put_double("ambiguous_since",
-                 run->ambiguous_steps > 0 ? run->ambiguous_since : (double)NAN);
+  cli_put_count("ambiguous", run->ambiguity.steps);
+  cli_put_double("ambiguous_since", run->ambiguity.since);
+  if (run->ambiguity.start > 0) {
+    cli_put_count("choices_at_start", run->ambiguity.start);
+  } else {
+    cli_put_null("choices_at_start");
+  }
   cli_put_count("degraded", tally->degraded);
   cli_put_count("coarse", tally->coarse);
   cli_put_count("fell_back", tally->fell_back);
@@ -132,6 +172,8 @@ void cli_summary_json(const cli_run_t *run, int code) {
   put_request(run);
   put_table("profile", &run->drive.profile);
   put_table("inputs", &run->drive.table);
+  put_replay(run);
+  put_held(&run->replay.simulation);
   put_events(&run->events);
   put_quality(run);
   put_final(run);

@@ -19,6 +19,14 @@ size_t cli_parameter_index(const char *name) {
   return i;
 }
 
+tf_real_t cli_parameter(const tf_params_t *params, size_t index) {
+  tf_real_t value = 0;
+  memcpy(&value,
+         (const unsigned char *)params + tf_parameter_ranges[index].offset,
+         sizeof value);
+  return value;
+}
+
 bool cli_is_whole(tf_real_t value) {
   return value >= 0 && value < TF_R(65536.0) &&
          (double)(uint32_t)value >= (double)value;

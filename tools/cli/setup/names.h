@@ -12,6 +12,9 @@
 /// parameter has that name.
 size_t cli_parameter_index(const char *name);
 
+/// Value of a parameter, by its index.
+tf_real_t cli_parameter(const tf_params_t *params, size_t index);
+
 /// Prints a line for a parameter: name, range, unit, and the laws that use it
 /// where not all do; and such a line for each parameter.
 void cli_print_range(size_t parameter);

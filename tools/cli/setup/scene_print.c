@@ -92,11 +92,7 @@ void cli_scene_print(const tf_scene_t *scene, const tf_params_t *params,
   add_word(out, CLI_KEY_RULE, tf_rule_name(params->rule));
   add_word(out, CLI_KEY_WITH_ANGLE, params->with_angle ? "yes" : "no");
   for (size_t i = 0; i < TF_PARAMETERS; i++) {
-    tf_real_t value = 0;
-    memcpy(&value,
-           (const unsigned char *)params + tf_parameter_ranges[i].offset,
-           sizeof value);
-    add_number(out, i, value);
+    add_number(out, i, cli_parameter(params, i));
   }
   cli_add(out, "\n# the start, by its speed v or its slip speed h\n");
   add_number(out, CLI_KEY_R, scene->r);

@@ -12,14 +12,6 @@
 #include "../text/number.h"
 #include "names.h"
 
-static tf_real_t parameter_value(const cli_setup_t *setup, int i) {
-  tf_real_t value = 0;
-  memcpy(&value,
-         (const unsigned char *)&setup->params + tf_parameter_ranges[i].offset,
-         sizeof value);
-  return value;
-}
-
 static bool is_used(const cli_setup_t *setup, int i) {
   return ((tf_parameter_ranges[i].laws >> (unsigned)setup->params.law) & 1u) !=
          0;
@@ -41,7 +33,7 @@ static int refuse_parameter(const cli_setup_t *setup, int offender) {
                        (double)range->low, (double)range->high, space, unit);
   }
   char text[CLI_REAL_ROOM];
-  (void)cli_write_real(text, parameter_value(setup, offender));
+  (void)cli_write_real(text, cli_parameter(&setup->params, (size_t)offender));
   return cli_message(CLI_REFUSED,
                      "scene %s with law %s: %s = %s must lie in [%g, %g]%s%s; "
                      "give --set %s=VALUE",
@@ -57,7 +49,7 @@ static int unused_offender(const cli_setup_t *setup) {
   int i = 0;
   for (; i < TF_PARAMETERS; i++) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
-    const tf_real_t value = parameter_value(setup, i);
+    const tf_real_t value = cli_parameter(&setup->params, (size_t)i);
     if (setup->set_param[i] != NULL && !is_used(setup, i) &&
         !(value >= 0 && value <= 0) &&
         !(value >= range->low && value <= range->high)) {

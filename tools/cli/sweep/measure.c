@@ -16,8 +16,9 @@ const cli_measure_info_t cli_measures[CLI_MEASURES] = {
     [CLI_ARRIVALS] = {"arrivals", "1", "number of arrivals at the two-fold"},
     [CLI_ARRIVAL] = {"arrival", "s", "time of the first of them"},
     [CLI_RECURRENCE] = {"recurrence", "s", "mean time from one to the next"},
-    [CLI_AMBIGUOUS] = {"ambiguous", "s", "first step with several futures"},
-    [CLI_AMBIGUOUS_SHARE] = {"ambiguous_share", "1", "share of such steps"},
+    [CLI_AMBIGUOUS] = {"ambiguous", "s", "first instant with several futures"},
+    [CLI_AMBIGUOUS_SHARE] = {"ambiguous_share", "1",
+                             "share of steps with several futures"},
     [CLI_STICK_SHARE] = {"stick_share", "1", "share of steps without slip"},
     [CLI_ENERGY] = {"energy", "J", "mechanical energy at the end"},
     [CLI_ENERGY_CHANGE] = {"energy_change", "J", "that less the one at t = 0"},
@@ -37,6 +38,7 @@ void cli_course_begin(cli_course_t *course, const tf_state_t *state,
   course->report = *report;
   course->modes = TF_MODE_BIT(report->mode);
   course->r_low = course->r_high = (double)state->r;
+  cli_ambiguity_begin(&course->ambiguity, report);
 }
 
 void cli_course_see(cli_course_t *course, double t, const tf_state_t *state,
@@ -50,9 +52,7 @@ void cli_course_see(cli_course_t *course, double t, const tf_state_t *state,
   if (report->mode == TF_PINNED && course->report.mode != TF_PINNED) {
     course->pinned_since = t;
   }
-  if (report->choices > 1 && course->ambiguous++ == 0) {
-    course->ambiguous_since = t;
-  }
+  cli_ambiguity_see(&course->ambiguity, report, t);
   course->steps++;
   course->t = t;
   course->modes |= TF_MODE_BIT(report->mode);
@@ -94,9 +94,9 @@ static double number_of(cli_measure_t measure, const cli_course_t *course) {
                                 (double)(arrivals - 1)
                           : none;
     case CLI_AMBIGUOUS:
-      return course->ambiguous > 0 ? course->ambiguous_since : none;
+      return course->ambiguity.since;
     case CLI_AMBIGUOUS_SHARE:
-      return share(course, course->ambiguous);
+      return share(course, course->ambiguity.steps);
     case CLI_STICK_SHARE:
       return share(course, course->stuck);
     case CLI_ENERGY:

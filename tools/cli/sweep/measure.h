@@ -3,6 +3,7 @@
 #ifndef TWOFOLD_CLI_MEASURE_H
 #define TWOFOLD_CLI_MEASURE_H
 
+#include "../run/ambiguity.h"
 #include "../run/events.h"
 #include "../text/buffer.h"
 #include "twofold.h"
@@ -45,8 +46,8 @@ typedef struct {
   tf_report_t report; ///< of the last step
   cli_events_t events;
   unsigned modes; ///< bits TF_MODE_BIT
-  uint64_t changes, stuck, ambiguous;
-  double ambiguous_since;             ///< [s]
+  uint64_t changes, stuck;
+  cli_ambiguity_t ambiguity;
   double pinned_since;                ///< [s], of the last time
   double first_arrival, last_arrival; ///< at the two-fold [s]
   double energy, energy_at_start;     ///< [J]

@@ -1,0 +1,249 @@
+#!/usr/bin/python3 -B
+"""A replay that is saved and gone on with has the bits of a longer one: the
+rows, and the state that is saved at the end, with what commands have left in
+effect. Records are made here, of any commands at any step.
+
+usage: replayed.py [WORD]...    tests whose names contain one of the words
+
+TWOFOLD is the command line; it works in the folder in which it is started."""
+import json
+import os
+import struct
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path += [str(ROOT / "tests" / "support"), str(ROOT / "tools/protocol")]
+
+from decode import frames  # noqa: E402
+from tap import check, run  # noqa: E402
+
+TWOFOLD = os.environ["TWOFOLD"]
+PARAMETERS = ("m d beta k2 c1 c2 r0 omega0 mu kappa gamma epsilon k delta "
+              "sigma rho a theta dt rate tolerance segments").split()
+RULES = ["persist", "slip+", "slip-", "random"]
+
+
+def call(*words, code=0):
+    """(standard output, standard error) of a command, as text."""
+    done = subprocess.run([TWOFOLD, *map(str, words)], check=False,
+                          stdin=subprocess.DEVNULL, capture_output=True,
+                          encoding="utf-8", errors="replace")
+    codes = (0, 5) if code == 0 else (code,)
+    check(done.returncode in codes, f"{words}: {done.returncode}, "
+          + done.stderr)
+    return done.stdout, done.stderr
+
+
+def told(*words, code=0):
+    """The summary of a command."""
+    return json.loads(call(*words, "--summary", "json", code=code)[1]
+                      .splitlines()[-1])
+
+
+def real(*values):
+    form = "f" if "float" in call("--version")[0] else "d"
+    return struct.pack(f"<{len(values)}{form}", *values)
+
+
+def bits32(*values):
+    return struct.pack(f"<{len(values)}I", *values)
+
+
+# Commands: their types and data.
+def hold(*values):
+    return 0x41, real(*values)
+
+
+def put(name, value):
+    return 0x42, bytes([PARAMETERS.index(name)]) + real(value)
+
+
+def select(rule, seed=0):
+    return 0x43, bytes([RULES.index(rule)]) + bits32(seed)
+
+
+def deadman(steps):
+    return 0x4B, bits32(steps)
+
+
+AGAIN, GO, HALT, RESET, SNAPSHOT, RESTORE = (
+    (0x41, b""), (0x44, b""), (0x45, b""), (0x46, b""), (0x47, b""),
+    (0x48, b""))
+
+
+def sent(*words, out="frames"):
+    """The frames of a run."""
+    call("run", *words, "--format", "frames", "--out", out)
+    return frames(Path(out).read_bytes())
+
+
+def record(path, schema, *rows):
+    """Writes a record of commands: (step, (type, data)) each."""
+    lines = [f"0,01,{schema.hex()},schema"]
+    lines += [f"{tick},{kind:02x},{data.hex()},-"
+              for tick, (kind, data) in rows]
+    text = "".join(f"{line}\n" for line in ["tick,type,data,command", *lines])
+    path = Path(path)
+    path.write_text(f"{text}# shard 1/1: {len(lines)} rows, crc32 "
+                    f"{zlib.crc32(text.encode()):08x}, run "
+                    f"{zlib.crc32(lines[0].encode()):08x}\n", "ascii")
+
+
+def rows_of(path):
+    return Path(path).read_text("ascii").splitlines()[1:]
+
+
+def joined(scene, commands, end, *words, now="", stands=None, every=1):
+    """A replay of commands and from there a run to the step `end`, beside a
+    replay that reaches that step itself.
+    now: the options of what the commands leave in effect. stands: the step at
+    which they do."""
+    schema = sent(scene, "--t-end", "0", *words)[0][3]
+    record("one.record", schema, *commands)
+    record("two.record", schema, *commands, (end, GO))
+    rate = ["--every", every]
+    call("run", scene, *words, *rate, "--replay", "two.record", "--save",
+         "end", "--out", "want")
+    got = told("run", scene, *words, *rate, "--replay", "one.record", "--save",
+               "at", "--out", "one")
+    check((got["replay"]["commands"], got["replay"]["changes"])
+          == (len(commands), now), got)
+    stands = commands[-1][0] if stands is None else stands
+    check(f"tick {stands}\n" in Path("at").read_text("ascii"), stands)
+    if "dt=" in now:
+        words = [word for word in words if word not in ("--dt", DT)]
+    call("run", scene, *words, *now.split(), *rate, "--from", "at", "--t-end",
+         end * float(now.partition("dt=")[2].split()[0] if "dt=" in now
+                     else DT), "--save", "again", "--out", "two")
+    check(Path("again").read_bytes() == Path("end").read_bytes(),
+          "it ends in another state")
+    one, two, want = (Path(name).read_text("ascii").splitlines()
+                      for name in ("one", "two", "want"))
+    if "dt=" in now:  # the time of a row is its step times the first dt
+        one, two, want = ([row.partition(",")[2] for row in rows]
+                          for rows in (one, two, want))
+    if stands % every > 0:
+        del one[-1]
+    check(one + two[2:] == want, "other rows")
+    return got
+
+
+DT = "0.001"
+AT = ("--dt", DT)
+
+
+def inputs_hold_and_expire():
+    """Where it is saved they hold, hold without end, or have expired."""
+    drive = hold(-1.4, 0.12, 0.3, -0.02, 0.1)
+    for scene in ("chaos", "driven"):
+        for limit, left in ((900, 600), (0, 0), (300, 0), (299, None),
+                            (1, None)):
+            got = joined(scene, [(100, deadman(limit)), (200, drive),
+                                 (500, GO)], 2000, *AT)["held"]
+            check(got["source"] == ("safe" if left is None else "outside"), got)
+            check(got["left"] == (left or 0), got)
+        got = joined(scene, [(200, drive), (400, AGAIN), (500, GO)], 2000, *AT)
+        check("held" not in got, got)
+
+
+def parameters_and_rule_stay():
+    """What commands have changed is told, in words that go on with it."""
+    changes = [(50, put("kappa", 0.5)), (60, put("mu", 1.25)),
+               (200, put("rate", 64.0)), (300, select("random", 7))]
+    said = "--set mu=1.25 --set kappa=0.5 --set rate=64 --select random:7"
+    for scheme in ("moreau", "located"):
+        got = joined("chaos", changes, 2500, *AT, "--scheme", scheme, now=said)
+        check((got["rule"], got["seed"]) == ("random", 7), got)
+        check(got["replay"]["began_with"] != got["parameters"], got)
+    joined("chaos", changes, 2500, *AT, now=said, every=7)
+    # What is as it was in the end is not told, nor a seed without its rule.
+    old = dict(line.split()[:2] for line in call("scene", "chaos")[0]
+               .splitlines() if line[:1].isalpha() and " " in line)
+    undo = [(400, put(name, float(old[name])))
+            for name in ("kappa", "mu", "rate")]
+    joined("chaos", [*changes, *undo, (430, select("persist"))], 2500, *AT)
+    joined("chaos", [(50, select("slip-"))], 2500, *AT, now="--select slip-")
+    joined("chaos", [(100, put("dt", 0.5 ** 10))], 2500, *AT,
+           now="--set dt=0.0009765625")
+    text = call("run", "chaos", *AT, "--replay", "one.record")[1]
+    check("which now needs --set dt=0.0009765625\n" in text, text)
+    record("one.record", sent("chaos", "--t-end", "0", *AT)[0][3], *changes)
+    text = call("run", "chaos", *AT, "--replay", "one.record")[1]
+    check("rule random:7, exit rate 64 /s\n" in text, text)
+
+
+def steps_go_back():
+    """After a restore or a reset the state is another one, and so is the
+    report that it is saved with: its first row has the state's h and g."""
+    back = [(400, SNAPSHOT), (900, hold(-1.4, 0.1, 0.2, 0, 0)), (1000, RESTORE)]
+    joined("chaos", [back[0], back[2]], 3000, *AT, stands=400)
+    row = Path("two").read_text("ascii").splitlines()[1].split(",")
+    plain = call("run", "chaos", *AT, "--t-end", "0.4")[0].splitlines()[-1]
+    check(row[:6] + row[8:] == plain.split(",")[:6] + plain.split(",")[8:],
+          f"{row} is not {plain}")
+    joined("chaos", back, 3000, *AT, stands=400)
+    joined("driven", [*back, (700, HALT), (700, GO)], 3000, *AT)
+    joined("chaos", [(2300, RESET)], 3000, *AT, stands=0)
+    events = told("run", "chaos", *AT, "--replay", "two.record", "--out",
+                  "want", "--events", "all")["events"]["list"]
+    check(all(round(event["t"], 4) != 2.301 for event in events),
+          "the step back to the start is no change of mode")
+    row = Path("two").read_text("ascii").splitlines()[1]
+    plain = call("run", "chaos", *AT, "--t-end", "0")[0].splitlines()[-1]
+    check(row == plain, f"{row} is not {plain}")
+
+
+def other_inputs_are_told():
+    """Going on under a table in place of inputs by a command is told."""
+    Path("table.csv").write_text("t,force\n0,0\n", "ascii")
+    record("one.record", sent("chaos", "--t-end", "0", *AT)[0][3],
+           (100, hold(-1, 0.1, 0.5, 0, 0)), (200, GO))
+    text = call("run", "chaos", *AT, "--replay", "one.record", "--save",
+                "at")[1]
+    check("inputs     by a command: omega0 = -1 rad/s" in text, text)
+    words = ["run", "chaos", *AT, "--from", "at", "--t-end", "0.3"]
+    check("by a command" in call(*words)[1], "they do not hold")
+    text = call(*words, "--inputs", "table.csv", "--between", "held")[1]
+    check("with inputs by a command, and goes on with --inputs" in text, text)
+    check("inputs     by a command" not in text, text)
+
+
+def rest_of_a_record_is_told():
+    """Where a replay ends before its record does."""
+    record("one.record", sent("chaos", "--t-end", "0", *AT)[0][3],
+           (100, put("mu", -1.0)), (200, GO), (300, GO))
+    text = call("run", "chaos", *AT, "--replay", "one.record", "--save", "at",
+                code=4)[1]
+    check("--save at: 2 rows of the record were not reached" in text, text)
+
+
+def frames_say_what_holds():
+    """A schema follows each change, and reports tell whose inputs they had."""
+    record("one.record", sent("chaos", "--t-end", "0", *AT)[0][3],
+           (100, put("kappa", 0.5)), (150, deadman(20)),
+           (200, hold(-1, 0.1, 0.5, 0, 0)), (300, select("random", 9)))
+    got = sent("chaos", *AT, "--replay", "one.record")
+    plain = told("run", "chaos", *AT, "--replay", "one.record", "--out", "rows")
+    schemas = [(tick, data) for kind, _, tick, data in got if kind == 1]
+    check([tick for tick, _ in schemas] == [0, 100, 150, 300], schemas)
+    check([struct.unpack_from("<II", data, 5) for _, data in schemas][-1]
+          == (9, int(plain["parameters"], 16)), schemas)
+    sources = [data[-1] for kind, _, tick, data in got if kind == 4]
+    check(sources == [0] * 201 + [1] * 20 + [2] * 80, sources)
+    call("monitor", "frames", "--csv", "--out", "read")
+    check(Path("read").read_bytes() == Path("rows").read_bytes(),
+          "monitor reads other rows")
+
+
+def main(words):
+    tests = [inputs_hold_and_expire, parameters_and_rule_stay, steps_go_back,
+             other_inputs_are_told, rest_of_a_record_is_told,
+             frames_say_what_holds]
+    return run([(test.__name__, test) for test in tests
+                if any(word in test.__name__ for word in words)])
+
+
+sys.exit(main(sys.argv[1:] or [""]))

@@ -1,0 +1,21 @@
+/// @file
+/// A run that goes on where another one stands: --save and --from.
+#ifndef TWOFOLD_CLI_RESUME_H
+#define TWOFOLD_CLI_RESUME_H
+
+#include "record.h"
+#include "run_args.h"
+
+/// Saves where a run stands in the open file of --save, with the parameters,
+/// the rule and the inputs that commands of a replay have left in effect.
+/// path: in, of --save, NULL: it is not asked for.
+/// Returns: whether that is written, or not asked for.
+bool cli_run_save(cli_run_t *run, const char *path);
+
+/// Puts a run where the file of --from says that another one stands.
+/// run: in/out, at its start. setup: in/out, takes the seed.
+/// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
+int cli_run_go_on(cli_run_t *run, const cli_run_args_t *args,
+                  cli_setup_t *setup);
+
+#endif
