@@ -144,12 +144,22 @@ static void catch_signals(void) {
   struct sigaction before;
   (void)sigaction(SIGHUP, NULL, &before);
   if (before.sa_handler != SIG_IGN) (void)sigaction(SIGHUP, &action, NULL);
-  action.sa_handler = SIG_IGN; // writing to a closed pipe is an error instead
+  // Writing to a closed pipe, or beyond a limit, is an error instead.
+  action.sa_handler = SIG_IGN;
   (void)sigaction(SIGPIPE, &action, NULL);
+  (void)sigaction(SIGXFSZ, &action, NULL);
+}
+
+// The number of a descriptor that is closed would be given to the line, and
+// messages would go there. Writing to what takes its place fails.
+static void guard_descriptors(void) {
+  for (int i = STDIN_FILENO; i <= STDERR_FILENO; i++)
+    if (fcntl(i, F_GETFD) == -1) (void)open("/dev/null", O_RDONLY);
 }
 
 void port_init(void) {
   const char *port = getenv("TWOFOLD_PORT");
+  guard_descriptors();
   catch_signals();
   if (port != NULL && !strcmp(port, "pty"))
     open_terminal();

@@ -22,7 +22,7 @@ stopped() {
   shift 4
   mkdir -p tmp
   # A shell's background jobs ignore SIGINT; what a terminal starts does not.
-  env --default-signal=INT MARKED="$D/mark" TMPDIR="$D/tmp" "$@" >out 2>err &
+  env --default-signal=INT,QUIT MARKED="$D/mark" TMPDIR="$D/tmp" "$@" >out 2>err &
   pid=$!
   check "$name, SIG$signal: processes run" poll has_left "$count_wanted"
   kill -s "$signal" $pid
@@ -45,6 +45,8 @@ GRACE=2
 export GRACE
 stopped 'a script' INT 130 10 "$drive" sh many "$drive"
 stopped 'a script' HUP 129 10 "$drive" sh many "$drive"
+stopped 'a script' QUIT 131 10 "$drive" sh many "$drive"
+stopped 'a script' USR1 138 10 "$drive" sh many "$drive"
 unset GRACE
 "$drive" sh -c 'mktemp >name; exit 7'
 equal 'a command that ends by itself: its code' $? 7

@@ -390,6 +390,63 @@ def test_a_summary_that_is_lost_is_told():
         same((words, done.returncode), (words, 4))
 
 
+def test_rows_of_a_part_do_not_get_the_name():
+    """What was there stays, and the rows are in the part."""
+    stream = output(*RUN, "--every", "50", "--format", "frames")
+    cut = stream[:stream.index(b"\0\0", len(stream) // 2) + 1]
+    for broken in b"", cut, stream + stream, stream[len(stream) // 2:]:
+        Path("rows").write_text("kept")
+        said = judged(broken, "--csv", "--out", "rows",
+                      code=6 if broken else 4)
+        same(Path("rows").read_text(), "kept")
+        same("rows.part" in said or not Path("rows.part").exists(), True)
+    judged(stream, "--csv", "--out", "rows", code=0)
+    same(Path("rows").read_bytes().count(b"\n"), 12)
+
+
+def test_a_stream_without_its_beginning_is_told():
+    stream = output(*RUN, "--every", "50", "--format", "frames")
+    for at in range(len(stream) - 1):
+        if stream[at:at + 2] == b"\0\0" and at + 100 < len(stream):
+            judged(stream[at + 1:], code=6)
+
+
+def test_no_command_writes_what_it_reads():
+    def refused(*words):
+        done = subprocess.run([RUN[0], *words], capture_output=True, text=True,
+                              check=False)
+        same((words, done.returncode), (words, 2))
+        same("two files are needed" in done.stderr, True)
+
+    Path("own.scene").write_bytes(output(RUN[0], "scene", "chaos"))
+    Path("table").write_text("t,torque\n0,0\n1,0\n")
+    output(*RUN, "--save", "stand")
+    Path("link.scene").symlink_to("own.scene")
+    for name in "own.scene", "table", "stand":
+        Path(name + ".part").write_bytes(Path(name).read_bytes())
+    before = {path: path.read_bytes() for path in Path(".").iterdir()}
+    for end in "", ".part":
+        scene, table, stand = "own.scene" + end, "table" + end, "stand" + end
+        refused("run", scene, "--out", "own.scene")
+        refused("run", scene, "--out=./own.scene")
+        refused("run", scene, "--save", "own.scene")
+        refused("run", "link.scene", "--out", "own.scene")
+        refused("sweep", scene, "--over", "mu=1:2:2", "--outcome", "rest",
+                "--out", "own.scene")
+        refused("regions", scene, "--out", "own.scene")
+        refused("diverge", scene, "--counts", "own.scene")
+        refused("run", "chaos", "--inputs", table, "--between", "held",
+                "--out", "table")
+        refused("run", "chaos", "--from=" + stand, "--out", "stand")
+        refused("merge", "table", stand, "--out", "stand")
+    refused("diverge", "chaos", "--counts", "e", "--returns", "e.resume",
+            "--resume")
+    refused("run", "chaos", "--out", "new", "--save", "./new")
+    same({path: path.read_bytes() for path in Path(".").iterdir()}, before)
+    output(*RUN, "--out", "chaos")  # a scene of the program, not a file
+    output(*RUN, "--out", "chaos")
+
+
 def test_no_file_is_written_twice():
     stream = output(*RUN, "--format", "frames")
     Path("frames").write_bytes(stream)
@@ -425,6 +482,16 @@ def test_a_file_of_a_board_has_one_writer():
         same(Path("stream").read_text(), "kept")
     same(board(TWOFOLD_PORT="stream")[0], 0)
     same(Path("stream").read_text()[:2], "t,")
+
+
+def test_messages_of_a_board_are_not_in_its_stream():
+    """Where standard error is closed, the line would get its number."""
+    for closed in "2>&-", "2>&- <&-":
+        code = subprocess.call(
+            ["sh", "-c", f'"$FIRMWARE-csv.elf" {closed}'],
+            env={**os.environ, "TWOFOLD_PORT": "stream"})
+        same(code, 0)
+        same("host:" in Path("stream").read_text(), False)
 
 
 def test_lateness_of_a_board_is_whole_or_what_it_was():

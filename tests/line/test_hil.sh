@@ -88,6 +88,18 @@ END
   drive "$real: other parameters" 3 $real
   unplug
 done
+# Over a line that repeats and loses frames: see relays.py.
+TWOFOLD=$T HIL=$builds/double/hil FIRMWARE=$firmware-double/firmware-line.elf
+export TWOFOLD HIL FIRMWARE
+relays=$root/tests/line/relays.py
+if [ -x /usr/bin/python3 ]; then
+  for name in $("$relays"); do
+    "$relays" "$name" >err 2>&1
+    result $? "$name" "failed: $relays $name"
+  done
+else
+  lacks 'a relay on the line' python3
+fi
 line=/dev/null
 drive 'no board' 4 double
 drive 'usage: delay' 2 double --delay 21

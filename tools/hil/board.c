@@ -35,13 +35,16 @@ static const tf_scene_t *scene_named(const uint8_t *name, size_t length) {
 static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
   const uint32_t session = (uint32_t)tf_wire_get(at + 13, 4);
   if (session == board->session) return HIL_EQUAL;
-  if (board->session != 0)
+  const uint32_t follows =
+      board->session == UINT32_MAX ? 1 : board->session + 1u;
+  if (board->session != 0 && !(board->renews && session == follows))
     return hil_message(HIL_STOPPED, "%s: the board was started anew",
                        board->source.name);
   if ((at[4] & 16u) != 0 && board->key == NULL)
     return hil_message(HIL_REFUSED,
                        "the board wants its commands tagged"
                        " (--key)");
+  board->renews = false;
   board->session = session;
   board->sequence = (uint32_t)tf_wire_get(at + 17, 4);
   return HIL_EQUAL;
@@ -112,6 +115,11 @@ static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
     board->has_answer = true;
     return;
   }
+  if (type == TF_UP_STOP && sequence == board->stop_number && value == 0) {
+    board->has_stopped = true;
+    board->stopped_at = frame->tick;
+    return;
+  }
   for (size_t i = type == TF_UP_INPUT ? board->count : 0; i > 0; i--) {
     hil_sample_t *sample = &board->samples[i - 1];
     if (!sample->sent || sample->answered || sample->sequence != sequence)
@@ -174,9 +182,35 @@ static hil_code_t send_as(hil_board_t *board, uint32_t number, tf_type_t type,
                      strerror(board->source.error));
 }
 
+// After the last number the board has another session, and a command with that
+// number, sent again, would be a new one there. So it is used up by one that is
+// refused for its length, and all others wait for the new session.
+static hil_code_t renew_session(hil_board_t *board) {
+  static const uint8_t too_much = 0;
+  const uint32_t before = board->session;
+  for (int tries = 0; board->sequence == UINT32_MAX && tries < TRIES; tries++) {
+    const double until = cli_now() + PATIENCE;
+    hil_code_t code =
+        send_as(board, UINT32_MAX, TF_UP_STOP, 0, &too_much, sizeof too_much);
+    board->sequence = UINT32_MAX;
+    board->renews = true;
+    while (code == HIL_EQUAL && board->session == before && cli_now() < until)
+      code = hil_board_listen(board, 100);
+    if (code != HIL_EQUAL) return code;
+    if (board->session != before) return HIL_EQUAL;
+  }
+  return board->sequence != UINT32_MAX
+             ? HIL_EQUAL
+             : hil_message(HIL_STOPPED, "%s: no session after the last number",
+                           board->source.name);
+}
+
 hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
                           const uint8_t *data, size_t length) {
-  return send_as(board, board->sequence, type, tick, data, length);
+  const hil_code_t code = renew_session(board);
+  return code == HIL_EQUAL
+             ? send_as(board, board->sequence, type, tick, data, length)
+             : code;
 }
 
 // The command is sent again, with the same number, if no answer comes, whether
@@ -184,6 +218,9 @@ hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
 hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
                            const uint8_t *data, size_t length) {
   double until = 0;
+  const hil_code_t renewed =
+      type == TF_UP_DESCRIBE ? HIL_EQUAL : renew_session(board);
+  if (renewed != HIL_EQUAL) return renewed;
   board->ordered = type;
   board->number = board->sequence;
   board->tries = 0;
@@ -205,6 +242,14 @@ hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
     return hil_message(HIL_REFUSED, "the board refuses command %02X: %d",
                        (unsigned)type, board->answer);
   return HIL_EQUAL;
+}
+
+hil_code_t hil_board_stop_at(hil_board_t *board, uint64_t tick) {
+  const hil_code_t code = renew_session(board);
+  board->stop_number = board->sequence;
+  board->has_stopped = false;
+  return code == HIL_EQUAL ? hil_board_send(board, TF_UP_STOP, tick, NULL, 0)
+                           : code;
 }
 
 hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,

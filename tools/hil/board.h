@@ -46,8 +46,10 @@ typedef struct {
   const uint8_t *key; ///< NULL: the board wants no tag
   // From the schema frame.
   bool has_schema;
-  uint32_t session; ///< that commands name; 0: not known yet
-  uint32_t deadman; ///< steps that an input holds
+  uint32_t session;       ///< that commands name; 0: not known yet
+  bool renews;            ///< its last number was sent: another session follows
+  uint32_t deadman;       ///< steps that an input holds
+  uint32_t deadman_found; ///< ... before this host changed it
   tf_params_t params;
   const tf_scene_t *scene;
   uint32_t seed;
@@ -57,6 +59,10 @@ typedef struct {
   int tries; // how often it was sent
   bool has_answer;
   int answer;
+  // The dated stop of a board in lockstep.
+  uint32_t stop_number;
+  bool has_stopped;
+  uint64_t stopped_at;
   // The states of the run in order, one for each tick that is a multiple of
   // `every`.
   uint32_t every;
@@ -79,6 +85,9 @@ hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
 /// Sends a command and waits until it has taken effect. data: as above.
 hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
                            const uint8_t *data, size_t length);
+
+/// Sends a stop that takes effect at a tick; `has_stopped` says that it did.
+hil_code_t hil_board_stop_at(hil_board_t *board, uint64_t tick);
 
 /// Sends the input of a sample, which takes effect at the given tick or later.
 hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,

@@ -21,19 +21,34 @@ static hil_code_t ask(hil_board_t *board) {
   return code;
 }
 
+static hil_code_t order_deadman(hil_board_t *board, uint32_t steps) {
+  uint8_t data[4];
+  (void)tf_wire_put(data, steps, sizeof data);
+  const hil_code_t code =
+      hil_board_order(board, TF_UP_DEADMAN, data, sizeof data);
+  board->deadman = steps;
+  return code;
+}
+
+// Whoever commands the board next finds it as it was. What the run had is what
+// is reported.
+static hil_code_t give_back(hil_board_t *board) {
+  const uint32_t had = board->deadman;
+  const hil_code_t code = order_deadman(board, board->deadman_found);
+  board->deadman = had;
+  return code;
+}
+
 // Commands that another host left in the queue are cleared. Frames that are
 // still on the line are ignored until the first answer comes.
 hil_code_t hil_prepare(hil_board_t *board, const hil_plan_t *plan) {
   static const tf_type_t orders[] = {TF_UP_CLEAR, TF_UP_STOP, TF_UP_RESET};
-  uint8_t steps[4];
   hil_code_t code = ask(board);
   for (size_t i = 0; i < 3 && code == HIL_EQUAL; i++)
     code = hil_board_order(board, orders[i], NULL, 0);
-  (void)tf_wire_put(steps, plan->deadman, sizeof steps);
-  if (code == HIL_EQUAL && plan->has_deadman) {
-    code = hil_board_order(board, TF_UP_DEADMAN, steps, sizeof steps);
-    board->deadman = plan->deadman;
-  }
+  board->deadman_found = board->deadman;
+  if (code == HIL_EQUAL && plan->has_deadman)
+    code = order_deadman(board, plan->deadman);
   const double until = cli_now() + PATIENCE;
   board->listens = true;
   while (code == HIL_EQUAL && board->count == 0) {
@@ -87,6 +102,20 @@ static hil_code_t respond(hil_board_t *board, const hil_plan_t *plan,
   return hil_board_drive(board, sample, sample->tick + plan->delay);
 }
 
+// The board stands where its stop was to take effect. Without that answer it
+// may have run on, and no input could come in time.
+static hil_code_t wait_for_stop(hil_board_t *board, uint64_t tick) {
+  const double until = cli_now() + PATIENCE;
+  while (!board->has_stopped && cli_now() < until) {
+    const hil_code_t code = hil_board_listen(board, 100);
+    if (code != HIL_EQUAL) return code;
+  }
+  return board->has_stopped && board->stopped_at == tick
+             ? HIL_EQUAL
+             : hil_message(HIL_STOPPED, "step %" PRIu64 ": its stop was lost",
+                           tick);
+}
+
 // The stop is sent first, because after the start the board does not wait.
 static hil_code_t respond_in_lockstep(hil_board_t *board,
                                       const hil_plan_t *plan,
@@ -95,14 +124,17 @@ static hil_code_t respond_in_lockstep(hil_board_t *board,
   if (tick != (board->count - 1) * plan->every)
     return hil_message(HIL_STOPPED, "step %" PRIu64 ": a command was lost",
                        tick);
-  hil_code_t code =
-      hil_board_send(board, TF_UP_STOP, tick + plan->every, NULL, 0);
+  hil_code_t code = tick == 0 ? HIL_EQUAL : wait_for_stop(board, tick);
+  if (code == HIL_EQUAL) code = hil_board_stop_at(board, tick + plan->every);
   // The board is stopped, so an input that is sent twice takes effect once.
   for (int tries = 0; code == HIL_EQUAL && tries < TRIES; tries++) {
     code = respond(board, plan, control);
     if (code == HIL_EQUAL) code = wait_for_answers(board, 0.5);
     if (hil_board_waiting(board) == 0) break;
   }
+  if (code == HIL_EQUAL && hil_board_waiting(board) > 0)
+    code =
+        hil_message(HIL_STOPPED, "step %" PRIu64 ": its input was lost", tick);
   return code == HIL_EQUAL ? hil_board_order(board, TF_UP_START, NULL, 0)
                            : code;
 }
@@ -122,5 +154,6 @@ hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
   }
   if (code != HIL_EQUAL) return code;
   code = hil_board_order(board, TF_UP_STOP, NULL, 0);
-  return code == HIL_EQUAL ? wait_for_answers(board, 1) : code;
+  if (code == HIL_EQUAL) code = wait_for_answers(board, 1);
+  return code == HIL_EQUAL && plan->has_deadman ? give_back(board) : code;
 }

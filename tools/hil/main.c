@@ -141,6 +141,7 @@ static hil_code_t perform(hil_board_t *board, const options_t *options) {
 
 int main(int argc, char **argv) {
   options_t options;
+  cli_guard_descriptors();
   hil_code_t code = read_options(&options, argc, argv);
   if (code != HIL_EQUAL) return (int)code;
   hil_board_t *board = calloc(1, sizeof *board);
@@ -152,7 +153,7 @@ int main(int argc, char **argv) {
   if (board->samples != NULL) {
     cli_catch_signals();
     code = perform(board, &options);
-    if (ferror(stdout) || fflush(stdout)) code = HIL_STOPPED;
+    if (ferror(stdout) || fflush(stdout) || ferror(stderr)) code = HIL_STOPPED;
   } else {
     code = hil_message(HIL_STOPPED, "out of memory");
   }

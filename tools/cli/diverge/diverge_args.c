@@ -240,30 +240,9 @@ static const cli_option_t options[] = {
     {"--exhaustive", read_exhaustive, CLI_FLAG},
 };
 
-static bool is_same(const char *one, const char *other) {
-  return one != NULL && other != NULL && strcmp(one, other) == 0;
-}
-
 static int check_files(cli_diverge_args_t *args) {
   if (args->exits == NULL && args->returns == NULL && args->counts == NULL) {
     args->returns = "-";
-  }
-  if (is_same(args->exits, args->returns)) {
-    return cli_message(CLI_USAGE,
-                       "--exits %s, --returns %s: two files are needed",
-                       args->exits, args->returns);
-  }
-  if (is_same(args->counts, args->exits) ||
-      is_same(args->counts, args->returns)) {
-    return cli_message(CLI_USAGE, "--counts %s: needs a file of its own",
-                       args->counts);
-  }
-  if (args->resume &&
-      (args->exhaustive || is_same(args->exits, "-") ||
-       is_same(args->returns, "-") || is_same(args->counts, "-"))) {
-    return cli_message(CLI_USAGE,
-                       "--resume: only with --exits, --returns or "
-                       "--counts to files");
   }
   if (args->counts != NULL && args->cycles > CLI_COUNT_CYCLES) {
     return cli_message(CLI_REFUSED, "--counts: at most --cycles %d",

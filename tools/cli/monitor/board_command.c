@@ -193,6 +193,22 @@ static bool is_described(const cli_board_commands_t *commands,
   return receiver->schemas > commands->schemas && receiver->session != 0;
 }
 
+// After the last number the board has another session, so that number would be
+// new again there: it is used up by a command that is refused for its length,
+// and those to come wait for the new session.
+static size_t renew_session(cli_board_commands_t *commands, double now,
+                            uint8_t *wire) {
+  uint32_t last = UINT32_MAX;
+  if (commands->renews) {
+    return 0;
+  }
+  commands->renews = true;
+  commands->deadline = now + PATIENCE;
+  wire[TF_COMMAND_AT] = 0;
+  return tf_command_seal(wire, TF_UP_STOP, 1, commands->session, &last, 0,
+                         commands->has_key ? commands->key : NULL);
+}
+
 size_t cli_board_commands_next(cli_board_commands_t *commands,
                                const cli_receiver_t *receiver, double now,
                                uint8_t *wire) {
@@ -210,6 +226,10 @@ size_t cli_board_commands_next(cli_board_commands_t *commands,
              receiver->sequence > commands->sequence) {
     commands->session = receiver->session;
     commands->sequence = receiver->sequence;
+    commands->renews = false;
+  }
+  if (!asks && commands->sequence == UINT32_MAX) {
+    return renew_session(commands, now, wire);
   }
   const uint8_t *end =
       put_data(wire + TF_COMMAND_AT, command, receiver->is_float);
@@ -229,7 +249,7 @@ size_t cli_board_commands_next(cli_board_commands_t *commands,
 bool cli_board_commands_late(const cli_board_commands_t *commands,
                              const cli_receiver_t *receiver, double now) {
   const bool has_more = commands->next > 0 && commands->next < commands->count;
-  return (commands->waiting ||
+  return (commands->waiting || commands->renews ||
           (has_more && !is_described(commands, receiver))) &&
          now > commands->deadline;
 }

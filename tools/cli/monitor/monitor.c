@@ -301,6 +301,16 @@ static int judge_whole(const monitor_t *monitor) {
              : CLI_DONE;
 }
 
+// Whether the rows are all of one stream. A file of others does not get its
+// name, by which it would say that they are.
+static bool is_whole(const monitor_t *monitor) {
+  return monitor->decoder.frames > 0 &&
+         cli_damage_missing(&monitor->damage, &monitor->receiver,
+                            &monitor->decoder) == 0 &&
+         (monitor->decoder.restarts == 0 || monitor->args.follow) &&
+         !(monitor->at_end && monitor->damage.is_open);
+}
+
 static int judge_stream(const monitor_t *monitor, int code) {
   const cli_damage_t *damage = &monitor->damage;
   if (code == CLI_DONE && monitor->args.commands.refused > 0) {
@@ -336,11 +346,14 @@ static int perform(monitor_t *monitor) {
   code = judge_stop(monitor, follow_stream(monitor));
   write_title(monitor, title);
   cli_live_close(monitor->live, title);
+  const int whole = is_whole(monitor) ? code : CLI_DAMAGED;
+  int closed = whole;
   if (monitor->args.as != NULL) {
     (void)begin_rows(monitor); // a stream without a row has a header, too
-    code = cli_output_end(&monitor->output, code);
+    closed = cli_output_end(&monitor->output, closed);
   }
-  code = cli_session_record_close(&monitor->record, code);
+  closed = cli_session_record_close(&monitor->record, closed);
+  code = closed == whole ? code : closed;
   cli_source_close(&monitor->source);
   const cli_seen_t seen = seen_by(monitor);
   if (!monitor->args.json) {

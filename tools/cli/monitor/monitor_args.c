@@ -4,7 +4,6 @@
 
 #include <string.h>
 
-#include "../host/destination.h"
 #include "../host/key.h"
 #include "../text/message.h"
 #include "../text/options.h"
@@ -115,22 +114,6 @@ static const cli_option_t options[] = {
     {"--summary", read_summary, CLI_ONCE},
 };
 
-// What is written must be no other file of the command line: the one would take
-// the place of the other.
-static int check_files(const cli_monitor_args_t *args) {
-  const char *const paths[] = {args->path, args->out, args->record};
-  static const char *const names[] = {"", "--out ", "--record "};
-  for (int i = 0; i < 3; i++) {
-    for (int j = 0; j < i; j++) {
-      if (cli_one_file(paths[i], paths[j])) {
-        return cli_message(CLI_USAGE, "%s%s, %s%s: two files are needed",
-                           names[j], paths[j], names[i], paths[i]);
-      }
-    }
-  }
-  return CLI_DONE;
-}
-
 int cli_monitor_args(cli_monitor_args_t *args, int argc, char *const argv[]) {
   static const cli_syntax_t syntax = {
       "monitor", options, sizeof options / sizeof options[0], take_source};
@@ -158,5 +141,5 @@ int cli_monitor_args(cli_monitor_args_t *args, int argc, char *const argv[]) {
   if (args->provenance && args->as != cli_stream_named("csv")) {
     return cli_message(CLI_USAGE, "--provenance: only with --as csv");
   }
-  return check_files(args);
+  return CLI_DONE;
 }

@@ -163,7 +163,9 @@ static bool is_row(uint8_t type) {
 bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
                        cli_csv_t *row) {
   if (is_row(frame->type) && !receiver->has_schema) {
-    receiver->incomplete += frame->type != TF_DOWN_REPORT;
+    // A report belongs to the state before it, which counts for both.
+    receiver->incomplete += frame->type != TF_DOWN_REPORT || !receiver->early;
+    receiver->early = frame->type == TF_DOWN_STATE;
     return false;
   }
   const unsigned length = length_of(receiver, frame->type);

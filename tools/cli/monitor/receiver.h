@@ -29,6 +29,7 @@ typedef struct {
   uint8_t mode, choices, source;
   tf_status_t status; ///< of the last report
   bool has_state;     ///< a state has come, its report not yet
+  bool early;         ///< ... before the schema
 
   bool has_heartbeat;
   tf_heartbeat_t heartbeat;

@@ -189,23 +189,6 @@ static int check_replay(const cli_run_args_t *args) {
                                      args->replay, other);
 }
 
-// Files that are written must differ: the second one would take the place of
-// the first.
-static int check_files(const cli_run_args_t *args) {
-  const char *const paths[] = {args->out, args->save, args->lateness};
-  static const char *const names[] = {"--out", "--save", "--lateness"};
-  for (int i = 0; i < 3; i++) {
-    for (int j = 0; j < i; j++) {
-      if (paths[i] != NULL && paths[j] != NULL &&
-          strcmp(paths[i], paths[j]) == 0) {
-        return cli_message(CLI_USAGE, "%s %s, %s %s: two files are needed",
-                           names[j], paths[j], names[i], paths[i]);
-      }
-    }
-  }
-  return CLI_DONE;
-}
-
 int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]) {
   static const cli_syntax_t syntax = {"run", options,
                                       sizeof options / sizeof options[0], take};
@@ -224,9 +207,6 @@ int cli_run_args(cli_run_args_t *args, int argc, char *const argv[]) {
       (args->priority || args->lateness != NULL)) {
     code = cli_message(CLI_USAGE, "%s: only with --realtime",
                        args->priority ? "--priority" : "--lateness");
-  }
-  if (code == CLI_DONE) {
-    code = check_files(args);
   }
   if (code == CLI_DONE && args->replay != NULL) {
     code = check_replay(args);
