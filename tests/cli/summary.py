@@ -53,7 +53,8 @@ def test_run():
     same("note: --set rate=3 has no effect" in err, True)
     got = told("run", "chaos", "--t-end", "3", "--every", "100", "--out",
                "rows")
-    same((got["scene"], got["steps"], got["end"]), ("chaos", 30000, "done"))
+    same([got[key] for key in ("command", "scene", "steps", "end")],
+         ["run", "chaos", 30000, "done"])
     same(got["final"]["r"], float(rows_of("rows")[-1][1]))
     same(got["events"]["two_fold"], 1)
     same(got["events"]["list"][0]["kinds"], ["slip_to_stick", "codim2"])
@@ -100,6 +101,9 @@ def test_inputs_of_run():
     dt = 0.001
     got = told("run", "frictionless", *words, "--dt", str(dt), "--inputs",
                name, "--between", "linear")["inputs"]["applied"]["force"]
+    same([told("run", "frictionless", *words[2:], "--inputs", name, "--between",
+               "linear", "--t-end", t)["inputs"]["last"]
+          for t in ("0.4", "0.5", "0.6")], [1, 1, 2])
     # The mean of the two ends of a step: of the first one behind the knot of
     # -0.3 N, and of the very first one.
     want = [-0.3 + 1 / 1.5 * dt / 2, 0.1 - 0.8 * dt / 2]
@@ -121,6 +125,8 @@ def test_refusals():
     """Of every command, before it has done anything, in either order."""
     for words, code, why in (
             (["run", "chaos", "--set", "mu=-1"], 3, "mu must lie in"),
+            (["run", "chaos", "--set", "segments=70000"], 3, "in [0, 1000]"),
+            (["run", "chaos", "--set", "segments=nan"], 3, "in [0, 1000]"),
             (["run", "nowhere"], 2, "nowhere"),
             (["run", "chaos", "--out", "none/rows"], 4, "none/rows"),
             (["sweep", "chaos", "--over", "mu=1:2"], 2, "mu=1:2"),

@@ -54,6 +54,14 @@ words format csv frames plotter
     grep -o '"[^"]*":' | tr -d '":' | grep -v -e count -e two_folds -e rest |
     sort -u | grep -v -e directions -e eigenvalue$ -e velocity -e sticks)
 }
+# shellcheck disable=SC2046
+words 'member of --summary json' $({
+  "$T" run driven --t-end 0.1 --summary json --out rows --save at
+  "$T" sweep chaos --over mu=1:1:1 --t-end 0 --summary json --out rows
+  "$T" diverge chaos --samples 1 --summary json --returns rows
+  "$T" run chaos --t-end 0.01 --format frames --out frames
+  "$T" monitor frames --summary json
+} 2>&1 | grep -o '"[^"]*":' | tr -d '":' | sort -u)
 words status 'done' flagged stopped refused
 words 'what make makes' bench stability page fmu firmware
 words others version exit inputs summary json provenance profile based-on

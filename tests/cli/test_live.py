@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -135,17 +136,18 @@ def follows_the_size():
     with Terminal(LONG, 80, 24) as terminal:
         terminal.drawn(2)
         for columns, rows in (120, 40), (50, 20), (30, 8), (80, 24):
-            terminal.screen.strict = False  # one of the old size may come
-            terminal.resize(columns, rows)
-            terminal.drawn(2)
-            terminal.screen.strict = True
-            lines = terminal.drawn(2)
-            check(len(lines) <= rows and
-                  max(map(len, lines)) <= columns, terminal.text())
             small = columns < 40 or rows < 15
-            check(bool(lanes_of(lines)) != small, terminal.text())
-            check(("(the planes need" in "".join(lines)) == small,
-                  terminal.text())
+
+            def fits(lines, columns=columns, rows=rows, small=small):
+                return (len(lines) <= rows and
+                        max(map(len, lines), default=99) <= columns and
+                        bool(lanes_of(lines)) != small and
+                        ("(the planes need" in "".join(lines)) == small)
+            terminal.screen.strict = False  # some of the old size may come
+            terminal.resize(columns, rows)
+            terminal.until(lambda: fits(terminal.screen.drawing), "it fits")
+            terminal.screen.strict = True
+            check(fits(terminal.drawn(2)), terminal.text())
 
 
 def ascii_without_utf8():
@@ -209,6 +211,17 @@ def rows_go_to_a_file():
         check(path.read_bytes() == rows, "other rows than without --live")
 
 
+def feed(pipe, data, terminal):
+    """Writes into a pipe while the terminal is read: a program that waits for
+    its terminal reads no pipe."""
+    def write():
+        pipe.write(data)
+        pipe.flush()
+    writing = threading.Thread(target=write)
+    writing.start()
+    terminal.until(lambda: not writing.is_alive(), "all is taken")
+
+
 def monitor_draws_a_stream():
     frames = plain(TWOFOLD, "run", "chaos", "--t-end", "3", "--format",
                    "frames").stdout
@@ -219,12 +232,11 @@ def monitor_draws_a_stream():
         os.close(reader)
         check("(nothing yet)" in terminal.drawn(), "before the first frame")
         with os.fdopen(writer, "wb") as pipe:
-            pipe.write(frames[:half])
-            pipe.flush()
+            feed(pipe, frames[:half], terminal)
             terminal.until(lambda: set(lanes_of(terminal.screen.lines())) ==
                            set(LANES), "lanes")
             check("scene chaos;" in terminal.screen.lines()[0], "the sender")
-            pipe.write(frames[half:half + 40] + frames[half + 60:])
+            feed(pipe, frames[half:half + 40] + frames[half + 60:], terminal)
         check(terminal.end() == 6, "a frame was broken")
         check(terminal.is_given_back(), "not given back")
         check("t = 3.0000 s" in terminal.text(), terminal.text())

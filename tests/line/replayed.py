@@ -220,6 +220,19 @@ def rest_of_a_record_is_told():
     check("--save at: 2 rows of the record were not reached" in text, text)
 
 
+def start_is_that_of_the_record():
+    """Another start or seed would be another motion, and is refused."""
+    schema = sent("chaos", "--t-end", "0", *AT, "--select", "random:7")[0][3]
+    record("one.record", schema, (100, GO))
+    words = ["run", "chaos", *AT, "--replay", "one.record"]
+    call(*words, "--select", "random")
+    call(*words, "--select", "random:7")
+    text = call(*words, "--select", "random:8", code=3)[1]
+    check("--replay one.record: the seed is 7 there and 8 here" in text, text)
+    text = call(*words, "--select", "random", "--set", "r=0.2", code=2)[1]
+    check("--set r=0.2: --replay one.record gives the state" in text, text)
+
+
 def frames_say_what_holds():
     """A schema follows each change, and reports tell whose inputs they had."""
     record("one.record", sent("chaos", "--t-end", "0", *AT)[0][3],
@@ -241,7 +254,7 @@ def frames_say_what_holds():
 def main(words):
     tests = [inputs_hold_and_expire, parameters_and_rule_stay, steps_go_back,
              other_inputs_are_told, rest_of_a_record_is_told,
-             frames_say_what_holds]
+             start_is_that_of_the_record, frames_say_what_holds]
     return run([(test.__name__, test) for test in tests
                 if any(word in test.__name__ for word in words)])
 

@@ -97,6 +97,8 @@ STRANGE = [
     ("kappa=-1&mu=2", ["kappa = -1 must lie in [1e-9, 1000000] m"],
      {"mu": 2}),
     ("r=2e9", ["r = 2000000000 must lie in [-1000000000, 1000000000] m"], {}),
+    ("segments=2.5", ["segments = 2.5 must be a whole number in [0, 1000]"],
+     {}),
     ("kappa=0x1p-2", [], {"kappa": 0.25}),
     ("mu=0x10", [], {"mu": 16}),
     ("law=glue", ["law=glue: unknown law; there are jump, coulomb,"], {}),

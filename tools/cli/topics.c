@@ -58,11 +58,13 @@ static const topic_t topics[] = {
      "The contact: slip+ (h > 0), slip- (h < 0), stick+ (h = 0, g > 0), "
      "stick-\n"
      "(h = 0, g < 0), pinned (h = g = 0, at rest on the turntable).\n"},
-    {"choices futures ambiguous",
+    {"choices futures ambiguous ambiguous_since choices_at_start",
      "How many modes were consistent in a step. Where it is more than one the\n"
      "physics leaves open what follows; --select takes one by a declared "
      "rule,\n"
-     "'diverge' follows all.\n"},
+     "'diverge' follows all. The summary of 'run' counts such steps, and "
+     "tells\n"
+     "the time [s] since when there are any: 0 where the start has several.\n"},
     {"two-fold singularity escaping sliding crossing",
      "Where stick runs from the sliding region (both slips drive h to 0) into\n"
      "the escaping region (both drive it away), in finite time. What follows "
@@ -93,7 +95,7 @@ static const topic_t topics[] = {
      "               jump, coulomb, none\n"
      "  compensated  moreau with compensated summation, for small steps in\n"
      "               float\n"},
-    {"format formats frames",
+    {"format formats frames frame wire schema layout heartbeat",
      "--format NAME of 'run': csv ('twofold help csv'); frames, what a board\n"
      "sends (docs/PROTOCOL.md); plotter ('twofold help plotter').\n"},
     {"plotter",
@@ -127,19 +129,54 @@ static const topic_t topics[] = {
      "a stream were lost or broken, or a value in it is not finite.\n"
      "The file --exits of 'diverge' is something else: 'twofold help "
      "diverge'.\n"},
-    {"degraded coarse fell_back fell-back tolerance-missed",
+    {"degraded coarse fell_back fell-back tolerance-missed reserved_since",
      "A step is degraded where no mode is consistent, or h and g contradict "
      "the\n"
      "mode, and coarse where it does not resolve the motion or misses its\n"
      "tolerance: a smaller dt helps. Both are counted, and make exit code "
      "5.\n"
      "fell_back: a located step that tf_step took, to its own order.\n"},
-    {"summary json",
+    {"summary json text message",
      "What 'run', 'sweep', 'diverge' and 'monitor' say on standard error at\n"
      "their end.\n"
      "--summary json: one line of JSON, the last one there; SI units, null\n"
      "for what is not known. A command that is refused says why in "
      "'message'.\n"},
+    {"command scene_hash first steps asked end final list kinds "
+     "largest_h_in_stick largest_residual largest seconds output_seconds cost "
+     "late latest applied passed rows last t_first t_last name held changes "
+     "began_with commands states left source",
+     "In the summary of 'run':\n"
+     "  first, steps, asked    steps before this run, up to its end, asked "
+     "for\n"
+     "  end, final             why it ended, and where: 'twofold help exit'\n"
+     "  list, kinds            of events; 'slip_to_stick' and so on count "
+     "them\n"
+     "  largest_h_in_stick [m/s], largest_residual [N]: how well stick and "
+     "law\n"
+     "                         hold\n"
+     "  seconds, output_seconds, late, latest: time on the clock [s], and how\n"
+     "                         many steps of --realtime were late\n"
+     "  profile, inputs        tables: rows that were seen, t_first to t_last, "
+     "of\n"
+     "                         which some passed between two steps; applied: "
+     "the\n"
+     "                         least and the largest value of a step\n"
+     "  replay, held           what the commands of a record have changed, "
+     "and\n"
+     "                         whose inputs hold: 'twofold help replay'\n"},
+    {"slip_to_stick stick_to_slip slip_to_slip pinned_to_stick two_fold to",
+     "Events in the summary of 'run': changes of mode from one to another, "
+     "and\n"
+     "arrivals at the two-fold.\n"},
+    {"bytes broken lost missing restarts too_long other_version not_finite "
+     "unmatched unknown sender dropped overruns expired exec_min_ns "
+     "exec_mean_ns exec_max_ns",
+     "Counts of 'monitor': frames that came damaged, not at all or too long,\n"
+     "and what the board's own heartbeat counts (docs/PROTOCOL.md).\n"},
+    {"points kept nodes joined",
+     "In the summary of 'sweep': points, and rows that --resume has kept; of\n"
+     "'diverge --exhaustive': its tree.\n"},
     {"progress",
      "Work of more than two seconds tells on standard error how far it is and\n"
      "how long it still takes: one line on a terminal, a line now and then in "
@@ -197,11 +234,12 @@ static const topic_t topics[] = {
      "and when; run SCENE --dt 1/RATE --replay FILE repeats that to the "
      "bit,\n"
      "and with --save FILE another run goes on from its end.\n"},
-    {"shard shards merge",
+    {"shard shards merge parallel slurm snakemake map",
      "--shard I/N of 'diverge' and 'sweep': one of N parts of the work, whose\n"
      "rows one after the other are those of one run; 'twofold help merge' "
      "adds\n"
-     "counts. Docs: docs/SWEEPS.md.\n"},
+     "counts. GNU parallel, Slurm, Snakemake and the map of a sweep:\n"
+     "docs/SWEEPS.md.\n"},
     {"t-end", "Length of a run [s]: --t-end S, or of a scene.\n"},
     {"profile knots",
      "Speed of the turntable in a scene, linear between up to 8 knots\n"
@@ -222,7 +260,8 @@ static const topic_t topics[] = {
     {"as teleplot",
      "--as FORM of 'monitor': csv, plotter, teleplot or json, for the tools\n"
      "that 'twofold help monitor' names.\n"},
-    {"baud send key follow deadman",
+    {"baud send key follow deadman session start stop reset restore clear "
+     "describe",
      "An option of 'monitor', or a command to a board: 'twofold help "
      "monitor'.\n"},
     {"by size spread codim2 samples cycles patience section near "

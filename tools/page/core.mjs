@@ -32,6 +32,7 @@ export class Core {
         unit: this.text(exports.parameter_unit(i)),
         low: exports.parameter_low(i),
         high: exports.parameter_high(i),
+        isWhole: !exports.parameter_fits(i, 0.5),
         laws: exports.parameter_laws(i),
         scene: exports.parameter_scene(i), // where another has a value for it
         there: exports.parameter_there(i),

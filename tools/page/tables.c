@@ -1,11 +1,13 @@
 // The tables of the core for the page: names, units and ranges of parameters,
 // names of modes, laws, rules and codes. The page has no copy of any of them.
+#include "cli/setup/names.h"
 #include "module.h"
 
 const char *EXPORT(parameter_name)(uint32_t number);
 const char *EXPORT(parameter_unit)(uint32_t number);
 double EXPORT(parameter_low)(uint32_t number);
 double EXPORT(parameter_high)(uint32_t number);
+bool EXPORT(parameter_fits)(uint32_t number, double value);
 uint32_t EXPORT(parameter_laws)(uint32_t number);
 uint32_t EXPORT(parameter_scene)(uint32_t number);
 double EXPORT(parameter_there)(uint32_t number);
@@ -33,6 +35,11 @@ double parameter_low(uint32_t number) {
 
 double parameter_high(uint32_t number) {
   return number < TF_PARAMETERS ? tf_parameter_ranges[number].high : 0;
+}
+
+// Whether it may have a value, its range apart.
+bool parameter_fits(uint32_t number, double value) {
+  return number < TF_PARAMETERS && cli_parameter_fits(number, value);
 }
 
 // Bits of the laws that use it.

@@ -65,26 +65,35 @@ static void take_inputs(cli_run_t *run, const cli_run_args_t *args,
   simulation->input = stand->held.input;
 }
 
+int cli_run_check_start(const cli_run_args_t *args, const cli_setup_t *setup,
+                        const char *option, const char *path, uint32_t seed) {
+  for (size_t i = 0; i < CLI_STARTS; i++) {
+    if (setup->set_start[i] != NULL) {
+      return cli_message(CLI_USAGE, "%s %s: %s %s gives the state",
+                         setup->set_start[i]->option, setup->set_start[i]->text,
+                         option, path);
+    }
+  }
+  if (args->select != NULL && strchr(args->select, ':') != NULL &&
+      seed != setup->seed) {
+    return cli_message(CLI_REFUSED,
+                       "%s %s: the seed is %" PRIu32 " there and %" PRIu32
+                       " here",
+                       option, path, seed, setup->seed);
+  }
+  return CLI_DONE;
+}
+
 int cli_run_go_on(cli_run_t *run, const cli_run_args_t *args,
                   cli_setup_t *setup) {
   cli_stand_t stand;
-  for (size_t i = 0; i < CLI_STARTS; i++) {
-    if (setup->set_start[i] != NULL) {
-      return cli_message(CLI_USAGE, "%s %s: --from %s gives the state",
-                         setup->set_start[i]->option, setup->set_start[i]->text,
-                         args->from);
-    }
+  int code = cli_state_read(&stand, args->from, setup, args->scheme);
+  if (code == CLI_DONE) {
+    code = cli_run_check_start(args, setup, "--from", args->from,
+                               stand.state.seed);
   }
-  const int code = cli_state_read(&stand, args->from, setup, args->scheme);
   if (code != CLI_DONE) {
     return code;
-  }
-  if (args->select != NULL && strchr(args->select, ':') != NULL &&
-      stand.state.seed != setup->seed) {
-    return cli_message(CLI_REFUSED,
-                       "--from %s: the seed is %" PRIu32 " there and %" PRIu32
-                       " here",
-                       args->from, stand.state.seed, setup->seed);
   }
   if (stand.state.tick > run->steps) {
     return cli_message(CLI_REFUSED,

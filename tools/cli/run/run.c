@@ -357,9 +357,14 @@ static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
 // end of the record is looked at before it.
 static int prepare_replay(cli_run_t *run, const cli_run_args_t *args,
                           cli_setup_t *setup) {
+  const cli_setup_t asked = *setup;
   int code = cli_replay_read(&run->replay, args->replay);
   if (code == CLI_DONE) {
     code = cli_replay_begin(&run->replay, setup, args->scheme, &run->steps);
+  }
+  if (code == CLI_DONE) {
+    code = cli_run_check_start(args, &asked, "--replay", args->replay,
+                               setup->seed);
   }
   run->steps++;
   return code;

@@ -185,7 +185,9 @@ static int check_replay(const cli_run_args_t *args) {
                       : args->t_end_text != NULL ? "--t-end"
                                                  : NULL;
   return other == NULL ? CLI_DONE
-                       : cli_message(CLI_USAGE, "--replay %s: not with %s",
+                       : cli_message(CLI_USAGE,
+                                     "--replay %s: not with %s: a record has "
+                                     "its own inputs, start and end",
                                      args->replay, other);
 }
 

@@ -39,10 +39,7 @@ static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
   if (table->count == 0) {
     return;
   }
-  const size_t ahead =
-      table->linear && table->at + 1 < table->count &&
-      (double)table->rows[table->at].t < cli_run_time(run, run->done);
-  const size_t last = table->at + ahead;
+  const size_t last = cli_inputs_last(table, cli_run_time(run, run->done));
   const size_t passed = cli_inputs_passed(table, table->first, last);
   (void)fprintf(stderr, "inputs     %s, %s: %zu of %zu rows, t = %g to %g s%s",
                 table->name, table->linear ? "linear" : "held",

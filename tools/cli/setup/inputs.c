@@ -77,6 +77,11 @@ void cli_inputs_prepare(cli_inputs_t *inputs, tf_real_t dt) {
   inputs->at = 0;
 }
 
+size_t cli_inputs_last(const cli_inputs_t *inputs, double t) {
+  return inputs->at + (inputs->linear && inputs->at + 1 < inputs->count &&
+                       (double)inputs->rows[inputs->at].t < t);
+}
+
 size_t cli_inputs_passed(const cli_inputs_t *inputs, size_t first,
                          size_t last) {
   size_t passed = 0;

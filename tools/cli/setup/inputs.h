@@ -75,6 +75,10 @@ int cli_inputs_read(cli_inputs_t *inputs, const char *path);
 /// without rows.
 uint32_t cli_inputs_hash(const cli_inputs_t *inputs);
 
+/// The last row that the steps up to a time t [s] came to see: of a linear
+/// table that is the one behind.
+size_t cli_inputs_last(const cli_inputs_t *inputs, double t);
+
 /// How many of the rows first to last, both included, never held, because the
 /// next one begins to hold with the same step. A linear table has none.
 size_t cli_inputs_passed(const cli_inputs_t *inputs, size_t first, size_t last);

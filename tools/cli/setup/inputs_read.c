@@ -8,6 +8,7 @@
 
 #include "../text/closest.h"
 #include "../text/lines.h"
+#include "../text/mark.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "inputs.h"
@@ -154,9 +155,8 @@ static int read_row(reader_t *reader, char *line) {
 }
 
 static int read_line(reader_t *reader, char *line) {
-  static const char mark[] = "\xEF\xBB\xBF"; // of UTF-8, by Windows programs
-  if (reader->line == 1 && strncmp(line, mark, 3) == 0) {
-    line += 3;
+  if (reader->line == 1) {
+    line += cli_utf8_mark(line, strlen(line));
   }
   if (line[strspn(line, " \t")] == '\0' || line[0] == '#') {
     return CLI_DONE;

@@ -27,8 +27,9 @@ tf_real_t cli_parameter(const tf_params_t *params, size_t index) {
   return value;
 }
 
-bool cli_is_whole(tf_real_t value) {
-  return value >= 0 && value < TF_R(65536.0) &&
+bool cli_parameter_fits(size_t index, tf_real_t value) {
+  const bool counts = strcmp(tf_parameter_ranges[index].name, "segments") == 0;
+  return !counts || !(value >= 0 && value < TF_R(65536.0)) ||
          (double)(uint32_t)value >= (double)value;
 }
 

@@ -20,9 +20,9 @@ tf_real_t cli_parameter(const tf_params_t *params, size_t index);
 void cli_print_range(size_t parameter);
 void cli_print_ranges(void);
 
-/// Whether a number has no fraction, as the parameter `segments` needs it. The
-/// core would cut it off.
-bool cli_is_whole(tf_real_t value);
+/// Whether a parameter may have a value, its range apart: one that counts has
+/// no fraction, which the core would cut off.
+bool cli_parameter_fits(size_t index, tf_real_t value);
 
 /// Finds a law by its name.
 /// option, text: in, for the message. name: in, as typed.

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "../text/closest.h"
+#include "../text/mark.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "names.h"
@@ -106,10 +107,10 @@ static int check_parameters(cli_scene_reader_t *reader) {
   for (size_t key = 0; key < TF_PARAMETERS; key++) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[key];
     const tf_real_t value = *cli_scene_parameter_of(scene, key);
-    if (reader->given[key] != 0 && strcmp(range->name, "segments") == 0 &&
-        !cli_is_whole(value)) {
-      return cli_message(CLI_REFUSED, "%s segments must be a whole number",
-                         cli_scene_place_of(reader, reader->given[key]));
+    if (reader->given[key] != 0 && !cli_parameter_fits(key, value)) {
+      return cli_message(CLI_REFUSED, "%s %s must be a whole number",
+                         cli_scene_place_of(reader, reader->given[key]),
+                         range->name);
     }
     const bool used = ((range->laws >> (unsigned)scene->params.law) & 1u) != 0;
     if ((value >= range->low && value <= range->high) ||
@@ -174,17 +175,13 @@ static int name_it(cli_scene_reader_t *reader) {
 
 int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
                     size_t size) {
-  static const char mark[] = "\xEF\xBB\xBF"; // of UTF-8, by Windows programs
   cli_scene_reader_t reader = {.file = file, .path = path};
   memset(file, 0, sizeof *file);
   if (size > CLI_SCENE_BYTES) {
     return cli_message(CLI_USAGE, "%s: longer than %d bytes, no scene", path,
                        CLI_SCENE_BYTES);
   }
-  const size_t skipped = size >= 3 && text[0] == mark[0] &&
-                                 text[1] == mark[1] && text[2] == mark[2]
-                             ? 3
-                             : 0;
+  const size_t skipped = cli_utf8_mark(text, size);
   int code = read_lines(&reader, text + skipped, size - skipped);
   if (code == CLI_DONE) {
     code = check_start(&reader);

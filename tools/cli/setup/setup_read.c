@@ -54,9 +54,9 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
     return cli_message(CLI_USAGE, "%s %s: '%s' %s", setting->option,
                        setting->text, setting->value, why);
   }
-  if (strcmp(setting->name, "segments") == 0 && !cli_is_whole(value)) {
-    return cli_message(CLI_REFUSED, "%s %s: segments must be a whole number",
-                       setting->option, setting->text);
+  if (parameter < TF_PARAMETERS && !cli_parameter_fits(parameter, value)) {
+    return cli_message(CLI_REFUSED, "%s %s: %s must be a whole number",
+                       setting->option, setting->text, setting->name);
   }
   if (parameter < TF_PARAMETERS) {
     unsigned char *params = (unsigned char *)&setup->params;
