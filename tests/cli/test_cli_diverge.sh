@@ -131,7 +131,7 @@ for value in inf -inf 1e999 nan; do
 3 chaos --by noise --size $value $files|--size $value: must lie in (0, 1]
 END
 done >rows
-for option in '--depth 2' '--count 5' '--grid 0.1' '--branches e.csv'; do
+for option in '--depth 2' '--count 5' '--grid 0.1' '--branches b.csv'; do
   echo "2 chaos $option $files|only with --exhaustive"
 done >>rows
 cat - >>rows <<END

@@ -22,7 +22,8 @@ stopped() {
   shift 4
   mkdir -p tmp
   # A shell's background jobs ignore SIGINT; what a terminal starts does not.
-  env --default-signal=INT,QUIT MARKED="$D/mark" TMPDIR="$D/tmp" "$@" >out 2>err &
+  env --default-signal=INT,QUIT MARKED="$D/mark" TMPDIR="$D/tmp" "$@" \
+    >out 2>err &
   pid=$!
   check "$name, SIG$signal: processes run" poll has_left "$count_wanted"
   kill -s "$signal" $pid

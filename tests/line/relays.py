@@ -110,7 +110,8 @@ def relayed(change, *words):
                     *pieces, rest = (rest + came).split(b"\0")
                     for piece in filter(None, pieces):
                         kind = decode.decode(piece)[0]
-                        os.write(board.line, change(kind, b"\0" + piece + b"\0"))
+                        os.write(board.line,
+                                 change(kind, b"\0" + piece + b"\0"))
             said = hil.stdout.read().decode()
         os.close(near)
         os.close(far)

@@ -44,14 +44,14 @@ HEADER_ONLY = {"real": "num", "wire": "link"}
 # Each folder of tools/cli/, and the other folders, or single files, that it may
 # include. Files in tools/cli/ itself may include all of them. The commands do
 # not include each other, except that `monitor` writes the rows of `run` and
-# `sweep` counts its events.
+# `sweep` counts its events and ambiguous instants.
 CLI = "tools/cli/"
 CLI_INCLUDES = {
     "monitor": ("run/row.h", "live", "setup", "host", "text"),
     "run": ("live", "setup", "host", "text"),
     "analysis": ("setup", "host", "text"),
     "diverge": ("setup", "host", "text"),
-    "sweep": ("run/events.h", "setup", "host", "text"),
+    "sweep": ("run/ambiguity.h", "run/events.h", "setup", "host", "text"),
     "setup": ("host", "text"),
     "live": ("host", "text"),
     "host": ("text",),

@@ -3,8 +3,7 @@
 // includes only folders below it (check `arrows` has the same table):
 //
 //   .          command (this table), help (overview, version), topics (help on
-//              single words), files (none is read and written), the commands
-//              `scenes` and `scene`
+//              single words), the commands `scenes` and `scene`
 //   monitor/   the command `monitor`: frames of a board become rows or a live
 //              view, and commands are sent to it; takes only row.h of run/
 //   run/       the command `run`: loop, rows, frames, events, summary
@@ -15,7 +14,8 @@
 //              the steppers random, perturbed and lagged, counts, diverge;
 //              `merge` adds its counts
 //   sweep/     the command `sweep`: one row for each point of a grid of
-//              settings; takes only events.h of run/
+//              settings; takes only events.h and ambiguity.h of
+//              run/
 //   setup/     a scene, by its name or from a file, with --set and --select
 //              becomes a machine with its initial state; schemes, names
 //   live/      --live of run and monitor: planes and modes in a terminal
@@ -38,7 +38,6 @@
 #include "analysis/commands.h"
 #include "diverge/diverge.h"
 #include "diverge/diverge_help.h"
-#include "files.h"
 #include "help.h"
 #include "monitor/monitor.h"
 #include "monitor/monitor_help.h"
@@ -165,10 +164,7 @@ static bool asks_for_json(int argc, char *const argv[]) {
 // Performs a command. A program that has asked for JSON gets it also where the
 // command ends before its summary: the reason and the exit code.
 static int perform(const command_t *command, int argc, char *const argv[]) {
-  int code = cli_check_files(argc, argv);
-  if (code == CLI_DONE) {
-    code = command->perform(argc, argv);
-  }
+  const int code = command->perform(argc, argv);
   if (asks_for_json(argc, argv) && !cli_put_ended()) {
     (void)fprintf(stderr, "{" CLI_JSON_BUILD ", ", cli_commit);
     cli_put_word("command", command->name);

@@ -67,7 +67,7 @@ static int take(void *to, const char *word) {
 static const cli_option_t options[] = {{"--set", read_set, CLI_REPEATABLE},
                                        {"--dt", read_dt, CLI_REPEATABLE},
                                        {"--select", read_select, CLI_ONCE},
-                                       {"--out", read_out, CLI_ONCE}};
+                                       {"--out", read_out, CLI_WRITES}};
 
 // The scene with what the command line has changed of it.
 static int apply(const scene_args_t *args, tf_scene_t *scene) {

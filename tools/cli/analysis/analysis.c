@@ -86,7 +86,7 @@ static int take(void *to, const char *word) {
 // By what a command takes: the first ones, those of a point, those of a grid.
 static const cli_option_t options[] = {
     {"--set", read_set, CLI_REPEATABLE},
-    {"--out", read_out, CLI_ONCE},
+    {"--out", read_out, CLI_WRITES},
     {"--r", read_r, CLI_ONCE},
     {"--omega", read_omega, CLI_ONCE},
     {"--provenance", read_provenance, CLI_FLAG},

@@ -67,7 +67,7 @@ static int perform(const merge_args_t *args) {
 }
 
 int cli_merge(int argc, char *const argv[]) {
-  static const cli_option_t options[] = {{"--out", read_out, CLI_ONCE}};
+  static const cli_option_t options[] = {{"--out", read_out, CLI_WRITES}};
   static const cli_syntax_t syntax = {"merge", options, 1, take};
   merge_args_t args = {NULL, NULL, 0};
   args.files = calloc((size_t)argc + 1, sizeof args.files[0]);

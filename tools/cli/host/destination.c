@@ -51,39 +51,6 @@ static void folder_of(const char *path, char folder[CLI_PATH_ROOM]) {
   memcpy(folder + length, ".", 2);
 }
 
-static const char *name_of(const char *path) {
-  const char *slash = strrchr(path, '/');
-  return slash == NULL ? path : slash + 1;
-}
-
-static bool in_one_folder(const char *one, const char *other) {
-  char folder[2][CLI_PATH_ROOM + 2];
-  struct stat a, b;
-  if (strlen(one) >= CLI_PATH_ROOM || strlen(other) >= CLI_PATH_ROOM) {
-    return false; // opening it reports what is wrong
-  }
-  folder_of(one, folder[0]);
-  folder_of(other, folder[1]);
-  return stat(folder[0], &a) == 0 && stat(folder[1], &b) == 0 &&
-         same_file(&a, &b);
-}
-
-bool cli_one_file(const char *one, const char *other) {
-  struct stat a, b;
-  if (one == NULL || other == NULL || strcmp(one, "-") == 0 ||
-      strcmp(other, "-") == 0) {
-    return false;
-  }
-  const bool there = stat(one, &a) == 0;
-  if (there != (stat(other, &b) == 0)) {
-    return false;
-  }
-  if (there) {
-    return S_ISREG(a.st_mode) && same_file(&a, &b);
-  }
-  return strcmp(name_of(one), name_of(other)) == 0 && in_one_folder(one, other);
-}
-
 // Whether a path is an entry of /proc, such as a descriptor of this process.
 static bool in_proc(const char *path) {
   char folder[CLI_PATH_ROOM + 2];

@@ -30,10 +30,6 @@ int cli_destination_open(cli_destination_t *destination, const char *path,
 /// Returns: 0 or an errno; EBUSY: `part` is not the file that was opened.
 int cli_destination_close(cli_destination_t *destination, bool whole);
 
-/// Whether two paths name one regular file, there or not yet; NULL and "-" are
-/// none, and what is no regular file (a terminal, /dev/null) may come twice.
-bool cli_one_file(const char *one, const char *other);
-
 /// Whether a descriptor is a regular file.
 bool cli_is_regular(int descriptor);
 

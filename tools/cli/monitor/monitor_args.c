@@ -106,10 +106,10 @@ static const cli_option_t options[] = {
     {"--follow", read_follow, CLI_FLAG},
     {"--live", read_live, CLI_FLAG},
     {"--baud", read_baud, CLI_ONCE},
-    {"--out", read_out, CLI_ONCE},
+    {"--out", read_out, CLI_WRITES},
     {"--send", read_send, CLI_REPEATABLE},
-    {"--key", read_key, CLI_ONCE},
-    {"--record", read_record, CLI_ONCE},
+    {"--key", read_key, CLI_READS},
+    {"--record", read_record, CLI_WRITES},
     {"--provenance", read_provenance, CLI_FLAG},
     {"--summary", read_summary, CLI_ONCE},
 };

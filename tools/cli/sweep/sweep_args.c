@@ -199,10 +199,10 @@ static const cli_option_t options[] = {
     {"--scheme", read_scheme, CLI_ONCE},
     {"--select", read_select, CLI_ONCE},
     {"--set", read_set, CLI_REPEATABLE},
-    {"--inputs", read_inputs, CLI_ONCE},
+    {"--inputs", read_inputs, CLI_READS},
     {"--between", read_between, CLI_ONCE},
     {"--shard", read_shard, CLI_ONCE},
-    {"--out", read_out, CLI_ONCE},
+    {"--out", read_out, CLI_WRITES},
     {"--resume", read_resume, CLI_FLAG},
     {"--summary", read_summary, CLI_ONCE},
 };

@@ -17,7 +17,9 @@ typedef struct {
 enum {
   CLI_ONCE = 0,       ///< with a value; a second time is an error
   CLI_REPEATABLE = 1, ///< with a value, any number of times
-  CLI_FLAG = 2        ///< without a value, once
+  CLI_FLAG = 2,       ///< without a value, once
+  CLI_WRITES = 4,     ///< once; the value is a file that is written
+  CLI_READS = 8       ///< once; the value is a file that is read
 };
 
 /// An option of a command. how: one of the above.
@@ -38,7 +40,9 @@ typedef struct {
   int (*take)(void *args, const char *word);
 } cli_syntax_t;
 
-/// Reads all words. "-" is a positional argument.
+/// Reads all words. "-" is a positional argument. Then no file that is written,
+/// nor the `.part` or `.resume` beside it, may be one that another option or a
+/// positional argument names; the name of a built-in scene is none.
 /// Returns: CLI_DONE; after a message CLI_USAGE or what a reader returned.
 int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
                    char *const argv[]);
