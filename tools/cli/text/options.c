@@ -98,7 +98,7 @@ static bool is_built_in(const char *name) {
 
 // What the words from argv[*at] on name; moves *at behind them. They were read
 // before, so that they are right.
-static file_t next_file(const cli_syntax_t *syntax, char *const argv[],
+static file_t next_file(const cli_syntax_t *syntax, char *const *argv,
                         int *at) {
   const char *word = argv[(*at)++];
   if (!is_option(word)) {
