@@ -240,9 +240,20 @@ static const cli_option_t options[] = {
     {"--exhaustive", read_exhaustive, CLI_FLAG},
 };
 
+static bool is_standard(const char *path) {
+  return path != NULL && strcmp(path, "-") == 0;
+}
+
 static int check_files(cli_diverge_args_t *args) {
   if (args->exits == NULL && args->returns == NULL && args->counts == NULL) {
     args->returns = "-";
+  }
+  if (args->resume &&
+      (args->exhaustive || is_standard(args->exits) ||
+       is_standard(args->returns) || is_standard(args->counts))) {
+    return cli_message(CLI_USAGE,
+                       "--resume: only with --exits, --returns or "
+                       "--counts to files");
   }
   if (args->counts != NULL && args->cycles > CLI_COUNT_CYCLES) {
     return cli_message(CLI_REFUSED, "--counts: at most --cycles %d",
