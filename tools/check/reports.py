@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Reports say of which core they are: each has the line of `tools/stamp core`,
 "Of commit HASH of src/ and include/.", and where src/ or include/ is another
-now, the line after it says so.
+now, the line after it says so, and whether that matters.
 
     reports.py                 holds that this is so
     reports.py --write         writes or removes the lines that say so
@@ -9,9 +9,9 @@ now, the line after it says so.
 
 Reports are not remade for every change, so one of an older core is told, and
 is no failure. A clone without the commit cannot tell; it says that instead.
-Comments make no other core. No motion depends on the serial line, which is
-src/link and five headers: a change there leaves a report of motions as it is,
-and makes one of sizes, times and costs older.
+Comments make no other core, and no motion depends on the serial line, which is
+src/link and five headers: such a change is told as one that no number depends
+on; the line makes a report of sizes, times and costs older.
 """
 import re
 import subprocess
@@ -29,6 +29,8 @@ LINE = ["src/link"] + [f"include/twofold/{name}.h" for name in (
     "wire", "frame", "command", "telemetry", "link")]
 ORIGIN = re.compile(r"Of commit (.*) of src/ and include/(.*)\.")
 OLDER = "The core has changed since: what follows is of the older one."
+ALIKE = ("Since then comments or the serial line alone have changed: no number "
+         "here depends on them.")
 
 
 def git(*arguments):
@@ -36,16 +38,19 @@ def git(*arguments):
                           stderr=subprocess.DEVNULL).returncode
 
 
-def is_older(name, commit):
-    """Whether the core of a report is another one now; None where git does not
-    know."""
+def change_since(name, commit):
+    """What a report has to say of the changes since its commit: "", ALIKE or
+    OLDER; None where git does not know."""
     if git("cat-file", "-e", commit + "^{commit}") != 0:
         return None
+    if git("diff", "--quiet", commit, "--", "src", "include") == 0:
+        return ""
     but = [f":(exclude){path}" for path in LINE] if name in OF_MOTIONS else []
     changed = subprocess.run(
         ["git", "diff", "--name-only", commit, "--", "src", "include", *but],
         stdout=subprocess.PIPE, text=True, check=True).stdout.split()
-    return any(is_other_code(commit, path) for path in changed)
+    return OLDER if any(is_other_code(commit, path) for path in changed) \
+        else ALIKE
 
 
 def words_of(text):
@@ -65,48 +70,49 @@ def is_other_code(commit, path):
 
 
 def origin(lines):
-    """(number of the line, commit, whether OLDER follows) or None."""
+    """(number of the line, commit, what it says of changes since) or None."""
     for i, line in enumerate(lines):
         found = ORIGIN.fullmatch(line)
         if found:
-            return i, found, lines[i + 1:i + 2] == [OLDER]
+            said = [line for line in lines[i + 1:i + 2]
+                    if line in (OLDER, ALIKE)]
+            return i, found, "".join(said)
     return None
 
 
-def judge(name, lines, older_than=is_older):
-    """(what is wrong or None, whether it is older) of one report."""
+def judge(name, lines, changed=change_since):
+    """(what is wrong or None, what it has to say) of one report."""
     there = origin(lines)
     if there is None:
         return f"{name}: no line \"Of commit HASH of src/ and include/.\"", None
-    _, found, says_so = there
+    _, found, says = there
     if not re.fullmatch("[0-9a-f]{7,40}", found[1]) or found[2]:
         return f"{name}: is of no commit: {found[0]}", None
-    older = older_than(name, found[1])
-    if older and not says_so:
-        return f"{name}: of an older core and does not say so: make stale", True
-    if older is False and says_so:
-        return f"{name}: says that it is of an older core: make stale", False
-    return None, older
+    change = changed(name, found[1])
+    if change is not None and says != change:
+        return (f"{name}: says \"{says}\" behind its commit and has to say "
+                f"\"{change}\": make stale"), change
+    return None, change
 
 
 def write(name):
     lines = Path(name).read_text().split("\n")
     there = origin(lines)
-    older = there and is_older(name, there[1][1])
-    if older is None:
+    change = there and change_since(name, there[1][1])
+    if change is None:
         print(f"{name}: not known of which core it is")
         return
-    at, _, says_so = there
-    if older != says_so:
-        lines[at + 1:at + 1 + says_so] = [OLDER] if older else []
+    at, _, says = there
+    if change != says:
+        lines[at + 1:at + 1 + bool(says)] = [change] if change else []
         Path(name).write_text("\n".join(lines))
-    print(f"{name}: of {'an older' if older else 'the present'} core")
+    print(f"{name}: {change or 'of the present core'}")
 
 
 def remade(name):
     lines = Path(name).read_text().split("\n")
-    at, _, says_so = origin(lines)
-    lines[at:at + 1 + says_so] = [subprocess.run(
+    at, _, says = origin(lines)
+    lines[at:at + 1 + bool(says)] = [subprocess.run(
         ["tools/stamp", "core"], stdout=subprocess.PIPE, text=True,
         check=True).stdout.strip()]
     Path(name).write_text("\n".join(lines))
@@ -120,14 +126,16 @@ def judge_seeds():
         if (words_of(one) == words_of(other)) != want:
             wrong(f"planted: {one!r} and {other!r} are judged wrongly")
     line = "Of commit 0123456 of src/ and include/."
-    for lines, older, want in (
-            (["# Title"], False, "no line"),
-            ([line[:-1] + ", with changes."], False, "is of no commit"),
-            ([line], True, "does not say so"),
-            ([line, OLDER], False, "says that it is"),
-            ([line, OLDER], True, None), ([line], False, None),
-            ([line], None, None)):
-        said, _ = judge("planted", lines, lambda *_, older=older: older)
+    for lines, change, want in (
+            (["# Title"], "", "no line"),
+            ([line[:-1] + ", with changes."], "", "is of no commit"),
+            ([line], OLDER, "has to say"), ([line], ALIKE, "has to say"),
+            ([line, OLDER], "", "has to say"),
+            ([line, OLDER], ALIKE, "has to say"),
+            ([line, ALIKE], OLDER, "has to say"),
+            ([line, OLDER], OLDER, None), ([line, ALIKE], ALIKE, None),
+            ([line], "", None), ([line], None, None)):
+        said, _ = judge("planted", lines, lambda *_, change=change: change)
         if (want or "") not in (said or "") or (want is None) != (said is None):
             wrong(f"a planted report is judged \"{said}\", not \"{want}\"")
 
@@ -146,12 +154,12 @@ else:
     judge_seeds()
     old, unknown = [], []
     for report in REPORTS:
-        said, older = judge(report, Path(report).read_text().split("\n"))
+        said, change = judge(report, Path(report).read_text().split("\n"))
         if said:
             wrong(said)
-        if older:
+        if change == OLDER:
             old.append(Path(report).stem)
-        if older is None:
+        if change is None:
             unknown.append(Path(report).stem)
     if unknown:
         print("not in this clone's history:", *unknown)
