@@ -17,17 +17,13 @@ import zlib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools/protocol"))
-import decode  # noqa: E402  (the path comes first)
+sys.path[:0] = [str(ROOT / "tools/protocol"), str(ROOT / "tests/support")]
+import decode  # noqa: E402  (the paths come first)
+from named import main, same  # noqa: E402
 
 SCHEMA, ANSWER = 0x01, 0x08
 INPUT, STOP, DESCRIBE = 0x41, 0x45, 0x4A
 LOCKSTEP = ["--steps", "600", "--every", "10", "--lockstep"]
-
-
-def same(got, want):
-    if got != want:
-        sys.exit(f"  got  {got}\n  want {want}")
 
 
 class Board:
@@ -208,9 +204,4 @@ def test_closed_descriptors_are_not_the_line():
         same((said.returncode, " 0 broken" in said.stdout), (0, True))
 
 
-TESTS = {name[5:]: test for name, test in list(globals().items())
-         if name.startswith("test_")}
-if len(sys.argv) > 1:
-    TESTS[sys.argv[1]]()
-else:
-    print(*TESTS, sep="\n")
+main(globals())

@@ -17,8 +17,9 @@ import zlib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools/protocol"))
-import decode  # noqa: E402  (the path comes first)
+sys.path[:0] = [str(ROOT / "tools/protocol"), str(ROOT / "tests/support")]
+import decode  # noqa: E402  (the paths come first)
+from named import main, output, same  # noqa: E402
 
 NAMES = "t,r,v,omega,h,g,F,M,mode,choices".split(",")
 PLOTTED = "r,v,omega,h,g,mode,choices".split(",")
@@ -118,12 +119,6 @@ def is_number(cell):
         return False
 
 
-def output(*command, **options):
-    """What a program prints."""
-    return subprocess.run(command, check=True, stderr=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, **options).stdout
-
-
 def motion():
     """A run as rows of values by name, and a function that shows its frames in
     a form of `monitor`."""
@@ -136,12 +131,6 @@ def motion():
                                      int(choices)])))
     return rows, lambda form: output(RUN[0], "monitor", "-", "--as", form,
                                      input=stream).decode()
-
-
-def same(got, want):
-    """Fails where they differ."""
-    if got != want:
-        sys.exit(f"got  {str(got)[:300]}\nwant {str(want)[:300]}")
 
 
 def of_board():
@@ -332,9 +321,4 @@ def test_examples_of_the_protocol_decode():
             sys.exit(f"{name} is not a frame")
 
 
-TESTS = {name[5:]: test for name, test in list(globals().items())
-         if name.startswith("test_")}
-if len(sys.argv) > 1:
-    TESTS[sys.argv[1]]()
-else:
-    print(*TESTS, sep="\n")
+main(globals())

@@ -13,20 +13,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/support"))
+from named import main, output, same  # noqa: E402  (the path comes first)
+
 RUN = [os.environ.get("TWOFOLD", ""), "run", "chaos", "--t-end", "0.5", "--dt",
        "1e-3"]
-
-
-def same(got, want):
-    """Fails where they differ."""
-    if got != want:
-        sys.exit(f"got  {str(got)[:300]}\nwant {str(want)[:300]}")
-
-
-def output(*command, **options):
-    """What a program prints."""
-    return subprocess.run(command, check=True, stderr=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, **options).stdout
 
 
 def judged(stream, *words, code):
@@ -202,9 +194,4 @@ def test_lateness_of_a_board_is_whole_or_what_it_was():
     same(Path("late.part").exists(), False)
 
 
-TESTS = {name[5:]: test for name, test in list(globals().items())
-         if name.startswith("test_")}
-if len(sys.argv) > 1:
-    TESTS[sys.argv[1]]()
-else:
-    print(*TESTS, sep="\n")
+main(globals())
