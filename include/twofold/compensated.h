@@ -81,7 +81,7 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
 /// report: out; slip and residual are those of state + compensation.
 /// Returns: as tf_step; where it refuses, state and compensation are untouched.
 /// Trust: TF_OK promises what it does of tf_step, and was tried as much.
-/// Cost: at most 26000 instructions found by search, as tf_step, and at most
+/// Cost: at most 25000 instructions found by search, as tf_step, and at most
 ///   230000 by the longest way. Stack: 4336 B.
 /// Memory: caller's, no overlap, reentrant.
 /// Claims: rounding_is_compensated, compensated_stick_is_exact,

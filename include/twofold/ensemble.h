@@ -94,7 +94,7 @@ TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
 /// Returns: how many lanes were done by tf_step, one by one. They cost more;
 ///   their status is in the reports.
 /// Trust: that of tf_step, whose bits it has.
-/// Cost: at most 31 instructions and 26000 a state, the worst found by search:
+/// Cost: at most 31 instructions and 25000 a state, the worst found by search:
 ///   tf_step for every lane after the common path, which is all that most
 ///   blocks take (`make bench-ensemble`), and at most
 ///   59 and 230000 by the longest way. For vectors of double gcc needs SSE4.2

@@ -37,16 +37,18 @@ extern "C" {
 ///   reach the end: the rest of the step was done by tf_step, from where they
 ///   had come to, force is the mean over that rest and residual that of
 ///   tf_step; or the motion stands still, as with tf_step);
-///   TF_FELL_BACK (no series converged from the start: tf_step took the whole
-///   step, and the report is its own); TF_COARSE, TF_DEGRADED (the same, or the
-///   rest, and tf_step returned that);
+///   TF_FELL_BACK (the segments made no way from the start: tf_step took the
+///   whole step, and the report is its own. Either no series converged there,
+///   or the budget is 1 and its segment ended at once, by an event at the start
+///   itself, as where h is below rounding; a later event leaves TF_COARSE);
+///   TF_COARSE, TF_DEGRADED (the same, or the rest, and tf_step returned that);
 ///   TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
 ///   TF_STEP_TOO_LONG (state untouched, report holds the status).
 /// Trust: TF_OK promises what it does of tf_step, with an error that follows
 ///   the tolerance. Not so, by an independent reference: one of 791 motions
 ///   through h = g = 0 at dt = 1e-4, and past r = 0 2 of 2000 stiff runs gain
 ///   energy (docs/VERIFICATION.md).
-/// Cost: at most 30000 instructions and 90000 a segment of the budget, the
+/// Cost: at most 28000 instructions and 87000 a segment of the budget, the
 ///   worst found by search: the former that leaves h = g = 0 at the start
 ///   and one in tf_step at the end. No budget takes more than
 ///   330000 and 570000 by the longest way. One segment where the motion has no

@@ -117,7 +117,8 @@ typedef struct {
                       ///< relative to the velocities; dimensionless
   tf_real_t segments; ///< of a step of tf_step_located, at most: its budget.
                       ///< A whole number, or what is behind the point is
-                      ///< dropped; 0: TF_LOCATED_SEGMENTS
+                      ///< dropped; so what is below 1 counts as 0, which is
+                      ///< the default: TF_LOCATED_SEGMENTS
   tf_tyre_law_t law;  ///< which tyre
   tf_rule_t rule;     ///< which of several consistent modes
   tf_rest_law_t rest; ///< at h = g = 0 (JUMP)

@@ -104,11 +104,10 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 /// Trust: where it says TF_OK, the mode is one of the set, h and g have its
 ///   signs, or are 0 within their rounding, as it asks, no energy is created
 ///   but for that share, and what follows h = g = 0 is what law and rule say.
-///   A step that passes h = g = 0 has the mean force of both sides, and may
-///   end in a mode that is not of the set of that force. An independent
-///   reference found none of 1.9 million steps and of 2000 stiff runs that
-///   break this; what it and others did find, of 791 motions through h = g = 0
-///   and 1973 extreme machines, is in docs/VERIFICATION.md.
+///   A step that passes h = g = 0 has the mean force of both sides. An
+///   independent reference found none of 1.9 million steps and of 2000 stiff
+///   runs that break this; what it and others did find, of 791 motions through
+///   h = g = 0 and 1973 extreme machines, is in docs/VERIFICATION.md.
 /// Cost: at most 24000 instructions found by search: a step that comes to
 ///   h = g = 0 or ends in no mode; see `make bench` for others. Every loop has
 ///   a bound: at most 230000 by the longest way. Stack: 4096 B.
@@ -116,6 +115,7 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 /// Claims: smooth_slip_order_of_convergence, stick_is_exact, mirror_symmetry,
 ///   branch_is_independent_of_the_step_size, golden_trajectories,
 ///   branch_at_codimension_two_is_independent_of_dt,
+///   a_course_ends_with_the_signs_of_its_mode,
 ///   random_machines_take_one_branch,
 ///   motion_leaves_codimension_two_as_the_reference_does,
 ///   both_schemes_go_one_way_beside_codimension_two,

@@ -74,10 +74,25 @@ static codim2_course_t along_stick(const codim2_field_t *field, int sign_g,
                          (multipliers_t){stick.x, s_g * stick.x});
 }
 
+static bool has_come_to_codim2(const course_point_t *at) {
+  return at->H == 0 && at->G == 0;
+}
+
+// Moves straight to where it is nearest to h = g = 0, and counts as there.
+static void come_to_codim2(course_point_t *at, tf_real_t H_rate,
+                           tf_real_t G_rate, multipliers_t force) {
+  const tf_real_t rate2 = H_rate * H_rate + G_rate * G_rate;
+  const tf_real_t nears = -(at->H * H_rate + at->G * G_rate);
+  add_force(at, force, clip(nears / rate2, 0, 1 - at->time));
+  at->H = 0;
+  at->G = 0;
+}
+
 // Moves straight to the border of a cell, in the direction (C, S). Returns
-// whether the step goes on from there.
+// whether the step goes on from there. At h = g = 0 a slip turns in no time.
 static bool cross_cell(const tf_tyre_t *tyre, const quadrant_t *q, tf_real_t C,
                        tf_real_t S, course_point_t *at) {
+  if (has_come_to_codim2(at)) return true;
   const tf_real_t size = square_root(at->H * at->H + at->G * at->G);
   const tf_real_t H_mid = at->H + size * C, G_mid = at->G + size * S;
   const tf_real_t T = cot_psi(tyre, G_mid, H_mid);
@@ -89,10 +104,16 @@ static bool cross_cell(const tf_tyre_t *tyre, const quadrant_t *q, tf_real_t C,
   const tf_real_t moves = crosses ? time : remaining;
   const tf_real_t H = at->H + moves * H_rate, G = at->G + moves * G_rate;
   const tf_real_t distance = H * C + G * S;
-  if (!(distance > 0)) return true; // past h = g = 0: it is on its direction
-  add_force(at, force_in(tyre, q, T), moves);
-  at->H = crosses ? distance * C : H;
-  at->G = crosses ? distance * S : G;
+  const multipliers_t force = force_in(tyre, q, T);
+  if (!(distance > 0)) { // past h = g = 0
+    come_to_codim2(at, H_rate, G_rate, force);
+    return true;
+  }
+  add_force(at, force, moves);
+  // By the velocity in its middle a cell may be left the other way: a course
+  // stays in its quadrant.
+  at->H = crosses ? distance * C : clip(H, 0, TF_REAL_MAX);
+  at->G = crosses ? distance * S : clip(G, 0, TF_REAL_MAX);
   return crosses;
 }
 
@@ -108,7 +129,7 @@ static bool cross_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
     if (upwards ? T_border <= T : T_border >= T) continue;
     if (to->sign_g && (upwards ? T_border >= to->T : T_border <= to->T)) {
       const tf_real_t size = square_root(at->H * at->H + at->G * at->G);
-      if (at->H * to->C + at->G * to->S > ALIGNED * size) return true;
+      if (at->H * to->C + at->G * to->S >= ALIGNED * size) return true;
       const tf_real_t C = to->C + at->H / size, S = to->S + at->G / size;
       const tf_real_t length = square_root(C * C + S * S);
       return cross_cell(tyre, q, C / length, S / length, at);

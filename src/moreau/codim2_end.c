@@ -237,7 +237,9 @@ static bool follow_course(const free_motion_t *c, const inclusion_t *in,
   if (end_at(c, in, course->mode, course->slip, course->sum, out)) return true;
   if (course->mode > TF_SLIP_MINUS) return false;
   out->end = end_by(c, course->sum);
-  return signs_agree(c, out->outcome.mode, &out->end);
+  out->outcome.mode = course->mode;
+  out->outcome.is_mean = true;
+  return signs_agree(c, course->mode, &out->end);
 }
 
 // Whether a slip that passes by h = g = 0 may miss its future: it has several,

@@ -2,7 +2,7 @@
 // names one of them. Members stand in the order of their struct, as C++ asks.
 #include "twofold/scene.h"
 
-// The paper's figure 6: kappa and k2 put the two-fold at r = 0.1859,
+// The paper's figure 5: kappa and k2 put the two-fold at r = 0.1859,
 // omega = -1.037 (singKappa, singK2).
 #define PAPER                                                            \
   .m = 1, .d = 1, .beta = TF_R(0.05), .k2 = TF_R(2.2270992253886014441), \
@@ -15,7 +15,7 @@
 
 static const tf_scene_t chaos = {
     .name = "chaos",
-    .shows = "the paper's figure 6: into the two-fold, windings, return",
+    .shows = "the paper's figure 5: into the two-fold, windings, return",
     .leaves_out = "inputs, angle",
     .params = {PAPER, PAPER_KAPPA, PAPER_GAMMA, PAPER_SCHEME,
                .law = TF_TYRE_JUMP},

@@ -34,7 +34,7 @@ TEST(erratum_force_has_a_kink) {
   }
 }
 
-/* Figure 6: its regions lie on h = 0, where v follows from r and omega; the
+/* Figure 5: its regions lie on h = 0, where v follows from r and omega; the
  * caption puts them on v = 0, which is off h = 0 wherever the discs differ. */
 TEST(erratum_regions_lie_on_h_zero) {
   paper_t p;

@@ -111,16 +111,21 @@ TEST(located_more_segments_are_better) {
   CHECK(error[n / 2] < error[1] && error[n - 1] < error[1] / 20);
 }
 
-/* A budget of 0 is that of the build, what is behind the point is dropped, and
- * what is beyond the range is refused by name. */
+/* A budget of 0 is that of the build, what is behind the point is dropped, so
+ * what is below 1 is 0, and what is beyond the range is refused by name. */
 TEST(located_budget_is_a_parameter) {
   const struct {
     double given;
     int want;
-  } cases[] = {{0, TF_LOCATED_SEGMENTS}, {1, 1}, {7.9, 7}, {1000, 1000}};
+  } cases[] = {{0, TF_LOCATED_SEGMENTS},
+               {0.5, TF_LOCATED_SEGMENTS},
+               {0.999, TF_LOCATED_SEGMENTS},
+               {1, 1},
+               {7.9, 7},
+               {1000, 1000}};
   tf_params_t p = tf_scenes[0]->params;
   tf_machine_t k;
-  for (int i = 0; i < 4; i++) {
+  for (int i = 0; i < 6; i++) {
     p.segments = (tf_real_t)cases[i].given;
     CHECK(tf_prepare(&k, &p, NULL) == TF_OK && k.segments == cases[i].want);
   }

@@ -1,8 +1,9 @@
 /* A mode is a statement about the signs of h and g, and a step that returns
  * TF_OK ends with them: slip+ with h > 0, slip- with h < 0, stick+ with h = 0
  * and g >= 0, stick- with h = 0 and g <= 0, pinned with both 0, but for the
- * rounding of the state. So does a stick that comes to rest at h = g = 0 for
- * ever: rounding does not end its rest. */
+ * rounding of the state. A stick that comes to rest at h = g = 0
+ * for ever does so too: rounding does not end its rest. And the mode is one of
+ * the set that the step reports. */
 #include "common.h"
 #include "extremes.h"
 
@@ -103,7 +104,9 @@ TEST(signs_are_those_of_the_mode) {
         const real tolerance =
             scheme == LOCATED ? wide(run.machine.machine.tolerance) : 0;
         if (status < TF_OK) break;
-        const int right = has_its_signs(&run, tolerance);
+        const int right =
+            (run.report.set & TF_MODE_BIT(run.report.mode)) != 0 &&
+            run.report.mode == run.x.mode && has_its_signs(&run, tolerance);
         good += status == TF_OK && right;
         wrong += status == TF_OK && !right;
         degraded += status == TF_DEGRADED;

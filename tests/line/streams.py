@@ -11,7 +11,6 @@ import os
 import random
 import re
 import struct
-import subprocess
 import sys
 import zlib
 from pathlib import Path

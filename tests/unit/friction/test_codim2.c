@@ -355,6 +355,45 @@ TEST(slip_takes_its_course) {
   CHECK(slips > 500 && arrives > 5 && leaves_h > 100 && close * 20 < slips);
 }
 
+/* The same of slips that are on the way to h = g = 0 or pass close by it, with
+ * a guess of the force: a course ends with the signs of its mode. */
+TEST(a_course_ends_with_the_signs_of_its_mode) {
+  int ends[TF_MODES + 1] = {0}, wrong = 0;
+  for (int n = 0; n < 40000; n++) {
+    const tf_params_t params = any_params(n);
+    const tf_machine_t k = prepared(&params);
+    field_t at;
+    const codim2_field_t field = any_field(&params, &at);
+    const int side = n & 1 ? 1 : -1;
+    const real angle = tap_uniform(-1.5, 1.5);
+    const slip_rate_t rate = slip_rate_at(&at, side, angle);
+    const real time = tap_uniform(0, 1), off = tap_uniform(-0.1, 0.1);
+    /* Along -rate, for a time, past h = g = 0 by a share of that. */
+    const real C = cosl(angle), S = sinl(angle);
+    const real h = rate.growth * C - rate.rotation * S;
+    const real g = rate.growth * S + rate.rotation * C;
+    const tf_slip_t slip = {(tf_real_t)((real)side * time * (-h - off * g)),
+                            (tf_real_t)(time * (-g + off * h))};
+    if (!((tf_real_t)side * slip.h > 0)) continue;
+    const codim2_course_t is = tf_codim2_course(&k, &field, slip, side);
+    const tf_slip_t end = is.slip;
+    ends[is.mode]++;
+    if (is.mode == TF_SLIP_PLUS) wrong += !(end.h >= 0);
+    if (is.mode == TF_SLIP_MINUS) wrong += !(end.h <= 0);
+    if (is.mode > TF_SLIP_MINUS) wrong += end.h != 0;
+    if (is.mode == TF_STICK_PLUS) wrong += !(end.g > 0);
+    if (is.mode == TF_STICK_MINUS) wrong += !(end.g < 0);
+    if (is.mode == TF_PINNED) wrong += end.g != 0;
+    CHECK(is.share >= 0 && is.share <= 1);
+  }
+  printf("# slip %d and %d, stick %d and %d, at h = g = 0 %d, none %d\n",
+         ends[TF_SLIP_PLUS], ends[TF_SLIP_MINUS], ends[TF_STICK_PLUS],
+         ends[TF_STICK_MINUS], ends[TF_PINNED], ends[TF_NO_MODE]);
+  CHECK(wrong == 0);
+  CHECK(ends[TF_NO_MODE] == 0);
+  for (int mode = 0; mode < TF_MODES; mode++) CHECK(ends[mode] > 200);
+}
+
 TEST(a_field_that_is_no_number_has_no_course) {
   const tf_params_t params = tf_scenes[0]->params;
   const tf_machine_t k = prepared(&params);
@@ -373,6 +412,7 @@ int main(int argc, char **argv) {
   RUN(codimension_two_always_has_a_future);
   RUN(exits_of_any_field_are_those_of_a_search);
   RUN(slip_takes_its_course);
+  RUN(a_course_ends_with_the_signs_of_its_mode);
   RUN(a_field_that_is_no_number_has_no_course);
   return tap_end();
 }

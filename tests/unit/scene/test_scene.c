@@ -76,7 +76,7 @@ TEST(chaos_begins_in_slip) {
   CHECK(run.report.choices == 1);
 }
 
-/* The paper's figure 6, and constants that put its two-fold at (r*, w*). */
+/* The paper's figure 5, and constants that put its two-fold at (r*, w*). */
 TEST(chaos_starts_as_the_contract_says) {
   const run_t run = started(scene_named("chaos"));
   CHECK(run.state.r == TF_R(0.18));
