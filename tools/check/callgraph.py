@@ -13,7 +13,6 @@ code 1.
 """
 import re
 import sys
-from pathlib import Path
 
 FLAT = 32
 

@@ -6,7 +6,6 @@ macro shows is refused. A control shows that each count can see one."""
 import re
 import shutil
 import subprocess
-from pathlib import Path
 
 from findings import BUILD, DEFINES, ROOT, build, checked, need, wrong
 

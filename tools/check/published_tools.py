@@ -7,7 +7,7 @@ import re
 import subprocess
 import sys
 
-from findings import BUILD, ROOT, wrong
+from findings import ROOT, wrong
 
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tools/recurrence")]
 MACHINES = 36  # of each space

@@ -18,16 +18,19 @@ tidy() {
 files_in '*.c' src >"$BUILD/tidy.core"
 # What Frama-C alone compiles is left out, and what is for packages, whose
 # headers are not here: `make test-dist` compiles it.
-files_in '*.c' tools | grep -Ev '^tools/(eva|dist|mutation/outputs)' \
+firmware=tools/realtime/empty_app.c
+files_in '*.c' tools |
+  grep -Ev "^(tools/(eva|dist|mutation/outputs)|$firmware)" \
   >"$BUILD/tidy.tools"
 files_in '*.c' tests tools/mutation/outputs.c | grep -v '^tests/target/' \
   >"$BUILD/tidy.tests"
-files_in '*.c' tests/target >"$BUILD/tidy.target"
+files_in '*.c' tests/target "$firmware" >"$BUILD/tidy.target"
 tidy <"$BUILD/tidy.core" || wrong "core in double"
 tidy -DTF_REAL_FLOAT <"$BUILD/tidy.core" || wrong "core in float"
 tidy -Itools <"$BUILD/tidy.tools" || wrong "tools"
 tidy -Itests -Itests/support -Isrc <"$BUILD/tidy.tests" || wrong "tests"
-# Programs of the boards are given a number of steps.
-tidy -DSTEPS=1000 <"$BUILD/tidy.target" || wrong "programs of the boards"
+# Programs of the boards are given a number of steps, and a rate.
+tidy -Iport -DSTEPS=1000 -DRATE=1000 <"$BUILD/tidy.target" ||
+  wrong "programs of the boards"
 checked "$(cat "$BUILD"/tidy.core "$BUILD"/tidy.tools "$BUILD"/tidy.tests \
   "$BUILD"/tidy.target | wc -l) files, the core in both real types"

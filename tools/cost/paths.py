@@ -200,7 +200,7 @@ class Ways:
         """The same; None where it has no number."""
         if function not in self.found:
             self.found[function] = None
-            self.why[function] = "it calls itself"
+            self.why[function] = f"{function[1]} calls itself"
             try:
                 self.found[function] = self.whole(function)
             except NoBound as why:

@@ -123,21 +123,25 @@ def addresses(path: Path, folder: str) -> dict[str, dict[int, int]]:
     return found
 
 
+def frames_at(command: list[str], ats: Iterable[int]) -> Iterable[Frames]:
+    """The places in the source that addr2line knows of addresses."""
+    told = subprocess.run(
+        [*command, "-a", "-i"], input="".join(f"{at:x}\n" for at in ats),
+        check=True, stdout=subprocess.PIPE, text=True).stdout
+    for part in re.split(r"^0x\w+\n", told, flags=re.M)[1:]:
+        places = re.findall(r"^(.+):(\d+)", part, re.M)
+        yield tuple((os.path.relpath(file), int(line))
+                    for file, line in reversed(places))
+
+
 def frames_of(path: Path) -> dict[int, Frames]:
     """The places in the source that each line of an assembly is of."""
     found: dict[int, Frames] = {}
     with tempfile.TemporaryDirectory() as folder:
         for section, lines in addresses(path, folder).items():
-            told = subprocess.run(
-                ["addr2line", "-a", "-i", "-j", section, "-e", f"{folder}/a.o"],
-                input="".join(f"{at:x}\n" for at in lines.values()),
-                check=True, stdout=subprocess.PIPE, text=True).stdout
-            parts = re.split(r"^0x\w+\n", told, flags=re.M)[1:]
-            for number, part in zip(lines, parts):
-                places = re.findall(r"^(.+):(\d+)", part, re.M)
-                found[number] = tuple(
-                    (os.path.relpath(file), int(line))
-                    for file, line in reversed(places))
+            found.update(zip(lines, frames_at(
+                ["addr2line", "-j", section, "-e", f"{folder}/a.o"],
+                lines.values())))
     return found
 
 

@@ -27,7 +27,7 @@ do for [i=1:7] {
     set ylabel 'prescribed ω* [rad/s]' offset 1
     set palette defined (0 '#ffffff', 1 green)
     set xtics 0,0.1; set ytics -1.5,0.25; set format y '%.2f'
-    set label 1 'figure 6' at r_star,w_star front point pt 7 ps 1.6*P \
+    set label 1 'figure 5' at r_star,w_star front point pt 7 ps 1.6*P \
       lc rgb black offset 1,-0.8
   } else {
     x = 0.495 + 0.17 * ((i - 2) % 3); y = i < 5 ? 0.59 : 0.10

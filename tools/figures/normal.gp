@@ -1,4 +1,4 @@
-# The paper's figure 5: stick next to the two-fold, and the loop.
+# The paper's figure 3: stick next to the two-fold, and the loop.
 wide = 1500; high = 880
 @OPEN
 load data.'/two-fold.dat'

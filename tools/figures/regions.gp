@@ -1,4 +1,4 @@
-# The paper's figure 6, top left: regions of the surface h = 0, computed, and
+# The paper's figure 5, top left: regions of the surface h = 0, computed, and
 # the sticking flow on it.
 wide = 1400; high = 1000
 @OPEN

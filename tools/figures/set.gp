@@ -1,4 +1,4 @@
-# The paper's figure 6, the blocks: slip off the escaping region, each future
+# The paper's figure 5, the blocks: slip off the escaping region, each future
 # until it is back at the two-fold or 2.3 s are over, seen from two sides. The
 # third axis is h, so that the surface is the floor of the picture.
 wide = 1700; high = 1000

@@ -1,4 +1,4 @@
-# The paper's figure 3, computed: what slip near h = 0 does at three places.
+# The paper's figure 2, computed: what slip near h = 0 does at three places.
 wide = 1500; high = 620
 @OPEN
 array name[3] = ['crossing', 'sliding', 'escaping']

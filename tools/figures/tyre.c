@@ -1,5 +1,5 @@
 // tyre - force and moment of the tyre over the slip angle, for the paper's
-// figure 9: angle [degrees], F / mu and M / mu of the stretched string with the
+// figure 8: angle [degrees], F / mu and M / mu of the stretched string with the
 // parameters of the left panel, and with those of the right panel, then F / mu
 // and M / (mu kappa) of the law with a jump that takes its place.
 #include <math.h>

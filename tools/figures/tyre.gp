@@ -1,4 +1,4 @@
-# The paper's figure 9: force and moment of the tyre over the slip angle.
+# The paper's figure 8: force and moment of the tyre over the slip angle.
 wide = 1500; high = 660
 @OPEN
 f = data.'/tyre.dat'

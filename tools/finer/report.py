@@ -205,7 +205,7 @@ class Study:
         return markdown.table(["effective width [m/s]", "float", "double",
                                "x87, 64 bits"], lines)
 
-    def kicked(self) -> Iterable[tuple[str, read.Row, Optional[float]]]:
+    def kick_exponents(self) -> Iterable[tuple[str, read.Row, Optional[float]]]:
         """Width, motion after a kick and, where the kick is small enough, the
         exponent that Kummer's function predicts."""
         for width in "1e-06", "1e-07":
@@ -219,7 +219,7 @@ class Study:
         ends over all kicks but the least one, and at that."""
         found = sorted((row.number("kick"),
                         100 * (row.number("behind") / want - 1))
-                       for _, row, want in self.kicked() if want)
+                       for _, row, want in self.kick_exponents() if want)
         others = [one for _, one in found[1:]]
         return {"kick_least": found[0][0], "kick_last": found[0][1],
                 "kick_low": min(others), "kick_high": max(others)}
@@ -227,7 +227,7 @@ class Study:
     def kicks(self) -> str:
         """Growth of single kicks, beside Kummer's function."""
         lines = []
-        for width, row, want in self.kicked():
+        for width, row, want in self.kick_exponents():
             kick = row.number("kick")
             lines.append((float(width), -kick, [
                 f"{float(width):g}", f"{kick:g}", exit_of(row),

@@ -7,6 +7,11 @@ $(BUILD)/double/tools/realtime/empty_loop: %: %.o \
       host/output.o host/destination.o text/message.o)
 	$(link)
 
+# The firmware's loop on the host without a step. STEPS of it go by SECONDS, so
+# it is made anew each time.
+EMPTY_FIRMWARE := port/main.c port/loop.c port/host/board.c \
+  tools/realtime/empty_app.c
+
 .PHONY: realtime keep-realtime
 HELPERS += keep-realtime
 realtime: ## lateness at 1 and 10 kHz, as histograms (matplotlib)
@@ -14,7 +19,10 @@ realtime: $(BUILD)/double/tools/realtime/empty_loop $(BUILD)/double/twofold
 	@for rate in 1000 10000; do \
 	  MAKEFLAGS= $(MAKE) -s --no-print-directory firmware BOARD=host \
 	  REAL=double SCHEME=moreau RATE=$$rate NAMED=-$$rate FORMAT=csv \
-	  STEPS=$$(($(or $(SECONDS),10) * rate)) || exit 1; done
+	  STEPS=$$(($(or $(SECONDS),10) * rate)) && \
+	  $(CC) -std=c99 -O2 $(WARN) -Iport -DRATE=$$rate \
+	  -DSTEPS=$$(($(or $(SECONDS),10) * rate)) $(EMPTY_FIRMWARE) \
+	  -o $(BUILD)/double/tools/realtime/empty_firmware-$$rate || exit 1; done
 	$(call of_this_core,$(BUILD)/REALTIME.md,tools/realtime/realtime.py \
 	  '$(BUILD)' $(or $(SECONDS),10))
 

@@ -3,11 +3,12 @@
 
   realtime.py BUILD SECONDS
 
-Runs the empty loop, `twofold run --realtime` and the host firmware at 1 kHz and
-10 kHz, each on one processor with real-time priority and locked memory: alone,
-and beside as many busy processes of the same priority class as there are
-processors. Writes BUILD/realtime/NAME.csv (us,began,ended as cyclictest has
-its histograms), BUILD/REALTIME.md and BUILD/realtime/lateness.svg.
+Runs `twofold run --realtime`, the host firmware, and the loops of both without
+a step, at 1 kHz and 10 kHz, each on one processor with real-time priority and
+locked memory: alone, and beside a busy process on the same processor that takes
+it half of the time. Writes BUILD/realtime/NAME.csv (us,began,ended as
+cyclictest has its histograms), BUILD/REALTIME.md and
+BUILD/realtime/lateness.svg.
 """
 from __future__ import annotations
 
@@ -31,10 +32,18 @@ ABOUT = """
 Made by `make realtime` in {seconds} s a row on {processor}, Linux {kernel}, on
 processor {cpu}, with SCHED_FIFO and locked memory{lacking}. `began` is how long
 after its time a step began, `ended` how long after it was done, with its row
-[us]; a step is late where it ended after the time of the next one. `empty` is
-the loop without a step: what of the lateness is the machine's. `loaded`: a busy
-process on the same processor pre-empts it half of the time.
+[us]; a step is late where it ended after the time of the next one. `run-empty`
+and `firmware-empty` are the loops of `run` and of `firmware` without a step:
+what of the lateness is the machine's and the loop's. `run` makes up for a delay
+by taking its steps one after the other, each late by its own time; the firmware
+leaves out the steps of the ticks that have passed. So after one delay `run`
+counts more late steps. {loaded}
+
+The processor was {isolated}; the load of the machine before was {before} (mean
+of a minute).
 """
+LOADED = ("`loaded`: a busy process on the\nsame processor pre-empts it half "
+          "of the time.")
 
 
 class Loop(NamedTuple):
@@ -46,20 +55,23 @@ class Loop(NamedTuple):
 
 
 def loops(build: Path, work: Path, seconds: int) -> list[Loop]:
-    """The three programs at each rate."""
+    """The four programs at each rate."""
     made = []
     for rate in RATES:
         steps = rate * seconds
-        made.append(Loop("empty", rate, [
+        line = {"TWOFOLD_REALTIME": "1", "TWOFOLD_PORT": str(work / "line")}
+        made.append(Loop("run-empty", rate, [
             str(build / "double/tools/realtime/empty_loop"), str(1 / rate),
             str(steps), ""], {}))
         made.append(Loop("run", rate, [
             str(build / "double/twofold"), "run", "chaos", "--realtime",
             "--priority", "--dt", str(1 / rate), "--t-end", str(seconds),
             "--out", str(work / "rows.csv"), "--lateness", ""], {}))
+        made.append(Loop("firmware-empty", rate, [str(
+            build / f"double/tools/realtime/empty_firmware-{rate}")], line))
         made.append(Loop("firmware", rate, [
             str(build / f"boards/host/chaos-double/firmware-{rate}.elf")],
-            {"TWOFOLD_REALTIME": "1", "TWOFOLD_PORT": str(work / "line")}))
+            line))
     return made
 
 
@@ -129,12 +141,14 @@ def draw(rows: list[tuple[Loop, str, Path]], path: Path) -> None:
                       label=loop.name)
         axis.axvline(1e6 / rate, color="#555555", linestyle="--")
         axis.set(xscale="log", yscale="log", title=f"{rate} Hz, {load}")
-        axis.legend()
     for axis in axes[1]:
         axis.set_xlabel("end of a step after its time [us]; dashed: the period")
     for axis in axes[:, 0]:
         axis.set_ylabel("steps")
-    figure.tight_layout()
+    # Above the panels, where it hides no curve.
+    figure.legend(*axes.flat[0].get_legend_handles_labels(), ncol=4,
+                  loc="upper center")
+    figure.tight_layout(rect=(0, 0, 1, 0.95))
     figure.savefig(path, metadata={"Date": None})
 
 
@@ -150,6 +164,9 @@ def main() -> None:
     cpu = max(os.sched_getaffinity(0))
     may = subprocess.run(["chrt", "-f", "1", "true"], check=False,
                          stderr=subprocess.DEVNULL).returncode == 0
+    before = f"{os.getloadavg()[0]:.2f}"
+    alone = Path("/sys/devices/system/cpu/isolated")
+    isolated = alone.is_file() and alone.read_text("ascii").strip()
     done: list[tuple[Loop, str, Path]] = []
     for load in ("alone", "loaded"):
         other = busy(cpu) if load == "loaded" and may else None
@@ -174,7 +191,12 @@ def main() -> None:
     about = ABOUT.format(
         seconds=seconds, kernel=os.uname().release, cpu=cpu,
         processor=model[1] if model else os.uname().machine,
-        lacking="" if may else " wanted but not given")
+        lacking="" if may else " wanted but not given", before=before,
+        isolated=f"isolated ({isolated})" if isolated else
+        "not isolated from the scheduler (isolcpus), so what else runs on the "
+        "machine may delay a loop",
+        loaded=LOADED if may else "Rows `loaded` are left out: a busy process "
+        "needs SCHED_FIFO, too.")
     draw(done, work / "lateness.svg")
     (build / "REALTIME.md").write_text(
         f"{TITLE}{about}\n{table}\n\n![Histograms](report/lateness.svg)\n",

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import NamedTuple, Optional
+from typing import Callable, NamedTuple, Optional, Sequence
 
 import numpy as np
 
@@ -41,7 +41,8 @@ SPACES = {
 
 
 class Pass(NamedTuple):
-    """A run of `twofold diverge`. `after`: only where that one lost nothing."""
+    """A run of `twofold diverge`. `after`: only where that one lost nothing;
+    `WAITS`: only where the passes before it lost something, and not all."""
     kind: str
     options: str
     samples: int
@@ -54,13 +55,16 @@ class Pass(NamedTuple):
         return self.samples * self.cycles
 
 
+WAITS = "waits"
 NOISE = "--by noise --size 1e-5"
 PASSES = {
     "random": Pass("random", "", 10, 5, 60),
     "random_long": Pass("random", "", 25, 20, 60, "random"),
     "noise": Pass("noise", NOISE, 8, 5, 20),
-    "noise_long": Pass("noise", NOISE, 25, 8, 20, "noise")}
+    "noise_long": Pass("noise", NOISE, 25, 8, 20, "noise"),
+    "random_wait": Pass("random", "", 10, 50, 200, WAITS)}
 KINDS = "random", "noise"
+WAITING_SEEDS = 1000000  # and after: of the pass that waits
 # How a cycle ends; a `timeout` of diverge is told by what came before it.
 ENDINGS = {
     "returned": "come back to the two-fold",
@@ -78,9 +82,25 @@ COLUMNS = ("machine", "space", "r", "omega", "kappa", "k2", *SETTINGS, "ratio",
                      for what in (*ENDINGS, "late")), "reason")
 
 
+def is_followed(name: str, ends_of: Callable[[str], Sequence[int]]) -> bool:
+    """Whether a machine is followed in a pass. ends_of: of one before it, the
+    cycles by how they ended; all 0 where it was not followed there."""
+    after = PASSES[name].after
+    if after is None:
+        return True
+    if after != WAITS:
+        return not any(ends_of(after)[1:])
+    found = [ends_of(other) for other, run in PASSES.items()
+             if run.kind == PASSES[name].kind and other != name]
+    return any(ends[0] for ends in found) and any(
+        any(ends[1:]) for ends in found)
+
+
 def seed_of(number: int, name: str) -> int:
     """The seed of a machine in a pass: no two runs share one."""
-    return len(PASSES) * number + list(PASSES).index(name) + 1
+    if PASSES[name].after == WAITS:
+        return WAITING_SEEDS + number
+    return 4 * number + list(PASSES).index(name) + 1
 
 
 def space_of(number: int) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 import machines
 import resonance
 from machines import KINDS, LOST, SPACES
-from report import CLASSES, QUARTERED, class_of, ends, most, quarters
+from report import QUARTERED, class_of, ends, most, quarters
 from tables import read, statistics
 
 matplotlib.use("Agg")

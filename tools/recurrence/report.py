@@ -3,8 +3,8 @@
 
 A machine is *lasting* where every cycle that was followed returned, in the
 first pass and in the long one, *partly* where some did, *never* where none
-did. Shares have Wilson's 95 % interval. Whatever the page says of the result
-is written from the rows.
+did; where some did not, the pass that waits decides. Shares have Wilson's 95 %
+interval. Whatever the page says of the result is written from the rows.
 """
 from __future__ import annotations
 
@@ -18,12 +18,14 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import machines  # noqa: E402
+import regions  # noqa: E402
 import resonance  # noqa: E402
-from machines import ENDINGS, KINDS, LOST, PASSES, SPACES  # noqa: E402
+from machines import ENDINGS, KINDS, LOST, PASSES, SPACES, WAITS  # noqa: E402
 from resonance import wrapped  # noqa: E402
 from tables import markdown, read, statistics  # noqa: E402
 
 CLASSES = "lasting", "partly", "never"
+WAIT = "random_wait"
 REASONS = "no design", "not case 1", "not followed"
 RATIOS = 1, 2, 3, 4, 6, 8, 16, 32, 2048
 QUARTERED = "r", "omega", *machines.SETTINGS, "kappa", "k2"
@@ -37,13 +39,17 @@ random, log-uniform in {drawn}, and gamma uniform in {gamma}. kappa and k2
 follow from the place of the two-fold (`twofold design`). A machine whose
 two-fold is of case 1 is followed from there."""
 CLASSES_ARE = """\
-Each run of a machine has a seed of its own: {count} N + 1 to
-{count} N + {count} for machine N. A machine is *lasting* where no cycle of
-either pass is lost: by the exact 95 % interval it then loses fewer than
-{bound_random} of its cycles by exits at random ({cycles_random} cycles), and
-fewer than {bound_noise} by noise ({cycles_noise}). It is *partly* where some
-cycle returned, *never* where none did. A cycle longer than the pass waits is
-lost. `tools/recurrence/recurrence machine N` prints a machine and its commands.
+Each run of a machine has a seed of its own: 4 N + 1 to 4 N + 4 for machine N,
+and {waiting} + N for the pass that waits. A machine is *lasting* where no
+cycle of either pass is lost: by the exact 95 % interval it then loses fewer
+than {bound_random} of its cycles by exits at random ({cycles_random} cycles),
+and fewer than {bound_noise} by noise ({cycles_noise}). It is *partly* where
+some cycle returned, *never* where none did. A cycle longer than the pass waits
+is lost; by exits at random a machine of which some cycles return and some are
+lost is followed once more, and for longer, and that pass alone decides (fewer
+than {bound_wait} are lost where none of {cycles_wait} is). Each of these bounds
+is of one machine by itself, not of all at once.
+`tools/recurrence/recurrence machine N` prints a machine and its commands.
 {example}"""
 PICTURE = """\
 ![Maps over the designs, shares over the ratio of eigenvalues and over the
@@ -57,14 +63,23 @@ def ends(row: read.Row, name: str) -> list[int]:
 
 
 def passes_of(kind: str) -> list[str]:
-    return [name for name, run in PASSES.items() if run.kind == kind]
+    """The first pass and the long one."""
+    return [name for name, run in PASSES.items()
+            if run.kind == kind and run.after != WAITS]
+
+
+def waiting(kind: str) -> list[str]:
+    """The pass that waits, if there is one."""
+    return [name for name, run in PASSES.items()
+            if run.kind == kind and run.after == WAITS]
 
 
 def class_of(row: read.Row, kind: str) -> str:
     """What became of a machine that was followed."""
-    found = np.array([ends(row, name) for name in passes_of(kind)])
+    waited = [name for name in waiting(kind) if sum(ends(row, name))]
+    found = np.array([ends(row, name) for name in waited or passes_of(kind)])
     if found[:, 0].sum() == 0:
-        return "never"
+        return "partly" if waited else "never"
     return "partly" if found[:, 1:].sum() else "lasting"
 
 
@@ -107,7 +122,9 @@ def head(rows: Sequence[read.Row]) -> str:
         gamma=f"{machines.GAMMA[0]:.3f} to {machines.GAMMA[1]:.3f}",
         **{name: count[name] for name in SPACES})
     classes = CLASSES_ARE.format(
-        count=len(PASSES),
+        waiting=machines.WAITING_SEEDS,
+        bound_wait=f"{100 * bound(PASSES[WAIT].all_cycles()):.2g} %",
+        cycles_wait=PASSES[WAIT].all_cycles(),
         example="No machine is lasting." if one is None else
         f"Of machine {one['machine']}, which is lasting, the first is:",
         **{f"bound_{kind}": f"{100 * bound(of[kind]):.2g} %"
@@ -118,6 +135,8 @@ def head(rows: Sequence[read.Row]) -> str:
          "longest cycle", "machines"],
         [[f"`{name}`", run.options or "at random", run.samples, run.cycles,
           f"{run.patience} s", "all" if run.after is None else
+          "those of which some cycles are lost and some not"
+          if run.after == WAITS else
           f"those of which `{run.after}` loses no cycle"]
          for name, run in PASSES.items()], [2, 3, 4])
     return "\n".join(["# Where the motion returns", "", *wrapped(about), "",
@@ -159,6 +178,27 @@ def second_pass(rows: Sequence[read.Row]) -> str:
         range(2, 6))
 
 
+def waits(rows: Sequence[read.Row]) -> str:
+    """What waiting brings back."""
+    lines = []
+    for name, space in SPACES.items():
+        here = [row for row in rows
+                if row["space"] == name and sum(ends(row, WAIT))]
+        kept = [row for row in here if class_of(row, "random") == "lasting"]
+        cycles = [sum(column) for column in
+                  zip(*(ends(row, WAIT) for row in here))] or [0]
+        lines.append([space.title, len(here), len(kept), sum(cycles),
+                      sum(cycles[1:]),
+                      share(back := sum(row.count(f"{WAIT}_late")
+                                        for row in here),
+                            back + sum(cycles[1:]))])
+    return markdown.table(
+        ["machines", "some lost, some not", f"of these, none lost in `{WAIT}`",
+         "cycles of it", "lost",
+         f"of those still out after {PASSES[WAIT].patience // 2} s, back by "
+         f"{PASSES[WAIT].patience} s"], lines, range(1, 5))
+
+
 def late(rows: Sequence[read.Row]) -> str:
     """How much waiting longer might change."""
     said = []
@@ -169,9 +209,11 @@ def late(rows: Sequence[read.Row]) -> str:
                     for name in passes_of(kind))
         said.append(f"{found} of {back} by {kind}")
     return "\n".join(wrapped(
-        "Of the cycles that returned, in all passes, so many took more than "
-        f"half of the longest cycle: {', '.join(said)}. What waiting longer "
-        "would bring back is counted as lost here.") + [""])
+        "Of the cycles that returned, in the first pass and the long one, so "
+        f"many took more than half of the longest cycle: {', '.join(said)}. So "
+        "those who lose some by exits at random are waited for; what waiting "
+        "would bring back under noise, and of machines that lose all, is "
+        "counted as lost:") + [""])
 
 
 def most(found: Sequence[int]) -> str:
@@ -244,8 +286,9 @@ def above(rows: Sequence[read.Row]) -> str:
     found = sum(row["reason"] in ("", "not followed") for row in here)
     return "\n".join(wrapped(
         f"At omega\\* >= omega0 = {machines.OMEGA0:g} rad/s {found or 'none'} "
-        f"of {len(here)} designs of figure 4 {'are' if found > 1 else 'is'} "
-        "of case 1; the maps end there.") + [""])
+        f"of the {len(here)} points of figure 4 "
+        f"{'are designs' if found > 1 else 'is a design'} of case 1; the maps "
+        "end there.") + [""])
 
 
 def page(rows: Sequence[read.Row]) -> str:
@@ -255,8 +298,9 @@ def page(rows: Sequence[read.Row]) -> str:
                      list(ENDINGS.items())[1:])
     return "\n".join([
         head(rows), overview(rows), "", above(rows),
+        regions.section(followed, class_of, len(rows)),
         "## The long pass\n", second_pass(followed), "",
-        late(followed),
+        late(followed), waits(followed), "",
         "## How it ends\n",
         *wrapped("Machines that never return, by how most of their cycles end "
                  "(`several`: those of more than one ending), and all cycles "

@@ -62,6 +62,13 @@ def together(found: Sequence[Count]) -> float:
     return float(stats.chi2.sf(above ** 2 / variance, 1)) if variance else 1.0
 
 
+def spread(k: int, n: int) -> float:
+    """The variance of a share, by Agresti and Caffo: as of one machine more of
+    either kind. That of the share itself is 0 where none or all are counted."""
+    p = (k + 1) / (n + 2)
+    return p * (1 - p) / (n + 2)
+
+
 def difference(found: Sequence[Count]) -> statistics.Estimate:
     """Share near less share beside, Mantel and Haenszel's weights, 95 %."""
     total, weights, variance = 0.0, 0.0, 0.0
@@ -72,8 +79,8 @@ def difference(found: Sequence[Count]) -> statistics.Estimate:
             p, q = one.near / one.of_near, one.beside / one.of_beside
             total += weight * (p - q)
             weights += weight
-            variance += weight ** 2 * (p * (1 - p) / one.of_near +
-                                       q * (1 - q) / one.of_beside)
+            variance += weight ** 2 * (spread(one.near, one.of_near) +
+                                       spread(one.beside, one.of_beside))
     if not weights:
         return statistics.Estimate(math.nan, math.nan, math.nan)
     half = float(stats.norm.isf(0.025)) * math.sqrt(variance) / weights
@@ -123,9 +130,10 @@ def section(rows: Sequence[read.Row], class_of: ClassOf) -> str:
               for _, _, _, found, _ in pooled
               if sum(one.of_near for one in found) >= ENOUGH]
     if widths:
-        said += (" By the 95 % intervals of all whole numbers together, the "
-                 f"shares near and beside differ by less than {max(widths):.2g}"
-                 f" where {ENOUGH} machines or more are near.")
+        said += (" By the intervals of all whole numbers together (95 % each, "
+                 "for which no correction is made), the shares near and beside "
+                 f"differ by less than {max(widths):.2g} where {ENOUGH} "
+                 "machines or more are near.")
     text = (f"Resonances: of machines within {NEAR:g} of a whole number, "
             f"{WHOLE[0]} to {WHOLE[-1]}, against those {NEAR:g} to {BESIDE:g} "
             "from it, the share that is lasting, and the share that returns "

@@ -65,7 +65,7 @@ static bool sure(const lib_machine_t *machine, ref_machine_t *q, real_t end,
          class_difference(q, orbit->x, &row) < 1e-3;
 }
 
-int class_blows(const options_t *options) {
+int class_impulses(const options_t *options) {
   const double end = options->t_end > 0 ? options->t_end : 0.1;
   options_t hushed = *options;
   hushed.show = 0;

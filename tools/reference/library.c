@@ -51,7 +51,7 @@ static void fill(const run_t *run, const tf_report_t *report, lib_row_t *row) {
   row->w = (double)run->state.w + (double)run->compensation.w;
 }
 
-static int place(run_t *run, const lib_machine_t *q) {
+static tf_status_t place(run_t *run, const lib_machine_t *q) {
   const tf_machine_t *machine = &run->machine.machine;
   run->state = (tf_state_t){.r = (tf_real_t)q->r,
                             .v = (tf_real_t)q->v,
@@ -61,11 +61,11 @@ static int place(run_t *run, const lib_machine_t *q) {
     return TF_OK;
   }
   if (run->scheme == LIB_COMPENSATED) {
-    return (int)tf_speed_for_slip_compensated(
+    return tf_speed_for_slip_compensated(
         &run->machine, &run->state, &run->compensation, run->input.omega0, 0);
   }
-  return (int)tf_speed_for_slip(machine, run->state.r, run->state.w,
-                                run->input.omega0, 0, &run->state.v);
+  return tf_speed_for_slip(machine, run->state.r, run->state.w,
+                           run->input.omega0, 0, &run->state.v);
 }
 
 static int open_run(lib_t *lib, const lib_machine_t *q, lib_scheme_t scheme,
@@ -77,17 +77,16 @@ static int open_run(lib_t *lib, const lib_machine_t *q, lib_scheme_t scheme,
   memset(row, 0, sizeof *row);
   memset(&report, 0, sizeof report);
   run->scheme = scheme;
-  int status = (int)tf_prepare_compensated(&run->machine, &params, NULL);
+  tf_status_t status = tf_prepare_compensated(&run->machine, &params, NULL);
   if (status == TF_OK) {
     run->input = tf_input_default(&run->machine.machine);
     status = place(run, q);
   }
   if (status == TF_OK) {
-    status =
-        (int)tf_begin(&run->machine.machine, &run->state, &run->input, &report);
+    status = tf_begin(&run->machine.machine, &run->state, &run->input, &report);
     fill(run, &report, row);
   }
-  return status;
+  return (int)status;
 }
 
 static int step(lib_t *lib, lib_row_t *row) {

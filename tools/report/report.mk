@@ -13,6 +13,14 @@ $(foreach v,$(VARIANTS),$(eval $(call report_rules,$(v))))
 REPORT_PROGRAMS := $(foreach v,$(VARIANTS),\
   $(REPORT:%=$(BUILD)/$(v)/tools/report/%))
 
+# The problems of the peers are in double.
+PROFILE := $(if $(filter double,$(VARIANTS)),\
+  $(BUILD)/double/tools/report/profile)
+$(BUILD)/double/tools/report/profile: %: %.o \
+    $(BUILD)/double/tools/peers/problem.o $(BUILD)/double/libtwofold.a
+	$(link)
+REPORT_PROGRAMS += $(PROFILE)
+
 .PHONY: bench report keep-report
 all: $(REPORT_PROGRAMS)
 

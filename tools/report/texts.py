@@ -64,6 +64,16 @@ machine as a constant; it ends in the same bits as `generic`, or its row is left
 out.
 """
 
+KILOHERTZ = """
+## A step of 1 ms
+
+Instructions of a millisecond, in the mean, and the error at the end: of
+`tf_step`, of three of its steps of a third, and of `tf_step_located` at the
+tolerance 1e-9 within budgets of segments (tools/report/kilohertz.py, by
+callgrind). The problems are those of the peers; `rolling` is the scene, which
+sticks throughout and has no reference.
+"""
+
 ENSEMBLES = """\
 `tf_ensemble_step` against a loop of `tf_step` over the same 256 states, in
 turns in one run, both compiled with `-mavx2` (tools/bench/ensemble.c):

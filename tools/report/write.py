@@ -21,6 +21,7 @@ import pictures  # noqa: E402
 import precision  # noqa: E402
 import scatter  # noqa: E402
 import texts  # noqa: E402
+from kilohertz import Kilohertz  # noqa: E402
 from step import Ensembles  # noqa: E402
 
 def write_csv(path: Path, columns: Sequence[str],
@@ -80,6 +81,7 @@ class Report:
                   digits.rows(self.file("digits")))
         # Where valgrind is missing the steps have not been counted.
         (self.work / "steps").touch()
+        (self.work / "kilohertz").touch()
 
     def picture(self, name: str, text: str,
                 draw: Callable[[Path], None]) -> None:
@@ -96,7 +98,8 @@ class Report:
         for line in figures.tables(self.file("sweep.csv"),
                                    self.file("costs.csv"),
                                    self.file("digits.csv"), self.file("steps"),
-                                   self.file("ensemble"), self.peers):
+                                   self.file("ensemble"),
+                                   self.file("kilohertz"), self.peers):
             print(line)
 
     def precision(self) -> None:
@@ -127,6 +130,8 @@ class Report:
         print(csv_table(self.work / "costs.csv"))
         for note in Path(self.file("notes")).read_text().splitlines():
             print(f"\n* {note}")
+        print(texts.KILOHERTZ)
+        print(Kilohertz(self.file("kilohertz")).table())
         print("\n## Many states at once\n")
         ensembles = Ensembles(self.file("ensemble"))
         if ensembles.missing:

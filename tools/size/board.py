@@ -166,12 +166,13 @@ class Firmware:
         """All three figures."""
         return Stack(*self.claimed(), self.painted(steps))
 
-    def instructions(self, plugin: Path, steps: int,
-                     scheme: str = "moreau") -> Optional[list[int]]:
-        """Least, median and most of a step, inputs included."""
+    def instructions(self, plugin: Path, steps: int, scheme: str = "moreau",
+                     *more: str, quiet: bool = True) -> Optional[list[int]]:
+        """Least, median and most of a step, inputs included. quiet: nothing is
+        told of how it builds, not even where it does not."""
         if not self.board.emulated() or not self._make(
                 "elf", "PROGRAM=window", f"STEPS={steps}",
-                f"SCHEME={scheme}"):
+                f"SCHEME={scheme}", *more, quiet=quiet):
             return None
         elf, counted = self.place / "window.elf", Path(BUILD, "counted")
         counted.unlink(missing_ok=True)

@@ -3,18 +3,20 @@
 
 Intervals are of 95 %: shares by Wilson, quantiles by order statistics, which
 assume nothing on the law; an end is - where the samples are too few to tell.
-Cycles of --by random start afresh at the two-fold and are independent; those
-of one sample of another kind are not.
+Cycles of --by random start afresh at the two-fold and are independent. Those
+of one sample of another kind are not: theirs have the intervals of as many
+independent ones as they are worth (tables/statistics.py).
 """
 from __future__ import annotations
 
 import argparse
+import math
 import subprocess
 import sys
 import time
 from collections import Counter
 from pathlib import Path
-from typing import Iterable, Sequence
+from typing import Callable, Iterable, Sequence
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from tables import markdown, read, statistics  # noqa: E402
@@ -27,11 +29,18 @@ KINDS = "noise", "hysteresis", "delay"
 # Two laws of the phase, or of a time in units of its spread, that differ by
 # less than this anywhere in their shares are of no interest as two.
 SMALLEST = 0.05
+# Of fewer samples with the rarer outcome a correlation says nothing.
+TELLING = 5
+QUARTER = 0.25  # [s], of a histogram of times
 PERTURBED = tuple(f"many-{kind}-{size}{half}"
                   for kind in ("noise", "smoothing")
                   for size in ("1e-6", "1e-5", "1e-4")
                   for half in (("", "-half", "-quarter") if kind == "noise"
                                else ("", "-half")))
+FEW = "many-hysteresis-1e-4", "many-delay-1e-4"
+
+
+WAITED = [(f"wait-{name}", patience) for name, _, patience in texts.WAITS_OF]
 
 
 class Study:
@@ -58,33 +67,93 @@ class Study:
         return (self.work / name).read_text(encoding="ascii").strip()
 
 
-def share(k: int, n: int) -> str:
+def share(k: int, n: int, worth: float | None = None) -> str:
     """A share with its interval."""
-    return markdown.estimate(*statistics.wilson(k, n), 5) if n else "-"
+    if n == 0:
+        return "-"
+    found = statistics.wilson(k, n) if worth is None else \
+        statistics.wilson_worth(k, n, worth)
+    return markdown.estimate(*found, 5)
 
 
-def quantile(values: Sequence[float], p: float) -> str:
+def quantile(values: Sequence[float], p: float,
+             worth: float = math.inf) -> str:
     """A quantile with its interval."""
     if len(values) == 0:
         return "-"
-    return markdown.estimate(*statistics.quantile(values, p), 4)
+    return markdown.estimate(*statistics.quantile(values, p, worth), 4)
+
+
+def worth_of(run: str, rows: Iterable[read.Row],
+             value: Callable[[read.Row], float]) -> float:
+    """How many independent cycles tell as much as these of a value."""
+    groups: dict[str, list[float]] = {}
+    for row in rows:
+        groups.setdefault(row["sample"], []).append(value(row))
+    if run not in PERTURBED + FEW:  # its cycles are independent
+        return float(sum(map(len, groups.values())))
+    telling = min(sum(any(group) for group in groups.values()),
+                  sum(not all(group) for group in groups.values()))
+    return statistics.worth(list(groups.values())) if telling >= TELLING \
+        else float(len(groups))
+
+
+def is_back(row: read.Row) -> bool:
+    """Whether the cycle of a row came back."""
+    return row["outcome"] == RETURNED
+
+
+def outcome_row(study: Study, run: str) -> list[object]:
+    """Who of a run returned, and when."""
+    cycles = study.rows(run, "returns")
+    back = [row for row in cycles if is_back(row)]
+    times = read.numbers(back, "time")
+    lost = Counter(row["outcome"] for row in cycles if not is_back(row))
+    worth = worth_of(run, cycles, is_back)
+    said = []
+    for p in (0.5, 0.9):
+        least = statistics.quantile(times, p).value
+        said.append(quantile(times, p, worth_of(
+            run, back, lambda row, at=least: row.number("time") <= at)
+            if back else 0))
+    return [run, len(cycles), share(len(back), len(cycles), worth),
+            f"{worth:.0f}", ", ".join(f"{name} {n}" for name, n
+                                      in sorted(lost.items())) or "none", *said]
 
 
 def outcomes(study: Study, runs: Iterable[str]) -> str:
     """Who returned, and when."""
+    return markdown.table(["run", "cycles", "share that returned", "worth",
+                           "lost", "median of return [s]", "90 % [s]"],
+                          [outcome_row(study, run) for run in runs])
+
+
+def gathered(study: Study) -> str:
+    """About which times of return most lie."""
+    times = read.numbers(study.rows("long", "returns"), "time")
+    count = Counter(int(time / QUARTER) for time in times)
+    full = [i for i in sorted(count) if count[i] > len(times) / 100 and
+            count[i] == max(count[j] for j in range(i - 4, i + 5))]
+    return ("Times of return of `long` gather about 2 s apart: the fullest "
+            f"quarters of a second\nare at "
+            f"{', '.join(f'{QUARTER * (i + 0.5):.1f}' for i in full)} s.")
+
+
+def waits(study: Study) -> str:
+    """Who has returned for the first time after how long."""
     rows = []
-    for run in runs:
-        cycles = study.rows(run, "returns")
-        times = read.numbers((row for row in cycles
-                              if row["outcome"] == RETURNED), "time")
-        lost = Counter(row["outcome"] for row in cycles
-                       if row["outcome"] != RETURNED)
-        rows.append([run, len(cycles), share(len(times), len(cycles)),
-                     ", ".join(f"{name} {n}" for name, n
-                               in sorted(lost.items())) or "none",
-                     quantile(times, 0.5), quantile(times, 0.9)])
-    return markdown.table(["run", "cycles", "share that returned", "lost",
-                           "median of return [s]", "90 % [s]"], rows)
+    for run, patience in WAITED:
+        times = read.numbers((row for row in study.rows(run, "returns")
+                              if is_back(row)), "time")
+        n = len(study.rows(run, "returns"))
+        back = [sum(time <= mark for time in times) for mark in texts.MARKS]
+        # Of one size there are few motions, of which no interval tells.
+        rows.append([run, n] + [
+            "-" if mark > patience else f"{k / n:.2g}"
+            if run.endswith("-one") else share(k, n)
+            for mark, k in zip(texts.MARKS, back)])
+    return markdown.table(["run", "samples"] + [f"by {mark} s" for mark in
+                                                texts.MARKS], rows)
 
 
 def survival_row(study: Study, run: str) -> list[object]:
@@ -104,7 +173,9 @@ def survival_row(study: Study, run: str) -> list[object]:
         if value in (0, 1):
             band = "none was lost" if value else "all were lost"
         said.append(f"{i}: {value:.3g} {band}")
-    return [run, risk[1], share(sum(dead.values()), len(cycles)),
+    return [run, risk[1],
+            share(sum(dead.values()), len(cycles),
+                  worth_of(run, cycles, lambda row: not is_back(row))),
             "; ".join(said)]
 
 
@@ -188,10 +259,13 @@ def exit_row(study: Study, run: str) -> list[object]:
 def exits(study: Study) -> str:
     """A table of exits."""
     runs = ["exit-random-300", "exit-random-150"]
-    runs += [f"exit-{kind}-{size}" for kind in KINDS for size in SIZES]
+    for kind in KINDS:
+        runs += [f"exit-{kind}-{size}" for size in SIZES]
+        runs.append(f"exit-{kind}-{'2.5e-6' if kind == 'noise' else '5e-6'}"
+                    "-half")
     runs += ["near-300"]
     runs += [f"exit-smoothing-{size}" for size in ("5e-7", "2.5e-7",
-                                                   "1.25e-7")]
+                                                   "2.5e-7-half", "1.25e-7")]
     return markdown.table(["run", "exits", "share by slip+", "wound there",
                            "bins 0.0 to 1.0", "-+", "chi^2"],
                           [exit_row(study, run) for run in runs])
@@ -307,10 +381,11 @@ def main() -> None:
                             long=study.seconds("long.seconds")))
     print(outcomes(study, ["long", "long-half", "rate-10", "rate-250", "even",
                            "attracting"]), end="\n\n")
+    print(gathered(study), end="\n\n")
     print(texts.PERTURBED)
-    print(outcomes(study, PERTURBED + ("many-hysteresis-1e-4",
-                                       "many-delay-1e-4")), end="\n\n")
+    print(outcomes(study, PERTURBED + FEW), end="\n\n")
     for text, table in (
+            (texts.WAITS, waits(study)),
             (texts.SURVIVAL, survival(study)),
             (texts.STEP, distances(study, step_pairs())),
             (texts.EXITS, exits(study)),

@@ -8,7 +8,7 @@ $(COUNTS:%=$(BUILD)/statistics/%): $(BUILD)/statistics/%: \
 	$(link)
 
 .PHONY: statistics
-statistics: ## exits and returns of chaos, counted (20 minutes)
+statistics: ## exits and returns of chaos, counted (15 minutes)
 statistics: $(BUILD)/double/twofold $(COUNTS:%=$(BUILD)/statistics/%)
 	$(call of_this_core,$(BUILD)/statistics/SUMMARY.md,BUILD='$(BUILD)' \
 	  tools/statistics/study)

@@ -13,12 +13,42 @@ arrival at the two-fold to the next. The options of each run stand in
 
 `long`, `rate-*`: rule random, a wheel rests at h = g = 0 until its draw.
 `even`: one of the modes there is drawn. `attracting`: it takes the attracting
-stick there.
+stick there. A cycle of random exits begins afresh at the two-fold, with draws
+of its own, so each counts as one.
 """
 
 PERTURBED = """\
 Perturbed, 20 samples followed for 20 cycles; lost within the patience (100 s,
-of hysteresis and delay 10 s).
+of hysteresis and delay 10 s). Noise draws at every step. Smoothing, hysteresis
+and delay draw nothing but their size, once for each sample, log-uniformly from
+half of what the run is named after to all of it (`--spread 2`): shares and
+intervals, here and below, are of such sizes and not of one. The cycles of a
+sample are alike: its intervals are those of as many independent cycles as
+these are *worth*, by the correlation within a sample; of one a sample where
+fewer than five of them tell of the rarer outcome.
+"""
+
+# First returns that are waited for long: name, options, patience [s].
+MARKS = 10, 30, 100, 300, 1000
+WAITS_OF = [
+    *((f"noise-1e-4{half}", "--by noise --size 1e-4 --samples 100 "
+       f"--patience 1000{step}", 1000)
+      for half, step in (("", ""), ("-half", " --dt 5e-4"),
+                         ("-quarter", " --dt 2.5e-4"))),
+    *((f"noise-{size}", f"--by noise --size {size} --samples 50 "
+       "--patience 1000", 1000) for size in ("1e-5", "1e-6")),
+    *((f"{kind}-{size}{one}", f"--by {kind} --size {size} --samples 50 "
+       f"--patience 300{spread}", 300)
+      for one, spread in (("", ""), ("-one", " --spread 1"))
+      for kind in ("hysteresis", "delay") for size in ("1e-3", "1e-4"))]
+
+WAITS = """\
+## Waits
+
+First returns of perturbed samples that are waited for longer: to be at rest at
+h = g = 0 after 100 s, *pinned* above, is to have waited, not to have ended. Of
+runs `-one` all samples have the size that the run is named after: there are two
+motions, by the side on which they begin.
 """
 
 SURVIVAL = """\
@@ -45,7 +75,8 @@ EXITS = """\
 
 Phase of the winding at 2 mm past the two-fold (of smoothing, and of near-300,
 which is random with the rate 300, at 1 mm): shares of ten equal bins, the
-largest half-width of their intervals, chi^2 against even (16.9 at 5 %).
+largest half-width of their intervals, chi^2 against even (16.9 at 5 %). Sizes
+of hysteresis, delay and smoothing are drawn, as above.
 """
 
 KINDS = """\

@@ -63,22 +63,69 @@ def clopper_pearson(k: int, n: int) -> Estimate:
     return _share(k, n, "exact")
 
 
-def quantile(values: Sequence[float], p: float) -> Estimate:
+def intraclass(groups: Sequence[Sequence[float]]) -> float:
+    """How alike the values of a group are: the intraclass correlation, by the
+    mean squares of an analysis of variance, at least 0. NaN where all values
+    are the same or no group has two: then nothing tells.
+    """
+    n, k = sum(map(len, groups)), len(groups)
+    if n <= k or k < 2:
+        return math.nan
+    centre = sum(map(sum, groups)) / n
+    means = [sum(group) / len(group) for group in groups]
+    between = sum(len(group) * (mean_of - centre) ** 2
+                  for group, mean_of in zip(groups, means)) / (k - 1)
+    within = sum((value - mean_of) ** 2 for group, mean_of in
+                 zip(groups, means) for value in group) / (n - k)
+    typical = (n - sum(len(group) ** 2 for group in groups) / n) / (k - 1)
+    whole = between + (typical - 1) * within
+    return max(0.0, (between - within) / whole) if whole > 0 else math.nan
+
+
+def worth(groups: Sequence[Sequence[float]]) -> float:
+    """As many independent values tell as much as these: their number by Kish's
+    design effect. Where nothing tells how alike those of a group are, each
+    group counts as one value.
+    """
+    n = sum(map(len, groups))
+    alike = intraclass(groups)
+    if alike != alike:
+        return float(len(groups))
+    size = sum(len(group) ** 2 for group in groups) / n
+    return n / (1 + (size - 1) * alike)
+
+
+def wilson_worth(k: int, n: int, worth_of: float) -> Estimate:
+    """The share k of n, with Wilson's interval of so many independent ones."""
+    if n == 0:
+        return Estimate(math.nan, math.nan, math.nan)
+    p, z = k / n, float(stats.norm.isf((1 - LEVEL) / 2))
+    centre = p + z * z / (2 * worth_of)
+    half = z * math.sqrt((p * (1 - p) + z * z / (4 * worth_of)) / worth_of)
+    whole = 1 + z * z / worth_of
+    return Estimate(p, 0.0 if k == 0 else (centre - half) / whole,
+                    1.0 if k == n else (centre + half) / whole)
+
+
+def quantile(values: Sequence[float], p: float,
+             worth_of: float = math.inf) -> Estimate:
     """The least value that a share p of all does not exceed.
 
     The interval is between order statistics and assumes nothing of the
     distribution: how many values lie below the quantile is binomial. Of few
-    values it has an open end.
+    values it has an open end. `worth_of`: how many independent values tell as
+    much, where that is less.
     """
     n = len(values)
     if n == 0:
         return Estimate(math.nan, math.nan, math.nan)
     ordered = [math.nan, *sorted(values), math.nan]
     tail = (1 - LEVEL) / 2
-    low = int(stats.binom.ppf(tail, n, p))
-    high = int(stats.binom.isf(tail, n, p)) + 1
+    m = min(n, max(1, math.floor(worth_of))) if worth_of < n else n
+    low = math.floor(stats.binom.ppf(tail, m, p) * n / m)
+    high = math.ceil((stats.binom.isf(tail, m, p) + 1) * n / m)
     value = float(np.quantile(values, p, method="inverted_cdf"))
-    return Estimate(value, ordered[low], ordered[high])
+    return Estimate(value, ordered[low], ordered[min(high, n + 1)])
 
 
 def median(values: Sequence[float]) -> float:

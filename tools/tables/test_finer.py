@@ -103,7 +103,7 @@ class Words(unittest.TestCase):
         """Over all but the least one, and at that; of one that is too large
         nothing is predicted."""
         study = report.Study.__new__(report.Study)
-        study.kicked = lambda: [
+        study.kick_exponents = lambda: [
             ("1e-06", read.Row("", ("kick", "behind"), (kick, behind)), want)
             for kick, behind, want in (("1e-8", "9.94", None),
                                        ("1e-17", "46.9", 44.57),

@@ -18,6 +18,7 @@ import numpy as np
 TOOLS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TOOLS), str(TOOLS / "recurrence")]
 import machines  # noqa: E402
+import regions  # noqa: E402
 import resonance  # noqa: E402
 
 FEW = 104
@@ -91,8 +92,7 @@ class Recurrence(unittest.TestCase):
                      for name in machines.PASSES}
             for name, run in machines.PASSES.items():
                 self.assertLessEqual(int(row[f"{name}_late"]), count[name][0])
-                first = count[name if run.after is None else run.after]
-                followed = run.after is None or not any(first[1:])
+                followed = machines.is_followed(name, count.__getitem__)
                 self.assertEqual(sum(count[name]) >= run.samples, followed)
                 self.assertLessEqual(sum(count[name]), run.all_cycles())
 
@@ -165,6 +165,38 @@ class Resonance(unittest.TestCase):
         p, found = self.planted(lambda ratio: 1 - ratio / 11)
         self.assertGreater(p, 0.01)
         self.assertTrue(found.low < 0 < found.high)
+
+
+    def test_none_of_few_is_no_certainty(self):
+        """Where none is counted the difference has an interval."""
+        found = resonance.difference([resonance.Count(0, 10, 0, 40)])
+        self.assertEqual(found.value, 0)
+        self.assertGreater(found.high, 0.1)
+
+
+class Passes(unittest.TestCase):
+    """Which machine is followed where."""
+
+    def test_those_who_lose_some_are_waited_for(self):
+        """Some, in either pass; of the other kind of exit it says nothing."""
+        def waits(random, long, noise=(0, 0)):
+            found = {"random": random, "random_long": long, "noise": noise,
+                     "noise_long": (0, 0)}
+            return machines.is_followed("random_wait", found.__getitem__)
+        self.assertTrue(waits((48, 1), (0, 0)))
+        self.assertTrue(waits((50, 0), (499, 1)))
+        self.assertFalse(waits((50, 0), (500, 0), (3, 5)))
+        self.assertFalse(waits((0, 10), (0, 0), (9, 1)))
+
+
+class Regions(unittest.TestCase):
+    """Cells that touch."""
+
+    def test_sides_and_corners(self):
+        """Five cells in a crooked line, and two apart from it."""
+        cells = [(4, 4), (0, 0), (0, 1), (1, 2), (5, 4), (2, 3), (3, 2)]
+        self.assertEqual(regions.regions(cells), [[1, 2, 3, 5, 6], [0, 4]])
+        self.assertEqual(regions.regions([]), [])
 
 
 if __name__ == "__main__":

@@ -52,6 +52,58 @@ class Shares(unittest.TestCase):
         self.assertTrue(math.isnan(statistics.wilson(0, 0).value))
 
 
+class Groups(unittest.TestCase):
+    """Values that come in groups tell less than as many independent ones."""
+
+    JUDGES = [[9, 2, 5, 8], [6, 1, 3, 2], [8, 4, 6, 8], [7, 1, 2, 6],
+              [10, 5, 6, 9], [6, 2, 4, 7]]
+
+    def test_intraclass(self):
+        """Shrout and Fleiss, Psychological Bulletin 86 (1979): six targets,
+        four judges, ICC(1, 1) = 0.17."""
+        self.assertAlmostEqual(statistics.intraclass(self.JUDGES), 0.1657,
+                               places=4)
+
+    def test_worth(self):
+        """Kish's 1 + (m - 1) rho; copies of one value are worth one."""
+        self.assertAlmostEqual(statistics.worth(self.JUDGES),
+                               24 / (1 + 3 * 0.165742), places=4)
+        self.assertAlmostEqual(statistics.worth([[0] * 9, [1] * 9, [1] * 9]),
+                               3)
+        self.assertEqual(statistics.worth([[1, 1], [1, 1, 1]]), 2)
+        self.assertEqual(statistics.worth([[0], [1], [1]]), 3)
+
+    def test_independent_values_keep_their_number(self):
+        random = np.random.default_rng(3)
+        groups = random.random((200, 20)) < 0.3
+        self.assertGreater(statistics.worth(groups.tolist()), 0.8 * 4000)
+
+    def test_share(self):
+        """Of as many as there are it is Wilson's."""
+        self.assertEqual(
+            [round(x, 12) for x in statistics.wilson_worth(81, 263, 263)],
+            [round(x, 12) for x in statistics.wilson(81, 263)])
+        self.assertEqual(statistics.wilson_worth(7, 7, 2.5).high, 1.0)
+        self.assertTrue(math.isnan(statistics.wilson_worth(0, 0, 0).value))
+
+    def test_coverage(self):
+        """Of shares and medians of groups whose shares differ."""
+        random = np.random.default_rng(4)
+        held = [0, 0]
+        for _ in range(300):
+            chances = random.beta(2, 2, 40)
+            values = (random.random((40, 12)) < chances[:, None]).tolist()
+            n, k = 480, sum(map(sum, values))
+            found = statistics.wilson_worth(k, n, statistics.worth(values))
+            held[0] += found.low <= 0.5 <= found.high
+            times = random.normal(0, 1, (40, 1)) + random.normal(0, 1, (40, 12))
+            below = (times <= np.median(times)).tolist()
+            found = statistics.quantile(times.ravel().tolist(), 0.5,
+                                        statistics.worth(below))
+            held[1] += found.low <= 0 <= found.high
+        self.assertGreaterEqual(min(held), 0.92 * 300)
+
+
 class Quantiles(unittest.TestCase):
     """Conover, Practical Nonparametric Statistics (1999), example 3.2.1."""
 

@@ -17,7 +17,7 @@ import ctypes
 import math
 import numbers
 import operator
-from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_int8, c_size_t
+from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_size_t
 from ctypes import c_uint, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p
 from pathlib import Path
 
