@@ -25,18 +25,16 @@ quietly tests/cli/test_live.py || wrong 'tests of --live fail'
 quietly tests/shards/test_shards.py those || wrong 'tests of counts fail'
 # The functions of port/sim.h stand there twice, with a link and without;
 # gcovr 5 stops where a function of two programs is on two lines.
-report() {
-  gcovr --filter tools/cli/ --filter tools/hil/ --filter port/ \
-    --exclude port/sim.h "$@" "$place"
-}
-report --print-summary --fail-under-line $LINES --fail-under-branch $BRANCHES \
-  >"$BUILD/coverage-tools.txt" 2>&1 ||
-  wrong "less than $LINES % of lines or $BRANCHES % of branches is reached"
+said=$BUILD/coverage-tools.txt
+gcovr --filter tools/cli/ --filter tools/hil/ --filter port/ \
+  --exclude port/sim.h --print-summary --fail-under-line $LINES \
+  --fail-under-branch $BRANCHES "$place" >"$said" 2>&1 ||
+  wrong "wrong: gcovr, or under $LINES % of lines or $BRANCHES % of branches"
 for file in tools/cli/monitor/monitor.c tools/cli/run/run.c tools/hil/drive.c \
   port/loop.c; do
-  report | grep -q "^$file " || wrong "$file is not counted"
+  grep -q "^$file " "$said" || wrong "$file is not counted"
 done
-[ "$BAD" -eq 0 ] || cat "$BUILD/coverage-tools.txt"
+[ "$BAD" -eq 0 ] || cat "$said"
 count='s/^(lines|branches): (.*)% .*/\2 % of \1/p'
-checked "$(sed -nE "$count" "$BUILD/coverage-tools.txt" | paste -s -d , |
+checked "$(sed -nE "$count" "$said" | paste -s -d , |
   sed 's/,/, /') of command line, hil and loop"
