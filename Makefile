@@ -71,18 +71,18 @@ define of_this_core
 endef
 
 # The makefiles of the tools, in the groups of `make help`.
-PACKAGE_MAKEFILES := tools/dist/dist.mk tools/fmu/fmu.mk
+PACKAGE_MAKEFILES := tools/package/dist/dist.mk tools/package/fmu/fmu.mk
 PAGE_MAKEFILES := tools/page/page.mk
-BOARD_MAKEFILES := port/port.mk tools/hil/hil.mk tools/size/size.mk
-MEASURE_MAKEFILES := tools/bench/bench.mk tools/report/report.mk \
-  tools/peers/peers.mk tools/stability/stability.mk \
-  tools/realtime/realtime.mk \
-  tools/statistics/statistics.mk tools/recurrence/recurrence.mk \
-  tools/finer/finer.mk \
-  tools/figures/figures.mk tools/shards/shards.mk
-VERIFY_MAKEFILES := tools/check/check.mk tools/fuzz/fuzz.mk \
-  tools/soak/soak.mk tools/mutation/mutation.mk tools/eva/eva.mk \
-  tools/cost/cost.mk tools/oracle/oracle.mk tools/reference/reference.mk
+BOARD_MAKEFILES := port/port.mk tools/board/hil/hil.mk tools/bench/size/size.mk
+MEASURE_MAKEFILES := tools/bench/steps/bench.mk tools/bench/report/report.mk \
+  tools/bench/peers/peers.mk tools/bench/stability/stability.mk \
+  tools/bench/realtime/realtime.mk \
+  tools/study/statistics/statistics.mk tools/study/recurrence/recurrence.mk \
+  tools/study/finer/finer.mk \
+  tools/study/figures/figures.mk tools/study/shards/shards.mk
+VERIFY_MAKEFILES := tools/verify/check/check.mk tools/verify/fuzz/fuzz.mk \
+  tools/verify/soak/soak.mk tools/verify/mutation/mutation.mk tools/verify/eva/eva.mk \
+  tools/verify/cost/cost.mk tests/reference/oracle/oracle.mk tests/reference/events/reference.mk
 
 # A target for users says what it does after `##`, on a line of its own; one
 # that only makefiles and scripts use has no such line and is named here or
@@ -183,7 +183,7 @@ $(VARIANTS:%=line-%): line-%: $(BUILD)/%/constants
 line-csv line-plotter: line-%: $(BUILD)/float/constants
 	$(call line_firmware,REAL=float EVERY=5 STEPS=400 FORMAT=$* UPLINK= \
 	  NAMED=-$*)
-$(BUILD)/double/accepted: $(BUILD)/double/tools/protocol/accepted.o \
+$(BUILD)/double/accepted: $(BUILD)/double/tools/board/protocol/accepted.o \
     $(BUILD)/double/libtwofold.a
 	$(link)
 

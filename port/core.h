@@ -2,7 +2,7 @@
 /// The simulator within one translation unit, for one scene or for all.
 ///
 /// For one scene, SCENE_HEADER names a header of constants that
-/// tools/firmware/constants.c wrote: the prepared machine, the state in which
+/// tools/board/constants/constants.c wrote: the prepared machine, the state in which
 /// the motion starts, the inputs. The constants are local to this translation
 /// unit, and so is every function of the core; the compiler propagates the
 /// constants through them and removes what the scene does not use, down to the

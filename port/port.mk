@@ -36,7 +36,7 @@ BOARD_OPT ?= -Os
 # The constants of a scene are computed on the host. Test programs keep the dt
 # of the scene.
 $(VARIANTS:%=$(BUILD)/%/constants): $(BUILD)/%/constants: \
-    $(BUILD)/%/tools/firmware/main.o $(BUILD)/%/tools/firmware/constants.o \
+    $(BUILD)/%/tools/board/constants/main.o $(BUILD)/%/tools/board/constants/constants.o \
     $(addprefix $(BUILD)/%/,$(SCENE_READER:.c=.o)) \
     $(BUILD)/%/libtwofold.a
 	$(link)

@@ -19,10 +19,11 @@ from typing import Callable, Iterable
 
 def begin(script: str) -> None:
     """Goes on under tools/drive, and not as part of a parallel make."""
-    # The tree by which it was called, which may be links: two folders up.
+    # The tree by which it was called, which may be links.
     path = Path(os.path.abspath(script))
-    os.chdir(path.parents[2])
-    name = str(path.relative_to(path.parents[2]))
+    root = next(p for p in path.parents if (p / "Makefile").exists())
+    os.chdir(root)
+    name = str(path.relative_to(root))
     if os.environ.get("DRIVEN") != name:
         os.execv("tools/drive", ["tools/drive", name, *sys.argv[1:]])
     for variable in ("DRIVEN", "MAKEFLAGS", "MAKELEVEL"):

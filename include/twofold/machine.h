@@ -261,7 +261,7 @@ TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
                                      tf_real_t w, tf_real_t omega0, tf_real_t h,
                                      tf_real_t *v);
 
-/// Mechanical energy: for programs that watch its balance, as tools/reference
+/// Mechanical energy: for programs that watch its balance, as tests/reference/events
 /// does. No step reads it.
 /// Scheme: m p^2/2 + m (beta^2 + r^2) w^2/2 + k2 (r - r0)^2/2, p = v - d w.
 /// machine: in.

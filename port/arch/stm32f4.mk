@@ -14,5 +14,5 @@ BOARD_LINK := -nostartfiles -Lport/arch -Tport/$(BOARD)/board.ld \
 BOARD_REALS := float double
 BOARD_LOADS := -kernel
 BOARD_STEPS := 100000
-# Driven over its line by tools/hil.
+# Driven over its line by tools/board/hil.
 BOARD_LOOP := yes

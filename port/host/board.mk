@@ -13,5 +13,5 @@ BOARD_RATES_float := 1000
 BOARD_SHARED := yes
 # The command that gives it a pseudo-terminal and prints the name of that.
 BOARD_LINE := env TWOFOLD_PORT=pty
-# Driven over its line by tools/hil.
+# Driven over its line by tools/board/hil.
 BOARD_LOOP := yes

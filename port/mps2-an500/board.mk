@@ -22,7 +22,7 @@ BOARD_RATES_double := 1000:5 3000:4
 BOARD_LOADS := -kernel
 # Shift at which every step goes out as frames, at 1 kHz.
 BOARD_FRAMES := 2
-# Driven over its line by tools/hil.
+# Driven over its line by tools/board/hil.
 BOARD_LOOP := yes
 # Real types in which the other schemes are tested.
 BOARD_SCHEMES := double

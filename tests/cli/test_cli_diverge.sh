@@ -55,26 +55,26 @@ set -- --samples 7 --codim2 even --cycles 3 --patience 3 --seed 5
 diverge "$@" --exits e.all --returns r.all
 diverge "$@" --exits e.again --returns r.again
 same all again 'a seed is a run'
-"$tools/statistics/shards" 2 joined "$T" chaos "$@" 2>err
+"$tools/study/statistics/shards" 2 joined "$T" chaos "$@" 2>err
 mv joined-exits.csv e.join
 mv joined-returns.csv r.join
 same all join 'workers'
-"$tools/statistics/shards" 2 joined "$T" chaos --rate -1 >out 2>err
+"$tools/study/statistics/shards" 2 joined "$T" chaos --rate -1 >out 2>err
 check 'a shard that fails is a failure' [ $? -eq 4 ]
 check 'and leaves nothing' [ ! -e joined-exits.csv ]
 check 'and no temporary directory' [ -z "$(ls -d joined.* 2>/dev/null)" ]
 # The job array of Slurm, its tasks started by hand in any order.
 for i in 3 1 2; do
   TWOFOLD=$T SLURM_ARRAY_TASK_MAX=3 SLURM_ARRAY_TASK_ID=$i \
-    sh "$tools/shards/shards.sbatch" task diverge chaos "$@" 2>err
+    sh "$tools/study/shards/shards.sbatch" task diverge chaos "$@" 2>err
 done
 joined task
 same all join 'tasks of a job array concatenate to one run'
 TWOFOLD=$T SHARDS=3 SLURM_ARRAY_TASK_ID=2 \
-  sh "$tools/shards/shards.sbatch" again diverge chaos "$@" 2>err
+  sh "$tools/study/shards/shards.sbatch" again diverge chaos "$@" 2>err
 check 'a lost task is run again alone' cmp -s task-exits.2.csv \
   again-exits.2.csv
-TWOFOLD=$T sh "$tools/shards/shards.sbatch" task diverge chaos >out 2>err
+TWOFOLD=$T sh "$tools/study/shards/shards.sbatch" task diverge chaos >out 2>err
 check 'outside of an array it says how to start it' [ $? -eq 2 ]
 diverge --samples 7 --seed 6 --patience 0.3 --exits e.other --returns r.other
 check 'another seed gives other exits' not cmp -s e.all e.other

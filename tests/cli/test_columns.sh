@@ -17,8 +17,8 @@ columns() {
   done
 }
 
-figures=tools/figures
-statistics=tools/statistics
+figures=tools/study/figures
+statistics=tools/study/statistics
 got=$(header run chaos --t-end 0)
 columns 'run' 't,r,v,omega,h,g,F,M,mode,choices' "$figures/paths.py
   $figures/chaos.gp tools/cli/monitor/receiver.c tests/cli/test_cli.sh"

@@ -60,7 +60,7 @@ check 'a command that leaves a process behind' none_left
 unset MAKEFLAGS MAKELEVEL MFLAGS MAKEOVERRIDES DRIVEN
 for signal in TERM INT; do
   stopped 'checks' $signal "$([ $signal = TERM ] && echo 143 || echo 130)" 8 \
-    env BUILD="$D/build" "$root/tools/check/run" sanitize-gcc gcc
+    env BUILD="$D/build" "$root/tools/verify/check/run" sanitize-gcc gcc
 done
 cat >slow.sh <<'END'
 . "$0.tap"

@@ -157,7 +157,7 @@ for i in 1 2 3; do
     grep -Eqx "# shard $i/3: [0-9]+ rows, crc32 [0-9a-f]{8}, run [0-9a-f]{8}" \
     e.$i
 done
-reads() { /usr/bin/python3 -B "$tools/statistics/summary.py" "$@" >out 2>err; }
+reads() { /usr/bin/python3 -B "$tools/study/statistics/summary.py" "$@" >out 2>err; }
 if /usr/bin/python3 -c 'import numpy, scipy' 2>/dev/null; then
   cat r.1 r.2 r.3 >r
   check 'cat of all shards is read' reads r
@@ -214,7 +214,7 @@ no_workers() { [ -z "$(workers)" ]; }
 has_workers() { [ "$(workers | wc -l)" -ge 2 ]; }
 for signal in TERM INT HUP; do
   # A shell's background jobs ignore SIGINT; what a terminal starts does not.
-  env --default-signal=INT "$tools/statistics/shards" 2 "$D/joined" "$T" chaos \
+  env --default-signal=INT "$tools/study/statistics/shards" 2 "$D/joined" "$T" chaos \
     --samples 100000 --cycles 1000 --codim2 even 2>err &
   pid=$!
   check "shards, SIG$signal: the workers run" poll has_workers
@@ -225,7 +225,7 @@ for signal in TERM INT HUP; do
   equal "shards, SIG$signal: no file is left" "$(there joined*)" ''
 done
 if [ -x /usr/bin/python3 ]; then
-  BUILD=$D/build TWOFOLD=$T JOBS=2 "$tools/statistics/study" >out 2>err &
+  BUILD=$D/build TWOFOLD=$T JOBS=2 "$tools/study/statistics/study" >out 2>err &
   pid=$!
   check 'study: the workers run' poll has_workers
   kill $pid

@@ -38,9 +38,9 @@ else
   lacks 'boards without their compilers' python3
 fi
 
-# required LIST LAST TEXT...: what tools/check/required says.
+# required LIST LAST TEXT...: what tools/verify/check/required says.
 required() {
-  REQUIRED=$D/$1 "$root/tools/check/required" >out 2>err
+  REQUIRED=$D/$1 "$root/tools/verify/check/required" >out 2>err
   code=$?
   equal "$1: the count" "$(last)" "$2"
   equal "$1: the code" "$code" "$([ "${2#*passed, }" = '0 failed' ]; echo $?)"
@@ -59,10 +59,10 @@ required unlisted '2 passed, 1 failed' 'not listed: board alpha'
 required tools '1 passed, 5 failed' 'tool no-such-tool (apt-get install some' \
   'python no_such_module' 'sanitizers no-such-compiler' 'else sh'
 equal 'packages to install' "$(
-  REQUIRED=$D/tools "$root/tools/check/required" packages | tr '\n' ' ')" \
+  REQUIRED=$D/tools "$root/tools/verify/check/required" packages | tr '\n' ' ')" \
   'dash other some-package third '
 : >empty
-REQUIRED=$D/empty "$root/tools/check/required" >out 2>err
+REQUIRED=$D/empty "$root/tools/verify/check/required" >out 2>err
 check 'an empty list is a failure' [ $? -ne 0 ]
 unset MAKE
 for board in $(make -s -C "$root" boards-list); do

@@ -211,7 +211,7 @@ interrupt TERM out 4 sweep "$@"
 set -- chaos --over kappa=0.2:0.4:5 --over gamma=0.3:1.2:5 --dt 1e-3
 for i in 3 1 2 3; do
   TWOFOLD=$T SLURM_ARRAY_TASK_MAX=3 SLURM_ARRAY_TASK_ID=$i \
-    sh "$tools/shards/shards.sbatch" task sweep "$@" 2>err
+    sh "$tools/study/shards/shards.sbatch" task sweep "$@" 2>err
 done
 cat task.1.csv task.2.csv task.3.csv | grep -v '^#' >one
 grep -v '^#' all >other

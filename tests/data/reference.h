@@ -1,4 +1,4 @@
-/* Reference solutions. Made by `make oracle` (tools/oracle), not by hand: in
+/* Reference solutions. Made by `make oracle` (tests/reference/oracle), not by hand: in
  * quadruple precision, every switch located, under the rule `persist`, from the
  * paper's equations without a line of the core. Numbers have 31 digits; the
  * uncertainties are the largest differences from two more computations, one

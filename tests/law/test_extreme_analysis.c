@@ -1,6 +1,6 @@
 /* What the analysis of a machine promises, for machines, inputs and states from
- * the whole of what is allowed (tools/fuzz/analysis.c says what that is). */
-#include "../../tools/fuzz/fuzz.h"
+ * the whole of what is allowed (tools/verify/fuzz/analysis.c says what that is). */
+#include "../../tools/verify/fuzz/fuzz.h"
 #include "extremes.h"
 
 static void look(const tf_params_t *p, const tf_input_t *input,

@@ -17,7 +17,7 @@ import zlib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tools/protocol"), str(ROOT / "tests/support")]
+sys.path[:0] = [str(ROOT / "tools/board/protocol"), str(ROOT / "tests/support")]
 import decode  # noqa: E402  (the paths come first)
 from named import main, same  # noqa: E402
 

@@ -15,7 +15,7 @@ import zlib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path += [str(ROOT / "tests" / "support"), str(ROOT / "tools/protocol")]
+sys.path += [str(ROOT / "tests" / "support"), str(ROOT / "tools/board/protocol")]
 
 from decode import frames  # noqa: E402
 from tap import check, run  # noqa: E402

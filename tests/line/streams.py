@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """What goes over a line, read by parsers that are written from the documents of
-the tools that are to read it, and the frames by tools/protocol/decode.py.
+the tools that are to read it, and the frames by tools/board/protocol/decode.py.
 
 usage: streams.py NAME    one test; without a name their names
-Environment: TWOFOLD the command line, ACCEPTED the program of tools/protocol,
+Environment: TWOFOLD the command line, ACCEPTED the program of tools/board/protocol,
 FIRMWARE the beginning of the paths of two firmwares of the host that end by
 themselves, to which -csv.elf or -plotter.elf is added."""
 import json
@@ -16,7 +16,7 @@ import zlib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tools/protocol"), str(ROOT / "tests/support")]
+sys.path[:0] = [str(ROOT / "tools/board/protocol"), str(ROOT / "tests/support")]
 import decode  # noqa: E402  (the paths come first)
 from named import main, output, same  # noqa: E402
 
@@ -306,9 +306,9 @@ def test_decoder_in_python_is_that_in_c():
 
 def test_decoder_is_quoted_in_the_protocol():
     document = (ROOT / "docs/PROTOCOL.md").read_text()
-    quoted = re.findall(r"```python tools/protocol/decode.py\n(.*?)```\n",
+    quoted = re.findall(r"```python tools/board/protocol/decode.py\n(.*?)```\n",
                         document, re.S)
-    same(quoted, [(ROOT / "tools/protocol/decode.py").read_text()])
+    same(quoted, [(ROOT / "tools/board/protocol/decode.py").read_text()])
 
 
 def test_examples_of_the_protocol_decode():

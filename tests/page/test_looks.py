@@ -388,7 +388,7 @@ def brightness(picture):
 def moving_picture_of_this_core():
     """docs/futures.svg is what its script makes, and it moves."""
     made = PAGE.parent / "futures.svg"
-    subprocess.run([ROOT / "tools/figures/futures.py", COMMAND, made],
+    subprocess.run([ROOT / "tools/study/figures/futures.py", COMMAND, made],
                    check=True)
     kept = ROOT / "docs/futures.svg"
     check(made.read_bytes() == kept.read_bytes(),

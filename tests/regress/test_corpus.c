@@ -7,7 +7,7 @@
 #endif
 #include <dirent.h>
 
-#include "../../tools/fuzz/fuzz.h"
+#include "../../tools/verify/fuzz/fuzz.h"
 #include "tap.h"
 
 #define LONGEST 65536

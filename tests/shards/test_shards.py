@@ -22,7 +22,7 @@ sys.path.append(str(ROOT / "tests" / "support"))
 from cluster import Cluster, missing  # noqa: E402
 from tap import Skip, check, run  # noqa: E402
 
-TOOLS = ROOT / "tools" / "shards"
+TOOLS = ROOT / "tools/study" / "shards"
 TWOFOLD = str(Path(os.environ.get(
     "TWOFOLD", ROOT / "build" / "double" / "twofold")).resolve())
 SWEEP = ["chaos", "--over", "kappa=0.2:0.4:12", "--over",

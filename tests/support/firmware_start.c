@@ -1,7 +1,7 @@
 /* See firmware_start.h. The core in here is local to this file. */
 #include "../../port/core.h" /* NOLINT(bugprone-suspicious-include) */
 /* After the core, whose functions are local. */
-#include "../../tools/firmware/constants.c" /* NOLINT */
+#include "../../tools/board/constants/constants.c" /* NOLINT */
 #include "firmware_start.h"
 
 const uint8_t chosen_scene = 0;

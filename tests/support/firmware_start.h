@@ -1,5 +1,5 @@
 /* How firmware starts a scene: the functions of port/core.h and of
- * tools/firmware/constants.c, which contain a core of their own. */
+ * tools/board/constants/constants.c, which contain a core of their own. */
 #ifndef TESTS_FIRMWARE_START_H
 #define TESTS_FIRMWARE_START_H
 

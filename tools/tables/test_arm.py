@@ -18,7 +18,7 @@ import unittest
 from pathlib import Path
 
 TOOLS = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(TOOLS / "cost"), str(TOOLS / "check"),
+sys.path[:0] = [str(TOOLS / "verify/cost"), str(TOOLS / "verify/check"),
                 str(TOOLS / "tables")]
 import loop_table  # noqa: E402
 from arm import ArmTurns, ArmWays, Bounds, Elf, memory_loops  # noqa: E402
@@ -336,7 +336,7 @@ class Counted(InFolder):
         self.path("driver.c").write_text(DRIVER, encoding="utf-8")
         self.path("layout").write_text(LAYOUT, encoding="utf-8")
         subprocess.run(["cc", "-std=c99", "-O2", "-fPIC", "-shared",
-                        "tools/size/count.c", "-o",
+                        "tools/bench/size/count.c", "-o",
                         str(self.path("count.so"))], check=True)
         file = os.path.relpath(self.path("a.c"))
         self.loops = [loop._replace(file=file) for loop in sorted(

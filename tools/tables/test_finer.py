@@ -1,5 +1,5 @@
 #!/usr/bin/python3 -B
-"""Tests of tools/finer at small size: its integrator converges to the motion of
+"""Tests of tools/study/finer at small size: its integrator converges to the motion of
 the core's law `smooth`, and the layer next to the two-fold is as theory says.
 
 usage: TWOFOLD=build/double/twofold test_finer.py [unittest option]...
@@ -9,14 +9,16 @@ from __future__ import annotations
 import math
 import os
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "study"))
 from finer import families, report, theory
 from tables import read
 
-FINER = Path(__file__).resolve().parents[1] / "finer"
+FINER = Path(__file__).resolve().parents[1] / "study/finer"
 
 
 class Finer(unittest.TestCase):

@@ -92,18 +92,18 @@ class Costs(Folder):
     def test_longest_ways(self):
         """A number without loops; a reason where one is no loop's of src/."""
         self.file("double/counted/moreau/step.s", CODE)
-        ways = self.run_script("cost/paths.py", "double", self.folder)
+        ways = self.run_script("verify/cost/paths.py", "double", self.folder)
         self.assertEqual([line.split(" a ")[0] for line in sorted(ways)],
                          ["tf_begin -", "tf_energy 3 0", "tf_other -",
                           "tf_slip 7 0", "tf_step -"])
 
     def test_no_assembly(self):
         """A folder that has moved is an error."""
-        self.run_script("cost/paths.py", "double", self.folder, code=1)
+        self.run_script("verify/cost/paths.py", "double", self.folder, code=1)
 
     def test_counting(self):
         """In front of each stretch stands its length, eight bytes a count."""
-        counted = self.run_script("cost/count.py", self.file("a.s", CODE))
+        counted = self.run_script("verify/cost/count.py", self.file("a.s", CODE))
         added = [line for line in counted if "paddq" in line]
         self.assertEqual([int(line.split("+")[1].split("(")[0]) // 8
                           for line in added],
@@ -113,7 +113,7 @@ class Costs(Folder):
               found: str = "tf_step 0 100 1:2\n") -> list[str]:
         """What is wrong with the row of a function that took 100."""
         two = [self.file("ways", f"tf_step {way}\n"), self.file("found", found)]
-        return self.run_script("cost/judge.py",
+        return self.run_script("verify/cost/judge.py",
                                self.file("claims", f"tf_step {claim}\n"),
                                *two, *two, code=code)
 
@@ -145,12 +145,12 @@ class Costs(Folder):
                            "step,\n/// 8 and 5 by the longest way. "
                            "Stack: 16 B\n"
                            "TF_API void tf_step(void);\n")
-        self.assertEqual(self.run_script("cost/headers.py", "claims", header),
+        self.assertEqual(self.run_script("verify/cost/headers.py", "claims", header),
                          ["tf_step 7 3 8 5"])
         figures = self.file("figures", "tf_step Cost 90 4 95 6\n"
                             "tf_step Stack 32\n")
-        self.run_script("cost/headers.py", "put", figures, header)
-        self.assertEqual(self.run_script("cost/headers.py", "claims", header),
+        self.run_script("verify/cost/headers.py", "put", figures, header)
+        self.assertEqual(self.run_script("verify/cost/headers.py", "claims", header),
                          ["tf_step 90 4 95 6"])
         self.assertIn("Stack: 32 B", Path(header).read_text(encoding="utf-8"))
 
@@ -160,7 +160,7 @@ class Alarms(Folder):
 
     def judge(self, alarms: str, properties: str, code: int) -> list[str]:
         """What the judge prints."""
-        return self.run_script("eva/judge.py", self.file("alarms", alarms),
+        return self.run_script("verify/eva/judge.py", self.file("alarms", alarms),
                                self.file("any-f64.csv", properties), code=code)
 
     def test_explained(self):
@@ -184,7 +184,7 @@ class Changes(Folder):
     def test_report(self):
         """Wilson's interval of one of two."""
         listed = self.file("all", "1\n2\n3\n")
-        said = self.run_script("mutation/report.py", "--seed", 5, "--all",
+        said = self.run_script("verify/mutation/report.py", "--seed", 5, "--all",
                                listed, "--excused", self.file("none", ""),
                                self.file("log", LOG))
         self.assertEqual(said[3], "src/model/tyre.c:6:9: 1 becomes 2")

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Optional
 
 TOOLS = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(TOOLS / "cost"), str(TOOLS / "check")]
+sys.path[:0] = [str(TOOLS / "verify/cost"), str(TOOLS / "verify/check")]
 import loop_table  # noqa: E402
 from assembly import Code  # noqa: E402
 from paths import Ways  # noqa: E402
@@ -146,7 +146,7 @@ unsigned unknown(const unsigned char *b, unsigned n) {
 AT_MOST = {"triangle": "3", "ends_early": "8", "unrolled": "3",
            "both_ends": "3", "sum_to": "3"}
 DRIVER = r"""
-#include "cost/count.h"
+#include "verify/cost/count.h"
 #include <stdio.h>
 int count_stepping;
 uint32_t count_additions;
@@ -187,7 +187,7 @@ class LongestWays(unittest.TestCase):
             "int main(void) {\n" +
             "".join(f"try_{name}();\n" for name in names) +
             "return 0;\n}\n", encoding="utf-8")
-        counted = subprocess.run([str(TOOLS / "cost" / "count.py"), "a.s"],
+        counted = subprocess.run([str(TOOLS / "verify/cost" / "count.py"), "a.s"],
                                  check=True, stdout=subprocess.PIPE).stdout
         Path("counted.s").write_bytes(counted)
         subprocess.run(["gcc", "-O1", f"-I{TOOLS}", "run.c", "counted.s",

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 TOOLS = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(TOOLS), str(TOOLS / "recurrence")]
+sys.path[:0] = [str(TOOLS), str(TOOLS / "study/recurrence")]
 import machines  # noqa: E402
 import regions  # noqa: E402
 import resonance  # noqa: E402
@@ -48,7 +48,7 @@ class Recurrence(unittest.TestCase):
     @classmethod
     def run_it(cls, *words: str) -> str:
         return subprocess.run(
-            [TOOLS / "recurrence/recurrence", *words], check=True, text=True,
+            [TOOLS / "study/recurrence/recurrence", *words], check=True, text=True,
             env=cls.environment, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE).stdout
 
@@ -77,7 +77,7 @@ class Recurrence(unittest.TestCase):
         damaged = self.work / "damaged.csv"
         damaged.write_text("".join(cut[:50] + cut[51:]), "ascii")
         done = subprocess.run(
-            [TOOLS / "recurrence/report.py", damaged, self.work / "no.png"],
+            [TOOLS / "study/recurrence/report.py", damaged, self.work / "no.png"],
             check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
             text=True)
         self.assertIn("is damaged", done.stdout)

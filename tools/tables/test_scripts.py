@@ -49,7 +49,7 @@ class Statistics(unittest.TestCase):
 
     def p(self, other: str) -> float:
         """The probability that `ks` prints for the times of exit."""
-        said = script(TOOLS / "statistics/ks.py", self.file("one-exits"),
+        said = script(TOOLS / "study/statistics/ks.py", self.file("one-exits"),
                       self.file(f"{other}-exits"), "time").split()
         self.assertEqual(said[:4], ["n", "1000", "m", "1000"])
         return float(said[-1])
@@ -64,7 +64,7 @@ class Statistics(unittest.TestCase):
 
     def test_summary(self):
         """Shares with their intervals."""
-        said = script(TOOLS / "statistics/summary.py",
+        said = script(TOOLS / "study/statistics/summary.py",
                       self.file("one-returns"), self.file("one-exits"))
         self.assertIn("samples 1000, cycles 1000", said)
         self.assertRegex(said, r"outcome timeout +9\d\d  share 0\.9\d+ \[0\.9")
@@ -72,7 +72,7 @@ class Statistics(unittest.TestCase):
 
     def test_passages(self):
         """One line of four a run that wound, in its order."""
-        said = script(TOOLS / "statistics/passages.py", self.file("one-exits"),
+        said = script(TOOLS / "study/statistics/passages.py", self.file("one-exits"),
                       self.file("one-returns"), 0).splitlines()
         self.assertLessEqual(len(said), 1000)
         self.assertTrue(all(len(line.split()) == 4 for line in said))
@@ -80,7 +80,7 @@ class Statistics(unittest.TestCase):
     def test_a_column_that_is_not_there(self):
         """The error names it and the file."""
         said = subprocess.run(
-            [str(TOOLS / "statistics/ks.py"), self.file("one-exits"),
+            [str(TOOLS / "study/statistics/ks.py"), self.file("one-exits"),
              self.file("one-exits"), "speed"], stderr=subprocess.PIPE,
             text=True, check=False)
         self.assertEqual(said.returncode, 3)
@@ -100,7 +100,7 @@ class Statistics(unittest.TestCase):
                                  ("passages.py", self.file("one-exits"),
                                   returns, "0")):
             said = subprocess.run(
-                [str(TOOLS / "statistics" / name), *arguments], check=False,
+                [str(TOOLS / "study/statistics" / name), *arguments], check=False,
                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
             self.assertEqual((said.returncode, said.stdout), (3, ""), name)
             self.assertIn("cut off", said.stderr)

@@ -266,7 +266,7 @@ static int is_in_reach(tf_real_t x) {
 }
 
 /* Where the check of a step lets numbers pass, each of them is finite and
- * within the limit; and nothing else is refused. tools/eva/cases.h assumes that
+ * within the limit; and nothing else is refused. tools/verify/eva/cases.h assumes that
  * clip() makes the lower bound of NaN, and shows the rest. */
 TEST(numbers_that_pass_are_finite_and_within_the_limit) {
   int passed = 0;

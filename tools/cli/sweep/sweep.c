@@ -1,5 +1,5 @@
 // The command `sweep`: point by point, each a motion of its own and one row. It
-// takes one core; several cores take a shard each (tools/shards). A point whose
+// takes one core; several cores take a shard each (tools/study/shards). A point whose
 // machine is refused is an answer and no failure: its row says so, and the
 // program goes on and ends with code 0.
 

@@ -1,0 +1,183 @@
+/// @file
+/// The simulator behind a table of functions; see library.h.
+#include "library.h"
+
+#include <string.h>
+
+// The enumeration itself is private: it is a stage of the step.
+#include "../../../src/friction/inclusion.h"
+#include "twofold.h"
+
+typedef struct {
+  tf_compensated_t machine;
+  tf_state_t state;
+  tf_compensation_t compensation;
+  tf_input_t input;
+  lib_scheme_t scheme;
+} run_t;
+
+static run_t *run_of(lib_t *lib) { return (run_t *)(void *)lib->bytes; }
+
+static tf_params_t params_of(const lib_machine_t *q) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.m = (tf_real_t)q->m;
+  p.d = (tf_real_t)q->d;
+  p.beta = (tf_real_t)q->beta;
+  p.k2 = (tf_real_t)q->k2;
+  p.c1 = (tf_real_t)q->c1;
+  p.c2 = (tf_real_t)q->c2;
+  p.r0 = (tf_real_t)q->r0;
+  p.omega0 = (tf_real_t)q->omega0;
+  p.mu = (tf_real_t)q->mu;
+  p.kappa = (tf_real_t)q->kappa;
+  p.gamma = (tf_real_t)q->gamma;
+  p.dt = (tf_real_t)q->dt;
+  p.law = q->coulomb ? TF_TYRE_COULOMB : TF_TYRE_JUMP;
+  return p;
+}
+
+static void fill(const run_t *run, const tf_report_t *report, lib_row_t *row) {
+  row->status = (int)report->status;
+  row->mode = run->state.mode;
+  row->choices = report->choices;
+  row->set = report->set;
+  row->F = (double)report->force.F;
+  row->M = (double)report->force.M;
+  row->h = (double)report->slip.h;
+  row->g = (double)report->slip.g;
+  row->A = (double)report->delassus;
+  row->r = (double)run->state.r + (double)run->compensation.r;
+  row->v = (double)run->state.v + (double)run->compensation.v;
+  row->w = (double)run->state.w + (double)run->compensation.w;
+}
+
+static tf_status_t place(run_t *run, const lib_machine_t *q) {
+  const tf_machine_t *machine = &run->machine.machine;
+  run->state = (tf_state_t){.r = (tf_real_t)q->r,
+                            .v = (tf_real_t)q->v,
+                            .w = (tf_real_t)q->omega,
+                            .mode = TF_NO_MODE};
+  if (!q->on_surface) {
+    return TF_OK;
+  }
+  if (run->scheme == LIB_COMPENSATED) {
+    return tf_speed_for_slip_compensated(
+        &run->machine, &run->state, &run->compensation, run->input.omega0, 0);
+  }
+  return tf_speed_for_slip(machine, run->state.r, run->state.w,
+                           run->input.omega0, 0, &run->state.v);
+}
+
+static int open_run(lib_t *lib, const lib_machine_t *q, lib_scheme_t scheme,
+                    lib_row_t *row) {
+  run_t *run = run_of(lib);
+  const tf_params_t params = params_of(q);
+  tf_report_t report;
+  memset(lib, 0, sizeof *lib);
+  memset(row, 0, sizeof *row);
+  memset(&report, 0, sizeof report);
+  run->scheme = scheme;
+  tf_status_t status = tf_prepare_compensated(&run->machine, &params, NULL);
+  if (status == TF_OK) {
+    run->input = tf_input_default(&run->machine.machine);
+    status = place(run, q);
+  }
+  if (status == TF_OK) {
+    status = tf_begin(&run->machine.machine, &run->state, &run->input, &report);
+    fill(run, &report, row);
+  }
+  return (int)status;
+}
+
+static int step(lib_t *lib, lib_row_t *row) {
+  run_t *run = run_of(lib);
+  tf_report_t report;
+  tf_status_t status;
+  if (run->scheme == LIB_LOCATED) {
+    status = tf_step_located(&run->machine.machine, &run->state, &run->input,
+                             &report);
+  } else if (run->scheme == LIB_COMPENSATED) {
+    status = tf_step_compensated(&run->machine, &run->state, &run->compensation,
+                                 &run->input, &report);
+  } else {
+    status = tf_step(&run->machine.machine, &run->state, &run->input, &report);
+  }
+  if (status >= TF_OK) {
+    fill(run, &report, row);
+  }
+  row->status = (int)status;
+  return (int)status;
+}
+
+static int driven(const lib_machine_t *q, double force, double torque,
+                  lib_row_t *row) {
+  tf_params_t params = params_of(q);
+  tf_machine_t machine;
+  tf_report_t report;
+  run_t run;
+  memset(&run, 0, sizeof run);
+  params.law = TF_TYRE_NONE;
+  tf_status_t status = tf_prepare(&machine, &params, NULL);
+  if (status != TF_OK) {
+    return (int)status;
+  }
+  tf_input_t input = tf_input_default(&machine);
+  run.state = (tf_state_t){.r = (tf_real_t)q->r,
+                           .v = (tf_real_t)q->v,
+                           .w = (tf_real_t)q->omega,
+                           .mode = TF_NO_MODE};
+  status = tf_begin(&machine, &run.state, &input, &report);
+  input.force = (tf_real_t)force;
+  input.torque = (tf_real_t)torque;
+  if (status == TF_OK) {
+    status = tf_step(&machine, &run.state, &input, &report);
+  }
+  if (status >= TF_OK) {
+    fill(&run, &report, row);
+  }
+  return (int)status;
+}
+
+static form_t form_of(const double c[6]) {
+  return (form_t){(tf_real_t)c[0], (tf_real_t)c[1], (tf_real_t)c[2],
+                  (tf_real_t)c[3], (tf_real_t)c[4], (tf_real_t)c[5]};
+}
+
+static unsigned enumerate_set(const double form[15], bool has_moment) {
+  const inclusion_t inclusion = {
+      .h = form_of(form),
+      .g = form_of(form + 6),
+      .g_now = (tf_real_t)form[12],
+      .has_moment = has_moment,
+      .pin_x = (tf_real_t)form[13],
+      .pin_y = (tf_real_t)form[14],
+  };
+  solutions_t solutions = {0};
+  enumerate(&inclusion, signs_of(&inclusion.g), &solutions);
+  return solutions.set;
+}
+
+static double energy(const lib_t *lib) {
+  const run_t *run = (const run_t *)(const void *)lib->bytes;
+  return (double)tf_energy(&run->machine.machine, &run->state, run->input.r0);
+}
+
+#ifdef TF_REAL_FLOAT
+const lib_table_t lib_f32 = {"float",       open_run, step,       driven,
+                             enumerate_set, energy,   FLT_EPSILON};
+#else
+const lib_table_t lib_f64 = {"double",      open_run, step,       driven,
+                             enumerate_set, energy,   DBL_EPSILON};
+
+const char *const lib_scheme_names[LIB_SCHEMES] = {"moreau", "located",
+                                                   "compensated"};
+
+void lib_range(const char *name, double *low, double *high) {
+  for (int i = 0; i < TF_PARAMETERS; ++i) {
+    if (strcmp(tf_parameter_ranges[i].name, name) == 0) {
+      *low = tf_parameter_ranges[i].low;
+      *high = tf_parameter_ranges[i].high;
+    }
+  }
+}
+#endif

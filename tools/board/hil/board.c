@@ -1,0 +1,275 @@
+// Frames from the board, commands to it. Frames of other types (layouts,
+// parameters, those of later versions) are ignored.
+#include "board/hil/board.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/host/host.h"
+
+#define PATIENCE 2.0 // wait for an answer [s] ...
+#define TRIES 4      // ... before the command is sent again
+#define GIVEN_UP 16  // states after which an answer no longer counts as due
+
+hil_code_t hil_message(hil_code_t code, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  (void)fputs("hil: ", stderr);
+  (void)vfprintf(stderr, format, arguments);
+  (void)fputc('\n', stderr);
+  va_end(arguments);
+  return code;
+}
+
+static const tf_scene_t *scene_named(const uint8_t *name, size_t length) {
+  for (int i = 0; i < TF_SCENES; i++)
+    if (strlen(tf_scenes[i]->name) == length &&
+        memcmp(tf_scenes[i]->name, name, length) == 0)
+      return tf_scenes[i];
+  return NULL;
+}
+
+// The first session that the board reports, and the number with which to begin.
+// Another one later means that the board has forgotten the run.
+static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
+  const uint32_t session = (uint32_t)tf_wire_get(at + 13, 4);
+  if (session == board->session) return HIL_EQUAL;
+  const uint32_t follows =
+      board->session == UINT32_MAX ? 1 : board->session + 1u;
+  if (board->session != 0 && !(board->renews && session == follows))
+    return hil_message(HIL_STOPPED, "%s: the board was started anew",
+                       board->source.name);
+  if ((at[4] & 16u) != 0 && board->key == NULL)
+    return hil_message(HIL_REFUSED,
+                       "the board wants its commands tagged"
+                       " (--key)");
+  board->renews = false;
+  board->session = session;
+  board->sequence = (uint32_t)tf_wire_get(at + 17, 4);
+  return HIL_EQUAL;
+}
+
+// Scene and step determine the machine on the board; the hash confirms it.
+static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
+  const uint8_t *at = frame->payload;
+  const size_t R = TF_REAL_BYTES;
+  if (frame->length < 27 + R || at[0] != R)
+    return hil_message(HIL_REFUSED, "the board computes in %s, this is %s",
+                       at[0] == 4 ? "float" : "double",
+                       R == 4 ? "float" : "double");
+  if (at[3] != 0 || (at[4] & 2u) == 0)
+    return hil_message(HIL_REFUSED, "the board %s",
+                       at[3] != 0 ? "does not step by tf_step"
+                                  : "takes no commands (UPLINK=yes)");
+  const uint8_t *name = at + 25 + R;
+  const uint8_t *end = memchr(name, 0, frame->length - 25 - R);
+  board->scene = end == NULL ? NULL : scene_named(name, (size_t)(end - name));
+  if (board->scene == NULL)
+    return hil_message(HIL_REFUSED, "the board's scene is not known here");
+  board->params = board->scene->params;
+  board->params.dt = tf_wire_get_real(at + 25);
+  board->seed = (uint32_t)tf_wire_get(at + 5, 4);
+  if (tf_params_hash(&board->params) != tf_wire_get(at + 9, 4))
+    return hil_message(HIL_REFUSED,
+                       "the board's parameters are not those of scene %s",
+                       board->scene->name);
+  board->deadman = (uint32_t)tf_wire_get(at + 21, 4);
+  board->has_schema = true;
+  return take_session(board, at);
+}
+
+static void take_state(hil_board_t *board, const tf_frame_t *frame) {
+  if (!board->listens || board->count == board->room ||
+      frame->tick % board->every != 0)
+    return;
+  if (board->count > 0 && board->samples[board->count - 1].tick >= frame->tick)
+    return; // the board is not running
+  hil_sample_t *sample = &board->samples[board->count++];
+  memset(sample, 0, sizeof *sample);
+  sample->tick = frame->tick;
+  memcpy(sample->state, frame->payload, TF_STATE_BYTES);
+  board->has_new = true;
+}
+
+static void take_report(hil_board_t *board, const tf_frame_t *frame) {
+  hil_sample_t *last = &board->samples[board->count];
+  if (!board->listens || board->count == 0) return;
+  last--;
+  if (last->tick != frame->tick) return;
+  memcpy(last->report, frame->payload, TF_REPORT_BYTES);
+  last->has_report = true;
+}
+
+// An answer belongs to the command of its type and number, and the first one
+// counts: a line that doubles a frame that was answered already brings `old`
+// behind it. To a command that was sent again `old` means that it was taken
+// before and only its answer was lost: nobody else commands this board.
+static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
+  const uint32_t sequence = (uint32_t)tf_wire_get(frame->payload, 4);
+  const uint8_t type = frame->payload[4], code = frame->payload[5];
+  const int value = code < 128 ? code : code - 256;
+  if (type == board->ordered && sequence == board->number) {
+    if (board->has_answer) return;
+    board->answer = value == TF_ANSWER_OLD && board->tries > 1 ? 0 : value;
+    board->has_answer = true;
+    return;
+  }
+  if (type == TF_UP_STOP && sequence == board->stop_number && value == 0) {
+    board->has_stopped = true;
+    board->stopped_at = frame->tick;
+    return;
+  }
+  for (size_t i = type == TF_UP_INPUT ? board->count : 0; i > 0; i--) {
+    hil_sample_t *sample = &board->samples[i - 1];
+    if (!sample->sent || sample->answered || sample->sequence != sequence)
+      continue;
+    sample->answered = true;
+    sample->code = value;
+    sample->effect = frame->tick;
+    return;
+  }
+}
+
+static void take_heartbeat(hil_board_t *board, const tf_frame_t *frame) {
+  tf_read_heartbeat(frame->payload, &board->heartbeat);
+  board->has_heartbeat = true;
+}
+
+static hil_code_t take(hil_board_t *board, const tf_frame_t *frame) {
+  if (frame->type == TF_DOWN_SCHEMA) return take_schema(board, frame);
+  if (frame->type == TF_DOWN_STATE && frame->length == TF_STATE_BYTES)
+    take_state(board, frame);
+  if (frame->type == TF_DOWN_REPORT && frame->length == TF_REPORT_BYTES)
+    take_report(board, frame);
+  if (frame->type == TF_DOWN_ANSWER && frame->length >= 8)
+    take_answer(board, frame);
+  if (frame->type == TF_DOWN_HEARTBEAT && frame->length == TF_HEARTBEAT_BYTES)
+    take_heartbeat(board, frame);
+  return HIL_EQUAL;
+}
+
+hil_code_t hil_board_listen(hil_board_t *board, int milliseconds) {
+  uint8_t bytes[512];
+  size_t length = 0, taken = 0;
+  tf_frame_t frame;
+  const cli_source_found_t found = cli_source_read(
+      &board->source, bytes, sizeof bytes, milliseconds, &length);
+  if (cli_stop_asked()) return hil_message(HIL_STOPPED, "interrupted");
+  if (found == CLI_SOURCE_GONE || found == CLI_SOURCE_END)
+    return hil_message(HIL_STOPPED, "%s: the board went away",
+                       board->source.name);
+  for (const uint8_t *at = bytes;
+       tf_decoder_block(&board->decoder, at, length, &taken, &frame);) {
+    at += taken;
+    length -= taken;
+    const hil_code_t code = take(board, &frame);
+    if (code != HIL_EQUAL) return code;
+  }
+  return HIL_EQUAL;
+}
+
+static hil_code_t send_as(hil_board_t *board, uint32_t number, tf_type_t type,
+                          uint64_t tick, const uint8_t *data, size_t length) {
+  uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)];
+  if (length > 0) memcpy(wire + TF_COMMAND_AT, data, length);
+  const size_t size = tf_command_seal(
+      wire, (uint8_t)type, length, board->session, &number, tick, board->key);
+  // The board does not count questions.
+  if (type != TF_UP_DESCRIBE) board->sequence = number;
+  if (cli_source_write(&board->source, wire, size)) return HIL_EQUAL;
+  return hil_message(HIL_STOPPED, "%s: %s", board->source.name,
+                     strerror(board->source.error));
+}
+
+// After the last number the board has another session, and a command with that
+// number, sent again, would be a new one there. So it is used up by one that is
+// refused for its length, and all others wait for the new session.
+static hil_code_t renew_session(hil_board_t *board) {
+  static const uint8_t too_much = 0;
+  const uint32_t before = board->session;
+  for (int tries = 0; board->sequence == UINT32_MAX && tries < TRIES; tries++) {
+    const double until = cli_now() + PATIENCE;
+    hil_code_t code =
+        send_as(board, UINT32_MAX, TF_UP_STOP, 0, &too_much, sizeof too_much);
+    board->sequence = UINT32_MAX;
+    board->renews = true;
+    while (code == HIL_EQUAL && board->session == before && cli_now() < until)
+      code = hil_board_listen(board, 100);
+    if (code != HIL_EQUAL) return code;
+    if (board->session != before) return HIL_EQUAL;
+  }
+  return board->sequence != UINT32_MAX
+             ? HIL_EQUAL
+             : hil_message(HIL_STOPPED, "%s: no session after the last number",
+                           board->source.name);
+}
+
+hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
+                          const uint8_t *data, size_t length) {
+  const hil_code_t code = renew_session(board);
+  return code == HIL_EQUAL
+             ? send_as(board, board->sequence, type, tick, data, length)
+             : code;
+}
+
+// The command is sent again, with the same number, if no answer comes, whether
+// it was lost or its answer was: the board takes a number once.
+hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
+                           const uint8_t *data, size_t length) {
+  double until = 0;
+  const hil_code_t renewed =
+      type == TF_UP_DESCRIBE ? HIL_EQUAL : renew_session(board);
+  if (renewed != HIL_EQUAL) return renewed;
+  board->ordered = type;
+  board->number = board->sequence;
+  board->tries = 0;
+  board->has_answer = false;
+  while (!board->has_answer) {
+    hil_code_t code = HIL_EQUAL;
+    if (cli_now() > until && board->tries == TRIES)
+      return hil_message(HIL_STOPPED, "%s: no answer; does it take commands?",
+                         board->source.name);
+    if (cli_now() > until) {
+      code = send_as(board, board->number, type, 0, data, length);
+      until = cli_now() + PATIENCE;
+      board->tries++;
+    }
+    if (code == HIL_EQUAL) code = hil_board_listen(board, 100);
+    if (code != HIL_EQUAL) return code;
+  }
+  if (board->answer != 0)
+    return hil_message(HIL_REFUSED, "the board refuses command %02X: %d",
+                       (unsigned)type, board->answer);
+  return HIL_EQUAL;
+}
+
+hil_code_t hil_board_stop_at(hil_board_t *board, uint64_t tick) {
+  const hil_code_t code = renew_session(board);
+  board->stop_number = board->sequence;
+  board->has_stopped = false;
+  return code == HIL_EQUAL ? hil_board_send(board, TF_UP_STOP, tick, NULL, 0)
+                           : code;
+}
+
+hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,
+                           uint64_t tick) {
+  uint8_t payload[5 * TF_REAL_BYTES];
+  uint8_t *at = payload;
+  const tf_input_t *input = &sample->input;
+  at = tf_wire_put_real(at, input->omega0);
+  at = tf_wire_put_real(at, input->r0);
+  at = tf_wire_put_real(at, input->force);
+  at = tf_wire_put_real(at, input->torque);
+  (void)tf_wire_put_real(at, input->alpha);
+  sample->sent = true;
+  sample->sequence = board->sequence;
+  return hil_board_send(board, TF_UP_INPUT, tick, payload, sizeof payload);
+}
+
+size_t hil_board_waiting(const hil_board_t *board) {
+  size_t waiting = 0;
+  for (size_t i = board->count; i > 0 && board->count - i < GIVEN_UP; i--)
+    waiting += board->samples[i - 1].sent && !board->samples[i - 1].answered;
+  return waiting;
+}

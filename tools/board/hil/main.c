@@ -1,0 +1,163 @@
+// Hardware in the loop: a controller on this computer, the simulated machine on
+// a board, a serial line between them; and the proof that the closed loop has
+// the bits of a run on this computer alone:
+//   hil DEVICE [OPTION...]        `hil` alone lists the options
+// docs/HIL.md says why it is deterministic.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "board/hil/board.h"
+#include "board/hil/control.h"
+#include "board/hil/drive.h"
+#include "board/hil/report.h"
+#include "board/hil/twin.h"
+#include "cli/host/host.h"
+#include "cli/host/key.h"
+
+typedef struct {
+  const char *device, *csv;
+  uint64_t baud;
+  bool has_key;
+  uint8_t key[TF_KEY_BYTES];
+  hil_plan_t plan;
+  hil_control_t control;
+} options_t;
+
+static hil_code_t usage(void) {
+  (void)fputs(
+      "hil DEVICE: drives the board at the other end of a serial line\n"
+      "  --baud B        speed of the line; default: unchanged\n"
+      "  --steps N       number of steps (2000)\n"
+      "  --every N       steps from input to input (10): a multiple of the\n"
+      "                  steps between two states of the board (its EVERY)\n"
+      "  --delay N       steps from a state to the effect of its input, at\n"
+      "                  most twice --every (20)\n"
+      "  --lockstep      no delay: the board waits for its input\n"
+      "  --speed W       set point of the disc's speed [rad/s] (-0.9)\n"
+      "  --gain G        of the turntable's speed (0.1)\n"
+      "  --brake B       torque / speed above the set point [N m s] (0.2)\n"
+      "  --deadman N     steps that an input holds, 0 without end; default: "
+      "as\n"
+      "                  the board has it\n"
+      "  --silent N      sends no input from step N on, as a controller that\n"
+      "                  failed\n"
+      "  --key FILE      32 hexadecimal digits, for a board that wants its\n"
+      "                  commands tagged\n"
+      "  --csv FILE      states that were read, inputs that were sent\n"
+      "Exit codes: 0 the loop has the bits of a pure host run, 1 it does not,\n"
+      "2 usage, 3 the board cannot be driven, 4 the line failed.\n",
+      stderr);
+  return HIL_USAGE;
+}
+
+static bool whole(const char *text, uint64_t least, uint64_t most,
+                  uint64_t *value) {
+  char *end = NULL;
+  *value = strtoull(text, &end, 10);
+  return text[0] >= '0' && text[0] <= '9' && *end == '\0' && *value >= least &&
+         *value <= most;
+}
+
+static bool number(const char *text, tf_real_t *value) {
+  char *end = NULL;
+  const double read = strtod(text, &end);
+  *value = (tf_real_t)read;
+  return end != text && *end == '\0' && read > -1e6 && read < 1e6;
+}
+
+// Returns: whether the option is known and its value good.
+static bool read_option(options_t *options, const char *name,
+                        const char *value) {
+  uint64_t n = 0;
+  if (!strcmp(name, "--baud"))
+    return whole(value, 1, 100000000, &options->baud);
+  if (!strcmp(name, "--steps"))
+    return whole(value, 1, 10000000, &options->plan.steps);
+  if (!strcmp(name, "--every") || !strcmp(name, "--delay")) {
+    const bool every = name[2] == 'e';
+    const bool good = whole(value, every, 65536, &n);
+    *(every ? &options->plan.every : &options->plan.delay) = (uint32_t)n;
+    return good;
+  }
+  if (!strcmp(name, "--speed")) return number(value, &options->control.speed);
+  if (!strcmp(name, "--gain")) return number(value, &options->control.gain);
+  if (!strcmp(name, "--brake")) return number(value, &options->control.brake);
+  if (!strcmp(name, "--silent"))
+    return whole(value, 0, 10000000, &options->plan.silent);
+  if (!strcmp(name, "--deadman")) {
+    options->plan.has_deadman = whole(value, 0, UINT32_MAX, &n);
+    options->plan.deadman = (uint32_t)n;
+    return options->plan.has_deadman;
+  }
+  if (!strcmp(name, "--key")) {
+    options->has_key = cli_read_key(value, options->key);
+    return options->has_key;
+  }
+  if (!strcmp(name, "--csv")) options->csv = value;
+  return !strcmp(name, "--csv");
+}
+
+static hil_code_t read_options(options_t *options, int argc, char **argv) {
+  *options = (options_t){
+      .plan = {.steps = 2000, .every = 10, .delay = 20, .silent = UINT64_MAX},
+      .control = {TF_R(-0.9), TF_R(0.1), TF_R(0.2)}};
+  for (int i = 1; i < argc; i++) {
+    if (!strcmp(argv[i], "--lockstep")) {
+      options->plan.in_lockstep = true;
+    } else if (argv[i][0] != '-') {
+      options->device = argv[i];
+    } else if (i + 1 == argc || !read_option(options, argv[i], argv[i + 1])) {
+      return hil_message(HIL_USAGE, "%s %s: not understood", argv[i],
+                         i + 1 < argc ? argv[i + 1] : "");
+    } else {
+      i++;
+    }
+  }
+  if (options->plan.in_lockstep) options->plan.delay = 0;
+  if (options->plan.delay > 2 * options->plan.every)
+    return hil_message(HIL_USAGE, "--delay is at most twice --every");
+  return options->device == NULL ? usage() : HIL_EQUAL;
+}
+
+static hil_code_t perform(hil_board_t *board, const options_t *options) {
+  hil_verdict_t verdict;
+  tf_decoder_init(&board->decoder, board->buffer, sizeof board->buffer);
+  if (!cli_source_open(&board->source, options->device, options->baud, true))
+    return hil_message(HIL_STOPPED, "%s: %s", options->device,
+                       strerror(board->source.error));
+  hil_code_t code = hil_prepare(board, &options->plan);
+  if (code == HIL_EQUAL)
+    code = hil_drive(board, &options->plan, &options->control);
+  cli_source_close(&board->source);
+  if (code == HIL_EQUAL && options->csv != NULL)
+    code = hil_write_csv(board, options->csv);
+  if (code != HIL_EQUAL) return code;
+  code = hil_twin_compare(board, &options->plan, &options->control, &verdict);
+  if (code == HIL_EQUAL || code == HIL_DIFFERS)
+    hil_report(board, &options->plan, &verdict);
+  return code;
+}
+
+int main(int argc, char **argv) {
+  options_t options;
+  cli_guard_descriptors();
+  hil_code_t code = read_options(&options, argc, argv);
+  if (code != HIL_EQUAL) return (int)code;
+  hil_board_t *board = calloc(1, sizeof *board);
+  if (board == NULL) return HIL_STOPPED;
+  board->every = options.plan.every;
+  board->key = options.has_key ? options.key : NULL;
+  board->room = (size_t)(options.plan.steps / options.plan.every) + 64;
+  board->samples = calloc(board->room, sizeof *board->samples);
+  if (board->samples != NULL) {
+    cli_catch_signals();
+    code = perform(board, &options);
+    if (ferror(stdout) || fflush(stdout) || ferror(stderr)) code = HIL_STOPPED;
+  } else {
+    code = hil_message(HIL_STOPPED, "out of memory");
+  }
+  free(board->samples);
+  free(board);
+  return (int)code;
+}

@@ -1,0 +1,141 @@
+// The twin responds to its own states, never to those of the board. From the
+// board it takes only the ticks: of the samples, and at which each input took
+// effect.
+#include "board/hil/twin.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct {
+  hil_board_t *board;
+  const hil_control_t *control;
+  hil_verdict_t *verdict;
+  tf_simulation_t simulation;
+  size_t next;   // sample to compare next
+  size_t effect; // sample whose input takes effect next
+  double squares;
+} twin_t;
+
+// Whether a frame on the wire has the given payload.
+static bool is_payload(const uint8_t *wire, size_t size, const uint8_t *payload,
+                       size_t length) {
+  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
+  tf_decoder_t decoder;
+  tf_frame_t frame = {0};
+  size_t taken = 0;
+  tf_decoder_init(&decoder, buffer, sizeof buffer);
+  // The leading zero alone does not make a frame.
+  return tf_decoder_block(&decoder, wire, size, &taken, &frame) &&
+         frame.length == length && memcmp(frame.payload, payload, length) == 0;
+}
+
+static bool same(const tf_simulation_t *simulation,
+                 const hil_sample_t *sample) {
+  uint8_t wire[TF_FRAME_SIZE(TF_REPORT_BYTES)];
+  uint32_t sequence = 0;
+  size_t size = tf_send_state(wire, &sequence, &simulation->state);
+  if (!is_payload(wire, size, sample->state, TF_STATE_BYTES)) return false;
+  if (!sample->has_report) return true;
+  size = tf_send_report(wire, &sequence, simulation->state.tick,
+                        &simulation->report, simulation->stepped);
+  return is_payload(wire, size, sample->report, TF_REPORT_BYTES);
+}
+
+static bool same_input(const tf_input_t *a, const tf_input_t *b) {
+  return memcmp(&a->omega0, &b->omega0, sizeof a->omega0) == 0 &&
+         memcmp(&a->r0, &b->r0, sizeof a->r0) == 0 &&
+         memcmp(&a->force, &b->force, sizeof a->force) == 0 &&
+         memcmp(&a->torque, &b->torque, sizeof a->torque) == 0 &&
+         memcmp(&a->alpha, &b->alpha, sizeof a->alpha) == 0;
+}
+
+static void note_difference(hil_verdict_t *verdict, uint64_t tick) {
+  if (verdict->differ == 0 && verdict->wrong == 0) verdict->first = tick;
+}
+
+// Compares the twin with the sample of this tick: state, report and input.
+static void compare(twin_t *twin) {
+  hil_verdict_t *verdict = twin->verdict;
+  hil_sample_t *sample = &twin->board->samples[twin->next];
+  const tf_simulation_t *simulation = &twin->simulation;
+  const tf_real_t error = twin->control->speed - simulation->state.w;
+  twin->squares += (double)error * (double)error;
+  verdict->compared++;
+  if (!same(simulation, sample)) {
+    note_difference(verdict, sample->tick);
+    verdict->differ++;
+  }
+  if (sample->sent) {
+    sample->own =
+        hil_control(twin->control, &simulation->machine, &simulation->state);
+    verdict->inputs++;
+    if (!same_input(&sample->own, &sample->input)) {
+      note_difference(verdict, sample->tick);
+      verdict->wrong++;
+    }
+  }
+  twin->next++;
+}
+
+// Applies the inputs that take effect at this tick.
+static void apply(twin_t *twin) {
+  const hil_board_t *board = twin->board;
+  for (; twin->effect < twin->next; twin->effect++) {
+    const hil_sample_t *sample = &board->samples[twin->effect];
+    if (!sample->sent || !sample->answered || sample->code != 0) continue;
+    if (sample->effect > twin->simulation.state.tick) return;
+    tf_simulation_set_input(&twin->simulation, &sample->own);
+  }
+}
+
+// Counts late, unanswered and missing inputs. Those that could not take effect
+// within the run are not sent.
+static void count_times(const hil_board_t *board, const hil_plan_t *plan,
+                        hil_verdict_t *verdict) {
+  size_t met = 0;
+  for (size_t i = 0; i < board->count; i++) {
+    const hil_sample_t *sample = &board->samples[i];
+    met += sample->sent;
+    if (!sample->sent) continue;
+    verdict->unanswered += !sample->answered;
+    verdict->late +=
+        sample->answered && sample->effect != sample->tick + plan->delay;
+  }
+  uint64_t end = plan->steps > plan->delay ? plan->steps - plan->delay : 0;
+  if (end > plan->silent) end = plan->silent;
+  if (end > 0) verdict->missing = (size_t)((end - 1) / plan->every + 1) - met;
+}
+
+hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
+                            const hil_control_t *control,
+                            hil_verdict_t *verdict) {
+  static twin_t twin;
+  twin = (twin_t){.board = board, .control = control, .verdict = verdict};
+  *verdict = (hil_verdict_t){0};
+  count_times(board, plan, verdict);
+  if (tf_simulation_open(&twin.simulation, board->scene, &board->params,
+                         board->seed) != TF_OK)
+    return hil_message(HIL_REFUSED, "the scene cannot be started here");
+  tf_simulation_t *simulation = &twin.simulation;
+  simulation->deadman = board->deadman;
+  while (simulation->state.tick <= plan->steps) {
+    const uint64_t tick = simulation->state.tick;
+    while (twin.next < board->count && board->samples[twin.next].tick == tick)
+      compare(&twin);
+    apply(&twin);
+    if (tick == plan->steps) break;
+    const tf_input_t input = tf_simulation_input(simulation, board->scene);
+    if (tf_step(&simulation->machine, &simulation->state, &input,
+                &simulation->report) < 0)
+      return hil_message(HIL_REFUSED, "step %lu is refused",
+                         (unsigned long)tick);
+  }
+  verdict->end = simulation->state;
+  verdict->expired = simulation->expired;
+  if (verdict->compared > 0)
+    verdict->rms_error = sqrt(twin.squares / (double)verdict->compared);
+  // An input without an answer counts as one that never arrived.
+  return verdict->differ || verdict->wrong || verdict->compared < 2
+             ? HIL_DIFFERS
+             : HIL_EQUAL;
+}

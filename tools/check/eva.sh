@@ -1,9 +1,0 @@
-#!/bin/sh
-# Undefined behaviour and numbers that are not finite, by Frama-C Eva: the
-# entries of set `short`, in both real types. `make eva` does all of them.
-. "$(dirname "$0")/lib.sh"
-need frama-c frama-c-base
-log=$BUILD/eva-runs.log
-tools/eva/run short >"$log" 2>&1 || wrong "see tools/eva/alarms"
-cat "$log"
-checked "$(tail -n 1 "$log"); both real types"

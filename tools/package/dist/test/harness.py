@@ -1,0 +1,82 @@
+"""What the tests of the packages share."""
+import functools
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[4]
+BUILD = (ROOT / os.environ.get("BUILD", "build")).resolve()
+DIST = BUILD / "dist"
+WORK = BUILD / "test-dist"
+MAKE = os.environ.get("MAKE", "make")
+TWOFOLD = BUILD / "double/twofold"
+REALS = {"double": [], "float": ["-DTF_REAL_FLOAT"]}
+STRICT = ["-Wall", "-Wextra", "-pedantic", "-Werror"]
+
+
+class Missing(Exception):
+    """A tool that is not here."""
+
+
+class Wrong(Exception):
+    """A package does not do what it should."""
+
+
+def need(tool, package):
+    """The path of a tool, or Missing."""
+    if not shutil.which(tool):
+        raise Missing(f"{tool} is missing (Debian: apt-get install {package})")
+    return tool
+
+
+def run(*command, cwd=None, env=None, fails=False):
+    """What a command prints; its failure is Wrong."""
+    said = subprocess.run([str(word) for word in command], cwd=cwd, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          env={**os.environ, **(env or {})}, check=False)
+    if (said.returncode != 0) != fails:
+        last = "\n".join(line[:200]
+                         for line in said.stdout.splitlines()[-8:])
+        raise Wrong(f"{' '.join(map(str, command))}\n{last}")
+    return said.stdout
+
+
+def rows_of(real, *arguments):
+    """Rows of `twofold run` as lists of words, without the header. Code 5 says
+    that steps were degraded, which is no failure here."""
+    said = subprocess.run([BUILD / real / "twofold", "run",
+                           *map(str, arguments)], text=True, check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    if said.returncode not in (0, 5):
+        raise Wrong(f"twofold run {arguments}\n{said.stderr}")
+    return [line.split(",") for line in said.stdout.splitlines()[1:]]
+
+
+def equal(what, got, want):
+    """Wrong where they differ."""
+    if got != want:
+        raise Wrong(f"{what}: {got!r}, not {want!r}")
+
+
+def folder(name):
+    """An empty folder of a test."""
+    path = WORK / name
+    shutil.rmtree(path, ignore_errors=True)
+    path.mkdir(parents=True)
+    return path
+
+
+def version():
+    """TF_VERSION, as the program prints it."""
+    return run(TWOFOLD, "--version").split()[1].rstrip(",")
+
+
+@functools.cache
+def ends_at(real):
+    """What the demos print: r after 10 s of chaos, by the tree's library."""
+    place = folder(f"tree-{real}")
+    demo = ROOT / "tools/package/dist/cmake/examples/demo/demo.c"
+    run("gcc", "-std=c99", "-O1", *REALS[real], "-I", ROOT / "include", demo,
+        BUILD / real / "libtwofold.a", "-lm", "-o", place / "demo")
+    return run(place / "demo")

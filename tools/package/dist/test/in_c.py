@@ -1,0 +1,190 @@
+"""The two files and the prepared scene, in C and in C++."""
+import math
+import random
+import re
+import shutil
+import sys
+
+from harness import (BUILD, DIST, REALS, ROOT, STRICT, ends_at, equal, folder,
+                     need, run)
+
+sys.path.append(str(ROOT / "tools/package/dist"))
+from sources import without_hexadecimals  # beside the makers of packages
+
+C = DIST / "c"
+TEST = ROOT / "tools/package/dist/test"
+COMPILERS = (("gcc", "gcc", ["-std=c99"]), ("gcc", "gcc", ["-std=gnu17"]),
+             ("clang", "clang", ["-std=c99"]),
+             *(("g++", "g++", ["-x", "c++", f"-std={standard}"]) for standard in
+               ("c++98", "gnu++11", "c++11", "c++14", "c++17", "c++20")),
+             *(("clang++", "clang", ["-x", "c++", f"-std={standard}"])
+               for standard in ("c++98", "c++20")))
+# A file that holds the code of two scenes, after the whole core's header.
+TWO_SCENES = """\
+#include "twofold.h"
+#define TWOFOLD_CHAOS_CODE
+#define TWOFOLD_SMOOTH_CODE
+#include "twofold_chaos.h"
+#include "twofold_smooth.h"
+"""
+SAME_BITS = """\
+#include <stdio.h>
+#include <string.h>
+static const float f[] = {@FLOATS@}, f10[] = {@FLOATS10@};
+static const double d[] = {@DOUBLES@}, d10[] = {@DOUBLES10@};
+/* What TF_R makes of a constant of double in a build of float. */
+static const float s[] = {@SHORTENED@}, s10[] = {@SHORTENED10@};
+int main(void) {
+  printf("%zu %zu %d%d%d", sizeof f / sizeof *f, sizeof d / sizeof *d,
+         memcmp(f, f10, sizeof f) == 0, memcmp(d, d10, sizeof d) == 0,
+         memcmp(s, s10, sizeof s) == 0);
+  return 0;
+}
+"""
+# Where nothing is said about contraction, on what this processor has.
+PLAIN = ["-O2", "-march=native"]
+
+
+def two_files():
+    """Without a warning as C99, gnu17 and C++; the tests of the golden hashes
+    pass with them, in both real types."""
+    place = folder("two-files")
+    for tool, package, options in COMPILERS:
+        need(tool, package)
+        for real, define in REALS.items():
+            built = place / f"{real}.o"
+            run(tool, *options, *STRICT, *PLAIN, *define, "-I", C, "-c",
+                C / "twofold.c", "-o", built)
+            if options[-1] not in ("-std=gnu17", "-std=gnu++11"):
+                continue
+            golden = place / "golden"
+            run("gcc", "-std=gnu17", *PLAIN, *define, "-I", C, "-I",
+                ROOT / "tests", "-I", ROOT / "tests/support",
+                ROOT / "tests/golden/test_golden.c", built, "-lm", "-o",
+                golden)
+            run(golden)
+
+
+def decimals():
+    """Each hexadecimal constant becomes a decimal that the compiler reads to
+    the same bits: random ones, and those beside a power of two."""
+    random.seed(1)
+    place = folder("decimals")
+    wide, narrow = [], []
+    for _ in range(3000):
+        wide.append(math.ldexp(1 + random.random(),
+                               random.randint(-1000, 1000)))
+        narrow.append(math.ldexp(1 + random.getrandbits(23) / 2**23,
+                                 random.randint(-126, 126)))
+    for exponent in range(-120, 121):
+        two = math.ldexp(1, exponent)
+        wide += [two, math.nextafter(two, 0), math.nextafter(two, 2 * two)]
+        narrow += [two, two * (1 - 2**-24), two * (1 + 2**-23)]
+    # Doubles near the middle of two floats, which a float rounds once.
+    middle = [math.ldexp(1 + (2 * random.getrandbits(23) + 1) / 2**24
+                         + random.choice((-1, 0, 1)) / 2**52,
+                         random.randint(-100, 100)) for _ in range(3000)]
+    text = SAME_BITS
+    for name, values, suffix, tail in (
+            ("FLOATS", narrow, "f", ""), ("DOUBLES", wide, "", ""),
+            ("SHORTENED", middle, "", "f")):
+        before = [value.hex() + suffix for value in values]
+        after = [without_hexadecimals(one) for one in before]
+        for key, some in ((name, before), (name + "10", after)):
+            text = text.replace(f"@{key}@", ",\n".join(
+                one + tail for one in some))
+    source = place / "same_bits.c"
+    source.write_text(text)
+    for compiler, package in (("gcc", "gcc"), ("clang", "clang")):
+        run(need(compiler, package), "-std=c99", source, "-o", place / "same")
+        equal(f"bits of decimals by {compiler}", run(place / "same"),
+              f"{len(narrow)} {len(wide)} 111")
+
+
+def scene_hash(place, name, real, compiler, source=None):
+    """What the header of a scene computes, its code by one compiler. source: a
+    file that holds the code; None: one with nothing but the header."""
+    tool, package, options = compiler
+    need(tool, package)
+    header, code = f"{place}/twofold_{name}.h", place / f"{name}-{real}.o"
+    run(tool, *options, *STRICT, *PLAIN, *REALS[real], "-I", place, "-I", C,
+        "-c", source or header_code(place, name), "-o", code)
+    program = place / f"{name}-{real}"
+    run("g++", "-std=c++11", *STRICT, *PLAIN, *REALS[real], f"-DSCENE={name}",
+        f'-DHEADER="{header}"', TEST / "scene.cpp", code, "-lm", "-o", program)
+    return run(program).split()[0]
+
+
+def header_code(place, name):
+    """A source file that has nothing but the header."""
+    source = place / f"{name}.c"
+    source.write_text(f"#define TWOFOLD_{name.upper()}_CODE\n"
+                      f'#include "twofold_{name}.h"\n')
+    return source
+
+
+def golden_hashes():
+    """Of each scene in both real types."""
+    golden = (ROOT / "tests/golden/golden.inc").read_text()
+    return {name: hashes for name, *hashes in re.findall(
+        r'"(\w+)", TF_RULE_PERSIST, MOREAU,\s*0x(\w+)u, 0x(\w+)u', golden)}
+
+
+def scene():
+    """The header of each scene: without a warning, the golden hash of the
+    scene, called from C++; it stands beside twofold.h in one program."""
+    place = folder("scene")
+    need("g++", "g++")
+    constants = [BUILD / real / "constants" for real in REALS]
+    for name, hashes in golden_hashes().items():
+        run(ROOT / "tools/package/dist/scene.py", name, *constants, place)
+        compilers = COMPILERS if name == "chaos" else COMPILERS[:1]
+        for compiler in compilers:
+            for real, want in zip(REALS, hashes):
+                equal(f"{name} by {' '.join(compiler[2])} in {real}",
+                      scene_hash(place, name, real, compiler), want)
+    both = place / "both.c"
+    for order in (("twofold.h", "twofold_chaos.h"),
+                  ("twofold_chaos.h", "twofold.h")):
+        both.write_text("".join(f'#include "{name}"\n' for name in order)
+                        + "int both(tf_state_t *x, tf_report_t *y);\n"
+                        "int both(tf_state_t *x, tf_report_t *y) {\n"
+                        "  tf_chaos_begin(x, y);\n  return TF_SCENES;\n}\n")
+        run("gcc", "-std=c99", *STRICT, "-I", C, "-c", both, "-o",
+            place / "both.o")
+
+
+def two_scenes():
+    """The code of two scenes in one file, in C and in C++: each has its own
+    golden hash."""
+    place = folder("two-scenes")
+    source = place / "two_scenes.c"
+    source.write_text(TWO_SCENES)
+    golden = golden_hashes()
+    for name in ("chaos", "smooth"):
+        shutil.copy(C / f"twofold_{name}.h", place)
+        for compiler in COMPILERS:
+            for real, want in zip(REALS, golden[name]):
+                equal(f"{name} of two by {' '.join(compiler[2])} in {real}",
+                      scene_hash(place, name, real, compiler, source), want)
+
+
+def cpp():
+    """A program in C++ uses the library; each public header stands alone."""
+    need("g++", "g++")
+    place = folder("cpp")
+    for real, define in REALS.items():
+        code, program = place / f"{real}.o", place / real
+        run("gcc", "-std=c99", *PLAIN, *define, "-I", C, "-c", C / "twofold.c",
+            "-o", code)
+        for headers in (C, ROOT / "include"):
+            run("g++", "-std=c++11", *STRICT, *PLAIN, *define, "-I", headers,
+                TEST / "user.cpp", code, "-lm", "-o", program)
+            equal(f"C++ in {real}", run(program), ends_at(real))
+    for header in sorted((ROOT / "include").rglob("*.h")):
+        run("g++", "-std=c++11", *STRICT, "-I", ROOT / "include",
+            "-fsyntax-only", "-x", "c++", "-include", header, "/dev/null")
+
+
+TESTS = {"decimals": decimals, "two-files": two_files, "scene": scene,
+         "two-scenes": two_scenes, "cpp": cpp}

@@ -1,0 +1,134 @@
+"""The Python package, from its source archive, without a network."""
+import importlib.util
+import json
+import sys
+import tarfile
+
+from harness import (DIST, ROOT, Missing, Wrong, equal, folder, rows_of, run,
+                     version)
+
+PROGRAM = """\
+import json, sys
+import numpy as np
+import twofold
+
+assert twofold.__version__ == sys.argv[1]
+ends = {}
+for real in ("double", "float"):
+    for name in twofold.scenes():
+        machine = twofold.Machine(name, real=real)
+        row = machine.run(t_end=2, every=100)[-1]
+        ends[real + " " + name] = [float(row[n]).hex()
+                                   for n in ("r", "v", "omega", "h", "F")]
+    # An ensemble has the bits of single steps.
+    machine = twofold.Machine("chaos", real=real)
+    start = np.linspace(0.1, 0.3, 37)
+    many = twofold.Ensemble(machine, r=start, omega=-1.037, h=1e-10)
+    many.step(500)
+    for i in (0, 17, 36):
+        machine.place(r=start[i], omega=-1.037, h=1e-10)
+        last = machine.run(t_end=0.05, every=500)[-1]
+        assert last["r"] == many["r"][i] and last["omega"] == many["omega"][i]
+        assert last["mode"] == many["mode"][i] and many["status"][i] >= 0
+    assert len(machine.two_folds()) == 2
+    for bad, word in ((dict(m=-1), "m is -1"), (dict(mass=1), "mass"),
+                      (dict(law="x"), "law"), (dict(mu=float("nan")), "mu")):
+        try:
+            twofold.Machine("chaos", real=real, **bad)
+        except ValueError as error:
+            assert word in str(error), error
+        else:
+            raise AssertionError(bad)
+json.dump(ends, sys.stdout)
+"""
+
+
+def last_row(real, scene):
+    """The end of a run of the command line, as the module names it."""
+    import numpy as np
+    row = rows_of(real, scene, "--t-end", 2, "--every", 100)[-1]
+    value = dict(zip("t,r,v,omega,h,g,F,M".split(","), row))
+    type_ = {"double": np.float64, "float": np.float32}[real]
+    return [float(type_(value[name])).hex()
+            for name in ("r", "v", "omega", "h", "F")]
+
+
+def need_module(module, package):
+    """Missing where a module is not here."""
+    if importlib.util.find_spec(module) is None:
+        raise Missing(f"{module} is missing (Debian: apt-get install "
+                      f"{package})")
+
+
+# No network, no settings of this machine, no wheel of an earlier run.
+ALONE = {"PIP_NO_INDEX": "1", "PIP_CONFIG_FILE": "/dev/null",
+         "PIP_NO_CACHE_DIR": "1", "PYTHONPATH": ""}
+
+
+def environment(place, archive, of_venv, of_pip):
+    """The python of a new environment that has the archive; with an option of
+    venv and one of pip."""
+    run(sys.executable, "-m", "venv", of_venv, place)
+    # An old setuptools there is not asked for; newer Pythons bring none.
+    run(place / "bin/pip", "uninstall", "--yes", "setuptools", "wheel",
+        env=ALONE)
+    run(place / "bin/pip", "install", of_pip, archive, env=ALONE, cwd=place)
+    return place / "bin/python"
+
+
+def judge_archive(place, archive):
+    """What its backend packs again are the same files."""
+    def files(path):
+        with tarfile.open(path) as tar:
+            return {one.name: tar.extractfile(one).read()
+                    for one in tar.getmembers() if one.isfile()}
+
+    with tarfile.open(archive) as tar:
+        tar.extractall(place)
+    again = run(sys.executable, "-c", "import backend; "
+                f"print(backend.build_sdist({str(place)!r}))",
+                cwd=place / archive.name.removesuffix(".tar.gz"))
+    if files(place / again.strip()) != files(archive):
+        raise Wrong("build_sdist packs other files")
+    said = run(sys.executable, "-c", "import backend; "
+               f"backend.build_wheel({str(place)!r})", fails=True,
+               cwd=place / archive.name.removesuffix(".tar.gz"),
+               env={"CC": "no-such-cc -g"})
+    if "needs a C compiler" not in said or "no-such-cc" not in said:
+        raise Wrong(f"without a compiler it says: {said}")
+
+
+def python():
+    """pip installs the archive in a bare environment, without a network,
+    setuptools and wheel; runs have the bits of the command line; each bad
+    argument is refused; the example draws."""
+    for module, package in (("ensurepip", "python3-venv"),
+                            ("numpy", "python3-numpy")):
+        need_module(module, package)
+    place = folder("python")
+    archive = DIST / f"python/twofold-{version()}.tar.gz"
+    judge_archive(place, archive)
+    environment(place / "bare", archive, "--clear", "--no-deps")
+    python3 = environment(place / "venv", archive, "--system-site-packages",
+                          "--no-index")
+    env = ALONE
+    program = place / "program.py"
+    program.write_text(PROGRAM)
+    env = {"PYTHONPATH": str(place / "site")}
+    ends = json.loads(run(python3, program, version(), env=env))
+    said = run(python3, ROOT / "tools/package/dist/test/arguments.py", env=env)
+    if not said.endswith("bad values are refused\n"):
+        raise Wrong(f"arguments.py: {said}")
+    print(f"#        {said.strip()}")
+    for key, got in ends.items():
+        real, scene = key.split()
+        equal(f"end of {scene} in {real}",
+              got, last_row(real, scene))
+    example = DIST / f"python/twofold-{version()}/examples/phase_plane.py"
+    need_module("matplotlib", "python3-matplotlib")
+    run(python3, example, place / "plane.png", env=env)
+    equal("first bytes of the picture",
+          (place / "plane.png").read_bytes()[:4], b"\x89PNG")
+
+
+TESTS = {"python": python}

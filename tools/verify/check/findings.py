@@ -1,0 +1,60 @@
+"""What checks in Python share; lib.sh is the same for those in shell. A check
+runs from the root of the project, calls `wrong` for each thing that is wrong
+and ends with `checked`, which says what was looked at. A missing tool ends it
+with code 3: what was not checked is not known to hold."""
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+os.chdir(ROOT)
+BUILD = Path(os.environ.get("BUILD") or "build/check")
+DEFINES = {"double": "-UTF_REAL_FLOAT", "float": "-DTF_REAL_FLOAT"}
+count = 0
+
+
+def need(tool, package):
+    if not shutil.which(tool):
+        print(f"missing: {tool} (apt-get install {package})")
+        sys.exit(3)
+
+
+def wrong(text):
+    global count
+    print(text, flush=True)
+    count += 1
+
+
+def quietly(*command, **options):
+    """Whether a command succeeds; its output only where it fails."""
+    done = subprocess.run([str(word) for word in command], text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          check=False, **options)
+    if done.returncode:
+        print(done.stdout, end="", flush=True)
+    return done.returncode == 0
+
+
+def build(*arguments):
+    """make, as in lib.sh."""
+    return quietly(os.environ.get("MAKE") or "make", "--no-print-directory",
+                   *arguments)
+
+
+def in_common(place, compiler, opt, *arguments):
+    """make in a folder that checks share. They run side by side: one of them
+    builds, the others wait."""
+    return quietly("flock", f"{place}.lock", os.environ.get("MAKE") or "make",
+                   "--no-print-directory", f"CC={compiler}", f"OPT={opt}",
+                   f"BUILD={place}", "EXTRA=-Werror", *arguments)
+
+
+def checked(text):
+    if count:
+        sys.exit(1)
+    note = os.environ.get("CHECK_NOTE")
+    if note:
+        Path(note).write_text(text + "\n")
+    print("checked:", text)

@@ -1,0 +1,57 @@
+#!/usr/bin/python3
+"""The independent solver (tests/reference/events) builds, reproduces what is known of
+scene `chaos`, and finds no more wrong steps that say TF_OK among a few hundred
+random machines than docs/VERIFICATION.md has among thousands: at most 1 % of a
+row, and of most rows none."""
+import re
+import subprocess
+
+from findings import BUILD, build, checked, need, wrong
+
+# Class, its options, and the rows that count what no step may do.
+CLASSES = [
+    ("signs", ["--machines", 300], "first steps|steps of runs|wrong side", 0),
+    ("signs", ["--machines", 60, "--range", "edge"],
+     "first steps|steps of runs|wrong side", 0),
+    ("grid", ["--machines", 300], "mode is missing|no mode at all", 0),
+    ("rest-law", ["--machines", 300], "none under the hexagon", 0),
+    ("false-rest", ["--machines", 200], "false rest", .01),
+    ("branch", ["--machines", 150, "--seed", 7], "wrong, all steps OK", .01),
+    ("path", ["--machines", 200], "off, all OK", .01),
+    ("rounding", ["--machines", 30], "leaves the rest", 0),
+    ("energy", ["--machines", 200], "runs: 1e-2 in all", .01),
+    ("impulses", ["--machines", 200, "--seed", 2], r"\d: 10 % off, all OK",
+     .01),
+    ("standing", ["--machines", 60, "--seed", 2], "in silence", .01),
+]
+ROW = re.compile(r"(.*?) +(\d+) of +(\d+)(?: .*)?")
+
+
+def main():
+    need("gcc", "gcc")
+    place = BUILD / "reference"
+    if not build("CC=gcc", "OPT=-O2", f"BUILD={place}", "EXTRA=-Werror",
+                 "reference"):
+        wrong("make reference: it does not build, or its numbers of scene "
+              "chaos are off")
+        checked("nothing")
+    judged = 0
+    for name, options, what, most in CLASSES:
+        command = [place / "reference/reference", name, "--show", 0, *options]
+        done = subprocess.run([str(word) for word in command], text=True,
+                              stdout=subprocess.PIPE, check=False)
+        rows = [ROW.fullmatch(line) for line in done.stdout.splitlines()]
+        rows = [row for row in rows if row and re.search(what, row[1])]
+        if done.returncode or not rows:
+            wrong(f"reference {name}: code {done.returncode}, "
+                  f"{len(rows)} rows of \"{what}\"")
+        for row in rows:
+            count, of = int(row[2]), int(row[3])
+            judged += of
+            if count > most * of:
+                wrong(f"reference {name}: {row[1]}: {count} of {of}, "
+                      f"at most {most * of:g} allowed")
+    checked(f"{judged} steps and motions of {len(CLASSES)} classes")
+
+
+main()

@@ -1,0 +1,36 @@
+#!/bin/sh
+# clang-tidy as .clang-tidy says; the core in both real types.
+. "$(dirname "$0")/lib.sh"
+need clang-tidy clang-tidy
+
+# tidy FLAG...: over the files on standard input, one process a processor.
+tidy() {
+  # shellcheck disable=SC2016  # the inner shell expands
+  xargs -P "$(nproc)" -I FILE sh -c '
+    file=$1
+    shift
+    clang-tidy --quiet "$file" -- -std=c99 "$@" 2>/dev/null || {
+      echo "clang-tidy: $file"
+      exit 1
+    }' tidy FILE -Iinclude "$@"
+}
+
+files_in '*.c' src >"$BUILD/tidy.core"
+# What Frama-C alone compiles is left out, and what is for packages, whose
+# headers are not here: `make test-dist` compiles it.
+firmware=tools/bench/realtime/empty_app.c
+files_in '*.c' tools |
+  grep -Ev "^(tools/(eva|dist|mutation/outputs)|$firmware)" \
+  >"$BUILD/tidy.tools"
+files_in '*.c' tests tools/verify/mutation/outputs.c | grep -v '^tests/target/' \
+  >"$BUILD/tidy.tests"
+files_in '*.c' tests/target "$firmware" >"$BUILD/tidy.target"
+tidy <"$BUILD/tidy.core" || wrong "core in double"
+tidy -DTF_REAL_FLOAT <"$BUILD/tidy.core" || wrong "core in float"
+tidy -Itools <"$BUILD/tidy.tools" || wrong "tools"
+tidy -Itests -Itests/support -Isrc <"$BUILD/tidy.tests" || wrong "tests"
+# Programs of the boards are given a number of steps, and a rate.
+tidy -Iport -DSTEPS=1000 -DRATE=1000 <"$BUILD/tidy.target" ||
+  wrong "programs of the boards"
+checked "$(cat "$BUILD"/tidy.core "$BUILD"/tidy.tools "$BUILD"/tidy.tests \
+  "$BUILD"/tidy.target | wc -l) files, the core in both real types"

@@ -1,0 +1,22 @@
+// Every public function with inputs that a subject's genes choose.
+#ifndef COST_CALLS_H
+#define COST_CALLS_H
+
+#include "verify/cost/subject.h"
+
+// Counts one call, or the most expensive of a few; 0 where the subject is none
+// for it.
+typedef uint32_t (*counted_t)(const subject_t *s);
+
+typedef struct {
+  const char *name; // without the suffix of the real type
+  counted_t count;
+  const char *unit; // what `units` are of, NULL where there is no such thing
+  unsigned most;    // units that are looked at
+  long weight;      // how many of the trials it gets, 1 the usual
+} call_t;
+
+extern const call_t machine_calls[], line_calls[];
+extern const unsigned machine_call_count, line_call_count;
+
+#endif

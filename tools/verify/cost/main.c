@@ -1,0 +1,174 @@
+// Instructions of every public function, the most that a search finds:
+//
+//   cost search EVALUATIONS [NAME...] <SEEDS   lines "name units count genes"
+//   cost replay <SEEDS                         the same, only what was found
+//   cost show NAME <SEEDS                      machine, state, inputs of it
+//   cost step NAME <SEEDS                      the same count by single steps
+//
+// Genes are spelled "index:hex,..." ("-": all 0); SEEDS are lines as they are
+// printed. EVALUATIONS are calls a function and number of units. Nothing is
+// random that the arguments do not tell.
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "verify/cost/calls.h"
+#include "verify/cost/search.h"
+#include "verify/cost/stepped.h"
+
+#define LINE 2048
+
+static unsigned call_count(void) {
+  return machine_call_count + line_call_count;
+}
+
+static const call_t *call_at(unsigned i) {
+  return i < machine_call_count ? &machine_calls[i]
+                                : &line_calls[i - machine_call_count];
+}
+
+// With or without its tf_.
+static const char *short_of(const char *name) {
+  return strncmp(name, "tf_", 3) == 0 ? name + 3 : name;
+}
+
+static const call_t *call_named(const char *name) {
+  for (unsigned i = 0; i < call_count(); i++)
+    if (strcmp(call_at(i)->name, name) == 0) return call_at(i);
+  return NULL;
+}
+
+static void print_found(const call_t *call, unsigned units,
+                        const found_t *found) {
+  const char *separator = "";
+  printf("tf_%s %u %" PRIu32 " ", call->name, units, found->count);
+  for (unsigned i = 0; i < GENES; i++) {
+    if (found->genes.gene[i] == 0) continue;
+    printf("%s%u:%" PRIx32, separator, i, found->genes.gene[i]);
+    separator = ",";
+  }
+  puts(*separator == '\0' ? "-" : "");
+  fflush(stdout);
+}
+
+// One line of SEEDS; the count in it is left to be made again.
+typedef struct {
+  const call_t *call;
+  unsigned units;
+  genes_t genes;
+} seed_t;
+
+static seed_t *seeds;
+static size_t seed_count;
+
+static int parse_genes(const char *at, genes_t *genes) {
+  memset(genes, 0, sizeof *genes);
+  while (*at >= '0' && *at <= '9') {
+    char *end;
+    const unsigned long i = strtoul(at, &end, 10);
+    if (i >= GENES || *end != ':') return 0;
+    genes->gene[i] = (uint32_t)strtoul(end + 1, &end, 16);
+    at = *end == ',' ? end + 1 : end;
+  }
+  return 1;
+}
+
+static int read_seeds(void) {
+  char line[LINE], name[64], genes[LINE];
+  while (fgets(line, sizeof line, stdin)) {
+    unsigned units, count;
+    if (sscanf(line, "tf_%63s %u %u %2047s", name, &units, &count, genes) != 4)
+      continue;
+    seed_t *more = realloc(seeds, (seed_count + 1) * sizeof *seeds);
+    if (more == NULL) return 0;
+    seeds = more;
+    seeds[seed_count] = (seed_t){.call = call_named(name), .units = units};
+    if (seeds[seed_count].call == NULL ||
+        !parse_genes(genes, &seeds[seed_count].genes)) {
+      fprintf(stderr, "cost: not understood: %s", line);
+      return 0;
+    }
+    seed_count++;
+  }
+  return 1;
+}
+
+// The genes of all seeds: they mean the same machine and state to every
+// function, and what is expensive for one may be so for another.
+static genes_t *genes_of_seeds(void) {
+  genes_t *of = malloc((seed_count + 1) * sizeof *of);
+  for (size_t i = 0; of && i < seed_count; i++) of[i] = seeds[i].genes;
+  return of;
+}
+
+static int search_units(const call_t *call, unsigned units, long evaluations) {
+  genes_t *const from = genes_of_seeds();
+  if (from == NULL) return 0;
+  const found_t found = search(call, units, from, seed_count, evaluations);
+  free(from);
+  print_found(call, units, &found);
+  return 1;
+}
+
+// None, one, half of the most, one less than the most, the most.
+static int search_call(const call_t *call, long evaluations) {
+  const unsigned most = call->most;
+  const unsigned units[] = {0, 1, most / 2, most - 1, most};
+  for (int i = 0; i < (call->unit ? 5 : 1); i++)
+    if (!search_units(call, units[i], evaluations)) return 0;
+  return 1;
+}
+
+static int is_wanted(const call_t *call, int argc, char **argv) {
+  for (int i = 3; i < argc; i++)
+    if (strcmp(short_of(argv[i]), call->name) == 0) return 1;
+  return argc <= 3;
+}
+
+static int search_all(int argc, char **argv) {
+  const long evaluations = strtol(argv[2], NULL, 10);
+  for (unsigned i = 0; i < call_count(); i++)
+    if (is_wanted(call_at(i), argc, argv) &&
+        !search_call(call_at(i), evaluations))
+      return 1;
+  return 0;
+}
+
+static int replay(void) {
+  for (size_t i = 0; i < seed_count; i++) {
+    const found_t found = {
+        .count = count_of(seeds[i].call, seeds[i].units, &seeds[i].genes),
+        .genes = seeds[i].genes};
+    print_found(seeds[i].call, seeds[i].units, &found);
+  }
+  return 0;
+}
+
+static int with_seed(const char *name, int stepped) {
+  for (size_t i = 0; i < seed_count; i++) {
+    if (strcmp(seeds[i].call->name, name) != 0) continue;
+    subject_t s = subject_of(&seeds[i].genes);
+    s.units = seeds[i].units;
+    if (!stepped)
+      subject_print(&s);
+    else if (!print_stepped(seeds[i].call, &s))
+      return 1;
+  }
+  return 0;
+}
+
+int main(int argc, char **argv) {
+  const char *what = argc > 1 ? argv[1] : "";
+  int code = 2;
+  if (!read_seeds()) return 2;
+  if (strcmp(what, "search") == 0 && argc >= 3) code = search_all(argc, argv);
+  if (strcmp(what, "replay") == 0) code = replay();
+  if (strcmp(what, "show") == 0 && argc == 3)
+    code = with_seed(short_of(argv[2]), 0);
+  if (strcmp(what, "step") == 0 && argc == 3)
+    code = with_seed(short_of(argv[2]), 1);
+  if (code == 2) fputs("usage: see tools/verify/cost/main.c\n", stderr);
+  free(seeds);
+  return code;
+}

@@ -1,0 +1,135 @@
+// Words to the arguments of the command line: the input is split at its zeros
+// and the first word is the command. All commands read and check everything
+// before they open a file, and only that part is called here, so that no input
+// writes anything. What is accepted is in its ranges and ready to run.
+#include <stdlib.h>
+
+#include "cli/analysis/analysis.h"
+#include "cli/diverge/diverge_args.h"
+#include "cli/monitor/board_command.h"
+#include "cli/run/run_args.h"
+#include "cli/text/message.h"
+#include "verify/fuzz/fuzz.h"
+
+#define MAX_WORDS 64
+
+static int is_code(int code) {
+  return code == CLI_DONE || code == CLI_USAGE || code == CLI_REFUSED;
+}
+
+// Every parameter that the law needs lies in its range.
+static int in_ranges(const tf_params_t *params) {
+  tf_machine_t machine;
+  return tf_prepare(&machine, params, NULL) == TF_OK;
+}
+
+static const char *run(int argc, char *const argv[]) {
+  cli_run_args_t args;
+  cli_setup_t setup;
+  int code = cli_run_args(&args, argc, argv);
+  FUZZ_HOLD(is_code(code));
+  if (code != CLI_DONE) return NULL;
+  FUZZ_HOLD(args.scene != NULL && args.scheme != NULL && args.every >= 1);
+  FUZZ_HOLD(args.out == NULL || args.out[0] != '\0');
+  FUZZ_HOLD(args.settings.count <= CLI_SETTINGS);
+  code = cli_setup_read(&setup, args.scene, &args.settings, args.select);
+  FUZZ_HOLD(code == CLI_DONE || code == CLI_USAGE);
+  if (code != CLI_DONE) return NULL;
+  code = cli_setup_machine(&setup);
+  FUZZ_HOLD(code == CLI_DONE || code == CLI_REFUSED);
+  FUZZ_HOLD((code == CLI_DONE) <= in_ranges(&setup.params));
+  if (code != CLI_DONE) return NULL;
+  code = cli_setup_start(&setup);
+  FUZZ_HOLD(is_code(code));
+  cli_setup_notes(&setup, args.scheme->unused, args.scheme->why);
+  if (code != CLI_DONE) return NULL;
+  FUZZ_HOLD(fuzz_in_reach(&setup.state) && setup.state.mode < TF_MODES);
+  FUZZ_HOLD(fuzz_finite(setup.state.phi) && setup.state.tick == 0);
+  return NULL;
+}
+
+static const char *diverge(int argc, char *const argv[]) {
+  cli_diverge_args_t args;
+  const int code = cli_diverge_args(&args, argc, argv);
+  FUZZ_HOLD(is_code(code));
+  FUZZ_HOLD(code != CLI_DONE || args.settings.count <= CLI_SETTINGS);
+  return NULL;
+}
+
+static const char *monitor(int argc, char *const argv[]) {
+  cli_board_commands_t commands;
+  cli_receiver_t receiver;
+  uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
+  memset(&commands, 0, sizeof commands);
+  memset(&receiver, 0, sizeof receiver);
+  for (int i = 0; i < argc; i++) {
+    const int code = cli_board_commands_add(&commands, argv[i]);
+    FUZZ_HOLD(code == CLI_DONE || code == CLI_USAGE);
+    FUZZ_HOLD(commands.count <= CLI_BOARD_COMMANDS);
+    if (code != CLI_DONE) return NULL;
+  }
+  receiver.has_schema = true;
+  receiver.session = 1;
+  receiver.schemas = 1;
+  for (size_t i = 0; i < commands.count; i++) {
+    receiver.is_float = (i & 1u) != 0;
+    commands.waiting = false;
+    commands.schemas = 0;
+    commands.next = i;
+    const size_t size = cli_board_commands_next(&commands, &receiver, 0, wire);
+    FUZZ_HOLD(size >= TF_FRAME_SIZE(0) && size <= sizeof wire);
+  }
+  return NULL;
+}
+
+static const struct {
+  const char *name;
+  cli_takes_t takes;
+  bool finds_kappa;
+} analyses[] = {{"singularities", CLI_TAKES_NOTHING, false},
+                {"regions", CLI_TAKES_GRID, false},
+                {"design", CLI_TAKES_POINT, true},
+                {"atlas", CLI_TAKES_GRID, true}};
+#define ANALYSES (sizeof analyses / sizeof analyses[0])
+
+static const char *analyse(size_t which, int argc, char *const argv[]) {
+  static cli_analysis_t a; // holds an output buffer
+  const int code =
+      cli_analysis_read(&a, analyses[which].name, analyses[which].takes,
+                        analyses[which].finds_kappa, argc, argv);
+  FUZZ_HOLD(is_code(code));
+  if (code != CLI_DONE) return NULL;
+  FUZZ_HOLD(a.scene != NULL && in_ranges(&a.setup.params));
+  if (analyses[which].takes == CLI_TAKES_NOTHING) return NULL;
+  FUZZ_HOLD(a.r.count >= 1 && a.omega.count >= 1);
+  FUZZ_HOLD(fuzz_finite(a.r.from) && fuzz_finite(a.r.to));
+  FUZZ_HOLD(fuzz_finite(a.omega.from) && fuzz_finite(a.omega.to));
+  return NULL;
+}
+
+static const char *perform(int argc, char *const argv[]) {
+  if (argc == 0) return NULL;
+  for (size_t i = 0; i < ANALYSES; i++)
+    if (strcmp(argv[0], analyses[i].name) == 0)
+      return analyse(i, argc - 1, argv + 1);
+  if (strcmp(argv[0], "diverge") == 0) return diverge(argc - 1, argv + 1);
+  if (strcmp(argv[0], "monitor") == 0) return monitor(argc - 1, argv + 1);
+  return run(argc - 1, argv + 1);
+}
+
+const char *fuzz_arguments(const uint8_t *data, size_t size) {
+  char *argv[MAX_WORDS + 1];
+  int argc = 0;
+  // A copy of its own size, so that a read behind the last word is seen.
+  char *text = malloc(size + 1);
+  FUZZ_HOLD(text != NULL);
+  if (size > 0) memcpy(text, data, size);
+  text[size] = '\0';
+  for (size_t at = 0; at < size && argc < MAX_WORDS;
+       at += strlen(text + at) + 1)
+    argv[argc++] = text + at;
+  argv[argc] = NULL;
+  const char *broken = perform(argc, argv);
+  free(text);
+  return broken;
+}

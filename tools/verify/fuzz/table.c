@@ -1,0 +1,79 @@
+// Text to the reader of inputs over time. The first byte says what holds
+// between two rows, the rest is the table. What is accepted has times that
+// grow, values in their ranges, and inputs in their ranges at every step.
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L // fmemopen
+#endif
+
+#include "cli/setup/inputs.h"
+#include "cli/text/message.h"
+#include "verify/fuzz/fuzz.h"
+
+#define STEPS 64
+
+static int in_ranges(const tf_real_t *value) {
+  return fuzz_magnitude(value[CLI_INPUT_OMEGA0]) <= TF_R(1e6) &&
+         fuzz_magnitude(value[CLI_INPUT_R0]) <= TF_R(1e6) &&
+         fuzz_magnitude(value[CLI_INPUT_FORCE]) <= TF_STATE_LIMIT &&
+         fuzz_magnitude(value[CLI_INPUT_TORQUE]) <= TF_STATE_LIMIT;
+}
+
+static const char *rows_hold(const cli_inputs_t *inputs) {
+  FUZZ_HOLD(inputs->count >= 1);
+  for (size_t i = 0; i < inputs->count; i++) {
+    const cli_input_row_t *row = &inputs->rows[i];
+    FUZZ_HOLD(fuzz_magnitude(row->t) <= TF_STATE_LIMIT);
+    FUZZ_HOLD(i == 0 || row->t > row[-1].t);
+    FUZZ_HOLD(i == 0 || row->tick >= row[-1].tick);
+    FUZZ_HOLD(in_ranges(row->value));
+    for (int k = 0; k < CLI_INPUTS; k++)
+      FUZZ_HOLD(inputs->given[k] || fuzz_same(row->value[k], 0));
+  }
+  return NULL;
+}
+
+// From the tick at which some row begins to hold, and back to the start: the
+// inputs are those of the table, and what it does not give stays.
+static const char *look_up(cli_inputs_t *inputs, uint64_t tick, tf_real_t dt) {
+  for (int i = 0; i < STEPS; i++, tick++) {
+    tf_input_t input = {TF_R(7.0), TF_R(8.0), TF_R(9.0), TF_R(10.0),
+                        TF_R(11.0)};
+    const tf_real_t t = (tf_real_t)((double)(tick + 1) * (double)dt);
+    cli_inputs_step(inputs, tick, t, dt, &input);
+    const tf_real_t value[CLI_INPUTS] = {input.omega0, input.r0, input.force,
+                                         input.torque};
+    FUZZ_HOLD(in_ranges(value) && fuzz_finite(input.alpha));
+    for (int k = 0; k < CLI_INPUTS; k++)
+      FUZZ_HOLD(inputs->given[k] || fuzz_same(value[k], (tf_real_t)(7 + k)));
+  }
+  return NULL;
+}
+
+static const char *judge(cli_inputs_t *inputs) {
+  const tf_real_t dt = TF_R(1e-3);
+  cli_inputs_prepare(inputs, dt);
+  FUZZ_HOLD_ALL(rows_hold(inputs));
+  const uint64_t middle = inputs->rows[inputs->count / 2].tick;
+  FUZZ_HOLD_ALL(look_up(inputs, middle < 1000000 ? middle : 1000000, dt));
+  return look_up(inputs, 0, dt);
+}
+
+const char *fuzz_table(const uint8_t *data, size_t size) {
+  if (size < 2) return NULL;
+  cli_inputs_t inputs = {.linear = (data[0] & 1u) != 0};
+  // A copy of its own, which fmemopen may write to.
+  char text[4096];
+  const size_t length = size - 1 < sizeof text ? size - 1 : sizeof text;
+  memcpy(text, data + 1, length);
+  FILE *file = fmemopen(text, length, "r");
+  FUZZ_HOLD(file != NULL);
+  const int code = cli_inputs_parse(&inputs, "fuzz.csv", file);
+  (void)fclose(file);
+  const char *broken = NULL;
+  if (code == CLI_DONE) broken = judge(&inputs);
+  cli_inputs_free(&inputs);
+  FUZZ_HOLD(code == CLI_DONE || code == CLI_USAGE || code == CLI_REFUSED);
+  // A zero hides from most readers what follows it.
+  FUZZ_HOLD(code != CLI_DONE || memchr(data + 1, 0, length) == NULL);
+  return broken;
+}
