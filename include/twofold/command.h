@@ -7,15 +7,15 @@
 /// have the board's key can make.
 ///
 ///   session (4) | data | tag (8), if the board wants one
+///
+/// Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_COMMAND_H
 #define TWOFOLD_COMMAND_H
 
 #include "twofold/frame.h"
 #include "twofold/telemetry.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// Bytes of the session before the data of a command, and of the tag behind.
 #define TF_SESSION_BYTES 4u
@@ -43,29 +43,22 @@ typedef enum {
   TF_ANSWER_TAG = -22      ///< its tag is not that of the board's key
 } tf_answer_code_t;
 
-/// Completes a command around its data.
-/// Scheme: tf_frame_seal around session, data and tag. TF_UP_DESCRIBE has
-///   neither session nor tag: it is how a host learns the session.
+/// Completes a command around its data: a frame with session, data and tag.
+/// TF_UP_DESCRIBE has neither session nor tag: by it a host learns the session.
 /// wire: in/out, TF_FRAME_SIZE(TF_SESSION_BYTES + length + TF_TAG_BYTES) bytes;
 ///   in, the data at wire + TF_COMMAND_AT; out, the bytes for the line.
 /// type: in. length: in, of the data, 0 to TF_COMMAND_MOST: a host may command
-///   boards of the other real type.
-/// session: in, as the schema states it.
+///   boards of the other real type. session: in, as the schema states it.
 /// sequence: in/out, number of this command; then that of the next.
 /// tick: in, when it is to take effect; 0: at once.
 /// key: in, TF_KEY_BYTES, or NULL for a board that wants no tag.
 /// Returns: bytes of the frame; 0 where length is too large (wire and sequence
 ///   untouched).
-/// Cost: at most 1400 instructions and 35 a byte. Stack: 192 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: documented_frames_decode, tag_is_siphash_of_the_body
 #define tf_command_seal TF_LINK(tf_command_seal)
 TF_API size_t tf_command_seal(uint8_t *wire, uint8_t type, size_t length,
                               uint32_t session, uint32_t *sequence,
                               uint64_t tick, const uint8_t *key);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

@@ -1,20 +1,16 @@
 /// @file
 /// The compensated step: tf_step with the rounding of its state kept, as in
-/// compensated summation.
-///
-/// At dt = 1e-6 s a step changes the state by less than the resolution of a
-/// float, so that a plain step in float loses most of what it has computed.
-/// This one keeps the remainder beside the state, as the compensation, and adds
-/// it in the next step. A program that does not call it does not contain it.
+/// compensated summation. At dt = 1e-6 s a step changes the state by less than
+/// the resolution of a float; what a plain step then loses this one keeps
+/// beside the state, as the compensation, and adds in the next. A program that
+/// does not call it does not contain it. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_COMPENSATED_H
 #define TWOFOLD_COMPENSATED_H
 
 #include "twofold/machine.h"
 #include "twofold/step.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// What the rounding of a tf_state_t has left out: the machine is at state +
 /// compensation. All 0 after tf_begin, or the remainder of a more precise
@@ -34,15 +30,7 @@ typedef struct {
   tf_real_t low_inertia;   ///< of machine.inertia [kg m^2]
 } tf_compensated_t;
 
-/// tf_prepare for the compensated step.
-/// Scheme: sine and cosine by series in pairs of tf_real_t.
-/// machine: out.
-/// params: in, ranges in tf_parameter_ranges.
-/// offender: out, may be NULL; as in tf_prepare.
-/// Returns: TF_OK; TF_BAD_PARAMETER (machine untouched).
-/// Cost: at most 4700 instructions; once a machine. Stack: 576 B.
-/// Memory: caller's; machine and params must not overlap; reentrant.
-/// Claims: constants_have_twice_the_precision
+/// tf_prepare for the compensated step; arguments and codes are those there.
 #define tf_prepare_compensated TF_LINK(tf_prepare_compensated)
 TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
                                           const tf_params_t *params,
@@ -50,43 +38,27 @@ TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
 
 /// Speed v for a given lateral slip speed h at (r, w), as precise as the
 /// compensated step: with tf_speed_for_slip the start would miss h by the
-/// rounding of v, and the first compensated step, which resolves that, would
-/// correct it by an impulse of friction.
-/// Scheme: (h) solved for v.
-/// machine: in, prepared.
-/// state: in/out; r, w are read, v is set [m/s].
-/// compensation: in/out, likewise.
-/// omega0 [rad/s], h [m/s]: in.
+/// rounding of v, which the first step would correct by an impulse of friction.
+/// machine: in. omega0 [rad/s], h [m/s]: in.
+/// state, compensation: in/out; r, w are read, v is set [m/s].
 /// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < TF_MIN_SINE (nothing
 ///   touched).
-/// Cost: at most 250 instructions. Stack: 368 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: compensated_start_has_its_slip
 #define tf_speed_for_slip_compensated TF_LINK(tf_speed_for_slip_compensated)
 TF_API tf_status_t tf_speed_for_slip_compensated(
     const tf_compensated_t *machine, tf_state_t *state,
     tf_compensation_t *compensation, tf_real_t omega0, tf_real_t h);
 
-/// tf_step with the rounding of r, v, w and phi compensated.
-/// Scheme: DESIGN.md (1)-(12) as tf_step. The slip at the start of the step is
-///   that of state + compensation; the changes of p and z are refined once by
-///   the residual of (6), formed in pairs of tf_real_t, and added to state +
-///   compensation. F and M of a slip are as precise as tf_real_t: under the law
-///   JUMP they are what limits a float.
-/// machine: in, prepared.
-/// state: in/out, from tf_begin.
-/// compensation: in/out, 0 after tf_begin; as large as the rounding of the
-/// state.
+/// tf_step with the rounding of r, v, w and phi compensated. The slip at the
+/// start of the step is that of state + compensation; the changes of p and z
+/// are refined once by the residual of (6), formed in pairs of tf_real_t, and
+/// added to state + compensation. F and M of a slip are as precise as
+/// tf_real_t: under the law JUMP they are what limits a float.
+/// machine: in. state: in/out, from tf_begin. compensation: in/out, 0 after
+///   tf_begin; as large as the rounding of the state.
 /// input: in, within TF_STATE_LIMIT together with state and compensation.
 /// report: out; slip and residual are those of state + compensation.
 /// Returns: as tf_step; where it refuses, state and compensation are untouched.
 /// Trust: TF_OK promises what it does of tf_step, and was tried as much.
-/// Cost: at most 25000 instructions found by search, as tf_step, and at most
-///   230000 by the longest way. Stack: 4336 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: rounding_is_compensated, compensated_stick_is_exact,
-///   compensated_step_is_the_step, compensated_refusals_touch_nothing,
-///   compensated_departures_do_not_stall
 #define tf_step_compensated TF_LINK(tf_step_compensated)
 TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
                                        tf_state_t *state,
@@ -94,8 +66,6 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
                                        const tf_input_t *input,
                                        tf_report_t *report);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

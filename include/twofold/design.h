@@ -1,14 +1,12 @@
 /// @file
 /// Design of a machine: the kappa and k2 that put a two-fold at a given point,
-/// in closed form.
+/// in closed form. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_DESIGN_H
 #define TWOFOLD_DESIGN_H
 
 #include "twofold/singularity.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// Why there can be no two-fold at the point; the first that applies.
 typedef enum {
@@ -33,25 +31,17 @@ typedef struct {
                           ///< which are filled
 } tf_design_t;
 
-/// Puts a two-fold at (r, w).
-/// Scheme: (stickV), (singKappa) with sign(g), (singK2) with p2(r).
-/// machine: in, prepared; its own kappa and k2 are not used.
-/// input: in.
-/// r [m], w [rad/s]: in.
-/// out: out.
+/// Puts a two-fold at (r, w): (stickV), (singKappa) with sign(g), (singK2) with
+/// p2(r).
+/// machine: in; its own kappa and k2 are not used. input: in.
+/// r [m], w [rad/s]: in. out: out.
 /// Returns: TF_OK (obstacle TF_DESIGN_FOUND); TF_BAD_PARAMETER (any other
 ///   obstacle; out is filled as tf_design_t says).
-/// Cost: at most 1300 instructions. Stack: 2016 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: designed_two_folds_are_found_again,
-///   design_gives_the_numbers_of_the_paper, impossible_designs_say_why
 #define tf_design_two_fold TF_LINK(tf_design_two_fold)
 TF_API tf_status_t tf_design_two_fold(const tf_machine_t *machine,
                                       const tf_input_t *input, tf_real_t r,
                                       tf_real_t w, tf_design_t *out);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

@@ -1,19 +1,16 @@
 /// @file
 /// Many independent states of one machine under one input, stepped together:
 /// the bits of tf_step for each of them, in a fraction of the time on a
-/// processor with vector instructions. For statistics over starts and seeds.
+/// processor with vector instructions (for vectors of double gcc needs SSE4.2
+/// or more). For statistics over starts and seeds. Cost and stack:
+/// docs/BOUNDS.md; `make bench-ensemble`.
 #ifndef TWOFOLD_ENSEMBLE_H
 #define TWOFOLD_ENSEMBLE_H
-
-#include <stddef.h>
-#include <stdint.h>
 
 #include "twofold/machine.h"
 #include "twofold/step.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// States in a block. An ensemble of n states is an array of
 /// TF_BLOCKS(n) blocks; state i is lane i % TF_LANES of block i / TF_LANES.
@@ -43,38 +40,20 @@ typedef struct {
   int8_t status[TF_LANES]; ///< tf_status_t
 } tf_report_block_t;
 
-/// Writes one state of an ensemble.
-/// Scheme: none.
-/// blocks: out, TF_BLOCKS(n) of them; the other lanes stay as they are.
-/// index: in, 0 to n - 1.
-/// state: in, from tf_begin.
-/// Returns: nothing.
-/// Cost: at most 21 instructions. Stack: 16 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: ensemble_reads_back_what_was_put
+/// Writes one state of an ensemble; the other lanes stay as they are.
+/// blocks: out, TF_BLOCKS(n) of them. index: in, 0 to n - 1. state: in, from
+///   tf_begin.
 #define tf_ensemble_put TF_LINK(tf_ensemble_put)
 TF_API void tf_ensemble_put(tf_state_block_t *blocks, size_t index,
                             const tf_state_t *state);
 
 /// Reads one state of an ensemble.
-/// Scheme: none.
-/// blocks: in, TF_BLOCKS(n) of them.
-/// index: in, 0 to n - 1.
-/// Returns: the state.
-/// Cost: at most 22 instructions. Stack: 48 B.
-/// Memory: caller's, reentrant.
-/// Claims: ensemble_reads_back_what_was_put
+/// blocks: in, TF_BLOCKS(n) of them. index: in, 0 to n - 1.
 #define tf_ensemble_get TF_LINK(tf_ensemble_get)
 TF_API tf_state_t tf_ensemble_get(const tf_state_block_t *blocks, size_t index);
 
 /// Reads the report of one state of an ensemble.
-/// Scheme: none.
-/// blocks: in, TF_BLOCKS(n) of them.
-/// index: in, 0 to n - 1.
-/// Returns: the report.
-/// Cost: at most 29 instructions. Stack: 64 B.
-/// Memory: caller's, reentrant.
-/// Claims: ensemble_is_the_single_step
+/// blocks: in, TF_BLOCKS(n) of them. index: in, 0 to n - 1.
 #define tf_ensemble_report TF_LINK(tf_ensemble_report)
 TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
                                       size_t index);
@@ -82,35 +61,23 @@ TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
 /// Advances n states by dt, each as tf_step does, bit for bit: state, report
 /// and status. A state that is refused stays as it is and does not stop the
 /// others. The lanes of the last block beyond n are neither read nor written.
-/// Scheme: tf_step, written without branches for the law TF_TYRE_JUMP; what
-///   needs a branch (mode lost, refusal, no consistent mode) is done lane by
-///   lane by tf_step, and so are other laws and a last block that is not full.
-/// machine: in, prepared.
+/// Under the law TF_TYRE_JUMP whole blocks go without branches; what needs one
+/// (mode lost, refusal, no consistent mode) is done lane by lane by tf_step,
+/// and so are other laws and a last block that is not full.
+/// machine: in. input: in, common to all states.
 /// states: in/out, TF_BLOCKS(n) blocks of states from tf_begin.
 /// n: in, number of states, 0 or more.
-/// input: in, common to all states.
 /// reports: out, TF_BLOCKS(n) blocks. Of a state that is refused only the
 ///   status is written, as tf_step does.
 /// Returns: how many lanes were done by tf_step, one by one. They cost more;
 ///   their status is in the reports.
 /// Trust: that of tf_step, whose bits it has.
-/// Cost: at most 31 instructions and 25000 a state, the worst found by search:
-///   tf_step for every lane after the common path, which is all that most
-///   blocks take (`make bench-ensemble`), and at most
-///   59 and 230000 by the longest way. For vectors of double gcc needs SSE4.2
-///   or more. Stack: 16560 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: ensemble_is_the_single_step, ensemble_of_any_size,
-///   ensemble_of_every_scene, ensemble_of_difficult_states,
-///   ensemble_leaves_other_lanes_alone, few_lanes_are_done_alone
 #define tf_ensemble_step TF_LINK(tf_ensemble_step)
 TF_API size_t tf_ensemble_step(const tf_machine_t *machine,
                                tf_state_block_t *states, size_t n,
                                const tf_input_t *input,
                                tf_report_block_t *reports);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

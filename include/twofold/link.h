@@ -3,13 +3,12 @@
 /// two steps. A program that never calls these functions does not contain them,
 /// and its parameters cannot be changed from outside.
 ///
-/// Bytes are handed to tf_link_receive as they arrive. A command of this
-/// session with a new number waits in a queue until tf_link_boundary is called
-/// at its tick or later. Its answer waits in the same place until
-/// tf_link_answer is called, so memory is bounded and no answer is lost. A
-/// command that finds the queue full is counted, gets no answer, and may be
-/// sent again. What is refused on arrival has one place of its own for its
-/// answer: repeated or foreign commands, however many, never fill the queue.
+/// A command of this session with a new number waits in a queue until
+/// tf_link_boundary is called at its tick or later, and its answer in the same
+/// place until tf_link_answer is called: memory is bounded and no answer is
+/// lost. A command that finds the queue full is counted, gets no answer, and
+/// may be sent again. What is refused on arrival has one place of its own for
+/// its answer: repeated or foreign commands never fill the queue.
 ///
 ///   when the program starts:          tf_link_open(&link, scene, &params);
 ///   with every byte, until there is a session, whatever differs from start
@@ -17,6 +16,8 @@
 ///   for each byte received:           tf_link_receive(&link, byte);
 ///   at a tick, before the step:       tf_link_boundary(&link, &simulation);
 ///   while the line has room:          n = tf_link_answer(&link, wire, &seq);
+///
+/// Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_LINK_H
 #define TWOFOLD_LINK_H
 
@@ -25,9 +26,7 @@
 #include "twofold/simulation.h"
 #include "twofold/telemetry.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// Commands that can wait, or whose answers can.
 #define TF_LINK_QUEUE 4
@@ -57,8 +56,7 @@ typedef struct {
   tf_params_t params; ///< in effect
   tf_state_t saved;
   bool has_saved;
-  bool describe;    ///< schema and layouts have to be sent; the program that
-                    ///< sends them clears it
+  bool describe;    ///< schema and layouts are to be sent; who does clears it
   bool has_aside;   ///< `aside` is in use
   uint8_t waiting;  ///< entries of the queue in use, in order of arrival
   uint32_t session; ///< that commands have to name; 0: none yet
@@ -72,89 +70,48 @@ typedef struct {
   uint8_t buffer[TF_DECODER_SIZE(TF_COMMAND_BYTES)];
 } tf_link_t;
 
-/// Prepares a link. It has no session yet, so all that it takes is
-/// TF_UP_DESCRIBE.
-/// Scheme: none.
+/// Prepares a link, which takes TF_UP_DESCRIBE alone until it has a session.
 /// link: out; it keeps a pointer into itself, so it must not move.
 /// scene: kept, for TF_UP_RESET. params: in, those of the simulation's machine.
-/// Returns: nothing.
-/// Cost: at most 40 instructions. Stack: 32 B.
-/// Memory: caller's, reentrant.
-/// Claims: set_parameter_is_validated_and_answered
 #define tf_link_open TF_LINK(tf_link_open)
 TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
                          const tf_params_t *params);
 
-/// Adds to the number of which the first TF_UP_DESCRIBE makes the session: a
-/// reading of a fast clock when a byte came in, or a random number. It makes no
-/// difference once there is a session.
-/// Scheme: CRC-32 of all numbers so far.
+/// Adds to the number of which the first TF_UP_DESCRIBE makes the session, a
+/// CRC-32: a reading of a fast clock when a byte came in, or a random number.
+/// It makes no difference once there is a session.
 /// link: in/out. noise: in.
-/// Returns: nothing.
-/// Cost: at most 110 instructions. Stack: 48 B.
-/// Memory: caller's, reentrant.
-/// Claims: recorded_command_acts_once
 #define tf_link_add_entropy TF_LINK(tf_link_add_entropy)
 TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise);
 
-/// Takes one byte from the line; it may be any byte at any time.
-/// Scheme: none.
+/// Takes one byte from the line, any byte at any time. Not reentrant for the
+/// same link: an interrupt handler puts bytes into a queue of its own.
 /// link: in/out. byte: in.
-/// Returns: nothing.
-/// Cost: at most 2000 instructions for the last byte of a command, else 20.
-///   Stack: 128 B.
-/// Memory: caller's; not reentrant for the same link: an interrupt handler
-///   should put the byte into a queue of its own.
-/// Claims: uplink_flood_changes_nothing, no_byte_changes_a_parameter_by_itself,
-///   recorded_command_acts_once, old_and_foreign_commands_do_nothing,
-///   refused_clear_keeps_the_queue, doubled_frames_are_answered_once,
-///   another_command_of_a_number_that_waits_is_old
 #define tf_link_receive TF_LINK(tf_link_receive)
 TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
 
-/// The same, and only commands with the tag of a key are taken. A program calls
-/// this one or the other; one that never calls this contains nothing of it.
-/// Scheme: SipHash-2-4 of the frame's body; the comparison looks at every bit.
+/// The same, and only commands with the tag of a key are taken, the SipHash-2-4
+/// of the frame's body; the comparison looks at every bit. A program calls this
+/// one or the other; one that never calls this contains nothing of it.
 /// link: in/out. byte: in. key: in, TF_KEY_BYTES.
-/// Returns: nothing.
-/// Cost: at most 3200 instructions for the last byte of a command, else 20.
-///   Stack: 208 B.
-/// Memory: as above.
-/// Claims: commands_without_the_tag_do_nothing
 #define tf_link_receive_tagged TF_LINK(tf_link_receive_tagged)
 TF_API void tf_link_receive_tagged(tf_link_t *link, uint8_t byte,
                                    const uint8_t *key);
 
 /// Applies the commands that are due, in order of arrival.
-/// Scheme: none.
 /// link, simulation: in/out. A command that is refused changes neither.
 /// Returns: how many took effect.
-/// Cost: at most 6200 instructions, for TF_LINK_QUEUE commands, the longest
-///   tf_prepare or tf_simulation_start; none: 10. Stack: 1296 B.
-/// Memory: caller's, no overlap.
-/// Claims: set_parameter_takes_effect_only_at_the_boundary,
-///   set_parameter_is_validated_and_answered, inputs_act_at_their_tick,
-///   snapshot_and_restore_continue_bit_for_bit, start_stop_reset_and_rule,
-///   silent_controller_leaves_the_safe_inputs
 #define tf_link_boundary TF_LINK(tf_link_boundary)
 TF_API unsigned tf_link_boundary(tf_link_t *link, tf_simulation_t *simulation);
 
 /// Makes the frame of the next answer and removes the command.
-/// Scheme: none.
-/// link: in/out.
-/// wire: out, TF_FRAME_SIZE(TF_ANSWER_BYTES).
+/// link: in/out. wire: out, TF_FRAME_SIZE(TF_ANSWER_BYTES).
 /// sequence: in/out, of the frames that go down.
 /// Returns: bytes of the frame; 0 if no answer is waiting (wire untouched).
-/// Cost: at most 1500 instructions. Stack: 128 B.
-/// Memory: caller's, no overlap.
-/// Claims: set_parameter_is_validated_and_answered,
-///   uplink_flood_changes_nothing, documented_frames_decode
 #define tf_link_answer TF_LINK(tf_link_answer)
 TF_API size_t tf_link_answer(tf_link_t *link, uint8_t *wire,
                              uint32_t *sequence);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

@@ -1,30 +1,22 @@
 /// @file
-/// The machine: parameters, prepared constants, state, inputs, kinematics.
-///
-/// A wheel under a slider (displacement r, speed v) in a disc (speed w) above a
-/// turntable (speed omega0). Generalised velocity u = (v, w).
+/// The machine: parameters, prepared constants, state, inputs, kinematics. A
+/// wheel under a slider (displacement r, speed v) in a disc (speed w) above a
+/// turntable (speed omega0). Generalised velocity u = (v, w). Cost and stack:
+/// docs/BOUNDS.md.
 #ifndef TWOFOLD_MACHINE_H
 #define TWOFOLD_MACHINE_H
-
-#include <stdbool.h>
-#include <stdint.h>
 
 #include "twofold/real.h"
 #include "twofold/status.h"
 #include "twofold/tyre.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
-/// Which of several consistent modes a step takes: a declared rule.
-///
-/// Every rule shares the selection order:
+/// Which of several consistent modes a step takes: a declared rule. All share
+/// the selection order:
 /// - A slip that is still consistent goes on: off h = 0 the future is unique,
-///   and a second consistent mode beside it is an artefact of the finite step
-///   (it is reported all the same).
-/// - Admissibility: a slip never enters an escaping stick, because both fields
-///   point away from it.
+///   and a second consistent mode beside it an artefact of the finite step.
+/// - A slip never enters an escaping stick: both fields point away from it.
 /// - An attracting stick goes on.
 /// - Where the present mode is lost: attracting stick, pinned, slip (the
 ///   faster one if both), escaping stick, in this order.
@@ -47,13 +39,7 @@ typedef enum {
 } tf_rule_t;
 #define TF_RULES 4
 
-/// Name of a rule: "persist" "slip+" "slip-" "random".
-/// Scheme: none.
-/// rule: in.
-/// Returns: a constant string, never NULL.
-/// Cost: one look-up in a table. Stack: 16 B.
-/// Memory: static storage, reentrant.
-/// Claims: names_of_laws_and_rules_are_the_contract
+/// Name of a rule: "persist" "slip+" "slip-" "random". Never NULL.
 #define tf_rule_name TF_LINK(tf_rule_name)
 TF_API const char *tf_rule_name(unsigned rule);
 
@@ -68,20 +54,13 @@ typedef enum {
 } tf_rest_law_t;
 #define TF_REST_LAWS 3
 
-/// Name of a law at h = g = 0: "hull" "square" "bow_tie".
-/// Scheme: none.
-/// law: in.
-/// Returns: a constant string, never NULL.
-/// Cost: one look-up in a table. Stack: 16 B.
-/// Memory: static storage, reentrant.
-/// Claims: names_of_laws_and_rules_are_the_contract
+/// Name of a law at h = g = 0: "hull" "square" "bow_tie". Never NULL.
 #define tf_rest_law_name TF_LINK(tf_rest_law_name)
 TF_API const char *tf_rest_law_name(unsigned law);
 
 /// The budget of machines that set none (tf_params_t.segments): into how many
-/// segments one step may be split by events, which are changes of the mode and
-/// kinks of the force at g = 0, and where a series does not reach to the end of
-/// the step.
+/// segments a step may be split by events (changes of the mode, kinks of the
+/// force at g = 0), and where a series does not reach the end of the step.
 #ifdef TF_REAL_FLOAT
 #define TF_LOCATED_SEGMENTS 32
 #else
@@ -112,13 +91,10 @@ typedef struct {
   tf_real_t theta;   ///< of the theta scheme, dimensionless
   tf_real_t dt;      ///< step [s]
   tf_real_t rate;    ///< exit rate of rule `random` [1/s]
-  tf_real_t
-      tolerance;      ///< of tf_step_located: error of a segment of its series,
-                      ///< relative to the velocities; dimensionless
-  tf_real_t segments; ///< of a step of tf_step_located, at most: its budget.
-                      ///< A whole number, or what is behind the point is
-                      ///< dropped; so what is below 1 counts as 0, which is
-                      ///< the default: TF_LOCATED_SEGMENTS
+  /// Of tf_step_located: error of a segment of its series, relative to the
+  /// velocities, dimensionless; and how many segments a step has at most, its
+  /// budget, a whole number (else cut off to one). 0: TF_LOCATED_SEGMENTS.
+  tf_real_t tolerance, segments;
   tf_tyre_law_t law;  ///< which tyre
   tf_rule_t rule;     ///< which of several consistent modes
   tf_rest_law_t rest; ///< at h = g = 0 (JUMP)
@@ -177,8 +153,7 @@ typedef struct {
   tf_real_t r;   ///< displacement of the slider [m]
   tf_real_t v;   ///< speed of the slider [m/s]
   tf_real_t w;   ///< speed of the disc [rad/s]
-  tf_real_t phi; ///< angle of the disc [rad], 0 unless with_angle; not
-                 ///< checked: nothing depends on it
+  tf_real_t phi; ///< angle of the disc [rad], 0 unless with_angle; unchecked
   uint64_t tick; ///< steps taken; the counter of the random generator
   uint32_t seed; ///< key of the random generator
   uint8_t mode;  ///< tf_mode_t
@@ -203,27 +178,16 @@ typedef struct {
 #define TF_MIN_SINE TF_R(1e-6)
 
 /// Validates the parameters and derives the constants of a machine.
-/// Scheme: none.
-/// machine: out.
-/// params: in, ranges in tf_parameter_ranges.
-/// offender: out, may be NULL; index into tf_parameter_ranges of the first
-///   member out of range, or TF_PARAMETERS where law, rule or rest is no member
-///   of its enum.
+/// machine: out. params: in, ranges in tf_parameter_ranges.
+/// offender: out, may be NULL; index of the first member out of range, or
+///   TF_PARAMETERS where law, rule or rest is no member of its enum.
 /// Returns: TF_OK; TF_BAD_PARAMETER (machine untouched).
-/// Cost: at most 1407 instructions; once a machine. Stack: 320 B.
-/// Memory: caller's; machine and params must not overlap; reentrant.
-/// Claims: prepare_names_the_first_broken_rule, sine_kernel_error_bound
 #define tf_prepare TF_LINK(tf_prepare)
 TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
                               int *offender);
 
-/// The inputs of a machine that nothing drives.
-/// Scheme: none.
-/// machine: in, prepared.
-/// Returns: omega0 and r0 of the parameters, no force, no torque.
-/// Cost: at most 8 instructions. Stack: 32 B.
-/// Memory: reentrant.
-/// Claims: default_inputs_are_those_of_the_parameters
+/// The inputs of a machine that nothing drives: omega0 and r0 of the
+/// parameters, no force, no torque.
 #define tf_input_default TF_LINK(tf_input_default)
 TF_API tf_input_t tf_input_default(const tf_machine_t *machine);
 
@@ -233,50 +197,29 @@ typedef struct {
   tf_real_t g; ///< rolling [m/s], (g)
 } tf_slip_t;
 
-/// Slip speeds h and g.
-/// Scheme: h = -p sin(gamma) - r z cos(gamma), g = -p cos(gamma) + r z
-///   sin(gamma) with z = w - omega0, p = v - d z; (h), (g).
-/// machine: in, prepared.
-/// r [m], v [m/s], w, omega0 [rad/s]: in, finite.
-/// Returns: h, g.
-/// Cost: at most 17 instructions. Stack: 112 B.
-/// Memory: none kept, reentrant.
-/// Claims: kinematics_against_the_paper
+/// Slip speeds, (h) and (g): with z = w - omega0 and p = v - d z
+///   h = -p sin(gamma) - r z cos(gamma), g = -p cos(gamma) + r z sin(gamma).
+/// machine: in. r [m], v [m/s], w, omega0 [rad/s]: in, finite.
 #define tf_slip TF_LINK(tf_slip)
 TF_API tf_slip_t tf_slip(const tf_machine_t *machine, tf_real_t r, tf_real_t v,
                          tf_real_t w, tf_real_t omega0);
 
-/// Speed v for a given lateral slip speed h at (r, w).
-/// Scheme: (h) solved for v.
-/// machine: in.
-/// r, w, omega0, h: in.
-/// v: out [m/s].
+/// Speed v for a given lateral slip speed h at (r, w): (h) solved for v.
+/// machine, r, w, omega0, h: in. v: out [m/s].
 /// Returns: TF_OK; TF_BAD_STATE where |sin(gamma)| < TF_MIN_SINE: h does not
 ///   depend on v (v untouched).
-/// Cost: at most 16 instructions. Stack: 112 B.
-/// Memory: caller's, reentrant.
-/// Claims: slip_speed_reads_back
 #define tf_speed_for_slip TF_LINK(tf_speed_for_slip)
 TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
                                      tf_real_t w, tf_real_t omega0, tf_real_t h,
                                      tf_real_t *v);
 
-/// Mechanical energy: for programs that watch its balance, as tests/reference/events
-/// does. No step reads it.
-/// Scheme: m p^2/2 + m (beta^2 + r^2) w^2/2 + k2 (r - r0)^2/2, p = v - d w.
-/// machine: in.
-/// state: in.
-/// r0: in [m].
-/// Returns: energy [J].
-/// Cost: at most 24 instructions. Stack: 128 B.
-/// Memory: none kept, reentrant.
-/// Claims: dissipation_without_moment
+/// Mechanical energy [J]. No step reads it; programs do that watch its balance.
+///   m (v - d w)^2/2 + m (beta^2 + r^2) w^2/2 + k2 (r - r0)^2/2
+/// machine, state: in. r0: in [m].
 #define tf_energy TF_LINK(tf_energy)
 TF_API tf_real_t tf_energy(const tf_machine_t *machine, const tf_state_t *state,
                            tf_real_t r0);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

@@ -1,13 +1,11 @@
 /// @file
-/// The modes of contact.
+/// The modes of contact. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_MODE_H
 #define TWOFOLD_MODE_H
 
 #include "twofold/real.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// The five modes of contact. + and - are the sign of h in slip, of g in stick.
 typedef enum {
@@ -21,18 +19,10 @@ typedef enum {
 #define TF_NO_MODE TF_MODES ///< none preferred, or none admissible
 #define TF_MODE_BIT(mode) (1u << (mode))
 
-/// Name of a mode: "slip+" "slip-" "stick+" "stick-" "pinned".
-/// Scheme: none.
-/// mode: in.
-/// Returns: a constant string, never NULL.
-/// Cost: one look-up in a table. Stack: 16 B.
-/// Memory: static storage, reentrant.
-/// Claims: mode_names_are_the_contract
+/// Name of a mode: "slip+" "slip-" "stick+" "stick-" "pinned". Never NULL.
 #define tf_mode_name TF_LINK(tf_mode_name)
 TF_API const char *tf_mode_name(unsigned mode);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

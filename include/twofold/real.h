@@ -1,33 +1,19 @@
 /// @file
-/// The number type of a build, and what a build must promise about it.
-/// Equal bits on every target need three things from the compiler: each
-/// operation is rounded once to tf_real_t, none is contracted into a fused
-/// multiply-add, and none is reordered or left out. Foreign build systems set
-/// none of their flags for this, and most compile in gnu mode, where gcc
-/// contracts; so it is forbidden here, for the rest of the translation unit: a
-/// program that computes the inputs of a step keeps its bits too. What cannot
-/// be forbidden is refused where a macro shows it. No macro shows an
-/// explicit -ffp-contract=fast, -freciprocal-math or -fno-signed-zeros of
-/// clang: these must not be given (docs/PORTS.md).
+/// The number type of a build, and what the build must promise about it: equal
+/// bits on every target need each operation to be rounded once to tf_real_t,
+/// none contracted into a fused multiply-add, reordered or left out. What a
+/// macro shows to break that is refused here; contraction the core forbids to
+/// itself (src/num/rounding.h), and a program whose inputs of a step shall keep
+/// their bits too is compiled with -ffp-contract=off. No macro shows explicit
+/// -ffp-contract=fast, -freciprocal-math or -fno-signed-zeros of clang: these
+/// must not be given (docs/PORTS.md).
 #ifndef TWOFOLD_REAL_H
 #define TWOFOLD_REAL_H
 
 #include <float.h>
-
-#if defined(__clang__) && __clang_major__ >= 13
-#pragma clang fp contract(off) reassociate(off)
-#elif defined(__clang__)
-#pragma clang fp contract(off)
-#elif defined(__GNUC__) && __STDC_HOSTED__
-#pragma GCC optimize("fp-contract=off")
-#elif defined(__GNUC__)
-// -ffreestanding implies the second, and the pragma would forget it.
-#pragma GCC optimize("fp-contract=off", "no-tree-loop-distribute-patterns")
-#elif defined(_MSC_VER)
-#pragma fp_contract(off)
-#else
-#pragma STDC FP_CONTRACT OFF
-#endif
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 
 // 16: half precision has its own operations, float and double are as with 0.
 #if defined(__FLT_EVAL_METHOD__)
@@ -54,8 +40,7 @@
 #error "the double of this target is no IEEE double: define TF_REAL_FLOAT"
 #endif
 #endif
-/// A constant is of the type that it is written in; -fsingle-precision-constant
-/// would make each a float.
+/// -fsingle-precision-constant would make each constant a float.
 typedef char
     tf_constants_keep_their_type[sizeof(1.0) == sizeof(double) ? 1 : -1];
 
@@ -64,24 +49,33 @@ typedef char
 /// cannot be linked against a library compiled for the other.
 #ifdef TF_REAL_FLOAT
 typedef float tf_real_t;
-#define TF_R(literal) literal##f
 #define TF_LINK(name) name##_f32
 #define TF_REAL_EPSILON FLT_EPSILON
 #define TF_REAL_MIN FLT_MIN
 #define TF_REAL_MAX FLT_MAX
 #else
 typedef double tf_real_t;
-#define TF_R(literal) literal
 #define TF_LINK(name) name##_f64
 #define TF_REAL_EPSILON DBL_EPSILON
 #define TF_REAL_MIN DBL_MIN
 #define TF_REAL_MAX DBL_MAX
 #endif
+/// A constant of that type: TF_R(1e-3), TF_R(-1).
+#define TF_R(number) ((tf_real_t)(number))
 
-/// Linkage of the core. A build for one scene includes the sources into one
-/// translation unit with TF_API_STATIC defined: all functions are local to it
-/// then, so that the compiler can propagate the constants of the scene through
-/// them. TF_API_DATA declares a table; C++ has no declaration of a local one.
+/// What is declared between the two has C linkage in C++ as well.
+#ifdef __cplusplus
+#define TF_BEGIN_C extern "C" {
+#define TF_END_C }
+#else
+#define TF_BEGIN_C
+#define TF_END_C
+#endif
+
+/// Linkage of the core. A build for one scene is one translation unit with
+/// TF_API_STATIC defined: all functions are local, so that the compiler
+/// propagates the scene's constants through them. TF_API_DATA declares a table;
+/// C++ has no declaration of a local one.
 #ifdef TF_API_STATIC
 #define TF_API static __attribute__((unused))
 #else

@@ -2,16 +2,14 @@
 /// A scene is a constant: parameters, tyre law, selection rule, start and
 /// inputs. A build for one scene contains only what that scene needs. The
 /// scheme is not part of it: the caller chooses one by the function that it
-/// calls.
+/// calls. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_SCENE_H
 #define TWOFOLD_SCENE_H
 
 #include "twofold/machine.h"
 #include "twofold/step.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// A knot of the turntable's speed, which is linear between knots and constant
 /// before the first and after the last.
@@ -34,32 +32,20 @@ typedef struct {
   tf_knot_t profile[TF_SCENE_KNOTS];
 } tf_scene_t;
 
-/// Inputs of a scene for the step that ends at t.
-/// Scheme: linear interpolation between knots.
-/// scene: in.
-/// machine: in, prepared from scene->params (or altered ones).
-/// t: in [s], finite.
-/// Returns: the inputs; alpha is the mean over the step.
-/// Cost: at most 232 instructions; 8 knots. Stack: 144 B.
-/// Memory: reentrant.
-/// Claims: driven_profile_is_followed
+/// Inputs of a scene for the step that ends at t, linear between its knots;
+/// alpha is the mean over the step.
+/// scene: in. machine: in, from scene->params (or altered ones). t: in [s],
+///   finite.
 #define tf_scene_input TF_LINK(tf_scene_input)
 TF_API tf_input_t tf_scene_input(const tf_scene_t *scene,
                                  const tf_machine_t *machine, tf_real_t t);
 
-/// Start of a scene: state, mode and report at tick 0.
-/// Scheme: tf_begin_with_slip where the scene gives h, else tf_begin; under the
-///   inputs of t = 0.
-/// scene: in.
-/// machine: in, prepared from scene->params (or altered ones).
-/// seed: in, of rule `random`.
-/// state, report: out.
+/// Start of a scene: state, mode and report at tick 0, by tf_begin_with_slip
+/// where the scene gives h, else by tf_begin, under the inputs of t = 0.
+/// scene: in. machine: in, from scene->params (or altered ones).
+/// seed: in, of rule `random`. state, report: out.
 /// Returns: TF_OK; TF_BAD_STATE (state and report untouched: the start is
 ///   impossible with these parameters).
-/// Cost: at most 650 instructions. Stack: 1040 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: negative_h_starts_in_slip_minus,
-///   sign_of_h_decides_where_both_slips_are_possible
 #define tf_scene_start TF_LINK(tf_scene_start)
 TF_API tf_status_t tf_scene_start(const tf_scene_t *scene,
                                   const tf_machine_t *machine, uint32_t seed,
@@ -70,8 +56,6 @@ TF_API tf_status_t tf_scene_start(const tf_scene_t *scene,
 #define tf_scenes TF_LINK(tf_scenes)
 TF_API_DATA const tf_scene_t *const tf_scenes[TF_SCENES];
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

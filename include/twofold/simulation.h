@@ -13,7 +13,9 @@
 /// has to set them again within that time; else the inputs are the safe ones,
 /// those of a machine that nothing drives (tf_input_default), until they are
 /// set once more. Steps are counted and not seconds, so a simulation that
-/// stands still, as a board in lockstep does between two inputs, loses no time.
+/// waits, as a board in lockstep does between two inputs, loses no time.
+///
+/// Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_SIMULATION_H
 #define TWOFOLD_SIMULATION_H
 
@@ -21,9 +23,7 @@
 #include "twofold/step.h"
 #include "twofold/tally.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// Whose inputs a step has.
 typedef enum {
@@ -46,62 +46,41 @@ typedef struct {
   bool running;     ///< whether the program steps at a tick
 } tf_simulation_t;
 
-/// Returns a simulation to the start of its scene. The machine stays as it is.
-/// Scheme: tf_scene_start.
-/// simulation: in/out, machine prepared; the inputs are those of the scene
-///   afterwards, running and deadman stay.
+/// Returns a simulation to the start of its scene (tf_scene_start).
+/// simulation: in/out. The machine stays as it is, as do running and deadman;
+///   the inputs are those of the scene afterwards.
 /// scene: in. seed: in, of rule `random`.
 /// Returns: TF_OK; TF_BAD_STATE (simulation untouched: the start is impossible
 ///   with these parameters).
-/// Cost: at most 680 instructions. Stack: 1104 B.
-/// Memory: caller's, reentrant.
-/// Claims: simulation_is_the_run_of_the_command_line
 #define tf_simulation_start TF_LINK(tf_simulation_start)
 TF_API tf_status_t tf_simulation_start(tf_simulation_t *simulation,
                                        const tf_scene_t *scene, uint32_t seed);
 
-/// Prepares the machine and starts the scene, running. deadman is 0: a program
-/// that takes inputs from a line sets it.
-/// Scheme: tf_prepare, then tf_simulation_start.
-/// simulation: out.
-/// scene: in. params: in, those of the scene or altered ones. seed: in.
+/// Prepares the machine and starts the scene, running: tf_prepare, then
+/// tf_simulation_start. deadman is 0: a program that takes inputs from a line
+/// sets it.
+/// simulation: out. scene, seed: in. params: in, those of the scene or altered.
 /// Returns: TF_OK; TF_BAD_PARAMETER, TF_BAD_STATE (the simulation may be half
 ///   prepared and must not be used).
-/// Cost: at most 1900 instructions. Stack: 1104 B.
-/// Memory: caller's, reentrant.
-/// Claims: simulation_is_the_run_of_the_command_line
 #define tf_simulation_open TF_LINK(tf_simulation_open)
 TF_API tf_status_t tf_simulation_open(tf_simulation_t *simulation,
                                       const tf_scene_t *scene,
                                       const tf_params_t *params, uint32_t seed);
 
 /// Sets the inputs from outside; they hold from the next step on.
-/// Scheme: none.
 /// simulation: in/out. input: in, checked by the step.
-/// Returns: nothing.
-/// Cost: at most 10 instructions. Stack: 32 B.
-/// Memory: caller's, reentrant.
-/// Claims: inputs_expire_after_their_steps
 #define tf_simulation_set_input TF_LINK(tf_simulation_set_input)
 TF_API void tf_simulation_set_input(tf_simulation_t *simulation,
                                     const tf_input_t *input);
 
-/// Inputs of the next step, to be called once for each step: this is where the
-/// steps of the dead-man are counted.
-/// Scheme: by source: those of the scene at (tick + 1) dt, those set from
-///   outside, or those of tf_input_default.
+/// Inputs of the next step: those of the scene at (tick + 1) dt, those set from
+/// outside, or those of tf_input_default. To be called once for each step: this
+/// is where the steps of the dead-man are counted.
 /// simulation: in/out. scene: in.
-/// Returns: the inputs.
-/// Cost: at most 263 instructions. Stack: 176 B.
-/// Memory: reentrant.
-/// Claims: simulation_is_the_run_of_the_command_line,
-///   inputs_expire_after_their_steps
 #define tf_simulation_input TF_LINK(tf_simulation_input)
 TF_API tf_input_t tf_simulation_input(tf_simulation_t *simulation,
                                       const tf_scene_t *scene);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

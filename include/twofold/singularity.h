@@ -1,22 +1,17 @@
 /// @file
-/// Two-folds: the points of h = 0 where the fields of both slips are tangent to
-/// the surface (Filippov 1988; Teixeira, Stability conditions for discontinuous
-/// vector fields, 1990). There lambda is not determined, stick passes from a
-/// sliding into an escaping region or back, and the future is not unique. Where
-/// they lie and what kind they are, in closed form.
+/// Two-folds, in closed form: the points of h = 0 where the fields of both
+/// slips are tangent to the surface (Filippov 1988; Teixeira, Stability
+/// conditions for discontinuous vector fields, 1990). There lambda is not
+/// determined, stick passes from a sliding into an escaping region or back, and
+/// the future is not unique. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_SINGULARITY_H
 #define TWOFOLD_SINGULARITY_H
-
-#include <stdbool.h>
-#include <stdint.h>
 
 #include "twofold/machine.h"
 #include "twofold/status.h"
 #include "twofold/surface.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// A point of h = 0.
 typedef struct {
@@ -42,42 +37,27 @@ typedef enum {
 } tf_absence_t;
 #define TF_ABSENCES 5
 
-/// What a tf_absence_t stands for, in words.
-/// Scheme: none.
-/// absence: in.
-/// Returns: a constant string, never NULL; "unknown" for other values.
-/// Cost: one look-up in a table. Stack: 16 B.
-/// Memory: static storage, reentrant.
-/// Claims: reasons_and_types_have_names
+/// What a tf_absence_t stands for, in words; "unknown" for other values.
 #define tf_absence_name TF_LINK(tf_absence_name)
 TF_API const char *tf_absence_name(unsigned absence);
 
-/// Every two-fold at g != 0.
-/// Scheme: (2foldcond). A(r, s) = 0 is a quadratic in r. On h = 0, v and w are
-///   affine in g: r (w - omega0) = g sin(gamma), v = d (w - omega0) - g
-///   cos(gamma); so h_x . f(x, 0) = 0 is a quadratic in g, for gamma = 0 too.
-///   Not counted is r = 0 with sin(gamma) = 0 (within 4 epsilon), where A
-///   vanishes along the whole surface and no stick exists.
-/// machine: in, prepared.
-/// input: in; the acceleration of the turntable is part of h'.
-/// points: out, [TF_TWO_FOLDS], those of g > 0 first.
-/// count: out, how many were written.
+/// Every two-fold at g != 0, (2foldcond). A(r, s) = 0 is a quadratic in r. On
+/// h = 0, v and w are affine in g: r (w - omega0) = g sin(gamma), v =
+/// d (w - omega0) - g cos(gamma); so h_x . f(x, 0) = 0 is a quadratic in g, for
+/// gamma = 0 too. Not counted is r = 0 with sin(gamma) = 0 (within 4 epsilon),
+/// where A vanishes along the whole surface and no stick exists.
+/// machine: in. input: in; the acceleration of the turntable is part of h'.
+/// points: out, [TF_TWO_FOLDS], those of g > 0 first. count: out, how many.
 /// absence: out, may be NULL; why there is none.
 /// Returns: TF_OK; TF_BAD_STATE (input out of range; nothing touched).
-/// Cost: at most 1300 instructions; 760 for `chaos`. Stack: 544 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: every_two_fold_is_found, two_fold_of_the_paper_is_found,
-///   a_machine_may_have_eight_two_folds,
-///   gamma_zero_has_a_continuous_two_fold, gamma_right_has_no_two_fold,
-///   machines_without_two_folds_say_why
 #define tf_two_folds TF_LINK(tf_two_folds)
 TF_API tf_status_t tf_two_folds(const tf_machine_t *machine,
                                 const tf_input_t *input,
                                 tf_surface_point_t points[TF_TWO_FOLDS],
                                 int *count, tf_absence_t *absence);
 
-/// Which way the slips curve, by h'' = K++ of slip+ and K-- of slip-. A fold is
-/// visible where its slip curves away from h = 0 on its own side of it.
+/// Which way the slips curve, by h'' = K++ of slip+ and K-- of slip-. A visible
+/// fold curves away from h = 0 on its own side of it.
 typedef enum {
   TF_FOLDS_INVISIBLE,  ///< K++ < 0 < K--: Teixeira singularity, (Invisible)
   TF_FOLDS_VISIBLE,    ///< K++ > 0 > K--
@@ -88,13 +68,7 @@ typedef enum {
 #define TF_FOLDS 5
 
 /// Name of a type: "invisible" "visible" "visible-invisible" "degenerate"
-/// "continuous".
-/// Scheme: none.
-/// type: in.
-/// Returns: a constant string, never NULL; "unknown" for other values.
-/// Cost: one look-up in a table. Stack: 16 B.
-/// Memory: static storage, reentrant.
-/// Claims: reasons_and_types_have_names
+/// "continuous"; "unknown" for other values.
 #define tf_folds_name TF_LINK(tf_folds_name)
 TF_API const char *tf_folds_name(unsigned type);
 
@@ -106,8 +80,7 @@ typedef struct {
   tf_rate_t velocity; ///< plus f(x, +mu) + minus f(x, -mu): its direction and,
                       ///< where the motion sticks, its speed
   tf_real_t lambda;   ///< along it where the motion sticks, else 0 [N]
-  bool sticks;        ///< it lies in sliding and escaping regions, not in
-                      ///< crossing ones
+  bool sticks;        ///< not in crossing regions
 } tf_direction_t;
 
 /// The normal form of a two-fold. K is in physical time; the paper's, in its
@@ -115,13 +88,11 @@ typedef struct {
 /// same in both.
 typedef struct {
   tf_surface_point_t point;
-  tf_real_t residual; ///< largest |h_x . f(x, +-mu)|, 0 at an exact two-fold
-                      ///< [m/s^2]
-  /// m (beta^2 + r^2) = dt/dtau [kg m^2]; the paper's tau is in s/(kg m^2).
-  tf_real_t time_scale;
-  tf_real_t Kpp, Kpm; ///< K++, K+- [m/s^3]
-  tf_real_t Kmp, Kmm; ///< K-+, K-- [m/s^3]
-  tf_real_t J1, J2;   ///< with sqrt|K++ K--|, defined for every type
+  tf_real_t residual;   ///< largest |h_x . f(x, +-mu)|, ideally 0 [m/s^2]
+  tf_real_t time_scale; ///< dt/dtau = m (beta^2 + r^2) [kg m^2]
+  tf_real_t Kpp, Kpm;   ///< K++, K+- [m/s^3]
+  tf_real_t Kmp, Kmm;   ///< K-+, K-- [m/s^3]
+  tf_real_t J1, J2;     ///< with sqrt|K++ K--|, defined for every type
   /// (L+, L-) = (K++, K--), eigenvalue K-+ - K++ = 2 mu v dA/dr: it sticks
   /// where K++ K-- < 0, and leads from sliding to escaping where the eigenvalue
   /// is negative. The paper's first eigenvector.
@@ -131,38 +102,26 @@ typedef struct {
   tf_direction_t across;
   tf_rate_t plus, minus; ///< f(x, +mu), f(x, -mu)
   uint8_t type;          ///< tf_folds_t
-  uint8_t paper_case;    ///< case 1, 2, 3 of the paper for type INVISIBLE; 0
-                         ///< for other types and on the borders of the cases
+  uint8_t paper_case;    ///< 1, 2, 3 for type INVISIBLE; else, on borders, 0
 } tf_two_fold_t;
 
-/// The normal form at a two-fold.
-/// Scheme: K^{ab} = d/dx (h_x . f(x, a mu)) . f(x, b mu); (SlidNormForm) with
-///   (L+, L-) = h_x . f(x, +-mu) as coordinates:
+/// The normal form at a two-fold: K^{ab} = d/dx (h_x . f(x, a mu)) . f(x, b mu)
+/// and (SlidNormForm) with (L+, L-) = h_x . f(x, +-mu) as coordinates,
 ///   (L- - L+) d/dt (L+, L-) = ((-K+-, K++), (-K--, K-+)) (L+, L-).
-///   Because A depends on r alone K++ + K-- = K+- + K-+: both eigenvalues are
-///   real and rational in K. Inputs are held, but the turntable keeps its
-///   acceleration.
-/// machine: in, prepared for a law that jumps.
-/// input: in.
+/// Because A depends on r alone K++ + K-- = K+- + K-+: both eigenvalues are
+/// real and rational in K. Inputs are held, but the turntable keeps its
+/// acceleration.
+/// machine: in, of a law that jumps. input: in. out: out.
 /// point: in, from tf_two_folds or tf_design_two_fold; r != 0, g != 0.
-/// out: out.
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law does not jump), TF_BAD_STATE
 ///   (point or input out of range, or a product overflows). Where it is
 ///   refused, out is untouched.
-/// Cost: at most 690 instructions. Stack: 1008 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: normal_form_against_the_paper, numbers_of_the_paper,
-///   sliding_motion_follows_the_normal_form, paper_cases_1_to_3,
-///   eigenvalues_are_rational, gamma_zero_has_a_continuous_two_fold,
-///   driven_two_fold_is_the_second_rate
 #define tf_normal_form TF_LINK(tf_normal_form)
 TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
                                   const tf_input_t *input,
                                   const tf_surface_point_t *point,
                                   tf_two_fold_t *out);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

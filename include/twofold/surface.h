@@ -4,19 +4,14 @@
 /// sliding, escaping and crossing regions, and the field along it, without a
 /// step. All of it is in physical time. On h = 0, F = lambda and M = s kappa
 /// lambda with s = sign(g), so that f(x, lambda) is affine in lambda, |lambda|
-/// <= mu.
+/// <= mu. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_SURFACE_H
 #define TWOFOLD_SURFACE_H
-
-#include <stdbool.h>
-#include <stdint.h>
 
 #include "twofold/machine.h"
 #include "twofold/status.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// How the state changes: a value of the right-hand side f.
 typedef struct {
@@ -37,13 +32,7 @@ typedef enum {
 #define TF_REGIONS 5
 
 /// Name of a region: "sliding" "escaping" "crossing_up" "crossing_down"
-/// "codim2".
-/// Scheme: none.
-/// region: in.
-/// Returns: a constant string, never NULL; "unknown" for other values.
-/// Cost: one look-up in a table. Stack: 16 B.
-/// Memory: static storage, reentrant.
-/// Claims: region_names_are_the_contract
+/// "codim2"; "unknown" for other values.
 #define tf_region_name TF_LINK(tf_region_name)
 TF_API const char *tf_region_name(unsigned region);
 
@@ -59,36 +48,25 @@ typedef struct {
   tf_rate_t stick;      ///< (svf) in sliding and escaping regions, else 0
   tf_rate_t scaled;     ///< A (svf) [1/kg of it]: regular at a two-fold
   uint8_t region;       ///< tf_region_t
-  bool lambda_is_given; ///< false, with lambda = 0, where A is 0 or so small
-                        ///< that N/A overflows
+  bool lambda_is_given; ///< false, lambda = 0: A is 0, or N/A overflows
 } tf_surface_t;
 
-/// The surface at a point of it.
-/// Scheme: h' = N - A lambda, N = h_x . f(x, 0); (slidCond), (muCalc), (svf),
-///   and scaled = A f(x, 0) + N f_lambda, which is (slidRescale) with the
-///   opposite sign, so that it points along (svf) where A > 0 and against it
-///   where A < 0.
-/// machine: in, prepared for a law that jumps (JUMP, COULOMB).
-/// input: in, within TF_STATE_LIMIT together with the state. The acceleration
-///   of the turntable is part of h'.
-/// r [m], v [m/s], w [rad/s]: in; the caller puts them on h = 0
-///   (tf_speed_for_slip).
+/// The surface at a point of it: h' = N - A lambda, N = h_x . f(x, 0);
+/// (slidCond), (muCalc), (svf), and scaled = A f(x, 0) + N f_lambda, which is
+/// (slidRescale) with the opposite sign, so that it points along (svf) where
+/// A > 0 and against it where A < 0.
+/// machine: in, of a law that jumps (JUMP, COULOMB).
+/// input: in; the acceleration of the turntable is part of h'.
+/// r [m], v [m/s], w [rad/s]: in; on h = 0 by the caller (tf_speed_for_slip).
 /// out: out. At h = g = 0 slip and region are set and all else is 0.
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law is single-valued: no surface),
 ///   TF_BAD_STATE (state or input out of range, or a product overflows). Where
 ///   it is refused, out is untouched.
-/// Cost: at most 450 instructions. Stack: 896 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: lie_derivatives_against_the_paper, sliding_field_against_the_paper,
-///   regions_are_what_slip_does, rescaled_field_is_regular_at_the_two_fold,
-///   surface_refuses_other_laws_and_bad_states
 #define tf_surface_at TF_LINK(tf_surface_at)
 TF_API tf_status_t tf_surface_at(const tf_machine_t *machine,
                                  const tf_input_t *input, tf_real_t r,
                                  tf_real_t v, tf_real_t w, tf_surface_t *out);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

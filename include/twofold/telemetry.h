@@ -1,10 +1,14 @@
 /// @file
 /// Telemetry: the frames that go down, from the board to the host.
-/// docs/PROTOCOL.md describes their payloads byte by byte. Each function writes
-/// one complete frame into memory; sending it is up to the program, which
-/// contains only the functions that it calls. The firmware in port/ sends all
-/// frames but two, which are there for other firmware: the compact frame and
-/// the frame of a parameter.
+/// docs/PROTOCOL.md describes their payloads byte by byte. The firmware of
+/// port/ sends all but two, which are there for other firmware: the compact
+/// frame and the frame of a parameter. Each tf_send function writes one whole
+/// frame into memory; a program contains only those that it calls.
+/// wire: out, TF_FRAME_SIZE of the payload's bytes.
+/// sequence: in/out, number of this frame; then that of the next.
+/// tick: in, of the state that the contents belong to.
+/// Returns: bytes of the frame.
+/// Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_TELEMETRY_H
 #define TWOFOLD_TELEMETRY_H
 
@@ -14,9 +18,7 @@
 #include "twofold/step.h"
 #include "twofold/wire.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// Types of frames: those below 0x40 go down, the others up.
 typedef enum {
@@ -58,10 +60,8 @@ typedef struct {
   uint8_t scheme; ///< 0: tf_step, 1: tf_step_located, 2: tf_step_compensated
   bool takes_commands; ///< the build has an uplink
   bool wants_tag;      ///< commands without the tag of its key are refused
-  bool ends;           ///< a heartbeat is the last frame: a stream without it
-                       ///< is not whole. A board's has no end
-  uint32_t session;    ///< that commands have to name; 0: none before the
-                       ///< first TF_UP_DESCRIBE
+  bool ends;           ///< the last frame is a heartbeat; a board's has no end
+  uint32_t session;    ///< that commands have to name; 0: none yet
   uint32_t sequence;   ///< least number of a command that is still taken
   uint32_t deadman;    ///< tf_simulation_t.deadman
 } tf_schema_t;
@@ -70,7 +70,7 @@ typedef struct {
 /// TF_OK stay at 2^32 - 1 instead, so that none is ever forgotten.
 typedef struct {
   uint32_t steps;     ///< taken
-  uint32_t refused;   ///< by the scheme; the state stood still
+  uint32_t refused;   ///< by the scheme; the state is untouched
   uint32_t overruns;  ///< steps that ended after the next tick
   uint32_t dropped;   ///< telemetry records, for lack of room or time
   uint32_t bad;       ///< broken or lost frames from the host
@@ -85,26 +85,14 @@ typedef struct {
   uint32_t expired;   ///< inputs from outside that were not renewed in time
 } tf_heartbeat_t;
 
-/// Hash of all parameters that the motion depends on, the same on every board.
-/// Scheme: CRC-32 over every parameter in the order of tf_parameter_ranges, as
-///   it is sent, then law, rule and bits 0, 2 and 3 of the flags of a schema
-///   frame, a byte each.
-/// params: in.
-/// Returns: the hash.
-/// Cost: at most 4000 instructions. Stack: 80 B.
-/// Memory: caller's, reentrant.
-/// Claims: schema_says_what_runs
+/// Hash of all parameters that the motion depends on, the same on every board:
+/// CRC-32 over every parameter in the order of tf_parameter_ranges, as it is
+/// sent, then law, rule and bits 0, 2 and 3 of the flags of a schema frame, a
+/// byte each.
 #define tf_params_hash TF_LINK(tf_params_hash)
 TF_API uint32_t tf_params_hash(const tf_params_t *params);
 
-/// Frame TF_DOWN_SCHEMA.
-/// Scheme: none.
-/// wire: out, TF_FRAME_SIZE(TF_SCHEMA_BYTES).
-/// sequence: in/out. tick: in. schema: in.
-/// Returns: bytes of the frame.
-/// Cost: at most 11000 instructions; names that fill the frame. Stack: 144 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: schema_says_what_runs, documented_frames_decode
+/// Frame TF_DOWN_SCHEMA, of up to TF_SCHEMA_BYTES.
 #define tf_send_schema TF_LINK(tf_send_schema)
 TF_API size_t tf_send_schema(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              const tf_schema_t *schema);
@@ -121,126 +109,66 @@ TF_API_DATA const char *const tf_layout_compact;
 #define tf_layout_heartbeat TF_LINK(tf_layout_heartbeat)
 TF_API_DATA const char *const tf_layout_heartbeat;
 
-/// Frame TF_DOWN_LAYOUT.
-/// Scheme: none.
-/// wire: out, TF_FRAME_SIZE(TF_LAYOUT_BYTES).
-/// sequence: in/out. tick: in.
+/// Frame TF_DOWN_LAYOUT, of up to TF_LAYOUT_BYTES.
 /// type: in, of the frames that are described. layout: in, one of those above;
 ///   a longer text is cut off at the end of the frame.
-/// Returns: bytes of the frame.
-/// Cost: at most 7000 instructions; text that fills the frame. Stack: 112 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: layouts_describe_the_payloads, long_layout_fills_its_frame
 #define tf_send_layout TF_LINK(tf_send_layout)
 TF_API size_t tf_send_layout(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              tf_type_t type, const char *layout);
 
-/// Frame TF_DOWN_STATE: with its tick, all that tf_step needs to continue.
-/// Scheme: none.
-/// wire: out, TF_FRAME_SIZE(TF_STATE_BYTES).
-/// sequence: in/out. state: in.
-/// Returns: bytes of the frame.
-/// Cost: at most 1600 instructions. Stack: 128 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: state_and_report_survive_the_line, documented_frames_decode
+/// Frame TF_DOWN_STATE, of TF_STATE_BYTES: all that tf_step needs to continue.
 #define tf_send_state TF_LINK(tf_send_state)
 TF_API size_t tf_send_state(uint8_t *wire, uint32_t *sequence,
                             const tf_state_t *state);
 
-/// Frame TF_DOWN_REPORT.
-/// Scheme: none.
-/// wire: out, TF_FRAME_SIZE(TF_REPORT_BYTES).
-/// sequence: in/out. tick: in, of the state that the report belongs to.
-/// report: in. source: in, whose inputs its step had.
-/// Returns: bytes of the frame.
-/// Cost: at most 2000 instructions. Stack: 128 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: state_and_report_survive_the_line, documented_frames_decode
+/// Frame TF_DOWN_REPORT, of TF_REPORT_BYTES.
+/// source: in, whose inputs its step had.
 #define tf_send_report TF_LINK(tf_send_report)
 TF_API size_t tf_send_report(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              const tf_report_t *report,
                              tf_input_source_t source);
 
-/// Frame TF_DOWN_COMPACT: r, v, w, mode and choices. For firmware on a slow
-/// line, which sends it in place of state and report; `twofold monitor` reads
-/// it.
-/// Scheme: none.
-/// wire: out, TF_FRAME_SIZE(TF_COMPACT_BYTES).
-/// sequence: in/out. state, report: in.
-/// Returns: bytes of the frame.
-/// Cost: at most 1300 instructions. Stack: 112 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: state_and_report_survive_the_line, documented_frames_decode
+/// Frame TF_DOWN_COMPACT, of TF_COMPACT_BYTES: r, v, w, mode and choices. For
+/// firmware on a slow line, which sends it in place of state and report;
+/// `twofold monitor` reads it.
 #define tf_send_compact TF_LINK(tf_send_compact)
 TF_API size_t tf_send_compact(uint8_t *wire, uint32_t *sequence,
                               const tf_state_t *state,
                               const tf_report_t *report);
 
-/// Frame TF_DOWN_HEARTBEAT.
-/// Scheme: none.
-/// wire: out, TF_FRAME_SIZE(TF_HEARTBEAT_BYTES).
-/// sequence: in/out. tick: in. heartbeat: in.
-/// Returns: bytes of the frame.
-/// Cost: at most 2200 instructions. Stack: 192 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: heartbeat_survives_the_line, documented_frames_decode
+/// Frame TF_DOWN_HEARTBEAT, of TF_HEARTBEAT_BYTES.
 #define tf_send_heartbeat TF_LINK(tf_send_heartbeat)
 TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
                                 uint64_t tick, const tf_heartbeat_t *heartbeat);
 
-/// Reads the payload of TF_DOWN_HEARTBEAT.
-/// Scheme: none.
-/// payload: in, TF_HEARTBEAT_BYTES. heartbeat: out.
-/// Returns: nothing.
-/// Cost: at most 480 instructions. Stack: 80 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: heartbeat_survives_the_line
+/// Reads the payload of TF_DOWN_HEARTBEAT, TF_HEARTBEAT_BYTES.
 #define tf_read_heartbeat TF_LINK(tf_read_heartbeat)
 TF_API void tf_read_heartbeat(const uint8_t *payload,
                               tf_heartbeat_t *heartbeat);
 
-/// Frame TF_DOWN_PARAMETER: value, range, name and unit. For firmware whose
-/// host does not know the parameters beforehand and learns here which index a
-/// command TF_UP_PARAMETER needs.
-/// Scheme: none.
-/// wire: out, TF_FRAME_SIZE(TF_PARAMETER_BYTES).
-/// sequence: in/out. tick: in. params: in.
+/// Frame TF_DOWN_PARAMETER, of up to TF_PARAMETER_BYTES: value, range, name and
+/// unit, for a host that learns here which index TF_UP_PARAMETER needs.
 /// index: in, into tf_parameter_ranges.
 /// Returns: bytes of the frame; 0 if there is no such parameter.
-/// Cost: at most 1600 instructions. Stack: 128 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: parameters_are_described, documented_frames_decode
 #define tf_send_parameter TF_LINK(tf_send_parameter)
 TF_API size_t tf_send_parameter(uint8_t *wire, uint32_t *sequence,
                                 uint64_t tick, const tf_params_t *params,
                                 unsigned index);
 
-/// Reads the payload of TF_DOWN_STATE, from a sender of the same real type.
-/// Scheme: none.
-/// payload: in, TF_STATE_BYTES. tick: in, from the header of its frame.
+/// Reads the payload of TF_DOWN_STATE, TF_STATE_BYTES from a sender of the same
+/// real type, and the tick from the header of its frame.
 /// state: out, not validated.
-/// Returns: nothing.
-/// Cost: at most 280 instructions. Stack: 80 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: state_and_report_survive_the_line
 #define tf_read_state TF_LINK(tf_read_state)
 TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                           tf_state_t *state);
 
-/// Reads the payload of TF_DOWN_REPORT, from a sender of the same real type:
-/// for a host that is written with this library, beside tf_read_state. `twofold
-/// monitor` reads both real types and has its own.
-/// Scheme: none.
-/// payload: in, TF_REPORT_BYTES. report: out, not validated.
+/// Reads the payload of TF_DOWN_REPORT, TF_REPORT_BYTES from a sender of the
+/// same real type (`twofold monitor`, which reads both, has its own).
+/// report: out, not validated.
 /// Returns: whose inputs the step had, a tf_input_source_t; not validated.
-/// Cost: at most 340 instructions. Stack: 96 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: state_and_report_survive_the_line
 #define tf_read_report TF_LINK(tf_read_report)
 TF_API uint8_t tf_read_report(const uint8_t *payload, tf_report_t *report);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

@@ -1,37 +1,26 @@
 /// @file
 /// State as text: lines of `label:value` pairs, the form that the serial
 /// plotter of the Arduino IDE takes. They are for people to look at; programs
-/// read frames (telemetry.h).
+/// read frames (telemetry.h). Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_TEXT_H
 #define TWOFOLD_TEXT_H
-
-#include <stddef.h>
 
 #include "twofold/machine.h"
 #include "twofold/step.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// Longest line.
 #define TF_TEXT_ROW_ROOM 96
 
 /// Writes "r:0.18 v:1.2 omega:-1.037 h:1e-10 g:0.05" and a newline, in up to
 /// six digits, without a terminating zero.
-/// Scheme: none.
-/// out: out, TF_TEXT_ROW_ROOM characters.
-/// state, report: in.
+/// out: out, TF_TEXT_ROW_ROOM characters. state, report: in.
 /// Returns: the length.
-/// Cost: at most 8000 instructions. Stack: 144 B.
-/// Memory: caller's, no overlap, reentrant.
-/// Claims: text_rows_are_label_value_pairs
 #define tf_text_row TF_LINK(tf_text_row)
 TF_API size_t tf_text_row(char *out, const tf_state_t *state,
                           const tf_report_t *report);
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

@@ -1,14 +1,13 @@
 /// @file
 /// Tyre laws: friction force F [N] and aligning moment M [N m] as functions
-/// of the slip angle, that is of the ratio g/h of rolling to lateral slip.
+/// of the slip angle, that is of the ratio g/h of rolling to lateral slip. Cost
+/// and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_TYRE_H
 #define TWOFOLD_TYRE_H
 
 #include "twofold/real.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// Which law. The first two of the list below are set-valued at h = 0 (they
 /// jump there); the others are single-valued off h = g = 0.
@@ -23,13 +22,7 @@ typedef enum {
 #define TF_TYRE_LAWS 6
 
 /// Name of a law of friction: "jump" "coulomb" "two_piece" "string" "smooth"
-/// "none".
-/// Scheme: none.
-/// law: in.
-/// Returns: a constant string, never NULL.
-/// Cost: one look-up in a table. Stack: 16 B.
-/// Memory: static storage, reentrant.
-/// Claims: names_of_laws_and_rules_are_the_contract
+/// "none". Never NULL.
 #define tf_tyre_law_name TF_LINK(tf_tyre_law_name)
 TF_API const char *tf_tyre_law_name(unsigned law);
 
@@ -65,35 +58,22 @@ typedef struct {
   tf_real_t M; ///< on phi alone [N m]
 } tf_force_t;
 
-/// Force and moment in slip.
-/// Scheme: (force), (moment) for JUMP; Appendix B for TWO_PIECE, STRING.
-/// tyre: in, prepared.
+/// Force and moment in slip: (force), (moment) for JUMP; Appendix B for
+/// TWO_PIECE and STRING.
+/// tyre: in. h, g: in [m/s], finite.
 /// side: in, +1 or -1: at a set-valued law, the side of h = 0 whose limit is
 ///   meant; an h on the other side counts as 0.
-/// h, g: in, [m/s], finite.
 /// Returns: F, M; both 0 at h = 0 for the laws that are continuous there, and
 ///   at h = g = 0 for those where the angle is undefined.
-/// Cost: at most 180 instructions. Stack: 320 B.
-/// Memory: none kept, reentrant.
-/// Claims: tyre_identity_against_the_paper, string_law_against_quadrature,
-///   two_piece_law_is_the_string_law, angle_kernel_error_bound
 #define tf_tyre_force TF_LINK(tf_tyre_force)
 TF_API tf_force_t tf_tyre_force(const tf_tyre_t *tyre, tf_real_t side,
                                 tf_real_t h, tf_real_t g);
 
-/// Whether the law is set-valued at h = 0, so that stick exists.
-/// Scheme: none.
-/// law: in.
-/// Returns: 1 for JUMP and COULOMB, else 0.
-/// Cost: at most 4 instructions. Stack: 16 B.
-/// Memory: none kept, reentrant.
-/// Claims: enumeration_against_grid_search
+/// Whether the law is set-valued at h = 0, so that stick exists: 1 or 0.
 static inline int tf_tyre_is_set_valued(tf_tyre_law_t law) {
   return law == TF_TYRE_JUMP || law == TF_TYRE_COULOMB;
 }
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

@@ -1,17 +1,13 @@
 /// @file
 /// Numbers as bytes: little endian, whatever the processor. A real is sent as
-/// the bits of its own type, so that nothing is rounded in between.
+/// the bits of its own type, so that nothing is rounded in between. Cost and
+/// stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_WIRE_H
 #define TWOFOLD_WIRE_H
 
-#include <stddef.h>
-#include <stdint.h>
-
 #include "twofold/real.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+TF_BEGIN_C
 
 /// The unsigned integer that is as wide as tf_real_t.
 #ifdef TF_REAL_FLOAT
@@ -27,25 +23,15 @@ typedef char
                                                                           : -1];
 
 /// Writes the low bytes of a whole number.
-/// Scheme: none.
-/// at: out, so many bytes. value: in, taken modulo 2^(8 bytes).
-/// bytes: in, 0 to 8.
+/// at: out. value: in, taken modulo 2^(8 bytes). bytes: in, how many, 0 to 8.
 /// Returns: the byte after the last one written.
-/// Cost: at most 4 instructions and 5 a byte. Stack: 16 B.
-/// Memory: caller's, reentrant.
-/// Claims: numbers_survive_the_wire
 static inline uint8_t *tf_wire_put(uint8_t *at, uint64_t value, size_t bytes) {
   for (size_t i = 0; i < bytes; i++, value >>= 8) *at++ = (uint8_t)value;
   return at;
 }
 
 /// Reads a whole number.
-/// Scheme: none.
-/// at: in, so many bytes. bytes: in, 0 to 8.
-/// Returns: the number.
-/// Cost: at most 4 instructions and 6 a byte. Stack: 16 B.
-/// Memory: caller's, reentrant.
-/// Claims: numbers_survive_the_wire
+/// at: in. bytes: in, how many, 0 to 8.
 static inline uint64_t tf_wire_get(const uint8_t *at, size_t bytes) {
   uint64_t value = 0;
   while (bytes > 0) value = value << 8 | at[--bytes];
@@ -53,12 +39,8 @@ static inline uint64_t tf_wire_get(const uint8_t *at, size_t bytes) {
 }
 
 /// Writes a real.
-/// Scheme: none.
 /// at: out, TF_REAL_BYTES. value: in, any, NaN included.
 /// Returns: the byte after the last one written.
-/// Cost: at most 44 instructions. Stack: 16 B.
-/// Memory: caller's, reentrant.
-/// Claims: numbers_survive_the_wire
 static inline uint8_t *tf_wire_put_real(uint8_t *at, tf_real_t value) {
   const union {
     tf_real_t real;
@@ -67,13 +49,8 @@ static inline uint8_t *tf_wire_put_real(uint8_t *at, tf_real_t value) {
   return tf_wire_put(at, as.bits, TF_REAL_BYTES);
 }
 
-/// Reads a real.
-/// Scheme: none.
+/// Reads a real, bit for bit.
 /// at: in, TF_REAL_BYTES.
-/// Returns: the real, bit for bit.
-/// Cost: at most 60 instructions. Stack: 32 B.
-/// Memory: caller's, reentrant.
-/// Claims: numbers_survive_the_wire
 static inline tf_real_t tf_wire_get_real(const uint8_t *at) {
   union {
     tf_real_t real;
@@ -83,8 +60,6 @@ static inline tf_real_t tf_wire_get_real(const uint8_t *at) {
   return as.real;
 }
 
-#ifdef __cplusplus
-}
-#endif
+TF_END_C
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "twofold/real.h"
+#include "../num/rounding.h"
 
 // The longest: "-1.23456e-308".
 #define DECIMAL_SIZE 13

@@ -6,9 +6,7 @@
 #ifndef TF_KERNEL_H
 #define TF_KERNEL_H
 
-#include <stdbool.h>
-
-#include "twofold/real.h"
+#include "rounding.h"
 
 // The parts of a step are inlined into one function: passing their structs
 // through memory would double its instructions. TF_RARE keeps out of it what a

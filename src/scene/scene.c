@@ -1,6 +1,8 @@
 // How a scene starts, and its inputs over time.
 #include "twofold/scene.h"
 
+#include "../num/rounding.h"
+
 static tf_real_t speed_at(const tf_scene_t *scene, tf_real_t t) {
   const tf_knot_t *knot = scene->profile;
   int i = 0;

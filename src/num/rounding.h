@@ -1,0 +1,26 @@
+// One rounding per operation, whatever the build says: none is contracted into
+// a fused multiply-add. Foreign build systems set no flag for this, and most
+// compile in gnu mode, where gcc contracts. Every source of the core that
+// computes includes this before its first function, mostly through kernel.h; no
+// public header does, so that a user's own code keeps the user's options.
+#ifndef TF_ROUNDING_H
+#define TF_ROUNDING_H
+
+#include "twofold/real.h"
+
+#if defined(__clang__) && __clang_major__ >= 13
+#pragma clang fp contract(off) reassociate(off)
+#elif defined(__clang__)
+#pragma clang fp contract(off)
+#elif defined(__GNUC__) && __STDC_HOSTED__
+#pragma GCC optimize("fp-contract=off")
+#elif defined(__GNUC__)
+// -ffreestanding implies the second, and the pragma would forget it.
+#pragma GCC optimize("fp-contract=off", "no-tree-loop-distribute-patterns")
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#else
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+#endif
