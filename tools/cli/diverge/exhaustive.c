@@ -40,7 +40,7 @@ typedef struct {
 typedef struct {
   const cli_job_t *job;
   cli_output_t *output;
-  node_t *nodes; ///< args->count of them at most
+  node_t *nodes; ///< args->nodes of them at most
   uint64_t used, branches, joined, dropped;
   cli_motion_t motion;
   cli_tracker_t tracker;
@@ -86,7 +86,7 @@ static uint64_t node_at(search_t *search, const node_t *node) {
       return i;
     }
   }
-  if (search->used == search->job->args->count) {
+  if (search->used == search->job->args->nodes) {
     search->dropped++;
     return UINT64_MAX;
   }
@@ -210,7 +210,7 @@ static void visit_all(search_t *search) {
 }
 
 static void summarise(const search_t *search, int code) {
-  if (search->job->args->json) {
+  if (search->job->args->summary != 0) {
     (void)fprintf(stderr,
                   "{" CLI_JSON_BUILD
                   ", \"command\": \"diverge --exhaustive\", "
@@ -234,7 +234,7 @@ int cli_exhaustive(const cli_job_t *job) {
   search_t search = {.job = job};
   cli_output_t *output = calloc(1, sizeof *output);
   search.output = output;
-  search.nodes = calloc((size_t)job->args->count, sizeof *search.nodes);
+  search.nodes = calloc((size_t)job->args->nodes, sizeof *search.nodes);
   int code = CLI_DONE;
   if (output == NULL || search.nodes == NULL) {
     code = cli_message(CLI_STOPPED, "out of memory");

@@ -54,7 +54,7 @@ static void tell(cli_diverge_file_t *file, const cli_job_t *job,
 // What stands before the first row.
 static void begin(cli_diverge_file_t *file, const cli_job_t *job,
                   const char *units, const char *header, size_t length) {
-  const cli_diverge_args_t *args = job->args;
+  const cli_args_t *args = job->args;
   if (file->bytes == 0 && (args->header || args->shard.index == 1)) {
     tell(file, job, units);
     (void)put(file, header, length, 0);
@@ -64,7 +64,7 @@ static void begin(cli_diverge_file_t *file, const cli_job_t *job,
 int cli_files_open(cli_files_t *files, const cli_job_t *job,
                    const cli_buffer_t *run, const cli_file_place_t *exits,
                    const cli_file_place_t *returns) {
-  const cli_diverge_args_t *args = job->args;
+  const cli_args_t *args = job->args;
   char text[CLI_DIVERGE_ROW];
   files->shard = args->shard;
   cli_trailer_name(&files->exits.trailer, run->text, run->used);

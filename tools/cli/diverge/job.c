@@ -71,7 +71,7 @@ static int prepare_two_fold(cli_job_t *job) {
   return CLI_DONE;
 }
 
-int cli_job_prepare(cli_job_t *job, const cli_diverge_args_t *args) {
+int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
   cli_setup_t *setup = &job->setup;
   int code = cli_setup_read(setup, args->scene, &args->settings, NULL);
   job->args = args;
@@ -101,7 +101,7 @@ int cli_job_prepare(cli_job_t *job, const cli_diverge_args_t *args) {
 // The members of the start count only where it was given: a sample from the
 // two-fold begins where the machine has it.
 void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
-  const cli_diverge_args_t *args = job->args;
+  const cli_args_t *args = job->args;
   const tf_state_t *x = &job->setup.state;
   const double numbers[] = {args->size, args->spread, args->patience,
                             args->section, args->refinement};
@@ -131,11 +131,11 @@ void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
 
 size_t cli_job_provenance(const cli_job_t *job, const char *units,
                           char out[CLI_PROVENANCE_ROOM]) {
-  const cli_diverge_args_t *args = job->args;
+  const cli_args_t *args = job->args;
   const cli_mechanism_info_t *by = &cli_mechanisms[args->mechanism];
   char how[CLI_PROVENANCE_ROOM / 4];
   cli_setup_t told = job->setup;
-  told.seed = args->seed;
+  told.seed = (uint32_t)args->seed;
   if (args->exhaustive) {
     (void)snprintf(how, sizeof how, "all branches, grid %.9g s", args->grid);
   } else if (args->mechanism == CLI_BY_RANDOM) {

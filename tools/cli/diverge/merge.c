@@ -7,33 +7,15 @@
 #include <string.h>
 
 #include "../text/message.h"
-#include "../text/options.h"
 #include "counts.h"
 #include "diverge.h"
-
-typedef struct {
-  const char *out;
-  const char **files; ///< room for as many as there are words
-  size_t count;
-} merge_args_t;
 
 typedef struct {
   cli_counts_t sum, next;
   cli_output_t output;
 } merge_t;
 
-static int read_out(void *to, const cli_given_t *option) {
-  merge_args_t *args = to;
-  return cli_read_path(option, &args->out);
-}
-
-static int take(void *to, const char *word) {
-  merge_args_t *args = to;
-  args->files[args->count++] = word;
-  return CLI_DONE;
-}
-
-static int read_all(const merge_args_t *args, merge_t *merge) {
+static int read_all(const cli_args_t *args, merge_t *merge) {
   int code = cli_counts_read(&merge->sum, args->files[0]);
   for (size_t i = 1; i < args->count && code == CLI_DONE; i++) {
     memset(&merge->next, 0, sizeof merge->next);
@@ -45,7 +27,7 @@ static int read_all(const merge_args_t *args, merge_t *merge) {
   return code;
 }
 
-static int perform(const merge_args_t *args) {
+int cli_merge(const cli_args_t *args) {
   merge_t *merge = calloc(1, sizeof *merge);
   if (merge == NULL) {
     return cli_message(CLI_STOPPED, "out of memory");
@@ -66,23 +48,10 @@ static int perform(const merge_args_t *args) {
   return code;
 }
 
-int cli_merge(int argc, char *const argv[]) {
-  static const cli_option_t options[] = {{"--out", read_out, CLI_WRITES}};
-  static const cli_syntax_t syntax = {"merge", options, 1, take};
-  merge_args_t args = {NULL, NULL, 0};
-  args.files = calloc((size_t)argc + 1, sizeof args.files[0]);
-  if (args.files == NULL) {
-    return cli_message(CLI_STOPPED, "out of memory");
-  }
-  int code = cli_read_words(&syntax, &args, argc, argv);
-  if (code == CLI_DONE && args.count == 0) {
-    code = cli_message(CLI_USAGE,
-                       "merge: which files? ('twofold diverge --counts' "
-                       "writes them)");
-  }
-  if (code == CLI_DONE) {
-    code = perform(&args);
-  }
-  free((void *)args.files);
-  return code;
+int cli_merge_check(cli_args_t *args) {
+  return args->count > 0
+             ? CLI_DONE
+             : cli_message(CLI_USAGE,
+                           "merge: which files? ('twofold diverge --counts' "
+                           "writes them)");
 }
