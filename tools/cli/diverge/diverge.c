@@ -19,11 +19,8 @@
 #include "../text/message.h"
 #include "checkpoint.h"
 #include "counts.h"
-#include "exhaustive.h"
 #include "files.h"
-#include "lagged.h"
-#include "perturbed.h"
-#include "random.h"
+#include "motion.h"
 
 #define FLUSH_EVERY 0.5      // [s]
 #define BATCH 4096           // steps between two checks for a signal

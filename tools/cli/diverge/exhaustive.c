@@ -10,8 +10,6 @@
 // the order in which they were found (breadth first), so depth is the least
 // number of branches from the start.
 
-#include "exhaustive.h"
-
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -25,10 +23,10 @@
 #include "../text/json.h"
 #include "../text/message.h"
 #include "../text/number.h"
-#include "random.h"
-#include "rows.h"
+#include "motion.h"
 
 #define JOIN 1e-6 // [m]
+#define ROW_ROOM 512
 
 typedef struct {
   tf_state_t state;
@@ -98,7 +96,7 @@ static uint64_t node_at(search_t *search, const node_t *node) {
 static void follow(search_t *search, const node_t *from, uint64_t index,
                    unsigned mode, double stick_time) {
   cli_motion_t *motion = &search->motion;
-  char row[CLI_DIVERGE_ROW];
+  char row[ROW_ROOM];
   char to[CLI_REAL_ROOM] = "";
   node_t next = {.depth = from->depth + 1};
   search->tracker = cli_tracker_of(search->job);

@@ -9,6 +9,17 @@
 #include "../setup/names.h"
 #include "../text/message.h"
 
+// The units of size follow from what is perturbed: noise on h has the standard
+// deviation size sqrt(t), smoothing and hysteresis have a width in h, a delay is
+// a time.
+const cli_mechanism_info_t cli_mechanisms[CLI_MECHANISMS] = {
+    [CLI_BY_RANDOM] = {"random", "", 1e-2, 10, 1},
+    [CLI_BY_NOISE] = {"noise", "m/s^1.5", 1e-3, 64, 1},
+    [CLI_BY_SMOOTHING] = {"smoothing", "m/s", 1e-4, 16, 2},
+    [CLI_BY_HYSTERESIS] = {"hysteresis", "m/s", 1e-3, 16, 2},
+    [CLI_BY_DELAY] = {"delay", "s", 1e-3, 16, 2},
+};
+
 static int refuse_scene(const cli_setup_t *setup) {
   const char *name = setup->scene->name;
   if (setup->scene->knots > 0) {

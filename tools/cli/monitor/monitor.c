@@ -12,13 +12,11 @@
 #include <unistd.h>
 
 #include "../host/host.h"
-#include "../host/key.h"
 #include "../host/output.h"
 #include "../host/source.h"
 #include "../live/live.h"
 #include "../text/message.h"
 #include "damage.h"
-#include "flagged.h"
 #include "monitor_summary.h"
 #include "receiver.h"
 #include "session_record.h"

@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 #include "../text/range.h"
-#include "../text/shard.h"
+#include "../text/trailer.h"
 #include "drive.h"
 #include "settings.h"
 #include "twofold.h"

@@ -3,15 +3,20 @@
 // earlier one. The message about an unknown option or value suggests the closest
 // one.
 
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+
 #include "options.h"
 
 #include <inttypes.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "message.h"
 #include "number.h"
-#include "one_file.h"
 #include "twofold.h"
 
 #define PATH_ROOM 4200
@@ -265,6 +270,56 @@ static file_t next_file(const cli_syntax_t *syntax, char *const *argv,
   return file;
 }
 
+#define FOLDER_ROOM 4096
+
+static bool same_file(const struct stat *a, const struct stat *b) {
+  return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+// The folder of a path, as the caller may open it. Returns: whether it fits;
+// opening a longer one reports what is wrong.
+static bool folder_of(const char *path, char folder[FOLDER_ROOM]) {
+  const char *slash = strrchr(path, '/');
+  const size_t length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
+  if (length + 2 > FOLDER_ROOM) {
+    return false;
+  }
+  memcpy(folder, path, length);
+  memcpy(folder + length, ".", 2);
+  return true;
+}
+
+static const char *name_of(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash == NULL ? path : slash + 1;
+}
+
+static bool in_one_folder(const char *one, const char *other) {
+  char folder[2][FOLDER_ROOM];
+  struct stat a, b;
+  return folder_of(one, folder[0]) && folder_of(other, folder[1]) &&
+         stat(folder[0], &a) == 0 && stat(folder[1], &b) == 0 &&
+         same_file(&a, &b);
+}
+
+// Whether two paths name one regular file, there or not yet; NULL and "-" are
+// none, and what is no regular file (a terminal, /dev/null) may come twice.
+static bool one_file(const char *one, const char *other) {
+  struct stat a, b;
+  if (one == NULL || other == NULL || strcmp(one, "-") == 0 ||
+      strcmp(other, "-") == 0) {
+    return false;
+  }
+  const bool there = stat(one, &a) == 0;
+  if (there != (stat(other, &b) == 0)) {
+    return false;
+  }
+  if (there) {
+    return S_ISREG(a.st_mode) && same_file(&a, &b);
+  }
+  return strcmp(name_of(one), name_of(other)) == 0 && in_one_folder(one, other);
+}
+
 // Whether writing the one would destroy the other. Standard output takes the
 // rows of one option.
 static bool destroys(const file_t *writer, const file_t *file) {
@@ -277,7 +332,7 @@ static bool destroys(const file_t *writer, const file_t *file) {
     char path[PATH_ROOM];
     const int length = snprintf(path, sizeof path, "%s%s", value, beside[i]);
     if (length > 0 && (size_t)length < sizeof path &&
-        cli_one_file(path, file->given.value)) {
+        one_file(path, file->given.value)) {
       return true;
     }
   }
