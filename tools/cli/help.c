@@ -1,45 +1,191 @@
-// The overview of the commands, and the version.
+// Help from the tables. Columns of options and of words that a value may be are
+// as in the manuals of other programs; what depends on the length of a text is
+// found here, so that a row of a table holds only words.
 
 #include "help.h"
 
 #include <stdio.h>
+#include <string.h>
 
+#include "text/commit.h"
 #include "text/message.h"
 #include "twofold.h"
 
-#ifdef TF_REAL_FLOAT
-#define NUMBER_TYPE "float"
-#else
-#define NUMBER_TYPE "double"
-#endif
+#define WIDTH 79   // columns
+#define COLUMN 23  // at which the text of an option begins
+#define CHOICE 13  // and behind that, the meaning of a word
+#define COMMAND 21 // at which the text of a command begins
 
-static const char overview[] =
-    "usage: twofold COMMAND\n"
-    "\n"
-    "  scenes             list the scenes\n"
-    "  scene SCENE [...]  print a scene as a file that can be changed\n"
-    "  run SCENE [...]    simulate a scene, one row per instant\n"
-    "  monitor FILE [...] decode frames from a board, a file or a pipe\n"
-    "  singularities SCENE  all two-folds, as JSON\n"
-    "  regions SCENE ...  sliding, escaping, crossing: a grid of (r, omega)\n"
-    "  design SCENE ...   kappa and k2 that put a two-fold at (r, omega)\n"
-    "  atlas SCENE ...    for which (r, omega) it is a Teixeira singularity\n"
-    "  diverge SCENE ...  what can follow a two-fold: exits, returns, samples\n"
-    "  merge FILE...      adds the counts of shards of diverge\n"
-    "  sweep SCENE ...    a grid of settings: what becomes of each point\n"
-    "  help [COMMAND]     this text, or the options of a command\n"
-    "  help WORD          a parameter, column, mode, law, option, scene, or: "
-    "csv,\n"
-    "                     inputs, exit, save, replay, summary, provenance\n"
-    "  --version          version and number type\n"
-    "\n"
-    "exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped, 5 done, but\n"
-    "some steps were degraded or missed their tolerance, 6 done, but frames\n"
-    "of a stream were lost or broken, or a value in it is not finite\n";
+// Begins a line. Returns: its column.
+static size_t new_line(size_t margin) {
+  (void)printf("\n%*s", (int)margin, "");
+  return margin;
+}
 
-void cli_overview(void) { (void)fputs(overview, stdout); }
+void cli_print_filled(const char *text, size_t first, size_t margin) {
+  size_t column = first, begin = first; // begin: of this line's text
+  while (*text != '\0') {
+    const size_t line = strcspn(text, "\n");
+    if (*text == ' ') {
+      (void)printf("%.*s", (int)line, text);
+      text += line;
+    }
+    size_t word = strcspn(text, " \n");
+    while (word > WIDTH - margin) { // a long list of columns
+      size_t kept = WIDTH - column;
+      while (kept > 0 && text[kept - 1] != ',') {
+        kept--;
+      }
+      (void)printf("%.*s", (int)kept, text);
+      text += kept;
+      word -= kept;
+      column = begin = new_line(margin);
+    }
+    if (column > begin && column + 1 + word > WIDTH) {
+      column = begin = new_line(margin);
+    } else if (column > begin && word > 0) {
+      (void)putchar(' ');
+      column++;
+    }
+    (void)printf("%.*s", (int)word, text);
+    column += word;
+    text += word;
+    if (*text == '\n') {
+      column = begin = new_line(margin);
+      text++;
+    } else {
+      text += strspn(text, " ");
+    }
+  }
+  (void)putchar('\n');
+}
 
-int cli_version(void) {
-  (void)puts("twofold " TF_VERSION ", tf_real_t is " NUMBER_TYPE);
+static bool is_number(const cli_option_t *option) {
+  return option->kind == CLI_WHOLE || option->kind == CLI_REAL;
+}
+
+// What an option is, with its range and its usual value.
+static void describe(const cli_option_t *option, char *out, size_t room) {
+  int used = snprintf(out, room, "%s", option->what);
+  if (is_number(option)) {
+    used +=
+        snprintf(out + used, room - (size_t)used, "; in %s%.10g, %.10g]%s%s",
+                 (option->how & CLI_OPEN) != 0 ? "(" : "[", option->low,
+                 option->high, option->unit != NULL ? " " : "",
+                 option->unit != NULL ? option->unit : "");
+  }
+  if (is_number(option) && option->usual > 0) {
+    (void)snprintf(out + used, room - (size_t)used, ", default %g",
+                   option->usual);
+  }
+}
+
+static void print_option(const cli_option_t *option) {
+  char text[1024];
+  int used = printf("  %s %s", option->name,
+                    option->value != NULL ? option->value : "");
+  used += used < COLUMN ? printf("%*s", COLUMN - used, "") : printf(" ");
+  describe(option, text, sizeof text);
+  cli_print_filled(text, COLUMN, COLUMN);
+  for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;
+       at++) {
+    if (at->what[0] != '\0') {
+      (void)printf("%*s%-*s", COLUMN, "", CHOICE, at->name);
+      cli_print_filled(at->what, COLUMN + CHOICE, COLUMN + CHOICE);
+    }
+  }
+}
+
+void cli_print_overview(void) {
+  (void)puts("usage: twofold COMMAND\n");
+  for (size_t i = 0; i < cli_command_count; i++) {
+    const cli_command_t *command = &cli_commands[i];
+    const int first = (int)strcspn(command->words, " |");
+    const int used = printf("  %s %.*s", command->name, first, command->words);
+    (void)printf("%*s%s\n", used < COMMAND ? COMMAND - used : 2, "",
+                 command->what);
+  }
+  (void)fputs(
+      "  help WORD          a parameter, column, mode, law, option, scene, or: "
+      "csv,\n"
+      "                     inputs, exit, save, replay, summary, provenance\n"
+      "  --version          version and number type\n"
+      "\n"
+      "exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped, 5 done, "
+      "but\n"
+      "some steps were degraded or missed their tolerance, 6 done, but frames\n"
+      "of a stream were lost or broken, or a value in it is not finite\n",
+      stdout);
+}
+
+void cli_print_page(const cli_command_t *command) {
+  (void)printf("usage: twofold %s %s\n\n", command->name, command->words);
+  if (command->about != NULL) {
+    cli_print_filled(command->about, 0, 0);
+    (void)putchar('\n');
+  }
+  for (size_t i = 0; i < cli_option_count; i++) {
+    const cli_option_t *option = &cli_options[i];
+    if ((option->commands & command->bit) == 0) {
+      continue;
+    }
+    if (option->name == NULL) {
+      (void)puts(option->what);
+    } else {
+      print_option(option);
+    }
+  }
+  if (command->notes != NULL) {
+    (void)putchar('\n');
+    cli_print_filled(command->notes, 0, 0);
+  }
+  if (command->tail != NULL) {
+    command->tail();
+  }
+}
+
+// The commands that take an option.
+static void print_commands(const cli_option_t *option) {
+  const char *separator = "of";
+  for (size_t i = 0; i < cli_command_count; i++) {
+    if ((option->commands & cli_commands[i].bit) != 0) {
+      (void)printf("%s '%s'", separator, cli_commands[i].name);
+      separator = ",";
+    }
+  }
+}
+
+bool cli_print_option(const char *word) {
+  char text[1024];
+  bool found = false;
+  for (size_t i = 0; i < cli_option_count; i++) {
+    const cli_option_t *option = &cli_options[i];
+    const bool named =
+        option->name != NULL && strcmp(option->name + 2, word) == 0;
+    found = found || named;
+    if (named) {
+      (void)printf("%s %s ", option->name,
+                   option->value != NULL ? option->value : "");
+      print_commands(option);
+      describe(option, text, sizeof text);
+      (void)puts(":");
+      cli_print_filled(text, 0, 0);
+    }
+    for (const cli_choice_t *at = option->choices;
+         at != NULL && at->name != NULL; at++) {
+      const bool told = at->what[0] != '\0';
+      if (told && (named || strcmp(at->name, word) == 0)) {
+        const int used = named ? printf("  %-*s", CHOICE - 2, at->name)
+                               : printf("%s %s: ", option->name, at->name);
+        cli_print_filled(at->what, (size_t)used, CHOICE);
+        found = true;
+      }
+    }
+  }
+  return found;
+}
+
+int cli_print_version(void) {
+  (void)puts("twofold " TF_VERSION ", tf_real_t is " CLI_NUMBER_TYPE);
   return cli_finish_stdout();
 }

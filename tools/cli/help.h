@@ -1,12 +1,26 @@
 /// @file
-/// The overview of the commands, and the version.
+/// The help that the tables of commands and options make.
 #ifndef TWOFOLD_CLI_HELP_H
 #define TWOFOLD_CLI_HELP_H
 
+#include "table.h"
+
+/// Prints text in lines of at most 79 columns. A line that begins with a blank
+/// is printed as it is. first: in, columns of the first line that are in use.
+/// margin: in, columns before each other one.
+void cli_print_filled(const char *text, size_t first, size_t margin);
+
 /// Prints one line per command.
-void cli_overview(void);
+void cli_print_overview(void);
+
+/// Prints the help of a command.
+void cli_print_page(const cli_command_t *command);
+
+/// Prints what an option (its name without the dashes) or a word of its values
+/// is. Returns: whether there is any.
+bool cli_print_option(const char *word);
 
 /// `twofold --version`. Returns: the exit code.
-int cli_version(void);
+int cli_print_version(void);
 
 #endif

@@ -5,7 +5,7 @@
 #   REAL SCENE RATE EVERY: see port/port.mk
 
 HIL_PARTS := $(wildcard tools/board/hil/*.c) $(addprefix tools/cli/,\
-  host/source.c host/host.c host/key.c host/output.c host/destination.c \
+  host/source.c host/host.c host/output.c host/destination.c \
   text/message.c)
 
 define hil_rules

@@ -13,7 +13,7 @@
 #include "board/hil/report.h"
 #include "board/hil/twin.h"
 #include "cli/host/host.h"
-#include "cli/host/key.h"
+#include "cli/host/source.h"
 
 typedef struct {
   const char *device, *csv;

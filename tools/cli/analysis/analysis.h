@@ -5,35 +5,32 @@
 #define TWOFOLD_CLI_ANALYSIS_H
 
 #include "../host/output.h"
+#include "../setup/args.h"
 #include "../setup/setup.h"
 #include "../text/buffer.h"
-#include "../text/range.h"
-
-/// What a command takes as --r and --omega.
-typedef enum {
-  CLI_TAKES_NOTHING,
-  CLI_TAKES_POINT, ///< one number each
-  CLI_TAKES_GRID   ///< A:B:N each
-} cli_takes_t;
 
 /// One of the commands, ready to compute and write.
 typedef struct {
-  const char *command;
-  cli_takes_t takes;
-  const tf_scene_t *scene;
-  cli_settings_t settings;
-  const char *out; ///< path, NULL: standard output
-  bool provenance; ///< of a grid: comments before the header say what it is of
-  cli_range_t r, omega;
+  const cli_args_t *args;
   cli_setup_t setup; ///< machine and input at t = 0
   cli_output_t output;
 } cli_analysis_t;
 
-/// Reads the command line and prepares the machine. finds_kappa: the command
-/// computes kappa, so a scene without kappa is not refused.
+/// Checks that --r and --omega are given.
+/// Returns: CLI_DONE, or CLI_USAGE after a message.
+int cli_analysis_check(cli_args_t *args);
+
+/// The commands. Each returns the exit code.
+int cli_singularities(const cli_args_t *args);
+int cli_regions(const cli_args_t *args);
+int cli_design(const cli_args_t *args);
+int cli_atlas(const cli_args_t *args);
+
+/// Prepares the machine. finds_kappa: the command computes kappa, so a scene
+/// without kappa is not refused.
 /// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
-int cli_analysis_read(cli_analysis_t *a, const char *command, cli_takes_t takes,
-                      bool finds_kappa, int argc, char *const argv[]);
+int cli_analysis_begin(cli_analysis_t *a, const cli_args_t *args,
+                       bool finds_kappa);
 
 /// Where a value came from: "--set NAME=VALUE" if it was set, otherwise "scene
 /// NAME".

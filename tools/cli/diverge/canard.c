@@ -18,7 +18,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../setup/modes.h"
+#include "../setup/names.h"
 #include "twofold/singularity.h"
 
 // Of the time from the two-fold to the end: before it the tangent is the curve,

@@ -16,12 +16,12 @@
 
 #define LINE 4096
 
-static const char *file_of(const cli_diverge_args_t *args) {
+static const char *file_of(const cli_args_t *args) {
   const char *rows = args->returns != NULL ? args->returns : args->exits;
   return args->counts != NULL ? args->counts : rows;
 }
 
-static void name_of(const cli_diverge_args_t *args, const char *end,
+static void name_of(const cli_args_t *args, const char *end,
                     char out[CLI_PATH_ROOM]) {
   (void)snprintf(out, CLI_PATH_ROOM, "%s.resume%s", file_of(args), end);
 }
@@ -35,8 +35,7 @@ static uint32_t crc_of(const cli_checkpoint_t *at, const cli_counts_t *counts) {
   return sum.crc;
 }
 
-bool cli_checkpoint_put(const cli_diverge_args_t *args,
-                        const cli_checkpoint_t *at,
+bool cli_checkpoint_put(const cli_args_t *args, const cli_checkpoint_t *at,
                         const cli_counts_t *counts) {
   char beside[CLI_PATH_ROOM], path[CLI_PATH_ROOM];
   name_of(args, ".new", beside);
@@ -56,14 +55,14 @@ bool cli_checkpoint_put(const cli_diverge_args_t *args,
   return written && rename(beside, path) == 0;
 }
 
-void cli_checkpoint_remove(const cli_diverge_args_t *args) {
+void cli_checkpoint_remove(const cli_args_t *args) {
   char path[CLI_PATH_ROOM];
   name_of(args, "", path);
   (void)remove(path);
 }
 
 // Returns: whether there is one that was not changed.
-static bool get(const cli_diverge_args_t *args, cli_checkpoint_t *at,
+static bool get(const cli_args_t *args, cli_checkpoint_t *at,
                 cli_counts_t *counts) {
   char path[CLI_PATH_ROOM];
   uint32_t crc = 0;
@@ -171,7 +170,7 @@ static cli_resume_t look_at_counts(const char *path, const cli_shard_t *shard,
   return same ? CLI_RESUME_WHOLE : other(path);
 }
 
-cli_resume_t cli_checkpoint_find(const cli_diverge_args_t *args, uint32_t run,
+cli_resume_t cli_checkpoint_find(const cli_args_t *args, uint32_t run,
                                  cli_checkpoint_t *at, cli_counts_t *counts) {
   const cli_shard_t *shard = &args->shard;
   const cli_resume_t found[] = {

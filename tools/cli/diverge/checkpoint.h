@@ -4,8 +4,8 @@
 #ifndef TWOFOLD_CLI_CHECKPOINT_H
 #define TWOFOLD_CLI_CHECKPOINT_H
 
+#include "../setup/args.h"
 #include "counts.h"
-#include "diverge_args.h"
 #include "files.h"
 
 /// After a sample that has ended.
@@ -28,15 +28,15 @@ typedef enum {
 
 /// Looks at the files of a shard and at its checkpoint. run: in, as in the
 /// trailers. counts: out, NULL where cycles are not counted.
-cli_resume_t cli_checkpoint_find(const cli_diverge_args_t *args, uint32_t run,
+cli_resume_t cli_checkpoint_find(const cli_args_t *args, uint32_t run,
                                  cli_checkpoint_t *at, cli_counts_t *counts);
 
 /// Writes it beside the first of the files; it replaces the one before at once.
 /// Returns: whether it could be written.
-bool cli_checkpoint_put(const cli_diverge_args_t *args,
-                        const cli_checkpoint_t *at, const cli_counts_t *counts);
+bool cli_checkpoint_put(const cli_args_t *args, const cli_checkpoint_t *at,
+                        const cli_counts_t *counts);
 
 /// Removes it, of a shard that is whole.
-void cli_checkpoint_remove(const cli_diverge_args_t *args);
+void cli_checkpoint_remove(const cli_args_t *args);
 
 #endif

@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 #include "../host/output.h"
-#include "../text/shard.h"
+#include "../text/trailer.h"
 #include "tracker.h"
 
 #define CLI_COUNT_CYCLES 65536 ///< a sample may have, at most

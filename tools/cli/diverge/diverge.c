@@ -19,11 +19,8 @@
 #include "../text/message.h"
 #include "checkpoint.h"
 #include "counts.h"
-#include "exhaustive.h"
 #include "files.h"
-#include "lagged.h"
-#include "perturbed.h"
-#include "random.h"
+#include "motion.h"
 
 #define FLUSH_EVERY 0.5      // [s]
 #define BATCH 4096           // steps between two checks for a signal
@@ -120,7 +117,7 @@ static bool do_sample(work_t *work, uint64_t sample) {
   work->tracker = cli_tracker_of(job);
   motion->job = job;
   motion->tracker = &work->tracker;
-  motion->draws.seed = job->args->seed;
+  motion->draws.seed = (uint32_t)job->args->seed;
   motion->draws.sample = (uint32_t)sample;
   motion->draws.used = 0;
   motion->size = job->args->size;
@@ -186,12 +183,12 @@ static void summarise(const work_t *work, double seconds) {
 
 // The same for a program: one line, the last one on standard error.
 static void summarise_json(const work_t *work, double seconds, int code) {
-  const cli_diverge_args_t *args = work->job->args;
+  const cli_args_t *args = work->job->args;
   (void)fprintf(
       stderr,
       "{" CLI_JSON_BUILD
       ", \"command\": \"diverge\", \"scene\": "
-      "\"%s\", \"by\": \"%s\", \"seed\": %" PRIu32 ", \"samples\": %" PRIu64
+      "\"%s\", \"by\": \"%s\", \"seed\": %" PRIu64 ", \"samples\": %" PRIu64
       ", \"done\": %" PRIu64 ", \"cycles\": %" PRIu64,
       cli_commit, args->scene->name, cli_mechanisms[args->mechanism].name,
       args->seed, work->last - work->first, work->done, work->cycles);
@@ -205,7 +202,7 @@ static void summarise_json(const work_t *work, double seconds, int code) {
 
 // What the counts of all shards are of, and which shard this one is.
 static int begin_counting(const work_t *work, const cli_buffer_t *run) {
-  const cli_diverge_args_t *args = work->job->args;
+  const cli_args_t *args = work->job->args;
   if (work->counting == NULL) {
     return CLI_DONE;
   }
@@ -237,7 +234,7 @@ static int end_counting(const work_t *work, int code) {
 
 // Under --resume, after a sample.
 static void save(work_t *work, uint32_t run) {
-  const cli_diverge_args_t *args = work->job->args;
+  const cli_args_t *args = work->job->args;
   if (!args->resume || cli_now() - work->saved < CHECKPOINT_EVERY) {
     return;
   }
@@ -262,7 +259,7 @@ static void save(work_t *work, uint32_t run) {
 // Where the shard begins: behind what --resume finds.
 static cli_resume_t find_place(work_t *work, const cli_buffer_t *run,
                                cli_checkpoint_t *at) {
-  const cli_diverge_args_t *args = work->job->args;
+  const cli_args_t *args = work->job->args;
   cli_counts_t *counts =
       work->counting != NULL ? &work->counting->counts : NULL;
   cli_trailer_t trailer = {0, 0, 0};
@@ -283,7 +280,7 @@ static cli_resume_t find_place(work_t *work, const cli_buffer_t *run,
   return found;
 }
 
-static int perform(work_t *work, const cli_diverge_args_t *args) {
+static int perform(work_t *work, const cli_args_t *args) {
   char text[CLI_JOB_TEXT];
   cli_buffer_t run = {text, 0, sizeof text, false};
   cli_checkpoint_t at;
@@ -327,7 +324,7 @@ static int perform(work_t *work, const cli_diverge_args_t *args) {
   }
   const double seconds = cli_now() - work->progress.started;
   cli_progress_clear(&work->progress);
-  if (!args->json) {
+  if (args->summary == 0) {
     summarise(work, seconds);
   }
   if (work->stopped) {
@@ -339,37 +336,81 @@ static int perform(work_t *work, const cli_diverge_args_t *args) {
       (void)cli_message(CLI_STOPPED, "the same command goes on");
     }
   }
-  if (args->json) {
+  if (args->summary != 0) {
     summarise_json(work, seconds, code);
   }
   return code;
 }
 
-int cli_diverge(int argc, char *const argv[]) {
-  static cli_diverge_args_t args;
+static bool is_standard(const char *path) {
+  return path != NULL && strcmp(path, "-") == 0;
+}
+
+static int check_files(cli_args_t *args) {
+  if (args->exits == NULL && args->returns == NULL && args->counts == NULL) {
+    args->returns = "-";
+  }
+  if (args->resume &&
+      (args->exhaustive || is_standard(args->exits) ||
+       is_standard(args->returns) || is_standard(args->counts))) {
+    return cli_message(CLI_USAGE,
+                       "--resume: only with --exits, --returns or "
+                       "--counts to files");
+  }
+  if (args->counts != NULL && args->cycles > CLI_COUNT_CYCLES) {
+    return cli_message(CLI_REFUSED, "--counts: at most --cycles %d",
+                       CLI_COUNT_CYCLES);
+  }
+  if (args->counts != NULL && args->shard.of > CLI_COUNT_SHARDS) {
+    return cli_message(CLI_REFUSED, "--counts: at most %d shards",
+                       CLI_COUNT_SHARDS);
+  }
+  return CLI_DONE;
+}
+
+int cli_diverge_check(cli_args_t *args) {
+  const cli_mechanism_info_t *mechanism = &cli_mechanisms[args->mechanism];
+  const bool sized = args->mechanism != CLI_BY_RANDOM;
+  if (args->exhaustive &&
+      (sized || args->exits != NULL || args->returns != NULL ||
+       args->counts != NULL || args->shard.of > 1)) {
+    return cli_message(CLI_USAGE,
+                       "--exhaustive: writes --branches FILE; it takes no "
+                       "--by, --exits, --returns, --counts or --shard");
+  }
+  if (sized && !(args->size > 0)) {
+    return cli_message(CLI_USAGE, "--by %s: give --size VALUE in %s",
+                       mechanism->name, mechanism->unit);
+  }
+  if (!sized && args->size > 0) {
+    return cli_message(CLI_USAGE,
+                       "--size %g: --by random has a --rate and no size",
+                       args->size);
+  }
+  args->spread = args->spread > 0 ? args->spread : mechanism->spread;
+  args->refinement =
+      args->refinement > 0 ? args->refinement : mechanism->refinement;
+  return check_files(args);
+}
+
+int cli_diverge(const cli_args_t *args) {
   static cli_job_t job;
-  int code = cli_diverge_args(&args, argc, argv);
-  if (code == CLI_DONE) {
-    code = cli_job_prepare(&job, &args);
-  }
-  if (code != CLI_DONE) {
-    return code;
-  }
-  if (args.exhaustive) {
-    return cli_exhaustive(&job);
+  int code = cli_job_prepare(&job, args);
+  if (code != CLI_DONE || args->exhaustive) {
+    return code != CLI_DONE ? code : cli_exhaustive(&job);
   }
   work_t *work = calloc(1, sizeof *work);
   cli_files_t *files = calloc(1, sizeof *files);
   counting_t *counting =
-      args.counts != NULL ? calloc(1, sizeof *counting) : NULL;
+      args->counts != NULL ? calloc(1, sizeof *counting) : NULL;
   if (work == NULL || files == NULL ||
-      (args.counts != NULL && counting == NULL)) {
+      (args->counts != NULL && counting == NULL)) {
     code = cli_message(CLI_STOPPED, "out of memory");
   } else {
     work->job = &job;
     work->files = files;
     work->counting = counting;
-    code = perform(work, &args);
+    code = perform(work, args);
   }
   free(counting);
   free(files);

@@ -10,8 +10,6 @@
 // the order in which they were found (breadth first), so depth is the least
 // number of branches from the start.
 
-#include "exhaustive.h"
-
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -25,10 +23,10 @@
 #include "../text/json.h"
 #include "../text/message.h"
 #include "../text/number.h"
-#include "random.h"
-#include "rows.h"
+#include "motion.h"
 
 #define JOIN 1e-6 // [m]
+#define ROW_ROOM 512
 
 typedef struct {
   tf_state_t state;
@@ -40,7 +38,7 @@ typedef struct {
 typedef struct {
   const cli_job_t *job;
   cli_output_t *output;
-  node_t *nodes; ///< args->count of them at most
+  node_t *nodes; ///< args->nodes of them at most
   uint64_t used, branches, joined, dropped;
   cli_motion_t motion;
   cli_tracker_t tracker;
@@ -86,7 +84,7 @@ static uint64_t node_at(search_t *search, const node_t *node) {
       return i;
     }
   }
-  if (search->used == search->job->args->count) {
+  if (search->used == search->job->args->nodes) {
     search->dropped++;
     return UINT64_MAX;
   }
@@ -98,7 +96,7 @@ static uint64_t node_at(search_t *search, const node_t *node) {
 static void follow(search_t *search, const node_t *from, uint64_t index,
                    unsigned mode, double stick_time) {
   cli_motion_t *motion = &search->motion;
-  char row[CLI_DIVERGE_ROW];
+  char row[ROW_ROOM];
   char to[CLI_REAL_ROOM] = "";
   node_t next = {.depth = from->depth + 1};
   search->tracker = cli_tracker_of(search->job);
@@ -210,7 +208,7 @@ static void visit_all(search_t *search) {
 }
 
 static void summarise(const search_t *search, int code) {
-  if (search->job->args->json) {
+  if (search->job->args->summary != 0) {
     (void)fprintf(stderr,
                   "{" CLI_JSON_BUILD
                   ", \"command\": \"diverge --exhaustive\", "
@@ -234,7 +232,7 @@ int cli_exhaustive(const cli_job_t *job) {
   search_t search = {.job = job};
   cli_output_t *output = calloc(1, sizeof *output);
   search.output = output;
-  search.nodes = calloc((size_t)job->args->count, sizeof *search.nodes);
+  search.nodes = calloc((size_t)job->args->nodes, sizeof *search.nodes);
   int code = CLI_DONE;
   if (output == NULL || search.nodes == NULL) {
     code = cli_message(CLI_STOPPED, "out of memory");

@@ -5,8 +5,80 @@
 
 #include "files.h"
 
+#include <string.h>
+
+#include "../text/buffer.h"
 #include "../text/message.h"
-#include "rows.h"
+
+#define ROW_ROOM 512
+
+// A field of something that did not happen is empty; no number stands for
+// "none".
+static cli_buffer_t empty(char out[ROW_ROOM]) {
+  out[0] = '\0';
+  const cli_buffer_t text = {out, 0, ROW_ROOM, false};
+  return text;
+}
+
+// A comma, and the number if there is one.
+static void add_field(cli_buffer_t *text, bool exists, double value) {
+  cli_add(text, ",");
+  if (exists) {
+    cli_add_real(text, (tf_real_t)value);
+  }
+}
+
+static void add_name(cli_buffer_t *text, uint64_t sample, uint64_t cycle) {
+  cli_add_count(text, sample);
+  cli_add(text, ",");
+  cli_add_count(text, cycle);
+}
+
+static const char exit_header[] =
+    "sample,cycle,time,r,omega,g,side,phase,how,section_time\n";
+static const char return_header[] =
+    "sample,cycle,outcome,time,arrived,exit_r,landing_time,landing_r,landings,"
+    "windings\n";
+
+// Rows of one cycle. Returns: the length, 0 for a cycle without an exit.
+static size_t exit_row(char out[ROW_ROOM], uint64_t sample, uint64_t cycle,
+                       const cli_cycle_t *what) {
+  cli_buffer_t text = empty(out);
+  if (!what->left) {
+    return 0;
+  }
+  add_name(&text, sample, cycle);
+  add_field(&text, true, what->exit_t - what->arrived);
+  add_field(&text, true, what->exit_r);
+  add_field(&text, true, what->exit_omega);
+  add_field(&text, true, what->exit_g);
+  cli_add(&text, what->side < 0 ? ",slip-" : ",slip+");
+  add_field(&text, what->phase >= 0, what->phase);
+  cli_add(&text, what->released ? ",released" : ",left");
+  add_field(&text, what->phase >= 0, what->section_t - what->arrived);
+  cli_add(&text, "\n");
+  return text.used;
+}
+
+static size_t return_row(char out[ROW_ROOM], uint64_t sample, uint64_t cycle,
+                         const cli_cycle_t *what) {
+  cli_buffer_t text = empty(out);
+  add_name(&text, sample, cycle);
+  cli_add(&text, ",");
+  cli_add(&text, cli_outcome_name(what->outcome));
+  add_field(&text, true,
+            what->ended - (what->left ? what->exit_t : what->arrived));
+  add_field(&text, true, what->arrived);
+  add_field(&text, what->left, what->exit_r);
+  add_field(&text, what->landed, what->land_t - what->exit_t);
+  add_field(&text, what->landed, what->land_r);
+  cli_add(&text, ",");
+  cli_add_count(&text, what->landings);
+  cli_add(&text, ",");
+  cli_add_count(&text, what->windings);
+  cli_add(&text, "\n");
+  return text.used;
+}
 
 static bool put(cli_diverge_file_t *file, const char *text, size_t length,
                 uint64_t rows) {
@@ -53,19 +125,18 @@ static void tell(cli_diverge_file_t *file, const cli_job_t *job,
 
 // What stands before the first row.
 static void begin(cli_diverge_file_t *file, const cli_job_t *job,
-                  const char *units, const char *header, size_t length) {
-  const cli_diverge_args_t *args = job->args;
+                  const char *units, const char *header) {
+  const cli_args_t *args = job->args;
   if (file->bytes == 0 && (args->header || args->shard.index == 1)) {
     tell(file, job, units);
-    (void)put(file, header, length, 0);
+    (void)put(file, header, strlen(header), 0);
   }
 }
 
 int cli_files_open(cli_files_t *files, const cli_job_t *job,
                    const cli_buffer_t *run, const cli_file_place_t *exits,
                    const cli_file_place_t *returns) {
-  const cli_diverge_args_t *args = job->args;
-  char text[CLI_DIVERGE_ROW];
+  const cli_args_t *args = job->args;
   files->shard = args->shard;
   cli_trailer_name(&files->exits.trailer, run->text, run->used);
   cli_trailer_name(&files->returns.trailer, run->text, run->used);
@@ -77,20 +148,20 @@ int cli_files_open(cli_files_t *files, const cli_job_t *job,
     return cli_files_close(files, code);
   }
   begin(&files->exits, job,
-        "time s, r m, omega rad/s, g m/s, phase 1, section_time s", text,
-        cli_exit_header(text));
+        "time s, r m, omega rad/s, g m/s, phase 1, section_time s",
+        exit_header);
   begin(&files->returns, job,
-        "time s, arrived s, exit_r m, landing_time s, landing_r m", text,
-        cli_return_header(text));
+        "time s, arrived s, exit_r m, landing_time s, landing_r m",
+        return_header);
   return CLI_DONE;
 }
 
 bool cli_files_put(cli_files_t *files, uint64_t sample, uint64_t cycle,
                    const cli_cycle_t *what) {
-  char text[CLI_DIVERGE_ROW];
-  const size_t exits = cli_exit_row(text, sample, cycle, what);
+  char text[ROW_ROOM];
+  const size_t exits = exit_row(text, sample, cycle, what);
   const bool written = put(&files->exits, text, exits, exits > 0);
-  const size_t returns = cli_return_row(text, sample, cycle, what);
+  const size_t returns = return_row(text, sample, cycle, what);
   return put(&files->returns, text, returns, 1) && written;
 }
 

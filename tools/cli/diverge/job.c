@@ -9,6 +9,17 @@
 #include "../setup/names.h"
 #include "../text/message.h"
 
+// The units of size follow from what is perturbed: noise on h has the standard
+// deviation size sqrt(t), smoothing and hysteresis have a width in h, a delay is
+// a time.
+const cli_mechanism_info_t cli_mechanisms[CLI_MECHANISMS] = {
+    [CLI_BY_RANDOM] = {"random", "", 1e-2, 10, 1},
+    [CLI_BY_NOISE] = {"noise", "m/s^1.5", 1e-3, 64, 1},
+    [CLI_BY_SMOOTHING] = {"smoothing", "m/s", 1e-4, 16, 2},
+    [CLI_BY_HYSTERESIS] = {"hysteresis", "m/s", 1e-3, 16, 2},
+    [CLI_BY_DELAY] = {"delay", "s", 1e-3, 16, 2},
+};
+
 static int refuse_scene(const cli_setup_t *setup) {
   const char *name = setup->scene->name;
   if (setup->scene->knots > 0) {
@@ -71,7 +82,7 @@ static int prepare_two_fold(cli_job_t *job) {
   return CLI_DONE;
 }
 
-int cli_job_prepare(cli_job_t *job, const cli_diverge_args_t *args) {
+int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
   cli_setup_t *setup = &job->setup;
   int code = cli_setup_read(setup, args->scene, &args->settings, NULL);
   job->args = args;
@@ -101,7 +112,7 @@ int cli_job_prepare(cli_job_t *job, const cli_diverge_args_t *args) {
 // The members of the start count only where it was given: a sample from the
 // two-fold begins where the machine has it.
 void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
-  const cli_diverge_args_t *args = job->args;
+  const cli_args_t *args = job->args;
   const tf_state_t *x = &job->setup.state;
   const double numbers[] = {args->size, args->spread, args->patience,
                             args->section, args->refinement};
@@ -131,11 +142,11 @@ void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
 
 size_t cli_job_provenance(const cli_job_t *job, const char *units,
                           char out[CLI_PROVENANCE_ROOM]) {
-  const cli_diverge_args_t *args = job->args;
+  const cli_args_t *args = job->args;
   const cli_mechanism_info_t *by = &cli_mechanisms[args->mechanism];
   char how[CLI_PROVENANCE_ROOM / 4];
   cli_setup_t told = job->setup;
-  told.seed = args->seed;
+  told.seed = (uint32_t)args->seed;
   if (args->exhaustive) {
     (void)snprintf(how, sizeof how, "all branches, grid %.9g s", args->grid);
   } else if (args->mechanism == CLI_BY_RANDOM) {

@@ -3,14 +3,15 @@
 #ifndef TWOFOLD_CLI_JOB_H
 #define TWOFOLD_CLI_JOB_H
 
+#include "../setup/args.h"
 #include "../setup/provenance.h"
 #include "../setup/setup.h"
 #include "../text/buffer.h"
 #include "canard.h"
-#include "diverge_args.h"
+#include "mechanism.h"
 
 typedef struct {
-  const cli_diverge_args_t *args;
+  const cli_args_t *args;
   cli_setup_t setup;
   cli_two_fold_t two_fold;
   cli_canard_t canard;  ///< through the two-fold
@@ -23,7 +24,7 @@ typedef struct {
 
 /// Prepares the machine, the two-fold and the start of all samples.
 /// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
-int cli_job_prepare(cli_job_t *job, const cli_diverge_args_t *args);
+int cli_job_prepare(cli_job_t *job, const cli_args_t *args);
 
 /// Room for what cli_job_describe writes.
 #define CLI_JOB_TEXT 1024

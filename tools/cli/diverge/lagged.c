@@ -5,9 +5,9 @@
 // located. While h is on the other side, tf_tyre_force gives the limit h -> 0.
 // Stick becomes chatter across h = 0, with an amplitude that grows with `size`.
 
-#include "lagged.h"
-
 #include <math.h>
+
+#include "motion.h"
 
 #define NEWTON 5       // iterations towards a change of side
 #define CLOSE 1e-4     // relative error at which they end

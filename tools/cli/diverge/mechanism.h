@@ -22,4 +22,11 @@ typedef struct {
 } cli_mechanism_info_t;
 extern const cli_mechanism_info_t cli_mechanisms[CLI_MECHANISMS];
 
+/// What --by random does where the wheel comes to h = g = 0.
+typedef enum {
+  CLI_CODIM2_REST,       ///< pinned where that is consistent, as in `run`
+  CLI_CODIM2_ATTRACTING, ///< the attracting stick where there is one: `persist`
+  CLI_CODIM2_EVEN        ///< draws one of the consistent modes, all equally
+} cli_codim2_choice_t;
+
 #endif

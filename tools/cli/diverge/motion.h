@@ -3,9 +3,17 @@
 #ifndef TWOFOLD_CLI_MOTION_H
 #define TWOFOLD_CLI_MOTION_H
 
-#include "draws.h"
 #include "job.h"
 #include "tracker.h"
+
+/// The random numbers of one sample. The generator is counter based, so they do
+/// not depend on the order in which samples are computed.
+typedef struct {
+  uint32_t seed, sample, used;
+} cli_draws_t;
+
+double cli_draw_uniform(cli_draws_t *draws); ///< in (0, 1)
+double cli_draw_normal(cli_draws_t *draws);  ///< mean 0, variance 1
 
 /// |h| <= band and |g| <= CLI_REST_BANDS band count as at rest at h = g = 0.
 #define CLI_REST_BANDS 4
@@ -60,5 +68,28 @@ cli_instant_t cli_instant_in_band(const cli_motion_t *motion, cli_point_t at);
 
 /// Ends the cycle after a refused step. Returns: true.
 bool cli_refuse_cycle(cli_motion_t *motion);
+
+/// --by random; --by noise and --by smoothing; --by hysteresis and --by delay.
+extern const cli_stepper_t cli_random_stepper;
+extern const cli_stepper_t cli_perturbed_stepper;
+extern const cli_stepper_t cli_lagged_stepper;
+
+/// Where a branch ends.
+typedef enum {
+  CLI_BRANCH_TWO_FOLD,
+  CLI_BRANCH_CODIM2,   ///< at h = g = 0 with several consistent modes
+  CLI_BRANCH_ESCAPING, ///< in an escaping stick
+  CLI_BRANCH_TIME      ///< the time is up, or a step was refused
+} cli_branch_t;
+
+/// Goes from motion->state in a given mode to the next point where several
+/// modes are consistent.
+/// set: out, the modes that are consistent there.
+cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
+                               unsigned *set);
+
+/// `diverge --exhaustive`: follows all branches instead of samples, and writes
+/// them. Returns: the exit code.
+int cli_exhaustive(const cli_job_t *job);
 
 #endif

@@ -8,9 +8,9 @@
 //   stronger than the weak attraction near the two-fold.
 // smoothing: the law SMOOTH of the width size, stepped by tf_step, no noise.
 
-#include "perturbed.h"
-
 #include <math.h>
+
+#include "motion.h"
 
 #define SMOOTH_BAND 10 // smoothed stick stays within this many widths
 

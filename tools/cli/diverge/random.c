@@ -8,11 +8,10 @@
 // at the rate 0, or `persist`) never leaves such a state, so that all of these
 // choices are made here. --codim2 decides what is done at h = g = 0.
 
-#include "random.h"
-
 #include <math.h>
 
-#include "../setup/modes.h"
+#include "../setup/names.h"
+#include "motion.h"
 
 #define SHORTEST 2e-9 // [s], to which the time of h = g = 0 is bisected
 #define OFF 1e-5      // [s], length of the first step away from it

@@ -7,6 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "twofold.h"
+
 typedef struct {
   const char *name;
   int descriptor;
@@ -41,5 +43,11 @@ bool cli_source_write(cli_source_t *source, const uint8_t *bytes,
 
 /// Closes what was opened.
 void cli_source_close(cli_source_t *source);
+
+/// The key of a board that takes only tagged commands, from a file: an argument
+/// would stand in the list of processes.
+/// Reads 32 hexadecimal digits, with nothing behind them but white space.
+/// Returns: whether the file has them.
+bool cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]);
 
 #endif

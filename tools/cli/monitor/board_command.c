@@ -148,6 +148,16 @@ int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
                      text, hint.before, hint.name, hint.after);
 }
 
+int cli_read_send(void *to, const cli_given_t *given) {
+  cli_args_t *args = to;
+  cli_board_commands_t one = {.count = args->sends + 1}; // with `describe`
+  const int code = cli_board_commands_add(&one, given->value);
+  if (code == CLI_DONE) {
+    args->send[args->sends++] = given->value;
+  }
+  return code;
+}
+
 static uint8_t *put_number(uint8_t *at, const char *text, bool is_float) {
   if (is_float) {
     const float value = strtof(text, NULL);

@@ -4,9 +4,11 @@
 #ifndef TWOFOLD_CLI_BOARD_COMMAND_H
 #define TWOFOLD_CLI_BOARD_COMMAND_H
 
+#include "../setup/args.h"
+#include "../text/options.h"
 #include "receiver.h"
 
-#define CLI_BOARD_COMMANDS 16 ///< at most, on one command line
+#define CLI_BOARD_COMMANDS (CLI_SENDS + 1) ///< with the first, `describe`
 
 typedef struct {
   const char *text;      ///< as typed
@@ -33,8 +35,11 @@ typedef struct {
   uint8_t key[TF_KEY_BYTES];
 } cli_board_commands_t;
 
-/// Reads the value of one --send.
+/// Checks the value of one --send and keeps it in the arguments.
 /// Returns: CLI_DONE, or CLI_USAGE after a message.
+int cli_read_send(void *args, const cli_given_t *given);
+
+/// Appends a command. Returns: likewise.
 int cli_board_commands_add(cli_board_commands_t *commands, const char *text);
 
 /// Writes the data of a command, in the real type of the board.

@@ -17,11 +17,10 @@
 #include "../live/live.h"
 #include "../text/message.h"
 #include "damage.h"
-#include "flagged.h"
-#include "monitor_args.h"
 #include "monitor_summary.h"
 #include "receiver.h"
 #include "session_record.h"
+#include "stream.h"
 #include "view.h"
 
 #define WAIT 100 // for bytes, and between two attempts to open a device [ms]
@@ -31,7 +30,9 @@
 #define TITLE_ROOM 512
 
 typedef struct {
-  cli_monitor_args_t args;
+  const cli_args_t *args;
+  const cli_stream_t *as; ///< NULL: a live view
+  cli_board_commands_t commands;
   cli_source_t source;
   cli_output_t output;
   cli_session_record_t record;
@@ -84,13 +85,13 @@ static void show(monitor_t *monitor, double now) {
 // What stands before the rows, once. What they are of is known with the schema,
 // which comes before the first one. Returns: whether it could be written.
 static bool begin_rows(monitor_t *monitor) {
-  const cli_stream_t *as = monitor->args.as;
+  const cli_stream_t *as = monitor->as;
   char lines[CLI_RECEIVED_ROOM];
   if (monitor->begun) {
     return true;
   }
   monitor->begun = true;
-  return (!monitor->args.provenance ||
+  return (!monitor->args->provenance ||
           cli_output_lines(
               &monitor->output, lines,
               cli_received_provenance(&monitor->receiver, lines))) &&
@@ -104,14 +105,14 @@ static bool take_block(monitor_t *monitor, size_t length) {
   tf_frame_t frame;
   cli_csv_t row;
   char line[CLI_STREAM_ROOM];
-  const cli_stream_t *as = monitor->args.as;
+  const cli_stream_t *as = monitor->as;
   monitor->bytes += length;
   while (tf_decoder_block(&monitor->decoder, at, length, &taken, &frame)) {
     at += taken;
     length -= taken;
     if (frame.type == TF_DOWN_ANSWER) {
       const cli_board_command_t *done = cli_board_commands_answer(
-          &monitor->args.commands, &frame, &monitor->receiver);
+          &monitor->commands, &frame, &monitor->receiver);
       if (done != NULL) {
         cli_session_record_command(&monitor->record, done,
                                    monitor->receiver.is_float, frame.tick);
@@ -157,16 +158,16 @@ static int output_failed(const monitor_t *monitor) {
 static int wait_for_device(monitor_t *monitor) {
   cli_source_t *source = &monitor->source;
   const char *why = source->error == 0 ? "it ended" : strerror(source->error);
-  if (!monitor->args.follow) {
+  if (!monitor->args->follow) {
     return cli_message(CLI_STOPPED, "%s: the device went away: %s",
                        source->name, why);
   }
   (void)cli_message(CLI_DONE, "%s: the device went away: %s; waiting",
                     source->name, why);
   cli_source_close(source);
-  const cli_monitor_args_t *args = &monitor->args;
-  while (!cli_stop_asked() && !cli_source_open(source, args->path, args->baud,
-                                               args->commands.count > 0)) {
+  const cli_args_t *args = monitor->args;
+  while (!cli_stop_asked() && !cli_source_open(source, args->source, args->baud,
+                                               monitor->commands.count > 0)) {
     cli_sleep(WAIT);
   }
   if (!cli_stop_asked()) {
@@ -178,7 +179,7 @@ static int wait_for_device(monitor_t *monitor) {
 // Sends the next command if it is time. Returns: CLI_DONE, or CLI_STOPPED
 // without an answer.
 static int send_commands(monitor_t *monitor) {
-  cli_board_commands_t *commands = &monitor->args.commands;
+  cli_board_commands_t *commands = &monitor->commands;
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
   const double now = cli_now();
   const size_t length =
@@ -196,10 +197,10 @@ static int send_commands(monitor_t *monitor) {
 }
 
 static int follow_stream(monitor_t *monitor) {
-  const cli_monitor_args_t *args = &monitor->args;
-  const cli_board_commands_t *commands = &args->commands;
+  const cli_args_t *args = monitor->args;
+  const cli_board_commands_t *commands = &monitor->commands;
   const bool live = monitor->live != NULL ||
-                    (args->as == NULL && cli_is_terminal(STDOUT_FILENO));
+                    (monitor->as == NULL && cli_is_terminal(STDOUT_FILENO));
   while (!cli_stop_asked()) {
     size_t count = 0;
     const int sent = send_commands(monitor);
@@ -207,7 +208,7 @@ static int follow_stream(monitor_t *monitor) {
       return sent;
     }
     if (commands->count > 0 && commands->next == commands->count &&
-        args->as == NULL && !live) {
+        monitor->as == NULL && !live) {
       return CLI_DONE; // every command is answered, and nothing is shown
     }
     const cli_source_found_t found =
@@ -220,8 +221,8 @@ static int follow_stream(monitor_t *monitor) {
       show(monitor, now);
     }
     // Rows of a slow board are flushed before the next wait.
-    if (args->as != NULL && (found != CLI_SOURCE_BYTES ||
-                             now - monitor->output.flushed >= FLUSH_EVERY)) {
+    if (monitor->as != NULL && (found != CLI_SOURCE_BYTES ||
+                                now - monitor->output.flushed >= FLUSH_EVERY)) {
       if (!cli_output_flush(&monitor->output)) {
         return output_failed(monitor);
       }
@@ -252,15 +253,15 @@ static cli_seen_t seen_by(const monitor_t *monitor) {
 
 // Opens what is read, and the file that is written.
 static int open_both(monitor_t *monitor) {
-  const cli_monitor_args_t *args = &monitor->args;
-  if (!cli_source_open(&monitor->source, args->path, args->baud,
-                       args->commands.count > 0)) {
-    return cli_message(CLI_STOPPED, "%s: %s", args->path,
+  const cli_args_t *args = monitor->args;
+  if (!cli_source_open(&monitor->source, args->source, args->baud,
+                       monitor->commands.count > 0)) {
+    return cli_message(CLI_STOPPED, "%s: %s", args->source,
                        monitor->source.error == EINVAL && args->baud != 0
                            ? "the device does not take this --baud"
                            : strerror(monitor->source.error));
   }
-  if (args->as != NULL) {
+  if (monitor->as != NULL) {
     if (!cli_output_open(&monitor->output, args->out)) {
       return output_failed(monitor);
     }
@@ -276,7 +277,7 @@ static int open_both(monitor_t *monitor) {
 // What has an end of its own has to be read to its end; all else is read until
 // a signal says that it is enough.
 static int judge_stop(const monitor_t *monitor, int code) {
-  if (code == CLI_DONE && cli_stop_asked() && !monitor->args.follow &&
+  if (code == CLI_DONE && cli_stop_asked() && !monitor->args->follow &&
       cli_is_regular(monitor->source.descriptor)) {
     return cli_message(CLI_STOPPED, "%s: interrupted", monitor->source.name);
   }
@@ -287,7 +288,7 @@ static int judge_stop(const monitor_t *monitor, int code) {
 // part of one. With --follow a board may be started again.
 static int judge_whole(const monitor_t *monitor) {
   const char *name = monitor->source.name;
-  if (monitor->decoder.restarts > 0 && !monitor->args.follow) {
+  if (monitor->decoder.restarts > 0 && !monitor->args->follow) {
     return cli_message(CLI_DAMAGED,
                        "%s: the sender was started again, or frames came "
                        "twice: these are rows of more than one run",
@@ -307,18 +308,18 @@ static bool is_whole(const monitor_t *monitor) {
   return monitor->decoder.frames > 0 &&
          cli_damage_missing(&monitor->damage, &monitor->receiver,
                             &monitor->decoder) == 0 &&
-         (monitor->decoder.restarts == 0 || monitor->args.follow) &&
+         (monitor->decoder.restarts == 0 || monitor->args->follow) &&
          !(monitor->at_end && monitor->damage.is_open);
 }
 
 static int judge_stream(const monitor_t *monitor, int code) {
   const cli_damage_t *damage = &monitor->damage;
-  if (code == CLI_DONE && monitor->args.commands.refused > 0) {
+  if (code == CLI_DONE && monitor->commands.refused > 0) {
     return CLI_REFUSED;
   }
   if (code == CLI_DONE && monitor->decoder.frames == 0) {
     return cli_message(CLI_STOPPED, "%s: no frame of protocol version %d",
-                       monitor->args.path, TF_FRAME_VERSION);
+                       monitor->args->source, TF_FRAME_VERSION);
   }
   if (code == CLI_DONE &&
       cli_damage_missing(damage, &monitor->receiver, &monitor->decoder) > 0) {
@@ -342,13 +343,13 @@ static int perform(monitor_t *monitor) {
     cli_source_close(&monitor->source);
     return code;
   }
-  monitor->live = monitor->args.live ? cli_live_open(LIVE_SPAN) : NULL;
+  monitor->live = monitor->args->live ? cli_live_open(LIVE_SPAN) : NULL;
   code = judge_stop(monitor, follow_stream(monitor));
   write_title(monitor, title);
   cli_live_close(monitor->live, title);
   const int whole = is_whole(monitor) ? code : CLI_DAMAGED;
   int closed = whole;
-  if (monitor->args.as != NULL) {
+  if (monitor->as != NULL) {
     (void)begin_rows(monitor); // a stream without a row has a header, too
     closed = cli_output_end(&monitor->output, closed);
   }
@@ -356,30 +357,75 @@ static int perform(monitor_t *monitor) {
   code = closed == whole ? code : closed;
   cli_source_close(&monitor->source);
   const cli_seen_t seen = seen_by(monitor);
-  if (!monitor->args.json) {
+  if (monitor->args->summary == 0) {
     cli_seen_print(&seen);
   }
   code = judge_stream(monitor, code);
-  if (monitor->args.json) {
+  if (monitor->args->summary != 0) {
     cli_seen_put(&seen, code);
   }
   return code;
 }
 
-int cli_monitor(int argc, char *const argv[]) {
-  cli_monitor_args_t args;
-  int code = cli_monitor_args(&args, argc, argv);
-  if (code != CLI_DONE) {
-    return code;
+int cli_take_source(void *to, const char *word) {
+  cli_args_t *args = to;
+  if (args->source != NULL) {
+    return cli_message(CLI_USAGE, "%s: one source at a time (%s was given)",
+                       word, args->source);
   }
+  args->source = word;
+  return CLI_DONE;
+}
+
+int cli_monitor_check(cli_args_t *args) {
+  if (args->source == NULL) {
+    return cli_message(CLI_USAGE,
+                       "monitor: which file or device? (- is "
+                       "standard input)");
+  }
+  if (args->live && args->as != 0 && args->out == NULL) {
+    return cli_message(CLI_USAGE, "--live --as: rows go to --out FILE only");
+  }
+  if (args->out != NULL && args->as == 0) {
+    return cli_message(CLI_USAGE, "--out %s: only with --as", args->out);
+  }
+  if (args->provenance && args->as != CLI_AS_CSV) {
+    return cli_message(CLI_USAGE, "--provenance: only with --as csv");
+  }
+  return CLI_DONE;
+}
+
+// The commands that are to be sent. The schema has to be known before any
+// other one.
+static int take_commands(cli_board_commands_t *commands,
+                         const cli_args_t *args) {
+  if (args->sends > 0) {
+    (void)cli_board_commands_add(commands, "describe");
+  }
+  for (size_t i = 0; i < args->sends; i++) {
+    (void)cli_board_commands_add(commands, args->send[i]);
+  }
+  commands->has_key =
+      args->key != NULL && cli_read_key(args->key, commands->key);
+  return args->key == NULL || commands->has_key
+             ? CLI_DONE
+             : cli_message(CLI_USAGE, "--key %s: no 32 hexadecimal digits",
+                           args->key);
+}
+
+int cli_monitor(const cli_args_t *args) {
   monitor_t *monitor = calloc(1, sizeof *monitor);
   if (monitor == NULL) {
     return cli_message(CLI_STOPPED, "out of memory");
   }
   monitor->args = args;
-  tf_decoder_init(&monitor->decoder, monitor->buffer, sizeof monitor->buffer);
-  cli_catch_signals();
-  code = perform(monitor);
+  monitor->as = args->as > 0 ? &cli_streams[args->as - 1] : NULL;
+  int code = take_commands(&monitor->commands, args);
+  if (code == CLI_DONE) {
+    tf_decoder_init(&monitor->decoder, monitor->buffer, sizeof monitor->buffer);
+    cli_catch_signals();
+    code = perform(monitor);
+  }
   free(monitor);
   return code;
 }

@@ -1,10 +1,18 @@
 /// @file
-/// The command `monitor`: frames from a board or a recorded run.
+/// The command `monitor`: what a stream of frames reports.
 #ifndef TWOFOLD_CLI_MONITOR_H
 #define TWOFOLD_CLI_MONITOR_H
 
-/// The command: argv[0] is the first argument after `monitor`.
+#include "../setup/args.h"
+
+/// Takes the positional argument, a file or a device.
+/// Returns: CLI_DONE, or CLI_USAGE after a message.
+int cli_take_source(void *args, const char *word);
+
+/// Checks options that need each other. Returns: as cli_take_source.
+int cli_monitor_check(cli_args_t *args);
+
 /// Returns: the exit code.
-int cli_monitor(int argc, char *const argv[]);
+int cli_monitor(const cli_args_t *args);
 
 #endif

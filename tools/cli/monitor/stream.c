@@ -6,7 +6,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "../setup/args.h"
 #include "../text/buffer.h"
+#include "../text/message.h"
 
 static size_t csv(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
   return cli_csv_row(row, out);
@@ -75,11 +77,30 @@ const cli_stream_t cli_streams[CLI_STREAMS] = {
     {"teleplot", "", teleplot},
     {"json", "", json}};
 
-const cli_stream_t *cli_stream_named(const char *name) {
-  for (size_t i = 0; i < CLI_STREAMS; i++) {
-    if (strcmp(name, cli_streams[i].name) == 0) {
-      return &cli_streams[i];
-    }
+static int choose(cli_args_t *args, const char *name) {
+  unsigned i = 0;
+  while (i < CLI_STREAMS && strcmp(name, cli_streams[i].name) != 0) {
+    i++;
   }
-  return NULL;
+  if (i == CLI_STREAMS) {
+    return cli_message(CLI_USAGE,
+                       "--as %s: unknown form; forms are csv, plotter, "
+                       "teleplot and json",
+                       name);
+  }
+  if (args->as != 0 && args->as != i + 1) {
+    return cli_message(CLI_USAGE, "--as %s: one form at a time (%s was given)",
+                       name, cli_streams[args->as - 1].name);
+  }
+  args->as = i + 1;
+  return CLI_DONE;
+}
+
+int cli_read_as(void *args, const cli_given_t *given) {
+  return choose(args, given->value);
+}
+
+int cli_read_csv(void *args, const cli_given_t *given) {
+  (void)given;
+  return choose(args, "csv");
 }

@@ -4,6 +4,7 @@
 #define TWOFOLD_CLI_STREAM_H
 
 #include "../run/row.h"
+#include "../text/options.h"
 
 /// Room for the longest row.
 #define CLI_STREAM_ROOM 1024
@@ -23,7 +24,11 @@ typedef struct {
 #define CLI_STREAMS 4
 extern const cli_stream_t cli_streams[CLI_STREAMS];
 
-/// The form of a name, or NULL.
-const cli_stream_t *cli_stream_named(const char *name);
+#define CLI_AS_CSV 1 ///< as the arguments have it
+
+/// Read --as and --csv into the arguments.
+/// Returns: CLI_DONE, or CLI_USAGE after a message.
+int cli_read_as(void *args, const cli_given_t *given);
+int cli_read_csv(void *args, const cli_given_t *given);
 
 #endif

@@ -14,9 +14,10 @@
 
 #include "events.h"
 
+#include <math.h>
 #include <stdlib.h>
 
-#include "../setup/modes.h"
+#include "../setup/names.h"
 
 static bool changes_sign(tf_real_t a, tf_real_t b) {
   return (a > 0 && b < 0) || (a < 0 && b > 0);
@@ -152,4 +153,20 @@ void cli_events_free(cli_events_t *events) {
   events->list = NULL;
   events->used = 0;
   events->room = 0;
+}
+
+// One rule for the summary of `run` and for the outcome of `sweep`.
+
+void cli_ambiguity_begin(cli_ambiguity_t *ambiguity, const tf_report_t *start) {
+  ambiguity->start = start != NULL ? start->choices : 0;
+  ambiguity->steps = 0;
+  ambiguity->since = ambiguity->start > 1 ? 0 : (double)NAN;
+}
+
+void cli_ambiguity_see(cli_ambiguity_t *ambiguity, const tf_report_t *report,
+                       double t) {
+  if (report->choices > 1) {
+    ambiguity->steps++;
+    ambiguity->since = fmin(ambiguity->since, t); // of NaN and t, t
+  }
 }

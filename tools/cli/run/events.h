@@ -7,7 +7,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <stdio.h>
 
 #include "twofold.h"
 
@@ -57,10 +56,23 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
                         const tf_report_t *after, const tf_state_t *state,
                         double t);
 
-/// Prints the counts, then one line per listed event.
-void cli_events_print(const cli_events_t *events, FILE *file);
-
 /// Frees the list.
 void cli_events_free(cli_events_t *events);
+
+/// How often a motion has several consistent modes, and since when: at its
+/// start, which is no step, and in its steps.
+typedef struct {
+  unsigned start; ///< consistent modes at the start, 0: not seen
+  uint64_t steps; ///< with several of them
+  double since;   ///< [s], NaN: at no time so far
+} cli_ambiguity_t;
+
+/// Begins. start: in, the report of the start, NULL where the motion goes on
+/// from another one.
+void cli_ambiguity_begin(cli_ambiguity_t *ambiguity, const tf_report_t *start);
+
+/// Sees a step. t: its end [s].
+void cli_ambiguity_see(cli_ambiguity_t *ambiguity, const tf_report_t *report,
+                       double t);
 
 #endif

@@ -9,7 +9,6 @@
 #include "../live/live.h"
 #include "../setup/drive.h"
 #include "../setup/scheme.h"
-#include "ambiguity.h"
 #include "events.h"
 #include "replay.h"
 #include "row.h"

@@ -35,14 +35,14 @@ bool cli_run_save(cli_run_t *run, const char *path) {
   return cli_output_end(&run->saved, CLI_DONE) == CLI_DONE;
 }
 
-static void note(const cli_run_args_t *args, const char *what) {
+static void note(const cli_args_t *args, const char *what) {
   (void)cli_message(CLI_DONE, "note: --from %s: it came there %s", args->from,
                     what);
 }
 
 // Inputs are no part of the machine, so it may go on under others; but not
 // without a word.
-static void take_inputs(cli_run_t *run, const cli_run_args_t *args,
+static void take_inputs(cli_run_t *run, const cli_args_t *args,
                         const cli_stand_t *stand) {
   const bool has_table = run->drive.table.count > 0;
   if (stand->inputs != cli_inputs_hash(&run->drive.table)) {
@@ -65,7 +65,7 @@ static void take_inputs(cli_run_t *run, const cli_run_args_t *args,
   simulation->input = stand->held.input;
 }
 
-int cli_run_check_start(const cli_run_args_t *args, const cli_setup_t *setup,
+int cli_run_check_start(const cli_args_t *args, const cli_setup_t *setup,
                         const char *option, const char *path, uint32_t seed) {
   for (size_t i = 0; i < CLI_STARTS; i++) {
     if (setup->set_start[i] != NULL) {
@@ -84,10 +84,9 @@ int cli_run_check_start(const cli_run_args_t *args, const cli_setup_t *setup,
   return CLI_DONE;
 }
 
-int cli_run_go_on(cli_run_t *run, const cli_run_args_t *args,
-                  cli_setup_t *setup) {
+int cli_run_go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup) {
   cli_stand_t stand;
-  int code = cli_state_read(&stand, args->from, setup, args->scheme);
+  int code = cli_state_read(&stand, args->from, setup, run->scheme);
   if (code == CLI_DONE) {
     code = cli_run_check_start(args, setup, "--from", args->from,
                                stand.state.seed);

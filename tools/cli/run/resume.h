@@ -4,7 +4,6 @@
 #define TWOFOLD_CLI_RESUME_H
 
 #include "record.h"
-#include "run_args.h"
 
 /// Saves where a run stands in the open file of --save, with the parameters,
 /// the rule and the inputs that commands of a replay have left in effect.
@@ -16,13 +15,12 @@ bool cli_run_save(cli_run_t *run, const char *path);
 /// does.
 /// option, path: in, of the file. seed: in, that of the file.
 /// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
-int cli_run_check_start(const cli_run_args_t *args, const cli_setup_t *setup,
+int cli_run_check_start(const cli_args_t *args, const cli_setup_t *setup,
                         const char *option, const char *path, uint32_t seed);
 
 /// Puts a run where the file of --from says that another one stands.
 /// run: in/out, at its start. setup: in/out, takes the seed.
 /// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
-int cli_run_go_on(cli_run_t *run, const cli_run_args_t *args,
-                  cli_setup_t *setup);
+int cli_run_go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup);
 
 #endif

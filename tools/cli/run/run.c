@@ -22,7 +22,6 @@
 #include "frames.h"
 #include "record.h"
 #include "resume.h"
-#include "run_args.h"
 #include "summary.h"
 
 #define FLUSH_EVERY 0.2 // [s]
@@ -284,7 +283,7 @@ static int end_lateness(cli_run_t *run, int code) {
 }
 
 // Opens the files beside the rows.
-static int open_files(cli_run_t *run, const cli_run_args_t *args) {
+static int open_files(cli_run_t *run, const cli_args_t *args) {
   int code = CLI_DONE;
   if (args->save != NULL) {
     code = cli_output_begin(&run->saved, "--save", args->save);
@@ -298,7 +297,7 @@ static int open_files(cli_run_t *run, const cli_run_args_t *args) {
 }
 
 // Opens what is written, runs, closes it and prints the summary.
-static int perform(cli_run_t *run, const cli_run_args_t *args) {
+static int perform(cli_run_t *run, const cli_args_t *args) {
   int code = cli_output_begin(&run->output, "--out", args->out);
   if (code != CLI_DONE) {
     return code;
@@ -327,40 +326,36 @@ static int perform(cli_run_t *run, const cli_run_args_t *args) {
   if (run->end != CLI_ENDED || !saved) {
     code = CLI_STOPPED;
   }
-  cli_summary(run, args->json, code);
+  cli_summary(run, args->summary != 0, code);
   return args->lateness != NULL ? end_lateness(run, code) : code;
 }
 
-static int prepare(const cli_run_args_t *args, cli_setup_t *setup,
-                   cli_run_t *run) {
+static int prepare(const cli_args_t *args, cli_setup_t *setup, cli_run_t *run) {
   int code = cli_setup_read(setup, args->scene, &args->settings, args->select);
-  if (code == CLI_DONE) {
-    code = cli_check_law(args->scheme, setup->params.law);
-  }
-  if (code == CLI_DONE) {
-    code = cli_setup_machine(setup);
-  }
-  if (code == CLI_DONE) {
-    code = cli_drive_read(&run->drive, args->scene, &args->drive);
-  }
+  code =
+      code == CLI_DONE ? cli_check_law(run->scheme, setup->params.law) : code;
+  code = code == CLI_DONE ? cli_setup_machine(setup) : code;
+  code = code == CLI_DONE
+             ? cli_drive_read(&run->drive, args->scene, &args->drive)
+             : code;
   if (code == CLI_DONE) {
     cli_drive_begin(&run->drive, setup);
     cli_drive_notes(&run->drive, setup);
     code = cli_setup_start(setup);
   }
-  return code == CLI_DONE ? cli_count_steps(args->t_end, args->t_end_text,
-                                            setup->machine.dt, &run->steps)
-                          : code;
+  return code == CLI_DONE
+             ? cli_count_steps(args, setup->machine.dt, &run->steps)
+             : code;
 }
 
 // The step after the last one of the record is never taken; what stands at the
 // end of the record is looked at before it.
-static int prepare_replay(cli_run_t *run, const cli_run_args_t *args,
+static int prepare_replay(cli_run_t *run, const cli_args_t *args,
                           cli_setup_t *setup) {
   const cli_setup_t asked = *setup;
   int code = cli_replay_read(&run->replay, args->replay);
   if (code == CLI_DONE) {
-    code = cli_replay_begin(&run->replay, setup, args->scheme, &run->steps);
+    code = cli_replay_begin(&run->replay, setup, run->scheme, &run->steps);
   }
   if (code == CLI_DONE) {
     code = cli_run_check_start(args, &asked, "--replay", args->replay,
@@ -372,7 +367,8 @@ static int prepare_replay(cli_run_t *run, const cli_run_args_t *args,
 
 // Prepares a run as it was asked for and performs it.
 static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
-                               const cli_run_args_t *args) {
+                               const cli_args_t *args) {
+  run->scheme = &cli_schemes[args->scheme];
   int code = prepare(args, setup, run);
   if (code != CLI_DONE) {
     return code;
@@ -385,12 +381,11 @@ static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
     return code;
   }
   run->setup = setup;
-  run->scheme = args->scheme;
-  run->format = args->format;
+  run->format = (cli_format_t)args->format;
   run->every = args->every;
   run->real_time = args->real_time;
   run->report = setup->report;
-  cli_system_begin(&run->system, args->scheme, setup, &run->report);
+  cli_system_begin(&run->system, run->scheme, setup, &run->report);
   run->events.limit = args->listed;
   run->end = CLI_ENDED;
   if (args->from != NULL) {
@@ -400,22 +395,37 @@ static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
     return code;
   }
   cli_ambiguity_begin(&run->ambiguity, run->first == 0 ? &run->report : NULL);
-  cli_setup_notes(setup, args->scheme->unused, args->scheme->why);
+  cli_setup_notes(setup, run->scheme->unused, run->scheme->why);
   return perform(run, args);
 }
 
-int cli_run(int argc, char *const argv[]) {
-  cli_run_args_t args;
-  int code = cli_run_args(&args, argc, argv);
-  if (code != CLI_DONE) {
-    return code;
+// A record has its own inputs, start and end.
+static int check_replay(const cli_args_t *args) {
+  const char *other = args->drive.inputs != NULL ? "--inputs"
+                      : args->from != NULL       ? "--from"
+                      : args->t_end.text != NULL ? "--t-end"
+                                                 : NULL;
+  return other == NULL ? CLI_DONE
+                       : cli_message(CLI_USAGE,
+                                     "--replay %s: not with %s: a record has "
+                                     "its own inputs, start and end",
+                                     args->replay, other);
+}
+
+int cli_run_check(cli_args_t *args) {
+  if (args->provenance && args->format != CLI_FORMAT_CSV) {
+    return cli_message(CLI_USAGE, "--provenance: only with --format csv");
   }
+  return args->replay != NULL ? check_replay(args) : CLI_DONE;
+}
+
+int cli_run(const cli_args_t *args) {
   cli_run_t *run = calloc(1, sizeof *run);
   if (run == NULL) {
     return cli_message(CLI_STOPPED, "out of memory");
   }
   cli_setup_t setup;
-  code = prepare_and_perform(run, &setup, &args);
+  const int code = prepare_and_perform(run, &setup, args);
   cli_drive_free(&run->drive);
   cli_replay_free(&run->replay);
   cli_events_free(&run->events);

@@ -3,8 +3,13 @@
 #ifndef TWOFOLD_CLI_RUN_H
 #define TWOFOLD_CLI_RUN_H
 
-/// The command: argv[0] is the first argument after `run`.
+#include "../setup/args.h"
+
+/// Checks options that exclude each other.
+/// Returns: CLI_DONE, or CLI_USAGE after a message.
+int cli_run_check(cli_args_t *args);
+
 /// Returns: the exit code.
-int cli_run(int argc, char *const argv[]);
+int cli_run(const cli_args_t *args);
 
 #endif

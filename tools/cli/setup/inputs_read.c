@@ -8,7 +8,6 @@
 
 #include "../text/closest.h"
 #include "../text/lines.h"
-#include "../text/mark.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "inputs.h"

@@ -1,8 +1,10 @@
 /// @file
-/// Names of laws and rules, as typed on the command line.
+/// Names of laws and rules, as typed on the command line; parameters; groups of
+/// modes.
 #ifndef TWOFOLD_CLI_NAMES_H
 #define TWOFOLD_CLI_NAMES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -41,5 +43,21 @@ int cli_find_rule(const char *option, const char *text, const char *name,
 /// Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
 /// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_read_rule(const char *select, tf_rule_t *rule, uint32_t *seed);
+
+/// Groups of modes, for the commands that follow a motion.
+static inline bool cli_is_slip(unsigned mode) { return mode <= TF_SLIP_MINUS; }
+
+/// Stick does not include pinned.
+static inline bool cli_is_stick(unsigned mode) {
+  return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
+}
+
+/// The stick for a sign of g, and the sign of g of a stick.
+static inline unsigned cli_stick_mode(double g) {
+  return g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
+}
+static inline double cli_stick_sign(unsigned mode) {
+  return mode == TF_STICK_MINUS ? -1 : 1;
+}
 
 #endif

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "../text/closest.h"
-#include "../text/mark.h"
+#include "../text/lines.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "names.h"

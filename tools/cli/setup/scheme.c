@@ -5,9 +5,7 @@
 #include "scheme.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "../text/closest.h"
 #include "../text/message.h"
 #include "names.h"
 #include "twofold/compensated.h"
@@ -41,23 +39,6 @@ const cli_scheme_t cli_schemes[CLI_SCHEMES] = {
      "under --scheme compensated: it belongs to --scheme located"},
 };
 
-int cli_find_scheme(const char *option, const char *name,
-                    const cli_scheme_t **scheme) {
-  cli_closest_t closest = cli_closest_to(name);
-  for (size_t i = 0; i < CLI_SCHEMES; i++) {
-    if (strcmp(name, cli_schemes[i].name) == 0) {
-      *scheme = &cli_schemes[i];
-      return CLI_DONE;
-    }
-    cli_closest_offer(&closest, cli_schemes[i].name);
-  }
-  const cli_hint_t hint = cli_closest_hint(&closest);
-  return cli_message(CLI_USAGE,
-                     "%s %s: unknown scheme; schemes are moreau, located and "
-                     "compensated%s%s%s",
-                     option, name, hint.before, hint.name, hint.after);
-}
-
 int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law) {
   if (((scheme->laws >> (unsigned)law) & 1u) != 0) {
     return CLI_DONE;
@@ -68,8 +49,13 @@ int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law) {
                      scheme->name, tf_tyre_law_name(law));
 }
 
-int cli_count_steps(tf_real_t t_end, const char *text, tf_real_t dt,
-                    uint64_t *steps) {
+tf_real_t cli_end_of(const cli_args_t *args) {
+  return args->t_end.text != NULL ? args->t_end.from : args->scene->t_end;
+}
+
+int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps) {
+  const char *text = args->t_end.text;
+  const tf_real_t t_end = cli_end_of(args);
   const double count = round((double)t_end / (double)dt);
   const double most = (double)CLI_MAX_STEPS;
   if (!(t_end >= 0 && count <= most)) {

@@ -3,6 +3,7 @@
 #ifndef TWOFOLD_CLI_SCHEME_H
 #define TWOFOLD_CLI_SCHEME_H
 
+#include "args.h"
 #include "setup.h"
 
 /// Machine and state, with what the compensated scheme adds to both. The other
@@ -34,20 +35,17 @@ typedef struct {
 /// The first is the default.
 extern const cli_scheme_t cli_schemes[CLI_SCHEMES];
 
-/// Finds a scheme by its name. option: in, for the message.
-/// Returns: CLI_DONE, or CLI_USAGE after a message with the closest name.
-int cli_find_scheme(const char *option, const char *name,
-                    const cli_scheme_t **scheme);
-
 /// Checks that a scheme accepts a law.
 /// Returns: CLI_DONE, or CLI_REFUSED after a message.
 int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law);
 
 /// The number of steps of a run: the integer nearest to t_end / dt.
-/// text: in, t_end as typed, NULL: the scene's own. steps: out.
+/// t_end is that of --t-end or of the scene. steps: out.
 /// Returns: CLI_DONE, or CLI_REFUSED after a message.
-int cli_count_steps(tf_real_t t_end, const char *text, tf_real_t dt,
-                    uint64_t *steps);
+int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps);
+
+/// The time of the end, as above.
+tf_real_t cli_end_of(const cli_args_t *args);
 
 /// Puts a system into the initial state of a setup. Under the compensated
 /// scheme the speed that follows from a given slip speed h is computed with its

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../setup/modes.h"
+#include "../setup/names.h"
 
 const cli_measure_info_t cli_measures[CLI_MEASURES] = {
     [CLI_MODES] = {"modes", "", "the modes visited, in a fixed order"},

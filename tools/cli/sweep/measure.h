@@ -3,7 +3,6 @@
 #ifndef TWOFOLD_CLI_MEASURE_H
 #define TWOFOLD_CLI_MEASURE_H
 
-#include "../run/ambiguity.h"
 #include "../run/events.h"
 #include "../text/buffer.h"
 #include "twofold.h"

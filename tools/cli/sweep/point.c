@@ -18,12 +18,12 @@
 #define REASON_ROOM 512
 
 typedef struct {
-  const cli_sweep_args_t *args;
+  const cli_sweep_t *sweep;
   cli_settings_t settings;
   char text[CLI_AXES][CLI_NAME_ROOM + CLI_REAL_ROOM];
   char select[CLI_REAL_ROOM];
   cli_setup_t setup;
-  cli_drive_t drive; // its tables are those of args
+  cli_drive_t drive; // its tables are those of sweep
   tf_input_t input;  // of the last step
   cli_system_t system;
   cli_course_t course;
@@ -32,7 +32,7 @@ typedef struct {
 } point_t;
 
 // The number of the value that each axis has at a point.
-static void indices_of(const cli_sweep_args_t *args, uint64_t index,
+static void indices_of(const cli_args_t *args, uint64_t index,
                        uint64_t at[CLI_AXES]) {
   for (size_t i = args->axes; i > 0; i--) {
     at[i - 1] = index % args->axis[i - 1].range.count;
@@ -45,7 +45,7 @@ const char *cli_point_status(cli_point_end_t end) {
   return names[end];
 }
 
-void cli_point_name(const cli_sweep_args_t *args, uint64_t index,
+void cli_point_name(const cli_args_t *args, uint64_t index,
                     cli_buffer_t *text) {
   uint64_t at[CLI_AXES];
   indices_of(args, index, at);
@@ -57,11 +57,11 @@ void cli_point_name(const cli_sweep_args_t *args, uint64_t index,
 }
 
 // Puts the values of the axes among the settings.
-static void place(point_t *point, const cli_sweep_args_t *args,
-                  uint64_t index) {
+static void place(point_t *point, const cli_sweep_t *sweep, uint64_t index) {
+  const cli_args_t *args = sweep->args;
   uint64_t at[CLI_AXES];
   indices_of(args, index, at);
-  point->args = args;
+  point->sweep = sweep;
   point->settings = args->settings;
   for (size_t i = 0; i < args->axes; i++) {
     const cli_axis_t *axis = &args->axis[i];
@@ -83,35 +83,33 @@ static void place(point_t *point, const cli_sweep_args_t *args,
 }
 
 static int read_setup(point_t *point) {
-  const char *select =
-      point->select[0] != '\0' ? point->select : point->args->select;
-  return cli_setup_read(&point->setup, point->args->scene, &point->settings,
-                        select);
+  const cli_args_t *args = point->sweep->args;
+  return cli_setup_read(
+      &point->setup, args->scene, &point->settings,
+      point->select[0] != '\0' ? point->select : args->select);
 }
 
 static int prepare(point_t *point, uint64_t *steps) {
-  const cli_sweep_args_t *args = point->args;
+  const cli_sweep_t *sweep = point->sweep;
   int code = read_setup(point);
+  code = code == CLI_DONE
+             ? cli_check_law(sweep->scheme, point->setup.params.law)
+             : code;
+  code = code == CLI_DONE ? cli_setup_machine(&point->setup) : code;
   if (code == CLI_DONE) {
-    code = cli_check_law(args->scheme, point->setup.params.law);
-  }
-  if (code == CLI_DONE) {
-    code = cli_setup_machine(&point->setup);
-  }
-  if (code == CLI_DONE) {
-    point->drive = args->drive;
+    point->drive = sweep->drive;
     cli_drive_begin(&point->drive, &point->setup);
-    code = cli_count_steps(args->t_end, args->t_end_text,
-                           point->setup.machine.dt, steps);
+    code = cli_count_steps(sweep->args, point->setup.machine.dt, steps);
   }
   return code;
 }
 
 // An end of every axis, by a message that names the axis and its range.
-static int check_end(const cli_sweep_args_t *args, bool last, uint32_t *hash) {
+static int check_end(const cli_sweep_t *sweep, bool last, uint32_t *hash) {
+  const cli_args_t *args = sweep->args;
   point_t point = {0};
   uint64_t steps = 0;
-  place(&point, args, last ? args->points - 1 : 0);
+  place(&point, sweep, last ? args->points - 1 : 0);
   for (size_t i = 0; i < args->axes; i++) {
     if (!args->axis[i].is_seed) {
       cli_setting_t *setting = &point.settings.list[args->axis[i].setting];
@@ -125,15 +123,15 @@ static int check_end(const cli_sweep_args_t *args, bool last, uint32_t *hash) {
   }
   if (code == CLI_DONE && !last) {
     *hash = cli_scene_hash(&point.setup);
-    cli_setup_notes(&point.setup, args->scheme->unused, args->scheme->why);
-    cli_drive_notes(&args->drive, &point.setup);
+    cli_setup_notes(&point.setup, sweep->scheme->unused, sweep->scheme->why);
+    cli_drive_notes(&sweep->drive, &point.setup);
   }
   return code;
 }
 
-int cli_point_check(const cli_sweep_args_t *args, uint32_t *hash) {
-  const int code = check_end(args, false, hash);
-  return code == CLI_DONE ? check_end(args, true, hash) : code;
+int cli_point_check(const cli_sweep_t *sweep, uint32_t *hash) {
+  const int code = check_end(sweep, false, hash);
+  return code == CLI_DONE ? check_end(sweep, true, hash) : code;
 }
 
 static double energy_of(const point_t *point) {
@@ -146,7 +144,7 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
   const cli_setup_t *setup = &point->setup;
   const double dt = (double)setup->machine.dt;
   tf_report_t report = setup->report;
-  cli_system_begin(&point->system, point->args->scheme, setup, &report);
+  cli_system_begin(&point->system, point->sweep->scheme, setup, &report);
   cli_course_begin(&point->course, &point->system.state, &report);
   point->input = setup->input;
   point->course.energy_at_start = energy_of(point);
@@ -158,7 +156,7 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
       return CLI_POINT_INTERRUPTED;
     }
     const tf_status_t status =
-        point->args->scheme->step(&point->system, &input, &report);
+        point->sweep->scheme->step(&point->system, &input, &report);
     if (status < 0) {
       (void)snprintf(point->reason, REASON_ROOM, "step %llu: %s",
                      (unsigned long long)i, tf_status_name(status));
@@ -191,11 +189,12 @@ static void drop_commas(char *text) {
   }
 }
 
-cli_point_end_t cli_point(const cli_sweep_args_t *args, uint64_t index,
+cli_point_end_t cli_point(const cli_sweep_t *sweep, uint64_t index,
                           char row[CLI_SWEEP_ROW], size_t *length) {
+  const cli_args_t *args = sweep->args;
   point_t point = {0};
   uint64_t steps = 0;
-  place(&point, args, index);
+  place(&point, sweep, index);
   cli_message_divert(point.reason, REASON_ROOM);
   int code = prepare(&point, &steps);
   if (code == CLI_DONE) {
@@ -221,7 +220,7 @@ cli_point_end_t cli_point(const cli_sweep_args_t *args, uint64_t index,
   for (size_t i = 0; i < args->measures; i++) {
     cli_add(&text, ",");
     if (end != CLI_POINT_REFUSED) {
-      cli_measure_add(args->measure[i], &point.course, &text);
+      cli_measure_add((cli_measure_t)args->measure[i], &point.course, &text);
     }
   }
   cli_add(&text, "\n");

@@ -3,9 +3,18 @@
 #ifndef TWOFOLD_CLI_POINT_H
 #define TWOFOLD_CLI_POINT_H
 
-#include "sweep_args.h"
+#include "../setup/scheme.h"
+#include "../text/buffer.h"
+#include "measure.h"
 
 #define CLI_SWEEP_ROW 2048 // room for a row or a header
+
+/// What all points share.
+typedef struct {
+  const cli_args_t *args;
+  const cli_scheme_t *scheme;
+  cli_drive_t drive; ///< of --inputs, and of the scene
+} cli_sweep_t;
 
 /// How a point ended.
 typedef enum {
@@ -21,17 +30,16 @@ typedef enum {
 /// hash: out, of all that a motion depends on and that the command line does
 /// not name: the scene's parameters, its start, and the table of inputs.
 /// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
-int cli_point_check(const cli_sweep_args_t *args, uint32_t *hash);
+int cli_point_check(const cli_sweep_t *sweep, uint32_t *hash);
 
 /// Follows the motion at a point and writes its row.
 /// index: in, 0 to points - 1; the last axis is the inner loop.
 /// length: out, of the row with its newline.
-cli_point_end_t cli_point(const cli_sweep_args_t *args, uint64_t index,
+cli_point_end_t cli_point(const cli_sweep_t *sweep, uint64_t index,
                           char row[CLI_SWEEP_ROW], size_t *length);
 
 /// Writes the fields by which a row begins: its number and its axes.
-void cli_point_name(const cli_sweep_args_t *args, uint64_t index,
-                    cli_buffer_t *text);
+void cli_point_name(const cli_args_t *args, uint64_t index, cli_buffer_t *text);
 
 /// Name of an end, as in the column `status`.
 const char *cli_point_status(cli_point_end_t end);

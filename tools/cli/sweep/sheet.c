@@ -24,7 +24,6 @@
 #include "../text/commit.h"
 #include "../text/message.h"
 #include "../text/number.h"
-#include "point.h"
 
 #define COLUMNS_BEFORE 4 // point, status, reason, t
 
@@ -41,7 +40,7 @@ static const char *unit_of(const char *name) {
   return "1";
 }
 
-static void add_header(const cli_sweep_args_t *args, cli_buffer_t *text) {
+static void add_header(const cli_args_t *args, cli_buffer_t *text) {
   cli_add(text, "point");
   for (size_t i = 0; i < args->axes; i++) {
     cli_add(text, ",");
@@ -65,23 +64,23 @@ static void add_word(cli_buffer_t *text, const char *option,
 }
 
 // The command that makes the rows of all shards.
-static void add_command(const cli_sweep_args_t *args, cli_buffer_t *text) {
+static void add_command(const cli_sheet_t *sheet, cli_buffer_t *text) {
+  const cli_args_t *args = sheet->args;
   char digits[CLI_REAL_ROOM];
   cli_add(text, "# twofold " TF_VERSION ", commit ");
   cli_add(text, cli_commit);
   cli_add(text, ", numbers are " CLI_NUMBER_TYPE ": sweep ");
   cli_add(text, args->scene->name);
-  add_word(text, "--scheme", args->scheme->name);
-  (void)cli_write_real(digits, args->t_end);
+  add_word(text, "--scheme", cli_schemes[args->scheme].name);
+  (void)cli_write_real(digits, cli_end_of(args));
   add_word(text, "--t-end", digits);
   if (args->select != NULL) {
     add_word(text, "--select", args->select);
   }
-  if (args->drive_args.inputs != NULL) {
-    add_word(text, "--inputs", args->drive_args.inputs);
-    add_word(text, "--between", args->drive_args.between);
-    (void)snprintf(digits, sizeof digits, " (%08" PRIx32 ")",
-                   cli_inputs_hash(&args->drive.table));
+  if (args->drive.inputs != NULL) {
+    add_word(text, "--inputs", args->drive.inputs);
+    add_word(text, "--between", args->drive.between);
+    (void)snprintf(digits, sizeof digits, " (%08" PRIx32 ")", sheet->inputs);
     cli_add(text, digits);
   }
   for (size_t i = 0; i < args->settings.count; i++) {
@@ -109,7 +108,7 @@ static void add_scene(uint32_t hash, cli_buffer_t *text) {
 static void name_run(cli_sheet_t *sheet, uint32_t hash) {
   char command[CLI_PROLOGUE_ROOM];
   cli_buffer_t text = {command, 0, sizeof command, false};
-  add_command(sheet->args, &text);
+  add_command(sheet, &text);
   add_scene(hash, &text);
   cli_trailer_name(&sheet->trailer, command, text.used);
 }
@@ -128,7 +127,7 @@ static void add_unit(cli_buffer_t *text, const char *name, const char *unit) {
   }
 }
 
-static void add_units(const cli_sweep_args_t *args, cli_buffer_t *text) {
+static void add_units(const cli_args_t *args, cli_buffer_t *text) {
   cli_add(text, "# units:");
   for (size_t i = 0; i < args->axes; i++) {
     add_unit(text, args->axis[i].name, unit_of(args->axis[i].name));
@@ -147,7 +146,7 @@ static bool make_prologue(cli_sheet_t *sheet, uint32_t hash) {
     add_header(sheet->args, &text);
   }
   sheet->header = text.used;
-  add_command(sheet->args, &text);
+  add_command(sheet, &text);
   add_shard(&sheet->args->shard, &text);
   add_scene(hash, &text);
   add_units(sheet->args, &text);
@@ -158,8 +157,7 @@ static bool make_prologue(cli_sheet_t *sheet, uint32_t hash) {
 }
 
 // Whether a line is the row of a point, as far as one can tell.
-static bool is_row(const cli_sweep_args_t *args, uint64_t index,
-                   const char *line) {
+static bool is_row(const cli_args_t *args, uint64_t index, const char *line) {
   char name[CLI_SWEEP_ROW];
   cli_buffer_t text = {name, 0, sizeof name, false};
   size_t commas = 0;
@@ -177,7 +175,7 @@ static bool is_row(const cli_sweep_args_t *args, uint64_t index,
 // Returns: whether it begins as a file of this sweep does.
 static bool take_up(cli_sheet_t *sheet, FILE *file, size_t *kept) {
   char line[CLI_PROLOGUE_ROOM];
-  const cli_sweep_args_t *args = sheet->args;
+  const cli_args_t *args = sheet->args;
   const size_t begun = fread(line, 1, sheet->length, file);
   if (memcmp(line, sheet->prologue, begun) != 0) {
     return false;
@@ -248,11 +246,13 @@ static int look_at_part(cli_sheet_t *sheet, size_t *kept) {
   return same ? CLI_DONE : refuse_other(path);
 }
 
-int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_args_t *args,
+int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep,
                    uint32_t hash) {
+  const cli_args_t *args = sweep->args;
   size_t kept = 0;
   memset(sheet, 0, sizeof *sheet);
   sheet->args = args;
+  sheet->inputs = cli_inputs_hash(&sweep->drive.table);
   cli_shard_range(&args->shard, args->points, &sheet->first, &sheet->end);
   if (!make_prologue(sheet, hash)) {
     return cli_message(CLI_USAGE, "sweep: the command line is too long");

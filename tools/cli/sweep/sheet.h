@@ -6,11 +6,12 @@
 
 #include "../host/output.h"
 #include "../text/trailer.h"
-#include "sweep_args.h"
+#include "point.h"
 
 #define CLI_PROLOGUE_ROOM 16384
 typedef struct {
-  const cli_sweep_args_t *args;
+  const cli_args_t *args;
+  uint32_t inputs; ///< hash of their table
   cli_output_t output;
   cli_trailer_t trailer;
   uint64_t first, end; ///< points of this shard
@@ -24,8 +25,7 @@ typedef struct {
 /// file of another sweep is refused, and so are such rows without --resume.
 /// hash: in, as cli_point_check gives it.
 /// Returns: CLI_DONE; after a message CLI_REFUSED or CLI_STOPPED.
-int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_args_t *args,
-                   uint32_t hash);
+int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep, uint32_t hash);
 
 /// Writes one row.
 /// Returns: whether everything so far could be written.

@@ -21,7 +21,8 @@
 #define FLUSH_EVERY 0.2 // [s], so at most so much work is lost by a kill
 
 typedef struct {
-  const cli_sweep_args_t *args;
+  const cli_args_t *args;
+  cli_sweep_t sweep;
   cli_sheet_t *sheet;
   uint64_t done; ///< points of this call
   uint64_t ends[CLI_POINT_ENDS];
@@ -47,7 +48,7 @@ static int do_points(work_t *work) {
     size_t length = 0;
     const cli_point_end_t end = cli_stop_asked()
                                     ? CLI_POINT_INTERRUPTED
-                                    : cli_point(work->args, i, row, &length);
+                                    : cli_point(&work->sweep, i, row, &length);
     if (end == CLI_POINT_INTERRUPTED) {
       return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64, i);
     }
@@ -96,7 +97,7 @@ static void summarise_json(const work_t *work, double seconds, int code) {
                 ", \"command\": \"sweep\", \"scene\": "
                 "\"%s\", \"scheme\": \"%s\", \"points\": %" PRIu64
                 ", \"kept\": %" PRIu64,
-                cli_commit, work->args->scene->name, work->args->scheme->name,
+                cli_commit, work->args->scene->name, work->sweep.scheme->name,
                 sheet->end - sheet->first, sheet->kept);
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
     (void)fprintf(stderr, ", \"%s\": %" PRIu64,
@@ -108,14 +109,14 @@ static void summarise_json(const work_t *work, double seconds, int code) {
 
 static int perform(work_t *work, uint32_t hash) {
   cli_sheet_t *sheet = work->sheet;
-  int code = cli_sheet_open(sheet, work->args, hash);
+  int code = cli_sheet_open(sheet, &work->sweep, hash);
   if (code != CLI_DONE) {
     return code;
   }
   if (sheet->whole) {
     (void)cli_message(CLI_DONE, "%s has all of its %" PRIu64 " points",
                       work->args->out, sheet->kept);
-    if (work->args->json) {
+    if (work->args->summary != 0) {
       summarise_json(work, 0, CLI_DONE);
     }
     return CLI_DONE;
@@ -125,30 +126,27 @@ static int perform(work_t *work, uint32_t hash) {
   cli_progress_clear(&work->progress);
   code = cli_sheet_close(sheet, code);
   const double seconds = cli_now() - work->progress.started;
-  if (!work->args->json) {
+  if (work->args->summary == 0) {
     summarise(work, seconds);
   }
   if (code != CLI_DONE && sheet->output.to.left) {
     (void)cli_message(code, "the same command with --resume goes on");
   }
-  if (work->args->json) {
+  if (work->args->summary != 0) {
     summarise_json(work, seconds, code);
   }
   return code;
 }
 
-int cli_sweep(int argc, char *const argv[]) {
-  static cli_sweep_args_t args;
+int cli_sweep(const cli_args_t *args) {
   static cli_sheet_t sheet;
+  work_t work = {.args = args,
+                 .sweep = {args, &cli_schemes[args->scheme], {{0}, {0}}},
+                 .sheet = &sheet};
   uint32_t hash = 0;
-  int code = cli_sweep_args(&args, argc, argv);
-  if (code == CLI_DONE) {
-    code = cli_point_check(&args, &hash);
-  }
-  if (code == CLI_DONE) {
-    work_t work = {.args = &args, .sheet = &sheet};
-    code = perform(&work, hash);
-  }
-  cli_drive_free(&args.drive);
+  int code = cli_drive_read(&work.sweep.drive, args->scene, &args->drive);
+  code = code == CLI_DONE ? cli_point_check(&work.sweep, &hash) : code;
+  code = code == CLI_DONE ? perform(&work, hash) : code;
+  cli_drive_free(&work.sweep.drive);
   return code;
 }

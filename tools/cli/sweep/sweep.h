@@ -3,8 +3,9 @@
 #ifndef TWOFOLD_CLI_SWEEP_H
 #define TWOFOLD_CLI_SWEEP_H
 
-/// The command: argv[0] is the first argument after `sweep`.
+#include "axes.h"
+
 /// Returns: the exit code.
-int cli_sweep(int argc, char *const argv[]);
+int cli_sweep(const cli_args_t *args);
 
 #endif

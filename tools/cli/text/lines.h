@@ -7,6 +7,7 @@
 
 #include <stddef.h>
 #include <stdio.h>
+#include <string.h>
 
 typedef enum {
   CLI_LINE,     ///< a line, without its end
@@ -17,5 +18,12 @@ typedef enum {
 /// Reads the next line; \n or \r\n ends it, or the end of the file does.
 /// out: room bytes, ended by a zero.
 cli_line_t cli_read_line(FILE *file, char *out, size_t room);
+
+/// The length of the mark of UTF-8 (U+FEFF) by which Windows programs begin a
+/// text file, which is no part of the text; 0: it has none.
+/// text: in, size bytes, the first ones of the file.
+static inline size_t cli_utf8_mark(const char *text, size_t size) {
+  return size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+}
 
 #endif

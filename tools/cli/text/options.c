@@ -1,6 +1,11 @@
 // Reading of command lines. Commands read and check everything before they
 // open a file, so that a mistyped command never overwrites the result of an
-// earlier one. The message about an unknown option suggests the closest one.
+// earlier one. The message about an unknown option or value suggests the closest
+// one.
+
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
 
 #include "options.h"
 
@@ -8,19 +13,39 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
-#include "closest.h"
 #include "message.h"
 #include "number.h"
-#include "one_file.h"
 #include "twofold.h"
 
 #define PATH_ROOM 4200
+#define MAX_VALUES 1000000u // in one range
+
+// Whether a row is an option of the command.
+static bool is_row(const cli_syntax_t *syntax, size_t i) {
+  return (syntax->options[i].commands & syntax->bit) != 0 &&
+         syntax->options[i].name != NULL;
+}
+
+void cli_usual_values(const cli_syntax_t *syntax, void *args) {
+  for (size_t i = 0; i < syntax->count; i++) {
+    const cli_option_t *option = &syntax->options[i];
+    void *to = (char *)args + option->member;
+    if (is_row(syntax, i) && option->kind == CLI_WHOLE) {
+      *(uint64_t *)to = (uint64_t)option->usual;
+    } else if (is_row(syntax, i) && option->kind == CLI_REAL) {
+      *(double *)to = option->usual;
+    }
+  }
+}
 
 static int unknown_option(const cli_syntax_t *syntax, const char *word) {
   cli_closest_t closest = cli_closest_to(word);
   for (size_t i = 0; i < syntax->count; i++) {
-    cli_closest_offer(&closest, syntax->options[i].name);
+    if (is_row(syntax, i)) {
+      cli_closest_offer(&closest, syntax->options[i].name);
+    }
   }
   const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_message(CLI_USAGE,
@@ -43,17 +68,147 @@ static size_t find_option(const cli_syntax_t *syntax, const char *word) {
   const size_t length = strcspn(word, "=");
   size_t i = 0;
   while (i < syntax->count &&
-         (strlen(syntax->options[i].name) != length ||
+         (!is_row(syntax, i) || strlen(syntax->options[i].name) != length ||
           strncmp(syntax->options[i].name, word, length) != 0)) {
     i++;
   }
   return i;
 }
 
+static int read_whole(const cli_option_t *option, const cli_given_t *given,
+                      uint64_t *out) {
+  const uint64_t low = (uint64_t)option->low, high = (uint64_t)option->high;
+  if (cli_read_whole(given->value, low, high, out)) {
+    return CLI_DONE;
+  }
+  return cli_message(
+      CLI_USAGE, "%s %s: must be a whole number in [%" PRIu64 ", %" PRIu64 "]",
+      given->name, given->value, low, high);
+}
+
+static int read_number(const cli_given_t *given, tf_real_t *out) {
+  const char *why = "";
+  return cli_read_real(given->value, out, &why)
+             ? CLI_DONE
+             : cli_message(CLI_USAGE, "%s %s: '%s' %s", given->name,
+                           given->value, given->value, why);
+}
+
+static int read_real(const cli_option_t *option, const cli_given_t *given,
+                     double *out) {
+  tf_real_t value = 0;
+  const int code = read_number(given, &value);
+  const bool open = (option->how & CLI_OPEN) != 0;
+  *out = (double)value;
+  if (code == CLI_DONE && (!(*out >= option->low && *out <= option->high) ||
+                           (open && !(*out > option->low)))) {
+    return cli_message(CLI_REFUSED, "%s %s: must lie in %s%g, %g]%s%s",
+                       given->name, given->value, open ? "(" : "[", option->low,
+                       option->high, option->unit != NULL ? " " : "",
+                       option->unit != NULL ? option->unit : "");
+  }
+  return code;
+}
+
+static int check_number(const cli_option_t *option, const cli_given_t *given,
+                        double value) {
+  if (!(option->low < option->high) ||
+      (value >= option->low && value <= option->high)) {
+    return CLI_DONE;
+  }
+  return cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g] %s",
+                     given->name, given->value, given->name + 2, option->low,
+                     option->high, option->unit);
+}
+
+static int read_range(const cli_option_t *option, const cli_given_t *given,
+                      cli_range_t *out) {
+  int code = CLI_DONE;
+  if (option->kind == CLI_RANGE) {
+    code = cli_read_range(given->name, given->value, given->value, MAX_VALUES,
+                          out);
+  } else {
+    out->text = given->value;
+    out->count = 1;
+    code = read_number(given, &out->from);
+    out->to = out->from;
+  }
+  code =
+      code == CLI_DONE ? check_number(option, given, (double)out->from) : code;
+  return code == CLI_DONE ? check_number(option, given, (double)out->to) : code;
+}
+
+static int refuse_choice(const cli_option_t *option, const cli_given_t *given) {
+  char list[128] = "";
+  cli_closest_t closest = cli_closest_to(given->value);
+  for (const cli_choice_t *at = option->choices; at->name != NULL; at++) {
+    const bool last = at[1].name == NULL;
+    const size_t used = strlen(list);
+    (void)snprintf(list + used, sizeof list - used, "%s%s",
+                   used == 0 ? ""
+                   : !last   ? ", "
+                             : (option->noun != NULL ? " and " : " or "),
+                   at->name);
+    cli_closest_offer(&closest, at->name);
+  }
+  const cli_hint_t hint = cli_closest_hint(&closest);
+  return option->noun == NULL
+             ? cli_message(CLI_USAGE, "%s %s: must be %s%s%s%s", given->name,
+                           given->value, list, hint.before, hint.name,
+                           hint.after)
+             : cli_message(CLI_USAGE, "%s %s: unknown %s; %ss are %s%s%s%s",
+                           given->name, given->value, option->noun,
+                           option->noun, list, hint.before, hint.name,
+                           hint.after);
+}
+
+static int read_choice(const cli_option_t *option, const cli_given_t *given,
+                       unsigned *out) {
+  for (unsigned i = 0; option->choices[i].name != NULL; i++) {
+    if (strcmp(given->value, option->choices[i].name) == 0) {
+      *out = i;
+      return CLI_DONE;
+    }
+  }
+  return refuse_choice(option, given);
+}
+
+static int read_value(const cli_option_t *option, const cli_given_t *given,
+                      void *args) {
+  void *to = (char *)args + option->member;
+  switch (option->kind) {
+    case CLI_FLAG:
+      *(bool *)to = true;
+      return CLI_DONE;
+    case CLI_PATH:
+      if (given->value[0] == '\0') {
+        return cli_message(CLI_USAGE, "%s: the name of the file is empty",
+                           given->name);
+      }
+      *(const char **)to = given->value;
+      return CLI_DONE;
+    case CLI_TEXT:
+      *(const char **)to = given->value;
+      return CLI_DONE;
+    case CLI_WHOLE:
+      return read_whole(option, given, to);
+    case CLI_REAL:
+      return read_real(option, given, to);
+    case CLI_NUMBER:
+    case CLI_RANGE:
+      return read_range(option, given, to);
+    case CLI_CHOICE:
+      return read_choice(option, given, to);
+    case CLI_OTHER:
+      break;
+  }
+  return option->read(args, given);
+}
+
 // Reads the option that starts at argv[*at] and moves *at to its last word.
-// seen: in/out, bits of the options before.
+// seen: in/out, the options before.
 static int read_option(const cli_syntax_t *syntax, void *args, int argc,
-                       char *const argv[], int *at, uint64_t *seen) {
+                       char *const argv[], int *at, bool seen[CLI_ROWS]) {
   const char *word = argv[*at];
   const size_t length = strcspn(word, "=");
   const size_t i = find_option(syntax, word);
@@ -63,7 +218,7 @@ static int read_option(const cli_syntax_t *syntax, void *args, int argc,
   const cli_option_t *option = &syntax->options[i];
   const bool valued = word[length] == '=';
   cli_given_t given = {option->name, ""};
-  if ((option->how & CLI_FLAG) != 0) {
+  if (option->value == NULL) {
     if (valued) {
       return cli_message(CLI_USAGE, "%s: takes no value", word);
     }
@@ -74,11 +229,11 @@ static int read_option(const cli_syntax_t *syntax, void *args, int argc,
   } else {
     return cli_message(CLI_USAGE, "%s: expected a value", given.name);
   }
-  if ((option->how & CLI_REPEATABLE) == 0 && ((*seen >> i) & 1u) != 0) {
+  if ((option->how & CLI_REPEATABLE) == 0 && seen[i]) {
     return given_twice(&given);
   }
-  *seen |= UINT64_C(1) << i;
-  return option->read(args, &given);
+  seen[i] = true;
+  return read_value(option, &given, args);
 }
 
 // A file that a command line names. how: CLI_WRITES, CLI_READS, or 0: none.
@@ -109,10 +264,60 @@ static file_t next_file(const cli_syntax_t *syntax, char *const *argv,
   file_t file = {{option->name, ""}, option->how & (CLI_WRITES | CLI_READS)};
   if (equals != NULL) {
     file.given.value = equals + 1;
-  } else if ((option->how & CLI_FLAG) == 0) {
+  } else if (option->value != NULL) {
     file.given.value = argv[(*at)++];
   }
   return file;
+}
+
+#define FOLDER_ROOM 4096
+
+static bool same_file(const struct stat *a, const struct stat *b) {
+  return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+// The folder of a path, as the caller may open it. Returns: whether it fits;
+// opening a longer one reports what is wrong.
+static bool folder_of(const char *path, char folder[FOLDER_ROOM]) {
+  const char *slash = strrchr(path, '/');
+  const size_t length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
+  if (length + 2 > FOLDER_ROOM) {
+    return false;
+  }
+  memcpy(folder, path, length);
+  memcpy(folder + length, ".", 2);
+  return true;
+}
+
+static const char *name_of(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash == NULL ? path : slash + 1;
+}
+
+static bool in_one_folder(const char *one, const char *other) {
+  char folder[2][FOLDER_ROOM];
+  struct stat a, b;
+  return folder_of(one, folder[0]) && folder_of(other, folder[1]) &&
+         stat(folder[0], &a) == 0 && stat(folder[1], &b) == 0 &&
+         same_file(&a, &b);
+}
+
+// Whether two paths name one regular file, there or not yet; NULL and "-" are
+// none, and what is no regular file (a terminal, /dev/null) may come twice.
+static bool one_file(const char *one, const char *other) {
+  struct stat a, b;
+  if (one == NULL || other == NULL || strcmp(one, "-") == 0 ||
+      strcmp(other, "-") == 0) {
+    return false;
+  }
+  const bool there = stat(one, &a) == 0;
+  if (there != (stat(other, &b) == 0)) {
+    return false;
+  }
+  if (there) {
+    return S_ISREG(a.st_mode) && same_file(&a, &b);
+  }
+  return strcmp(name_of(one), name_of(other)) == 0 && in_one_folder(one, other);
 }
 
 // Whether writing the one would destroy the other. Standard output takes the
@@ -127,7 +332,7 @@ static bool destroys(const file_t *writer, const file_t *file) {
     char path[PATH_ROOM];
     const int length = snprintf(path, sizeof path, "%s%s", value, beside[i]);
     if (length > 0 && (size_t)length < sizeof path &&
-        cli_one_file(path, file->given.value)) {
+        one_file(path, file->given.value)) {
       return true;
     }
   }
@@ -155,41 +360,27 @@ static int check_files(const cli_syntax_t *syntax, int argc,
   return CLI_DONE;
 }
 
-int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
-                   char *const argv[]) {
-  uint64_t seen = 0;
-  int code = CLI_DONE;
-  for (int at = 0; at < argc && code == CLI_DONE; at++) {
-    const char *word = argv[at];
-    code = is_option(word) ? read_option(syntax, args, argc, argv, &at, &seen)
-                           : syntax->take(args, word);
+// Whether every option has the one that it needs.
+static int check_needs(const cli_syntax_t *syntax, const bool seen[CLI_ROWS]) {
+  for (size_t i = 0; i < syntax->count; i++) {
+    const char *needs = syntax->options[i].needs;
+    if (seen[i] && needs != NULL && !seen[find_option(syntax, needs)]) {
+      return cli_message(CLI_USAGE, "%s: only with %s", syntax->options[i].name,
+                         needs);
+    }
   }
-  return code == CLI_DONE ? check_files(syntax, argc, argv) : code;
-}
-
-int cli_read_path(const cli_given_t *given, const char **out) {
-  if (given->value[0] == '\0') {
-    return cli_message(CLI_USAGE, "%s: the name of the file is empty",
-                       given->name);
-  }
-  *out = given->value;
   return CLI_DONE;
 }
 
-int cli_read_summary(const cli_given_t *given, bool *json) {
-  *json = strcmp(given->value, "json") == 0;
-  return *json || strcmp(given->value, "text") == 0
-             ? CLI_DONE
-             : cli_message(CLI_USAGE, "%s %s: must be text or json",
-                           given->name, given->value);
-}
-
-int cli_read_count(const cli_given_t *given, uint64_t low, uint64_t high,
-                   uint64_t *out) {
-  if (cli_read_whole(given->value, low, high, out)) {
-    return CLI_DONE;
+int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
+                   char *const argv[]) {
+  bool seen[CLI_ROWS] = {false};
+  int code = CLI_DONE;
+  for (int at = 0; at < argc && code == CLI_DONE; at++) {
+    const char *word = argv[at];
+    code = is_option(word) ? read_option(syntax, args, argc, argv, &at, seen)
+                           : syntax->take(args, word);
   }
-  return cli_message(
-      CLI_USAGE, "%s %s: must be a whole number in [%" PRIu64 ", %" PRIu64 "]",
-      given->name, given->value, low, high);
+  code = code == CLI_DONE ? check_needs(syntax, seen) : code;
+  return code == CLI_DONE ? check_files(syntax, argc, argv) : code;
 }

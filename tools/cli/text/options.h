@@ -1,63 +1,87 @@
 /// @file
-/// Reading of command lines, the same in every command: `--name value` or
-/// `--name=value`, before or after the positional argument (a scene, a file).
+/// Options as rows of a table, from which come the reading of command lines
+/// (here), the help and the completions. The same in every command: `--name
+/// value` or `--name=value`, before or after the positional arguments.
 #ifndef TWOFOLD_CLI_OPTIONS_H
 #define TWOFOLD_CLI_OPTIONS_H
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
+
+#include "closest.h"
+#include "range.h"
 
 /// An option as typed. value: "" where it takes none.
 typedef struct {
   const char *name, *value;
 } cli_given_t;
 
-/// How an option may be given.
+/// What the value of an option is, and so the type of the member it goes to.
+typedef enum {
+  CLI_FLAG,   ///< none: bool
+  CLI_TEXT,   ///< any text: const char *
+  CLI_PATH,   ///< the name of a file, not empty: const char *
+  CLI_WHOLE,  ///< a whole number in [low, high]: uint64_t
+  CLI_REAL,   ///< a number in [low, high]: double
+  CLI_NUMBER, ///< one number, [low, high] where low < high: cli_range_t
+  CLI_RANGE,  ///< A:B:N, both in [low, high]: cli_range_t
+  CLI_CHOICE, ///< one of `choices`: unsigned, its place among them
+  CLI_OTHER   ///< what `read` makes of it
+} cli_kind_t;
+
+/// How an option may be given, as bits. Without any: once.
 enum {
-  CLI_ONCE = 0,       ///< with a value; a second time is an error
-  CLI_REPEATABLE = 1, ///< with a value, any number of times
-  CLI_FLAG = 2,       ///< without a value, once
-  CLI_WRITES = 4,     ///< once; the value is a file that is written
-  CLI_READS = 8       ///< once; the value is a file that is read
+  CLI_REPEATABLE = 1, ///< any number of times
+  CLI_WRITES = 2,     ///< the value is a file that is written
+  CLI_READS = 4,      ///< the value is a file that is read
+  CLI_OPEN = 8        ///< low itself is out of range
 };
 
-/// An option of a command. how: one of the above.
-/// read: stores the value in args. Returns: CLI_DONE, or another code after a
-/// message, which ends the reading.
+/// A word that a value may be, and what it means, "": told elsewhere. A list
+/// ends with a name of NULL.
 typedef struct {
-  const char *name;
+  const char *name, *what;
+} cli_choice_t;
+
+/// A row of the table; without a name: the heading of the rows after it.
+typedef struct {
+  unsigned commands; ///< bits: the commands that take it
+  const char *name;  ///< with its dashes
+  const char *value; ///< what stands for the value in the help
+  cli_kind_t kind;   ///< of the value ...
+  size_t member;     ///< ... and where it goes, an offset in the arguments
+  const char *what;  ///< for the help
+  unsigned how;      ///< of the bits above
+  double low, high, usual; ///< usual: the value where it is not given
+  const char *unit;        ///< of the range, NULL: none
+  const char *noun;        ///< of choices, for messages; NULL: "must be"
+  const char *needs;       ///< name of an option without which it is refused
+  const cli_choice_t *choices; ///< also of CLI_TEXT: checked later
+  /// Of CLI_OTHER. Returns: CLI_DONE, or another code after a message.
   int (*read)(void *args, const cli_given_t *given);
-  unsigned how;
 } cli_option_t;
 
-/// The options and positional arguments of a command; at most 64 options.
-/// take: stores a positional argument. Returns: as read.
+#define CLI_ROWS 128 ///< of a table, at most
+
+/// A table and a command. take: stores a positional argument. Returns: as
+/// cli_option_t.read.
 typedef struct {
-  const char *command;
   const cli_option_t *options;
   size_t count;
+  const char *command; ///< its name
+  unsigned bit;        ///< its bit
   int (*take)(void *args, const char *word);
 } cli_syntax_t;
+
+/// Sets the usual values of all numbers.
+void cli_usual_values(const cli_syntax_t *syntax, void *args);
 
 /// Reads all words. "-" is a positional argument. Then no file that is written,
 /// nor the `.part` or `.resume` beside it, may be one that another option or a
 /// positional argument names; the name of a built-in scene is none.
-/// Returns: CLI_DONE; after a message CLI_USAGE or what a reader returned.
+/// Returns: CLI_DONE; after a message CLI_USAGE, CLI_REFUSED or what a reader
+/// returned.
 int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
                    char *const argv[]);
-
-/// Stores the name of a file, which must not be empty.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
-int cli_read_path(const cli_given_t *given, const char **out);
-
-/// Stores whether the summary is to be JSON: `text` or `json`.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
-int cli_read_summary(const cli_given_t *given, bool *json);
-
-/// Stores an integer in [low, high].
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
-int cli_read_count(const cli_given_t *given, uint64_t low, uint64_t high,
-                   uint64_t *out);
 
 #endif

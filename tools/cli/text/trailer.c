@@ -9,6 +9,45 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <string.h>
+
+#include "message.h"
+#include "number.h"
+
+#define MAX_SHARDS 1000000000000000u
+
+// Each shard is a run of neighbours, so that the rows of all shards, one file
+// after the other, are those of the whole.
+const cli_shard_t cli_whole_shard = {1, 1};
+
+int cli_read_shard(const cli_given_t *given, cli_shard_t *shard) {
+  char first[CLI_REAL_ROOM];
+  const size_t length = strcspn(given->value, "/");
+  const char *second = given->value + length;
+  (void)snprintf(first, sizeof first, "%.*s",
+                 (int)(length < sizeof first ? length : sizeof first - 1),
+                 given->value);
+  if (*second != '/' || !cli_read_whole(first, 0, MAX_SHARDS, &shard->index) ||
+      !cli_read_whole(second + 1, 0, MAX_SHARDS, &shard->of)) {
+    return cli_message(CLI_USAGE, "%s %s: expected I/N, two whole numbers",
+                       given->name, given->value);
+  }
+  if (shard->index < 1 || shard->index > shard->of) {
+    return cli_message(CLI_REFUSED,
+                       "%s %s: I must lie in [1, N], N be at least 1",
+                       given->name, given->value);
+  }
+  return CLI_DONE;
+}
+
+void cli_shard_range(const cli_shard_t *shard, uint64_t count, uint64_t *first,
+                     uint64_t *end) {
+  const uint64_t before = shard->index - 1;
+  const uint64_t share = count / shard->of;
+  const uint64_t longer = count % shard->of; // shards with one more
+  *first = share * before + (before < longer ? before : longer);
+  *end = *first + share + (before < longer ? 1 : 0);
+}
 
 static uint32_t crc_of(uint32_t before, const char *bytes, size_t length) {
   uint32_t crc = ~before;

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 
 #include "cli/analysis/analysis.h"
-#include "cli/diverge/diverge_args.h"
+#include "cli/command.h"
 #include "cli/monitor/board_command.h"
-#include "cli/run/run_args.h"
+#include "cli/setup/scheme.h"
 #include "cli/text/message.h"
 #include "verify/fuzz/fuzz.h"
 
@@ -23,16 +23,12 @@ static int in_ranges(const tf_params_t *params) {
   return tf_prepare(&machine, params, NULL) == TF_OK;
 }
 
-static const char *run(int argc, char *const argv[]) {
-  cli_run_args_t args;
+static const char *run(const cli_args_t *args) {
   cli_setup_t setup;
-  int code = cli_run_args(&args, argc, argv);
-  FUZZ_HOLD(is_code(code));
-  if (code != CLI_DONE) return NULL;
-  FUZZ_HOLD(args.scene != NULL && args.scheme != NULL && args.every >= 1);
-  FUZZ_HOLD(args.out == NULL || args.out[0] != '\0');
-  FUZZ_HOLD(args.settings.count <= CLI_SETTINGS);
-  code = cli_setup_read(&setup, args.scene, &args.settings, args.select);
+  const cli_scheme_t *scheme = &cli_schemes[args->scheme];
+  FUZZ_HOLD(args->scheme < CLI_SCHEMES && args->every >= 1);
+  FUZZ_HOLD(args->out == NULL || args->out[0] != '\0');
+  int code = cli_setup_read(&setup, args->scene, &args->settings, args->select);
   FUZZ_HOLD(code == CLI_DONE || code == CLI_USAGE);
   if (code != CLI_DONE) return NULL;
   code = cli_setup_machine(&setup);
@@ -41,18 +37,10 @@ static const char *run(int argc, char *const argv[]) {
   if (code != CLI_DONE) return NULL;
   code = cli_setup_start(&setup);
   FUZZ_HOLD(is_code(code));
-  cli_setup_notes(&setup, args.scheme->unused, args.scheme->why);
+  cli_setup_notes(&setup, scheme->unused, scheme->why);
   if (code != CLI_DONE) return NULL;
   FUZZ_HOLD(fuzz_in_reach(&setup.state) && setup.state.mode < TF_MODES);
   FUZZ_HOLD(fuzz_finite(setup.state.phi) && setup.state.tick == 0);
-  return NULL;
-}
-
-static const char *diverge(int argc, char *const argv[]) {
-  cli_diverge_args_t args;
-  const int code = cli_diverge_args(&args, argc, argv);
-  FUZZ_HOLD(is_code(code));
-  FUZZ_HOLD(code != CLI_DONE || args.settings.count <= CLI_SETTINGS);
   return NULL;
 }
 
@@ -82,39 +70,43 @@ static const char *monitor(int argc, char *const argv[]) {
   return NULL;
 }
 
-static const struct {
-  const char *name;
-  cli_takes_t takes;
-  bool finds_kappa;
-} analyses[] = {{"singularities", CLI_TAKES_NOTHING, false},
-                {"regions", CLI_TAKES_GRID, false},
-                {"design", CLI_TAKES_POINT, true},
-                {"atlas", CLI_TAKES_GRID, true}};
-#define ANALYSES (sizeof analyses / sizeof analyses[0])
-
-static const char *analyse(size_t which, int argc, char *const argv[]) {
+static const char *analyse(const cli_command_t *command,
+                           const cli_args_t *args) {
   static cli_analysis_t a; // holds an output buffer
-  const int code =
-      cli_analysis_read(&a, analyses[which].name, analyses[which].takes,
-                        analyses[which].finds_kappa, argc, argv);
+  const int code = cli_analysis_begin(
+      &a, args, (command->bit & (CLI_DESIGN | CLI_ATLAS)) != 0);
   FUZZ_HOLD(is_code(code));
   if (code != CLI_DONE) return NULL;
-  FUZZ_HOLD(a.scene != NULL && in_ranges(&a.setup.params));
-  if (analyses[which].takes == CLI_TAKES_NOTHING) return NULL;
-  FUZZ_HOLD(a.r.count >= 1 && a.omega.count >= 1);
-  FUZZ_HOLD(fuzz_finite(a.r.from) && fuzz_finite(a.r.to));
-  FUZZ_HOLD(fuzz_finite(a.omega.from) && fuzz_finite(a.omega.to));
+  FUZZ_HOLD(in_ranges(&a.setup.params));
+  if (command->bit == CLI_SINGULARITIES) return NULL;
+  FUZZ_HOLD(args->r.count >= 1 && args->omega.count >= 1);
+  FUZZ_HOLD(fuzz_finite(args->r.from) && fuzz_finite(args->r.to));
+  FUZZ_HOLD(fuzz_finite(args->omega.from) && fuzz_finite(args->omega.to));
   return NULL;
 }
 
+static const char *judge(const cli_command_t *command, int code,
+                         const cli_args_t *args) {
+  const unsigned analyses =
+      CLI_SINGULARITIES | CLI_REGIONS | CLI_DESIGN | CLI_ATLAS;
+  FUZZ_HOLD(is_code(code));
+  if (code != CLI_DONE) return NULL;
+  FUZZ_HOLD(args->settings.count <= CLI_SETTINGS);
+  FUZZ_HOLD(args->scene != NULL || command->bit == CLI_MERGE);
+  if ((command->bit & analyses) != 0) return analyse(command, args);
+  return command->bit == CLI_RUN ? run(args) : NULL;
+}
+
 static const char *perform(int argc, char *const argv[]) {
+  static cli_args_t args;
   if (argc == 0) return NULL;
-  for (size_t i = 0; i < ANALYSES; i++)
-    if (strcmp(argv[0], analyses[i].name) == 0)
-      return analyse(i, argc - 1, argv + 1);
-  if (strcmp(argv[0], "diverge") == 0) return diverge(argc - 1, argv + 1);
   if (strcmp(argv[0], "monitor") == 0) return monitor(argc - 1, argv + 1);
-  return run(argc - 1, argv + 1);
+  const cli_command_t *command = cli_find_command(argv[0]);
+  if (command == NULL || command->bit == 0) command = cli_find_command("run");
+  const int code = cli_read_args(command, &args, argc - 1, argv + 1);
+  const char *broken = judge(command, code, &args);
+  free((void *)args.files);
+  return broken;
 }
 
 const char *fuzz_arguments(const uint8_t *data, size_t size) {

@@ -1,13 +1,12 @@
-// The command line of `sweep`. An axis is a setting whose value changes from
+// What is swept and what is found. An axis is a setting whose value changes from
 // point to point, so it stands among the settings: a name that is both swept
 // and set is refused like one that is set twice.
 
-#include "sweep_args.h"
+#include "axes.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "../setup/scene.h"
 #include "../text/closest.h"
 #include "../text/message.h"
 #include "../text/number.h"
@@ -16,77 +15,12 @@
 #define MAX_VALUES 1000000u            // of one axis
 #define MAX_POINTS 1000000000000000ull // exact in a double
 
-static int read_t_end(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
-  const char *why = "";
-  args->t_end_text = option->value;
-  return cli_read_real(option->value, &args->t_end, &why)
-             ? CLI_DONE
-             : cli_message(CLI_USAGE, "--t-end %s: '%s' %s", option->value,
-                           option->value, why);
-}
-
-static int read_dt(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
-  return cli_settings_add_named(&args->settings, option->name, "dt",
-                                option->value);
-}
-
-static int read_set(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
-  return cli_settings_add(&args->settings, option->name, option->value);
-}
-
-static int read_scheme(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
-  return cli_find_scheme(option->name, option->value, &args->scheme);
-}
-
-static int read_select(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
-  args->select = option->value;
-  return CLI_DONE;
-}
-
-static int read_inputs(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
-  return cli_read_path(option, &args->drive_args.inputs);
-}
-
-static int read_between(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
-  args->drive_args.between = option->value;
-  return CLI_DONE;
-}
-
-static int read_shard(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
-  return cli_read_shard(option, &args->shard);
-}
-
-static int read_out(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
-  return cli_read_path(option, &args->out);
-}
-
-static int read_resume(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
-  (void)option;
-  args->resume = true;
-  return CLI_DONE;
-}
-
-static int read_summary(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
-  return cli_read_summary(option, &args->json);
-}
-
 static bool is_seed(double value) {
   return value >= 0 && value <= UINT32_MAX && floor(value) >= value;
 }
 
 // The seed is a number of rule random, not a real parameter of the machine.
-static int add_seed(const cli_sweep_args_t *args, cli_axis_t *axis) {
+static int add_seed(const cli_args_t *args, cli_axis_t *axis) {
   const char *text = axis->range.text;
   axis->is_seed = true;
   for (size_t i = 0; i < args->axes; i++) {
@@ -109,8 +43,8 @@ static int add_seed(const cli_sweep_args_t *args, cli_axis_t *axis) {
   return CLI_DONE;
 }
 
-static int read_over(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
+int cli_read_over(void *to, const cli_given_t *option) {
+  cli_args_t *args = to;
   const char *text = option->value;
   const char *equals = strchr(text, '=');
   if (equals == NULL || equals == text) {
@@ -144,8 +78,7 @@ static int read_over(void *to, const cli_given_t *option) {
   return code;
 }
 
-static int add_measure(cli_sweep_args_t *args, const char *name,
-                       const char *text) {
+static int add_measure(cli_args_t *args, const char *name, const char *text) {
   cli_closest_t closest = cli_closest_to(name);
   unsigned found = 0;
   while (found < CLI_MEASURES && strcmp(cli_measures[found].name, name) != 0) {
@@ -160,17 +93,17 @@ static int add_measure(cli_sweep_args_t *args, const char *name,
                        text, name, hint.before, hint.name, hint.after);
   }
   for (size_t i = 0; i < args->measures; i++) {
-    if (args->measure[i] == (cli_measure_t)found) {
+    if (args->measure[i] == found) {
       return cli_message(CLI_USAGE, "--outcome %s: %s was already given", text,
                          name);
     }
   }
-  args->measure[args->measures++] = (cli_measure_t)found;
+  args->measure[args->measures++] = found;
   return CLI_DONE;
 }
 
-static int read_outcome(void *to, const cli_given_t *option) {
-  cli_sweep_args_t *args = to;
+int cli_read_outcome(void *to, const cli_given_t *option) {
+  cli_args_t *args = to;
   const char *at = option->value;
   for (;;) {
     char name[32];
@@ -186,31 +119,9 @@ static int read_outcome(void *to, const cli_given_t *option) {
   }
 }
 
-static int take(void *to, const char *word) {
-  cli_sweep_args_t *args = to;
-  return cli_take_scene(&args->scene, word);
-}
-
-static const cli_option_t options[] = {
-    {"--over", read_over, CLI_REPEATABLE},
-    {"--outcome", read_outcome, CLI_REPEATABLE},
-    {"--t-end", read_t_end, CLI_ONCE},
-    {"--dt", read_dt, CLI_REPEATABLE},
-    {"--scheme", read_scheme, CLI_ONCE},
-    {"--select", read_select, CLI_ONCE},
-    {"--set", read_set, CLI_REPEATABLE},
-    {"--inputs", read_inputs, CLI_READS},
-    {"--between", read_between, CLI_ONCE},
-    {"--shard", read_shard, CLI_ONCE},
-    {"--out", read_out, CLI_WRITES},
-    {"--resume", read_resume, CLI_FLAG},
-    {"--summary", read_summary, CLI_ONCE},
-};
-
-// Options that need each other, and defaults.
-static int check_together(cli_sweep_args_t *args) {
-  static const cli_measure_t usual[] = {CLI_MODES, CLI_REST, CLI_RECURRENCE,
-                                        CLI_ENERGY, CLI_AMBIGUOUS};
+int cli_sweep_check(cli_args_t *args) {
+  static const unsigned usual[] = {CLI_MODES, CLI_REST, CLI_RECURRENCE,
+                                   CLI_ENERGY, CLI_AMBIGUOUS};
   if (args->axes == 0) {
     return cli_message(CLI_USAGE, "sweep: --over NAME=A:B:N is missing");
   }
@@ -228,25 +139,5 @@ static int check_together(cli_sweep_args_t *args) {
     args->measures = sizeof usual / sizeof usual[0];
     memcpy(args->measure, usual, sizeof usual);
   }
-  if (args->t_end_text == NULL) {
-    args->t_end = args->scene->t_end;
-  }
   return CLI_DONE;
-}
-
-int cli_sweep_args(cli_sweep_args_t *args, int argc, char *const argv[]) {
-  static const cli_syntax_t syntax = {"sweep", options,
-                                      sizeof options / sizeof options[0], take};
-  memset(args, 0, sizeof *args);
-  args->scheme = &cli_schemes[0];
-  args->points = 1;
-  args->shard.index = args->shard.of = 1;
-  int code = cli_read_words(&syntax, args, argc, argv);
-  if (code == CLI_DONE) {
-    code = cli_need_scene(args->scene, "sweep");
-  }
-  code = code == CLI_DONE ? check_together(args) : code;
-  return code == CLI_DONE
-             ? cli_drive_read(&args->drive, args->scene, &args->drive_args)
-             : code;
 }

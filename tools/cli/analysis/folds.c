@@ -1,0 +1,243 @@
+// The commands that write two-folds as JSON. `singularities`: all of a machine,
+// or why there are none. `design`: kappa and k2 that put one at a given point, or
+// why there are none. JSON has no infinities; the core only returns two-folds
+// whose numbers are all finite.
+
+#include "../setup/names.h"
+#include "../text/buffer.h"
+#include "../text/message.h"
+#include "analysis.h"
+
+// The units of its members, for cli_analysis_begin_json(). K, J1, J2 and the
+// eigenvalues are in the paper's time.
+#define FOLD_UNITS                                                       \
+  "\"r\": \"m\", \"v\": \"m/s\", \"omega\": \"rad/s\", \"g\": \"m/s\", " \
+  "\"lambda\": \"N\", \"time_scale\": \"kg m^2\", \"physical\": \"m/s^3\""
+#define ROOM 32768 // bytes; eight two-folds take less than half of it
+#define DESIGN_UNITS "\"kappa\": \"m\", \"k2\": \"N/m\", " FOLD_UNITS
+
+// "name": value
+static void add_pair(cli_buffer_t *text, const char *name, tf_real_t value) {
+  cli_add(text, "\"");
+  cli_add(text, name);
+  cli_add(text, "\": ");
+  cli_add_real(text, value);
+}
+
+// A line of pairs, with a comma after the last one.
+static void add_pairs(cli_buffer_t *text, const char *margin,
+                      const char *const *names, const tf_real_t *values,
+                      int count) {
+  cli_add(text, margin);
+  cli_add(text, "  ");
+  for (int i = 0; i < count; i++) {
+    add_pair(text, names[i], values[i]);
+    cli_add(text, i + 1 < count ? ", " : ",\n");
+  }
+}
+
+static void add_K(cli_buffer_t *text, const tf_two_fold_t *at,
+                  tf_real_t scale) {
+  static const char *const names[] = {"K++", "K+-", "K-+", "K--"};
+  const tf_real_t values[] = {at->Kpp, at->Kpm, at->Kmp, at->Kmm};
+  for (int i = 0; i < 4; i++) {
+    add_pair(text, names[i], scale * values[i]);
+    cli_add(text, i < 3 ? ", " : "");
+  }
+}
+
+static void add_direction(cli_buffer_t *text, const tf_direction_t *direction) {
+  cli_add(text, "{");
+  add_pair(text, "eigenvalue", direction->value);
+  cli_add(text, ", \"velocity\": [");
+  cli_add_real(text, direction->velocity.r);
+  cli_add(text, ", ");
+  cli_add_real(text, direction->velocity.v);
+  cli_add(text, ", ");
+  cli_add_real(text, direction->velocity.w);
+  cli_add(text, "], \"lambda\": ");
+  if (direction->sticks) {
+    cli_add_real(text, direction->lambda);
+  } else {
+    cli_add(text, "null");
+  }
+  cli_add(text,
+          direction->sticks ? ", \"sticks\": true}" : ", \"sticks\": false}");
+}
+
+// Appends one two-fold as an object. margin: what every line begins with.
+static void add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at,
+                         const char *margin) {
+  static const char *const point_names[] = {"r", "v", "omega", "g"};
+  static const char *const form_names[] = {"J1", "J2"};
+  static const char *const cases[] = {"null", "1", "2", "3"};
+  const tf_real_t point[] = {at->point.r, at->point.v, at->point.w,
+                             at->point.g};
+  const tf_real_t form[] = {at->J1, at->J2};
+  const bool through_first = at->through.value > at->across.value;
+  const tf_direction_t *first = through_first ? &at->through : &at->across;
+  const tf_direction_t *second = through_first ? &at->across : &at->through;
+  cli_add(text, margin);
+  cli_add(text, "{\n");
+  add_pairs(text, margin, point_names, point, 4);
+  cli_add(text, margin);
+  cli_add(text, "  ");
+  add_K(text, at, at->time_scale * at->time_scale);
+  cli_add(text, ",\n");
+  add_pairs(text, margin, form_names, form, 2);
+  cli_add(text, margin);
+  cli_add(text, "  \"eigenvalues\": [");
+  cli_add_real(text, first->value);
+  cli_add(text, ", ");
+  cli_add_real(text, second->value);
+  cli_add(text, "],\n");
+  cli_add(text, margin);
+  cli_add(text, "  \"directions\": [\n    ");
+  cli_add(text, margin);
+  add_direction(text, first);
+  cli_add(text, ",\n    ");
+  cli_add(text, margin);
+  add_direction(text, second);
+  cli_add(text, "],\n");
+  cli_add(text, margin);
+  cli_add(text, "  \"type\": \"");
+  cli_add(text, tf_folds_name(at->type));
+  cli_add(text, "\", \"case\": ");
+  cli_add(text, cases[at->paper_case]);
+  cli_add(text, ",\n");
+  cli_add(text, margin);
+  cli_add(text, "  ");
+  add_pair(text, "time_scale", at->time_scale);
+  cli_add(text, ", ");
+  add_pair(text, "residual", at->residual);
+  cli_add(text, ",\n");
+  cli_add(text, margin);
+  cli_add(text, "  \"physical\": {");
+  add_K(text, at, 1);
+  cli_add(text, "}\n");
+  cli_add(text, margin);
+  cli_add(text, "}");
+}
+
+static int describe_all(const cli_analysis_t *a, cli_buffer_t *text) {
+  tf_surface_point_t points[TF_TWO_FOLDS];
+  tf_absence_t absence = TF_ABSENCE_NONE;
+  int count = 0;
+  const cli_setup_t *setup = &a->setup;
+  tf_status_t status =
+      tf_two_folds(&setup->machine, &setup->input, points, &count, &absence);
+  cli_analysis_begin_json(a, FOLD_UNITS, text);
+  cli_add(text, "  \"count\": ");
+  cli_add_real(text, (tf_real_t)count);
+  cli_add(text, ",\n  \"reason\": ");
+  if (absence != TF_ABSENCE_NONE) {
+    cli_add(text, "\"");
+    cli_add(text, tf_absence_name(absence));
+    cli_add(text, "\"");
+  } else {
+    cli_add(text, "null");
+  }
+  cli_add(text, ",\n  \"two_folds\": [");
+  for (int i = 0; i < count && status == TF_OK; i++) {
+    tf_two_fold_t at;
+    status = tf_normal_form(&setup->machine, &setup->input, &points[i], &at);
+    if (status == TF_OK) {
+      cli_add(text, i > 0 ? ",\n" : "\n");
+      add_two_fold(text, &at, "    ");
+    }
+  }
+  cli_add(text, count > 0 ? "\n  ]\n}\n" : "]\n}\n");
+  if (status != TF_OK || text->truncated) {
+    return cli_message(
+        CLI_STOPPED, "scene %s: singularities: %s", a->args->scene->name,
+        text->truncated ? "out of room" : tf_status_name(status));
+  }
+  return CLI_DONE;
+}
+
+int cli_singularities(const cli_args_t *args) {
+  cli_analysis_t a;
+  char room[ROOM];
+  cli_buffer_t text = {room, 0, sizeof room, false};
+  int code = cli_analysis_begin(&a, args, false);
+  code = code == CLI_DONE ? describe_all(&a, &text) : code;
+  return code == CLI_DONE ? cli_analysis_write(&a, room, text.used) : code;
+}
+
+static int out_of_range(const cli_analysis_t *a, const char *name,
+                        tf_real_t value) {
+  const tf_parameter_range_t *range =
+      &tf_parameter_ranges[cli_parameter_index(name)];
+  return cli_message(CLI_REFUSED,
+                     "--r %s --omega %s: %s would be %g, it must lie in [%g, "
+                     "%g] %s",
+                     a->args->r.text, a->args->omega.text, name, (double)value,
+                     (double)range->low, (double)range->high, range->unit);
+}
+
+static int refuse(const cli_analysis_t *a, const tf_design_t *design) {
+  switch ((tf_design_obstacle_t)design->obstacle) {
+    case TF_DESIGN_LAW:
+      return cli_analysis_refuse_mu(a);
+    case TF_DESIGN_GAMMA:
+      return cli_analysis_refuse_gamma(a);
+    case TF_DESIGN_R:
+      return cli_message(CLI_REFUSED,
+                         "--r %s: r must not be 0, nor so large or small that "
+                         "the normal form overflows",
+                         a->args->r.text);
+    case TF_DESIGN_OMEGA:
+      return cli_message(CLI_REFUSED,
+                         "--omega %s: omega must differ from omega0 = %g "
+                         "rad/s, where h = 0 has g = 0",
+                         a->args->omega.text, (double)a->setup.input.omega0);
+    case TF_DESIGN_SPRING:
+      return cli_message(CLI_REFUSED,
+                         "--r %s: k2 does not act on h at r = r0 = %g m, nor "
+                         "where d r cos(gamma) + (beta^2 + r^2) sin(gamma) is "
+                         "0",
+                         a->args->r.text, (double)a->setup.input.r0);
+    case TF_DESIGN_KAPPA:
+      return out_of_range(a, "kappa", design->kappa);
+    case TF_DESIGN_K2:
+      return out_of_range(a, "k2", design->k2);
+    case TF_DESIGN_FOUND:
+      break;
+  }
+  return CLI_DONE;
+}
+
+static void describe_design(const cli_analysis_t *a, const tf_design_t *design,
+                            cli_buffer_t *text) {
+  cli_analysis_begin_json(a, DESIGN_UNITS, text);
+  cli_add(text, "  \"kappa\": ");
+  cli_add_real(text, design->kappa);
+  cli_add(text, ",\n  \"k2\": ");
+  cli_add_real(text, design->k2);
+  cli_add(text, ",\n  \"set\": \"--set kappa=");
+  cli_add_real(text, design->kappa);
+  cli_add(text, " --set k2=");
+  cli_add_real(text, design->k2);
+  cli_add(text, "\",\n  \"two_fold\":\n");
+  add_two_fold(text, &design->two_fold, "    ");
+  cli_add(text, "\n}\n");
+}
+
+int cli_design(const cli_args_t *args) {
+  cli_analysis_t a;
+  tf_design_t design;
+  char room[ROOM];
+  cli_buffer_t text = {room, 0, sizeof room, false};
+  int code = cli_analysis_begin(&a, args, true);
+  code = code == CLI_DONE ? cli_analysis_needs_jump(&a, true) : code;
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (tf_design_two_fold(&a.setup.machine, &a.setup.input, args->r.from,
+                         args->omega.from, &design) != TF_OK) {
+    return refuse(&a, &design);
+  }
+  describe_design(&a, &design, &text);
+  return text.truncated ? cli_message(CLI_STOPPED, "design: out of room")
+                        : cli_analysis_write(&a, room, text.used);
+}

@@ -1,0 +1,337 @@
+// The table of the commands. The command line is made of these folders; each
+// line includes only folders below it (check `arrows` has the same table):
+//
+//   .          command (reads a command line and performs it), commands (this
+//              table), table (of the options), help, topics (help on single
+//              words), completions, the commands `scenes` and `scene`
+//   monitor/   the command `monitor`: frames of a board become rows or a live
+//              view, and commands are sent to it; takes only row.h of run/
+//   run/       the command `run`: loop, rows, frames, events, summary
+//   analysis/  singularities, regions, design and atlas: they examine a machine
+//              without running it
+//   diverge/   the command `diverge`: samples of the motions that can follow a
+//              two-fold. Bottom up: vector_field, canard, tracker, job, motion,
+//              the steppers random, perturbed and lagged, counts, diverge;
+//              `merge` adds its counts
+//   sweep/     the command `sweep`: one row for each point of a grid of
+//              settings; takes only events.h of run/
+//   setup/     a scene, by its name or from a file, with --set and --select
+//              becomes a machine with its initial state; schemes, names; what a
+//              command line gives (args.h)
+//   live/      --live of run and monitor: planes and modes in a terminal
+//   host/      what POSIX provides: clock, signals, output files, serial lines,
+//              progress
+//   text/      messages, numbers, options, text in buffers
+//
+// run, analysis, diverge and sweep do not include each other otherwise.
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "analysis/analysis.h"
+#include "command.h"
+#include "completions.h"
+#include "diverge/diverge.h"
+#include "monitor/monitor.h"
+#include "run/run.h"
+#include "scenes.h"
+#include "setup/names.h"
+#include "setup/scene.h"
+#include "sweep/sweep.h"
+#include "table.h"
+#include "text/message.h"
+
+static int take_scene(void *to, const char *word) {
+  cli_args_t *args = to;
+  return cli_take_scene(&args->scene, word);
+}
+
+static int take_file(void *to, const char *word) {
+  cli_args_t *args = to;
+  const char **files =
+      realloc((void *)args->files, (args->count + 1) * sizeof *files);
+  if (files == NULL) {
+    return cli_message(CLI_STOPPED, "out of memory");
+  }
+  args->files = files;
+  files[args->count++] = word;
+  return CLI_DONE;
+}
+
+// The names of --set, from the tables that validate them.
+static void print_names(void) {
+  cli_print_ranges();
+  for (size_t i = 0; i < CLI_STARTS; i++) {
+    (void)printf("  %-9s [%g, %g] %s, at the start\n", cli_starts[i].name,
+                 -(double)TF_STATE_LIMIT, (double)TF_STATE_LIMIT,
+                 cli_starts[i].unit);
+  }
+  (void)printf("  %-9s ", "law");
+  for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
+    (void)printf("%s%s", law > 0 ? ", " : "", tf_tyre_law_name(law));
+  }
+  (void)printf("\n  %-9s ", "rest");
+  for (unsigned rest = 0; rest < TF_REST_LAWS; rest++) {
+    (void)printf("%s%s", rest > 0 ? ", " : "", tf_rest_law_name(rest));
+  }
+  (void)fputs(
+      ", the law at h = g = 0, only in law jump\n"
+      "h is an alternative to v; its sign selects the initial mode. With phi\n"
+      "the angle is integrated, too; nothing else depends on it.\n",
+      stdout);
+}
+
+static void print_outcomes(void) {
+  for (size_t i = 0; i < CLI_MEASURES; i++) {
+    const cli_measure_info_t *info = &cli_measures[i];
+    (void)printf("  %-16s %-6s %s\n", info->name, info->unit, info->what);
+  }
+}
+
+// What depends on the kind, from the table that sets it.
+static void print_mechanisms(void) {
+  (void)puts("kind        unit of S   default DT, K, Q");
+  for (int i = 0; i < CLI_MECHANISMS; i++) {
+    const cli_mechanism_info_t *mechanism = &cli_mechanisms[i];
+    (void)printf("%-11s %-11s %g, %g, %g\n", mechanism->name,
+                 mechanism->unit[0] != '\0' ? mechanism->unit : "-",
+                 mechanism->dt, mechanism->refinement, mechanism->spread);
+  }
+}
+
+#define AT_START "The inputs are those at t = 0."
+
+// Lines of text are filled when they are printed, but those that begin with a
+// blank.
+const cli_command_t cli_commands[] = {
+    {.name = "scenes",
+     .words = "",
+     .what = "list the scenes",
+     .raw = cli_scenes},
+    {.name = "scene",
+     .words = "SCENE [OPTION]...",
+     .what = "print a scene as a file that can be changed",
+     .about = "Prints a scene as text. All commands, and 'make firmware' and "
+              "'make fmu', take a file of such text as SCENE; it reads back to "
+              "the same bits. A word with a . or a / in it names a file, any "
+              "other one a scene of 'twofold scenes'.",
+     .notes =
+         "A line is KEY VALUE or KEY = VALUE; # begins a comment. No key may "
+         "be given twice. A file may begin with 'based-on SCENE', one of "
+         "'twofold scenes', and then gives only what differs. For example:\n"
+         "\n"
+         "  based-on chaos\n"
+         "  kappa 0.3        # m\n"
+         "  h 0              # starts in stick\n"
+         "\n"
+         "keys:\n"
+         "  name, shows, leaves-out   text; name: that of the file if not "
+         "given\n"
+         "  law, rest, rule           words as in 'twofold help run'\n"
+         "  with-angle                yes: the angle phi is integrated; or no\n"
+         "  r, omega, v or h          the start [m, rad/s, m/s, m/s]\n"
+         "  t-end                     how long it runs by default [s]\n"
+         "  profile                   speed of the turntable, linear between "
+         "up to\n"
+         "                            8 knots TIME:SPEED [s:rad/s]; or none\n"
+         "and the parameters:",
+     .tail = cli_print_ranges,
+     .bit = CLI_SCENE,
+     .take = take_scene,
+     .perform = cli_scene},
+    {.name = "run",
+     .words = "SCENE [OPTION]...",
+     .what = "simulate a scene, one row per instant",
+     .notes =
+         "Every other option may be given once. Numbers are decimal, or "
+         "hexadecimal as in C: 0x1.8p-3 is 0.1875 exactly, 0x10 is 16.\n"
+         "\n"
+         "FILE appears when it is complete. Until then its rows are in "
+         "FILE.part, which stays where the run is stopped, and which one "
+         "program at a time can write. Pipes and devices are written as they "
+         "are.\n"
+         "After SIGINT, SIGTERM or SIGHUP the program finishes the step, "
+         "writes its row and stops; a second signal kills it. The summary goes "
+         "to standard error.\n"
+         "\n"
+         "exit codes: 0 done, 2 usage, 3 refused, 4 stopped, 5 done, but some "
+         "steps were degraded or missed their tolerance: the summary counts "
+         "them\n"
+         "\n"
+         "names of --set, with their ranges:",
+     .tail = print_names,
+     .bit = CLI_RUN,
+     .take = take_scene,
+     .check = cli_run_check,
+     .perform = cli_run},
+    {.name = "monitor",
+     .words = "FILE|DEVICE|- [OPTION]...",
+     .what = "decodes frames from a board, a file or a pipe",
+     .notes =
+         "FILE is FILE.part until the end, see 'twofold help run', and stays "
+         "so where frames are missing or are those of more than one run. Lost "
+         "and broken frames, and rows with a value that is not finite, are "
+         "counted on standard error at the end; of a device from its first "
+         "schema on. A stream of `run` has an end: without it, it is not "
+         "whole.\n"
+         "exit codes: 0 done, 2 usage, 3 a command was refused, 4 no frame, no "
+         "answer, interrupted within a file, or the device was unplugged, 5 "
+         "done, but some steps were degraded or missed their tolerance, as "
+         "reports and heartbeats tell, 6 done, but frames were lost or broken, "
+         "the stream ends before its run, the sender was started again (unless "
+         "there is --follow), or a value is not finite",
+     .bit = CLI_MONITOR,
+     .take = cli_take_source,
+     .check = cli_monitor_check,
+     .perform = cli_monitor},
+    {.name = "singularities",
+     .words = "SCENE [OPTION]...",
+     .what = "all two-folds, as JSON",
+     .about = "All two-folds as JSON: point, K, J1, J2, eigenvalues, type and "
+              "case; or why there is none.",
+     .notes = AT_START
+     "\n"
+     "K++ .. K-- are in the paper's rescaled time tau, dt = time_scale "
+     "dtau; those under \"physical\" are in m/s^3. J1, J2 and the "
+     "eigenvalues are the same in both. \"case\" is the paper's, for type "
+     "invisible; case 3 is J1 J2 < 1. Along a direction in which the wheel "
+     "sticks the motion has the given velocity [m/s, m/s^2, rad/s^2] and "
+     "force lambda [N]; a negative eigenvalue leads from sliding to "
+     "escaping.",
+     .bit = CLI_SINGULARITIES,
+     .take = take_scene,
+     .perform = cli_singularities},
+    {.name = "regions",
+     .words = "SCENE --r A:B:N --omega A:B:N [OPTION]...",
+     .what = "sliding, escaping, crossing: a grid of (r, omega)",
+     .about =
+         "The region of the surface h = 0 at each point of a grid, as CSV: "
+         "r,omega,region,lambda,delassus. Regions: sliding, escaping, "
+         "crossing_up (from h < 0 to h > 0), crossing_down, and codim2 (h = g "
+         "= 0, where the last two columns are empty). lambda [N] is the force "
+         "that would hold h = 0; where the surface is crossed it exceeds mu. "
+         "delassus is in 1/kg.",
+     .notes = AT_START,
+     .bit = CLI_REGIONS,
+     .take = take_scene,
+     .check = cli_analysis_check,
+     .perform = cli_regions},
+    {.name = "design",
+     .words = "SCENE --r R --omega W [OPTION]...",
+     .what = "kappa and k2 that put a two-fold at (r, omega)",
+     .about =
+         "kappa and k2 that put a two-fold at (R, W), and its normal form, "
+         "as JSON.",
+     .notes = AT_START
+     "\n"
+     "kappa and k2 of the scene are not used. Exit code 3 where no kappa and "
+     "k2 in their ranges exist.",
+     .bit = CLI_DESIGN,
+     .take = take_scene,
+     .check = cli_analysis_check,
+     .perform = cli_design},
+    {.name = "atlas",
+     .words = "SCENE --r A:B:N --omega A:B:N [OPTION]...",
+     .what = "for which (r, omega) it is a Teixeira singularity",
+     .about =
+         "The conditions of the paper's figure 4 for a two-fold at each point "
+         "of a grid, as CSV. Columns: r,omega,v,g,kappa,k2,K++,K+-,K-+,K--,J1,"
+         "J2, then 1 or 0 for (b) K--_positive, (c) K++_negative, (d) "
+         "J1_negative, (e) J2_negative, (f) J1J2_above_1, (g) kappa_positive "
+         "and k2_positive, and (a) overlap: all of them hold. K is in the "
+         "paper's rescaled time, J1 and J2 include sqrt|K++ K--|. kappa is for "
+         "sign(g); where g < 0 the paper's figure shows it with the other "
+         "sign. Where no kappa and k2 exist (r = 0, r = r0, omega = omega0) "
+         "all columns but r, omega and overlap are empty.",
+     .notes = AT_START,
+     .bit = CLI_ATLAS,
+     .take = take_scene,
+     .check = cli_analysis_check,
+     .perform = cli_atlas},
+    {.name = "diverge",
+     .words = "SCENE [OPTION]...",
+     .what = "what can follow a two-fold: exits, returns, samples",
+     .about =
+         "Follows motions from a state with several consistent modes: the "
+         "two-fold that stick passes through, or a start given by --set r=, "
+         "omega=, h= (or v=). A cycle goes from one arrival at the two-fold to "
+         "the next.",
+     .notes =
+         "Files end with '# shard I/N: ROWS rows, crc32 CRC, run RUN' (CRC of "
+         "zlib, header and rows; RUN is the same in all shards of a run); a "
+         "file appears when it is complete, and is FILE.part until then. "
+         "Without --exits and --returns the returns go to standard output; "
+         "FILE - is standard output. Fields of what did not happen are empty. "
+         "Outcomes: returned, small_cycle (lands 3 times or more and never "
+         "comes back), pinned, timeout, refused. A landing is an arrival in "
+         "the sliding region on the other side of g = 0.\n"
+         "\n"
+         "exit codes: 0 done, 2 usage, 3 refused: only one mode is consistent, "
+         "or out of range, 4 stopped (what has ended is in FILE.part) or a "
+         "file could not be written\n",
+     .tail = print_mechanisms,
+     .bit = CLI_DIVERGE,
+     .take = take_scene,
+     .check = cli_diverge_check,
+     .perform = cli_diverge},
+    {.name = "merge",
+     .words = "FILE... [OPTION]...",
+     .what = "adds the counts of shards of diverge",
+     .about =
+         "Adds files of 'twofold diverge --counts', each of other shards of "
+         "one run, in any order, to one file of the same form. The sum of all "
+         "shards has the same rows as the run without --shard. Standard error "
+         "says how many shards of the run are in it.",
+     .notes =
+         "exit codes: 0 done, 2 usage, or a file is damaged, 3 refused: files "
+         "of different runs, or a shard twice, 4 the sum could not be written",
+     .bit = CLI_MERGE,
+     .take = take_file,
+     .check = cli_merge_check,
+     .perform = cli_merge},
+    {.name = "sweep",
+     .words = "SCENE --over NAME=A:B:N [OPTION]...",
+     .what = "a grid of settings: what becomes of each point",
+     .about = "One motion at each point of a grid, one row a point, as CSV.",
+     .notes =
+         "Columns: point (from 0), one for each axis, status, reason, t (the "
+         "time that was reached), one for each outcome. status is `done`; "
+         "`flagged` where some steps were degraded or missed their tolerance; "
+         "`stopped` where a step was refused, and outcomes are those until "
+         "then; `refused` where the machine or its start was, and t and "
+         "outcomes are empty. reason has the message, with semicolons for "
+         "commas. An outcome that did not happen is empty. Lines that begin "
+         "with # tell the command, the units and, at the end, '# shard I/N: "
+         "ROWS rows, crc32 CRC, run RUN' (CRC of zlib, header and rows; RUN is "
+         "the same in all shards of a run).\n"
+         "\n"
+         "A row is what `run` would find: --set NAME=VALUE of its fields "
+         "repeats it to the bit. Each program takes one core. "
+         "tools/study/shards runs the shards on all cores, under GNU parallel, "
+         "Slurm or Snakemake, and draws the map.\n"
+         "\n"
+         "exit codes: 0 done, whatever the rows say; 2 usage, 3 refused: an "
+         "axis leaves the range of its name, or FILE is of another sweep, 4 "
+         "stopped\n"
+         "\n"
+         "outcomes:",
+     .tail = print_outcomes,
+     .bit = CLI_SWEEP,
+     .take = take_scene,
+     .check = cli_sweep_check,
+     .perform = cli_sweep},
+    {.name = "completions",
+     .words = "SHELL",
+     .what = "a script by which a shell completes all this",
+     .about = "Prints a script. SHELL is bash, zsh or fish. In bash: 'source "
+              "<(twofold completions bash)', "
+              "in ~/.bashrc; of zsh, into a file _twofold of the $fpath; of "
+              "fish, into ~/.config/fish/completions/twofold.fish.",
+     .raw = cli_completions},
+    {.name = "help",
+     .words = "[COMMAND]",
+     .what = "this text, or the options of a command",
+     .raw = cli_help},
+};
+const size_t cli_command_count = sizeof cli_commands / sizeof cli_commands[0];

@@ -1,0 +1,90 @@
+/// @file
+/// What a command line gives: a member for each option, whichever commands take
+/// it. The table of options fills it and has the usual values; what was not
+/// given is 0 otherwise.
+#ifndef TWOFOLD_CLI_ARGS_H
+#define TWOFOLD_CLI_ARGS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "../text/range.h"
+#include "../text/trailer.h"
+#include "drive.h"
+#include "settings.h"
+#include "twofold.h"
+
+#define CLI_AXES 8     ///< of a sweep, at most
+#define CLI_COLUMNS 32 ///< columns of a sweep, at most
+#define CLI_SENDS 15   ///< commands to a board, at most
+
+/// What is swept: a name of --set, or the seed of rule random.
+typedef struct {
+  char name[CLI_NAME_ROOM];
+  cli_range_t range; ///< its text is NAME=A:B:N, as typed
+  bool is_seed;      ///< not among the settings
+  size_t setting;    ///< index in the settings
+} cli_axis_t;
+
+/// Paths are NULL where they were not given; "-" is standard output.
+typedef struct {
+  const char *command; ///< its name
+  const tf_scene_t *scene;
+  const char *source; ///< of monitor: a file or a device
+  const char **files; ///< of merge, from the heap
+  size_t count;       ///< of files
+
+  // The machine and its motion.
+  cli_settings_t settings; ///< axes are among them, under --over
+  const char *select;      ///< RULE[:SEED], NULL: the scene's own rule
+  unsigned scheme;         ///< index of cli_schemes
+  cli_range_t t_end;       ///< one number; text NULL: the scene's own [s]
+  cli_drive_args_t drive;
+  cli_range_t r, omega; ///< a point or a grid
+
+  // What is written.
+  const char *out;
+  unsigned format;     ///< cli_format_t
+  uint64_t every;      ///< steps between two rows
+  uint64_t listed;     ///< number of events that the summary lists
+  bool provenance;     ///< the rows begin with comments: what they are of
+  unsigned summary;    ///< 1: for programs
+  bool resume, header; ///< goes on with what is there; a header in each shard
+  cli_shard_t shard;
+
+  // Of run, and of monitor.
+  const char *from, *save; ///< states: to go on from, and the last one
+  const char *replay, *record;
+  bool real_time, priority, live;
+  const char *lateness; ///< histogram
+  unsigned as;          ///< 1 + index of cli_streams, 0: a live view
+  uint64_t baud;        ///< 0: unchanged
+  bool follow;
+  const char *key;
+  const char *send[CLI_SENDS];
+  size_t sends;
+
+  // Of sweep.
+  cli_axis_t axis[CLI_AXES];
+  size_t axes;
+  uint64_t points; ///< product of the axes
+  unsigned measure[CLI_COLUMNS];
+  size_t measures;
+
+  // Of diverge.
+  const char *exits, *returns, *counts, *branches;
+  bool exhaustive;
+  unsigned mechanism;       ///< cli_mechanism_t
+  unsigned codim2;          ///< cli_codim2_choice_t
+  double size;              ///< unit: that of the mechanism; 0: not given
+  double spread;            ///< sizes are drawn from [size / spread, size]
+  double patience;          ///< longest cycle [s]
+  double section;           ///< where the phase is read, past the two-fold [m]
+  double refinement;        ///< dt / step near the two-fold
+  double grid;              ///< of --exhaustive: time between two exits [s]
+  uint64_t samples, cycles; ///< cycles: of each sample, at most
+  uint64_t depth, nodes;    ///< bounds of --exhaustive
+  uint64_t seed;            ///< < 2^32
+} cli_args_t;
+
+#endif

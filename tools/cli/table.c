@@ -1,0 +1,331 @@
+// The options of all commands, in the order of the help. From a row come the
+// reading of the option with its checks and messages, its lines in the help of
+// its commands, in `twofold help OPTION` and in the manual, what is suggested
+// for a mistyped word, and the completions of bash, zsh and fish. So a new
+// option is a row here; a new member of cli_args_t keeps its value.
+//
+// An option that means something else in another command has a row for each.
+
+#include "table.h"
+
+#include <string.h>
+
+#include "diverge/diverge.h"
+#include "monitor/board_command.h"
+#include "monitor/stream.h"
+#include "run/row.h"
+#include "setup/scheme.h"
+#include "sweep/axes.h"
+#include "text/message.h"
+#include "text/number.h"
+
+#define GRIDS (CLI_REGIONS | CLI_ATLAS)
+#define ANALYSES (GRIDS | CLI_DESIGN | CLI_SINGULARITIES)
+#define MOTIONS (CLI_RUN | CLI_SWEEP)
+
+// A member of the arguments, which has to be of the type of its kind.
+#define MEMBER(type, name)     \
+  offsetof(cli_args_t, name) + \
+      0 * sizeof(*(1 ? (type *)0 : &((cli_args_t *)0)->name))
+#define FLAG(name) CLI_FLAG, MEMBER(bool, name)
+#define TEXT(name) CLI_TEXT, MEMBER(const char *, name)
+#define PATH(name) CLI_PATH, MEMBER(const char *, name)
+#define WHOLE(name) CLI_WHOLE, MEMBER(uint64_t, name)
+#define REAL(name) CLI_REAL, MEMBER(double, name)
+#define NUMBER(name) CLI_NUMBER, MEMBER(cli_range_t, name)
+#define RANGE(name) CLI_RANGE, MEMBER(cli_range_t, name)
+#define CHOICE(name) CLI_CHOICE, MEMBER(unsigned, name)
+#define OTHER CLI_OTHER, 0
+
+#define REACH ((double)TF_STATE_LIMIT)
+#define MOST 1e15 // exact in a double
+
+static const cli_choice_t schemes[] = {
+    {"moreau", "Moreau-Jean theta scheme (the default), set by theta"},
+    {"located",
+     "Taylor series from event to event, of high order, set by "
+     "tolerance (laws jump, coulomb, none)"},
+    {"compensated",
+     "moreau with compensated summation of the state, for small "
+     "steps in float"},
+    {NULL, NULL}};
+static const cli_choice_t rules[] = {
+    {"persist", "the present mode, while it is consistent"},
+    {"slip+", "an escaping stick ends at once, to this side"},
+    {"slip-", "likewise"},
+    {"random",
+     "with :SEED behind it or not: it ends at the rate `rate` [1/s], "
+     "to either side"},
+    {NULL, NULL}};
+static const cli_choice_t between[] = {
+    {"held", "a row of it holds until the next one"},
+    {"linear", "between two rows inputs are linear"},
+    {NULL, NULL}};
+static const cli_choice_t formats[] = {
+    [CLI_FORMAT_CSV] = {"csv",
+                        "t,r,v,omega,h,g,F,M,mode,choices (the default)"},
+    [CLI_FORMAT_PLOTTER] = {"plotter",
+                            "label:value pairs for a serial plotter"},
+    [CLI_FORMAT_FRAMES] = {"frames",
+                           "what a board sends: see "
+                           "docs/PROTOCOL.md"},
+    {NULL, NULL}};
+static const cli_choice_t streams[] = {
+    {"csv", "as `run` writes them; for files"},
+    {"plotter", "label:value pairs, for the Arduino IDE's plotter"},
+    {"teleplot", "name:ms:value, for Teleplot's UDP port"},
+    {"json", "an object a line, for PlotJuggler's UDP server"},
+    {NULL, NULL}};
+static const cli_choice_t summaries[] = {
+    {"text", ""}, {"json", ""}, {NULL, NULL}};
+static const cli_choice_t mechanisms[] = {
+    [CLI_BY_RANDOM] = {"random",
+                       "a draw: an escaping stick is left at --rate, "
+                       "to either side with equal probability (the "
+                       "default)"},
+    [CLI_BY_NOISE] = {"noise", "white noise on h, of --size"},
+    [CLI_BY_SMOOTHING] = {"smoothing",
+                          "sign(h) smoothed over the width --size"},
+    [CLI_BY_HYSTERESIS] = {"hysteresis",
+                           "friction changes its side at |h| = "
+                           "--size"},
+    [CLI_BY_DELAY] = {"delay", "friction has the sign that h had --size ago"},
+    {NULL, NULL}};
+static const cli_choice_t codim2[] = {
+    [CLI_CODIM2_REST] = {"rest",
+                         "pinned, where that is consistent, until a "
+                         "draw (the default)"},
+    [CLI_CODIM2_ATTRACTING] = {"attracting",
+                               "the attracting stick where there "
+                               "is one"},
+    [CLI_CODIM2_EVEN] = {"even",
+                         "one of the consistent modes, all equally "
+                         "likely"},
+    {NULL, NULL}};
+static const cli_choice_t commands[] = {
+    {"start", ""},   {"stop", ""},     {"reset", ""},  {"snapshot", ""},
+    {"restore", ""}, {"describe", ""}, {"clear", ""},  {"input", ""},
+    {"set:", ""},    {"select:", ""},  {"input:", ""}, {"deadman:", ""},
+    {NULL, NULL}};
+
+static int read_set(void *to, const cli_given_t *given) {
+  cli_args_t *args = to;
+  return cli_settings_add(&args->settings, given->name, given->value);
+}
+
+// An option that is the name of a setting.
+static int read_named(void *to, const cli_given_t *given) {
+  cli_args_t *args = to;
+  return cli_settings_add_named(&args->settings, given->name, given->name + 2,
+                                given->value);
+}
+
+static int read_shard(void *to, const cli_given_t *given) {
+  cli_args_t *args = to;
+  return cli_read_shard(given, &args->shard);
+}
+
+static int read_events(void *to, const cli_given_t *given) {
+  cli_args_t *args = to;
+  if (strcmp(given->value, "all") == 0) {
+    args->listed = UINT64_MAX;
+    return CLI_DONE;
+  }
+  return cli_read_whole(given->value, 0, CLI_MAX_STEPS, &args->listed)
+             ? CLI_DONE
+             : cli_message(CLI_USAGE,
+                           "--events %s: must be a whole number in [0, 1e15], "
+                           "or all",
+                           given->value);
+}
+
+const cli_option_t cli_options[] = {
+    {CLI_SWEEP, "--over", "NAME=A:B:N", OTHER, .read = cli_read_over,
+     .how = CLI_REPEATABLE,
+     .what = "N values from A to B of a name of --set, or of seed (with "
+             "--select random); may be repeated: the last one is the inner "
+             "loop"},
+    {CLI_SWEEP, "--outcome", "NAME,...", OTHER, .read = cli_read_outcome,
+     .how = CLI_REPEATABLE,
+     .what = "columns, from the list below; default: modes, rest, recurrence, "
+             "energy, ambiguous"},
+    {CLI_DIVERGE, .what = "what selects the exit:"},
+    {CLI_DIVERGE, "--by", "KIND", CHOICE(mechanism), .choices = mechanisms,
+     .noun = "kind", .what = "one of:"},
+    {CLI_DIVERGE, "--rate", "R", OTHER, .read = read_named,
+     .what = "of --by random [1/s]; default: the scene's rate"},
+    {CLI_DIVERGE, "--size", "S", REAL(size), .how = CLI_OPEN, .high = 1,
+     .what = "of what selects the exit; unit: see below"},
+    {CLI_DIVERGE, "--spread", "Q", REAL(spread), .low = 1, .high = 1e6,
+     .what = "the size of each sample is drawn from [S/Q, S], "
+             "log-uniformly"},
+    {CLI_DIVERGE, "--codim2", "MODE", CHOICE(codim2), .choices = codim2,
+     .what = "--by random at h = g = 0:"},
+    {CLI_DIVERGE, .what = "how much:"},
+    {CLI_DIVERGE, "--samples", "N", WHOLE(samples), .low = 1,
+     .high = UINT32_MAX, .usual = 100, .what = "motions"},
+    {CLI_DIVERGE, "--cycles", "N", WHOLE(cycles), .low = 1, .high = MOST,
+     .usual = 1, .what = "per sample, at most"},
+    {CLI_DIVERGE, "--patience", "T", REAL(patience), .how = CLI_OPEN,
+     .high = 1e9, .unit = "s", .usual = 100, .what = "longest cycle"},
+    {CLI_DIVERGE, "--seed", "N", WHOLE(seed), .high = UINT32_MAX, .usual = 1,
+     .what = "of the draws"},
+    {CLI_DIVERGE, "--dt", "DT", OTHER, .read = read_named,
+     .what = "step [s]; near the two-fold (random: in slip) DT / K"},
+    {CLI_DIVERGE, "--near", "K", REAL(refinement), .low = 1, .high = 1e6,
+     .what = "how much shorter steps are near the two-fold"},
+    {CLI_DIVERGE, "--section", "D", REAL(section), .how = CLI_OPEN, .high = 1e3,
+     .unit = "m", .usual = 1e-3,
+     .what = "the phase is read where r is D past the two-fold"},
+    {CLI_DESIGN, "--r", "R", NUMBER(r), .low = -REACH, .high = REACH,
+     .unit = "m", .what = "r of the two-fold [m]"},
+    {CLI_DESIGN, "--omega", "W", NUMBER(omega), .low = -REACH, .high = REACH,
+     .unit = "rad/s", .what = "omega of the two-fold [rad/s]"},
+    {GRIDS, "--r", "A:B:N", RANGE(r), .low = -REACH, .high = REACH, .unit = "m",
+     .what = "N values of r from A to B [m]"},
+    {GRIDS, "--omega", "A:B:N", RANGE(omega), .low = -REACH, .high = REACH,
+     .unit = "rad/s", .what = "N values of omega from A to B [rad/s]"},
+    {MOTIONS, "--t-end", "S", NUMBER(t_end),
+     .what = "length [s]; default: the scene's own"},
+    {MOTIONS | CLI_SCENE, "--dt", "S", OTHER, .read = read_named,
+     .how = CLI_REPEATABLE, .what = "step [s]; the same as --set dt=S"},
+    {MOTIONS, "--scheme", "NAME", CHOICE(scheme), .choices = schemes,
+     .noun = "scheme", .what = "of the steps:"},
+    {CLI_RUN, "--realtime", NULL, FLAG(real_time),
+     .what = "every step waits for its time on the wall clock; the summary "
+             "counts the late ones"},
+    {CLI_RUN, "--priority", NULL, FLAG(priority), .needs = "--realtime",
+     .what = "with --realtime: before all other programs, with memory locked "
+             "(SCHED_FIFO, which needs the right)"},
+    {CLI_RUN, "--lateness", "FILE", PATH(lateness), .how = CLI_WRITES,
+     .needs = "--realtime",
+     .what = "with --realtime: a histogram of how long after their time steps "
+             "began and ended, us,began,ended"},
+    {CLI_RUN, "--live", NULL, FLAG(live),
+     .what = "draws the planes (g, h) and (r, omega) and the modes over time "
+             "in the terminal, with --realtime at the pace of the machine; "
+             "rows go to --out only"},
+    {MOTIONS | CLI_SCENE, "--select", "RULE", TEXT(select), .choices = rules,
+     .what = "selects one of several consistent modes; default: the scene's "
+             "own"},
+    {MOTIONS | CLI_SCENE, "--set", "NAME=VALUE", OTHER, .read = read_set,
+     .how = CLI_REPEATABLE,
+     .what = "a parameter, an initial value or the law; each NAME once; names: "
+             "'twofold help run'"},
+    {ANALYSES, "--set", "NAME=VALUE", OTHER, .read = read_set,
+     .how = CLI_REPEATABLE,
+     .what = "a parameter or the law, as in 'twofold help run'"},
+    {CLI_DIVERGE, "--set", "NAME=VALUE", OTHER, .read = read_set,
+     .how = CLI_REPEATABLE, .what = "as in 'twofold help run'"},
+    {MOTIONS, "--inputs", "FILE", PATH(drive.inputs), .how = CLI_READS,
+     .what = "inputs over time, a CSV table, the same at every point of a "
+             "sweep: 'twofold help inputs'"},
+    {MOTIONS, "--between", "WORD", TEXT(drive.between), .choices = between,
+     .what = "with --inputs:"},
+    {CLI_RUN, "--every", "N", WHOLE(every), .low = 1, .high = CLI_MAX_STEPS,
+     .usual = 1,
+     .what = "a row every N steps; the first and the last instant are always "
+             "written"},
+    {CLI_RUN, "--format", "NAME", CHOICE(format), .choices = formats,
+     .noun = "format", .what = "of the rows:"},
+    {CLI_DIVERGE, "--shard", "I/N", OTHER, .read = read_shard,
+     .what = "only part I of N of the samples; the rows of the parts, one "
+             "after the other, are those of one run"},
+    {CLI_SWEEP, "--shard", "I/N", OTHER, .read = read_shard,
+     .what = "only part I of N of the points; the rows of the shards, one file "
+             "after the other, are those of all"},
+    {CLI_DIVERGE, .what = "files, CSV:"},
+    {CLI_DIVERGE, "--exits", "FILE", PATH(exits), .how = CLI_WRITES,
+     .what = "sample,cycle,time [s since the arrival],r [m],omega [rad/s],g "
+             "[m/s],side (slip+ or slip-),phase [windings, 0 to 1],how (left, "
+             "or released: the escaping region ended),section_time [s since "
+             "the arrival]"},
+    {CLI_DIVERGE, "--returns", "FILE", PATH(returns), .how = CLI_WRITES,
+     .what = "sample,cycle,outcome,time [s from exit to end],arrived "
+             "[s],exit_r [m],landing_time [s since the exit],landing_r "
+             "[m],landings,windings"},
+    {CLI_DIVERGE, "--counts", "FILE", PATH(counts), .how = CLI_WRITES,
+     .what = "cycles counted in integers: what,key,count, with what outcome; "
+             "begun, returned (by the number of the cycle in its sample); "
+             "side; phase, time (of return), landing (bins: see the comments "
+             "in the file). Shards are added by 'twofold merge'"},
+    {CLI_DIVERGE, "--resume", NULL, FLAG(resume),
+     .what = "goes on after a kill; FILE.resume says where (of the first of "
+             "--counts, --returns, --exits)"},
+    {CLI_DIVERGE, "--header", NULL, FLAG(header),
+     .what = "writes a header even if the shard is not the first"},
+    {CLI_MONITOR, "--as", "FORM", OTHER, .read = cli_read_as,
+     .choices = streams,
+     .what = "rows, with the digits of the sender's number type; without this "
+             "option a terminal shows the state live. Forms:"},
+    {CLI_MONITOR, "--csv", NULL, OTHER, .read = cli_read_csv,
+     .what = "--as csv"},
+    {CLI_MONITOR, "--live", NULL, FLAG(live),
+     .what = "draws the planes (g, h) and (r, omega) and the last ten seconds "
+             "of modes; rows only with --as --out"},
+    {CLI_MONITOR, "--out", "FILE", PATH(out), .how = CLI_WRITES,
+     .what = "with --as: FILE instead of standard output"},
+    {MOTIONS | CLI_SCENE | ANALYSES | CLI_MERGE, "--out", "FILE", PATH(out),
+     .how = CLI_WRITES, .what = "instead of standard output"},
+    {CLI_RUN, "--save", "FILE", PATH(save), .how = CLI_WRITES,
+     .what = "the state at the end of the run, whatever ends it"},
+    {CLI_RUN, "--from", "FILE", PATH(from), .how = CLI_READS,
+     .what = "continues from there, bit for bit: t-end is that of the whole, "
+             "and the first row is the last one of the run before"},
+    {CLI_RUN, "--replay", "FILE", PATH(replay), .how = CLI_READS,
+     .what = "repeats, to the bit, what a board did while 'twofold monitor "
+             "--record FILE' sent it commands; with --dt 1/RATE of its "
+             "firmware, in its number type; --save then keeps what commands "
+             "have left in effect, and the summary names the options by which "
+             "--from goes on with it"},
+    {CLI_MONITOR, "--record", "FILE", PATH(record), .how = CLI_WRITES,
+     .what = "the commands that took effect, each with its step, for 'twofold "
+             "run SCENE --replay FILE'"},
+    {CLI_SWEEP, "--resume", NULL, FLAG(resume),
+     .what = "goes on behind the last whole row of FILE.part; does nothing "
+             "where FILE is whole"},
+    {CLI_RUN | GRIDS | CLI_DIVERGE | CLI_MONITOR, "--provenance", NULL,
+     FLAG(provenance),
+     .what = "four comment lines before the header of CSV (diverge: of "
+             "--branches, too): version, commit, scene, scheme, units: "
+             "'twofold help provenance'"},
+    {MOTIONS | CLI_DIVERGE | CLI_MONITOR, "--summary", "text|json",
+     CHOICE(summary), .choices = summaries,
+     .what =
+         "the summary as text, or as JSON in the last line of standard error"},
+    {CLI_RUN, "--events", "N|all", OTHER, .read = read_events,
+     .what = "events that the summary lists; default 20"},
+    {CLI_DIVERGE, .what = "all branches:"},
+    {CLI_DIVERGE, "--exhaustive", NULL, FLAG(exhaustive),
+     .what = "every mode of every state with several consistent ones; an "
+             "escaping stick is left at multiples of --grid, to both sides"},
+    {CLI_DIVERGE, "--grid", "T", REAL(grid), .low = 1e-6, .high = 1e3,
+     .unit = "s", .usual = 1e-2, .needs = "--exhaustive",
+     .what = "from one exit to the next"},
+    {CLI_DIVERGE, "--depth", "N", WHOLE(depth), .low = 1, .high = 1000,
+     .usual = 3, .needs = "--exhaustive", .what = "states in a row"},
+    {CLI_DIVERGE, "--count", "N", WHOLE(nodes), .low = 1, .high = 1e6,
+     .usual = 1000, .needs = "--exhaustive", .what = "states in all"},
+    {CLI_DIVERGE, "--branches", "FILE", PATH(branches), .how = CLI_WRITES,
+     .needs = "--exhaustive",
+     .what = "node,depth,kind,r,omega,mode,stick_time,exit_r,exit_omega,end,"
+             "to,time,end_r,landing_r,windings; default: standard output. "
+             "Branches that end at the same state (r within 1e-6 m) have the "
+             "same number in 'to'"},
+    {CLI_MONITOR, "--baud", "N", WHOLE(baud), .low = 1, .high = 1e8,
+     .what = "speed of a serial device; default: unchanged"},
+    {CLI_MONITOR, "--send", "COMMAND", OTHER, .read = cli_read_send,
+     .how = CLI_REPEATABLE, .choices = commands,
+     .what = "sends a command to the board and prints the answer; may be "
+             "repeated. Commands: start, stop, reset, snapshot, restore, "
+             "describe, clear, set:NAME=VALUE, select:RULE[:SEED], input (the "
+             "scene's own), input:OMEGA0,R0,FORCE,TORQUE, deadman:STEPS that "
+             "inputs hold (0: without end). Ends after the last answer unless "
+             "there is --as or a live view"},
+    {CLI_MONITOR, "--key", "FILE", TEXT(key), .how = CLI_READS,
+     .what = "32 hexadecimal digits: the key of a board that wants its "
+             "commands tagged"},
+    {CLI_MONITOR, "--follow", NULL, FLAG(follow),
+     .what = "wait for a device that was unplugged, or for a file to grow"},
+};
+const size_t cli_option_count = sizeof cli_options / sizeof cli_options[0];
