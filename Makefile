@@ -25,7 +25,7 @@ CLI := $(wildcard tools/*.c tools/cli/*.c tools/cli/*/*.c)
 # Of it, what reads a scene by its name or from a file.
 SCENE_READER := $(wildcard tools/cli/setup/scene*.c tools/cli/text/*.c) \
   tools/cli/setup/names.c
-SUPPORT := $(wildcard tests/support/*.c)
+SUPPORT := $(wildcard tests/support/*.c tests/reference/*.c)
 TEST_ROOMS := tests/unit/* tests/cli tests/line tests/law tests/golden \
   tests/regress
 TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
@@ -43,7 +43,7 @@ CORE_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -fno-math-errno \
   -ffreestanding
 TOOL_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -Itools
 # Tests judge in long double, so they promote on purpose.
-TEST_FLAGS := $(COMMON) $(WARN) -Itests -Itests/support -Isrc
+TEST_FLAGS := $(COMMON) $(WARN) -Itests -Itests/support -Itests/reference -Isrc
 # Short sums of products of numbers that were just computed: in vectors they
 # would wait for their stores (located step of chaos: 1.15 times the time).
 SRC_FLAGS_taylor := -fno-tree-vectorize
@@ -82,7 +82,8 @@ MEASURE_MAKEFILES := tools/bench/steps/bench.mk tools/bench/report/report.mk \
   tools/study/figures/figures.mk tools/study/shards/shards.mk
 VERIFY_MAKEFILES := tools/verify/check/check.mk tools/verify/fuzz/fuzz.mk \
   tools/verify/soak/soak.mk tools/verify/mutation/mutation.mk tools/verify/eva/eva.mk \
-  tools/verify/cost/cost.mk tests/reference/oracle/oracle.mk tests/reference/events/reference.mk
+  tools/verify/cost/cost.mk tests/reference/oracle/oracle.mk \
+  tests/reference/reference.mk
 
 # A target for users says what it does after `##`, on a line of its own; one
 # that only makefiles and scripts use has no such line and is named here or

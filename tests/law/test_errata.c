@@ -4,7 +4,7 @@
  * energy balance, quadrature of the pressure, the sliding field itself), and
  * that the form as printed does not. Without the second half a test could
  * pass for both and would mean nothing. */
-#include "../support/paper.h"
+#include "paper.h"
 #include "../tap.h"
 
 static long double any(double lo, double hi) {

@@ -1,6 +1,6 @@
 /* test_errata_text.c - statements of the paper's text that do not hold beside
  * those of test_errata.c: each is shown false, and what holds instead true. */
-#include "../support/paper.h"
+#include "paper.h"
 #include "../tap.h"
 
 static long double any(double lo, double hi) {

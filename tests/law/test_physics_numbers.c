@@ -10,7 +10,7 @@
 #include <float.h>
 
 #include "../support/orbit.h"
-#include "../support/paper.h"
+#include "paper.h"
 #include "../tap.h"
 
 #define DEGREE (PAPER_PI / 180.0L)

@@ -1,5 +1,5 @@
 /* The tyre laws against what they stand for: the paper's own psi formulas and
- * Appendix B in long double (tests/support/paper.h), their limits at h -> 0
+ * Appendix B in long double (tests/reference/paper.h), their limits at h -> 0
  * and epsilon -> 0, their mirror images bit for bit, and the sign of their
  * power. The kernel inside has its own test, test_kernel.c. */
 #include "common.h"

@@ -47,7 +47,7 @@ static real_t h_rate(const ref_machine_t *q, const real_t x[3], real_t F,
 
 static void slope(const phase_t *phase, const real_t x[3], real_t out[3]) {
   const ref_machine_t *q = phase->q;
-  const real_t kappa = q->coulomb ? 0 : q->kappa;
+  const real_t kappa = (q->law == REF_COULOMB) ? 0 : q->kappa;
   if (phase->mode == 0) {
     const real_t none = h_rate(q, x, 0, 0);
     const real_t one = h_rate(q, x, 1, phase->sign_g * kappa);
@@ -58,7 +58,7 @@ static void slope(const phase_t *phase, const real_t x[3], real_t out[3]) {
   // (force), (moment) with psi as printed, beyond |h/g| = 0 by the odd
   // arctangent.
   real_t F = phase->mode * q->mu, M = 0;
-  if (!q->coulomb) {
+  if (!(q->law == REF_COULOMB)) {
     const real_t h = phase->mode * h_of(q, x), g = g_of(q, x);
     const real_t least = atanl(1 / (6 * q->kappa)), right = atan2l(1, 0);
     const real_t slope_of_psi = 1 - least / right;
@@ -113,7 +113,7 @@ static real_t margin(const phase_t *phase, const real_t x[3]) {
   if (phase->mode != 0) {
     return fminl(g, phase->mode * h_of(q, x));
   }
-  const real_t M = q->coulomb ? 0 : phase->sign_g * q->kappa * q->mu;
+  const real_t M = (q->law == REF_COULOMB) ? 0 : phase->sign_g * q->kappa * q->mu;
   const real_t up = h_rate(q, x, q->mu, M), down = h_rate(q, x, -q->mu, -M);
   return fminl(g, up < down ? fminl(-up, down) : fminl(up, -down));
 }
@@ -129,7 +129,7 @@ static bool next(phase_t *phase, const real_t x[3]) {
     phase->sign_g = -phase->sign_g;
     return true;
   }
-  const real_t M = q->coulomb ? 0 : phase->sign_g * q->kappa * q->mu;
+  const real_t M = (q->law == REF_COULOMB) ? 0 : phase->sign_g * q->kappa * q->mu;
   const real_t up = h_rate(q, x, q->mu, M), down = h_rate(q, x, -q->mu, -M);
   if (phase->mode == 0) {
     phase->mode = fabsl(up) < fabsl(down) ? 1 : -1;

@@ -6,7 +6,9 @@
 #include <stdint.h>
 
 #include "library.h"
-#include "orbit.h"
+#include "reference.h"
+
+typedef ref_real_t real_t;
 
 typedef enum { DRAW_WIDE, DRAW_EDGE, DRAW_EXTREME } draw_range_t;
 

@@ -8,7 +8,7 @@
 
 #include "classes.h"
 
-enum { WAYS = REF_MAX_CONSISTENT + 1, DTS = 3, RUNS = LIB_SCHEMES * DTS };
+enum { WAYS = REF_MAX_WAYS + 1, DTS = 3, RUNS = LIB_SCHEMES * DTS };
 static const double dts[DTS] = {1e-4, 3e-5, 1e-5};
 
 // The consistent modes at the first h = g = 0, a little later.
@@ -46,9 +46,9 @@ static real_t quiet(const ref_orbit_t *at, real_t span) {
   orbit.watch = find;
   orbit.context = &finder;
   orbit.codim2_count = 0;
-  ref_run(&orbit, at->t + span);
-  const real_t until = finder.found ? finder.first.t : orbit.t;
-  return until - at->t < span ? 0.8L * (until - at->t) : span;
+  ref_run(&orbit, at->x.t + span);
+  const real_t until = finder.found ? finder.first.x.t : orbit.x.t;
+  return until - at->x.t < span ? 0.8L * (until - at->x.t) : span;
 }
 
 static bool make_fork(const ref_machine_t *q, const ref_orbit_t *at,
@@ -57,7 +57,7 @@ static bool make_fork(const ref_machine_t *q, const ref_orbit_t *at,
   if (span < 0.002L || at->stop != REF_REACHED) {
     return false;
   }
-  fork->t = ceil((double)(at->t + span) / 3e-4) * 3e-4;
+  fork->t = ceil((double)(at->x.t + span) / 3e-4) * 3e-4;
   fork->codim2 = at->at;
   fork->count = at->consistent.count;
   fork->arrived = at->arrived;

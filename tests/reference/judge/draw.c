@@ -133,7 +133,7 @@ ref_machine_t draw_reference(const lib_machine_t *machine,
       .mu = as(real, q->mu),
       .kappa = as(real, q->kappa),
       .gamma = as(real, q->gamma),
-      .coulomb = q->coulomb,
+      .law = q->coulomb ? REF_COULOMB : REF_JUMP,
   };
   ref_prepare(&out);
   return out;

@@ -6,14 +6,14 @@
 
 #include "classes.h"
 
-static count_t none[2][REF_LAWS] = {
+static count_t none[2][REF_RESTS] = {
     {{.what = "random points: none under the bow tie"},
      {.what = "random points: none under the square"},
      {.what = "random points: none under the hexagon"}},
     {{.what = "points reached: none under the bow tie"},
      {.what = "points reached: none under the square"},
      {.what = "points reached: none under the hexagon"}}};
-static count_t rests[2][REF_LAWS] = {
+static count_t rests[2][REF_RESTS] = {
     {{.what = "random points: rest under the bow tie"},
      {.what = "random points: rest under the square"},
      {.what = "random points: rest under the hexagon"}},
@@ -49,7 +49,7 @@ static void judge(const place_t *place, const ref_consistent_t *f, real_t r,
   machine.omega = machine.omega0;
   machine.on_surface = false;
   const bool moves = f->count > 0 || f->spiral;
-  for (int law = 0; law < REF_LAWS; ++law) {
+  for (int law = 0; law < REF_RESTS; ++law) {
     count_try(&none[kind][law], !moves && !f->rests[law],
               law == REF_BOW_TIE ? &hushed : place->options, place->index,
               &machine, 0.1, "moreau");
@@ -86,7 +86,7 @@ int class_rest_law(const options_t *options) {
     ref_machine_t q;
     ref_orbit_t orbit = class_orbit(&place.machine, &q, &lib_f64);
     ref_consistent_t consistent;
-    const ref_state_t point = {(real_t)draw_uniform(&draw, -1, 1), 0, 0};
+    const ref_state_t point = {.r = (real_t)draw_uniform(&draw, -1, 1)};
     ref_consistent_codim2(&q, point, &consistent);
     judge(&place, &consistent, point.r, 0);
     orbit.watch = on_event;
@@ -95,7 +95,7 @@ int class_rest_law(const options_t *options) {
     ref_run(&orbit, options->t_end > 0 ? (real_t)options->t_end : 3);
   }
   for (int kind = 0; kind < 2; ++kind) {
-    for (int law = 0; law < REF_LAWS; ++law) {
+    for (int law = 0; law < REF_RESTS; ++law) {
       count_print(&none[kind][law]);
       count_print(&rests[kind][law]);
     }

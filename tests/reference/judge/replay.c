@@ -13,7 +13,7 @@ static const char *const modes[] = {"slip+",  "slip-",  "stick+",
 
 static void print_modes(const ref_consistent_t *f) {
   for (int i = 0; i < f->count; ++i) {
-    const ref_consistent_mode_t *a = &f->list[i];
+    const ref_way_t *a = &f->list[i];
     printf("      %-7s rate %-11.5Lg angle %9.4Lf %s%s\n", modes[a->mode],
            a->rate, a->angle * 180 / acosl(-1),
            a->attracting ? "attracting" : "repelling",
@@ -32,7 +32,7 @@ static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
     return;
   }
   printf("  %-8s t %.9Lf r %.9Lf v %.9Lf w %.9Lf g %.3Lg, goes on %s\n",
-         names[event], orbit->t, orbit->x.r, ref_v(q, orbit->x),
+         names[event], orbit->x.t, orbit->x.r, ref_v(q, orbit->x),
          ref_w(q, orbit->x), ref_slip(q, orbit->x).g, modes[orbit->mode]);
   if (event == REF_CODIM2) {
     print_modes(&orbit->consistent);
@@ -112,16 +112,16 @@ int class_replay(const options_t *options, int argc, char **argv) {
   }
   const double end = options->t_end > 0 ? options->t_end : 3;
   ref_machine_t q = draw_reference(&machine, &lib_f64);
-  for (int law = 0; law < REF_LAWS; ++law) {
+  for (int law = 0; law < REF_RESTS; ++law) {
     static const char *const names[] = {"bow tie", "square", "hexagon"};
     ref_orbit_t orbit = {
-        .tolerance = 1e-12L, .law = (ref_law_t)law, .watch = on_event};
+        .tolerance = 1e-12L, .law = (ref_rest_t)law, .watch = on_event};
     printf("%s\n", names[law]);
     ref_begin(&orbit, &q, draw_start(&machine, &q, &lib_f64), REF_MODES);
     printf("  starts %s\n", modes[orbit.mode]);
     ref_run(&orbit, (real_t)end);
     printf("  %s: t %.9Lf r %.9Lf v %.9Lf w %.9Lf %s\n",
-           ref_stop_name(orbit.stop), orbit.t, orbit.x.r, ref_v(&q, orbit.x),
+           ref_stop_name(orbit.stop), orbit.x.t, orbit.x.r, ref_v(&q, orbit.x),
            ref_w(&q, orbit.x), modes[orbit.mode]);
   }
   schemes(&machine, end);

@@ -181,7 +181,7 @@ int class_rounding(const options_t *options) {
     draw_t draw = draw_begin(options->seed, (uint64_t)i);
     lib_machine_t machine = draw_machine(&draw, options->range);
     ref_machine_t q;
-    ref_state_t near = {0, 0, 0};
+    ref_state_t near = {.r = 0};
     const bool rests = settles(&machine, &q, &near);
     if (rests) {
       machine.r = (double)near.r;

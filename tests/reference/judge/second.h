@@ -6,7 +6,7 @@
 #ifndef REFERENCE_SECOND_H
 #define REFERENCE_SECOND_H
 
-#include "model.h"
+#include "draw.h"
 
 /// Integrates from x = (r, v, w), in place, to the time `end` or as far as it
 /// may; returns the time reached and sets the number of events.

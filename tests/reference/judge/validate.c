@@ -44,7 +44,10 @@ static ref_machine_t paper(void) {
 }
 
 static ref_state_t along(ref_state_t x, ref_rate_t f, real_t t) {
-  return (ref_state_t){x.r + t * f.r, x.p + t * f.p, x.z + t * f.z};
+  x.r += t * f.r;
+  x.p += t * f.p;
+  x.z += t * f.z;
+  return x;
 }
 
 // K: derivative along f(x, to mu) of h' under f(x, of mu), in the paper's
@@ -91,19 +94,19 @@ static void two_fold(const ref_machine_t *q) {
 static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
   const ref_state_t *x = &orbit->x;
   if (event == REF_CODIM2 && orbit->codim2_count == 1) {
-    check("h = g = 0 at t", orbit->t, 0.009409869L, 1e-9L);
+    check("h = g = 0 at t", orbit->x.t, 0.009409869L, 1e-9L);
     check("  r", x->r, 0.179862653L, 1e-9L);
   } else if (event == REF_CODIM2) {
     const ref_edge_t edge =
-        ref_edge(orbit->machine, (ref_state_t){x->r, 0, 0}, 1);
-    check("leaves stick- at t", orbit->t, 1.908120383L, 1e-9L);
+        ref_edge(orbit->machine, (ref_state_t){.r = x->r}, 1);
+    check("leaves stick- at t", orbit->x.t, 1.908120383L, 1e-9L);
     check("  r", x->r, 0.192272795344L, 1e-12L);
     check("  lambda of stick+", fabsl(edge.N / edge.A), 1.718L, 1e-3L);
     check("  angle [deg]",
           orbit->consistent.list[orbit->chosen].angle * 180 / acosl(-1),
           359.56L, 5e-3L);
-  } else if (event == REF_STICKS) {
-    check("lower sliding region at t", orbit->t, 1.922602L, 1e-6L);
+  } else if (event == REF_ENTERS) {
+    check("lower sliding region at t", orbit->x.t, 1.922602L, 1e-6L);
     check("  r", x->r, 0.191960972L, 1e-9L);
     check("  w", ref_w(orbit->machine, *x), -1.053244828L, 1e-9L);
   }
@@ -113,7 +116,7 @@ int class_validate(const options_t *options) {
   const ref_machine_t q = paper();
   (void)options;
   two_fold(&q);
-  ref_state_t x = {0.18L, 0, -0.037L};
+  ref_state_t x = {.r = 0.18L, .z = -0.037L};
   x.p = -(1e-10L + x.r * x.z * q.cosine) / q.sine;
   ref_orbit_t orbit = {.tolerance = 1e-13L, .watch = on_event};
   ref_begin(&orbit, &q, x, REF_MODES);
@@ -127,7 +130,7 @@ int class_validate(const options_t *options) {
   check("lambda/mu near the two-fold", force.F / q.mu, 0.0949L, 2e-4L);
   check("dw/dr near the two-fold", rate.z / rate.r, -10.2367L, 2e-2L);
   ref_run(&orbit, 3);
-  check("two-fold at t", orbit.t, 2.046269L, 1e-5L);
+  check("two-fold at t", orbit.x.t, 2.046269L, 1e-5L);
   check("  r", orbit.x.r, 0.1859L, 1e-9L);
   check("  w", ref_w(&q, orbit.x), -1.037L, 1e-8L);
   printf("%d bad\n", failures);

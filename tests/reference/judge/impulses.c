@@ -16,11 +16,11 @@ typedef struct {
 
 static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
   slips_t *slips = orbit->context;
-  if (event == REF_STICKS || event == REF_CROSSES) {
-    slips->shortest = fminl(slips->shortest, orbit->t - slips->last);
+  if (event == REF_ENTERS || event == REF_CROSSES) {
+    slips->shortest = fminl(slips->shortest, orbit->x.t - slips->last);
   }
   slips->open = slips->open || event == REF_CODIM2;
-  slips->last = orbit->t;
+  slips->last = orbit->x.t;
 }
 
 static count_t judged = {.what = "judged: the reference is sure of the end"};

@@ -42,7 +42,7 @@ ref_orbit_t class_orbit(const lib_machine_t *machine, ref_machine_t *q,
 double class_difference(const ref_machine_t *q, ref_state_t x,
                         const lib_row_t *row) {
   const real_t w = ref_w(q, x), v = ref_v(q, x);
-  const real_t scale = ref_speed_scale(q, x.r);
+  const real_t scale = ref_speed_scale(q, x);
   const real_t in_r = fabsl(x.r - row->r) / (fabsl(x.r) + q->beta);
   const real_t in_v = fabsl(v - row->v) / (fabsl(v) + scale);
   const real_t in_w = fabsl(w - row->w) / (fabsl(w) + fabsl(q->omega0));

@@ -1,0 +1,405 @@
+/// @file
+/// One step within a mode by extrapolation of the midpoint rule (Gragg,
+/// Bulirsch, Stoer): it has no table of coefficients, so it is as exact as its
+/// numbers. An event is a sign change of a watched function; the step is taken
+/// again with a smaller length to end on it, which costs no accuracy.
+///
+/// A step runs in a time of its own, in which all that is singular is regular:
+/// next to h = g = 0, where the direction of slip decides the force, dt is
+/// proportional to the slip, so that the point is reached and left at a steady
+/// pace; in stick it is proportional to A, which makes the two-fold an ordinary
+/// point.
+#include "flow.h"
+
+typedef ref_real_t real_t;
+
+enum { WATCHED = 5, COLUMNS = 14, DIM = 4 };
+
+typedef struct {
+  int count;
+  ref_at_t at[WATCHED];
+  real_t value[WATCHED]; ///< positive where the mode goes on
+} watched_t;
+
+/// A / scale of A at which the straight line into a two-fold begins.
+#ifdef REF_QUAD
+static const real_t near_fold = (real_t)1e-17L;
+#else
+static const real_t near_fold = 1e-9L;
+#endif
+
+/// Of a time: less than that many are not stepped, for a substep would be lost.
+static const real_t roundings = 256 * REF_EPSILON;
+
+static bool slips(const ref_orbit_t *orbit) {
+  return orbit->mode <= REF_SLIP_MINUS;
+}
+
+ref_force_t ref_force(const ref_orbit_t *orbit, ref_state_t x) {
+  const ref_machine_t *q = orbit->machine;
+  if (slips(orbit)) {
+    return ref_slip_force(q, ref_slip(q, x), orbit->piece);
+  }
+  if (orbit->mode == REF_PINNED) {
+    return orbit->consistent.resting;
+  }
+  const ref_edge_t edge = ref_edge(q, x, orbit->piece.roll);
+  return ref_stick_force(q, orbit->piece.roll, edge.N / edge.A);
+}
+
+// Whether time is stretched in stick. The law COULOMB has A > 0 throughout, and
+// a wheel along the slot has A = N = 0 on the axis, which is no two-fold: there
+// lambda = N / A goes on.
+static bool stretches(const ref_machine_t *machine) {
+  return machine->law == REF_JUMP && ref_abs(machine->sine) > (real_t)1e-9L;
+}
+
+// x' = |A| f(x, 0) + sign(A) N f_lambda, over the scale of A.
+static ref_state_t stick_slope(const ref_orbit_t *orbit, ref_state_t x) {
+  const ref_machine_t *q = orbit->machine;
+  const ref_rate_t f = ref_rate(q, x, (ref_force_t){0, 0});
+  const ref_force_t unit = ref_stick_force(q, orbit->piece.roll, 1);
+  const real_t J = q->m * (q->beta * q->beta + x.r * x.r);
+  const real_t in_p = q->sine / q->m, in_z = (x.r * q->cosine + unit.M) / J;
+  const real_t A = q->sine * in_p + x.r * q->cosine * in_z;
+  const real_t scale = stretches(q) ? orbit->piece.side / orbit->pace_A : 1 / A;
+  return (ref_state_t){.r = scale * A * f.r,
+                       .p = scale * (A * f.p + f.h * in_p),
+                       .z = scale * (A * f.z + f.h * in_z),
+                       .t = scale * A};
+}
+
+static real_t slip_pace(const ref_orbit_t *orbit, ref_slip_t slip) {
+  if (!ref_by_angle(orbit->machine)) {
+    return 1;
+  }
+  const real_t rho = ref_hypot(slip.h, slip.g);
+  return rho / (orbit->pace_slip + rho);
+}
+
+ref_state_t ref_slope(ref_orbit_t *orbit, ref_state_t x) {
+  const ref_machine_t *q = orbit->machine;
+  ++orbit->evaluations;
+  if (orbit->mode == REF_PINNED) {
+    return (ref_state_t){.t = 1};
+  }
+  if (!slips(orbit)) {
+    return stick_slope(orbit, x);
+  }
+  const ref_slip_t slip = ref_slip(q, x);
+  const ref_rate_t f = ref_rate(q, x, ref_slip_force(q, slip, orbit->piece));
+  const real_t pace = slip_pace(orbit, slip);
+  return (ref_state_t){
+      .r = pace * f.r, .p = pace * f.p, .z = pace * f.z, .t = pace};
+}
+
+static ref_state_t along(ref_state_t x, real_t t, ref_state_t f) {
+  x.r += t * f.r;
+  x.p += t * f.p;
+  x.z += t * f.z;
+  x.t += t * f.t;
+  return x;
+}
+
+// n substeps of the midpoint rule.
+static ref_state_t midpoint(ref_orbit_t *orbit, ref_state_t start, real_t H,
+                            int n) {
+  const real_t dt = H / n;
+  ref_state_t last = orbit->x;
+  ref_state_t x = along(last, dt, start);
+  for (int i = 1; i < n; ++i) {
+    const ref_state_t next = along(last, 2 * dt, ref_slope(orbit, x));
+    last = x;
+    x = next;
+  }
+  return x;
+}
+
+// Error against what h, g and r are at both ends: where the angle in the
+// (h, g) plane decides the force, the smaller slip counts.
+static real_t error(const ref_orbit_t *orbit, ref_state_t a, ref_state_t end) {
+  const ref_machine_t *q = orbit->machine;
+  const ref_slip_t before = ref_slip(q, orbit->x), after = ref_slip(q, end);
+  const real_t rho0 = ref_hypot(before.h, before.g);
+  const real_t rho1 = ref_hypot(after.h, after.g);
+  real_t rho = ref_larger(rho0, rho1);
+  if (!ref_by_angle(q)) {
+    rho += ref_speed_scale(q, end);
+  } else if (slips(orbit) && rho0 > 0) {
+    rho = ref_smaller(rho0, rho1);
+  }
+  const real_t reach = ref_abs(end.r) + q->beta;
+  const real_t in_r = ref_abs(a.r - end.r) / reach;
+  const real_t in_p = ref_abs(a.p - end.p) / rho;
+  const real_t in_z = ref_abs(a.z - end.z) * ref_abs(end.r) / rho;
+  const real_t alone = ref_abs(a.z - end.z) / (ref_abs(end.z) + rho / reach);
+  const real_t e = ref_larger(ref_larger(in_r, in_p), ref_larger(in_z, alone));
+  return e >= 0 ? e / orbit->tolerance : (real_t)HUGE_VALL;
+}
+
+// Columns of the extrapolation table that suit a tolerance.
+static int columns(const ref_orbit_t *orbit) {
+  return orbit->tolerance > (real_t)1e-14L   ? 6
+         : orbit->tolerance > (real_t)1e-20L ? 8
+                                             : COLUMNS;
+}
+
+// One step of length H. Returns the error over the tolerance.
+static real_t trial(ref_orbit_t *orbit, real_t H, ref_state_t *end) {
+  if (orbit->mode == REF_PINNED) {
+    *end = along(orbit->x, H, (ref_state_t){.t = 1});
+    return 0;
+  }
+  const ref_state_t start = ref_slope(orbit, orbit->x);
+  const int last = columns(orbit) - 1;
+  ref_state_t row[COLUMNS], coarser = orbit->x;
+  for (int k = 0; k <= last; ++k) {
+    ref_state_t next = midpoint(orbit, start, H, 2 * (k + 1));
+    for (int j = 1; j <= k; ++j) {
+      const real_t ratio = (real_t)(k + 1) / (k + 1 - j);
+      const real_t factor = 1 / (ratio * ratio - 1);
+      const ref_state_t old = row[j - 1];
+      const ref_state_t change = {next.r - old.r, next.p - old.p,
+                                  next.z - old.z, next.t - old.t, 0};
+      row[j - 1] = next;
+      next = along(next, factor, change);
+    }
+    coarser = k > 0 ? row[k - 1] : next;
+    row[k] = next;
+  }
+  *end = row[last];
+  return error(orbit, coarser, *end);
+}
+
+void ref_rest_margins(const ref_orbit_t *orbit, ref_state_t x, real_t *hull,
+                      real_t *bow) {
+  const ref_machine_t *q = orbit->machine;
+  const ref_rate_t free = ref_rate(q, x, (ref_force_t){0, 0});
+  const real_t J = q->m * (q->beta * q->beta + x.r * x.r);
+  const real_t F = -q->m * free.p / q->sine;
+  const real_t M = ref_abs(-J * free.z - F * x.r * q->cosine);
+  const real_t side = q->kappa * q->mu - M;
+  *bow = q->kappa * ref_abs(F) - M;
+  if (orbit->law == REF_HEXAGON) {
+    *hull = ref_smaller(side, 4 * q->mu / 3 - M / (3 * q->kappa) - ref_abs(F));
+  } else {
+    *hull =
+        ref_smaller(orbit->law == REF_SQUARE ? side : *bow, q->mu - ref_abs(F));
+  }
+}
+
+static void watch(watched_t *out, ref_at_t at, real_t value) {
+  out->at[out->count] = at;
+  out->value[out->count++] = value;
+}
+
+static void watch_slip(const ref_orbit_t *orbit, ref_state_t x,
+                       watched_t *out) {
+  const ref_machine_t *q = orbit->machine;
+  const ref_slip_t slip = ref_slip(q, x);
+  const real_t H = orbit->piece.side * slip.h, G = orbit->piece.roll * slip.g;
+  const int zone = orbit->piece.zone;
+  watch(out, REF_AT_H, H);
+  if (ref_has_kink(q)) {
+    watch(out, REF_AT_G, G);
+  }
+  if (q->law == REF_STRING) {
+    const real_t none = q->delta * G - q->k * (2 * q->a + q->sigma) * H;
+    const real_t full = q->k * q->sigma * H - q->delta * G;
+    watch(out, REF_AT_ZONE,
+          zone == 0   ? none
+          : zone == 2 ? full
+                      : ref_smaller(-none, -full));
+  }
+}
+
+static void watch_stick(const ref_orbit_t *orbit, ref_state_t x,
+                        watched_t *out) {
+  const ref_machine_t *q = orbit->machine;
+  const int roll = orbit->piece.roll;
+  const ref_edge_t edge = ref_edge(q, x, roll);
+  const int side = stretches(q) ? orbit->piece.side : ref_sign(edge.A);
+  watch(out, REF_AT_G, roll * ref_slip(q, x).g);
+  if (stretches(q)) {
+    watch(out, REF_AT_FOLD, side * edge.A - near_fold * orbit->pace_A);
+  }
+  watch(out, REF_AT_PLUS, -side * edge.plus);
+  watch(out, REF_AT_MINUS, side * edge.minus);
+}
+
+static watched_t watched(const ref_orbit_t *orbit, ref_state_t x,
+                         real_t until) {
+  watched_t out = {.count = 0};
+  watch(&out, REF_AT_TIME, until - x.t);
+  if (slips(orbit)) {
+    watch_slip(orbit, x, &out);
+  } else if (orbit->mode != REF_PINNED) {
+    watch_stick(orbit, x, &out);
+  } else if (orbit->machine->inputs) {
+    real_t hull, bow;
+    ref_rest_margins(orbit, x, &hull, &bow);
+    watch(&out, REF_AT_HULL, hull);
+    watch(&out, REF_AT_BOW, orbit->piece.side * bow);
+  }
+  return out;
+}
+
+// Length of the step that ends where function `which` crosses 0, by the
+// Illinois form of false position; `low` has it positive.
+static real_t locate(ref_orbit_t *orbit, real_t until, int which, real_t low,
+                     real_t high, ref_state_t *at) {
+  trial(orbit, low, at);
+  real_t f_low = watched(orbit, *at, until).value[which];
+  trial(orbit, high, at);
+  real_t f_high = watched(orbit, *at, until).value[which];
+  for (int i = 0; i < 120 && high - low > REF_EPSILON * high; ++i) {
+    real_t mid = (low * f_high - high * f_low) / (f_high - f_low);
+    if (!(mid > low && mid < high) || i > 60) {
+      mid = (low + high) / 2;
+    }
+    trial(orbit, mid, at);
+    const real_t f = watched(orbit, *at, until).value[which];
+    if (f > 0) {
+      low = mid;
+      f_low = f;
+      f_high /= 2;
+    } else {
+      high = mid;
+      f_high = f;
+      f_low /= 2;
+      if (f == 0) {
+        break;
+      }
+    }
+  }
+  trial(orbit, high, at);
+  return high;
+}
+
+// A step may start on a zero and has to come off it first: a length at which
+// the function is positive, or next to nothing.
+static real_t off_zero(ref_orbit_t *orbit, real_t until, int which,
+                       real_t length) {
+  ref_state_t near;
+  for (int k = 0; k < 60; ++k) {
+    length /= 2;
+    trial(orbit, length, &near);
+    if (watched(orbit, near, until).value[which] > 0) {
+      break;
+    }
+  }
+  return length;
+}
+
+// Whether a function that is positive at both ends dips below 0 between, by
+// the cubic through its values and slopes.
+static bool dips(real_t f0, real_t d0, real_t f1, real_t d1, real_t H) {
+  for (int i = 1; f1 > 0 && i < 16; ++i) {
+    const real_t u = i / (real_t)16, w = 1 - u;
+    const real_t f = w * w * (f0 * (1 + 2 * u) + H * d0 * u) +
+                     u * u * (f1 * (1 + 2 * w) - H * d1 * w);
+    if (f < 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Change of (h, g) in stretched time.
+static ref_slip_t slip_slope(const ref_orbit_t *orbit, ref_state_t x) {
+  const ref_machine_t *q = orbit->machine;
+  const ref_slip_t slip = ref_slip(q, x);
+  const ref_rate_t f = ref_rate(q, x, ref_slip_force(q, slip, orbit->piece));
+  const real_t pace = slip_pace(orbit, slip);
+  return (ref_slip_t){pace * f.h, pace * f.g};
+}
+
+static bool hides_an_event(ref_orbit_t *orbit, real_t until, real_t H,
+                           ref_state_t end) {
+  const watched_t at_end = watched(orbit, end, until);
+  if (!slips(orbit)) {
+    ref_state_t half;
+    trial(orbit, H / 2, &half);
+    const watched_t mid = watched(orbit, half, until);
+    for (int i = 0; i < mid.count; ++i) {
+      if (at_end.value[i] > 0 && mid.value[i] < 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+  const int side = orbit->piece.side, roll = orbit->piece.roll;
+  const ref_slip_t from = ref_slip(orbit->machine, orbit->x);
+  const ref_slip_t to = ref_slip(orbit->machine, end);
+  const ref_slip_t a = slip_slope(orbit, orbit->x), b = slip_slope(orbit, end);
+  return dips(side * from.h, side * a.h, side * to.h, side * b.h, H) ||
+         dips(roll * from.g, roll * a.g, roll * to.g, roll * b.g, H);
+}
+
+// Sets the scales of the step's time and returns the longest step that is safe
+// to try: a few hundredths of a second, and next to h = g = 0, in slip, a part
+// of the time in which h and g change by themselves.
+static real_t longest(ref_orbit_t *orbit, real_t until) {
+  const ref_machine_t *q = orbit->machine;
+  const real_t J = q->m * (q->beta * q->beta + orbit->x.r * orbit->x.r);
+  const real_t arm = ref_abs(orbit->x.r * q->cosine);
+  const real_t kappa = q->law == REF_JUMP ? q->kappa : 0;
+  orbit->pace_A = q->sine * q->sine / q->m + arm * (arm + kappa) / J;
+  if (slips(orbit)) {
+    const ref_rate_t f = ref_rate(q, orbit->x, ref_force(orbit, orbit->x));
+    orbit->pace_slip = ref_hypot(f.h, f.g);
+  }
+  const real_t pace = ref_slope(orbit, orbit->x).t;
+  const real_t left = (until - orbit->x.t) / pace;
+  const real_t part = slips(orbit) && ref_by_angle(q) ? (real_t)0.5L : 4;
+  return ref_smaller(ref_smaller((real_t)0.05L / pace, part),
+                     pace == 1 ? left : left * (real_t)1.1L);
+}
+
+ref_at_t ref_advance(ref_orbit_t *orbit, real_t until) {
+  const int order = 2 * columns(orbit) - 1;
+  if (until - orbit->x.t <= roundings * until) {
+    orbit->x.t = until;
+    return REF_AT_TIME;
+  }
+  real_t H = ref_smaller(orbit->step, longest(orbit, until)), e = 0;
+  ref_state_t end;
+  for (int tries = 0;; ++tries) {
+    e = trial(orbit, H, &end);
+    if (e > 1) {
+      H *= ref_larger((real_t)0.1L,
+                      (real_t)0.9L * ref_pow(e, (real_t)-1 / order));
+    } else if (tries < 40 && hides_an_event(orbit, until, H, end)) {
+      H /= 2;
+    } else {
+      break;
+    }
+    if (orbit->evaluations > orbit->limit) {
+      return REF_AT_NONE;
+    }
+  }
+  e = ref_larger(e, (real_t)1e-12L);
+  orbit->step =
+      H * ref_smaller(4, (real_t)0.9L * ref_pow(e, (real_t)-1 / order));
+  const watched_t start = watched(orbit, orbit->x, until);
+  ref_at_t event = REF_AT_NONE;
+  for (int i = 0; i < start.count; ++i) {
+    const real_t f = watched(orbit, end, until).value[i];
+    if (start.at[i] == REF_AT_TIME && ref_abs(f) <= roundings * until) {
+      event = REF_AT_TIME;
+    }
+    if (f >= 0 || event == start.at[i]) {
+      continue;
+    }
+    const real_t low = start.value[i] > 0 ? 0 : off_zero(orbit, until, i, H);
+    H = locate(orbit, until, i, low, H, &end);
+    event = start.at[i];
+  }
+  orbit->x = orbit->mode == REF_STICK_PLUS || orbit->mode == REF_STICK_MINUS
+                 ? ref_on_surface(orbit->machine, end)
+                 : end;
+  if (event == REF_AT_TIME) {
+    orbit->x.t = until;
+  }
+  return event;
+}
