@@ -79,9 +79,3 @@ TEST(golden_trajectories) {
              (int)golden[i].rule, (int)golden[i].scheme, got);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(golden_trajectories);
-  return tap_end();
-}

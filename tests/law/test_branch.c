@@ -327,14 +327,3 @@ TEST(both_schemes_go_one_way_beside_codimension_two) {
   CHECK(machines > 1800);
   CHECK(other[0] * 200 <= machines && other[1] * 500 <= machines);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(branch_at_codimension_two_is_independent_of_dt);
-  RUN(slip_enters_no_escaping_stick_at_codimension_two);
-  RUN(slip_beside_codimension_two_is_not_pinned);
-  RUN(random_machines_take_one_branch);
-  RUN(motion_leaves_codimension_two_as_the_reference_does);
-  RUN(both_schemes_go_one_way_beside_codimension_two);
-  return tap_end();
-}

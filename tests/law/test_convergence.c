@@ -239,14 +239,3 @@ TEST(random_exit_rate_is_independent_of_dt) {
     CHECK_NEAR((double)plus / samples, 0.5, 2 / sqrt(samples));
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(branch_is_independent_of_the_step_size);
-  RUN(cycle_converges_up_to_the_two_fold);
-  RUN(smooth_slip_order_of_convergence);
-  RUN(stick_order_of_convergence);
-  RUN(stick_depends_little_on_the_step_size);
-  RUN(random_exit_rate_is_independent_of_dt);
-  return tap_end();
-}

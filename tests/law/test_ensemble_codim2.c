@@ -129,10 +129,3 @@ TEST(ensemble_refuses_what_single_steps_do) {
   printf("# %zu refused\n", refused);
   CHECK(differ == 0 && refused > 1000 && refused < (size_t)1999 * TF_LANES);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(ensemble_is_pinned_as_single_steps_are);
-  RUN(ensemble_refuses_what_single_steps_do);
-  return tap_end();
-}

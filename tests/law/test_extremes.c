@@ -287,14 +287,3 @@ TEST(overflow_of_a_slope_keeps_every_number_finite) {
     for (size_t s = 0; s < SCHEMES; s++) run(schemes[s], &p, x, NULL, 1);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(random_machines_keep_every_number_finite);
-  RUN(tiny_machines_keep_every_number_finite);
-  RUN(bad_states_and_inputs_are_refused_untouched);
-  RUN(ends_of_the_ranges_keep_every_number_finite);
-  RUN(listed_extremes_keep_every_number_finite);
-  RUN(overflow_of_a_slope_keeps_every_number_finite);
-  return tap_end();
-}

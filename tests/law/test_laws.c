@@ -198,12 +198,3 @@ TEST(friction_force_takes_power) {
             -(double)TF_REAL_EPSILON);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(stick_is_exact);
-  RUN(mirror_symmetry);
-  RUN(dissipation_without_moment);
-  RUN(friction_force_takes_power);
-  return tap_end();
-}

@@ -427,23 +427,3 @@ TEST(located_follows_a_ramp) {
   CHECK_NEAR(apart(&end[0], &end[2]), 0, limit);
   CHECK_NEAR(apart(&end[1], &end[2]), 0, limit);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(located_error_follows_the_tolerance);
-  RUN(located_steps_agree_across_crossings);
-  RUN(located_tolerance_holds_across_stick);
-  RUN(located_steps_agree_across_stick);
-  RUN(located_finer_tolerance_is_no_worse);
-  RUN(located_two_fold_in_one_step);
-  RUN(located_branch_is_independent_of_the_step_size);
-  RUN(located_step_sizes_agree_just_before_the_two_fold);
-  RUN(located_takes_the_two_fold_in_any_unit_of_mass);
-  RUN(located_events_are_in_the_right_step);
-  RUN(located_stick_is_exact);
-  RUN(located_falls_back_and_says_so);
-  RUN(located_refuses_what_it_cannot_take);
-  RUN(located_agrees_with_moreau);
-  RUN(located_follows_a_ramp);
-  return tap_end();
-}

@@ -138,11 +138,3 @@ TEST(located_budget_is_a_parameter) {
           !strcmp(tf_parameter_ranges[offender].name, "segments"));
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(located_budget_is_kept);
-  RUN(located_more_segments_are_better);
-  RUN(located_budget_is_a_parameter);
-  return tap_end();
-}

@@ -379,19 +379,3 @@ TEST(located_refuses_to_leave_the_range_of_states) {
   }
   CHECK(status == TF_DIVERGED);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(located_residual_is_that_of_the_law);
-  RUN(located_event_at_the_end_of_a_step);
-  RUN(located_angle_is_the_integral_of_the_speed);
-  RUN(located_escaping_stick_ends_in_slip_of_the_other_side);
-  RUN(located_delassus_is_that_of_the_side_of_g);
-  RUN(located_set_holds_the_mode);
-  RUN(located_stays_pinned_without_loads);
-  RUN(located_mode_at_h_0_is_a_consistent_one);
-  RUN(located_slip_starts_at_g_0);
-  RUN(located_without_contact_keeps_its_side_at_h_0);
-  RUN(located_refuses_to_leave_the_range_of_states);
-  return tap_end();
-}

@@ -140,11 +140,3 @@ TEST(machine_at_rest_stays_pinned) {
     }
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(pinned_wheel_stays_as_long_as_the_law_has_its_force);
-  RUN(pinned_wheel_answers_what_acts_on_it);
-  RUN(machine_at_rest_stays_pinned);
-  return tap_end();
-}

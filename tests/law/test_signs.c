@@ -235,11 +235,3 @@ TEST(rounding_does_not_end_a_rest) {
     CHECK(degraded <= (scheme == COMPENSATED ? 1000 : 0));
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(signs_are_those_of_the_mode);
-  RUN(a_step_across_the_axis_keeps_its_stick);
-  RUN(rounding_does_not_end_a_rest);
-  return tap_end();
-}

@@ -170,11 +170,3 @@ TEST(no_scheme_stands_still_without_a_word) {
   CHECK(silent == 0);
   CHECK(told > 20000);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(slip_in_equilibrium_is_not_told_to_move);
-  RUN(stick_in_equilibrium_is_not_told_to_move);
-  RUN(no_scheme_stands_still_without_a_word);
-  return tap_end();
-}

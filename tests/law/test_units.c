@@ -198,9 +198,3 @@ TEST(steps_are_independent_of_units_and_side) {
                  map, trial, n);
       }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(steps_are_independent_of_units_and_side);
-  return tap_end();
-}

@@ -215,13 +215,3 @@ TEST(of_equal_violations_the_first_is_taken) {
   printf("# %d ties\n", ties);
   CHECK(ties >= 20);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(degraded_step_reports_the_consistent_set);
-  RUN(a_degraded_step_ends_in_a_mode);
-  RUN(no_step_enters_an_escaping_stick_from_slip);
-  RUN(of_equal_violations_the_first_is_taken);
-  RUN(a_degraded_step_is_the_same_compensated);
-  return tap_end();
-}

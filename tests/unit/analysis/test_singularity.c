@@ -405,21 +405,3 @@ TEST(normal_forms_are_finite_or_refused) {
   }
   CHECK(given > 0 && (refused > 0) == (sizeof(tf_real_t) == 4));
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(reasons_and_types_have_names);
-  RUN(two_fold_of_the_paper_is_found);
-  RUN(numbers_of_the_paper);
-  RUN(damped_two_folds_are_accurate);
-  RUN(every_two_fold_is_found);
-  RUN(a_machine_may_have_eight_two_folds);
-  RUN(gamma_zero_has_a_continuous_two_fold);
-  RUN(gamma_right_has_no_two_fold);
-  RUN(machines_without_two_folds_say_why);
-  RUN(equilibrium_is_no_two_fold);
-  RUN(a_double_root_counts_once);
-  RUN(a_machine_on_which_nothing_acts_is_degenerate);
-  RUN(normal_forms_are_finite_or_refused);
-  return tap_end();
-}

@@ -246,15 +246,3 @@ TEST(surface_refuses_other_laws_and_bad_states) {
   CHECK(tf_surface_at(&machine, &input, TF_R(0.2), 0, -1, &at) == TF_OK);
   CHECK(at.region == TF_REGION_SLIDING && at.delassus > 0);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(region_names_are_the_contract);
-  RUN(lie_derivatives_against_the_paper);
-  RUN(sliding_field_against_the_paper);
-  RUN(regions_are_what_slip_does);
-  RUN(rescaled_field_is_regular_at_the_two_fold);
-  RUN(equilibrium_without_friction_is_no_crossing);
-  RUN(surface_refuses_other_laws_and_bad_states);
-  return tap_end();
-}

@@ -403,16 +403,3 @@ TEST(a_field_that_is_no_number_has_no_course) {
     CHECK(tf_codim2_course(&k, &field, (tf_slip_t){(tf_real_t)side, 1}, side)
               .mode == TF_NO_MODE);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(slip_leaves_codimension_two_as_a_search_finds);
-  RUN(limit_direction_ends_where_two_meet);
-  RUN(wheel_is_pinned_where_the_law_allows);
-  RUN(codimension_two_always_has_a_future);
-  RUN(exits_of_any_field_are_those_of_a_search);
-  RUN(slip_takes_its_course);
-  RUN(a_course_ends_with_the_signs_of_its_mode);
-  RUN(a_field_that_is_no_number_has_no_course);
-  return tap_end();
-}

@@ -398,14 +398,3 @@ TEST(names_of_laws_and_rules_are_the_contract) {
   CHECK(!strcmp(tf_rest_law_name(TF_REST_BOW_TIE), "bow_tie"));
   CHECK(!strcmp(tf_rest_law_name(TF_REST_LAWS), "unknown law of rest"));
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(enumeration_against_grid_search);
-  RUN(one_or_three_solutions);
-  RUN(stick_solves_the_quadratic);
-  RUN(residual_vanishes_at_solutions_only);
-  RUN(mode_names_are_the_contract);
-  RUN(names_of_laws_and_rules_are_the_contract);
-  return tap_end();
-}

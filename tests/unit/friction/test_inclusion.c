@@ -211,16 +211,3 @@ TEST(stick_is_where_h_vanishes) {
          worst / (long double)TF_REAL_EPSILON);
   CHECK_NEAR(worst, 0, 3 * (double)TF_REAL_EPSILON);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(signs_of_g_are_those_of_extreme_forces);
-  RUN(share_of_the_moment_is_at_most_1);
-  RUN(slip_needs_nonzero_h);
-  RUN(stick_with_a_moment_needs_nonzero_g);
-  RUN(pinned_needs_a_force_of_the_law);
-  RUN(consistent_modes_of_either_delassus_scalar);
-  RUN(stick_of_two_has_its_sign_of_g);
-  RUN(stick_is_where_h_vanishes);
-  return tap_end();
-}

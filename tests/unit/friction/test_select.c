@@ -290,17 +290,3 @@ TEST(sets_are_counted) {
     CHECK(size_of(set) == size);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(sets_are_counted);
-  RUN(rules_choose_as_declared);
-  RUN(an_escaping_stick_is_the_rules_to_end);
-  RUN(slip_never_enters_an_escaping_stick);
-  RUN(the_other_rules_are_not_random);
-  RUN(random_choices_are_reproducible);
-  RUN(random_exits_have_the_declared_probability);
-  RUN(random_exit_has_a_sharp_threshold);
-  RUN(random_draws_are_even);
-  return tap_end();
-}

@@ -53,10 +53,3 @@ TEST(no_contact_has_no_force) {
     CHECK(slip_law_residual(&machine.tyre, 1, force, slip) == 6);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(slip_law_at_codimension_two_takes_every_angle);
-  RUN(no_contact_has_no_force);
-  return tap_end();
-}

@@ -441,20 +441,3 @@ TEST(dates_hold_at_every_tick) {
       CHECK(answer.code == 0 && answer.tick == ends[i] - k + 30);
     }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(recorded_command_acts_once);
-  RUN(session_depends_on_every_reading);
-  RUN(old_and_foreign_commands_do_nothing);
-  RUN(overlong_commands_use_up_their_number);
-  RUN(replayed_frames_do_not_fill_the_queue);
-  RUN(refused_clear_keeps_the_queue);
-  RUN(numbers_end_in_another_session);
-  RUN(tag_is_siphash_of_the_body);
-  RUN(commands_without_the_tag_do_nothing);
-  RUN(silent_controller_leaves_the_safe_inputs);
-  RUN(only_inputs_feed_the_dead_man);
-  RUN(dates_hold_at_every_tick);
-  return tap_end();
-}

@@ -76,10 +76,3 @@ TEST(another_command_of_a_number_that_waits_is_old) {
     data[i] ^= 1;
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(doubled_frames_are_answered_once);
-  RUN(another_command_of_a_number_that_waits_is_old);
-  return tap_end();
-}

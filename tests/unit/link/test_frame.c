@@ -461,22 +461,3 @@ TEST(block_decoder_is_the_byte_decoder) {
   CHECK(one.decoder.lost == many.decoder.lost && one.decoder.lost > 1000);
   CHECK(one.decoder.tick == many.decoder.tick);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(crc_known_answers);
-  RUN(numbers_survive_the_wire);
-  RUN(frames_survive_the_line);
-  RUN(every_single_bit_error_is_caught);
-  RUN(every_burst_of_16_bits_is_caught);
-  RUN(broken_bytes_cost_only_the_frames_they_touch);
-  RUN(garbage_in_front_costs_no_frame);
-  RUN(random_bytes_are_not_taken_for_frames);
-  RUN(a_million_frames_over_a_bad_line);
-  RUN(lost_frames_are_counted);
-  RUN(long_runs_stay_in_the_buffer);
-  RUN(other_versions_and_lengths_are_counted);
-  RUN(frames_without_a_header_are_bad);
-  RUN(block_decoder_is_the_byte_decoder);
-  return tap_end();
-}

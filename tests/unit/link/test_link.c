@@ -354,17 +354,3 @@ TEST(no_byte_changes_a_parameter_by_itself) {
   CHECK(same_state(&board.simulation.state, &quiet.simulation.state));
   CHECK(board.link.decoder.frames == 1 && board.link.decoder.bad > 5000);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(parameters_of_no_machine_are_refused_until_mended);
-  RUN(set_parameter_takes_effect_only_at_the_boundary);
-  RUN(set_parameter_is_validated_and_answered);
-  RUN(lengths_types_and_dates_are_checked);
-  RUN(inputs_act_at_their_tick);
-  RUN(snapshot_and_restore_continue_bit_for_bit);
-  RUN(start_stop_reset_and_rule);
-  RUN(uplink_flood_changes_nothing);
-  RUN(no_byte_changes_a_parameter_by_itself);
-  return tap_end();
-}

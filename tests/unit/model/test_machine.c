@@ -107,13 +107,3 @@ TEST(status_names_are_distinct) {
   for (int i = 0; i < 4; i++)
     CHECK(!strcmp(tf_status_name((tf_status_t)unknown[i]), "unknown status"));
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(kinematics_against_the_paper);
-  RUN(slip_speed_reads_back);
-  RUN(slip_speed_is_refused_where_v_does_not_act_on_h);
-  RUN(energy_against_its_definition);
-  RUN(status_names_are_distinct);
-  return tap_end();
-}

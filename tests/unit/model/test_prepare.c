@@ -290,18 +290,3 @@ TEST(every_scene_prepares) {
     CHECK(machine.with_angle == tf_scenes[i]->params.with_angle);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(prepare_names_the_first_broken_rule);
-  RUN(an_unknown_law_or_rule_is_blamed_on_neither_member);
-  RUN(the_table_is_the_contract);
-  RUN(derived_constants_against_long_double);
-  RUN(exit_threshold_at_its_ends);
-  RUN(angle_kernel_constants);
-  RUN(no_friction_has_no_inverse);
-  RUN(each_law_gets_its_own_constants);
-  RUN(a_state_is_small);
-  RUN(every_scene_prepares);
-  return tap_end();
-}

@@ -280,19 +280,3 @@ TEST(jump_law_knows_no_size_of_slip) {
     CHECK(f.F == least.F && f.M == least.M);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(tyre_identity_against_the_paper);
-  RUN(jump_law_at_the_jump);
-  RUN(string_law_against_quadrature);
-  RUN(string_law_at_its_ends);
-  RUN(string_law_is_continuous_at_its_borders);
-  RUN(string_law_is_full_slip_as_g_vanishes);
-  RUN(two_piece_law_is_the_string_law);
-  RUN(smooth_law_tends_to_the_jump);
-  RUN(coulomb_and_none);
-  RUN(jump_law_knows_no_size_of_slip);
-  RUN(every_law_is_odd_and_dissipates);
-  return tap_end();
-}

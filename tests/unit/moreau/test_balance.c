@@ -300,16 +300,3 @@ TEST(an_impulse_ends_or_is_reported) {
     }
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(created_energy_in_closed_form);
-  RUN(no_check_without_reason);
-  RUN(no_step_creates_energy);
-  RUN(friction_puts_in_no_more_than_the_law_allows);
-  RUN(a_turn_beyond_a_right_angle_is_coarse);
-  RUN(a_reversal_is_not_coarse);
-  RUN(balanced_step_order_and_energy);
-  RUN(an_impulse_ends_or_is_reported);
-  return tap_end();
-}

@@ -342,15 +342,3 @@ TEST(compensated_departures_do_not_stall) {
     CHECK(changes > 60);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(constants_have_twice_the_precision);
-  RUN(compensated_start_has_its_slip);
-  RUN(rounding_is_compensated);
-  RUN(compensated_stick_is_exact);
-  RUN(compensated_step_is_the_step);
-  RUN(compensated_refusals_touch_nothing);
-  RUN(compensated_departures_do_not_stall);
-  return tap_end();
-}

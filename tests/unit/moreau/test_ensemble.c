@@ -296,16 +296,3 @@ TEST(ensemble_reads_back_what_was_put) {
     CHECK(same_state(&got, &put[i]));
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(ensemble_reads_back_what_was_put);
-  RUN(ensemble_is_the_single_step);
-  RUN(few_lanes_are_done_alone);
-  RUN(ensemble_of_any_size);
-  RUN(ensemble_leaves_other_lanes_alone);
-  RUN(ensemble_of_every_scene);
-  RUN(ensemble_of_difficult_states);
-  RUN(ensemble_in_slip);
-  return tap_end();
-}

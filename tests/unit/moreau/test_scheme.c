@@ -333,12 +333,3 @@ TEST(a_determinant_that_overflows_is_refused) {
   printf("# %d of %d overflow\n", overflows, 400 * TF_TYRE_LAWS);
   CHECK(IS_DOUBLE ? overflows == 0 : overflows > 100);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(a_step_ends_where_the_scheme_says);
-  RUN(single_valued_force_is_the_secant_of_the_scheme);
-  RUN(compensated_changes_have_twice_the_digits);
-  RUN(a_determinant_that_overflows_is_refused);
-  return tap_end();
-}

@@ -259,15 +259,3 @@ TEST(a_diverging_step_is_refused) {
     CHECK(tf_step(&machine, &x, &input, &report) == TF_COARSE);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(default_inputs_are_those_of_the_parameters);
-  RUN(mass_matrix_form_against_ds);
-  RUN(bad_states_are_refused);
-  RUN(inputs_beyond_the_limit_are_refused);
-  RUN(a_step_too_long_is_refused);
-  RUN(no_inertia_left_is_refused);
-  RUN(a_diverging_step_is_refused);
-  return tap_end();
-}

@@ -297,15 +297,3 @@ TEST(numbers_that_pass_are_finite_and_within_the_limit) {
     }
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(angle_kernel_error_bound);
-  RUN(angle_kernel_is_monotone);
-  RUN(sine_kernel_error_bound);
-  RUN(arctangent_kernel);
-  RUN(exit_probability_kernel);
-  RUN(philox_known_answers);
-  RUN(numbers_that_pass_are_finite_and_within_the_limit);
-  return tap_end();
-}

@@ -248,19 +248,3 @@ TEST(profile_ends_at_its_last_knot) {
     }
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(scene_texts_are_usable);
-  RUN(scenes_begin_and_run);
-  RUN(chaos_begins_in_slip);
-  RUN(chaos_starts_as_the_contract_says);
-  RUN(driven_profile_is_followed);
-  RUN(a_profile_may_jump);
-  RUN(other_scenes_have_constant_inputs);
-  RUN(rolling_never_slips);
-  RUN(coulomb_has_one_consistent_mode);
-  RUN(other_scenes_do_what_they_show);
-  RUN(profile_ends_at_its_last_knot);
-  return tap_end();
-}

@@ -99,11 +99,3 @@ TEST(impossible_start_is_refused_and_touches_nothing) {
   CHECK(tf_scene_start(&scene, &machine, 1, &state, &report) == TF_BAD_STATE);
   CHECK(same_state(&state, &state_before) && report.choices == 9);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(negative_h_starts_in_slip_minus);
-  RUN(sign_of_h_decides_where_both_slips_are_possible);
-  RUN(impossible_start_is_refused_and_touches_nothing);
-  return tap_end();
-}

@@ -117,12 +117,3 @@ TEST(inputs_expire_after_their_steps) {
   CHECK(simulation.source == TF_INPUT_SCENE &&
         simulation.deadman == UINT32_MAX);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(simulation_is_the_run_of_the_command_line);
-  RUN(simulation_starts_on_either_side);
-  RUN(simulation_keeps_the_side_of_a_start_below_rounding);
-  RUN(inputs_expire_after_their_steps);
-  return tap_end();
-}

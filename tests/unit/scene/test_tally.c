@@ -28,10 +28,3 @@ TEST(simulation_opens_with_an_empty_tally) {
   const tf_tally_t *t = &simulation.tally;
   CHECK(t->degraded + t->fell_back + t->coarse + t->refused == 0);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(tally_counts_every_status);
-  RUN(simulation_opens_with_an_empty_tally);
-  return tap_end();
-}

@@ -38,7 +38,7 @@ def tests_that_run():
          *sorted(Path("tests").rglob("test_*.c"))],
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
         check=True).stdout
-    return set(re.findall(r"^ *RUN\(([a-z0-9_]+)\);", text, re.M))
+    return set(re.findall(r"^TEST\(([a-z0-9_]+)\)", text, re.M))
 
 
 DOCUMENTS = ["README.md", "DESIGN.md"] + [f"docs/{name}.md" for name in (
