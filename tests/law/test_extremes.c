@@ -213,7 +213,7 @@ TEST(overflow_of_a_slope_keeps_every_number_finite) {
        TF_RULE_PERSIST,
        {.r = TF_R(-1e-30), .v = TF_R(-4e-9), .w = -19, .mode = TF_PINNED}}};
   for (size_t i = 0; i < sizeof edges / sizeof *edges; i++) {
-    tf_params_t p = params_of(edges[i].machine);
+    tf_params_t p = params_from(edges[i].machine);
     p.theta = 1;
     p.dt = edges[i].dt;
     p.rule = edges[i].rule;

@@ -31,7 +31,7 @@ static inline tf_real_t log_uniform(double low, double high) {
 /* The machine of a row of numbers, in the order of tf_params_t: m, d, beta, k2,
  * c1, c2, r0, omega0, mu, kappa, gamma; all else is that of the paper. */
 #define MACHINE 11
-static inline tf_params_t params_of(const double row[MACHINE]) {
+static inline tf_params_t params_from(const double row[MACHINE]) {
   tf_params_t p = tf_scenes[0]->params;
   for (int i = 0; i < MACHINE; i++) {
     const tf_real_t x = (tf_real_t)row[i];
@@ -40,11 +40,16 @@ static inline tf_params_t params_of(const double row[MACHINE]) {
   return p;
 }
 
-/* A machine that every law accepts. */
+/* A machine that every law accepts; no two of their constants are equal. */
 static inline tf_params_t params_of_law(tf_tyre_law_t law) {
   tf_params_t p = tf_scenes[0]->params;
   p.law = law;
-  p.epsilon = p.k = p.delta = p.a = p.rho = 1;
+  p.epsilon = 1;
+  p.k = 2;
+  p.delta = 3;
+  p.sigma = TF_R(0.25);
+  p.rho = TF_R(0.5);
+  p.a = TF_R(0.75);
   return p;
 }
 

@@ -2,22 +2,6 @@
  * given place; against the paper in long double, and against a search. */
 #include "sample.h"
 
-TEST(reasons_and_types_have_names) {
-  for (unsigned i = 0; i < TF_ABSENCES; i++) {
-    CHECK(tf_absence_name(i)[0]);
-    for (unsigned j = 0; j < i; j++)
-      CHECK(strcmp(tf_absence_name(i), tf_absence_name(j)) != 0);
-  }
-  static const char *const types[] = {"invisible",         "visible",
-                                      "visible-invisible", "degenerate",
-                                      "continuous",        "unknown"};
-  for (unsigned i = 0; i <= TF_FOLDS; i++)
-    CHECK(!strcmp(tf_folds_name(i), types[i]));
-  CHECK(!strcmp(tf_absence_name(TF_ABSENCES), "unknown"));
-  for (unsigned i = TF_ABSENCE_MOMENT; i <= TF_ABSENCE_ARM; i++)
-    CHECK(strstr(tf_absence_name(i), "positive everywhere"));
-}
-
 TEST(two_fold_of_the_paper_is_found) {
   const tf_params_t params = tf_scenes[0]->params;
   const tf_machine_t machine = prepared(&params);

@@ -60,14 +60,6 @@ static void near_rate(const tf_rate_t *got, const real want[3], real scale,
   CHECK_NEAR(wide(got->w), want[2] * scale, tolerance);
 }
 
-TEST(region_names_are_the_contract) {
-  static const char *const names[] = {"sliding",     "escaping",
-                                      "crossing_up", "crossing_down",
-                                      "codim2",      "unknown"};
-  for (unsigned i = 0; i <= TF_REGIONS; i++)
-    CHECK(!strcmp(tf_region_name(i), names[i]));
-}
-
 TEST(lie_derivatives_against_the_paper) {
   for (int i = 0; i < 20000; i++) {
     const look_t c = random_look();

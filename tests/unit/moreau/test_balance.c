@@ -249,7 +249,7 @@ TEST(an_impulse_ends_or_is_reported) {
                                           0.75960369431851382,
                                           2.7098193941318724};
   static const double steps[] = {2e-8, 1e-6, 1e-5, 1e-4};
-  tf_params_t p = params_of(machine);
+  tf_params_t p = params_from(machine);
   p.c1 = tf_scenes[0]->params.c1;
   p.c2 = tf_scenes[0]->params.c2;
   for (int i = 0; i < 4; i++) {
