@@ -300,23 +300,6 @@ TEST(one_or_three_solutions) {
   }
 }
 
-TEST(stick_solves_the_quadratic) {
-  for (int i = 0; i < samples(20000); i++) {
-    const inclusion_t in = {.h = {.c0 = uniform(-0.5, 0.5),
-                                  .cx = tap_bits() & 1 ? 1 : -1,
-                                  .cxx = of_any_sign(log_uniform(1e-12, 0.3))},
-                            .g = {.c0 = 9},
-                            .g_now = 9};
-    solutions_t out = {0};
-    enumerate(&in, signs_of(&in.g), &out);
-    if (!(out.set & TF_MODE_BIT(TF_STICK_PLUS))) continue;
-    const real x = out.x[0];
-    CHECK(fabsl(x) <= 1);
-    CHECK_NEAR((in.h.cxx * x + in.h.cx) * x + in.h.c0, 0,
-               8 * (real)TF_REAL_EPSILON);
-  }
-}
-
 TEST(residual_vanishes_at_solutions_only) {
   const tf_real_t mu = 2, kappa = (tf_real_t)0.25;
   const tf_real_t eps = 8 * TF_REAL_EPSILON;

@@ -85,7 +85,8 @@ FIGURES = {
         "tools/verify/check/hostile.sh", r"HOSTILE_FRAMES:-(\d+)") or 0),
     "frames: over a line": lambda: in_file(
         "tests/unit/link/test_frame.c",
-        r"a_million_frames_over_a_bad_line\) \{(?:[^;]*;){4} n < (\d+);"),
+        r"a_million_frames_over_a_bad_line\) \{(?:[^;]*;){4} "
+        r"n < samples\((\d+)\);"),
     "frames: nearly": lambda: in_file(
         "tests/line/streams.py", r"for _ in range\((\d+)\)\)"),
 }
