@@ -206,7 +206,7 @@ test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) $(TWOFOLD) $(LINE)
 NEVER_QUICK := branch convergence corpus device ensemble extremes frame golden \
   hostile line located located_report physics_numbers pinned reference signs
 NOT_QUICK := $(NEVER_QUICK) begin codim2 compensated degraded \
-  ensemble_codim2 extreme_analysis friction kernel lanes located_budget \
+  extreme_analysis friction kernel lanes located_budget \
   normal_form population singularity tyre
 CHANGED = $(sort $(foreach file,$(shell git status --porcelain -uall -- src \
   2>/dev/null),$(word 2,$(subst /, ,$(filter src/%,$(file))))))

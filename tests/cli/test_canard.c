@@ -142,12 +142,3 @@ TEST(a_stiff_two_fold_is_a_failure_with_a_name) {
   CHECK(status == CLI_CANARD_STIFF);
   CHECK(strstr(cli_canard_failure(status), "eigenvalues") != NULL);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(designs_near_the_paper_are_all_followed);
-  RUN(designs_of_figure_4_are_followed_or_say_why);
-  RUN(random_machines_are_followed_or_say_why);
-  RUN(a_stiff_two_fold_is_a_failure_with_a_name);
-  return tap_end();
-}

@@ -220,16 +220,3 @@ TEST(golden_designs) {
   }
   check_golden("design", d.hash);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(golden_steps);
-  RUN(golden_located_steps);
-  RUN(golden_compensated_steps);
-  RUN(golden_inclusions);
-  RUN(golden_tyre_forces);
-  RUN(golden_surfaces);
-  RUN(golden_two_folds);
-  RUN(golden_designs);
-  return tap_end();
-}

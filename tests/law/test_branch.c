@@ -2,8 +2,8 @@
  * by where a step happens to end: machines whose motion comes to h = g = 0,
  * from slip and from stick, over many step sizes, against `located`, which
  * stops there. */
-#include "common.h"
 #include "resolved.h"
+#include "sim.h"
 
 typedef struct {
   double kappa, gamma, mu, beta, k2, r, omega, h;
@@ -33,9 +33,6 @@ static const start_t found[] = {
      0.12028471128557428, 3.7037091082603131, 0.1736517663079386,
      -1.1441676528297675, 0}};
 
-typedef tf_status_t step_t(const tf_machine_t *, tf_state_t *,
-                           const tf_input_t *, tf_report_t *);
-
 static tf_params_t params_of(double kappa, double gamma, double mu, double beta,
                              double k2) {
   tf_params_t p = tf_scenes[0]->params;
@@ -47,28 +44,28 @@ static tf_params_t params_of(double kappa, double gamma, double mu, double beta,
   return p;
 }
 
-/* The state of a motion at t = end, by n steps; how many were no plain ones, or
- * -1 where it is refused. */
-static long run(const start_t *s, step_t *step, double end, long n,
-                tf_state_t *x) {
-  tf_params_t p = params_of(s->kappa, s->gamma, s->mu, s->beta, s->k2);
-  tf_machine_t machine;
-  tf_report_t report;
-  p.dt = (tf_real_t)(end / (double)n);
-  p.tolerance = (tf_real_t)(IS_DOUBLE ? 1e-10 : 1e-5);
-  p.segments = TF_LOCATED_MAX_SEGMENTS;
-  if (tf_prepare(&machine, &p, NULL) != TF_OK) return -1;
-  const tf_input_t u = tf_input_default(&machine);
-  *x = (tf_state_t){
-      .r = (tf_real_t)s->r, .w = (tf_real_t)s->omega, .mode = TF_NO_MODE};
-  tf_speed_for_slip(&machine, x->r, x->w, u.omega0, (tf_real_t)s->h, &x->v);
-  if (tf_begin(&machine, x, &u, &report) != TF_OK) return -1;
+/* Steps on; how many of them said that something was wrong, -1 where one is
+ * refused. */
+static long odd_of(sim_t *s, scheme_t scheme, long n) {
   long odd = 0;
-  for (long i = 0; i < n; i++) {
-    const tf_status_t status = step(&machine, x, &u, &report);
+  for (; n > 0; n--) {
+    const tf_status_t status = sim_step(s, scheme);
     if (status < 0) return -1;
     odd += !ok_to_resolution(status);
   }
+  return odd;
+}
+
+/* The state of a motion at t = end, by n steps; how many were odd. */
+static long run(const start_t *s, scheme_t scheme, double end, long n,
+                tf_state_t *x) {
+  sim_t sim = {.params = params_of(s->kappa, s->gamma, s->mu, s->beta, s->k2)};
+  sim.params.dt = (tf_real_t)(end / (double)n);
+  sim.params.tolerance = (tf_real_t)(IS_DOUBLE ? 1e-10 : 1e-5);
+  sim.params.segments = TF_LOCATED_MAX_SEGMENTS;
+  if (sim_place(&sim, s->r, s->omega, s->h, TF_NO_MODE) != TF_OK) return -1;
+  const long odd = odd_of(&sim, scheme, n);
+  *x = sim.x;
   return odd;
 }
 
@@ -80,10 +77,10 @@ TEST(branch_at_codimension_two_is_independent_of_dt) {
   const double finest = IS_DOUBLE ? 1e-5 : 1e-4;
   for (size_t i = 0; i < sizeof found / sizeof *found; i++) {
     tf_state_t located, x;
-    CHECK(run(&found[i], tf_step_located, 1, 997, &located) == 0);
-    for (int j = 0; j < 60; j++) {
+    CHECK(run(&found[i], LOCATED, 1, 997, &located) == 0);
+    for (int j = 0; j < samples(60); j++) {
       const long n = steps_between(finest, 1e-3, 1);
-      CHECK(run(&found[i], tf_step, 1, n, &x) == 0);
+      CHECK(run(&found[i], MOREAU, 1, n, &x) == 0);
       CHECK(x.mode == located.mode);
       CHECK_NEAR(x.r, located.r, 3e-3);
     }
@@ -95,24 +92,21 @@ typedef struct {
 } long_step_t;
 
 /* One long step in slip, by either scheme. */
-static tf_state_t one_step(const long_step_t *s, step_t *step,
+static tf_state_t one_step(const long_step_t *s, scheme_t scheme,
                            tf_report_t *report) {
   tf_params_t p = params_of(s->kappa, s->gamma, s->mu, s->beta, s->k2);
-  tf_machine_t machine;
   p.d = (tf_real_t)s->d;
   p.m = (tf_real_t)s->m;
   p.dt = (tf_real_t)s->dt;
-  CHECK(tf_prepare(&machine, &p, NULL) == TF_OK);
-  const tf_input_t u = tf_input_default(&machine);
-  tf_state_t x = {.r = (tf_real_t)s->r,
-                  .v = (tf_real_t)s->v,
-                  .w = (tf_real_t)s->w,
-                  .mode = TF_NO_MODE};
-  CHECK(tf_begin(&machine, &x, &u, report) == TF_OK);
-  CHECK(x.mode <= TF_SLIP_MINUS);
-  const tf_status_t status = step(&machine, &x, &u, report);
+  sim_t sim = sim_of(&p);
+  sim.x.r = (tf_real_t)s->r;
+  sim.x.v = (tf_real_t)s->v;
+  sim.x.w = (tf_real_t)s->w;
+  CHECK(sim_begin(&sim) == TF_OK && sim.x.mode <= TF_SLIP_MINUS);
+  const tf_status_t status = sim_step(&sim, scheme);
   CHECK(status == TF_OK || status == TF_COARSE);
-  return x;
+  *report = sim.report;
+  return sim.x;
 }
 
 /* Slips that pass h = g = 0 within one long step: none ends in an escaping
@@ -133,7 +127,7 @@ TEST(slip_enters_no_escaping_stick_at_codimension_two) {
        0.10078482791893278, -0.95558597697077807}};
   for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
     tf_report_t report;
-    const tf_state_t x = one_step(&steps[i], tf_step, &report);
+    const tf_state_t x = one_step(&steps[i], MOREAU, &report);
     CHECK(x.mode != TF_STICK_PLUS && x.mode != TF_STICK_MINUS);
     CHECK(report.set & TF_MODE_BIT(x.mode));
   }
@@ -156,9 +150,9 @@ TEST(slip_beside_codimension_two_is_not_pinned) {
        -1.2505324425414717}};
   for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
     tf_report_t report;
-    const tf_state_t x = one_step(&steps[i], tf_step, &report);
+    const tf_state_t x = one_step(&steps[i], MOREAU, &report);
     const unsigned set = report.set;
-    const tf_state_t located = one_step(&steps[i], tf_step_located, &report);
+    const tf_state_t located = one_step(&steps[i], LOCATED, &report);
     CHECK(located.mode <= TF_SLIP_MINUS);
     CHECK(x.mode == located.mode && set & TF_MODE_BIT(x.mode));
   }
@@ -171,7 +165,7 @@ TEST(random_machines_take_one_branch) {
   if (!IS_DOUBLE) SKIP("in float other events end these motions");
   const double end = 0.6;
   int met = 0, told = 0, other = 0;
-  for (int i = 0; i < 1200; i++) {
+  for (int i = 0; i < samples(1200); i++) {
     start_t s = {.kappa = 0.25 * tap_uniform(0.5, 1.5),
                  .gamma = tap_uniform(-3.14, 3.14),
                  .mu = tap_uniform(0.3, 2.3),
@@ -181,14 +175,12 @@ TEST(random_machines_take_one_branch) {
                  .omega = tap_uniform(-1.15, -0.85)};
     if (i % 2) s.h = tap_uniform(-0.1, 0.1);
     tf_state_t a, b, x;
-    if (run(&s, tf_step_located, end, 600, &a) != 0) continue;
-    if (run(&s, tf_step_located, end, 211, &b) != 0 || a.mode != b.mode)
-      continue;
+    if (run(&s, LOCATED, end, 600, &a) != 0) continue;
+    if (run(&s, LOCATED, end, 211, &b) != 0 || a.mode != b.mode) continue;
     if (a.mode <= TF_SLIP_MINUS || fabs((double)(a.r - b.r)) > 1e-6) continue;
     met++;
     for (int j = 0; j < 4; j++) {
-      const long odd =
-          run(&s, tf_step, end, steps_between(3e-5, 2e-4, end), &x);
+      const long odd = run(&s, MOREAU, end, steps_between(3e-5, 2e-4, end), &x);
       CHECK(odd >= 0);
       told += odd > 0;
       other +=
@@ -198,7 +190,7 @@ TEST(random_machines_take_one_branch) {
   printf("# of %d runs on %d machines %d take another branch than located,\n",
          4 * met, met, other);
   printf("# %d say that a step is too long to tell\n", told);
-  CHECK(met > 100 && other * 400 < 4 * met && told * 20 < 4 * met);
+  CHECK(met > samples(100) && other * 400 < 4 * met && told * 20 < 4 * met);
 }
 
 /* Machines that come to h = g = 0, and where they are later: from slip that
@@ -248,40 +240,32 @@ TEST(motion_leaves_codimension_two_as_the_reference_does) {
       tf_params_t p = coming[i].params;
       p.theta = TF_R(0.5);
       p.dt = (tf_real_t)dts[j];
-      tf_machine_t k;
-      CHECK(tf_prepare(&k, &p, NULL) == TF_OK);
-      const tf_input_t u = tf_input_default(&k);
-      tf_state_t x = {.r = (tf_real_t)coming[i].r,
-                      .v = (tf_real_t)coming[i].v,
-                      .w = (tf_real_t)coming[i].w,
-                      .mode = TF_NO_MODE};
+      sim_t s = sim_of(&p);
+      s.x.r = (tf_real_t)coming[i].r;
+      s.x.v = (tf_real_t)coming[i].v;
+      s.x.w = (tf_real_t)coming[i].w;
       if (!isnan(coming[i].h))
-        tf_speed_for_slip(&k, x.r, x.w, u.omega0, (tf_real_t)coming[i].h, &x.v);
-      tf_report_t report;
-      CHECK(tf_begin(&k, &x, &u, &report) == TF_OK);
-      for (long n = lrint(3 / dts[j]); n > 0; n--)
-        CHECK(tf_step(&k, &x, &u, &report) == TF_OK);
-      CHECK_NEAR(x.r, coming[i].end, 0.6 * dts[j]);
-      CHECK(x.mode == TF_SLIP_PLUS);
+        tf_speed_for_slip(&s.k, s.x.r, s.x.w, s.u.omega0,
+                          (tf_real_t)coming[i].h, &s.x.v);
+      CHECK(sim_begin(&s) == TF_OK);
+      CHECK(odd_of(&s, MOREAU, lrint(3 / dts[j])) == 0);
+      CHECK_NEAR(s.x.r, coming[i].end, 0.6 * dts[j]);
+      CHECK(s.x.mode == TF_SLIP_PLUS);
     }
 }
 
-static double draw_log(double low, double high) {
-  return exp(tap_uniform(log(low), log(high)));
-}
-
 static tf_params_t wide_params(void) {
-  return (tf_params_t){.m = (tf_real_t)draw_log(0.3, 3),
-                       .beta = (tf_real_t)draw_log(0.05, 1),
-                       .d = (tf_real_t)tap_uniform(0.2, 2),
-                       .c1 = (tf_real_t)tap_uniform(0, 1),
-                       .c2 = (tf_real_t)tap_uniform(0, 1),
-                       .k2 = (tf_real_t)tap_uniform(0, 30),
-                       .r0 = (tf_real_t)tap_uniform(-0.5, 0.5),
-                       .omega0 = (tf_real_t)tap_uniform(-2, 2),
-                       .mu = (tf_real_t)draw_log(0.1, 3),
-                       .kappa = (tf_real_t)tap_uniform(1e-3, 1),
-                       .gamma = (tf_real_t)tap_uniform(-3.14, 3.14),
+  return (tf_params_t){.m = log_uniform(0.3, 3),
+                       .beta = log_uniform(0.05, 1),
+                       .d = uniform(0.2, 2),
+                       .c1 = uniform(0, 1),
+                       .c2 = uniform(0, 1),
+                       .k2 = uniform(0, 30),
+                       .r0 = uniform(-0.5, 0.5),
+                       .omega0 = uniform(-2, 2),
+                       .mu = log_uniform(0.1, 3),
+                       .kappa = uniform(1e-3, 1),
+                       .gamma = uniform(-3.14, 3.14),
                        .theta = TF_R(0.5)};
 }
 
@@ -292,11 +276,11 @@ TEST(both_schemes_go_one_way_beside_codimension_two) {
   if (!IS_DOUBLE) SKIP("the steps are too short for float");
   static const double dts[] = {1e-4, 1e-5};
   int machines = 0, told = 0, other[2] = {0, 0};
-  for (int i = 0; i < 2000; i++) {
+  for (int i = 0; i < samples(2000); i++) {
     tf_params_t p = wide_params();
-    const double near = draw_log(1e-3, 3e-2);
+    const double near = (double)log_uniform(1e-3, 3e-2);
     const tf_state_t from = {
-        .r = (tf_real_t)tap_uniform(-0.5, 0.5),
+        .r = uniform(-0.5, 0.5),
         .v = (tf_real_t)(near * tap_uniform(-1, 1)),
         .w = p.omega0 + (tf_real_t)(near * tap_uniform(-1, 1)),
         .mode = TF_NO_MODE};
@@ -305,15 +289,12 @@ TEST(both_schemes_go_one_way_beside_codimension_two) {
     for (int j = 0; j < 3 && good; j++) {
       p.dt = (tf_real_t)dts[j % 2];
       p.tolerance = TF_R(1e-10);
-      tf_machine_t k;
-      tf_report_t report;
-      CHECK(tf_prepare(&k, &p, NULL) == TF_OK);
-      const tf_input_t u = tf_input_default(&k);
-      step_t *const step = j < 2 ? tf_step : tf_step_located;
-      end[j] = from;
-      CHECK(tf_begin(&k, &end[j], &u, &report) == TF_OK);
-      for (long n = lrint(0.05 / dts[j % 2]); n > 0 && good; n--)
-        good = step(&k, &end[j], &u, &report) == TF_OK;
+      sim_t s = sim_of(&p);
+      s.x = from;
+      CHECK(sim_begin(&s) == TF_OK);
+      good =
+          odd_of(&s, j < 2 ? MOREAU : LOCATED, lrint(0.05 / dts[j % 2])) == 0;
+      end[j] = s.x;
     }
     told += !good;
     if (!good) continue;
@@ -324,17 +305,6 @@ TEST(both_schemes_go_one_way_beside_codimension_two) {
   }
   printf("# of %d machines %d go another way at 1e-4, %d at 1e-5; %d coarse\n",
          machines, other[0], other[1], told);
-  CHECK(machines > 1800);
+  CHECK(machines > samples(1800));
   CHECK(other[0] * 200 <= machines && other[1] * 500 <= machines);
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(branch_at_codimension_two_is_independent_of_dt);
-  RUN(slip_enters_no_escaping_stick_at_codimension_two);
-  RUN(slip_beside_codimension_two_is_not_pinned);
-  RUN(random_machines_take_one_branch);
-  RUN(motion_leaves_codimension_two_as_the_reference_does);
-  RUN(both_schemes_go_one_way_beside_codimension_two);
-  return tap_end();
 }

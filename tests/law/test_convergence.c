@@ -1,6 +1,6 @@
 /* How the simulated motion converges to the true one. */
-#include "common.h"
 #include "resolved.h"
+#include "sim.h"
 
 static double max3(double a, double b, double c) {
   return fmax(fabs(a), fmax(fabs(b), fabs(c)));
@@ -12,23 +12,23 @@ static double max3(double a, double b, double c) {
 static const double at_one[3] = {0.185676357258, 0.010298364853,
                                  -0.987353474328};
 
+/* `chaos` at its start, with steps of this length. */
+static sim_t chaos(double dt) {
+  const tf_scene_t *scene = tf_scenes[0];
+  sim_t s = {.params = scene->params};
+  s.params.dt = (tf_real_t)dt;
+  CHECK(sim_place(&s, (double)scene->r, (double)scene->omega, (double)scene->h,
+                  TF_SLIP_PLUS) == TF_OK);
+  CHECK(s.x.mode == TF_SLIP_PLUS);
+  return s;
+}
+
 static double chaos_error(long n, uint8_t *mode) {
-  tf_params_t p = tf_scenes[0]->params;
-  tf_machine_t machine;
-  tf_state_t x = {.r = tf_scenes[0]->r, .w = tf_scenes[0]->omega};
-  tf_report_t report;
-  p.dt = (tf_real_t)(1.0 / (double)n);
-  CHECK(tf_prepare(&machine, &p, NULL) == TF_OK);
-  const tf_input_t u = tf_input_default(&machine);
-  tf_speed_for_slip(&machine, x.r, x.w, u.omega0, tf_scenes[0]->h, &x.v);
-  x.mode = TF_SLIP_PLUS;
-  CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
-  CHECK(x.mode == TF_SLIP_PLUS);
-  for (long i = 0; i < n; i++)
-    CHECK(ok_to_resolution(tf_step(&machine, &x, &u, &report)));
-  *mode = x.mode;
-  return max3((double)x.r - at_one[0], (double)x.v - at_one[1],
-              (double)x.w - at_one[2]);
+  sim_t s = chaos(1.0 / (double)n);
+  for (long i = 0; i < n; i++) CHECK(ok_to_resolution(sim_step(&s, MOREAU)));
+  *mode = s.x.mode;
+  return max3((double)s.x.r - at_one[0], (double)s.x.v - at_one[1],
+              (double)s.x.w - at_one[2]);
 }
 
 /* Through h = g = 0 several modes are consistent and a careless choice lands on
@@ -37,7 +37,7 @@ static double chaos_error(long n, uint8_t *mode) {
  * rounding of the state adds to the bound: per step at most eps |w|, with
  * random signs sqrt(n) eps, times the growth of errors over the second. */
 TEST(branch_is_independent_of_the_step_size) {
-  const int sizes = 80;
+  const int sizes = samples(80);
   double worst = 0;
   for (int i = 0; i < sizes; i++) {
     const double at = (i + tap_uniform(0, 1)) / sizes;
@@ -69,25 +69,16 @@ TEST(cycle_converges_up_to_the_two_fold) {
   const int sizes = IS_DOUBLE ? 5 : 3;
   const double rounding = IS_DOUBLE ? 1e-6 : 5e-3;
   for (int i = 0; i < sizes; i++) {
-    tf_params_t p = tf_scenes[0]->params;
-    tf_machine_t machine;
-    tf_state_t x = {.r = tf_scenes[0]->r, .w = tf_scenes[0]->omega};
-    tf_report_t report;
+    sim_t s = chaos(dts[i]);
     int event = 0;
-    p.dt = (tf_real_t)dts[i];
-    CHECK(tf_prepare(&machine, &p, NULL) == TF_OK);
-    const tf_input_t u = tf_input_default(&machine);
-    tf_speed_for_slip(&machine, x.r, x.w, u.omega0, tf_scenes[0]->h, &x.v);
-    x.mode = TF_SLIP_PLUS;
-    CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
     for (long n = 1; (double)n * dts[i] < 2.1 && event < 4; n++) {
-      const uint8_t before = x.mode;
-      CHECK(ok_to_resolution(tf_step(&machine, &x, &u, &report)));
+      const uint8_t before = s.x.mode;
+      CHECK(ok_to_resolution(sim_step(&s, MOREAU)));
       const int now =
-          event == 0   ? x.mode == TF_STICK_MINUS
-          : event == 1 ? before == TF_STICK_MINUS && x.mode != before
-          : event == 2 ? before == TF_SLIP_MINUS && x.mode == TF_STICK_PLUS
-                       : report.delassus <= 0;
+          event == 0   ? s.x.mode == TF_STICK_MINUS
+          : event == 1 ? before == TF_STICK_MINUS && s.x.mode != before
+          : event == 2 ? before == TF_SLIP_MINUS && s.x.mode == TF_STICK_PLUS
+                       : s.report.delassus <= 0;
       if (!now) continue;
       CHECK_NEAR((double)n * dts[i], want[event],
                  bound[event] * dts[i] + rounding);
@@ -116,23 +107,16 @@ static void true_slip(const paper_t *p, long double x[3], long double t) {
 }
 
 static double slip_error(double theta, long n, const long double end[3]) {
-  tf_params_t p = tf_scenes[0]->params;
-  tf_machine_t machine;
-  tf_report_t report;
-  tf_state_t x = {.r = (tf_real_t)0.18, .w = (tf_real_t)-0.5};
-  p.theta = (tf_real_t)theta;
-  p.dt = (tf_real_t)(0.3 / (double)n);
-  CHECK(tf_prepare(&machine, &p, NULL) == TF_OK);
-  const tf_input_t u = tf_input_default(&machine);
-  tf_speed_for_slip(&machine, x.r, x.w, u.omega0, (tf_real_t)0.5, &x.v);
-  x.mode = TF_NO_MODE;
-  CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
+  sim_t s = {.params = tf_scenes[0]->params};
+  s.params.theta = (tf_real_t)theta;
+  s.params.dt = (tf_real_t)(0.3 / (double)n);
+  CHECK(sim_place(&s, 0.18, -0.5, 0.5, TF_NO_MODE) == TF_OK);
   for (long i = 0; i < n; i++) {
-    CHECK(ok_to_resolution(tf_step(&machine, &x, &u, &report)));
-    CHECK(x.mode == TF_SLIP_PLUS);
+    CHECK(ok_to_resolution(sim_step(&s, MOREAU)));
+    CHECK(s.x.mode == TF_SLIP_PLUS);
   }
-  return max3((double)(x.r - end[0]), (double)(x.v - end[1]),
-              (double)(x.w - end[2]));
+  return max3((double)(s.x.r - end[0]), (double)(s.x.v - end[1]),
+              (double)(s.x.w - end[2]));
 }
 
 /* Slope of log error over log dt by least squares on a geometric grid. */
@@ -161,92 +145,56 @@ TEST(smooth_slip_order_of_convergence) {
   CHECK_NEAR(second, 2, IS_DOUBLE ? 0.1 : 0.4);
 }
 
-/* Motion in stick for 1 s in 100, 200 and 400 steps: how far the first two
- * ends are apart, and the last two. */
-static void stick_differences(double *coarse, double *fine) {
-  double end[3][3];
-  for (int i = 0; i < 3; i++) {
-    tf_params_t p = tf_scenes[0]->params;
-    tf_machine_t machine;
-    tf_report_t report;
-    tf_state_t x = {.r = (tf_real_t)0.18, .w = (tf_real_t)-0.99};
-    const long n = 100L << i;
-    p.dt = (tf_real_t)(1.0 / (double)n);
-    CHECK(tf_prepare(&machine, &p, NULL) == TF_OK);
-    const tf_input_t u = tf_input_default(&machine);
-    tf_speed_for_slip(&machine, x.r, x.w, u.omega0, 0, &x.v);
-    x.mode = TF_STICK_MINUS;
-    CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
-    for (long j = 0; j < n; j++) {
-      CHECK(ok_to_resolution(tf_step(&machine, &x, &u, &report)));
-      CHECK(x.mode == TF_STICK_MINUS);
-    }
-    end[i][0] = (double)x.r, end[i][1] = (double)x.v, end[i][2] = (double)x.w;
-  }
-  *coarse =
-      max3(end[0][0] - end[1][0], end[0][1] - end[1][1], end[0][2] - end[1][2]);
-  *fine =
-      max3(end[1][0] - end[2][0], end[1][1] - end[2][1], end[1][2] - end[2][2]);
-}
-
-/* Stick is as accurate: Richardson's quotient from three step sizes. */
+/* Stick is as accurate: motion for 1 s in 100, 200 and 400 steps. The first two
+ * ends are close, and Richardson's quotient is that of second order. */
 TEST(stick_order_of_convergence) {
-  if (!IS_DOUBLE) SKIP("rounding of float is as large as the differences");
-  double coarse, fine;
-  stick_differences(&coarse, &fine);
-  printf("# quotient of differences %.3f, second order has 4\n", coarse / fine);
-  CHECK_NEAR(coarse / fine, 4, 0.2);
-}
-
-TEST(stick_depends_little_on_the_step_size) {
-  double coarse, fine;
-  stick_differences(&coarse, &fine);
-  CHECK(coarse < 1e-5);
+  sim_t s[3];
+  double apart[2];
+  for (int i = 0; i < 3; i++) {
+    const long n = 100L << i;
+    s[i].params = tf_scenes[0]->params;
+    s[i].params.dt = (tf_real_t)(1.0 / (double)n);
+    CHECK(sim_place(&s[i], 0.18, -0.99, 0, TF_STICK_MINUS) == TF_OK);
+    for (long j = 0; j < n; j++) {
+      CHECK(ok_to_resolution(sim_step(&s[i], MOREAU)));
+      CHECK(s[i].x.mode == TF_STICK_MINUS);
+    }
+  }
+  for (int i = 0; i < 2; i++)
+    apart[i] = max3((double)(s[i].x.r - s[i + 1].x.r),
+                    (double)(s[i].x.v - s[i + 1].x.v),
+                    (double)(s[i].x.w - s[i + 1].x.w));
+  CHECK(apart[0] < 1e-5);
+  if (!IS_DOUBLE) return; /* rounding is as large as the differences */
+  printf("# quotient of differences %.3f\n", apart[0] / apart[1]);
+  CHECK_NEAR(apart[0] / apart[1], 4, 0.2);
 }
 
 /* A constant rate of exit means the same mean time in an escaping stick at
  * every step size: exponential, so mean = deviation = 1/rate. */
 TEST(random_exit_rate_is_independent_of_dt) {
   const double rate = 2000;
-  const int samples = 4000;
+  const int count = samples(4000);
   for (int i = 0; i < 3; i++) {
-    tf_params_t p = tf_scenes[0]->params;
-    tf_machine_t machine;
+    sim_t s = {.params = tf_scenes[0]->params};
     double sum = 0;
     int plus = 0;
-    p.rule = TF_RULE_RANDOM;
-    p.rate = (tf_real_t)rate;
-    p.dt = (tf_real_t)(1e-4 / (1 << 2 * i));
-    CHECK(tf_prepare(&machine, &p, NULL) == TF_OK);
-    const tf_input_t u = tf_input_default(&machine);
-    for (int n = 0; n < samples; n++) {
-      tf_state_t x = {.r = (tf_real_t)0.18, .w = (tf_real_t)-1.015};
-      tf_report_t report;
-      x.seed = (uint32_t)n;
-      tf_speed_for_slip(&machine, x.r, x.w, u.omega0, 0, &x.v);
-      x.mode = TF_STICK_PLUS;
-      CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
-      if (!CHECK(x.mode == TF_STICK_PLUS && report.choices == 3)) return;
-      while (x.mode == TF_STICK_PLUS && x.tick < 1000000)
-        CHECK(ok_to_resolution(tf_step(&machine, &x, &u, &report)));
-      sum += ((double)x.tick - 0.5) * (double)p.dt;
-      plus += x.mode == TF_SLIP_PLUS;
+    s.params.rule = TF_RULE_RANDOM;
+    s.params.rate = (tf_real_t)rate;
+    s.params.dt = (tf_real_t)(1e-4 / (1 << 2 * i));
+    for (int n = 0; n < count; n++) {
+      CHECK(sim_place(&s, 0.18, -1.015, 0, TF_STICK_PLUS) == TF_OK);
+      s.x.seed = (uint32_t)n;
+      if (!CHECK(s.x.mode == TF_STICK_PLUS && s.report.choices == 3)) return;
+      while (s.x.mode == TF_STICK_PLUS && s.x.tick < 1000000)
+        CHECK(ok_to_resolution(sim_step(&s, MOREAU)));
+      sum += ((double)s.x.tick - 0.5) * (double)s.params.dt;
+      plus += s.x.mode == TF_SLIP_PLUS;
     }
     printf("# dt = %g: mean stay %.4g / rate, share of slip+ %.3f\n",
-           (double)p.dt, sum / samples * rate, (double)plus / samples);
+           (double)s.params.dt, sum / count * rate, (double)plus / count);
     /* four standard errors; the stay is known to half a step */
-    CHECK_NEAR(sum / samples * rate, 1, 4 / sqrt(samples) + 0.004);
-    CHECK_NEAR((double)plus / samples, 0.5, 2 / sqrt(samples));
+    CHECK_NEAR(sum / count * rate, 1, 4 / sqrt(count) + 0.004);
+    CHECK_NEAR((double)plus / count, 0.5, 2 / sqrt(count));
   }
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(branch_is_independent_of_the_step_size);
-  RUN(cycle_converges_up_to_the_two_fold);
-  RUN(smooth_slip_order_of_convergence);
-  RUN(stick_order_of_convergence);
-  RUN(stick_depends_little_on_the_step_size);
-  RUN(random_exit_rate_is_independent_of_dt);
-  return tap_end();
 }

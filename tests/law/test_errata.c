@@ -382,19 +382,3 @@ TEST(erratum_string_force_in_the_three_cases) {
   }
   CHECK(seen[1] > 50 && seen[2] > 50 && seen[3] > 50);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(h_and_g_are_the_slip_of_the_wheel);
-  RUN(erratum_rescaled_time);
-  RUN(erratum_eom_signs);
-  RUN(erratum_c1_damps_against_the_ground);
-  RUN(erratum_stick_moment_has_the_sign_of_g);
-  RUN(erratum_p2_depends_on_r_alone);
-  RUN(erratum_normal_form_scales_the_ratio);
-  RUN(erratum_case_three_is_below_one);
-  RUN(erratum_gamma_zero);
-  RUN(erratum_string_slip_border);
-  RUN(erratum_string_force_in_the_three_cases);
-  return tap_end();
-}

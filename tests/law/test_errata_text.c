@@ -48,10 +48,3 @@ TEST(erratum_regions_lie_on_h_zero) {
     CHECK(fabsl(paper_h(&p, caption)) > 0.002L);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(erratum_force_has_a_kink);
-  RUN(erratum_regions_lie_on_h_zero);
-  return tap_end();
-}

@@ -27,9 +27,3 @@ TEST(analysis_of_any_machine_is_finite_or_refused) {
     look(&p, one_in(2) ? &u : NULL, &x);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(analysis_of_any_machine_is_finite_or_refused);
-  return tap_end();
-}

@@ -1,52 +1,9 @@
 /* What the located step reports, judged from outside: residual, angle, Delassus
  * scalar, the slip that follows a stick, the set, and its refusal. */
-#include "paper.h"
 #include "resolved.h"
-#include "tap.h"
-#include "twofold.h"
+#include "sim.h"
 
-#define IS_DOUBLE (sizeof(tf_real_t) == 8)
-
-typedef struct {
-  tf_params_t params;
-  tf_machine_t machine;
-  tf_input_t input;
-  tf_state_t state;
-  tf_report_t report;
-} sim_t;
-
-/* On a slip h, or where h is 0 in the mode asked for. */
-static tf_status_t begin(sim_t *s, double r, double w, double h,
-                         unsigned mode) {
-  tf_status_t status = tf_prepare(&s->machine, &s->params, NULL);
-  if (status != TF_OK) return status;
-  s->input = tf_input_default(&s->machine);
-  s->state =
-      (tf_state_t){.r = (tf_real_t)r, .w = (tf_real_t)w, .mode = (uint8_t)mode};
-  status = tf_speed_for_slip(&s->machine, s->state.r, s->state.w,
-                             s->input.omega0, (tf_real_t)h, &s->state.v);
-  if (status != TF_OK) return status;
-  return tf_begin(&s->machine, &s->state, &s->input, &s->report);
-}
-
-static tf_status_t locate(sim_t *s) {
-  return tf_step_located(&s->machine, &s->state, &s->input, &s->report);
-}
-
-static paper_t paper_of(const tf_machine_t *k) {
-  return (paper_t){
-      .m = (long double)k->m,
-      .d = (long double)k->d,
-      .beta = sqrtl((long double)k->beta2),
-      .k2 = (long double)k->k2,
-      .c1 = (long double)k->c1,
-      .c2 = (long double)k->c2,
-      .r0 = (long double)k->r0,
-      .omega0 = (long double)k->omega0,
-      .mu = (long double)k->tyre.mu,
-      .kappa = (long double)k->tyre.kappa,
-      .gamma = atan2l((long double)k->sin_gamma, (long double)k->cos_gamma)};
-}
+static tf_status_t locate(sim_t *s) { return sim_step(s, LOCATED); }
 
 static tf_params_t machine_at_random(void) {
   tf_params_t p = tf_scenes[0]->params;
@@ -71,10 +28,10 @@ TEST(located_residual_is_that_of_the_law) {
       sim_t s = {.params = machine_at_random()};
       s.params.dt = TF_R(0.05);
       s.params.tolerance = (tf_real_t)tolerance[j];
-      if (begin(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
-                tap_uniform(-0.3, 0.3), TF_NO_MODE) != TF_OK)
+      if (sim_place(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
+                    tap_uniform(-0.3, 0.3), TF_NO_MODE) != TF_OK)
         continue;
-      const paper_t paper = paper_of(&s.machine);
+      const paper_t paper = paper_of(&s.params);
       for (int n = 0; n < 20; n++) {
         if (locate(&s) != TF_OK) break;
         const tf_report_t *o = &s.report;
@@ -89,7 +46,7 @@ TEST(located_residual_is_that_of_the_law) {
         const long double want = fabsl((long double)o->force.F - F) +
                                  fabsl((long double)o->force.M - M) + beyond;
         CHECK_NEAR((long double)o->residual, want,
-                   64 * (double)TF_REAL_EPSILON * (double)s.machine.tyre.mu);
+                   64 * (double)TF_REAL_EPSILON * (double)s.k.tyre.mu);
         worst[j] = fmax(worst[j], (double)o->residual);
         slips[j]++;
       }
@@ -109,20 +66,20 @@ TEST(located_event_at_the_end_of_a_step) {
     sim_t s = {.params = machine_at_random()};
     tf_real_t low = 0, high = TF_R(0.05);
     s.params.dt = high;
-    if (begin(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
-              tap_uniform(-0.1, 0.1), TF_NO_MODE) != TF_OK)
+    if (sim_place(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
+                  tap_uniform(-0.1, 0.1), TF_NO_MODE) != TF_OK)
       continue;
     sim_t end = s;
-    const uint8_t mode = s.state.mode;
-    if (locate(&end) != TF_OK || end.state.mode == mode) continue;
+    const uint8_t mode = s.x.mode;
+    if (locate(&end) != TF_OK || end.x.mode == mode) continue;
     for (int n = 0; n < 80; n++) {
       sim_t x = s;
       x.params.dt = low + (high - low) / 2;
       if (!(x.params.dt > low && x.params.dt < high)) break;
-      if (tf_prepare(&x.machine, &x.params, NULL) != TF_OK) break;
+      if (sim_prepare(&x) != TF_OK) break;
       const tf_status_t status = locate(&x);
       CHECK(status == TF_OK || status == TF_COARSE);
-      if (x.state.mode == mode) {
+      if (x.x.mode == mode) {
         low = x.params.dt;
       } else {
         high = x.params.dt;
@@ -148,32 +105,32 @@ TEST(located_angle_is_the_integral_of_the_speed) {
     s.params.with_angle = true;
     fine.params = s.params;
     fine.params.dt = TF_R(0.05) / PARTS;
-    if (begin(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
-              tap_uniform(-0.3, 0.3), TF_NO_MODE) != TF_OK)
+    if (sim_place(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
+                  tap_uniform(-0.3, 0.3), TF_NO_MODE) != TF_OK)
       continue;
-    CHECK(tf_prepare(&fine.machine, &fine.params, NULL) == TF_OK);
-    fine.input = s.input;
-    fine.state = s.state;
+    CHECK(sim_prepare(&fine) == TF_OK);
+    fine.u = s.u;
+    fine.x = s.x;
     for (int n = 0; n < 10; n++) {
-      const uint8_t before = s.state.mode;
-      const tf_real_t phi = s.state.phi;
-      double w[PARTS + 1] = {(double)s.state.w}, want = 0;
-      fine.state = s.state;
+      const uint8_t before = s.x.mode;
+      const tf_real_t phi = s.x.phi;
+      double w[PARTS + 1] = {(double)s.x.w}, want = 0;
+      fine.x = s.x;
       if (locate(&s) != TF_OK) break;
       int clean = s.report.choices <= 1;
       for (int k = 1; k <= PARTS; k++) {
         clean &= locate(&fine) == TF_OK && fine.report.choices <= 1;
-        w[k] = (double)fine.state.w;
+        w[k] = (double)fine.x.w;
       }
       if (!clean) break;
       for (int k = 0; k < PARTS; k += 2)
         want += (w[k] + 4 * w[k + 1] + w[k + 2]) * (0.05 / PARTS / 3);
       /* An event within two parts bends w once: dw' (dt/64)^2. */
-      CHECK_NEAR((double)(s.state.phi - phi), want,
-                 (s.state.mode == before ? 1e-6 : 1e-5) * (IS_DOUBLE ? 1 : 10) *
+      CHECK_NEAR((double)(s.x.phi - phi), want,
+                 (s.x.mode == before ? 1e-6 : 1e-5) * (IS_DOUBLE ? 1 : 10) *
                      (1 + fabs(w[0])));
       steps++;
-      with_event += s.state.mode != before;
+      with_event += s.x.mode != before;
     }
   }
   printf("# %d steps, %d of them with an event\n", steps, with_event);
@@ -189,11 +146,11 @@ TEST(located_escaping_stick_ends_in_slip_of_the_other_side) {
     s.params.dt = TF_R(1e-3);
     s.params.rule = TF_RULE_PERSIST;
     const unsigned mode = i % 2 ? TF_STICK_PLUS : TF_STICK_MINUS;
-    if (begin(&s, tap_uniform(-0.4, 0.4), tap_uniform(-1.5, 1.5), 0, mode) !=
-            TF_OK ||
-        s.state.mode != mode || !(s.report.delassus < TF_R(-0.05)))
+    if (sim_place(&s, tap_uniform(-0.4, 0.4), tap_uniform(-1.5, 1.5), 0,
+                  mode) != TF_OK ||
+        s.x.mode != mode || !(s.report.delassus < TF_R(-0.05)))
       continue;
-    const double mu = (double)s.machine.tyre.mu;
+    const double mu = (double)s.k.tyre.mu;
     for (int n = 0; n < 200; n++) {
       const sim_t before = s;
       const double lambda = (double)s.report.force.F;
@@ -224,13 +181,13 @@ TEST(located_delassus_is_that_of_the_side_of_g) {
     sim_t s = {.params = machine_at_random()};
     s.params.dt = TF_R(1e-3);
     const unsigned mode = i % 2 ? TF_STICK_PLUS : TF_STICK_MINUS;
-    if (begin(&s, tap_uniform(-0.8, 0.8), tap_uniform(-1.5, 1.5), 0, mode) !=
-            TF_OK ||
-        s.state.mode != mode || locate(&s) != TF_OK || s.report.mode != mode)
+    if (sim_place(&s, tap_uniform(-0.8, 0.8), tap_uniform(-1.5, 1.5), 0,
+                  mode) != TF_OK ||
+        s.x.mode != mode || locate(&s) != TF_OK || s.report.mode != mode)
       continue;
-    const paper_t paper = paper_of(&s.machine);
+    const paper_t paper = paper_of(&s.params);
     const int sign = mode == TF_STICK_PLUS ? 1 : -1;
-    const long double r = (long double)s.state.r;
+    const long double r = (long double)s.x.r;
     const long double want = paper_delassus(&paper, r, sign);
     const long double other = paper_delassus(&paper, r, -sign);
     CHECK_NEAR((long double)s.report.delassus, want,
@@ -249,8 +206,8 @@ TEST(located_set_holds_the_mode) {
     sim_t s = {.params = machine_at_random()};
     s.params.dt = TF_R(0.25);
     s.params.rule = (tf_rule_t)(i % 4);
-    if (begin(&s, tap_uniform(-0.4, 0.4), tap_uniform(-1.5, 1.5), 0,
-              (unsigned)i % TF_MODES) != TF_OK)
+    if (sim_place(&s, tap_uniform(-0.4, 0.4), tap_uniform(-1.5, 1.5), 0,
+                  (unsigned)i % TF_MODES) != TF_OK)
       continue;
     for (int n = 0; n < 20; n++) {
       const tf_status_t status = locate(&s);
@@ -269,23 +226,6 @@ TEST(located_set_holds_the_mode) {
   CHECK(steps > 10000 && open > 100);
 }
 
-/* A wheel under no load stays pinned, with no force, and no step falls back. */
-TEST(located_stays_pinned_without_loads) {
-  for (int i = 0; i < 100; i++) {
-    sim_t s = {.params = machine_at_random()};
-    s.params.omega0 = 0;
-    s.params.r0 = (tf_real_t)tap_uniform(-0.5, 0.5);
-    CHECK(begin(&s, (double)s.params.r0, 0, 0, TF_PINNED) == TF_OK);
-    const tf_state_t start = s.state;
-    for (int n = 0; n < 10; n++) {
-      CHECK(locate(&s) == TF_OK);
-      CHECK(s.state.mode == TF_PINNED && s.state.r == start.r);
-      CHECK(s.state.v == 0 && s.state.w == 0);
-      CHECK(s.report.force.F == 0 && s.report.force.M == 0);
-    }
-  }
-}
-
 /* Where h is 0 to the last bit the mode of the state is ignored: the step goes
  * on in one of the modes that are consistent there. */
 TEST(located_mode_at_h_0_is_a_consistent_one) {
@@ -293,16 +233,16 @@ TEST(located_mode_at_h_0_is_a_consistent_one) {
   for (int i = 0; i < 20000; i++) {
     sim_t s = {.params = machine_at_random()};
     s.params.dt = TF_R(1e-9);
-    if (begin(&s, tap_uniform(-0.8, 0.8), tap_uniform(-1.5, 1.5), 0,
-              TF_NO_MODE) != TF_OK ||
+    if (sim_place(&s, tap_uniform(-0.8, 0.8), tap_uniform(-1.5, 1.5), 0,
+                  TF_NO_MODE) != TF_OK ||
         s.report.slip.h != 0 || fabs((double)s.report.slip.g) < 0.01)
       continue;
     const unsigned set = s.report.set;
-    s.state.mode = (uint8_t)(i % 2 ? TF_SLIP_PLUS : TF_SLIP_MINUS);
-    others += !(set & TF_MODE_BIT(s.state.mode));
+    s.x.mode = (uint8_t)(i % 2 ? TF_SLIP_PLUS : TF_SLIP_MINUS);
+    others += !(set & TF_MODE_BIT(s.x.mode));
     exact++;
     CHECK(ok_to_resolution(locate(&s)));
-    CHECK(set & TF_MODE_BIT(s.state.mode) && s.report.set == set);
+    CHECK(set & TF_MODE_BIT(s.x.mode) && s.report.set == set);
   }
   printf("# %d starts, %d of them in a mode that is not consistent\n", exact,
          others);
@@ -319,26 +259,26 @@ TEST(located_slip_starts_at_g_0) {
     s.params.dt = TF_R(0.02);
     s.params.tolerance = IS_DOUBLE ? TF_R(1e-10) : TF_R(1e-6);
     s.params.r0 = (tf_real_t)tap_uniform(-1, 1);
-    CHECK(tf_prepare(&s.machine, &s.params, NULL) == TF_OK);
-    s.input = tf_input_default(&s.machine);
+    CHECK(sim_prepare(&s) == TF_OK);
+    s.u = tf_input_default(&s.k);
     const double slip = tap_uniform(0.2, 1) * (i % 2 ? 1 : -1);
-    s.state = (tf_state_t){.r = (tf_real_t)tap_uniform(0.1, 0.5),
-                           .w = s.input.omega0 + (tf_real_t)slip,
-                           .mode = TF_NO_MODE};
-    CHECK(tf_begin(&s.machine, &s.state, &s.input, &s.report) == TF_OK);
+    s.x = (tf_state_t){.r = (tf_real_t)tap_uniform(0.1, 0.5),
+                       .w = s.u.omega0 + (tf_real_t)slip,
+                       .mode = TF_NO_MODE};
+    CHECK(sim_begin(&s) == TF_OK);
     CHECK(s.report.slip.g == 0 && s.report.slip.h != 0);
     fine = s;
     fine.params.dt = TF_R(0.02) / 64;
-    CHECK(tf_prepare(&fine.machine, &fine.params, NULL) == TF_OK);
-    fine.state.v = -(tf_real_t)TF_REAL_EPSILON; /* off the kink */
+    CHECK(sim_prepare(&fine) == TF_OK);
+    fine.x.v = -(tf_real_t)TF_REAL_EPSILON; /* off the kink */
     const sim_t start = fine;
     for (int side = 0; side < 2; side++) {
       fine = start;
-      if (side) fine.state.v = -start.state.v;
+      if (side) fine.x.v = -start.x.v;
       for (int n = 0; n < 64; n++) CHECK(locate(&fine) == TF_OK);
       if (side == 0) CHECK(locate(&s) == TF_OK);
-      CHECK_NEAR(s.state.r, fine.state.r, IS_DOUBLE ? 1e-10 : 1e-5);
-      CHECK_NEAR(s.state.w, fine.state.w, IS_DOUBLE ? 1e-9 : 1e-4);
+      CHECK_NEAR(s.x.r, fine.x.r, IS_DOUBLE ? 1e-10 : 1e-5);
+      CHECK_NEAR(s.x.w, fine.x.w, IS_DOUBLE ? 1e-9 : 1e-4);
     }
   }
 }
@@ -349,11 +289,11 @@ TEST(located_without_contact_keeps_its_side_at_h_0) {
     sim_t s = {.params = tf_scenes[0]->params};
     s.params.law = TF_TYRE_NONE;
     s.params.omega0 = 0;
-    CHECK(begin(&s, (double)s.params.r0, 0, 0, mode) == TF_OK);
-    s.state.mode = (uint8_t)mode;
+    CHECK(sim_place(&s, (double)s.params.r0, 0, 0, mode) == TF_OK);
+    s.x.mode = (uint8_t)mode;
     for (int n = 0; n < 3; n++) {
       CHECK(locate(&s) == TF_OK);
-      CHECK(s.report.slip.h == 0 && s.state.mode == mode);
+      CHECK(s.report.slip.h == 0 && s.x.mode == mode);
     }
   }
 }
@@ -364,34 +304,18 @@ TEST(located_refuses_to_leave_the_range_of_states) {
   sim_t s = {.params = tf_scenes[0]->params};
   s.params.law = TF_TYRE_NONE;
   s.params.dt = TF_R(0.125);
-  CHECK(begin(&s, 0, 0, 0, TF_NO_MODE) == TF_OK);
-  s.state.w = 0;
-  s.state.v = TF_R(0.9) * (tf_real_t)TF_STATE_LIMIT;
+  CHECK(sim_place(&s, 0, 0, 0, TF_NO_MODE) == TF_OK);
+  s.x.w = 0;
+  s.x.v = TF_R(0.9) * (tf_real_t)TF_STATE_LIMIT;
   tf_status_t status = TF_OK;
   for (int n = 0; n < 8 && status >= TF_OK; n++) {
-    const tf_state_t before = s.state;
+    const tf_state_t before = s.x;
     s.report.status = TF_OK;
     status = locate(&s);
     CHECK(s.report.status == status);
     if (status >= TF_OK) continue;
     CHECK(status == TF_DIVERGED);
-    CHECK(!memcmp(&before, &s.state, sizeof before));
+    CHECK(!memcmp(&before, &s.x, sizeof before));
   }
   CHECK(status == TF_DIVERGED);
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(located_residual_is_that_of_the_law);
-  RUN(located_event_at_the_end_of_a_step);
-  RUN(located_angle_is_the_integral_of_the_speed);
-  RUN(located_escaping_stick_ends_in_slip_of_the_other_side);
-  RUN(located_delassus_is_that_of_the_side_of_g);
-  RUN(located_set_holds_the_mode);
-  RUN(located_stays_pinned_without_loads);
-  RUN(located_mode_at_h_0_is_a_consistent_one);
-  RUN(located_slip_starts_at_g_0);
-  RUN(located_without_contact_keeps_its_side_at_h_0);
-  RUN(located_refuses_to_leave_the_range_of_states);
-  return tap_end();
 }

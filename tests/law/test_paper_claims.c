@@ -298,17 +298,3 @@ TEST(string_begins_to_slip_at_force_one) {
     }
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(slip_force_is_between_mu_and_four_thirds_of_it);
-  RUN(any_force_balances_its_moment_at_a_two_fold);
-  RUN(eigenvalues_of_the_normal_form_are_apart);
-  RUN(sliding_quadrant_has_the_sign_of_j1_j2_less_one);
-  RUN(sliding_region_flows_into_the_two_fold_in_finite_time);
-  RUN(windings_grow_until_the_other_sliding_side);
-  RUN(gamma_zero_rolls_on_the_circle);
-  RUN(gamma_right_borders_are_two_mu_apart);
-  RUN(string_begins_to_slip_at_force_one);
-  return tap_end();
-}

@@ -368,23 +368,3 @@ TEST(stick_arrives_at_the_two_fold) {
   CHECK_NEAR(x[0] - PAPER_R_STAR, 1.99e-7L, place(1e-9L));
   CHECK(paper_delassus(&p, x[0], 1) < 1e-6L);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(two_fold_position_and_constants);
-  RUN(normal_form_constants);
-  RUN(weak_direction_at_the_two_fold);
-  RUN(zeros_of_the_delassus_number);
-  RUN(two_folds_are_a_quadratic_in_w);
-  RUN(gradient_of_the_lie_derivative);
-  RUN(rescaled_equations_are_the_mass_matrix_form);
-  RUN(tyre_law_is_one_function_of_one_variable);
-  RUN(tyre_law_is_the_reduced_string);
-  RUN(orbit_legs_agree_with_a_plain_runge_kutta);
-  RUN(state_at_one_second);
-  RUN(slip_enters_codimension_two);
-  RUN(stick_ends_at_the_turning_point_of_the_spring);
-  RUN(slip_lands_in_the_lower_sliding_region);
-  RUN(stick_arrives_at_the_two_fold);
-  return tap_end();
-}

@@ -129,8 +129,8 @@ TEST(machine_at_rest_stays_pinned) {
       tf_state_t x = {.r = q.r0, .mode = TF_NO_MODE};
       tf_report_t report;
       CHECK(tf_begin(&k, &x, &u, &report) == TF_OK);
-      for (int n = 0; n < 5; n++) {
-        CHECK((scheme ? tf_step_located : tf_step)(&k, &x, &u, &report) >=
+      for (int n = 0; n < 10; n++) {
+        CHECK((scheme ? tf_step_located : tf_step)(&k, &x, &u, &report) ==
               TF_OK);
         CHECK(x.mode == TF_PINNED && x.r == q.r0 && x.v == 0 && x.w == 0);
         CHECK(report.force.F == 0 && report.force.M == 0);
@@ -139,12 +139,4 @@ TEST(machine_at_rest_stays_pinned) {
       }
     }
   }
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(pinned_wheel_stays_as_long_as_the_law_has_its_force);
-  RUN(pinned_wheel_answers_what_acts_on_it);
-  RUN(machine_at_rest_stays_pinned);
-  return tap_end();
 }

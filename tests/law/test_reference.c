@@ -216,11 +216,3 @@ TEST(located_steps_keep_to_the_reference) {
     }
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(errors_fall_with_the_step);
-  RUN(events_come_in_the_order_of_the_reference);
-  RUN(located_steps_keep_to_the_reference);
-  return tap_end();
-}

@@ -4,34 +4,12 @@
  * rounding of the state. A stick that comes to rest at h = g = 0
  * for ever does so too: rounding does not end its rest. And the mode is one of
  * the set that the step reports. */
-#include "common.h"
 #include "extremes.h"
-
-typedef struct {
-  tf_compensated_t machine;
-  tf_params_t params;
-  tf_input_t input;
-  tf_state_t x;
-  tf_compensation_t low;
-  tf_report_t report;
-} run_t;
-
-enum { MOREAU, COMPENSATED, LOCATED, SCHEMES };
-static const char *const names[SCHEMES] = {"moreau", "compensated", "located"};
-
-static tf_status_t step(run_t *run, int scheme) {
-  if (scheme == COMPENSATED)
-    return tf_step_compensated(&run->machine, &run->x, &run->low, &run->input,
-                               &run->report);
-  if (scheme == LOCATED)
-    return tf_step_located(&run->machine.machine, &run->x, &run->input,
-                           &run->report);
-  return tf_step(&run->machine.machine, &run->x, &run->input, &run->report);
-}
+#include "sim.h"
 
 /* By the paper's h and g. The bound is twice that of slip_rounding(); a located
  * step begins what follows an event with what its tolerance leaves of h. */
-static int has_its_signs(const run_t *run, real tolerance) {
+static int has_its_signs(const sim_t *run, real tolerance) {
   const tf_state_t *x = &run->x;
   const paper_t paper = paper_of(&run->params);
   const real at[3] = {wide(x->r) + wide(run->low.r),
@@ -51,15 +29,10 @@ static int has_its_signs(const run_t *run, real tolerance) {
   return fabsl(g) <= tiny;
 }
 
-static tf_real_t signed_log(double low, double high) {
-  const tf_real_t x = log_uniform(low, high);
-  return one_in(2) ? x : -x;
-}
-
 /* A machine of ordinary size, half of them with three members from anywhere in
  * their ranges, and a start near h = g = 0, mostly on h = 0; the slider is near
  * the axis in one start of three. */
-static int draw_run(run_t *run) {
+static int draw_run(sim_t *run) {
   tf_params_t p = tf_scenes[0]->params;
   p.m = log_uniform(0.03, 30);
   p.d = uniform(0.2, 2);
@@ -68,7 +41,7 @@ static int draw_run(run_t *run) {
   p.c1 = one_in(2) ? 0 : uniform(0, 1);
   p.c2 = one_in(2) ? 0 : uniform(0, 1);
   p.r0 = uniform(-0.5, 0.5);
-  p.omega0 = signed_log(0.1, 10);
+  p.omega0 = of_any_sign(log_uniform(0.1, 10));
   p.mu = log_uniform(0.01, 30);
   p.kappa = log_uniform(1e-3, 1);
   p.dt = log_uniform(1e-5, 1e-2);
@@ -77,32 +50,26 @@ static int draw_run(run_t *run) {
     for (int n = 0; n < 3; n++) draw_member(&p, (int)(tap_bits() % 10));
   p.gamma = draw_gamma();
   if (one_in(20)) p.law = TF_TYRE_COULOMB;
-  memset(run, 0, sizeof *run);
-  run->params = p;
-  if (p.omega0 == 0 || tf_prepare_compensated(&run->machine, &p, NULL) != TF_OK)
-    return 0;
-  const tf_machine_t *k = &run->machine.machine;
+  if (p.omega0 == 0) return 0;
   const tf_real_t near = log_uniform(1e-4, 1);
-  run->input = tf_input_default(k);
+  *run = sim_of(&p);
   run->x.r = uniform(-0.5, 0.5) * (one_in(3) ? log_uniform(1e-4, 1) : 1);
   run->x.w = p.omega0 * (1 + near * uniform(-1, 1));
   run->x.v = near * uniform(-1, 1);
   if (!one_in(4))
-    tf_speed_for_slip(k, run->x.r, run->x.w, p.omega0, 0, &run->x.v);
-  run->x.mode = TF_NO_MODE;
-  return tf_begin(k, &run->x, &run->input, &run->report) == TF_OK;
+    tf_speed_for_slip(&run->k, run->x.r, run->x.w, p.omega0, 0, &run->x.v);
+  return sim_begin(run) == TF_OK;
 }
 
 TEST(signs_are_those_of_the_mode) {
   for (int scheme = 0; scheme < SCHEMES; scheme++) {
     long good = 0, degraded = 0, wrong = 0;
-    for (int i = 0; i < 40000; i++) {
-      run_t run;
+    for (int i = 0; i < samples(40000); i++) {
+      sim_t run;
       if (!draw_run(&run)) continue;
       for (int n = 0; n < 8; n++) {
-        const tf_status_t status = step(&run, scheme);
-        const real tolerance =
-            scheme == LOCATED ? wide(run.machine.machine.tolerance) : 0;
+        const tf_status_t status = sim_step(&run, (scheme_t)scheme);
+        const real tolerance = scheme == LOCATED ? wide(run.k.tolerance) : 0;
         if (status < TF_OK) break;
         const int right =
             (run.report.set & TF_MODE_BIT(run.report.mode)) != 0 &&
@@ -113,65 +80,51 @@ TEST(signs_are_those_of_the_mode) {
       }
     }
     printf("# %-11s %ld steps as they say, %ld degraded, %ld wrong\n",
-           names[scheme], good, degraded, wrong);
+           scheme_name((scheme_t)scheme), good, degraded, wrong);
     CHECK(wrong == 0);
-    CHECK(good > 100000 && degraded < good / 50);
+    CHECK(good > samples(100000) && degraded < good / 50);
   }
 }
 
 /* r moves by about its own size in this step, so that g bends twice. */
 TEST(a_step_across_the_axis_keeps_its_stick) {
-  tf_params_t p = tf_scenes[0]->params;
-  p.m = TF_R(0.11);
-  p.d = TF_R(0.45);
-  p.beta = TF_R(0.013);
-  p.mu = TF_R(9.4);
-  p.kappa = TF_R(0.99);
-  p.gamma = -2;
   for (int half = 0; half < 2; half++) {
-    run_t run;
-    memset(&run, 0, sizeof run);
-    p.dt = half ? TF_R(5e-5) : TF_R(1e-4);
-    run.params = p;
-    CHECK(tf_prepare_compensated(&run.machine, &p, NULL) == TF_OK);
-    const tf_machine_t *k = &run.machine.machine;
-    run.input = tf_input_default(k);
-    run.x.r = TF_R(0.001);
-    run.x.w = TF_R(-1.2);
-    CHECK(tf_speed_for_slip(k, run.x.r, run.x.w, k->omega0, 0, &run.x.v) ==
-          TF_OK);
-    run.x.mode = TF_NO_MODE;
-    CHECK(tf_begin(k, &run.x, &run.input, &run.report) == TF_OK);
-    CHECK(step(&run, MOREAU) == TF_OK);
+    sim_t run = {.params = tf_scenes[0]->params};
+    tf_params_t *p = &run.params;
+    p->m = TF_R(0.11);
+    p->d = TF_R(0.45);
+    p->beta = TF_R(0.013);
+    p->mu = TF_R(9.4);
+    p->kappa = TF_R(0.99);
+    p->gamma = -2;
+    p->dt = half ? TF_R(5e-5) : TF_R(1e-4);
+    CHECK(sim_place(&run, 0.001, -1.2, 0, TF_NO_MODE) == TF_OK);
+    CHECK(sim_step(&run, MOREAU) == TF_OK);
     CHECK(run.x.mode == TF_STICK_PLUS && has_its_signs(&run, 0));
     CHECK(run.report.choices >= 2);
   }
 }
 
-/* Stick with sign s of g at (r, g) on h = 0: the rates of r and g, lambda and
- * A, from the equations of motion. */
+/* Stick with sign s of g at (r, g) on h = 0, by the paper: the rates of r and g
+ * per second. */
 typedef struct {
-  real r, g, lambda, A;
+  real r, g;
 } rate_t;
 
-static rate_t stick_rate(const tf_params_t *q, int s, real r, real g) {
-  const real S = sinl(wide(q->gamma)), C = cosl(wide(q->gamma)), m = q->m;
-  const real z = g * S / r, v = -g * C + q->d * z, w = q->omega0 + z;
-  const real J = m * (wide(q->beta) * q->beta + r * r);
-  const real Q_r = q->k2 * (q->r0 - r) - q->c2 * v + m * r * w * w;
-  const real Q_phi = -q->c1 * w - 2 * m * r * v * w;
-  const real pr = Q_r / m, qr = r * (Q_phi + q->d * Q_r) / J + v * z;
-  const real arm = r * C + s * wide(q->kappa);
-  rate_t out = {.r = v, .A = S * S / m + r * C * arm / J};
-  out.lambda = (-pr * S - qr * C) / out.A;
-  out.g = (qr + r * arm * out.lambda / J) * S - (pr + out.lambda * S / m) * C;
-  return out;
+static rate_t stick_rate(const paper_t *p, int s, real r, real g) {
+  const real S = sinl(p->gamma), C = cosl(p->gamma), z = g * S / r;
+  const real x[3] = {r, -g * C + p->d * z, p->omega0 + z};
+  real rate[3], g_x[3];
+  paper_stick(p, x, s, rate);
+  paper_g_x(p, x, g_x);
+  return (rate_t){rate[0],
+                  g_x[0] * rate[0] + g_x[1] * rate[1] + g_x[2] * rate[2]};
 }
 
 /* A machine whose stick tends to h = g = 0 for ever: at r it is at rest under
  * M = s kappa F exactly, and near it r and g decay without a turn. Starts on
  * the slower of the two directions. */
-static int draw_rest(run_t *run, int i, real *rest) {
+static int draw_rest(sim_t *run, int i, real *rest) {
   tf_params_t p = tf_scenes[0]->params;
   p.m = log_uniform(0.3, 3);
   p.beta = log_uniform(0.05, 1);
@@ -182,36 +135,31 @@ static int draw_rest(run_t *run, int i, real *rest) {
   p.mu = log_uniform(0.1, 3);
   p.kappa = uniform(0.001, 1);
   p.gamma = uniform(-3.14, 3.14);
-  p.omega0 = i % 4 ? signed_log(0.1, 3) : 0;
+  p.omega0 = i % 4 ? of_any_sign(log_uniform(0.1, 3)) : 0;
   p.dt = TF_R(1e-3);
   const int s = one_in(2) ? 1 : -1;
-  const real r = signed_log(0.03, 0.5), S = sinl(wide(p.gamma));
+  const real r = of_any_sign(log_uniform(0.03, 0.5)), S = sinl(wide(p.gamma));
   const real Q_r = p.c1 * p.omega0 /
                    (p.d - (r * cosl(wide(p.gamma)) + s * wide(p.kappa)) / S);
   p.r0 = (tf_real_t)(r + (Q_r - p.m * r * p.omega0 * p.omega0) / p.k2);
   if (fabsl(S) < 0.1L || fabsl(Q_r / S) > 0.9L * p.mu) return 0;
-  const real e = 1e-6L, nu = stick_rate(&p, s, r, 1).r;
+  const paper_t q = paper_of(&p);
+  const real e = 1e-6L, nu = stick_rate(&q, s, r, 1).r;
   const real by_r =
-      (stick_rate(&p, s, r + e, 0).g - stick_rate(&p, s, r - e, 0).g) / (2 * e);
+      (stick_rate(&q, s, r + e, 0).g - stick_rate(&q, s, r - e, 0).g) / (2 * e);
   const real by_g =
-      (stick_rate(&p, s, r, e).g - stick_rate(&p, s, r, -e).g) / (2 * e);
+      (stick_rate(&q, s, r, e).g - stick_rate(&q, s, r, -e).g) / (2 * e);
   const real root = by_g * by_g + 4 * by_r * nu;
   const real slow = (by_g + sqrtl(root > 0 ? root : 0)) / 2;
   if (!(root > 0 && by_g < 0 && by_r * nu < 0 && slow < -1.5L) ||
-      stick_rate(&p, s, r, 0).A <= 0)
+      paper_delassus(&q, r, s) <= 0)
     return 0;
-  memset(run, 0, sizeof *run);
-  run->params = p;
-  CHECK(tf_prepare_compensated(&run->machine, &p, NULL) == TF_OK);
-  const tf_machine_t *k = &run->machine.machine;
-  run->input = tf_input_default(k);
+  *run = sim_of(&p);
   run->x.r = (tf_real_t)(r + nu * s * 1e-3L / slow);
   run->x.w = (tf_real_t)(p.omega0 + s * 1e-3L * S / run->x.r);
-  tf_speed_for_slip(k, run->x.r, run->x.w, p.omega0, 0, &run->x.v);
-  run->x.mode = TF_NO_MODE;
+  tf_speed_for_slip(&run->k, run->x.r, run->x.w, p.omega0, 0, &run->x.v);
   *rest = r;
-  return fabsl(run->x.r - r) < 0.01L * fabsl(r) &&
-         tf_begin(k, &run->x, &run->input, &run->report) == TF_OK &&
+  return fabsl(run->x.r - r) < 0.01L * fabsl(r) && sim_begin(run) == TF_OK &&
          run->x.mode == (s > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
 }
 
@@ -219,27 +167,19 @@ TEST(rounding_does_not_end_a_rest) {
   for (int scheme = 0; scheme < SCHEMES; scheme++) {
     int machines = 0, left = 0, degraded = 0;
     for (int i = 0; machines < 200; i++) {
-      run_t run;
+      sim_t run;
       real rest;
       if (!draw_rest(&run, i, &rest)) continue;
       machines++;
       const int steps = scheme == LOCATED ? 3000 : 10000;
       for (int n = 0; n < steps; n++)
-        degraded += step(&run, scheme) == TF_DEGRADED;
+        degraded += sim_step(&run, (scheme_t)scheme) == TF_DEGRADED;
       left += fabsl(run.x.r - rest) > 1e-3L * fabsl(rest) ||
               fabsl(wide(run.report.slip.g)) > 1e-4L;
     }
     printf("# %-11s %d of %d machines leave; %d steps degraded\n",
-           names[scheme], left, machines, degraded);
+           scheme_name((scheme_t)scheme), left, machines, degraded);
     CHECK(left <= machines / 50);
     CHECK(degraded <= (scheme == COMPENSATED ? 1000 : 0));
   }
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(signs_are_those_of_the_mode);
-  RUN(a_step_across_the_axis_keeps_its_stick);
-  RUN(rounding_does_not_end_a_rest);
-  return tap_end();
 }

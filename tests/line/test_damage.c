@@ -120,14 +120,3 @@ TEST(a_stream_is_open_until_its_heartbeat) {
     }
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(drops_are_those_since_the_first_heartbeat);
-  RUN(drops_of_a_board_that_was_started_again_count);
-  RUN(drops_go_round);
-  RUN(lost_frames_go_round);
-  RUN(what_came_before_a_device_was_heard_is_no_loss);
-  RUN(a_stream_is_open_until_its_heartbeat);
-  return tap_end();
-}

@@ -15,6 +15,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#define TAP_OWN_MAIN
 #include "tap.h"
 #include "twofold.h"
 
@@ -338,16 +339,11 @@ TEST(keyed_board_takes_keyed_commands) {
 }
 
 int main(int argc, char **argv) {
-  tap_begin(argc, argv);
   signal(SIGPIPE, SIG_IGN);
   if (!mkdtemp(place)) return 1;
   snprintf(device, sizeof device, "%s/device", place);
-  RUN(rows_arrive_and_a_device_that_leaves_is_told);
-  RUN(followed_device_comes_back);
-  RUN(commands_are_sent_and_answered);
-  RUN(answers_to_others_are_not_its_own);
-  RUN(keyed_board_takes_keyed_commands);
+  const int result = tap_main(argc, argv);
   unlink(device);
   rmdir(place);
-  return tap_end();
+  return result;
 }

@@ -232,15 +232,3 @@ TEST(inputs_expire_by_default) {
       frame_in(line, app_heartbeat(&counts, line), TF_DOWN_HEARTBEAT);
   CHECK(tf_wire_get(frame.payload + 52, 4) == 1);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(records_are_at_multiples_of_every);
-  RUN(mean_survives_the_counters);
-  RUN(counters_end_at_their_largest);
-  RUN(csv_has_its_header_again);
-  RUN(frames_are_numbered_through_the_end);
-  RUN(session_is_of_the_moment);
-  RUN(inputs_expire_by_default);
-  return tap_end();
-}

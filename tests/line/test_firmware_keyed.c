@@ -50,9 +50,3 @@ TEST(commands_need_the_key_of_the_build) {
   CHECK(code_of(TF_UP_STOP, 0, key) == TF_ANSWER_DONE);
   CHECK(!sim.simulation.running);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(commands_need_the_key_of_the_build);
-  return tap_end();
-}

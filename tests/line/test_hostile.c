@@ -20,6 +20,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#define TAP_OWN_MAIN
 #include "tap.h"
 #include "twofold.h"
 
@@ -244,8 +245,6 @@ TEST(hostile_frames_cost_no_firmware) {
 }
 
 int main(int argc, char **argv) {
-  tap_begin(argc, argv);
   signal(SIGPIPE, SIG_IGN);
-  RUN(hostile_frames_cost_no_firmware);
-  return tap_end();
+  return tap_main(argc, argv);
 }

@@ -17,6 +17,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#define TAP_OWN_MAIN
 #include "tap.h"
 #include "twofold.h"
 
@@ -376,16 +377,6 @@ TEST(jitter_is_measured_and_told) {
 }
 
 int main(int argc, char **argv) {
-  tap_begin(argc, argv);
   signal(SIGPIPE, SIG_IGN);
-  RUN(uplink_flood_costs_no_step);
-  RUN(recorded_reset_acts_once);
-  RUN(silent_controller_is_told);
-  RUN(stalled_reader_costs_records_and_no_step);
-  RUN(reader_leaves_and_comes_back);
-  RUN(device_that_is_unplugged_ends_it);
-  RUN(closed_pipe_ends_it);
-  RUN(wrong_ports_are_told);
-  RUN(jitter_is_measured_and_told);
-  return tap_end();
+  return tap_main(argc, argv);
 }

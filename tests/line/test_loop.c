@@ -300,23 +300,3 @@ TEST(ends_are_told_apart) {
   board.broken = true;
   CHECK(run_loop(10, 1, LOOP_SKIP) == LOOP_REFUSED && counted.steps == 0);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(every_tick_has_one_step);
-  RUN(overrun_is_finished_and_skips_ticks);
-  RUN(overrun_stops_where_asked);
-  RUN(always_late_is_every_other_tick);
-  RUN(stalled_reader_costs_records_and_no_step);
-  RUN(flood_costs_neither_step_nor_record);
-  RUN(record_that_would_take_too_long_is_dropped);
-  RUN(one_slow_record_does_not_end_telemetry);
-  RUN(standing_is_no_step);
-  RUN(records_can_be_moved_to_a_step);
-  RUN(ticks_and_clock_go_round);
-  RUN(mean_is_of_all_steps);
-  RUN(counts_of_the_loop_go_round);
-  RUN(step_longer_than_the_clock_is_told);
-  RUN(ends_are_told_apart);
-  return tap_end();
-}

@@ -92,15 +92,3 @@ TEST(corpus_of_states_keeps_the_promises) {
 TEST(corpus_of_records_keeps_the_promises) {
   replay_quietly("tests/corpus/record", "crash-record-", fuzz_record);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(corpus_of_machines_keeps_the_promises);
-  RUN(corpus_of_frames_keeps_the_promises);
-  RUN(corpus_of_arguments_keeps_the_promises);
-  RUN(corpus_of_scenes_keeps_the_promises);
-  RUN(corpus_of_tables_keeps_the_promises);
-  RUN(corpus_of_states_keeps_the_promises);
-  RUN(corpus_of_records_keeps_the_promises);
-  return tap_end();
-}

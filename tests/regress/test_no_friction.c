@@ -59,9 +59,3 @@ TEST(without_friction_nothing_is_pinned) {
     }
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(without_friction_nothing_is_pinned);
-  return tap_end();
-}

@@ -3,6 +3,7 @@
 #ifndef TESTS_SUPPORT_CODIM2_FIELD_H
 #define TESTS_SUPPORT_CODIM2_FIELD_H
 
+#include "friction/codim2.h"
 #include "sample.h"
 
 #define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))
@@ -69,6 +70,30 @@ static inline tf_params_t any_params(int n) {
   params.beta = uniform(0.001, 0.5);
   params.d = uniform(-5, 5);
   return params;
+}
+
+/* Such a machine at a place h = g = 0, and what the core makes of it. */
+typedef struct {
+  tf_params_t params;
+  tf_machine_t k;
+  tf_input_t u;
+  tf_real_t r;
+  field_t at;
+  rates_t rates;
+  codim2_field_t field;
+  consistent_modes_t out;
+} place_t;
+
+static inline void look_at(place_t *c, const tf_params_t *params,
+                           const tf_input_t *u, tf_real_t r) {
+  c->params = *params;
+  c->k = prepared(params);
+  c->u = u ? *u : tf_input_default(&c->k);
+  c->r = r;
+  c->at = field_at(params, &c->u, r);
+  c->rates = rates_at(&c->k, &c->u, r, 0, 0, c->u.omega0);
+  c->field = tf_codim2_field_of(&c->k, &c->rates);
+  tf_codim2_modes(&c->k, &c->field, &c->out);
 }
 
 #endif

@@ -28,6 +28,36 @@ static inline tf_real_t log_uniform(double low, double high) {
   return (tf_real_t)exp(tap_uniform(log(low), log(high)));
 }
 
+/* The machine of a row of numbers, in the order of tf_params_t: m, d, beta, k2,
+ * c1, c2, r0, omega0, mu, kappa, gamma; all else is that of the paper. */
+#define MACHINE 11
+static inline tf_params_t params_from(const double row[MACHINE]) {
+  tf_params_t p = tf_scenes[0]->params;
+  for (int i = 0; i < MACHINE; i++) {
+    const tf_real_t x = (tf_real_t)row[i];
+    memcpy((char *)&p + tf_parameter_ranges[i].offset, &x, sizeof x);
+  }
+  return p;
+}
+
+/* A machine that every law accepts; no two of their constants are equal. */
+static inline tf_params_t params_of_law(tf_tyre_law_t law) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.law = law;
+  p.epsilon = 1;
+  p.k = 2;
+  p.delta = 3;
+  p.sigma = TF_R(0.25);
+  p.rho = TF_R(0.5);
+  p.a = TF_R(0.75);
+  return p;
+}
+
+/* Of either sign. */
+static inline tf_real_t of_any_sign(tf_real_t x) {
+  return tap_bits() & 1u ? -x : x;
+}
+
 static inline paper_t paper_of(const tf_params_t *p) {
   return (paper_t){.m = wide(p->m),
                    .d = wide(p->d),

@@ -22,6 +22,34 @@ static inline tf_params_t random_params(void) {
   return p;
 }
 
+/* A machine, its inputs, and the two-folds that it has. */
+typedef struct {
+  tf_machine_t machine;
+  tf_input_t input;
+  paper_t paper;
+  tf_surface_point_t at[TF_TWO_FOLDS];
+  int count;
+  tf_absence_t absence;
+} folds_t;
+
+static inline folds_t folds_of(const tf_params_t *params) {
+  folds_t f;
+  memset(&f, 0, sizeof f);
+  f.machine = prepared(params);
+  f.input = tf_input_default(&f.machine);
+  f.paper = paper_of(params);
+  f.count = -1;
+  CHECK(tf_two_folds(&f.machine, &f.input, f.at, &f.count, &f.absence) ==
+        TF_OK);
+  return f;
+}
+
+static inline tf_two_fold_t form_at(const folds_t *f, int i) {
+  tf_two_fold_t n;
+  CHECK(tf_normal_form(&f->machine, &f->input, &f->at[i], &n) == TF_OK);
+  return n;
+}
+
 /* A machine with a two-fold at a random place, and its normal form. */
 typedef struct {
   tf_params_t params;

@@ -122,6 +122,11 @@ static inline void send_input(board_t *board, uint64_t at,
   send(board, TF_UP_INPUT, at, payload, sizeof payload);
 }
 
+/* The boundary between two steps: how many commands take effect there. */
+static inline unsigned boundary(board_t *board) {
+  return tf_link_boundary(&board->link, &board->simulation);
+}
+
 /* Reads all answers that wait. */
 static inline void drain(board_t *board) {
   uint8_t wire[TF_FRAME_SIZE(TF_ANSWER_BYTES)];

@@ -137,13 +137,3 @@ TEST(design_with_unit_effect_of_the_spring) {
   CHECK_NEAR(wide(design.two_fold.residual), 0,
              64 * EPSILON * fabsl(wide(design.k2)));
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(design_gives_the_numbers_of_the_paper);
-  RUN(designed_two_folds_are_found_again);
-  RUN(designs_near_the_axis_are_refused);
-  RUN(impossible_designs_say_why);
-  RUN(design_with_unit_effect_of_the_spring);
-  return tap_end();
-}

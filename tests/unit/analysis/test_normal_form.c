@@ -208,13 +208,3 @@ TEST(driven_two_fold_is_the_second_rate) {
   }
   CHECK(seen > 100);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(normal_form_against_the_paper);
-  RUN(eigenvalues_are_rational);
-  RUN(sliding_motion_follows_the_normal_form);
-  RUN(paper_cases_1_to_3);
-  RUN(driven_two_fold_is_the_second_rate);
-  return tap_end();
-}

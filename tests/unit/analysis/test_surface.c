@@ -60,14 +60,6 @@ static void near_rate(const tf_rate_t *got, const real want[3], real scale,
   CHECK_NEAR(wide(got->w), want[2] * scale, tolerance);
 }
 
-TEST(region_names_are_the_contract) {
-  static const char *const names[] = {"sliding",     "escaping",
-                                      "crossing_up", "crossing_down",
-                                      "codim2",      "unknown"};
-  for (unsigned i = 0; i <= TF_REGIONS; i++)
-    CHECK(!strcmp(tf_region_name(i), names[i]));
-}
-
 TEST(lie_derivatives_against_the_paper) {
   for (int i = 0; i < 20000; i++) {
     const look_t c = random_look();
@@ -245,16 +237,4 @@ TEST(surface_refuses_other_laws_and_bad_states) {
   CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
   CHECK(tf_surface_at(&machine, &input, TF_R(0.2), 0, -1, &at) == TF_OK);
   CHECK(at.region == TF_REGION_SLIDING && at.delassus > 0);
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(region_names_are_the_contract);
-  RUN(lie_derivatives_against_the_paper);
-  RUN(sliding_field_against_the_paper);
-  RUN(regions_are_what_slip_does);
-  RUN(rescaled_field_is_regular_at_the_two_fold);
-  RUN(equilibrium_without_friction_is_no_crossing);
-  RUN(surface_refuses_other_laws_and_bad_states);
-  return tap_end();
 }

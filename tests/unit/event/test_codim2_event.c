@@ -210,13 +210,3 @@ TEST(located_steps_from_codimension_two_of_every_law_and_rule) {
          by_status[TF_DEGRADED], by_status[TF_FELL_BACK], by_status[TF_COARSE]);
   CHECK(by_status[TF_OK] > 50000);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(exponent_of_a_limit_direction);
-  RUN(of_two_sticks_the_faster_is_taken);
-  RUN(slip_enters_the_faster_stick);
-  RUN(wheel_at_rest_leaves_by_the_faster_stick);
-  RUN(located_steps_from_codimension_two_of_every_law_and_rule);
-  return tap_end();
-}

@@ -1,7 +1,6 @@
 /* Modes that are consistent at h = g = 0, against a search through all angles
  * with the paper's law and field. */
 #include "codim2_field.h"
-#include "friction/codim2.h"
 
 static real bisected(const field_t *at, int side, real low, real high) {
   const bool up = slip_rate_at(at, side, low).rotation > 0;
@@ -51,43 +50,39 @@ static exit_t search(const field_t *at, int side) {
 
 TEST(slip_leaves_codimension_two_as_a_search_finds) {
   int found[2] = {0}, none = 0, missed = 0;
-  for (int n = 0; n < 4000; n++) {
+  for (int n = 0; n < samples(4000); n++) {
+    place_t c;
     const tf_params_t params = any_params(n);
-    const tf_machine_t k = prepared(&params);
-    tf_input_t u = tf_input_default(&k);
+    tf_input_t u = {.omega0 = params.omega0, .r0 = params.r0};
     if (n % 3 == 0) {
       u.force = uniform(-3, 3);
       u.torque = uniform(-3, 3);
     }
-    const tf_real_t r = uniform(-0.6, 0.6);
-    const field_t at = field_at(&params, &u, r);
-    const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
+    look_at(&c, &params, &u, uniform(-0.6, 0.6));
+    const rates_t *rates = &c.rates;
     const real size =
-        1 + fabsl(wide(rates.dp)) + fabsl(wide(rates.dq)) +
-        wide(params.mu) * (fabsl(wide(rates.Fp)) + fabsl(wide(rates.Fq)) +
-                           fabsl(wide(params.kappa * rates.Mq)));
-    consistent_modes_t out;
-    const codim2_field_t field = tf_codim2_field_of(&k, &rates);
-    tf_codim2_modes(&k, &field, &out);
+        1 + fabsl(wide(rates->dp)) + fabsl(wide(rates->dq)) +
+        wide(params.mu) * (fabsl(wide(rates->Fp)) + fabsl(wide(rates->Fq)) +
+                           fabsl(wide(params.kappa * rates->Mq)));
     for (int slip = 0; slip < 2; slip++) {
-      const int side = slip == 0 ? 1 : -1, roll = out.sign_g[slip];
-      const exit_t want = search(&at, side);
-      if (!(out.solutions.set & TF_MODE_BIT(TF_SLIP_PLUS + slip))) {
+      const int side = slip == 0 ? 1 : -1, roll = c.out.sign_g[slip];
+      const exit_t want = search(&c.at, side);
+      if (!(c.out.solutions.set & TF_MODE_BIT(TF_SLIP_PLUS + slip))) {
         none++;
         CHECK(want.growth < 1e-3L * size); /* or nearly so */
         continue;
       }
-      const real angle = angle_of(&at, wide(out.T[slip]), roll);
-      const slip_rate_t is = slip_rate_at(&at, side, angle);
+      const real angle = angle_of(&c.at, wide(c.out.T[slip]), roll);
+      const slip_rate_t is = slip_rate_at(&c.at, side, angle);
       const real edge = fminl(fabsl(angle), PAPER_PI / 2 - fabsl(angle)) / 2;
       const real near = (real)roll * fminl(edge, 1e-4L);
       const real tolerance = 1e4L * EPSILON * size;
       const bool attracts =
-          (real)roll * (slip_rate_at(&at, side, angle + near).rotation -
-                        slip_rate_at(&at, side, angle - near).rotation) <
+          (real)roll * (slip_rate_at(&c.at, side, angle + near).rotation -
+                        slip_rate_at(&c.at, side, angle - near).rotation) <
           0;
       CHECK_NEAR(is.rotation, 0, tolerance);
-      CHECK_NEAR((real)side * wide(out.solutions.h_limit[slip]), is.growth,
+      CHECK_NEAR((real)side * wide(c.out.solutions.h_limit[slip]), is.growth,
                  tolerance);
       CHECK(attracts || !want.attracts);
       CHECK(is.growth > want.growth - tolerance || attracts > want.attracts);
@@ -100,45 +95,35 @@ TEST(slip_leaves_codimension_two_as_a_search_finds) {
       "too "
       "close for the search\n",
       found[0], found[1], none, missed);
-  CHECK(found[0] > 500 && found[1] > 500 && none > 500);
+  CHECK(found[0] > samples(500) && found[1] > samples(500));
+  CHECK(none > samples(500));
 }
 
 /* At some torque two limit directions meet and slip can no longer leave: up to
  * it, to the last bits, the direction is found and is one. */
 TEST(limit_direction_ends_where_two_meet) {
-  tf_params_t params = tf_scenes[0]->params;
-  params.mu = TF_R(1.4275264971601307);
-  params.kappa = TF_R(1.63676920002369);
-  params.beta = TF_R(0.24305677444984738);
-  params.d = TF_R(-1.2904105885501247);
-  params.gamma = TF_R(2.5423606082106533);
-  params.k2 = TF_R(3.6521055557989159);
-  params.r0 = TF_R(0.4050161972248435);
-  params.omega0 = TF_R(-0.15350910904364845);
-  params.m = TF_R(3.4708997806674069);
-  params.c1 = TF_R(0.051323058735277698);
-  params.c2 = TF_R(0.015880019630477717);
-  const tf_machine_t k = prepared(&params);
-  const tf_real_t r = TF_R(-0.55555597584075833);
+  static const double machine[MACHINE] = {
+      3.4708997806674069, -1.2904105885501247,  0.24305677444984738,
+      3.6521055557989159, 0.051323058735277698, 0.015880019630477717,
+      0.4050161972248435, -0.15350910904364845, 1.4275264971601307,
+      1.63676920002369,   2.5423606082106533};
+  const tf_params_t params = params_from(machine);
   tf_real_t with = 0, without = 50;
   int ways = 0;
   for (int n = 0; n < 60; n++) {
-    tf_input_t u = tf_input_default(&k);
+    place_t c;
+    tf_input_t u = {.omega0 = params.omega0, .r0 = params.r0};
     u.torque = n == 0 ? with : n == 1 ? without : with + (without - with) / 2;
-    const field_t at = field_at(&params, &u, r);
-    const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    consistent_modes_t out;
-    const codim2_field_t field = tf_codim2_field_of(&k, &rates);
-    tf_codim2_modes(&k, &field, &out);
-    const bool is = out.solutions.set & TF_MODE_BIT(TF_SLIP_PLUS);
+    look_at(&c, &params, &u, TF_R(-0.55555597584075833));
+    const bool is = c.out.solutions.set & TF_MODE_BIT(TF_SLIP_PLUS);
     if (n < 2) CHECK(is == (n == 0));
     if (is)
       with = u.torque;
     else
       without = u.torque;
     if (!is) continue;
-    const real angle = angle_of(&at, wide(out.T[0]), out.sign_g[0]);
-    CHECK_NEAR(slip_rate_at(&at, 1, angle).rotation, 0, 1e6L * EPSILON);
+    const real angle = angle_of(&c.at, wide(c.out.T[0]), c.out.sign_g[0]);
+    CHECK_NEAR(slip_rate_at(&c.at, 1, angle).rotation, 0, 1e6L * EPSILON);
     ways++;
   }
   printf("# ends at %.9Lg N m, seen %d times\n", wide(with), ways);
@@ -151,7 +136,7 @@ TEST(limit_direction_ends_where_two_meet) {
  * slider. */
 TEST(wheel_is_pinned_where_the_law_allows) {
   int pinned = 0, moves = 0;
-  for (int n = 0; n < 4000; n++) {
+  for (int n = 0; n < samples(4000); n++) {
     tf_params_t params = random_params();
     params.gamma = n % 4 ? TF_R(1.5707963267948966) : 0;
     params.d = 0;
@@ -190,7 +175,7 @@ TEST(wheel_is_pinned_where_the_law_allows) {
       moves++;
   }
   printf("# %d pinned, %d not\n", pinned, moves);
-  CHECK(pinned > 300 && moves > 1000);
+  CHECK(pinned > samples(300) && moves > samples(1000));
 }
 
 /* Every point h = g = 0 has a future under the hull of the law, and where rest
@@ -198,44 +183,39 @@ TEST(wheel_is_pinned_where_the_law_allows) {
  * neighbours turn away alone. The paper's bow tie has points without one. */
 TEST(codimension_two_always_has_a_future) {
   int points = 0, rests = 0, leaves = 0, no_bow_tie = 0, turn_away = 0;
-  for (int n = 0; n < 20000; n++) {
+  for (int n = 0; n < samples(20000); n++) {
     tf_params_t params = n % 2 ? any_params(n) : random_params();
-    params.m = (tf_real_t)exp(tap_uniform(log(0.3), log(3)));
-    params.beta = (tf_real_t)exp(tap_uniform(log(0.05), 0));
+    params.m = log_uniform(0.3, 3);
+    params.beta = log_uniform(0.05, 1);
     params.d = uniform(0.2, 2);
     params.k2 = uniform(0, 30);
     params.c1 = uniform(0, 1);
-    params.mu = (tf_real_t)exp(tap_uniform(log(0.1), log(3)));
+    params.mu = log_uniform(0.1, 3);
     params.kappa = uniform(1e-3, 1);
     params.gamma = uniform(-3.14, 3.14);
-    const tf_machine_t k = prepared(&params);
-    const tf_input_t u = tf_input_default(&k);
-    const rates_t rates = rates_at(&k, &u, uniform(-0.5, 0.5), 0, 0, u.omega0);
-    const codim2_field_t field = tf_codim2_field_of(&k, &rates);
+    place_t c;
+    look_at(&c, &params, NULL, uniform(-0.5, 0.5));
     const tf_state_t state = {.mode = TF_SLIP_PLUS};
-    consistent_modes_t out;
-    tf_codim2_modes(&k, &field, &out);
     const unsigned mode =
-        tf_leave_codim2(&k, &field, TF_SLIP_PLUS, false, &state, &out);
-    const unsigned set = out.solutions.set;
+        tf_leave_codim2(&c.k, &c.field, TF_SLIP_PLUS, false, &state, &c.out);
+    const unsigned set = c.out.solutions.set;
     const bool rest = set & TF_MODE_BIT(TF_PINNED);
     points++;
     rests += rest;
     leaves += mode != TF_PINNED;
     turn_away +=
-        mode != TF_PINNED && !(out.solutions.attracting & TF_MODE_BIT(mode));
+        mode != TF_PINNED && !(c.out.solutions.attracting & TF_MODE_BIT(mode));
     CHECK(mode < TF_MODES && set & TF_MODE_BIT(mode));
-    tf_machine_t paper = k;
-    paper.rest = TF_REST_BOW_TIE;
-    tf_codim2_modes(&paper, &field, &out);
-    no_bow_tie += out.solutions.set == 0;
+    c.k.rest = TF_REST_BOW_TIE;
+    tf_codim2_modes(&c.k, &c.field, &c.out);
+    no_bow_tie += c.out.solutions.set == 0;
   }
   printf(
       "# of %d points %d may rest, %d leave; under the bow tie %d have no "
       "future\n",
       points, rests, leaves, no_bow_tie);
   CHECK(turn_away == 0);
-  CHECK(rests > 1000 && leaves > 1000 && no_bow_tie > 0);
+  CHECK(rests > samples(1000) && leaves > samples(1000) && no_bow_tie > 0);
 }
 
 /* A field that no machine has: its friction may drive, so that directions from
@@ -263,7 +243,7 @@ static codim2_field_t any_field(const tf_params_t *params, field_t *at) {
 
 TEST(exits_of_any_field_are_those_of_a_search) {
   int attract = 0, repel = 0, close = 0;
-  for (int n = 0; n < 2000; n++) {
+  for (int n = 0; n < samples(2000); n++) {
     const tf_params_t params = any_params(n);
     const tf_machine_t k = prepared(&params);
     field_t at;
@@ -286,7 +266,8 @@ TEST(exits_of_any_field_are_those_of_a_search) {
   }
   printf("# %d attract, %d do not; %d are too close for the search\n", attract,
          repel, close);
-  CHECK(attract > 1000 && repel > 10 && close * 200 < attract);
+  CHECK(attract > samples(1000) && repel > samples(10) &&
+        close * 200 < attract);
 }
 
 /* Where a slip near h = g = 0 is after a step, by steps of its angle and its
@@ -323,7 +304,7 @@ static followed_t followed(const field_t *at, int side, real start,
  * it goes on or holds it. */
 TEST(slip_takes_its_course) {
   int slips = 0, arrives = 0, close = 0, leaves_h = 0;
-  for (int n = 0; n < 1500; n++) {
+  for (int n = 0; n < samples(1500); n++) {
     const tf_params_t params = any_params(n);
     const tf_machine_t k = prepared(&params);
     field_t at;
@@ -352,14 +333,15 @@ TEST(slip_takes_its_course) {
       "# %d slip on, %d come to h = g = 0, %d to h = 0; %d are elsewhere or "
       "too close to tell\n",
       slips, arrives, leaves_h, close);
-  CHECK(slips > 500 && arrives > 5 && leaves_h > 100 && close * 20 < slips);
+  CHECK(slips > samples(500) && arrives > samples(5));
+  CHECK(leaves_h > samples(100) && close * 20 < slips);
 }
 
 /* The same of slips that are on the way to h = g = 0 or pass close by it, with
  * a guess of the force: a course ends with the signs of its mode. */
 TEST(a_course_ends_with_the_signs_of_its_mode) {
   int ends[TF_MODES + 1] = {0}, wrong = 0;
-  for (int n = 0; n < 40000; n++) {
+  for (int n = 0; n < samples(40000); n++) {
     const tf_params_t params = any_params(n);
     const tf_machine_t k = prepared(&params);
     field_t at;
@@ -391,7 +373,7 @@ TEST(a_course_ends_with_the_signs_of_its_mode) {
          ends[TF_STICK_MINUS], ends[TF_PINNED], ends[TF_NO_MODE]);
   CHECK(wrong == 0);
   CHECK(ends[TF_NO_MODE] == 0);
-  for (int mode = 0; mode < TF_MODES; mode++) CHECK(ends[mode] > 200);
+  for (int mode = 0; mode < TF_MODES; mode++) CHECK(ends[mode] > samples(200));
 }
 
 TEST(a_field_that_is_no_number_has_no_course) {
@@ -402,17 +384,4 @@ TEST(a_field_that_is_no_number_has_no_course) {
   for (int side = -1; side <= 1; side += 2)
     CHECK(tf_codim2_course(&k, &field, (tf_slip_t){(tf_real_t)side, 1}, side)
               .mode == TF_NO_MODE);
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(slip_leaves_codimension_two_as_a_search_finds);
-  RUN(limit_direction_ends_where_two_meet);
-  RUN(wheel_is_pinned_where_the_law_allows);
-  RUN(codimension_two_always_has_a_future);
-  RUN(exits_of_any_field_are_those_of_a_search);
-  RUN(slip_takes_its_course);
-  RUN(a_course_ends_with_the_signs_of_its_mode);
-  RUN(a_field_that_is_no_number_has_no_course);
-  return tap_end();
 }

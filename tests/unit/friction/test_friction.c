@@ -3,82 +3,54 @@
  * 2 x 2 inverse, and searches the law's graph {(lambda, s kappa lambda)} on a
  * grid for points that lie on it at the end of the step. It shares neither
  * formulas nor variables with the enumeration. */
-#include <limits.h>
-
 #include "extremes.h"
 #include "friction/inclusion.h"
 #include "moreau/stages.h"
-
-typedef long double real;
+#include "scheme.h"
 
 typedef struct {
   tf_params_t p;
   tf_state_t x;
   tf_input_t u;
-  real S[2][2], Q[2], rt, sin, cos;
+  scheme_step_t c;
   real noise, load; /* rounding of h and g [m/s]; largest forces [N, N m] */
 } step_t;
 
+/* How large the terms are whose rounding a step has in h and g. */
 static void discretise(step_t *k) {
-  const tf_params_t *p = &k->p;
-  const real m = p->m, d = p->d, q = (real)p->theta * p->dt;
-  const real r = k->x.r, v = k->x.v, w = k->x.w, rt = r + q * v;
-  k->rt = rt;
-  k->sin = sinl(p->gamma);
-  k->cos = cosl(p->gamma);
-  k->Q[0] = p->k2 * (k->u.r0 - rt) - p->c2 * v + m * rt * w * w + k->u.force;
-  k->Q[1] = k->u.torque - p->c1 * w - 2 * m * rt * v * w;
-  k->S[0][0] = m + q * (p->c2 + q * p->k2);
-  k->S[0][1] = -m * d - 2 * q * m * rt * w;
-  k->S[1][0] = -m * d + 2 * q * m * rt * w;
-  k->S[1][1] = m * ((real)p->beta * p->beta + rt * rt + d * d) +
-               q * (p->c1 + 2 * m * rt * v);
-  /* How large the terms are whose rounding a step has in h and g. */
+  const real at[3] = {wide(k->x.r), wide(k->x.v), wide(k->x.w)};
+  k->c = scheme_step(&k->p, &k->u, at);
+  const paper_t *p = &k->c.p;
+  const real r = at[0], v = at[1], w = at[2], rt = k->c.r_t, m = p->m;
   const real mu = p->mu, arm = fabsl(rt) + p->kappa;
   const real b = p->k2 * (fabsl((real)k->u.r0) + fabsl(rt)) + fabsl(p->c2 * v) +
                  fabsl(m * rt * w * w) + fabsl((real)k->u.force) + mu;
   const real c = fabsl((real)k->u.torque) + fabsl(p->c1 * w) +
-                 fabsl(2 * m * rt * v * w) + mu * arm + fabsl(d) * b;
-  const real J = m * ((real)p->beta * p->beta + rt * rt);
-  const real z = fabsl(w) + fabsl((real)k->u.omega0) + p->dt * c / J;
+                 fabsl(2 * m * rt * v * w) + mu * arm + fabsl(p->d) * b;
+  const real J = m * (p->beta * p->beta + rt * rt), dt = k->c.dt;
+  const real z = fabsl(w) + fabsl((real)k->u.omega0) + dt * c / J;
   k->load = b + c;
   k->noise =
-      64 * (real)TF_REAL_EPSILON *
-      (fabsl(v) + p->dt * b / m + (fabsl(d) + fabsl(r) + p->dt * fabsl(v)) * z);
-}
-
-/* Slip (h, g) at the end of the step under F and M; returns r at the end. */
-static real searched_end(const step_t *k, real F, real M, real *h, real *g) {
-  const tf_params_t *p = &k->p;
-  const real b = k->Q[0] + F * k->sin;
-  const real c = k->Q[1] + F * (k->rt * k->cos - p->d * k->sin) + M;
-  const real det = k->S[0][0] * k->S[1][1] - k->S[0][1] * k->S[1][0];
-  const real dv = p->dt * (k->S[1][1] * b - k->S[0][1] * c) / det;
-  const real dw = p->dt * (k->S[0][0] * c - k->S[1][0] * b) / det;
-  const real r = k->x.r + p->dt * (k->x.v + p->theta * dv);
-  const real z = k->x.w + dw - k->u.omega0, e = k->x.v + dv - p->d * z;
-  *h = -e * k->sin - r * z * k->cos;
-  *g = -e * k->cos + r * z * k->sin;
-  return r;
+      64 * EPSILON *
+      (fabsl(v) + dt * b / m + (fabsl(p->d) + fabsl(r) + dt * fabsl(v)) * z);
 }
 
 /* A quantity that decides and is as small as rounding, or almost so beside
  * those that it is compared with, is a tie and no verdict. */
 static int tied;
 static int positive(real x, real scale, real noise) {
-  const real tie = sizeof(tf_real_t) == 8 ? 1e-9L : 3e-3L;
+  const real tie = IS_DOUBLE ? 1e-9L : 3e-3L;
   tied |= !(fabsl(x) > tie * scale + noise);
   return x > 0;
 }
 
-typedef struct {
-  real h, g;
-} slip_t;
+typedef scheme_slip_t slip_t;
 
+/* At the end of the step, under a force in units of mu and kappa mu. */
 static slip_t slip_at(const step_t *k, real x, real y) {
-  slip_t at;
-  searched_end(k, x * k->p.mu, y * k->p.kappa * k->p.mu, &at.h, &at.g);
-  return at;
+  real end[3];
+  scheme_end(&k->c, x * k->p.mu, y * k->p.kappa * k->p.mu, end);
+  return scheme_slip(&k->c, end);
 }
 
 /* Between two points of a grid h and g are parabolas: three values of one give
@@ -150,19 +122,20 @@ static int stick_by_grid(const step_t *k, int s) {
 static int pinned_by_balance(const step_t *k) {
   const tf_params_t *p = &k->p;
   const real dv = -k->x.v, dw = (real)k->u.omega0 - k->x.w;
-  const real rows[2] = {(k->S[0][0] * dv + k->S[0][1] * dw) / p->dt,
-                        (k->S[1][0] * dv + k->S[1][1] * dw) / p->dt};
-  const real F = (rows[0] - k->Q[0]) / k->sin;
-  const real M = rows[1] - k->Q[1] - F * (k->rt * k->cos - p->d * k->sin);
+  const scheme_step_t *c = &k->c;
+  const real rows[2] = {(c->s[0][0] * dv + c->s[0][1] * dw) / p->dt,
+                        (c->s[1][0] * dv + c->s[1][1] * dw) / p->dt};
+  const real F = (rows[0] - c->Q_r) / c->sin;
+  const real M = rows[1] - c->Q_phi - F * scheme_arm(c);
   const real mu = p->mu, kappa = p->kappa;
-  const real size = (fabsl(rows[0]) + fabsl(rows[1]) + k->load) / fabsl(k->sin);
+  const real size = (fabsl(rows[0]) + fabsl(rows[1]) + k->load) / fabsl(c->sin);
   /* With a stiff spring the step has that force from terms that cancel: the
    * implicit mass times what the load alone would do to d w. */
-  const real inertia = p->m * ((real)p->beta * p->beta + k->rt * k->rt);
-  const real implicit = (k->S[0][0] - p->m) * fabsl((real)p->d);
-  const real cancelled = implicit * k->load / inertia / fabsl(k->sin);
+  const real inertia = p->m * ((real)p->beta * p->beta + c->r_t * c->r_t);
+  const real implicit = (c->s[0][0] - p->m) * fabsl((real)p->d);
+  const real cancelled = implicit * k->load / inertia / fabsl(c->sin);
   const real noise =
-      64 * (real)TF_REAL_EPSILON * (size * (1 + fabsl(k->rt)) + cancelled);
+      64 * (real)TF_REAL_EPSILON * (size * (1 + fabsl(c->r_t)) + cancelled);
   const real most = 4 * mu / 3 - fabsl(M) / (3 * kappa);
   const int inside = positive(most - fabsl(F), mu, noise * (1 + 1 / kappa));
   return positive(kappa * mu - fabsl(M), mu * kappa, noise * (1 + kappa)) &&
@@ -179,27 +152,22 @@ static unsigned set_by_search(const step_t *k) {
   return set;
 }
 
-static double signed_log(double lo, double hi) {
-  const double x = exp(tap_uniform(log(lo), log(hi)));
-  return tap_bits() & 1 ? x : -x;
-}
-
-/* An ordinary machine; with `wide` of any size, three of its parameters from
+/* An ordinary machine; with `extreme` of any size, three of its parameters from
  * anywhere in their ranges. */
-static tf_params_t draw_params(int wide) {
+static tf_params_t draw_params(int extreme) {
   tf_params_t p = tf_scenes[0]->params;
-  p.dt = (tf_real_t)exp(tap_uniform(log(1e-4), log(5e-3)));
-  p.theta = (tf_real_t)tap_uniform(0.5, 1);
-  p.beta = (tf_real_t)tap_uniform(0.05, 0.5);
-  p.gamma = (tf_real_t)tap_uniform(-3.1, 3.1);
-  p.mu = (tf_real_t)exp(tap_uniform(log(0.1), log(10)));
-  p.kappa = (tf_real_t)exp(tap_uniform(log(0.03), log(1)));
-  if (!wide) return p;
-  p.m = (tf_real_t)exp(tap_uniform(log(0.03), log(30)));
-  p.d = (tf_real_t)signed_log(0.1, 3);
-  p.beta = (tf_real_t)exp(tap_uniform(log(0.005), log(5)));
-  p.k2 = (tf_real_t)exp(tap_uniform(log(0.1), log(300)));
-  p.mu = (tf_real_t)exp(tap_uniform(log(0.01), log(100)));
+  p.dt = log_uniform(1e-4, 5e-3);
+  p.theta = uniform(0.5, 1);
+  p.beta = uniform(0.05, 0.5);
+  p.gamma = uniform(-3.1, 3.1);
+  p.mu = log_uniform(0.1, 10);
+  p.kappa = log_uniform(0.03, 1);
+  if (!extreme) return p;
+  p.m = log_uniform(0.03, 30);
+  p.d = of_any_sign(log_uniform(0.1, 3));
+  p.beta = log_uniform(0.005, 5);
+  p.k2 = log_uniform(0.1, 300);
+  p.mu = log_uniform(0.01, 100);
   for (int n = 0; n < 3; n++) draw_member(&p, (int)(tap_bits() % 10));
   return p;
 }
@@ -208,9 +176,9 @@ static tf_params_t draw_params(int wide) {
  * can change, so that every combination of modes occurs; some exactly at
  * h = g = 0, some at a zero of the Delassus scalar. */
 static int draw(step_t *k, tf_machine_t *machine, int i) {
-  const int wide = i % 2;
-  k->p = draw_params(wide);
-  const double r = signed_log(wide ? 1e-4 : 0.03, 1);
+  const int extreme = i % 2;
+  k->p = draw_params(extreme);
+  const double r = (double)of_any_sign(log_uniform(extreme ? 1e-4 : 0.03, 1));
   const double b = k->p.beta, s = sin((double)k->p.gamma),
                c = cos((double)k->p.gamma);
   const double zero = fabs((r * r + b * b * s * s) / (r * c)); /* A = 0 */
@@ -218,8 +186,10 @@ static int draw(step_t *k, tf_machine_t *machine, int i) {
   if (fabs(s) < 0.1 || tf_prepare(machine, &k->p, NULL)) return 0;
   memset(&k->x, 0, sizeof k->x);
   const double step = (double)(k->p.dt * k->p.mu) / (double)k->p.m;
-  const double z = i % 7 == 0 ? 0 : signed_log(0.01, 100) * step;
-  const double h = i % 7 == 0 ? 0 : signed_log(0.01, 10) * step;
+  const double z =
+      i % 7 == 0 ? 0 : (double)of_any_sign(log_uniform(0.01, 100)) * step;
+  const double h =
+      i % 7 == 0 ? 0 : (double)of_any_sign(log_uniform(0.01, 10)) * step;
   k->x.r = (tf_real_t)r;
   k->x.w = (tf_real_t)((double)k->p.omega0 + z);
   k->u = tf_input_default(machine);
@@ -276,42 +246,42 @@ static void compare_step(const step_t *k, const tf_machine_t *machine, int i,
 TEST(enumeration_against_grid_search) {
   tally_t tallies[2]; /* ordinary machines, wide ones */
   memset(tallies, 0, sizeof tallies);
-  for (int i = 0; i < 200000; i++) {
+  for (int i = 0; i < samples(200000); i++) {
     step_t k;
     tf_machine_t machine;
     if (draw(&k, &machine, i)) compare_step(&k, &machine, i, &tallies[i % 2]);
   }
-  for (int wide = 0; wide < 2; wide++) {
-    const tally_t *t = &tallies[wide];
+  for (int extreme = 0; extreme < 2; extreme++) {
+    const tally_t *t = &tallies[extreme];
     int kinds = 0;
     for (int i = 0; i < 32; i++) kinds += t->seen[i] > 0;
     printf(
         "# %s: %d steps compared, %d ties and %d refused left out, %d kinds of "
         "solution set; 1: %d, 2: %d, 3: %d, none: %d; %d beside h = g = 0\n",
-        wide ? "wide" : "ordinary", t->compared, t->ties, t->refused, kinds,
+        extreme ? "wide" : "ordinary", t->compared, t->ties, t->refused, kinds,
         t->count[1], t->count[2], t->count[3], t->count[0], t->near);
     CHECK(t->different == 0);
     CHECK(t->near > 0 && t->near < t->compared);
-    CHECK(t->compared > (wide ? 20000 : 60000));
-    CHECK(wide || t->ties < t->compared / 5);
+    CHECK(t->compared > samples(extreme ? 20000 : 60000));
+    CHECK(extreme || t->ties < t->compared / 5);
     CHECK(kinds >= 10);
-    CHECK(t->count[1] > 1000 && t->count[3] > (wide ? 500 : 1000));
+    CHECK(t->count[1] > samples(1000));
+    CHECK(t->count[3] > samples(extreme ? 500 : 1000));
   }
 }
 
 /* Away from g = 0 theory counts: A > 0 one, A < 0 three within |A| dt mu. */
 TEST(one_or_three_solutions) {
-  for (int i = 0; i < 100000; i++) {
+  for (int i = 0; i < samples(100000); i++) {
     const int s = (int)(tap_bits() & 1), kind = i % 3; /* A > 0, < 0, = 0 */
     const double A = kind == 2 ? 0 : tap_uniform(1e-3, 2);
     const double h1 = kind == 1 ? A : -A, share = tap_uniform(-1, 1);
-    const inclusion_t in = {
-        .h = {.c0 = i % 30 == 2 ? 0 : (tf_real_t)tap_uniform(-1, 1),
-              .cx = (tf_real_t)(h1 * (1 - share)),
-              .cy = (tf_real_t)((s ? -1 : 1) * h1 * share)},
-        .g = {.c0 = s ? -100 : 100},
-        .g_now = s ? -100 : 100,
-        .has_moment = true};
+    const inclusion_t in = {.h = {.c0 = i % 30 == 2 ? 0 : uniform(-1, 1),
+                                  .cx = (tf_real_t)(h1 * (1 - share)),
+                                  .cy = (tf_real_t)((s ? -1 : 1) * h1 * share)},
+                            .g = {.c0 = s ? -100 : 100},
+                            .g_now = s ? -100 : 100,
+                            .has_moment = true};
     const double c1 =
         (double)(s ? in.h.cx - in.h.cy : in.h.cx + in.h.cy); /* as rounded */
     solutions_t out = {0};
@@ -327,23 +297,6 @@ TEST(one_or_three_solutions) {
     if (out.set & stick)
       CHECK_NEAR((double)in.h.c0 + c1 * (double)out.x[s], 0,
                  4 * (double)TF_REAL_EPSILON);
-  }
-}
-
-TEST(stick_solves_the_quadratic) {
-  for (int i = 0; i < 20000; i++) {
-    const inclusion_t in = {.h = {.c0 = (tf_real_t)tap_uniform(-0.5, 0.5),
-                                  .cx = tap_bits() & 1 ? 1 : -1,
-                                  .cxx = (tf_real_t)signed_log(1e-12, 0.3)},
-                            .g = {.c0 = 9},
-                            .g_now = 9};
-    solutions_t out = {0};
-    enumerate(&in, signs_of(&in.g), &out);
-    if (!(out.set & TF_MODE_BIT(TF_STICK_PLUS))) continue;
-    const real x = out.x[0];
-    CHECK(fabsl(x) <= 1);
-    CHECK_NEAR((in.h.cxx * x + in.h.cx) * x + in.h.c0, 0,
-               8 * (real)TF_REAL_EPSILON);
   }
 }
 
@@ -366,46 +319,4 @@ TEST(residual_vanishes_at_solutions_only) {
   CHECK_NEAR(RESIDUAL(1, 0.5, 0, 0), 0.25, eps);    /* too much moment */
   CHECK(!(RESIDUAL(NAN, 0, 0, 1) <= 1));
 #undef RESIDUAL
-}
-
-TEST(mode_names_are_the_contract) {
-  const char *const name[] = {"slip+", "slip-", "stick+", "stick-", "pinned"};
-  const unsigned mode[] = {TF_SLIP_PLUS, TF_SLIP_MINUS, TF_STICK_PLUS,
-                           TF_STICK_MINUS, TF_PINNED};
-  for (unsigned i = 0; i < TF_MODES; i++) {
-    CHECK(!strcmp(tf_mode_name(mode[i]), name[i]));
-    CHECK(mode[i] == i && TF_MODE_BIT(i) == 1u << i);
-  }
-  CHECK(!strcmp(tf_mode_name(TF_NO_MODE), "unknown mode"));
-  CHECK(!strcmp(tf_mode_name(UINT_MAX), "unknown mode"));
-}
-
-TEST(names_of_laws_and_rules_are_the_contract) {
-  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_JUMP), "jump"));
-  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_COULOMB), "coulomb"));
-  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_TWO_PIECE), "two_piece"));
-  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_STRING), "string"));
-  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_SMOOTH), "smooth"));
-  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_NONE), "none"));
-  CHECK(!strcmp(tf_tyre_law_name(TF_TYRE_LAWS), "unknown law"));
-  CHECK(!strcmp(tf_rule_name(TF_RULE_PERSIST), "persist"));
-  CHECK(!strcmp(tf_rule_name(TF_RULE_SLIP_PLUS), "slip+"));
-  CHECK(!strcmp(tf_rule_name(TF_RULE_SLIP_MINUS), "slip-"));
-  CHECK(!strcmp(tf_rule_name(TF_RULE_RANDOM), "random"));
-  CHECK(!strcmp(tf_rule_name(UINT_MAX), "unknown rule"));
-  CHECK(!strcmp(tf_rest_law_name(TF_REST_HULL), "hull"));
-  CHECK(!strcmp(tf_rest_law_name(TF_REST_SQUARE), "square"));
-  CHECK(!strcmp(tf_rest_law_name(TF_REST_BOW_TIE), "bow_tie"));
-  CHECK(!strcmp(tf_rest_law_name(TF_REST_LAWS), "unknown law of rest"));
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(enumeration_against_grid_search);
-  RUN(one_or_three_solutions);
-  RUN(stick_solves_the_quadratic);
-  RUN(residual_vanishes_at_solutions_only);
-  RUN(mode_names_are_the_contract);
-  RUN(names_of_laws_and_rules_are_the_contract);
-  return tap_end();
 }

@@ -1,19 +1,14 @@
 /* How far a force is from the law of slip where the slip is zero, h = g = 0. */
-#include "tap.h"
-#include "twofold.h"
-/* After twofold.h: of the core itself. */
+#include "common.h"
 #include "friction/slip_residual.h"
-
-typedef long double real;
 
 /* At h = g = 0 every angle is in the law: forces of all of them leave nothing
  * open, others what they are off by. */
 TEST(slip_law_at_codimension_two_takes_every_angle) {
-  tf_machine_t machine;
-  CHECK(tf_prepare(&machine, &tf_scenes[0]->params, NULL) == TF_OK);
+  const tf_machine_t machine = prepared(&tf_scenes[0]->params);
   const tf_tyre_t *tyre = &machine.tyre;
   const real size = (real)tyre->mu * (1 + (real)tyre->kappa);
-  const real close = 32 * (real)TF_REAL_EPSILON * (1 + size);
+  const real close = 32 * EPSILON * (1 + size);
   const tf_slip_t rest = {0, 0};
   for (int i = 0; i < 400; i++) {
     const int side = i % 2 ? 1 : -1;
@@ -45,18 +40,10 @@ TEST(slip_law_at_codimension_two_takes_every_angle) {
 TEST(no_contact_has_no_force) {
   tf_params_t params = tf_scenes[0]->params;
   params.law = TF_TYRE_NONE;
-  tf_machine_t machine;
-  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
+  const tf_machine_t machine = prepared(&params);
   const tf_slip_t slip = {TF_R(0.5), TF_R(-0.25)};
   for (int i = 0; i < 4; i++) {
     const tf_force_t force = {i & 1 ? 2 : -2, i & 2 ? 4 : -4};
     CHECK(slip_law_residual(&machine.tyre, 1, force, slip) == 6);
   }
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(slip_law_at_codimension_two_takes_every_angle);
-  RUN(no_contact_has_no_force);
-  return tap_end();
 }

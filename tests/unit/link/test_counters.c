@@ -83,10 +83,3 @@ TEST(board_counts_go_round) {
     CHECK(much.simulation.expired == one.simulation.expired - k);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(decoder_counts_go_round);
-  RUN(board_counts_go_round);
-  return tap_end();
-}

@@ -64,22 +64,15 @@ TEST(another_command_of_a_number_that_waits_is_old) {
       const bool same = type == TF_UP_RULE && length == 5;
       send_again(&board, (tf_type_t)type, 5, data, length);
       CHECK(board.link.waiting == 1);
-      (void)tf_link_boundary(&board.link, &board.simulation);
+      boundary(&board);
       CHECK(code_of(&board) == (same ? 999 : TF_ANSWER_OLD));
       CHECK(code_of(&board) == 999);
     }
   for (size_t i = 0; i < 5; i++) {
     data[i] ^= 1;
     send_again(&board, TF_UP_RULE, 5, data, 5);
-    (void)tf_link_boundary(&board.link, &board.simulation);
+    boundary(&board);
     CHECK(code_of(&board) == TF_ANSWER_OLD);
     data[i] ^= 1;
   }
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(doubled_frames_are_answered_once);
-  RUN(another_command_of_a_number_that_waits_is_old);
-  return tap_end();
 }

@@ -18,13 +18,13 @@ TEST(parameters_of_no_machine_are_refused_until_mended) {
   const uint8_t rule[5] = {TF_RULE_RANDOM, 1, 2, 3, 4};
   send_parameter(&board, 0, index_of("mu"), 2);
   send(&board, TF_UP_RULE, 0, rule, sizeof rule);
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
+  CHECK(boundary(&board) == 0);
   CHECK(code_of(&board) == TF_BAD_PARAMETER);
   CHECK(code_of(&board) == TF_BAD_PARAMETER);
   CHECK(acts_alike(&board, &before) && board.simulation.state.seed == 5);
   send_parameter(&board, 0, index_of("m"), 1);
   send(&board, TF_UP_RULE, 0, rule, sizeof rule);
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 2);
+  CHECK(boundary(&board) == 2);
   CHECK(board.simulation.machine.rule == TF_RULE_RANDOM);
 }
 
@@ -35,7 +35,7 @@ TEST(set_parameter_takes_effect_only_at_the_boundary) {
   send_parameter(&board, 0, index_of("mu"), TF_R(1.25));
   CHECK(acts_alike(&board, &before));
   CHECK(answer_of(&board).length == 0); /* nothing to report yet */
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
+  CHECK(boundary(&board) == 1);
   CHECK(board.simulation.machine.tyre.mu == TF_R(1.25));
   tf_params_t params = board.scene->params;
   tf_machine_t machine;
@@ -64,7 +64,7 @@ TEST(set_parameter_is_validated_and_answered) {
   const tf_real_t none = (tf_real_t)NAN, far = (tf_real_t)INFINITY;
   const unsigned mu = index_of("mu");
   send_parameter(&board, 0, mu, 2);
-  tf_link_boundary(&board.link, &board.simulation);
+  boundary(&board);
   answer_t answer = answer_of(&board);
   CHECK(answer.sequence == 0 && answer.type == TF_UP_PARAMETER);
   CHECK(answer.code == TF_ANSWER_DONE && answer.index == mu);
@@ -75,7 +75,7 @@ TEST(set_parameter_is_validated_and_answered) {
   const acting_t before = acting(&board);
   for (unsigned i = 0; i < 5; i++) {
     send_parameter(&board, 0, mu, bad[i]);
-    CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
+    CHECK(boundary(&board) == 0);
     answer = answer_of(&board);
     CHECK(answer.sequence == 1 + i && answer.code == TF_BAD_PARAMETER);
     CHECK(answer.value == 2); /* what is still in effect */
@@ -88,21 +88,21 @@ TEST(set_parameter_is_validated_and_answered) {
     send_parameter(&board, 0, i, range->low);
     send_parameter(&board, 0, i, range->high * 2 + 1);
     send_parameter(&board, 0, i, range->low * 2 - 1);
-    CHECK(tf_link_boundary(&board.link, &board.simulation) == 2);
+    CHECK(boundary(&board) == 2);
     CHECK(code_of(&board) == 0 && code_of(&board) == 0);
     CHECK(code_of(&board) == TF_BAD_PARAMETER);
     CHECK(code_of(&board) == TF_BAD_PARAMETER);
   }
   send_parameter(&board, 0, TF_PARAMETERS, 1);
   send_parameter(&board, 0, 255, 1);
-  tf_link_boundary(&board.link, &board.simulation);
+  boundary(&board);
   answer = answer_of(&board);
   CHECK(answer.code == TF_BAD_PARAMETER && answer.length == 8);
   CHECK(answer_of(&board).code == TF_BAD_PARAMETER);
   CHECK(answer_of(&board).length == 0);
   /* One that is not even looked at tells nothing of a parameter. */
   send_parameter(&board, TF_LINK_AHEAD + 1, mu, 1);
-  tf_link_boundary(&board.link, &board.simulation);
+  boundary(&board);
   answer = answer_of(&board);
   CHECK(answer.code == TF_ANSWER_FAR && answer.length == 8);
   CHECK(answer.index == 255);
@@ -125,7 +125,7 @@ TEST(lengths_types_and_dates_are_checked) {
           (type == TF_UP_RESTORE && length == 8 + TF_STATE_BYTES);
       if (meant) continue;
       send(&board, (tf_type_t)type, 0, payload, length);
-      CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
+      CHECK(boundary(&board) == 0);
       const bool known = type >= TF_UP_INPUT && type <= TF_UP_DEADMAN;
       CHECK(code_of(&board) == (known ? TF_ANSWER_LENGTH : TF_ANSWER_UNKNOWN));
       CHECK(acts_alike(&board, &before));
@@ -134,7 +134,7 @@ TEST(lengths_types_and_dates_are_checked) {
   send(&board, TF_UP_STOP, TF_LINK_AHEAD + 1, NULL, 0);
   send(&board, TF_UP_STOP, UINT64_MAX, NULL, 0);
   send(&board, TF_UP_STOP, TF_LINK_AHEAD, NULL, 0);
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
+  CHECK(boundary(&board) == 0);
   CHECK(code_of(&board) == TF_ANSWER_FAR && code_of(&board) == TF_ANSWER_FAR);
   CHECK(answer_of(&board).length == 0 && board.link.waiting == 1);
   /* How far ahead counts from the present tick, however long the board runs. */
@@ -142,7 +142,7 @@ TEST(lengths_types_and_dates_are_checked) {
   board.simulation.state.tick = TF_LINK_AHEAD + 5;
   send(&board, TF_UP_STOP, 2 * TF_LINK_AHEAD + 6, NULL, 0);
   send(&board, TF_UP_STOP, 2 * TF_LINK_AHEAD + 5, NULL, 0);
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
+  CHECK(boundary(&board) == 0);
   CHECK(code_of(&board) == TF_ANSWER_FAR);
   CHECK(answer_of(&board).length == 0 && board.link.waiting == 1);
   /* Longer than any command: counted by the decoder, not written. */
@@ -183,11 +183,11 @@ TEST(inputs_act_at_their_tick) {
   send_input(&board, 0, &bad);
   bad.force = TF_R(1.1e9);
   send_input(&board, 0, &bad);
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
+  CHECK(boundary(&board) == 0);
   CHECK(code_of(&board) == TF_BAD_STATE && code_of(&board) == TF_BAD_STATE);
   CHECK(board.simulation.input.force == held.force);
   send_plain(&board, TF_UP_INPUT); /* back to the scene */
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
+  CHECK(boundary(&board) == 1);
   CHECK(board.simulation.source == TF_INPUT_SCENE);
 }
 
@@ -195,14 +195,14 @@ TEST(snapshot_and_restore_continue_bit_for_bit) {
   board_t board;
   power_up(&board, "chaos");
   send_plain(&board, TF_UP_RESTORE);
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
+  CHECK(boundary(&board) == 0);
   CHECK(code_of(&board) == TF_ANSWER_EMPTY);
   const uint8_t random[5] = {TF_RULE_RANDOM, 77, 0, 0, 0};
   send(&board, TF_UP_RULE, 0, random, 5);
   for (int n = 0; n < 15000; n++) tick(&board);
   CHECK(code_of(&board) == TF_ANSWER_DONE);
   send_plain(&board, TF_UP_SNAPSHOT);
-  tf_link_boundary(&board.link, &board.simulation);
+  boundary(&board);
   /* What the host keeps is the frame of the state. */
   uint8_t wire[TF_FRAME_SIZE(TF_STATE_BYTES)];
   uint8_t buffer[TF_DECODER_SIZE(TF_STATE_BYTES)];
@@ -248,7 +248,7 @@ TEST(snapshot_and_restore_continue_bit_for_bit) {
   memset(kept + 8 + 3 * R, 0, R);
   tf_wire_put(kept, TF_LINK_TICKS, 8); /* a tick that would pass 2^64 */
   send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 0);
+  CHECK(boundary(&board) == 0);
   for (int i = 0; i < 4; i++) CHECK(code_of(&board) == TF_BAD_STATE);
   CHECK(same_state(&before, &board.simulation.state));
 }
@@ -265,7 +265,7 @@ TEST(start_stop_reset_and_rule) {
   tick(&board);
   CHECK(board.simulation.state.tick == 51);
   send_plain(&board, TF_UP_RESET);
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
+  CHECK(boundary(&board) == 1);
   CHECK(same_state(&start, &board.simulation.state) &&
         board.simulation.running);
   CHECK(code_of(&board) == 0 && code_of(&board) == 0 && code_of(&board) == 0);
@@ -273,7 +273,7 @@ TEST(start_stop_reset_and_rule) {
   send_parameter(&board, 0, index_of("gamma"), 0);
   send_plain(&board, TF_UP_RESET);
   const tf_state_t before = board.simulation.state;
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
+  CHECK(boundary(&board) == 1);
   CHECK(code_of(&board) == 0);
   CHECK(code_of(&board) == TF_BAD_STATE);
   CHECK(same_state(&before, &board.simulation.state));
@@ -282,7 +282,7 @@ TEST(start_stop_reset_and_rule) {
   send(&board, TF_UP_RULE, 0, rule, 5);
   send(&board, TF_UP_RULE, 0, none, 5);
   board.link.describe = false;
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 1);
+  CHECK(boundary(&board) == 1);
   CHECK(code_of(&board) == 0);
   CHECK(code_of(&board) == TF_BAD_PARAMETER);
   CHECK(board.simulation.machine.rule == TF_RULE_RANDOM);
@@ -325,7 +325,7 @@ TEST(uplink_flood_changes_nothing) {
   CHECK(board.link.ignored + answered == sent + 1);
   send_plain(&board, TF_UP_CLEAR);
   send_plain(&board, TF_UP_STOP);
-  CHECK(tf_link_boundary(&board.link, &board.simulation) == 2);
+  CHECK(boundary(&board) == 2);
   CHECK(code_of(&board) == 0 && code_of(&board) == 0);
   CHECK(board.link.ignored + answered == sent + 5 && !board.simulation.running);
 }
@@ -353,18 +353,4 @@ TEST(no_byte_changes_a_parameter_by_itself) {
   }
   CHECK(same_state(&board.simulation.state, &quiet.simulation.state));
   CHECK(board.link.decoder.frames == 1 && board.link.decoder.bad > 5000);
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(parameters_of_no_machine_are_refused_until_mended);
-  RUN(set_parameter_takes_effect_only_at_the_boundary);
-  RUN(set_parameter_is_validated_and_answered);
-  RUN(lengths_types_and_dates_are_checked);
-  RUN(inputs_act_at_their_tick);
-  RUN(snapshot_and_restore_continue_bit_for_bit);
-  RUN(start_stop_reset_and_rule);
-  RUN(uplink_flood_changes_nothing);
-  RUN(no_byte_changes_a_parameter_by_itself);
-  return tap_end();
 }

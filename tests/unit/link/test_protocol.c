@@ -362,15 +362,3 @@ TEST(long_layout_fills_its_frame) {
   CHECK(received.frame.payload[0] == TF_DOWN_STATE);
   CHECK(!memcmp(received.frame.payload + 1, text, TF_FRAME_PAYLOAD - 1));
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(documented_frames_decode);
-  RUN(state_and_report_survive_the_line);
-  RUN(heartbeat_survives_the_line);
-  RUN(schema_says_what_runs);
-  RUN(parameters_are_described);
-  RUN(layouts_describe_the_payloads);
-  RUN(long_layout_fills_its_frame);
-  return tap_end();
-}

@@ -88,11 +88,3 @@ TEST(text_rows_are_label_value_pairs) {
   length = tf_text_row(out, &state, &report);
   CHECK(length <= TF_TEXT_ROW_ROOM && out[length - 1] == '\n');
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(text_numbers_are_plain);
-  RUN(text_numbers_read_back);
-  RUN(text_rows_are_label_value_pairs);
-  return tap_end();
-}

@@ -5,27 +5,7 @@
 #include <stddef.h>
 
 #include "common.h"
-
-/* Members that every law accepts. */
-static tf_params_t valid(tf_tyre_law_t law) {
-  tf_params_t p = tf_scenes[0]->params;
-  p.law = law;
-  p.epsilon = TF_R(1e-4);
-  p.k = p.delta = p.sigma = p.a = 1;
-  p.rho = TF_R(0.5);
-  return p;
-}
-
-static void set_member(tf_params_t *params, int i, tf_real_t value) {
-  memcpy((char *)params + tf_parameter_ranges[i].offset, &value, sizeof value);
-}
-
-static tf_real_t member(const tf_params_t *params, int i) {
-  tf_real_t value;
-  memcpy(&value, (const char *)params + tf_parameter_ranges[i].offset,
-         sizeof value);
-  return value;
-}
+#include "extremes.h"
 
 /* Refused with this offender, without a mark on the machine. */
 static void refused(const tf_params_t *params, int blamed) {
@@ -53,8 +33,8 @@ static tf_machine_t accepted(const tf_params_t *params) {
 
 /* One member set to one value under one law. */
 static void judge(tf_tyre_law_t law, int i, tf_real_t value, bool in_range) {
-  tf_params_t p = valid(law);
-  set_member(&p, i, value);
+  tf_params_t p = params_of_law(law);
+  *member(&p, i) = value;
   if (in_range || !((tf_parameter_ranges[i].laws >> law) & 1u))
     accepted(&p);
   else
@@ -62,9 +42,9 @@ static void judge(tf_tyre_law_t law, int i, tf_real_t value, bool in_range) {
 }
 
 static void first_of_two(tf_tyre_law_t law, int i, int j) {
-  tf_params_t p = valid(law);
-  set_member(&p, i, (tf_real_t)NAN);
-  set_member(&p, j, (tf_real_t)INFINITY);
+  tf_params_t p = params_of_law(law);
+  *member(&p, i) = (tf_real_t)NAN;
+  *member(&p, j) = (tf_real_t)INFINITY;
   const bool i_counts = (tf_parameter_ranges[i].laws >> law) & 1u;
   const bool j_counts = (tf_parameter_ranges[j].laws >> law) & 1u;
   if (i_counts || j_counts) refused(&p, i_counts ? i : j);
@@ -73,7 +53,7 @@ static void first_of_two(tf_tyre_law_t law, int i, int j) {
 TEST(prepare_names_the_first_broken_rule) {
   for (int n = 0; n < TF_TYRE_LAWS; n++) {
     const tf_tyre_law_t law = (tf_tyre_law_t)n;
-    const tf_params_t good = valid(law);
+    const tf_params_t good = params_of_law(law);
     accepted(&good);
     for (int i = 0; i < TF_PARAMETERS; i++) {
       const tf_parameter_range_t *range = &tf_parameter_ranges[i];
@@ -97,7 +77,7 @@ TEST(an_unknown_law_or_rule_is_blamed_on_neither_member) {
   const unsigned wrong[][2] = {
       {TF_TYRE_LAWS, TF_RULES}, {99, 99}, {UINT32_MAX, UINT32_MAX}};
   for (int i = 0; i < 3; i++) {
-    tf_params_t law = valid(TF_TYRE_JUMP), rule = law;
+    tf_params_t law = params_of_law(TF_TYRE_JUMP), rule = law;
     law.law = (tf_tyre_law_t)wrong[i][0];
     rule.rule = (tf_rule_t)wrong[i][1];
     refused(&law, TF_PARAMETERS);
@@ -107,7 +87,7 @@ TEST(an_unknown_law_or_rule_is_blamed_on_neither_member) {
     refused(&rule, TF_PARAMETERS);
   }
   for (int i = 0; i < TF_RULES; i++) {
-    tf_params_t p = valid(TF_TYRE_JUMP);
+    tf_params_t p = params_of_law(TF_TYRE_JUMP);
     p.rule = (tf_rule_t)i;
     CHECK(accepted(&p).rule == p.rule);
   }
@@ -163,12 +143,11 @@ static void near(tf_real_t got, real want, real ulps) {
 }
 
 TEST(derived_constants_against_long_double) {
-  for (int n = 0; n < 20000; n++) {
-    tf_params_t p = valid(TF_TYRE_JUMP);
-    for (int i = 0; i < TF_PARAMETERS; i++)
-      set_member(&p, i, member(&p, i) * (tf_real_t)tap_uniform(0.5, 1));
-    p.theta = (tf_real_t)tap_uniform(0.5, 1);
-    p.gamma = (tf_real_t)tap_uniform(-3.14, 3.14);
+  for (int n = 0; n < samples(20000); n++) {
+    tf_params_t p = params_of_law(TF_TYRE_JUMP);
+    for (int i = 0; i < TF_PARAMETERS; i++) *member(&p, i) *= uniform(0.5, 1);
+    p.theta = uniform(0.5, 1);
+    p.gamma = uniform(-3.14, 3.14);
     p.rate = (tf_real_t)exp(tap_uniform(-10, 12));
     const tf_machine_t k = accepted(&p);
     const real h = wide(p.theta) * wide(p.dt);
@@ -204,7 +183,7 @@ TEST(derived_constants_against_long_double) {
 }
 
 TEST(exit_threshold_at_its_ends) {
-  tf_params_t p = valid(TF_TYRE_JUMP);
+  tf_params_t p = params_of_law(TF_TYRE_JUMP);
   p.rate = 0;
   CHECK(accepted(&p).exit_threshold == 0);
   p.rate = TF_R(1e9);
@@ -212,35 +191,17 @@ TEST(exit_threshold_at_its_ends) {
   CHECK(accepted(&p).exit_threshold == UINT64_C(1) << 63);
 }
 
-/* The anchors and the series of T = tan(a atan y) at y = tan(k pi/16). */
-TEST(angle_kernel_constants) {
-  for (int n = 0; n < 20000; n++) {
-    tf_params_t p = valid(TF_TYRE_JUMP);
-    p.kappa = (tf_real_t)exp(tap_uniform(log(1e-9), log(1e6)));
-    const tf_tyre_t tyre = accepted(&p).tyre;
-    const real top = atanl(6 * wide(p.kappa)), half_pi = acosl(0);
-    const real a = top / half_pi;
-    CHECK(tyre.T_anchor[0] == 0);
-    for (int i = 1; i < TF_TYRE_ANCHORS - 1; i++)
-      near(tyre.T_anchor[i], tanl(top * i / 8), 16);
-    near(tyre.T_anchor[8], 6 * wide(p.kappa), 1);
-    near(tyre.T_series[0], a, 16);
-    /* the odd series of tan(a atan y) up to y^3; c_1 vanishes at a = 1 */
-    CHECK_NEAR(wide(tyre.T_series[1]), a * (a * a - 1) / 3, 20 * EPSILON * a);
-  }
-}
-
 /* Without friction, or with less than a normal number, nothing is divided by
  * it: each inverse is 0. */
 TEST(no_friction_has_no_inverse) {
   const tf_real_t none[] = {0, TF_REAL_MIN / 2};
   for (int i = 0; i < 2; i++) {
-    tf_params_t p = valid(TF_TYRE_JUMP);
+    tf_params_t p = params_of_law(TF_TYRE_JUMP);
     p.mu = none[i];
     const tf_machine_t k = accepted(&p);
     CHECK(k.inv_mu == 0 && k.inv_kappa_mu == 0 && k.inv_mu_dt == 0);
   }
-  tf_params_t p = valid(TF_TYRE_JUMP);
+  tf_params_t p = params_of_law(TF_TYRE_JUMP);
   p.mu = TF_REAL_MIN; /* the least normal one has an inverse */
   const tf_machine_t k = accepted(&p);
   CHECK(k.inv_mu * TF_REAL_MIN == 1);
@@ -254,7 +215,7 @@ TEST(no_friction_has_no_inverse) {
 /* What a law does not have is 0, and only JUMP has a moment in stick. */
 TEST(each_law_gets_its_own_constants) {
   for (int n = 0; n < TF_TYRE_LAWS; n++) {
-    const tf_params_t p = valid((tf_tyre_law_t)n);
+    const tf_params_t p = params_of_law((tf_tyre_law_t)n);
     const tf_machine_t k = accepted(&p);
     const tf_tyre_t *t = &k.tyre;
     const bool paper = n == TF_TYRE_JUMP || n == TF_TYRE_SMOOTH;
@@ -289,19 +250,4 @@ TEST(every_scene_prepares) {
     CHECK(machine.tyre.law == tf_scenes[i]->params.law);
     CHECK(machine.with_angle == tf_scenes[i]->params.with_angle);
   }
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(prepare_names_the_first_broken_rule);
-  RUN(an_unknown_law_or_rule_is_blamed_on_neither_member);
-  RUN(the_table_is_the_contract);
-  RUN(derived_constants_against_long_double);
-  RUN(exit_threshold_at_its_ends);
-  RUN(angle_kernel_constants);
-  RUN(no_friction_has_no_inverse);
-  RUN(each_law_gets_its_own_constants);
-  RUN(a_state_is_small);
-  RUN(every_scene_prepares);
-  return tap_end();
 }

@@ -2,7 +2,7 @@
  * a step is too long for the motion; over the whole ranges of parameters. */
 #include "../../../src/moreau/balance.h"
 #include "../../../src/moreau/balanced.h"
-#include "common.h"
+#include "sim.h"
 
 static real energy_of(const tf_machine_t *k, end_state_t x) {
   const real p = wide(x.v) - wide(k->d) * wide(x.w);
@@ -46,9 +46,11 @@ static real noise(const tf_machine_t *k, end_state_t x) {
          (wide(k->m) * (p * p + q2) + wide(k->k2) * s * s + wide(TF_REAL_MIN));
 }
 
-/* (17): what the linear step creates is the difference of the energies. */
+/* (17): what the linear step creates is the difference of the energies; and a
+ * step that is beyond doubt neither creates energy nor is too long. */
 TEST(created_energy_in_closed_form) {
-  for (int i = 0; i < 20000; i++) {
+  int sure = 0;
+  for (int i = 0; i < samples(20000); i++) {
     const tf_params_t p = conservative();
     const tf_machine_t k = prepared(&p);
     const tf_input_t u = tf_input_default(&k);
@@ -58,6 +60,7 @@ TEST(created_energy_in_closed_form) {
     const end_state_t from = place(&x);
     const end_state_t to = end_after(&k, &l, (change_t){0, 0});
     const balance_t b = balance_of(&k, is_midpoint(&k), &u, from, to, 0);
+    const tf_real_t energy = mean_energy(&k, &u, from, to);
     const real made = energy_of(&k, to) - energy_of(&k, from);
     const real room = noise(&k, from) + noise(&k, to);
     const real terms =
@@ -67,121 +70,84 @@ TEST(created_energy_in_closed_form) {
     CHECK(b.friction == 0);
     const real both = energy_of(&k, from) + energy_of(&k, to);
     CHECK(fabsl(wide(b.product)) <= both * (1 + 64 * EPSILON) + room);
-    CHECK_NEAR(wide(mean_energy(&k, &u, from, to)), both / 2, room);
-  }
-}
-
-/* A step that is beyond doubt neither creates energy nor is too long. */
-TEST(no_check_without_reason) {
-  int sure = 0;
-  for (int i = 0; i < 20000; i++) {
-    const tf_params_t p = conservative();
-    const tf_machine_t k = prepared(&p);
-    const tf_input_t u = tf_input_default(&k);
-    const tf_state_t x = moving();
-    const linear_t l = linearise(&k, &x, &u);
-    if (!l.definite) continue;
-    const end_state_t from = place(&x);
-    const end_state_t to = end_after(&k, &l, (change_t){0, 0});
-    const balance_t b = balance_of(&k, is_midpoint(&k), &u, from, to, 0);
+    CHECK_NEAR(wide(energy), both / 2, room);
     if (!is_balanced(&b)) continue;
-    const tf_real_t energy = mean_energy(&k, &u, from, to);
     CHECK(!creates_energy(&b, energy));
     CHECK(!is_too_coarse(&k, &b, energy, from, to));
     sure++;
   }
-  CHECK(sure > 2000);
+  CHECK(sure > samples(2000));
 }
 
-typedef struct {
-  tf_compensated_t constants;
-  tf_state_t state;
-  tf_compensation_t low;
-} run_t;
+static long accepted, coarse;
 
-static tf_status_t one_step(run_t *run, int scheme, const tf_input_t *u,
-                            tf_report_t *report) {
-  const tf_machine_t *k = &run->constants.machine;
-  if (scheme == 0) return tf_step(k, &run->state, u, report);
-  if (scheme == 1)
-    return tf_step_compensated(&run->constants, &run->state, &run->low, u,
-                               report);
-  return tf_step_located(k, &run->state, u, report);
+/* Steps on; the energy rises by no more than `power` puts in at either end and
+ * a share of what there is. With `all` it does so whatever the status, else
+ * those steps are asked that say nothing was wrong. */
+static void follow(sim_t *s, scheme_t scheme, int steps, bool all, real share,
+                   real (*power)(const sim_t *, end_state_t)) {
+  for (int n = 0; n < steps; n++) {
+    const end_state_t from = place(&s->x);
+    const tf_status_t status = sim_step(s, scheme);
+    if (status < TF_OK || (!all && status != TF_OK)) break;
+    const end_state_t to = place(&s->x);
+    const real before = energy_of(&s->k, from), after = energy_of(&s->k, to);
+    const real work =
+        power ? wide(s->k.dt) * fmaxl(power(s, from), power(s, to)) : 0;
+    CHECK(after - before <= work + share * (before + after) / 2 +
+                                32 * (noise(&s->k, from) + noise(&s->k, to)));
+    accepted++;
+    coarse += status == TF_COARSE;
+  }
+}
+
+static void tell(void) {
+  printf("# %ld steps, %ld coarse\n", accepted, coarse);
+  CHECK(accepted > samples(30000) && coarse > samples(1000));
 }
 
 /* Whatever its status, an accepted step of a machine without friction creates
  * at most TF_CREATED_SHARE of its energy; of the located step, which keeps a
  * tolerance, those are asked that say it was kept. */
 TEST(no_step_creates_energy) {
-  long accepted = 0, coarse = 0;
-  for (int i = 0; i < 6000; i++) {
+  accepted = coarse = 0;
+  for (int i = 0; i < samples(6000); i++) {
+    const scheme_t scheme = (scheme_t)(i % SCHEMES);
+    const bool located = scheme == LOCATED;
     tf_params_t p = conservative();
-    if (i % 3 == 2) p.tolerance = IS_DOUBLE ? TF_R(1e-10) : TF_R(1e-6);
-    run_t run = {.state = moving()};
-    CHECK(tf_prepare_compensated(&run.constants, &p, NULL) == TF_OK);
-    const tf_machine_t *k = &run.constants.machine;
-    const tf_input_t u = tf_input_default(k);
-    tf_report_t report;
-    for (int n = 0; n < 20; n++) {
-      const end_state_t from = place(&run.state);
-      const tf_status_t status = one_step(&run, i % 3, &u, &report);
-      if (status < TF_OK) break;
-      if (i % 3 == 2 && status != TF_OK) break;
-      const end_state_t to = place(&run.state);
-      const real before = energy_of(k, from), after = energy_of(k, to);
-      const real share = i % 3 == 2 ? 1e-2L : 2.01L * TF_CREATED_SHARE;
-      CHECK(after - before <= share * (before + after) / 2 +
-                                  32 * (noise(k, from) + noise(k, to)));
-      accepted++;
-      coarse += status == TF_COARSE;
-    }
+    if (located) p.tolerance = IS_DOUBLE ? TF_R(1e-10) : TF_R(1e-6);
+    sim_t s = sim_of(&p);
+    s.x = moving();
+    follow(&s, scheme, 20, !located, located ? 1e-2L : 2.01L * TF_CREATED_SHARE,
+           NULL);
   }
-  printf("# %ld steps, %ld coarse\n", accepted, coarse);
-  CHECK(accepted > 30000 && coarse > 1000);
+  tell();
 }
 
-/* With friction: no more than turntable and moment can put in at either end. */
+/* What turntable and moment can put in at most. */
+static real power_of_friction(const sim_t *s, end_state_t at) {
+  const real arm =
+      wide(at.r) * wide(s->k.cos_gamma) - wide(s->k.d) * wide(s->k.sin_gamma);
+  return wide(s->params.mu) * (4 * fabsl(wide(s->u.omega0) * arm) / 3 +
+                               wide(s->params.kappa) * fabsl(wide(at.w)));
+}
+
 TEST(friction_puts_in_no_more_than_the_law_allows) {
-  long accepted = 0, coarse = 0;
-  for (int i = 0; i < 20000; i++) {
+  accepted = coarse = 0;
+  for (int i = 0; i < samples(20000); i++) {
     tf_params_t p = conservative();
     p.law = i % 2 ? TF_TYRE_JUMP : TF_TYRE_COULOMB;
     p.gamma = uniform(-3.14, 3.14);
     p.kappa = uniform(0, 1);
     p.mu = log_uniform(1e-2, 1e6);
     p.omega0 = uniform(-2, 2);
-    run_t run = {.state = moving()};
-    CHECK(tf_prepare_compensated(&run.constants, &p, NULL) == TF_OK);
-    const tf_machine_t *k = &run.constants.machine;
-    const tf_input_t u = tf_input_default(k);
-    tf_report_t report;
-    run.state.mode = TF_NO_MODE;
-    if (tf_begin(k, &run.state, &u, &report) < TF_OK) continue;
-    for (int n = 0; n < 10; n++) {
-      const end_state_t from = place(&run.state);
-      const tf_status_t status = one_step(&run, 0, &u, &report);
-      if (status < TF_OK) break;
-      const end_state_t to = place(&run.state);
-      real most = 0;
-      for (int end = 0; end < 2; end++) {
-        const end_state_t at = end ? to : from;
-        const real arm =
-            wide(at.r) * wide(k->cos_gamma) - wide(k->d) * wide(k->sin_gamma);
-        const real power = wide(p.mu) * (4 * fabsl(wide(u.omega0) * arm) / 3 +
-                                         wide(p.kappa) * fabsl(wide(at.w)));
-        most = fmaxl(most, power);
-      }
-      const real before = energy_of(k, from), after = energy_of(k, to);
-      const real share = 2 * TF_FRICTION_SHARE;
-      CHECK(after - before <= wide(k->dt) * most +
-                                  share * (before + after) / 2 +
-                                  32 * (noise(k, from) + noise(k, to)));
-      accepted++;
-      coarse += status == TF_COARSE;
-    }
+    sim_t s = sim_of(&p);
+    s.x = moving();
+    s.x.mode = TF_NO_MODE;
+    if (sim_begin(&s) < TF_OK) continue;
+    follow(&s, MOREAU, 10, true, 2 * TF_FRICTION_SHARE, power_of_friction);
   }
-  printf("# %ld steps, %ld coarse\n", accepted, coarse);
-  CHECK(accepted > 30000 && coarse > 1000);
+  tell();
 }
 
 /* A spring that swings by phi a step, beside a disc that stands still. */
@@ -271,45 +237,33 @@ TEST(balanced_step_order_and_energy) {
  * like a longer one, whose force would turn g first, says that its way there is
  * not the true one. */
 TEST(an_impulse_ends_or_is_reported) {
-  tf_params_t p = tf_scenes[0]->params;
-  p.m = TF_R(0.04120466930524657);
-  p.beta = TF_R(0.31740032501676296);
-  p.d = TF_R(1.4689044792579424);
-  p.k2 = TF_R(16.463582170440237);
-  p.r0 = TF_R(0.40171006645292628);
-  p.omega0 = TF_R(-0.76713992632904704);
-  p.mu = TF_R(74321.368548130195);
-  p.kappa = TF_R(0.75960369431851382);
-  p.gamma = TF_R(2.7098193941318724);
+  static const double machine[MACHINE] = {0.04120466930524657,
+                                          1.4689044792579424,
+                                          0.31740032501676296,
+                                          16.463582170440237,
+                                          0,
+                                          0,
+                                          0.40171006645292628,
+                                          -0.76713992632904704,
+                                          74321.368548130195,
+                                          0.75960369431851382,
+                                          2.7098193941318724};
   static const double steps[] = {2e-8, 1e-6, 1e-5, 1e-4};
+  tf_params_t p = params_from(machine);
+  p.c1 = tf_scenes[0]->params.c1;
+  p.c2 = tf_scenes[0]->params.c2;
   for (int i = 0; i < 4; i++) {
     p.dt = (tf_real_t)steps[i];
-    for (int scheme = 0; scheme < 2; scheme++) {
-      run_t run = {.state = {.r = TF_R(0.16319636624865796),
-                             .v = TF_R(0.90490346486656614),
-                             .w = TF_R(0.57440179916627399),
-                             .mode = TF_NO_MODE}};
-      CHECK(tf_prepare_compensated(&run.constants, &p, NULL) == TF_OK);
-      const tf_machine_t *k = &run.constants.machine;
-      const tf_input_t u = tf_input_default(k);
-      tf_report_t report;
-      CHECK(tf_begin(k, &run.state, &u, &report) == TF_OK);
-      const tf_status_t status = one_step(&run, scheme, &u, &report);
+    for (int scheme = MOREAU; scheme <= COMPENSATED; scheme++) {
+      sim_t s = sim_of(&p);
+      s.x = (tf_state_t){.r = TF_R(0.16319636624865796),
+                         .v = TF_R(0.90490346486656614),
+                         .w = TF_R(0.57440179916627399),
+                         .mode = TF_NO_MODE};
+      CHECK(sim_begin(&s) == TF_OK);
+      const tf_status_t status = sim_step(&s, (scheme_t)scheme);
       CHECK(i == 0 ? status == TF_OK : status > TF_OK);
-      if (i == 1) CHECK(run.state.mode == TF_STICK_MINUS);
+      if (i == 1) CHECK(s.x.mode == TF_STICK_MINUS);
     }
   }
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(created_energy_in_closed_form);
-  RUN(no_check_without_reason);
-  RUN(no_step_creates_energy);
-  RUN(friction_puts_in_no_more_than_the_law_allows);
-  RUN(a_turn_beyond_a_right_angle_is_coarse);
-  RUN(a_reversal_is_not_coarse);
-  RUN(balanced_step_order_and_energy);
-  RUN(an_impulse_ends_or_is_reported);
-  return tap_end();
 }

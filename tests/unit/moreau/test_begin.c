@@ -364,19 +364,3 @@ TEST(begin_with_slip_touches_nothing) {
     CHECK(memcmp(&report, &before, sizeof report) == 0);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(begin_finds_the_mode);
-  RUN(begin_without_a_moment);
-  RUN(begin_off_the_surface);
-  RUN(begin_counts_rounding_as_zero);
-  RUN(stick_goes_on_where_it_begins_again);
-  RUN(begin_at_codimension_two_is_pinned);
-  RUN(begin_where_no_force_acts_on_h);
-  RUN(begin_ignores_inconsistent_modes);
-  RUN(begin_refuses_sums_beyond_the_limit);
-  RUN(begin_with_slip_is_its_parts);
-  RUN(begin_with_slip_touches_nothing);
-  return tap_end();
-}

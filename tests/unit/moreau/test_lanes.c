@@ -204,13 +204,3 @@ TEST(lanes_have_the_law_of_the_step) {
   }
   CHECK(done > 90000);
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(lanes_find_the_sets_of_the_enumeration);
-  RUN(lanes_find_them_next_to_the_largest_number);
-  RUN(lane_root_is_the_root_within);
-  RUN(lanes_have_the_law_of_the_step);
-  RUN(lanes_have_the_forms_of_the_step);
-  return tap_end();
-}

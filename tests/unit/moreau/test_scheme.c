@@ -1,67 +1,14 @@
-/* A step against the equations of the scheme, (1)-(7), (11) and (12) of
- * DESIGN.md, solved once more in long double, with the mass matrix as it is
- * printed there and the parameters as they were given. */
-#include "common.h"
+/* A step against the equations of the scheme, solved once more in long double
+ * (support/scheme.h); and those equations against the paper's. */
 #include "moreau/balance.h"
-
-/* One step of a machine: (1)-(5). */
-typedef struct {
-  paper_t p;
-  real dt, theta, r_t, Q_r, Q_phi, s[2][2], det;
-} scheme_t;
-
-static scheme_t scheme_of(const tf_params_t *params, const tf_input_t *u,
-                          const real x[3]) {
-  scheme_t c = {.p = paper_of(params)};
-  const real r = x[0], v = x[1], w = x[2], m = c.p.m, d = c.p.d;
-  c.dt = wide(params->dt);
-  c.theta = wide(params->theta);
-  const real t = c.theta * c.dt, a = t * (c.p.c2 + t * c.p.k2);
-  c.r_t = r + t * v;
-  c.Q_r = c.p.k2 * (wide(u->r0) - c.r_t) - c.p.c2 * v + m * c.r_t * w * w +
-          wide(u->force);
-  c.Q_phi = wide(u->torque) - c.p.c1 * w - 2 * m * c.r_t * v * w;
-  const real e = 2 * t * m * c.r_t * w;
-  const real J = m * (c.p.beta * c.p.beta + c.r_t * c.r_t) +
-                 t * (c.p.c1 + 2 * m * c.r_t * v);
-  c.s[0][0] = m + a;
-  c.s[0][1] = -(m * d + e);
-  c.s[1][0] = -(m * d - e);
-  c.s[1][1] = J + m * d * d;
-  c.det = c.s[0][0] * c.s[1][1] - c.s[0][1] * c.s[1][0];
-  return c;
-}
-
-/* S (dv, dw) = dt (force, torque). */
-static void change(const scheme_t *c, real force, real torque, real d[2]) {
-  d[0] = c->dt * (c->s[1][1] * force - c->s[0][1] * torque) / c->det;
-  d[1] = c->dt * (c->s[0][0] * torque - c->s[1][0] * force) / c->det;
-}
-
-/* (6): of a friction force and moment alone. */
-static void change_by(const scheme_t *c, real F, real M, real d[2]) {
-  const real gamma = c->p.gamma;
-  change(c, F * sinl(gamma),
-         F * (c->r_t * cosl(gamma) - c->p.d * sinl(gamma)) + M, d);
-}
-
-/* (7): r, v, w at the end. */
-static void end_of(const scheme_t *c, const real x[3], real F, real M,
-                   real end[3]) {
-  real free[2], by[2];
-  change(c, c->Q_r, c->Q_phi, free);
-  change_by(c, F, M, by);
-  end[1] = x[1] + free[0] + by[0];
-  end[2] = x[2] + free[1] + by[1];
-  end[0] = x[0] + (1 - c->theta) * c->dt * x[1] + c->theta * c->dt * end[1];
-}
+#include "scheme.h"
 
 typedef struct {
   tf_params_t params;
   tf_machine_t machine;
   tf_input_t input;
   tf_state_t state;
-  real x[3];
+  scheme_step_t scheme;
 } case_t;
 
 static case_t random_case(tf_tyre_law_t law, double longest) {
@@ -101,9 +48,8 @@ static case_t random_case(tf_tyre_law_t law, double longest) {
                          .seed = 1};
   tf_report_t report;
   CHECK(tf_begin(&c.machine, &c.state, &c.input, &report) == TF_OK);
-  c.x[0] = wide(c.state.r);
-  c.x[1] = wide(c.state.v);
-  c.x[2] = wide(c.state.w);
+  const real x[3] = {wide(c.state.r), wide(c.state.v), wide(c.state.w)};
+  c.scheme = scheme_step(p, &c.input, x);
   return c;
 }
 
@@ -122,16 +68,15 @@ static bool creates_much(const case_t *c, const real x[3]) {
 TEST(a_step_ends_where_the_scheme_says) {
   real worst = 0;
   int judged = 0, balanced = 0;
-  for (int i = 0; i < 20000; i++) {
+  for (int i = 0; i < samples(20000); i++) {
     const case_t c = random_case((tf_tyre_law_t)(i % TF_TYRE_LAWS), 0.1);
-    const scheme_t scheme = scheme_of(&c.params, &c.input, c.x);
     tf_state_t plain = c.state, pairs = c.state;
     tf_compensated_t machine;
     tf_compensation_t low = {0, 0, 0, 0};
     tf_report_t report;
     real end[3];
     if (tf_step(&c.machine, &plain, &c.input, &report) != TF_OK) continue;
-    end_of(&scheme, c.x, wide(report.force.F), wide(report.force.M), end);
+    scheme_end(&c.scheme, wide(report.force.F), wide(report.force.M), end);
     if (creates_much(&c, end)) {
       balanced++;
       continue;
@@ -140,40 +85,24 @@ TEST(a_step_ends_where_the_scheme_says) {
     const real got[3] = {wide(plain.r), wide(plain.v), wide(plain.w)};
     for (int n = 0; n < 3; n++)
       worst = fmaxl(worst, fabsl(got[n] - end[n]) / size);
-    const real phi =
-        wide(c.state.phi) + wide(c.params.dt) * ((1 - scheme.theta) * c.x[2] +
-                                                 scheme.theta * wide(plain.w));
+    const real phi = wide(c.state.phi) +
+                     wide(c.params.dt) * ((1 - c.scheme.theta) * c.scheme.x[2] +
+                                          c.scheme.theta * wide(plain.w));
     CHECK_NEAR(plain.phi, phi, 4 * EPSILON * size);
     CHECK(tf_prepare_compensated(&machine, &c.params, NULL) == TF_OK);
     CHECK(tf_step_compensated(&machine, &pairs, &low, &c.input, &report) ==
           TF_OK);
     const real more =
-        wide(c.state.phi) + wide(c.params.dt) * ((1 - scheme.theta) * c.x[2] +
-                                                 scheme.theta * wide(pairs.w));
+        wide(c.state.phi) +
+        wide(c.params.dt) * ((1 - c.scheme.theta) * c.scheme.x[2] +
+                             c.scheme.theta * wide(pairs.w));
     CHECK_NEAR(wide(pairs.phi) + wide(low.phi), more, 4 * EPSILON * size);
     judged++;
   }
   printf("# %d steps, ends %.2Lg epsilon off; %d create energy\n", judged,
          worst / EPSILON, balanced);
-  CHECK(judged > 10000);
+  CHECK(judged > samples(10000));
   CHECK(worst <= 20 * EPSILON);
-}
-
-/* p = v - d z, z = w - omega0 and with them (h) and (g). */
-typedef struct {
-  real p, z;
-} velocity_t;
-
-static velocity_t velocity(const paper_t *p, real omega0, real v, real w) {
-  return (velocity_t){v - p->d * (w - omega0), w - omega0};
-}
-
-static real h_of(const paper_t *p, real r, velocity_t at) {
-  return -at.p * sinl(p->gamma) - r * at.z * cosl(p->gamma);
-}
-
-static real g_of(const paper_t *p, real r, velocity_t at) {
-  return r * at.z * sinl(p->gamma) - at.p * cosl(p->gamma);
 }
 
 typedef struct {
@@ -182,24 +111,23 @@ typedef struct {
 } secant_t;
 
 /* (11) at a predicted slip. */
-static secant_t secant(const scheme_t *c, const case_t *at, real h, real g) {
-  const paper_t *p = &c->p;
-  const real omega0 = wide(at->input.omega0), theta = c->theta;
-  const tf_force_t f = tf_tyre_force(&at->machine.tyre, (tf_real_t)h,
-                                     (tf_real_t)h, (tf_real_t)g);
+static secant_t secant(const case_t *at, scheme_slip_t slip) {
+  const scheme_step_t *c = &at->scheme;
+  const tf_force_t f = tf_tyre_force(&at->machine.tyre, (tf_real_t)slip.h,
+                                     (tf_real_t)slip.h, (tf_real_t)slip.g);
   real end[3], by[2];
-  end_of(c, at->x, 0, 0, end);
-  change_by(c, wide(f.F), wide(f.M), by);
-  const velocity_t now = velocity(p, omega0, at->x[1], at->x[2]);
-  const velocity_t free = velocity(p, omega0, end[1], end[2]);
-  const real dp = by[0] - p->d * by[1];
-  const real dq = end[0] * by[1] + free.z * theta * c->dt * by[0];
-  const real E = (-dp * sinl(p->gamma) - dq * cosl(p->gamma)) / h;
-  secant_t out = {wide(f.F), wide(f.M), fabsl(h) > 1e-2L && fabsl(E) > 1e-4L};
+  scheme_end(c, 0, 0, end);
+  scheme_change_by(c, wide(f.F), wide(f.M), by);
+  const real dp = by[0] - c->p.d * by[1];
+  const real dq =
+      end[0] * by[1] + (end[2] - c->omega0) * c->theta * c->dt * by[0];
+  const real E = (-dp * c->sin - dq * c->cos) / slip.h;
+  secant_t out = {wide(f.F), wide(f.M),
+                  fabsl(slip.h) > 1e-2L && fabsl(E) > 1e-4L};
   if (!(E < 0)) return out;
-  const real h_now = h_of(p, at->x[0], now), h_free = h_of(p, end[0], free);
-  const real h_t = (h_now + theta * (h_free - h_now)) / (1 - theta * E);
-  const real share = fmaxl(-1, fminl(1, h_t / h));
+  const real h_now = scheme_slip(c, c->x).h, h_free = scheme_slip(c, end).h;
+  const real h_t = (h_now + c->theta * (h_free - h_now)) / (1 - c->theta * E);
+  const real share = fmaxl(-1, fminl(1, h_t / slip.h));
   out.F *= share;
   out.M *= share;
   return out;
@@ -212,34 +140,54 @@ TEST(single_valued_force_is_the_secant_of_the_scheme) {
                                        TF_TYRE_TWO_PIECE};
   int judged = 0;
   real worst = 0;
-  for (int i = 0; i < 30000; i++) {
+  for (int i = 0; i < samples(30000); i++) {
     const case_t c = random_case(laws[i % 3], 0.1);
-    const scheme_t scheme = scheme_of(&c.params, &c.input, c.x);
-    const paper_t *p = &scheme.p;
-    const real omega0 = wide(c.input.omega0), theta = scheme.theta;
+    const scheme_step_t *scheme = &c.scheme;
+    const real theta = scheme->theta, *x0 = scheme->x;
     tf_state_t x = c.state;
     tf_report_t report;
     if (tf_step(&c.machine, &x, &c.input, &report) != TF_OK) continue;
-    const velocity_t now = velocity(p, omega0, c.x[1], c.x[2]);
-    const secant_t first =
-        secant(&scheme, &c, h_of(p, c.x[0], now), g_of(p, c.x[0], now));
+    const secant_t first = secant(&c, scheme_slip(scheme, x0));
     real end[3];
-    end_of(&scheme, c.x, first.F, first.M, end);
-    const velocity_t middle =
-        velocity(p, omega0, c.x[1] + theta * (end[1] - c.x[1]),
-                 c.x[2] + theta * (end[2] - c.x[2]));
-    const secant_t second = secant(&scheme, &c, h_of(p, scheme.r_t, middle),
-                                   g_of(p, scheme.r_t, middle));
+    scheme_end(scheme, first.F, first.M, end);
+    const real middle[3] = {scheme->r_t, x0[1] + theta * (end[1] - x0[1]),
+                            x0[2] + theta * (end[2] - x0[2])};
+    const secant_t second = secant(&c, scheme_slip(scheme, middle));
     if (!first.clear || !second.clear) continue;
-    const real size = fabsl(second.F) + fabsl(second.M) + p->mu;
+    const real size = fabsl(second.F) + fabsl(second.M) + scheme->p.mu;
     const real off = fabsl(wide(report.force.F) - second.F) +
                      fabsl(wide(report.force.M) - second.M);
     worst = fmaxl(worst, off / size);
     judged++;
   }
   printf("# %d forces, %.2Lg epsilon off\n", judged, worst / EPSILON);
-  CHECK(judged > 5000);
+  CHECK(judged > samples(5000));
   CHECK(worst <= 1e4L * EPSILON);
+}
+
+/* A step over a time in which nothing changes has the accelerations of the
+ * paper, and external force and torque act by its mass matrix. */
+TEST(the_scheme_tends_to_the_equations_of_motion) {
+  for (int i = 0; i < 1000; i++) {
+    case_t c = random_case(TF_TYRE_JUMP, 0.1);
+    const real *x = c.scheme.x;
+    c.params.dt = TF_R(1e-9);
+    const scheme_step_t scheme = scheme_step(&c.params, &c.input, x);
+    paper_t p = scheme.p;
+    p.omega0 = wide(c.input.omega0);
+    p.r0 = wide(c.input.r0);
+    const real F = wide(uniform(-1, 1)), M = wide(uniform(-1, 1));
+    const real J = p.m * (p.beta * p.beta + x[0] * x[0]);
+    const real Q_r = wide(c.input.force), Q_phi = wide(c.input.torque);
+    real end[3], rate[3];
+    paper_rhs_time(&p, x, F, M, rate);
+    rate[1] += Q_r / p.m + p.d * (p.d * Q_r + Q_phi) / J;
+    rate[2] += (p.d * Q_r + Q_phi) / J;
+    scheme_end(&scheme, F, M, end);
+    const real size = 1 + fabsl(rate[0]) + fabsl(rate[1]) + fabsl(rate[2]);
+    for (int n = 0; n < 3; n++)
+      CHECK_NEAR((end[n] - x[n]) / scheme.dt, rate[n], 1e-7L * size * size);
+  }
 }
 
 /* The compensated step solves (6) with the parameters as they were given and
@@ -249,7 +197,7 @@ TEST(single_valued_force_is_the_secant_of_the_scheme) {
 TEST(compensated_changes_have_twice_the_digits) {
   real worst[2] = {0, 0};
   int sticks = 0, slips = 0;
-  for (int i = 0; i < 20000; i++) {
+  for (int i = 0; i < samples(20000); i++) {
     tf_params_t q = tf_scenes[0]->params;
     q.m = uniform(0.3, 3);
     q.beta = uniform(0.05, 1);
@@ -273,7 +221,7 @@ TEST(compensated_changes_have_twice_the_digits) {
     CHECK(tf_begin(&k.machine, &x, &u, &report) == TF_OK);
     const real at[3] = {wide(x.r) + wide(low.r), wide(x.v) + wide(low.v),
                         wide(x.w) + wide(low.w)};
-    const scheme_t scheme = scheme_of(&q, &u, at);
+    const scheme_step_t scheme = scheme_step(&q, &u, at);
     if (tf_step_compensated(&k, &x, &low, &u, &report) != TF_OK ||
         report.mode == TF_PINNED)
       continue;
@@ -284,7 +232,7 @@ TEST(compensated_changes_have_twice_the_digits) {
     if (stick && fabsl(M - s * wide(q.kappa) * F) > 4 * EPSILON * fabsl(M))
       continue;
     real end[3];
-    end_of(&scheme, at, F, stick ? s * wide(q.kappa) * F : M, end);
+    scheme_end(&scheme, F, stick ? s * wide(q.kappa) * F : M, end);
     const real v = wide(x.v) + wide(low.v), w = wide(x.w) + wide(low.w);
     const real size = fabsl(end[1] - at[1]) + fabsl(end[2] - at[2]);
     const real off = fabsl(v - end[1]) + fabsl(w - end[2]);
@@ -295,7 +243,7 @@ TEST(compensated_changes_have_twice_the_digits) {
   }
   printf("# %d slips, changes %.2Lg epsilon off; %d sticks, %.2Lg\n", slips,
          worst[0] / EPSILON, sticks, worst[1] / EPSILON);
-  CHECK(sticks > 3000 && slips > 500);
+  CHECK(sticks > samples(3000) && slips > samples(500));
   CHECK(worst[0] <= EPSILON / 16 && worst[1] <= EPSILON / 16);
 }
 
@@ -304,9 +252,7 @@ TEST(compensated_changes_have_twice_the_digits) {
 TEST(a_determinant_that_overflows_is_refused) {
   int overflows = 0;
   for (int law = 0; law < TF_TYRE_LAWS; law++) {
-    tf_params_t p = tf_scenes[0]->params;
-    p.law = (tf_tyre_law_t)law;
-    p.epsilon = p.k = p.delta = p.a = p.rho = 1;
+    tf_params_t p = params_of_law((tf_tyre_law_t)law);
     p.m = TF_R(1e12);
     p.k2 = TF_R(1e15);
     p.dt = p.theta = 1;
@@ -320,7 +266,7 @@ TEST(a_determinant_that_overflows_is_refused) {
       tf_compensation_t low = {0, 0, 0, 0};
       tf_report_t report;
       const real at[3] = {wide(x.r), 0, wide(x.w)};
-      const scheme_t scheme = scheme_of(&p, &u, at);
+      const scheme_step_t scheme = scheme_step(&p, &u, at);
       const bool over = !(scheme.det <= (real)TF_REAL_MAX);
       if (fabsl(scheme.det / (real)TF_REAL_MAX - 1) < 1e-3L) continue;
       const tf_status_t status = tf_step(&k.machine, &x, &u, &report);
@@ -332,13 +278,4 @@ TEST(a_determinant_that_overflows_is_refused) {
   }
   printf("# %d of %d overflow\n", overflows, 400 * TF_TYRE_LAWS);
   CHECK(IS_DOUBLE ? overflows == 0 : overflows > 100);
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(a_step_ends_where_the_scheme_says);
-  RUN(single_valued_force_is_the_secant_of_the_scheme);
-  RUN(compensated_changes_have_twice_the_digits);
-  RUN(a_determinant_that_overflows_is_refused);
-  return tap_end();
 }

@@ -6,6 +6,7 @@
 #include "common.h"
 #include "model/kinematics.h"
 #include "model/tyre_law.h"
+#include "same_state.h"
 
 /* Claimed bounds [ULP]. For cot_psi over kappa in [1e-9, 1e6] the
  * largest error of 1.5e8 samples is 11.2 (double) and 9.8 (float). */
@@ -29,18 +30,10 @@ static real ulps(tf_real_t got, real want) {
   return fabsl(wide(got) - want) / ldexpl(wide(TF_REAL_EPSILON), exponent);
 }
 
-static int same_bits(tf_real_t x, tf_real_t y) {
-  return memcmp(&x, &y, sizeof x) == 0;
-}
-
 static tf_tyre_t tyre_with(tf_real_t kappa) {
   tf_params_t params = tf_scenes[0]->params;
-  tf_machine_t machine;
-  params.law = TF_TYRE_JUMP;
   params.kappa = kappa;
-  memset(&machine, 0, sizeof machine);
-  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
-  return machine.tyre;
+  return prepared(&params).tyre;
 }
 
 /* tan(a atan(G/H)), a = (2/pi) atan(6 kappa). Above 1 it is the cotangent of
@@ -114,7 +107,7 @@ TEST(angle_kernel_error_bound) {
   real extreme = 0;
   for (int b = 0; b < 4; b++) {
     real worst = 0;
-    for (int i = 0; i < 1000; i++) {
+    for (int i = 0; i < samples(1000); i++) {
       const tf_tyre_t tyre = tyre_with(log_uniform(band[b].low, band[b].high));
       judge_ratios(&tyre, 30, &worst);
       if (i < 10) judge_extremes(&tyre, &worst);
@@ -132,7 +125,7 @@ TEST(angle_kernel_error_bound) {
 /* T grows with G/H: in neighbouring ratios but for its rounding, in distant
  * ones strictly. */
 TEST(angle_kernel_is_monotone) {
-  for (int i = 0; i < 300; i++) {
+  for (int i = 0; i < samples(300); i++) {
     const tf_tyre_t tyre = tyre_with(log_uniform(1e-6, 1e3));
     const tf_real_t slack = 1 - 2 * COT_PSI_ULP * TF_REAL_EPSILON;
     tf_real_t previous = 0, distant = 0;
@@ -175,8 +168,10 @@ TEST(sine_kernel_error_bound) {
                                TF_R(3.2),
                                1};
   for (int i = 0; i < 10; i++) judge_sine(special[i], &worst);
-  for (int i = 0; i < 400000; i++) judge_sine(uniform(-3.2, 3.2), &worst);
-  for (int i = 0; i < 20000; i++) judge_sine(log_uniform(1e-30, 3.2), &worst);
+  for (int i = 0; i < samples(400000); i++)
+    judge_sine(uniform(-3.2, 3.2), &worst);
+  for (int i = 0; i < samples(20000); i++)
+    judge_sine(log_uniform(1e-30, 3.2), &worst);
   for (int q = 1; q <= 8; q++) { /* multiples of pi/8: reduction, its borders */
     tf_real_t up = PI_REAL * (tf_real_t)q / 8, down = up;
     for (int n = 0; n < 2000; n++) {
@@ -191,7 +186,7 @@ TEST(sine_kernel_error_bound) {
 
 TEST(arctangent_kernel) {
   real worst = 0;
-  for (int i = 0; i < 400000; i++) {
+  for (int i = 0; i < samples(400000); i++) {
     const tf_real_t t = i & 1 ? uniform(-0.1, 0.1) : log_uniform(1e-30, 0.1);
     const tf_real_t y = tf_small_arctangent(t);
     const real error = ulps(y, atanl(wide(t)));
@@ -210,7 +205,7 @@ TEST(arctangent_kernel) {
 TEST(exit_probability_kernel) {
   const tf_real_t least = 1024 * TF_REAL_MIN;
   real worst = 0;
-  for (int i = 0; i < 200000; i++) {
+  for (int i = 0; i < samples(200000); i++) {
     const tf_real_t x =
         i & 1 ? log_uniform((double)least, 1e3) : log_uniform(1e-4, 1e2);
     const tf_real_t p = tf_exit_probability(x);
@@ -296,16 +291,4 @@ TEST(numbers_that_pass_are_finite_and_within_the_limit) {
       CHECK(y >= -1 && y <= 1 && (!isnan(x.r) || y == -1));
     }
   }
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(angle_kernel_error_bound);
-  RUN(angle_kernel_is_monotone);
-  RUN(sine_kernel_error_bound);
-  RUN(arctangent_kernel);
-  RUN(exit_probability_kernel);
-  RUN(philox_known_answers);
-  RUN(numbers_that_pass_are_finite_and_within_the_limit);
-  return tap_end();
 }

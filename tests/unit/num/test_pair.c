@@ -71,11 +71,3 @@ TEST(other_operations_lose_the_square_of_epsilon) {
     CHECK(fabsl(value(pair_quotient(a, b)) - x / y) <= 8 * unit * fabsl(x / y));
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(sums_are_exact);
-  RUN(products_are_exact);
-  RUN(other_operations_lose_the_square_of_epsilon);
-  return tap_end();
-}

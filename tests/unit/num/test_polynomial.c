@@ -152,15 +152,3 @@ TEST(root_at_the_end_is_one) {
     CHECK(when == (tf_real_t)end[0]);
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(first_of_several_roots_is_found);
-  RUN(close_roots_are_parted);
-  RUN(no_root_is_taken_for_none);
-  RUN(root_at_the_start_is_not_meant);
-  RUN(close_roots_hide_none_behind_them);
-  RUN(an_interval_is_halved_so_often);
-  RUN(root_at_the_end_is_one);
-  return tap_end();
-}

@@ -67,11 +67,3 @@ TEST(sums_of_zeros_and_infinities) {
     CHECK(isnan(x + y) ? isnan(number(got)) : got == bits_of(x + y));
   }
 }
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(sum_is_that_of_the_processor);
-  RUN(sum_that_the_library_misses);
-  RUN(sums_of_zeros_and_infinities);
-  return tap_end();
-}

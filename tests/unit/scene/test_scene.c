@@ -156,6 +156,12 @@ TEST(a_profile_may_jump) {
     CHECK(wide(u.omega0) == want[i]);
     CHECK(wide(u.alpha) == (i > 0 ? 4 * (want[i] - want[i - 1]) : 0));
   }
+  /* What follows the last knot in memory is not a knot. */
+  for (scene.knots = 1; scene.knots <= 3; scene.knots++)
+    for (int t = 2; t < 6; t++) {
+      const tf_input_t u = tf_scene_input(&scene, &run.machine, (tf_real_t)t);
+      CHECK(u.omega0 == knots[scene.knots - 1].omega0 && u.alpha == 0);
+    }
 }
 
 /* No knots: the parameters' own, and those may have been altered. */
@@ -230,37 +236,4 @@ TEST(other_scenes_do_what_they_show) {
   CHECK(scene_named("gamma_zero")->params.gamma == 0);
   CHECK_NEAR(wide(scene_named("gamma_right")->params.gamma), acosl(0),
              2 * EPSILON);
-}
-
-/* What follows the last knot in memory is not a knot. */
-TEST(profile_ends_at_its_last_knot) {
-  static const tf_knot_t knot[] = {{0, 1}, {1, 3}, {2, 100}, {3, 200}};
-  tf_scene_t scene = *tf_scenes[0];
-  tf_machine_t machine;
-  memset(&machine, 0, sizeof machine);
-  CHECK(tf_prepare(&machine, &scene.params, NULL) == TF_OK);
-  memcpy(scene.profile, knot, sizeof knot);
-  for (int knots = 1; knots <= 2; knots++) {
-    scene.knots = (uint8_t)knots;
-    for (int t = 1; t < 5; t++) {
-      const tf_input_t u = tf_scene_input(&scene, &machine, (tf_real_t)t + 1);
-      CHECK(u.omega0 == knot[knots - 1].omega0 && u.alpha == 0);
-    }
-  }
-}
-
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(scene_texts_are_usable);
-  RUN(scenes_begin_and_run);
-  RUN(chaos_begins_in_slip);
-  RUN(chaos_starts_as_the_contract_says);
-  RUN(driven_profile_is_followed);
-  RUN(a_profile_may_jump);
-  RUN(other_scenes_have_constant_inputs);
-  RUN(rolling_never_slips);
-  RUN(coulomb_has_one_consistent_mode);
-  RUN(other_scenes_do_what_they_show);
-  RUN(profile_ends_at_its_last_knot);
-  return tap_end();
 }

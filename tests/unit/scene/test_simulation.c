@@ -1,5 +1,5 @@
-/* A scene under way is what the command line runs, and starts where its scene
- * says or not at all. */
+/* A scene under way is what the command line runs: its inputs, and how what its
+ * steps said is counted. */
 #include "same_state.h"
 #include "scene_named.h"
 #include "tap.h"
@@ -36,48 +36,6 @@ TEST(simulation_is_the_run_of_the_command_line) {
   params.gamma = 0; /* h does not depend on v there */
   CHECK(tf_simulation_open(&simulation, tf_scenes[0], &params, 0) ==
         TF_BAD_STATE);
-}
-
-/* A start with h < 0 slips to that side; one that is out of reach is refused,
- * and a simulation under way stays as it was. */
-TEST(simulation_starts_on_either_side) {
-  tf_scene_t scene = *scene_named("chaos");
-  tf_simulation_t simulation;
-  for (int side = -1; side <= 1; side += 2) {
-    scene.h = (tf_real_t)side * TF_R(0.01);
-    CHECK(tf_simulation_open(&simulation, &scene, &scene.params, 0) == TF_OK);
-    CHECK(simulation.state.mode == (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
-    CHECK_NEAR(simulation.report.slip.h, scene.h, 8 * TF_REAL_EPSILON);
-  }
-  const tf_simulation_t before = simulation;
-  scene.v_is_given = true;
-  scene.r = 2 * TF_STATE_LIMIT;
-  CHECK(tf_simulation_start(&simulation, &scene, 7) == TF_BAD_STATE);
-  CHECK(same_state(&simulation.state, &before.state));
-  CHECK(simulation.report.mode == before.report.mode);
-}
-
-/* Where h = 0 escapes, the side on which a start lies decides even where the
- * real type cannot resolve its h; h = 0 itself rests in the stick. */
-TEST(simulation_keeps_the_side_of_a_start_below_rounding) {
-  int open = 0;
-  for (int i = 0; i < 20000; i++) {
-    tf_scene_t scene = *scene_named("chaos");
-    scene.r = (tf_real_t)tap_uniform(-0.2, 0.2);
-    scene.omega = (tf_real_t)tap_uniform(-1.4, -0.6);
-    scene.h = 0;
-    tf_simulation_t simulation;
-    CHECK(tf_simulation_open(&simulation, &scene, &scene.params, 0) == TF_OK);
-    if (simulation.report.choices != 3) continue;
-    open++;
-    CHECK(simulation.state.mode > TF_SLIP_MINUS);
-    for (int side = -1; side <= 1; side += 2) {
-      scene.h = (tf_real_t)side * TF_REAL_MIN;
-      CHECK(tf_simulation_start(&simulation, &scene, 0) == TF_OK);
-      CHECK(simulation.state.mode == (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
-    }
-  }
-  CHECK(open > 10);
 }
 
 /* Inputs from outside hold for as many steps as was declared, whatever the tick
@@ -118,11 +76,28 @@ TEST(inputs_expire_after_their_steps) {
         simulation.deadman == UINT32_MAX);
 }
 
-int main(int argc, char **argv) {
-  tap_begin(argc, argv);
-  RUN(simulation_is_the_run_of_the_command_line);
-  RUN(simulation_starts_on_either_side);
-  RUN(simulation_keeps_the_side_of_a_start_below_rounding);
-  RUN(inputs_expire_after_their_steps);
-  return tap_end();
+/* What the steps of a run said is counted by status, and the first that was not
+ * TF_OK is remembered. */
+TEST(tally_counts_every_status) {
+  tf_tally_t tally;
+  memset(&tally, 0, sizeof tally);
+  uint64_t tick = UINT64_C(1) << 33;
+  tf_tally_count(&tally, tick++, TF_OK);
+  CHECK(tally.degraded + tally.fell_back + tally.coarse + tally.refused == 0);
+  for (int status = TF_STEP_TOO_LONG; status <= TF_COARSE; status++)
+    for (int n = 0; n < 10 + status; n++)
+      tf_tally_count(&tally, tick++, (tf_status_t)status);
+  CHECK(tally.degraded == 11 && tally.fell_back == 12 && tally.coarse == 13);
+  CHECK(tally.refused == 6 + 7 + 8 + 9);
+  CHECK(tally.first == (UINT64_C(1) << 33) + 1);
+}
+
+/* A simulation counts from its opening, whatever it ran before. */
+TEST(simulation_opens_with_an_empty_tally) {
+  tf_simulation_t simulation;
+  memset(&simulation, 0xff, sizeof simulation);
+  const tf_scene_t *scene = tf_scenes[0];
+  CHECK(tf_simulation_open(&simulation, scene, &scene->params, 0) == TF_OK);
+  const tf_tally_t *t = &simulation.tally;
+  CHECK(t->degraded + t->fell_back + t->coarse + t->refused == 0);
 }

@@ -38,7 +38,7 @@ def tests_that_run():
          *sorted(Path("tests").rglob("test_*.c"))],
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
         check=True).stdout
-    return set(re.findall(r"^ *RUN\(([a-z0-9_]+)\);", text, re.M))
+    return set(re.findall(r"^TEST\(([a-z0-9_]+)\)", text, re.M))
 
 
 DOCUMENTS = ["README.md", "DESIGN.md"] + [f"docs/{name}.md" for name in (
@@ -85,7 +85,8 @@ FIGURES = {
         "tools/verify/check/hostile.sh", r"HOSTILE_FRAMES:-(\d+)") or 0),
     "frames: over a line": lambda: in_file(
         "tests/unit/link/test_frame.c",
-        r"a_million_frames_over_a_bad_line\) \{(?:[^;]*;){4} n < (\d+);"),
+        r"a_million_frames_over_a_bad_line\) \{(?:[^;]*;){4} "
+        r"n < samples\((\d+)\);"),
     "frames: nearly": lambda: in_file(
         "tests/line/streams.py", r"for _ in range\((\d+)\)\)"),
 }

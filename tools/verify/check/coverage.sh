@@ -9,13 +9,13 @@ need gcovr gcovr
 
 # Programs, not the command line: whoever breaks the core should hear it from a
 # test that names what broke. Those of units in double and those of laws in
-# float are enough, and without two that take long; test_line, test_hostile and
+# float are enough, and without one that takes long; test_line, test_hostile and
 # test_device start programs.
 programs_of() { # REAL PLACE...: names of programs
   real=$1
   shift
   files_in 'test_*.c' "$@" |
-    grep -vE "/test_(device|line|hostile|ensemble|branch)\.c\$" |
+    grep -vE "/test_(device|line|hostile|branch)\.c\$" |
     sed "s|^|$place/$real/|; s|\.c\$||"
 }
 place=$BUILD/coverage

@@ -177,7 +177,7 @@ def wrong_evidence(cell):
         if done.returncode or text not in done.stdout:
             yield f"twofold {command} does not print {text}"
     for name in re.findall(r"`(\w+)`", COMMAND.sub("", cell)):
-        if not re.search(rf"^  RUN\({name}\);", TESTS, re.M):
+        if not re.search(rf"^TEST\({name}\)", TESTS, re.M):
             yield f"no test is run as {name}"
 
 

@@ -18,7 +18,7 @@ from trial import limited, lock
 
 def cases(test: Test) -> list[str]:
     """The names of the tests in a program."""
-    return re.findall(r"^ *RUN\((\w+)\);", test.source.read_text("utf-8"), re.M)
+    return re.findall(r"^TEST\((\w+)\)", test.source.read_text("utf-8"), re.M)
 
 
 def sources(test: Test) -> list[Path]:

@@ -1,0 +1,69 @@
+/* sim.h - a machine under way by any of the three schemes. */
+#ifndef TESTS_SUPPORT_SIM_H
+#define TESTS_SUPPORT_SIM_H
+
+#include "common.h"
+
+typedef enum { MOREAU, COMPENSATED, LOCATED, SCHEMES } scheme_t;
+static inline const char *scheme_name(scheme_t scheme) {
+  static const char *const names[SCHEMES] = {"moreau", "compensated",
+                                             "located"};
+  return names[scheme];
+}
+
+typedef struct {
+  tf_params_t params;
+  tf_compensated_t pairs;
+  tf_machine_t k; /* of pairs */
+  tf_input_t u;
+  tf_state_t x;
+  tf_compensation_t low;
+  tf_report_t report;
+} sim_t;
+
+/* The machine of its parameters, whatever ran before. */
+static inline tf_status_t sim_prepare(sim_t *s) {
+  const tf_status_t status =
+      tf_prepare_compensated(&s->pairs, &s->params, NULL);
+  s->k = s->pairs.machine;
+  return status;
+}
+
+/* Under the inputs of its parameters, in no mode yet. */
+static inline sim_t sim_of(const tf_params_t *params) {
+  sim_t s;
+  memset(&s, 0, sizeof s);
+  s.params = *params;
+  CHECK(sim_prepare(&s) == TF_OK);
+  s.u = tf_input_default(&s.k);
+  s.x.mode = TF_NO_MODE;
+  return s;
+}
+
+static inline tf_status_t sim_begin(sim_t *s) {
+  return tf_begin(&s->k, &s->x, &s->u, &s->report);
+}
+
+/* The machine of the parameters begins at r and w on a slip h, in this mode
+ * where it is consistent. */
+static inline tf_status_t sim_place(sim_t *s, double r, double w, double h,
+                                    unsigned mode) {
+  tf_status_t status = sim_prepare(s);
+  if (status != TF_OK) return status;
+  s->u = tf_input_default(&s->k);
+  s->x =
+      (tf_state_t){.r = (tf_real_t)r, .w = (tf_real_t)w, .mode = (uint8_t)mode};
+  status = tf_speed_for_slip(&s->k, s->x.r, s->x.w, s->u.omega0, (tf_real_t)h,
+                             &s->x.v);
+  return status == TF_OK ? sim_begin(s) : status;
+}
+
+static inline tf_status_t sim_step(sim_t *s, scheme_t scheme) {
+  if (scheme == LOCATED)
+    return tf_step_located(&s->k, &s->x, &s->u, &s->report);
+  if (scheme == COMPENSATED)
+    return tf_step_compensated(&s->pairs, &s->x, &s->low, &s->u, &s->report);
+  return tf_step(&s->k, &s->x, &s->u, &s->report);
+}
+
+#endif

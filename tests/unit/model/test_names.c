@@ -1,0 +1,95 @@
+/* Names are a contract: whoever reads a table or a message finds them there. */
+#include <limits.h>
+
+#include "tap.h"
+#include "twofold.h"
+
+/* The functions take enumerations of their own; here all take a number. */
+static const char *status(unsigned i) { return tf_status_name((tf_status_t)i); }
+static const char *law(unsigned i) {
+  return tf_tyre_law_name((tf_tyre_law_t)i);
+}
+static const char *rule(unsigned i) { return tf_rule_name((tf_rule_t)i); }
+static const char *rest(unsigned i) {
+  return tf_rest_law_name((tf_rest_law_t)i);
+}
+
+static const struct {
+  const char *(*name_of)(unsigned);
+  unsigned count;
+  const char *unknown;
+  const char *names[6];
+} contract[] = {
+    {tf_mode_name,
+     TF_MODES,
+     "unknown mode",
+     {"slip+", "slip-", "stick+", "stick-", "pinned"}},
+    {law,
+     TF_TYRE_LAWS,
+     "unknown law",
+     {[TF_TYRE_JUMP] = "jump",
+      [TF_TYRE_COULOMB] = "coulomb",
+      [TF_TYRE_TWO_PIECE] = "two_piece",
+      [TF_TYRE_STRING] = "string",
+      [TF_TYRE_SMOOTH] = "smooth",
+      [TF_TYRE_NONE] = "none"}},
+    {rule,
+     TF_RULES,
+     "unknown rule",
+     {[TF_RULE_PERSIST] = "persist",
+      [TF_RULE_SLIP_PLUS] = "slip+",
+      [TF_RULE_SLIP_MINUS] = "slip-",
+      [TF_RULE_RANDOM] = "random"}},
+    {rest,
+     TF_REST_LAWS,
+     "unknown law of rest",
+     {[TF_REST_HULL] = "hull",
+      [TF_REST_SQUARE] = "square",
+      [TF_REST_BOW_TIE] = "bow_tie"}},
+    {tf_region_name,
+     TF_REGIONS,
+     "unknown",
+     {"sliding", "escaping", "crossing_up", "crossing_down", "codim2"}},
+    {tf_folds_name,
+     TF_FOLDS,
+     "unknown",
+     {"invisible", "visible", "visible-invisible", "degenerate",
+      "continuous"}}};
+
+TEST(names_are_the_contract) {
+  for (size_t i = 0; i < sizeof contract / sizeof *contract; i++) {
+    for (unsigned n = 0; n < contract[i].count; n++)
+      CHECK(!strcmp(contract[i].name_of(n), contract[i].names[n]));
+    const unsigned beyond[] = {contract[i].count, UINT_MAX};
+    for (int n = 0; n < 2; n++)
+      CHECK(!strcmp(contract[i].name_of(beyond[n]), contract[i].unknown));
+  }
+  const unsigned mode[] = {TF_SLIP_PLUS, TF_SLIP_MINUS, TF_STICK_PLUS,
+                           TF_STICK_MINUS, TF_PINNED};
+  for (unsigned i = 0; i < TF_MODES; i++)
+    CHECK(mode[i] == i && TF_MODE_BIT(i) == 1u << i);
+  for (unsigned i = TF_ABSENCE_MOMENT; i <= TF_ABSENCE_ARM; i++)
+    CHECK(strstr(tf_absence_name(i), "positive everywhere"));
+}
+
+/* Of statuses and of reasons, which are sentences: each has its own. */
+static void judge_distinct(const char *(*name_of)(unsigned), int first,
+                           int last, const char *unknown) {
+  for (int i = first; i <= last; i++) {
+    const char *name = name_of((unsigned)i);
+    CHECK(name[0] && strcmp(name, unknown) != 0);
+    for (int j = first; j < i; j++)
+      CHECK(strcmp(name, name_of((unsigned)j)) != 0);
+  }
+  const int beyond[] = {first - 1, last + 1, INT_MAX, INT_MIN};
+  for (int i = 0; i < 4; i++)
+    CHECK(!strcmp(name_of((unsigned)beyond[i]), unknown));
+}
+
+TEST(status_names_are_distinct) {
+  judge_distinct(status, TF_STEP_TOO_LONG, TF_COARSE, "unknown status");
+}
+
+TEST(reasons_and_types_have_names) {
+  judge_distinct(tf_absence_name, 0, TF_ABSENCES - 1, "unknown");
+}
