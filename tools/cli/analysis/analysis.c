@@ -100,17 +100,13 @@ void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
   char hash[9];
   (void)snprintf(hash, sizeof hash, "%08" PRIx32,
                  tf_params_hash(&a->setup.params));
-  cli_add(text, "{\n  \"version\": \"" TF_VERSION "\", \"commit\": \"");
-  cli_add(text, cli_commit);
-  cli_add(text, sizeof(tf_real_t) == sizeof(float)
-                    ? "\", \"number\": \"float\",\n  \"scene\": \""
-                    : "\", \"number\": \"double\",\n  \"scene\": \"");
-  cli_add(text, a->args->scene->name);
-  cli_add(text, "\", \"parameters\": \"");
-  cli_add(text, hash);
-  cli_add(text, "\",\n  \"units\": {");
-  cli_add(text, units);
-  cli_add(text, "},\n");
+  cli_add_form(text,
+               "{\n  \"version\": \"%s\", \"commit\": \"%s\", "
+               "\"number\": \"%s\",\n"
+               "  \"scene\": \"%s\", \"parameters\": \"%s\",\n"
+               "  \"units\": {%s},\n",
+               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, a->args->scene->name,
+               hash, units);
 }
 
 int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length) {

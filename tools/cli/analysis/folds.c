@@ -3,6 +3,8 @@
 // why there are none. JSON has no infinities; the core only returns two-folds
 // whose numbers are all finite.
 
+#include <inttypes.h>
+
 #include "../setup/names.h"
 #include "../text/buffer.h"
 #include "../text/message.h"
@@ -16,107 +18,57 @@
 #define ROOM 32768 // bytes; eight two-folds take less than half of it
 #define DESIGN_UNITS "\"kappa\": \"m\", \"k2\": \"N/m\", " FOLD_UNITS
 
-// "name": value
-static void add_pair(cli_buffer_t *text, const char *name, tf_real_t value) {
-  cli_add(text, "\"");
-  cli_add(text, name);
-  cli_add(text, "\": ");
-  cli_add_real(text, value);
-}
-
-// A line of pairs, with a comma after the last one.
-static void add_pairs(cli_buffer_t *text, const char *margin,
-                      const char *const *names, const tf_real_t *values,
-                      int count) {
-  cli_add(text, margin);
-  cli_add(text, "  ");
-  for (int i = 0; i < count; i++) {
-    add_pair(text, names[i], values[i]);
-    cli_add(text, i + 1 < count ? ", " : ",\n");
-  }
-}
-
 static void add_K(cli_buffer_t *text, const tf_two_fold_t *at,
                   tf_real_t scale) {
-  static const char *const names[] = {"K++", "K+-", "K-+", "K--"};
-  const tf_real_t values[] = {at->Kpp, at->Kpm, at->Kmp, at->Kmm};
-  for (int i = 0; i < 4; i++) {
-    add_pair(text, names[i], scale * values[i]);
-    cli_add(text, i < 3 ? ", " : "");
-  }
+  cli_add_form(text, "\"K++\": %g, \"K+-\": %g, \"K-+\": %g, \"K--\": %g",
+               (double)(scale * at->Kpp), (double)(scale * at->Kpm),
+               (double)(scale * at->Kmp), (double)(scale * at->Kmm));
 }
 
 static void add_direction(cli_buffer_t *text, const tf_direction_t *direction) {
-  cli_add(text, "{");
-  add_pair(text, "eigenvalue", direction->value);
-  cli_add(text, ", \"velocity\": [");
-  cli_add_real(text, direction->velocity.r);
-  cli_add(text, ", ");
-  cli_add_real(text, direction->velocity.v);
-  cli_add(text, ", ");
-  cli_add_real(text, direction->velocity.w);
-  cli_add(text, "], \"lambda\": ");
+  cli_add_form(text, "      {\"eigenvalue\": %g, \"velocity\": [%g, %g, %g], ",
+               (double)direction->value, (double)direction->velocity.r,
+               (double)direction->velocity.v, (double)direction->velocity.w);
   if (direction->sticks) {
-    cli_add_real(text, direction->lambda);
+    cli_add_form(text, "\"lambda\": %g, \"sticks\": true}",
+                 (double)direction->lambda);
   } else {
-    cli_add(text, "null");
+    cli_add(text, "\"lambda\": null, \"sticks\": false}");
   }
-  cli_add(text,
-          direction->sticks ? ", \"sticks\": true}" : ", \"sticks\": false}");
 }
 
-// Appends one two-fold as an object. margin: what every line begins with.
-static void add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at,
-                         const char *margin) {
-  static const char *const point_names[] = {"r", "v", "omega", "g"};
-  static const char *const form_names[] = {"J1", "J2"};
+// Appends one two-fold as an object.
+static void add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at) {
   static const char *const cases[] = {"null", "1", "2", "3"};
-  const tf_real_t point[] = {at->point.r, at->point.v, at->point.w,
-                             at->point.g};
-  const tf_real_t form[] = {at->J1, at->J2};
   const bool through_first = at->through.value > at->across.value;
   const tf_direction_t *first = through_first ? &at->through : &at->across;
   const tf_direction_t *second = through_first ? &at->across : &at->through;
-  cli_add(text, margin);
-  cli_add(text, "{\n");
-  add_pairs(text, margin, point_names, point, 4);
-  cli_add(text, margin);
-  cli_add(text, "  ");
+  cli_add_form(text,
+               "    {\n"
+               "      \"r\": %g, \"v\": %g, \"omega\": %g, \"g\": %g,\n"
+               "      ",
+               (double)at->point.r, (double)at->point.v, (double)at->point.w,
+               (double)at->point.g);
   add_K(text, at, at->time_scale * at->time_scale);
-  cli_add(text, ",\n");
-  add_pairs(text, margin, form_names, form, 2);
-  cli_add(text, margin);
-  cli_add(text, "  \"eigenvalues\": [");
-  cli_add_real(text, first->value);
-  cli_add(text, ", ");
-  cli_add_real(text, second->value);
-  cli_add(text, "],\n");
-  cli_add(text, margin);
-  cli_add(text, "  \"directions\": [\n    ");
-  cli_add(text, margin);
+  cli_add_form(text,
+               ",\n"
+               "      \"J1\": %g, \"J2\": %g,\n"
+               "      \"eigenvalues\": [%g, %g],\n"
+               "      \"directions\": [\n  ",
+               (double)at->J1, (double)at->J2, (double)first->value,
+               (double)second->value);
   add_direction(text, first);
-  cli_add(text, ",\n    ");
-  cli_add(text, margin);
+  cli_add(text, ",\n  ");
   add_direction(text, second);
-  cli_add(text, "],\n");
-  cli_add(text, margin);
-  cli_add(text, "  \"type\": \"");
-  cli_add(text, tf_folds_name(at->type));
-  cli_add(text, "\", \"case\": ");
-  cli_add(text, cases[at->paper_case]);
-  cli_add(text, ",\n");
-  cli_add(text, margin);
-  cli_add(text, "  ");
-  add_pair(text, "time_scale", at->time_scale);
-  cli_add(text, ", ");
-  add_pair(text, "residual", at->residual);
-  cli_add(text, ",\n");
-  cli_add(text, margin);
-  cli_add(text, "  \"physical\": {");
+  cli_add_form(text,
+               "],\n"
+               "      \"type\": \"%s\", \"case\": %s,\n"
+               "      \"time_scale\": %g, \"residual\": %g,\n"
+               "      \"physical\": {",
+               tf_folds_name(at->type), cases[at->paper_case],
+               (double)at->time_scale, (double)at->residual);
   add_K(text, at, 1);
-  cli_add(text, "}\n");
-  cli_add(text, margin);
-  cli_add(text, "}");
+  cli_add(text, "}\n    }");
 }
 
 static int describe_all(const cli_analysis_t *a, cli_buffer_t *text) {
@@ -127,23 +79,19 @@ static int describe_all(const cli_analysis_t *a, cli_buffer_t *text) {
   tf_status_t status =
       tf_two_folds(&setup->machine, &setup->input, points, &count, &absence);
   cli_analysis_begin_json(a, FOLD_UNITS, text);
-  cli_add(text, "  \"count\": ");
-  cli_add_real(text, (tf_real_t)count);
-  cli_add(text, ",\n  \"reason\": ");
-  if (absence != TF_ABSENCE_NONE) {
-    cli_add(text, "\"");
-    cli_add(text, tf_absence_name(absence));
-    cli_add(text, "\"");
-  } else {
-    cli_add(text, "null");
-  }
-  cli_add(text, ",\n  \"two_folds\": [");
+  const bool absent = absence != TF_ABSENCE_NONE;
+  const char *quote = absent ? "\"" : "";
+  cli_add_form(text,
+               "  \"count\": %" PRIu64
+               ",\n  \"reason\": %s%s%s,\n  \"two_folds\": [",
+               (uint64_t)count, quote,
+               absent ? tf_absence_name(absence) : "null", quote);
   for (int i = 0; i < count && status == TF_OK; i++) {
     tf_two_fold_t at;
     status = tf_normal_form(&setup->machine, &setup->input, &points[i], &at);
     if (status == TF_OK) {
       cli_add(text, i > 0 ? ",\n" : "\n");
-      add_two_fold(text, &at, "    ");
+      add_two_fold(text, &at);
     }
   }
   cli_add(text, count > 0 ? "\n  ]\n}\n" : "]\n}\n");
@@ -210,16 +158,13 @@ static int refuse(const cli_analysis_t *a, const tf_design_t *design) {
 static void describe_design(const cli_analysis_t *a, const tf_design_t *design,
                             cli_buffer_t *text) {
   cli_analysis_begin_json(a, DESIGN_UNITS, text);
-  cli_add(text, "  \"kappa\": ");
-  cli_add_real(text, design->kappa);
-  cli_add(text, ",\n  \"k2\": ");
-  cli_add_real(text, design->k2);
-  cli_add(text, ",\n  \"set\": \"--set kappa=");
-  cli_add_real(text, design->kappa);
-  cli_add(text, " --set k2=");
-  cli_add_real(text, design->k2);
-  cli_add(text, "\",\n  \"two_fold\":\n");
-  add_two_fold(text, &design->two_fold, "    ");
+  const double kappa = (double)design->kappa, k2 = (double)design->k2;
+  cli_add_form(text,
+               "  \"kappa\": %g,\n  \"k2\": %g,\n"
+               "  \"set\": \"--set kappa=%g --set k2=%g\",\n"
+               "  \"two_fold\":\n",
+               kappa, k2, kappa, k2);
+  add_two_fold(text, &design->two_fold);
   cli_add(text, "\n}\n");
 }
 

@@ -95,12 +95,8 @@ static int regions_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
         CLI_STOPPED, "stopped at r = %g m, omega = %g rad/s, v = %g m/s: %s",
         (double)r, (double)omega, (double)v, tf_status_name(status));
   }
-  cli_add_real(&text, r);
-  cli_add(&text, ",");
-  cli_add_real(&text, omega);
-  cli_add(&text, ",");
-  cli_add(&text, tf_region_name(at.region));
-  cli_add(&text, ",");
+  cli_add_form(&text, "%g,%g,%s,", (double)r, (double)omega,
+               tf_region_name(at.region));
   if (at.lambda_is_given) {
     cli_add_real(&text, at.lambda);
   }
@@ -171,9 +167,7 @@ static int atlas_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
       design.k2 > 0,
   };
   bool all = exists;
-  cli_add_real(&text, r);
-  cli_add(&text, ",");
-  cli_add_real(&text, omega);
+  cli_add_form(&text, "%g,%g", (double)r, (double)omega);
   for (int i = 0; i < VALUES; i++) {
     cli_add(&text, ",");
     if (exists && isfinite(values[i])) {

@@ -5,6 +5,7 @@
 
 #include "files.h"
 
+#include <inttypes.h>
 #include <string.h>
 
 #include "../text/buffer.h"
@@ -28,12 +29,6 @@ static void add_field(cli_buffer_t *text, bool exists, double value) {
   }
 }
 
-static void add_name(cli_buffer_t *text, uint64_t sample, uint64_t cycle) {
-  cli_add_count(text, sample);
-  cli_add(text, ",");
-  cli_add_count(text, cycle);
-}
-
 static const char exit_header[] =
     "sample,cycle,time,r,omega,g,side,phase,how,section_time\n";
 static const char return_header[] =
@@ -47,12 +42,9 @@ static size_t exit_row(char out[ROW_ROOM], uint64_t sample, uint64_t cycle,
   if (!what->left) {
     return 0;
   }
-  add_name(&text, sample, cycle);
-  add_field(&text, true, what->exit_t - what->arrived);
-  add_field(&text, true, what->exit_r);
-  add_field(&text, true, what->exit_omega);
-  add_field(&text, true, what->exit_g);
-  cli_add(&text, what->side < 0 ? ",slip-" : ",slip+");
+  cli_add_form(&text, "%" PRIu64 ",%" PRIu64 ",%g,%g,%g,%g,%s", sample, cycle,
+               what->exit_t - what->arrived, what->exit_r, what->exit_omega,
+               what->exit_g, what->side < 0 ? "slip-" : "slip+");
   add_field(&text, what->phase >= 0, what->phase);
   cli_add(&text, what->released ? ",released" : ",left");
   add_field(&text, what->phase >= 0, what->section_t - what->arrived);
@@ -63,20 +55,15 @@ static size_t exit_row(char out[ROW_ROOM], uint64_t sample, uint64_t cycle,
 static size_t return_row(char out[ROW_ROOM], uint64_t sample, uint64_t cycle,
                          const cli_cycle_t *what) {
   cli_buffer_t text = empty(out);
-  add_name(&text, sample, cycle);
-  cli_add(&text, ",");
-  cli_add(&text, cli_outcome_name(what->outcome));
-  add_field(&text, true,
-            what->ended - (what->left ? what->exit_t : what->arrived));
-  add_field(&text, true, what->arrived);
+  cli_add_form(&text, "%" PRIu64 ",%" PRIu64 ",%s,%g,%g", sample, cycle,
+               cli_outcome_name(what->outcome),
+               what->ended - (what->left ? what->exit_t : what->arrived),
+               what->arrived);
   add_field(&text, what->left, what->exit_r);
   add_field(&text, what->landed, what->land_t - what->exit_t);
   add_field(&text, what->landed, what->land_r);
-  cli_add(&text, ",");
-  cli_add_count(&text, what->landings);
-  cli_add(&text, ",");
-  cli_add_count(&text, what->windings);
-  cli_add(&text, "\n");
+  cli_add_form(&text, ",%" PRIu64 ",%" PRIu64 "\n", what->landings,
+               what->windings);
   return text.used;
 }
 

@@ -3,6 +3,7 @@
 
 #include "job.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -127,16 +128,14 @@ void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
   cli_add(text, TF_VERSION);
   cli_add(text, sizeof(tf_real_t) == sizeof(float) ? " float" : " double");
   for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
-    cli_add(text, " ");
-    cli_add_count(text, counts[i]);
+    cli_add_form(text, " %" PRIu64, counts[i]);
   }
   for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
     cli_add(text, " ");
     cli_add_number(text, numbers[i], false);
   }
   for (size_t i = 0; i < 4 && !job->at_two_fold; i++) {
-    cli_add(text, " ");
-    cli_add_real(text, start[i]);
+    cli_add_form(text, " %g", (double)start[i]);
   }
 }
 

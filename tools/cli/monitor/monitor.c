@@ -327,9 +327,7 @@ static int judge_stream(const monitor_t *monitor, int code) {
                        "%s: frames were lost or broken, as is counted",
                        monitor->source.name);
   }
-  if (code == CLI_DONE) {
-    code = judge_whole(monitor);
-  }
+  code = code == CLI_DONE ? judge_whole(monitor) : code;
   if (code == CLI_DONE && damage->not_finite > 0) {
     return CLI_DAMAGED;
   }

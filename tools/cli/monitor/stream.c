@@ -3,6 +3,7 @@
 
 #include "stream.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
@@ -21,8 +22,7 @@ static size_t plotter(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
 static void teleplot_name(cli_buffer_t *text, const cli_csv_t *row,
                           const char *name) {
   const double ms = row->column[0] * 1000;
-  cli_add(text, name);
-  cli_add(text, ":");
+  cli_add_form(text, "%s:", name);
   cli_add_number(text, row->is_float ? (double)(float)ms : ms, row->is_float);
   cli_add(text, ":");
 }
@@ -32,16 +32,13 @@ static size_t teleplot(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
   for (size_t i = 1; i < row->columns; i++) {
     teleplot_name(&text, row, cli_csv_columns[i].name);
     cli_add_number(&text, row->column[i], row->is_float);
-    cli_add(&text, "\xC2\xA7"); // the section sign, before the unit
-    cli_add(&text, cli_csv_columns[i].unit);
-    cli_add(&text, "|g\n");
+    // The section sign stands before the unit.
+    cli_add_form(&text, "\xC2\xA7%s|g\n", cli_csv_columns[i].unit);
   }
   teleplot_name(&text, row, "mode");
-  cli_add(&text, tf_mode_name(row->mode));
-  cli_add(&text, "|t\n");
+  cli_add_form(&text, "%s|t\n", tf_mode_name(row->mode));
   teleplot_name(&text, row, "choices");
-  cli_add_count(&text, row->choices);
-  cli_add(&text, "|g\n");
+  cli_add_form(&text, "%" PRIu64 "|g\n", (uint64_t)row->choices);
   return text.used;
 }
 
@@ -58,16 +55,11 @@ static size_t json(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
   cli_add(&text, "{\"timestamp\":");
   json_number(&text, row, 0);
   for (size_t i = 1; i < row->columns; i++) {
-    cli_add(&text, ",\"");
-    cli_add(&text, cli_csv_columns[i].name);
-    cli_add(&text, "\":");
+    cli_add_form(&text, ",\"%s\":", cli_csv_columns[i].name);
     json_number(&text, row, i);
   }
-  cli_add(&text, ",\"mode\":");
-  cli_add_count(&text, row->mode);
-  cli_add(&text, ",\"choices\":");
-  cli_add_count(&text, row->choices);
-  cli_add(&text, "}\n");
+  cli_add_form(&text, ",\"mode\":%" PRIu64 ",\"choices\":%" PRIu64 "}\n",
+               (uint64_t)row->mode, (uint64_t)row->choices);
   return text.used;
 }
 

@@ -2,6 +2,7 @@
 
 #include "record.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
@@ -40,19 +41,15 @@ size_t cli_run_changes(const cli_run_t *run, char out[CLI_CHANGES_ROOM]) {
     const tf_real_t value = cli_parameter(&now.params, i);
     const tf_real_t before = cli_parameter(was, i);
     if (memcmp(&value, &before, sizeof value) != 0) {
-      cli_add(&text, " --set ");
-      cli_add(&text, tf_parameter_ranges[i].name);
-      cli_add(&text, "=");
-      cli_add_real(&text, value);
+      cli_add_form(&text, " --set %s=%g", tf_parameter_ranges[i].name,
+                   (double)value);
     }
   }
   const bool draws = now.params.rule == TF_RULE_RANDOM;
   if (was->rule != now.params.rule || (draws && run->setup->seed != now.seed)) {
-    cli_add(&text, " --select ");
-    cli_add(&text, tf_rule_name(now.params.rule));
+    cli_add_form(&text, " --select %s", tf_rule_name(now.params.rule));
     if (draws) {
-      cli_add(&text, ":");
-      cli_add_count(&text, now.seed);
+      cli_add_form(&text, ":%" PRIu64, (uint64_t)now.seed);
     }
   }
   return text.used;

@@ -244,9 +244,7 @@ int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
                      const cli_scheme_t *scheme, uint64_t *steps) {
   const uint8_t *schema = replay->schema.data;
   int code = compare(replay, setup, scheme);
-  if (code == CLI_DONE) {
-    code = count_steps(replay, steps);
-  }
+  code = code == CLI_DONE ? count_steps(replay, steps) : code;
   if (code != CLI_DONE) {
     return code;
   }

@@ -5,6 +5,8 @@
 
 #include "row.h"
 
+#include <inttypes.h>
+
 #include "../text/buffer.h"
 
 #define PLOTTED 6 // columns from the second up to this one
@@ -29,26 +31,20 @@ size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
     }
     cli_add(&text, ",");
   }
-  cli_add(&text, tf_mode_name(row->mode));
-  cli_add(&text, ",");
-  cli_add_count(&text, row->choices);
-  cli_add(&text, "\n");
+  cli_add_form(&text, "%s,%" PRIu64 "\n", tf_mode_name(row->mode),
+               (uint64_t)row->choices);
   return text.used;
 }
 
 size_t cli_plotter_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
   for (size_t i = 1; i < PLOTTED && i < row->columns; i++) {
-    cli_add(&text, cli_csv_columns[i].name);
-    cli_add(&text, ":");
+    cli_add_form(&text, "%s:", cli_csv_columns[i].name);
     cli_add_number(&text, row->column[i], row->is_float);
     cli_add(&text, " ");
   }
-  cli_add(&text, "mode:");
-  cli_add_count(&text, row->mode);
-  cli_add(&text, " choices:");
-  cli_add_count(&text, row->choices);
-  cli_add(&text, "\n");
+  cli_add_form(&text, "mode:%" PRIu64 " choices:%" PRIu64 "\n",
+               (uint64_t)row->mode, (uint64_t)row->choices);
   return text.used;
 }
 

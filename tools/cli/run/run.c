@@ -221,20 +221,16 @@ static void write_provenance(const cli_run_t *run, const char *units,
   if (!run->provenance) {
     return;
   }
-  cli_add(&text, "scheme ");
-  cli_add(&text, run->scheme->name);
-  cli_add(&text, ", dt ");
-  cli_add_real(&text, run->setup->machine.dt);
-  cli_add(&text, " s");
+  cli_add_form(&text, "scheme %s, dt %g s", run->scheme->name,
+               (double)run->setup->machine.dt);
   if (table->count > 0) {
     (void)snprintf(hash, sizeof hash, "%08" PRIx32, cli_inputs_hash(table));
-    cli_add(&text, table->linear ? ", linear inputs " : ", held inputs ");
-    cli_add(&text, hash);
+    cli_add_form(&text, ", %s inputs %s", table->linear ? "linear" : "held",
+                 hash);
   }
   cli_add(&text, run->replays ? ", replayed from a record that begins so" : "");
   if (run->first > 0) {
-    cli_add(&text, ", from step ");
-    cli_add_count(&text, run->first);
+    cli_add_form(&text, ", from step %" PRIu64, run->first);
   }
   const size_t written = cli_provenance(run->setup, how, units, lines);
   (void)cli_output_lines(output, lines, written);

@@ -183,15 +183,9 @@ int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
   }
   const size_t skipped = cli_utf8_mark(text, size);
   int code = read_lines(&reader, text + skipped, size - skipped);
-  if (code == CLI_DONE) {
-    code = check_start(&reader);
-  }
-  if (code == CLI_DONE) {
-    code = check_parameters(&reader);
-  }
-  if (code == CLI_DONE) {
-    code = name_it(&reader);
-  }
+  code = code == CLI_DONE ? check_start(&reader) : code;
+  code = code == CLI_DONE ? check_parameters(&reader) : code;
+  code = code == CLI_DONE ? name_it(&reader) : code;
   file->scene.name = file->name;
   file->scene.shows = file->shows;
   file->scene.leaves_out = file->leaves_out;

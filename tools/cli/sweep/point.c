@@ -51,8 +51,8 @@ void cli_point_name(const cli_args_t *args, uint64_t index,
   indices_of(args, index, at);
   cli_add_count(text, index);
   for (size_t i = 0; i < args->axes; i++) {
-    cli_add(text, ",");
-    cli_add_real(text, cli_range_at(&args->axis[i].range, at[i]));
+    cli_add_form(text, ",%g",
+                 (double)cli_range_at(&args->axis[i].range, at[i]));
   }
 }
 
@@ -118,9 +118,7 @@ static int check_end(const cli_sweep_t *sweep, bool last, uint32_t *hash) {
     }
   }
   int code = prepare(&point, &steps);
-  if (code == CLI_DONE) {
-    code = cli_setup_check_starts(&point.setup);
-  }
+  code = code == CLI_DONE ? cli_setup_check_starts(&point.setup) : code;
   if (code == CLI_DONE && !last) {
     *hash = cli_scene_hash(&point.setup);
     cli_setup_notes(&point.setup, sweep->scheme->unused, sweep->scheme->why);
@@ -197,9 +195,7 @@ cli_point_end_t cli_point(const cli_sweep_t *sweep, uint64_t index,
   place(&point, sweep, index);
   cli_message_divert(point.reason, REASON_ROOM);
   int code = prepare(&point, &steps);
-  if (code == CLI_DONE) {
-    code = cli_setup_start(&point.setup);
-  }
+  code = code == CLI_DONE ? cli_setup_start(&point.setup) : code;
   cli_message_divert(NULL, 0);
   const cli_point_end_t end =
       code == CLI_DONE ? follow(&point, steps) : CLI_POINT_REFUSED;
@@ -209,11 +205,7 @@ cli_point_end_t cli_point(const cli_sweep_t *sweep, uint64_t index,
   drop_commas(point.reason);
   cli_buffer_t text = {row, 0, CLI_SWEEP_ROW, false};
   cli_point_name(args, index, &text);
-  cli_add(&text, ",");
-  cli_add(&text, cli_point_status(end));
-  cli_add(&text, ",");
-  cli_add(&text, point.reason);
-  cli_add(&text, ",");
+  cli_add_form(&text, ",%s,%s,", cli_point_status(end), point.reason);
   if (end != CLI_POINT_REFUSED) {
     cli_add_real(&text, (tf_real_t)point.course.t);
   }

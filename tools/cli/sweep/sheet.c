@@ -43,57 +43,43 @@ static const char *unit_of(const char *name) {
 static void add_header(const cli_args_t *args, cli_buffer_t *text) {
   cli_add(text, "point");
   for (size_t i = 0; i < args->axes; i++) {
-    cli_add(text, ",");
-    cli_add(text, args->axis[i].name);
+    cli_add_form(text, ",%s", args->axis[i].name);
   }
   cli_add(text, ",status,reason,t");
   for (size_t i = 0; i < args->measures; i++) {
-    cli_add(text, ",");
-    cli_add(text, cli_measures[args->measure[i]].name);
+    cli_add_form(text, ",%s", cli_measures[args->measure[i]].name);
   }
   cli_add(text, "\n");
-}
-
-// One word of the command line.
-static void add_word(cli_buffer_t *text, const char *option,
-                     const char *value) {
-  cli_add(text, " ");
-  cli_add(text, option);
-  cli_add(text, " ");
-  cli_add(text, value);
 }
 
 // The command that makes the rows of all shards.
 static void add_command(const cli_sheet_t *sheet, cli_buffer_t *text) {
   const cli_args_t *args = sheet->args;
-  char digits[CLI_REAL_ROOM];
-  cli_add(text, "# twofold " TF_VERSION ", commit ");
-  cli_add(text, cli_commit);
-  cli_add(text, ", numbers are " CLI_NUMBER_TYPE ": sweep ");
-  cli_add(text, args->scene->name);
-  add_word(text, "--scheme", cli_schemes[args->scheme].name);
-  (void)cli_write_real(digits, cli_end_of(args));
-  add_word(text, "--t-end", digits);
+  cli_add_form(text,
+               "# twofold %s, commit %s, numbers are %s: sweep %s --scheme %s "
+               "--t-end %g",
+               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, args->scene->name,
+               cli_schemes[args->scheme].name, (double)cli_end_of(args));
   if (args->select != NULL) {
-    add_word(text, "--select", args->select);
+    cli_add_form(text, " --select %s", args->select);
   }
   if (args->drive.inputs != NULL) {
-    add_word(text, "--inputs", args->drive.inputs);
-    add_word(text, "--between", args->drive.between);
-    (void)snprintf(digits, sizeof digits, " (%08" PRIx32 ")", sheet->inputs);
-    cli_add(text, digits);
+    char hash[9];
+    (void)snprintf(hash, sizeof hash, "%08" PRIx32, sheet->inputs);
+    cli_add_form(text, " --inputs %s --between %s (%s)", args->drive.inputs,
+                 args->drive.between, hash);
   }
   for (size_t i = 0; i < args->settings.count; i++) {
     const cli_setting_t *setting = &args->settings.list[i];
     if (strcmp(setting->option, "--over") != 0) {
-      add_word(text, setting->option, setting->text);
+      cli_add_form(text, " %s %s", setting->option, setting->text);
     }
   }
   for (size_t i = 0; i < args->axes; i++) {
-    add_word(text, "--over", args->axis[i].range.text);
+    cli_add_form(text, " --over %s", args->axis[i].range.text);
   }
   for (size_t i = 0; i < args->measures; i++) {
-    add_word(text, "--outcome", cli_measures[args->measure[i]].name);
+    cli_add_form(text, " --outcome %s", cli_measures[args->measure[i]].name);
   }
 }
 
@@ -113,17 +99,9 @@ static void name_run(cli_sheet_t *sheet, uint32_t hash) {
   cli_trailer_name(&sheet->trailer, command, text.used);
 }
 
-static void add_shard(const cli_shard_t *shard, cli_buffer_t *text) {
-  char digits[CLI_REAL_ROOM];
-  (void)snprintf(digits, sizeof digits, "%" PRIu64 "/%" PRIu64, shard->index,
-                 shard->of);
-  add_word(text, "--shard", digits);
-}
-
 static void add_unit(cli_buffer_t *text, const char *name, const char *unit) {
   if (unit[0] != '\0') {
-    add_word(text, name, unit);
-    cli_add(text, ",");
+    cli_add_form(text, " %s %s,", name, unit);
   }
 }
 
@@ -147,7 +125,8 @@ static bool make_prologue(cli_sheet_t *sheet, uint32_t hash) {
   }
   sheet->header = text.used;
   add_command(sheet, &text);
-  add_shard(&sheet->args->shard, &text);
+  cli_add_form(&text, " --shard %" PRIu64 "/%" PRIu64, sheet->args->shard.index,
+               sheet->args->shard.of);
   add_scene(hash, &text);
   add_units(sheet->args, &text);
   sheet->length = text.used;

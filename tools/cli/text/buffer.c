@@ -4,19 +4,49 @@
 #include "buffer.h"
 
 #include <inttypes.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "number.h"
 
-void cli_add(cli_buffer_t *buffer, const char *text) {
-  const size_t length = strlen(text);
+static void add_bytes(cli_buffer_t *buffer, const char *bytes, size_t length) {
   if (length >= buffer->room - buffer->used) {
     buffer->truncated = true;
     return;
   }
-  memcpy(buffer->text + buffer->used, text, length + 1);
+  memcpy(buffer->text + buffer->used, bytes, length);
   buffer->used += length;
+  buffer->text[buffer->used] = '\0';
+}
+
+void cli_add(cli_buffer_t *buffer, const char *text) {
+  add_bytes(buffer, text, strlen(text));
+}
+
+// What is between two conversions is added as it is. The letters are those of
+// printf, so that a compiler checks the arguments.
+void cli_add_form(cli_buffer_t *buffer, const char *form, ...) {
+  va_list arguments;
+  va_start(arguments, form);
+  while (*form != '\0') {
+    const size_t plain = strcspn(form, "%");
+    add_bytes(buffer, form, plain);
+    form += plain;
+    if (*form == '\0') {
+      break;
+    }
+    form += strspn(form, "%l"); // of a count: the length of its type
+    if (*form == 's') {
+      cli_add(buffer, va_arg(arguments, const char *));
+    } else if (*form == 'g') {
+      cli_add_real(buffer, (tf_real_t)va_arg(arguments, double));
+    } else {
+      cli_add_count(buffer, va_arg(arguments, uint64_t));
+    }
+    form++;
+  }
+  va_end(arguments);
 }
 
 void cli_add_real(cli_buffer_t *buffer, tf_real_t value) {

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "message.h"
 #include "twofold/real.h"
 
 /// The text always ends with a zero. What does not fit is left out, and
@@ -18,6 +19,11 @@ typedef struct {
 } cli_buffer_t;
 
 void cli_add(cli_buffer_t *buffer, const char *text);
+
+/// Appends a form, in which %s stands for a text, %g for a number of the real
+/// type of this program, PRIu64 for a count. There are no other conversions.
+void cli_add_form(cli_buffer_t *buffer, const char *form, ...) CLI_PRINTF(2, 3);
+
 void cli_add_real(cli_buffer_t *buffer, tf_real_t value);
 void cli_add_count(cli_buffer_t *buffer, uint64_t value);
 
