@@ -18,6 +18,8 @@
 // The headers declare functions of other schemes, which are not defined here.
 #pragma GCC diagnostic ignored "-Wunused-function"
 
+// Before the public headers, see there.
+#include "../src/num/rounding.h"
 #include "twofold/compensated.h"
 #include "twofold/link.h"
 #include "twofold/located.h"
@@ -64,9 +66,8 @@
 #include "../src/moreau/compensated.c"
 #include "../src/moreau/prepare_compensated.c"
 #endif
-#include "../src/moreau/least_violation.c"
-#include "../src/moreau/scheme.c"
-#include "../src/moreau/single_valued.c"
+#include "../src/moreau/rare_end.c"
+#include "../src/moreau/report.c"
 #include "../src/moreau/step.c"
 
 #ifdef SCHEME_LOCATED

@@ -22,7 +22,7 @@ typedef enum {
 #define TF_TYRE_LAWS 6
 
 /// Name of a law of friction: "jump" "coulomb" "two_piece" "string" "smooth"
-/// "none". Never NULL.
+/// "none"; from TF_TYRE_LAWS on one that begins with "unknown".
 #define tf_tyre_law_name TF_LINK(tf_tyre_law_name)
 TF_API const char *tf_tyre_law_name(unsigned law);
 

@@ -5,8 +5,7 @@
 
 #include "../friction/slip_residual.h"
 #include "../model/step_length.h"
-#include "../moreau/outcome.h"
-#include "../moreau/standing.h"
+#include "../moreau/report.h"
 #include "limit_direction.h"
 #include "transition.h"
 
@@ -126,8 +125,7 @@ static bool integrate_segment(trajectory_t *path, bool ask_for_stiffness) {
 
   // Advance. In stick the series of q = r z is truncated, which leaves an h.
   tf_advance(path, 0, time);
-  if (path->mode == TF_STICK_PLUS || path->mode == TF_STICK_MINUS)
-    tf_project(path);
+  if (is_stick(path->mode)) tf_project(path);
   if ((event == EVENT_H_ZERO || event == EVENT_G_ZERO) &&
       path->motion.machine->stick_kappa > 0 && is_at_codim2(path, span, start))
     event = EVENT_CODIM2;
@@ -200,8 +198,7 @@ static tf_status_t finish_by_fixed_step(const trajectory_t *path,
 static tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
   const tf_machine_t *k = path->motion.machine;
   const outcome_t stick = {.mode = path->mode};
-  if (path->mode > TF_SLIP_MINUS)
-    return mode_residual(k, &stick, path->force, slip);
+  if (!is_slip(path->mode)) return mode_residual(k, &stick, path->force, slip);
   return slip_law_residual(&k->tyre, path->mode == TF_SLIP_PLUS ? 1 : -1,
                            path->force, slip);
 }
@@ -245,15 +242,14 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
       slip_rounding(k, end.r, end.v, end.w, input->omega0);
   const tf_status_t status = status_by_signs(
       report, rounding + k->tolerance / SLIP_ROUNDINGS * rounding);
-  return stays ? judge_standing(k, input, state, report) : status;
+  return stays ? tf_status_of_stall(k, input, state, report) : status;
 }
 
 // Without a moment nothing ends a stick where g changes its sign: which of both
 // names it has is decided by where it is at the end.
 static void name_stick(trajectory_t *path) {
   const unsigned sticks = path->set & STICKS;
-  if (path->motion.machine->stick_kappa > 0 || !(path->mode > TF_SLIP_MINUS))
-    return;
+  if (path->motion.machine->stick_kappa > 0 || is_slip(path->mode)) return;
   path->mode = trajectory_slip(path).g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
   path->set = (path->set & ~sticks) | TF_MODE_BIT(path->mode);
 }

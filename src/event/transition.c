@@ -14,9 +14,9 @@ static void keep_largest_set(trajectory_t *path, unsigned set) {
 // Begins a segment in a mode; slip: the contact if the mode is a slip.
 static void enter_mode(trajectory_t *path, unsigned mode, contact_t slip,
                        segment_t segment) {
-  segment.contact = mode == TF_PINNED       ? CONTACT_PINNED
-                    : mode <= TF_SLIP_MINUS ? slip
-                                            : CONTACT_STICK;
+  segment.contact = mode == TF_PINNED ? CONTACT_PINNED
+                    : is_slip(mode)   ? slip
+                                      : CONTACT_STICK;
   path->mode = mode;
   path->segment = segment;
 }
@@ -41,7 +41,7 @@ static bool leave_h_zero(trajectory_t *path) {
   surface_modes(path->motion.machine, &rates, minus, &consistent);
   const unsigned mode = selected_mode(path, &consistent.solutions);
   if (mode == TF_NO_MODE) return false;
-  if (mode > TF_SLIP_MINUS) tf_project(path);
+  if (!is_slip(mode)) tf_project(path);
   enter_mode(path, mode, CONTACT_SLIP,
              (segment_t){.sign_h = mode == TF_SLIP_MINUS ? -1 : 1,
                          .sign_g = minus ? -1 : 1,
@@ -72,7 +72,7 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
   keep_largest_set(path, consistent.solutions.set);
   if (mode == TF_NO_MODE) return false;
   segment_t segment = {.h_zero_order = 1, .g_starts_at_zero = true};
-  if (mode <= TF_SLIP_MINUS) {
+  if (is_slip(mode)) {
     segment.sign_h = mode == TF_SLIP_PLUS ? 1 : -1;
     segment.sign_g = consistent.sign_g[mode];
     segment.T = consistent.T[mode];
@@ -169,7 +169,7 @@ TF_API bool tf_first_segment(trajectory_t *path) {
 }
 
 // Without an event the same contact goes on, now away from where it began.
-static bool go_on(segment_t *segment) {
+static bool continue_segment(segment_t *segment) {
   if (segment->contact == CONTACT_CODIM2_SLIP) segment->contact = CONTACT_SLIP;
   if (segment->contact == CONTACT_TWO_FOLD_STICK)
     segment->contact = CONTACT_STICK;
@@ -219,7 +219,7 @@ static bool pass_two_fold(trajectory_t *path) {
 TF_API bool tf_next_segment(trajectory_t *path, event_t event) {
   switch (event) {
     case EVENT_NONE:
-      return go_on(&path->segment);
+      return continue_segment(&path->segment);
     case EVENT_G_ZERO:
       return pass_g_zero(&path->segment);
     case EVENT_H_ZERO:

@@ -85,7 +85,7 @@ TF_API unsigned tf_leave_codim2(const tf_machine_t *k,
                                 const consistent_modes_t *modes) {
   solutions_t s = modes->solutions;
   // Where the law of stick holds the wheel, a stick that arrives goes on.
-  if (arrives && from > TF_SLIP_MINUS &&
+  if (arrives && !is_slip(from) &&
       rests_under(TF_REST_BOW_TIE, field->pin.x, field->pin.y))
     s.attracting |= (uint8_t)TF_MODE_BIT(TF_PINNED);
   const bool lost = arrives || (from != TF_PINNED && !has(s.set, from));

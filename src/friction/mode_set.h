@@ -10,11 +10,17 @@
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 #define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))
 
+TF_INLINE bool is_slip(unsigned mode) { return mode <= TF_SLIP_MINUS; }
+
+TF_INLINE bool is_stick(unsigned mode) {
+  return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
+}
+
 TF_INLINE bool has(unsigned set, unsigned mode) { return (set >> mode) & 1u; }
 
 // Whether a mode that is consistent goes on under every rule, so that tf_select
 // is not asked.
-TF_INLINE bool goes_on(unsigned set, unsigned attracting, unsigned mode) {
+TF_INLINE bool continues(unsigned set, unsigned attracting, unsigned mode) {
   return set & TF_MODE_BIT(mode) & (SLIPS | attracting);
 }
 

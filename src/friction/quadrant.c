@@ -146,15 +146,15 @@ static separators_t find_separators(const tf_tyre_t *tyre,
                                     const quadrant_t *q) {
   const tf_real_t slope = q->h1 * q->h1 + q->g1 * q->g1;
   const tf_real_t half = q->h0 * q->h1 + q->g0 * q->g1;
-  const tf_real_t swing = tyre->T_series[0] * (q->h0 * q->g1 - q->g0 * q->h1);
-  const tf_real_t constant = swing - q->h0 * q->h0 - q->g0 * q->g0;
-  const tf_real_t discriminant = half * half - (swing - slope) * constant;
+  const tf_real_t turning = tyre->T_series[0] * (q->h0 * q->g1 - q->g0 * q->h1);
+  const tf_real_t constant = turning - q->h0 * q->h0 - q->g0 * q->g0;
+  const tf_real_t discriminant = half * half - (turning - slope) * constant;
   separators_t out = {{-half / slope, NO_SEPARATOR, NO_SEPARATOR}};
   if (!(discriminant > 0)) return out;
   const tf_real_t root = square_root(discriminant);
   const tf_real_t sum = half < 0 ? half - root : half + root;
   tf_real_t *T = out.T;
-  T[1] = sum / (swing - slope);
+  T[1] = sum / (turning - slope);
   T[2] = constant / sum;
   order_two(T);
   order_two(T + 1);

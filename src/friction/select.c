@@ -71,7 +71,7 @@ TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
   const unsigned set = solutions->set;
   const unsigned sticks = set & STICKS, slips = set & SLIPS;
   const unsigned attracting = set & solutions->attracting;
-  const bool slipping = mode <= TF_SLIP_MINUS;
+  const bool slipping = is_slip(mode);
   const bool lost = !has(set, mode);
   const bool waits_for_draw = mode == TF_PINNED && rule == TF_RULE_RANDOM;
   if (!lost && (slipping || has(attracting & STICKS, mode))) return mode;

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "../num/rounding.h"
+#include "twofold/real.h"
 
 // The longest: "-1.23456e-308".
 #define DECIMAL_SIZE 13

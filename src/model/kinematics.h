@@ -5,14 +5,24 @@
 #include "../num/kernel.h"
 #include "twofold/machine.h"
 
-// p = v - d z, the speed along the slider that the slip sees. In the kinetic
-// energy w stands in place of z.
+// Where a step begins or ends.
+typedef struct {
+  tf_real_t r, v, w;
+} end_state_t;
+
+// p = v - d z, the speed along the slider that the slip sees.
 TF_INLINE tf_real_t slider_speed(const tf_machine_t *k, tf_real_t v,
                                  tf_real_t z) {
   return v - k->d * z;
 }
 
-// And back.
+// P = v - d w, the same seen from the ground: the kinetic energy has m P^2/2.
+TF_INLINE tf_real_t ground_speed(const tf_machine_t *k, tf_real_t v,
+                                 tf_real_t w) {
+  return v - k->d * w;
+}
+
+// v from p and z, or from P and w.
 TF_INLINE tf_real_t slider_velocity(const tf_machine_t *k, tf_real_t p,
                                     tf_real_t z) {
   return p + k->d * z;

@@ -25,11 +25,11 @@ TF_INLINE tf_real_t inertia_at(const tf_machine_t *k, tf_real_t r) {
 }
 
 // Twice the energy: of the slider, the disc and the spring from r0. Of v the
-// slider's part is what is left beside the disc's, p = v - d w.
+// slider's part is what is left beside the disc's, P = v - d w.
 TF_INLINE tf_real_t twice_energy(const tf_machine_t *k, tf_real_t r,
                                  tf_real_t v, tf_real_t w, tf_real_t r0) {
-  const tf_real_t p = slider_speed(k, v, w), stretch = r - r0;
-  return k->m * p * p + inertia_at(k, r) * w * w + k->k2 * stretch * stretch;
+  const tf_real_t P = ground_speed(k, v, w), stretch = r - r0;
+  return k->m * P * P + inertia_at(k, r) * w * w + k->k2 * stretch * stretch;
 }
 
 // m beta^2, the inertia of the disc, in pairs: tf_machine_t.beta2 is rounded.

@@ -54,10 +54,13 @@ static tf_force_t string_force(const tf_tyre_t *tyre, tf_real_t h,
   return (tf_force_t){h < 0 ? -F : F, (h < 0) != (g < 0) ? -M : M};
 }
 
+static const char *const law_names[] = {"jump",   "coulomb", "two_piece",
+                                        "string", "smooth",  "none"};
+typedef char each_law_has_a_name
+    [sizeof law_names / sizeof *law_names == TF_TYRE_LAWS ? 1 : -1];
+
 TF_API const char *tf_tyre_law_name(unsigned law) {
-  static const char *const names[TF_TYRE_LAWS] = {
-      "jump", "coulomb", "two_piece", "string", "smooth", "none"};
-  return law < TF_TYRE_LAWS ? names[law] : "unknown law";
+  return law < TF_TYRE_LAWS ? law_names[law] : "unknown law";
 }
 
 TF_API tf_force_t tf_tyre_force(const tf_tyre_t *tyre, tf_real_t side,

@@ -109,7 +109,7 @@ TF_INLINE multipliers_t multipliers_at(const tf_tyre_t *tyre, tf_real_t T) {
 
 // Whether the force of a slip differs by more than 1/16 of the largest from
 // that of its start.
-TF_INLINE bool force_swings(multipliers_t first, multipliers_t then) {
+TF_INLINE bool force_turns(multipliers_t first, multipliers_t then) {
   return magnitude(then.x - first.x) + magnitude(then.y - first.y) >
          TF_R(0x1p-4);
 }

@@ -5,12 +5,13 @@
 // theta dv, w_t alike, v_a, w_a and r_a the means of the two ends, J_a the mean
 // of m (beta^2 + r^2) and eta = theta - 1/2,
 //   E+ - E = work of inputs, dampers and friction at (v_t, w_t), arm r_t, + D
-//   D = (J_a - J(r_t)) w_t dw - eta (m dp^2 + J_a dw^2 + k2 dt^2 v_t^2)
+//   D = (J_a - J(r_t)) w_t dw - eta (m dP^2 + J_a dw^2 + k2 dt^2 v_t^2)
 //       + m dt [ r_a v_t (w_a^2 + dw^2/4) - r_t v_t (w_t^2 + theta^2 dw^2)
 //                + 2 theta^2 r_t w_t dv dw ]                          (17)
 #ifndef TF_BALANCE_H
 #define TF_BALANCE_H
 
+#include "../friction/mode_set.h"
 #include "linear.h"
 
 // The most energy that a step may create, as a share of the mean of its ends: n
@@ -29,8 +30,8 @@
 // What an impulse changes, squared, as a share of the sum of both ends.
 #define TF_IMPULSE_SHARE TF_R(0x1p-4)
 
-// What the swing of a force within a step may change, squared, likewise.
-#define TF_SWING_SHARE TF_R(0x1p-11)
+// What the turn of a force within a step may change, squared, likewise.
+#define TF_TURN_SHARE TF_R(0x1p-11)
 
 // How much of it a step with theta > 1/2 may damp out.
 #define TF_DAMPED_SHARE TF_R(0.25)
@@ -40,7 +41,7 @@ TF_INLINE tf_real_t created_by_theta(const tf_machine_t *k, tf_real_t r,
                                      tf_real_t v, tf_real_t w, tf_real_t dv,
                                      tf_real_t dw) {
   const tf_real_t th = k->theta, th2 = th * th, eta = th - TF_R(0.5);
-  const tf_real_t dt = k->dt, dp = slider_speed(k, dv, dw), dw2 = dw * dw;
+  const tf_real_t dt = k->dt, dP = ground_speed(k, dv, dw), dw2 = dw * dw;
   const tf_real_t vt = v + th * dv, wt = w + th * dw, wa = w + dw / 2;
   const tf_real_t travel = dt * vt, rt = r_at_theta(k, r, v);
   const tf_real_t ahead = dt * (th * dv / 2 - eta * v), ra = rt + ahead;
@@ -48,18 +49,18 @@ TF_INLINE tf_real_t created_by_theta(const tf_machine_t *k, tf_real_t r,
       ahead * (ra + rt) + travel * travel / 4; // (J_a - J(r_t)) / m
   const tf_real_t centrifugal =
       ra * (wa * wa + dw2 / 4) - rt * (wt * wt + th2 * dw2);
-  const tf_real_t damped = dp * dp + (k->beta2 + rt * rt + dJ) * dw2;
+  const tf_real_t damped = dP * dP + (k->beta2 + rt * rt + dJ) * dw2;
   return k->m * (dJ * wt * dw + travel * centrifugal +
                  2 * th2 * dt * rt * wt * dv * dw - eta * damped) -
          eta * k->k2 * (travel * travel);
 }
 
 // What a step has done, from a state (r, v, w) to an end under a force F. With
-// p = v - d w, s = r - r0:
+// P = v - d w, s = r - r0:
 typedef struct {
   tf_real_t created;  // D, (17) [J]
   tf_real_t friction; // dt times -F h_t: > 0 where friction puts energy in [J]
-  tf_real_t product;  // m (p p+ + (beta^2 + r r+) w w+) + k2 s s+ [J]
+  tf_real_t product;  // m (P P+ + (beta^2 + r r+) w w+) + k2 s s+ [J]
 } balance_t;
 
 // At theta = 1/2
@@ -76,8 +77,8 @@ TF_INLINE balance_t balance_of(const tf_machine_t *k, bool midpoint,
   const tf_real_t dv = end.v - v, dw = end.w - w, dt_dv = k->dt * dv;
   const tf_real_t vt = v + k->theta * dv, wt = w + k->theta * dw;
   const tf_real_t rt = r_at_theta(k, r, v), move = k->theta_dt * vt;
-  const tf_real_t p = slider_speed(k, v, w);
-  const tf_real_t end_p = slider_speed(k, end.v, end.w);
+  const tf_real_t P = ground_speed(k, v, w);
+  const tf_real_t end_P = ground_speed(k, end.v, end.w);
   const tf_real_t half = k->theta_dt * end.v;
   balance_t b;
   b.created = midpoint ? k->m * (wt * dw * (rt * dt_dv + half * half) +
@@ -88,7 +89,7 @@ TF_INLINE balance_t balance_of(const tf_machine_t *k, bool midpoint,
   b.friction = k->dt * F *
                (slider_speed(k, vt, wt - u->omega0) * k->sin_gamma +
                 (rt * wt - (r + move) * u->omega0) * k->cos_gamma);
-  b.product = k->m * (p * end_p + (k->beta2 + r * end.r) * (w * end.w)) +
+  b.product = k->m * (P * end_P + (k->beta2 + r * end.r) * (w * end.w)) +
               k->k2 * ((r - u->r0) * (end.r - u->r0));
   return b;
 }
@@ -128,21 +129,21 @@ TF_INLINE bool creates_energy(const balance_t *b, tf_real_t energy) {
 // Whether a slip ends in stick or rest within a step: then the direction of
 // its force has changed to that at the end, which alone the step knows.
 TF_INLINE bool ends_slip(unsigned from, unsigned mode) {
-  return from <= TF_SLIP_MINUS && mode > TF_SLIP_MINUS;
+  return is_slip(from) && !is_slip(mode);
 }
 
-// Whether a change of the velocities p and w is large in the norm of the
+// Whether a change of the velocities P and w is large in the norm of the
 // kinetic energy: its square is more than a share of the sum of those at both
 // ends.
 TF_INLINE bool changes_much(const tf_machine_t *k, end_state_t from,
-                            end_state_t to, tf_real_t dp, tf_real_t dw,
+                            end_state_t to, tf_real_t dP, tf_real_t dw,
                             tf_real_t share) {
-  const tf_real_t p0 = slider_speed(k, from.v, from.w);
-  const tf_real_t p1 = slider_speed(k, to.v, to.w);
+  const tf_real_t P0 = ground_speed(k, from.v, from.w);
+  const tf_real_t P1 = ground_speed(k, to.v, to.w);
   const tf_real_t R2 = gyration2_at(k, to.r);
   const tf_real_t of_both =
-      p0 * p0 + p1 * p1 + R2 * (from.w * from.w + to.w * to.w);
-  return !(dp * dp + R2 * (dw * dw) <= share * of_both);
+      P0 * P0 + P1 * P1 + R2 * (from.w * from.w + to.w * to.w);
+  return !(dP * dP + R2 * (dw * dw) <= share * of_both);
 }
 
 // Whether a step changes the velocities as an impulse does: by more than a
@@ -150,7 +151,7 @@ TF_INLINE bool changes_much(const tf_machine_t *k, end_state_t from,
 TF_INLINE bool is_impulse(const tf_machine_t *k, end_state_t from,
                           end_state_t to) {
   const tf_real_t dw = to.w - from.w;
-  return changes_much(k, from, to, slider_speed(k, to.v - from.v, dw), dw,
+  return changes_much(k, from, to, ground_speed(k, to.v - from.v, dw), dw,
                       TF_IMPULSE_SHARE);
 }
 

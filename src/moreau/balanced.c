@@ -1,9 +1,9 @@
-// The step that creates no energy. In s = r - r0, p = v - d w and u = R w, R
+// The step that creates no energy. In s = r - r0, P = v - d w and u = R w, R
 // = sqrt(beta^2 + r^2) the radius of gyration, the energy is the sum of squares
-// m (p^2 + u^2)/2 + k2 s^2/2, and the smooth forces are a skew matrix times its
+// m (P^2 + u^2)/2 + k2 s^2/2, and the smooth forces are a skew matrix times its
 // gradient:
-//   s' = p + d u/R,  m p' = -k2 s + G u + Q_b,
-//   m u' = -(d/R) k2 s - G p + (d Q_b + Q_c)/R,  G = m r w/R            (18)
+//   s' = P + d u/R,  m P' = -k2 s + G u + Q_b,
+//   m u' = -(d/R) k2 s - G P + (d Q_b + Q_c)/R,  G = m r w/R            (18)
 // with Q_b and Q_c all other forces on the slider and torques on the disc. With
 // the matrix held at a guess (r_c, w_c, R_c) of the middle of the step, the
 // theta step is linear in its unknowns and balances energy whatever the guess:
@@ -14,9 +14,8 @@
 // Friction takes energy out where F h_t >= 0. So M is kept, and F is what ends
 // the slip at the theta point, as far as the law allows: h_t falls with F in
 // every machine, so there is one such F.
-#include "balanced.h"
-
 #include "../friction/mode_set.h"
+#include "rare_end.h"
 
 // The guess of the middle.
 typedef struct {
@@ -34,7 +33,7 @@ typedef struct {
 // The theta step about one guess.
 typedef struct {
   linear_t linear;
-  tf_real_t p, u; // at the start
+  tf_real_t P, u; // at the start
   tf_real_t v, w; // there, as the held matrix has them
 } held_t;
 
@@ -58,10 +57,10 @@ static middle_t middle_of(const given_t *x, end_state_t end) {
 static held_t hold(const given_t *x, middle_t c) {
   const tf_machine_t *k = x->machine;
   const tf_state_t *from = x->state;
-  held_t b = {.p = slider_speed(k, from->v, from->w),
+  held_t b = {.P = ground_speed(k, from->v, from->w),
               .u = gyration_at(k, from->r) * from->w};
   b.w = b.u / c.R;
-  b.v = slider_velocity(k, b.p, b.w);
+  b.v = slider_velocity(k, b.P, b.w);
   const tf_real_t mrw = k->m * c.r * c.w, e = k->theta_dt * mrw;
   const tf_real_t J = k->m * (c.R * c.R) + k->theta_dt * k->c1;
   linear_t *l = &b.linear;
@@ -80,7 +79,7 @@ static tf_real_t stopping_share(const given_t *x, const held_t *b, tf_real_t r,
                                 change_t by) {
   const tf_machine_t *k = x->machine;
   const tf_real_t omega0 = x->input->omega0;
-  const tf_real_t p = b->p + k->theta * b->linear.free.p + k->d * omega0;
+  const tf_real_t p = b->P + k->theta * b->linear.free.p + k->d * omega0;
   const tf_real_t z = b->w + k->theta * b->linear.free.z - omega0;
   const tf_real_t h = slip_from_pq(k, p, r * z).h;
   const tf_real_t change = -k->theta * slip_from_pq(k, by.p, r * by.z).h;
@@ -104,7 +103,7 @@ static balanced_end_t end_about(const given_t *x, middle_t c,
   end.at.r =
       from->r + k->dt * (b.v + k->theta * slider_velocity(k, to.p, to.z));
   end.at.w = (b.u + c.R * to.z) / gyration_at(k, end.at.r);
-  end.at.v = slider_velocity(k, b.p + to.p, end.at.w);
+  end.at.v = slider_velocity(k, b.P + to.p, end.at.w);
   const tf_real_t wt = b.w + k->theta * to.z;
   const tf_real_t arm = F * x->input->omega0 * k->cos_gamma;
   *excess = smaller(x->M * (wt - from->w), x->M * (wt - end.at.w)) +
@@ -127,7 +126,7 @@ TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
                                       tf_force_t force) {
   given_t x = {k, state, input, magnitude(force.F), force.M};
   if (tf_tyre_is_set_valued(k->tyre.law)) {
-    if (mode > TF_SLIP_MINUS) x.most = k->tyre.mu;
+    if (!is_slip(mode)) x.most = k->tyre.mu;
     x.M = clip(force.M, -k->kappa_mu, k->kappa_mu);
   }
   tf_real_t excess;
@@ -168,8 +167,7 @@ TF_API step_end_t tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
   const bool coarse = is_too_coarse(k, &b, energy, from, at) ||
                       (ends_slip(state->mode, mode) && is_impulse(k, from, at));
   const bool creates = creates_energy(&b, energy);
-  const bool slips_on =
-      force.F == 0 || (mode <= TF_SLIP_MINUS && mode == state->mode);
+  const bool slips_on = force.F == 0 || (is_slip(mode) && mode == state->mode);
   if (creates || (!coarse && grows(k, &b, energy, slips_on))) {
     const balanced_end_t end = tf_balanced_end(k, state, input, mode, force);
     // Near h = 0 its force is not that of the slip, which then goes on.

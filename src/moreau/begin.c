@@ -56,7 +56,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
       tf_tyre_is_set_valued(machine->tyre.law) ? rates.A[slip.g < 0] : 0;
   report->residual = 0;
   report->status = TF_OK;
-  if (mode <= TF_SLIP_MINUS)
+  if (is_slip(mode))
     report->force =
         tf_tyre_force(&machine->tyre, mode ? TF_R(-1.0) : 1, slip.h, slip.g);
   else

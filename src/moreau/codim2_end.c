@@ -113,7 +113,7 @@ static codim2_field_t field_of_step(const free_motion_t *c,
 static multipliers_t leaving_multipliers(const tf_machine_t *k,
                                          const consistent_modes_t *modes,
                                          unsigned mode) {
-  if (mode > TF_SLIP_MINUS) {
+  if (!is_slip(mode)) {
     const tf_real_t x = modes->lambda[mode == TF_STICK_MINUS] * k->inv_mu;
     return (multipliers_t){x, mode == TF_STICK_MINUS ? -x : x};
   }
@@ -159,10 +159,10 @@ static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
 // A step that comes to h = g = 0 goes on from there: in the rest of the step it
 // goes as far as the mode that follows takes it, under a mean of the forces
 // before and behind, which lies in the convex hull of the law.
-static bool go_on_from_codim2(const free_motion_t *c, const inclusion_t *in,
-                              const codim2_field_t *field,
-                              const consistent_modes_t *modes,
-                              const arrival_t *arrival, step_end_t *out) {
+static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
+                                 const codim2_field_t *field,
+                                 const consistent_modes_t *modes,
+                                 const arrival_t *arrival, step_end_t *out) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const bool arrives = arrival->share > 0;
   const unsigned mode =
@@ -213,7 +213,7 @@ static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
     out->end = mode_end(c, &s, mode);
   } else if (held) {
     const arrival_t arrival = {true, 1, {in->pin_x, in->pin_y}};
-    if (!go_on_from_codim2(c, in, field, modes, &arrival, out))
+    if (!continue_from_codim2(c, in, field, modes, &arrival, out))
       out->outcome.mode = TF_NO_MODE;
   }
 }
@@ -235,7 +235,7 @@ static bool follow_course(const free_motion_t *c, const inclusion_t *in,
                           const solutions_t *solutions, step_end_t *out) {
   out->outcome.set = solutions->set | TF_MODE_BIT(course->mode);
   if (end_at(c, in, course->mode, course->slip, course->sum, out)) return true;
-  if (course->mode > TF_SLIP_MINUS) return false;
+  if (!is_slip(course->mode)) return false;
   out->end = end_by(c, course->sum);
   out->outcome.mode = course->mode;
   out->outcome.is_mean = true;
@@ -269,7 +269,7 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   consistent_modes_t modes = {.solutions = {.set = 0}};
   if (arrival.comes || may_be_held(s, c->state->mode))
     tf_codim2_modes(k, field, &modes);
-  if (arrival.comes && go_on_from_codim2(c, in, field, &modes, &arrival, to))
+  if (arrival.comes && continue_from_codim2(c, in, field, &modes, &arrival, to))
     return;
   pass_codim2(c, in, field, &modes, s, to);
   const unsigned mode = to->outcome.mode;
@@ -277,7 +277,7 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
       mode != TF_NO_MODE && agrees(&course, mode, end_slip(c, &to->end));
   // On a limit direction that leads to h = g = 0 (9) makes a slip alternate
   // between both sides; of a slip that ends in stick it has not all the force.
-  if (near && mode <= TF_SLIP_MINUS && !course.leads_in) return;
+  if (near && is_slip(mode) && !course.leads_in) return;
   const step_end_t passed = *to;
   bool coarse = arrival.comes ? size_of(modes.solutions.set) > 1 : !near;
   if (course.mode < TF_PINNED && follow_course(c, in, &course, s, to))
@@ -294,7 +294,7 @@ static void end_at_codim2(const free_motion_t *c, const tf_input_t *input,
                           const inclusion_t *in, const codim2_field_t *field,
                           const solutions_t *s, step_end_t *to) {
   const unsigned mode = c->state->mode;
-  arrival_t arrival = {.comes = mode <= TF_SLIP_MINUS || mode == TF_PINNED};
+  arrival_t arrival = {.comes = is_slip(mode) || mode == TF_PINNED};
   if (!arrival.comes) {
     const tf_real_t rounding = rounding_of_g(c, input);
     if (rests_at_g_zero(c, in, s, mode, rounding)) {
@@ -308,7 +308,8 @@ static void end_at_codim2(const free_motion_t *c, const tf_input_t *input,
   consistent_modes_t modes = {.solutions = {.set = 0}};
   if (arrival.comes || may_be_held(s, mode))
     tf_codim2_modes(TF_STEP_MACHINE(c), field, &modes);
-  if (!(arrival.comes && go_on_from_codim2(c, in, field, &modes, &arrival, to)))
+  if (!(arrival.comes &&
+        continue_from_codim2(c, in, field, &modes, &arrival, to)))
     pass_codim2(c, in, field, &modes, s, to);
 }
 
@@ -320,7 +321,7 @@ TF_API void tf_codim2_end(free_motion_t *c, const tf_input_t *input,
   const codim2_field_t field = field_of_step(c, in);
   const tf_slip_t now = c->start.slip;
   *to = (step_end_t){.outcome = {.status = TF_OK}};
-  if (c->state->mode <= TF_SLIP_MINUS && (now.h != 0 || now.g != 0))
+  if (is_slip(c->state->mode) && (now.h != 0 || now.g != 0))
     end_slip_near_codim2(c, in, &field, s, to);
   else
     end_at_codim2(c, input, in, &field, s, to);

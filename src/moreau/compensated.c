@@ -2,8 +2,8 @@
 // the slip at the start and the end of the step in pairs (compensation.h).
 #include "twofold/compensated.h"
 
-#include "commit.h"
 #include "compensation.h"
+#include "report.h"
 #include "scheme.h"
 
 // Where the balanced form ends starts from the leading parts; what they leave
@@ -61,7 +61,7 @@ static __attribute__((noinline)) tf_status_t commit_pairs(
   store_compensation(k, state, step->low, &end);
   record(state, at, slip, force, residual, outcome, report);
   if (plainly_has_signs(k, outcome.mode, slip, at)) return outcome.status;
-  return status_of_end(k, state, omega0, report);
+  return tf_status_of_end(k, state, omega0, report);
 }
 
 TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
@@ -78,7 +78,7 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   const state_pair_t pairs = paired(state, compensation);
   const start_t start = slip_in_pairs(machine, &pairs, input->omega0);
   step_end_t to;
-  if (!end_of_step(k, state, input, start, false, &to))
+  if (!common_end(k, state, input, start, &to))
     to = tf_rare_end(k, state, input, start);
   if (to.outcome.status < TF_OK) return refuse_step(report, to.outcome.status);
   compensated_step_t step = {machine, state, compensation, input};

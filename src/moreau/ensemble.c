@@ -8,7 +8,7 @@
 //   balance  what the step does to the energy
 //   commit   the state and the report
 // Lanes that a pass marks rare (refused, out of range, without a mode, a root
-// without a series, a slip whose force swings, a balance to be checked) are
+// without a series, a slip whose force turns, a balance to be checked) are
 // done by tf_step from the state that they had.
 #include "twofold/ensemble.h"
 
@@ -32,8 +32,8 @@ static unsigned select_lane(const tf_machine_t *k, const tf_state_block_t *b,
 }
 
 // Whether the mode of every lane goes on under every rule.
-static bool all_go_on(const tf_state_block_t *restrict b,
-                      const work_t *restrict work) {
+static bool all_continue(const tf_state_block_t *restrict b,
+                         const work_t *restrict work) {
   uint8_t bit[TF_LANES], set[TF_LANES], lasting[TF_LANES], lost = 0;
   for (int i = 0; i < TF_LANES; i++) {
     set[i] = (uint8_t)(work->set[i] & ~work->rare[i]);
@@ -55,15 +55,15 @@ static void near_codim2_all(const tf_machine_t *restrict k,
   for (int i = 0; i < TF_LANES; i++) {
     const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
     const form_t h = form_of(&work->h, i), g = form_of(&work->g, i);
-    work->rare[i] |= when(b->mode[i] <= TF_SLIP_MINUS) &
-                     when(may_vanish(&h, now.h)) & when(may_vanish(&g, now.g));
+    work->rare[i] |= when(is_slip(b->mode[i])) & when(may_vanish(&h, now.h)) &
+                     when(may_vanish(&g, now.g));
   }
 }
 
 // Whether a stick is lost where its g may change its sign: is_near_codim2().
 static bool lane_stick_passes(const work_t *work, int i, unsigned mode) {
   const mask_t own = mode == TF_STICK_PLUS ? work->above[i] : work->below[i];
-  return mode > TF_SLIP_MINUS && !own && !(work->set[i] & TF_MODE_BIT(mode));
+  return !is_slip(mode) && !own && !(work->set[i] & TF_MODE_BIT(mode));
 }
 
 // The mode of one lane at the end of the step.
@@ -72,8 +72,8 @@ static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
   unsigned mode = b->mode[i];
   if (mode >= TF_PINNED || work->rare[i] || lane_stick_passes(work, i, mode))
     mode = TF_NO_MODE;
-  else if (!goes_on((unsigned)work->set[i], (unsigned)work->attracting[i],
-                    mode))
+  else if (!continues((unsigned)work->set[i], (unsigned)work->attracting[i],
+                      mode))
     mode = select_lane(k, b, work, i);
   if (mode == TF_NO_MODE || ends_slip(b->mode[i], mode))
     work->rare[i] = when(true);
@@ -84,7 +84,7 @@ static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
 static int choose(const tf_machine_t *restrict k,
                   const tf_state_block_t *restrict b, work_t *restrict work) {
   int slips = 0;
-  const bool same = all_go_on(b, work);
+  const bool same = all_continue(b, work);
   for (int i = 0; i < TF_LANES; i++)
     work->mode[i] = same ? b->mode[i] : (uint8_t)next_mode(k, b, work, i);
   for (int i = 0; i < TF_LANES; i++) {
@@ -96,7 +96,7 @@ static int choose(const tf_machine_t *restrict k,
   }
   for (int i = 0; i < TF_LANES; i++) {
     work->slipping[slips] = (uint8_t)i;
-    slips += work->mode[i] <= TF_SLIP_MINUS;
+    slips += is_slip(work->mode[i]);
   }
   return slips;
 }
@@ -173,10 +173,9 @@ TF_INLINE void slip_lane(const tf_machine_t *restrict k,
                            pick(stays, theta.y, tau * side)};
   work->x[i] = pick(slips, m.x, work->x[i]);
   work->y[i] = pick(slips, m.y, work->y[i]);
-  const mask_t swings =
-      when(force_swings((multipliers_t){first.x, first.y}, m));
+  const mask_t turns = when(force_turns((multipliers_t){first.x, first.y}, m));
   const mask_t reverses = ~stays & when(k->kappa_mu * tau * now.g < 0);
-  work->rare[i] |= slips & (first.rare | theta.rare | reverses | swings);
+  work->rare[i] |= slips & (first.rare | theta.rare | reverses | turns);
 }
 
 static void slip_all(const tf_machine_t *restrict k,
@@ -213,7 +212,7 @@ static void ends_all(const tf_machine_t *restrict k,
     work->rare[i] |=
         ~(when(within(size, TF_STATE_LIMIT)) &
           lane_has_signs(work->side[i], work->roll[i], slip, rounding)) |
-        (moves & when(r == b->r[i])); // it may stand still
+        (moves & when(r == b->r[i])); // it may stall
   }
 }
 

@@ -100,16 +100,12 @@ TF_INLINE linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
   return l;
 }
 
-// (7): where a step ends, after a change of the velocities by friction.
-typedef struct {
-  tf_real_t r, v, w;
-} end_state_t;
-
 TF_INLINE tf_real_t end_r(const tf_machine_t *k, const linear_t *l,
                           tf_real_t end_v) {
   return l->r_explicit + k->theta_dt * end_v;
 }
 
+// (7): where a step ends, after a change of the velocities by friction.
 TF_INLINE end_state_t end_after(const tf_machine_t *k, const linear_t *l,
                                 change_t friction) {
   const tf_real_t p = l->p + l->free.p + friction.p;

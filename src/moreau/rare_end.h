@@ -6,16 +6,10 @@
 #include "balance.h"
 #include "stages.h"
 
-// All members are set, because the struct is copied.
-TF_INLINE void refuse_end(step_end_t *to) {
-  *to = (step_end_t){.outcome = {.status = TF_STEP_TOO_LONG}};
-}
-
-// (11), under a single-valued law.
-#define tf_single_valued_end TF_LINK(tf_single_valued_end)
-TF_API void tf_single_valued_end(const tf_machine_t *k, const tf_state_t *state,
-                                 const tf_input_t *input, start_t start,
-                                 step_end_t *to);
+// The end of a rare step, judged by its balance of energy.
+#define tf_rare_end TF_LINK(tf_rare_end)
+TF_API step_end_t tf_rare_end(const tf_machine_t *k, const tf_state_t *state,
+                              const tf_input_t *input, start_t start);
 
 // At h = g = 0, or near it with the mode lost; see codim2_end.c.
 #define tf_codim2_end TF_LINK(tf_codim2_end)
@@ -28,47 +22,25 @@ TF_API void tf_codim2_end(free_motion_t *c, const tf_input_t *input,
 TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in,
                                const solutions_t *s, step_end_t *to);
 
-// Whether a force that swings changes the velocities by an amount that differs
-// much from that of the force at the start: over the whole step or, of a slip
-// that ends in it, up to h = 0.
-TF_INLINE bool swings_much(const free_motion_t *c, const inclusion_t *in,
-                           const step_end_t *to) {
-  const tf_machine_t *k = TF_STEP_MACHINE(c);
-  const tf_state_t *x = c->state;
-  const bool ends = to->outcome.mode > TF_SLIP_MINUS;
-  const unsigned slip = ends ? x->mode : to->outcome.mode;
-  const tf_real_t side = slip == TF_SLIP_MINUS ? TF_R(-1.0) : 1;
-  multipliers_t m = slip_multipliers(&k->tyre, side, start_slip(c));
-  if (ends) {
-    const tf_real_t slope = in->h.cx * m.x + in->h.cy * m.y;
-    const tf_real_t share = clip(-in->h.c0 / slope, 0, 1);
-    m = (multipliers_t){share * m.x, share * m.y};
-  }
-  const change_t first = change_by(c, m);
-  const tf_real_t dp = to->end.friction.p - first.p;
-  const tf_real_t dz = to->end.friction.z - first.z;
-  return changes_much(k, (end_state_t){x->r, x->v, x->w}, to->end.at, dp, dz,
-                      TF_SWING_SHARE);
-}
+// The end of a step whose balance of energy needs a check: in the form that creates no energy where it does,
+// and not TF_OK where the step is too long for the motion.
+#define tf_checked_end TF_LINK(tf_checked_end)
+TF_API step_end_t tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
+                                 const tf_input_t *input, step_end_t to);
 
-// A slip whose force swings within the step, see slip_end(). A slip that is
-// reversed ends in a stick where it can. It is not TF_OK where an impulse
-// reverses it and it is kept, or where the swing counts.
-TF_INLINE void end_swinging(const free_motion_t *c, const inclusion_t *in,
-                            const solutions_t *s, step_end_t *to) {
-  const tf_state_t *x = c->state;
-  const unsigned slip = to->outcome.mode;
-  bool coarse = swings_much(c, in, to);
-  if (to->end.reverses) {
-    const unsigned mode = mode_instead(s, slip);
-    to->end = mode_end(c, s, mode);
-    to->outcome.mode = mode;
-    coarse =
-        mode == slip &&
-        (coarse || is_impulse(TF_STEP_MACHINE(c),
-                              (end_state_t){x->r, x->v, x->w}, to->end.at));
-  }
-  if (coarse) to->outcome.status = TF_COARSE;
-}
+// The form that creates no energy: its end, the force of the step, and the slip
+// that the end has. mode, force: what the linear step ends with.
+typedef struct {
+  end_state_t at;
+  tf_force_t force;
+  unsigned mode;
+  tf_real_t delassus;
+} balanced_end_t;
+
+#define tf_balanced_end TF_LINK(tf_balanced_end)
+TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
+                                      const tf_state_t *state,
+                                      const tf_input_t *input, unsigned mode,
+                                      tf_force_t force);
 
 #endif

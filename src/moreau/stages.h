@@ -9,7 +9,7 @@
 #include "../friction/select.h"
 #include "../model/tyre_law.h"
 #include "linear.h"
-#include "outcome.h"
+#include "report.h"
 
 // The machine of a step. A build for one scene defines this as its constant
 // machine (port/core.h).
@@ -86,7 +86,7 @@ typedef struct {
   change_t friction; // of the velocities, unless pinned
   end_state_t at;
   bool pinned;
-  bool reverses, swings; // see slip_end()
+  bool reverses, turns; // see slip_end()
 } forced_end_t;
 
 // Where a step ends, and what it has decided.
@@ -164,7 +164,7 @@ TF_INLINE bool is_near_codim2(const free_motion_t *c, const inclusion_t *in,
                               unsigned signs, unsigned set) {
   const unsigned mode = c->state->mode;
   if (mode == TF_PINNED) return true;
-  if (mode <= TF_SLIP_MINUS) {
+  if (is_slip(mode)) {
     const tf_slip_t now = start_slip(c);
     return may_vanish(&in->h, now.h) && may_vanish(&in->g, now.g);
   }
@@ -189,7 +189,7 @@ TF_RARE unsigned select_mode(const tf_machine_t *k, const tf_state_t *state,
 // or none that a slip may enter.
 TF_INLINE unsigned choose_mode(const tf_machine_t *k, const tf_state_t *state,
                                const solutions_t *s) {
-  if (goes_on(s->set, s->attracting, state->mode)) return state->mode;
+  if (continues(s->set, s->attracting, state->mode)) return state->mode;
   return select_mode(k, state, s->set, s->near_stick, s->h_limit[0],
                      s->h_limit[1], s->attracting);
 }
@@ -206,7 +206,7 @@ TF_INLINE multipliers_t slip_multipliers(const tf_tyre_t *tyre, tf_real_t side,
 // the two, and the limit is taken. It reverses the slip if its moment supposes
 // the other sign of g than that at the start: then the force of the step passes
 // h = 0 and g = 0 alike, and in which order the step does not tell. The force
-// swings if it is not that of the start, so that the true one, which changes
+// turns if it is not that of the start, so that the true one, which changes
 // direction within the step, may differ from both.
 TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
                                 tf_real_t tau) {
@@ -218,11 +218,11 @@ TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
       slip_at_theta(k, &c->linear, r_theta, change_by(c, first));
   const multipliers_t theta = slip_multipliers(&k->tyre, side, at);
   forced_end_t end = end_by(c, theta);
-  end.swings = force_swings(first, theta);
+  end.turns = force_turns(first, theta);
   if (side * end_slip(c, &end).h > 0) return end;
   const multipliers_t limit = {side, tau * side};
   end = end_by(c, limit);
-  end.swings = force_swings(first, limit);
+  end.turns = force_turns(first, limit);
   end.reverses = k->kappa_mu * tau * now.g < 0;
   return end;
 }
@@ -230,7 +230,7 @@ TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
 // What a slip that is reversed is replaced by: the attracting stick on the
 // present side of g, which h meets first, where it is consistent; else it is
 // kept.
-TF_INLINE unsigned mode_instead(const solutions_t *s, unsigned mode) {
+TF_INLINE unsigned mode_after_reversal(const solutions_t *s, unsigned mode) {
   return has(s->set & s->attracting, s->near_stick) ? s->near_stick : mode;
 }
 

@@ -1,9 +1,8 @@
 // One step of the Moreau-Jean theta scheme; scheme.h has its stages.
 #include "twofold/step.h"
 
-#include "commit.h"
+#include "report.h"
 #include "scheme.h"
-#include "standing.h"
 
 // Commit: the state and the report, or the refusal. A Delassus scalar that
 // overflows shows that the slopes of h and g did.
@@ -22,8 +21,8 @@ TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
   record(state, at, slip, to->end.force, residual, outcome, report);
   tf_status_t status = outcome.status;
   if (!plainly_has_signs(k, outcome.mode, slip, at))
-    status = status_of_end(k, state, input->omega0, report);
-  return stays ? judge_standing(k, input, state, report) : status;
+    status = tf_status_of_end(k, state, input->omega0, report);
+  return stays ? tf_status_of_stall(k, input, state, report) : status;
 }
 
 TF_RARE tf_status_t rare_step(const tf_machine_t *k, tf_state_t *state,
@@ -40,7 +39,7 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
   if (!may_step(state, input)) return refuse_step(report, TF_BAD_STATE);
   const start_t start = start_of(k, state, input);
   step_end_t to;
-  if (!end_of_step(k, state, input, start, false, &to))
+  if (!common_end(k, state, input, start, &to))
     return rare_step(k, state, input, report);
   return commit(k, state, input, &to, report);
 }

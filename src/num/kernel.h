@@ -7,6 +7,7 @@
 #define TF_KERNEL_H
 
 #include "rounding.h"
+#include "twofold/real.h"
 
 // The parts of a step are inlined into one function: passing their structs
 // through memory would double its instructions. TF_RARE keeps out of it what a

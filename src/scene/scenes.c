@@ -111,6 +111,15 @@ static const tf_scene_t driven = {
     .knots = 5,
     .profile = {{0, -1}, {2, -2}, {4, -2}, {8, 1}, {10, 0}}};
 
-TF_API const tf_scene_t *const tf_scenes[TF_SCENES] = {
-    &chaos,  &gamma_zero, &gamma_right, &coulomb, &frictionless,
-    &smooth, &rolling,    &string,      &driven};
+// In the order of their numbers. An array drops what it has no room for with a
+// warning; this does not compile.
+#define EACH_SCENE(x)                                                        \
+  x(chaos) x(gamma_zero) x(gamma_right) x(coulomb) x(frictionless) x(smooth) \
+      x(rolling) x(string) x(driven)
+#define ONE_MORE(scene) +1
+#define ADDRESS(scene) &(scene),
+typedef char tf_scenes_has_a_place_for_each[0 EACH_SCENE(ONE_MORE) == TF_SCENES
+                                                ? 1
+                                                : -1];
+
+TF_API const tf_scene_t *const tf_scenes[TF_SCENES] = {EACH_SCENE(ADDRESS)};

@@ -9,10 +9,8 @@
 enum { GROUP = 8, PHASES = 64 };
 
 static tf_tyre_law_t law_named(const char *name) {
-  static const char *const names[TF_TYRE_LAWS] = {
-      "jump", "coulomb", "two-piece", "string", "smooth", "none"};
-  int law = 0;
-  while (law + 1 < TF_TYRE_LAWS && strcmp(names[law], name) != 0) law++;
+  unsigned law = 0;
+  while (law < TF_TYRE_LAWS && strcmp(tf_tyre_law_name(law), name) != 0) law++;
   return (tf_tyre_law_t)law;
 }
 

@@ -22,9 +22,9 @@ export class Core {
     this.scenes = this.#list(exports.scenes(), 'scene_name');
     this.ownScene = this.scenes.length; // the number of the one from a file
     this.file = null; // { name, text } of it
-    this.modes = this.#list(5, 'mode_name');
-    this.lists = { law: this.#list(6, 'law_name'),
-      rule: this.#list(4, 'rule_name'), rest: this.#list(3, 'rest_name') };
+    this.modes = this.#names('mode_name');
+    this.lists = { law: this.#names('law_name'),
+      rule: this.#names('rule_name'), rest: this.#names('rest_name') };
     this.parameters = [];
     for (let i = 0; this.text(exports.parameter_name(i)) !== ''; i++) {
       this.parameters.push({
@@ -52,6 +52,15 @@ export class Core {
 
   #list(count, name) {
     return Array.from({ length: count }, (_, i) => this.text(this.c[name](i)));
+  }
+
+  // All that the core has: the first name that it has not is unknown.
+  #names(name) {
+    const names = [];
+    for (let i = 0, next; ; i++, names.push(next)) {
+      next = this.text(this.c[name](i));
+      if (next === '' || next.startsWith('unknown')) return names;
+    }
   }
 
   text(at) {

@@ -221,21 +221,25 @@ def make(scene, double, single):
 // includes this header, and so holds the code; it may hold that of other scenes
 // too. TF_REAL_FLOAT selects float.
 """.rstrip()))
+    first = Text()
+    first.add_file(ROOT / "src/num/rounding.h")
     whole.add(f"#ifdef {code}\n{COMPILERS}"
-              '#pragma GCC diagnostic ignored "-Wunused-function"\n#endif\n\n')
+              '#pragma GCC diagnostic ignored "-Wunused-function"\n\n'
+              + "".join(first.parts) + "#endif\n\n")
     types = Text()
     types.add_file(ROOT / "include/twofold/step.h")
     types.add_file(ROOT / "include/twofold/scene.h")
     types.add(DECLARATIONS.replace("@scene@", scene))
     whole.add(guard(f"TWOFOLD_{upper}_H", "".join(types.parts)))
 
-    body = Text(without=types.there)
+    there = types.there | first.there
+    body = Text(without=there)
     in_float = constants(single, scene)
     body.add("#ifdef TF_REAL_FLOAT\n" + in_float
              + "#else\n" + constants(double, scene) + "#endif\n"
              "#define TF_STEP_MACHINE(c) ((void)(c), &scene_machine)\n"
              + LOCAL)
-    core = Text(without=types.there)
+    core = Text(without=there)
     for path in sources_of(CALLED):
         core.add_file(path, {"src/num/kernel.h": SMALL})
     core.add(DEFINITIONS.replace("@scene@", scene))

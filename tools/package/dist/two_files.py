@@ -15,6 +15,7 @@ header.write(folder / "twofold.h")
 source = Text(without=header.there)
 source.add(preface("the core in one file, C99"))
 source.add(COMPILERS)
+source.add_file(ROOT / "src/num/rounding.h")
 source.add('#include "twofold.h"\n\n')
 for path in core_sources():
     source.add_file(path)

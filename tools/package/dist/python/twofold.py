@@ -19,6 +19,7 @@ import numbers
 import operator
 from ctypes import POINTER, byref, c_char_p, c_double, c_int, c_size_t
 from ctypes import c_uint, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p
+from itertools import count, takewhile
 from pathlib import Path
 
 import numpy as np
@@ -41,15 +42,17 @@ LAYOUT = ("params", "law", "rule", "with_angle", "machine", "state", "input",
 _shared = ctypes.CDLL(str(Path(__file__).with_name("_twofold.so")))
 
 
-def _names(function, count):
+def _names(function):
+    """All names of a kind: the first that there is not is unknown."""
     name = getattr(_shared, f"{function}_f64")
     name.argtypes, name.restype = [c_uint], c_char_p
-    return tuple(name(i).decode() for i in range(count))
+    names = (name(i).decode() for i in count())
+    return tuple(takewhile(lambda text: not text.startswith("unknown"), names))
 
 
-MODES = _names("tf_mode_name", 5)
-LAWS = _names("tf_tyre_law_name", 6)
-RULES = _names("tf_rule_name", 4)
+MODES = _names("tf_mode_name")
+LAWS = _names("tf_tyre_law_name")
+RULES = _names("tf_rule_name")
 
 
 # What the core is given is checked here: ctypes itself takes a bool for a

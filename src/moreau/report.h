@@ -1,11 +1,12 @@
-// What a step ends with: its residual, and the report and state that it writes,
-// or the refusal.
-#ifndef TF_OUTCOME_H
-#define TF_OUTCOME_H
+// What a step leaves behind: state and report, or the refusal, and the status
+// by which they say how far the step can be trusted: whether its end has the
+// signs of its mode, and whether it stalls. Every scheme ends with it.
+#ifndef TF_REPORT_H
+#define TF_REPORT_H
 
 #include "../friction/inclusion.h"
 #include "../friction/mode_set.h"
-#include "linear.h"
+#include "../model/kinematics.h"
 #include "twofold/step.h"
 
 // What a step has decided.
@@ -29,10 +30,33 @@ TF_INLINE tf_real_t mode_residual(const tf_machine_t *k,
     return rest_residual(TF_REST_HULL, k->tyre.mu, k->stick_kappa, force);
   if (mode == TF_PINNED && k->stick_kappa > 0)
     return rest_residual(k->rest, k->tyre.mu, k->stick_kappa, force);
-  if (mode > TF_SLIP_MINUS)
+  if (!is_slip(mode))
     return law_residual(k->tyre.mu, k->stick_kappa, force, slip.h, slip.g);
   return law_residual(1, 0, (tf_force_t){mode == TF_SLIP_PLUS ? 1 : -1, 0},
                       slip.h, slip.g);
+}
+
+TF_INLINE tf_status_t refuse_step(tf_report_t *report, tf_status_t status) {
+  report->status = status;
+  return status;
+}
+
+TF_INLINE void record(tf_state_t *state, end_state_t end, tf_slip_t slip,
+                      tf_force_t force, tf_real_t residual, outcome_t outcome,
+                      tf_report_t *report) {
+  report->mode = (uint8_t)outcome.mode;
+  report->set = (uint8_t)outcome.set;
+  report->choices = (uint8_t)size_of(outcome.set);
+  report->force = force;
+  report->slip = slip;
+  report->delassus = outcome.delassus;
+  report->residual = residual;
+  report->status = outcome.status;
+  state->r = end.r;
+  state->v = end.v;
+  state->w = end.w;
+  state->mode = (uint8_t)outcome.mode;
+  state->tick++;
 }
 
 // Whether h and g have the signs of the mode, but for their rounding: off h = 0
@@ -65,27 +89,18 @@ TF_INLINE tf_status_t status_by_signs(tf_report_t *report, tf_real_t rounding) {
   return report->status;
 }
 
-TF_INLINE tf_status_t refuse_step(tf_report_t *report, tf_status_t status) {
-  report->status = status;
-  return status;
-}
+// status_by_signs() where the signs are not plain to see, of a step that is
+// recorded in state and report.
+#define tf_status_of_end TF_LINK(tf_status_of_end)
+__attribute__((noinline, cold)) TF_API tf_status_t
+tf_status_of_end(const tf_machine_t *k, const tf_state_t *state,
+                 tf_real_t omega0, tf_report_t *report);
 
-TF_INLINE void record(tf_state_t *state, end_state_t end, tf_slip_t slip,
-                      tf_force_t force, tf_real_t residual, outcome_t outcome,
-                      tf_report_t *report) {
-  report->mode = (uint8_t)outcome.mode;
-  report->set = (uint8_t)outcome.set;
-  report->choices = (uint8_t)size_of(outcome.set);
-  report->force = force;
-  report->slip = slip;
-  report->delassus = outcome.delassus;
-  report->residual = residual;
-  report->status = outcome.status;
-  state->r = end.r;
-  state->v = end.v;
-  state->w = end.w;
-  state->mode = (uint8_t)outcome.mode;
-  state->tick++;
-}
+// The status of a step that is recorded likewise and has left r as it was:
+// whether the motion stalls.
+#define tf_status_of_stall TF_LINK(tf_status_of_stall)
+__attribute__((noinline)) TF_API tf_status_t
+tf_status_of_stall(const tf_machine_t *k, const tf_input_t *u,
+                   const tf_state_t *x, tf_report_t *report);
 
 #endif
