@@ -82,8 +82,7 @@ MEASURE_MAKEFILES := tools/bench/steps/bench.mk tools/bench/report/report.mk \
   tools/study/figures/figures.mk tools/study/shards/shards.mk
 VERIFY_MAKEFILES := tools/verify/check/check.mk tools/verify/fuzz/fuzz.mk \
   tools/verify/soak/soak.mk tools/verify/mutation/mutation.mk tools/verify/eva/eva.mk \
-  tools/verify/cost/cost.mk tests/reference/oracle/oracle.mk \
-  tests/reference/reference.mk
+  tools/verify/cost/cost.mk tests/reference/reference.mk
 
 # A target for users says what it does after `##`, on a line of its own; one
 # that only makefiles and scripts use has no such line and is named here or

@@ -17,6 +17,30 @@ ref_input_t ref_input(const ref_machine_t *machine, real_t t, int piece) {
                 : (ref_input_t){machine->omega0, 0, 0, 0};
 }
 
+static ref_input_t ramp_at(const void *context, int piece, real_t t) {
+  const ref_ramps_t *ramps = context;
+  const int last = ramps->inputs.count - 1;
+  const ref_knot_t *a = &ramps->knot[piece > 0 ? piece - 1 : 0];
+  const ref_knot_t *b = &ramps->knot[piece > last ? last : piece];
+  ref_input_t u = {a->omega0, 0, a->force, a->torque};
+  if (b->t > a->t) {
+    const real_t since = t - a->t, length = b->t - a->t;
+    u.alpha = (b->omega0 - a->omega0) / length;
+    u.omega0 += since * u.alpha;
+    u.force += since * (b->force - a->force) / length;
+    u.torque += since * (b->torque - a->torque) / length;
+  }
+  return u;
+}
+
+void ref_ramps(ref_ramps_t *ramps, const ref_knot_t *knots, int count) {
+  ramps->inputs = (ref_inputs_t){ramps->breaks, count, ramp_at, ramps};
+  for (int i = 0; i < count; ++i) {
+    ramps->knot[i] = knots[i];
+    ramps->breaks[i] = knots[i].t;
+  }
+}
+
 static real_t omega0_at(const ref_machine_t *machine, ref_state_t x) {
   return ref_input(machine, x.t, x.piece).omega0;
 }

@@ -6,11 +6,7 @@ typedef ref_real_t real_t;
 
 // Slip over its scale below which the rest of a fall into h = g = 0 is one
 // straight line, and at which a slip that leaves begins.
-#ifdef REF_QUAD
 static const real_t falls = (real_t)1e-19L, leaves = (real_t)1e-18L;
-#else
-static const real_t falls = 1e-15L, leaves = 1e-14L;
-#endif
 
 // How long after an event of a wheel at rest its ways are looked at: at the
 // event itself the new ones have no rate.
@@ -130,6 +126,7 @@ static bool fall(ref_orbit_t *orbit) {
       return false;
     }
     orbit->x.t -= rho / speed;
+    orbit->angle = ref_atan2(slip.h, slip.g);
   }
   reach_codim2(orbit);
   return true;

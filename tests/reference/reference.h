@@ -44,6 +44,19 @@ typedef struct {
   const void *context;
 } ref_inputs_t;
 
+/// Inputs that are linear between knots, constant before the first and after
+/// the last. Two knots of one time are a jump.
+enum { REF_KNOTS = 16 };
+typedef struct {
+  ref_real_t t, omega0, force, torque;
+} ref_knot_t;
+typedef struct {
+  ref_inputs_t inputs;
+  ref_knot_t knot[REF_KNOTS];
+  ref_real_t breaks[REF_KNOTS];
+} ref_ramps_t;
+void ref_ramps(ref_ramps_t *ramps, const ref_knot_t *knots, int count);
+
 /// Parameters, and what follows from them.
 typedef struct {
   ref_real_t m, d, beta, k2, c1, c2, r0, omega0, mu, kappa, gamma;
@@ -233,6 +246,7 @@ struct ref_orbit {
   ref_mode_t mode;
   ref_mode_t before;  ///< mode until the last event
   ref_mode_t arrived; ///< mode in which h = g = 0 was last reached
+  ref_real_t angle;   ///< atan2(h, g) of the slip that fell into it [rad]
   ref_piece_t piece;  ///< of the law; in stick, side is the sign of A
   ref_stop_t stop;
   int events, codim2_count;

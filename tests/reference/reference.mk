@@ -23,3 +23,29 @@ $(BUILD)/reference/reference: $(JUDGE_OBJECTS) \
     $(BUILD)/double/libsupport.a \
     $(BUILD)/double/libtwofold.a $(BUILD)/float/libtwofold.a
 	$(link)
+
+# Reference solutions in quadruple precision, one process a problem. Always by
+# gcc: __float128 and libquadmath are its own.
+TABLES := $(wildcard tests/reference/tables/*.c) \
+  $(filter-out tests/reference/paper.c,$(wildcard tests/reference/*.c))
+TABLES_GCC ?= gcc
+
+$(BUILD)/tables/make: $(TABLES) $(wildcard tests/reference/*.h) \
+    tests/reference/tables/tables.h
+	@mkdir -p $(@D)
+	@echo '__float128 sqrtq(__float128); int main(int n, char **a)' \
+	  '{ (void)a; return sqrtq(n) < 0; }' | \
+	  $(TABLES_GCC) -x c - -lquadmath -o $@ 2>/dev/null || { rm -f $@; \
+	  echo 'make oracle needs gcc with libquadmath, on a processor that it is' \
+	  'made for, as x86-64 (Debian: apt-get install gcc).'; exit 1; }
+	$(TABLES_GCC) $(filter-out -Iinclude,$(COMMON)) $(WARN) $(EXTRA) \
+	  -DREF_QUAD -Itests/reference $(TABLES) -lquadmath -lm -o $@
+
+.PHONY: oracle
+oracle: ## remake tests/data/reference.h (minutes; libquadmath)
+oracle: $(BUILD)/tables/make
+	@$< names | xargs -P $(shell nproc 2>/dev/null || echo 2) -I NAME \
+	  sh -c '$< NAME >$(<D)/NAME.part'
+	@{ $< begin; $< names | sed 's,.*,$(<D)/&.part,' | xargs cat; $< end; } \
+	  >$(<D)/reference.h && mv $(<D)/reference.h tests/data/reference.h
+	@echo 'The references are in tests/data/reference.h.'

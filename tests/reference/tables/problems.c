@@ -4,7 +4,7 @@
 // two-fold at 2.05 s.
 #include <string.h>
 
-#include "run.h"
+#include "tables.h"
 
 const char *const parameter_names[PARAMETERS] = {
     "m",     "d",     "beta",    "k2", "c1",    "c2",    "r0",  "omega0", "mu",
@@ -24,14 +24,14 @@ static const parameter_t common[] = {
 const problem_t problems[PROBLEMS] = {
     {.name = "chaos",
      .law_name = "jump",
-     .law = JUMP,
+     .law = REF_JUMP,
      .parameter = {KAPPA},
      PAPER_START,
      .t_end = "10",
      .t_grid = "2"},
     {.name = "gamma_zero",
      .law_name = "jump",
-     .law = JUMP,
+     .law = REF_JUMP,
      .parameter = {KAPPA, {"gamma", "0"}},
      .r = "0.3",
      .omega = "-0.8",
@@ -40,7 +40,7 @@ const problem_t problems[PROBLEMS] = {
      .t_grid = "10"},
     {.name = "gamma_right",
      .law_name = "jump",
-     .law = JUMP,
+     .law = REF_JUMP,
      .parameter = {KAPPA,
                    {"gamma", "1.5707963267948966192313216916397514420986"}},
      .r = "0.3",
@@ -50,7 +50,7 @@ const problem_t problems[PROBLEMS] = {
      .t_grid = "10"},
     {.name = "coulomb",
      .law_name = "coulomb",
-     .law = COULOMB,
+     .law = REF_COULOMB,
      .r = "0.18",
      .omega = "-0.6",
      .h = "0.3",
@@ -58,20 +58,20 @@ const problem_t problems[PROBLEMS] = {
      .t_grid = "10"},
     {.name = "frictionless",
      .law_name = "none",
-     .law = NONE,
+     .law = REF_FREE,
      PAPER_START,
      .t_end = "10",
      .t_grid = "10"},
     {.name = "smooth",
      .law_name = "smooth",
-     .law = SMOOTH,
+     .law = REF_SMOOTH,
      .parameter = {KAPPA, {"epsilon", "0.0001"}},
      PAPER_START,
      .t_end = "2.5",
      .t_grid = "2.5"},
     {.name = "rolling",
      .law_name = "jump",
-     .law = JUMP,
+     .law = REF_JUMP,
      .parameter = {KAPPA},
      .r = "0.95",
      .omega = "1.3",
@@ -80,7 +80,7 @@ const problem_t problems[PROBLEMS] = {
      .t_grid = "10"},
     {.name = "string",
      .law_name = "string",
-     .law = STRING,
+     .law = REF_STRING,
      .parameter = {{"k", "1"},
                    {"delta", "1"},
                    {"sigma", "1"},
@@ -91,7 +91,7 @@ const problem_t problems[PROBLEMS] = {
      .t_grid = "2.5"},
     {.name = "driven",
      .law_name = "jump",
-     .law = JUMP,
+     .law = REF_JUMP,
      .parameter = {KAPPA},
      PAPER_START,
      .t_end = "12",
@@ -100,7 +100,7 @@ const problem_t problems[PROBLEMS] = {
      .knot = {{"0", "-1"}, {"2", "-2"}, {"4", "-2"}, {"8", "1"}, {"10", "0"}}},
     {.name = "crossings",
      .law_name = "jump",
-     .law = JUMP,
+     .law = REF_JUMP,
      .parameter = {KAPPA, {"beta", "0.3"}, {"k2", "30"}, {"mu", "0.2"}},
      .r = "0.6",
      .omega = "0.5",
@@ -109,7 +109,7 @@ const problem_t problems[PROBLEMS] = {
      .t_grid = "2"},
     {.name = "stickslip",
      .law_name = "jump",
-     .law = JUMP,
+     .law = REF_JUMP,
      .parameter = {KAPPA, {"beta", "0.2"}, {"k2", "20"}, {"mu", "3"}},
      .r = "0.5",
      .omega = "-0.8",
@@ -126,22 +126,28 @@ const char *problem_parameter(const problem_t *problem, const char *name) {
   return NULL;
 }
 
-static real number(const problem_t *problem, const char *name) {
-  const char *text = problem_parameter(problem, name);
+ref_real_t quad_of(const char *text) {
   return text ? strtoflt128(text, NULL) : 0;
 }
 
-void problem_machine(const problem_t *problem, machine_t *p) {
-  real *const member[PARAMETERS] = {
-      &p->m,  &p->d,      &p->beta,  &p->k2,    &p->c1,    &p->c2,
-      &p->r0, &p->omega0, &p->mu,    &p->kappa, &p->gamma, &p->epsilon,
-      &p->k,  &p->delta,  &p->sigma, &p->rho,   &p->a};
+static ref_real_t number(const problem_t *problem, const char *name) {
+  return quad_of(problem_parameter(problem, name));
+}
+
+void problem_machine(const problem_t *problem, ref_machine_t *q,
+                     ref_ramps_t *ramps) {
+  ref_real_t *const member[PARAMETERS] = {
+      &q->m,  &q->d,      &q->beta,  &q->k2,    &q->c1,    &q->c2,
+      &q->r0, &q->omega0, &q->mu,    &q->kappa, &q->gamma, &q->epsilon,
+      &q->k,  &q->delta,  &q->sigma, &q->rho,   &q->a};
+  ref_knot_t knots[KNOTS];
   for (int i = 0; i < PARAMETERS; i++)
     *member[i] = number(problem, parameter_names[i]);
-  p->law = problem->law;
-  p->knots = problem->knots;
   for (int i = 0; i < problem->knots; i++)
-    p->knot[i] = (knot_t){strtoflt128(problem->knot[i][0], NULL),
-                          strtoflt128(problem->knot[i][1], NULL)};
-  machine_derive(p);
+    knots[i] = (ref_knot_t){.t = quad_of(problem->knot[i][0]),
+                            .omega0 = quad_of(problem->knot[i][1])};
+  ref_ramps(ramps, knots, problem->knots);
+  q->law = problem->law;
+  q->inputs = problem->knots ? &ramps->inputs : NULL;
+  ref_prepare(q);
 }
