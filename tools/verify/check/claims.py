@@ -87,7 +87,7 @@ FIGURES = {
         "tests/unit/link/test_frame.c",
         r"a_million_frames_over_a_bad_line\) \{(?:[^;]*;){4} n < (\d+);"),
     "frames: nearly": lambda: in_file(
-        "tests/line/streams.py", r"for _ in range\((\d+)\)\)"),
+        "tests/line/test_streams.py", r"for _ in range\((\d+)\)\)"),
 }
 
 
