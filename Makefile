@@ -1,6 +1,6 @@
 # twofold: the build, the run and the tests, which need nothing but GNU make,
 # a C compiler, sh and coreutils. `make help` lists every target; what belongs
-# to one tool stands in a makefile beside that tool.
+# to one room of tools/ stands in the makefile of that room.
 #
 #   CC=clang             another compiler
 #   OPT='-O2'            another optimisation (default -O3)
@@ -17,7 +17,13 @@ OPT ?= -O3
 EXTRA ?=
 BUILD ?= build
 VARIANTS := double float
-MAKEFLAGS += --no-builtin-rules -j$(shell nproc 2>/dev/null || echo 2)
+# What there are rules for, whichever of them are tested.
+REALS := double float
+MAKEFLAGS += --no-builtin-rules
+# A make that another one starts has its jobs.
+ifeq ($(or $(MAKELEVEL),0),0)
+MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
+endif
 
 # The parts.
 CORE := $(wildcard src/*/*.c)
@@ -28,7 +34,8 @@ SCENE_READER := $(wildcard tools/cli/setup/scene*.c tools/cli/text/*.c) \
 SUPPORT := $(wildcard tests/support/*.c tests/reference/*.c)
 TEST_ROOMS := tests/unit/* tests/cli tests/line tests/law tests/golden \
   tests/regress
-TESTS ?= $(wildcard $(TEST_ROOMS:%=%/*.c) $(TEST_ROOMS:%=%/*.sh))
+TESTS ?= $(wildcard $(TEST_ROOMS:%=%/test_*.c) $(TEST_ROOMS:%=%/test_*.sh) \
+  $(TEST_ROOMS:%=%/test_*.py))
 
 # One rounding per operation, everywhere: the same bits on every target.
 COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude
@@ -57,7 +64,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .DEFAULT_GOAL := help
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: help run test quick all clean FORCE $(VARIANTS:%=line-%) line-csv \
+.PHONY: help run test quick all clean FORCE $(REALS:%=line-%) line-csv \
   own-scene
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
@@ -70,34 +77,27 @@ define of_this_core
 	@core=$$(tools/stamp core) && $(2) && sed -i "1a \\\n$$core" $(1)
 endef
 
-# The makefiles of the tools, in the groups of `make help`.
-PACKAGE_MAKEFILES := tools/package/dist/dist.mk tools/package/fmu/fmu.mk
-PAGE_MAKEFILES := tools/page/page.mk
-BOARD_MAKEFILES := port/port.mk tools/board/hil/hil.mk tools/bench/size/size.mk
-MEASURE_MAKEFILES := tools/bench/steps/bench.mk tools/bench/report/report.mk \
-  tools/bench/peers/peers.mk tools/bench/stability/stability.mk \
-  tools/bench/realtime/realtime.mk \
-  tools/study/statistics/statistics.mk tools/study/recurrence/recurrence.mk \
-  tools/study/finer/finer.mk \
-  tools/study/figures/figures.mk tools/study/shards/shards.mk
-VERIFY_MAKEFILES := tools/verify/check/check.mk tools/verify/fuzz/fuzz.mk \
-  tools/verify/soak/soak.mk tools/verify/mutation/mutation.mk tools/verify/eva/eva.mk \
-  tools/verify/cost/cost.mk tests/reference/reference.mk
+# The makefiles of a room of tools/: $(call room,name).
+room = $(wildcard tools/$(1)/*.mk tools/$(1)/*/*.mk)
+BOARD_MAKEFILES := port/port.mk $(call room,board)
+VERIFY_MAKEFILES := $(call room,verify) $(wildcard tests/reference/*.mk \
+  tests/reference/*/*.mk)
 
 # A target for users says what it does after `##`, on a line of its own; one
 # that only makefiles and scripts use has no such line and is named here or
 # beside its rule.
-HELPERS := FORCE $(VARIANTS:%=line-%) line-csv own-scene
+HELPERS := FORCE $(REALS:%=line-%) line-csv own-scene
 define group
 	@echo; echo '$(1)'
 	@sed -nE 's/^([a-z-]+): ## (.*)/  make \1\t\2/p' $(2) | expand -t 25
 endef
 help: ## this list
 	$(call group,Every day,Makefile)
-	$(call group,In a browser,$(PAGE_MAKEFILES))
 	$(call group,Boards,$(BOARD_MAKEFILES))
-	$(call group,Packages,$(PACKAGE_MAKEFILES))
-	$(call group,Measurements and pictures,$(MEASURE_MAKEFILES))
+	$(call group,Packages,$(call room,package))
+	$(call group,In a browser,$(call room,page))
+	$(call group,Measurements,$(call room,bench))
+	$(call group,Studies and pictures,$(call room,study))
 	$(call group,Verification,$(VERIFY_MAKEFILES))
 	@echo
 	@echo 'CC, OPT, EXTRA, BUILD, VARIANTS and TESTS: see the top of the'
@@ -139,7 +139,7 @@ $(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \
 endef
 
 # Only this file is compiled again where the commit is another one.
-$(VARIANTS:%=$(BUILD)/%/tools/cli/text/commit.o): $(BUILD)/commit
+$(REALS:%=$(BUILD)/%/tools/cli/text/commit.o): $(BUILD)/commit
 $(BUILD)/commit: FORCE
 	@mkdir -p $(@D)
 	@commit=$$($(COMMIT)); [ "$$(cat $@ 2>/dev/null)" = "$$commit" ] || \
@@ -159,44 +159,42 @@ define link
 	@$(CC) $(OPT) $(EXTRA) $(filter %.o %.a,$^) -lm -o $@
 endef
 
-$(foreach v,$(VARIANTS),$(eval $(call rules,$(v))))
+$(foreach r,$(REALS),$(eval $(call rules,$(r))))
 
 run: ## simulate scene chaos for 10 s, write build/chaos.csv
 run: $(BUILD)/double/twofold
 	@$< run chaos --t-end 10 --dt 1e-4 --every 10 --out $(BUILD)/chaos.csv
 	@echo 'The trajectory is in $(BUILD)/chaos.csv.'
 
+# The tests that start the command line have it in double.
+TWOFOLD := $(BUILD)/double/twofold
+
 # What tests of the line need: the host port's firmware, by a make of its own
 # with the same flags, for the board is chosen when a make begins.
-LINE := $(if $(filter tests/line/test_line.c tests/line/test_hostile.c \
-  tests/line/test_hil.sh tests/line/test_replay.sh,$(TESTS)),\
-  $(foreach v,$(VARIANTS),$(BUILD)/$(v)/hil line-$(v)))
-LINE += $(if $(filter tests/line/test_own_scene.sh,$(TESTS)),own-scene)
-LINE += $(if $(filter tests/line/test_streams.sh,$(TESTS)),line-csv \
-  line-plotter $(BUILD)/double/accepted)
+line_needs = $(filter $(1:%=tests/line/test_%.%),$(TESTS))
+LINE := $(if $(call line_needs,line hostile hil replay),\
+  $(REALS:%=$(BUILD)/%/hil) $(VARIANTS:%=line-%))
+LINE += $(if $(call line_needs,own_scene replay),own-scene)
+LINE += $(if $(call line_needs,streams),line-csv line-plotter \
+  $(BUILD)/double/accepted)
 line_firmware = @MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf \
   BOARD=host CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' \
   SCENE=$(or $(2),chaos) RATE=1000 $(1)
-$(VARIANTS:%=line-%): line-%: $(BUILD)/%/constants
+$(REALS:%=line-%): line-%: $(BUILD)/%/constants
 	$(call line_firmware,REAL=$* EVERY=1 STEPS=0 FORMAT=frames UPLINK=yes \
 	  NAMED=-line)
 line-csv line-plotter: line-%: $(BUILD)/float/constants
 	$(call line_firmware,REAL=float EVERY=5 STEPS=400 FORMAT=$* UPLINK= \
 	  NAMED=-$*)
-$(BUILD)/double/accepted: $(BUILD)/double/tools/board/protocol/accepted.o \
-    $(BUILD)/double/libtwofold.a
-	$(link)
-
 own-scene: $(BUILD)/double/constants
 	$(call line_firmware,REAL=double EVERY=1 STEPS=2000 FORMAT=frames \
 	  NAMED=-own,tests/data/own.scene)
 
-# The command line, for the tests that start it.
-TWOFOLD := $(BUILD)/double/twofold
 test: ## all tests, in double and in float (or TESTS=...)
 test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) $(TWOFOLD) $(LINE)
 	@TWOFOLD=$(TWOFOLD) FIRMWARE=$(BUILD)/boards/host/chaos \
-	  tests/run $(filter-out $(TWOFOLD) $(LINE),$^) $(filter %.sh,$(TESTS))
+	  REALS='$(VARIANTS)' tests/run $(filter %.sh %.py,$(TESTS)) \
+	  $(filter-out $(TWOFOLD) $(LINE),$^)
 
 # What one runs while working: one real type, compiled fast. Of the tests the
 # core set, which is what then takes a quarter of a second at most and starts no
@@ -213,9 +211,11 @@ but_for = $(filter-out $(1:%=\%/test_%.c),$(filter %.c,$(2)))
 QUICK = $(sort $(call but_for,$(NOT_QUICK),$(TESTS)) $(call \
   but_for,$(NEVER_QUICK),$(filter $(CHANGED:%=tests/unit/%/%),$(TESTS))))
 quick: ## laws, short tests, units of changed rooms; double
-	@echo 'the core set$(CHANGED:%=, tests/unit/%); all: make test'
-	@MAKEFLAGS= $(MAKE) -s --no-print-directory test VARIANTS=double OPT=-O1 \
-	  BUILD='$(BUILD)/quick' TWOFOLD= TESTS='$(QUICK)'
+	@echo 'the core set$(CHANGED:%=, tests/unit/%); left out (make test):' \
+	  'float and $(words $(filter-out $(QUICK),$(TESTS))) of' \
+	  '$(words $(TESTS)) programs'
+	@MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory test \
+	  VARIANTS=double OPT=-O1 BUILD='$(BUILD)/quick' TWOFOLD= TESTS='$(QUICK)'
 
 all: ## compile everything: core, command line, tests, tools
 all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
@@ -224,8 +224,9 @@ all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
 clean: ## remove what was made
 	rm -rf $(BUILD)
 
-include $(PAGE_MAKEFILES) $(PACKAGE_MAKEFILES) $(BOARD_MAKEFILES) \
-  $(MEASURE_MAKEFILES) $(VERIFY_MAKEFILES)
+ROOMS_INCLUDED := $(wildcard tools/bench/steps/*.mk)
+include $(ROOMS_INCLUDED) $(filter-out $(ROOMS_INCLUDED),$(BOARD_MAKEFILES) \
+  $(foreach r,package page bench study,$(call room,$(r))) $(VERIFY_MAKEFILES))
 
 -include $(shell find $(BUILD) -path '$(BUILD)/check' -prune \
   -o -path '$(BUILD)/quick' -prune -o -name '*.d' -print 2>/dev/null)

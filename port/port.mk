@@ -33,14 +33,6 @@ FORMAT ?= plotter
 PROGRAM ?= firmware
 BOARD_OPT ?= -Os
 
-# The constants of a scene are computed on the host. Test programs keep the dt
-# of the scene.
-$(VARIANTS:%=$(BUILD)/%/constants): $(BUILD)/%/constants: \
-    $(BUILD)/%/tools/board/constants/main.o $(BUILD)/%/tools/board/constants/constants.o \
-    $(addprefix $(BUILD)/%/,$(SCENE_READER:.c=.o)) \
-    $(BUILD)/%/libtwofold.a
-	$(link)
-
 .PHONY: firmware boards test-boards deps elf boards-list
 HELPERS += elf boards-list
 firmware: ## of SCENE=chaos for BOARD=microbit in REAL=float
@@ -86,6 +78,7 @@ endif
 
 BOARD_CC ?= $(BOARD_TOOLS)gcc
 
+# Test programs keep the dt of the scene.
 RATE_OF_firmware := $(RATE)
 RATE_OF_stack := $(RATE)
 RATE_OF_kit := $(RATE)

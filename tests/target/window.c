@@ -1,6 +1,6 @@
 // On the target: steps between two markers, for the instruction counter of the
-// emulator (tools/bench/size/count.c). The first window is empty and measures the
-// markers. Ends with 0.
+// emulator (tools/bench/size/count.c). The first window is empty and measures
+// the markers. Ends with 0.
 #include "../../port/core.h"
 #include "../../port/port.h"
 

@@ -88,7 +88,7 @@ FIGURES = {
         r"a_million_frames_over_a_bad_line\) \{(?:[^;]*;){4} "
         r"n < samples\((\d+)\);"),
     "frames: nearly": lambda: in_file(
-        "tests/line/streams.py", r"for _ in range\((\d+)\)\)"),
+        "tests/line/test_streams.py", r"for _ in range\((\d+)\)\)"),
 }
 
 

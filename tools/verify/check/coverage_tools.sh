@@ -12,16 +12,16 @@ BRANCHES=82
 place=$BUILD/coverage-tools
 rm -rf "$place"
 # Not the tests of builds and drivers: they start other programs.
-tests=$(files_in 'test_*.sh' tests/cli tests/line |
-  grep -vE '/test_(drive|required|figures)\.sh$'
+tests=$(files_in 'test_*.sh' tests/cli tests/line
+  files_in 'test_*.py' tests/cli tests/line
   files_in 'test_*.c' tests/line tests/cli)
+tests=$(echo "$tests" | grep -vE '/test_(drive|required|figures)\.')
 export TIMEOUT=900
 quietly "$MAKE" --no-print-directory CC=gcc BUILD="$place" OPT=-O0 \
   EXTRA=--coverage TESTS="$(echo "$tests" | tr '\n' ' ')" test ||
   wrong 'tests fail'
-# What is drawn in a terminal, and counts of shards, have tests in Python.
+# Counts of shards have tests beside those of clusters.
 export TWOFOLD="$place/double/twofold"
-quietly tests/cli/test_live.py || wrong 'tests of --live fail'
 quietly tests/shards/test_shards.py those || wrong 'tests of counts fail'
 # The functions of port/sim.h stand there twice, with a link and without;
 # gcovr 5 stops where a function of two programs is on two lines.

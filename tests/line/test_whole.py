@@ -1,24 +1,15 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -B
 """What leaves the program is whole or says that it is not, and destroys nothing
 that was there: streams of runs that were cut or joined, rows of them, summaries
-that are lost, files that two programs or two options write.
-
-usage: whole.py NAME    one test; without a name their names
-Environment: TWOFOLD the command line, FIRMWARE the beginning of the path of a
-firmware of the host that ends by itself, to which -csv.elf is added."""
+that are lost, files that two programs or two options write."""
 import fcntl
 import json
 import os
 import subprocess
-import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests/support"))
-from named import main, output, same  # noqa: E402  (the path comes first)
-
-RUN = [os.environ.get("TWOFOLD", ""), "run", "chaos", "--t-end", "0.5", "--dt",
-       "1e-3"]
+from boards import RUN, program
+from tap import main, output, same
 
 
 def judged(stream, *words, code):
@@ -153,7 +144,7 @@ def test_no_file_is_written_twice():
 def board(**where):
     """A firmware of the host that ends by itself: its exit code and what it
     says. where: its environment."""
-    done = subprocess.run([os.environ["FIRMWARE"] + "-csv.elf"],
+    done = subprocess.run([program("float", "csv")],
                           env={**os.environ, **where}, capture_output=True,
                           text=True, check=False)
     return done.returncode, done.stderr
@@ -176,7 +167,7 @@ def test_messages_of_a_board_are_not_in_its_stream():
     """Where standard error is closed, the line would get its number."""
     for closed in "2>&-", "2>&- <&-":
         code = subprocess.call(
-            ["sh", "-c", f'"$FIRMWARE-csv.elf" {closed}'],
+            ["sh", "-c", f'"{program("float", "csv")}" {closed}'],
             env={**os.environ, "TWOFOLD_PORT": "stream"})
         same(code, 0)
         same("host:" in Path("stream").read_text(), False)
@@ -194,4 +185,4 @@ def test_lateness_of_a_board_is_whole_or_what_it_was():
     same(Path("late.part").exists(), False)
 
 
-main(globals())
+main(globals(), jobs=4)

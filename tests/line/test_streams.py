@@ -1,11 +1,7 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -B
 """What goes over a line, read by parsers that are written from the documents of
-the tools that are to read it, and the frames by tools/board/protocol/decode.py.
-
-usage: streams.py NAME    one test; without a name their names
-Environment: TWOFOLD the command line, ACCEPTED the program of tools/board/protocol,
-FIRMWARE the beginning of the paths of two firmwares of the host that end by
-themselves, to which -csv.elf or -plotter.elf is added."""
+the tools that are to read it, and the frames by
+tools/board/protocol/decode.py."""
 import json
 import os
 import random
@@ -13,18 +9,14 @@ import re
 import struct
 import sys
 import zlib
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tools/board/protocol"), str(ROOT / "tests/support")]
-import decode  # noqa: E402  (the paths come first)
-from named import main, output, same  # noqa: E402
+from boards import BUILD, RUN, program
+import decode
+from tap import ROOT, main, output, same
 
 NAMES = "t,r,v,omega,h,g,F,M,mode,choices".split(",")
 PLOTTED = "r,v,omega,h,g,mode,choices".split(",")
 MODES = ["slip+", "slip-", "stick+", "stick-", "pinned"]
-RUN = [os.environ.get("TWOFOLD", ""), "run", "chaos", "--t-end", "0.5", "--dt",
-       "1e-3"]
 
 
 def arduino(text):
@@ -135,7 +127,7 @@ def motion():
 def of_board():
     """A stream of FORMAT=csv that a reader enters in the middle of a row, with
     the header again in it."""
-    whole = output(os.environ["FIRMWARE"] + "-csv.elf").decode("ascii")
+    whole = output(program("float", "csv")).decode("ascii")
     return whole, whole[whole.index("\n", 200) - 5:] + whole
 
 
@@ -153,7 +145,7 @@ def test_run_and_monitor_write_the_same_pairs():
 
 def test_a_board_writes_pairs_of_the_same_labels():
     """Beside its heartbeats."""
-    whole = output(os.environ["FIRMWARE"] + "-plotter.elf").decode("ascii")
+    whole = output(program("float", "plotter")).decode("ascii")
     _, messages = arduino(whole)
     rows = [pairs for pairs in messages if pairs[0][0] != "steps"]
     same(len(rows) > 40, True)
@@ -290,7 +282,7 @@ def test_decoder_in_python_is_that_in_c():
     seed = int(os.environ.get("SEED", "1"))
     rng = random.Random(seed)
     stream = b"\0".join(hostile_piece(rng) for _ in range(200000)) + b"\0piece"
-    said = output(os.environ["ACCEPTED"], input=stream).decode().splitlines()
+    said = output(str(BUILD / "double/accepted"), input=stream).decode().splitlines()
     in_c = []
     for line in said:
         kind, sequence, tick, *payload = line.split(" ")
@@ -306,9 +298,9 @@ def test_decoder_in_python_is_that_in_c():
 
 def test_decoder_is_quoted_in_the_protocol():
     document = (ROOT / "docs/PROTOCOL.md").read_text()
-    quoted = re.findall(r"```python tools/board/protocol/decode.py\n(.*?)```\n",
-                        document, re.S)
-    same(quoted, [(ROOT / "tools/board/protocol/decode.py").read_text()])
+    path = "tools/board/protocol/decode.py"
+    quoted = re.findall(rf"```python {path}\n(.*?)```\n", document, re.S)
+    same(quoted, [(ROOT / path).read_text()])
 
 
 def test_examples_of_the_protocol_decode():
@@ -320,4 +312,4 @@ def test_examples_of_the_protocol_decode():
             sys.exit(f"{name} is not a frame")
 
 
-main(globals())
+main(globals(), jobs=4)

@@ -1,30 +1,22 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -B
 """What programs read: the summary as JSON, the time left, and rows that say
-what they are of in a form that numpy, R and gnuplot skip.
-
-usage: summary.py NAME    one test; without a name their names. It runs in a
-folder of its own.
-Environment: TWOFOLD the command line."""
+what they are of in a form that numpy, R and gnuplot skip."""
 import json
 import os
 import pty
 import re
 import shutil
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
-TWOFOLD = os.environ.get("TWOFOLD", "")
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from tap import TWOFOLD, call, check, lacks, main, same, until  # noqa: E402
+
 SHORT = ["run", "chaos", "--t-end", "0.2", "--every", "10"]
 CHAOS = r"# scene chaos, (?:hash [0-9a-f]{8}, )?parameters ([0-9a-f]{8})"
-
-
-def call(*words, code=0):
-    """(standard output, standard error) of a command."""
-    done = subprocess.run([TWOFOLD, *words], stdin=subprocess.DEVNULL,
-                          capture_output=True, text=True, check=False)
-    same(done.returncode, code)
-    return done.stdout, done.stderr
 
 
 def told(*words, code=0):
@@ -40,12 +32,6 @@ def rows_of(path):
     """Rows of a file that begin with a digit."""
     lines = Path(path).read_text("ascii").splitlines()
     return [line.split(",") for line in lines if line[:1].isdigit()]
-
-
-def same(got, want):
-    """Fails where they differ."""
-    if got != want:
-        sys.exit(f"got  {str(got)[:300]}\nwant {str(want)[:300]}")
 
 
 def test_run():
@@ -170,35 +156,55 @@ def test_monitor():
          (two_folds["parameters"], "m"))
 
 
+LONG = [["diverge", "chaos", "--samples", "1000", "--cycles", "1000",
+         "--returns"],
+        ["diverge", "chaos", "--exhaustive", "--grid", "1e-6", "--count",
+         "1000000", "--branches"],
+        ["sweep", "chaos", "--over", "mu=1:2:100000", "--out"],
+        ["regions", "chaos", "--r", "0.1:0.2:100000", "--omega=-1:1:99",
+         "--out"],
+        ["atlas", "chaos", "--r", "0.1:0.2:100000", "--omega=-1:1:99",
+         "--out"],
+        ["run", "chaos", "--t-end", "1e6", "--every", "1000000", "--out"]]
+
+
+def in_a_log(words):
+    """Its process, and where it speaks."""
+    said, end = os.pipe()
+    pid = subprocess.Popen([TWOFOLD, *words], stderr=end).pid
+    os.close(end)
+    return pid, said
+
+
+def on_a_terminal(words):
+    pid, terminal = pty.fork()
+    if pid == 0:
+        os.execv(TWOFOLD, [TWOFOLD, *words])
+    return pid, terminal
+
+
 def test_time_left():
-    """On a terminal and in a log, of all long work."""
-    for words in (["diverge", "chaos", "--samples", "1000", "--cycles", "1000",
-                   "--returns", "rows"],
-                  ["diverge", "chaos", "--exhaustive", "--grid", "1e-6",
-                   "--count", "1000000", "--branches", "rows"],
-                  ["sweep", "chaos", "--over", "mu=1:2:100000", "--out",
-                   "rows"],
-                  ["regions", "chaos", "--r", "0.1:0.2:100000",
-                   "--omega=-1:1:99", "--out", "rows"],
-                  ["atlas", "chaos", "--r", "0.1:0.2:100000",
-                   "--omega=-1:1:99", "--out", "rows"],
-                  ["run", "chaos", "--t-end", "1e6", "--every", "1000000",
-                   "--out", "rows"]):
-        Path("rows.part").unlink(missing_ok=True)
-        pid, terminal = pty.fork()
-        if pid == 0:
-            os.execv(TWOFOLD, [TWOFOLD, *words])
+    """On a terminal and in a log, of all long work. It comes two seconds after
+    the beginning, for which the processor is left to others."""
+    running = []
+    for i, words in enumerate(LONG):
+        for how, form in ((in_a_log, rb"twofold: .*, \d+ s left\n"),
+                          (on_a_terminal, rb"[^\n]*, \d+ s left.*")):
+            path = f"rows{i}{how.__name__}"
+            pid, said = how([*words, path])
+            running.append((pid, said, form))
+            until(Path(path + ".part").exists, f"{words}: it has begun")
+            os.kill(pid, signal.SIGSTOP)
+    begun = time.monotonic()
+    until(lambda: time.monotonic() - begun > 2, "the time of a first message")
+    for pid, said, form in running:
+        os.kill(pid, signal.SIGCONT)
         seen = b""
-        while b" s left" not in seen:
-            seen += os.read(terminal, 4096)
-        os.kill(pid, 9)
-        os.waitpid(pid, 0)
-        Path("rows.part").unlink(missing_ok=True)
-        with subprocess.Popen([TWOFOLD, *words], stderr=subprocess.PIPE,
-                              text=True) as log:
-            line = log.stderr.readline()
-            log.kill()
-        same(bool(re.fullmatch(r"twofold: .*, \d+ s left\n", line)), True)
+        while not re.fullmatch(form, seen, re.S):
+            got = os.read(said, 4096)
+            check(got and b"\n" not in seen, f"no time left: {seen}")
+            seen += got
+        os.kill(pid, signal.SIGKILL)
 
 
 def test_provenance_of_run():
@@ -280,17 +286,11 @@ def test_provenance_of_lateness():
                       "us,began,ended"])
 
 
-def missing(package):
-    """Ends the test, which is skipped by that name."""
-    print(package)
-    sys.exit(77)
-
-
 def test_numpy_reads_it():
     try:
         import numpy
     except ImportError:
-        missing("python3-numpy")
+        lacks("python3-numpy")
     call(*SHORT, "--provenance", "--out", "told")
     one = numpy.genfromtxt("told", delimiter=",", names=True, dtype=None,
                            encoding="ascii", skip_header=4)
@@ -302,7 +302,7 @@ def test_numpy_reads_it():
 def reads(program, package, code):
     """What a program prints that reads the rows."""
     if not shutil.which(program):
-        missing(package)
+        lacks(package)
     call(*SHORT, "--provenance", "--out", "told")
     done = subprocess.run([program, "-e", code], capture_output=True,
                           text=True, check=True)
@@ -320,9 +320,5 @@ def test_r_reads_it():
                'cat(nrow(read.csv("told", comment.char = "#")))'), "201")
 
 
-TESTS = {name[5:]: test for name, test in list(globals().items())
-         if name.startswith("test_")}
-if len(sys.argv) == 1:
-    print("\n".join(TESTS))
-else:
-    TESTS[sys.argv[1]]()
+# The time left waits; the others are short.
+main(globals(), jobs=4)

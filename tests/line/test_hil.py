@@ -1,0 +1,319 @@
+#!/usr/bin/python3 -B
+"""A controller in one process (`hil`), the host port's firmware in another, a
+pseudo-terminal between them: the closed loop is that of a pure run, in real
+time and in lockstep, and a loop that is not is found out. Then over a line that
+repeats or loses frames, and over the end of the numbers of commands: between
+both stands a relay that knows where frames begin."""
+import functools
+import os
+import platform
+import pty
+import re
+import resource
+import select
+import signal
+import struct
+import subprocess
+import sys
+import tty
+import zlib
+from pathlib import Path
+
+from boards import BUILD, REALS, Board, program
+import decode
+from tap import TWOFOLD, Skip, check, run, same
+
+SCHEMA, ANSWER = 0x01, 0x08
+INPUT, STOP, DESCRIBE = 0x41, 0x45, 0x4A
+STEPS = ["--steps", "600", "--every", "10"]
+LOCKSTEP = [*STEPS, "--lockstep"]
+REAL = REALS[0]
+
+
+def hil(real=REAL):
+    return str(BUILD / real / "hil")
+
+
+def drive(line, *words, real=REAL, code=0, **options):
+    """What the loop says."""
+    done = subprocess.run([hil(real), line, *words], text=True, check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          **options)
+    check(done.returncode == code, f"{words}: code {done.returncode}, not "
+          f"{code}: {done.stdout}")
+    return done.stdout
+
+
+def says(said, pattern):
+    check(re.search(pattern, said), f"no {pattern}: {said}")
+
+
+def rows(path):
+    return Path(path).read_bytes()
+
+
+def in_real_time(real):
+    with Board(real) as board:
+        said = drive(board.name, *STEPS, real=real)
+        says(said, "states .* inputs: the same bits")
+        said = drive(board.name, *STEPS, "--delay", "0", real=real)
+        says(said, "[1-9][0-9]* late")
+
+
+def no_room():
+    """Files end after 4 kB."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+
+def in_lockstep(real):
+    """It depends on no clock. Without room for the rows, those of before stay,
+    and the loop says so."""
+    with Board(real) as board:
+        for name, more in (("one", []), ("again", []),
+                           ("other", ["--speed", "-0.8"])):
+            drive(board.name, *LOCKSTEP, *more, "--csv", name, real=real)
+        same(rows("one") == rows("again"), True)
+        same(rows("one") == rows("other"), False)
+        said = drive(board.name, *LOCKSTEP, "--csv", "again", real=real,
+                     code=4, preexec_fn=no_room)
+        says(said, "again: File too large")
+        same(rows("one") == rows("again"), True)
+
+
+def silent_controller(real, *how):
+    """Its last input expires, here as in the twin. Where a busy computer
+    delivers inputs late, an earlier one may expire as well."""
+    times = "1" if "--lockstep" in how else "[1-9]"
+    with Board(real) as board:
+        said = drive(board.name, *STEPS, *how, "--silent", "200", "--deadman",
+                     "100", real=real)
+        says(said, f"held for 100 steps, expired {times} times")
+
+
+def inputs_that_never_come_in_time(real):
+    with Board(real) as board:
+        said = drive(board.name, "--steps", "600", "--every", "20",
+                     "--lockstep", "--deadman", "5", "--csv", "slow",
+                     real=real)
+        says(said, "expired 30 times")
+        said = drive(board.name, *LOCKSTEP, "--silent", "200", "--deadman",
+                     "0", real=real)
+        says(said, "without end, expired 0 times")
+
+
+def what_does_not_compare(real):
+    """Another real type; a machine that is not the scene's, by its hash."""
+    other = {"double": "float", "float": "double"}[real]
+    with Board(real) as board:
+        drive(board.name, *STEPS, real=other, code=3)
+        subprocess.run([TWOFOLD, "monitor", board.name, "--send",
+                        "set:mu=1.5"], capture_output=True, check=False)
+        drive(board.name, *STEPS, real=real, code=3)
+
+
+def firmware_without_a_key_has_no_tags(real):
+    """By the first constant of SipHash, as x86-64 has it in code."""
+    if platform.machine() != "x86_64":
+        raise Skip("not x86-64")
+    same([b"uespemos" in rows(path) for path in
+          (hil(real), program(real, "line"))], [True, False])
+
+
+def refusals():
+    drive("/dev/null", code=4)
+    drive("/dev/null", "--delay", "21", code=2)
+    drive("/dev/null", "--speed", "fast", code=2)
+    same(subprocess.run([hil()], capture_output=True,
+                        check=False).returncode, 2)
+
+
+class Line(Board):
+    """A board whose line is open here."""
+
+    def __enter__(self):
+        self.line = os.open(self.name, os.O_RDWR | os.O_NOCTTY)
+        tty.setraw(self.line)
+        return self
+
+    def __exit__(self, *_):
+        os.close(self.line)
+        super().__exit__()
+
+    def listen(self, wanted):
+        """The first frame for which wanted(frame) holds."""
+        heard = b""
+        while select.select([self.line], [], [], 20)[0]:
+            heard += os.read(self.line, 4096)
+            for frame in decode.frames(heard):
+                if wanted(frame):
+                    return frame
+        sys.exit("the board is silent")
+
+    def session(self):
+        """That of its next schema, as four bytes."""
+        os.write(self.line, framed(struct.pack("<BBBIQ", 2, DESCRIBE, 0, 0, 0)))
+        return self.listen(lambda frame: frame[0] == SCHEMA and
+                           any(frame[3][13:17]))[3][13:17]
+
+    def use_up_to(self, number):
+        """A stop with that number, as another host would send it."""
+        session = self.session()
+        os.write(self.line, framed(
+            struct.pack("<BBBIQ", 2, STOP, 4, number, 0) + session))
+        same(self.listen(lambda frame: frame[0] == ANSWER and
+                         frame[3][4] == STOP)[3][5], 0)
+
+
+def framed(body):
+    """The bytes of a frame on the line (docs/PROTOCOL.md, section 1)."""
+    stuffed = b"".join(bytes([len(part) + 1]) + part
+                       for part in body.split(b"\0"))
+    crc = zlib.crc32(stuffed)
+    return (b"\0" + stuffed +
+            bytes(128 | crc >> 7 * i & 127 for i in range(5)) + b"\0")
+
+
+def pass_on(line, came):
+    """Whoever does not read any more misses it."""
+    try:
+        os.write(line, came)
+    except BlockingIOError:
+        pass
+
+
+def relayed(change, *words):
+    """hil in lockstep over a line on which each frame up becomes what
+    change(type, frame) returns. Returns: its exit code, and all that it
+    says."""
+    with Line() as board:
+        near, far = pty.openpty()
+        tty.setraw(near)
+        tty.setraw(far)
+        os.set_blocking(near, False)
+        with subprocess.Popen([hil(), os.ttyname(far), *LOCKSTEP, *words],
+                              stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT) as loop:
+            rest = b""
+            while loop.poll() is None:
+                for line in select.select([near, board.line], [], [], 0.05)[0]:
+                    came = os.read(line, 4096)
+                    if line == board.line:
+                        pass_on(near, came)
+                        continue
+                    *pieces, rest = (rest + came).split(b"\0")
+                    for piece in filter(None, pieces):
+                        kind = decode.decode(piece)[0]
+                        os.write(board.line,
+                                 change(kind, b"\0" + piece + b"\0"))
+            said = loop.stdout.read().decode()
+        os.close(near)
+        os.close(far)
+        return loop.returncode, said
+
+
+class Losing:
+    """The Nth frame of a type is lost."""
+
+    def __init__(self, kind, number):
+        self.kind, self.left = kind, number
+
+    def __call__(self, kind, frame):
+        self.left -= kind == self.kind
+        return b"" if kind == self.kind and self.left == 0 else frame
+
+
+def as_it_is(_, frame):
+    return frame
+
+
+def doubled_commands_change_nothing():
+    same(relayed(as_it_is, "--csv", "one")[0], 0)
+    code, said = relayed(lambda _, frame: frame + frame, "--csv", "two")
+    same((code, "0 late, 0 without an answer" in said), (0, True))
+    same(rows("one") == rows("two"), True)
+
+
+def a_stop_that_is_lost_ends_the_lockstep(number):
+    """The first stop is that before the reset, which is sent again."""
+    code, said = relayed(Losing(STOP, number), "--csv", "rows")
+    same((code, " was lost" in said), (4, True))
+    same(Path("rows").exists(), False)
+
+
+def an_input_that_is_lost_is_sent_again(number):
+    same(relayed(as_it_is, "--csv", "one")[0], 0)
+    same(relayed(Losing(INPUT, number), "--csv", "two")[0], 0)
+    same(rows("one") == rows("two"), True)
+
+
+def inputs_that_never_come_end_the_lockstep():
+    code, said = relayed(lambda kind, frame: b"" if kind == INPUT else frame)
+    same((code, "step 0: its input was lost" in said), (4, True))
+
+
+def numbers_end_within_a_loop(left):
+    with Line() as board:
+        drive(board.name, *LOCKSTEP, "--csv", "one")
+    with Line() as board:
+        board.use_up_to(2**32 - left)
+        drive(board.name, *LOCKSTEP, "--csv", "two")
+    same(rows("one") == rows("two"), True)
+
+
+def numbers_end_within_commands():
+    sent = [word for command in ("snapshot", "start", "stop", "start", "stop")
+            for word in ("--send", command)]
+    for left in range(2, 8):
+        with Line() as board:
+            board.use_up_to(2**32 - left)
+            done = subprocess.run([TWOFOLD, "monitor", board.name, *sent],
+                                  capture_output=True, text=True, check=False)
+            # The question who the board is, too. Where the computer is busy
+            # rows are lost (6), which is another matter.
+            check(done.returncode in (0, 6), done.stderr)
+            same((left, done.stderr.count("took effect")), (left, 6))
+
+
+def the_dead_man_is_given_back():
+    with Board() as board:
+        for words in ["--deadman", "0"], []:
+            said = drive(board.name, *LOCKSTEP, *words)
+            same("held without end" in said, bool(words))
+
+
+def closed_descriptors_are_not_the_line():
+    """What would be written there goes nowhere, and certainly not up."""
+    with Board() as board:
+        shell = f'"{hil()}" {board.name} {" ".join(LOCKSTEP)}'
+        same(subprocess.call(["sh", "-c", shell + " >&- 2>&-"]), 4)
+        said = drive(board.name, *LOCKSTEP)
+        says(said, " 0 broken")
+
+
+def cases():
+    """Tests with the values that they are made for, the longest one first."""
+    yield inputs_that_never_come_end_the_lockstep, ()
+    for real in REALS:
+        for test in (in_real_time, in_lockstep, inputs_that_never_come_in_time,
+                     what_does_not_compare,
+                     firmware_without_a_key_has_no_tags):
+            yield test, (real,)
+        yield silent_controller, (real, "--lockstep")
+        yield silent_controller, (real, "--delay", "20")
+    for test, numbers in (
+            (a_stop_that_is_lost_ends_the_lockstep, (2, 3, 9)),
+            (an_input_that_is_lost_is_sent_again, (1, 5)),
+            (numbers_end_within_a_loop, (2, 3, 4, 30, 31))):
+        for number in numbers:
+            yield test, (number,)
+    for test in (refusals, doubled_commands_change_nothing,
+                 numbers_end_within_commands, the_dead_man_is_given_back,
+                 closed_descriptors_are_not_the_line):
+        yield test, ()
+
+
+# They wait for boards, which take a millisecond a step.
+sys.exit(run([(" ".join([test.__name__, *map(str, values)]),
+               functools.partial(test, *values)) for test, values in cases()],
+             jobs=8))

@@ -1,0 +1,145 @@
+# The project in the forms that others expect: libraries and packages, and a
+# functional mock-up unit (FMU) for other simulation tools. Included by the
+# Makefile.
+#
+#   DIST_SCENE=driven  a further scene that is prepared as one header
+#   DESTDIR=           where a package is put together
+#   PREFIX=/usr/local  where things are installed
+#   DISTS='c cmake'    only these tests of `make test-dist`
+#   SCENE=chaos        what an FMU starts with: the name of a scene, or a file
+#                      (one with a . or a / in its name)
+#   ONLY='bits take'   of test-fmu: tests whose names contain one of these
+
+DIST := $(BUILD)/dist
+DIST_SCENE ?=
+DESTDIR ?=
+PREFIX ?= /usr/local
+DISTS ?=
+TF_VERSION := $(shell sed -n 's/^\#define TF_VERSION "\(.*\)"/\1/p' \
+  include/twofold.h)
+DIST_CONSTANTS := $(REALS:%=$(BUILD)/%/constants)
+
+.PHONY: dist install uninstall test-dist
+dist: ## two files, a prepared scene, packages: into build/dist
+dist: $(DIST_CONSTANTS)
+	@mkdir -p $(DIST)/c
+	@tools/package/dist/two_files.py $(DIST)/c
+	@for scene in $(sort chaos smooth $(DIST_SCENE)); do \
+	  tools/package/dist/scene.py $$scene $(DIST_CONSTANTS) $(DIST)/c || \
+	  exit 1; done
+	@tools/package/dist/packages.py $(DIST)/c $(DIST)
+	@echo 'The packages are in $(DIST).'
+
+# What is installed, below PREFIX. Libraries of both types have names of their
+# own, as their functions have. A folder may have blanks in its name.
+AT := '$(subst ','\'',$(DESTDIR)$(PREFIX))'
+INSTALLED = bin/twofold include/twofold.h \
+  $(wildcard include/twofold/*.h) \
+  lib/libtwofold_f64.a lib/libtwofold_f32.a \
+  $(patsubst tools/package/dist/install/%.pc,lib/pkgconfig/%.pc,\
+    $(wildcard tools/package/dist/install/*.pc)) \
+  $(patsubst tools/package/dist/install/%.cmake,lib/cmake/twofold/%.cmake,\
+    $(wildcard tools/package/dist/install/*.cmake)) \
+  share/man/man1/twofold.1
+# Folders of its own, and others, which go with it where they are then empty and
+# no folder of the system.
+ROOMS := include/twofold lib/cmake/twofold
+ifneq ($(filter-out '/usr' '/usr/' '/usr/local' '/usr/local/',$(AT)),)
+ROOMS += bin include lib/pkgconfig lib/cmake lib share/man/man1 share/man share
+endif
+
+fill = sed 's/@VERSION@/$(TF_VERSION)/g' $(1) >$(2)
+install: ## libraries, headers, program: DESTDIR= PREFIX=/usr/local
+install: $(BUILD)/double/twofold $(BUILD)/float/libtwofold.a
+	@mkdir -p $(AT)/bin $(AT)/include/twofold $(AT)/lib/pkgconfig \
+	  $(AT)/lib/cmake/twofold $(AT)/share/man/man1
+	@install -m 755 $(BUILD)/double/twofold $(AT)/bin/twofold
+	@install -m 644 include/twofold.h $(AT)/include
+	@install -m 644 include/twofold/*.h $(AT)/include/twofold
+	@install -m 644 $(BUILD)/double/libtwofold.a $(AT)/lib/libtwofold_f64.a
+	@install -m 644 $(BUILD)/float/libtwofold.a $(AT)/lib/libtwofold_f32.a
+	@for file in tools/package/dist/install/*.pc; do \
+	  $(call fill,$$file,$(AT)/lib/pkgconfig/$${file##*/}) || exit 1; \
+	done
+	@for file in tools/package/dist/install/*.cmake; do \
+	  $(call fill,$$file,$(AT)/lib/cmake/twofold/$${file##*/}) || \
+	  exit 1; done
+	@tools/package/dist/manual $(BUILD)/double/twofold $(TF_VERSION) \
+	  >$(AT)/share/man/man1/twofold.1
+	@echo 'twofold $(TF_VERSION) is in' $(AT).
+
+uninstall: ## remove what `make install` put there
+	@rm -f $(foreach file,$(INSTALLED),$(AT)/$(file))
+	@rmdir $(foreach room,$(ROOMS),$(AT)/$(room)) 2>/dev/null || true
+
+test-dist: ## each package, compiled and run as its user would
+test-dist: dist $(BUILD)/double/twofold $(BUILD)/float/twofold
+	@MAKEFLAGS= MAKELEVEL= MAKE='$(MAKE)' BUILD='$(BUILD)' \
+	  tools/package/dist/test/run.py $(DISTS)
+
+# Where `make fmu` puts what it makes: twofold.fmu is for FMI 3.0.
+FMU_DIST := $(BUILD)/dist
+FMU_SCENE := $(notdir $(or $(SCENE),chaos))
+FMU_SCENES := $(patsubst %,$(BUILD)/fmu/%/done,$(shell \
+  sed -n 's/^ *\.name = "\(.*\)",$$/\1/p' src/scene/scenes.c))
+FMU_CORE := $(CORE:%.c=$(BUILD)/fmu/core/%.o)
+FMU_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -fno-math-errno -fPIC \
+  -fvisibility=hidden -ffunction-sections -fdata-sections
+FMU_BINARY_fmi2 := binaries/linux64
+FMU_BINARY_fmi3 := binaries/x86_64-linux
+
+.PHONY: fmu test-fmu
+
+fmu: ## FMUs of SCENE=chaos: build/dist/twofold.fmu
+fmu: $(BUILD)/fmu/$(FMU_SCENE)/done
+	@mkdir -p $(FMU_DIST)
+	@cp $(<D)/twofold.fmu $(<D)/twofold-fmi2.fmu $(FMU_DIST)
+	@echo 'FMI 3.0: $(FMU_DIST)/twofold.fmu'
+	@echo 'FMI 2.0: $(FMU_DIST)/twofold-fmi2.fmu'
+
+test-fmu: ## the FMUs of all scenes under an importer of their own
+test-fmu: $(FMU_SCENES) $(BUILD)/double/twofold
+	@MAKEFLAGS= MAKELEVEL= MAKE='$(MAKE)' BUILD='$(BUILD)' OPT='$(OPT)' \
+	  CC='$(CC)' EXTRA='$(EXTRA)' tests/fmu/test_fmu.py $(ONLY)
+
+$(BUILD)/fmu/flags: FORCE
+	@mkdir -p $(@D)
+	@new=$@.$$$$; echo '$(CC) $(FMU_FLAGS) $(EXTRA) $(CORE)' >$$new; \
+	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
+
+$(BUILD)/fmu/core/%.o: %.c $(BUILD)/fmu/flags
+	$(call compile,$(FMU_FLAGS) $(SRC_FLAGS_$(*F)))
+$(BUILD)/fmu/libtwofold.a: $(FMU_CORE)
+	$(archive)
+$(BUILD)/fmu/describe: tools/package/fmu/describe.c \
+    tools/package/fmu/variables.c $(SCENE_READER) \
+    $(BUILD)/fmu/libtwofold.a tools/package/fmu/variables.h
+	@echo '  LINK  $@'
+	@$(CC) $(COMMON) $(WARN) -Itools $(EXTRA) $(filter %.c %.a,$^) -lm -o $@
+
+FMU_SOURCES := $(wildcard tools/package/fmu/*.[chp]* include/*.h \
+  include/twofold/*.h src/*/*.[ch]) docs/FMU.md LICENSE
+# The scene that a folder is named after: $(call fmu_scene,folder).
+fmu_scene = $(if $(filter $(FMU_SCENE),$(1)),$(or $(SCENE),chaos),$(1))
+# $(call fmu_link,directory of the scene,fmi2 or fmi3)
+define fmu_link
+	@mkdir -p $(1)/$(2)/$(FMU_BINARY_$(2))
+	@$(CC) $(FMU_FLAGS) $(EXTRA) -shared -s -Wl,--gc-sections \
+	  -Wl,-z,defs -Wl,-soname,twofold.so \
+	  $(1)/$(2)/sources/fmu_*.c $(BUILD)/fmu/libtwofold.a \
+	  -o $(1)/$(2)/$(FMU_BINARY_$(2))/twofold.so
+endef
+# Of a file the rest is made anew each time: it may be another file by now.
+$(BUILD)/fmu/%/done: $(BUILD)/fmu/describe $(BUILD)/double/constants \
+    $(FMU_SOURCES) \
+    $(if $(findstring .,$(SCENE))$(findstring /,$(SCENE)),FORCE)
+	@mkdir -p $(@D)
+	@echo '  FMU   $(@D)'
+	@$< '$(call fmu_scene,$*)' >$(@D)/description.json
+	@$(BUILD)/double/constants --scene '$(call fmu_scene,$*)' >$(@D)/scene.h
+	@tools/package/fmu/package.py layout $(@D)/description.json $(@D)
+	$(call fmu_link,$(@D),fmi2)
+	$(call fmu_link,$(@D),fmi3)
+	@tools/package/fmu/package.py pack $(@D) $(@D)/twofold-fmi2.fmu \
+	  $(@D)/twofold.fmu
+	@touch $@
