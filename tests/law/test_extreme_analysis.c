@@ -13,7 +13,7 @@ static void look(const tf_params_t *p, const tf_input_t *input,
 }
 
 TEST(analysis_of_any_machine_is_finite_or_refused) {
-  for (int n = 0; n < 200000; n++) {
+  for (int n = 0; n < samples(200000); n++) {
     tf_params_t p = draw_machine();
     if (!one_in(4)) p.law = TF_TYRE_JUMP;
     const tf_state_t x = draw_state(one_in(4) ? TF_STATE_LIMIT / 2 : 10);

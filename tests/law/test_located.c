@@ -308,13 +308,8 @@ TEST(located_agrees_with_moreau) {
   const int trials = samples(IS_DOUBLE ? 150 : 40);
   int compared = 0, apart_count = 0;
   for (int i = 0; i < trials; i++) {
-    tf_params_t q = tf_scenes[0]->params;
-    q.gamma = (tf_real_t)tap_uniform(-3.1, 3.1);
-    q.beta = (tf_real_t)tap_uniform(0.1, 0.5);
-    q.kappa = (tf_real_t)tap_uniform(0.02, 0.6);
-    q.d = (tf_real_t)tap_uniform(-1, 1);
-    q.k2 = (tf_real_t)tap_uniform(0.5, 30);
-    q.mu = (tf_real_t)tap_uniform(0.1, 2);
+    tf_params_t q = moderate_params();
+    q.beta = uniform(0.1, 0.5);
     sim_t a = begin(q, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
                     tap_uniform(-0.2, 0.2), 0.5, 50, 1e-8);
     sim_t b = a;

@@ -14,13 +14,9 @@ static sim_t step_within(const sim_t *start, int segments) {
  * are long for them. */
 TEST(located_budget_is_kept) {
   int needed[4] = {0, 0, 0, 0}, short_of = 0;
-  for (int i = 0; i < 2000; i++) {
-    sim_t s = {.params = tf_scenes[0]->params};
-    s.params.gamma = uniform(0.3, 2.8);
-    s.params.beta = uniform(0.05, 0.5);
-    s.params.kappa = uniform(0.02, 0.6);
-    s.params.k2 = uniform(0.5, 30);
-    s.params.mu = uniform(0.1, 2);
+  for (int i = 0; i < samples(2000); i++) {
+    sim_t s = {.params = moderate_params()};
+    s.params.gamma = uniform(0.3, 2.8); /* h depends on v */
     s.params.dt = uniform(0.01, 0.2);
     CHECK(sim_place(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
                     tap_uniform(-0.2, 0.2), TF_NO_MODE) == TF_OK);
@@ -52,7 +48,7 @@ TEST(located_budget_is_kept) {
       "# segments needed: one %d, two %d, up to seven %d, more %d; short of "
       "them %d times\n",
       needed[0], needed[1], needed[2], needed[3], short_of);
-  for (int i = 0; i < 4; i++) CHECK(needed[i] > 20);
+  for (int i = 0; i < 4; i++) CHECK(needed[i] > samples(20));
 }
 
 /* What is left is done by the fixed step, from where the segments have come to:

@@ -5,17 +5,6 @@
 
 static tf_status_t locate(sim_t *s) { return sim_step(s, LOCATED); }
 
-static tf_params_t machine_at_random(void) {
-  tf_params_t p = tf_scenes[0]->params;
-  p.gamma = (tf_real_t)tap_uniform(-3.1, 3.1);
-  p.beta = (tf_real_t)tap_uniform(0.05, 0.5);
-  p.kappa = (tf_real_t)tap_uniform(0.02, 0.6);
-  p.d = (tf_real_t)tap_uniform(-1, 1);
-  p.k2 = (tf_real_t)tap_uniform(0.5, 30);
-  p.mu = (tf_real_t)tap_uniform(0.1, 2);
-  return p;
-}
-
 /* Off h = g = 0 the residual of a slip is what the paper's law says about F, M
  * and the slip of the report; a series cut early leaves one, and it falls with
  * the tolerance. */
@@ -25,7 +14,7 @@ TEST(located_residual_is_that_of_the_law) {
   int slips[2] = {0, 0};
   for (int j = 0; j < 2; j++)
     for (int i = 0; i < 60; i++) {
-      sim_t s = {.params = machine_at_random()};
+      sim_t s = {.params = moderate_params()};
       s.params.dt = TF_R(0.05);
       s.params.tolerance = (tf_real_t)tolerance[j];
       if (sim_place(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
@@ -63,7 +52,7 @@ TEST(located_residual_is_that_of_the_law) {
 TEST(located_event_at_the_end_of_a_step) {
   int events = 0;
   for (int i = 0; i < 100; i++) {
-    sim_t s = {.params = machine_at_random()};
+    sim_t s = {.params = moderate_params()};
     tf_real_t low = 0, high = TF_R(0.05);
     s.params.dt = high;
     if (sim_place(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
@@ -100,7 +89,7 @@ TEST(located_angle_is_the_integral_of_the_speed) {
   enum { PARTS = 64 };
   int steps = 0, with_event = 0;
   for (int i = 0; i < 40; i++) {
-    sim_t s = {.params = machine_at_random()}, fine;
+    sim_t s = {.params = moderate_params()}, fine;
     s.params.dt = TF_R(0.05);
     s.params.with_angle = true;
     fine.params = s.params;
@@ -142,7 +131,7 @@ TEST(located_angle_is_the_integral_of_the_speed) {
 TEST(located_escaping_stick_ends_in_slip_of_the_other_side) {
   int released[2] = {0, 0};
   for (int i = 0; i < 200000; i++) {
-    sim_t s = {.params = machine_at_random()};
+    sim_t s = {.params = moderate_params()};
     s.params.dt = TF_R(1e-3);
     s.params.rule = TF_RULE_PERSIST;
     const unsigned mode = i % 2 ? TF_STICK_PLUS : TF_STICK_MINUS;
@@ -178,7 +167,7 @@ TEST(located_escaping_stick_ends_in_slip_of_the_other_side) {
 TEST(located_delassus_is_that_of_the_side_of_g) {
   int seen[2] = {0, 0};
   for (int i = 0; i < 4000; i++) {
-    sim_t s = {.params = machine_at_random()};
+    sim_t s = {.params = moderate_params()};
     s.params.dt = TF_R(1e-3);
     const unsigned mode = i % 2 ? TF_STICK_PLUS : TF_STICK_MINUS;
     if (sim_place(&s, tap_uniform(-0.8, 0.8), tap_uniform(-1.5, 1.5), 0,
@@ -203,7 +192,7 @@ TEST(located_delassus_is_that_of_the_side_of_g) {
 TEST(located_set_holds_the_mode) {
   int steps = 0, open = 0;
   for (int i = 0; i < 3000; i++) {
-    sim_t s = {.params = machine_at_random()};
+    sim_t s = {.params = moderate_params()};
     s.params.dt = TF_R(0.25);
     s.params.rule = (tf_rule_t)(i % 4);
     if (sim_place(&s, tap_uniform(-0.4, 0.4), tap_uniform(-1.5, 1.5), 0,
@@ -231,7 +220,7 @@ TEST(located_set_holds_the_mode) {
 TEST(located_mode_at_h_0_is_a_consistent_one) {
   int exact = 0, others = 0;
   for (int i = 0; i < 20000; i++) {
-    sim_t s = {.params = machine_at_random()};
+    sim_t s = {.params = moderate_params()};
     s.params.dt = TF_R(1e-9);
     if (sim_place(&s, tap_uniform(-0.8, 0.8), tap_uniform(-1.5, 1.5), 0,
                   TF_NO_MODE) != TF_OK ||
@@ -253,7 +242,7 @@ TEST(located_mode_at_h_0_is_a_consistent_one) {
  * as in many steps. gamma = 0, where g is the speed of the slider. */
 TEST(located_slip_starts_at_g_0) {
   for (int i = 0; i < 200; i++) {
-    sim_t s = {.params = machine_at_random()}, fine;
+    sim_t s = {.params = moderate_params()}, fine;
     s.params.gamma = 0;
     s.params.d = 0;
     s.params.dt = TF_R(0.02);

@@ -38,7 +38,7 @@ static real margin(const paper_t *p, hold_t by) {
 
 TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
   int left[2][2] = {{0, 0}, {0, 0}}, steps = 0, fell_back = 0;
-  for (int i = 0; i < 60000; i++) {
+  for (int i = 0; i < samples(60000); i++) {
     tf_params_t q = random_params();
     q.dt = TF_R(0.05);
     q.tolerance = TF_R(1e-6);
@@ -78,15 +78,16 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
   printf("# released: by F < 0 at M %d, at F %d; by F > 0 at M %d, at F %d\n",
          left[0][0], left[0][1], left[1][0], left[1][1]);
   printf("# %d steps pinned, %d of them by tf_step\n", steps, fell_back);
-  CHECK(steps > 1000 && fell_back <= steps / 1000);
-  for (int j = 0; j < 4; j++) CHECK(left[j / 2][j % 2] > (j % 2 ? 20 : 0));
+  CHECK(steps > samples(1000) && fell_back <= steps / 1000);
+  for (int j = 0; j < 4; j++)
+    CHECK(left[j / 2][j % 2] > (j % 2 ? samples(20) : 0));
 }
 
 /* The same against a force along the slot and a torque on the disc, by the
  * located step and, where the turntable runs evenly, by tf_step. */
 TEST(pinned_wheel_answers_what_acts_on_it) {
   int steps[2] = {0, 0};
-  for (int i = 0; i < 40000; i++) {
+  for (int i = 0; i < samples(40000); i++) {
     tf_params_t q = random_params();
     q.dt = TF_R(0.01);
     const paper_t p = paper_of(&q);
@@ -114,7 +115,7 @@ TEST(pinned_wheel_answers_what_acts_on_it) {
     steps[located]++;
   }
   printf("# %d steps, %d located\n", steps[0], steps[1]);
-  CHECK(steps[0] > 300 && steps[1] > 150);
+  CHECK(steps[0] > samples(300) && steps[1] > samples(150));
 }
 
 /* Where nothing acts it stays for good: what does not roll is pinned, and

@@ -50,45 +50,23 @@ static int replay_all(const char *room, const char *prefix,
   return count;
 }
 
-static void replay_target(const char *room, const char *crashes,
-                          fuzz_target_t target) {
-  const int files = replay_all(room, "", target);
-  const int crashed = replay_all("tests/regress", crashes, target);
-  printf("# %s: %d files, %d of former crashes\n", room, files, crashed);
-  CHECK(files > 0);
-}
-
-/* Complaints about what was typed are what these targets are meant to cause. */
-static void replay_quietly(const char *room, const char *crashes,
-                           fuzz_target_t target) {
+TEST(corpus_keeps_the_promises) {
+  static const struct {
+    const char *name;
+    fuzz_target_t target;
+  } targets[] = {{"machine", fuzz_machine},     {"frame", fuzz_frame},
+                 {"arguments", fuzz_arguments}, {"scene", fuzz_scene},
+                 {"table", fuzz_table},         {"state", fuzz_state},
+                 {"record", fuzz_record}};
+  /* Complaints about what was typed are what some of them are meant to cause. */
   CHECK(freopen("/dev/null", "w", stderr) != NULL);
-  replay_target(room, crashes, target);
-}
-
-TEST(corpus_of_machines_keeps_the_promises) {
-  replay_target("tests/corpus/machine", "crash-machine-", fuzz_machine);
-}
-
-TEST(corpus_of_frames_keeps_the_promises) {
-  replay_target("tests/corpus/frame", "crash-frame-", fuzz_frame);
-}
-
-TEST(corpus_of_arguments_keeps_the_promises) {
-  replay_quietly("tests/corpus/arguments", "crash-arguments-", fuzz_arguments);
-}
-
-TEST(corpus_of_scenes_keeps_the_promises) {
-  replay_quietly("tests/corpus/scene", "crash-scene-", fuzz_scene);
-}
-
-TEST(corpus_of_tables_keeps_the_promises) {
-  replay_quietly("tests/corpus/table", "crash-table-", fuzz_table);
-}
-
-TEST(corpus_of_states_keeps_the_promises) {
-  replay_quietly("tests/corpus/state", "crash-state-", fuzz_state);
-}
-
-TEST(corpus_of_records_keeps_the_promises) {
-  replay_quietly("tests/corpus/record", "crash-record-", fuzz_record);
+  for (size_t i = 0; i < sizeof targets / sizeof *targets; i++) {
+    char room[64], crashes[64];
+    snprintf(room, sizeof room, "tests/corpus/%s", targets[i].name);
+    snprintf(crashes, sizeof crashes, "crash-%s-", targets[i].name);
+    const int files = replay_all(room, "", targets[i].target);
+    const int crashed = replay_all("tests/regress", crashes, targets[i].target);
+    printf("# %s: %d files, %d of former crashes\n", room, files, crashed);
+    CHECK(files > 0);
+  }
 }

@@ -58,6 +58,23 @@ static inline tf_real_t of_any_sign(tf_real_t x) {
   return tap_bits() & 1u ? -x : x;
 }
 
+/* A machine from wide ranges of all that a motion depends on. */
+static inline tf_params_t wide_params(void) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.m = log_uniform(0.3, 3);
+  p.beta = log_uniform(0.05, 1);
+  p.d = uniform(0.2, 2);
+  p.c1 = uniform(0, 1);
+  p.c2 = uniform(0, 1);
+  p.k2 = uniform(0, 30);
+  p.r0 = uniform(-0.5, 0.5);
+  p.omega0 = uniform(-2, 2);
+  p.mu = log_uniform(0.1, 3);
+  p.kappa = uniform(1e-3, 1);
+  p.gamma = uniform(-3.14, 3.14);
+  return p;
+}
+
 static inline paper_t paper_of(const tf_params_t *p) {
   return (paper_t){.m = wide(p->m),
                    .d = wide(p->d),

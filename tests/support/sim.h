@@ -21,6 +21,18 @@ typedef struct {
   tf_report_t report;
 } sim_t;
 
+/* Of moderate speeds: a step of 50 ms has few events. */
+static inline tf_params_t moderate_params(void) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.gamma = uniform(-3.1, 3.1);
+  p.beta = uniform(0.05, 0.5);
+  p.kappa = uniform(0.02, 0.6);
+  p.d = uniform(-1, 1);
+  p.k2 = uniform(0.5, 30);
+  p.mu = uniform(0.1, 2);
+  return p;
+}
+
 /* The machine of its parameters, whatever ran before. */
 static inline tf_status_t sim_prepare(sim_t *s) {
   const tf_status_t status =

@@ -16,7 +16,7 @@ TEST(design_gives_the_numbers_of_the_paper) {
 }
 
 TEST(designed_two_folds_are_found_again) {
-  for (int i = 0; i < 5000; i++) {
+  for (int i = 0; i < samples(5000); i++) {
     const sample_t c = random_two_fold();
     const tf_surface_point_t *wanted = &c.design.two_fold.point;
     tf_surface_point_t at[TF_TWO_FOLDS];

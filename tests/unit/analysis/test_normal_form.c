@@ -16,7 +16,7 @@ static real bulk_of(const sample_t *c) {
 }
 
 TEST(normal_form_against_the_paper) {
-  for (int i = 0; i < 5000; i++) {
+  for (int i = 0; i < samples(5000); i++) {
     const sample_t c = random_two_fold();
     const tf_two_fold_t *at = &c.design.two_fold;
     paper_twofold_t n;
@@ -45,7 +45,7 @@ TEST(normal_form_against_the_paper) {
 /* Not in the paper: A depends on r alone, so K++ + K-- = K+- + K-+ and the
  * roots of its characteristic polynomial are K-+ - K++ and K++ - K+-. */
 TEST(eigenvalues_are_rational) {
-  for (int i = 0; i < 2000; i++) {
+  for (int i = 0; i < samples(2000); i++) {
     const sample_t c = random_two_fold();
     paper_twofold_t n;
     paper_twofold(&c.paper, c.x, c.s, &n);
@@ -63,7 +63,7 @@ TEST(eigenvalues_are_rational) {
  * (L+, L-) by the paper's gradients; the normal form has to foretell both. */
 TEST(sliding_motion_follows_the_normal_form) {
   int seen = 0;
-  for (int i = 0; i < 3000; i++) {
+  for (int i = 0; i < samples(3000); i++) {
     const sample_t c = random_two_fold();
     const tf_two_fold_t *at = &c.design.two_fold;
     const real pp = wide(at->Kpp), pm = wide(at->Kpm);
@@ -119,14 +119,14 @@ TEST(sliding_motion_follows_the_normal_form) {
       seen++;
     }
   }
-  CHECK(seen > 200);
+  CHECK(seen > samples(200));
 }
 
 /* Follows the normal form from inside the sliding cone: case 1 alone brings
  * every orbit to the two-fold, case 2 and 3 none. */
 TEST(paper_cases_1_to_3) {
   int seen[4] = {0};
-  for (int i = 0; i < 5000; i++) {
+  for (int i = 0; i < samples(5000); i++) {
     const sample_t c = random_two_fold();
     const tf_two_fold_t *at = &c.design.two_fold;
     if (at->type != TF_FOLDS_INVISIBLE) {
@@ -152,14 +152,15 @@ TEST(paper_cases_1_to_3) {
     CHECK((growth < 0) == (at->paper_case == 1));
     CHECK_NEAR(growth, wide(at->through.value), 1e-9L + 1e3L * EPSILON);
   }
-  CHECK(seen[1] > 20 && seen[2] > 20 && seen[3] > 20 && seen[0] == 0);
+  CHECK(seen[1] > samples(20) && seen[2] > samples(20));
+  CHECK(seen[3] > samples(20) && seen[0] == 0);
 }
 
 /* With every input driven, K^{ab} is the rate of h_x.f(x, a mu) along f(x, b
  * mu), the turntable turning on. */
 TEST(driven_two_fold_is_the_second_rate) {
   int seen = 0;
-  for (int i = 0; i < 2000; i++) {
+  for (int i = 0; i < samples(2000); i++) {
     const tf_params_t params = random_params();
     const tf_machine_t machine = prepared(&params);
     tf_input_t input = tf_input_default(&machine);
@@ -206,5 +207,5 @@ TEST(driven_two_fold_is_the_second_rate) {
       seen++;
     }
   }
-  CHECK(seen > 100);
+  CHECK(seen > samples(100));
 }

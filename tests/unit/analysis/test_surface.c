@@ -31,14 +31,9 @@ static real bulk_of(const look_t *c) {
 static look_t random_look(void) {
   look_t c;
   memset(&c, 0, sizeof c);
-  c.params = tf_scenes[0]->params;
-  c.params.d = uniform(-2, 2);
-  c.params.beta = uniform(0.02, 0.3);
-  c.params.kappa = uniform(0.01, 1);
-  c.params.omega0 = uniform(-2, 2);
-  do c.params.gamma = uniform(-3.14, 3.14);
-  while (fabs(sin((double)c.params.gamma)) < 0.05);
-  CHECK(tf_prepare(&c.machine, &c.params, NULL) == TF_OK);
+  c.params = random_params();
+  c.params.k2 = tf_scenes[0]->params.k2;
+  c.machine = prepared(&c.params);
   c.paper = paper_of(&c.params);
   c.input = tf_input_default(&c.machine);
   tf_real_t r = uniform(-0.5, 0.5), w = uniform(-3, 3), v = 0;
@@ -61,7 +56,7 @@ static void near_rate(const tf_rate_t *got, const real want[3], real scale,
 }
 
 TEST(lie_derivatives_against_the_paper) {
-  for (int i = 0; i < 20000; i++) {
+  for (int i = 0; i < samples(20000); i++) {
     const look_t c = random_look();
     const real mu = c.paper.mu, close = 32 * EPSILON * c.bulk;
     CHECK_NEAR(wide(c.at.lie_plus), paper_lie(&c.paper, c.x, mu, c.s) / c.clock,
@@ -88,7 +83,7 @@ TEST(lie_derivatives_against_the_paper) {
 
 TEST(sliding_field_against_the_paper) {
   int seen = 0;
-  for (int i = 0; i < 20000; i++) {
+  for (int i = 0; i < samples(20000); i++) {
     const look_t c = random_look();
     const real mu = c.paper.mu, A = fabsl(wide(c.at.delassus));
     real f[3];
@@ -111,13 +106,13 @@ TEST(sliding_field_against_the_paper) {
     near_rate(&c.at.stick, f, 1, lost * (1 + 1 / A) * 4 / c.clock);
     seen++;
   }
-  CHECK(seen > 2000);
+  CHECK(seen > samples(2000));
 }
 
 /* The slip law just off h = 0, in which neither lambda nor A occurs. */
 TEST(regions_are_what_slip_does) {
   int count[TF_REGIONS] = {0};
-  for (int i = 0; i < 20000; i++) {
+  for (int i = 0; i < samples(20000); i++) {
     const look_t c = random_look();
     const real g = paper_g(&c.paper, c.x);
     real F, M, f[3], n[3], lie[2];
@@ -140,7 +135,7 @@ TEST(regions_are_what_slip_does) {
     if (c.at.region == TF_REGION_SLIDING) CHECK(c.at.delassus > 0);
     if (c.at.region == TF_REGION_ESCAPING) CHECK(c.at.delassus < 0);
   }
-  for (int i = 0; i <= TF_REGION_DOWN; i++) CHECK(count[i] > 100);
+  for (int i = 0; i <= TF_REGION_DOWN; i++) CHECK(count[i] > samples(100));
 }
 
 /* (slidRescale) as printed is h_x.f_lambda times (svf), and h_x.f_lambda < 0
@@ -148,7 +143,7 @@ TEST(regions_are_what_slip_does) {
  * says. `scaled` has the opposite sign. */
 TEST(rescaled_field_is_regular_at_the_two_fold) {
   int both[2] = {0};
-  for (int i = 0; i < 20000; i++) {
+  for (int i = 0; i < samples(20000); i++) {
     const look_t c = random_look();
     real f0[3], f1[3], printed[3];
     paper_f(&c.paper, c.x, 0, c.s, f0);
@@ -166,10 +161,9 @@ TEST(rescaled_field_is_regular_at_the_two_fold) {
       both[c.at.region]++;
     }
   }
-  CHECK(both[0] > 100 && both[1] > 100);
-  tf_machine_t machine;
+  CHECK(both[0] > samples(100) && both[1] > samples(100));
   tf_surface_t at;
-  CHECK(tf_prepare(&machine, &tf_scenes[0]->params, NULL) == TF_OK);
+  const tf_machine_t machine = prepared(&tf_scenes[0]->params);
   const tf_input_t input = tf_input_default(&machine);
   CHECK(tf_surface_at(&machine, &input, (tf_real_t)PAPER_R_STAR,
                       (tf_real_t)-0.0301217L, (tf_real_t)PAPER_W_STAR,
@@ -202,7 +196,7 @@ TEST(surface_refuses_other_laws_and_bad_states) {
   tf_machine_t machine;
   tf_params_t params = tf_scenes[0]->params;
   tf_surface_t at;
-  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
+  machine = prepared(&params);
   tf_input_t input = tf_input_default(&machine);
   /* w = omega0 on the surface: h = g = 0 */
   CHECK(tf_surface_at(&machine, &input, TF_R(0.2), 0, -1, &at) == TF_OK);
@@ -217,7 +211,7 @@ TEST(surface_refuses_other_laws_and_bad_states) {
   CHECK(tf_surface_at(&machine, &input, 0, 0, 0, &at) == TF_BAD_STATE);
   input = tf_input_default(&machine);
   params.law = TF_TYRE_NONE;
-  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
+  machine = prepared(&params);
   CHECK(tf_surface_at(&machine, &input, 0, 0, 0, &at) == TF_BAD_PARAMETER);
   CHECK(!memcmp(&at, &before, sizeof at));
   /* The heaviest spring, stretched to the limit, on the lightest slider. */
@@ -226,7 +220,7 @@ TEST(surface_refuses_other_laws_and_bad_states) {
   params.k2 = TF_R(1e15);
   params.beta = TF_R(1e-9);
   params.d = TF_R(1e6);
-  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
+  machine = prepared(&params);
   const tf_status_t status =
       tf_surface_at(&machine, &input, TF_R(1e-9), TF_R(9e8), 0, &at);
   CHECK(status == (sizeof(tf_real_t) == 4 ? TF_BAD_STATE : TF_OK));
@@ -234,7 +228,7 @@ TEST(surface_refuses_other_laws_and_bad_states) {
    * like any other. */
   params = tf_scenes[0]->params;
   params.law = TF_TYRE_COULOMB;
-  CHECK(tf_prepare(&machine, &params, NULL) == TF_OK);
+  machine = prepared(&params);
   CHECK(tf_surface_at(&machine, &input, TF_R(0.2), 0, -1, &at) == TF_OK);
   CHECK(at.region == TF_REGION_SLIDING && at.delassus > 0);
 }

@@ -184,15 +184,7 @@ TEST(wheel_is_pinned_where_the_law_allows) {
 TEST(codimension_two_always_has_a_future) {
   int points = 0, rests = 0, leaves = 0, no_bow_tie = 0, turn_away = 0;
   for (int n = 0; n < samples(20000); n++) {
-    tf_params_t params = n % 2 ? any_params(n) : random_params();
-    params.m = log_uniform(0.3, 3);
-    params.beta = log_uniform(0.05, 1);
-    params.d = uniform(0.2, 2);
-    params.k2 = uniform(0, 30);
-    params.c1 = uniform(0, 1);
-    params.mu = log_uniform(0.1, 3);
-    params.kappa = uniform(1e-3, 1);
-    params.gamma = uniform(-3.14, 3.14);
+    const tf_params_t params = wide_params();
     place_t c;
     look_at(&c, &params, NULL, uniform(-0.5, 0.5));
     const tf_state_t state = {.mode = TF_SLIP_PLUS};

@@ -48,7 +48,7 @@ TEST(text_numbers_are_plain) {
 }
 
 TEST(text_numbers_read_back) {
-  for (int n = 0; n < 200000; n++) {
+  for (int n = 0; n < samples(200000); n++) {
     tf_real_t value = 0;
     const uint64_t bits = tap_bits();
     if (n % 2)

@@ -126,7 +126,7 @@ TEST(begin_finds_the_mode) {
   heavier(&params);
   const tf_machine_t machine = prepared(&params);
   const real kappa = wide(params.kappa);
-  for (int i = 0; i < 100000; i++) {
+  for (int i = 0; i < samples(100000); i++) {
     contact_t c;
     if (!on_the_surface(&params, &machine, kappa, &c)) continue;
     judge_contact(&machine, &c, kappa);
@@ -135,7 +135,7 @@ TEST(begin_finds_the_mode) {
   for (int s = 0; s < 2; s++) { /* crossing, sliding, escaping */
     printf("# g %c 0: %d crossing, %d sliding, %d escaping\n", s ? '<' : '>',
            seen[s][0], seen[s][1], seen[s][2]);
-    for (int n = 0; n < 3; n++) CHECK(seen[s][n] > 100);
+    for (int n = 0; n < 3; n++) CHECK(seen[s][n] > samples(100));
   }
 }
 
@@ -145,7 +145,7 @@ TEST(begin_without_a_moment) {
   heavier(&params);
   params.law = TF_TYRE_COULOMB;
   const tf_machine_t machine = prepared(&params);
-  for (int i = 0; i < 20000; i++) {
+  for (int i = 0; i < samples(20000); i++) {
     contact_t c;
     if (!on_the_surface(&params, &machine, 0, &c)) continue;
     CHECK(c.A > 0);
@@ -155,7 +155,7 @@ TEST(begin_without_a_moment) {
 
 /* Off h = 0 the side decides alone, at any law, whatever mode is asked for. */
 TEST(begin_off_the_surface) {
-  for (int i = 0; i < 60000; i++) {
+  for (int i = 0; i < samples(60000); i++) {
     tf_params_t params = tf_scenes[0]->params;
     params.epsilon = params.k = params.delta = params.a = params.rho = 1;
     params.law = (tf_tyre_law_t)(i % TF_TYRE_LAWS);
@@ -202,7 +202,7 @@ TEST(begin_counts_rounding_as_zero) {
  * future of several. */
 TEST(stick_goes_on_where_it_begins_again) {
   long sticks = 0, escaping = 0;
-  for (int n = 0; n < 400; n++) {
+  for (int n = 0; n < samples(400); n++) {
     tf_params_t params = tf_scenes[0]->params;
     params.gamma = params.gamma + uniform(TF_R(-0.5), TF_R(0.5));
     params.mu *= uniform(TF_R(0.5), 2);
@@ -227,7 +227,7 @@ TEST(stick_goes_on_where_it_begins_again) {
   }
   printf("# %ld ends in stick or at rest, %ld of them escape\n", sticks,
          escaping);
-  CHECK(sticks > 10000 && escaping > 100);
+  CHECK(sticks > samples(10000) && escaping > samples(100));
 }
 
 /* v = 0, w = omega0: h = g = 0. */
@@ -319,7 +319,7 @@ TEST(begin_with_slip_is_its_parts) {
                 {0, TF_NO_MODE}};
   const tf_machine_t machine = prepared(&tf_scenes[0]->params);
   const tf_input_t input = tf_input_default(&machine);
-  for (int i = 0; i < 5000; i++) {
+  for (int i = 0; i < samples(5000); i++) {
     const tf_real_t h = (tf_real_t)starts[i % 5].h;
     const unsigned side = starts[i % 5].side;
     tf_state_t x = {.r = uniform(0.05, 0.4),

@@ -95,13 +95,14 @@ static void compare_blocks(unsigned long blocks, tf_real_t scale) {
 }
 
 TEST(lanes_find_the_sets_of_the_enumeration) {
-  const unsigned long blocks = 100000;
+  const unsigned long blocks = (unsigned long)samples(100000);
   compare_blocks(blocks, 1);
   printf("# %u rare; sets of 0 to 5 modes: %u %u %u %u %u %u\n", rare,
          counted[0], counted[1], counted[2], counted[3], counted[4],
          counted[5]);
   CHECK(rare < blocks * TF_LANES / 2);
-  for (int size = 0; size <= TF_MODES; size++) CHECK(counted[size] > 100);
+  for (int size = 0; size <= TF_MODES; size++)
+    CHECK(counted[size] > (unsigned)samples(100));
 }
 
 /* Sums of such numbers are infinite; with a halving or two they are not. */
@@ -144,7 +145,7 @@ TEST(lanes_have_the_forms_of_the_step) {
   static tf_state_block_t block;
   static work_t work;
   int sticks = 0, rests = 0, refused = 0;
-  for (int n = 0; n < 2000; n++) {
+  for (int n = 0; n < samples(2000); n++) {
     tf_params_t params = random_params();
     params.theta = uniform(0, 1) < TF_R(0.5) ? TF_R(0.5) : 1;
     const tf_machine_t k = prepared(&params);
@@ -177,7 +178,8 @@ TEST(lanes_have_the_forms_of_the_step) {
   }
   printf("# %d sticks, %d of them pinned, %d refused\n", sticks, rests,
          refused);
-  CHECK(sticks > 1000 && rests > 100 && refused > 100);
+  CHECK(sticks > samples(1000) && rests > samples(100));
+  CHECK(refused > samples(100));
 }
 
 /* The slip law of a lane is that of a single step, on the borders between its

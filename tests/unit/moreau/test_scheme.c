@@ -14,18 +14,11 @@ typedef struct {
 static case_t random_case(tf_tyre_law_t law, double longest) {
   case_t c;
   memset(&c, 0, sizeof c);
-  c.params = tf_scenes[0]->params;
+  c.params = wide_params();
   tf_params_t *p = &c.params;
   p->law = law;
-  p->m = log_uniform(0.3, 3);
-  p->beta = log_uniform(0.05, 1);
   p->d = uniform(-1, 1);
-  p->c1 = uniform(0, 1);
-  p->c2 = uniform(0, 1);
-  p->k2 = uniform(0, 30);
-  p->mu = uniform(0.1, 3);
   p->kappa = uniform(0.05, 1);
-  p->gamma = uniform(-3.1, 3.1);
   p->epsilon = log_uniform(1e-3, 1);
   p->k = log_uniform(1, 100);
   p->delta = log_uniform(0.1, 10);

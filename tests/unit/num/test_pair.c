@@ -16,7 +16,7 @@ static int64_t whole(void) {
 static int64_t whole_of(pair_t a) { return (int64_t)a.hi + (int64_t)a.lo; }
 
 TEST(sums_are_exact) {
-  for (int n = 0; n < 100000; n++) {
+  for (int n = 0; n < samples(100000); n++) {
     const int64_t a = whole(), b = whole(), scale = (int64_t)1 << n % 9;
     const tf_real_t x = (tf_real_t)(a * scale), y = (tf_real_t)b;
     const pair_t s = two_sum(x, y), t = two_sum(y, x);
@@ -32,7 +32,7 @@ TEST(sums_are_exact) {
 }
 
 TEST(products_are_exact) {
-  for (int n = 0; n < 100000; n++) {
+  for (int n = 0; n < samples(100000); n++) {
     const int64_t a = whole(), b = whole();
     const tf_real_t x = (tf_real_t)a, y = (tf_real_t)b;
     const pair_t xy = two_product(x, y), parts = veltkamp_split(x);
@@ -58,7 +58,7 @@ static pair_t random_pair(void) {
 /* In units of what is lost, the square of epsilon or what long double loses. */
 TEST(other_operations_lose_the_square_of_epsilon) {
   const real unit = fmaxl(EPSILON * EPSILON, 2 * LDBL_EPSILON);
-  for (int n = 0; n < 100000; n++) {
+  for (int n = 0; n < samples(100000); n++) {
     const pair_t a = random_pair(), b = random_pair();
     const tf_real_t s = uniform(-2, 2);
     const real x = value(a), y = value(b), z = wide(s);

@@ -2,6 +2,15 @@
 #include "num/polynomial.h"
 #include "sample.h"
 
+static series_t parabola(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
+  series_t s;
+  memset(&s, 0, sizeof s);
+  s.c[0] = c0;
+  s.c[1] = c1;
+  s.c[2] = c2;
+  return s;
+}
+
 static series_t times(const series_t *s, double root) {
   series_t out;
   for (int n = 0; n <= SERIES_ORDER; n++)
@@ -11,16 +20,14 @@ static series_t times(const series_t *s, double root) {
 
 /* Positive at 0: as many factors as roots, of either sign. */
 static series_t with_roots(const double *root, int count) {
-  series_t s;
-  memset(&s, 0, sizeof s);
-  s.c[0] = count % 2 ? -1 : 1;
+  series_t s = parabola(count % 2 ? -1 : 1, 0, 0);
   for (int i = 0; i < count; i++) s = times(&s, root[i]);
   return s;
 }
 
 TEST(first_of_several_roots_is_found) {
   int found[4] = {0};
-  for (int n = 0; n < 3000; n++) {
+  for (int n = 0; n < samples(3000); n++) {
     const int count = 1 + n % 3;
     double root[3], first = 1;
     for (int i = 0; i < count; i++) root[i] = tap_uniform(0.02, 1.5);
@@ -39,7 +46,7 @@ TEST(first_of_several_roots_is_found) {
     }
     found[first < 1 ? count : 0]++;
   }
-  for (int i = 0; i < 4; i++) CHECK(found[i] > 50);
+  for (int i = 0; i < 4; i++) CHECK(found[i] > samples(50));
 }
 
 /* Two roots close to each other are found as far as halving of the interval
@@ -53,11 +60,7 @@ TEST(close_roots_are_parted) {
     CHECK_NEAR(wide(when), 0.3L, ldexpl(64 * EPSILON, 2 * n));
   }
   /* (t - 1/2)^2 + 1/100 stays above 0. */
-  series_t above;
-  memset(&above, 0, sizeof above);
-  above.c[0] = TF_R(0.26);
-  above.c[1] = -1;
-  above.c[2] = 1;
+  const series_t above = parabola(TF_R(0.26), -1, 1);
   tf_real_t when = -1;
   CHECK(!tf_first_root(&above, SERIES_ORDER, 1, &when) && when == -1);
 }
@@ -68,11 +71,7 @@ TEST(no_root_is_taken_for_none) {
   for (int n = 0; n < 1000; n++) {
     const tf_real_t a = uniform(0, 0.1), b = uniform(0.001, 1);
     const tf_real_t length = b * uniform(1.01, 3);
-    series_t s;
-    memset(&s, 0, sizeof s);
-    s.c[0] = a * b;
-    s.c[1] = b - a;
-    s.c[2] = -1;
+    series_t s = parabola(a * b, b - a, -1);
     tf_real_t when = -1;
     CHECK(!is_rootless(&s, SERIES_ORDER, length));
     CHECK(tf_first_root(&s, SERIES_ORDER, length, &when));
@@ -88,14 +87,10 @@ TEST(no_root_is_taken_for_none) {
 TEST(root_at_the_start_is_not_meant) {
   for (int n = 0; n < 1000; n++) {
     const tf_real_t a = uniform(0.01, 1), b = uniform(0.01, 1);
-    series_t s;
+    series_t s = parabola(0, a, 1);
     tf_real_t when = -1;
-    memset(&s, 0, sizeof s);
-    s.c[1] = a;
-    s.c[2] = 1;
     CHECK(!tf_first_root(&s, SERIES_ORDER, 1, &when));
-    s.c[1] = b;
-    s.c[2] = -1;
+    s = parabola(0, b, -1);
     CHECK(tf_first_root(&s, SERIES_ORDER, 1, &when));
     CHECK_NEAR(wide(when), wide(b), 64 * EPSILON);
   }
@@ -106,7 +101,7 @@ TEST(root_at_the_start_is_not_meant) {
 TEST(close_roots_hide_none_behind_them) {
   const double least = sizeof(tf_real_t) == 8 ? 1e-3 : 2e-2;
   int found = 0, tried = 0;
-  for (int n = 0; n < 20000; n++) {
+  for (int n = 0; n < samples(20000); n++) {
     const double a = tap_uniform(0.02, 0.8);
     const double gap = exp(tap_uniform(log(least), log(0.1)));
     const double root[3] = {a, a + gap, tap_uniform(a + gap + 0.02, 0.98)};
@@ -118,10 +113,9 @@ TEST(close_roots_hide_none_behind_them) {
     found += fabsl(wide(when) - (real)a) < 1e3L * EPSILON / (real)gap;
   }
   printf("# %d of %d\n", found, tried);
-  CHECK(tried > 5000 && found == tried);
-  series_t nothing;
+  CHECK(tried > samples(5000) && found == tried);
+  const series_t nothing = parabola(0, 0, 0);
   tf_real_t when = -1;
-  memset(&nothing, 0, sizeof nothing);
   CHECK(!tf_first_root(&nothing, SERIES_ORDER, 1, &when) && when == -1);
 }
 
