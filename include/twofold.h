@@ -1,14 +1,14 @@
 /// @file
 /// twofold: a fixed-step simulator of a machine whose friction is not always
-/// deterministic. This umbrella header is all that a user includes; the
-/// headers behind it follow one step in the order in which it flows:
+/// deterministic. This umbrella header is all that a user includes:
 /// scene -> prepare -> begin -> step(machine, state, input) -> report.
 ///
 /// Of every function, unless it says otherwise: the caller owns all memory, and
 /// no two arguments overlap; a pointer is kept only where it says "kept", so
 /// that all are reentrant. A machine is one from tf_prepare, an input within
-/// TF_STATE_LIMIT. Names are constant strings, never NULL. "(h)" and the like
-/// are equations of the paper, "(1)" of DESIGN.md, which has both.
+/// TF_STATE_LIMIT. Names are constant strings; of what an enum has not they
+/// begin with "unknown". "(h)" and the like are equations of the paper, "(1)"
+/// of DESIGN.md, which has both.
 #ifndef TWOFOLD_H
 #define TWOFOLD_H
 

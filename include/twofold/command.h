@@ -1,13 +1,10 @@
 /// @file
 /// Commands: the frames that go up, from a host to a board, and the codes of
-/// their answers. docs/PROTOCOL.md describes them byte by byte. A command acts
-/// once and on one board start only: it names the board's session, which the
-/// schema states, and has a number larger than those of all commands before it.
-/// On a line that others reach it also ends with a tag, which only those who
-/// have the board's key can make.
-///
+/// their answers, docs/PROTOCOL.md. A command acts once and on one board start
+/// only: it names the board's session, which the schema states, and has a
+/// number larger than those of all commands before it; on a line that others
+/// reach it ends with a tag, which only who has the board's key can make:
 ///   session (4) | data | tag (8), if the board wants one
-///
 /// Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_COMMAND_H
 #define TWOFOLD_COMMAND_H

@@ -13,21 +13,17 @@
 TF_BEGIN_C
 
 /// What the rounding of a tf_state_t has left out: the machine is at state +
-/// compensation. All 0 after tf_begin, or the remainder of a more precise
-/// start.
+/// compensation. 0 after tf_begin, or the remainder of a more precise start.
 typedef struct {
-  tf_real_t r;   ///< [m]
-  tf_real_t v;   ///< [m/s]
-  tf_real_t w;   ///< [rad/s]
-  tf_real_t phi; ///< [rad], 0 unless with_angle
+  tf_real_t r, v, w; ///< [m], [m/s], [rad/s]
+  tf_real_t phi;     ///< [rad], 0 unless with_angle
 } tf_compensation_t;
 
 /// A machine, and what rounding has left out of its constants.
 typedef struct {
-  tf_machine_t machine;    ///< for every other function
-  tf_real_t low_sin_gamma; ///< sin(gamma) - machine.sin_gamma
-  tf_real_t low_cos_gamma; ///< cos(gamma) - machine.cos_gamma
-  tf_real_t low_inertia;   ///< of machine.inertia [kg m^2]
+  tf_machine_t machine;                   ///< for every other function
+  tf_real_t low_sin_gamma, low_cos_gamma; ///< sin(gamma) - machine.sin_gamma
+  tf_real_t low_inertia;                  ///< of machine.inertia [kg m^2]
 } tf_compensated_t;
 
 /// tf_prepare for the compensated step; arguments and codes are those there.
@@ -48,14 +44,11 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
     const tf_compensated_t *machine, tf_state_t *state,
     tf_compensation_t *compensation, tf_real_t omega0, tf_real_t h);
 
-/// tf_step with the rounding of r, v, w and phi compensated. The slip at the
-/// start of the step is that of state + compensation; the changes of p and z
-/// are refined once by the residual of (6), formed in pairs of tf_real_t, and
-/// added to state + compensation. F and M of a slip are as precise as
-/// tf_real_t: under the law JUMP they are what limits a float.
-/// machine: in. state: in/out, from tf_begin. compensation: in/out, 0 after
-///   tf_begin; as large as the rounding of the state.
-/// input: in, within TF_STATE_LIMIT together with state and compensation.
+/// tf_step with the rounding of r, v, w and phi compensated: the slip at the
+/// start of the step is that of state + compensation, and the changes of p and
+/// z, refined once by the residual of (6), are added in pairs of tf_real_t. F
+/// and M of a slip are as precise as tf_real_t, which limits float under JUMP.
+/// machine, input: in. state: in/out, from tf_begin. compensation: in/out.
 /// report: out; slip and residual are those of state + compensation.
 /// Returns: as tf_step; where it refuses, state and compensation are untouched.
 /// Trust: TF_OK promises what it does of tf_step, and was tried as much.

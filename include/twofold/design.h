@@ -1,6 +1,6 @@
 /// @file
-/// Design of a machine: the kappa and k2 that put a two-fold at a given point,
-/// in closed form. Cost and stack: docs/BOUNDS.md.
+/// The kappa and k2 that put a two-fold at a given point, in closed form. Cost
+/// and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_DESIGN_H
 #define TWOFOLD_DESIGN_H
 
@@ -23,8 +23,7 @@ typedef enum {
 
 /// kappa and k2 that make the given point a two-fold.
 typedef struct {
-  tf_real_t kappa;        ///< [m]
-  tf_real_t k2;           ///< [N/m]
+  tf_real_t kappa, k2;    ///< [m], [N/m]
   tf_two_fold_t two_fold; ///< the normal form under them
   uint8_t obstacle;       ///< tf_design_obstacle_t; where it is not FOUND the
                           ///< other members are 0, but those of KAPPA and K2,

@@ -1,15 +1,11 @@
 /// @file
 /// Frames on a serial line. docs/PROTOCOL.md describes them byte by byte:
-///
 ///   00 | COBS( version type length sequence tick payload ) | CRC | 00
 ///
-/// The CRC is computed over the bytes as they go over the line, so that every
-/// burst of up to 32 bits is detected before anything is decoded (why, and what
-/// a burst that makes or removes a zero does: section 1 there).
-///
-/// A payload has at most TF_FRAME_PAYLOAD bytes, so that COBS always takes one
-/// more byte and works in place, in both directions. Cost and stack:
-/// docs/BOUNDS.md.
+/// The CRC is that of the bytes as they go over the line: every burst of up to
+/// 32 bits is detected before anything is decoded (but see section 1 there). A
+/// payload is so short that COBS always takes one more byte and works in place,
+/// in both directions. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_FRAME_H
 #define TWOFOLD_FRAME_H
 
@@ -80,9 +76,8 @@ TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,
 
 /// Takes bytes from the line until a frame is complete.
 /// decoder: in/out, left as tf_decoder_push would leave it.
-/// bytes: in, length of them, outside the decoder's buffer.
-/// taken: out, how many were taken; call again with the others.
-/// frame: out, written when a frame is complete.
+/// bytes: in, length of them, outside the decoder's buffer. taken: out, how
+///   many were taken; call again with the others. frame: out, as there.
 /// Returns: whether frame holds a frame; if not, all bytes were taken.
 #define tf_decoder_block TF_LINK(tf_decoder_block)
 TF_API bool tf_decoder_block(tf_decoder_t *decoder, const uint8_t *bytes,

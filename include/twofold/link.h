@@ -1,22 +1,16 @@
 /// @file
 /// The uplink: commands that come over a line, applied at the boundary between
-/// two steps. A program that never calls these functions does not contain them,
-/// and its parameters cannot be changed from outside.
-///
+/// two steps. Without them nobody can change parameters from outside.
 /// A command of this session with a new number waits in a queue until
 /// tf_link_boundary is called at its tick or later, and its answer in the same
 /// place until tf_link_answer is called: memory is bounded and no answer is
 /// lost. A command that finds the queue full is counted, gets no answer, and
-/// may be sent again. What is refused on arrival has one place of its own for
-/// its answer: repeated or foreign commands never fill the queue.
-///
+/// may be sent again. What is refused on arrival never fills the queue.
 ///   when the program starts:          tf_link_open(&link, scene, &params);
-///   with every byte, until there is a session, whatever differs from start
-///   to start:                         tf_link_add_entropy(&link, clock);
+///   with each byte without a session: tf_link_add_entropy(&link, clock);
 ///   for each byte received:           tf_link_receive(&link, byte);
 ///   at a tick, before the step:       tf_link_boundary(&link, &simulation);
 ///   while the line has room:          n = tf_link_answer(&link, wire, &seq);
-///
 /// Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_LINK_H
 #define TWOFOLD_LINK_H
@@ -32,8 +26,7 @@ TF_BEGIN_C
 #define TF_LINK_QUEUE 4
 /// How far ahead a command may be dated [steps].
 #define TF_LINK_AHEAD 65536
-/// Ticks that a command may restore are less than this: at a million steps a
-/// second it is 292 000 years away, so a tick never passes 2^64.
+/// Ticks that a command may restore are less than this.
 #define TF_LINK_TICKS ((uint64_t)1 << 63)
 /// Longest payload of an answer.
 #define TF_ANSWER_BYTES (8 + 3 * TF_REAL_BYTES)
@@ -79,7 +72,6 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
 
 /// Adds to the number of which the first TF_UP_DESCRIBE makes the session, a
 /// CRC-32: a reading of a fast clock when a byte came in, or a random number.
-/// It makes no difference once there is a session.
 /// link: in/out. noise: in.
 #define tf_link_add_entropy TF_LINK(tf_link_add_entropy)
 TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise);

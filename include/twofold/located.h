@@ -12,35 +12,28 @@
 TF_BEGIN_C
 
 /// Advances the state by dt and locates every event inside the step: Taylor
-/// series in time from event to event, of as many terms as the tolerance asks
-/// for (order 3 to 8 in double, to 6 in float). An event is the first root of a
-/// polynomial: of h and g in slip, of mu - |lambda|, g and A in stick. Slip
-/// leaves h = g = 0 along a limit direction, and stick passes the two-fold
-/// along its weak direction, by series that solve the singular equations there;
-/// DESIGN.md section 10. The error goes with the tolerance, whatever dt is and
-/// across events too. A step takes at most as many segments as the budget of
-/// the machine has: what they leave of it is taken by tf_step. In float a
-/// motion may stall, as with tf_step, even at dt = 1e-2.
-/// machine: in, of law JUMP, COULOMB or NONE.
-/// state: in/out, from tf_begin, tf_step or tf_step_located.
-/// input: in, within TF_STATE_LIMIT together with the state.
+/// series in time from event to event (order 3 to 8 in double, to 6 in float),
+/// DESIGN.md section 10. An event is the first root of a polynomial: of h and g
+/// in slip, of mu - |lambda|, g and A in stick. The error goes with the
+/// tolerance, whatever dt is and across events too. What the segments of the
+/// budget leave of a step tf_step takes. In float a motion may stall, as with
+/// tf_step, even at dt = 1e-2.
+/// machine: in, of law JUMP, COULOMB or NONE. state: in/out, from tf_begin,
+///   tf_step or tf_step_located. input: in.
 /// report: out; force at the end of the step; set and choices: the largest set
 ///   of consistent modes met in the step, and the mode taken. residual: how far
-///   force is from the law at the end of the step, by the law itself and not by
-///   the series: in stick and pinned that of tf_step, in slip |F - law| + |M -
+///   force is from the law at the end of the step, which falls with the
+///   tolerance: in stick and pinned that of tf_step, in slip |F - law| + |M -
 ///   law| of tf_tyre_force at report->slip, and |h| where it has not the sign
-///   that the mode asks for [N]. It falls with the tolerance. Near h = g = 0 it
-///   is epsilon over the slip, because the angle is known no better.
+///   that the mode asks for [N]; near h = g = 0 epsilon over the slip, because
+///   the angle is known no better.
 /// Returns: TF_OK; TF_COARSE (the segments of the budget, or a series, did not
-///   reach the end: the rest of the step was done by tf_step, from where they
-///   had come to, force is the mean over that rest and residual that of
-///   tf_step; or the motion stalls, as with tf_step);
-///   TF_FELL_BACK (the segments made no way from the start: tf_step took the
-///   whole step, and the report is its own. Either no series converged there,
-///   or the budget is 1 and its segment ended at once, by an event at the start
-///   itself, as where h is below rounding; a later event leaves TF_COARSE);
-///   TF_COARSE, TF_DEGRADED (the same, or the rest, and tf_step returned that);
-///   TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
+///   reach the end: tf_step did the rest of the step, over which force is the
+///   mean and whose residual it is; or the motion stalls); TF_FELL_BACK (they
+///   made no way from the start, where no series converged or the one segment
+///   of the budget met an event: tf_step took the whole step, and the report is
+///   its own); TF_COARSE, TF_DEGRADED (the same, or the rest, and tf_step
+///   returned that); TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
 ///   TF_STEP_TOO_LONG (state untouched, report holds the status).
 /// Trust: TF_OK promises what it does of tf_step, with an error that follows
 ///   the tolerance; where it was found not to, docs/VERIFICATION.md says.

@@ -12,8 +12,7 @@
 
 TF_BEGIN_C
 
-/// Which of several consistent modes a step takes: a declared rule. All share
-/// the selection order:
+/// Which of several consistent modes a step takes. All rules share the order:
 /// - A slip that is still consistent goes on: off h = 0 the future is unique,
 ///   and a second consistent mode beside it an artefact of the finite step.
 /// - A slip never enters an escaping stick: both fields point away from it.
@@ -25,10 +24,9 @@ TF_BEGIN_C
 ///   comes after the attracting stick and before pinned. Of two modes of one
 ///   kind the one whose slip grows faster is taken.
 /// The rule itself decides how an escaping stick ends, and what a wheel does
-/// that comes to h = g = 0 where it may rest. All rules but RANDOM take it into
-/// an attracting stick or slip where one is consistent, because rest is not
-/// stable then and any disturbance moves it there. RANDOM lets it rest, pinned,
-/// until its draw.
+/// that comes to h = g = 0 where it may rest: RANDOM lets it rest, pinned, till
+/// its draw; the others take it into an attracting stick or slip where one is
+/// consistent, because rest is not stable then.
 typedef enum {
   TF_RULE_PERSIST,    ///< stay while it is consistent (default)
   TF_RULE_SLIP_PLUS,  ///< slip to h > 0 as soon as that is consistent
@@ -39,7 +37,7 @@ typedef enum {
 } tf_rule_t;
 #define TF_RULES 4
 
-/// Name of a rule: "persist" "slip+" "slip-" "random". Never NULL.
+/// "persist" "slip+" "slip-" "random".
 #define tf_rule_name TF_LINK(tf_rule_name)
 TF_API const char *tf_rule_name(unsigned rule);
 
@@ -47,14 +45,13 @@ TF_API const char *tf_rule_name(unsigned rule);
 typedef enum {
   TF_REST_HULL,   ///< convex hull of the limits of slip, Filippov's law:
                   ///< |M| <= kappa mu, |F| <= 4 mu/3 - |M|/(3 kappa) (default)
-  TF_REST_SQUARE, ///< convex hull of the law of stick: |M| <= kappa mu,
-                  ///< |F| <= mu
+  TF_REST_SQUARE, ///< that of stick: |M| <= kappa mu, |F| <= mu
   TF_REST_BOW_TIE ///< the paper's: |M| <= kappa |F|, |F| <= mu. Not convex: at
                   ///< some points h = g = 0 it leaves no future
 } tf_rest_law_t;
 #define TF_REST_LAWS 3
 
-/// Name of a law at h = g = 0: "hull" "square" "bow_tie". Never NULL.
+/// "hull" "square" "bow_tie".
 #define tf_rest_law_name TF_LINK(tf_rest_law_name)
 TF_API const char *tf_rest_law_name(unsigned law);
 
@@ -110,7 +107,7 @@ typedef struct {
   tf_real_t low, high; ///< both ends allowed
 } tf_parameter_range_t;
 
-/// The table that validates, names and documents every parameter.
+/// One for each parameter: validates, names and documents it.
 #define TF_PARAMETERS 22
 #define tf_parameter_ranges TF_LINK(tf_parameter_ranges)
 TF_API_DATA const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS];
@@ -118,29 +115,24 @@ TF_API_DATA const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS];
 /// A machine ready to step: constants only, no pointers, may live in flash.
 typedef struct {
   tf_real_t m, d, k2, c1, c2, r0, omega0; ///< as in tf_params_t
-  tf_real_t sin_gamma, cos_gamma;
-  tf_real_t minus_sin_gamma;
-  tf_real_t d_sin_gamma; ///< [m]
-  tf_real_t beta2;       ///< beta^2 [m^2]
+  tf_real_t sin_gamma, cos_gamma, minus_sin_gamma;
+  tf_real_t d_sin_gamma, beta2; ///< [m], beta^2 [m^2]
   tf_real_t dt, theta;
-  tf_real_t theta_dt;       ///< theta dt [s]
-  tf_real_t explicit_dt;    ///< (1 - theta) dt [s]
-  tf_real_t a;              ///< theta dt (c2 + theta dt k2), implicit mass of
-                            ///< spring and damper, (4) [kg]
-  tf_real_t d_a;            ///< d a [kg m]
-  tf_real_t m_plus_a;       ///< [kg]
-  tf_real_t m_a_d2;         ///< m a d^2 [kg^2 m^2]
-  tf_real_t inertia;        ///< m beta^2 + theta dt c1 [kg m^2]
-  tf_real_t mu_sin_gamma;   ///< [N]
-  tf_real_t mu_d_sin_gamma; ///< [N m]
-  tf_real_t stick_kappa;    ///< kappa where stick carries a moment, else 0
-  tf_real_t kappa_mu;       ///< stick_kappa mu [N m]
-  tf_real_t inv_mu;         ///< 1 / mu, 0 where mu is 0 [1/N]
-  tf_real_t inv_kappa_mu;   ///< 1 / kappa_mu, 0 where that is 0 [1/(N m)]
-  tf_real_t inv_mu_dt;      ///< 1 / (mu dt), 0 where mu is 0 [1/(N s)]
-  uint64_t exit_threshold;  ///< (1 - exp(-rate dt)) 2^63
-  tf_real_t tolerance;      ///< at least 64 epsilon of the real type
-  uint16_t segments;        ///< budget of tf_step_located, at least 1
+  tf_real_t theta_dt, explicit_dt; ///< theta dt, (1 - theta) dt [s]
+  tf_real_t a;        ///< theta dt (c2 + theta dt k2), implicit mass of
+                      ///< spring and damper, (4) [kg]
+  tf_real_t d_a;      ///< d a [kg m]
+  tf_real_t m_plus_a; ///< [kg]
+  tf_real_t m_a_d2;   ///< m a d^2 [kg^2 m^2]
+  tf_real_t inertia;  ///< m beta^2 + theta dt c1 [kg m^2]
+  tf_real_t mu_sin_gamma, mu_d_sin_gamma; ///< [N], [N m]
+  tf_real_t stick_kappa; ///< kappa where stick carries a moment, else 0
+  tf_real_t kappa_mu;    ///< stick_kappa mu [N m]
+  /// 1/mu, 1/kappa_mu, 1/(mu dt), 0 where that is not finite.
+  tf_real_t inv_mu, inv_kappa_mu, inv_mu_dt;
+  uint64_t exit_threshold; ///< (1 - exp(-rate dt)) 2^63
+  tf_real_t tolerance;     ///< at least 64 epsilon of the real type
+  uint16_t segments;       ///< budget of tf_step_located, at least 1
   tf_tyre_t tyre;
   tf_rule_t rule;
   tf_rest_law_t rest;

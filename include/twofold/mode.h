@@ -19,7 +19,7 @@ typedef enum {
 #define TF_NO_MODE TF_MODES ///< none preferred, or none admissible
 #define TF_MODE_BIT(mode) (1u << (mode))
 
-/// Name of a mode: "slip+" "slip-" "stick+" "stick-" "pinned". Never NULL.
+/// "slip+" "slip-" "stick+" "stick-" "pinned".
 #define tf_mode_name TF_LINK(tf_mode_name)
 TF_API const char *tf_mode_name(unsigned mode);
 

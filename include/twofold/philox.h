@@ -1,7 +1,6 @@
 /// @file
-/// Random numbers of the rule RANDOM and of the studies: a generator without a
-/// stream, so that draw n under a seed is one number on every board. Cost and
-/// stack: docs/BOUNDS.md.
+/// Random numbers of the rule RANDOM and of the studies: draw n under a seed is
+/// one number on every board. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_PHILOX_H
 #define TWOFOLD_PHILOX_H
 
@@ -9,9 +8,8 @@
 
 TF_BEGIN_C
 
-/// Philox-2x32-10 (Salmon et al. 2011): a counter-based generator, so that a
-/// state carries no stream position but its tick, and a replay needs no
-/// history.
+/// Philox-2x32-10 (Salmon et al. 2011), a counter-based generator: a state
+/// carries no stream position but its tick, and a replay needs no history.
 /// counter, key: in, any. out: out, 2 words.
 #define tf_philox TF_LINK(tf_philox)
 TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]);

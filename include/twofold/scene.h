@@ -1,8 +1,7 @@
 /// @file
 /// A scene is a constant: parameters, tyre law, selection rule, start and
-/// inputs. A build for one scene contains only what that scene needs. The
-/// scheme is not part of it: the caller chooses one by the function that it
-/// calls. Cost and stack: docs/BOUNDS.md.
+/// inputs; the scheme is the caller's choice. A build for one scene contains
+/// only what that scene needs. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_SCENE_H
 #define TWOFOLD_SCENE_H
 
@@ -14,8 +13,7 @@ TF_BEGIN_C
 /// A knot of the turntable's speed, which is linear between knots and constant
 /// before the first and after the last.
 typedef struct {
-  tf_real_t t;      ///< [s]
-  tf_real_t omega0; ///< [rad/s]
+  tf_real_t t, omega0; ///< [s], [rad/s]
 } tf_knot_t;
 #define TF_SCENE_KNOTS 8
 
@@ -44,8 +42,7 @@ TF_API tf_input_t tf_scene_input(const tf_scene_t *scene,
 /// where the scene gives h, else by tf_begin, under the inputs of t = 0.
 /// scene: in. machine: in, from scene->params (or altered ones).
 /// seed: in, of rule `random`. state, report: out.
-/// Returns: TF_OK; TF_BAD_STATE (state and report untouched: the start is
-///   impossible with these parameters).
+/// Returns: TF_OK; TF_BAD_STATE (nothing touched: there is no such start).
 #define tf_scene_start TF_LINK(tf_scene_start)
 TF_API tf_status_t tf_scene_start(const tf_scene_t *scene,
                                   const tf_machine_t *machine, uint32_t seed,

@@ -9,13 +9,10 @@
 ///                  tf_step(&simulation.machine, &simulation.state, &input,
 ///                          &simulation.report));
 ///
-/// Inputs that are set from outside hold for `deadman` steps. Whoever sets them
-/// has to set them again within that time; else the inputs are the safe ones,
-/// those of a machine that nothing drives (tf_input_default), until they are
-/// set once more. Steps are counted and not seconds, so a simulation that
-/// waits, as a board in lockstep does between two inputs, loses no time.
-///
-/// Cost and stack: docs/BOUNDS.md.
+/// Inputs that are set from outside hold for `deadman` steps (not seconds: a
+/// board in lockstep may wait). After that the inputs are the safe ones, those
+/// of a machine that nothing drives (tf_input_default), until they are set once
+/// more. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_SIMULATION_H
 #define TWOFOLD_SIMULATION_H
 
@@ -50,8 +47,8 @@ typedef struct {
 /// simulation: in/out. The machine stays as it is, as do running and deadman;
 ///   the inputs are those of the scene afterwards.
 /// scene: in. seed: in, of rule `random`.
-/// Returns: TF_OK; TF_BAD_STATE (simulation untouched: the start is impossible
-///   with these parameters).
+/// Returns: TF_OK; TF_BAD_STATE (simulation untouched: no start with these
+///   parameters).
 #define tf_simulation_start TF_LINK(tf_simulation_start)
 TF_API tf_status_t tf_simulation_start(tf_simulation_t *simulation,
                                        const tf_scene_t *scene, uint32_t seed);

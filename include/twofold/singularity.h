@@ -15,10 +15,8 @@ TF_BEGIN_C
 
 /// A point of h = 0.
 typedef struct {
-  tf_real_t r; ///< [m]
-  tf_real_t v; ///< [m/s]
-  tf_real_t w; ///< [rad/s]
-  tf_real_t g; ///< rolling speed, never 0 [m/s]
+  tf_real_t r, v, w; ///< [m], [m/s], [rad/s]
+  tf_real_t g;       ///< rolling speed, never 0 [m/s]
 } tf_surface_point_t;
 
 /// The most two-folds that a machine can have: two r, two g for each, two signs
@@ -30,22 +28,19 @@ typedef enum {
   TF_ABSENCE_NONE,   ///< it has one
   TF_ABSENCE_LAW,    ///< the law does not jump at h = 0, or mu = 0
   TF_ABSENCE_MOMENT, ///< stick has no moment (law COULOMB): A > 0 everywhere
-  TF_ABSENCE_ARM,    ///< kappa |cos(gamma)| < 2 beta |sin(gamma)|: A > 0
-                     ///< everywhere
+  TF_ABSENCE_ARM,    ///< kappa |cos(gamma)| < 2 beta |sin(gamma)|: likewise
   TF_ABSENCE_BALANCE ///< A vanishes, but h_x . f(x, 0) does not, on h = 0
                      ///< within TF_STATE_LIMIT, with the sign of g that A takes
 } tf_absence_t;
 #define TF_ABSENCES 5
 
-/// What a tf_absence_t stands for, in words; "unknown" for other values.
+/// What a tf_absence_t stands for, in words.
 #define tf_absence_name TF_LINK(tf_absence_name)
 TF_API const char *tf_absence_name(unsigned absence);
 
-/// Every two-fold at g != 0, (2foldcond). A(r, s) = 0 is a quadratic in r. On
-/// h = 0, v and w are affine in g: r (w - omega0) = g sin(gamma), v =
-/// d (w - omega0) - g cos(gamma); so h_x . f(x, 0) = 0 is a quadratic in g, for
-/// gamma = 0 too. Not counted is r = 0 with sin(gamma) = 0 (within 4 epsilon),
-/// where A vanishes along the whole surface and no stick exists.
+/// Every two-fold at g != 0, (2foldcond): A(r, s) = 0 is a quadratic in r, and
+/// h_x . f(x, 0) = 0 on h = 0 one in g. Not counted is r = 0 with sin(gamma)
+/// = 0 (within 4 epsilon): A is 0 all over the surface, and there is no stick.
 /// machine: in. input: in; the acceleration of the turntable is part of h'.
 /// points: out, [TF_TWO_FOLDS], those of g > 0 first. count: out, how many.
 /// absence: out, may be NULL; why there is none.
@@ -67,16 +62,15 @@ typedef enum {
 } tf_folds_t;
 #define TF_FOLDS 5
 
-/// Name of a type: "invisible" "visible" "visible-invisible" "degenerate"
-/// "continuous"; "unknown" for other values.
+/// "invisible" "visible" "visible-invisible" "degenerate" "continuous".
 #define tf_folds_name TF_LINK(tf_folds_name)
 TF_API const char *tf_folds_name(unsigned type);
 
 /// A straight orbit of the stick motion next to a two-fold.
 typedef struct {
-  tf_real_t value;    ///< eigenvalue in units of sqrt|K++ K--|
-  tf_real_t plus;     ///< share of f(x, +mu) in the motion along it, and of
-  tf_real_t minus;    ///< f(x, -mu); |plus| + |minus| = 1
+  tf_real_t value; ///< eigenvalue in units of sqrt|K++ K--|
+  /// Shares of f(x, +mu) and f(x, -mu) in the motion along it, 1 in all.
+  tf_real_t plus, minus;
   tf_rate_t velocity; ///< plus f(x, +mu) + minus f(x, -mu): its direction and,
                       ///< where the motion sticks, its speed
   tf_real_t lambda;   ///< along it where the motion sticks, else 0 [N]
@@ -90,9 +84,8 @@ typedef struct {
   tf_surface_point_t point;
   tf_real_t residual;   ///< largest |h_x . f(x, +-mu)|, ideally 0 [m/s^2]
   tf_real_t time_scale; ///< dt/dtau = m (beta^2 + r^2) [kg m^2]
-  tf_real_t Kpp, Kpm;   ///< K++, K+- [m/s^3]
-  tf_real_t Kmp, Kmm;   ///< K-+, K-- [m/s^3]
-  tf_real_t J1, J2;     ///< with sqrt|K++ K--|, defined for every type
+  tf_real_t Kpp, Kpm, Kmp, Kmm; ///< K++, K+-, K-+, K-- [m/s^3]
+  tf_real_t J1, J2;             ///< with sqrt|K++ K--|, defined for every type
   /// (L+, L-) = (K++, K--), eigenvalue K-+ - K++ = 2 mu v dA/dr: it sticks
   /// where K++ K-- < 0, and leads from sliding to escaping where the eigenvalue
   /// is negative. The paper's first eigenvector.
@@ -108,14 +101,12 @@ typedef struct {
 /// The normal form at a two-fold: K^{ab} = d/dx (h_x . f(x, a mu)) . f(x, b mu)
 /// and (SlidNormForm) with (L+, L-) = h_x . f(x, +-mu) as coordinates,
 ///   (L- - L+) d/dt (L+, L-) = ((-K+-, K++), (-K--, K-+)) (L+, L-).
-/// Because A depends on r alone K++ + K-- = K+- + K-+: both eigenvalues are
-/// real and rational in K. Inputs are held, but the turntable keeps its
-/// acceleration.
+/// K++ + K-- = K+- + K-+, for A depends on r alone: both eigenvalues are real,
+/// rational in K. Inputs are held, but the turntable keeps its acceleration.
 /// machine: in, of a law that jumps. input: in. out: out.
 /// point: in, from tf_two_folds or tf_design_two_fold; r != 0, g != 0.
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law does not jump), TF_BAD_STATE
-///   (point or input out of range, or a product overflows). Where it is
-///   refused, out is untouched.
+///   (point or input out of range, or a product overflows): out is untouched.
 #define tf_normal_form TF_LINK(tf_normal_form)
 TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
                                   const tf_input_t *input,

@@ -28,7 +28,7 @@ typedef enum {
                          ///< mass of the linearly implicit step is <= 0
 } tf_status_t;
 
-/// Name of a code, in words; "unknown status" for other values.
+/// A code in words.
 #define tf_status_name TF_LINK(tf_status_name)
 TF_API const char *tf_status_name(tf_status_t status);
 

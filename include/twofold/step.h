@@ -1,6 +1,5 @@
 /// @file
-/// One step of the machine: Moreau-Jean theta scheme. Cost and stack:
-/// docs/BOUNDS.md, and `make bench` for the usual step.
+/// One step: Moreau-Jean theta scheme. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_STEP_H
 #define TWOFOLD_STEP_H
 
@@ -19,13 +18,11 @@ typedef struct {
   tf_force_t force;   ///< F [N], M [N m], mean over the step; of
                       ///< tf_step_located at its end
   tf_slip_t slip;     ///< h, g [m/s] at the end of the step
-  tf_real_t delassus; ///< Delassus scalar of stick at sign(g) [1/kg]: of
-                      ///< tf_step -dh+/dx / (mu dt), with the implicit terms of
-                      ///< the step, else A of the motion
-  tf_real_t residual; ///< distance of force from the law at the end of the
-                      ///< step, by the natural map [N]; in slip whether h has
-                      ///< the sign of the mode, not the angle; for a
-                      ///< single-valued law |F - law| at the theta point [N]
+  tf_real_t delassus; ///< Delassus scalar of stick at sign(g) [1/kg]: A; of
+                      ///< tf_step -dh+/dx / (mu dt), with its implicit terms
+  tf_real_t residual; ///< distance of force from the law at the end of the step
+                      ///< [N], by the natural map, in slip without the angle;
+                      ///< of a single-valued law |F - law| at the theta point
   tf_status_t status; ///< as returned
 } tf_report_t;
 
@@ -33,11 +30,10 @@ typedef struct {
 /// slip by the sign of h; at h = 0 stick where |lambda| <= mu, else slip by the
 /// sign of dh/dt; at h = g = 0 pinned, and the first step reports what else is
 /// possible. |h| within rounding (32 epsilon times its terms) counts as 0.
-/// machine, input: in.
+/// machine, input: in. report: out; of the instant.
 /// state: in/out. r, v, w are set by the caller, within TF_STATE_LIMIT; mode
 ///   holds the one preferred where several are possible, or TF_NO_MODE for
 ///   none, and ends as the mode taken. phi, tick and seed keep what they hold.
-/// report: out; choices counts the consistent modes of the instant.
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched).
 #define tf_begin TF_LINK(tf_begin)
 TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
@@ -56,24 +52,22 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
                                       tf_report_t *report);
 
 /// Advances the state by dt: Moreau-Jean theta method, linearly implicit in
-/// spring, dampers and gyroscopic terms, DESIGN.md (1)-(12); the friction law
-/// holds at the end of the step. Order 2 in smooth phases for theta = 1/2, else
-/// 1. Three steps are not plain ones:
-/// - One within which slip or stick comes to h = g = 0 goes on from there in
-///   the mode that follows (tf_rule_t): its force is a mean of those before and
-///   behind, its residual the distance of that from their convex hull.
+/// spring, dampers and gyroscopic terms, (1)-(12); the friction law holds at
+/// the end of the step. Order 2 in smooth phases for theta = 1/2, else 1.
+/// - A step that comes to h = g = 0 goes on from there in the mode that follows
+///   (tf_rule_t): its force is a mean of those before and behind, its residual
+///   the distance of that from their convex hull.
 /// - Where the linearisation would make more than 2^-12 of the energy, or
 ///   friction put in more than 2^-4, the step is taken in a form that balances
 ///   energy, and ends in slip on the side on which it is; the set stays that of
 ///   the consistent modes. So n steps make at most exp(n/4096) - 1 of it; a
 ///   slip whose spring turns by 1/45 rad a step or more takes that form from
 ///   2^-20 on.
-/// - One that leaves r as it was while the machine moves, and with which 32
-///   more would, stalls: its change is less than the rounding of the state. In
-///   float at dt <= 1e-4 s every motion departs from rest like that, and some
-///   never do: use tf_step_compensated, or a longer dt.
-/// machine: in. input: in, within TF_STATE_LIMIT together with the state.
-/// state: in/out, from tf_begin. report: out.
+/// - A step that leaves r as it was while the machine moves, as 32 more would,
+///   stalls: its change is less than the rounding of the state. In float at dt
+///   <= 1e-4 s every motion departs from rest like that, and some never do: use
+///   tf_step_compensated, or a longer dt.
+/// machine, input: in. state: in/out, from tf_begin. report: out.
 /// Returns: TF_OK; TF_DEGRADED (advanced, although no mode was consistent and
 ///   admissible: report->set holds the consistent ones); TF_COARSE (advanced,
 ///   but too long for the motion: taken in the form that balances energy; or
@@ -87,9 +81,8 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///   the status).
 /// Trust: where it says TF_OK, the mode is one of the set, h and g have its
 ///   signs, or are 0 within their rounding, as it asks, no energy is created
-///   but for that share, and what follows h = g = 0 is what law and rule say. A
-///   step that passes h = g = 0 has the mean force of both sides. What searches
-///   for steps that break this have found is in docs/VERIFICATION.md.
+///   but for that share, and what follows h = g = 0 is what law and rule say.
+///   Steps that were found to break this are in docs/VERIFICATION.md.
 #define tf_step TF_LINK(tf_step)
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report);

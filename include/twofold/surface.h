@@ -15,9 +15,7 @@ TF_BEGIN_C
 
 /// How the state changes: a value of the right-hand side f.
 typedef struct {
-  tf_real_t r; ///< dr/dt [m/s]
-  tf_real_t v; ///< dv/dt [m/s^2]
-  tf_real_t w; ///< dw/dt [rad/s^2]
+  tf_real_t r, v, w; ///< d/dt of each [m/s], [m/s^2], [rad/s^2]
 } tf_rate_t;
 
 /// What becomes of a motion at a point of h = 0. The borders of the regions
@@ -31,24 +29,21 @@ typedef enum {
 } tf_region_t;
 #define TF_REGIONS 5
 
-/// Name of a region: "sliding" "escaping" "crossing_up" "crossing_down"
-/// "codim2"; "unknown" for other values.
+/// "sliding" "escaping" "crossing_up" "crossing_down" "codim2".
 #define tf_region_name TF_LINK(tf_region_name)
 TF_API const char *tf_region_name(unsigned region);
 
 /// The surface at one point.
 typedef struct {
-  tf_slip_t slip;       ///< h, g [m/s]; h says how far the point is from h = 0
-  tf_real_t lie_plus;   ///< h_x . f(x, +mu) [m/s^2]
-  tf_real_t lie_minus;  ///< h_x . f(x, -mu) [m/s^2]
-  tf_real_t delassus;   ///< A = -h_x . f_lambda [1/kg]
-  tf_real_t lambda;     ///< (muCalc) [N]; |lambda| > mu where h = 0 is crossed
-  tf_rate_t plus;       ///< f(x, +mu)
-  tf_rate_t minus;      ///< f(x, -mu)
-  tf_rate_t stick;      ///< (svf) in sliding and escaping regions, else 0
-  tf_rate_t scaled;     ///< A (svf) [1/kg of it]: regular at a two-fold
-  uint8_t region;       ///< tf_region_t
-  bool lambda_is_given; ///< false, lambda = 0: A is 0, or N/A overflows
+  tf_slip_t slip; ///< h, g [m/s]; h says how far the point is from h = 0
+  tf_real_t lie_plus, lie_minus; ///< h_x . f(x, +mu), h_x . f(x, -mu) [m/s^2]
+  tf_real_t delassus;            ///< A = -h_x . f_lambda [1/kg]
+  tf_real_t lambda;      ///< (muCalc) [N]; |lambda| > mu where h = 0 is crossed
+  tf_rate_t plus, minus; ///< f(x, +mu), f(x, -mu)
+  tf_rate_t stick;       ///< (svf) in sliding and escaping regions, else 0
+  tf_rate_t scaled;      ///< A (svf) [1/kg of it]: regular at a two-fold
+  uint8_t region;        ///< tf_region_t
+  bool lambda_is_given;  ///< false, lambda = 0: A is 0, or N/A overflows
 } tf_surface_t;
 
 /// The surface at a point of it: h' = N - A lambda, N = h_x . f(x, 0);
@@ -60,8 +55,7 @@ typedef struct {
 /// r [m], v [m/s], w [rad/s]: in; on h = 0 by the caller (tf_speed_for_slip).
 /// out: out. At h = g = 0 slip and region are set and all else is 0.
 /// Returns: TF_OK; TF_BAD_PARAMETER (the law is single-valued: no surface),
-///   TF_BAD_STATE (state or input out of range, or a product overflows). Where
-///   it is refused, out is untouched.
+///   TF_BAD_STATE (out of range, or a product overflows): out is untouched.
 #define tf_surface_at TF_LINK(tf_surface_at)
 TF_API tf_status_t tf_surface_at(const tf_machine_t *machine,
                                  const tf_input_t *input, tf_real_t r,

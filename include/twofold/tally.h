@@ -1,9 +1,8 @@
 /// @file
-/// The steps of a run that were not TF_OK, counted by status since its start; a
-/// report speaks of its own step alone (simulation.h shows the call). A count
-/// of 0 says that no step found a reason to be flagged, and not that none was
-/// wrong: docs/VERIFICATION.md has the rates of steps that are wrong and say
-/// TF_OK. Cost and stack: docs/BOUNDS.md.
+/// The steps of a run that were not TF_OK, counted by status since its start
+/// (simulation.h shows the call). A count of 0 says that no step was flagged,
+/// and not that none was wrong: docs/VERIFICATION.md has the rates of wrong
+/// steps that say TF_OK. Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_TALLY_H
 #define TWOFOLD_TALLY_H
 

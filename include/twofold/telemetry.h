@@ -66,18 +66,17 @@ typedef struct {
   uint32_t deadman;    ///< tf_simulation_t.deadman
 } tf_schema_t;
 
-/// Counters of a real-time loop, each modulo 2^32; those of steps that were not
-/// TF_OK stay at 2^32 - 1 instead, so that none is ever forgotten.
+/// Counters of a real-time loop, each modulo 2^32, but for those of steps that
+/// were not TF_OK, which stay at 2^32 - 1.
 typedef struct {
-  uint32_t steps;     ///< taken
-  uint32_t refused;   ///< by the scheme; the state is untouched
-  uint32_t overruns;  ///< steps that ended after the next tick
-  uint32_t dropped;   ///< telemetry records, for lack of room or time
-  uint32_t bad;       ///< broken or lost frames from the host
-  uint32_t ignored;   ///< commands without an answer: queue full, cleared
-  uint32_t exec_min;  ///< execution time of a step, from input to output ...
-  uint32_t exec_mean; ///< ... since the start ...
-  uint32_t exec_max;  ///< ... [ns]
+  uint32_t steps;    ///< taken
+  uint32_t refused;  ///< by the scheme; the state is untouched
+  uint32_t overruns; ///< steps that ended after the next tick
+  uint32_t dropped;  ///< telemetry records, for lack of room or time
+  uint32_t bad;      ///< broken or lost frames from the host
+  uint32_t ignored;  ///< commands without an answer: queue full, cleared
+  /// Execution time of a step, from input to output, since the start [ns].
+  uint32_t exec_min, exec_mean, exec_max;
   uint32_t period;    ///< nominal period of the tick [ns]
   uint32_t degraded;  ///< steps TF_DEGRADED
   uint32_t fell_back; ///< steps TF_FELL_BACK
@@ -86,9 +85,8 @@ typedef struct {
 } tf_heartbeat_t;
 
 /// Hash of all parameters that the motion depends on, the same on every board:
-/// CRC-32 over every parameter in the order of tf_parameter_ranges, as it is
-/// sent, then law, rule and bits 0, 2 and 3 of the flags of a schema frame, a
-/// byte each.
+/// CRC-32 over them in the order of tf_parameter_ranges, as they are sent, then
+/// law, rule and bits 0, 2 and 3 of the flags of a schema frame, a byte each.
 #define tf_params_hash TF_LINK(tf_params_hash)
 TF_API uint32_t tf_params_hash(const tf_params_t *params);
 
@@ -128,9 +126,8 @@ TF_API size_t tf_send_report(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              const tf_report_t *report,
                              tf_input_source_t source);
 
-/// Frame TF_DOWN_COMPACT, of TF_COMPACT_BYTES: r, v, w, mode and choices. For
-/// firmware on a slow line, which sends it in place of state and report;
-/// `twofold monitor` reads it.
+/// Frame TF_DOWN_COMPACT, of TF_COMPACT_BYTES: r, v, w, mode and choices, on a
+/// slow line in place of state and report; `twofold monitor` reads it.
 #define tf_send_compact TF_LINK(tf_send_compact)
 TF_API size_t tf_send_compact(uint8_t *wire, uint32_t *sequence,
                               const tf_state_t *state,

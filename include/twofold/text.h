@@ -1,7 +1,6 @@
 /// @file
-/// State as text: lines of `label:value` pairs, the form that the serial
-/// plotter of the Arduino IDE takes. They are for people to look at; programs
-/// read frames (telemetry.h). Cost and stack: docs/BOUNDS.md.
+/// State as text, for the serial plotter of the Arduino IDE; programs read
+/// frames (telemetry.h). Cost and stack: docs/BOUNDS.md.
 #ifndef TWOFOLD_TEXT_H
 #define TWOFOLD_TEXT_H
 

@@ -9,8 +9,8 @@
 
 TF_BEGIN_C
 
-/// Which law. The first two of the list below are set-valued at h = 0 (they
-/// jump there); the others are single-valued off h = g = 0.
+/// Which law. Those that jump at h = 0 are set-valued there, the others are
+/// single-valued off h = g = 0.
 typedef enum {
   TF_TYRE_JUMP,      ///< the paper's law (force), (moment): jumps at h = 0
   TF_TYRE_COULOMB,   ///< F = mu sign(h), no moment: jumps at h = 0
@@ -21,8 +21,7 @@ typedef enum {
 } tf_tyre_law_t;
 #define TF_TYRE_LAWS 6
 
-/// Name of a law of friction: "jump" "coulomb" "two_piece" "string" "smooth"
-/// "none"; from TF_TYRE_LAWS on one that begins with "unknown".
+/// "jump" "coulomb" "two_piece" "string" "smooth" "none".
 #define tf_tyre_law_name TF_LINK(tf_tyre_law_name)
 TF_API const char *tf_tyre_law_name(unsigned law);
 
@@ -40,8 +39,7 @@ typedef struct {
   tf_tyre_law_t law;
   tf_real_t mu;                        ///< friction force at h -> 0 [N]
   tf_real_t kappa;                     ///< moment / force at h -> 0 [m]
-  tf_real_t inv_18_kappa;              ///< 1 / (18 kappa) [1/m]
-  tf_real_t inv_6_kappa;               ///< 1 / (6 kappa) [1/m]
+  tf_real_t inv_18_kappa, inv_6_kappa; ///< 1 / (18 kappa) and so on [1/m]
   tf_real_t T_anchor[TF_TYRE_ANCHORS]; ///< T(tan(k pi/16)), [8] = 6 kappa
   tf_real_t T_series[TF_TYRE_TERMS];   ///< T(y) = y sum c_n y^(2n) near y = 0
   tf_real_t epsilon;                   ///< width of the smoothed sign [m/s]
