@@ -8,7 +8,6 @@
 
 #include "host/output.h"
 #include "setup/scene_file.h"
-#include "setup/scene_keys.h"
 #include "setup/setup.h"
 #include "text/message.h"
 

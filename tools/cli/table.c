@@ -15,7 +15,7 @@
 #include "monitor/stream.h"
 #include "run/row.h"
 #include "setup/scheme.h"
-#include "sweep/axes.h"
+#include "sweep/sweep.h"
 #include "text/message.h"
 #include "text/number.h"
 

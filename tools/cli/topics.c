@@ -1,6 +1,6 @@
 // Help on single words. What has a table elsewhere (options and what they may
-// be, ranges and units of the parameters, scenes) is taken from there. Lines are
-// filled when they are printed.
+// be, ranges and units of the parameters, scenes) is taken from there. Lines
+// are filled when they are printed.
 
 #include "topics.h"
 

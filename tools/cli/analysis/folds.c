@@ -1,7 +1,7 @@
 // The commands that write two-folds as JSON. `singularities`: all of a machine,
-// or why there are none. `design`: kappa and k2 that put one at a given point, or
-// why there are none. JSON has no infinities; the core only returns two-folds
-// whose numbers are all finite.
+// or why there are none. `design`: kappa and k2 that put one at a given point,
+// or why there are none. JSON has no infinities; the core only returns
+// two-folds whose numbers are all finite.
 
 #include <inttypes.h>
 

@@ -1,5 +1,5 @@
-// The commands that write a grid of (r, omega) as CSV, row by row; rows reach the
-// file whole. `regions`: the regions of the surface h = 0. `atlas`: the
+// The commands that write a grid of (r, omega) as CSV, row by row; rows reach
+// the file whole. `regions`: the regions of the surface h = 0. `atlas`: the
 // conditions of the paper's figure 4, panel by panel, and their overlap, at
 // points at which a two-fold is to be.
 
@@ -55,8 +55,8 @@ static int write_line(cli_analysis_t *a, uint64_t i, row_t row,
   return CLI_DONE;
 }
 
-// Writes header and rows, omega inner, r outer, and closes the output. units: of
-// the columns, for --provenance.
+// Writes header and rows, omega inner, r outer, and closes the output. units:
+// of the columns, for --provenance.
 static int write_grid(cli_analysis_t *a, const char *header, const char *units,
                       row_t row) {
   char lines[CLI_PROVENANCE_ROOM];

@@ -11,8 +11,8 @@
 #include "../text/message.h"
 
 // The units of size follow from what is perturbed: noise on h has the standard
-// deviation size sqrt(t), smoothing and hysteresis have a width in h, a delay is
-// a time.
+// deviation size sqrt(t), smoothing and hysteresis have a width in h, a delay
+// is a time.
 const cli_mechanism_info_t cli_mechanisms[CLI_MECHANISMS] = {
     [CLI_BY_RANDOM] = {"random", "", 1e-2, 10, 1},
     [CLI_BY_NOISE] = {"noise", "m/s^1.5", 1e-3, 64, 1},

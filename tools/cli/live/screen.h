@@ -4,7 +4,50 @@
 #ifndef TWOFOLD_CLI_SCREEN_H
 #define TWOFOLD_CLI_SCREEN_H
 
-#include "canvas.h"
+#include <stdbool.h>
+
+#include "../text/buffer.h"
+
+#define CLI_CANVAS_COLUMNS 256
+#define CLI_CANVAS_ROWS 128
+
+/// How a terminal is written to.
+typedef struct {
+  bool utf8, colour;
+} cli_pen_t;
+
+/// What a cell shows: a dot of a mode (tf_mode_t), or one of these.
+enum { CLI_INK_AXIS = 14, CLI_INK_NOW = 15 };
+
+typedef struct {
+  double low, high;
+} cli_extent_t;
+
+typedef struct {
+  int columns, rows; ///< cells
+  cli_extent_t x, y;
+  uint8_t dots[CLI_CANVAS_ROWS][CLI_CANVAS_COLUMNS]; ///< of braille
+  uint8_t ink[CLI_CANVAS_ROWS][CLI_CANVAS_COLUMNS];  ///< of the last dot, + 1
+} cli_canvas_t;
+
+/// Empties it. columns, rows: in, in cells, cut to the room that there is.
+void cli_canvas_clear(cli_canvas_t *canvas, int columns, int rows);
+
+/// A dot; nothing outside of the extents.
+void cli_canvas_dot(cli_canvas_t *canvas, double x, double y, unsigned ink);
+
+/// The lines x = 0 and y = 0, where they are within the extents.
+void cli_canvas_axes(cli_canvas_t *canvas);
+
+/// Appends a row of cells, top row 0.
+void cli_canvas_row(const cli_canvas_t *canvas, int row, const cli_pen_t *pen,
+                    cli_buffer_t *text);
+
+/// The colour of an ink from here on; ink 0: that of plain text.
+void cli_pen_colour(const cli_pen_t *pen, unsigned ink, cli_buffer_t *text);
+
+/// The mark of a mode in ASCII; from TF_MODES on that of several futures.
+char cli_pen_mark(unsigned mode);
 
 typedef struct {
   cli_pen_t pen;

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "../setup/scheme.h"
 #include "twofold.h"
 
 /// How a row is written.
@@ -51,5 +52,29 @@ size_t cli_header(cli_format_t format, char out[CLI_ROW_ROOM]);
 /// Returns: the length.
 size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,
                const tf_report_t *report, char out[CLI_ROW_ROOM]);
+
+/// Room for the frames of one call.
+#define CLI_FRAMES_ROOM (4 * TF_FRAME_SIZE(TF_FRAME_PAYLOAD))
+
+/// Writes what comes before the first row: schema and layouts.
+/// tick: in, of the first row. sequence: in/out, of the frames.
+/// Returns: the length.
+size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
+                         uint64_t tick, uint32_t *sequence,
+                         uint8_t out[CLI_FRAMES_ROOM]);
+
+/// Writes a row: state and report. source: in, whose inputs the step had.
+/// Returns: the length.
+size_t cli_frames_row(uint32_t *sequence, const tf_state_t *state,
+                      const tf_report_t *report, tf_input_source_t source,
+                      uint8_t out[CLI_FRAMES_ROOM]);
+
+/// Writes what comes after the last row: a heartbeat with the counts of the
+/// run. A run has no clock that ticks, so its times are 0.
+/// steps: in, that this run took. late: in, of these in real time.
+/// Returns: the length.
+size_t cli_frames_end(uint32_t *sequence, uint64_t tick, uint64_t steps,
+                      uint64_t late, const tf_tally_t *tally,
+                      uint8_t out[CLI_FRAMES_ROOM]);
 
 #endif

@@ -19,9 +19,9 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/tally.h"
-#include "frames.h"
 #include "record.h"
 #include "resume.h"
+#include "row.h"
 #include "summary.h"
 
 #define FLUSH_EVERY 0.2 // [s]

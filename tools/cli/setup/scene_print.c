@@ -5,7 +5,6 @@
 
 #include "names.h"
 #include "scene_file.h"
-#include "scene_keys.h"
 
 #define VALUES 18 // column of the values
 #define UNITS 42  // column of the units

@@ -13,9 +13,9 @@
 #include "../text/number.h"
 #include "names.h"
 
-// Here a text becomes a number and a name finds its member. Whether the number is
-// in its range is checked later and in a single place, by tf_prepare, because
-// ranges depend on the law and the law may be set after the parameter.
+// Here a text becomes a number and a name finds its member. Whether the number
+// is in its range is checked later and in a single place, by tf_prepare,
+// because ranges depend on the law and the law may be set after the parameter.
 
 const cli_start_t cli_starts[CLI_STARTS] = {
     {"r", "m"}, {"v", "m/s"}, {"omega", "rad/s"}, {"h", "m/s"}, {"phi", "rad"}};

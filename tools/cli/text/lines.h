@@ -7,7 +7,6 @@
 
 #include <stddef.h>
 #include <stdio.h>
-#include <string.h>
 
 typedef enum {
   CLI_LINE,     ///< a line, without its end
@@ -23,7 +22,10 @@ cli_line_t cli_read_line(FILE *file, char *out, size_t room);
 /// text file, which is no part of the text; 0: it has none.
 /// text: in, size bytes, the first ones of the file.
 static inline size_t cli_utf8_mark(const char *text, size_t size) {
-  return size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+  return size >= 3 && text[0] == '\xEF' && text[1] == '\xBB' &&
+                 text[2] == '\xBF'
+             ? 3
+             : 0;
 }
 
 #endif

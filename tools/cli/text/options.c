@@ -1,7 +1,6 @@
-// Reading of command lines. Commands read and check everything before they
-// open a file, so that a mistyped command never overwrites the result of an
-// earlier one. The message about an unknown option or value suggests the closest
-// one.
+// Reading of command lines. Commands read and check everything before they open
+// a file, so that a mistyped command never overwrites the result of an earlier
+// one. The message about an unknown option or value suggests the closest one.
 
 #ifndef _POSIX_C_SOURCE
 #define _POSIX_C_SOURCE 200809L

@@ -1,6 +1,6 @@
 /// @file
-/// Work in shards, as typed I/N, and the last line of their files: how many rows
-/// there are, and their checksum.
+/// Work in shards, as typed I/N, and the last line of their files: how many
+/// rows there are, and their checksum.
 #ifndef TWOFOLD_CLI_TRAILER_H
 #define TWOFOLD_CLI_TRAILER_H
 

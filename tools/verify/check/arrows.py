@@ -16,7 +16,7 @@ as one file: no name of a file is defined in another one, which universal ctags
 tells, and no two sources have one name, for an archive would have two members
 of it.
 
-The folders of the command line are in the order that tools/cli/command.c
+The folders of the command line are in the order that tools/cli/commands.c
 describes. In port/ each file includes only what its line in a table allows, so
 that the loop knows neither the simulation nor the core: it drives whatever
 app.h declares.
@@ -51,7 +51,7 @@ CLI_INCLUDES = {
     "run": ("live", "setup", "host", "text"),
     "analysis": ("setup", "host", "text"),
     "diverge": ("setup", "host", "text"),
-    "sweep": ("run/ambiguity.h", "run/events.h", "setup", "host", "text"),
+    "sweep": ("run/events.h", "setup", "host", "text"),
     "setup": ("host", "text"),
     "live": ("host", "text"),
     "host": ("text",),
