@@ -4,7 +4,6 @@
 #include "any.h"
 #include "twofold/compensated.h"
 #include "twofold/ensemble.h"
-#include "twofold/located.h"
 #include "twofold/step.h"
 
 // Every state; modes that exist are looked at one by one.
@@ -34,16 +33,6 @@ void begin_any(void) {
   const tf_input_t input = any_input();
   tf_report_t report;
   tf_begin(&machine, &state, &input, &report);
-  //@ check reached: \false;
-}
-
-void located_any(void);
-void located_any(void) {
-  const tf_machine_t machine = any_machine();
-  tf_state_t state = any_state();
-  const tf_input_t input = any_input();
-  tf_report_t report;
-  tf_step_located(&machine, &state, &input, &report);
   //@ check reached: \false;
 }
 
