@@ -40,7 +40,7 @@ mutation: ## wrong changes of src/ for the tests to notice
 # Instructions of the public functions (tools/verify/cost), on x86-64 only: the
 # core is compiled with -O2 and counts itself.
 COST := $(wildcard tools/verify/cost/*.c)
-COUNTED := $(CORE:src/%.c=%) inline memory
+COUNTED := $(CORE:src/%.c=%) memory
 EVALUATIONS ?= 100000
 counted = $(BUILD)/$(1)/counted
 
@@ -50,16 +50,13 @@ $(call counted,$(1))/flags: $(BUILD)/$(1)/flags tools/verify/verify.mk
 	@cp $$< $$@
 $(call counted,$(1))/%.s: src/%.c $(call counted,$(1))/flags
 	$$(call assemble,$$(CORE_FLAGS) $$(SRC_FLAGS_$$(*F)) $$(FLAGS_$(1)))
-$(call counted,$(1))/inline.s: tools/verify/cost/inline.c \
-    $(call counted,$(1))/flags
-	$$(call assemble,$$(CORE_FLAGS) -Itools $$(FLAGS_$(1)))
 $(call counted,$(1))/memory.s: port/arch/memory.c $(call counted,$(1))/flags
 	$$(call assemble,$$(CORE_FLAGS))
 $(call counted,$(1))/%.o: $(call counted,$(1))/%.s tools/verify/cost/count.py
 	@tools/verify/cost/count.py $$< >$$(@:.o=.counting)
 	@$$(CC) -x assembler -c $$(@:.o=.counting) -o $$@
 $(BUILD)/$(1)/cost: $(COUNTED:%=$(call counted,$(1))/%.o) \
-    $(patsubst %.c,$(BUILD)/$(1)/%.o,$(filter-out %/inline.c,$(COST)))
+    $(COST:%.c=$(BUILD)/$(1)/%.o)
 	$$(link)
 endef
 define assemble

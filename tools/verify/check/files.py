@@ -1,9 +1,10 @@
 #!/usr/bin/python3 -B
 """What holds for files as such: none over 500 lines, no line of C, Python, sh
-or make over 80 columns, no marker of unfinished work, no path of one machine, no
-picture over 100 kB; no room, and none of the sums, with more lines than LINES
-says; and no more than 4500 lines of sh and awk in all. No test returns where it
-meets one real type, which would count as passed: SKIP of tests/tap.h says why.
+or make over 80 columns, no marker of unfinished work, no path of one machine,
+no picture over 100 kB; no room, and none of the sums, with more lines than
+LINES says; and no more than 4500 lines of sh and awk in all. No test returns
+where it meets one real type, which would count as passed: SKIP of tests/tap.h
+says why.
 """
 import re
 from pathlib import Path

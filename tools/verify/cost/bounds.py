@@ -39,8 +39,9 @@ machines, states and inputs found (tools/verify/cost), no bound. A repeated
 string instruction counts as one. The calls are kept, and each can be made
 again: `build/double/cost replay <tools/verify/cost/worst.double`. Of functions
 that take n bytes, states or segments the figure is that of the largest n tried,
-and of n = 0. Check `cost` fails where a kept call, or a new one of a short
-search, takes more than {slack} times its figure.
+and of n = 0. Functions without one are plain: they take the same few hundred
+instructions at most whatever they are given. Check `cost` fails where a kept
+call, or a new one of a short search, takes more than {slack} times its figure.
 
 Stack: the worst path of the call graph in bytes, the larger of both real types,
 on x86-64 (gcc -O2) and as the boards compile (port/*/board.mk), what soft float
@@ -70,12 +71,13 @@ def page(place: Path, core: str) -> str:
     """The page of the files in a folder."""
     counts = {real: most(place / f"worst.{real}") for real in REALS}
     depth = stacks(place / "worst.stack")
-    rows = []
-    for name in counts["double"].index.unique("name"):
-        units = counts["double"][name].index.max()
-        rows.append([f"`{name}`", f"n = {units}" if units else ""] + [
-            f"{of[name][units]}" + (f" ({of[name][0]})" if units else "")
-            for of in counts.values()] + list(depth.loc[name]))
+    known, rows = counts["double"].index.unique("name"), []
+    for name in [*known, *depth.index.difference(known)]:
+        units = counts["double"][name].index.max() if name in known else 0
+        cells = [f"{of[name][units]}" + (f" ({of[name][0]})" if units else "")
+                 for of in counts.values()] if name in known else ["", ""]
+        rows.append([f"`{name}`", f"n = {units}" if units else "", *cells,
+                     *depth.loc[name]])
     head = ["function", "of", *REALS, *depth.columns]
     return PREFACE.format(core=core, slack=SLACK) + tabulate(
         rows, head, "pipe", colalign=["left", "left"] + ["right"] * (

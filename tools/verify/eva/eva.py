@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -B
 """Undefined behaviour and numbers that are not finite, looked for by abstract
-interpretation (Frama-C Eva): tools/verify/eva/eva.py [short | ENTRY...], each
-entry of tools/verify/eva/entries in both real types; all of them by default.
+interpretation (Frama-C Eva): tools/verify/eva/eva.py [ENTRY...], each entry
+of tools/verify/eva/entries in both real types; all of them by default.
 
 Every alarm has to stand in tools/verify/eva/alarms with its reason, and what
 stands there has to be an alarm: else the run fails. Its paragraphs are lines
@@ -37,9 +37,7 @@ REALS = {"f64": "-UTF_REAL_FLOAT", "f32": "-DTF_REAL_FLOAT"}
 SOURCES = {
     "STEP": "step,scheme,single_valued,least_violation,codim2_end,balanced,"
             "codim2,course,quadrant,select,philox,tyre,prepare,kernel",
-    "PREPARE": "prepare,kernel,prepare_compensated,compensated,machine",
-    "LINE": "frame,crc,link,simulation,prepare,kernel,telemetry,begin,scene,"
-            "machine,tyre"}
+    "PREPARE": "prepare,kernel,prepare_compensated,compensated,machine"}
 # Functions that say by their value whether they wrote a result: what is known
 # where they return is kept apart by that value.
 APART = ("first_offender validate_located within in_reach side_of "
@@ -56,7 +54,6 @@ class Entry(NamedTuple):
     """A line of tools/verify/eva/entries."""
     name: str
     file: str
-    set: str
     kind: str
     sources: str
     options: list[str]
@@ -75,7 +72,7 @@ def entries() -> list[Entry]:
     lines = (HERE / "entries").read_text("utf-8").splitlines()
     words = [line.split() for line in lines
              if line.strip() and not line.startswith("#")]
-    return [Entry(*line[:5], line[5:]) for line in words]
+    return [Entry(*line[:4], line[4:]) for line in words]
 
 
 def by_value(names: list[str], value: str, real: str) -> str:
@@ -212,13 +209,13 @@ def main() -> None:
     explained = Explained(HERE / "alarms")
     known = {entry.name for entry in entries()}
     wanted = set(sys.argv[1:]) or known
-    unknown = (wanted - {"short"} | {
+    unknown = (wanted | {
         alarm.entry for alarm in explained.reasons}) - known
     if unknown:
         print(f"make eva: there is no entry {min(unknown)}", file=sys.stderr)
         sys.exit(2)
     todo = [(entry, real) for entry in entries()
-            if {entry.name, entry.set} & wanted
+            if entry.name in wanted
             for real in (os.environ.get("REALS") or "f64 f32").split()]
     good = driven.side_by_side(lambda run: analyse(*run), todo)
     broken = [run for run, done in zip(todo, good) if not done]

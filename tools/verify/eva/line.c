@@ -3,7 +3,6 @@
 
 #include "any.h"
 #include "twofold/frame.h"
-#include "twofold/link.h"
 
 static uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
 
@@ -84,41 +83,5 @@ void block_small(void) {
   decoder.overflowed = any_bool();
   decoder.started = any_bool();
   tf_decoder_block(&decoder, bytes, (size_t)length, &taken, &frame);
-  //@ check reached: \false;
-}
-
-static tf_scene_t any_scene(void) {
-  tf_scene_t scene;
-  ANY_BITS(scene);
-  scene.v_is_given = any_bool();
-  scene.knots = Frama_C_unsigned_char_interval(0, TF_SCENE_KNOTS);
-  scene.params.with_angle = any_bool();
-  return scene;
-}
-
-// The uplink: bytes come, boundaries pass, answers go, in any order.
-void link_any(void);
-void link_any(void) {
-  static tf_link_t link;
-  static tf_simulation_t simulation;
-  static uint8_t answer[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
-  static const uint8_t key[TF_KEY_BYTES] = {1, 2, 3};
-  const tf_scene_t scene = any_scene();
-  uint32_t sequence = 0;
-  if (tf_simulation_open(&simulation, &scene, &scene.params, 0) != TF_OK)
-    return;
-  tf_link_open(&link, &scene, &scene.params);
-  //@ loop widen_hints "all", TF_LINK_QUEUE, sizeof(link.buffer);
-  while (any_bool()) {
-    const uint8_t byte = Frama_C_unsigned_char_interval(0, 255);
-    if (any_bool())
-      tf_link_receive(&link, byte);
-    else
-      tf_link_receive_tagged(&link, byte, key);
-    if (any_bool()) tf_link_add_entropy(&link, byte);
-    if (any_bool()) tf_link_boundary(&link, &simulation);
-    if (any_bool()) tf_link_answer(&link, answer, &sequence);
-    if (any_bool()) simulation.state = any_state();
-  }
   //@ check reached: \false;
 }
