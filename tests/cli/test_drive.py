@@ -75,7 +75,7 @@ def a_script(number):
 
 def checks(number):
     """Where they are in the middle of a build."""
-    stopped(number, 128 + number, 8, ROOT / "tools/verify/check/run",
+    stopped(number, 128 + number, 8, ROOT / "tools/verify/run",
             "sanitize-gcc", "gcc")
 
 

@@ -138,7 +138,7 @@ class Firmware:
         graphs = sorted(str(path) for path in place.rglob("*.ci"))
         if not graphs:
             return None, None
-        said = subprocess.run(["tools/verify/check/callgraph.py", *graphs],
+        said = subprocess.run(["tools/bench/callgraph.py", *graphs],
                               stdout=subprocess.PIPE, text=True,
                               check=False).stdout
         worst = {line.split()[0]: int(line.split()[1])

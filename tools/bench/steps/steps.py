@@ -83,7 +83,7 @@ class Bench:
                 return "?", "needs gcc 10 or later"
         files = [str(path) for end in ("ci", "s")
                  for path in sorted(place.glob(f"*.{end}"))]
-        for line in output("tools/verify/check/callgraph.py",
+        for line in output("tools/bench/callgraph.py",
                            *files).splitlines():
             name, most, *by = line.split()
             if name == self.step:

@@ -10,10 +10,10 @@ stands on, so never what is in a room later in that table:
 
 A public header belongs to the room that has the source of its name. Nothing
 includes itself through others, in the core, the tools and the ports; a header
-and the source beside it count as one there. The command line includes no other
-tool. All of src/ can be compiled
-as one file: no name of a file is defined in another one, which universal ctags
-tells, and no two sources have one name, for an archive would have two members
+and the source beside it count as one there. The rooms of tools/ stand in a row,
+and what they include and import goes one way (tool_rooms.py). All of src/ can
+be compiled as one file: no name of a file is defined in another one, which
+universal ctags tells, and no two sources have one name, for an archive would have two members
 of it.
 
 The folders of the command line are in the order that tools/cli/commands.c
@@ -33,6 +33,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+import tool_rooms
 from findings import checked, need, wrong
 
 # In the order of that table: the room that each one stands on.
@@ -88,7 +89,7 @@ SIGN_OF_H = re.compile(r"\bTF_SLIP_PLUS\s*:\s*TF_NO_MODE\b|\bh\s*>\s*0\s*\)"
 
 def files_of(root):
     patterns = ("src/*/*.[ch]", "include/**/*.h", "tools/**/*.[ch]",
-                "port/**/*.[ch]")
+                "port/**/*.[ch]", "tests/reference/**/*.[ch]")
     return sorted(p.relative_to(root).as_posix()
                   for pattern in patterns for p in root.glob(pattern))
 
@@ -131,7 +132,8 @@ def stood_on(room):
 
 def included(root, file, files):
     """(name, file of the project or None) of every include of a file."""
-    roots = ["include"] if is_core(file) else ["include", "tools", "port"]
+    roots = ["include"] if is_core(file) else ["include", "tools", "port",
+                                               "tests", "tests/reference"]
     for name in INCLUDE.findall((root / file).read_text()):
         for folder in [Path(file).parent.as_posix()] + roots:
             target = posixpath.normpath(f"{folder}/{name}")
@@ -174,8 +176,10 @@ def port_allows(file, target):
 
 def layer_finding(file, target):
     """What is wrong with an include outside of the core, or None."""
-    if file.startswith(CLI) and target.startswith("tools/"):
-        allowed = target.startswith(CLI) and cli_allows(file, target)
+    if file.startswith(CLI) and target.startswith(CLI):
+        allowed = cli_allows(file, target)
+    elif file.startswith("tools/") and not is_core(target):
+        allowed = tool_rooms.allows(file, target)
     elif file.startswith("port/"):
         allowed = port_allows(file, target)
     else:
@@ -270,22 +274,34 @@ def judge(root):
                 found.append(layer_finding(file, target))
             if other != unit:
                 edges.setdefault(unit, set()).add(other)
-    found += ["a circle: " + " > ".join(c) for c in circles(edges)]
+    modules = {}
+    for file, target in tool_rooms.imports(root):
+        count += 1
+        if not tool_rooms.allows(file, target):
+            found.append(f"{file} may not import {target}")
+        if file != target:
+            modules.setdefault(file, set()).add(target)
+    named = {}
+    for file, target in tool_rooms.uses(root):
+        named.setdefault(file, set()).add(target)
+    found += ["a circle: " + " > ".join(c)
+              for graph in (edges, modules, named) for c in circles(graph)]
     names, twice = names_twice(root, files)
     found += twice + starts_twice(root, files)
-    return found, (f"{count} includes in {len(files)} files go one "
-                           f"way, {names} names of the core are of one file")
+    return found, (f"{count} includes and imports of {len(files)} files in C "
+                   f"and those in Python go one way, {names} names of the core "
+                   "are of one file")
 
 
 # A tree with one violation of each kind, and what is to be said of it.
 SEEDS = {
     "src/num/low.c": '#include "low.h"\nstatic int twice(void) { return 1; }\n',
-    "src/num/low.h": '#include "../../model/high.h"\n',
-    "src/model/high.h": '#include "../../num/other.h"\n#define LIMIT 2\n',
+    "src/num/low.h": '#include "../model/high.h"\n',
+    "src/model/high.h": '#include "../num/other.h"\n#define LIMIT 2\n',
     "src/num/other.h": '#include "low.h"\n',
     "src/model/user.c": '#include "twofold/lone.h"\n#define LIMIT 1\n'
                         "TF_INLINE int twice(int a) { return a; }\n",
-    "src/event/low.c": '#include "../../analysis/aside.h"\n'
+    "src/event/low.c": '#include "../analysis/aside.h"\n'
                        "typedef struct { int a; } thing_t;\n",
     "src/analysis/aside.h": "typedef struct { int b; } thing_t;\n",
     "src/attic/old.c": "",
@@ -295,21 +311,28 @@ SEEDS = {
     "tools/cli/one.h": "",
     "tools/cli/two.h": "",
     "tools/cli/two.c": '#include "two.h"\n#include "one.h"\n',
-    "tools/cli/text/words.h": '#include "../../setup/names.h"\n',
+    "tools/cli/text/words.h": '#include "../setup/names.h"\n',
     "tools/cli/setup/names.h": "",
-    "tools/cli/run/loop.h": '#include "../../diverge/draws.h"\n',
+    "tools/cli/run/loop.h": '#include "../diverge/draws.h"\n',
     "tools/cli/diverge/draws.h": "",
-    "tools/cli/monitor/view.h": '#include "../../run/row.h"\n'
-                                '#include "../../run/loop.h"\n',
-    "tools/cli/run/row.h": '#include "../../one.h"\n',
-    "tools/verify/soak/one.h": '#include "two.h"\n',
-    "tools/verify/soak/two.h": '#include "verify/soak/one.h"\n',
-    "tools/cli/host/line.h": '#include "verify/soak/one.h"\n',
-    "tools/verify/soak/start.c": "if (h > 0) x.mode = TF_SLIP_PLUS;\n",
+    "tools/cli/monitor/view.h": '#include "../run/row.h"\n'
+                                '#include "../run/loop.h"\n',
+    "tools/cli/run/row.h": '#include "../one.h"\n',
+    "tools/verify/a/one.h": '#include "two.h"\n',
+    "tools/verify/a/two.h": '#include "verify/a/one.h"\n',
+    "tools/cli/host/line.h": '#include "verify/a/one.h"\n',
+    "tools/page/model.c": '#include "reference/judge.h"\n'
+                          "int own;\nint run(void) { return start(); }\n",
+    "tools/page/start.c": "int start(void) { return own; }\n",
+    "tools/bench/fast.c": '#include "reference/judge.h"\n',
+    "tests/reference/judge.h": "",
+    "tools/bench/rows.py": "import later\n",
+    "tools/study/later.py": "import rows\n",
+    "tools/verify/a/start.c": "if (h > 0) x.mode = TF_SLIP_PLUS;\n",
     "tests/law/side.c": "x.mode = h > 0 ? TF_SLIP_PLUS : TF_NO_MODE;\n",
     "port/core.h": "",
     "port/loop.h": '#include "core.h"\n',
-    "port/board/board.c": '#include "../../loop.h"\n',
+    "port/board/board.c": '#include "../loop.h"\n',
 }
 SEEDED = [
     "src/attic/old.c: attic is no room",
@@ -324,9 +347,13 @@ SEEDED = [
     "tools/cli/run/loop.h may not include tools/cli/diverge/draws.h",
     "tools/cli/monitor/view.h may not include tools/cli/run/loop.h",
     "tools/cli/run/row.h may not include tools/cli/one.h",
-    "a circle: tools/verify/soak/one > tools/verify/soak/two > tools/verify/soak/one",
-    "tools/cli/host/line.h may not include tools/verify/soak/one.h",
-    "tools/verify/soak/start.c: the sign of h names the first mode",
+    "a circle: tools/verify/a/one > tools/verify/a/two > tools/verify/a/one",
+    "a circle: tools/page/model.c > tools/page/start.c > tools/page/model.c",
+    "a circle: tools/bench/rows.py > tools/study/later.py > tools/bench/rows",
+    "tools/bench/rows.py may not import tools/study/later.py",
+    "tools/page/model.c may not include tests/reference/judge.h",
+    "tools/cli/host/line.h may not include tools/verify/a/one.h",
+    "tools/verify/a/start.c: the sign of h names the first mode",
     "tests/law/side.c: the sign of h names the first mode",
     "port/loop.h may not include port/core.h",
     "port/board/board.c may not include port/loop.h",
@@ -343,6 +370,8 @@ def judge_seeds():
             (root / file).parent.mkdir(parents=True, exist_ok=True)
             (root / file).write_text(text)
         said, _ = judge(root)
+    if any("fast.c" in line or "study/later.py may" in line for line in said):
+        wrong("what is allowed is found")
     for want in SEEDED:
         if not any(want in line for line in said):
             wrong(f"a seeded violation is not found: {want}")

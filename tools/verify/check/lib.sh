@@ -1,13 +1,14 @@
 # shellcheck shell=sh
 # What every check shares; each sources this file and runs from the root of
 # the project. A check prints what is wrong and exits 1, or prints with
-# `checked` what it looked at and exits 0. tools/verify/check/run makes the table.
+# `checked` what it looked at and exits 0. tools/verify/run makes the table.
 set -u
 LC_ALL=C
 export LC_ALL
 cd "$(dirname "$0")/../../.." || exit 1
 MAKE=${MAKE:-make}
 BUILD=${BUILD:-build/check}
+FULL=${FULL:-} # what is sampled otherwise, whole
 BAD=0
 mkdir -p "$BUILD"
 

@@ -19,14 +19,10 @@ SMALL = {"uint8_t": 255, "unsigned char": 255, "_Bool": 1}
 
 
 class Bound(NamedTuple):
-    """What a condition sets. `beyond`: turns more than the way from the first
-    value to the limit, of `<=` or of `x - 1 < n`."""
+    """What a condition sets: `moves` goes to `limit`."""
     kind: str
     moves: str
     limit: str
-    test: dict  # the comparison in the syntax tree
-    up: bool = True
-    beyond: int = 0
 
 
 def kids(node):
@@ -235,12 +231,6 @@ def offset_of(node):
     return node
 
 
-def offset(node):
-    """What offset_of leaves out."""
-    node = bare(node)
-    return 0 if offset_of(node) is node else value(kids(node)[1])
-
-
 def bound_of(test, body, step):
     """The bound that a condition sets, or None."""
     test = bare(test)
@@ -261,35 +251,32 @@ def bound_of(test, body, step):
         # Every turn begins with the first of them.
         return a._replace(
             kind="constant" if a.kind == b.kind == "constant" else "runtime",
-            limit=f"{a.limit} or {b.limit}",
-            beyond=max(a.beyond, b.beyond))
+            limit=f"{a.limit} or {b.limit}")
     if op == "!=" and value(right) == 0 and (text(left) or "")[:1] == "*":
         name = text(left)[1:]
         if not skips(body) and moves_on(body, step, name, True):
-            return Bound("runtime", name, "the end of the string " + name,
-                         test)
+            return Bound("runtime", name, "the end of the string " + name)
         return None
     if op not in ("<", "<=", ">", ">="):
         return None
     for var, limit, up in ((left, right, op[0] == "<"),
                            (right, left, op[0] == ">")):
-        found = bound_by(var, limit, up, test, (body, step))
+        found = bound_by(var, limit, up, op, (body, step))
         if found:
             return found
     return None
 
 
-def bound_by(var, limit, up, test, parts):
+def bound_by(var, limit, up, op, parts):
     """The bound that a comparison sets if `var` moves towards `limit`."""
-    op, (body, step) = test["opcode"], parts
+    body, step = parts
     name = text(offset_of(var))
     if name is None or value(var) is not None or text(limit) is None:
         return None
-    beyond = ("=" in op) + abs(offset(var))
     if "double" in amount_type(var) or "float" in amount_type(var):
         if constant(limit) and not skips(body) and \
                 scales_on(body, step, name, up):
-            return Bound("runtime", name, text(limit), test, up, beyond)
+            return Bound("runtime", name, text(limit))
         return None
     names = {text(n) for n in walk(limit)
              if n.get("kind") in ("DeclRefExpr", "MemberExpr")}
@@ -305,17 +292,16 @@ def bound_by(var, limit, up, test, parts):
         if not fits(var, op, number, up, body, step, name):
             return None
         return Bound("constant", name,
-                     text(limit) if number is None else str(number), test, up,
-                     beyond)
+                     text(limit) if number is None else str(number))
     small = SMALL.get(bare(limit)["type"]["qualType"].replace("const ", ""))
     calls = any(n.get("kind") == "CallExpr" for n in walk(body))
     if calls and bare(limit)["kind"] == "MemberExpr" and not small:
         return None  # what is called may move it
-    return Bound("runtime", name, text(limit), test, up, beyond)
+    return Bound("runtime", name, text(limit))
 
 
 def judge(loop):
-    """(kind, the bound as text, first value if constant, Bound or None)."""
+    """(kind, the bound as text)."""
     if loop["kind"] == "ForStmt":
         parts = loop["inner"]  # init, variable, condition, step, body
         test, step, body = parts[2], parts[3] or None, parts[4]
@@ -326,20 +312,19 @@ def judge(loop):
     else:
         body, test, step = kids(loop)[0], kids(loop)[-1], None
     if not test.get("kind"):
-        return "none", "no condition", None, None
+        return "none", "no condition"
     if body.get("kind") != "CompoundStmt":
         body = {"kind": "CompoundStmt", "inner": [body]}
     # A move in the condition would not be made in every turn.
     if any(True for _ in writes(test)):
-        return "none", "the condition writes", None, None
+        return "none", "the condition writes"
     bound = bound_of(test, body, step)
     if not bound:
-        return "none", "no bound", None, None
+        return "none", "no bound"
     begin = begun_at(loop, bound.moves)
     if begin is not None:
-        return (bound.kind, f"{bound.moves} from {begin} to {bound.limit}",
-                begin, bound)
-    return "runtime", f"{bound.moves} to {bound.limit}", None, bound
+        return bound.kind, f"{bound.moves} from {begin} to {bound.limit}"
+    return "runtime", f"{bound.moves} to {bound.limit}"
 
 
 def begun_at(loop, name):

@@ -1,16 +1,17 @@
 #!/bin/sh
 # A few wrong changes of src/ (make mutation): the tests notice each, or
-# tools/verify/mutation/equivalent says why it makes no difference. MUTATIONS says how
-# many. First all of one order, then those of the commit's own order, which one
-# fixed sample leaves unseen: more than six survivors of 24 are not chance.
+# tools/verify/mutation/equivalent says why it makes no difference. MUTATIONS
+# says how many (12, with FULL=yes 100). First all of one order, then those of
+# the commit's own order, which one fixed sample leaves unseen: more survivors
+# than a quarter are not chance.
 . "$(dirname "$0")/lib.sh"
 need gcc gcc
-sample=${MUTATIONS:-24}
+sample=${MUTATIONS:-$([ -n "$FULL" ] && echo 100 || echo 12)}
 
 # tried SEED SURVIVORS WORD...: a sample of an order, and what to say of it.
 tried() {
   CC=gcc SAMPLE=$sample SEED=$1 SURVIVORS=$2 BUILD=$BUILD AGAIN='' \
-    tools/verify/mutation/run 2>&1 ||
+    tools/verify/mutation/mutation.py 2>&1 ||
     wrong "wrong changes of src/ survive, or an excuse fits none: SEED=$1"
   shift 2
   note="${note:+$note; }$* $(tail -n 2 "$BUILD/mutation/REPORT" | head -n 1 |

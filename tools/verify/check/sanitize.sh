@@ -1,6 +1,7 @@
 #!/bin/sh
-# All tests under the address and undefined-behaviour sanitizers:
-# sanitize.sh COMPILER.
+# Tests under the address and undefined-behaviour sanitizers: sanitize.sh
+# COMPILER. With gcc those of units and the line in double, with clang laws,
+# golden and regress in float; with FULL=yes all tests in both.
 . "$(dirname "$0")/lib.sh"
 need "$1" "$1"
 # Of the debugger's tables lines are enough, at half the time of compiling.
@@ -16,9 +17,19 @@ echo 'int main(void) { return 0; }' >"$BUILD/empty-$1.c"
 # time of the tests.
 [ "$1" = gcc ] || export ASAN_OPTIONS=detect_stack_use_after_return=1
 export TIMEOUT=900
-"$MAKE" --no-print-directory CC="$1" BUILD="$BUILD/sanitize-$1" OPT=-O1 \
-  EXTRA="$FLAGS -fno-omit-frame-pointer" test >"$BUILD/tests-$1.log" 2>&1 ||
-  wrong "tests fail under the sanitizers of $1"
-cat "$BUILD/tests-$1.log"
-checked "$(tail -n 1 "$BUILD/tests-$1.log"); address and undefined" \
-  "behaviour, both real types"
+set -- "$1" EXTRA="$FLAGS -fno-omit-frame-pointer"
+if [ -z "$FULL" ]; then
+  [ "$1" = gcc ] && rooms='tests/unit tests/line' real=double ||
+    rooms='tests/law tests/golden tests/regress' real=float
+  # shellcheck disable=SC2086  # a list of folders
+  set -- "$@" VARIANTS=$real \
+    TESTS="$(files_in 'test_*.c' $rooms | tr '\n' ' ')"
+fi
+compiler=$1
+shift
+"$MAKE" --no-print-directory CC="$compiler" BUILD="$BUILD/sanitize-$compiler" \
+  OPT=-O1 "$@" test >"$BUILD/tests-$compiler.log" 2>&1 ||
+  wrong "tests fail under the sanitizers of $compiler"
+cat "$BUILD/tests-$compiler.log"
+checked "$(tail -n 1 "$BUILD/tests-$compiler.log"); address and undefined" \
+  "behaviour${real:+, $real}"

@@ -1,12 +1,10 @@
 #!/usr/bin/python3 -B
-"""Tests of both real types under valgrind's memcheck: what the sanitizers of
-gcc do not see is a decision by a value that was never set.
-
-    valgrind.py        the quick tests below, of the line, the session, the step
-                       and what is beside it
-    valgrind.py all    (`make valgrind`) every program; those that are not done
-                       in LIMIT seconds, as orbits of 1e6 steps and sweeps of
-                       random machines, are stopped and named
+"""Tests under valgrind's memcheck: what the sanitizers of gcc do not see is a
+decision by a value that was never set. These are
+the quick tests below in double, of the line, the session, the step and what is
+beside it; with FULL=yes (`make valgrind`) every program in both real types.
+Those that are not done in LIMIT seconds, as orbits of 1e6 steps and sweeps of
+random machines, are stopped and named.
 """
 import os
 import subprocess
@@ -14,7 +12,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from findings import BUILD, DEFINES, build, checked, need, quietly, wrong
+from findings import BUILD, DEFINES, FULL, build, checked, need, quietly, wrong
 
 # Program, or program:test.
 FEW = """unit/link/test_protocol unit/link/test_link unit/link/test_text
@@ -77,12 +75,13 @@ def run(real, test):
 
 
 need("valgrind", "valgrind")
-tests = FEW
-if sys.argv[1:] == ["all"]:
+tests, reals = FEW, ["double"]
+if FULL:
+    reals = list(DEFINES)
     tests = sorted(str(path.relative_to("tests").with_suffix(""))
                    for path in Path("tests").rglob("test_*.c"))
 judge_seed()
-runs = [(real, test) for real in DEFINES for test in tests]
+runs = [(real, test) for real in reals for test in tests]
 if not build("CC=gcc", f"BUILD={ROOM}", "OPT=-O1 -g", *sorted({
         f"{ROOM}/{real}/tests/{test.partition(':')[0]}"
         for real, test in runs})):
@@ -92,5 +91,5 @@ with ThreadPoolExecutor(int(os.environ.get("JOBS") or
     stopped = sum(pool.map(lambda pair: run(*pair), runs))
 if stopped == len(runs):
     wrong("nothing was done in time")
-checked(f"{len(runs)} runs of tests under memcheck, both real types; {stopped} "
-        f"stopped after {LIMIT} s; the seeded error is found")
+checked(f"{len(runs)} runs of tests under memcheck, {' and '.join(reals)}; "
+        f"{stopped} stopped after {LIMIT} s; the seeded error is found")

@@ -1,4 +1,5 @@
-// Every public function with inputs that a subject's genes choose.
+// The public functions whose cost depends on what they are given, with inputs
+// that a subject's genes choose.
 #ifndef COST_CALLS_H
 #define COST_CALLS_H
 
@@ -16,7 +17,7 @@ typedef struct {
   long weight;      // how many of the trials it gets, 1 the usual
 } call_t;
 
-extern const call_t machine_calls[], line_calls[];
-extern const unsigned machine_call_count, line_call_count;
+extern const call_t calls[];
+extern const unsigned call_count;
 
 #endif

@@ -19,23 +19,14 @@
 
 #define LINE 2048
 
-static unsigned call_count(void) {
-  return machine_call_count + line_call_count;
-}
-
-static const call_t *call_at(unsigned i) {
-  return i < machine_call_count ? &machine_calls[i]
-                                : &line_calls[i - machine_call_count];
-}
-
 // With or without its tf_.
 static const char *short_of(const char *name) {
   return strncmp(name, "tf_", 3) == 0 ? name + 3 : name;
 }
 
 static const call_t *call_named(const char *name) {
-  for (unsigned i = 0; i < call_count(); i++)
-    if (strcmp(call_at(i)->name, name) == 0) return call_at(i);
+  for (unsigned i = 0; i < call_count; i++)
+    if (strcmp(calls[i].name, name) == 0) return &calls[i];
   return NULL;
 }
 
@@ -128,9 +119,9 @@ static int is_wanted(const call_t *call, int argc, char **argv) {
 
 static int search_all(int argc, char **argv) {
   const long evaluations = strtol(argv[2], NULL, 10);
-  for (unsigned i = 0; i < call_count(); i++)
-    if (is_wanted(call_at(i), argc, argv) &&
-        !search_call(call_at(i), evaluations))
+  for (unsigned i = 0; i < call_count; i++)
+    if (is_wanted(&calls[i], argc, argv) &&
+        !search_call(&calls[i], evaluations))
       return 1;
   return 0;
 }

@@ -5,7 +5,7 @@
 // are called here case by case: one argument is NaN or infinite or beyond the
 // limit, or none is. What they return is theirs in every case, and nothing is
 // assumed of it: where in_reach() lets a number through, the proofs that need
-// it fail (tools/verify/eva/broken).
+// it fail.
 //
 // Two things are admitted: that a number is NaN or not, infinite or not; and
 // what the angle kernel returns, which is executed (angle_kernel_error_bound).

@@ -3,8 +3,6 @@
 
 #include "any.h"
 #include "twofold/frame.h"
-#include "twofold/link.h"
-#include "twofold/telemetry.h"
 
 static uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
 
@@ -85,94 +83,5 @@ void block_small(void) {
   decoder.overflowed = any_bool();
   decoder.started = any_bool();
   tf_decoder_block(&decoder, bytes, (size_t)length, &taken, &frame);
-  //@ check reached: \false;
-}
-
-static tf_scene_t any_scene(void) {
-  tf_scene_t scene;
-  ANY_BITS(scene);
-  scene.v_is_given = any_bool();
-  scene.knots = Frama_C_unsigned_char_interval(0, TF_SCENE_KNOTS);
-  scene.params.with_angle = any_bool();
-  return scene;
-}
-
-// The uplink: bytes come, boundaries pass, answers go, in any order.
-void link_any(void);
-void link_any(void) {
-  static tf_link_t link;
-  static tf_simulation_t simulation;
-  static uint8_t answer[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
-  static const uint8_t key[TF_KEY_BYTES] = {1, 2, 3};
-  const tf_scene_t scene = any_scene();
-  uint32_t sequence = 0;
-  if (tf_simulation_open(&simulation, &scene, &scene.params, 0) != TF_OK)
-    return;
-  tf_link_open(&link, &scene, &scene.params);
-  //@ loop widen_hints "all", TF_LINK_QUEUE, sizeof(link.buffer);
-  while (any_bool()) {
-    const uint8_t byte = Frama_C_unsigned_char_interval(0, 255);
-    if (any_bool())
-      tf_link_receive(&link, byte);
-    else
-      tf_link_receive_tagged(&link, byte, key);
-    if (any_bool()) tf_link_add_entropy(&link, byte);
-    if (any_bool()) tf_link_boundary(&link, &simulation);
-    if (any_bool()) tf_link_answer(&link, answer, &sequence);
-    if (any_bool()) simulation.state = any_state();
-  }
-  //@ check reached: \false;
-}
-
-// Inputs of a scene and a simulation at any time.
-void simulation_any(void);
-void simulation_any(void) {
-  tf_simulation_t simulation;
-  const tf_scene_t scene = any_scene();
-  ANY_BITS(simulation);
-  simulation.machine = any_machine();
-  simulation.source =
-      (tf_input_source_t)Frama_C_interval(TF_INPUT_SCENE, TF_INPUT_SAFE);
-  tf_simulation_input(&simulation, &scene);
-  tf_simulation_start(&simulation, &scene, 0);
-  //@ check reached: \false;
-}
-
-// Everything that goes down, made in a buffer of exactly its size, and read.
-void send_any(void);
-void send_any(void) {
-  static uint8_t state_wire[TF_FRAME_SIZE(TF_STATE_BYTES)];
-  static uint8_t report_wire[TF_FRAME_SIZE(TF_REPORT_BYTES)];
-  static uint8_t compact_wire[TF_FRAME_SIZE(TF_COMPACT_BYTES)];
-  static uint8_t heartbeat_wire[TF_FRAME_SIZE(TF_HEARTBEAT_BYTES)];
-  static uint8_t parameter_wire[TF_FRAME_SIZE(TF_PARAMETER_BYTES)];
-  tf_state_t state = any_state();
-  tf_params_t params;
-  tf_report_t report;
-  tf_heartbeat_t heartbeat;
-  uint32_t sequence = 0;
-  ANY_BITS(params);
-  params.law = (tf_tyre_law_t)Frama_C_interval(0, TF_TYRE_LAWS - 1);
-  params.with_angle = any_bool();
-  ANY_BITS(report);
-  ANY_BITS(heartbeat);
-  tf_send_state(state_wire, &sequence, &state);
-  tf_send_report(report_wire, &sequence, 0, &report, TF_INPUT_SAFE);
-  tf_send_compact(compact_wire, &sequence, &state, &report);
-  tf_send_heartbeat(heartbeat_wire, &sequence, 0, &heartbeat);
-  const int index = Frama_C_interval(0, TF_PARAMETERS);
-  //@ split index;
-  tf_send_parameter(parameter_wire, &sequence, 0, &params, (unsigned)index);
-  const tf_schema_t schema = {.params = &params,
-                              .scene = "scene",
-                              .build = "build",
-                              .takes_commands = any_bool()};
-  tf_send_schema(wire, &sequence, 0, &schema);
-  tf_send_layout(wire, &sequence, 0, TF_DOWN_STATE, tf_layout_state);
-  tf_send_layout(wire, &sequence, 0, TF_DOWN_REPORT, tf_layout_report);
-  tf_send_layout(wire, &sequence, 0, TF_DOWN_HEARTBEAT, tf_layout_heartbeat);
-  ANY_BITS(wire);
-  tf_read_state(wire + TF_FRAME_AT, 0, &state);
-  tf_read_report(wire + TF_FRAME_AT, &report);
   //@ check reached: \false;
 }

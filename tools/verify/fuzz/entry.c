@@ -1,4 +1,4 @@
-// The door for libFuzzer: tools/verify/fuzz/fuzz.mk compiles it once a target. A
+// The door for libFuzzer: tools/verify/verify.mk compiles it once a target. A
 // broken promise ends the program like any other crash, so that libFuzzer
 // keeps the input.
 #include <stdio.h>

@@ -1,11 +1,160 @@
-// Functions of bytes, frames, commands and text.
+// Functions of machines, states, friction and two-folds; of bytes, frames,
+// commands and text.
+#include "verify/cost/calls.h"
+
 #include <string.h>
 
-#include "verify/cost/calls.h"
 #include "verify/cost/count.h"
-#include "verify/cost/inline.h"
 
 #define GENE(n) (s->genes->gene[OWN_GENES + (n)])
+#define REAL(n) real_of(GENE(n))
+#define K (&s->machine.machine)
+
+#define CALL(function) static uint32_t count_##function(const subject_t *s)
+
+CALL(tyre_force) {
+  const tf_real_t h = REAL(0), g = REAL(1);
+  return COUNT(tf_tyre_force(&K->tyre, GENE(2) & 1u ? 1 : -1, h, g));
+}
+
+CALL(prepare) {
+  tf_machine_t machine;
+  int offender;
+  return COUNT(tf_prepare(&machine, &s->params, &offender));
+}
+CALL(prepare_compensated) {
+  tf_compensated_t machine;
+  int offender;
+  return COUNT(tf_prepare_compensated(&machine, &s->params, &offender));
+}
+CALL(speed_for_slip_compensated) {
+  tf_state_t state = s->state;
+  tf_compensation_t compensation = s->compensation;
+  const tf_real_t h = REAL(0);
+  return COUNT(tf_speed_for_slip_compensated(&s->machine, &state, &compensation,
+                                             s->input.omega0, h));
+}
+CALL(begin) {
+  tf_state_t state = s->state;
+  tf_report_t report;
+  state.mode = (uint8_t)(GENE(0) % (TF_MODES + 1));
+  return COUNT(tf_begin(K, &state, &s->input, &report));
+}
+CALL(begin_with_slip) {
+  tf_state_t state = s->state;
+  tf_report_t report;
+  const tf_real_t h = REAL(0);
+  return COUNT(tf_begin_with_slip(K, &state, &s->input, h, &report));
+}
+CALL(step) {
+  tf_state_t state = s->state;
+  tf_report_t report;
+  return COUNT(tf_step(K, &state, &s->input, &report));
+}
+// The units are the budget.
+#define MAX_SEGMENTS 8
+CALL(step_located) {
+  tf_machine_t machine = *K;
+  tf_state_t state = s->state;
+  tf_report_t report;
+  machine.segments = (uint16_t)s->units;
+  return COUNT(tf_step_located(&machine, &state, &s->input, &report));
+}
+CALL(step_compensated) {
+  tf_state_t state = s->state;
+  tf_compensation_t compensation = s->compensation;
+  tf_report_t report;
+  return COUNT(tf_step_compensated(&s->machine, &state, &compensation,
+                                   &s->input, &report));
+}
+
+// As many equal states as there are units.
+#define MAX_STATES (4 * TF_LANES)
+CALL(ensemble_step) {
+  static tf_state_block_t blocks[TF_BLOCKS(MAX_STATES)];
+  static tf_report_block_t reports[TF_BLOCKS(MAX_STATES)];
+  for (unsigned i = 0; i < s->units; i++) tf_ensemble_put(blocks, i, &s->state);
+  return COUNT(tf_ensemble_step(K, blocks, s->units, &s->input, reports));
+}
+
+// A scene of these parameters, with a profile.
+static tf_scene_t scene_of(const subject_t *s) {
+  tf_scene_t scene = *tf_scenes[0];
+  scene.params = s->params;
+  scene.r = s->state.r;
+  scene.omega = s->state.w;
+  scene.v = s->state.v;
+  scene.h = sized_of(GENE(0), -40, 4);
+  scene.v_is_given = (GENE(1) & 1u) != 0;
+  scene.knots = (uint8_t)(GENE(1) >> 4 & 8u);
+  for (unsigned i = 0; i < TF_SCENE_KNOTS; i++)
+    scene.profile[i] =
+        (tf_knot_t){(tf_real_t)i / 8, s->params.omega0 * (tf_real_t)(i % 3)};
+  return scene;
+}
+
+CALL(scene_input) {
+  const tf_scene_t scene = scene_of(s);
+  const tf_real_t t = sized_of(GENE(2), -4, 1);
+  return COUNT(tf_scene_input(&scene, K, t));
+}
+CALL(scene_start) {
+  const tf_scene_t scene = scene_of(s);
+  tf_state_t state;
+  tf_report_t report;
+  return COUNT(tf_scene_start(&scene, K, GENE(2), &state, &report));
+}
+CALL(simulation_input) {
+  const tf_scene_t scene = scene_of(s);
+  tf_simulation_t simulation;
+  memset(&simulation, 0, sizeof simulation);
+  simulation.machine = *K;
+  simulation.state = s->state;
+  simulation.state.tick = GENE(2) >> (GENE(3) % 32);
+  simulation.source = (tf_input_source_t)(GENE(3) >> 5 & 1u);
+  simulation.deadman = simulation.left = GENE(3) >> 6 & 1u;
+  return COUNT(tf_simulation_input(&simulation, &scene));
+}
+CALL(simulation_start) {
+  const tf_scene_t scene = scene_of(s);
+  tf_simulation_t simulation;
+  memset(&simulation, 0, sizeof simulation);
+  simulation.machine = *K;
+  return COUNT(tf_simulation_start(&simulation, &scene, GENE(2)));
+}
+CALL(simulation_open) {
+  const tf_scene_t scene = scene_of(s);
+  tf_simulation_t simulation;
+  memset(&simulation, 0, sizeof simulation);
+  return COUNT(tf_simulation_open(&simulation, &scene, &s->params, GENE(2)));
+}
+
+CALL(two_folds) {
+  tf_surface_point_t places[TF_TWO_FOLDS];
+  tf_absence_t absence;
+  int count;
+  return COUNT(tf_two_folds(K, &s->input, places, &count, &absence));
+}
+CALL(normal_form) {
+  tf_surface_point_t places[TF_TWO_FOLDS];
+  tf_two_fold_t out;
+  int count = 0;
+  if (tf_two_folds(K, &s->input, places, &count, NULL) != TF_OK || count == 0)
+    return 0;
+  return COUNT(
+      tf_normal_form(K, &s->input, &places[GENE(0) % (unsigned)count], &out));
+}
+CALL(design_two_fold) {
+  tf_design_t out;
+  return COUNT(tf_design_two_fold(K, &s->input, s->state.r, s->state.w, &out));
+}
+CALL(surface_at) {
+  tf_surface_t out;
+  return COUNT(
+      tf_surface_at(K, &s->input, s->state.r, s->state.v, s->state.w, &out));
+}
+
+// The line.
 #define WIRE TF_FRAME_SIZE(TF_FRAME_PAYLOAD)
 
 // Bytes of one kind: 0, which COBS must replace, others, or a mixture.
@@ -24,26 +173,6 @@ static void fill(uint8_t *at, size_t length, uint32_t gene) {
     }
 }
 
-#define CALL(function) static uint32_t count_##function(const subject_t *s)
-
-CALL(wire_put) {
-  uint8_t at[8];
-  return COUNT(cost_wire_put(at, GENE(0), s->units));
-}
-CALL(wire_get) {
-  uint8_t at[8] = {0};
-  return COUNT(cost_wire_get(at, s->units));
-}
-CALL(wire_put_real) {
-  uint8_t at[8];
-  const tf_real_t value = real_of(GENE(0));
-  return COUNT(cost_wire_put_real(at, value));
-}
-CALL(wire_get_real) {
-  uint8_t at[8];
-  fill(at, sizeof at, GENE(0));
-  return COUNT(cost_wire_get_real(at));
-}
 CALL(frame_seal) {
   uint8_t wire[WIRE];
   uint32_t sequence = GENE(1);
@@ -51,12 +180,6 @@ CALL(frame_seal) {
   fill(wire + TF_FRAME_AT, s->units, GENE(0));
   return COUNT(
       tf_frame_seal(wire, (uint8_t)GENE(3), s->units, &sequence, tick));
-}
-CALL(decoder_init) {
-  tf_decoder_t decoder;
-  (void)s;
-  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
-  return COUNT(tf_decoder_init(&decoder, buffer, sizeof buffer));
 }
 
 // A frame with a payload of some length, and a decoder that knows a sequence.
@@ -215,16 +338,6 @@ static uint32_t send_commands(const subject_t *s, uplink_t *u, unsigned n) {
   return worst;
 }
 
-CALL(link_open) {
-  tf_link_t link;
-  return COUNT(tf_link_open(&link, tf_scenes[0], &s->params));
-}
-CALL(link_add_entropy) {
-  tf_link_t link;
-  memset(&link, 0, sizeof link);
-  link.noise = GENE(0);
-  return COUNT(tf_link_add_entropy(&link, GENE(1)));
-}
 CALL(command_seal) {
   uint8_t wire[WIRE], key[TF_KEY_BYTES];
   uint32_t number = GENE(1);
@@ -262,8 +375,6 @@ CALL(link_answer) {
   return COUNT(tf_link_answer(&u.link, wire, &sequence));
 }
 
-CALL(params_hash) { return COUNT(tf_params_hash(&s->params)); }
-
 static tf_report_t report_of(const subject_t *s) {
   return (tf_report_t){.force = {real_of(GENE(0)), real_of(GENE(1))},
                        .slip = {real_of(GENE(2)), real_of(GENE(3))},
@@ -272,83 +383,6 @@ static tf_report_t report_of(const subject_t *s) {
                        .mode = (uint8_t)(GENE(6) % TF_MODES),
                        .set = (uint8_t)(GENE(6) >> 8),
                        .choices = (uint8_t)(GENE(6) >> 16)};
-}
-
-// Frames that go down.
-CALL(send_schema) {
-  char text[TF_FRAME_PAYLOAD + 1];
-  uint8_t wire[WIRE];
-  uint32_t sequence = GENE(1);
-  memset(text, '.', sizeof text - 1);
-  text[sizeof text - 1] = '\0';
-  const tf_schema_t schema = {.params = &s->params,
-                              .scene = GENE(2) & 1u ? text : "",
-                              .build = GENE(3) & 1u ? text : "",
-                              .scheme = 1,
-                              .takes_commands = true};
-  return COUNT(tf_send_schema(wire, &sequence, GENE(4), &schema));
-}
-CALL(send_layout) {
-  char text[TF_FRAME_PAYLOAD + 1];
-  uint8_t wire[WIRE];
-  uint32_t sequence = GENE(1);
-  memset(text, '.', sizeof text - 1);
-  text[sizeof text - 1] = '\0';
-  return COUNT(tf_send_layout(wire, &sequence, GENE(4), TF_DOWN_STATE, text));
-}
-CALL(send_state) {
-  uint8_t wire[WIRE];
-  uint32_t sequence = GENE(8);
-  tf_state_t state = s->state;
-  state.tick = GENE(9);
-  if (GENE(10) & 1u) memset(&state, 0, sizeof state);
-  return COUNT(tf_send_state(wire, &sequence, &state));
-}
-CALL(send_report) {
-  uint8_t wire[WIRE];
-  uint32_t sequence = GENE(8);
-  const tf_report_t report = report_of(s);
-  return COUNT(tf_send_report(wire, &sequence, GENE(9), &report, TF_INPUT_SET));
-}
-CALL(send_compact) {
-  uint8_t wire[WIRE];
-  uint32_t sequence = GENE(8);
-  const tf_report_t report = report_of(s);
-  tf_state_t state = s->state;
-  state.tick = GENE(9);
-  if (GENE(10) & 1u) memset(&state, 0, sizeof state);
-  return COUNT(tf_send_compact(wire, &sequence, &state, &report));
-}
-CALL(send_heartbeat) {
-  uint8_t wire[WIRE];
-  uint32_t sequence = GENE(8);
-  tf_heartbeat_t beat;
-  fill((uint8_t *)&beat, sizeof beat, GENE(10));
-  return COUNT(tf_send_heartbeat(wire, &sequence, GENE(9), &beat));
-}
-CALL(send_parameter) {
-  uint8_t wire[WIRE];
-  uint32_t sequence = GENE(8);
-  return COUNT(tf_send_parameter(wire, &sequence, GENE(9), &s->params,
-                                 GENE(10) % (TF_PARAMETERS + 1)));
-}
-CALL(read_state) {
-  uint8_t payload[TF_STATE_BYTES];
-  tf_state_t state;
-  fill(payload, sizeof payload, GENE(0));
-  return COUNT(tf_read_state(payload, GENE(1), &state));
-}
-CALL(read_heartbeat) {
-  uint8_t payload[TF_HEARTBEAT_BYTES];
-  tf_heartbeat_t beat;
-  fill(payload, sizeof payload, GENE(0));
-  return COUNT(tf_read_heartbeat(payload, &beat));
-}
-CALL(read_report) {
-  uint8_t payload[TF_REPORT_BYTES];
-  tf_report_t report;
-  fill(payload, sizeof payload, GENE(0));
-  return COUNT(tf_read_report(payload, &report));
 }
 
 // Numbers as text: long ones, and those that take many powers of ten.
@@ -360,37 +394,39 @@ CALL(text_row) {
   return COUNT(tf_text_row(out, &state, &report));
 }
 
-#define ENTRY(function) \
-  { #function, count_##function, NULL, 0, 1 }
+#define WEIGHED(function, weight) \
+  { #function, count_##function, NULL, 0, weight }
+#define ENTRY(function) WEIGHED(function, 1)
 #define BYTES(function, most) \
   { #function, count_##function, "byte", most, 1 }
-const call_t line_calls[] = {
-    BYTES(wire_put, 8),
-    BYTES(wire_get, 8),
-    ENTRY(wire_put_real),
-    ENTRY(wire_get_real),
+const call_t calls[] = {
+    WEIGHED(step, 8),
+    WEIGHED(step_compensated, 4),
+    {"step_located", count_step_located, "segment", MAX_SEGMENTS, 1},
+    {"ensemble_step", count_ensemble_step, "state", MAX_STATES, 1},
+    ENTRY(begin),
+    ENTRY(begin_with_slip),
+    ENTRY(prepare),
+    ENTRY(prepare_compensated),
+    ENTRY(speed_for_slip_compensated),
+    ENTRY(tyre_force),
+    ENTRY(scene_input),
+    ENTRY(scene_start),
+    ENTRY(simulation_input),
+    ENTRY(simulation_start),
+    ENTRY(simulation_open),
+    ENTRY(two_folds),
+    ENTRY(normal_form),
+    ENTRY(design_two_fold),
+    ENTRY(surface_at),
     BYTES(frame_seal, TF_FRAME_PAYLOAD),
-    ENTRY(decoder_init),
     BYTES(decoder_push, TF_FRAME_PAYLOAD),
     BYTES(decoder_block, TF_FRAME_SIZE(TF_FRAME_PAYLOAD)),
-    ENTRY(link_open),
     ENTRY(link_receive_tagged),
-    ENTRY(link_add_entropy),
     BYTES(command_seal, TF_COMMAND_MOST),
     ENTRY(link_receive),
     ENTRY(link_boundary),
     ENTRY(link_answer),
-    ENTRY(params_hash),
-    ENTRY(send_schema),
-    ENTRY(send_layout),
-    ENTRY(send_state),
-    ENTRY(send_report),
-    ENTRY(send_compact),
-    ENTRY(send_heartbeat),
-    ENTRY(send_parameter),
-    ENTRY(read_state),
-    ENTRY(read_heartbeat),
-    ENTRY(read_report),
     ENTRY(text_row),
 };
-const unsigned line_call_count = sizeof line_calls / sizeof line_calls[0];
+const unsigned call_count = sizeof calls / sizeof calls[0];

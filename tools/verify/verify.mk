@@ -1,0 +1,147 @@
+# Everything that is held up by machine: checks, worst cost, proofs, mutation,
+# fuzzing, soak. Included by the Makefile. Checks choose their own compilers.
+#
+#   CHECKS='format words'   only these; tools/verify/run has the list
+#   FULL=yes                all of what checks sample otherwise (hours)
+#   EVALUATIONS=100000      bounds: calls of each function that the search tries
+#   ENTRIES='step_any'      eva: these entries
+#   SAMPLE=60 SEED=1 AGAIN= mutation: how many changes of which order, 0 all;
+#                           AGAIN=1 goes on, and tries what survived again
+#   SECONDS=30 FUZZ=frame FUZZ_REALS=double
+#                           fuzz: how long, which targets, which real type of
+#                           the target machine
+#   STEPS=1e9               soak: how many, in each of VARIANTS
+
+.PHONY: check valgrind stale bounds keep-bounds eva mutation fuzz fuzz-merge \
+  fuzz-clang soak
+HELPERS += fuzz-clang
+
+check: ## warnings, format, static analysis, sanitizers, promises
+	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' FULL='$(FULL)' \
+	  exec tools/verify/run $(CHECKS)
+
+valgrind: ## nearly every test under memcheck (valgrind)
+	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' FULL=yes \
+	  tools/verify/run valgrind
+
+stale: ## which reports of docs/ are of an older core
+	@tools/verify/stale
+
+eva: ## all entries of Frama-C Eva (minutes)
+	@BUILD='$(BUILD)' tools/verify/eva/eva.py $(ENTRIES)
+
+SAMPLE ?= 60
+SEED ?= 1
+AGAIN ?=
+mutation: ## wrong changes of src/ for the tests to notice
+	@BUILD='$(BUILD)' SAMPLE='$(SAMPLE)' SEED='$(SEED)' AGAIN='$(AGAIN)' \
+	  tools/verify/mutation/mutation.py
+
+# Instructions of the public functions (tools/verify/cost), on x86-64 only: the
+# core is compiled with -O2 and counts itself.
+COST := $(wildcard tools/verify/cost/*.c)
+COUNTED := $(CORE:src/%.c=%) memory
+EVALUATIONS ?= 100000
+counted = $(BUILD)/$(1)/counted
+
+define cost_rules
+$(call counted,$(1))/flags: $(BUILD)/$(1)/flags tools/verify/verify.mk
+	@mkdir -p $$(@D)
+	@cp $$< $$@
+$(call counted,$(1))/%.s: src/%.c $(call counted,$(1))/flags
+	$$(call assemble,$$(CORE_FLAGS) $$(SRC_FLAGS_$$(*F)) $$(FLAGS_$(1)))
+$(call counted,$(1))/memory.s: port/arch/memory.c $(call counted,$(1))/flags
+	$$(call assemble,$$(CORE_FLAGS))
+$(call counted,$(1))/%.o: $(call counted,$(1))/%.s tools/verify/cost/count.py
+	@tools/verify/cost/count.py $$< >$$(@:.o=.counting)
+	@$$(CC) -x assembler -c $$(@:.o=.counting) -o $$@
+$(BUILD)/$(1)/cost: $(COUNTED:%=$(call counted,$(1))/%.o) \
+    $(COST:%.c=$(BUILD)/$(1)/%.o)
+	$$(link)
+endef
+define assemble
+	@mkdir -p $(@D)
+	@echo '  COUNT $@'
+	@$(CC) $(1) -O2 -MMD -MP -S $< -o $@
+endef
+$(foreach v,$(VARIANTS),$(eval $(call cost_rules,$(v))))
+
+bounds: ## worst cost and stack of every public function
+bounds: $(VARIANTS:%=$(BUILD)/%/cost)
+	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' \
+	  tools/verify/cost/bounds.py search
+keep-bounds: ## copy them to docs/, and the calls for check cost
+	@cp $(BUILD)/bounds/worst.* $(BUILD)/bounds/worst_stack tools/verify/cost/
+	@cp $(BUILD)/bounds/BOUNDS.md docs/
+
+# tests/regress/test_corpus.c replays the corpus in every `make test`, without
+# clang.
+ALL_FUZZ := machine frame arguments scene table state record
+FUZZ ?= $(ALL_FUZZ)
+SECONDS ?= 30
+FUZZ_CC ?= clang
+FUZZ_REALS ?= double float
+ifneq ($(filter-out $(ALL_FUZZ),$(FUZZ)),)
+$(error FUZZ=$(FUZZ): the targets are $(ALL_FUZZ))
+endif
+ifneq ($(filter-out double float,$(FUZZ_REALS)),)
+$(error FUZZ_REALS=$(FUZZ_REALS): double, float)
+endif
+# The other targets read decimals and bytes, which one real type shows.
+FUZZ_RUNS := $(foreach t,$(FUZZ),$(if $(filter machine,$(t)),\
+  $(FUZZ_REALS:%=%/$(t)),double/$(t)))
+fuzzdir := $(BUILD)/fuzz
+FUZZ_FLAGS := -g1 -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
+  -fsanitize=address,undefined,float-cast-overflow
+FUZZ_PARTS := $(ALL_FUZZ:%=tools/verify/fuzz/%.c) tools/verify/fuzz/analysis.c \
+  $(filter tools/cli/%,$(CLI)) $(CORE)
+
+fuzz: ## random inputs, SECONDS=30 for each target (clang)
+fuzz: $(FUZZ_RUNS:%=$(fuzzdir)/%)
+	@BUILD='$(BUILD)' tools/verify/fuzz/fuzz.sh $(SECONDS) $(FUZZ_RUNS)
+fuzz-merge: ## put what fuzzing found into tests/corpus
+fuzz-merge: $(FUZZ_RUNS:%=$(fuzzdir)/%)
+	@BUILD='$(BUILD)' tools/verify/fuzz/fuzz.sh merge $(FUZZ_RUNS)
+
+fuzz-clang:
+	@mkdir -p $(fuzzdir)
+	@echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n)' \
+	  '{ return d == 0 && n > 0; }' | \
+	  $(FUZZ_CC) -fsanitize=fuzzer,address,undefined -x c -o $(fuzzdir)/empty \
+	  - 2>/dev/null || { echo 'make fuzz needs clang with libFuzzer' \
+	  '(Debian: apt-get install clang libclang-rt-dev)' >&2; exit 3; }
+
+# Of one real type: all parts in an archive, a door for each target.
+define fuzz-rules
+$(fuzzdir)/$(1)/%.o: %.c $(BUILD)/$(1)/flags tools/verify/verify.mk | fuzz-clang
+	@mkdir -p $$(@D)
+	@echo '  CC    $$@'
+	@$(FUZZ_CC) $$(COMMON) -Itools $(FLAGS_$(1)) $$(FUZZ_FLAGS) \
+	  -fsanitize=fuzzer-no-link -MMD -MP -c $$< -o $$@
+$(fuzzdir)/$(1)/libparts.a: $(FUZZ_PARTS:%.c=$(fuzzdir)/$(1)/%.o)
+	$$(archive)
+$(ALL_FUZZ:%=$(fuzzdir)/$(1)/%): $(fuzzdir)/$(1)/%: tools/verify/fuzz/entry.c \
+    $(fuzzdir)/$(1)/libparts.a
+	@echo '  LINK  $$@'
+	@$(FUZZ_CC) $$(COMMON) -Itools $(FLAGS_$(1)) $$(FUZZ_FLAGS) \
+	  -DFUZZ=fuzz_$$* -fsanitize=fuzzer $$^ -lm -o $$@
+
+# The replay as a test: an archive that needs no other, for it comes last.
+$(BUILD)/$(1)/libcorpus.a: $(call objects_of_$(1),$(FUZZ_PARTS))
+	$$(archive)
+$(BUILD)/$(1)/tests/regress/test_corpus \
+$(BUILD)/$(1)/tests/law/test_extreme_analysis: $(BUILD)/$(1)/libcorpus.a
+endef
+$(foreach v,$(VARIANTS),$(eval $(call fuzz-rules,$(v))))
+
+SOAK_STEPS := $(if $(filter command line environment,$(origin STEPS)),\
+  $(STEPS),1e7)
+define soak_rules
+$(BUILD)/$(1)/soak: $(call objects_of_$(1),tools/verify/soak.c \
+    tools/cli/host/host.c) $(BUILD)/$(1)/libtwofold.a
+	$$(link)
+endef
+$(foreach v,$(VARIANTS),$(eval $(call soak_rules,$(v))))
+soak: ## chaos for STEPS=1e9 steps, then a replay
+soak: $(VARIANTS:%=$(BUILD)/%/soak)
+	@for p in $^; do $$p $(SOAK_STEPS) || exit 1; done
