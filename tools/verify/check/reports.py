@@ -21,10 +21,8 @@ from pathlib import Path
 from findings import checked, need, wrong
 
 OF_MOTIONS = [f"docs/{name}.md" for name in (
-    "STABILITY", "statistics", "BUDGETS", "RECURRENCE", "FIGURES", "FINDINGS",
-    "FINER")]
-REPORTS = OF_MOTIONS + [f"docs/{name}.md" for name in (
-    "REPORT", "SIZE", "BOUNDS", "REALTIME")]
+    "statistics", "RECURRENCE", "FIGURES", "FINDINGS", "FINER")]
+REPORTS = OF_MOTIONS
 LINE = ["src/link"] + [f"include/twofold/{name}.h" for name in (
     "wire", "frame", "command", "telemetry", "link")]
 ORIGIN = re.compile(r"Of commit (.*) of src/ and include/(.*)\.")

@@ -11,12 +11,14 @@ import re
 import shlex
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
-from callgraph import Graph
-from findings import ROOT, checked, need, wrong
-from frames import Code
-from public import public_functions
+sys.path.append(str(Path(__file__).resolve().parents[2] / "bench"))
+from callgraph import Graph  # noqa: E402
+from findings import ROOT, checked, need, wrong  # noqa: E402
+from frames import Code  # noqa: E402
+from public import public_functions  # noqa: E402
 
 BOARDS = ["microbit", "stm32f405", "mps2-an500", "hifive1", "rv32fd"]
 BUILD = Path(os.environ.get("BUILD", "build/check"))

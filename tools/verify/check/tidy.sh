@@ -18,13 +18,11 @@ tidy() {
 files_in '*.c' src >"$BUILD/tidy.core"
 # What Frama-C alone compiles is left out, and what is for packages, whose
 # headers are not here: `make test-dist` compiles it.
-firmware=tools/bench/realtime/empty_app.c
-files_in '*.c' tools |
-  grep -Ev "^(tools/(eva|dist|mutation/outputs)|$firmware)" \
+files_in '*.c' tools | grep -Ev '^tools/(eva|dist|mutation/outputs)' \
   >"$BUILD/tidy.tools"
 files_in '*.c' tests tools/verify/mutation/outputs.c | grep -v '^tests/target/' \
   >"$BUILD/tidy.tests"
-files_in '*.c' tests/target "$firmware" >"$BUILD/tidy.target"
+files_in '*.c' tests/target >"$BUILD/tidy.target"
 tidy <"$BUILD/tidy.core" || wrong "core in double"
 tidy -DTF_REAL_FLOAT <"$BUILD/tidy.core" || wrong "core in float"
 tidy -Itools <"$BUILD/tidy.tools" || wrong "tools"
