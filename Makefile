@@ -224,9 +224,8 @@ all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
 clean: ## remove what was made
 	rm -rf $(BUILD)
 
-ROOMS_INCLUDED := $(wildcard tools/bench/steps/*.mk)
-include $(ROOMS_INCLUDED) $(filter-out $(ROOMS_INCLUDED),$(BOARD_MAKEFILES) \
-  $(foreach r,package page bench study,$(call room,$(r))) $(VERIFY_MAKEFILES))
+include $(BOARD_MAKEFILES) \
+  $(foreach r,package page bench study,$(call room,$(r))) $(VERIFY_MAKEFILES)
 
 -include $(shell find $(BUILD) -path '$(BUILD)/check' -prune \
   -o -path '$(BUILD)/quick' -prune -o -name '*.d' -print 2>/dev/null)

@@ -1,5 +1,5 @@
 // On the target: steps between two markers, for the instruction counter of the
-// emulator (tools/bench/size/count.c). The first window is empty and measures
+// emulator (tools/bench/count.c). The first window is empty and measures
 // the markers. Ends with 0.
 #include "../../port/core.h"
 #include "../../port/port.h"

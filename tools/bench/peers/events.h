@@ -12,7 +12,7 @@
 
 #include "runge_kutta.h"
 
-enum { MOST = 10000000 }; // steps, after which a run is given up
+enum { MOST = 100000 }; // steps, after which a run is given up
 
 typedef struct {
   real_t dt;    // longest step [s]
@@ -178,9 +178,9 @@ static inline motion_t events_run(const model_t *k, advance_t *advance,
                                   const problem_t *problem,
                                   const events_t *by) {
   motion_t x = {.y = model_start(k, problem)};
-  real_t left = (real_t)problem->t_end,
+  real_t left = (real_t)problem->length,
          dt = by->tol > 0 ? by->dt / 100 : by->dt;
-  x.contact.side = problem->side;
+  x.contact.side = problem_side(problem);
   x.contact.roll = rolling(k, x.y) < 0 ? -1 : 1;
   x.dy = contact_rates(k, x.contact, x.y);
   for (long tries = 0; left > 0 && !x.lost && tries < MOST; tries++) {

@@ -18,12 +18,12 @@
 #include <math.h>
 #include <tgmath.h>
 
-#include "problem.h"
+#include "bench/problem.h"
 
 #ifdef PEER_LONG
 typedef long double real_t;
 #else
-typedef double real_t;
+typedef tf_real_t real_t;
 #endif
 
 typedef struct {
@@ -45,6 +45,7 @@ typedef struct {
   real_t a;       // T(y) = tan(a atan y)
   real_t quarter; // a pi / 2
   real_t force_0, force_T, moment_T;
+  real_t epsilon2; // of the smoothed law
 } model_t;
 
 static inline model_t model_of(const problem_t *problem) {
@@ -74,8 +75,8 @@ static inline model_t model_of(const problem_t *problem) {
 }
 
 static inline point_t model_start(const model_t *k, const problem_t *problem) {
-  return (point_t){(real_t)problem->r, (real_t)problem->h,
-                   (real_t)problem->omega - k->omega0, 0};
+  return (point_t){(real_t)problem->start[0], (real_t)problem->h,
+                   (real_t)problem->start[2] - k->omega0, 0};
 }
 
 static inline real_t rolling(const model_t *k, point_t y) {
@@ -118,6 +119,17 @@ static inline point_t slip_rates(const model_t *k, contact_t c, point_t y) {
       tan(G > H ? k->quarter - k->a * atan(H / G) : k->a * atan(G / H));
   return rates(k, y, side * (k->force_0 - k->force_T * T),
                side * roll * k->moment_T * T);
+}
+
+// The law with sign(h) smoothed to h / sqrt(h^2 + epsilon^2). The quotient is 0
+// at g = h = 0 and infinite nowhere where it matters.
+static inline point_t smooth_rates(const model_t *k, point_t y) {
+  const real_t share = y.h / sqrt(y.h * y.h + k->epsilon2);
+  const real_t g = rolling(k, y);
+  const real_t T =
+      tan(k->a * atan(fabs(g) / (fabs(y.h) + (real_t)TF_REAL_MIN)));
+  return rates(k, y, share * (k->force_0 - k->force_T * T),
+               share * copysign(k->moment_T * T, g));
 }
 
 // Stick: h' = h'_free - A lambda = 0 with M = roll kappa lambda.

@@ -21,16 +21,22 @@ typedef struct {
 typedef step_t advance_t(const model_t *k, contact_t c, point_t y, point_t dy,
                          real_t t);
 
+typedef point_t field_t(const model_t *k, contact_t c, point_t y);
+
+static inline point_t rk4_of(field_t *field, const model_t *k, contact_t c,
+                             point_t y, point_t dy, real_t t) {
+  const point_t k2 = field(k, c, ahead(y, t / 2, dy));
+  const point_t k3 = field(k, c, ahead(y, t / 2, k2));
+  const point_t k4 = field(k, c, ahead(y, t, k3));
+  const real_t sixth = t / 6;
+  return (point_t){y.r + sixth * (dy.r + 2 * (k2.r + k3.r) + k4.r),
+                   y.h + sixth * (dy.h + 2 * (k2.h + k3.h) + k4.h),
+                   y.z + sixth * (dy.z + 2 * (k2.z + k3.z) + k4.z), y.t + t};
+}
+
 static inline step_t rk4(const model_t *k, contact_t c, point_t y, point_t dy,
                          real_t t) {
-  const point_t k2 = contact_rates(k, c, ahead(y, t / 2, dy));
-  const point_t k3 = contact_rates(k, c, ahead(y, t / 2, k2));
-  const point_t k4 = contact_rates(k, c, ahead(y, t, k3));
-  const real_t sixth = t / 6;
-  return (step_t){{y.r + sixth * (dy.r + 2 * (k2.r + k3.r) + k4.r),
-                   y.h + sixth * (dy.h + 2 * (k2.h + k3.h) + k4.h),
-                   y.z + sixth * (dy.z + 2 * (k2.z + k3.z) + k4.z), y.t + t},
-                  {0, 0, 0, 0}};
+  return (step_t){rk4_of(contact_rates, k, c, y, dy, t), {0, 0, 0, 0}};
 }
 
 // y + t (b[0] rate[0] + ... + b[n - 1] rate[n - 1])

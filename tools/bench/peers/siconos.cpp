@@ -9,7 +9,7 @@
 #include <cstdio>
 
 extern "C" {
-#include "sweep.h"
+#include "bench/harness.h"
 }
 #include "model.h"
 
@@ -74,10 +74,10 @@ point_t middle(point_t y, point_t before) {
   return stuck || (y.h * ahead.h > 0 && y.h * before.h > 0) ? ahead : y;
 }
 
-void moreau(const problem_t *problem, double dt, double, answer_t *answer) {
+void moreau(const problem_t *problem, double dt, answer_t *answer) {
   machine = model_of(problem);
-  const long steps = sweep_steps(problem, dt);
-  const double step = problem->t_end / (double)steps;
+  const long steps = harness_steps(problem, dt);
+  const double step = problem->length / (double)steps;
   const double mu = machine.mu;
   const point_t start = model_start(&machine, problem);
   auto x0 = std::make_shared<SiconosVector>(4);
@@ -94,8 +94,8 @@ void moreau(const problem_t *problem, double dt, double, answer_t *answer) {
   auto law = std::make_shared<RelayNSL>(1, -mu, mu);
   auto contact = std::make_shared<Interaction>(law, relation);
   // A little longer, so that rounding does not take the last step away.
-  auto system =
-      std::make_shared<NonSmoothDynamicalSystem>(0, problem->t_end + 10 * step);
+  auto system = std::make_shared<NonSmoothDynamicalSystem>(
+      0, problem->length + 10 * step);
   system->insertDynamicalSystem(ds);
   system->link(contact, ds);
   auto clock = std::make_shared<TimeDiscretisation>(0, step);
@@ -121,10 +121,10 @@ void moreau(const problem_t *problem, double dt, double, answer_t *answer) {
 }
 
 // What the library throws ends the run, not the sweep.
-void guarded(const problem_t *problem, double dt, double width,
+void guarded(const problem_t *problem, const solver_t *, double dt,
              answer_t *answer) {
   try {
-    moreau(problem, dt, width, answer);
+    moreau(problem, dt, answer);
   } catch (...) {
     answer->lost = 1;
   }
@@ -132,7 +132,8 @@ void guarded(const problem_t *problem, double dt, double width,
 
 } // namespace
 
-int main() {
-  const peer_t peers[] = {{"siconos", "dt", 1e-2, 3e-5, 1.6, 0, guarded}};
-  sweep_round(peers, 1);
+int main(int argc, char **argv) {
+  const solver_t solvers[] = {
+      {"siconos", "dt", 1e-2, 3e-5, 1.6, 0, PEER_PROBLEMS, guarded}};
+  return harness_main(argc, argv, solvers, 1);
 }

@@ -21,8 +21,8 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include "bench/harness.h"
 #include "model.h"
-#include "sweep.h"
 
 enum { MAX_SWITCHES = 200, MAX_STEPS = 50000, ROOTS = 3 };
 
@@ -31,8 +31,7 @@ typedef enum { ADAMS, BDF, ERK } method_t;
 typedef struct {
   model_t model;
   contact_t contact;
-  real_t near;     // [m/s] of h = g = 0: the rest is a straight line
-  real_t epsilon2; // > 0: smoothed law
+  real_t near; // [m/s] of h = g = 0: the rest is a straight line
 } motion_t;
 
 static point_t point_of(N_Vector y) {
@@ -48,21 +47,12 @@ static void point_to(point_t x, N_Vector y) {
   data[3] = x.t;
 }
 
-// The law with sign(h) smoothed to h / sqrt(h^2 + epsilon^2).
-static point_t smooth_rates(const motion_t *x, point_t y) {
-  const model_t *k = &x->model;
-  const real_t share = y.h / sqrt(y.h * y.h + x->epsilon2);
-  const real_t g = rolling(k, y);
-  const real_t T = tan(k->a * atan2(fabs(g), fabs(y.h)));
-  return rates(k, y, share * (k->force_0 - k->force_T * T),
-               share * copysign(k->moment_T * T, g));
-}
-
 static int right_side(sunrealtype t, N_Vector y, N_Vector dy, void *user) {
   const motion_t *x = user;
   (void)t;
-  point_to(x->epsilon2 > 0 ? smooth_rates(x, point_of(y))
-                           : contact_rates(&x->model, x->contact, point_of(y)),
+  point_to(x->model.epsilon2 > 0
+               ? smooth_rates(&x->model, point_of(y))
+               : contact_rates(&x->model, x->contact, point_of(y)),
            dy);
   return 0;
 }
@@ -94,9 +84,9 @@ typedef struct {
   SUNMatrix matrix;
   SUNLinearSolver linear;
   SUNNonlinearSolver fixed_point;
-} solver_t;
+} integrator_t;
 
-static int open_cvode(solver_t *s, motion_t *x, double tol) {
+static int open_cvode(integrator_t *s, motion_t *x, double tol) {
   s->memory = CVodeCreate(s->method == BDF ? CV_BDF : CV_ADAMS, s->context);
   int bad = CVodeInit(s->memory, right_side, 0, s->y);
   bad |= CVodeSStolerances(s->memory, tol, tol);
@@ -104,7 +94,7 @@ static int open_cvode(solver_t *s, motion_t *x, double tol) {
   bad |= CVodeSetMaxNumSteps(s->memory, MAX_STEPS);
   bad |= CVodeSetErrFile(s->memory, NULL);
   bad |= CVodeSetNoInactiveRootWarn(s->memory);
-  if (x->epsilon2 <= 0) bad |= CVodeRootInit(s->memory, ROOTS, switches);
+  if (x->model.epsilon2 <= 0) bad |= CVodeRootInit(s->memory, ROOTS, switches);
   if (s->method == ADAMS) {
     s->fixed_point = SUNNonlinSol_FixedPoint(s->y, 0, s->context);
     return bad | CVodeSetNonlinearSolver(s->memory, s->fixed_point);
@@ -114,7 +104,7 @@ static int open_cvode(solver_t *s, motion_t *x, double tol) {
   return bad | CVodeSetLinearSolver(s->memory, s->linear, s->matrix);
 }
 
-static int open_erk(solver_t *s, motion_t *x, double tol) {
+static int open_erk(integrator_t *s, motion_t *x, double tol) {
   s->memory = ERKStepCreate(right_side, 0, s->y, s->context);
   int bad = ERKStepSStolerances(s->memory, tol, tol);
   bad |= ERKStepSetUserData(s->memory, x);
@@ -125,13 +115,13 @@ static int open_erk(solver_t *s, motion_t *x, double tol) {
   return bad | ERKStepSetNoInactiveRootWarn(s->memory);
 }
 
-static int reopen(solver_t *s, double t) {
+static int reopen(integrator_t *s, double t) {
   if (s->method == ERK) return ERKStepReInit(s->memory, right_side, t, s->y);
   return CVodeReInit(s->memory, t, s->y);
 }
 
 // Goes to t_end or to the next root: > 0 at a root, < 0 where it failed.
-static int advance(solver_t *s, double t_end, double *t) {
+static int advance(integrator_t *s, double t_end, double *t) {
   if (s->method == ERK) {
     ERKStepSetStopTime(s->memory, t_end);
     const int flag = ERKStepEvolve(s->memory, t_end, s->y, t, ARK_NORMAL);
@@ -142,7 +132,7 @@ static int advance(solver_t *s, double t_end, double *t) {
   return flag == CV_ROOT_RETURN ? 1 : flag < 0 ? -1 : 0;
 }
 
-static void roots_of(solver_t *s, int root[ROOTS]) {
+static void roots_of(integrator_t *s, int root[ROOTS]) {
   if (s->method == ERK) {
     ERKStepGetRootInfo(s->memory, root);
   } else {
@@ -150,7 +140,7 @@ static void roots_of(solver_t *s, int root[ROOTS]) {
   }
 }
 
-static long steps_of(solver_t *s) {
+static long steps_of(integrator_t *s) {
   long steps = 0;
   if (s->method == ERK) {
     ERKStepGetNumSteps(s->memory, &steps);
@@ -160,7 +150,7 @@ static long steps_of(solver_t *s) {
   return steps;
 }
 
-static void shut(solver_t *s) {
+static void shut(integrator_t *s) {
   if (s->method == ERK) {
     ERKStepFree(&s->memory);
   } else {
@@ -201,30 +191,29 @@ static int change(motion_t *x, const int root[ROOTS], double *t, N_Vector y) {
   return found;
 }
 
-static void run(method_t method, const problem_t *problem, double tol,
-                double width, answer_t *answer) {
-  solver_t s = {.method = method};
-  motion_t x = {.model = model_of(problem),
-                .near = 0.1 * sqrt(tol),
-                .epsilon2 = width * width};
+static void run(method_t method, const problem_t *problem,
+                const solver_t *solver, double tol, answer_t *answer) {
+  integrator_t s = {.method = method};
+  motion_t x = {.model = model_of(problem), .near = 0.1 * sqrt(tol)};
+  x.model.epsilon2 = solver->second * solver->second;
   const point_t start = model_start(&x.model, problem);
   double t = 0;
   long steps = 0;
   int switched = 0;
-  x.contact.side = problem->side;
+  x.contact.side = problem_side(problem);
   x.contact.roll = rolling(&x.model, start) < 0 ? -1 : 1;
   answer->lost = 1;
   if (SUNContext_Create(NULL, &s.context) != 0) return;
   s.y = N_VNew_Serial(4, s.context);
   point_to(start, s.y);
   int state = method == ERK ? open_erk(&s, &x, tol) : open_cvode(&s, &x, tol);
-  if (state == 0) state = advance(&s, problem->t_end, &t);
+  if (state == 0) state = advance(&s, problem->length, &t);
   while (state > 0 && ++switched < MAX_SWITCHES) {
     int root[ROOTS];
     steps += steps_of(&s);
     roots_of(&s, root);
     if (!change(&x, root, &t, s.y) || reopen(&s, t) != 0) break;
-    state = advance(&s, problem->t_end, &t);
+    state = advance(&s, problem->length, &t);
   }
   model_end(&x.model, point_of(s.y), answer->x);
   answer->steps = steps + steps_of(&s);
@@ -232,35 +221,43 @@ static void run(method_t method, const problem_t *problem, double tol,
   shut(&s);
 }
 
-static void adams(const problem_t *problem, double tol, double width,
+static void adams(const problem_t *problem, const solver_t *solver, double tol,
                   answer_t *answer) {
-  run(ADAMS, problem, tol, width, answer);
+  run(ADAMS, problem, solver, tol, answer);
 }
 
-static void bdf(const problem_t *problem, double tol, double width,
+static void bdf(const problem_t *problem, const solver_t *solver, double tol,
                 answer_t *answer) {
-  run(BDF, problem, tol, width, answer);
+  run(BDF, problem, solver, tol, answer);
 }
 
-static void erk(const problem_t *problem, double tol, double width,
+static void erk(const problem_t *problem, const solver_t *solver, double tol,
                 answer_t *answer) {
-  run(ERK, problem, tol, width, answer);
+  run(ERK, problem, solver, tol, answer);
 }
 
-int main(void) {
-  const peer_t peers[] = {{"cvode-adams", "tol", 1e-3, 1e-13, 1.8, 0, adams},
-                          {"cvode-bdf", "tol", 1e-3, 1e-13, 1.8, 0, bdf},
-                          {"arkode-erk5", "tol", 1e-3, 1e-13, 1.8, 0, erk},
-                          {"cvode-smooth", "tol", 1e-3, 1e-12, 3, 1e-3, bdf},
-                          {"cvode-smooth", "tol", 1e-3, 1e-12, 3, 1e-4, bdf},
-                          {"cvode-smooth", "tol", 1e-3, 1e-12, 3, 1e-5, bdf},
-                          {"cvode-smooth", "tol", 1e-3, 1e-12, 3, 1e-6, bdf},
-                          {"cvode-smooth", "tol", 1e-3, 1e-12, 3, 1e-7, bdf},
-                          {"cvode-smooth", "tol", 1e-3, 1e-12, 3, 1e-8, bdf},
-                          {"cvode-smooth", "tol", 1e-3, 1e-12, 3, 1e-9, bdf},
-                          {"cvode-smooth", "tol", 1e-3, 1e-12, 3, 1e-10, bdf}};
-  sweep_round(peers, (int)(sizeof peers / sizeof *peers));
-  return 0;
+#define EVENTS(name, solve) \
+  { name, "tol", 1e-3, 1e-13, 1.8, 0, PEER_PROBLEMS, solve }
+#define SMOOTH(epsilon)                                           \
+  {                                                               \
+    "cvode-smooth eps=" #epsilon, "tol", 1e-3, 1e-12, 3, epsilon, \
+        PEER_PROBLEMS, bdf                                        \
+  }
+
+int main(int argc, char **argv) {
+  const solver_t solvers[] = {EVENTS("cvode-adams", adams),
+                              EVENTS("cvode-bdf", bdf),
+                              EVENTS("arkode-erk5", erk),
+                              SMOOTH(1e-3),
+                              SMOOTH(1e-4),
+                              SMOOTH(1e-5),
+                              SMOOTH(1e-6),
+                              SMOOTH(1e-7),
+                              SMOOTH(1e-8),
+                              SMOOTH(1e-9),
+                              SMOOTH(1e-10)};
+  return harness_main(argc, argv, solvers,
+                      (int)(sizeof solvers / sizeof *solvers));
 }
 
 #else

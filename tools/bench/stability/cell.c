@@ -16,6 +16,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "../../../tests/reference/reference.h"
+
 const char *const cell_verdict_names[CELL_VERDICTS] = {
     "ok",   "degraded", "physics",       "too_long", "diverged",
     "told", "created",  "bad_parameter", "touched",  "non_finite"};
@@ -118,15 +120,21 @@ static tf_status_t begin(const case_t *c, const tf_machine_t *k,
 }
 
 // How much the state changes in a time by its free accelerations.
-static long double change(const tf_machine_t *k, const tf_state_t *x,
+static long double change(const tf_params_t *p, const tf_state_t *x,
                           const tf_input_t *u, long double time) {
-  const long double r = wide(x->r), v = wide(x->v), w = wide(x->w);
-  const long double m = wide(k->m), d = wide(k->d);
-  const long double Q_r =
-      wide(k->k2) * (wide(u->r0) - r) - wide(k->c2) * v + m * r * w * w;
-  const long double Q_phi = -wide(k->c1) * w - 2 * m * r * v * w;
-  const long double dw = (Q_phi + d * Q_r) / (m * (wide(k->beta2) + r * r));
-  return time * (fabsl(v) + fabsl(Q_r / m + d * dw) + fabsl(dw));
+  const ref_machine_t k = {.m = wide(p->m),
+                           .d = wide(p->d),
+                           .beta = wide(p->beta),
+                           .k2 = wide(p->k2),
+                           .c1 = wide(p->c1),
+                           .c2 = wide(p->c2),
+                           .r0 = wide(u->r0),
+                           .omega0 = wide(u->omega0)};
+  const ref_rate_t rate =
+      ref_rate(&k, ref_state(&k, wide(x->r), wide(x->v), wide(x->w)),
+               (ref_force_t){0, 0});
+  const long double dv = rate.p + k.d * rate.z;
+  return time * (fabsl(rate.r) + fabsl(dv) + fabsl(rate.z));
 }
 
 // A refused step, asked again in CELL_FINER parts. The motion diverges by
@@ -150,7 +158,7 @@ static tf_status_t ask_finer(const case_t *c, step_t *step, tf_real_t theta,
   for (long i = 0; i < CELL_FINER && status >= TF_OK; i++)
     status = step(&k, &x, &u, &report);
   *leaves = (status == TF_DIVERGED || status == TF_BAD_STATE) &&
-            size(&x) + change(&k, &x, &u, wide(params.dt)) > near;
+            size(&x) + change(&params, &x, &u, wide(params.dt)) > near;
   return status < TF_OK ? status : TF_OK;
 }
 
@@ -167,7 +175,7 @@ static void worsen(cell_t *cell, cell_verdict_t verdict) {
 
 static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
                   const tf_state_t *x, const tf_report_t *report,
-                  tf_real_t omega0, long n) {
+                  tf_real_t omega0) {
   const tf_machine_t *k = at->k;
   if (!all_finite(x, report)) worsen(cell, CELL_NON_FINITE);
   cell->degraded += report->status == TF_DEGRADED;
@@ -175,13 +183,10 @@ static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
   cell->coarse += report->status == TF_COARSE;
   if (report->status == TF_DEGRADED) worsen(cell, CELL_DEGRADED);
   const long double after = slip_rounding(k, x, omega0);
-  if (x->mode > TF_SLIP_MINUS && report->status != TF_DEGRADED) {
-    cell->sticks++;
+  if (x->mode > TF_SLIP_MINUS && report->status != TF_DEGRADED)
     cell->stick =
         fmaxl(cell->stick, fabsl(wide(report->slip.h)) / (at->before + after));
-  }
   at->before = after;
-  cell->largest = fmaxl(cell->largest, size(x));
   const long double E = energy(k, x, at->r0);
   at->W += wide(k->dt) * fmaxl(power(k, old, omega0), power(k, x, omega0));
   const long double room = at->E0 + at->W + energy_of_rounding(k, x, at->r0);
@@ -191,10 +196,6 @@ static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
   if (!(E <= FACTOR * room)) worsen(cell, CELL_TOLD);
   if (!(E <= FACTOR * (room + at->told))) worsen(cell, CELL_CREATED);
   cell->excess = fmaxl(cell->excess, E / room);
-  if (!(at->E0 > 0)) return;
-  cell->end_drift = (E - at->E0) / at->E0;
-  const int half = n > CELL_STEPS / 2;
-  cell->drift[half] = fmaxl(cell->drift[half], fabsl(cell->end_drift));
 }
 
 static void refusal(cell_t *cell, const case_t *c, step_t *step,
@@ -219,15 +220,12 @@ cell_t cell_run(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt) {
   memset(&cell, 0, sizeof cell);
   params.theta = theta;
   params.dt = dt;
-  cell.conservative =
-      params.law == TF_TYRE_NONE && params.c1 == 0 && params.c2 == 0;
   cell.status = tf_prepare(&k, &params, NULL);
   if (cell.status == TF_OK) cell.status = begin(c, &k, &x);
   if (cell.status != TF_OK) {
     cell.verdict = CELL_PARAMETER;
     return cell;
   }
-  cell.grows = wide(k.k2) < wide(k.m) * wide(x.w) * wide(x.w);
   watch_t at = {.k = &k, .r0 = wide(k.r0)};
   at.E0 = at.E = energy(&k, &x, at.r0);
   at.before = slip_rounding(&k, &x, k.omega0);
@@ -244,7 +242,7 @@ cell_t cell_run(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt) {
       return cell;
     }
     cell.steps++;
-    watch(&cell, &at, &old, &x, &report, u.omega0, n);
+    watch(&cell, &at, &old, &x, &report, u.omega0);
   }
   cell.status = TF_OK;
   return cell;

@@ -37,14 +37,9 @@ typedef struct {
   tf_status_t status; ///< TF_OK, or of the refusal
   tf_status_t finer;  ///< of dt/CELL_FINER from the last valid state
   long steps;         ///< accepted
-  long degraded, fell_back, coarse, sticks;
-  bool grows;            ///< k2 < m w^2 at the start
-  bool conservative;     ///< no contact, no damping
-  long double excess;    ///< largest E / (E0 + W), see CELL_TOLD
-  long double drift[2];  ///< largest |E - E0| / E0 in each half of the run
-  long double end_drift; ///< (E - E0) / E0 at the last valid state
-  long double stick;     ///< largest |h| in stick / rounding of its terms
-  long double largest;   ///< largest |r| + |v| + |w|
+  long degraded, fell_back, coarse;
+  long double excess; ///< largest E / (E0 + W), see CELL_TOLD
+  long double stick;  ///< largest |h| in stick / rounding of its terms
 } cell_t;
 
 /// Runs one cell.

@@ -121,21 +121,7 @@ class Figures(unittest.TestCase):
             self.assertEqual(self.judge(svg), [])
 
     def test_pictures_of_the_documents(self):
-        """Of those that the README and the report of peers show."""
-        rows = ["problem,peer,setting,steps,error,ns,branch"] + [
-            f"{problem},{peer},dt=1,1,{error},{ns},0"
-            for problem in ("chaos", "crossings", "stickslip", "driven")
-            for peer, error, ns in (("twofold-moreau", 1e-4, 1e4),
-                                    ("euler", 1e-2, 1e5))]
-        csv = self.folder / "peers.csv"
-        script = HERE.parents[1] / "bench/peers/precision.gp"
-        csv.write_text("\n".join(rows) + "\n")
-        self.assertEqual(self.draw(script, "precision", f"csv='{csv}'"), [])
-        before = (self.folder / "precision.svg").read_text()
-        self.assertEqual(before.count("<use xlink:href='#gpPt5' tr"), 5)
-        csv.write_bytes(with_column(csv.read_bytes()))
-        self.assertEqual(self.draw(script, "precision", f"csv='{csv}'"), [])
-        self.assertEqual((self.folder / "precision.svg").read_text(), before)
+        """Of those that the README shows."""
         csv = self.folder / "chaos.csv"
         self.assertEqual(self.draw(HERE / "chaos.gp", "chaos",
                                    f"csv='{csv}'"), [])

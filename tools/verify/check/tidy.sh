@@ -25,12 +25,11 @@ sample() {
 files_in '*.c' src >"$BUILD/tidy.core"
 # What Frama-C alone compiles is left out, and what is for packages, whose
 # headers are not here: `make test-dist` compiles it.
-firmware=tools/bench/realtime/empty_app.c
 files_in '*.c' tools |
-  grep -Ev "^(tools/(verify/eva|package/dist)|$firmware)" | sample \
+  grep -Ev "^tools/(verify/eva|package/dist)" | sample \
   >"$BUILD/tidy.tools"
 files_in '*.c' tests | grep -v '^tests/target/' | sample >"$BUILD/tidy.tests"
-files_in '*.c' tests/target "$firmware" | sample >"$BUILD/tidy.target"
+files_in '*.c' tests/target | sample >"$BUILD/tidy.target"
 tidy <"$BUILD/tidy.core" || wrong "core in double"
 tidy -DTF_REAL_FLOAT <"$BUILD/tidy.core" || wrong "core in float"
 tidy -Itools <"$BUILD/tidy.tools" || wrong "tools"

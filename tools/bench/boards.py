@@ -1,0 +1,191 @@
+"""What a firmware with text telemetry needs on a board.
+
+Make builds it and tells what the board's board.mk says of tools and emulator.
+What cannot be had (no emulator, no call graph by that compiler) is None.
+"""
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from functools import lru_cache
+from pathlib import Path
+from typing import NamedTuple, Optional
+
+import numpy as np
+
+from callgraph import Graph
+from measure import BUILD
+
+MAKE = os.environ.get("MAKE", "make").split()
+COMMAND = [*MAKE, "-s", "--no-print-directory", f"BUILD={BUILD}"]
+# What a make that started this says to its own parts is not for another one.
+ENVIRONMENT = {name: value for name, value in os.environ.items()
+               if name not in ("MAKEFLAGS", "MAKELEVEL")}
+# A function that takes an interrupt, and what a Cortex-M with FPU saves.
+HANDLER = re.compile(r"cortex_m_systick|cortex_m_interrupt|riscv_trap")
+SAVED = 108
+GRAPH = "-fcallgraph-info=su"
+
+
+def plugin() -> Path:
+    """The part of the emulator that counts."""
+    path = BUILD / "count.so"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    subprocess.run(["cc", "-std=c99", "-O2", "-fPIC", "-shared",
+                    "tools/bench/count.c", "-o", str(path)],
+                   check=True)
+    return path
+
+
+def told(*arguments: str) -> str:
+    """What make prints."""
+    return subprocess.run([*COMMAND, *arguments], stdout=subprocess.PIPE,
+                          env=ENVIRONMENT, text=True,
+                          check=True).stdout.strip()
+
+
+def boards() -> list[str]:
+    """The names of all boards."""
+    return told("boards-list").split()
+
+
+class Sizes(NamedTuple):
+    """Bytes: code and constants, static data, worst stack of main by the call
+    graph without interrupts, and what an interrupt takes of it."""
+    flash: Optional[int]
+    ram: Optional[int]
+    stack: Optional[int]
+    interrupt: Optional[int]
+
+
+class Board:
+    """A board, as its board.mk describes it."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    @lru_cache(maxsize=None)
+    def fact(self, what: str) -> str:
+        """What its board.mk says."""
+        return told(f"BOARD={self.name}", f"board-{what}")
+
+    def tool(self, name: str) -> str:
+        """A program of its tool chain."""
+        return self.fact("TOOLS") + name
+
+    def emulated(self) -> bool:
+        """Whether an emulator runs its programs."""
+        return "qemu" in self.fact("RUN")
+
+    def missing(self) -> str:
+        """The compiler, where it is missing, and where to get it."""
+        compiler = self.fact("CC")
+        if shutil.which(compiler):
+            return ""
+        return (f"{compiler} is missing (Debian: apt-get install "
+                f"{self.fact('PACKAGES')})")
+
+    @lru_cache(maxsize=None)
+    def has_graph(self) -> bool:
+        """Whether its compiler writes call graphs (gcc from 10 on)."""
+        return subprocess.run(
+            [self.fact("CC"), GRAPH, "-E", "-x", "c", "/dev/null"],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            check=False).returncode == 0
+
+
+class Firmware:
+    """A board's firmware of one scene in one real type."""
+
+    def __init__(self, board: Board, real: str, scene: str) -> None:
+        self.board, self.real, self.scene = board, real, scene
+        self.place = BUILD / "boards" / board.name / \
+            f"{Path(scene).name}-{real}"
+
+    def __str__(self) -> str:
+        return f"{self.board.name} {self.real} {self.scene}"
+
+    def _make(self, *more: str) -> str:
+        """Builds a program of it. Returns what the compiler said against it,
+        nothing where all is well."""
+        done = subprocess.run(
+            [*COMMAND, f"BOARD={self.board.name}", "elf",
+             f"SCENE={self.scene}", f"REAL={self.real}", *more],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            env=ENVIRONMENT, check=False)
+        return done.stdout or "no reason" if done.returncode else ""
+
+    def _emulate(self, elf: Path, seconds: int, *options: str) -> str:
+        """What a program prints in the emulator, until it is stopped."""
+        command = [*self.board.fact("RUN").split(), *options,
+                   *self.board.fact("LOADS").split(), str(elf)]
+        done = subprocess.run(["timeout", "-k", "5", str(seconds), *command],
+                              stdin=subprocess.DEVNULL, text=True,
+                              stdout=subprocess.PIPE, errors="replace",
+                              stderr=subprocess.DEVNULL, check=False)
+        return done.stdout
+
+    def sizes(self) -> Sizes | str:
+        """Flash, RAM and stack, or why it does not build."""
+        graph = self.board.has_graph()
+        for old in self.place.glob("firmware-sized.elf*"):
+            old.unlink()
+        if why := self._make("NAMED=-sized", *[f"EXTRA={GRAPH}"] * graph):
+            return why
+        said = subprocess.run(
+            [self.board.tool("size"), str(self.place / "firmware-sized.elf")],
+            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+            check=False).stdout.splitlines()
+        if len(said) < 2:
+            return Sizes(None, None, None, None)
+        text, data, bss = (int(word) for word in said[1].split()[:3])
+        return Sizes(text + data, data + bss,
+                     *(self._stack() if graph else (None, None)))
+
+    def _stack(self) -> tuple[int, int]:
+        """Worst of main and of an interrupt, by the call graph; a function of
+        the C library or of soft float counts 32."""
+        graph = Graph(sorted(self.place.glob("firmware-sized*.ci")))
+        worst = {name: most for name, most, _ in graph.depths}
+        handlers = [most for name, most in worst.items()
+                    if HANDLER.fullmatch(name)]
+        return worst["main"], max(handlers, default=0) + SAVED
+
+    def painted(self, steps: int) -> Optional[int]:
+        """How deep the stack got in the emulator (tests/target/stack.c),
+        interrupts included."""
+        if not self.board.emulated():
+            return None
+        rate, options = 1000, ["-icount", "shift=1,sleep=off"]
+        if "qemu-system-avr" in self.board.fact("RUN"):
+            # Its time is that of this machine.
+            rate, steps, options = 100, 200, []
+        if self._make("PROGRAM=stack", f"RATE={rate}", f"STEPS={steps}",
+                      "EVERY=10"):
+            return None
+        said = self._emulate(self.place / "stack.elf", 60, *options)
+        found = re.findall(r"^stack (\d+)", said, re.MULTILINE)
+        return int(found[-1]) if found else None
+
+    def instructions(self, counter: Path, steps: int,
+                     scheme: str = "moreau") -> Optional[list[int]]:
+        """Least, median and most of a step, inputs included."""
+        if not self.board.emulated() or self._make(
+                "PROGRAM=window", f"STEPS={steps}", f"SCHEME={scheme}"):
+            return None
+        elf, out = self.place / "window.elf", BUILD / "counted"
+        out.unlink(missing_ok=True)
+        symbols = subprocess.run([self.board.tool("nm"), str(elf)],
+                                 stdout=subprocess.PIPE, text=True,
+                                 check=True).stdout
+        at = {line.split()[-1]: line.split()[0]
+              for line in symbols.splitlines()}
+        marks = f"open=0x{at['window_open']},close=0x{at['window_close']}"
+        self._emulate(elf, 300, "-plugin", f"{counter},{marks},out={out}")
+        windows = np.fromfile(out, np.uint32) if out.exists() else []
+        if len(windows) < 2:
+            return None
+        costs = np.sort(windows[1:]) - windows[0]
+        return [int(costs[i]) for i in (0, len(costs) // 2, -1)]

@@ -1,0 +1,134 @@
+// The project's own schemes over all problems, as a program would call them;
+// and for comparison, compiled with the same flags, a Runge-Kutta step on a
+// smoothed law. The located step takes part with its tolerance as the dial at
+// several lengths of the step, with its step as the dial at the tolerance 1e-8
+// and, `order`, at one that never splits it; and within budgets of segments.
+#include "own.h"
+
+#include <string.h>
+
+#include "peers/smooth.h"
+
+const char *const scheme_names[SCHEMES] = {"moreau", "compensated", "located"};
+
+scheme_t scheme_named(const char *name) {
+  int i = 0;
+  while (i < SCHEMES && strcmp(name, scheme_names[i]) != 0) i++;
+  return (scheme_t)i;
+}
+
+// A member of the state, and what rounding it leaves over.
+static void split(long double x, tf_real_t *high, tf_real_t *low) {
+  *high = (tf_real_t)x;
+  *low = (tf_real_t)(x - (long double)*high);
+}
+
+tf_status_t run_begin(run_t *run, const problem_t *problem, scheme_t scheme,
+                      long n, double tolerance, int segments) {
+  tf_params_t params = problem->params;
+  *run = (run_t){.scheme = scheme};
+  params.dt = (tf_real_t)(problem->length / (double)n);
+  params.segments = (tf_real_t)segments;
+  if (tolerance <= 1e-2) params.tolerance = (tf_real_t)tolerance;
+  const tf_status_t status =
+      scheme == COMPENSATED
+          ? tf_prepare_compensated(&run->machine, &params, NULL)
+          : tf_prepare(&run->machine.machine, &params, NULL);
+  if (status != TF_OK) return status;
+  if (tolerance > 1e-2) run->machine.machine.tolerance = (tf_real_t)tolerance;
+  run->input = tf_input_default(&run->machine.machine);
+  split(problem->start[0], &run->state.r, &run->compensation.r);
+  split(problem->start[1], &run->state.v, &run->compensation.v);
+  split(problem->start[2], &run->state.w, &run->compensation.w);
+  run->state.mode = problem->mode;
+  return tf_begin(&run->machine.machine, &run->state, &run->input,
+                  &run->report);
+}
+
+static void solve(const problem_t *problem, scheme_t scheme, long steps,
+                  double tolerance, int segments, answer_t *answer) {
+  run_t run;
+  tf_status_t status =
+      run_begin(&run, problem, scheme, steps, tolerance, segments);
+  const double omega0 = (double)problem->params.omega0;
+  run.input.alpha = (tf_real_t)problem->alpha;
+  answer->flagged = 0;
+  for (long i = 0; i < steps && status >= 0; i++) {
+    if (problem->alpha > 0)
+      run.input.omega0 =
+          (tf_real_t)(omega0 + problem->alpha * problem->length *
+                                   (double)(i + 1) / (double)steps);
+    status = run_step(&run);
+    answer->flagged += status > 0;
+  }
+  const tf_state_t *x = &run.state;
+  const tf_compensation_t *c = &run.compensation;
+  const int carries = scheme == COMPENSATED;
+  answer->x[0] = (double)x->r + (carries ? (double)c->r : 0);
+  answer->x[1] = (double)x->v + (carries ? (double)c->v : 0);
+  answer->x[2] = (double)x->w + (carries ? (double)c->w : 0);
+  answer->steps = steps;
+  answer->lost = status < 0;
+  answer->mode = x->mode;
+}
+
+static void moreau(const problem_t *problem, const solver_t *solver, double dt,
+                   answer_t *answer) {
+  (void)solver;
+  solve(problem, MOREAU, harness_steps(problem, dt), 0, 0, answer);
+}
+
+static void compensated(const problem_t *problem, const solver_t *solver,
+                        double dt, answer_t *answer) {
+  (void)solver;
+  solve(problem, COMPENSATED, harness_steps(problem, dt), 0, 0, answer);
+}
+
+static void located(const problem_t *problem, const solver_t *solver, double dt,
+                    answer_t *answer) {
+  solve(problem, LOCATED, harness_steps(problem, dt), solver->second, 0,
+        answer);
+}
+
+static void tolerant(const problem_t *problem, const solver_t *solver,
+                     double tolerance, answer_t *answer) {
+  solve(problem, LOCATED, harness_steps(problem, solver->second), tolerance, 0,
+        answer);
+}
+
+// At the tolerance 1e-9; second: thousandths of the budget.
+static void budget(const problem_t *problem, const solver_t *solver, double dt,
+                   answer_t *answer) {
+  solve(problem, LOCATED, harness_steps(problem, dt), 1e-9,
+        (int)(1e3 * solver->second), answer);
+}
+
+// Dials; a single setting is no grid.
+#define DT(coarse, fine, factor) "dt", coarse, fine, factor
+#define TOLERANCE "tol", 1e-3, sizeof(tf_real_t) == 8 ? 2e-14 : 1e-5, 1.8
+#define ONLY(dt) "dt", dt, dt, 1
+
+int sweep_main(int argc, char **argv) {
+  // Long steps run out of segments at the finest tolerances.
+  const solver_t solvers[] = {
+      {"moreau", DT(0.1, 1e-6, 1.3), 0, PROBLEMS, moreau},
+      {"compensated", DT(0.1, 3e-6, 1.8), 0, PROBLEMS, compensated},
+      {"located", DT(0.5, 1e-4, 1.25), 1e-8, PROBLEMS, located},
+      {"located order", DT(0.1, 3e-4, 1.25), 0.1, PROBLEMS, located},
+      {"located step=1", TOLERANCE, 1, PROBLEMS, tolerant},
+      {"located step=0.2", TOLERANCE, 0.2, PROBLEMS, tolerant},
+      {"located step=0.1", TOLERANCE, 0.1, PROBLEMS, tolerant},
+      {"located step=0.05", TOLERANCE, 0.05, PROBLEMS, tolerant},
+      {"located step=0.02", TOLERANCE, 0.02, PROBLEMS, tolerant},
+      {"located step=0.005", TOLERANCE, 0.005, PROBLEMS, tolerant},
+      {"moreau", ONLY(1e-3), 0, PROBLEMS, moreau},
+      {"moreau", ONLY(1e-3 / 3), 0, PROBLEMS, moreau},
+      {"located segments=1", ONLY(1e-3), 1e-3, PROBLEMS, budget},
+      {"located segments=2", ONLY(1e-3), 2e-3, PROBLEMS, budget},
+      {"located segments=8", ONLY(1e-3), 8e-3, PROBLEMS, budget},
+      {"located 1 kHz", ONLY(1e-3), 0, PROBLEMS, budget},
+      {"moreau", ONLY(1e-4), 0, PROBLEMS, moreau},
+      {"rk4-smooth same flags", ONLY(1e-4), 1e-4, 1, smooth_rk4}};
+  return harness_main(argc, argv, solvers,
+                      (int)(sizeof solvers / sizeof *solvers));
+}

@@ -1,0 +1,84 @@
+// What every single step of a run costs.
+//
+//   single time SCHEME PROBLEM STEPS EVERY
+//     ns, the least of several batches of the same step from a saved state
+//   single count SCHEME PROBLEM STEPS EVERY
+//     for callgrind, which dumps its counter after every call of `sample`
+//
+// A line a step: the modes before and after, and with `time` the ns. Looked at
+// are every EVERYth step, every change of mode and, because they are rare and
+// dear, the first steps of slip. One step is far shorter than a clock resolves,
+// so it is taken many times over from a copy of its state: caches and branch
+// prediction are warm.
+#define _POSIX_C_SOURCE 200809L
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "own.h"
+#include "timing.h"
+
+#define BATCHES 9
+#define BATCH 60
+#define SLIPS 400
+
+// Not static, or the compiler may make a form of it with another name.
+tf_status_t sample(run_t *run);
+
+__attribute__((noinline)) tf_status_t sample(run_t *run) {
+  const tf_status_t status = run_step(run);
+  __asm__ volatile("" ::: "memory"); // a tail call would leave the frame
+  return status;
+}
+
+static double time_step(const run_t *before) {
+  run_t run = *before;
+  double least = 1;
+  for (int i = 0; i < BATCHES; i++) {
+    const double begin = timing_wall();
+    for (int j = 0; j < BATCH; j++) {
+      run.state = before->state;
+      run.compensation = before->compensation;
+      sample(&run);
+    }
+    const double time = (timing_wall() - begin) / BATCH;
+    if (time < least) least = time;
+  }
+  return 1e9 * least;
+}
+
+static int follow(run_t *run, long steps, long every, int times) {
+  int slips = 0;
+  for (long i = 0; i < steps; i++) {
+    const run_t before = *run;
+    if (run_step(run) < 0) return 1;
+    const int slip = before.state.mode <= TF_SLIP_MINUS && slips < SLIPS;
+    slips += slip;
+    if (i % every != 0 && before.state.mode == run->state.mode && !slip)
+      continue;
+    double ns = 0;
+    if (times) {
+      ns = time_step(&before);
+    } else {
+      run_t again = before;
+      sample(&again);
+    }
+    printf("%s,%s,%.1f\n", tf_mode_name(before.state.mode),
+           tf_mode_name(run->state.mode), ns);
+  }
+  return 0;
+}
+
+int single_main(int argc, char **argv) {
+  problem_t problem;
+  run_t run;
+  if (argc != 6 || !problem_named(argv[3], &problem)) return 2;
+  const scheme_t scheme = scheme_named(argv[2]);
+  const long steps = strtol(argv[4], NULL, 10);
+  const long every = strtol(argv[5], NULL, 10);
+  if (scheme == SCHEMES || steps < 1 || every < 1 ||
+      run_begin(&run, &problem, scheme, steps, 1e-8, 0) != TF_OK)
+    return 2;
+  return follow(&run, steps, every, strcmp(argv[1], "time") == 0);
+}
