@@ -55,14 +55,20 @@ set -- --samples 7 --codim2 even --cycles 3 --patience 3 --seed 5
 diverge "$@" --exits e.all --returns r.all
 diverge "$@" --exits e.again --returns r.again
 same all again 'a seed is a run'
-"$tools/study/statistics/shards" 2 joined "$T" chaos "$@" 2>err
-mv joined-exits.csv e.join
-mv joined-returns.csv r.join
-same all join 'workers'
-"$tools/study/statistics/shards" 2 joined "$T" chaos --rate -1 >out 2>err
-check 'a shard that fails is a failure' [ $? -eq 4 ]
-check 'and leaves nothing' [ ! -e joined-exits.csv ]
-check 'and no temporary directory' [ -z "$(ls -d joined.* 2>/dev/null)" ]
+if /usr/bin/python3 -c 'import pandas, statsmodels, tabulate' 2>/dev/null; then
+  mkdir parts
+  shards() { TMPDIR=$D/parts TWOFOLD=$T JOBS=2 "$tools/study/run" shards "$@"; }
+  shards "$D/joined" chaos "$@" 2>err
+  mv joined-exits.csv e.join
+  mv joined-returns.csv r.join
+  same all join 'workers'
+  shards "$D/joined" chaos --rate -1 >out 2>err
+  check 'a shard that fails is a failure' [ $? -eq 3 ]
+  check 'and leaves nothing' [ ! -e joined-exits.csv ]
+  check 'and no temporary directory' [ -z "$(ls parts)" ]
+else
+  lacks 'workers' python3-pandas
+fi
 # The job array of Slurm, its tasks started by hand in any order.
 for i in 3 1 2; do
   TWOFOLD=$T SLURM_ARRAY_TASK_MAX=3 SLURM_ARRAY_TASK_ID=$i \

@@ -18,9 +18,9 @@ columns() {
 }
 
 figures=tools/study/figures
-statistics=tools/study/statistics
+study=tools/study
 got=$(header run chaos --t-end 0)
-columns 'run' 't,r,v,omega,h,g,F,M,mode,choices' "$figures/paths.py
+columns 'run' 't,r,v,omega,h,g,F,M,mode,choices' "$figures/curves.py
   $figures/chaos.gp tools/cli/monitor/receiver.c tests/cli/test_cli.sh"
 "$T" run chaos --t-end 0.01 --format frames --out frames 2>err
 got=$(header monitor frames --csv)
@@ -30,17 +30,16 @@ set -- diverge chaos --samples 1 --patience 0.01
 got=$(header "$@" --exits -)
 columns 'diverge --exits' \
   'sample,cycle,time,r,omega,g,side,phase,how,section_time' \
-  "$figures/curves.py $statistics/passages.py $statistics/summary.py
-  $statistics/report.py $statistics/ks.py"
+  "$figures/curves.py $study/cycles.py $study/exits.py"
 got=$(header "$@")
 columns 'diverge --returns' "sample,cycle,outcome,time,arrived,exit_r,$(
   )landing_time,landing_r,landings,windings" \
-  "$figures/curves.py $figures/perturbations.gp $statistics/passages.py
-  $statistics/summary.py $statistics/report.py $statistics/ks.py"
+  "$figures/curves.py $figures/perturbations.gp $study/cycles.py
+  $study/exits.py $study/recurrence.py"
 got=$(header diverge chaos --exhaustive --depth 1 --grid 0.1 --patience 0.1)
 columns 'diverge --branches' "node,depth,kind,r,omega,mode,stick_time,exit_r,$(
   )exit_omega,end,to,time,end_r,landing_r,windings" \
-  "$figures/curves.py $figures/lists.py"
+  "$figures/curves.py"
 set -- chaos --r 0.1:0.2:2 --omega=-1:-0.9:2
 got=$(header regions "$@")
 columns 'regions' 'r,omega,region,lambda,delassus' "$figures/regions.gp"

@@ -157,8 +157,8 @@ for i in 1 2 3; do
     grep -Eqx "# shard $i/3: [0-9]+ rows, crc32 [0-9a-f]{8}, run [0-9a-f]{8}" \
     e.$i
 done
-reads() { /usr/bin/python3 -B "$tools/study/statistics/summary.py" "$@" >out 2>err; }
-if /usr/bin/python3 -c 'import numpy, scipy' 2>/dev/null; then
+reads() { "$tools/study/run" summary "$@" >out 2>err; }
+if /usr/bin/python3 -c 'import pandas, statsmodels, tabulate' 2>/dev/null; then
   cat r.1 r.2 r.3 >r
   check 'cat of all shards is read' reads r
   head -c 150 r.2 >part
@@ -203,7 +203,7 @@ END
 --samples 7 --patience 0.3 --seed 5 --by noise --size 1e-9
 END
 else
-  lacks 'cat of shards that are lost or cut off' python3-scipy
+  lacks 'cat of shards that are lost or cut off' python3-pandas
 fi
 
 # Drivers end their workers.
@@ -212,28 +212,32 @@ workers() {
 }
 no_workers() { [ -z "$(workers)" ]; }
 has_workers() { [ "$(workers | wc -l)" -ge 2 ]; }
-for signal in TERM INT HUP; do
-  # A shell's background jobs ignore SIGINT; what a terminal starts does not.
-  env --default-signal=INT "$tools/study/statistics/shards" 2 "$D/joined" "$T" chaos \
-    --samples 100000 --cycles 1000 --codim2 even 2>err &
-  pid=$!
-  check "shards, SIG$signal: the workers run" poll has_workers
-  kill -s $signal $pid
-  wait $pid
-  equal "shards, SIG$signal: code" $? 4
-  equal "shards, SIG$signal: no worker is left" "$(workers)" ''
-  equal "shards, SIG$signal: no file is left" "$(there joined*)" ''
-done
-if [ -x /usr/bin/python3 ]; then
-  BUILD=$D/build TWOFOLD=$T JOBS=2 "$tools/study/statistics/study" >out 2>err &
+if /usr/bin/python3 -c 'import pandas, statsmodels, tabulate' 2>/dev/null; then
+  mkdir parts
+  export TMPDIR=$D/parts TWOFOLD=$T JOBS=2
+  for signal in TERM:143 INT:130 HUP:129; do
+    # A shell's background jobs ignore SIGINT; what a terminal starts does not.
+    env --default-signal=INT "$tools/study/run" shards "$D/joined" chaos \
+      --samples 100000 --cycles 1000 --codim2 even 2>err &
+    pid=$!
+    name=SIG${signal%:*}
+    check "shards, $name: the workers run" poll has_workers
+    kill -s "${signal%:*}" $pid
+    wait $pid
+    equal "shards, $name: code" $? "${signal#*:}"
+    equal "shards, $name: no worker is left" "$(workers)" ''
+    equal "shards, $name: no file is left" "$(there joined*; ls parts)" ''
+  done
+  BUILD=$D/build "$tools/study/run" exits >out 2>err &
   pid=$!
   check 'study: the workers run' poll has_workers
   kill $pid
   wait $pid
   equal 'study, SIGTERM: code' $? 143
   check 'study, SIGTERM: no worker is left' poll no_workers
+  unset TMPDIR
 else
-  lacks 'a study that is stopped' python3
+  lacks 'a study that is stopped' python3-pandas
 fi
 # Steps on the wall clock: a histogram of their lateness has each of them once.
 runs run chaos --t-end 0.2 --dt 0.001 --realtime --lateness late --out rows

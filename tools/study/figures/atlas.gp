@@ -1,7 +1,7 @@
 # The paper's figure 4: where a prescribed two-fold is a Teixeira singularity.
 wide = 1600; high = 1000
 @OPEN
-load data.'/two-fold.dat'
+load data.'/numbers.dat'
 set datafile separator ','
 csv = data.'/atlas.csv'
 set xrange [0:0.5]
@@ -47,7 +47,7 @@ do for [i=1:7] {
     plot csv using 'r':'omega':columns[i] with image, \
       csv using (column('kappa_positive') == 1 && \
         (int(column('r') * 400 + 0.5) + \
-         int((column('omega') + 1.5) * 200 + 0.5)) % 20 < 1 ? \
+         int((column('omega') + 1.5) * 200 + 0.5)) % 40 < 1 ? \
         column('r') : NaN):'omega' with dots lc rgb black
   }
 }

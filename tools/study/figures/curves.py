@@ -1,122 +1,233 @@
 #!/usr/bin/python3 -B
-"""Curves that a figure picks out of its data: curves.py FIGURE FOLDER.
+"""Curves for the figures, as gnuplot reads them.
 
-Each is written behind a line `# NAME` and before two empty lines, so that
-gnuplot finds it by `index 'NAME'`; an empty line within it is a gap. FOLDER has
-the data, whose columns are read by name.
+usage: curves.py FIGURE FOLDER                      picks them out of data
+       curves.py LIST FOLDER TWOFOLD DT THIN        follows them
+
+FOLDER has the data of the command line, whose columns are read by name. Each
+curve is written behind a line `# NAME` and before two empty lines, so that
+gnuplot finds it by `index 'NAME'`; an empty line within it is a gap.
+
+Trajectories are t,r,omega,h,g,mode by `twofold run` with steps of DT; mode is
+its number, 1 to 5. One that has reached the two-fold again ends there: behind
+it all is open. THIN: 0 for every row, else rows that lie so many windows apart,
+the window being what the set of the trajectories takes of r, omega and h. LIST
+is one of
+  fans      starts near h = 0 at three places of the surface of the scene
+            `chaos` near its two-fold, over 2 ms
+  leavers   slips that leave the escaping region one after the other: exits 40
+            ms apart, to either side, as long as they lie off h = g = 0
+  loop      two cycles that begin at the two-fold: `straight` is the first
+            future that lands so far down that it comes back to the two-fold at
+            once, `winding` one that winds much and lands higher
 """
 from __future__ import annotations
 
-import argparse
 import math
+import re
+import subprocess
 import sys
+import tempfile
 from pathlib import Path
 from typing import Callable, Iterable, Iterator
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
-from tables import read  # noqa: E402
+import pandas as pd
+
+sys.path[:0] = map(str, Path(__file__).resolve().parents[1:3])
+import table  # noqa: E402
 
 Curves = Iterator[tuple[str, list[str]]]
-PATH = ("t", "r", "omega", "h", "g", "mode")
-KINDS = ("random", "noise", "smoothing", "hysteresis", "delay")
+Start = tuple[str, float, float, str, str, str]
+KINDS = "random", "noise", "smoothing", "hysteresis", "delay"
+MODES = {"slip+": 1, "slip-": 2, "stick+": 3, "stick-": 4, "pinned": 5}
+PATH = ["t", "r", "omega", "h", "g", "mode"]
+WINDOW = {"r": 0.012, "omega": 0.06, "h": 1.4e-4}
+OFF = 1e-12  # so far beside the surface a slip begins [m/s]
+END = 2e-3   # of the fans [s]
 
 
-def picked(rows: Iterable[read.Row], *columns: str) -> list[str]:
-    """Some columns of some rows, as they are written in the data."""
-    return [" ".join(row[column] for column in columns) for row in rows]
+def read(folder: Path, name: str) -> pd.DataFrame:
+    """Data, as they are written."""
+    return table.read(folder / f"{name}.csv", text=True,
+                      counted=name.startswith(("exits-", "returns-")))
 
 
-def side(row: read.Row, column: str) -> int:
+def branches_of(folder: Path) -> pd.DataFrame:
+    """Of `twofold diverge chaos --exhaustive`; stick is a number."""
+    rows = read(folder, "branches")
+    return rows.assign(stick=pd.to_numeric(rows.stick_time))
+
+
+def side(modes: pd.Series) -> pd.Series:
     """The sign of h in a slip."""
-    return 1 if row[column] == "slip+" else -1
+    return modes.map(lambda mode: "1" if mode == "slip+" else "-1")
 
 
-def trajectories(path: Path) -> Iterator[tuple[str, list[read.Row]]]:
-    """Name and rows of each trajectory that paths.py has written."""
+def joined(*columns: pd.Series) -> list[str]:
+    """Some columns, as they are written in the data."""
+    return [" ".join(fields) for fields in zip(*columns)]
+
+
+# Trajectories.
+
+def fans(folder: Path) -> Iterator[Start]:
+    """Starts on either side of the surface, and on it."""
+    del folder
+    for i in range(-4, 5):
+        if i != 0:
+            yield "sliding", 0, END, "0.188", "-1.059", f"{i * 2e-6:g}"
+            # Off the escaping surface one after the other, from either side.
+            yield ("escaping", (abs(i) - 1) * 4e-4, END, "0.1838", "-1.016",
+                   f"{OFF if i > 0 else -OFF:g}")
+        yield "crossing", 0, END, "0.183", "-1.058", f"{-i * 2e-6 - 6e-6:g}"
+    yield "stays", 0, END, "0.188", "-1.059", "0"
+    yield "stays", 0, END, "0.1838", "-1.016", "0"
+
+
+def start(name: str, end: float, row: tuple) -> Start:
+    """The slip that one branch begins with."""
+    h = OFF if row.mode == "slip+" else -OFF
+    return name, 0, end, row.exit_r, row.exit_omega, f"{h:g}"
+
+
+def leavers(folder: Path) -> Iterator[Start]:
+    """Exits 40 ms apart."""
+    rows = branches_of(folder)
+    for row in rows[rows.end == "codim2"].itertuples():
+        if row.stick <= 0.4 and round(row.stick * 1000) % 40 == 0:
+            yield start(f"t={row.stick_time}", 2.3, row)
+
+
+def loop(folder: Path) -> Iterator[Start]:
+    """One branch of each kind, in the order of the branches."""
+    rows = branches_of(folder)
+    rows = rows[rows.end == "codim2"]
+    winds = pd.to_numeric(rows.windings)
+    straight = (winds > 0) & (pd.to_numeric(rows.end_r) < 0.1821)
+    found = [(rows[hit].index[0], name, end, next(rows[hit].itertuples()))
+             for name, end, hit in (("winding", 2.1, winds == 7),
+                                    ("straight", 4, straight))]
+    for _, name, end, row in sorted(found):
+        yield start(name, end, row)
+
+
+def thinned(rows: Iterable[tuple], thin: float) -> Iterator[tuple]:
+    """Rows that lie `thin` windows apart, and all ends of a mode."""
+    def apart(a: tuple, b: tuple) -> float:
+        return math.hypot(*((getattr(a, name) - getattr(b, name)) / size
+                            for name, size in WINDOW.items()))
+
+    last = held = None
+    for row in rows:
+        if last and row.mode == last.mode and apart(row, last) < thin:
+            held = row
+            continue
+        # The last row before a change of mode is kept, lest a switch is cut.
+        if held and row.mode != last.mode:
+            yield held
+        yield row
+        last, held = row, None
+    if held:
+        yield held
+
+
+def trajectory(twofold: str, dt: str, thin: float,
+               begun: Start) -> Iterator[str]:
+    """One trajectory, by `twofold run`."""
+    _, begin, end, r, omega, h = begun
+    with tempfile.NamedTemporaryFile(suffix=".csv") as out:
+        done = subprocess.run(
+            [twofold, "run", "chaos", "--scheme", "located", "--dt", dt,
+             "--set", f"r={r}", "--set", f"omega={omega}", "--set", f"h={h}",
+             "--out", out.name, "--events", "1000000", "--t-end",
+             f"{end - begin:.6g}"],
+            stderr=subprocess.PIPE, text=True, check=False)
+        if done.returncode != 0:
+            raise table.TableError(done.stderr.strip())
+        rows = table.read(out.name)[PATH]
+    # When the two-fold was reached behind the start.
+    again = re.findall(r"^ *(\d\S*) .*two-fold reached", done.stderr, re.M)
+    last = min((float(t) for t in again if float(t) > 0), default=math.inf)
+    rows = rows[rows.t <= last + 1e-9]
+    for row in thinned(rows.itertuples(), thin):
+        yield (f"{begin + row.t:.6g} {row.r:.6g} {row.omega:.6g} "
+               f"{row.h:.4g} {row.g:.4g} {MODES[row.mode]}")
+
+
+def trajectories(path: Path) -> Iterator[tuple[str, list[list[str]]]]:
+    """Name and rows of each trajectory that was written before."""
     for block in path.read_text(encoding="utf-8").split("\n\n\n"):
         name, *lines = block.strip().splitlines() or [""]
         if lines:
-            yield name[2:], [read.Row(f"{path}: {name}", PATH, line.split())
-                             for line in lines]
+            yield name[2:], [line.split() for line in lines]
 
+
+# Figures. Of points that are many some are drawn, so that a picture stays small.
 
 def exits(folder: Path) -> Curves:
     """When, where and in which phase trajectories leave."""
-    rows = read.read_csv(str(folder / "exits-random.csv"), counted=True)
-    times = sorted(rows, key=lambda row: row.number("time"))
-    yield "when", [f"{row['time']} {i / len(times):.6g}"
-                   for i, row in enumerate(times, 1) if i % 20 == 1]
-    yield "where", [f"{row['time']} {row['r']} {side(row, 'side')}"
-                    for row in rows[8::10]]
-    passed = [row for row in rows if row["phase"] != ""]
-    yield "phase", [f"{row['time']} {row['phase']} {side(row, 'side')}"
-                    for row in passed]
-    bins = [int(row.number("phase") * 10) for row in passed]
-    shares = [bins.count(i) / len(bins) for i in range(10)]
-    yield "bins", [
-        f"{i / 10 + 0.05:.6g} {p:.6g} "
-        f"{1.96 * math.sqrt(p * (1 - p) / len(bins)):.6g}"
-        for i, p in enumerate(shares)]
-    branches = read.read_csv(str(folder / "branches.csv"))
-    yield "stick", picked((row for row in branches if row["mode"] == "slip+"),
-                          "stick_time", "exit_r")
+    rows = read(folder, "exits-random")
+    times = rows.time.iloc[pd.to_numeric(rows.time).argsort(kind="stable")]
+    yield "when", [f"{time} {i / len(times):.6g}"
+                   for i, time in enumerate(times, 1) if i % 40 == 1]
+    some = rows[8::20]
+    yield "where", joined(some.time, some.r, side(some.side))
+    passed = rows[rows.phase != ""]
+    some = passed[::3]
+    yield "phase", joined(some.time, some.phase, side(some.side))
+    bins = (pd.to_numeric(passed.phase) * 10).astype(int)
+    n, lines = len(passed), []
+    for i in range(10):
+        p = (bins == i).sum() / n
+        lines.append(f"{i / 10 + 0.05:.6g} {p:.6g} "
+                     f"{1.96 * math.sqrt(p * (1 - p) / n):.6g}")
+    yield "bins", lines
+    stick = branches_of(folder).query("mode == 'slip+'")
+    yield "stick", joined(stick.stick_time, stick.exit_r)
 
 
 def regions(folder: Path) -> Curves:
     """Where the stick from the two-fold ends."""
-    rows = read.read_csv(str(folder / "branches.csv"))
-    yield "stick", picked((row for row in rows if row["mode"] == "slip+"),
-                          "exit_r", "exit_omega")
+    stick = branches_of(folder).query("mode == 'slip+'")
+    yield "stick", joined(stick.exit_r, stick.exit_omega)
 
 
 def normal(folder: Path) -> Curves:
     """The stick from the two-fold up to its last exit that is drawn."""
-    rows = read.read_csv(str(folder / "branches.csv"))
-    yield "stick", picked(rows[:1], "r", "omega") + picked(
-        (row for row in rows if row.number("stick_time") <= 0.28),
-        "exit_r", "exit_omega")
+    rows = branches_of(folder)
+    early = rows[rows.stick <= 0.28]
+    yield "stick", joined(rows.r[:1], rows.omega[:1]) + joined(
+        early.exit_r, early.exit_omega)
 
 
 def perturbations(folder: Path) -> Curves:
-    """Of each kind the quantiles of exits, landings and returns."""
+    """Of each kind the quantiles of exits, landings and returns: 100 steps at
+    most, from share 0 on; the shares are of all."""
     for kind in KINDS:
-        came = read.read_csv(str(folder / f"returns-{kind}.csv"),
-                             counted=True)
-        left = read.read_csv(str(folder / f"exits-{kind}.csv"),
-                             counted=True)
-        returned = [row for row in came if row["outcome"] == "returned"]
-        for name, rows, column in (("exit", left, "time"),
-                                   ("landing", came, "landing_r"),
-                                   ("return", returned, "time")):
-            texts = sorted((row[column] for row in rows
-                            if row[column] and row.number(column) > 0),
-                           key=float)
-            yield f"{name} {kind}", quantiles(texts, len(came))
-
-
-def quantiles(texts: list[str], n: int) -> list[str]:
-    """100 steps at most, from share 0 on; the shares are of n."""
-    if not texts:
-        return []
-    step = len(texts) // 100 + 1
-    return [f"{texts[0]} 0"] + [f"{texts[i - 1]} {i / n:.6g}" for i in [
-        *range(step, len(texts) + 1, step), len(texts)]]
+        came, left = (read(folder, f"{what}-{kind}")
+                      for what in ("returns", "exits"))
+        for name, texts in (
+                ("exit", left.time), ("landing", came.landing_r),
+                ("return", came.time[came.outcome == "returned"])):
+            texts = sorted((text for text in texts if text and
+                            float(text) > 0), key=float)
+            step = len(texts) // 100 + 1
+            yield f"{name} {kind}", [f"{text} 0" for text in texts[:1]] + [
+                f"{texts[i - 1]} {i / len(came):.6g}" for i in (
+                    *range(step, len(texts) + 1, step), len(texts)) if texts]
 
 
 def returns(folder: Path) -> Curves:
     """From an exit to the first landing, and from there to the two-fold."""
-    left = read.read_csv(str(folder / "exits-random.csv"), counted=True)
-    came = read.read_csv(str(folder / "returns-random.csv"), counted=True)
-    yield "sampled", [
-        f"{exit_['time']} {back['landing_r']} {back['time']} {back['landings']}"
-        for exit_, back in list(zip(left, came))[3::5] if back["landing_r"]]
-    branches = read.read_csv(str(folder / "branches.csv"))
-    yield "branches", [
-        f"{row['stick_time']} {side(row, 'mode')} {row['end_r']}"
-        for row in branches if row["end"] == "codim2"]
+    left, came = read(folder, "exits-random"), read(folder, "returns-random")
+    both = came[:len(left)].assign(exit=left.time)[3::8]
+    both = both[both.landing_r != ""]
+    yield "sampled", joined(both.exit, both.landing_r, both.time, both.landings)
+    rows = branches_of(folder)
+    ends = rows[rows.end == "codim2"]
+    yield "branches", joined(ends.stick_time, side(ends["mode"]), ends.end_r)
     # Where the stick from the two-fold comes to rest if it never ends.
-    yield "rest", picked([row for row in branches if row["mode"] == "slip+"],
-                         "exit_r")[-1:]
+    yield "rest", list(rows[rows["mode"] == "slip+"].exit_r)[-1:]
 
 
 def motions(folder: Path) -> Curves:
@@ -126,13 +237,12 @@ def motions(folder: Path) -> Curves:
         lines = []
         for _, rows in paths:
             last = None
-            for row in rows:
-                if mode in (row["mode"], last):
-                    lines.append(f"{row['r']} {row['omega']} "
-                                 f"{row.number('h') * 1e6:.6g}")
-                if last == mode != row["mode"]:
+            for _, r, omega, h, _, now in rows:
+                if mode in (now, last):
+                    lines.append(f"{r} {omega} {float(h) * 1e6:.6g}")
+                if last == mode != now:
                     lines.append("")
-                last = row["mode"]
+                last = now
             lines.append("")
         yield f"mode {mode}", lines
 
@@ -145,33 +255,39 @@ def surface(folder: Path) -> Curves:
         lines = []
         for name, rows in paths:
             if name == what:
-                lines += [f"{row['t']} {row['h']}" if sign == 0 or
-                          sign * row.number("h") > 1e-11 else ""
-                          for row in rows] + [""]
+                lines += [f"{t} {h}" if sign == 0 or sign * float(h) > 1e-11
+                          else "" for t, _, _, h, *_ in rows] + [""]
         yield f"{what} {sign}", lines
 
 
 FIGURES: dict[str, Callable[[Path], Curves]] = {
     "exits": exits, "normal": normal, "perturbations": perturbations,
     "regions": regions, "return": returns, "set": motions, "surface": surface}
+LISTS: dict[str, Callable[[Path], Iterator[Start]]] = {
+    "fans": fans, "leavers": leavers, "loop": loop}
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(
-        description=__doc__,
-        formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("figure", choices=FIGURES)
-    parser.add_argument("folder", type=Path)
-    given = parser.parse_args()
-    for name, lines in FIGURES[given.figure](given.folder):
+def main() -> int:
+    name, folder, *how = sys.argv[1:] if len(sys.argv) > 2 else ("", "")
+    if name in FIGURES and not how:
+        curves = FIGURES[name](Path(folder))
+    elif name in LISTS and len(how) == 3:
+        curves = ((begun[0], list(trajectory(how[0], how[1], float(how[2]),
+                                             begun)))
+                  for begun in LISTS[name](Path(folder)))
+    else:
+        print(__doc__.split("\n\n")[1], file=sys.stderr)
+        return 2
+    for title, lines in curves:
         gap = ""
-        print(f"# {name}")
+        print(f"# {title}")
         for line in lines:  # two gaps in a row would end the curve
             if line or gap:
                 print(line)
             gap = line
         print("\n")
+    return 0
 
 
 if __name__ == "__main__":
-    read.run_script(main)
+    table.run_script(main)

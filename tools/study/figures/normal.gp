@@ -1,7 +1,6 @@
 # The paper's figure 3: stick next to the two-fold, and the loop.
 wide = 1500; high = 880
 @OPEN
-load data.'/two-fold.dat'
 load data.'/numbers.dat'
 set multiplot
 set lmargin at screen 0.075
@@ -28,9 +27,9 @@ unset key
 f = data.'/orbits.dat'
 plot 0 with lines lw 2.5 lc rgb red notitle, \
   '+' using (0):(2*($0/99.)-1) with lines lw 2.5 lc rgb blue notitle, \
-  f using ($1 == 1 ? $2 : 1/0):3 with lines lw 2 lc rgb orange, \
-  f using ($1 == 0 ? $2 : 1/0):3 with lines lw 1.6 dt (5,3) lc rgb black, \
-  f using ($1 == 1 && ($4 != 0 || $5 != 0) ? $2 : 1/0):3:4:5 with vectors \
+  f using ($5 == 1 ? $1 : 1/0):2 with lines lw 2 lc rgb orange, \
+  f using ($5 == 0 ? $1 : 1/0):2 with lines lw 1.6 dt (5,3) lc rgb black, \
+  f using ($5 == 1 && ($3 != 0 || $4 != 0) ? $1 : 1/0):2:3:4 with vectors \
     head filled size screen 0.012,22,90 fixed lw 1.5 lc rgb black, \
   data.'/straight.dat' index 0 with lines lw 3 lc rgb green
 unset object

@@ -2,7 +2,7 @@
 # the sticking flow on it.
 wide = 1400; high = 1000
 @OPEN
-load data.'/two-fold.dat'
+load data.'/numbers.dat'
 set xlabel 'slider displacement r [m]'
 set ylabel 'disc speed ω [rad/s]' offset 1
 set xrange [0.10:0.28]
@@ -34,10 +34,10 @@ set datafile separator ', ' # csv and dat in one plot
 csv = data.'/regions.csv'
 stick = data.'/regions.curves.dat'
 plot csv using 'r':'omega':(region(strcol('region'))) with image, \
-  flow using 1:($3 > 0 ? $2 : NaN) with lines lw 1.3 lc rgb '#444444', \
-  flow using 1:($3 < 0 ? $2 : NaN) with lines lw 1.8 dt (6,4) \
+  flow using 1:($5 > 0 ? $2 : NaN) with lines lw 1.3 lc rgb '#444444', \
+  flow using 1:($5 < 0 ? $2 : NaN) with lines lw 1.8 dt (6,4) \
     lc rgb '#444444', \
-  flow using 1:($4 != 0 || $5 != 0 ? $2 : NaN):4:5 with vectors \
+  flow using 1:($3 != 0 || $4 != 0 ? $2 : NaN):3:4 with vectors \
     head filled size screen 0.012,22,90 fixed lw 1.5 lc rgb '#444444', \
   for [i=0:2:2] border index i using 1:2 with lines lw 4 lc rgb red, \
   for [i=1:3:2] border index i using 1:2 with lines lw 4 lc rgb blue, \

@@ -3,7 +3,7 @@
 # third axis is h, so that the surface is the floor of the picture.
 wide = 1700; high = 1000
 @OPEN
-load data.'/two-fold.dat'
+load data.'/numbers.dat'
 set xrange [0.1815:0.1885]
 set yrange [-1.055:-0.995]
 set zrange [-30:130]

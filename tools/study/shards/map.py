@@ -16,18 +16,19 @@ import sys
 from pathlib import Path
 from typing import Optional
 
-sys.path.append(str(Path(__file__).resolve().parents[2]))
+sys.path[:0] = map(str, Path(__file__).resolve().parents[1:3])
 
 try:
     import matplotlib
     import numpy as np
+    import pandas as pd
+    import table
 except ImportError as missing:
-    sys.exit(f"map.py: {missing}: apt-get install python3-matplotlib")
+    sys.exit(f"map.py: {missing}: apt-get install python3-matplotlib "
+             "python3-pandas python3-statsmodels python3-tabulate")
 
 matplotlib.use("Agg")
 from matplotlib import colors, patches, pyplot  # noqa: E402
-
-from tables.read import Row, TableError, read_csv, run_script  # noqa: E402
 
 REFUSED, ABSENT, NAMED = "refused", "did not happen", 12
 # Colours that stay apart for all eyes (Okabe and Ito), then more of them.
@@ -53,31 +54,32 @@ def label(column: str, units: dict[str, str]) -> str:
     return column if unit == "1" else f"{column} [{unit}]"
 
 
-def is_number(text: str) -> bool:
+def numbers(texts: np.ndarray) -> Optional[np.ndarray]:
+    """An outcome in numbers, NaN where it did not happen; None of words."""
     try:
-        float(text)
+        return np.where(texts == "", "nan", texts).astype(float)
     except ValueError:
-        return False
-    return True
+        return None
 
 
-def grid_of(rows: list[Row], x: str, y: Optional[str]
-            ) -> tuple[list[float], list[float], list[list[Row]]]:
-    """The values of both axes, and the row at each of their points."""
-    places: dict[tuple[float, float], Row] = {}
-    for row in rows:
-        place = row.number(x), row.number(y) if y else 0.0
-        if place in places:
-            raise TableError(f"{row.where}: {places[place].where} has the "
-                             f"same {x}{' and ' + y if y else ''}: another "
-                             "axis was swept, too")
-        places[place] = row
-    xs, ys = (sorted({place[i] for place in places}) for i in (0, 1))
-    for place in ((a, b) for b in ys for a in xs):
-        if place not in places:
-            raise TableError(f"no row has {x} = {place[0]:g}" +
-                             (f", {y} = {place[1]:g}" if y else ""))
-    return xs, ys, [[places[a, b] for a in xs] for b in ys]
+def grid_of(rows: pd.DataFrame, x: str, y: Optional[str]
+            ) -> tuple[list[float], list[float], pd.DataFrame]:
+    """The values of both axes, and the rows in the order of their points."""
+    try:
+        rows = rows.assign(_x=pd.to_numeric(rows[x]),
+                           _y=pd.to_numeric(rows[y]) if y else 0.0)
+    except ValueError as error:
+        raise table.TableError(f"an axis has {error}, not a number") from None
+    again = rows[rows.duplicated(["_x", "_y"])]
+    if len(again):
+        raise table.TableError(
+            f"{len(again)} rows have the same {x}{' and ' + y if y else ''} "
+            "as another one: another axis was swept, too")
+    xs, ys = (sorted(set(rows[name])) for name in ("_x", "_y"))
+    if len(rows) != len(xs) * len(ys):
+        raise table.TableError(f"{len(xs) * len(ys) - len(rows)} points of "
+                               "the grid have no row")
+    return xs, ys, rows.sort_values(["_y", "_x"])
 
 
 def edges(values: list[float]) -> np.ndarray:
@@ -108,15 +110,11 @@ def draw_words(axes, texts: np.ndarray, extent) -> list[patches.Patch]:
     return legend
 
 
-def draw_map(axes, cells: list[list[Row]], outcome: str, extent,
+def draw_map(axes, texts: np.ndarray, refused: np.ndarray, extent,
              unit: str) -> list[patches.Patch]:
-    texts = np.array([[row[outcome] for row in line] for line in cells])
-    refused = np.array([[row["status"] == REFUSED for row in line]
-                        for line in cells])
-    legend = []
-    if all(is_number(text) for text in texts.flat if text):
-        values = np.array([[float(text or "nan") for text in line]
-                           for line in texts])
+    """An outcome over two axes."""
+    legend, values = [], numbers(texts)
+    if values is not None:
         mesh = axes.pcolormesh(*extent, values, cmap="viridis")
         axes.figure.colorbar(mesh, ax=axes, label=unit)
     else:
@@ -132,17 +130,14 @@ def draw_map(axes, cells: list[list[Row]], outcome: str, extent,
     return legend
 
 
-def draw_line(axes, xs: list[float], cells: list[list[Row]],
-              outcome: str) -> None:
+def draw_line(axes, xs: np.ndarray, texts: np.ndarray) -> None:
     """An outcome over one axis; words in their order as levels."""
-    texts = [row[outcome] for row in cells[0]]
-    if all(is_number(text) for text in texts if text):
-        axes.plot(xs, [float(text or "nan") for text in texts], ".-",
-                  color=PALETTE[0])
+    values = numbers(texts)
+    if values is not None:
+        axes.plot(xs, values, ".-", color=PALETTE[0])
         return
-    words = sorted(set(texts) - {""})
-    axes.plot([x for x, text in zip(xs, texts) if text],
-              [words.index(text) for text in texts if text], ".",
+    words, there = sorted(set(texts) - {""}), texts != ""
+    axes.plot(xs[there], [words.index(text) for text in texts[there]], ".",
               color=PALETTE[0])
     axes.set_yticks(range(len(words)), words)
 
@@ -153,30 +148,32 @@ def main() -> int:
         return 2
     path, x, *middle, outcome, picture = sys.argv[1:]
     y = middle[0] if middle else None
-    columns = [x, outcome, "status"] + middle
-    rows = read_csv(path, needed=columns, counted=True)
-    if not rows:
-        raise TableError(f"{path}: has no row")
-    xs, ys, cells = grid_of(rows, x, y)
+    rows = table.read(path, [x, outcome, "status"] + middle, counted=True,
+                      text=True)
+    if rows.empty:
+        raise table.TableError(f"{path}: has no row")
+    xs, ys, rows = grid_of(rows, x, y)
+    texts = rows[outcome].to_numpy(str).reshape(len(ys), len(xs))
+    refused = rows.status.to_numpy(str).reshape(texts.shape) == REFUSED
     units = units_of(path)
     figure, axes = pyplot.subplots(figsize=(6.4, 4.8), layout="constrained")
     if y:
-        legend = draw_map(axes, cells, outcome, (edges(xs), edges(ys)),
+        legend = draw_map(axes, texts, refused, (edges(xs), edges(ys)),
                           label(outcome, units))
         axes.set(ylabel=label(y, units), title=outcome)
         if legend:
             axes.legend(handles=legend, loc="upper center", frameon=False,
                         bbox_to_anchor=(0.5, -0.11), ncols=3)
     else:
-        draw_line(axes, xs, cells, outcome)
+        draw_line(axes, np.asarray(xs), texts[0])
         axes.set(ylabel=label(outcome, units))
     axes.set(xlabel=label(x, units))
     try:
         figure.savefig(picture, dpi=150)
     except (OSError, ValueError) as error:
-        raise TableError(f"{picture}: {error}") from None
+        raise table.TableError(f"{picture}: {error}") from None
     return 0
 
 
 if __name__ == "__main__":
-    run_script(main)
+    table.run_script(main)

@@ -1,0 +1,438 @@
+"""`make finer`: motions under laws without a jump, from the sliding region of
+`chaos` through its two-fold, as the width of the laws shrinks: docs/FINER.md.
+
+What theory says of a motion in the layer. Across a layer of effective width eps
+(the width over the slope of phi where the stick through the two-fold runs, phi
+= lambda/mu), at a time t from the two-fold and with s = t sqrt(a/eps), a =
+|dA/dt| mu, a deviation xi (in units of eps) obeys
+
+    xi'' - s xi' + nu xi = 0,   nu = (ratio of the eigenvalues) - 1
+
+Before the two-fold the part that decays slowest is |s|^nu; behind it all grows
+like exp(s^2/2) s^(-nu - 1). A kick at s = 0 grows by M(-nu/2, 1/2, s^2/2),
+Kummer's function, and s^2/2 is the integral of the layer's rate, the `behind`
+of finer.c.
+"""
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Callable, Iterator, Optional, Sequence
+
+import numpy as np
+import pandas as pd
+from scipy import integrate, optimize, special
+
+import driven
+import families
+import layers
+import table
+
+PAGE = "docs/FINER.md"
+EXIT = 3  # a motion has left where |h| is that many widths
+GROWN = 30  # the exponent from which the theory of growth is used
+ALIKE = 0.05  # exits at times that differ by less are the same
+UNITS = {24: 2.0 ** -24, 53: 2.0 ** -53, 64: 2.0 ** -64}
+NAMES = {24: "float", 53: "double", 64: "x87, 64 bits"}
+# Effective widths are 10^(-n/4) m/s.
+EXACT = range(18, 27)
+EXACT_ALGEBRAIC = range(16, 29)
+LAST_BITS = {24: range(16, 25), 53: range(18, 27), 64: range(20, 27)}
+STARTS = 1e-15, 1e-12, 1e-9, 1e-6, 1e-3
+KICKED = 1e-12, 1e-8  # [m/s]
+KICKED_WIDTHS = range(16, 27, 2)
+TURNED = range(22, 29, 2)  # widths at which the kick is sought that turns it
+SINGLE = {1e-6: (113, range(8, 22, 3)), 1e-7: (64, range(10, 17, 3))}
+# What is kept of each motion, with so many digits; `after` and `zero_after`
+# are times from the two-fold.
+KEPT = {"experiment": 0, "form": 0, "bits": 0, "width": 6, "kick": 6,
+        "side": 0, "after": 8, "exit_r": 9, "zero_after": 8, "zero_r": 12,
+        "before": 7, "behind": 7, "error": 3}
+
+PHI: dict[str, Callable[[float], float]] = {
+    "algebraic": lambda x: x / math.hypot(1, x),
+    "tanh": math.tanh,
+    "arctan": lambda x: math.atan(x) * 2 / math.pi,
+    "cubic": lambda x: x * (3 - x * x) / 2,
+    "skew": lambda x: (2 * x + math.hypot(1, x) - 1)
+    / math.hypot(1, 2 * x + math.hypot(1, x) - 1),
+    "corner": lambda x: x / math.hypot(1, x),
+    "angle": lambda x: x}
+
+
+def slope(form: str, share: float) -> float:
+    """phi' where phi is `share`."""
+    phi, by = PHI[form], 1e-5
+    end = 1 - by if form in ("cubic", "angle") else 50
+    x = optimize.brentq(lambda y: phi(y) - share, -end, end)
+    return (phi(x + by) - phi(x - by)) / (2 * by)
+
+
+class TwoFold:
+    """The two-fold of `chaos`, and the theory of the layer next to it."""
+
+    def __init__(self, fold: dict) -> None:
+        self.r, self.g, self.share = fold["r"], fold["g"], fold["share"]
+        self.ratio = fold["ratio"]
+        self.nu = self.ratio - 1
+
+    def width(self, form: str, effective: float) -> float:
+        """The width of a form that has this effective one [m/s]."""
+        scale = abs(self.g) if form == "angle" else 1
+        return effective * slope(form, self.share) / scale
+
+    def gain(self, exponent: float) -> float:
+        """By how much a kick at the two-fold grows up to s^2/2 = exponent."""
+        return abs(special.hyp1f1(-self.nu / 2, 0.5, exponent))
+
+    def exponent(self, gain: float) -> Optional[float]:
+        """Where it has grown that much, where it is enough to tell."""
+        return optimize.brentq(
+            lambda e: math.log(self.gain(e) / gain), 27, 300) \
+            if gain > self.gain(27) else None
+
+
+# Following.
+
+def experiments(fold: TwoFold) -> Iterator[tuple[str, int, list[str]]]:
+    """Name, bits and arguments of each run."""
+    def of(form: str, effective: float, *more: str) -> list[str]:
+        return [f"form={form}", f"width={fold.width(form, effective):.17g}",
+                *more]
+
+    for form in PHI:
+        for n in EXACT_ALGEBRAIC if form == "algebraic" else EXACT:
+            yield f"exact {n}", 113, of(form, 10 ** (-n / 4))
+    for bits, steps in LAST_BITS.items():
+        for n in steps:
+            yield f"bits {n}", bits, of(
+                "algebraic", 10 ** (-n / 4), "samples=24", "seed=1",
+                f"delta={4 * UNITS[bits]}")
+    for start in STARTS:
+        yield f"start {start:g}", 113, of("algebraic", 1e-6, "samples=4",
+                                          "seed=2", f"delta={start}")
+    for kick in KICKED:
+        for n in KICKED_WIDTHS:
+            yield f"kicked {kick:g} {n}", 64, of(
+                "algebraic", 10 ** (-n / 4), "samples=24", "seed=3",
+                f"kick={kick}")
+    for width, (bits, powers) in SINGLE.items():
+        for n in powers:
+            yield f"kick {width:g}", bits, of("algebraic", width,
+                                              f"kick=1e-{n}")
+    # 1 / (3 kappa): the law that the paper stretches.
+    for k in 1 / (3 * families.SCENE["kappa"]), 10, 100, 1000:
+        for bits in 53, 64:
+            yield f"stiff {k:.4g}", bits, ["form=two_piece",
+                                           f"width={1 / k:.17g}"]
+
+
+def turning(fold: TwoFold, run: Callable[..., list[str]],
+            n: int) -> tuple[float, float, float]:
+    """Effective width, and between which two kicks of h at the two-fold the
+    exit of form algebraic changes its side, by bisection in binary128."""
+    effective = 10 ** (-n / 4)
+    form = ["form=algebraic", f"width={fold.width('algebraic', effective):.17g}"]
+
+    def side(kick: float) -> str:
+        head, line = run(113, [*form, f"kick={kick:.17g}"])
+        return line.split(",")[head.split(",").index("side")]
+
+    plain = side(0)
+    scale = 1e-20 * (effective / 1e-6) ** 7.5 / 30
+    sign, low = next((sign, scale * 3 ** i) for i in range(8)
+                     for sign in (1, -1)
+                     if side(sign * scale * 3 ** (i + 1)) != plain)
+    high = 3 * low
+    while high > 1.05 * low:
+        middle = math.sqrt(low * high)
+        if side(sign * middle) == plain:
+            low = middle
+        else:
+            high = middle
+    return effective, sign * low, sign * high
+
+
+def contraction(twofold: str, form: str, folder: Path) -> float:
+    """C, the integral of A phi'(phi^-1(F/mu)) mu over the stick that leads to
+    the two-fold, by the core's set-valued stick alone: the layer's contraction
+    is exp(-C/width) as the width goes to 0. The last 0.07 ms, in which A goes
+    to 0, are a share of 3e-7."""
+    path, scene = folder / "stick.csv", families.SCENE
+    families.said(
+        twofold, "run", "chaos", "--scheme", "located", "--dt", "1e-4",
+        "--t-end", "0.1236", "--set", "r=0.191960972", "--set",
+        "omega=-1.053244828", "--set", "h=0", "--every", "1", "--out", path)
+    rows = table.read(path)
+    sine, cosine = math.sin(scene["gamma"]), math.cos(scene["gamma"])
+    inertia = scene["beta"] ** 2 + rows.r ** 2
+    delassus = (rows.r ** 2 + (scene["beta"] * sine) ** 2
+                + scene["kappa"] * rows.r * cosine) / inertia
+    return float(integrate.simpson(
+        delassus * [slope(form, force) for force in rows.F], x=rows.t))
+
+
+def follow(work: Path, twofold: str) -> None:
+    """runs.csv, the lines of finer.c after the name of their experiment;
+    turning.csv, which kick turns the exit; families.json, what the command line
+    says."""
+    programs = work.parent / "finer-"
+
+    def run(bits: int, words: list[str]) -> list[str]:
+        return driven.output(f"{programs}{bits}", *words).splitlines()
+
+    told = {"fold": families.two_fold(twofold)}
+    fold = TwoFold(told["fold"])
+    # The longest first.
+    runs = sorted(experiments(fold), key=lambda one: (-one[1], one[0]))
+    lines = driven.side_by_side(lambda one: run(*one[1:]), runs)
+    (work / "runs.csv").write_text(f"experiment,{lines[0][0]}\n" + "".join(
+        f"{name},{line}\n" for (name, _, _), said in zip(runs, lines)
+        for line in said[1:]), "ascii")
+    pd.DataFrame(driven.side_by_side(lambda n: turning(fold, run, n), TURNED),
+                 columns=["width", "low", "high"]).to_csv(
+        work / "turning.csv", index=False, float_format="%.6g")
+    told.update(gamma=families.by_angle(twofold),
+                limits=families.limits(twofold),
+                circle=families.circle(twofold, work),
+                core=families.core_agreement(twofold, f"{programs}64"),
+                C=contraction(twofold, "algebraic", work))
+    (work / "families.json").write_text(json.dumps(told, indent=1), "ascii")
+
+
+def count(work: Path, kept: Path, build: str) -> None:
+    """What the page is made of: the motions themselves."""
+    del build
+    rows = table.read(work / "runs.csv")
+    rows["after"] = rows.exit_t - rows.fold_t
+    rows["zero_after"] = rows.zero_t - rows.fold_t
+    others = ~rows.experiment.str.startswith("exact")
+    rows.loc[others, ["before", "error"]] = math.nan
+    pd.DataFrame({name: rows[name].map(
+        lambda x, n=digits: "" if x != x else f"{x:.{n}g}" if n else x)
+        for name, digits in KEPT.items()}).to_csv(
+            kept / "finer-runs.csv", index=False)
+    for name in "turning.csv", "families.json":
+        (kept / f"finer-{name}").write_bytes((work / name).read_bytes())
+    layers.draw(Study(kept), kept / "finer.png")
+
+
+# The page.
+
+def told(width: float) -> str:
+    return f"{width:.2g}"
+
+
+def between(values: Sequence[float], digits: int) -> str:
+    """The range of some numbers."""
+    low, high = (f"{end(values):.{digits}f}" if len(values) else "-"
+                 for end in (min, max))
+    return low if low == high else f"{low} to {high}"
+
+
+class Study:
+    """The motions, and the tables made of them. Of each motion `effective` is
+    its effective width, `after` the time from the two-fold to the exit, and
+    `disturbance` the kick at the two-fold that would make this exit [m/s]."""
+
+    def __init__(self, folder: Path) -> None:
+        self.families = json.loads((folder / "finer-families.json")
+                                   .read_text())
+        self.fold = TwoFold(self.families["fold"])
+        self.turned = table.read(folder / "finer-turning.csv").abs()
+        rows = table.read(folder / "finer-runs.csv", list(KEPT))
+        unit = {form: self.fold.width(form, 1) for form in PHI}
+        rows["effective"] = rows.width / rows.form.map(unit)
+        grown = (rows.side != 0) & (rows.behind >= GROWN)
+        rows["disturbance"] = (EXIT * rows.effective / rows.behind.map(
+            self.fold.gain)).where(grown)
+        name = rows.experiment.str.split(expand=True)
+        rows["name"], rows["n"] = name[0], pd.to_numeric(name[1])
+        rows["step"] = name[2]
+        self.rows = rows
+        self.exact = rows[rows.name == "exact"].set_index(["form", "n"])
+
+    def of(self, name: str, **values: object) -> pd.DataFrame:
+        """The motions of some experiments."""
+        found = self.rows[self.rows.name == name]
+        for column, value in values.items():
+            found = found[found[column] == value]
+        return found
+
+    @staticmethod
+    def exit(row: pd.Series) -> str:
+        """Side and time [ms] of an exit."""
+        return f"{' +-'[int(row.side)]} {1e3 * row.after:.4g}" \
+            if row.side else "rests"
+
+    def alike(self, bits: int, n: int) -> Optional[float]:
+        """The share of last-bit starts whose exit is that of binary128."""
+        rows = self.of("bits", bits=bits, n=n)
+        if rows.empty:
+            return None
+        exact = self.exact.loc["algebraic", n]
+        same = rows.side == exact.side
+        if exact.side:
+            same &= (rows.after / exact.after - 1).abs() < ALIKE
+        return float(same.mean())
+
+    def critical(self, bits: int) -> float:
+        """The effective width at which half of them are."""
+        for a, b in zip(LAST_BITS[bits], LAST_BITS[bits][1:]):
+            high, low = self.alike(bits, a), self.alike(bits, b)
+            if high is not None and low is not None and high >= 0.5 > low:
+                return 10 ** (-(a + (high - 0.5) / (high - low)) / 4)
+        return math.nan
+
+    def rounding(self, bits: int) -> float:
+        """The disturbance, in half units in the last place of 1, that rounding
+        amounts to: the median where no exit is that of binary128."""
+        rows = self.of("bits", bits=bits)
+        few = [n for n in LAST_BITS[bits]
+               if (self.alike(bits, n) or 0) < 0.25]
+        return rows[rows.n.isin(few)].disturbance.dropna().median() / UNITS[bits]
+
+    def predicted(self, bits: int) -> float:
+        """Where the exact motion carries as much as rounding in double."""
+        exact = self.exact.loc["algebraic"].disturbance.dropna()
+        want = -math.log(self.rounding(53) * UNITS[bits])
+        at = -np.log(exact.to_numpy())
+        return 10 ** (-np.interp(want, at, exact.index) / 4) \
+            if at[0] <= want <= at[-1] else math.nan
+
+    def selected(self) -> str:
+        """Side and time by form and width, and what follows; and the shares of
+        each precision."""
+        lines = []
+        for n in EXACT_ALGEBRAIC:
+            here = self.exact.xs(n, level="n")
+            grown = here.behind[here.side != 0]
+            others = here.drop("angle", errors="ignore")
+            shares = [self.alike(bits, n) for bits in UNITS]
+            lines.append([
+                told(10 ** (-n / 4)),
+                *(self.exit(here.loc[form]) if form in here.index else ""
+                  for form in PHI),
+                between(grown if grown.min() > GROWN else [], 1),
+                between(1e3 * others.zero_r, 2),
+                *("" if one is None else f"{one:.2f}" for one in shares)])
+        return table.markdown(
+            ["effective width [m/s]", *PHI, "E", "r [mm], all but `angle`",
+             *NAMES.values()], lines)
+
+    def kicked(self) -> str:
+        """Spread of futures under one disturbance, the smaller one."""
+        lines = []
+        for (kick, n), rows in self.of("kicked", n=KICKED[0]).groupby(
+                ["n", pd.to_numeric(self.rows.step)]):
+            left = rows[rows.side != 0]
+            lines.append([
+                f"{kick:g}", told(10 ** (-n / 4)), f"{len(left)} of "
+                f"{len(rows)}", (rows.side == 1).sum(),
+                f"{1e3 * np.ptp(left.exit_r):.2g}" if len(left) else "",
+                f"{1e3 * np.ptp(rows.zero_r):.2g}"])
+        return table.markdown(
+            ["disturbance [m/s]", "effective width [m/s]", "leave", "to slip+",
+             "range of r at exit [mm]", "range of r where g = 0 [mm]"], lines)
+
+    def kick_exponents(self) -> pd.DataFrame:
+        """Motions after a kick and, where the kick is small enough, the
+        exponent that Kummer's function predicts."""
+        rows = self.of("kick").sort_values(["n", "kick"],
+                                           ascending=[True, False])
+        return rows.assign(want=[self.fold.exponent(gain) for gain in
+                                 EXIT * rows.effective / rows.kick])
+
+    def gamma(self) -> str:
+        """Machines with the wheel at other angles."""
+        lines = []
+        for row in self.families["gamma"]:
+            ratio = row["strong"] / row["weak"]
+            lines.append([
+                *(f"{row[name]:.4g}" for name in ("angle", "kappa", "k2")),
+                row["type"], row["case"] or "-",
+                f"{row['weak']:.4g}", f"{row['strong']:.4g}",
+                f"{ratio:.4g}" if ratio > 0 else "-",
+                f"{row['jump_p']:.3g}", f"{row['jump_w']:.3g}",
+                f"{row['behind']:.3g}" if row["behind"] else "-"])
+        return table.markdown(
+            ["gamma + pi", "kappa [m]", "k2 [N/m]", "type", "case", "weak",
+             "strong", "ratio", "jump of p' [m/s^2]", "of w' [rad/s^2]",
+             "stick behind [s]"], lines)
+
+    def power(self) -> str:
+        """Exponent of the disturbance over the width, where all are past
+        GROWN, by a fit with its 95 % half interval."""
+        rows = self.exact[self.exact.disturbance > 0].reset_index()
+        rows = rows[(rows.n >= 22) & (rows.form != "angle")]
+        x, y = np.log(rows.effective), np.log(rows.disturbance)
+        fit = np.polyfit(x, y, 1)
+        rest = y - np.polyval(fit, x)
+        error = math.sqrt((rest ** 2).sum() / (len(x) - 2)
+                          / ((x - x.mean()) ** 2).sum())
+        return (f"{fit[0]:.2f} (+- {2 * error:.2f} by the fit alone, {len(x)} "
+                "motions from 3e-6 m/s down)")
+
+    def numbers(self) -> str:
+        """What the text speaks of."""
+        nu, limits = self.fold.nu, self.families["limits"]
+        exact, circle = self.exact.loc["algebraic"], self.families["circle"]
+        kicks = self.kick_exponents().dropna(subset="want").sort_values("kick")
+        over = 100 * (kicks.behind / kicks.want - 1)
+        turn = np.polyfit(*np.log(self.turned[["width", "high"]].T.values), 1)
+        wide = [self.critical(bits) for bits in UNITS]
+        roots = families.circle_roots()
+        apart = max(min(abs(end - one) for one in roots)
+                    for _, _, end, _, _ in circle["motions"])
+        last, exacts = exact.iloc[-1], self.of("exact")
+        moved = np.ptp(self.of("start", n=1e-3).exit_r)
+        return table.markdown(["what", "value"], [
+            ["phi of the stick through the two-fold, lambda/mu",
+             f"{self.fold.share:.4f}"],
+            ["r at the exit, where w at the start changes by up to 1e-3",
+             f"{moved:.0e} m"],
+            ["least kick that turns the exit, at an effective width",
+             ", ".join(f"{one.high:.2g} m/s at {one.width:.2g} m/s"
+                       for _, one in self.turned.iterrows())],
+            ["its exponent over these widths; for width to 0, (ratio + 1)/2",
+             f"{turn[0]:.1f}; {nu / 2 + 1:.2f}"],
+            ["that kick from E, by theory's leading order",
+             f"{exact.disturbance[24]:.0e} m/s at 1e-6 m/s, "
+             f"{last.disturbance:.0e} at {last.effective:.0e}, exponent "
+             + self.power()],
+            ["critical widths of float, double, x87; to that of double",
+             ", ".join(f"{one:.1e} m/s" for one in wide) +
+             f"; {wide[0] / wide[1]:.1f}, {wide[2] / wide[1]:.2f}"],
+            ["predicted; rounding is a kick of so many u", ", ".join(
+                "-" if np.isnan(one) else f"{one:.1e} m/s" for one in
+                map(self.predicted, UNITS)) + "; " + ", ".join(
+                    "-" if np.isnan(one) else f"{one:.0f}" for one in
+                    map(self.rounding, UNITS))],
+            ["measured E above what is predicted",
+             f"{over[1:].min():.1g} to {over[1:].max():.1g} %; at the least "
+             f"kick, {kicks.kick.iloc[0]:g} m/s, {over.iloc[0]:.0f} %"],
+            ["largest sum of estimated errors in binary128",
+             f"{exacts[exacts.form != 'angle'].error.max():.0e}"],
+            ["the core's law `smooth` from it, width 1e-3, t = 0.15 s",
+             ", ".join(f"{error:.2g} at dt = {dt:g} s"
+                       for dt, error in self.families["core"])],
+            ["nu = ratio - 1; C; width times contraction at the finest one",
+             f"{nu:.4f}; {1e3 * self.families['C']:.5f} mm/s; "
+             f"{-1e3 * last.before * last.width:.5f} mm/s"],
+            ["case 1 ends at gamma + pi; with kappa and k2 held it lasts",
+             f"{limits['designed']:.4f}; from {limits['held_low']:.4f} to "
+             f"{limits['held_high']:.4f}"],
+            ["rolling circle: roots; motions keep r, end within",
+             f"{roots[0]:.7f} and {roots[1]:.7f} rad/s; to "
+             f"{max(one[1] for one in circle['motions']):g} m, "
+             f"{apart:.0e} rad/s"],
+            ["rate of the distance from it at -1.415 and 1.415 rad/s",
+             "{:.4f} and {:.4f} 1/s".format(*circle["rates"])]])
+
+
+def parts(kept: Path) -> dict[str, str]:
+    """What the page has of it."""
+    study = Study(kept)
+    return {name: getattr(study, name)() for name in (
+        "numbers", "selected", "kicked", "gamma")}

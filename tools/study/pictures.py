@@ -1,0 +1,25 @@
+"""Pictures by matplotlib, in few colours: a tree keeps them for ever."""
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+from matplotlib import pyplot
+from PIL import Image
+
+COLOURS = 64
+
+
+def save(figure: pyplot.Figure, path: Path, dpi: int) -> None:
+    """A figure as PNG with a palette."""
+    figure.tight_layout()
+    drawn = io.BytesIO()
+    figure.savefig(drawn, dpi=dpi, format="png")
+    small(Image.open(drawn), path)
+    pyplot.close(figure)
+
+
+def small(picture: Image.Image, path: Path) -> None:
+    """A picture with a palette, no dots between its colours."""
+    picture.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(
+        path, optimize=True)

@@ -1,0 +1,437 @@
+"""`make recurrence`: where in the space of machines the motion returns to its
+two-fold, docs/RECURRENCE.md.
+
+What the machines are, and how each is followed: space.py. A machine is
+*lasting* where every cycle that was followed returned, in the first pass and
+in the long one, *partly* where some did, *never* where none did; where some did
+not, the pass that waits decides. Shares have Wilson's 95 % interval.
+"""
+from __future__ import annotations
+
+import csv
+import json
+import math
+import subprocess
+import sys
+import time
+import zlib
+from collections import Counter
+from pathlib import Path
+from typing import Iterator, Optional
+
+import numpy as np
+import pandas as pd
+from scipy import ndimage, stats
+from statsmodels.stats.contingency_tables import StratifiedTable
+
+import basins
+import driven
+import maps
+import space
+import table
+from space import (CLASSES, ENDINGS, KINDS, LOST, PASSES, QUARTERED, SPACES,
+                   WAIT, classes, ends, most, passes_of, quarters)
+
+PAGE = "docs/RECURRENCE.md"
+PART = 100  # machines
+REASONS = "no design", "not case 1", "not followed"
+RATIOS = 1, 2, 3, 4, 6, 8, 16, 32, 2048
+FEWEST = 3  # machines of a region that is listed
+# Resonances: the share within NEAR of each whole number against that between
+# NEAR and BESIDE from it, on both sides, so that a trend cancels.
+WHOLE = range(3, 11)
+NEAR, BESIDE = 0.05, 0.25
+ENOUGH = 100  # machines near a whole number, to speak of a bound
+WHAT = {"lasting": ("lasting",), "returns at all": ("lasting", "partly")}
+
+
+# Following.
+
+class Twofold:
+    """The command line."""
+
+    def __init__(self, program: str) -> None:
+        self.program = program
+
+    def said(self, *words: str) -> Optional[str]:
+        """What it prints; None where it refuses."""
+        done = subprocess.run([self.program, *words], text=True, check=False,
+                              stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL)
+        return done.stdout if done.returncode == 0 else None
+
+    def cycles(self, words: list[str], patience: int
+               ) -> Optional[Counter[str]]:
+        """The number of cycles by how they ended, and of late ones; None where
+        the two-fold cannot be followed. What diverge calls `timeout` is told
+        by what came before it."""
+        text = self.said(*words, "--returns", "-")
+        if text is None:
+            return None
+        count: Counter[str] = Counter()
+        for cycle in csv.DictReader(line for line in text.splitlines()
+                                    if line[0] != "#"):
+            end = cycle["outcome"]
+            if end == "timeout":
+                end = "landed" if int(cycle["landings"]) > 0 else \
+                    "slipping" if cycle["exit_r"] else "sticking"
+            count[end] += 1
+            count["late"] += (end == "returned" and
+                              float(cycle["time"]) > patience / 2)
+        return count
+
+    def row(self, number: int) -> dict[str, object]:
+        """What becomes of a machine; what is not known is left out."""
+        name, r, omega, settings = space.drawn(number)
+        found = {"machine": number, "space": name, "r": r, "omega": omega,
+                 **settings}
+        text = self.said("design", "chaos", *space.set_words(settings),
+                         "--r", repr(r), f"--omega={omega!r}")
+        if text is None:
+            return {**found, "reason": "no design"}
+        design = json.loads(text)
+        fold = design["two_fold"]
+        settings.update(kappa=design["kappa"], k2=design["k2"])
+        found.update(settings)
+        if fold["case"] != 1 or not fold["directions"][0]["sticks"]:
+            return {**found, "reason": "not case 1"}
+        found["ratio"] = fold["eigenvalues"][1] / fold["eigenvalues"][0]
+        found["seed"] = space.seed_of(number, "random")
+        for name, run in PASSES.items():
+            count: Optional[Counter[str]] = Counter()
+            if space.is_followed(name, lambda other: [
+                    found[f"{other}_{end}"] for end in ENDINGS]):
+                count = self.cycles(space.follow_words(
+                    name, settings, space.seed_of(number, name)), run.patience)
+            if count is None:
+                return {**found, "reason": "not followed"}
+            found.update((f"{name}_{what}", count[what])
+                         for what in (*ENDINGS, "late"))
+        return found
+
+
+def line_of(found: dict[str, object]) -> str:
+    return ",".join(str(found.get(name, "")) for name in space.COLUMNS)
+
+
+def follow(work: Path, twofold: str) -> None:
+    """All machines, in parts that end with a line that counts their rows; one
+    that is whole is not done again. Then recurrence.csv."""
+    program = Twofold(twofold)
+    parts = math.ceil(space.MACHINES / PART)
+    run = zlib.crc32(repr((
+        space.MACHINES, space.SEED, SPACES, space.DRAWN, space.GAMMA, PASSES,
+        space.COLUMNS, program.said("--version"))).encode())
+    begin, done = time.time(), 0
+
+    def part(i: int) -> None:
+        nonlocal done
+        path = work / f"{i}.csv"
+        if not path.exists() or not path.read_text("ascii").endswith(
+                f", run {run:08x}\n"):
+            head = [",".join(space.COLUMNS)] if i == 1 else []
+            rows = [line_of(program.row(number)) for number in range(
+                PART * (i - 1), min(PART * i, space.MACHINES))]
+            text = "".join(f"{line}\n" for line in head + rows)
+            text += (f"# shard {i}/{parts}: {len(rows)} rows, crc32 "
+                     f"{zlib.crc32(text.encode()):08x}, run {run:08x}\n")
+            beside = path.with_suffix(".part")
+            beside.write_text(text, "ascii")
+            beside.rename(path)
+        done += 1
+        took = time.time() - begin
+        print(f"  {done} of {parts} parts after {took:.0f} s, "
+              f"{took * (parts - done) / done:.0f} s left", file=sys.stderr)
+
+    driven.side_by_side(part, range(1, parts + 1))
+    (work / "recurrence.csv").write_text(
+        "".join((work / f"{i}.csv").read_text("ascii")
+                for i in range(1, parts + 1)), "ascii")
+    rows = followed_of(work)
+    print("  basins", file=sys.stderr)
+    basins.follow(work, twofold, rows[rows.space == "near"])
+
+
+def show(number: int, twofold: str) -> None:
+    """A machine, as a row and as commands."""
+    found = Twofold(twofold).row(number)
+    print(",".join(space.COLUMNS), line_of(found), sep="\n")
+    if "reason" in found:
+        return
+    settings = {name: found[name] for name in (*space.SETTINGS, "kappa", "k2")
+                if name in found}
+    for name in PASSES:
+        print(twofold, *space.follow_words(name, settings,
+                                           space.seed_of(number, name)))
+
+
+# Counting.
+
+def rows_of(work: Path) -> pd.DataFrame:
+    return table.read(work / "recurrence.csv", space.COLUMNS, counted=True)
+
+
+def followed_of(work: Path) -> pd.DataFrame:
+    """Machines that were followed, with their classes."""
+    rows = rows_of(work)
+    rows = rows[rows.reason.isna()]
+    return rows.assign(**{kind: classes(rows, kind) for kind in KINDS})
+
+
+def per_space(rows: pd.DataFrame, followed: pd.DataFrame
+              ) -> Iterator[dict[str, object]]:
+    """What became of the machines of a space, and of how many the long pass
+    loses cycles of which the first one loses none."""
+    for name in SPACES:
+        drawn, here = (one[one.space == name] for one in (rows, followed))
+        above = drawn[drawn.omega >= space.OMEGA0]
+        for kind in KINDS:
+            first, second = (ends(here, one) for one in passes_of(kind))
+            kept = first[:, 1:].sum(1) == 0
+            lost = second[kept, 1:].sum(1)
+            yield {"space": name, "kind": kind, "drawn": len(drawn),
+                   **{one: (drawn.reason == one).sum() for one in REASONS},
+                   "followed": len(here),
+                   **{one: (here[kind] == one).sum() for one in CLASSES},
+                   "above": len(above), "above_of_case_1":
+                       (~above.reason.isin(REASONS[:2])).sum(),
+                   "kept_in_first": kept.sum(), "lost_in_long":
+                       (lost > 0).sum(), "long_cycles": second[kept].sum(),
+                   "long_lost": lost.sum(),
+                   "returned": first[:, 0].sum() + second[:, 0].sum(),
+                   "late": sum(here[f"{one}_late"].sum()
+                               for one in passes_of(kind))}
+
+
+def per_wait(rows: pd.DataFrame) -> Iterator[dict[str, object]]:
+    """What waiting brings back."""
+    for name in SPACES:
+        here = rows[(rows.space == name) & (ends(rows, WAIT).sum(1) > 0)]
+        found = ends(here, WAIT)
+        yield {"space": name, "machines": len(here),
+               "lasting": (here.random == "lasting").sum(),
+               "cycles": found.sum(), "lost": found[:, 1:].sum(),
+               "late": here[f"{WAIT}_late"].sum()}
+
+
+def per_ending(rows: pd.DataFrame) -> Iterator[dict[str, object]]:
+    """Machines that never return, by how most of their cycles end; and all
+    cycles of the first passes that did not."""
+    for name in SPACES:
+        here = rows[rows.space == name]
+        for kind in KINDS:
+            never = ends(here[here[kind] == "never"], kind)
+            of = Counter(most(never))
+            yield {"space": name, "kind": kind, "of": "machines",
+                   **{end: of[end] for end in LOST},
+                   "several": ((never[:, 1:] > 0).sum(1) > 1).sum()}
+            yield {"space": name, "kind": kind, "of": "cycles",
+                   **dict(zip(LOST, ends(here, kind)[:, 1:].sum(0)))}
+
+
+def in_bins(rows: pd.DataFrame, column: str, edges: np.ndarray
+            ) -> Iterator[dict[str, object]]:
+    """Classes of machines, exits at random, in bins of a column."""
+    for low, high in zip(edges, edges[1:]):
+        here = rows[(rows[column] >= low) & (rows[column] < high)]
+        yield {"low": f"{low:.6g}", "high": f"{high:.6g}",
+               "followed": len(here), **{one: (here.random == one).sum()
+                                         for one in CLASSES}}
+
+
+def regions(rows: pd.DataFrame, name: str, kind: str,
+            total: int) -> Iterator[dict[str, object]]:
+    """Cells of the grid whose machines are lasting and that touch, by a side
+    or a corner; the largest region first."""
+    rows = rows[(rows.space == name) & (rows[kind] == "lasting")]
+    if rows.empty:
+        return
+    (low, high), (slow, fast) = SPACES[name].window
+    half = np.array([high - low, fast - slow]) / space.side(name, total) / 2
+    cells = tuple(np.transpose([space.cell(number, name, total)
+                                for number in rows.machine]))
+    grid = np.zeros(np.max(cells, axis=1) + 1, bool)
+    grid[cells] = True
+    labels = ndimage.label(grid, np.ones((3, 3)))[0][cells]
+    for label, n in Counter(labels).most_common():
+        at = rows[["r", "omega"]].to_numpy()[labels == label]
+        holds = (np.abs(at - space.CHAOS) <= half).all(axis=1).any()
+        if n >= FEWEST or holds:
+            (r, omega), (r_end, omega_end) = at.min(axis=0), at.max(axis=0)
+            yield {"space": name, "kind": kind, "lasting": n,
+                   "r_low": f"{r:.3f}", "r_high": f"{r_end:.3f}",
+                   "omega_low": f"{omega:.3f}", "omega_high":
+                       f"{omega_end:.3f}", "chaos": "yes" if holds else "no"}
+
+
+def resonances(rows: pd.DataFrame) -> Iterator[dict[str, object]]:
+    """k of n near each whole number, and beside it."""
+    for name in SPACES:
+        here = rows[rows.space == name]
+        for what, of in WHAT.items():
+            hit = here.random.isin(of)
+            for whole in WHOLE:
+                away = (here.ratio - whole).abs()
+                near, beside = away < NEAR, (away >= NEAR) & (away < BESIDE)
+                yield {"space": name, "what": what, "whole": whole,
+                       "near": hit[near].sum(), "of_near": near.sum(),
+                       "beside": hit[beside].sum(), "of_beside": beside.sum()}
+
+
+def count(work: Path, kept: Path, build: str) -> None:
+    """Writes what the page is made of, and its pictures."""
+    del build
+    rows, followed = rows_of(work), followed_of(work)
+
+    def keep(name: str, found: Iterator[dict[str, object]]) -> None:
+        pd.DataFrame(found).to_csv(kept / f"recurrence-{name}.csv",
+                                   index=False)
+
+    others = followed[followed.space == "random"]
+    keep("machines", per_space(rows, followed))
+    keep("waits", per_wait(followed))
+    keep("endings", per_ending(followed))
+    keep("regions", (one for name, of in SPACES.items() if of.window
+                     for kind in KINDS
+                     for one in regions(followed, name, kind, len(rows))))
+    keep("ratios", ({"space": name, **one} for name in SPACES for one in
+                    in_bins(followed[followed.space == name], "ratio",
+                            np.array(RATIOS))))
+    keep("resonances", resonances(followed))
+    keep("quarters", ({"parameter": column, **one} for column in QUARTERED
+                      for one in in_bins(others, column,
+                                         quarters(others, column))))
+    maps.draw(kept / "recurrence.png", followed, len(rows))
+    basins.count(work, kept)
+
+
+# The page.
+
+def share(k: int, n: int) -> str:
+    """A share with its interval."""
+    return table.share(k, n).text(3)
+
+
+def machines_table(frame: pd.DataFrame) -> str:
+    return table.markdown(
+        ["machines", "exits by", "drawn", *REASONS, "followed", *CLASSES,
+         "lost in the long pass alone"],
+        [[SPACES[row.space].title, row.kind, row.drawn,
+          *(row[one] for one in REASONS), row.followed,
+          *(share(row[one], row.followed) for one in CLASSES),
+          f"{row.lost_in_long} of {row.kept_in_first}"]
+         for _, row in frame.iterrows()])
+
+
+def waits_said(frame: pd.DataFrame) -> str:
+    """What waiting brings back."""
+    return ("Of machines that lose some cycles and not all so many lose none "
+            "where they are waited for:\n" + ", ".join(
+                f"{row.lasting} of {row.machines} ({SPACES[row.space].title})"
+                for _, row in frame.iterrows()) + ".")
+
+
+def endings_table(frame: pd.DataFrame) -> str:
+    """Of the machines; those of the cycles stand in the kept counts."""
+    return table.markdown(
+        ["machines", "exits by", "in all", *LOST, "several"],
+        [[SPACES[row.space].title, row.kind, sum(row[end] for end in LOST),
+          *(row[end] for end in LOST), f"{row.several:.0f}"]
+         for _, row in frame[frame.of == "machines"].iterrows()])
+
+
+def regions_table(frame: pd.DataFrame) -> str:
+    return table.markdown(
+        ["machines", "exits by", "lasting", "r* [m]", "omega* [rad/s]",
+         "has the cell of `chaos`"],
+        [[SPACES[row.space].title, row.kind, row.lasting,
+          f"{row.r_low:.3f} to {row.r_high:.3f}",
+          f"{row.omega_low:.3f} to {row.omega_high:.3f}", row.chaos]
+         for _, row in frame.iterrows()])
+
+
+def ratios_table(frame: pd.DataFrame) -> str:
+    """The share that is lasting, of each space."""
+    return table.markdown(
+        ["ratio of eigenvalues", *(f"{one.title}, lasting"
+                                   for one in SPACES.values())],
+        [[f"{low:.3g} to {high:.3g}",
+          *(share(row.lasting, row.followed) + f" of {row.followed}"
+            for name in SPACES for _, row in here[here.space == name]
+            .iterrows())]
+         for (low, high), here in frame.groupby(["low", "high"])
+         if here.followed.any()])
+
+
+def quarters_table(frame: pd.DataFrame) -> str:
+    """The share that is lasting in each quarter of a parameter."""
+    return table.markdown(
+        ["parameter", "quarters", *("lasting" for _ in range(4))],
+        [[name, ", ".join(f"{x:.3g}" for x in (*here.low, here.high.iloc[-1])),
+          *(share(row.lasting, row.followed) for _, row in here.iterrows())]
+         for name, here in frame.groupby("parameter", sort=False)])
+
+
+def tables_of(frame: pd.DataFrame) -> list[np.ndarray]:
+    """2 by 2 tables, near and beside by counted or not, as floats."""
+    return [np.array([[one.near, one.of_near - one.near],
+                      [one.beside, one.of_beside - one.beside]], float)
+            for _, one in frame.iterrows()]
+
+
+def together(found: list[np.ndarray]) -> float:
+    """The p-value of Cochran, Mantel and Haenszel over tables."""
+    found = [one for one in found if one.sum() > 1 and
+             (one.sum(0) > 0).all() and (one.sum(1) > 0).all()]
+    return float(StratifiedTable(np.dstack(found)).test_null_odds().pvalue) \
+        if found else 1.0
+
+
+def difference(found: list[np.ndarray]) -> table.Estimate:
+    """Share near less share beside, Mantel and Haenszel's weights, 95 %. The
+    variance of a share is Agresti and Caffo's, as of one machine more of either
+    kind: that of the share itself is 0 where none or all are counted."""
+    total = weights = variance = 0.0
+    for one in found:
+        n, m = one.sum(1)
+        if n and m:
+            weight = n * m / (n + m)
+            weights += weight
+            total += weight * (one[0, 0] / n - one[1, 0] / m)
+            for k, size in (one[0, 0], n), (one[1, 0], m):
+                p = (k + 1) / (size + 2)
+                variance += weight ** 2 * p * (1 - p) / (size + 2)
+    if not weights:
+        return table.Estimate(math.nan, math.nan, math.nan)
+    half = table.Z * math.sqrt(variance) / weights
+    return table.Estimate(total / weights, total / weights - half,
+                          total / weights + half)
+
+
+def resonances_said(frame: pd.DataFrame) -> str:
+    """By Fisher's exact test of each whole number, and of all together; all
+    tests corrected as one (Bonferroni)."""
+    groups = [here for _, here in frame.groupby(["space", "what"], sort=False)]
+    tests = len(frame) + len(groups)
+    found = {f"{row.whole} ({row.what}, {row.space})":
+             stats.fisher_exact(one)[1] * tests
+             for (_, row), one in zip(frame.iterrows(), tables_of(frame))}
+    found.update((f"all ({here.what.iloc[0]}, {here.space.iloc[0]})",
+                  together(tables_of(here)) * tests) for here in groups)
+    seen = [name for name, p in found.items() if p < 0.05]
+    wide = max((abs(end) for here in groups if here.of_near.sum() >= ENOUGH
+                for end in difference(tables_of(here))[1:]), default=math.nan)
+    said = "A difference is seen at " + ", ".join(seen) if seen else \
+        "No resonance is seen"
+    return (f"{said}: the least of the {tests} corrected p-values is "
+            f"{min(1, *found.values()):.2g}. Shares\nnear and beside differ by "
+            f"less than {wide:.2g} where {ENOUGH} machines or more are near.")
+
+
+def parts(kept: Path) -> dict[str, str]:
+    """What the page has of the counts."""
+    made = {"machines": machines_table, "regions": regions_table, "endings": endings_table,
+            "ratios": ratios_table, "resonances": resonances_said,
+            "quarters": quarters_table}
+    return {**{name: write(table.read(kept / f"recurrence-{name}.csv"))
+               for name, write in made.items()}, **basins.parts(kept)}
