@@ -17,7 +17,7 @@ import time
 import zlib
 from collections import Counter
 from pathlib import Path
-from typing import Iterator, Optional
+from typing import Iterator, Optional, Sequence
 
 import numpy as np
 import pandas as pd
@@ -36,6 +36,8 @@ PAGE = "docs/RECURRENCE.md"
 PART = 100  # machines
 REASONS = "no design", "not case 1", "not followed"
 RATIOS = 1, 2, 3, 4, 6, 8, 16, 32, 2048
+REGION = ("space", "kind", "lasting", "r_low", "r_high", "omega_low",
+          "omega_high", "chaos")
 FEWEST = 3  # machines of a region that is listed
 # Resonances: the share within NEAR of each whole number against that between
 # NEAR and BESIDE from it, on both sides, so that a trend cancels.
@@ -283,9 +285,10 @@ def count(work: Path, kept: Path, build: str) -> None:
     del build
     rows, followed = rows_of(work), followed_of(work)
 
-    def keep(name: str, found: Iterator[dict[str, object]]) -> None:
-        pd.DataFrame(found).to_csv(kept / f"recurrence-{name}.csv",
-                                   index=False)
+    def keep(name: str, found: Iterator[dict[str, object]],
+             columns: Optional[Sequence[str]] = None) -> None:
+        pd.DataFrame(list(found), columns=columns).to_csv(
+            kept / f"recurrence-{name}.csv", index=False)
 
     others = followed[followed.space == "random"]
     keep("machines", per_space(rows, followed))
@@ -293,7 +296,8 @@ def count(work: Path, kept: Path, build: str) -> None:
     keep("endings", per_ending(followed))
     keep("regions", (one for name, of in SPACES.items() if of.window
                      for kind in KINDS
-                     for one in regions(followed, name, kind, len(rows))))
+                     for one in regions(followed, name, kind, len(rows))),
+         REGION)
     keep("ratios", ({"space": name, **one} for name in SPACES for one in
                     in_bins(followed[followed.space == name], "ratio",
                             np.array(RATIOS))))

@@ -2,7 +2,7 @@
 // joined, looks like a smaller file that is whole. The last line of each part
 // says what it should have been, and which run it is of: a shard that was
 // stopped leaves the whole one of an earlier run under its name. It begins with
-// # because gnuplot, numpy and R skip such lines. tools/tables/read.py checks
+// # because gnuplot, numpy and R skip such lines. tools/study/table.py checks
 // it.
 
 #include "trailer.h"
