@@ -133,7 +133,8 @@ def turning(fold: TwoFold, run: Callable[..., list[str]],
     """Effective width, and between which two kicks of h at the two-fold the
     exit of form algebraic changes its side, by bisection in binary128."""
     effective = 10 ** (-n / 4)
-    form = ["form=algebraic", f"width={fold.width('algebraic', effective):.17g}"]
+    width = fold.width("algebraic", effective)
+    form = ["form=algebraic", f"width={width:.17g}"]
 
     def side(kick: float) -> str:
         head, line = run(113, [*form, f"kick={kick:.17g}"])
@@ -291,7 +292,8 @@ class Study:
         rows = self.of("bits", bits=bits)
         few = [n for n in LAST_BITS[bits]
                if (self.alike(bits, n) or 0) < 0.25]
-        return rows[rows.n.isin(few)].disturbance.dropna().median() / UNITS[bits]
+        kicks = rows[rows.n.isin(few)].disturbance.dropna()
+        return kicks.median() / UNITS[bits]
 
     def predicted(self, bits: int) -> float:
         """Where the exact motion carries as much as rounding in double."""

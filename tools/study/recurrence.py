@@ -434,7 +434,8 @@ def resonances_said(frame: pd.DataFrame) -> str:
 
 def parts(kept: Path) -> dict[str, str]:
     """What the page has of the counts."""
-    made = {"machines": machines_table, "regions": regions_table, "endings": endings_table,
+    made = {"machines": machines_table, "regions": regions_table,
+            "waits": waits_said, "endings": endings_table,
             "ratios": ratios_table, "resonances": resonances_said,
             "quarters": quarters_table}
     return {**{name: write(table.read(kept / f"recurrence-{name}.csv"))

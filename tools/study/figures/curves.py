@@ -162,7 +162,7 @@ def trajectories(path: Path) -> Iterator[tuple[str, list[list[str]]]]:
             yield name[2:], [line.split() for line in lines]
 
 
-# Figures. Of points that are many some are drawn, so that a picture stays small.
+# Figures. Of many points some are drawn, so that a picture stays small.
 
 def exits(folder: Path) -> Curves:
     """When, where and in which phase trajectories leave."""
