@@ -1,18 +1,13 @@
-#!/usr/bin/python3
-"""Worst stack of every function, from what gcc -fcallgraph-info=su wrote:
-
-    callgraph.py FILE.ci... FILE.s...
-
-prints "name bytes path" of global functions and of public inline ones. A frame
-is what gcc says of it, return address included. The worst of a function is its
-frame and the worst of what it calls; where the assembly only ever jumps to
-another function (a tail call) the frame is gone by then and does not add. A
-function that is in no file counts what is said of its library, else 32 bytes.
-Recursion, calls through pointers and frames of unbounded size are refused: exit
-code 1.
+"""Worst stack of every function, from what gcc -fcallgraph-info=su wrote
+(FILE.ci) and, where it is there, its assembly (FILE.s): of global functions
+and of public inline ones. A frame is what gcc says of it, return address
+included. The worst of a function is its frame and the worst of what it calls;
+where the assembly only ever jumps to another function (a tail call) the frame
+is gone by then and does not add. A function that is in no file counts what is
+said of its library, else 32 bytes. Recursion, calls through pointers and
+frames of unbounded size are refused.
 """
 import re
-import sys
 
 FLAT = 32
 
@@ -104,16 +99,3 @@ class Graph:
         self.path[name] = short(name) + way
         self.depth[name] = max(deepest, self.frame[name])
         return self.depth[name]
-
-
-def main():
-    graph = Graph(sys.argv[1:])
-    for row in graph.depths:
-        print(*row)
-    for text in graph.refused:
-        print(text, file=sys.stderr)
-    sys.exit(bool(graph.refused))
-
-
-if __name__ == "__main__":
-    main()

@@ -6,6 +6,7 @@ from typing import Iterable, Optional
 
 import pandas as pd
 
+import driven
 from boards import Board, Firmware, boards, plugin
 from measure import BUILD, COLUMNS, KEPT, OUT, REALS, say
 
@@ -56,10 +57,14 @@ def measure(names: list[str]) -> pd.DataFrame:
         say(" ".join("-" if n is None else str(n) for n in found[-1]))
     table = pd.DataFrame(found, columns=[*FIRMWARE, *HELD, *COUNTED])
     table = table.convert_dtypes()
-    old = read()
-    old = old[~old.board.isin(table.board)]
-    pd.concat([old, table]).sort_values("board", kind="stable").to_csv(
-        OUT / "table-sizes.csv", index=False)
+    core, old = driven.output("tools/stamp", "core").strip(), read()
+    if names:
+        with open(TABLE, encoding="utf-8") as file:
+            core = f"{file.readline()[2:].strip()} {', '.join(names)}: {core}"
+    whole = pd.concat([old[~old.board.isin(table.board)], table])
+    with open(OUT / "table-sizes.csv", "w", encoding="utf-8") as file:
+        print(f"# {core}", file=file)
+        whole.sort_values("board", kind="stable").to_csv(file, index=False)
     key = {"problem": table.scene, "solver": table.board + " " + table.real}
     return pd.concat([
         pd.DataFrame({**key, "dial": name, "instructions": table[name]})
