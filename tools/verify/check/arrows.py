@@ -322,8 +322,9 @@ SEEDS = {
     "tools/verify/a/two.h": '#include "verify/a/one.h"\n',
     "tools/cli/host/line.h": '#include "verify/a/one.h"\n',
     "tools/page/model.c": '#include "reference/judge.h"\n'
-                          "int own;\nint run(void) { return start(); }\n",
-    "tools/page/start.c": "int start(void) { return own; }\n",
+                          "int own(void) { return 1; }\n"
+                          "int run(void) { return start(); }\n",
+    "tools/page/start.c": "int start(void) { return own(); }\n",
     "tools/bench/fast.c": '#include "reference/judge.h"\n',
     "tests/reference/judge.h": "",
     "tools/bench/rows.py": "import later\n",
