@@ -69,10 +69,10 @@ $(foreach v,$(REALS),$(eval $(call cost_rules,$(v))))
 bounds: ## worst cost and stack of every public function
 bounds: $(VARIANTS:%=$(BUILD)/%/cost)
 	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' \
-	  tools/verify/cost/bounds.py search
-keep-bounds: ## copy them to docs/, and the calls for check cost
+	  tools/verify/cost/bounds.py
+keep-bounds: ## copy them to docs/bench, and the calls
 	@cp $(BUILD)/bounds/worst.* $(BUILD)/bounds/worst_stack tools/verify/cost/
-	@cp $(BUILD)/bounds/BOUNDS.md docs/
+	@cp $(BUILD)/bounds/worst.csv docs/bench/
 
 # tests/regress/test_corpus.c replays the corpus in every `make test`, without
 # clang.

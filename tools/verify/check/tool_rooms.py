@@ -1,7 +1,7 @@
 """Of check `arrows`: the rooms of tools/ and the one way between them, for
 includes in C and imports in Python. A room uses those before it in ROOMS, what
-lies in tools/ itself, and, from `bench` on, the reference of the tests. A C file
-of a room that names a function of another one is an arrow between the two.
+lies in tools/ itself, and, from `bench` on, the reference of the tests. A file
+in C that names a function of another one of its folder is an arrow, too.
 """
 import ast
 import json
