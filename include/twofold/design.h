@@ -1,6 +1,6 @@
 /// @file
 /// The kappa and k2 that put a two-fold at a given point, in closed form. Cost
-/// and stack: docs/BOUNDS.md.
+/// and stack: docs/BENCH.md.
 #ifndef TWOFOLD_DESIGN_H
 #define TWOFOLD_DESIGN_H
 

@@ -1,5 +1,5 @@
 /// @file
-/// The modes of contact. Cost and stack: docs/BOUNDS.md.
+/// The modes of contact. Cost and stack: docs/BENCH.md.
 #ifndef TWOFOLD_MODE_H
 #define TWOFOLD_MODE_H
 

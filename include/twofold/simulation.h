@@ -12,7 +12,7 @@
 /// Inputs that are set from outside hold for `deadman` steps (not seconds: a
 /// board in lockstep may wait). After that the inputs are the safe ones, those
 /// of a machine that nothing drives (tf_input_default), until they are set once
-/// more. Cost and stack: docs/BOUNDS.md.
+/// more. Cost and stack: docs/BENCH.md.
 #ifndef TWOFOLD_SIMULATION_H
 #define TWOFOLD_SIMULATION_H
 

@@ -1,5 +1,5 @@
 /// @file
-/// Every code that the core returns. Cost and stack: docs/BOUNDS.md.
+/// Every code that the core returns. Cost and stack: docs/BENCH.md.
 #ifndef TWOFOLD_STATUS_H
 #define TWOFOLD_STATUS_H
 

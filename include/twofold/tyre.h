@@ -1,7 +1,7 @@
 /// @file
 /// Tyre laws: friction force F [N] and aligning moment M [N m] as functions
 /// of the slip angle, that is of the ratio g/h of rolling to lateral slip. Cost
-/// and stack: docs/BOUNDS.md.
+/// and stack: docs/BENCH.md.
 #ifndef TWOFOLD_TYRE_H
 #define TWOFOLD_TYRE_H
 

@@ -17,8 +17,6 @@
 #define RATE TF_R(10.0) // of leaving an open stick [1/s]
 #define SEED 2014u
 #define LONGEST_STAY 5.0 // in one mode [s]: it sticks for 2, rests for 0.1
-#define PROGRESS 5.0     // [s]
-#define BATCH (1u << 16) // steps between two looks at the clock
 
 typedef struct {
   tf_compensated_t machine;
@@ -85,8 +83,7 @@ static void judge(soak_t *s, const tf_report_t *report, uint64_t step,
   if (!(drift <= 1)) s->drifted++;
 }
 
-static void step_through(soak_t *s, uint64_t from, uint64_t to, double *shown,
-                         uint64_t all) {
+static void step_through(soak_t *s, uint64_t from, uint64_t to) {
   for (uint64_t step = from + 1; step <= to; step++) {
     tf_report_t report;
     const double before = rounding(s);
@@ -101,10 +98,6 @@ static void step_through(soak_t *s, uint64_t from, uint64_t to, double *shown,
     s->trail = mix(s->trail, s->state.r);
     s->trail = mix(s->trail, s->state.v);
     s->trail = mix(s->trail, s->state.w) + s->state.mode;
-    if (step % BATCH != 0 || cli_now() - *shown < PROGRESS) continue;
-    *shown = cli_now();
-    (void)fprintf(stderr, "soak: step %.3g of %.3g, %.3g open, |h| <= %.2f\n",
-                  (double)step, (double)all, (double)s->open, s->drift);
   }
 }
 
@@ -136,14 +129,13 @@ static int soak(uint64_t steps, bool compensated) {
   const uint64_t half = steps / 2;
   const bool is_float = sizeof(tf_real_t) == 4;
   const double began = cli_now();
-  double shown = began;
   if (!start(&s, compensated) || !start(&again, compensated)) return 0;
-  step_through(&s, 0, half, &shown, steps);
+  step_through(&s, 0, half);
   memcpy(&again.state, &s.state, sizeof s.state);
   memcpy(&again.compensation, &s.compensation, sizeof s.compensation);
   again.trail = s.trail;
-  step_through(&s, half, steps, &shown, steps);
-  step_through(&again, half, steps, &shown, steps);
+  step_through(&s, half, steps);
+  step_through(&again, half, steps);
 
   printf("chaos, rule random, %s: %.6g steps in %.1f s, half of them twice\n",
          compensated ? "compensated"

@@ -64,15 +64,15 @@ define assemble
 	@echo '  COUNT $@'
 	@$(CC) $(1) -O2 -MMD -MP -S $< -o $@
 endef
-$(foreach v,$(VARIANTS),$(eval $(call cost_rules,$(v))))
+$(foreach v,$(REALS),$(eval $(call cost_rules,$(v))))
 
 bounds: ## worst cost and stack of every public function
 bounds: $(VARIANTS:%=$(BUILD)/%/cost)
 	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' \
-	  tools/verify/cost/bounds.py search
-keep-bounds: ## copy them to docs/, and the calls for check cost
+	  tools/verify/cost/bounds.py
+keep-bounds: ## copy them to docs/bench, and the calls
 	@cp $(BUILD)/bounds/worst.* $(BUILD)/bounds/worst_stack tools/verify/cost/
-	@cp $(BUILD)/bounds/BOUNDS.md docs/
+	@cp $(BUILD)/bounds/worst.csv docs/bench/
 
 # tests/regress/test_corpus.c replays the corpus in every `make test`, without
 # clang.
@@ -132,7 +132,7 @@ $(BUILD)/$(1)/libcorpus.a: $(call objects_of_$(1),$(FUZZ_PARTS))
 $(BUILD)/$(1)/tests/regress/test_corpus \
 $(BUILD)/$(1)/tests/law/test_extreme_analysis: $(BUILD)/$(1)/libcorpus.a
 endef
-$(foreach v,$(VARIANTS),$(eval $(call fuzz-rules,$(v))))
+$(foreach v,$(REALS),$(eval $(call fuzz-rules,$(v))))
 
 SOAK_STEPS := $(if $(filter command line environment,$(origin STEPS)),\
   $(STEPS),1e7)
@@ -141,7 +141,7 @@ $(BUILD)/$(1)/soak: $(call objects_of_$(1),tools/verify/soak.c \
     tools/cli/host/host.c) $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 endef
-$(foreach v,$(VARIANTS),$(eval $(call soak_rules,$(v))))
+$(foreach v,$(REALS),$(eval $(call soak_rules,$(v))))
 soak: ## chaos for STEPS=1e9 steps, then a replay
 soak: $(VARIANTS:%=$(BUILD)/%/soak)
 	@for p in $^; do $$p $(SOAK_STEPS) || exit 1; done

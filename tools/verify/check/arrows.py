@@ -13,8 +13,8 @@ includes itself through others, in the core, the tools and the ports; a header
 and the source beside it count as one there. The rooms of tools/ stand in a row,
 and what they include and import goes one way (tool_rooms.py). All of src/ can
 be compiled as one file: no name of a file is defined in another one, which
-universal ctags tells, and no two sources have one name, for an archive would have two members
-of it.
+universal ctags tells, and no two sources have one name, for an archive would
+have two members of it.
 
 The folders of the command line are in the order that tools/cli/commands.c
 describes. In port/ each file includes only what its line in a table allows, so
@@ -322,8 +322,9 @@ SEEDS = {
     "tools/verify/a/two.h": '#include "verify/a/one.h"\n',
     "tools/cli/host/line.h": '#include "verify/a/one.h"\n',
     "tools/page/model.c": '#include "reference/judge.h"\n'
-                          "int own;\nint run(void) { return start(); }\n",
-    "tools/page/start.c": "int start(void) { return own; }\n",
+                          "int own(void) { return 1; }\n"
+                          "int run(void) { return start(); }\n",
+    "tools/page/start.c": "int start(void) { return own(); }\n",
     "tools/bench/fast.c": '#include "reference/judge.h"\n',
     "tests/reference/judge.h": "",
     "tools/bench/rows.py": "import later\n",

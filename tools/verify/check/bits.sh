@@ -1,6 +1,7 @@
 #!/bin/sh
 # Same bits: the golden trajectory hashes hold under compilers and optimisations
-# (four settings; with FULL=yes twelve), and `twofold run` writes the same bytes.
+# (four settings; with FULL=yes twelve), and `twofold run` writes the same
+# bytes.
 . "$(dirname "$0")/lib.sh"
 need gcc gcc
 need clang clang

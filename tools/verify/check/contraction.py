@@ -68,7 +68,8 @@ for one in ("gcc", "clang"):
     if not build(f"CC={one}", f"BUILD={WORK}/{one}",
                  "TESTS=tests/golden/test_golden.c "
                  "tests/golden/test_population.c", f"CORE_FLAGS={FLAGS}",
-                 f"TEST_FLAGS={FLAGS} -Itests -Itests/support -Itests/reference -Isrc", "test"):
+                 f"TEST_FLAGS={FLAGS} -Itests -Itests/support "
+                 "-Itests/reference -Isrc", "test"):
         wrong(f"{one}: other golden hashes in gnu mode")
 
 for line in REFUSED:

@@ -2,10 +2,11 @@
 """The most expensive calls of the public functions that were ever found
 (tools/verify/cost/worst.*) are counted again, and a short search goes on from
 them: none takes more than bounds.SLACK times the kept figure, no figure is more
-than bounds.STALE times what its call takes now, and docs/BOUNDS.md has the
-figures. The counter itself is held against single steps. A public function has
-a kept call, or is plain; each is named in a test. EVALUATIONS
-calls of each function (300; with FULL=yes 20000)."""
+than bounds.STALE times what its call takes now, and docs/bench/worst.csv has
+the figures. The counter itself is held against single steps. A public function
+has a kept call, or is plain; each is named in a test. EVALUATIONS calls of each
+function (300; with FULL=yes 20000).
+"""
 import os
 import platform
 import re
@@ -78,11 +79,10 @@ tests = "\n".join(path.read_text() for path in Path("tests").rglob("*.[ch]"))
 for one in sorted(public_functions()):
     if not re.search(rf"\b{one}\b", tests):
         wrong(f"{one}: is named in no test")
-page = bounds.page(bounds.HERE, "")
-if page.split("\n|", 1)[1] != Path("docs/BOUNDS.md").read_text().split(
-        "\n|", 1)[1]:
-    wrong("docs/BOUNDS.md has other figures than are kept: make bounds && "
-          "make keep-bounds")
+if bounds.table(bounds.HERE).to_csv() != \
+        Path("docs/bench/worst.csv").read_text().split("\n", 1)[1]:
+    wrong("docs/bench/worst.csv has other figures than are kept: make bounds "
+          "&& make keep-bounds")
 checked(f"{functions} functions, {EVALUATIONS} calls each beside the most "
         "expensive known; gcc -O2, both real types; each public function is "
         "named in a test")

@@ -12,7 +12,7 @@ cppcheck "$@" -UTF_REAL_FLOAT tools || wrong "tools"
 # Programs of the boards hold the whole core in one file, where names that were
 # local to one of its files shadow those of another; clang-tidy reads them. So
 # do the tests of a firmware.
-cppcheck "$@" -UTF_REAL_FLOAT -Itests -Itests/support -Itests/reference -itests/target \
-  -itests/support/firmware_start.c -itests/line/test_firmware.c \
+cppcheck "$@" -UTF_REAL_FLOAT -Itests -Itests/support -Itests/reference \
+  -itests/target -itests/support/firmware_start.c -itests/line/test_firmware.c \
   -itests/line/test_firmware_keyed.c tests || wrong "tests"
 checked "src in both real types, tools, tests; $(cppcheck --version)"

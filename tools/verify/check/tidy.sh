@@ -33,7 +33,8 @@ files_in '*.c' tests/target | sample >"$BUILD/tidy.target"
 tidy <"$BUILD/tidy.core" || wrong "core in double"
 tidy -DTF_REAL_FLOAT <"$BUILD/tidy.core" || wrong "core in float"
 tidy -Itools <"$BUILD/tidy.tools" || wrong "tools"
-tidy -Itests -Itests/support -Itests/reference -Isrc <"$BUILD/tidy.tests" || wrong "tests"
+tidy -Itests -Itests/support -Itests/reference -Isrc <"$BUILD/tidy.tests" ||
+  wrong "tests"
 # Programs of the boards are given a number of steps, and a rate.
 tidy -Iport -DSTEPS=1000 -DRATE=1000 <"$BUILD/tidy.target" ||
   wrong "programs of the boards"

@@ -1,7 +1,8 @@
 """Of check `arrows`: the rooms of tools/ and the one way between them, for
 includes in C and imports in Python. A room uses those before it in ROOMS, what
-lies in tools/ itself, and, from `bench` on, the reference of the tests. What a
-C file of a room uses of another one, by name, is an arrow between the two."""
+lies in tools/ itself, and, from `bench` on, the reference of the tests. A file
+in C that names a function of another one of its folder is an arrow, too.
+"""
 import ast
 import json
 import re
@@ -61,14 +62,14 @@ def imports(root):
 
 
 def uses(root):
-    """(file, other file of the same folder of tools/ whose functions or
-    variables it names)."""
+    """(file, other file of the same folder of tools/ whose functions it
+    names); a table of functions that these read is data, no arrow back."""
     files = [path.relative_to(root).as_posix()
              for path in sorted(root.glob("tools/**/*.c"))]
     if not files:
         return
     tags = subprocess.run(
-        ["ctags", "--sort=no", "--output-format=json", "--kinds-C=fv",
+        ["ctags", "--sort=no", "--output-format=json", "--kinds-C=f",
          "--fields=+{file}", "-f", "-", *files], cwd=root, check=True,
         stdout=subprocess.PIPE, text=True).stdout
     home = {}

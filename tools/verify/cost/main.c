@@ -2,7 +2,6 @@
 //
 //   cost search EVALUATIONS [NAME...] <SEEDS   lines "name units count genes"
 //   cost replay <SEEDS                         the same, only what was found
-//   cost show NAME <SEEDS                      machine, state, inputs of it
 //   cost step NAME <SEEDS                      the same count by single steps
 //
 // Genes are spelled "index:hex,..." ("-": all 0); SEEDS are lines as they are
@@ -136,15 +135,12 @@ static int replay(void) {
   return 0;
 }
 
-static int with_seed(const char *name, int stepped) {
+static int step(const char *name) {
   for (size_t i = 0; i < seed_count; i++) {
     if (strcmp(seeds[i].call->name, name) != 0) continue;
     subject_t s = subject_of(&seeds[i].genes);
     s.units = seeds[i].units;
-    if (!stepped)
-      subject_print(&s);
-    else if (!print_stepped(seeds[i].call, &s))
-      return 1;
+    if (!print_stepped(seeds[i].call, &s)) return 1;
   }
   return 0;
 }
@@ -155,10 +151,7 @@ int main(int argc, char **argv) {
   if (!read_seeds()) return 2;
   if (strcmp(what, "search") == 0 && argc >= 3) code = search_all(argc, argv);
   if (strcmp(what, "replay") == 0) code = replay();
-  if (strcmp(what, "show") == 0 && argc == 3)
-    code = with_seed(short_of(argv[2]), 0);
-  if (strcmp(what, "step") == 0 && argc == 3)
-    code = with_seed(short_of(argv[2]), 1);
+  if (strcmp(what, "step") == 0 && argc == 3) code = step(short_of(argv[2]));
   if (code == 2) fputs("usage: see tools/verify/cost/main.c\n", stderr);
   free(seeds);
   return code;

@@ -4,7 +4,6 @@
 #include "verify/cost/subject.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #ifdef TF_REAL_FLOAT
@@ -203,24 +202,4 @@ subject_t subject_of(const genes_t *genes) {
     s.compensation.w = s.state.w * (TF_REAL_EPSILON / 4);
   }
   return s;
-}
-
-void subject_print(const subject_t *s) {
-  for (int i = 0; i < TF_PARAMETERS; i++) {
-    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
-    tf_real_t value;
-    memcpy(&value, (const char *)&s->params + range->offset, sizeof value);
-    printf("%s = %a  ", range->name, (double)value);
-  }
-  printf("\nlaw %d, rule %d, with_angle %d\n", (int)s->params.law,
-         (int)s->params.rule, (int)s->params.with_angle);
-  printf("r = %a  v = %a  w = %a  phi = %a  tick = %llu  seed = %u  mode %d\n",
-         (double)s->state.r, (double)s->state.v, (double)s->state.w,
-         (double)s->state.phi, (unsigned long long)s->state.tick,
-         (unsigned)s->state.seed, (int)s->state.mode);
-  printf("compensation: r = %a  v = %a  w = %a\n", (double)s->compensation.r,
-         (double)s->compensation.v, (double)s->compensation.w);
-  printf("omega0 = %a  r0 = %a  force = %a  torque = %a  alpha = %a\n",
-         (double)s->input.omega0, (double)s->input.r0, (double)s->input.force,
-         (double)s->input.torque, (double)s->input.alpha);
 }

@@ -38,7 +38,4 @@ tf_real_t real_of(uint32_t gene);
 // One with a magnitude between two powers of two, or 0.
 tf_real_t sized_of(uint32_t gene, int low, int high);
 
-// Prints parameters, state and inputs.
-void subject_print(const subject_t *s);
-
 #endif

@@ -42,9 +42,10 @@ fuzz() {
   result=ok
   # What a target says of its own (complaints of the command line) is left out:
   # stdout and stderr of it are closed, those of libFuzzer stay.
-  "$place" -max_total_time="$seconds" -max_len=512 -timeout=10 -close_fd_mask=3 \
-    -print_final_stats=1 -artifact_prefix="tests/regress/crash-$target-" \
-    "$place.found" "$corpus" >"$place.log" 2>&1 || result=FAILED
+  "$place" -max_total_time="$seconds" -max_len=512 -timeout=10 \
+    -close_fd_mask=3 -print_final_stats=1 \
+    -artifact_prefix="tests/regress/crash-$target-" "$place.found" "$corpus" \
+    >"$place.log" 2>&1 || result=FAILED
   printf '%-18s %10s %8s %8s %8s\n' "$run" \
     "$(last 'stat::number_of_executed_units: *\(.*\)')" \
     "$(last '.* cov: \([0-9]*\) .*')" "$(last '.* ft: \([0-9]*\) .*')" \

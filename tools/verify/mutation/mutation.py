@@ -76,7 +76,8 @@ def compiled(real: str, file: Path, root: Path, target: Path) -> bool:
     with sanitizers would report, and what is read before it is written is not
     0, as memcheck would."""
     flags = ["-ffreestanding"] if file.parts[0] == "src" else [
-        f"-I{root}/{place}" for place in ("tests", "tests/support", "src")]
+        f"-I{root}/{place}" for place in (
+            "tests", "tests/support", "tests/reference", "src")]
     return subprocess.run(
         [CC, "-std=c99", "-O1", "-ffp-contract=off", "-fno-math-errno",
          "-fPIC", "-w", REALS[real], "-fsanitize=bounds",
