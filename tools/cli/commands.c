@@ -32,6 +32,7 @@
 #include "analysis/analysis.h"
 #include "command.h"
 #include "completions.h"
+#include "diverge/counts.h"
 #include "diverge/diverge.h"
 #include "monitor/monitor.h"
 #include "run/run.h"

@@ -13,7 +13,6 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"
-#include "diverge.h"
 
 #define LINE 256
 #define HEADER "what,key,count"

@@ -9,6 +9,7 @@
 #include <stdint.h>
 
 #include "../host/output.h"
+#include "../setup/args.h"
 #include "../text/trailer.h"
 #include "tracker.h"
 
@@ -66,5 +67,10 @@ int cli_counts_read(cli_counts_t *counts, const char *name);
 /// Returns: CLI_DONE, or CLI_REFUSED after a message.
 int cli_counts_add(cli_counts_t *counts, const cli_counts_t *more,
                    const char *name);
+
+/// The command `merge`: checks that there are files, and adds them.
+/// Returns: CLI_DONE, or CLI_USAGE after a message; the exit code.
+int cli_merge_check(cli_args_t *args);
+int cli_merge(const cli_args_t *args);
 
 #endif

@@ -56,67 +56,74 @@ void cli_print_ranges(void) {
   }
 }
 
-// The number that has a name, or count where none has; then hint is the end of
-// a message that suggests the closest one.
-static size_t find_name(const char *name_of(unsigned), size_t count,
-                        const char *name, cli_hint_t *hint) {
+// Finds the number that has a name. what: for the message, what it names and all
+// of them.
+static int find_name(const char *name_of(unsigned), unsigned count,
+                     const char *option, const char *text, const char *name,
+                     const char *const what[2], unsigned *found) {
   cli_closest_t closest = cli_closest_to(name);
   for (unsigned i = 0; i < count; i++) {
     if (strcmp(name_of(i), name) == 0) {
-      return i;
+      *found = i;
+      return CLI_DONE;
     }
     cli_closest_offer(&closest, name_of(i));
   }
-  *hint = cli_closest_hint(&closest);
-  return count;
+  const cli_hint_t hint = cli_closest_hint(&closest);
+  return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s%s%s%s", option,
+                     text, what[0], name, what[1], hint.before, hint.name,
+                     hint.after);
 }
 
 int cli_find_law(const char *option, const char *text, const char *name,
                  tf_tyre_law_t *law) {
-  cli_hint_t hint;
-  const size_t found = find_name(tf_tyre_law_name, TF_TYRE_LAWS, name, &hint);
-  if (found == TF_TYRE_LAWS) {
-    return cli_message(CLI_USAGE,
-                       "%s %s: unknown law '%s'; laws are jump, coulomb, "
-                       "two_piece, string, smooth and none%s%s%s",
-                       option, text, name, hint.before, hint.name, hint.after);
-  }
+  static const char *const what[] = {
+      "law", "laws are jump, coulomb, two_piece, string, smooth and none"};
+  unsigned found = *law;
+  const int code = find_name(tf_tyre_law_name, TF_TYRE_LAWS, option, text, name,
+                             what, &found);
   *law = (tf_tyre_law_t)found;
-  return CLI_DONE;
+  return code;
 }
 
 int cli_find_rest(const char *option, const char *text, const char *name,
                   tf_rest_law_t *rest) {
-  cli_hint_t hint;
-  const size_t found = find_name(tf_rest_law_name, TF_REST_LAWS, name, &hint);
-  if (found == TF_REST_LAWS) {
-    return cli_message(CLI_USAGE,
-                       "%s %s: unknown law of rest '%s'; they are hull, square "
-                       "and bow_tie%s%s%s",
-                       option, text, name, hint.before, hint.name, hint.after);
-  }
+  static const char *const what[] = {"law of rest",
+                                     "they are hull, square and bow_tie"};
+  unsigned found = *rest;
+  const int code = find_name(tf_rest_law_name, TF_REST_LAWS, option, text, name,
+                             what, &found);
   *rest = (tf_rest_law_t)found;
-  return CLI_DONE;
+  return code;
 }
 
 int cli_find_rule(const char *option, const char *text, const char *name,
                   tf_rule_t *rule) {
-  cli_hint_t hint;
+  static const char *const what[] = {
+      "rule", "rules are persist, slip+, slip- and random[:SEED]"};
   if (strchr(name, ':') != NULL) {
     return cli_message(CLI_USAGE,
                        "%s %s: a seed is not part of a scene: give the rule "
                        "alone here, and --select %s to 'run'",
                        option, text, name);
   }
-  const size_t found = find_name(tf_rule_name, TF_RULES, name, &hint);
-  if (found == TF_RULES) {
-    return cli_message(CLI_USAGE,
-                       "%s %s: unknown rule '%s'; rules are persist, slip+, "
-                       "slip- and random[:SEED]%s%s%s",
-                       option, text, name, hint.before, hint.name, hint.after);
-  }
+  unsigned found = *rule;
+  const int code =
+      find_name(tf_rule_name, TF_RULES, option, text, name, what, &found);
   *rule = (tf_rule_t)found;
-  return CLI_DONE;
+  return code;
+}
+
+const tf_scene_t *cli_find_scene(const char *name, cli_hint_t *hint) {
+  cli_closest_t closest = cli_closest_to(name);
+  for (size_t i = 0; i < TF_SCENES; i++) {
+    if (strcmp(tf_scenes[i]->name, name) == 0) {
+      return tf_scenes[i];
+    }
+    cli_closest_offer(&closest, tf_scenes[i]->name);
+  }
+  *hint = cli_closest_hint(&closest);
+  return NULL;
 }
 
 int cli_read_rule(const char *select, tf_rule_t *rule, uint32_t *seed) {

@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "../text/closest.h"
 #include "twofold.h"
 
 /// Index of a parameter in tf_parameter_ranges, TF_PARAMETERS where no
@@ -39,6 +40,10 @@ int cli_find_rest(const char *option, const char *text, const char *name,
 /// Finds a rule by its name, likewise.
 int cli_find_rule(const char *option, const char *text, const char *name,
                   tf_rule_t *rule);
+
+/// Finds a built-in scene. hint: out where there is none.
+/// Returns: it, or NULL.
+const tf_scene_t *cli_find_scene(const char *name, cli_hint_t *hint);
 
 /// Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
 /// Returns: CLI_DONE, or CLI_USAGE after a message.

@@ -5,25 +5,9 @@
 
 #include <string.h>
 
-#include "../text/closest.h"
 #include "../text/message.h"
+#include "names.h"
 #include "scene_file.h"
-
-static const tf_scene_t *find_scene(const char *name) {
-  cli_closest_t closest = cli_closest_to(name);
-  for (size_t i = 0; i < TF_SCENES; i++) {
-    if (strcmp(tf_scenes[i]->name, name) == 0) {
-      return tf_scenes[i];
-    }
-    cli_closest_offer(&closest, tf_scenes[i]->name);
-  }
-  const cli_hint_t hint = cli_closest_hint(&closest);
-  (void)cli_message(CLI_USAGE,
-                    "unknown scene '%s'%s%s%s ('twofold scenes' lists them; "
-                    "a file has a . or a / in its name)",
-                    name, hint.before, hint.name, hint.after);
-  return NULL;
-}
 
 int cli_take_scene(const tf_scene_t **scene, const char *word) {
   if (*scene != NULL) {
@@ -37,8 +21,14 @@ int cli_take_scene(const tf_scene_t **scene, const char *word) {
     *scene = code == CLI_DONE ? &file.scene : NULL;
     return code;
   }
-  *scene = find_scene(word);
-  return *scene != NULL ? CLI_DONE : CLI_USAGE;
+  cli_hint_t hint;
+  *scene = cli_find_scene(word, &hint);
+  return *scene != NULL
+             ? CLI_DONE
+             : cli_message(CLI_USAGE,
+                           "unknown scene '%s'%s%s%s ('twofold scenes' lists "
+                           "them; a file has a . or a / in its name)",
+                           word, hint.before, hint.name, hint.after);
 }
 
 int cli_need_scene(const tf_scene_t *scene, const char *command) {

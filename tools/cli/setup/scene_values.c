@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/closest.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "names.h"
@@ -125,19 +124,16 @@ static int read_base(cli_scene_reader_t *reader, const char *name) {
                          reader->place);
     }
   }
-  cli_closest_t closest = cli_closest_to(name);
-  for (size_t i = 0; i < TF_SCENES; i++) {
-    if (strcmp(tf_scenes[i]->name, name) == 0) {
-      reader->file->scene = *tf_scenes[i];
-      (void)snprintf(reader->file->shows, sizeof reader->file->shows, "%s",
-                     tf_scenes[i]->shows);
-      (void)snprintf(reader->file->leaves_out, sizeof reader->file->leaves_out,
-                     "%s", tf_scenes[i]->leaves_out);
-      return CLI_DONE;
-    }
-    cli_closest_offer(&closest, tf_scenes[i]->name);
+  cli_hint_t hint;
+  const tf_scene_t *base = cli_find_scene(name, &hint);
+  if (base != NULL) {
+    cli_scene_file_t *file = reader->file;
+    file->scene = *base;
+    (void)snprintf(file->shows, sizeof file->shows, "%s", base->shows);
+    (void)snprintf(file->leaves_out, sizeof file->leaves_out, "%s",
+                   base->leaves_out);
+    return CLI_DONE;
   }
-  const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_message(CLI_USAGE,
                      "%s based-on: unknown scene '%s'%s%s%s ('twofold scenes' "
                      "lists them)",
