@@ -65,7 +65,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: help run test quick all clean FORCE $(REALS:%=line-%) line-csv \
-  own-scene
+  line-plotter own-scene
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -86,7 +86,7 @@ VERIFY_MAKEFILES := $(call room,verify) $(wildcard tests/reference/*.mk \
 # A target for users says what it does after `##`, on a line of its own; one
 # that only makefiles and scripts use has no such line and is named here or
 # beside its rule.
-HELPERS := FORCE $(REALS:%=line-%) line-csv own-scene
+HELPERS := FORCE $(REALS:%=line-%) line-csv line-plotter own-scene
 define group
 	@echo; echo '$(1)'
 	@sed -nE 's/^([a-z-]+): ## (.*)/  make \1\t\2/p' $(2) | expand -t 25
@@ -172,10 +172,10 @@ TWOFOLD := $(BUILD)/double/twofold
 # What tests of the line need: the host port's firmware, by a make of its own
 # with the same flags, for the board is chosen when a make begins.
 line_needs = $(filter $(1:%=tests/line/test_%.%),$(TESTS))
-LINE := $(if $(call line_needs,line hostile hil replay),\
-  $(REALS:%=$(BUILD)/%/hil) $(VARIANTS:%=line-%))
-LINE += $(if $(call line_needs,own_scene replay),own-scene)
-LINE += $(if $(call line_needs,streams),line-csv line-plotter \
+LINE := $(if $(call line_needs,line hostile hil),$(VARIANTS:%=line-%))
+LINE += $(if $(call line_needs,hil),$(REALS:%=$(BUILD)/%/hil))
+LINE += $(if $(call line_needs,replay),line-double own-scene)
+LINE += $(if $(call line_needs,streams whole),line-csv line-plotter \
   $(BUILD)/double/accepted)
 line_firmware = @MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf \
   BOARD=host CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' \

@@ -6,7 +6,6 @@
 # shellcheck disable=SC2016  # expressions of awk stand in single quotes
 . "$(dirname "$0")/../support/tap.sh"
 close=1e-12
-[ "$real" = double ] || close=1e-4
 
 # json NAME: the first number that stands under NAME in out.
 json() {

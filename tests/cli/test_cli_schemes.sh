@@ -39,14 +39,9 @@ moreau=$?
 run "$@" --scheme compensated
 check 'the summary names the scheme' grep -q '^scheme  *compensated,' err
 # What rounds h in stick is below the digits of the state.
-bound=1e-20
-if [ "$real" = double ]; then
-  check 'moreau is not as exact' [ $moreau -ne 0 ]
-  check 'ends where moreau does' near plain out 1e-12
-else
-  bound=1e-11
-fi
-check 'stick to more digits than the state has' stuck $bound
+check 'moreau is not as exact' [ $moreau -ne 0 ]
+check 'ends where moreau does' near plain out 1e-12
+check 'stick to more digits than the state has' stuck 1e-20
 # PHYSICS: the state at t = 1 s.
 echo '1,0.185676357258,0.010298364853,-0.987353474328' >truth
 check 'ends at the reference' near truth out 1e-6

@@ -59,7 +59,8 @@ required unlisted '2 passed, 1 failed' 'not listed: board alpha'
 required tools '1 passed, 5 failed' 'tool no-such-tool (apt-get install some' \
   'python no_such_module' 'sanitizers no-such-compiler' 'else sh'
 equal 'packages to install' "$(
-  REQUIRED=$D/tools "$root/tools/verify/check/required" packages | tr '\n' ' ')" \
+  REQUIRED=$D/tools "$root/tools/verify/check/required" packages |
+    tr '\n' ' ')" \
   'dash other some-package third '
 : >empty
 REQUIRED=$D/empty "$root/tools/verify/check/required" >out 2>err

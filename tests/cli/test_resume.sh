@@ -28,13 +28,13 @@ joined() {
 }
 
 for scheme in moreau located compensated; do
-  joined 1.25 3 1 chaos --scheme $scheme
+  joined 1.25 3 1 chaos --scheme $scheme --dt 1e-3
   joined 1.2345 2 10 chaos --scheme $scheme
 done
 for scene in $("$T" scenes | cut -d ' ' -f 1); do
   joined 1.5 3 100 "$scene"
 done
-joined 2 3 1 chaos --select random:9
+joined 2 3 1 chaos --select random:9 --dt 1e-3
 joined 1 2 100 driven --scheme compensated
 printf 't,omega0,force\n0,-1,0\n0.4,-1.2,0.1\n1.1,-0.9,0\n' >table.csv
 for between in held linear; do
@@ -69,8 +69,8 @@ printf 't,force\n0,0\n' >force.csv
 runs run chaos --t-end 0.1 --inputs force.csv --between held --save driven
 expectations run <<'WORDS'
 0 chaos --from driven --t-end 0.2|came there with --inputs, and goes on without
-0 chaos --from at --inputs force.csv --between held|came there without --inputs
-0 chaos --from driven --inputs force.csv --between linear|with another table
+0 chaos --from at --inputs force.csv --between held --t-end 1|came there without
+0 chaos --from driven --inputs force.csv --t-end 1 --between linear|with another
 3 chaos --from at --set kappa=0.3|kappa is 0.27&there and 0.3 here
 3 chaos --from at --dt 1e-3|dt is 0.0001 there and 0.001 here
 3 chaos --from at --set law=coulomb|law is jump there and coulomb here

@@ -186,7 +186,7 @@ sweep "$@" --out /dev/stdout --resume | cat >piped
 check 'a pipe keeps nothing, and is written as it is' cmp -s all piped
 
 # A kill at any time loses no row that is in the file.
-set -- chaos --over kappa=0.2:0.4:30 --over gamma=0.3:1.2:30 --t-end 20 \
+set -- chaos --over kappa=0.2:0.4:20 --over gamma=0.3:1.2:15 --t-end 20 \
   --dt 1e-3
 sweep "$@" --out whole
 "$T" sweep "$@" --out killed 2>err &

@@ -282,9 +282,9 @@ def test_decoder_in_python_is_that_in_c():
     seed = int(os.environ.get("SEED", "1"))
     rng = random.Random(seed)
     stream = b"\0".join(hostile_piece(rng) for _ in range(200000)) + b"\0piece"
-    said = output(str(BUILD / "double/accepted"), input=stream).decode().splitlines()
+    said = output(str(BUILD / "double/accepted"), input=stream).decode()
     in_c = []
-    for line in said:
+    for line in said.splitlines():
         kind, sequence, tick, *payload = line.split(" ")
         in_c.append((int(kind), int(sequence), int(tick),
                      bytes.fromhex(payload[0])))
