@@ -56,8 +56,10 @@ static tf_force_t string_force(const tf_tyre_t *tyre, tf_real_t h,
 
 static const char *const law_names[] = {"jump",   "coulomb", "two_piece",
                                         "string", "smooth",  "none"};
-typedef char each_law_has_a_name
-    [sizeof law_names / sizeof *law_names == TF_TYRE_LAWS ? 1 : -1];
+enum {
+  each_law_has_a_name =
+      1 / (sizeof law_names / sizeof *law_names == TF_TYRE_LAWS)
+};
 
 TF_API const char *tf_tyre_law_name(unsigned law) {
   return law < TF_TYRE_LAWS ? law_names[law] : "unknown law";

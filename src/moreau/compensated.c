@@ -3,6 +3,7 @@
 #include "twofold/compensated.h"
 
 #include "compensation.h"
+#include "rare_end.h"
 #include "report.h"
 #include "scheme.h"
 

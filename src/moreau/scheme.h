@@ -4,7 +4,8 @@
 #ifndef TF_SCHEME_H
 #define TF_SCHEME_H
 
-#include "rare_end.h"
+#include "balance.h"
+#include "stages.h"
 
 // Validation.
 TF_INLINE bool may_step(const tf_state_t *state, const tf_input_t *input) {

@@ -1,6 +1,7 @@
 // One step of the Moreau-Jean theta scheme; scheme.h has its stages.
 #include "twofold/step.h"
 
+#include "rare_end.h"
 #include "report.h"
 #include "scheme.h"
 
