@@ -82,9 +82,9 @@ static void describe(const cli_option_t *option, char *out, size_t room) {
 
 static void print_option(const cli_option_t *option) {
   char text[1024];
-  int used = printf("  %s %s", option->name,
-                    option->value != NULL ? option->value : "");
-  used += used < COLUMN ? printf("%*s", COLUMN - used, "") : printf(" ");
+  const int used = printf("  %s %s", option->name,
+                          option->value != NULL ? option->value : "");
+  (void)printf("%*s", used < COLUMN ? COLUMN - used : 1, "");
   describe(option, text, sizeof text);
   cli_print_filled(text, COLUMN, COLUMN);
   for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;

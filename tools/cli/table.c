@@ -140,181 +140,181 @@ static int read_events(void *to, const cli_given_t *given) {
 }
 
 const cli_option_t cli_options[] = {
-    {CLI_SWEEP, "--over", "NAME=A:B:N", OTHER, .read = cli_read_over,
+    {"--over", "NAME=A:B:N", CLI_SWEEP, OTHER, .read = cli_read_over,
      .how = CLI_REPEATABLE,
      .what = "N values from A to B of a name of --set, or of seed (with "
              "--select random); may be repeated: the last one is the inner "
              "loop"},
-    {CLI_SWEEP, "--outcome", "NAME,...", OTHER, .read = cli_read_outcome,
+    {"--outcome", "NAME,...", CLI_SWEEP, OTHER, .read = cli_read_outcome,
      .how = CLI_REPEATABLE,
      .what = "columns, from the list below; default: modes, rest, recurrence, "
              "energy, ambiguous"},
-    {CLI_DIVERGE, .what = "what selects the exit:"},
-    {CLI_DIVERGE, "--by", "KIND", CHOICE(mechanism), .choices = mechanisms,
+    {.commands = CLI_DIVERGE, .what = "what selects the exit:"},
+    {"--by", "KIND", CLI_DIVERGE, CHOICE(mechanism), .choices = mechanisms,
      .noun = "kind", .what = "one of:"},
-    {CLI_DIVERGE, "--rate", "R", OTHER, .read = read_named,
+    {"--rate", "R", CLI_DIVERGE, OTHER, .read = read_named,
      .what = "of --by random [1/s]; default: the scene's rate"},
-    {CLI_DIVERGE, "--size", "S", REAL(size), .how = CLI_OPEN, .high = 1,
+    {"--size", "S", CLI_DIVERGE, REAL(size), .how = CLI_OPEN, .high = 1,
      .what = "of what selects the exit; unit: see below"},
-    {CLI_DIVERGE, "--spread", "Q", REAL(spread), .low = 1, .high = 1e6,
+    {"--spread", "Q", CLI_DIVERGE, REAL(spread), .low = 1, .high = 1e6,
      .what = "the size of each sample is drawn from [S/Q, S], "
              "log-uniformly"},
-    {CLI_DIVERGE, "--codim2", "MODE", CHOICE(codim2), .choices = codim2,
+    {"--codim2", "MODE", CLI_DIVERGE, CHOICE(codim2), .choices = codim2,
      .what = "--by random at h = g = 0:"},
-    {CLI_DIVERGE, .what = "how much:"},
-    {CLI_DIVERGE, "--samples", "N", WHOLE(samples), .low = 1,
+    {.commands = CLI_DIVERGE, .what = "how much:"},
+    {"--samples", "N", CLI_DIVERGE, WHOLE(samples), .low = 1,
      .high = UINT32_MAX, .usual = 100, .what = "motions"},
-    {CLI_DIVERGE, "--cycles", "N", WHOLE(cycles), .low = 1, .high = MOST,
+    {"--cycles", "N", CLI_DIVERGE, WHOLE(cycles), .low = 1, .high = MOST,
      .usual = 1, .what = "per sample, at most"},
-    {CLI_DIVERGE, "--patience", "T", REAL(patience), .how = CLI_OPEN,
+    {"--patience", "T", CLI_DIVERGE, REAL(patience), .how = CLI_OPEN,
      .high = 1e9, .unit = "s", .usual = 100, .what = "longest cycle"},
-    {CLI_DIVERGE, "--seed", "N", WHOLE(seed), .high = UINT32_MAX, .usual = 1,
+    {"--seed", "N", CLI_DIVERGE, WHOLE(seed), .high = UINT32_MAX, .usual = 1,
      .what = "of the draws"},
-    {CLI_DIVERGE, "--dt", "DT", OTHER, .read = read_named,
+    {"--dt", "DT", CLI_DIVERGE, OTHER, .read = read_named,
      .what = "step [s]; near the two-fold (random: in slip) DT / K"},
-    {CLI_DIVERGE, "--near", "K", REAL(refinement), .low = 1, .high = 1e6,
+    {"--near", "K", CLI_DIVERGE, REAL(refinement), .low = 1, .high = 1e6,
      .what = "how much shorter steps are near the two-fold"},
-    {CLI_DIVERGE, "--section", "D", REAL(section), .how = CLI_OPEN, .high = 1e3,
+    {"--section", "D", CLI_DIVERGE, REAL(section), .how = CLI_OPEN, .high = 1e3,
      .unit = "m", .usual = 1e-3,
      .what = "the phase is read where r is D past the two-fold"},
-    {CLI_DESIGN, "--r", "R", NUMBER(r), .low = -REACH, .high = REACH,
+    {"--r", "R", CLI_DESIGN, NUMBER(r), .low = -REACH, .high = REACH,
      .unit = "m", .what = "r of the two-fold [m]"},
-    {CLI_DESIGN, "--omega", "W", NUMBER(omega), .low = -REACH, .high = REACH,
+    {"--omega", "W", CLI_DESIGN, NUMBER(omega), .low = -REACH, .high = REACH,
      .unit = "rad/s", .what = "omega of the two-fold [rad/s]"},
-    {GRIDS, "--r", "A:B:N", RANGE(r), .low = -REACH, .high = REACH, .unit = "m",
+    {"--r", "A:B:N", GRIDS, RANGE(r), .low = -REACH, .high = REACH, .unit = "m",
      .what = "N values of r from A to B [m]"},
-    {GRIDS, "--omega", "A:B:N", RANGE(omega), .low = -REACH, .high = REACH,
+    {"--omega", "A:B:N", GRIDS, RANGE(omega), .low = -REACH, .high = REACH,
      .unit = "rad/s", .what = "N values of omega from A to B [rad/s]"},
-    {MOTIONS, "--t-end", "S", NUMBER(t_end),
+    {"--t-end", "S", MOTIONS, NUMBER(t_end),
      .what = "length [s]; default: the scene's own"},
-    {MOTIONS | CLI_SCENE, "--dt", "S", OTHER, .read = read_named,
+    {"--dt", "S", MOTIONS | CLI_SCENE, OTHER, .read = read_named,
      .how = CLI_REPEATABLE, .what = "step [s]; the same as --set dt=S"},
-    {MOTIONS, "--scheme", "NAME", CHOICE(scheme), .choices = schemes,
+    {"--scheme", "NAME", MOTIONS, CHOICE(scheme), .choices = schemes,
      .noun = "scheme", .what = "of the steps:"},
-    {CLI_RUN, "--realtime", NULL, FLAG(real_time),
+    {"--realtime", NULL, CLI_RUN, FLAG(real_time),
      .what = "every step waits for its time on the wall clock; the summary "
              "counts the late ones"},
-    {CLI_RUN, "--priority", NULL, FLAG(priority), .needs = "--realtime",
+    {"--priority", NULL, CLI_RUN, FLAG(priority), .needs = "--realtime",
      .what = "with --realtime: before all other programs, with memory locked "
              "(SCHED_FIFO, which needs the right)"},
-    {CLI_RUN, "--lateness", "FILE", PATH(lateness), .how = CLI_WRITES,
+    {"--lateness", "FILE", CLI_RUN, PATH(lateness), .how = CLI_WRITES,
      .needs = "--realtime",
      .what = "with --realtime: a histogram of how long after their time steps "
              "began and ended, us,began,ended"},
-    {CLI_RUN, "--live", NULL, FLAG(live),
+    {"--live", NULL, CLI_RUN, FLAG(live),
      .what = "draws the planes (g, h) and (r, omega) and the modes over time "
              "in the terminal, with --realtime at the pace of the machine; "
              "rows go to --out only"},
-    {MOTIONS | CLI_SCENE, "--select", "RULE", TEXT(select), .choices = rules,
+    {"--select", "RULE", MOTIONS | CLI_SCENE, TEXT(select), .choices = rules,
      .what = "selects one of several consistent modes; default: the scene's "
              "own"},
-    {MOTIONS | CLI_SCENE, "--set", "NAME=VALUE", OTHER, .read = read_set,
+    {"--set", "NAME=VALUE", MOTIONS | CLI_SCENE, OTHER, .read = read_set,
      .how = CLI_REPEATABLE,
      .what = "a parameter, an initial value or the law; each NAME once; names: "
              "'twofold help run'"},
-    {ANALYSES, "--set", "NAME=VALUE", OTHER, .read = read_set,
+    {"--set", "NAME=VALUE", ANALYSES, OTHER, .read = read_set,
      .how = CLI_REPEATABLE,
      .what = "a parameter or the law, as in 'twofold help run'"},
-    {CLI_DIVERGE, "--set", "NAME=VALUE", OTHER, .read = read_set,
+    {"--set", "NAME=VALUE", CLI_DIVERGE, OTHER, .read = read_set,
      .how = CLI_REPEATABLE, .what = "as in 'twofold help run'"},
-    {MOTIONS, "--inputs", "FILE", PATH(drive.inputs), .how = CLI_READS,
+    {"--inputs", "FILE", MOTIONS, PATH(drive.inputs), .how = CLI_READS,
      .what = "inputs over time, a CSV table, the same at every point of a "
              "sweep: 'twofold help inputs'"},
-    {MOTIONS, "--between", "WORD", TEXT(drive.between), .choices = between,
+    {"--between", "WORD", MOTIONS, TEXT(drive.between), .choices = between,
      .what = "with --inputs:"},
-    {CLI_RUN, "--every", "N", WHOLE(every), .low = 1, .high = CLI_MAX_STEPS,
+    {"--every", "N", CLI_RUN, WHOLE(every), .low = 1, .high = CLI_MAX_STEPS,
      .usual = 1,
      .what = "a row every N steps; the first and the last instant are always "
              "written"},
-    {CLI_RUN, "--format", "NAME", CHOICE(format), .choices = formats,
+    {"--format", "NAME", CLI_RUN, CHOICE(format), .choices = formats,
      .noun = "format", .what = "of the rows:"},
-    {CLI_DIVERGE, "--shard", "I/N", OTHER, .read = read_shard,
+    {"--shard", "I/N", CLI_DIVERGE, OTHER, .read = read_shard,
      .what = "only part I of N of the samples; the rows of the parts, one "
              "after the other, are those of one run"},
-    {CLI_SWEEP, "--shard", "I/N", OTHER, .read = read_shard,
+    {"--shard", "I/N", CLI_SWEEP, OTHER, .read = read_shard,
      .what = "only part I of N of the points; the rows of the shards, one file "
              "after the other, are those of all"},
-    {CLI_DIVERGE, .what = "files, CSV:"},
-    {CLI_DIVERGE, "--exits", "FILE", PATH(exits), .how = CLI_WRITES,
+    {.commands = CLI_DIVERGE, .what = "files, CSV:"},
+    {"--exits", "FILE", CLI_DIVERGE, PATH(exits), .how = CLI_WRITES,
      .what = "sample,cycle,time [s since the arrival],r [m],omega [rad/s],g "
              "[m/s],side (slip+ or slip-),phase [windings, 0 to 1],how (left, "
              "or released: the escaping region ended),section_time [s since "
              "the arrival]"},
-    {CLI_DIVERGE, "--returns", "FILE", PATH(returns), .how = CLI_WRITES,
+    {"--returns", "FILE", CLI_DIVERGE, PATH(returns), .how = CLI_WRITES,
      .what = "sample,cycle,outcome,time [s from exit to end],arrived "
              "[s],exit_r [m],landing_time [s since the exit],landing_r "
              "[m],landings,windings"},
-    {CLI_DIVERGE, "--counts", "FILE", PATH(counts), .how = CLI_WRITES,
+    {"--counts", "FILE", CLI_DIVERGE, PATH(counts), .how = CLI_WRITES,
      .what = "cycles counted in integers: what,key,count, with what outcome; "
              "begun, returned (by the number of the cycle in its sample); "
              "side; phase, time (of return), landing (bins: see the comments "
              "in the file). Shards are added by 'twofold merge'"},
-    {CLI_DIVERGE, "--resume", NULL, FLAG(resume),
+    {"--resume", NULL, CLI_DIVERGE, FLAG(resume),
      .what = "goes on after a kill; FILE.resume says where (of the first of "
              "--counts, --returns, --exits)"},
-    {CLI_DIVERGE, "--header", NULL, FLAG(header),
+    {"--header", NULL, CLI_DIVERGE, FLAG(header),
      .what = "writes a header even if the shard is not the first"},
-    {CLI_MONITOR, "--as", "FORM", OTHER, .read = cli_read_as,
+    {"--as", "FORM", CLI_MONITOR, OTHER, .read = cli_read_as,
      .choices = streams,
      .what = "rows, with the digits of the sender's number type; without this "
              "option a terminal shows the state live. Forms:"},
-    {CLI_MONITOR, "--csv", NULL, OTHER, .read = cli_read_csv,
+    {"--csv", NULL, CLI_MONITOR, OTHER, .read = cli_read_csv,
      .what = "--as csv"},
-    {CLI_MONITOR, "--live", NULL, FLAG(live),
+    {"--live", NULL, CLI_MONITOR, FLAG(live),
      .what = "draws the planes (g, h) and (r, omega) and the last ten seconds "
              "of modes; rows only with --as --out"},
-    {CLI_MONITOR, "--out", "FILE", PATH(out), .how = CLI_WRITES,
+    {"--out", "FILE", CLI_MONITOR, PATH(out), .how = CLI_WRITES,
      .what = "with --as: FILE instead of standard output"},
-    {MOTIONS | CLI_SCENE | ANALYSES | CLI_MERGE, "--out", "FILE", PATH(out),
+    {"--out", "FILE", MOTIONS | CLI_SCENE | ANALYSES | CLI_MERGE, PATH(out),
      .how = CLI_WRITES, .what = "instead of standard output"},
-    {CLI_RUN, "--save", "FILE", PATH(save), .how = CLI_WRITES,
+    {"--save", "FILE", CLI_RUN, PATH(save), .how = CLI_WRITES,
      .what = "the state at the end of the run, whatever ends it"},
-    {CLI_RUN, "--from", "FILE", PATH(from), .how = CLI_READS,
+    {"--from", "FILE", CLI_RUN, PATH(from), .how = CLI_READS,
      .what = "continues from there, bit for bit: t-end is that of the whole, "
              "and the first row is the last one of the run before"},
-    {CLI_RUN, "--replay", "FILE", PATH(replay), .how = CLI_READS,
+    {"--replay", "FILE", CLI_RUN, PATH(replay), .how = CLI_READS,
      .what = "repeats, to the bit, what a board did while 'twofold monitor "
              "--record FILE' sent it commands; with --dt 1/RATE of its "
              "firmware, in its number type; --save then keeps what commands "
              "have left in effect, and the summary names the options by which "
              "--from goes on with it"},
-    {CLI_MONITOR, "--record", "FILE", PATH(record), .how = CLI_WRITES,
+    {"--record", "FILE", CLI_MONITOR, PATH(record), .how = CLI_WRITES,
      .what = "the commands that took effect, each with its step, for 'twofold "
              "run SCENE --replay FILE'"},
-    {CLI_SWEEP, "--resume", NULL, FLAG(resume),
+    {"--resume", NULL, CLI_SWEEP, FLAG(resume),
      .what = "goes on behind the last whole row of FILE.part; does nothing "
              "where FILE is whole"},
-    {CLI_RUN | GRIDS | CLI_DIVERGE | CLI_MONITOR, "--provenance", NULL,
+    {"--provenance", NULL, CLI_RUN | GRIDS | CLI_DIVERGE | CLI_MONITOR,
      FLAG(provenance),
      .what = "four comment lines before the header of CSV (diverge: of "
              "--branches, too): version, commit, scene, scheme, units: "
              "'twofold help provenance'"},
-    {MOTIONS | CLI_DIVERGE | CLI_MONITOR, "--summary", "text|json",
+    {"--summary", "text|json", MOTIONS | CLI_DIVERGE | CLI_MONITOR,
      CHOICE(summary), .choices = summaries,
      .what =
          "the summary as text, or as JSON in the last line of standard error"},
-    {CLI_RUN, "--events", "N|all", OTHER, .read = read_events,
+    {"--events", "N|all", CLI_RUN, OTHER, .read = read_events,
      .what = "events that the summary lists; default 20"},
-    {CLI_DIVERGE, .what = "all branches:"},
-    {CLI_DIVERGE, "--exhaustive", NULL, FLAG(exhaustive),
+    {.commands = CLI_DIVERGE, .what = "all branches:"},
+    {"--exhaustive", NULL, CLI_DIVERGE, FLAG(exhaustive),
      .what = "every mode of every state with several consistent ones; an "
              "escaping stick is left at multiples of --grid, to both sides"},
-    {CLI_DIVERGE, "--grid", "T", REAL(grid), .low = 1e-6, .high = 1e3,
+    {"--grid", "T", CLI_DIVERGE, REAL(grid), .low = 1e-6, .high = 1e3,
      .unit = "s", .usual = 1e-2, .needs = "--exhaustive",
      .what = "from one exit to the next"},
-    {CLI_DIVERGE, "--depth", "N", WHOLE(depth), .low = 1, .high = 1000,
+    {"--depth", "N", CLI_DIVERGE, WHOLE(depth), .low = 1, .high = 1000,
      .usual = 3, .needs = "--exhaustive", .what = "states in a row"},
-    {CLI_DIVERGE, "--count", "N", WHOLE(nodes), .low = 1, .high = 1e6,
+    {"--count", "N", CLI_DIVERGE, WHOLE(nodes), .low = 1, .high = 1e6,
      .usual = 1000, .needs = "--exhaustive", .what = "states in all"},
-    {CLI_DIVERGE, "--branches", "FILE", PATH(branches), .how = CLI_WRITES,
+    {"--branches", "FILE", CLI_DIVERGE, PATH(branches), .how = CLI_WRITES,
      .needs = "--exhaustive",
      .what = "node,depth,kind,r,omega,mode,stick_time,exit_r,exit_omega,end,"
              "to,time,end_r,landing_r,windings; default: standard output. "
              "Branches that end at the same state (r within 1e-6 m) have the "
              "same number in 'to'"},
-    {CLI_MONITOR, "--baud", "N", WHOLE(baud), .low = 1, .high = 1e8,
+    {"--baud", "N", CLI_MONITOR, WHOLE(baud), .low = 1, .high = 1e8,
      .what = "speed of a serial device; default: unchanged"},
-    {CLI_MONITOR, "--send", "COMMAND", OTHER, .read = cli_read_send,
+    {"--send", "COMMAND", CLI_MONITOR, OTHER, .read = cli_read_send,
      .how = CLI_REPEATABLE, .choices = commands,
      .what = "sends a command to the board and prints the answer; may be "
              "repeated. Commands: start, stop, reset, snapshot, restore, "
@@ -322,10 +322,10 @@ const cli_option_t cli_options[] = {
              "scene's own), input:OMEGA0,R0,FORCE,TORQUE, deadman:STEPS that "
              "inputs hold (0: without end). Ends after the last answer unless "
              "there is --as or a live view"},
-    {CLI_MONITOR, "--key", "FILE", TEXT(key), .how = CLI_READS,
+    {"--key", "FILE", CLI_MONITOR, TEXT(key), .how = CLI_READS,
      .what = "32 hexadecimal digits: the key of a board that wants its "
              "commands tagged"},
-    {CLI_MONITOR, "--follow", NULL, FLAG(follow),
+    {"--follow", NULL, CLI_MONITOR, FLAG(follow),
      .what = "wait for a device that was unplugged, or for a file to grow"},
 };
 const size_t cli_option_count = sizeof cli_options / sizeof cli_options[0];

@@ -37,29 +37,21 @@ typedef struct {
   // The machine and its motion.
   cli_settings_t settings; ///< axes are among them, under --over
   const char *select;      ///< RULE[:SEED], NULL: the scene's own rule
-  unsigned scheme;         ///< index of cli_schemes
   cli_range_t t_end;       ///< one number; text NULL: the scene's own [s]
   cli_drive_args_t drive;
   cli_range_t r, omega; ///< a point or a grid
 
   // What is written.
   const char *out;
-  unsigned format;     ///< cli_format_t
-  uint64_t every;      ///< steps between two rows
-  uint64_t listed;     ///< number of events that the summary lists
-  bool provenance;     ///< the rows begin with comments: what they are of
-  unsigned summary;    ///< 1: for programs
-  bool resume, header; ///< goes on with what is there; a header in each shard
+  uint64_t every;  ///< steps between two rows
+  uint64_t listed; ///< number of events that the summary lists
   cli_shard_t shard;
 
   // Of run, and of monitor.
   const char *from, *save; ///< states: to go on from, and the last one
   const char *replay, *record;
-  bool real_time, priority, live;
   const char *lateness; ///< histogram
-  unsigned as;          ///< 1 + index of cli_streams, 0: a live view
   uint64_t baud;        ///< 0: unchanged
-  bool follow;
   const char *key;
   const char *send[CLI_SENDS];
   size_t sends;
@@ -73,9 +65,6 @@ typedef struct {
 
   // Of diverge.
   const char *exits, *returns, *counts, *branches;
-  bool exhaustive;
-  unsigned mechanism;       ///< cli_mechanism_t
-  unsigned codim2;          ///< cli_codim2_choice_t
   double size;              ///< unit: that of the mechanism; 0: not given
   double spread;            ///< sizes are drawn from [size / spread, size]
   double patience;          ///< longest cycle [s]
@@ -85,6 +74,19 @@ typedef struct {
   uint64_t samples, cycles; ///< cycles: of each sample, at most
   uint64_t depth, nodes;    ///< bounds of --exhaustive
   uint64_t seed;            ///< < 2^32
+
+  // Words and switches of all of them.
+  unsigned scheme;     ///< index of cli_schemes
+  unsigned format;     ///< cli_format_t
+  unsigned summary;    ///< 1: for programs
+  unsigned as;         ///< 1 + index of cli_streams, 0: a live view
+  unsigned mechanism;  ///< cli_mechanism_t
+  unsigned codim2;     ///< cli_codim2_choice_t
+  bool provenance;     ///< the rows begin with comments: what they are of
+  bool resume, header; ///< goes on with what is there; a header in each shard
+  bool real_time, priority, live;
+  bool follow;
+  bool exhaustive;
 } cli_args_t;
 
 #endif

@@ -45,13 +45,12 @@ typedef struct {
 
 /// A row of the table; without a name: the heading of the rows after it.
 typedef struct {
-  unsigned commands; ///< bits: the commands that take it
   const char *name;  ///< with its dashes
   const char *value; ///< what stands for the value in the help
+  unsigned commands; ///< bits: the commands that take it
   cli_kind_t kind;   ///< of the value ...
   size_t member;     ///< ... and where it goes, an offset in the arguments
   const char *what;  ///< for the help
-  unsigned how;      ///< of the bits above
   double low, high, usual; ///< usual: the value where it is not given
   const char *unit;        ///< of the range, NULL: none
   const char *noun;        ///< of choices, for messages; NULL: "must be"
@@ -59,6 +58,7 @@ typedef struct {
   const cli_choice_t *choices; ///< also of CLI_TEXT: checked later
   /// Of CLI_OTHER. Returns: CLI_DONE, or another code after a message.
   int (*read)(void *args, const cli_given_t *given);
+  unsigned how; ///< of the bits above
 } cli_option_t;
 
 #define CLI_ROWS 128 ///< of a table, at most
