@@ -147,6 +147,7 @@ static int columns(const ref_orbit_t *orbit) {
 // One step of length H. Returns the error over the tolerance.
 static real_t trial(ref_orbit_t *orbit, real_t H, ref_state_t *end) {
   if (orbit->mode == REF_PINNED) {
+    ++orbit->evaluations;
     *end = along(orbit->x, H, (ref_state_t){.t = 1});
     return 0;
   }

@@ -8,9 +8,10 @@ typedef ref_real_t real_t;
 // straight line, and at which a slip that leaves begins.
 static const real_t falls = (real_t)1e-19L, leaves = (real_t)1e-18L;
 
-// How long after an event of a wheel at rest its ways are looked at: at the
-// event itself the new ones have no rate.
-static const real_t shortly = (real_t)1e-9L;
+// A force of rest that leaves its law leads to a slip whose acceleration grows
+// from nothing, in a field that is the stiffer the less there is of it. How long
+// such a slip is taken as grown with the square of time [s].
+static const real_t shortly = (real_t)1e-5L;
 
 const char *ref_stop_name(ref_stop_t stop) {
   static const char *const names[] = {"reached", "two-fold", "no future",
@@ -52,7 +53,7 @@ static void enter(ref_orbit_t *orbit, ref_mode_t mode) {
   }
 }
 
-void ref_leave(ref_orbit_t *orbit, int index) {
+static void leave(ref_orbit_t *orbit, int index, real_t delay) {
   const ref_machine_t *q = orbit->machine;
   ref_state_t *x = &orbit->x;
   orbit->chosen = index;
@@ -66,7 +67,9 @@ void ref_leave(ref_orbit_t *orbit, int index) {
   }
   const ref_way_t *f = &orbit->consistent.list[index];
   if (f->mode <= REF_SLIP_MINUS) {
-    const real_t rho = leaves * ref_speed_scale(q, *x), z = x->z;
+    const real_t z = x->z;
+    const real_t rho =
+        delay > 0 ? f->rate * delay / 2 : leaves * ref_speed_scale(q, *x);
     const ref_slip_t slip = {rho * ref_sin(f->angle), rho * ref_cos(f->angle)};
     if (z == 0) {
       *x = ref_from_slip(q, *x, slip);
@@ -76,14 +79,16 @@ void ref_leave(ref_orbit_t *orbit, int index) {
       x->r = x->z / z;
       x->z = z;
     }
-    x->t += rho / f->rate;
+    x->t += delay > 0 ? delay : rho / f->rate;
   }
   enter(orbit, f->mode);
 }
 
+void ref_leave(ref_orbit_t *orbit, int index) { leave(orbit, index, 0); }
+
 // At h = g = 0, where either the wheel stands against the turntable (z = 0) or
 // passes the axis (r = 0).
-static void reach_codim2(ref_orbit_t *orbit) {
+static void reach_codim2(ref_orbit_t *orbit, real_t delay) {
   ref_state_t *x = &orbit->x;
   const ref_mode_t from = orbit->mode;
   x->p = 0;
@@ -95,7 +100,7 @@ static void reach_codim2(ref_orbit_t *orbit) {
     x->z = 0;
   }
   ref_state_t later = *x;
-  later.t += from == REF_PINNED ? shortly : 0;
+  later.t += delay;
   ref_consistent_codim2(orbit->machine, later, &orbit->consistent);
   const int index = orbit->forced != REF_BY_RULE
                         ? orbit->forced
@@ -104,7 +109,7 @@ static void reach_codim2(ref_orbit_t *orbit) {
   orbit->forced = REF_BY_RULE;
   orbit->arrived = from;
   orbit->at = *x;
-  ref_leave(orbit, index);
+  leave(orbit, index, delay);
   if (from != REF_PINNED || orbit->mode != REF_PINNED) {
     announce(orbit, stands ? REF_CODIM2 : REF_TURNS);
   }
@@ -128,7 +133,7 @@ static bool fall(ref_orbit_t *orbit) {
     orbit->x.t -= rho / speed;
     orbit->angle = ref_atan2(slip.h, slip.g);
   }
-  reach_codim2(orbit);
+  reach_codim2(orbit, 0);
   return true;
 }
 
@@ -174,7 +179,7 @@ static void meet_g(ref_orbit_t *orbit) {
           orbit->mode == REF_STICK_PLUS ? REF_STICK_MINUS : REF_STICK_PLUS);
     announce(orbit, REF_TURNS);
   } else {
-    reach_codim2(orbit);
+    reach_codim2(orbit, 0);
   }
 }
 
@@ -232,7 +237,7 @@ static void react(ref_orbit_t *orbit, ref_at_t at) {
       break;
     case REF_AT_HULL:
     case REF_AT_BOW:
-      reach_codim2(orbit);
+      reach_codim2(orbit, shortly);
       break;
     case REF_AT_TIME:
     case REF_AT_NONE:
@@ -252,7 +257,7 @@ static void settle(ref_orbit_t *orbit, ref_mode_t mode) {
     return;
   }
   if (slip.g == 0) {
-    reach_codim2(orbit);
+    reach_codim2(orbit, 0);
     return;
   }
   ref_consistent_edge(q, x, &orbit->consistent);
@@ -288,7 +293,7 @@ static void pass_break(ref_orbit_t *orbit) {
     x->z -= jump;
     settle(orbit, orbit->mode);
   } else if (before == REF_PINNED) {
-    reach_codim2(orbit);
+    reach_codim2(orbit, 0);
   } else if (sticks(orbit)) {
     settle(orbit, orbit->mode);
   }

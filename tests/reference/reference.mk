@@ -19,10 +19,14 @@ $(BUILD)/reference/library_f32.o: tests/reference/judge/library.c
 	$(call compile,$(JUDGE_FLAGS) -DTF_REAL_FLOAT)
 $(BUILD)/reference/%.o: tests/reference/judge/%.c
 	$(call compile,$(JUDGE_FLAGS))
+# Its second integration is by SUNDIALS, where that is installed.
+SUNDIALS := $(if $(wildcard /usr/include/cvode/cvode.h),-lsundials_cvode \
+  -lsundials_nvecserial -lsundials_sunnonlinsolfixedpoint)
 $(BUILD)/reference/reference: $(JUDGE_OBJECTS) \
     $(BUILD)/double/libsupport.a \
     $(BUILD)/double/libtwofold.a $(BUILD)/float/libtwofold.a
-	$(link)
+	@echo '  LINK  $@'
+	@$(CC) $(OPT) $(EXTRA) $^ $(SUNDIALS) -lm -o $@
 
 # Reference solutions in quadruple precision, one process a problem. Always by
 # gcc: __float128 and libquadmath are its own.

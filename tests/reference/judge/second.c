@@ -1,127 +1,109 @@
 /// @file
-/// A second integration; see second.h. Of the reference it uses the struct of
-/// parameters only.
-#include "second.h"
-
+/// A second integration of the same motion, to judge the reference: the paper's
+/// equations as they are printed, by the mass matrix in (r, v, w), stepped and
+/// its events found by CVODE of SUNDIALS, which others wrote. Of the reference
+/// it uses the parameters and the inputs only. It ends where h = g = 0 comes
+/// near or A = 0, so that it needs no theory of either. Every other machine is
+/// driven: by ramps with a jump of the turntable's speed, or by sines.
 #include <math.h>
-#include <string.h>
+#include <stdio.h>
+
+#include "classes.h"
+#include "paper.h"
+
+// cppcheck cannot ask for headers in brackets; it looks at both ways.
+#if defined(__has_include) && !defined(__cppcheck__)
+#if __has_include(<cvode/cvode.h>)
+#define HAS_SUNDIALS
+#endif
+#endif
+
+#ifdef HAS_SUNDIALS
+#include <cvode/cvode.h>
+#include <nvector/nvector_serial.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+enum { ROOTS = 3 };
 
 typedef struct {
   const ref_machine_t *q;
+  int piece;  // of the inputs
   int mode;   // +1, -1: slip by the sign of h; 0: stick
   int sign_g; // sign of g
 } phase_t;
 
-static real_t h_of(const ref_machine_t *q, const real_t x[3]) {
-  const real_t z = x[2] - q->omega0;
-  return -(x[1] - q->d * z) * sinl(q->gamma) - x[0] * z * cosl(q->gamma);
+static paper_t paper_at(const phase_t *phase, real_t t, ref_input_t *u) {
+  const ref_machine_t *q = phase->q;
+  *u = ref_input(q, t, phase->piece);
+  return (paper_t){q->m,  q->d,      q->beta, q->k2,    q->c1,   q->c2,
+                   q->r0, u->omega0, q->mu,   q->kappa, q->gamma};
 }
 
-static real_t g_of(const ref_machine_t *q, const real_t x[3]) {
-  const real_t z = x[2] - q->omega0;
-  return -(x[1] - q->d * z) * cosl(q->gamma) + x[0] * z * sinl(q->gamma);
+// Lagrange's form, with loads in Q_r and Q_phi.
+static void field(const phase_t *phase, real_t t, const real_t x[3], real_t F,
+                  real_t M, real_t out[3]) {
+  ref_input_t u;
+  const paper_t p = paper_at(phase, t, &u);
+  const real_t b2 = p.beta * p.beta + x[0] * x[0], D = p.m * b2;
+  paper_rhs_mass(&p, x, F, M, out);
+  out[1] += ((b2 + p.d * p.d) * u.force + p.d * u.torque) / D;
+  out[2] += (p.d * u.force + u.torque) / D;
 }
 
-// Mass u' = (Q_r, Q_phi), u = (v, w).
-static void field(const ref_machine_t *q, const real_t x[3], real_t F, real_t M,
+// h moves with the turntable as well.
+static real_t h_rate(const phase_t *phase, real_t t, const real_t x[3],
+                     real_t F, real_t M) {
+  ref_input_t u;
+  const paper_t p = paper_at(phase, t, &u);
+  real_t f[3], h_x[3];
+  field(phase, t, x, F, M, f);
+  paper_h_x(&p, x, h_x);
+  return h_x[0] * f[0] + h_x[1] * f[1] + h_x[2] * f[2] - h_x[2] * u.alpha;
+}
+
+static real_t arm(const phase_t *phase) {
+  return phase->q->law == REF_COULOMB ? 0 : phase->sign_g * phase->q->kappa;
+}
+
+static void slope(const phase_t *phase, real_t t, const real_t x[3],
                   real_t out[3]) {
-  const real_t r = x[0], v = x[1], w = x[2];
-  const real_t Qr =
-      q->k2 * (q->r0 - r) - q->c2 * v + q->m * r * w * w + F * sinl(q->gamma);
-  const real_t Qphi = -q->c1 * w - 2 * q->m * r * v * w +
-                      F * (r * cosl(q->gamma) - q->d * sinl(q->gamma)) + M;
-  const real_t b2 = q->beta * q->beta, D = q->m * (b2 + r * r);
-  out[0] = v;
-  out[1] = ((b2 + r * r + q->d * q->d) * Qr + q->d * Qphi) / D;
-  out[2] = (q->d * Qr + Qphi) / D;
-}
-
-static real_t h_rate(const ref_machine_t *q, const real_t x[3], real_t F,
-                     real_t M) {
-  real_t f[3];
-  field(q, x, F, M, f);
-  const real_t s = sinl(q->gamma), c = cosl(q->gamma);
-  return -(x[2] - q->omega0) * c * f[0] - s * f[1] +
-         (q->d * s - x[0] * c) * f[2];
-}
-
-static void slope(const phase_t *phase, const real_t x[3], real_t out[3]) {
   const ref_machine_t *q = phase->q;
-  const real_t kappa = (q->law == REF_COULOMB) ? 0 : q->kappa;
-  if (phase->mode == 0) {
-    const real_t none = h_rate(q, x, 0, 0);
-    const real_t one = h_rate(q, x, 1, phase->sign_g * kappa);
-    const real_t lambda = none / (none - one);
-    field(q, x, lambda, phase->sign_g * kappa * lambda, out);
-    return;
-  }
-  // (force), (moment) with psi as printed, beyond |h/g| = 0 by the odd
-  // arctangent.
   real_t F = phase->mode * q->mu, M = 0;
-  if (!(q->law == REF_COULOMB)) {
-    const real_t h = phase->mode * h_of(q, x), g = g_of(q, x);
-    const real_t least = atanl(1 / (6 * q->kappa)), right = atan2l(1, 0);
-    const real_t slope_of_psi = 1 - least / right;
-    const real_t psi = least + slope_of_psi * (right - atan2l(fabsl(g), h));
-    const real_t cot = cosl(psi) / sinl(psi);
-    F = phase->mode * q->mu * (4.0L / 3 - cot / (18 * q->kappa));
-    M = phase->mode * (g > 0 ? 1 : -1) * q->mu / 6 * cot;
+  if (phase->mode == 0) {
+    const real_t none = h_rate(phase, t, x, 0, 0);
+    F = none / (none - h_rate(phase, t, x, 1, arm(phase)));
+    M = arm(phase) * F;
+  } else if (q->law != REF_COULOMB) {
+    ref_input_t u;
+    const paper_t p = paper_at(phase, t, &u);
+    const real_t h = paper_h(&p, x), g = paper_g(&p, x);
+    paper_friction(&p, h != 0 ? h : phase->mode * 1e-300L, g, &F, &M);
   }
-  field(q, x, F, M, out);
+  field(phase, t, x, F, M, out);
 }
 
-// One step; returns the difference of the two orders over the tolerance.
-static real_t pair(const phase_t *phase, const real_t x[3], real_t H,
-                   real_t tolerance, real_t out[3]) {
-  static const real_t a[7][6] = {
-      {0},
-      {1 / 5.0L},
-      {3 / 40.0L, 9 / 40.0L},
-      {44 / 45.0L, -56 / 15.0L, 32 / 9.0L},
-      {19372 / 6561.0L, -25360 / 2187.0L, 64448 / 6561.0L, -212 / 729.0L},
-      {9017 / 3168.0L, -355 / 33.0L, 46732 / 5247.0L, 49 / 176.0L,
-       -5103 / 18656.0L},
-      {35 / 384.0L, 0, 500 / 1113.0L, 125 / 192.0L, -2187 / 6784.0L,
-       11 / 84.0L}};
-  static const real_t e[7] = {
-      71 / 57600.0L,      0,           -71 / 16695.0L, 71 / 1920.0L,
-      -17253 / 339200.0L, 22 / 525.0L, -1 / 40.0L};
-  real_t k[7][3], worst = 0;
-  for (int i = 0; i < 7; ++i) {
-    memcpy(out, x, 3 * sizeof *x);
-    for (int j = 0; j < i; ++j) {
-      for (int n = 0; n < 3; ++n) {
-        out[n] += H * a[i][j] * k[j][n];
-      }
-    }
-    slope(phase, out, k[i]);
+// What has to stay positive in the phase.
+static void margins(const phase_t *phase, real_t t, const real_t x[3],
+                    double out[ROOTS]) {
+  ref_input_t u;
+  const paper_t p = paper_at(phase, t, &u);
+  out[0] = (double)(phase->sign_g * paper_g(&p, x));
+  out[1] = (double)(phase->mode * paper_h(&p, x));
+  out[2] = 1;
+  if (phase->mode == 0) {
+    const real_t M = arm(phase) * p.mu;
+    const real_t up = h_rate(phase, t, x, p.mu, M);
+    const real_t down = h_rate(phase, t, x, -p.mu, -M);
+    out[1] = (double)(up < down ? -up : up);
+    out[2] = (double)(up < down ? down : -down);
   }
-  for (int n = 0; n < 3; ++n) {
-    real_t sum = 0;
-    for (int i = 0; i < 7; ++i) {
-      sum += H * e[i] * k[i][n];
-    }
-    worst = fmaxl(worst, fabsl(sum) / (tolerance * (1e-3L + fabsl(x[n]))));
-  }
-  return worst;
-}
-
-// Smallest of what has to stay positive in the phase.
-static real_t margin(const phase_t *phase, const real_t x[3]) {
-  const ref_machine_t *q = phase->q;
-  const real_t g = phase->sign_g * g_of(q, x);
-  if (phase->mode != 0) {
-    return fminl(g, phase->mode * h_of(q, x));
-  }
-  const real_t M = (q->law == REF_COULOMB) ? 0 : phase->sign_g * q->kappa * q->mu;
-  const real_t up = h_rate(q, x, q->mu, M), down = h_rate(q, x, -q->mu, -M);
-  return fminl(g, up < down ? fminl(-up, down) : fminl(up, -down));
 }
 
 // The phase after an event at x; false where h = g = 0 or A = 0 is near.
-static bool next(phase_t *phase, const real_t x[3]) {
-  const ref_machine_t *q = phase->q;
-  const real_t h = h_of(q, x), g = g_of(q, x);
+static bool next(phase_t *phase, real_t t, const real_t x[3]) {
+  ref_input_t u;
+  const paper_t p = paper_at(phase, t, &u);
+  const real_t h = paper_h(&p, x), g = paper_g(&p, x);
   if (fabsl(h) + fabsl(g) < 1e-7L) {
     return false;
   }
@@ -129,8 +111,9 @@ static bool next(phase_t *phase, const real_t x[3]) {
     phase->sign_g = -phase->sign_g;
     return true;
   }
-  const real_t M = (q->law == REF_COULOMB) ? 0 : phase->sign_g * q->kappa * q->mu;
-  const real_t up = h_rate(q, x, q->mu, M), down = h_rate(q, x, -q->mu, -M);
+  const real_t M = arm(phase) * p.mu;
+  const real_t up = h_rate(phase, t, x, p.mu, M);
+  const real_t down = h_rate(phase, t, x, -p.mu, -M);
   if (phase->mode == 0) {
     phase->mode = fabsl(up) < fabsl(down) ? 1 : -1;
     return up < down;
@@ -139,45 +122,165 @@ static bool next(phase_t *phase, const real_t x[3]) {
   return true;
 }
 
-static real_t first_zero(const phase_t *phase, const real_t x[3], real_t H,
-                         real_t out[3]) {
-  real_t low = 0, high = H;
-  for (int i = 0; i < 70; ++i) {
-    const real_t mid = (low + high) / 2;
-    pair(phase, x, mid, 1, out);
-    if (margin(phase, out) >= 0) {
-      low = mid;
-    } else {
-      high = mid;
-    }
+// The phase of a state behind a break of the inputs.
+static void begin(phase_t *phase, real_t t, const real_t x[3]) {
+  ref_input_t u;
+  const paper_t p = paper_at(phase, t, &u);
+  const real_t h = paper_h(&p, x);
+  phase->sign_g = paper_g(&p, x) < 0 ? -1 : 1;
+  if (fabsl(h) > 1e-9L) {
+    phase->mode = h > 0 ? 1 : -1;
+  } else if (phase->mode == 0) {
+    const real_t M = arm(phase) * p.mu;
+    const real_t up = h_rate(phase, t, x, p.mu, M);
+    const real_t down = h_rate(phase, t, x, -p.mu, -M);
+    phase->mode = (up > 0) == (down > 0) ? (up > 0 ? 1 : -1) : 0;
   }
-  pair(phase, x, high, 1, out);
-  return high;
 }
 
-real_t ref_second(const ref_machine_t *machine, real_t x[3], real_t end,
-                  real_t tolerance, int *events) {
-  phase_t phase = {machine, h_of(machine, x) > 0 ? 1 : -1,
-                   g_of(machine, x) > 0 ? 1 : -1};
-  real_t t = 0, H = 1e-7L, out[3];
-  for (*events = 0; t < end && H > 1e-16L;) {
-    H = fminl(H, end - t);
-    const real_t e = pair(&phase, x, H, tolerance, out);
-    if (e > 1 || !(e >= 0)) {
-      H *= e < 1e6L ? 0.9L * powl(e, -0.2L) : 0.1L;
-      continue;
+static int rhs(sunrealtype t, N_Vector y, N_Vector dy, void *phase) {
+  const double *at = N_VGetArrayPointer(y);
+  const real_t x[3] = {at[0], at[1], at[2]};
+  real_t out[3];
+  slope(phase, t, x, out);
+  for (int i = 0; i < 3; ++i) {
+    N_VGetArrayPointer(dy)[i] = (double)out[i];
+  }
+  return 0;
+}
+
+static int roots(sunrealtype t, N_Vector y, sunrealtype *out, void *phase) {
+  const double *at = N_VGetArrayPointer(y);
+  const real_t x[3] = {at[0], at[1], at[2]};
+  margins(phase, t, x, out);
+  return 0;
+}
+
+// Integrates from x = (r, v, w), in place, to `end` or as far as it may;
+// returns the time reached and sets the number of events.
+static double integrate(const ref_machine_t *q, real_t x[3], double end,
+                        int *events) {
+  phase_t phase = {.q = q, .mode = 1};
+  double t = 0;
+  SUNContext context;
+  SUNContext_Create(NULL, &context);
+  N_Vector y = N_VNew_Serial(3, context);
+  double *at = N_VGetArrayPointer(y);
+  void *cvode = CVodeCreate(CV_ADAMS, context);
+  SUNNonlinearSolver solver = SUNNonlinSol_FixedPoint(y, 0, context);
+  for (int i = 0; i < 3; ++i) {
+    at[i] = (double)x[i];
+  }
+  CVodeInit(cvode, rhs, 0, y);
+  CVodeSStolerances(cvode, 1e-13, 1e-15);
+  CVodeSetNonlinearSolver(cvode, solver);
+  CVodeSetUserData(cvode, &phase);
+  CVodeSetMaxNumSteps(cvode, 200000);
+  CVodeRootInit(cvode, ROOTS, roots);
+  begin(&phase, 0, x);
+  bool goes_on = true;
+  for (*events = 0; goes_on && t < end;) {
+    const bool breaks = q->inputs && phase.piece < q->inputs->count &&
+                        q->inputs->breaks[phase.piece] < end;
+    const double until = breaks ? (double)q->inputs->breaks[phase.piece] : end;
+    int status = CV_TSTOP_RETURN;
+    if (until > t) {
+      CVodeReInit(cvode, t, y);
+      CVodeSetStopTime(cvode, until);
+      status = CVode(cvode, until, y, &t, CV_NORMAL);
     }
-    real_t taken = H;
-    const bool event = margin(&phase, out) < 0 && margin(&phase, x) >= 0;
-    if (event) {
-      taken = first_zero(&phase, x, H, out);
+    for (int i = 0; i < 3; ++i) {
+      x[i] = at[i];
     }
-    memcpy(x, out, 3 * sizeof *x);
-    t += taken;
-    H = fminl(1e-3L, H * fminl(2, 0.9L * powl(fmaxl(e, 1e-9L), -0.2L)));
-    if (event && (++*events, !next(&phase, x))) {
-      break;
+    if (status == CV_ROOT_RETURN) {
+      ++*events;
+      goes_on = next(&phase, t, x);
+    } else if (status >= 0 && breaks) {
+      ++phase.piece;
+      begin(&phase, t, x);
+    } else {
+      goes_on = false;
     }
   }
+  N_VDestroy(y);
+  SUNNonlinSolFree(solver);
+  CVodeFree(&cvode);
+  SUNContext_Free(&context);
   return t;
 }
+
+// How the machines of an odd number are driven.
+typedef struct {
+  real_t omega0, swing, pace, force, torque;
+} sines_t;
+
+static ref_input_t sine_at(const void *context, int piece, real_t t) {
+  const sines_t *a = context;
+  (void)piece;
+  return (ref_input_t){a->omega0 + a->swing * sinl(a->pace * t),
+                       a->swing * a->pace * cosl(a->pace * t),
+                       a->force * sinl(3 * t), a->torque * cosl(2 * t)};
+}
+
+static void drive(draw_t *draw, bool ramped, ref_machine_t *q, sines_t *sines,
+                  ref_inputs_t *inputs, ref_ramps_t *ramps) {
+  static const real_t times[6] = {0, 0.5L, 0.9L, 0.9L, 1.3L, 1.8L};
+  const double far = (double)fabsl(q->omega0), load = (double)q->mu / 3;
+  ref_knot_t knots[6];
+  for (int i = 0; i < 6; ++i) {
+    knots[i] = (ref_knot_t){
+        times[i], q->omega0 + (real_t)draw_uniform(draw, -far, far) / 2,
+        (real_t)draw_uniform(draw, -load, load),
+        (real_t)draw_uniform(draw, -load, load)};
+  }
+  *sines = (sines_t){q->omega0, knots[0].omega0 - q->omega0,
+                     (real_t)draw_uniform(draw, 1, 6), knots[1].force,
+                     knots[2].torque};
+  *inputs = (ref_inputs_t){.at = sine_at, .context = sines};
+  ref_ramps(ramps, knots, 6);
+  q->inputs = ramped ? &ramps->inputs : inputs;
+}
+
+// Ends where the second integration has to: at h = g = 0.
+int class_second(const options_t *options) {
+  real_t worst = 0;
+  printf(
+      "machine   t reached  events (both)  codim2_count  largest difference\n");
+  for (long i = options->first; i < options->first + options->machines; ++i) {
+    draw_t draw = draw_begin(options->seed, (uint64_t)i);
+    lib_machine_t machine = draw_machine(&draw, options->range);
+    machine.on_surface = false;
+    ref_machine_t q = draw_reference(&machine, &lib_f64);
+    ref_inputs_t inputs;
+    ref_ramps_t ramps;
+    sines_t sines;
+    if (i % 2) {
+      drive(&draw, i % 4 == 1, &q, &sines, &inputs, &ramps);
+    }
+    ref_orbit_t orbit = {.tolerance = 1e-13L, .law = REF_HEXAGON};
+    ref_begin(&orbit, &q, draw_start(&machine, &q, &lib_f64), REF_MODES);
+    real_t x[3] = {orbit.x.r, ref_v(&q, orbit.x), ref_w(&q, orbit.x)};
+    int events = 0;
+    const double end = options->t_end > 0 ? options->t_end : 2;
+    const double t = integrate(&q, x, end, &events);
+    ref_run(&orbit, t);
+    const real_t e =
+        fmaxl(fabsl(orbit.x.r - x[0]), fmaxl(fabsl(ref_v(&q, orbit.x) - x[1]),
+                                             fabsl(ref_w(&q, orbit.x) - x[2])));
+    printf("%7ld %11.6f %8d %5d %8d %12.2Le  %s\n", i, t, events, orbit.events,
+           orbit.codim2_count, e, ref_stop_name(orbit.stop));
+    worst = fmaxl(worst, e);
+  }
+  printf("worst %.2Le\n", worst);
+  return 0;
+}
+
+#else
+
+int class_second(const options_t *options) {
+  (void)options;
+  printf("missing: cvode/cvode.h (apt-get install libsundials-dev)\n");
+  return 3;
+}
+
+#endif

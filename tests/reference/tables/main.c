@@ -53,8 +53,8 @@ void course_follow(const problem_t *problem, ref_real_t tolerance,
 }
 
 static ref_real_t distance(const row_t *a, const row_t *b) {
-  return ref_larger(ref_abs(a->r - b->r), ref_larger(ref_abs(a->v - b->v),
-                                                     ref_abs(a->w - b->w)));
+  return ref_larger(ref_abs(a->r - b->r),
+                    ref_larger(ref_abs(a->v - b->v), ref_abs(a->w - b->w)));
 }
 
 static uncertainty_t compare(const course_t *a, const course_t *b) {

@@ -29,12 +29,12 @@ void write_begin(FILE *out) {
       "/* Reference solutions, made by `make oracle`, not by hand: by the"
       " solver of\n"
       " * tests/reference in quadruple precision, every switch located, from"
-      " the paper's\n"
-      " * equations without a line of the core. 25 digits; the uncertainty is"
-      " the largest\n"
-      " * difference from a computation at a tolerance 1000 times looser."
-      " SI units; modes\n"
-      " * as the core names them. */\n"
+      " the\n"
+      " * paper's equations without a line of the core. 25 digits; the"
+      " uncertainty is\n"
+      " * the largest difference from a computation at a tolerance 1000 times"
+      " looser.\n"
+      " * SI units; modes as the core names them. */\n"
       "/* clang-format off */\n"
       "#ifndef TESTS_DATA_REFERENCE_H\n"
       "#define TESTS_DATA_REFERENCE_H\n\n"
@@ -114,14 +114,15 @@ static void head(FILE *out, const problem_t *p, const course_t *c,
   parameters(out, p);
   number(out, "     .h = ", c->h, ",\n");
   row(out, "     .start = {", &c->start, "},\n");
-  fprintf(out, "     .t_grid = %s.0L,", p->t_grid);
+  fprintf(out, "     .t_grid = %s%sL,", p->t_grid,
+          strpbrk(p->t_grid, ".") ? "" : ".0");
   number(out, " .t_last = ", c->last.t, ",\n");
   fprintf(out, "     .state_uncertainty = %.1e, .time_uncertainty = %.1e,\n",
           (double)looser->state, (double)looser->time);
   for (int i = 0; i < p->knots; i++)
     fprintf(out, "%s{%s.0L, %s.0L}%s",
-            i ? ", " : "     .knot = {", p->knot[i][0], p->knot[i][1],
-            i + 1 == p->knots ? "},\n" : "");
+            i ? ",\n              " : "     .knot = {", p->knot[i][0],
+            p->knot[i][1], i + 1 == p->knots ? "},\n" : "");
   fprintf(out, "     .knots = %d, .states = %d, .events = %d,\n", p->knots,
           c->states, c->events);
   fprintf(out, "     .state = %s_states, .event = %s_events};\n", p->name,
