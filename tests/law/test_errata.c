@@ -4,8 +4,8 @@
  * energy balance, quadrature of the pressure, the sliding field itself), and
  * that the form as printed does not. Without the second half a test could
  * pass for both and would mean nothing. */
-#include "paper.h"
 #include "../tap.h"
+#include "paper.h"
 
 static long double any(double lo, double hi) {
   return (long double)tap_uniform(lo, hi);

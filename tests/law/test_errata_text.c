@@ -1,7 +1,7 @@
 /* test_errata_text.c - statements of the paper's text that do not hold beside
  * those of test_errata.c: each is shown false, and what holds instead true. */
-#include "paper.h"
 #include "../tap.h"
+#include "paper.h"
 
 static long double any(double lo, double hi) {
   return (long double)tap_uniform(lo, hi);

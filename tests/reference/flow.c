@@ -166,9 +166,8 @@ static real_t trial(ref_orbit_t *orbit, real_t H, ref_state_t *end) {
       next = along(next, factor, change);
     }
     coarser = k > 0 ? row[k - 1] : next;
-    row[k] = next;
+    row[k] = *end = next;
   }
-  *end = row[last];
   return error(orbit, coarser, *end);
 }
 

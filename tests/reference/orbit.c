@@ -9,8 +9,8 @@ typedef ref_real_t real_t;
 static const real_t falls = (real_t)1e-19L, leaves = (real_t)1e-18L;
 
 // A force of rest that leaves its law leads to a slip whose acceleration grows
-// from nothing, in a field that is the stiffer the less there is of it. How long
-// such a slip is taken as grown with the square of time [s].
+// from nothing, in a field that is the stiffer the less there is of it. How
+// long such a slip is taken as grown with the square of time [s].
 static const real_t shortly = (real_t)1e-5L;
 
 const char *ref_stop_name(ref_stop_t stop) {

@@ -46,10 +46,9 @@ $(BUILD)/tables/make: $(TABLES) $(wildcard tests/reference/*.h) \
 	  -DREF_QUAD -Itests/reference $(TABLES) -lquadmath -lm -o $@
 
 .PHONY: oracle
-oracle: ## remake tests/data/reference.h (minutes; libquadmath)
+oracle: ## remake tests/data/reference*.h (minutes; libquadmath)
 oracle: $(BUILD)/tables/make
 	@$< names | xargs -P $(shell nproc 2>/dev/null || echo 2) -I NAME \
-	  sh -c '$< NAME >$(<D)/NAME.part'
-	@{ $< begin; $< names | sed 's,.*,$(<D)/&.part,' | xargs cat; $< end; } \
-	  >$(<D)/reference.h && mv $(<D)/reference.h tests/data/reference.h
-	@echo 'The references are in tests/data/reference.h.'
+	  sh -c '$< NAME >$(<D)/NAME && mv $(<D)/NAME tests/data/reference_NAME.h'
+	@$< index >$(<D)/index && mv $(<D)/index tests/data/reference.h
+	@echo 'The references are in tests/data/.'

@@ -13,7 +13,8 @@ static const struct {
   long machines;
   const char *about;
 } classes[] = {
-    {"validate", class_validate, 1, "the reference against the paper and tests/data"},
+    {"validate", class_validate, 1,
+     "the reference against the paper and tests/data"},
     {"second", class_second, 10, "random machines by a second integration"},
     {"signs", class_signs, 2000, "(a) mode and signs of h and g"},
     {"grid", class_grid, 2000, "(a) the enumeration against a search"},

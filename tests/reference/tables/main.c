@@ -1,6 +1,6 @@
-// Writes one reference solution, or what stands before or after all of them, to
-// standard output. Each is computed twice, the second time at a tolerance 1000
-// times looser; how far they are apart goes to standard error as well.
+// Writes one reference solution, or the index of all, to standard output. Each
+// is computed twice, the second time at a tolerance 1000 times looser; how far
+// they are apart goes to standard error as well.
 #include <stdlib.h>
 #include <string.h>
 
@@ -83,10 +83,8 @@ static void solve(const problem_t *problem) {
 int main(int argc, char **argv) {
   const char *wanted = argc == 2 ? argv[1] : "";
   int found = 1;
-  if (!strcmp(wanted, "begin"))
-    write_begin(stdout);
-  else if (!strcmp(wanted, "end"))
-    write_end(stdout);
+  if (!strcmp(wanted, "index"))
+    write_index(stdout);
   else
     found = !strcmp(wanted, "names");
   for (int i = 0; i < PROBLEMS; i++) {
@@ -95,6 +93,6 @@ int main(int argc, char **argv) {
     found = 1;
     solve(&problems[i]);
   }
-  if (!found) fprintf(stderr, "usage: tables begin | names | PROBLEM | end\n");
+  if (!found) fprintf(stderr, "usage: tables index | names | PROBLEM\n");
   return found && fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

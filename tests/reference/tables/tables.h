@@ -63,9 +63,8 @@ typedef struct {
   bool agree;
 } uncertainty_t;
 
-void write_begin(FILE *out);
+void write_index(FILE *out);
 void write_problem(FILE *out, const problem_t *problem, const course_t *course,
                    const uncertainty_t *looser);
-void write_end(FILE *out);
 
 #endif

@@ -1,4 +1,4 @@
-// Writes tests/data/reference.h, in parts.
+// Writes tests/data/reference.h and its parts.
 #include <string.h>
 
 #include "tables.h"
@@ -24,7 +24,7 @@ static void row(FILE *out, const char *before, const row_t *x,
   number(out, "", x->w, after);
 }
 
-void write_begin(FILE *out) {
+void write_index(FILE *out) {
   fputs(
       "/* Reference solutions, made by `make oracle`, not by hand: by the"
       " solver of\n"
@@ -68,11 +68,10 @@ void write_begin(FILE *out) {
       "  int states, events;\n"
       "  const reference_state_t *state;\n"
       "  const reference_event_t *event;\n"
-      "} reference_t;\n",
+      "} reference_t;\n\n",
       out);
-}
-
-void write_end(FILE *out) {
+  for (int i = 0; i < PROBLEMS; i++)
+    fprintf(out, "#include \"reference_%s.h\"\n", problems[i].name);
   fprintf(out,
           "\n#define REFERENCES %d\n"
           "static const reference_t *const references[REFERENCES] = {\n",
@@ -132,7 +131,11 @@ static void head(FILE *out, const problem_t *p, const course_t *c,
 void write_problem(FILE *out, const problem_t *problem, const course_t *course,
                    const uncertainty_t *looser) {
   const char *name = problem->name;
-  fprintf(out, "\nstatic const reference_state_t %s_states[] = {\n", name);
+  fputs(
+      "/* Part of reference.h, which says what this is. */\n"
+      "/* clang-format off */\n",
+      out);
+  fprintf(out, "static const reference_state_t %s_states[] = {\n", name);
   for (int i = 0; i < course->states; i++)
     row(out, "  {", &course->grid[i], "},\n");
   fprintf(out, "};\nstatic const reference_event_t %s_events[] = {\n", name);
