@@ -195,7 +195,7 @@ TEST(random_machines_take_one_branch) {
 
 /* Machines that come to h = g = 0, and where they are later: from slip that
  * creeps in while rest is possible but not stable, seven times; and from stick
- * where two slips leave. The ends are those of tests/reference/events. */
+ * where two slips leave. The ends are those of tests/reference. */
 static const struct {
   tf_params_t params;
   double r, v, w, h, end;
