@@ -167,9 +167,9 @@ TEST(stick_order_of_convergence) {
                     (double)(s[i].x.v - s[i + 1].x.v),
                     (double)(s[i].x.w - s[i + 1].x.w));
   CHECK(apart[0] < 1e-5);
-  if (!IS_DOUBLE) return; /* rounding is as large as the differences */
   printf("# quotient of differences %.3f\n", apart[0] / apart[1]);
-  CHECK_NEAR(apart[0] / apart[1], 4, 0.2);
+  /* Rounding of float is as large as the differences. */
+  if (IS_DOUBLE) CHECK_NEAR(apart[0] / apart[1], 4, 0.2);
 }
 
 /* A constant rate of exit means the same mean time in an escaping stick at

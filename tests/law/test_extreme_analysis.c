@@ -1,5 +1,5 @@
 /* What the analysis of a machine promises, for machines, inputs and states from
- * the whole of what is allowed (tools/verify/fuzz/analysis.c says what that is). */
+ * the whole of what is allowed, as tools/verify/fuzz/analysis.c has it. */
 #include "../../tools/verify/fuzz/fuzz.h"
 #include "extremes.h"
 

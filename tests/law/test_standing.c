@@ -59,8 +59,8 @@ static tf_state_t placed(double omega) {
       .r = uniform(-0.5, 0.5), .w = (tf_real_t)omega, .mode = TF_NO_MODE};
 }
 
-/* Slip somewhere, or stick on the circle r = d tan(gamma), where the wheel rolls
- * without slipping. Some of them stand still. */
+/* Slip somewhere, or stick on the circle r = d tan(gamma), where the wheel
+ * rolls without slipping. Some of them stand still. */
 static void judge_equilibria(bool slips, int least_share) {
   long still = 0, of = 0;
   for (int i = 0; i < samples(4000); i++) {

@@ -58,7 +58,7 @@ TEST(corpus_keeps_the_promises) {
                  {"arguments", fuzz_arguments}, {"scene", fuzz_scene},
                  {"table", fuzz_table},         {"state", fuzz_state},
                  {"record", fuzz_record}};
-  /* Complaints about what was typed are what some of them are meant to cause. */
+  /* Some of them are meant to cause complaints about what was typed. */
   CHECK(freopen("/dev/null", "w", stderr) != NULL);
   for (size_t i = 0; i < sizeof targets / sizeof *targets; i++) {
     char room[64], crashes[64];

@@ -261,8 +261,8 @@ static int is_in_reach(tf_real_t x) {
 }
 
 /* Where the check of a step lets numbers pass, each of them is finite and
- * within the limit; and nothing else is refused. tools/verify/eva/cases.h assumes that
- * clip() makes the lower bound of NaN, and shows the rest. */
+ * within the limit; and nothing else is refused. tools/verify/eva/cases.h
+ * assumes that clip() makes the lower bound of NaN, and shows the rest. */
 TEST(numbers_that_pass_are_finite_and_within_the_limit) {
   int passed = 0;
   for (int n = 0; n < AT_THE_LIMIT * AT_THE_LIMIT * AT_THE_LIMIT; n++) {
