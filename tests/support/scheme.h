@@ -1,6 +1,6 @@
 /* scheme.h - one Moreau step by the equations (1)-(7) of DESIGN.md in long
- * double, with the mass matrix as it is printed there and the parameters as they
- * were given. */
+ * double, with the mass matrix as it is printed there and the parameters as
+ * they were given. */
 #ifndef TESTS_SUPPORT_SCHEME_H
 #define TESTS_SUPPORT_SCHEME_H
 
