@@ -278,8 +278,8 @@ def test_session_of_a_board():
     commands."""
     for _ in range(5):
         code, text = session()
-        if code != 6:
-            break  # a busy computer may lose frames: there is no record
+        if Path("record").exists():
+            break  # a busy computer may lose frames, and keeps none then
     same(code, 3)  # one is refused
     check("set:mu=-1: refused" in text, text)
     lines = Path("record").read_text("ascii").splitlines()
