@@ -2,28 +2,20 @@
 """`--live` of `run` and `monitor` behind a pseudo-terminal: what is drawn fits
 the screen, follows its size and shows every mode that was visited; the terminal
 is given back whatever ends the program; and where there is no terminal there is
-not one escape code.
-
-usage: test_live.py [WORD]...     tests whose names contain one of the words
-
-TWOFOLD is the command line."""
+not one escape code."""
 import os
 import re
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT / "tests" / "support"))
+from terminal import Terminal
 
-from tap import check, run  # noqa: E402
-from terminal import Terminal  # noqa: E402
+sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
+from tap import TWOFOLD, check, run  # noqa: E402
 
-TWOFOLD = str(Path(os.environ.get(
-    "TWOFOLD", ROOT / "build" / "double" / "twofold")).resolve())
 LONG = [TWOFOLD, "run", "chaos", "--live", "--realtime", "--dt", "1e-3",
         "--t-end", "1000"]
 SHORT = [TWOFOLD, "run", "chaos", "--live", "--t-end", "10", "--events", "0"]
@@ -100,36 +92,32 @@ def stays_at_the_end():
         check("t,r,v" not in terminal.text(), "no rows in the picture")
 
 
-def gives_back_on(number, code):
-    def test():
-        with Terminal(LONG) as terminal:
-            terminal.drawn(2)
-            check(not terminal.screen.cursor and terminal.screen.other,
-                  "it takes the terminal")
-            terminal.signal(number)
-            check(terminal.end() == code, "code")
-            check(terminal.is_given_back(), "not given back")
-    return test
+def gives_back_on(number):
+    with Terminal(LONG) as terminal:
+        terminal.drawn(2)
+        check(not terminal.screen.cursor and terminal.screen.other,
+              "it takes the terminal")
+        terminal.signal(number)
+        check(terminal.end() == 4, "code")
+        check(terminal.is_given_back(), "not given back")
 
 
 def gives_back_before_a_second_signal():
     """The first signal alone puts the terminal in order: where the program
     then hangs, here in a full pipe, a second one kills it."""
-    with tempfile.TemporaryDirectory() as folder:
-        fifo = Path(folder) / "fifo"
-        os.mkfifo(fifo)
-        reader = os.open(fifo, os.O_RDONLY | os.O_NONBLOCK)
-        words = [TWOFOLD, "run", "chaos", "--live", "--dt", "1e-6", "--t-end",
-                 "1000", "--out", fifo]
-        with Terminal(words) as terminal:
-            terminal.until(lambda: terminal.screen.other, "the page")
-            terminal.signal()
-            terminal.until(terminal.is_given_back, "the terminal is back")
-            terminal.signal()
-            code = terminal.end()
-            check(code in (-signal.SIGINT, 4), f"code {code}")
-            check(terminal.is_given_back(), "not given back")
-        os.close(reader)
+    os.mkfifo("fifo")
+    reader = os.open("fifo", os.O_RDONLY | os.O_NONBLOCK)
+    words = [TWOFOLD, "run", "chaos", "--live", "--dt", "1e-6", "--t-end",
+             "1000", "--out", "fifo"]
+    with Terminal(words) as terminal:
+        terminal.until(lambda: terminal.screen.other, "the page")
+        terminal.signal()
+        terminal.until(terminal.is_given_back, "the terminal is back")
+        terminal.signal()
+        code = terminal.end()
+        check(code in (-signal.SIGINT, 4), f"code {code}")
+        check(terminal.is_given_back(), "not given back")
+    os.close(reader)
 
 
 def follows_the_size():
@@ -187,12 +175,10 @@ def quiet_without_a_terminal():
                    "frames").stdout
     done = plain(TWOFOLD, "monitor", "-", "--live")
     check(b"\x1b" not in done.stdout + done.stderr, "an escape code")
-    with tempfile.NamedTemporaryFile() as file:
-        file.write(frames)
-        file.flush()
-        done = plain(TWOFOLD, "monitor", file.name, "--live")
-        check(done.returncode == 0 and done.stdout == b"", "code")
-        check(done.stderr.count(b"--live needs a terminal") == 1, "a line")
+    Path("frames").write_bytes(frames)
+    done = plain(TWOFOLD, "monitor", "frames", "--live")
+    check(done.returncode == 0 and done.stdout == b"", "code")
+    check(done.stderr.count(b"--live needs a terminal") == 1, "a line")
     for term in "dumb", "":
         with Terminal([*SHORT, "--every", "50000"], TERM=term) as terminal:
             check(terminal.end() == 0 and b"\x1b" not in terminal.all,
@@ -202,13 +188,11 @@ def quiet_without_a_terminal():
 
 def rows_go_to_a_file():
     rows = plain(TWOFOLD, "run", "chaos", "--t-end", "2").stdout
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "rows.csv"
-        with Terminal([TWOFOLD, "run", "chaos", "--t-end", "2", "--live",
-                       "--out", path]) as terminal:
-            check(terminal.end() == 0, "code")
-            check(lanes_of(terminal.screen.lines()), "no picture")
-        check(path.read_bytes() == rows, "other rows than without --live")
+    with Terminal([TWOFOLD, "run", "chaos", "--t-end", "2", "--live",
+                   "--out", "rows"]) as terminal:
+        check(terminal.end() == 0, "code")
+        check(lanes_of(terminal.screen.lines()), "no picture")
+    check(Path("rows").read_bytes() == rows, "other rows than without --live")
 
 
 def feed(pipe, data, terminal):
@@ -259,22 +243,11 @@ def monitor_keeps_messages():
         check("the device went away" in terminal.text(), terminal.text())
 
 
-TESTS = [("planes and lanes fit every size", shows_planes_and_lanes),
-         ("lanes are the modes of the rows", lanes_are_the_modes_of_the_rows),
-         ("the last picture stays", stays_at_the_end),
-         ("SIGINT gives the terminal back", gives_back_on(signal.SIGINT, 4)),
-         ("SIGTERM gives the terminal back", gives_back_on(signal.SIGTERM, 4)),
-         ("SIGHUP gives the terminal back", gives_back_on(signal.SIGHUP, 4)),
-         ("the first signal is enough", gives_back_before_a_second_signal),
-         ("the picture follows the size", follows_the_size),
-         ("ASCII where UTF-8 is not known", ascii_without_utf8),
-         ("colours unless NO_COLOR", colours),
-         ("no terminal, no escape code", quiet_without_a_terminal),
-         ("rows go to a file", rows_go_to_a_file),
-         ("monitor draws a stream", monitor_draws_a_stream),
-         ("monitor keeps messages", monitor_keeps_messages)]
-
-if __name__ == "__main__":
-    wanted = sys.argv[1:]
-    sys.exit(run([(name, test) for name, test in TESTS
-                  if not wanted or any(word in name for word in wanted)]))
+TESTS = [(test.__name__, test) for test in (
+    shows_planes_and_lanes, lanes_are_the_modes_of_the_rows, stays_at_the_end,
+    gives_back_before_a_second_signal, follows_the_size, ascii_without_utf8,
+    colours, quiet_without_a_terminal, rows_go_to_a_file,
+    monitor_draws_a_stream, monitor_keeps_messages)]
+TESTS += [(f"gives_back_on {one.name}", lambda one=one: gives_back_on(one))
+          for one in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)]
+sys.exit(run(TESTS, jobs=4))

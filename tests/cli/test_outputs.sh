@@ -217,7 +217,7 @@ no_workers() { [ -z "$(workers)" ]; }
 has_workers() { [ "$(workers | wc -l)" -ge 2 ]; }
 if /usr/bin/python3 -c 'import pandas, statsmodels, tabulate' 2>/dev/null; then
   mkdir parts
-  export TMPDIR=$D/parts TWOFOLD=$T JOBS=2
+  export TMPDIR="$D/parts" TWOFOLD="$T" JOBS=2
   for signal in TERM:143 INT:130 HUP:129; do
     # A shell's background jobs ignore SIGINT; what a terminal starts does not.
     env --default-signal=INT "$tools/study/run" shards "$D/joined" chaos \

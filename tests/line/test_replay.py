@@ -256,7 +256,7 @@ SENT = ["input:-1.5,0.12,0.2,-0.01", "set:kappa=0.3", "deadman:50",
 
 def session():
     """Each command waits for the answer to the one before; the record goes on
-    until the rows do. Returns: what monitor says."""
+    until the rows do. Returns: the exit code of monitor and what it says."""
     with Board("double") as board, open("told", "wb") as said:
         monitor = subprocess.Popen(
             [TWOFOLD, "monitor", board.name, "--csv", "--out", "rows",
@@ -270,14 +270,18 @@ def session():
                 Path("rows.part").read_bytes().count(b"\n") > 1500
         until(answered, "all commands are answered")
         monitor.send_signal(signal.SIGINT)
-        monitor.wait()
-    return Path("told").read_text()
+        return monitor.wait(), Path("told").read_text()
 
 
 def test_session_of_a_board():
     """A step that passes by h = g = 0 may say so: when depends on the
     commands."""
-    check("set:mu=-1: refused" in session(), "one is refused")
+    for _ in range(5):
+        code, text = session()
+        if Path("record").exists():
+            break  # a busy computer may lose frames, and keeps none then
+    same(code, 3)  # one is refused
+    check("set:mu=-1: refused" in text, text)
     lines = Path("record").read_text("ascii").splitlines()
     same(len([line for line in lines if re.match(r"\d+,4[0-9a-f],", line)]), 12)
     check(any(re.search(",03,.*,state$", line) for line in lines), "no state")

@@ -1,30 +1,22 @@
 #!/usr/bin/python3 -B
 """`twofold sweep` in shards under the real GNU parallel, Slurm and Snakemake:
 the rows of one run, also where tasks were lost and started again; and its map.
-
-usage: test_shards.py [WORD]...     tests whose names contain one of the words
-
-TWOFOLD is the command line. A program that is missing is skipped by name, or
-fails where the file REQUIRED lists its package."""
+A program that is missing is skipped by name, or fails where it is required."""
 import csv
 import os
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
 from collections import Counter
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT / "tests" / "support"))
+from cluster import Cluster, missing
 
-from cluster import Cluster, missing  # noqa: E402
-from tap import Skip, check, run  # noqa: E402
+sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
+from tap import ROOT, TWOFOLD, check, lacks, run  # noqa: E402
 
 TOOLS = ROOT / "tools/study" / "shards"
-TWOFOLD = str(Path(os.environ.get(
-    "TWOFOLD", ROOT / "build" / "double" / "twofold")).resolve())
 SWEEP = ["chaos", "--over", "kappa=0.2:0.4:12", "--over",
          "gamma=-0.6:0.6:5", "--dt", "1e-3", "--outcome",
          "modes,ambiguous,arrivals"]
@@ -33,15 +25,8 @@ SHARDS = 5
 
 def needs(package, *programs):
     """Skips a test, or fails it where the package is required."""
-    absent = [p for p in programs if shutil.which(p) is None]
-    if not absent:
-        return
-    required = os.environ.get("REQUIRED")
-    listed = required and any(
-        line.split()[-1:] == [package]
-        for line in Path(required).read_text().splitlines())
-    check(not listed, f"missing, and required: {' '.join(absent)}")
-    raise Skip(f"missing: {' '.join(absent)} (apt-get install {package})")
+    if not all(map(shutil.which, programs)):
+        lacks(package)
 
 
 def call(*words, code=0, **options):
@@ -103,8 +88,7 @@ def cluster_place(folder):
     """An empty folder for a cluster, where Slurm is installed."""
     needs("slurm-wlm", *["sbatch", "sinfo"])
     if missing():
-        raise Skip(f"missing: {' '.join(missing())} "
-                   "(apt-get install slurm-wlm munge)")
+        lacks("slurm-wlm")
     place = folder / "cluster"
     place.mkdir(mode=0o755)
     return place
@@ -399,14 +383,6 @@ TESTS = [("parallel: the rows of one run", under_parallel),
           counts_under_slurm)]
 
 
-def in_a_folder(test):
-    def go():
-        with tempfile.TemporaryDirectory() as folder:
-            test(Path(folder))
-    return go
-
-
-if __name__ == "__main__":
-    wanted = sys.argv[1:]
-    sys.exit(run([(name, in_a_folder(test)) for name, test in TESTS
-                  if not wanted or any(word in name for word in wanted)]))
+# One at a time: they time themselves, and each takes all processors.
+sys.exit(run([(name, lambda test=test: test(Path.cwd()))
+              for name, test in TESTS], jobs=1))
