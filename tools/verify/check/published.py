@@ -2,9 +2,10 @@
 """What is published still comes out: the pages of the studies are, to the byte,
 what `tools/study/run SECTION page` makes of the counts that are kept, and first
 exits are counted again with few samples and another seed: the side that they
-leave by has the kept share, by Fisher's exact test. With 0.05 % for each run, all
-of them fail by chance once in a hundred changes of the core, and not twice with
-the same core, because the seeds are fixed."""
+leave by has the kept share, by Fisher's exact test. With 0.05 % for each run,
+all of them fail by chance once in a hundred changes of the core, and not twice
+with the same core, because the seeds are fixed.
+"""
 import os
 import sys
 from pathlib import Path
