@@ -26,7 +26,7 @@ tools/package     5200   5600
 tools/page        4200   4600
 tools/bench       4200   4800
 tools/study       4200   4700
-tools/verify      6500   6900
+tools/verify      8050   8300
 tests            25000  28000
 documents         5000   5500
 DESIGN.md          700    700

@@ -79,7 +79,9 @@ def loops_of(file, wanted, *flags):
     """All loops of a file that are in one of the wanted files."""
     tree = subprocess.run(
         ["clang", "-std=c99", *flags, "-Iinclude", "-fsyntax-only", "-Xclang",
-         "-ast-dump=json", file], stdout=subprocess.PIPE, check=True).stdout
+         "-ast-dump=json", file], stdout=subprocess.PIPE, check=True,
+        # A cache of compilers has no use for a tree, and may lose it.
+        env={**os.environ, "CCACHE_DISABLE": "1"}).stdout
     found = set()
     sys.setrecursionlimit(10000)
     visit(json.loads(tree), Place(), "?", wanted, found)
