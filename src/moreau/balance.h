@@ -16,7 +16,7 @@
 
 // The most energy that a step may create, as a share of the mean of its ends: n
 // steps create at most exp(n / 4096) - 1 of the energy, so that the 4000 steps
-// of docs/STABILITY.md stay within its factor of 4.
+// of docs/BENCH.md, Stability, stay within its factor of 4.
 #define TF_CREATED_SHARE TF_R(0x1p-12)
 
 // The most of that in the periods of a stiff spring, see grows(), where the

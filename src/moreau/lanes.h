@@ -150,7 +150,7 @@ TF_INLINE lane_multipliers_t lane_multipliers_alone(const tf_tyre_t *tyre,
   return (lane_multipliers_t){m.x, m.y, 0};
 }
 
-// law_residual() as mode_residual() of outcome.h calls it: in slip only the
+// law_residual() as mode_residual() of report.h calls it: in slip only the
 // side is checked. side: +1 or -1 in slip, else 0.
 TF_INLINE tf_real_t lane_residual(const tf_machine_t *k, tf_real_t side,
                                   tf_force_t force, tf_slip_t slip) {

@@ -1,5 +1,5 @@
 // What Frama-C must know of the compiler: models of the built-in functions of
-// gcc that src/ uses, put before every file by tools/verify/eva/run, with
+// gcc that src/ uses, put before every file by tools/verify/eva/eva.py, with
 //   -D__builtin_sqrt=model_sqrt -eva-builtin model_sqrt:Frama_C_sqrt
 // and so on. They are part of what the analysis trusts.
 #ifndef TF_EVA_MODEL_H
