@@ -8,11 +8,10 @@
 #include <string.h>
 
 #include "help.h"
-#include "setup/scene.h"
+#include "setup/scene_file.h"
 #include "text/commit.h"
 #include "text/json.h"
 #include "text/message.h"
-#include "topics.h"
 
 const cli_command_t *cli_find_command(const char *name) {
   for (size_t i = 0; i < cli_command_count; i++) {

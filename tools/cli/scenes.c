@@ -1,11 +1,10 @@
 // The scenes: a list of them, and one as text that can be changed.
 
-#include "scenes.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "command.h"
 #include "host/output.h"
 #include "setup/scene_file.h"
 #include "setup/setup.h"

@@ -2,8 +2,6 @@
 // be, ranges and units of the parameters, scenes) is taken from there. Lines
 // are filled when they are printed.
 
-#include "topics.h"
-
 #include <stdio.h>
 #include <string.h>
 

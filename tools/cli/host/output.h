@@ -25,7 +25,6 @@ bool cli_output_open(cli_output_t *output, const char *path);
 
 /// Opens it for a command: from now on signals are caught as by
 /// cli_catch_signals. option: the option that gave the path, for the message.
-/// Returns: CLI_DONE, or CLI_STOPPED after a message.
 int cli_output_begin(cli_output_t *output, const char *option,
                      const char *path);
 

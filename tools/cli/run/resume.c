@@ -3,13 +3,12 @@
 // got by a command are nowhere else, so they are, with what is left of their
 // time.
 
-#include "resume.h"
-
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "../text/message.h"
+#include "record.h"
 #include "state_file.h"
 
 bool cli_run_save(cli_run_t *run, const char *path) {

@@ -14,15 +14,13 @@
 
 #include "../host/host.h"
 #include "../host/progress.h"
-#include "../setup/provenance.h"
+#include "../setup/setup.h"
 #include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/tally.h"
 #include "record.h"
-#include "resume.h"
 #include "row.h"
-#include "summary.h"
 
 #define FLUSH_EVERY 0.2 // [s]
 #define BATCH 1024      // steps between two readings of the clock

@@ -2,18 +2,17 @@
 // and with all digits. It is one line, and the last one on standard error, so
 // that notes and messages before it do no harm.
 
-#include "summary_json.h"
-
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "../setup/names.h"
-#include "../setup/provenance.h"
+#include "../setup/setup.h"
 #include "../text/commit.h"
 #include "../text/json.h"
 #include "../text/number.h"
+#include "record.h"
 
 static void put_request(const cli_run_t *run) {
   const cli_setup_t now = cli_run_setup(run), *setup = &now;

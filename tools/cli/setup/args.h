@@ -11,7 +11,7 @@
 #include "../text/range.h"
 #include "../text/trailer.h"
 #include "drive.h"
-#include "settings.h"
+#include "setup.h"
 #include "twofold.h"
 
 #define CLI_AXES 8     ///< of a sweep, at most

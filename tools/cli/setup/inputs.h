@@ -57,7 +57,6 @@ bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row);
 
 /// The turntable's profile of a scene as a table; a scene without one makes a
 /// table without rows, which changes nothing.
-/// Returns: CLI_DONE, or CLI_STOPPED after a message.
 int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene);
 
 /// Reads a table from an open file: CSV with the header `t,...`; lines that

@@ -46,7 +46,6 @@ int cli_find_rule(const char *option, const char *text, const char *name,
 const tf_scene_t *cli_find_scene(const char *name, cli_hint_t *hint);
 
 /// Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_read_rule(const char *select, tf_rule_t *rule, uint32_t *seed);
 
 /// Groups of modes, for the commands that follow a motion.

@@ -16,7 +16,6 @@ typedef struct {
 
 /// Reads A:B:N, N in [1, most]; A and B may be any numbers. option, whole: in,
 /// for messages. text: in, A:B:N, whole or the end of it.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_read_range(const char *option, const char *whole, const char *text,
                    uint64_t most, cli_range_t *range);
 
