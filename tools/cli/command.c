@@ -22,18 +22,20 @@ const cli_command_t *cli_find_command(const char *name) {
   return NULL;
 }
 
+static void offer_commands(cli_closest_t *closest) {
+  (void)cli_closest_find(closest, cli_commands, cli_command_count,
+                         sizeof cli_commands[0]);
+}
+
 // There is help on every word but this one: the closest that has some.
 static int no_help(const char *word) {
   cli_closest_t closest = cli_closest_to(word);
-  for (size_t i = 0; i < cli_command_count; i++) {
-    cli_closest_offer(&closest, cli_commands[i].name);
-  }
+  offer_commands(&closest);
   cli_topics_offer(&closest);
-  const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_message(CLI_USAGE,
-                     "help: no help on '%s'%s%s%s; try 'twofold help' or "
-                     "'twofold help run'",
-                     word, hint.before, hint.name, hint.after);
+                     "help: no help on '%s'%s; try 'twofold help' or 'twofold "
+                     "help run'",
+                     word, closest.hint);
 }
 
 // Of an option the dashes are left out.
@@ -64,13 +66,10 @@ static int unknown_command(const char *name) {
                        name);
   }
   cli_closest_t closest = cli_closest_to(name);
-  for (size_t i = 0; i < cli_command_count; i++) {
-    cli_closest_offer(&closest, cli_commands[i].name);
-  }
-  const cli_hint_t hint = cli_closest_hint(&closest);
+  offer_commands(&closest);
   return cli_message(CLI_USAGE,
-                     "unknown command '%s'%s%s%s ('twofold help' lists them)",
-                     name, hint.before, hint.name, hint.after);
+                     "unknown command '%s'%s ('twofold help' lists them)", name,
+                     closest.hint);
 }
 
 static bool is_help_option(const char *word) {

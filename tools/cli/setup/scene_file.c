@@ -17,24 +17,18 @@
 
 #define LINE_ROOM 512
 
-static int unknown_key(cli_scene_reader_t *reader, const char *key) {
-  cli_closest_t closest = cli_closest_to(key);
-  for (size_t i = 0; i < CLI_KEYS; i++) {
-    cli_closest_offer(&closest, cli_key_name(i));
+static int find_key(const cli_scene_reader_t *reader, const char *name,
+                    size_t *key) {
+  cli_closest_t closest = cli_closest_to(name);
+  for (*key = 0; *key < CLI_KEYS; ++*key) {
+    if (strcmp(cli_key_name(*key), name) == 0) {
+      return CLI_DONE;
+    }
+    cli_closest_offer(&closest, cli_key_name(*key));
   }
-  const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_message(CLI_USAGE,
-                     "%s unknown key '%s'%s%s%s ('twofold help scene' lists "
-                     "them)",
-                     reader->place, key, hint.before, hint.name, hint.after);
-}
-
-static size_t find_key(const char *name) {
-  size_t key = 0;
-  while (key < CLI_KEYS && strcmp(cli_key_name(key), name) != 0) {
-    key++;
-  }
-  return key;
+                     "%s unknown key '%s'%s ('twofold help scene' lists them)",
+                     reader->place, name, closest.hint);
 }
 
 // Splits a line without its comment into key and value.
@@ -53,9 +47,10 @@ static int read_line(cli_scene_reader_t *reader, char *line) {
   char *rest = value + strspn(value, " \t") + (equals ? 1 : 0);
   rest += strspn(rest, " \t");
   *value = '\0';
-  const size_t key = find_key(line);
-  if (key == CLI_KEYS) {
-    return unknown_key(reader, line);
+  size_t key = 0;
+  const int code = find_key(reader, line, &key);
+  if (code != CLI_DONE) {
+    return code;
   }
   if (*rest == '\0') {
     return cli_message(CLI_USAGE, "%s %s: expected a value", reader->place,
@@ -221,14 +216,7 @@ int cli_take_scene(const tf_scene_t **scene, const char *word) {
     *scene = code == CLI_DONE ? &file.scene : NULL;
     return code;
   }
-  cli_hint_t hint;
-  *scene = cli_find_scene(word, &hint);
-  return *scene != NULL
-             ? CLI_DONE
-             : cli_message(CLI_USAGE,
-                           "unknown scene '%s'%s%s%s ('twofold scenes' lists "
-                           "them; a file has a . or a / in its name)",
-                           word, hint.before, hint.name, hint.after);
+  return cli_find_scene("", word, "; a file has a . or a / in its name", scene);
 }
 
 int cli_need_scene(const tf_scene_t *scene, const char *command) {

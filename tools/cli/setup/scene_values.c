@@ -124,20 +124,18 @@ static int read_base(cli_scene_reader_t *reader, const char *name) {
                          reader->place);
     }
   }
-  cli_hint_t hint;
-  const tf_scene_t *base = cli_find_scene(name, &hint);
-  if (base != NULL) {
+  char place[CLI_PLACE_ROOM + 16];
+  const tf_scene_t *base = NULL;
+  (void)snprintf(place, sizeof place, "%s based-on: ", reader->place);
+  const int code = cli_find_scene(place, name, "", &base);
+  if (code == CLI_DONE) {
     cli_scene_file_t *file = reader->file;
     file->scene = *base;
     (void)snprintf(file->shows, sizeof file->shows, "%s", base->shows);
     (void)snprintf(file->leaves_out, sizeof file->leaves_out, "%s",
                    base->leaves_out);
-    return CLI_DONE;
   }
-  return cli_message(CLI_USAGE,
-                     "%s based-on: unknown scene '%s'%s%s%s ('twofold scenes' "
-                     "lists them)",
-                     reader->place, name, hint.before, hint.name, hint.after);
+  return code;
 }
 
 // Text that others put between quotes.

@@ -81,18 +81,14 @@ const cli_start_t cli_starts[CLI_STARTS] = {
 
 static int unknown_setting(const cli_setting_t *setting) {
   cli_closest_t closest = cli_closest_to(setting->name);
-  for (size_t i = 0; i < TF_PARAMETERS; i++) {
-    cli_closest_offer(&closest, tf_parameter_ranges[i].name);
-  }
-  for (size_t i = 0; i < CLI_STARTS; i++) {
-    cli_closest_offer(&closest, cli_starts[i].name);
-  }
+  (void)cli_closest_find(&closest, tf_parameter_ranges, TF_PARAMETERS,
+                         sizeof tf_parameter_ranges[0]);
+  (void)cli_closest_find(&closest, cli_starts, CLI_STARTS,
+                         sizeof cli_starts[0]);
   cli_closest_offer(&closest, "law");
   cli_closest_offer(&closest, "rest");
-  const cli_hint_t hint = cli_closest_hint(&closest);
-  return cli_message(CLI_USAGE, "%s %s: unknown name '%s'%s%s%s",
-                     setting->option, setting->text, setting->name, hint.before,
-                     hint.name, hint.after);
+  return cli_message(CLI_USAGE, "%s %s: unknown name '%s'%s", setting->option,
+                     setting->text, setting->name, closest.hint);
 }
 
 static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {

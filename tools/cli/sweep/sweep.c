@@ -228,17 +228,13 @@ int cli_read_over(void *to, const cli_given_t *option) {
 
 static int add_measure(cli_args_t *args, const char *name, const char *text) {
   cli_closest_t closest = cli_closest_to(name);
-  unsigned found = 0;
-  while (found < CLI_MEASURES && strcmp(cli_measures[found].name, name) != 0) {
-    cli_closest_offer(&closest, cli_measures[found].name);
-    found++;
-  }
+  const unsigned found = (unsigned)cli_closest_find(
+      &closest, cli_measures, CLI_MEASURES, sizeof cli_measures[0]);
   if (found == CLI_MEASURES) {
-    const cli_hint_t hint = cli_closest_hint(&closest);
     return cli_message(CLI_USAGE,
-                       "--outcome %s: unknown outcome '%s'%s%s%s ('twofold "
-                       "help sweep' lists them)",
-                       text, name, hint.before, hint.name, hint.after);
+                       "--outcome %s: unknown outcome '%s'%s ('twofold help "
+                       "sweep' lists them)",
+                       text, name, closest.hint);
   }
   for (size_t i = 0; i < args->measures; i++) {
     if (args->measure[i] == found) {

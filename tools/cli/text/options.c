@@ -46,10 +46,9 @@ static int unknown_option(const cli_syntax_t *syntax, const char *word) {
       cli_closest_offer(&closest, syntax->options[i].name);
     }
   }
-  const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_message(CLI_USAGE,
-                     "unknown option %s%s%s%s ('twofold help %s' lists them)",
-                     word, hint.before, hint.name, hint.after, syntax->command);
+                     "unknown option %s%s ('twofold help %s' lists them)", word,
+                     closest.hint, syntax->command);
 }
 
 static int given_twice(const cli_given_t *given) {
@@ -150,15 +149,12 @@ static int refuse_choice(const cli_option_t *option, const cli_given_t *given) {
                    at->name);
     cli_closest_offer(&closest, at->name);
   }
-  const cli_hint_t hint = cli_closest_hint(&closest);
   return option->noun == NULL
-             ? cli_message(CLI_USAGE, "%s %s: must be %s%s%s%s", given->name,
-                           given->value, list, hint.before, hint.name,
-                           hint.after)
-             : cli_message(CLI_USAGE, "%s %s: unknown %s; %ss are %s%s%s%s",
+             ? cli_message(CLI_USAGE, "%s %s: must be %s%s", given->name,
+                           given->value, list, closest.hint)
+             : cli_message(CLI_USAGE, "%s %s: unknown %s; %ss are %s%s",
                            given->name, given->value, option->noun,
-                           option->noun, list, hint.before, hint.name,
-                           hint.after);
+                           option->noun, list, closest.hint);
 }
 
 static int read_choice(const cli_option_t *option, const cli_given_t *given,
