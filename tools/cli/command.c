@@ -9,9 +9,8 @@
 
 #include "help.h"
 #include "setup/scene_file.h"
-#include "text/commit.h"
-#include "text/json.h"
 #include "text/message.h"
+#include "text/summary.h"
 
 const cli_command_t *cli_find_command(const char *name) {
   for (size_t i = 0; i < cli_command_count; i++) {
@@ -125,8 +124,7 @@ static int perform(const cli_command_t *command, int argc, char *const argv[]) {
   }
   free((void *)args.files);
   if (asks_for_json(argc, argv) && !cli_put_ended()) {
-    (void)fprintf(stderr, "{" CLI_JSON_BUILD ", ", cli_commit);
-    cli_put_word("command", command->name);
+    cli_put_begin(command->name);
     cli_put_text("message", cli_last_message());
     cli_put_exit(code);
   }

@@ -18,7 +18,7 @@
 #include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
-#include "../text/tally.h"
+#include "../text/summary.h"
 #include "record.h"
 #include "row.h"
 

@@ -3,13 +3,14 @@
 // was consistent, because that is what the simulator is about. All of it goes
 // to standard error, so that standard output has nothing but the rows.
 
+#include "../text/summary.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 
 #include "../setup/names.h"
 #include "../text/message.h"
-#include "../text/tally.h"
 #include "record.h"
 
 static void print_request(const cli_run_t *run) {

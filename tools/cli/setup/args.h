@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "../text/range.h"
+#include "../text/number.h"
 #include "../text/trailer.h"
 #include "drive.h"
 #include "setup.h"

@@ -35,12 +35,7 @@ int cli_scene_refuse_range(cli_scene_reader_t *reader, size_t key,
 
 static int read_number(cli_scene_reader_t *reader, size_t key, const char *text,
                        tf_real_t *value) {
-  const char *why = "";
-  if (cli_read_real(text, value, &why)) {
-    return CLI_DONE;
-  }
-  return cli_message(CLI_USAGE, "%s %s: '%s' %s", reader->place,
-                     cli_key_name(key), text, why);
+  return cli_read_number(reader->place, cli_key_name(key), text, value);
 }
 
 // The speed of a knot, in the range of the parameter omega0.

@@ -92,7 +92,6 @@ static int unknown_setting(const cli_setting_t *setting) {
 }
 
 static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
-  const char *why = "";
   tf_real_t value = 0;
   const size_t parameter = cli_parameter_index(setting->name);
   size_t start = 0;
@@ -111,9 +110,10 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
   if (parameter == TF_PARAMETERS && start == CLI_STARTS) {
     return unknown_setting(setting);
   }
-  if (!cli_read_real(setting->value, &value, &why)) {
-    return cli_message(CLI_USAGE, "%s %s: '%s' %s", setting->option,
-                       setting->text, setting->value, why);
+  const int code =
+      cli_read_number(setting->option, setting->text, setting->value, &value);
+  if (code != CLI_DONE) {
+    return code;
   }
   if (parameter < TF_PARAMETERS && !cli_parameter_fits(parameter, value)) {
     return cli_message(CLI_REFUSED, "%s %s: %s must be a whole number",

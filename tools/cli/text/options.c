@@ -85,11 +85,7 @@ static int read_whole(const cli_option_t *option, const cli_given_t *given,
 }
 
 static int read_number(const cli_given_t *given, tf_real_t *out) {
-  const char *why = "";
-  return cli_read_real(given->value, out, &why)
-             ? CLI_DONE
-             : cli_message(CLI_USAGE, "%s %s: '%s' %s", given->name,
-                           given->value, given->value, why);
+  return cli_read_number(given->name, given->value, given->value, out);
 }
 
 static int read_real(const cli_option_t *option, const cli_given_t *given,

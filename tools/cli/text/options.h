@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 #include "closest.h"
-#include "range.h"
+#include "number.h"
 
 /// An option as typed. value: "" where it takes none.
 typedef struct {
