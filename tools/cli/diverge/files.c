@@ -17,8 +17,7 @@
 // "none".
 static cli_buffer_t empty(char out[ROW_ROOM]) {
   out[0] = '\0';
-  const cli_buffer_t text = {out, 0, ROW_ROOM, false};
-  return text;
+  return (cli_buffer_t){out, 0, ROW_ROOM, false};
 }
 
 // A comma, and the number if there is one.
@@ -94,9 +93,7 @@ static int open_file(cli_diverge_file_t *file, const char *option,
 }
 
 cli_file_place_t cli_file_place(const cli_diverge_file_t *file) {
-  const cli_file_place_t at = {file->bytes, file->trailer.rows,
-                               file->trailer.crc};
-  return at;
+  return (cli_file_place_t){file->bytes, file->trailer.rows, file->trailer.crc};
 }
 
 // The comments of --provenance, which the trailer does not count.

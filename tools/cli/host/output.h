@@ -46,6 +46,10 @@ int cli_output_refuse_other(const char *path, const char *what);
 /// Returns: the code; CLI_STOPPED after a message if it was CLI_DONE.
 int cli_output_end(cli_output_t *output, int code);
 
+/// Begins a file, writes one text, at most CLI_OUTPUT_ROOM bytes, and ends it.
+int cli_output_write(cli_output_t *output, const char *option, const char *path,
+                     const char *text, size_t length);
+
 /// Reports where the rows of a file are that was closed before it was whole.
 void cli_output_tell_part(const cli_output_t *output);
 

@@ -21,6 +21,7 @@ typedef enum {
 
 /// A row of CSV in numbers: t r v omega h g F M.
 #define CLI_CSV_COLUMNS 8
+#define CLI_CSV_HEADER "t,r,v,omega,h,g,F,M,mode,choices\n"
 #define CLI_CSV_UNITS "t s, r m, v m/s, omega rad/s, h m/s, g m/s, F N, M N m"
 typedef struct {
   double column[CLI_CSV_COLUMNS];
@@ -41,9 +42,6 @@ extern const cli_csv_column_t cli_csv_columns[CLI_CSV_COLUMNS];
 /// Writes "r:0.18 v:1.2 omega:-1.037 h:1e-10 g:0.05 mode:3 choices:1" and a
 /// newline: the labels are those that a board sends with FORMAT=plotter.
 size_t cli_plotter_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
-
-/// Writes the header of a format, which may be empty.
-size_t cli_header(cli_format_t format, char out[CLI_ROW_ROOM]);
 
 /// Writes one row with its newline. format: CSV or PLOTTER.
 size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,

@@ -155,18 +155,6 @@ static tf_real_t mean_of(const cli_inputs_t *inputs, size_t column, size_t next,
   return sum < low ? low : sum > high ? high : sum;
 }
 
-// The first row after a time, of those not after the last look-up.
-static size_t row_after(const cli_inputs_t *inputs, tf_real_t start) {
-  size_t next = inputs->at;
-  while (next > 0 && inputs->rows[next - 1].t > start) {
-    next--;
-  }
-  while (next < inputs->count && inputs->rows[next].t <= start) {
-    next++;
-  }
-  return next;
-}
-
 static void set(const cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS],
                 tf_input_t *input) {
   tf_real_t *const members[CLI_INPUTS] = {&input->omega0, &input->r0,
@@ -208,8 +196,9 @@ void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
     return;
   }
   look_up(inputs, t - dt, before);
+  // The first row after the begin of the step.
+  const size_t next = inputs->at + (inputs->rows[inputs->at].t <= t - dt);
   look_up(inputs, t, after);
-  const size_t next = row_after(inputs, t - dt);
   for (size_t i = 0; i < CLI_INPUTS; i++) {
     mean[i] = mean_of(inputs, i, next, t - dt, t, before[i], after[i]);
   }

@@ -40,8 +40,7 @@ static size_t edit_distance(const char *a, const char *b) {
 }
 
 cli_closest_t cli_closest_to(const char *word) {
-  const cli_closest_t closest = {word, (strlen(word) + 1) / 3 + 1, ""};
-  return closest;
+  return (cli_closest_t){word, (strlen(word) + 1) / 3 + 1, ""};
 }
 
 void cli_closest_offer(cli_closest_t *closest, const char *name) {
