@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "help.h"
+#include "host/destination.h"
 #include "setup/scene_file.h"
 #include "text/message.h"
 #include "text/summary.h"
@@ -95,6 +96,48 @@ static bool asks_for_json(int argc, char *const argv[]) {
   return false;
 }
 
+#define PATH_ROOM 4200
+
+// Whether writing the one would destroy the other. Standard output takes the
+// rows of one option.
+static bool destroys(const cli_file_t *writer, const cli_file_t *file) {
+  static const char *const beside[] = {"", ".part", ".resume"};
+  const char *value = writer->given.value;
+  if (strcmp(value, "-") == 0) {
+    return file->how == CLI_WRITES && strcmp(file->given.value, "-") == 0;
+  }
+  for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
+    char path[PATH_ROOM];
+    const int length = snprintf(path, sizeof path, "%s%s", value, beside[i]);
+    if (length > 0 && (size_t)length < sizeof path &&
+        cli_one_file(path, file->given.value)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static int check_files(const cli_syntax_t *syntax, int argc,
+                       char *const argv[]) {
+  for (int at = 0; at < argc;) {
+    const int begin = at;
+    const cli_file_t writer = cli_next_file(syntax, argv, &at);
+    for (int other = 0; writer.how == CLI_WRITES && other < argc;) {
+      const bool itself = other == begin;
+      const cli_file_t file = cli_next_file(syntax, argv, &other);
+      if (!itself && file.how != 0 && destroys(&writer, &file)) {
+        return cli_message(
+            CLI_USAGE,
+            "%s %s would write over %s%s%s: two files are "
+            "needed",
+            writer.given.name, writer.given.value, file.given.name,
+            file.given.name[0] != '\0' ? " " : "", file.given.value);
+      }
+    }
+  }
+  return CLI_DONE;
+}
+
 int cli_read_args(const cli_command_t *command, cli_args_t *args, int argc,
                   char *const argv[]) {
   const cli_syntax_t syntax = {cli_options, cli_option_count, command->name,
@@ -106,6 +149,7 @@ int cli_read_args(const cli_command_t *command, cli_args_t *args, int argc,
   args->shard = cli_whole_shard;
   cli_usual_values(&syntax, args);
   int code = cli_read_words(&syntax, args, argc, argv);
+  code = code == CLI_DONE ? check_files(&syntax, argc, argv) : code;
   if (code == CLI_DONE && strncmp(command->words, "SCENE", 5) == 0) {
     code = cli_need_scene(args->scene, command->name);
   }

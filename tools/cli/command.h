@@ -12,7 +12,9 @@ int cli_command(int argc, char *const argv[]);
 /// The command of a name, NULL: there is none.
 const cli_command_t *cli_find_command(const char *name);
 
-/// Reads and checks the words behind a command that takes options.
+/// Reads and checks the words behind a command that takes options. No file that
+/// is written, nor the `.part` or `.resume` beside it, may be one that another
+/// option or a positional argument names.
 /// args: out; its files are from the heap, whatever is returned.
 int cli_read_args(const cli_command_t *command, cli_args_t *args, int argc,
                   char *const argv[]);

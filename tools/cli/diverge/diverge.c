@@ -16,7 +16,6 @@
 #include "../host/progress.h"
 #include "../text/message.h"
 #include "../text/summary.h"
-#include "checkpoint.h"
 #include "counts.h"
 #include "files.h"
 #include "motion.h"

@@ -7,7 +7,7 @@
 #include "../host/lateness.h"
 #include "../host/output.h"
 #include "../live/live.h"
-#include "../setup/drive.h"
+#include "../setup/inputs.h"
 #include "../setup/scheme.h"
 #include "events.h"
 #include "replay.h"

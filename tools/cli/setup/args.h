@@ -10,7 +10,7 @@
 
 #include "../text/number.h"
 #include "../text/trailer.h"
-#include "drive.h"
+#include "inputs.h"
 #include "setup.h"
 #include "twofold.h"
 
