@@ -8,11 +8,10 @@
 #include <string.h>
 
 #include "help.h"
-#include "setup/scene.h"
-#include "text/commit.h"
-#include "text/json.h"
+#include "host/destination.h"
+#include "setup/scene_file.h"
 #include "text/message.h"
-#include "topics.h"
+#include "text/summary.h"
 
 const cli_command_t *cli_find_command(const char *name) {
   for (size_t i = 0; i < cli_command_count; i++) {
@@ -23,18 +22,20 @@ const cli_command_t *cli_find_command(const char *name) {
   return NULL;
 }
 
+static void offer_commands(cli_closest_t *closest) {
+  (void)cli_closest_find(closest, cli_commands, cli_command_count,
+                         sizeof cli_commands[0]);
+}
+
 // There is help on every word but this one: the closest that has some.
 static int no_help(const char *word) {
   cli_closest_t closest = cli_closest_to(word);
-  for (size_t i = 0; i < cli_command_count; i++) {
-    cli_closest_offer(&closest, cli_commands[i].name);
-  }
+  offer_commands(&closest);
   cli_topics_offer(&closest);
-  const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_message(CLI_USAGE,
-                     "help: no help on '%s'%s%s%s; try 'twofold help' or "
-                     "'twofold help run'",
-                     word, hint.before, hint.name, hint.after);
+                     "help: no help on '%s'%s; try 'twofold help' or 'twofold "
+                     "help run'",
+                     word, closest.hint);
 }
 
 // Of an option the dashes are left out.
@@ -65,13 +66,10 @@ static int unknown_command(const char *name) {
                        name);
   }
   cli_closest_t closest = cli_closest_to(name);
-  for (size_t i = 0; i < cli_command_count; i++) {
-    cli_closest_offer(&closest, cli_commands[i].name);
-  }
-  const cli_hint_t hint = cli_closest_hint(&closest);
+  offer_commands(&closest);
   return cli_message(CLI_USAGE,
-                     "unknown command '%s'%s%s%s ('twofold help' lists them)",
-                     name, hint.before, hint.name, hint.after);
+                     "unknown command '%s'%s ('twofold help' lists them)", name,
+                     closest.hint);
 }
 
 static bool is_help_option(const char *word) {
@@ -98,6 +96,48 @@ static bool asks_for_json(int argc, char *const argv[]) {
   return false;
 }
 
+#define PATH_ROOM 4200
+
+// Whether writing the one would destroy the other. Standard output takes the
+// rows of one option.
+static bool destroys(const cli_file_t *writer, const cli_file_t *file) {
+  static const char *const beside[] = {"", ".part", ".resume"};
+  const char *value = writer->given.value;
+  if (strcmp(value, "-") == 0) {
+    return file->how == CLI_WRITES && strcmp(file->given.value, "-") == 0;
+  }
+  for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
+    char path[PATH_ROOM];
+    const int length = snprintf(path, sizeof path, "%s%s", value, beside[i]);
+    if (length > 0 && (size_t)length < sizeof path &&
+        cli_one_file(path, file->given.value)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static int check_files(const cli_syntax_t *syntax, int argc,
+                       char *const argv[]) {
+  for (int at = 0; at < argc;) {
+    const int begin = at;
+    const cli_file_t writer = cli_next_file(syntax, argv, &at);
+    for (int other = 0; writer.how == CLI_WRITES && other < argc;) {
+      const bool itself = other == begin;
+      const cli_file_t file = cli_next_file(syntax, argv, &other);
+      if (!itself && file.how != 0 && destroys(&writer, &file)) {
+        return cli_message(
+            CLI_USAGE,
+            "%s %s would write over %s%s%s: two files are "
+            "needed",
+            writer.given.name, writer.given.value, file.given.name,
+            file.given.name[0] != '\0' ? " " : "", file.given.value);
+      }
+    }
+  }
+  return CLI_DONE;
+}
+
 int cli_read_args(const cli_command_t *command, cli_args_t *args, int argc,
                   char *const argv[]) {
   const cli_syntax_t syntax = {cli_options, cli_option_count, command->name,
@@ -109,6 +149,7 @@ int cli_read_args(const cli_command_t *command, cli_args_t *args, int argc,
   args->shard = cli_whole_shard;
   cli_usual_values(&syntax, args);
   int code = cli_read_words(&syntax, args, argc, argv);
+  code = code == CLI_DONE ? check_files(&syntax, argc, argv) : code;
   if (code == CLI_DONE && strncmp(command->words, "SCENE", 5) == 0) {
     code = cli_need_scene(args->scene, command->name);
   }
@@ -127,8 +168,7 @@ static int perform(const cli_command_t *command, int argc, char *const argv[]) {
   }
   free((void *)args.files);
   if (asks_for_json(argc, argv) && !cli_put_ended()) {
-    (void)fprintf(stderr, "{" CLI_JSON_BUILD ", ", cli_commit);
-    cli_put_word("command", command->name);
+    cli_put_begin(command->name);
     cli_put_text("message", cli_last_message());
     cli_put_exit(code);
   }

@@ -3,11 +3,10 @@
 // a value may be, and the names of scenes and files. The texts are those of the
 // help, up to their first pause.
 
-#include "completions.h"
-
 #include <stdio.h>
 #include <string.h>
 
+#include "command.h"
 #include "table.h"
 #include "text/message.h"
 #include "twofold.h"

@@ -3,7 +3,10 @@
 #ifndef TWOFOLD_CLI_HELP_H
 #define TWOFOLD_CLI_HELP_H
 
+#include <stdbool.h>
+
 #include "table.h"
+#include "text/closest.h"
 
 /// Prints text in lines of at most 79 columns. A line that begins with a blank
 /// is printed as it is. first: in, columns of the first line that are in use.
@@ -20,7 +23,17 @@ void cli_print_page(const cli_command_t *command);
 /// is. Returns: whether there is any.
 bool cli_print_option(const char *word);
 
-/// `twofold --version`. Returns: the exit code.
+/// `twofold --version`.
 int cli_print_version(void);
+
+// Help on single words: parameters, columns, modes, laws, rules, schemes,
+// formats, options, scenes, files.
+
+/// Prints what there is to say about a word.
+/// Returns: whether there is something.
+bool cli_topic(const char *word);
+
+/// Offers all words to a search for the closest one.
+void cli_topics_offer(cli_closest_t *closest);
 
 #endif

@@ -1,11 +1,10 @@
 // The scenes: a list of them, and one as text that can be changed.
 
-#include "scenes.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "command.h"
 #include "host/output.h"
 #include "setup/scene_file.h"
 #include "setup/setup.h"
@@ -63,11 +62,7 @@ static int write_text(const cli_args_t *args, const char *text, size_t length) {
   if (output == NULL) {
     return cli_message(CLI_STOPPED, "out of memory");
   }
-  int code = cli_output_begin(output, "--out", args->out);
-  if (code == CLI_DONE) {
-    (void)cli_output_lines(output, text, length);
-    code = cli_output_end(output, CLI_DONE);
-  }
+  const int code = cli_output_write(output, "--out", args->out, text, length);
   free(output);
   return code;
 }

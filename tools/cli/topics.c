@@ -2,8 +2,6 @@
 // be, ranges and units of the parameters, scenes) is taken from there. Lines
 // are filled when they are printed.
 
-#include "topics.h"
-
 #include <stdio.h>
 #include <string.h>
 
@@ -314,32 +312,24 @@ bool cli_topic(const char *word) {
   return found;
 }
 
-// Offers each word of a list; the closest one is kept here.
 static void offer_words(cli_closest_t *closest, const char *words) {
-  static char kept[WORD_ROOM];
   while (*words != '\0') {
     char word[WORD_ROOM];
     const size_t span = strcspn(words, " ");
     (void)snprintf(word, sizeof word, "%.*s", (int)span, words);
     cli_closest_offer(closest, word);
-    if (closest->name == word) {
-      memcpy(kept, word, sizeof kept);
-      closest->name = kept;
-    }
     words += span + (words[span] == ' ' ? 1 : 0);
   }
 }
 
 void cli_topics_offer(cli_closest_t *closest) {
-  for (size_t i = 0; i < TF_PARAMETERS; i++) {
-    cli_closest_offer(closest, tf_parameter_ranges[i].name);
-  }
+  (void)cli_closest_find(closest, tf_parameter_ranges, TF_PARAMETERS,
+                         sizeof tf_parameter_ranges[0]);
   for (size_t i = 0; i < TF_SCENES; i++) {
     cli_closest_offer(closest, tf_scenes[i]->name);
   }
-  for (size_t i = 0; i < CLI_MEASURES; i++) {
-    cli_closest_offer(closest, cli_measures[i].name);
-  }
+  (void)cli_closest_find(closest, cli_measures, CLI_MEASURES,
+                         sizeof cli_measures[0]);
   for (size_t i = 0; i < cli_option_count; i++) {
     if (cli_options[i].name != NULL) {
       cli_closest_offer(closest, cli_options[i].name + 2);

@@ -1,5 +1,5 @@
 // The program `twofold`. It links libc, libm and the core; everything else is
-// under tools/cli. tools/cli/command.c has the table of the commands and
+// under tools/cli. tools/cli/commands.c has the table of the commands and
 // lists the folders.
 
 #include <stdio.h>

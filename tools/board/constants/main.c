@@ -5,7 +5,7 @@
 // SCENE is a name or, but for its number, a file ('twofold help scene').
 #include <string.h>
 
-#include "../../cli/setup/scene.h"
+#include "../../cli/setup/scene_file.h"
 #include "constants.h"
 
 // The number of a built-in scene, TF_SCENES for any other one.

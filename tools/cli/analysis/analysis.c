@@ -3,8 +3,6 @@
 
 #include "analysis.h"
 
-#include <inttypes.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "../setup/names.h"
@@ -97,23 +95,15 @@ int cli_analysis_refuse_gamma(const cli_analysis_t *a) {
 
 void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
                              cli_buffer_t *text) {
-  char hash[9];
-  (void)snprintf(hash, sizeof hash, "%08" PRIx32,
-                 tf_params_hash(&a->setup.params));
   cli_add_form(text,
                "{\n  \"version\": \"%s\", \"commit\": \"%s\", "
                "\"number\": \"%s\",\n"
-               "  \"scene\": \"%s\", \"parameters\": \"%s\",\n"
-               "  \"units\": {%s},\n",
-               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, a->args->scene->name,
-               hash, units);
+               "  \"scene\": \"%s\", \"parameters\": \"",
+               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, a->args->scene->name);
+  cli_add_hash(text, tf_params_hash(&a->setup.params));
+  cli_add_form(text, "\",\n  \"units\": {%s},\n", units);
 }
 
 int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length) {
-  const int code = cli_output_begin(&a->output, "--out", a->args->out);
-  if (code != CLI_DONE) {
-    return code;
-  }
-  (void)cli_output_lines(&a->output, text, length);
-  return cli_output_end(&a->output, CLI_DONE);
+  return cli_output_write(&a->output, "--out", a->args->out, text, length);
 }

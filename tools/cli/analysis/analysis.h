@@ -17,10 +17,9 @@ typedef struct {
 } cli_analysis_t;
 
 /// Checks that --r and --omega are given.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_analysis_check(cli_args_t *args);
 
-/// The commands. Each returns the exit code.
+/// The commands.
 int cli_singularities(const cli_args_t *args);
 int cli_regions(const cli_args_t *args);
 int cli_design(const cli_args_t *args);
@@ -28,7 +27,6 @@ int cli_atlas(const cli_args_t *args);
 
 /// Prepares the machine. finds_kappa: the command computes kappa, so a scene
 /// without kappa is not refused.
-/// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
 int cli_analysis_begin(cli_analysis_t *a, const cli_args_t *args,
                        bool finds_kappa);
 
@@ -41,7 +39,6 @@ cli_origin_t cli_analysis_origin(const cli_analysis_t *a, const char *name);
 
 /// Refuses a law without a jump at h = 0, or (with needs_moment) one without a
 /// moment in stick.
-/// Returns: CLI_DONE, or CLI_REFUSED after a message.
 int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment);
 
 /// Refuses mu = 0, and a gamma whose sine or cosine nearly vanishes.
@@ -56,7 +53,6 @@ void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
                              cli_buffer_t *text);
 
 /// Writes one text and closes the output.
-/// Returns: CLI_DONE, or CLI_STOPPED after a message.
 int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length);
 
 #endif

@@ -8,7 +8,7 @@
 
 #include "../host/host.h"
 #include "../host/progress.h"
-#include "../setup/provenance.h"
+#include "../setup/setup.h"
 #include "../text/buffer.h"
 #include "../text/message.h"
 #include "analysis.h"

@@ -69,9 +69,8 @@ static cli_canard_node_t step(const cli_canard_t *canard,
 }
 
 static cli_canard_node_t tangent(const cli_canard_t *canard, double t) {
-  const cli_canard_node_t at = {t, canard->r + canard->v * t,
-                                canard->z + canard->slope * canard->v * t};
-  return at;
+  return (cli_canard_node_t){t, canard->r + canard->v * t,
+                             canard->z + canard->slope * canard->v * t};
 }
 
 // When the tangent leaves the escaping region, no farther than half of the way

@@ -59,12 +59,10 @@ void cli_counts_cycle(cli_counts_t *counts, uint64_t cycle,
 bool cli_counts_put(const cli_counts_t *counts, cli_output_t *output);
 
 /// Reads such a file; counts is all 0 before. name: in, for messages.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_counts_read(cli_counts_t *counts, const char *name);
 
 /// Adds the counts of other shards of the same run. name: in, of the file that
 /// `more` was read from.
-/// Returns: CLI_DONE, or CLI_REFUSED after a message.
 int cli_counts_add(cli_counts_t *counts, const cli_counts_t *more,
                    const char *name);
 

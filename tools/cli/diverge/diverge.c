@@ -14,10 +14,8 @@
 
 #include "../host/host.h"
 #include "../host/progress.h"
-#include "../text/commit.h"
-#include "../text/json.h"
 #include "../text/message.h"
-#include "checkpoint.h"
+#include "../text/summary.h"
 #include "counts.h"
 #include "files.h"
 #include "motion.h"
@@ -184,20 +182,17 @@ static void summarise(const work_t *work, double seconds) {
 // The same for a program: one line, the last one on standard error.
 static void summarise_json(const work_t *work, double seconds, int code) {
   const cli_args_t *args = work->job->args;
-  (void)fprintf(
-      stderr,
-      "{" CLI_JSON_BUILD
-      ", \"command\": \"diverge\", \"scene\": "
-      "\"%s\", \"by\": \"%s\", \"seed\": %" PRIu64 ", \"samples\": %" PRIu64
-      ", \"done\": %" PRIu64 ", \"cycles\": %" PRIu64,
-      cli_commit, args->scene->name, cli_mechanisms[args->mechanism].name,
-      args->seed, work->last - work->first, work->done, work->cycles);
+  cli_put_begin("diverge");
+  cli_put_word("scene", args->scene->name);
+  cli_put_word("by", cli_mechanisms[args->mechanism].name);
+  cli_put_count("seed", args->seed);
+  cli_put_count("samples", work->last - work->first);
+  cli_put_count("done", work->done);
+  cli_put_count("cycles", work->cycles);
   for (int i = 1; i < CLI_OUTCOMES; i++) {
-    (void)fprintf(stderr, ", \"%s\": %" PRIu64,
-                  cli_outcome_name((cli_outcome_t)i), work->outcomes[i]);
+    cli_put_count(cli_outcome_name((cli_outcome_t)i), work->outcomes[i]);
   }
-  (void)fprintf(stderr, ", \"seconds\": %.9g, ", seconds);
-  cli_put_exit(code);
+  cli_put_end(seconds, code);
 }
 
 // What the counts of all shards are of, and which shard this one is.

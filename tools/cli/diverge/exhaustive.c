@@ -19,10 +19,9 @@
 #include "../host/host.h"
 #include "../host/output.h"
 #include "../host/progress.h"
-#include "../text/commit.h"
-#include "../text/json.h"
 #include "../text/message.h"
 #include "../text/number.h"
+#include "../text/summary.h"
 #include "motion.h"
 
 #define JOIN 1e-6 // [m]
@@ -209,16 +208,13 @@ static void visit_all(search_t *search) {
 
 static void summarise(const search_t *search, int code) {
   if (search->job->args->summary != 0) {
-    (void)fprintf(stderr,
-                  "{" CLI_JSON_BUILD
-                  ", \"command\": \"diverge --exhaustive\", "
-                  "\"scene\": \"%s\", \"nodes\": %" PRIu64
-                  ", \"branches\": %" PRIu64 ", \"joined\": %" PRIu64
-                  ", \"dropped\": %" PRIu64 ", \"seconds\": %.9g, ",
-                  cli_commit, search->job->setup.scene->name, search->used,
-                  search->branches, search->joined, search->dropped,
-                  cli_now() - search->progress.started);
-    cli_put_exit(code);
+    cli_put_begin("diverge --exhaustive");
+    cli_put_word("scene", search->job->setup.scene->name);
+    cli_put_count("nodes", search->used);
+    cli_put_count("branches", search->branches);
+    cli_put_count("joined", search->joined);
+    cli_put_count("dropped", search->dropped);
+    cli_put_end(cli_now() - search->progress.started, code);
     return;
   }
   (void)fprintf(

@@ -4,11 +4,10 @@
 #define TWOFOLD_CLI_JOB_H
 
 #include "../setup/args.h"
-#include "../setup/provenance.h"
 #include "../setup/setup.h"
 #include "../text/buffer.h"
 #include "canard.h"
-#include "mechanism.h"
+#include "diverge.h"
 
 typedef struct {
   const cli_args_t *args;
@@ -23,7 +22,6 @@ typedef struct {
 } cli_job_t;
 
 /// Prepares the machine, the two-fold and the start of all samples.
-/// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
 int cli_job_prepare(cli_job_t *job, const cli_args_t *args);
 
 /// Room for what cli_job_describe writes.
@@ -35,7 +33,6 @@ void cli_job_describe(const cli_job_t *job, cli_buffer_t *text);
 
 /// What the rows are of, as the comment lines of --provenance. units: in, of
 /// the columns.
-/// Returns: the length.
 size_t cli_job_provenance(const cli_job_t *job, const char *units,
                           char out[CLI_PROVENANCE_ROOM]);
 

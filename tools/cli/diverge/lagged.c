@@ -16,9 +16,8 @@
 #define RATE_BOUND 4.0 // bound of h' in units of mu / m, within a delay
 
 static cli_point_t along(cli_point_t at, cli_point_t rate, double dt) {
-  const cli_point_t to = {at.r + dt * rate.r, at.p + dt * rate.p,
-                          at.z + dt * rate.z};
-  return to;
+  return (cli_point_t){at.r + dt * rate.r, at.p + dt * rate.p,
+                       at.z + dt * rate.z};
 }
 
 static cli_point_t rate_of(const tf_machine_t *k, cli_point_t at, int side) {

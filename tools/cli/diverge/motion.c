@@ -34,11 +34,10 @@ double cli_draw_normal(cli_draws_t *draws) {
 }
 
 cli_tracker_t cli_tracker_of(const cli_job_t *job) {
-  const cli_tracker_t tracker = {.machine = &job->machine,
-                                 .two_fold = &job->two_fold,
-                                 .section = job->args->section,
-                                 .patience = job->args->patience};
-  return tracker;
+  return (cli_tracker_t){.machine = &job->machine,
+                         .two_fold = &job->two_fold,
+                         .section = job->args->section,
+                         .patience = job->args->patience};
 }
 
 tf_state_t cli_motion_start(const cli_job_t *job) {
@@ -66,13 +65,12 @@ cli_instant_t cli_instant_in_band(const cli_motion_t *motion, cli_point_t at) {
   const tf_slip_t slip = cli_slip_at(&motion->long_steps, at);
   const bool on = fabs((double)slip.h) <= motion->band;
   const bool rest = fabs((double)slip.g) <= CLI_REST_BANDS * motion->band;
-  const cli_instant_t now = {.t = motion->t,
-                             .at = at,
-                             .h = (double)slip.h,
-                             .g = (double)slip.g,
-                             .on = on,
-                             .pinned = on && rest};
-  return now;
+  return (cli_instant_t){.t = motion->t,
+                         .at = at,
+                         .h = (double)slip.h,
+                         .g = (double)slip.g,
+                         .on = on,
+                         .pinned = on && rest};
 }
 
 bool cli_refuse_cycle(cli_motion_t *motion) {

@@ -89,7 +89,7 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
                                unsigned *set);
 
 /// `diverge --exhaustive`: follows all branches instead of samples, and writes
-/// them. Returns: the exit code.
+/// them.
 int cli_exhaustive(const cli_job_t *job);
 
 #endif

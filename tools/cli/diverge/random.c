@@ -22,13 +22,12 @@
 static cli_instant_t instant(const cli_motion_t *motion) {
   const cli_point_t at = cli_point_of(&motion->job->machine, &motion->state);
   const tf_slip_t slip = cli_slip_at(&motion->job->machine, at);
-  const cli_instant_t now = {.t = motion->t,
-                             .at = at,
-                             .h = (double)slip.h,
-                             .g = (double)slip.g,
-                             .on = motion->state.mode > TF_SLIP_MINUS,
-                             .pinned = motion->state.mode == TF_PINNED};
-  return now;
+  return (cli_instant_t){.t = motion->t,
+                         .at = at,
+                         .h = (double)slip.h,
+                         .g = (double)slip.g,
+                         .on = motion->state.mode > TF_SLIP_MINUS,
+                         .pinned = motion->state.mode == TF_PINNED};
 }
 
 static double draw_time(cli_motion_t *motion) {

@@ -24,33 +24,29 @@ cli_point_t cli_vector_field(const tf_machine_t *k, cli_point_t at, double F,
                      (double)k->c2 * v + (double)k->m * at.r * w * w;
   const double Q_phi = -(double)k->c1 * w - 2 * (double)k->m * at.r * v * w;
   const double J = inertia_at(k, at.r);
-  const cli_point_t rate = {
+  return (cli_point_t){
       v, (Q_r + F * (double)k->sin_gamma) / (double)k->m,
       (Q_phi + (double)k->d * Q_r + F * at.r * (double)k->cos_gamma + M) / J};
-  return rate;
 }
 
 tf_slip_t cli_slip_at(const tf_machine_t *k, cli_point_t at) {
   const double q = at.r * at.z;
-  const tf_slip_t slip = {
+  return (tf_slip_t){
       (tf_real_t)(-at.p * (double)k->sin_gamma - q * (double)k->cos_gamma),
       (tf_real_t)(q * (double)k->sin_gamma - at.p * (double)k->cos_gamma)};
-  return slip;
 }
 
 tf_state_t cli_state_at(const tf_machine_t *k, cli_point_t at) {
-  const tf_state_t state = {.r = (tf_real_t)at.r,
-                            .v = (tf_real_t)(at.p + (double)k->d * at.z),
-                            .w = (tf_real_t)(at.z + (double)k->omega0),
-                            .mode = TF_NO_MODE};
-  return state;
+  return (tf_state_t){.r = (tf_real_t)at.r,
+                      .v = (tf_real_t)(at.p + (double)k->d * at.z),
+                      .w = (tf_real_t)(at.z + (double)k->omega0),
+                      .mode = TF_NO_MODE};
 }
 
 cli_point_t cli_point_of(const tf_machine_t *k, const tf_state_t *state) {
   const double z = (double)state->w - (double)k->omega0;
-  const cli_point_t at = {(double)state->r, (double)state->v - (double)k->d * z,
-                          z};
-  return at;
+  return (cli_point_t){(double)state->r, (double)state->v - (double)k->d * z,
+                       z};
 }
 
 double cli_delassus(const tf_machine_t *k, double r, double g) {
@@ -60,9 +56,8 @@ double cli_delassus(const tf_machine_t *k, double r, double g) {
 }
 
 cli_point_t cli_point_on_surface(const tf_machine_t *k, double r, double z) {
-  const cli_point_t at = {
-      r, -r * z * (double)k->cos_gamma / (double)k->sin_gamma, z};
-  return at;
+  return (cli_point_t){r, -r * z * (double)k->cos_gamma / (double)k->sin_gamma,
+                       z};
 }
 
 double cli_slip_rate(const tf_machine_t *k, cli_point_t at, cli_point_t rate) {

@@ -43,20 +43,56 @@ static bool names(const char *path, int descriptor) {
          same_file(&by_name, &opened);
 }
 
-// The folder of a path, as the caller may open it.
-static void folder_of(const char *path, char folder[CLI_PATH_ROOM]) {
+#define FOLDER_ROOM (CLI_PATH_ROOM + 2)
+
+// The folder of a path, as the caller may open it. Returns: whether it fits;
+// opening a longer one reports what is wrong.
+static bool folder_of(const char *path, char folder[FOLDER_ROOM]) {
   const char *slash = strrchr(path, '/');
   const size_t length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
+  if (length + 2 > FOLDER_ROOM) {
+    return false;
+  }
   memcpy(folder, path, length);
   memcpy(folder + length, ".", 2);
+  return true;
+}
+
+static const char *name_of(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash == NULL ? path : slash + 1;
+}
+
+static bool in_one_folder(const char *one, const char *other) {
+  char folder[2][FOLDER_ROOM];
+  struct stat a, b;
+  return folder_of(one, folder[0]) && folder_of(other, folder[1]) &&
+         stat(folder[0], &a) == 0 && stat(folder[1], &b) == 0 &&
+         same_file(&a, &b);
+}
+
+bool cli_one_file(const char *one, const char *other) {
+  struct stat a, b;
+  if (one == NULL || other == NULL || strcmp(one, "-") == 0 ||
+      strcmp(other, "-") == 0) {
+    return false;
+  }
+  const bool there = stat(one, &a) == 0;
+  if (there != (stat(other, &b) == 0)) {
+    return false;
+  }
+  if (there) {
+    return S_ISREG(a.st_mode) && same_file(&a, &b);
+  }
+  return strcmp(name_of(one), name_of(other)) == 0 && in_one_folder(one, other);
 }
 
 // Whether a path is an entry of /proc, such as a descriptor of this process.
 static bool in_proc(const char *path) {
-  char folder[CLI_PATH_ROOM + 2];
+  char folder[FOLDER_ROOM];
   char real[PATH_MAX];
-  folder_of(path, folder);
-  return realpath(folder, real) != NULL && strncmp(real, "/proc/", 6) == 0;
+  return folder_of(path, folder) && realpath(folder, real) != NULL &&
+         strncmp(real, "/proc/", 6) == 0;
 }
 
 // Replaces a symbolic link by what it names, so that the link survives; the
@@ -175,9 +211,9 @@ int cli_destination_open(cli_destination_t *to, const char *path, bool keep) {
 // The new name is on disk once the folder is. A file system that cannot sync a
 // folder has done what it can.
 static void sync_folder(const char *path) {
-  char folder[CLI_PATH_ROOM + 2];
-  folder_of(path, folder);
-  const int opened = open(folder, O_RDONLY | O_CLOEXEC);
+  char folder[FOLDER_ROOM];
+  const int opened =
+      folder_of(path, folder) ? open(folder, O_RDONLY | O_CLOEXEC) : -1;
   if (opened >= 0) {
     (void)fsync(opened);
     (void)close(opened);

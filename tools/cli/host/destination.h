@@ -33,4 +33,8 @@ int cli_destination_close(cli_destination_t *destination, bool whole);
 /// Whether a descriptor is a regular file.
 bool cli_is_regular(int descriptor);
 
+/// Whether two paths name one regular file, there or not yet; NULL and "-" are
+/// none, and what is no regular file (a terminal, /dev/null) may come twice.
+bool cli_one_file(const char *one, const char *other);
+
 #endif

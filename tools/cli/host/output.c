@@ -162,3 +162,13 @@ int cli_output_end(cli_output_t *output, int code) {
   cli_output_tell_part(output);
   return code != CLI_DONE || closed ? code : CLI_STOPPED;
 }
+
+int cli_output_write(cli_output_t *output, const char *option, const char *path,
+                     const char *text, size_t length) {
+  const int code = cli_output_begin(output, option, path);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  (void)cli_output_lines(output, text, length);
+  return cli_output_end(output, CLI_DONE);
+}

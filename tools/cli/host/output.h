@@ -25,7 +25,6 @@ bool cli_output_open(cli_output_t *output, const char *path);
 
 /// Opens it for a command: from now on signals are caught as by
 /// cli_catch_signals. option: the option that gave the path, for the message.
-/// Returns: CLI_DONE, or CLI_STOPPED after a message.
 int cli_output_begin(cli_output_t *output, const char *option,
                      const char *path);
 
@@ -46,6 +45,10 @@ int cli_output_refuse_other(const char *path, const char *what);
 /// gets its name, otherwise a message says where its rows are.
 /// Returns: the code; CLI_STOPPED after a message if it was CLI_DONE.
 int cli_output_end(cli_output_t *output, int code);
+
+/// Begins a file, writes one text, at most CLI_OUTPUT_ROOM bytes, and ends it.
+int cli_output_write(cli_output_t *output, const char *option, const char *path,
+                     const char *text, size_t length);
 
 /// Reports where the rows of a file are that was closed before it was whole.
 void cli_output_tell_part(const cli_output_t *output);

@@ -13,12 +13,10 @@
 #define LOG_EVERY 10.0 // [s] between lines in a log
 
 cli_progress_t cli_progress_start(double now, int output) {
-  const cli_progress_t progress = {
-      .silent = output >= 0 && cli_is_terminal(output),
-      .one_line = cli_is_terminal(STDERR_FILENO),
-      .started = now,
-      .next = now + PATIENCE};
-  return progress;
+  return (cli_progress_t){.silent = output >= 0 && cli_is_terminal(output),
+                          .one_line = cli_is_terminal(STDERR_FILENO),
+                          .started = now,
+                          .next = now + PATIENCE};
 }
 
 bool cli_progress_due(const cli_progress_t *progress, double now) {

@@ -119,11 +119,11 @@ int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
   cli_board_command_t *command = &commands->list[commands->count];
   commands->count++;
   *command = (cli_board_command_t){.text = text};
-  for (size_t i = 0; i < PLAIN; i++) {
-    if (strcmp(text, plain[i].name) == 0) {
-      command->type = plain[i].type;
-      return CLI_DONE;
-    }
+  cli_closest_t closest = cli_closest_to(text);
+  const size_t i = cli_closest_find(&closest, plain, PLAIN, sizeof plain[0]);
+  if (i < PLAIN) {
+    command->type = plain[i].type;
+    return CLI_DONE;
   }
   if (strncmp(text, "set:", 4) == 0) {
     return read_set(command, text + 4);
@@ -137,15 +137,10 @@ int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
   if (strncmp(text, "deadman:", 8) == 0) {
     return read_deadman(command, text + 8);
   }
-  cli_closest_t closest = cli_closest_to(text);
-  for (size_t i = 0; i < PLAIN; i++) {
-    cli_closest_offer(&closest, plain[i].name);
-  }
-  const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_message(CLI_USAGE,
-                     "--send %s: unknown command%s%s%s ('twofold help "
-                     "monitor' lists them)",
-                     text, hint.before, hint.name, hint.after);
+                     "--send %s: unknown command%s ('twofold help monitor' "
+                     "lists them)",
+                     text, closest.hint);
 }
 
 int cli_read_send(void *to, const cli_given_t *given) {

@@ -36,10 +36,9 @@ typedef struct {
 } cli_board_commands_t;
 
 /// Checks the value of one --send and keeps it in the arguments.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_read_send(void *args, const cli_given_t *given);
 
-/// Appends a command. Returns: likewise.
+/// Appends a command.
 int cli_board_commands_add(cli_board_commands_t *commands, const char *text);
 
 /// Writes the data of a command, in the real type of the board.

@@ -6,13 +6,11 @@
 #include "../setup/args.h"
 
 /// Takes the positional argument, a file or a device.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_take_source(void *args, const char *word);
 
-/// Checks options that need each other. Returns: as cli_take_source.
+/// Checks options that need each other.
 int cli_monitor_check(cli_args_t *args);
 
-/// Returns: the exit code.
 int cli_monitor(const cli_args_t *args);
 
 #endif

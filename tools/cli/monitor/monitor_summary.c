@@ -9,9 +9,8 @@
 
 #include "../run/row.h"
 #include "../text/commit.h"
-#include "../text/json.h"
 #include "../text/number.h"
-#include "../text/tally.h"
+#include "../text/summary.h"
 #include "receiver.h"
 
 static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }

@@ -45,7 +45,6 @@ void cli_seen_put(const cli_seen_t *seen, int code);
 /// Four lines that begin with #, as cli_provenance() writes them: this program;
 /// scene, hash of the parameters and number type of the sender; its step and
 /// its build; units.
-/// Returns: the length.
 size_t cli_received_provenance(const cli_receiver_t *receiver,
                                char out[CLI_RECEIVED_ROOM]);
 

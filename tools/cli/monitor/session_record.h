@@ -21,7 +21,6 @@ typedef struct {
 } cli_session_record_t;
 
 /// Opens the file of --record.
-/// Returns: CLI_DONE, or CLI_STOPPED after a message.
 int cli_session_record_open(cli_session_record_t *record, const char *path);
 
 /// Takes note of a frame from the board.

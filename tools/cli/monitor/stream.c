@@ -11,14 +11,6 @@
 #include "../text/buffer.h"
 #include "../text/message.h"
 
-static size_t csv(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
-  return cli_csv_row(row, out);
-}
-
-static size_t plotter(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
-  return cli_plotter_row(row, out);
-}
-
 static void teleplot_name(cli_buffer_t *text, const cli_csv_t *row,
                           const char *name) {
   const double ms = row->column[0] * 1000;
@@ -64,8 +56,8 @@ static size_t json(const cli_csv_t *row, char out[CLI_STREAM_ROOM]) {
 }
 
 const cli_stream_t cli_streams[CLI_STREAMS] = {
-    {"csv", "t,r,v,omega,h,g,F,M,mode,choices\n", csv},
-    {"plotter", "", plotter},
+    {"csv", CLI_CSV_HEADER, cli_csv_row},
+    {"plotter", "", cli_plotter_row},
     {"teleplot", "", teleplot},
     {"json", "", json}};
 

@@ -13,7 +13,7 @@
 typedef struct {
   const char *name;   ///< on the command line
   const char *header; ///< the first line, may be empty
-  /// Writes a row with its newlines. Returns: the length.
+  /// Writes a row with its newlines.
   size_t (*row)(const cli_csv_t *row, char out[CLI_STREAM_ROOM]);
 } cli_stream_t;
 
@@ -27,7 +27,6 @@ extern const cli_stream_t cli_streams[CLI_STREAMS];
 #define CLI_AS_CSV 1 ///< as the arguments have it
 
 /// Read --as and --csv into the arguments.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_read_as(void *args, const cli_given_t *given);
 int cli_read_csv(void *args, const cli_given_t *given);
 

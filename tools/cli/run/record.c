@@ -4,10 +4,13 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "../setup/names.h"
 #include "../text/buffer.h"
+#include "../text/message.h"
+#include "state_file.h"
 
 void cli_run_show(const cli_run_t *run) {
   const tf_state_t *state = &run->system.state;
@@ -70,4 +73,109 @@ void cli_run_observe(cli_run_t *run, const tf_report_t *after) {
   run->largest_residual = fmax(run->largest_residual, (double)after->residual);
   run->report = *after;
   cli_run_show(run);
+}
+
+// What a run leaves to another one, and how that takes it up. Inputs of a table
+// are no part of it: the table is there to be given again. Those that a board
+// got by a command are nowhere else, so they are, with what is left of their
+// time.
+
+bool cli_run_save(cli_run_t *run, const char *path) {
+  char text[CLI_STATE_BYTES];
+  if (path == NULL) {
+    return true;
+  }
+  const cli_setup_t setup = cli_run_setup(run);
+  const tf_simulation_t *simulation = &run->replay.simulation;
+  const cli_stand_t stand = {run->system.state,
+                             run->system.compensation,
+                             run->report,
+                             cli_inputs_hash(&run->drive.table),
+                             {simulation->source, simulation->deadman,
+                              simulation->left, simulation->input}};
+  const size_t length = cli_state_print(&stand, &setup, run->scheme, text);
+  (void)cli_output_lines(&run->saved, text, length);
+  if (run->replays && run->replay.next < run->replay.count) {
+    (void)cli_message(
+        CLI_DONE, "note: --save %s: %zu rows of the record were not reached",
+        path, run->replay.count - run->replay.next);
+  }
+  return cli_output_end(&run->saved, CLI_DONE) == CLI_DONE;
+}
+
+static void note(const cli_args_t *args, const char *what) {
+  (void)cli_message(CLI_DONE, "note: --from %s: it came there %s", args->from,
+                    what);
+}
+
+// Inputs are no part of the machine, so it may go on under others; but not
+// without a word.
+static void take_inputs(cli_run_t *run, const cli_args_t *args,
+                        const cli_stand_t *stand) {
+  const bool has_table = run->drive.table.count > 0;
+  if (stand->inputs != cli_inputs_hash(&run->drive.table)) {
+    note(args, stand->inputs == 0 ? "without --inputs"
+               : has_table        ? "with another table of --inputs"
+                                  : "with --inputs, and goes on without");
+  }
+  if (stand->held.source == TF_INPUT_SCENE) {
+    return;
+  }
+  if (has_table) {
+    note(args, "with inputs by a command, and goes on with --inputs");
+    return;
+  }
+  tf_simulation_t *simulation = &run->replay.simulation;
+  simulation->machine = run->system.machine.machine;
+  simulation->source = simulation->stepped = stand->held.source;
+  simulation->deadman = stand->held.deadman;
+  simulation->left = stand->held.left;
+  simulation->input = stand->held.input;
+}
+
+int cli_run_check_start(const cli_args_t *args, const cli_setup_t *setup,
+                        const char *option, const char *path, uint32_t seed) {
+  for (size_t i = 0; i < CLI_STARTS; i++) {
+    if (setup->set_start[i] != NULL) {
+      return cli_message(CLI_USAGE, "%s %s: %s %s gives the state",
+                         setup->set_start[i]->option, setup->set_start[i]->text,
+                         option, path);
+    }
+  }
+  if (args->select != NULL && strchr(args->select, ':') != NULL &&
+      seed != setup->seed) {
+    return cli_message(CLI_REFUSED,
+                       "%s %s: the seed is %" PRIu32 " there and %" PRIu32
+                       " here",
+                       option, path, seed, setup->seed);
+  }
+  return CLI_DONE;
+}
+
+int cli_run_go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup) {
+  cli_stand_t stand;
+  int code = cli_state_read(&stand, args->from, setup, run->scheme);
+  if (code == CLI_DONE) {
+    code = cli_run_check_start(args, setup, "--from", args->from,
+                               stand.state.seed);
+  }
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (stand.state.tick > run->steps) {
+    return cli_message(CLI_REFUSED,
+                       "--from %s: it stands at t = %.9g s, after the end at "
+                       "%.9g s",
+                       args->from, cli_run_time(run, stand.state.tick),
+                       cli_run_time(run, run->steps));
+  }
+  take_inputs(run, args, &stand);
+  setup->seed = stand.state.seed;
+  run->system.state = stand.state;
+  run->system.compensation = stand.compensation;
+  run->report = stand.report;
+  run->first = run->done = stand.state.tick;
+  const tf_real_t t = (tf_real_t)cli_run_time(run, run->first);
+  cli_drive_go_to(&run->drive, run->first, t);
+  return CLI_DONE;
 }

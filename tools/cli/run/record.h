@@ -7,7 +7,7 @@
 #include "../host/lateness.h"
 #include "../host/output.h"
 #include "../live/live.h"
-#include "../setup/drive.h"
+#include "../setup/inputs.h"
 #include "../setup/scheme.h"
 #include "events.h"
 #include "replay.h"
@@ -82,5 +82,30 @@ void cli_run_show(const cli_run_t *run);
 /// Counts a finished step, and makes its report the last one.
 /// after: in, the report of the step; run->done counts the step already.
 void cli_run_observe(cli_run_t *run, const tf_report_t *after);
+
+/// Prints it on standard error, as one line. code: in, the exit code.
+void cli_summary_json(const cli_run_t *run, int code);
+
+/// Prints it on standard error; json: as cli_summary_json does, after the
+/// reason of an early end. code: in, the exit code.
+void cli_summary(const cli_run_t *run, bool json, int code);
+
+// A run that goes on where another one stands: --save and --from.
+
+/// Saves where a run stands in the open file of --save, with the parameters,
+/// the rule and the inputs that commands of a replay have left in effect.
+/// path: in, of --save, NULL: it is not asked for.
+/// Returns: whether that is written, or not asked for.
+bool cli_run_save(cli_run_t *run, const char *path);
+
+/// Checks that a command line does not give the start or the seed, which a file
+/// does.
+/// option, path: in, of the file. seed: in, that of the file.
+int cli_run_check_start(const cli_args_t *args, const cli_setup_t *setup,
+                        const char *option, const char *path, uint32_t seed);
+
+/// Puts a run where the file of --from says that another one stands.
+/// run: in/out, at its start. setup: in/out, takes the seed.
+int cli_run_go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup);
 
 #endif

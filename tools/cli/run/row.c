@@ -15,14 +15,6 @@ const cli_csv_column_t cli_csv_columns[CLI_CSV_COLUMNS] = {
     {"t", "s"},   {"r", "m"},   {"v", "m/s"}, {"omega", "rad/s"},
     {"h", "m/s"}, {"g", "m/s"}, {"F", "N"},   {"M", "N m"}};
 
-size_t cli_header(cli_format_t format, char out[CLI_ROW_ROOM]) {
-  cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
-  if (format == CLI_FORMAT_CSV) {
-    cli_add(&text, "t,r,v,omega,h,g,F,M,mode,choices\n");
-  }
-  return text.used;
-}
-
 size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
   for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {

@@ -21,6 +21,7 @@ typedef enum {
 
 /// A row of CSV in numbers: t r v omega h g F M.
 #define CLI_CSV_COLUMNS 8
+#define CLI_CSV_HEADER "t,r,v,omega,h,g,F,M,mode,choices\n"
 #define CLI_CSV_UNITS "t s, r m, v m/s, omega rad/s, h m/s, g m/s, F N, M N m"
 typedef struct {
   double column[CLI_CSV_COLUMNS];
@@ -30,7 +31,6 @@ typedef struct {
 } cli_csv_t;
 
 /// Writes a row of CSV with its newline.
-/// Returns: the length.
 size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
 
 /// Names and units of those columns.
@@ -41,15 +41,9 @@ extern const cli_csv_column_t cli_csv_columns[CLI_CSV_COLUMNS];
 
 /// Writes "r:0.18 v:1.2 omega:-1.037 h:1e-10 g:0.05 mode:3 choices:1" and a
 /// newline: the labels are those that a board sends with FORMAT=plotter.
-/// Returns: the length.
 size_t cli_plotter_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
 
-/// Writes the header of a format, which may be empty.
-/// Returns: the length.
-size_t cli_header(cli_format_t format, char out[CLI_ROW_ROOM]);
-
 /// Writes one row with its newline. format: CSV or PLOTTER.
-/// Returns: the length.
 size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,
                const tf_report_t *report, char out[CLI_ROW_ROOM]);
 
@@ -58,13 +52,11 @@ size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,
 
 /// Writes what comes before the first row: schema and layouts.
 /// tick: in, of the first row. sequence: in/out, of the frames.
-/// Returns: the length.
 size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
                          uint64_t tick, uint32_t *sequence,
                          uint8_t out[CLI_FRAMES_ROOM]);
 
 /// Writes a row: state and report. source: in, whose inputs the step had.
-/// Returns: the length.
 size_t cli_frames_row(uint32_t *sequence, const tf_state_t *state,
                       const tf_report_t *report, tf_input_source_t source,
                       uint8_t out[CLI_FRAMES_ROOM]);
@@ -72,7 +64,6 @@ size_t cli_frames_row(uint32_t *sequence, const tf_state_t *state,
 /// Writes what comes after the last row: a heartbeat with the counts of the
 /// run. A run has no clock that ticks, so its times are 0.
 /// steps: in, that this run took. late: in, of these in real time.
-/// Returns: the length.
 size_t cli_frames_end(uint32_t *sequence, uint64_t tick, uint64_t steps,
                       uint64_t late, const tf_tally_t *tally,
                       uint8_t out[CLI_FRAMES_ROOM]);

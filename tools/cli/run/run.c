@@ -14,15 +14,13 @@
 
 #include "../host/host.h"
 #include "../host/progress.h"
-#include "../setup/provenance.h"
+#include "../setup/setup.h"
 #include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
-#include "../text/tally.h"
+#include "../text/summary.h"
 #include "record.h"
-#include "resume.h"
 #include "row.h"
-#include "summary.h"
 
 #define FLUSH_EVERY 0.2 // [s]
 #define BATCH 1024      // steps between two readings of the clock
@@ -215,7 +213,7 @@ static void step_through(cli_run_t *run) {
 // What the rows are of, if that is asked for.
 static void write_provenance(const cli_run_t *run, const char *units,
                              cli_output_t *output) {
-  char how[CLI_ROW_ROOM], hash[16], lines[CLI_PROVENANCE_ROOM];
+  char how[CLI_ROW_ROOM], lines[CLI_PROVENANCE_ROOM];
   const cli_inputs_t *table = &run->drive.table;
   cli_buffer_t text = {how, 0, sizeof how, false};
   if (!run->provenance) {
@@ -224,9 +222,8 @@ static void write_provenance(const cli_run_t *run, const char *units,
   cli_add_form(&text, "scheme %s, dt %g s", run->scheme->name,
                (double)run->setup->machine.dt);
   if (table->count > 0) {
-    (void)snprintf(hash, sizeof hash, "%08" PRIx32, cli_inputs_hash(table));
-    cli_add_form(&text, ", %s inputs %s", table->linear ? "linear" : "held",
-                 hash);
+    cli_add_form(&text, ", %s inputs ", table->linear ? "linear" : "held");
+    cli_add_hash(&text, cli_inputs_hash(table));
   }
   cli_add(&text, run->replays ? ", replayed from a record that begins so" : "");
   if (run->first > 0) {
@@ -240,14 +237,13 @@ static void write_header(cli_run_t *run) {
   if (run->rowless) {
     return;
   }
-  char header[CLI_ROW_ROOM];
   write_provenance(run, CLI_CSV_UNITS, &run->output);
   if (run->format == CLI_FORMAT_FRAMES) {
     run->output.last = '\0';
     write_schema(run);
-  } else {
-    (void)cli_output_lines(&run->output, header,
-                           cli_header(run->format, header));
+  } else if (run->format == CLI_FORMAT_CSV) {
+    (void)cli_output_lines(&run->output, CLI_CSV_HEADER,
+                           sizeof CLI_CSV_HEADER - 1);
   }
 }
 

@@ -6,10 +6,8 @@
 #include "../setup/args.h"
 
 /// Checks options that exclude each other.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_run_check(cli_args_t *args);
 
-/// Returns: the exit code.
 int cli_run(const cli_args_t *args);
 
 #endif

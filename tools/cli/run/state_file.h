@@ -29,7 +29,6 @@ typedef struct {
 
 /// Writes it as text.
 /// setup: in, whose machine and scene it belongs to.
-/// Returns: the length.
 size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                        const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]);
 

@@ -3,7 +3,7 @@
 // was consistent, because that is what the simulator is about. All of it goes
 // to standard error, so that standard output has nothing but the rows.
 
-#include "summary.h"
+#include "../text/summary.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -11,8 +11,7 @@
 
 #include "../setup/names.h"
 #include "../text/message.h"
-#include "../text/tally.h"
-#include "summary_json.h"
+#include "record.h"
 
 static void print_request(const cli_run_t *run) {
   const cli_setup_t setup = cli_run_setup(run);

@@ -2,27 +2,20 @@
 // and with all digits. It is one line, and the last one on standard error, so
 // that notes and messages before it do no harm.
 
-#include "summary_json.h"
-
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "../setup/names.h"
-#include "../setup/provenance.h"
-#include "../text/commit.h"
-#include "../text/json.h"
+#include "../setup/setup.h"
 #include "../text/number.h"
+#include "../text/summary.h"
+#include "record.h"
 
 static void put_request(const cli_run_t *run) {
   const cli_setup_t now = cli_run_setup(run), *setup = &now;
-  (void)fputs("{", stderr);
-  cli_put_word("version", TF_VERSION);
-  cli_put_word("commit", cli_commit);
-  cli_put_word("number",
-               sizeof(tf_real_t) == sizeof(float) ? "float" : "double");
-  cli_put_word("command", "run");
+  cli_put_begin("run");
   cli_put_word("scene", setup->scene->name);
   cli_put_hash("scene_hash", cli_scene_hash(run->setup));
   cli_put_hash("parameters", tf_params_hash(&setup->params));

@@ -8,10 +8,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "../text/range.h"
+#include "../text/number.h"
 #include "../text/trailer.h"
-#include "drive.h"
-#include "settings.h"
+#include "inputs.h"
+#include "setup.h"
 #include "twofold.h"
 
 #define CLI_AXES 8     ///< of a sweep, at most

@@ -48,30 +48,19 @@ static char *next_field(char **line) {
   return field;
 }
 
-static int unknown_column(const reader_t *reader, const char *name) {
-  cli_closest_t closest = cli_closest_to(name);
-  for (size_t i = 0; i < CLI_INPUTS; i++) {
-    cli_closest_offer(&closest, cli_input_columns[i].name);
-  }
-  const cli_hint_t hint = cli_closest_hint(&closest);
-  return cli_message(CLI_USAGE,
-                     "%s:%llu: unknown column '%s'%s%s%s; columns are t, "
-                     "omega0, r0, force, torque",
-                     reader->name, (unsigned long long)reader->line, name,
-                     hint.before, hint.name, hint.after);
-}
-
 static int read_header(reader_t *reader, char *line) {
   while (line != NULL) {
     const char *name = next_field(&line);
-    size_t kind = 0;
-    while (kind < CLI_INPUTS &&
-           strcmp(cli_input_columns[kind].name, name) != 0) {
-      kind++;
-    }
+    cli_closest_t closest = cli_closest_to(name);
+    const size_t kind = cli_closest_find(
+        &closest, cli_input_columns, CLI_INPUTS, sizeof cli_input_columns[0]);
     const bool is_t = strcmp(name, "t") == 0;
     if (kind == CLI_INPUTS && !is_t) {
-      return unknown_column(reader, name);
+      return cli_message(CLI_USAGE,
+                         "%s:%llu: unknown column '%s'%s; columns are t, "
+                         "omega0, r0, force, torque",
+                         reader->name, (unsigned long long)reader->line, name,
+                         closest.hint);
     }
     if (is_t != (reader->fields == 0)) {
       return refuse(reader, CLI_USAGE, reader->fields, name,

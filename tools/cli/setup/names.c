@@ -69,10 +69,8 @@ static int find_name(const char *name_of(unsigned), unsigned count,
     }
     cli_closest_offer(&closest, name_of(i));
   }
-  const cli_hint_t hint = cli_closest_hint(&closest);
-  return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s%s%s%s", option,
-                     text, what[0], name, what[1], hint.before, hint.name,
-                     hint.after);
+  return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s%s", option, text,
+                     what[0], name, what[1], closest.hint);
 }
 
 int cli_find_law(const char *option, const char *text, const char *name,
@@ -114,16 +112,19 @@ int cli_find_rule(const char *option, const char *text, const char *name,
   return code;
 }
 
-const tf_scene_t *cli_find_scene(const char *name, cli_hint_t *hint) {
+int cli_find_scene(const char *place, const char *name, const char *besides,
+                   const tf_scene_t **scene) {
   cli_closest_t closest = cli_closest_to(name);
   for (size_t i = 0; i < TF_SCENES; i++) {
     if (strcmp(tf_scenes[i]->name, name) == 0) {
-      return tf_scenes[i];
+      *scene = tf_scenes[i];
+      return CLI_DONE;
     }
     cli_closest_offer(&closest, tf_scenes[i]->name);
   }
-  *hint = cli_closest_hint(&closest);
-  return NULL;
+  return cli_message(CLI_USAGE,
+                     "%sunknown scene '%s'%s ('twofold scenes' lists them%s)",
+                     place, name, closest.hint, besides);
 }
 
 int cli_read_rule(const char *select, tf_rule_t *rule, uint32_t *seed) {

@@ -8,7 +8,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "../text/closest.h"
 #include "twofold.h"
 
 /// Index of a parameter in tf_parameter_ranges, TF_PARAMETERS where no
@@ -41,12 +40,12 @@ int cli_find_rest(const char *option, const char *text, const char *name,
 int cli_find_rule(const char *option, const char *text, const char *name,
                   tf_rule_t *rule);
 
-/// Finds a built-in scene. hint: out where there is none.
-/// Returns: it, or NULL.
-const tf_scene_t *cli_find_scene(const char *name, cli_hint_t *hint);
+/// Finds a built-in scene. place, besides: in, for the message, before it and
+/// at its end.
+int cli_find_scene(const char *place, const char *name, const char *besides,
+                   const tf_scene_t **scene);
 
 /// Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_read_rule(const char *select, tf_rule_t *rule, uint32_t *seed);
 
 /// Groups of modes, for the commands that follow a motion.

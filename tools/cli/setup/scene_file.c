@@ -17,24 +17,18 @@
 
 #define LINE_ROOM 512
 
-static int unknown_key(cli_scene_reader_t *reader, const char *key) {
-  cli_closest_t closest = cli_closest_to(key);
-  for (size_t i = 0; i < CLI_KEYS; i++) {
-    cli_closest_offer(&closest, cli_key_name(i));
+static int find_key(const cli_scene_reader_t *reader, const char *name,
+                    size_t *key) {
+  cli_closest_t closest = cli_closest_to(name);
+  for (*key = 0; *key < CLI_KEYS; ++*key) {
+    if (strcmp(cli_key_name(*key), name) == 0) {
+      return CLI_DONE;
+    }
+    cli_closest_offer(&closest, cli_key_name(*key));
   }
-  const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_message(CLI_USAGE,
-                     "%s unknown key '%s'%s%s%s ('twofold help scene' lists "
-                     "them)",
-                     reader->place, key, hint.before, hint.name, hint.after);
-}
-
-static size_t find_key(const char *name) {
-  size_t key = 0;
-  while (key < CLI_KEYS && strcmp(cli_key_name(key), name) != 0) {
-    key++;
-  }
-  return key;
+                     "%s unknown key '%s'%s ('twofold help scene' lists them)",
+                     reader->place, name, closest.hint);
 }
 
 // Splits a line without its comment into key and value.
@@ -53,9 +47,10 @@ static int read_line(cli_scene_reader_t *reader, char *line) {
   char *rest = value + strspn(value, " \t") + (equals ? 1 : 0);
   rest += strspn(rest, " \t");
   *value = '\0';
-  const size_t key = find_key(line);
-  if (key == CLI_KEYS) {
-    return unknown_key(reader, line);
+  size_t key = 0;
+  const int code = find_key(reader, line, &key);
+  if (code != CLI_DONE) {
+    return code;
   }
   if (*rest == '\0') {
     return cli_message(CLI_USAGE, "%s %s: expected a value", reader->place,
@@ -204,4 +199,30 @@ int cli_scene_read(cli_scene_file_t *file, const char *path) {
     return cli_message(CLI_USAGE, "%s: %s", path, strerror(error));
   }
   return cli_scene_parse(file, path, text, size);
+}
+
+// Scenes by name, or from a file. A word with a point or a slash names a file,
+// so that what a word means does not depend on the files that are there.
+
+int cli_take_scene(const tf_scene_t **scene, const char *word) {
+  if (*scene != NULL) {
+    return cli_message(CLI_USAGE, "%s: one scene at a time (%s was given)",
+                       word, (*scene)->name);
+  }
+  // One scene at a time, so one place is enough.
+  static cli_scene_file_t file;
+  if (strpbrk(word, "./") != NULL) {
+    const int code = cli_scene_read(&file, word);
+    *scene = code == CLI_DONE ? &file.scene : NULL;
+    return code;
+  }
+  return cli_find_scene("", word, "; a file has a . or a / in its name", scene);
+}
+
+int cli_need_scene(const tf_scene_t *scene, const char *command) {
+  if (scene != NULL) {
+    return CLI_DONE;
+  }
+  return cli_message(CLI_USAGE,
+                     "%s: which scene? ('twofold scenes' lists them)", command);
 }

@@ -35,12 +35,7 @@ int cli_scene_refuse_range(cli_scene_reader_t *reader, size_t key,
 
 static int read_number(cli_scene_reader_t *reader, size_t key, const char *text,
                        tf_real_t *value) {
-  const char *why = "";
-  if (cli_read_real(text, value, &why)) {
-    return CLI_DONE;
-  }
-  return cli_message(CLI_USAGE, "%s %s: '%s' %s", reader->place,
-                     cli_key_name(key), text, why);
+  return cli_read_number(reader->place, cli_key_name(key), text, value);
 }
 
 // The speed of a knot, in the range of the parameter omega0.
@@ -124,20 +119,18 @@ static int read_base(cli_scene_reader_t *reader, const char *name) {
                          reader->place);
     }
   }
-  cli_hint_t hint;
-  const tf_scene_t *base = cli_find_scene(name, &hint);
-  if (base != NULL) {
+  char place[CLI_PLACE_ROOM + 16];
+  const tf_scene_t *base = NULL;
+  (void)snprintf(place, sizeof place, "%s based-on: ", reader->place);
+  const int code = cli_find_scene(place, name, "", &base);
+  if (code == CLI_DONE) {
     cli_scene_file_t *file = reader->file;
     file->scene = *base;
     (void)snprintf(file->shows, sizeof file->shows, "%s", base->shows);
     (void)snprintf(file->leaves_out, sizeof file->leaves_out, "%s",
                    base->leaves_out);
-    return CLI_DONE;
   }
-  return cli_message(CLI_USAGE,
-                     "%s based-on: unknown scene '%s'%s%s%s ('twofold scenes' "
-                     "lists them)",
-                     reader->place, name, hint.before, hint.name, hint.after);
+  return code;
 }
 
 // Text that others put between quotes.

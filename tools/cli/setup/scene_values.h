@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "scene_keys.h"
+#include "scene_file.h"
 
 #define CLI_PLACE_ROOM 512 ///< longer paths are cut in messages
 

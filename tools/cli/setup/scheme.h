@@ -36,12 +36,10 @@ typedef struct {
 extern const cli_scheme_t cli_schemes[CLI_SCHEMES];
 
 /// Checks that a scheme accepts a law.
-/// Returns: CLI_DONE, or CLI_REFUSED after a message.
 int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law);
 
 /// The number of steps of a run: the integer nearest to t_end / dt.
 /// t_end is that of --t-end or of the scene. steps: out.
-/// Returns: CLI_DONE, or CLI_REFUSED after a message.
 int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps);
 
 /// The time of the end, as above.

@@ -6,12 +6,71 @@
 
 #include "setup.h"
 
+#include <inttypes.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "../text/closest.h"
+#include "../text/commit.h"
 #include "../text/message.h"
 #include "../text/number.h"
+#include "../text/trailer.h"
 #include "names.h"
+
+// The list of settings. Names are only compared with each other; what they mean
+// is decided when the settings are applied to a scene.
+
+const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
+                                       const char *name) {
+  for (size_t i = 0; i < settings->count; i++) {
+    if (strcmp(settings->list[i].name, name) == 0) {
+      return &settings->list[i];
+    }
+  }
+  return NULL;
+}
+
+static int append(cli_settings_t *settings, const char *option,
+                  const char *text, const char *name, const char *value) {
+  if (settings->count == CLI_SETTINGS) {
+    return cli_message(CLI_USAGE, "%s %s: more than %d settings", option, text,
+                       CLI_SETTINGS);
+  }
+  const cli_setting_t *first = cli_settings_find(settings, name);
+  if (first != NULL) {
+    return cli_message(CLI_USAGE, "%s %s: %s was already given by %s %s",
+                       option, text, name, first->option, first->text);
+  }
+  cli_setting_t *setting = &settings->list[settings->count++];
+  setting->option = option;
+  setting->text = text;
+  setting->value = value;
+  (void)snprintf(setting->name, sizeof setting->name, "%s", name);
+  return CLI_DONE;
+}
+
+int cli_settings_add_named(cli_settings_t *settings, const char *option,
+                           const char *name, const char *value) {
+  return append(settings, option, value, name, value);
+}
+
+int cli_settings_add(cli_settings_t *settings, const char *option,
+                     const char *text) {
+  char name[CLI_NAME_ROOM];
+  const char *equals = strchr(text, '=');
+  if (equals == NULL || equals == text) {
+    return cli_message(CLI_USAGE, "%s %s: expected NAME=VALUE", option, text);
+  }
+  const size_t length = (size_t)(equals - text);
+  if (length >= sizeof name) {
+    return cli_message(CLI_USAGE,
+                       "%s %s: unknown name ('twofold help run' lists them)",
+                       option, text);
+  }
+  memcpy(name, text, length);
+  name[length] = '\0';
+  return append(settings, option, text, name, equals + 1);
+}
 
 // Here a text becomes a number and a name finds its member. Whether the number
 // is in its range is checked later and in a single place, by tf_prepare,
@@ -22,22 +81,17 @@ const cli_start_t cli_starts[CLI_STARTS] = {
 
 static int unknown_setting(const cli_setting_t *setting) {
   cli_closest_t closest = cli_closest_to(setting->name);
-  for (size_t i = 0; i < TF_PARAMETERS; i++) {
-    cli_closest_offer(&closest, tf_parameter_ranges[i].name);
-  }
-  for (size_t i = 0; i < CLI_STARTS; i++) {
-    cli_closest_offer(&closest, cli_starts[i].name);
-  }
+  (void)cli_closest_find(&closest, tf_parameter_ranges, TF_PARAMETERS,
+                         sizeof tf_parameter_ranges[0]);
+  (void)cli_closest_find(&closest, cli_starts, CLI_STARTS,
+                         sizeof cli_starts[0]);
   cli_closest_offer(&closest, "law");
   cli_closest_offer(&closest, "rest");
-  const cli_hint_t hint = cli_closest_hint(&closest);
-  return cli_message(CLI_USAGE, "%s %s: unknown name '%s'%s%s%s",
-                     setting->option, setting->text, setting->name, hint.before,
-                     hint.name, hint.after);
+  return cli_message(CLI_USAGE, "%s %s: unknown name '%s'%s", setting->option,
+                     setting->text, setting->name, closest.hint);
 }
 
 static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
-  const char *why = "";
   tf_real_t value = 0;
   const size_t parameter = cli_parameter_index(setting->name);
   size_t start = 0;
@@ -56,9 +110,10 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
   if (parameter == TF_PARAMETERS && start == CLI_STARTS) {
     return unknown_setting(setting);
   }
-  if (!cli_read_real(setting->value, &value, &why)) {
-    return cli_message(CLI_USAGE, "%s %s: '%s' %s", setting->option,
-                       setting->text, setting->value, why);
+  const int code =
+      cli_read_number(setting->option, setting->text, setting->value, &value);
+  if (code != CLI_DONE) {
+    return code;
   }
   if (parameter < TF_PARAMETERS && !cli_parameter_fits(parameter, value)) {
     return cli_message(CLI_REFUSED, "%s %s: %s must be a whole number",
@@ -261,4 +316,50 @@ void cli_setup_notes(const cli_setup_t *setup, const char *unused,
                         setting->option, setting->text, why);
     }
   }
+}
+
+// Four lines of provenance, no more and no fewer: readers that cannot skip
+// comments skip a number of lines. The hash of the parameters is that of the
+// schema frame, so that rows of a board and of a run are known to be of the same
+// machine.
+
+uint32_t cli_scene_hash(const cli_setup_t *setup) {
+  const tf_scene_t *scene = setup->scene;
+  char text[64];
+  cli_trailer_t sum = {0};
+  const bool v_is_given =
+      setup->set_start[CLI_START_V] != NULL ||
+      (scene->v_is_given && setup->set_start[CLI_START_H] == NULL);
+  int length = snprintf(text, sizeof text, "%08" PRIx32 " %d",
+                        tf_params_hash(&setup->params), (int)v_is_given);
+  cli_trailer_add(&sum, text, (size_t)length, 0);
+  for (unsigned i = 0; i < CLI_STARTS; i++) {
+    if (i != (v_is_given ? CLI_START_H : CLI_START_V)) {
+      length = snprintf(text, sizeof text, " %a", (double)setup->start[i]);
+      cli_trailer_add(&sum, text, (size_t)length, 0);
+    }
+  }
+  for (unsigned i = 0; i < scene->knots; i++) {
+    length = snprintf(text, sizeof text, " %a %a", (double)scene->profile[i].t,
+                      (double)scene->profile[i].omega0);
+    cli_trailer_add(&sum, text, (size_t)length, 0);
+  }
+  return sum.crc;
+}
+
+size_t cli_provenance(const cli_setup_t *setup, const char *how,
+                      const char *units, char out[CLI_PROVENANCE_ROOM]) {
+  return (size_t)snprintf(
+      out, CLI_PROVENANCE_ROOM,
+      "# twofold %s, commit %s, numbers are %s\n"
+      "# scene %s, hash %08" PRIx32 ", parameters %08" PRIx32
+      ", law %s, rule %s, seed %" PRIu32
+      "\n"
+      "# %s\n"
+      "# units: %s\n",
+      TF_VERSION, cli_commit,
+      sizeof(tf_real_t) == sizeof(float) ? "float" : "double",
+      setup->scene->name, cli_scene_hash(setup), tf_params_hash(&setup->params),
+      tf_tyre_law_name(setup->params.law), tf_rule_name(setup->params.rule),
+      setup->seed, how, units);
 }

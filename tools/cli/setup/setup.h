@@ -6,10 +6,47 @@
 #define TWOFOLD_CLI_SETUP_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
-#include "settings.h"
 #include "twofold.h"
+
+// The settings of a command line: NAME=VALUE pairs, still as text.
+
+/// The longest name that --set knows, with its terminating zero.
+#define CLI_NAME_ROOM 16
+/// How many settings one command line may hold: more than there are names.
+#define CLI_SETTINGS 64
+
+/// One setting as typed, kept for messages.
+typedef struct {
+  const char *option;       ///< "--set" or "--dt"
+  const char *text;         ///< what followed it
+  char name[CLI_NAME_ROOM]; ///< left of '='
+  const char *value;        ///< right of '='
+} cli_setting_t;
+
+/// All settings in the order in which they were given, no name twice.
+typedef struct {
+  size_t count;
+  cli_setting_t list[CLI_SETTINGS];
+} cli_settings_t;
+
+/// Splits NAME=VALUE and appends it.
+/// option: "--set". text: in, kept.
+/// Returns: CLI_DONE, or CLI_USAGE after a message. A name that was given
+/// before is refused: which of the two values is meant cannot be known.
+int cli_settings_add(cli_settings_t *settings, const char *option,
+                     const char *text);
+
+/// Appends the setting of an option that implies the name: --dt VALUE.
+/// Returns: as cli_settings_add.
+int cli_settings_add_named(cli_settings_t *settings, const char *option,
+                           const char *name, const char *value);
+
+/// The setting of a name, NULL where it was not given.
+const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
+                                       const char *name);
 
 /// The initial values that --set knows.
 enum {
@@ -42,7 +79,6 @@ typedef struct {
 
 /// Applies the scene, then every setting in its order, then the rule.
 /// settings: in, kept. select: RULE[:SEED] or NULL for the scene's own.
-/// Returns: CLI_DONE, or CLI_USAGE after a message.
 int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
                    const cli_settings_t *settings, const char *select);
 
@@ -69,5 +105,20 @@ int cli_setup_start(cli_setup_t *setup);
 /// the message "... has no effect".
 void cli_setup_notes(const cli_setup_t *setup, const char *unused,
                      const char *why);
+
+// What rows are of, as comment lines before their header.
+
+#define CLI_PROVENANCE_ROOM 1024
+
+/// CRC-32 of all of a scene that a motion depends on, with what the command
+/// line has changed: parameters, law, rule, start, profile.
+uint32_t cli_scene_hash(const cli_setup_t *setup);
+
+/// Writes four lines that begin with #: version, commit and number type; scene,
+/// its hash, that of the parameters, law, rule and seed; how the rows were
+/// computed; units.
+/// how: in, scheme and step of a run. units: in, the columns with their units.
+size_t cli_provenance(const cli_setup_t *setup, const char *how,
+                      const char *units, char out[CLI_PROVENANCE_ROOM]);
 
 #endif

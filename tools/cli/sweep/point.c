@@ -9,7 +9,6 @@
 #include <string.h>
 
 #include "../host/host.h"
-#include "../setup/provenance.h"
 #include "../setup/setup.h"
 #include "../text/message.h"
 #include "../text/number.h"

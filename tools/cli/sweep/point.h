@@ -29,7 +29,6 @@ typedef enum {
 /// Checks what is the same at all points, and the ends of every axis.
 /// hash: out, of all that a motion depends on and that the command line does
 /// not name: the scene's parameters, its start, and the table of inputs.
-/// Returns: CLI_DONE; after a message CLI_USAGE or CLI_REFUSED.
 int cli_point_check(const cli_sweep_t *sweep, uint32_t *hash);
 
 /// Follows the motion at a point and writes its row.

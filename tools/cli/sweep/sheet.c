@@ -64,10 +64,10 @@ static void add_command(const cli_sheet_t *sheet, cli_buffer_t *text) {
     cli_add_form(text, " --select %s", args->select);
   }
   if (args->drive.inputs != NULL) {
-    char hash[9];
-    (void)snprintf(hash, sizeof hash, "%08" PRIx32, sheet->inputs);
-    cli_add_form(text, " --inputs %s --between %s (%s)", args->drive.inputs,
-                 args->drive.between, hash);
+    cli_add_form(text, " --inputs %s --between %s (", args->drive.inputs,
+                 args->drive.between);
+    cli_add_hash(text, sheet->inputs);
+    cli_add(text, ")");
   }
   for (size_t i = 0; i < args->settings.count; i++) {
     const cli_setting_t *setting = &args->settings.list[i];
@@ -85,9 +85,9 @@ static void add_command(const cli_sheet_t *sheet, cli_buffer_t *text) {
 
 // What the rows follow from, beside the command.
 static void add_scene(uint32_t hash, cli_buffer_t *text) {
-  char digits[CLI_REAL_ROOM];
-  (void)snprintf(digits, sizeof digits, " (scene %08" PRIx32 ")\n", hash);
-  cli_add(text, digits);
+  cli_add(text, " (scene ");
+  cli_add_hash(text, hash);
+  cli_add(text, ")\n");
 }
 
 // The shards of a run have all of this in common.
@@ -182,10 +182,6 @@ static bool take_up(cli_sheet_t *sheet, FILE *file, size_t *kept) {
   return true;
 }
 
-static int refuse_other(const char *path) {
-  return cli_output_refuse_other(path, "sweep");
-}
-
 // FILE, if it is there, is whole or of another sweep. What is not a regular
 // file keeps no rows, and opening it could wait for a writer.
 static int look_at_file(cli_sheet_t *sheet) {
@@ -202,7 +198,9 @@ static int look_at_file(cli_sheet_t *sheet) {
   }
   const bool same = take_up(sheet, file, &kept);
   (void)fclose(file);
-  return same && sheet->whole ? CLI_DONE : refuse_other(sheet->args->out);
+  return same && sheet->whole
+             ? CLI_DONE
+             : cli_output_refuse_other(sheet->args->out, "sweep");
 }
 
 // The part, which is open and locked, may have rows.
@@ -222,7 +220,7 @@ static int look_at_part(cli_sheet_t *sheet, size_t *kept) {
                        "on with them, or remove it",
                        path);
   }
-  return same ? CLI_DONE : refuse_other(path);
+  return same ? CLI_DONE : cli_output_refuse_other(path, "sweep");
 }
 
 int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep,

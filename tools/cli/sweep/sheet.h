@@ -24,7 +24,6 @@ typedef struct {
 /// Opens the file. Under --resume the rows that are there are read and kept; a
 /// file of another sweep is refused, and so are such rows without --resume.
 /// hash: in, as cli_point_check gives it.
-/// Returns: CLI_DONE; after a message CLI_REFUSED or CLI_STOPPED.
 int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep, uint32_t hash);
 
 /// Writes one row.

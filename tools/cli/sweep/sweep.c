@@ -15,11 +15,10 @@
 #include "../host/host.h"
 #include "../host/progress.h"
 #include "../text/closest.h"
-#include "../text/commit.h"
-#include "../text/json.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/options.h"
+#include "../text/summary.h"
 #include "point.h"
 #include "sheet.h"
 
@@ -97,19 +96,15 @@ static void summarise(const work_t *work, double seconds) {
 // The same for a program: one line, the last one on standard error.
 static void summarise_json(const work_t *work, double seconds, int code) {
   const cli_sheet_t *sheet = work->sheet;
-  (void)fprintf(stderr,
-                "{" CLI_JSON_BUILD
-                ", \"command\": \"sweep\", \"scene\": "
-                "\"%s\", \"scheme\": \"%s\", \"points\": %" PRIu64
-                ", \"kept\": %" PRIu64,
-                cli_commit, work->args->scene->name, work->sweep.scheme->name,
-                sheet->end - sheet->first, sheet->kept);
+  cli_put_begin("sweep");
+  cli_put_word("scene", work->args->scene->name);
+  cli_put_word("scheme", work->sweep.scheme->name);
+  cli_put_count("points", sheet->end - sheet->first);
+  cli_put_count("kept", sheet->kept);
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
-    (void)fprintf(stderr, ", \"%s\": %" PRIu64,
-                  cli_point_status((cli_point_end_t)i), work->ends[i]);
+    cli_put_count(cli_point_status((cli_point_end_t)i), work->ends[i]);
   }
-  (void)fprintf(stderr, ", \"seconds\": %.9g, ", seconds);
-  cli_put_exit(code);
+  cli_put_end(seconds, code);
 }
 
 static int perform(work_t *work, uint32_t hash) {
@@ -228,17 +223,13 @@ int cli_read_over(void *to, const cli_given_t *option) {
 
 static int add_measure(cli_args_t *args, const char *name, const char *text) {
   cli_closest_t closest = cli_closest_to(name);
-  unsigned found = 0;
-  while (found < CLI_MEASURES && strcmp(cli_measures[found].name, name) != 0) {
-    cli_closest_offer(&closest, cli_measures[found].name);
-    found++;
-  }
+  const unsigned found = (unsigned)cli_closest_find(
+      &closest, cli_measures, CLI_MEASURES, sizeof cli_measures[0]);
   if (found == CLI_MEASURES) {
-    const cli_hint_t hint = cli_closest_hint(&closest);
     return cli_message(CLI_USAGE,
-                       "--outcome %s: unknown outcome '%s'%s%s%s ('twofold "
-                       "help sweep' lists them)",
-                       text, name, hint.before, hint.name, hint.after);
+                       "--outcome %s: unknown outcome '%s'%s ('twofold help "
+                       "sweep' lists them)",
+                       text, name, closest.hint);
   }
   for (size_t i = 0; i < args->measures; i++) {
     if (args->measure[i] == found) {

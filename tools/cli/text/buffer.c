@@ -61,6 +61,12 @@ void cli_add_number(cli_buffer_t *buffer, double value, bool is_float) {
   cli_add(buffer, digits);
 }
 
+void cli_add_hash(cli_buffer_t *buffer, uint32_t value) {
+  for (unsigned at = 32; at > 0; at -= 4) {
+    add_bytes(buffer, &"0123456789abcdef"[value >> (at - 4) & 15u], 1);
+  }
+}
+
 void cli_add_count(cli_buffer_t *buffer, uint64_t value) {
   char digits[CLI_REAL_ROOM];
   (void)snprintf(digits, sizeof digits, "%" PRIu64, value);

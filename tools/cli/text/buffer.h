@@ -27,6 +27,9 @@ void cli_add_form(cli_buffer_t *buffer, const char *form, ...) CLI_PRINTF(2, 3);
 void cli_add_real(cli_buffer_t *buffer, tf_real_t value);
 void cli_add_count(cli_buffer_t *buffer, uint64_t value);
 
+/// 32 bits as eight hexadecimal digits.
+void cli_add_hash(cli_buffer_t *buffer, uint32_t value);
+
 /// A float (is_float) or a double, whichever type this program was built for.
 void cli_add_number(cli_buffer_t *buffer, double value, bool is_float);
 

@@ -5,10 +5,10 @@
 #include "closest.h"
 
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
-// Longest word that is compared. Every name is far shorter.
-#define LONGEST 24
+#define LONGEST CLI_CLOSEST_LONGEST
 
 static size_t least(size_t a, size_t b) { return a < b ? a : b; }
 
@@ -40,20 +40,28 @@ static size_t edit_distance(const char *a, const char *b) {
 }
 
 cli_closest_t cli_closest_to(const char *word) {
-  const cli_closest_t closest = {word, NULL, (strlen(word) + 1) / 3 + 1};
-  return closest;
+  return (cli_closest_t){word, (strlen(word) + 1) / 3 + 1, ""};
 }
 
 void cli_closest_offer(cli_closest_t *closest, const char *name) {
   const size_t distance = edit_distance(closest->word, name);
   if (distance < closest->distance) {
     closest->distance = distance;
-    closest->name = name;
+    (void)snprintf(closest->hint, sizeof closest->hint, "; did you mean '%s'?",
+                   name);
   }
 }
 
-cli_hint_t cli_closest_hint(const cli_closest_t *closest) {
-  const cli_hint_t none = {"", "", ""};
-  const cli_hint_t hint = {"; did you mean '", closest->name, "'?"};
-  return closest->name != NULL ? hint : none;
+size_t cli_closest_find(cli_closest_t *closest, const void *table, size_t count,
+                        size_t bytes) {
+  size_t i = 0;
+  for (; i < count; i++) {
+    const void *row = (const char *)table + i * bytes;
+    const char *name = *(const char *const *)row;
+    if (strcmp(name, closest->word) == 0) {
+      break;
+    }
+    cli_closest_offer(closest, name);
+  }
+  return i;
 }

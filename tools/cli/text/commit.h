@@ -15,9 +15,4 @@ extern const char *const cli_commit;
 #define CLI_NUMBER_TYPE "double"
 #endif
 
-/// Format of the members by which a JSON summary begins, for cli_commit.
-#define CLI_JSON_BUILD         \
-  "\"version\": \"" TF_VERSION \
-  "\", \"commit\": \"%s\", \"number\": \"" CLI_NUMBER_TYPE "\""
-
 #endif

@@ -2,7 +2,10 @@
 /// Exit codes and messages of the program.
 ///
 /// The exit codes are part of the command line's contract, so they are defined
-/// here alone and every failing path returns one of them by name.
+/// here alone and every failing path returns one of them by name. In all of
+/// these folders an int that a function returns is one of them, after a message
+/// if it is not CLI_DONE, and a size_t is the length of what was written; a
+/// header says where it is something else, or more than that.
 #ifndef TWOFOLD_CLI_MESSAGE_H
 #define TWOFOLD_CLI_MESSAGE_H
 
@@ -41,7 +44,6 @@ const char *cli_last_message(void);
 void cli_message_divert(char *out, size_t room);
 
 /// Flushes standard output and prints a message if that fails.
-/// Returns: CLI_DONE or CLI_STOPPED.
 int cli_finish_stdout(void);
 
 #endif

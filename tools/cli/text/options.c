@@ -2,23 +2,17 @@
 // a file, so that a mistyped command never overwrites the result of an earlier
 // one. The message about an unknown option or value suggests the closest one.
 
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L
-#endif
-
 #include "options.h"
 
 #include <inttypes.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "message.h"
 #include "number.h"
 #include "twofold.h"
 
-#define PATH_ROOM 4200
 #define MAX_VALUES 1000000u // in one range
 
 // Whether a row is an option of the command.
@@ -46,10 +40,9 @@ static int unknown_option(const cli_syntax_t *syntax, const char *word) {
       cli_closest_offer(&closest, syntax->options[i].name);
     }
   }
-  const cli_hint_t hint = cli_closest_hint(&closest);
   return cli_message(CLI_USAGE,
-                     "unknown option %s%s%s%s ('twofold help %s' lists them)",
-                     word, hint.before, hint.name, hint.after, syntax->command);
+                     "unknown option %s%s ('twofold help %s' lists them)", word,
+                     closest.hint, syntax->command);
 }
 
 static int given_twice(const cli_given_t *given) {
@@ -86,11 +79,7 @@ static int read_whole(const cli_option_t *option, const cli_given_t *given,
 }
 
 static int read_number(const cli_given_t *given, tf_real_t *out) {
-  const char *why = "";
-  return cli_read_real(given->value, out, &why)
-             ? CLI_DONE
-             : cli_message(CLI_USAGE, "%s %s: '%s' %s", given->name,
-                           given->value, given->value, why);
+  return cli_read_number(given->name, given->value, given->value, out);
 }
 
 static int read_real(const cli_option_t *option, const cli_given_t *given,
@@ -150,15 +139,12 @@ static int refuse_choice(const cli_option_t *option, const cli_given_t *given) {
                    at->name);
     cli_closest_offer(&closest, at->name);
   }
-  const cli_hint_t hint = cli_closest_hint(&closest);
   return option->noun == NULL
-             ? cli_message(CLI_USAGE, "%s %s: must be %s%s%s%s", given->name,
-                           given->value, list, hint.before, hint.name,
-                           hint.after)
-             : cli_message(CLI_USAGE, "%s %s: unknown %s; %ss are %s%s%s%s",
+             ? cli_message(CLI_USAGE, "%s %s: must be %s%s", given->name,
+                           given->value, list, closest.hint)
+             : cli_message(CLI_USAGE, "%s %s: unknown %s; %ss are %s%s",
                            given->name, given->value, option->noun,
-                           option->noun, list, hint.before, hint.name,
-                           hint.after);
+                           option->noun, list, closest.hint);
 }
 
 static int read_choice(const cli_option_t *option, const cli_given_t *given,
@@ -235,12 +221,6 @@ static int read_option(const cli_syntax_t *syntax, void *args, int argc,
   return read_value(option, &given, args);
 }
 
-// A file that a command line names. how: CLI_WRITES, CLI_READS, or 0: none.
-typedef struct {
-  cli_given_t given;
-  unsigned how;
-} file_t;
-
 static bool is_built_in(const char *name) {
   for (int i = 0; i < TF_SCENES; i++) {
     if (strcmp(tf_scenes[i]->name, name) == 0) {
@@ -250,113 +230,22 @@ static bool is_built_in(const char *name) {
   return false;
 }
 
-// What the words from argv[*at] on name; moves *at behind them. They were read
-// before, so that they are right.
-static file_t next_file(const cli_syntax_t *syntax, char *const *argv,
-                        int *at) {
+cli_file_t cli_next_file(const cli_syntax_t *syntax, char *const argv[],
+                         int *at) {
   const char *word = argv[(*at)++];
   if (!is_option(word)) {
-    return (file_t){{"", word}, is_built_in(word) ? 0 : CLI_READS};
+    return (cli_file_t){{"", word}, is_built_in(word) ? 0 : CLI_READS};
   }
   const cli_option_t *option = &syntax->options[find_option(syntax, word)];
   const char *equals = strchr(word, '=');
-  file_t file = {{option->name, ""}, option->how & (CLI_WRITES | CLI_READS)};
+  cli_file_t file = {{option->name, ""},
+                     option->how & (CLI_WRITES | CLI_READS)};
   if (equals != NULL) {
     file.given.value = equals + 1;
   } else if (option->value != NULL) {
     file.given.value = argv[(*at)++];
   }
   return file;
-}
-
-#define FOLDER_ROOM 4096
-
-static bool same_file(const struct stat *a, const struct stat *b) {
-  return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
-}
-
-// The folder of a path, as the caller may open it. Returns: whether it fits;
-// opening a longer one reports what is wrong.
-static bool folder_of(const char *path, char folder[FOLDER_ROOM]) {
-  const char *slash = strrchr(path, '/');
-  const size_t length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
-  if (length + 2 > FOLDER_ROOM) {
-    return false;
-  }
-  memcpy(folder, path, length);
-  memcpy(folder + length, ".", 2);
-  return true;
-}
-
-static const char *name_of(const char *path) {
-  const char *slash = strrchr(path, '/');
-  return slash == NULL ? path : slash + 1;
-}
-
-static bool in_one_folder(const char *one, const char *other) {
-  char folder[2][FOLDER_ROOM];
-  struct stat a, b;
-  return folder_of(one, folder[0]) && folder_of(other, folder[1]) &&
-         stat(folder[0], &a) == 0 && stat(folder[1], &b) == 0 &&
-         same_file(&a, &b);
-}
-
-// Whether two paths name one regular file, there or not yet; NULL and "-" are
-// none, and what is no regular file (a terminal, /dev/null) may come twice.
-static bool one_file(const char *one, const char *other) {
-  struct stat a, b;
-  if (one == NULL || other == NULL || strcmp(one, "-") == 0 ||
-      strcmp(other, "-") == 0) {
-    return false;
-  }
-  const bool there = stat(one, &a) == 0;
-  if (there != (stat(other, &b) == 0)) {
-    return false;
-  }
-  if (there) {
-    return S_ISREG(a.st_mode) && same_file(&a, &b);
-  }
-  return strcmp(name_of(one), name_of(other)) == 0 && in_one_folder(one, other);
-}
-
-// Whether writing the one would destroy the other. Standard output takes the
-// rows of one option.
-static bool destroys(const file_t *writer, const file_t *file) {
-  static const char *const beside[] = {"", ".part", ".resume"};
-  const char *value = writer->given.value;
-  if (strcmp(value, "-") == 0) {
-    return file->how == CLI_WRITES && strcmp(file->given.value, "-") == 0;
-  }
-  for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
-    char path[PATH_ROOM];
-    const int length = snprintf(path, sizeof path, "%s%s", value, beside[i]);
-    if (length > 0 && (size_t)length < sizeof path &&
-        one_file(path, file->given.value)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-static int check_files(const cli_syntax_t *syntax, int argc,
-                       char *const argv[]) {
-  for (int at = 0; at < argc;) {
-    const int begin = at;
-    const file_t writer = next_file(syntax, argv, &at);
-    for (int other = 0; writer.how == CLI_WRITES && other < argc;) {
-      const bool itself = other == begin;
-      const file_t file = next_file(syntax, argv, &other);
-      if (!itself && file.how != 0 && destroys(&writer, &file)) {
-        return cli_message(
-            CLI_USAGE,
-            "%s %s would write over %s%s%s: two files are "
-            "needed",
-            writer.given.name, writer.given.value, file.given.name,
-            file.given.name[0] != '\0' ? " " : "", file.given.value);
-      }
-    }
-  }
-  return CLI_DONE;
 }
 
 // Whether every option has the one that it needs.
@@ -380,6 +269,5 @@ int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
     code = is_option(word) ? read_option(syntax, args, argc, argv, &at, seen)
                            : syntax->take(args, word);
   }
-  code = code == CLI_DONE ? check_needs(syntax, seen) : code;
-  return code == CLI_DONE ? check_files(syntax, argc, argv) : code;
+  return code == CLI_DONE ? check_needs(syntax, seen) : code;
 }

@@ -9,7 +9,7 @@
 #include <stddef.h>
 
 #include "closest.h"
-#include "range.h"
+#include "number.h"
 
 /// An option as typed. value: "" where it takes none.
 typedef struct {
@@ -76,12 +76,22 @@ typedef struct {
 /// Sets the usual values of all numbers.
 void cli_usual_values(const cli_syntax_t *syntax, void *args);
 
-/// Reads all words. "-" is a positional argument. Then no file that is written,
-/// nor the `.part` or `.resume` beside it, may be one that another option or a
-/// positional argument names; the name of a built-in scene is none.
+/// Reads all words. "-" is a positional argument.
 /// Returns: CLI_DONE; after a message CLI_USAGE, CLI_REFUSED or what a reader
 /// returned.
 int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
                    char *const argv[]);
+
+/// A file that a command line names. how: CLI_WRITES, CLI_READS, or 0: none; the
+/// name of a built-in scene is none.
+typedef struct {
+  cli_given_t given;
+  unsigned how;
+} cli_file_t;
+
+/// What the words from argv[*at] on name; moves *at behind them. They were read
+/// before, so that they are right.
+cli_file_t cli_next_file(const cli_syntax_t *syntax, char *const argv[],
+                         int *at);
 
 #endif

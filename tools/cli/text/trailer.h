@@ -43,7 +43,6 @@ void cli_trailer_name(cli_trailer_t *trailer, const char *text, size_t length);
 
 /// Writes the comment `# shard I/N: ROWS rows, crc32 CRC, run RUN` and a
 /// newline.
-/// Returns: the length.
 size_t cli_trailer_line(const cli_trailer_t *trailer, const cli_shard_t *shard,
                         char out[CLI_TRAILER_ROOM]);
 

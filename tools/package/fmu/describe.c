@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/setup/scene.h"
+#include "cli/setup/scene_file.h"
 #include "variables.h"
 
 // The shortest decimal that reads back to the same bits.

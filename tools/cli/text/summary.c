@@ -1,13 +1,23 @@
 // Text from outside may hold any byte, and JSON is UTF-8: a byte that is none
 // is replaced, as Unicode proposes.
 
-#include "json.h"
+#include "summary.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 
+#include "commit.h"
 #include "number.h"
+#include "message.h"
+
+void cli_put_begin(const char *command) {
+  (void)fputs("{", stderr);
+  cli_put_word("version", TF_VERSION);
+  cli_put_word("commit", cli_commit);
+  cli_put_word("number", CLI_NUMBER_TYPE);
+  cli_put_word("command", command);
+}
 
 void cli_put_number(const char *key, double value, bool is_float) {
   char text[CLI_REAL_ROOM] = "null";
@@ -51,6 +61,11 @@ void cli_put_exit(int code) {
   ended = true;
 }
 
+void cli_put_end(double seconds, int code) {
+  (void)fprintf(stderr, "\"seconds\": %.9g, ", seconds);
+  cli_put_exit(code);
+}
+
 bool cli_put_ended(void) { return ended; }
 
 // The length of the character that begins here; 0: it is not UTF-8.
@@ -91,4 +106,26 @@ void cli_put_text(const char *key, const char *text) {
     text += length > 0 ? length : 1;
   }
   (void)fputs("\", ", stderr);
+}
+
+// The steps that were not TF_OK, in words and as an exit code. A step that fell
+// back on another scheme keeps its promise, so it is reported and does not
+// change the exit code.
+
+void cli_tally_print(const tf_tally_t *tally, const char *since, double t) {
+  (void)fprintf(stderr, "degraded   %" PRIu64 " steps", tally->degraded);
+  if (tally->coarse > 0 || tally->fell_back > 0) {
+    (void)fprintf(stderr,
+                  "; %" PRIu64 " missed the tolerance, %" PRIu64
+                  " fell back on moreau",
+                  tally->coarse, tally->fell_back);
+  }
+  if (tally->degraded + tally->coarse + tally->fell_back > 0 && !isnan(t)) {
+    (void)fprintf(stderr, ", %s at t = %g s", since, t);
+  }
+  (void)fputc('\n', stderr);
+}
+
+int cli_tally_code(const tf_tally_t *tally) {
+  return tally->degraded > 0 || tally->coarse > 0 ? CLI_FLAGGED : CLI_DONE;
 }

@@ -1,13 +1,19 @@
 /// @file
-/// Members of an object of JSON on standard error, for summaries: each with its
-/// comma, but the last.
-#ifndef TWOFOLD_CLI_JSON_H
-#define TWOFOLD_CLI_JSON_H
+/// What the summaries of the commands share: members of an object of JSON on
+/// standard error, each with its comma, but the last; and the line that tells
+/// which steps are not to be trusted.
+#ifndef TWOFOLD_CLI_SUMMARY_H
+#define TWOFOLD_CLI_SUMMARY_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "twofold/real.h"
+#include "twofold/tally.h"
+
+/// Begins a summary: version, commit and number type of this program, and the
+/// command.
+void cli_put_begin(const char *command);
 
 /// A number without a comma after it, in the digits of a float (is_float) or of
 /// a double; null where it is not finite.
@@ -32,10 +38,25 @@ void cli_put_word(const char *key, const char *word);
 /// code: in, the exit code.
 void cli_put_exit(int code);
 
+/// The same after the time that the work took [s].
+void cli_put_end(double seconds, int code);
+
 /// Whether a summary was written.
 bool cli_put_ended(void);
 
 /// Text from outside: the path of a file, what a board says of itself.
 void cli_put_text(const char *key, const char *text);
+
+// What a tally of steps means to whoever asked for them, the same for steps that
+// were taken here and for those that a stream reports.
+
+/// Prints the line `degraded` of a summary to standard error.
+/// since: in, what is known of the first of these steps: "first", or "first
+/// reported". t: in, when that was [s]; NAN: not known, and not told.
+void cli_tally_print(const tf_tally_t *tally, const char *since, double t);
+
+/// Returns: CLI_FLAGGED where some steps were degraded or missed their
+/// tolerance, else CLI_DONE.
+int cli_tally_code(const tf_tally_t *tally);
 
 #endif
