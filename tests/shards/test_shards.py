@@ -1,7 +1,8 @@
 #!/usr/bin/python3 -B
 """`twofold sweep` in shards under the real GNU parallel, Slurm and Snakemake:
 the rows of one run, also where tasks were lost and started again; and its map.
-A program that is missing is skipped by name, or fails where it is required."""
+With them go the laws of the study's own integrator (tests/study). A program
+that is missing is skipped by name, or fails where it is required."""
 import csv
 import os
 import shutil
@@ -13,8 +14,10 @@ from pathlib import Path
 
 from cluster import Cluster, missing
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
+for room in "support", "study":
+    sys.path.append(str(Path(__file__).resolve().parents[1] / room))
 from tap import ROOT, TWOFOLD, check, lacks, run  # noqa: E402
+import test_finer  # noqa: E402
 
 TOOLS = ROOT / "tools/study" / "shards"
 SWEEP = ["chaos", "--over", "kappa=0.2:0.4:12", "--over",
@@ -380,7 +383,7 @@ TESTS = [("parallel: the rows of one run", under_parallel),
          ("diverge: a shard that is killed goes on", diverge_goes_on),
          ("diverge: what it does not go on with", diverge_does_not_go_on),
          ("counts: a Slurm array of which a task was lost",
-          counts_under_slurm)]
+          counts_under_slurm), *test_finer.TESTS]
 
 
 # One at a time: they time themselves, and each takes all processors.

@@ -42,9 +42,9 @@ keep-statistics: ## copy what statistics made to docs/
 	$(study) exits keep
 keep-recurrence keep-finer: keep-%: ## copy what it made to docs/
 	$(study) $* keep
-test-shards: ## sweeps under GNU parallel, Slurm, Snakemake; the map
-test-shards: $(two)
-	@TWOFOLD='$<' tests/shards/test_shards.py $(ONLY)
+test-shards: ## sweeps under GNU parallel, Slurm, Snakemake; the map; finer
+test-shards: $(two) $(BUILD)/study/finer-64
+	@TWOFOLD='$<' FINER='$(lastword $^)' tests/shards/test_shards.py $(ONLY)
 
 # Figures. Each is tools/study/figures/NAME.gp over data in $(BUILD)/figures,
 # which the command line or tools/study/figures/fields makes. docs/FIGURES.md

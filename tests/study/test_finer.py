@@ -1,0 +1,108 @@
+"""Laws of the motions of tools/study/finer.c, in x87's long double: they
+converge to those of the core's law `smooth`, and the layer next to the two-fold
+is as theory says.
+
+Environment: FINER the program, by default that of `make`.
+"""
+import importlib
+import math
+import os
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
+from tap import ROOT, TWOFOLD, call, check, lacks  # noqa: E402
+
+FINER = str(Path(os.environ.get("FINER") or
+                 ROOT / "build/study/finer-64").resolve())
+
+
+def study(name):
+    """A module of the study."""
+    sys.path[:0] = [str(ROOT / "tools/study"), str(ROOT / "tools")]
+    try:
+        return importlib.import_module(name)
+    except ModuleNotFoundError as missing:
+        return lacks(f"python3-{missing.name}")
+    finally:
+        del sys.path[:2]
+
+
+def near(got, want, off, what):
+    check(abs(got - want) <= off, f"{what}: {got}, not {want} +- {off}")
+
+
+def motion(*words):
+    """The columns of one motion."""
+    head, row = call(*words, program=FINER)[0].splitlines()
+    return dict(zip(head.split(","), row.split(",")))
+
+
+def order(folder):
+    """Two columns are of order 4, three of order 6."""
+    del folder
+    slip = ("form=tanh", "width=0.2", "r=0.3", "w=-0.6", "x=1", "fold=-1",
+            "until=0.2")
+    exact = float(motion(*slip)["v"])
+    for columns, want in (2, 4), (3, 6):
+        coarse, fine = (abs(float(motion(
+            *slip, f"step={step}", f"columns={columns}")["v"]) - exact)
+            for step in (0.02, 0.01))
+        near(math.log2(coarse / fine), want, 0.5, f"order of {columns} columns")
+
+
+def agreement(folder):
+    """The core's law `smooth` comes to the same motion, at order 2."""
+    del folder
+    errors = [error for _, error in
+              study("families").core_agreement(TWOFOLD, FINER)]
+    check(errors[-1] < 1e-7, f"the core is off by {errors[-1]}")
+    for coarse, fine in zip(errors, errors[1:]):
+        near(coarse / fine, 4, 0.05, "error by half the step")
+
+
+def contraction(folder):
+    """Width times contraction tends to C of the set-valued stick."""
+    C = study("finer").contraction(TWOFOLD, "algebraic", folder)
+    wide, narrow = (
+        -float(motion(f"width={width}", "until=0.13")["before"]) * width / C
+        - 1 for width in (1e-5, 1e-6))
+    check(abs(narrow) < 0.005, f"a width of 1e-6 is off by {narrow}")
+    near(wide / narrow, 10, 2, "error by ten times the width")
+
+
+def growth(folder):
+    """A kick at the two-fold leaves where Kummer's function says."""
+    del folder
+    finer = study("finer")
+    fold = finer.TwoFold(study("families").two_fold(TWOFOLD))
+    width = fold.width("algebraic", 1e-7)
+    for kick in 1e-13, 1e-15:
+        found = float(motion(f"width={width}", f"kick={kick}")["behind"])
+        want = fold.exponent(finer.EXIT * 1e-7 / kick)
+        near(found, want, 0.03 * want, f"exponent of a kick of {kick}")
+
+
+def starts(folder):
+    """What the start was is forgotten at the two-fold, a kick is not."""
+    del folder
+    plain, moved, kicked = (
+        float(motion("width=1e-5", word)["exit_r"])
+        for word in ("x=0", "w=-1.0533", "kick=1e-10"))
+    check(abs(moved - plain) < 1e-6, f"the start moves the exit: {moved}")
+    check(abs(kicked - plain) > 2e-4, f"a kick does not: {kicked}")
+
+
+def names(folder):
+    """A name that is none is told."""
+    del folder
+    said, error = call("colour=1", code=2, program=FINER)
+    check(said == "" and "colour=1" in error, f"{said}{error}")
+
+
+TESTS = [("finer: columns are of their order", order),
+         ("finer: the core's law smooth comes to its motion", agreement),
+         ("finer: contraction tends to that of the stick", contraction),
+         ("finer: a kick grows by Kummer's function", growth),
+         ("finer: the start is forgotten, a kick is not", starts),
+         ("finer: a name that is none is told", names)]
