@@ -184,7 +184,8 @@ def wrong_evidence(cell):
 def wrong_items(page, cited):
     """What is wrong in the rows of the page; cited: comments of the code."""
     equations = page.partition("## Figures")[0]
-    for row in re.findall(r"^\| (?!item)(.*) \|$", page, re.M):
+    items = page.partition("## Errata")[0]
+    for row in re.findall(r"^\| (?!item)(.*) \|$", items, re.M):
         cells = re.split(r" \| ", row)
         if len(cells) != 4 or not cells[3].startswith(STATES):
             yield f"{row[:40]}: item, code, evidence, {' or '.join(STATES)}"
