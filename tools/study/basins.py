@@ -11,7 +11,6 @@ import os
 import tempfile
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 import pandas as pd
 
@@ -20,9 +19,7 @@ import pictures
 import space
 import table
 from maps import COLOURS
-
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
+from pictures import pyplot
 
 SIDE = int(os.environ.get("SIDE") or 100)
 DESIGNS = int(os.environ.get("DESIGNS") or 300)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import math
-import subprocess
 from pathlib import Path
 from typing import Callable, Optional
 
 import pandas as pd
 
 import table
+from table import said
 
 SCENE = {"m": 1, "d": 1, "beta": 0.05, "kappa": 0.27241153714062027818,
          "k2": 2.2270992253886014, "gamma": -3 * math.pi / 4, "omega0": -1,
@@ -20,14 +20,6 @@ SCENE = {"m": 1, "d": 1, "beta": 0.05, "kappa": 0.27241153714062027818,
 ANGLES = 0.01, 0.1, 0.3, 0.5, math.pi / 4, 1.1, 1.3, 1.54
 PLACE = 0.1859, -1.037
 CIRCLE = -1.45, -1.415, -1.2, 1.415, 1.6
-
-
-def said(*words: object) -> Optional[str]:
-    """What the command line prints; None where it refuses."""
-    done = subprocess.run([str(word) for word in words], check=False,
-                          text=True, stdout=subprocess.PIPE,
-                          stderr=subprocess.DEVNULL)
-    return done.stdout if done.returncode == 0 else None
 
 
 def two_fold(twofold: str) -> dict[str, float]:

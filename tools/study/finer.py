@@ -161,7 +161,7 @@ def contraction(twofold: str, form: str, folder: Path) -> float:
     is exp(-C/width) as the width goes to 0. The last 0.07 ms, in which A goes
     to 0, are a share of 3e-7."""
     path, scene = folder / "stick.csv", families.SCENE
-    families.said(
+    table.said(
         twofold, "run", "chaos", "--scheme", "located", "--dt", "1e-4",
         "--t-end", "0.1236", "--set", "r=0.191960972", "--set",
         "omega=-1.053244828", "--set", "h=0", "--every", "1", "--out", path)

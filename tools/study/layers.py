@@ -5,15 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import matplotlib
-
 import pictures
+from pictures import pyplot
 
 if TYPE_CHECKING:
     from finer import Study
-
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
 
 
 def draw(study: Study, path: Path) -> None:

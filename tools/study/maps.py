@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 import pandas as pd
+from matplotlib import colors
 
 import pictures
 import space
 import table
+from pictures import pyplot
 from space import KINDS, LOST, QUARTERED, SPACES, ends, most, quarters
-
-matplotlib.use("Agg")
-from matplotlib import colors, pyplot  # noqa: E402
 
 COLOURS = {"lasting": "#0072B2", "partly": "#E69F00", "never": "#BBBBBB"}
 ENDED = dict(zip(LOST, (

@@ -4,8 +4,11 @@ from __future__ import annotations
 import io
 from pathlib import Path
 
-from matplotlib import pyplot
+import matplotlib
 from PIL import Image
+
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
 
 COLOURS = 64
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 import csv
 import json
 import math
-import subprocess
 import sys
 import time
 import zlib
@@ -55,19 +54,12 @@ class Twofold:
     def __init__(self, program: str) -> None:
         self.program = program
 
-    def said(self, *words: str) -> Optional[str]:
-        """What it prints; None where it refuses."""
-        done = subprocess.run([self.program, *words], text=True, check=False,
-                              stdout=subprocess.PIPE,
-                              stderr=subprocess.DEVNULL)
-        return done.stdout if done.returncode == 0 else None
-
     def cycles(self, words: list[str], patience: int
                ) -> Optional[Counter[str]]:
         """The number of cycles by how they ended, and of late ones; None where
         the two-fold cannot be followed. What diverge calls `timeout` is told
         by what came before it."""
-        text = self.said(*words, "--returns", "-")
+        text = table.said(self.program, *words, "--returns", "-")
         if text is None:
             return None
         count: Counter[str] = Counter()
@@ -87,8 +79,9 @@ class Twofold:
         name, r, omega, settings = space.drawn(number)
         found = {"machine": number, "space": name, "r": r, "omega": omega,
                  **settings}
-        text = self.said("design", "chaos", *space.set_words(settings),
-                         "--r", repr(r), f"--omega={omega!r}")
+        text = table.said(
+            self.program, "design", "chaos", *space.set_words(settings),
+            "--r", repr(r), f"--omega={omega!r}")
         if text is None:
             return {**found, "reason": "no design"}
         design = json.loads(text)
@@ -123,7 +116,7 @@ def follow(work: Path, twofold: str) -> None:
     parts = math.ceil(space.MACHINES / PART)
     run = zlib.crc32(repr((
         space.MACHINES, space.SEED, SPACES, space.DRAWN, space.GAMMA, PASSES,
-        space.COLUMNS, program.said("--version"))).encode())
+        space.COLUMNS, table.said(twofold, "--version"))).encode())
     begin, done = time.time(), 0
 
     def part(i: int) -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import io
 import math
 import re
+import subprocess
 import sys
 import zlib
 from pathlib import Path
@@ -40,6 +41,14 @@ def run_script(main: Callable[[], Optional[int]]) -> None:
         sys.stderr.close()
         sys.exit(1)
     sys.exit(code)
+
+
+def said(*words: object) -> Optional[str]:
+    """What the command line prints; None where it refuses."""
+    done = subprocess.run([str(word) for word in words], check=False,
+                          text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL)
+    return done.stdout if done.returncode == 0 else None
 
 
 def _check_shards(path: str, lines: list[bytes], needed: bool) -> None:

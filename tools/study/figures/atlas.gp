@@ -9,8 +9,6 @@ set yrange [-1.5:-0.5]
 set cbrange [0:1]
 unset colorbox
 set border 15 lw 1.5
-unset key
-set multiplot
 set xtics 0.1,0.2
 set ytics 0.5
 at(name) = sprintf("column('%s')", name)
@@ -21,8 +19,7 @@ array title_of[7] = ['(a) all of (b) to (g)', '(b) K_{– –} > 0', \
   '(g) k_2 > 0, κ > 0']
 do for [i=1:7] {
   if (i == 1) {
-    set lmargin at screen 0.09; set rmargin at screen 0.39
-    set bmargin at screen 0.25; set tmargin at screen 0.80
+    set margins screen 0.09, screen 0.39, screen 0.25, screen 0.80
     set xlabel 'prescribed r* [m]'
     set ylabel 'prescribed ω* [rad/s]' offset 1
     set palette defined (0 '#ffffff', 1 green)
@@ -31,8 +28,7 @@ do for [i=1:7] {
       lc rgb black offset 1,-0.8
   } else {
     x = 0.495 + 0.17 * ((i - 2) % 3); y = i < 5 ? 0.59 : 0.10
-    set lmargin at screen x; set rmargin at screen x + 0.145
-    set bmargin at screen y; set tmargin at screen y + 0.36
+    set margins screen x, screen x + 0.145, screen y, screen y + 0.36
     set xlabel (i < 5 ? '' : 'r* [m]') offset 0,0.3
     set ylabel ((i - 2) % 3 ? '' : 'ω* [rad/s]') offset 1
     set palette defined (0 '#ffffff', 1 sky)
@@ -51,4 +47,3 @@ do for [i=1:7] {
         column('r') : NaN):'omega' with dots lc rgb black
   }
 }
-unset multiplot

@@ -3,13 +3,10 @@
 wide = 1500; high = 1200
 @OPEN
 f = data.'/exits.curves.dat'
-set multiplot
-unset key
 set grid lc rgb '#dddddd'
 set xrange [0:0.5]
 set xtics 0.1
-set lmargin at screen 0.10; set rmargin at screen 0.475
-set bmargin at screen 0.59; set tmargin at screen 0.86
+set margins screen 0.10, screen 0.475, screen 0.59, screen 0.86
 set title '(a) when' offset 0,-0.4
 set xlabel 'time from the two-fold to the exit [s]'
 set ylabel 'share that has left [1]' offset 0.5
@@ -27,8 +24,7 @@ plot f index 'stick' using 1:2 with lines lw 2 lc rgb black, \
     lc rgb red, \
   f index 'where' using 1:($3 < 0 ? $2 : 1/0) with points pt 6 ps 1.3*P \
     lw 1.5 lc rgb blue
-set lmargin at screen 0.10; set rmargin at screen 0.475
-set bmargin at screen 0.10; set tmargin at screen 0.425
+set margins screen 0.10, screen 0.475, screen 0.10, screen 0.425
 set title '(c) in which phase, by the time' offset 0,-0.4
 set xrange [0:0.04]
 set xtics 0.01
@@ -58,4 +54,3 @@ plot -1 notitle, keyentry with points pt 7 ps 1.5*P lc rgb red \
   keyentry with lines lw 7 lc rgb grey title 'all exits', \
   keyentry with lines lw 2 dt (6,4) lc rgb black \
     title '(a) 1 – exp(–10 t), (d) even'
-unset multiplot

@@ -2,11 +2,7 @@
 wide = 1500; high = 880
 @OPEN
 load data.'/numbers.dat'
-set multiplot
-set lmargin at screen 0.075
-set rmargin at screen 0.455
-set bmargin at screen 0.15
-set tmargin at screen 0.74
+set margins screen 0.075, screen 0.455, screen 0.15, screen 0.74
 set title sprintf("(a) next to the two-fold:\nJ_1 = %.3f, J_2 = %.3f", J1, J2) \
   offset 0,-0.3
 set border 15 lw 1.5
@@ -23,7 +19,6 @@ set label 1 'S sliding' at 0.96,0.92 right front
 set label 2 'E escaping' at -0.96,-0.92 left front
 set label 3 'C crossing' at -0.96,0.92 left front
 set label 4 'C crossing' at 0.96,-0.92 right front
-unset key
 f = data.'/orbits.dat'
 plot 0 with lines lw 2.5 lc rgb red notitle, \
   '+' using (0):(2*($0/99.)-1) with lines lw 2.5 lc rgb blue notitle, \
@@ -66,4 +61,3 @@ plot -1 notitle, \
   keyentry with lines lw 2.5 lc rgb blue title 'f_– tangent', \
   for [m=1:4] keyentry with lines lw 4 lc rgb mode_colour[m] \
     title (m == 1 ? '(b) ' : '').mode_name[m]
-unset multiplot

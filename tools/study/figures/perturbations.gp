@@ -18,8 +18,6 @@ do for [k=1:5] {
 }
 set datafile separator whitespace
 unset datafile columnheaders
-set multiplot
-unset key
 set bmargin at screen 0.16
 set tmargin at screen 0.73
 set grid lc rgb '#dddddd'
@@ -57,4 +55,3 @@ plot for [k=1:5] f index of('return', k) with lines lw 3.5 \
 @KEYROW
 plot -1 notitle, for [k=1:5] keyentry with lines lw 4 lc rgb colour_of[k] \
   title sprintf('%s, %s: %s', word(kinds, k), size_of[k], came[k])
-unset multiplot

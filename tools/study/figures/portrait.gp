@@ -2,10 +2,7 @@
 # direction of slip alone.
 wide = 1600; high = 900
 @OPEN
-set multiplot
-unset key
-set lmargin at screen 0.08; set rmargin at screen 0.465
-set bmargin at screen 0.135; set tmargin at screen 0.80
+set margins screen 0.08, screen 0.465, screen 0.135, screen 0.80
 set border 15 lw 1.5
 f = data.'/corner.dat'
 r0 = real(word(system("head -n 1 ".f), 3)) # of its line `# r NUMBER`
@@ -55,4 +52,3 @@ plot -1 notitle, keyentry with lines lw 7 lc rgb green title 'stick–', \
   keyentry with points pt 6 ps 1.5*P lc rgb blue title 'falls in, repels', \
   keyentry with points pt 7 ps 1.5*P lc rgb red title 'leaves, attracts', \
   keyentry with boxes fs solid fc rgb '#e0e0e0' title 'turns to larger angles'
-unset multiplot

@@ -13,12 +13,7 @@ set palette maxcolors 4 defined (1 shade[1], 2 shade[2], 3 shade[3], 4 shade[4])
 set cbrange [0.5:4.5]
 unset colorbox
 set border 15 lw 1.5
-set multiplot
-unset key
-set lmargin at screen 0.11
-set rmargin at screen 0.97
-set bmargin at screen 0.12
-set tmargin at screen 0.87
+set margins screen 0.11, screen 0.97, screen 0.12, screen 0.87
 set style textbox opaque noborder fillcolor rgb '#ffffff'
 set label 1 'two-fold' at r_star,w_star front point pt 7 ps 2*P lc rgb black \
   offset 1.5,0.2
@@ -49,4 +44,3 @@ plot -1 notitle, \
   keyentry with lines lw 4 lc rgb green title 'stick from the two-fold', \
   keyentry with lines lw 4 lc rgb red title 'f_+ tangent', \
   keyentry with lines lw 4 lc rgb blue title 'f_– tangent'
-unset multiplot

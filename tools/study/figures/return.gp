@@ -6,13 +6,8 @@ f = data.'/return.curves.dat'
 # Where the stick from the two-fold comes to rest if it never ends.
 stats f index 'rest' using 1 nooutput
 rest = STATS_max
-set multiplot
-unset key
-set bmargin at screen 0.165
-set tmargin at screen 0.77
+set margins screen 0.105, screen 0.48, screen 0.165, screen 0.77
 set grid lc rgb '#dddddd'
-set lmargin at screen 0.105
-set rmargin at screen 0.48
 set title '(a) from the exit to the first landing' offset 0,-0.4
 set xrange [0:0.4]
 set yrange [0.1816:0.1836]
@@ -57,4 +52,3 @@ plot -1 notitle, keyentry with points pt 7 ps 1.5*P lc rgb red \
   keyentry with points pt 7 ps 1.5*P lc rgb green title '(b) 1 landing', \
   keyentry with points pt 5 ps 1.4*P lc rgb orange title '2 landings', \
   keyentry with points pt 9 ps 1.6*P lc rgb pink title '3 or more'
-unset multiplot

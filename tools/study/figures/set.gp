@@ -12,12 +12,10 @@ set ytics 0.02 offset 0.6,-0.3
 set ztics 50
 set border 4095 lw 1
 set xyplane at -30
-set multiplot
 f = data.'/set.curves.dat'
 border = data.'/borders.dat'
 array turn[2] = [40, 130]
 drawn(r, w) = r > 0.1815 && r < 0.1885 && w > -1.055
-unset key
 do for [i=1:2] {
   set origin 0.5 * (i - 1), 0.02
   set size 0.5, 0.9
@@ -43,4 +41,3 @@ plot -1 notitle, keyentry with points pt 7 ps 2*P lc rgb black title 'two-fold',
   keyentry with lines lw 3 lc rgb grey title 'borders on h = 0', \
   for [m=1:4] keyentry with lines lw 4 lc rgb mode_colour[m] \
     title mode_name[m]
-unset multiplot

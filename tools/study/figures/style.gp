@@ -1,14 +1,14 @@
 # What all figures share: the terminal of the requested type, and the colours of
 # Okabe and Ito for colour-blind readers. Terminals differ in what a size
-# of points is: P makes them alike. A figure sets `wide` and `high`
-# [pixels] and says @OPEN; it reads `data`, the folder of its data.
+# of points is: P makes them alike. A figure sets `wide` and `high` [pixels] and
+# says @OPEN, which begins a multiplot; it reads `data`, the folder of its data.
 OPEN = "if (type eq '.svg') { \
   set terminal svg size wide,high font 'Helvetica,22' background '#ffffff'; \
   P = 0.5; \
 } else { \
   set terminal pngcairo size wide,high font 'Helvetica,22'; \
   P = 1; \
-}; set output out"
+}; set output out; set multiplot; unset key"
 black = '#000000'
 orange = '#E69F00'
 sky = '#56B4E9'
@@ -35,8 +35,8 @@ array mode_name[5] = ['slip+', 'slip-', 'stick+', 'stick-', 'pinned']
 KEYROW = "unset title; unset xlabel; unset ylabel; unset label; \
   unset arrow; \
   unset object; unset logscale; unset grid; unset tics; unset border; \
-  unset colorbox; set lmargin at screen 0.01; set rmargin at screen 0.99; \
-  set bmargin at screen 0.01; set tmargin at screen 0.99; \
+  unset colorbox; \
+  set margins screen 0.01, screen 0.99, screen 0.01, screen 0.99; \
   set xrange [0:1]; set yrange [0:1]; \
   set key at screen 0.5,0.985 center top horizontal Left reverse maxrows 2 \
     width 1"

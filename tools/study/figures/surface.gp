@@ -3,8 +3,6 @@ wide = 1500; high = 620
 @OPEN
 array name[3] = ['crossing', 'sliding', 'escaping']
 array title_of[3] = ['(a) crossing', '(b) sliding', '(c) escaping']
-set multiplot
-unset key
 set xrange [0:2]
 set yrange [-16:16]
 set xtics 0.5
@@ -16,10 +14,8 @@ f = data.'/surface.curves.dat'
 # On one side of h = 0, or on both (side 0).
 of(what, side) = sprintf('%s %d', what, side)
 do for [i=1:3] {
-  set lmargin at screen 0.075 + 0.31 * (i - 1)
-  set rmargin at screen 0.075 + 0.31 * (i - 1) + 0.28
-  set bmargin at screen 0.21
-  set tmargin at screen 0.79
+  x = 0.075 + 0.31 * (i - 1)
+  set margins screen x, screen x + 0.28, screen 0.21, screen 0.79
   set title title_of[i] offset 0,-0.4
   if (i == 1) {
     set ylabel 'slip speed h [µm/s]' offset 1.2
@@ -37,4 +33,3 @@ do for [i=1:3] {
 plot -1 notitle, keyentry with lines ls 1 title 'slip at h > 0, f_+', \
   keyentry with lines ls 2 title 'slip at h < 0, f_–', \
   keyentry with lines lw 7 lc rgb grey title 'stick, f_s'
-unset multiplot

@@ -2,16 +2,11 @@
 wide = 1500; high = 660
 @OPEN
 f = data.'/tyre.dat'
-set multiplot
-unset key
 set xrange [0:90]
 set xtics 30
 set xlabel 'slip angle φ [degrees]'
 set grid lc rgb '#dddddd'
-set bmargin at screen 0.20
-set tmargin at screen 0.72
-set lmargin at screen 0.09
-set rmargin at screen 0.475
+set margins screen 0.09, screen 0.475, screen 0.20, screen 0.72
 set title '(a) stretched string, k = δ = σ = a = 1' offset 0,-0.4
 set ylabel 'F/μ [1],  M/μ [m]' offset 1
 set yrange [-0.2:1.6]
@@ -31,4 +26,3 @@ plot -1 notitle, keyentry with lines dt (8,4) lw 4 lc rgb red title 'force F', \
   keyentry with lines lw 4 lc rgb blue title 'moment M', \
   keyentry with lines dt (2,3) lw 3 lc rgb black \
     title '10^3 F/μ of the string, k = 10^3, δ = σ = 10^{–3}; its M is 0'
-unset multiplot
