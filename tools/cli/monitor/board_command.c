@@ -120,10 +120,12 @@ int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
   commands->count++;
   *command = (cli_board_command_t){.text = text};
   cli_closest_t closest = cli_closest_to(text);
-  const size_t i = cli_closest_find(&closest, plain, PLAIN, sizeof plain[0]);
-  if (i < PLAIN) {
-    command->type = plain[i].type;
-    return CLI_DONE;
+  for (size_t i = 0; i < PLAIN; i++) {
+    if (strcmp(text, plain[i].name) == 0) {
+      command->type = plain[i].type;
+      return CLI_DONE;
+    }
+    cli_closest_offer(&closest, plain[i].name);
   }
   if (strncmp(text, "set:", 4) == 0) {
     return read_set(command, text + 4);

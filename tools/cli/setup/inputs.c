@@ -235,36 +235,6 @@ void cli_inputs_free(cli_inputs_t *inputs) {
 // The profile of a scene and a table of one's own are the same kind of thing;
 // the latter is applied over the former, column by column.
 
-static int read_between(const char *between, bool *linear) {
-  *linear = strcmp(between, "linear") == 0;
-  if (*linear || strcmp(between, "held") == 0) {
-    return CLI_DONE;
-  }
-  return cli_message(CLI_USAGE, "--between %s: must be held or linear",
-                     between);
-}
-
-int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
-                   const cli_drive_args_t *args) {
-  memset(drive, 0, sizeof *drive);
-  int code = cli_inputs_of_scene(&drive->profile, scene);
-  if (code != CLI_DONE || (args->inputs == NULL && args->between == NULL)) {
-    return code;
-  }
-  if (args->inputs == NULL) {
-    return cli_message(CLI_USAGE, "--between %s: only with --inputs",
-                       args->between);
-  }
-  if (args->between == NULL) {
-    return cli_message(CLI_USAGE,
-                       "--inputs %s: say what holds between two rows, by "
-                       "--between held or --between linear",
-                       args->inputs);
-  }
-  code = read_between(args->between, &drive->table.linear);
-  return code == CLI_DONE ? cli_inputs_read(&drive->table, args->inputs) : code;
-}
-
 void cli_drive_begin(cli_drive_t *drive, cli_setup_t *setup) {
   cli_inputs_prepare(&drive->profile, setup->machine.dt);
   cli_inputs_prepare(&drive->table, setup->machine.dt);

@@ -56,8 +56,8 @@ void cli_print_ranges(void) {
   }
 }
 
-// Finds the number that has a name. what: for the message, what it names and all
-// of them.
+// Finds the number that has a name. what: for the message, what it names and
+// all of them.
 static int find_name(const char *name_of(unsigned), unsigned count,
                      const char *option, const char *text, const char *name,
                      const char *const what[2], unsigned *found) {

@@ -13,7 +13,6 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "names.h"
-#include "scene_values.h"
 
 #define LINE_ROOM 512
 

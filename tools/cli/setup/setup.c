@@ -320,8 +320,8 @@ void cli_setup_notes(const cli_setup_t *setup, const char *unused,
 
 // Four lines of provenance, no more and no fewer: readers that cannot skip
 // comments skip a number of lines. The hash of the parameters is that of the
-// schema frame, so that rows of a board and of a run are known to be of the same
-// machine.
+// schema frame, so that rows of a board and of a run are known to be of the
+// same machine.
 
 uint32_t cli_scene_hash(const cli_setup_t *setup) {
   const tf_scene_t *scene = setup->scene;

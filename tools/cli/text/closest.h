@@ -21,8 +21,8 @@ cli_closest_t cli_closest_to(const char *word);
 /// "; did you mean 'chaos'?", or empty.
 void cli_closest_offer(cli_closest_t *closest, const char *name);
 
-/// Looks for the word in a table of `count` rows of `bytes` bytes, each of which
-/// begins with a const char *, its name, and offers all names before it.
+/// Looks for the word in a table of `count` rows of `bytes` bytes, each of
+/// which begins with a const char *, its name, and offers all names before it.
 /// Returns: the number of the row, count: there is none.
 size_t cli_closest_find(cli_closest_t *closest, const void *table, size_t count,
                         size_t bytes);

@@ -230,7 +230,7 @@ static bool is_built_in(const char *name) {
   return false;
 }
 
-cli_file_t cli_next_file(const cli_syntax_t *syntax, char *const argv[],
+cli_file_t cli_next_file(const cli_syntax_t *syntax, char *const *argv,
                          int *at) {
   const char *word = argv[(*at)++];
   if (!is_option(word)) {

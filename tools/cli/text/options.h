@@ -82,8 +82,8 @@ void cli_usual_values(const cli_syntax_t *syntax, void *args);
 int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
                    char *const argv[]);
 
-/// A file that a command line names. how: CLI_WRITES, CLI_READS, or 0: none; the
-/// name of a built-in scene is none.
+/// A file that a command line names. how: CLI_WRITES, CLI_READS, or 0: none;
+/// the name of a built-in scene is none.
 typedef struct {
   cli_given_t given;
   unsigned how;
@@ -91,7 +91,7 @@ typedef struct {
 
 /// What the words from argv[*at] on name; moves *at behind them. They were read
 /// before, so that they are right.
-cli_file_t cli_next_file(const cli_syntax_t *syntax, char *const argv[],
+cli_file_t cli_next_file(const cli_syntax_t *syntax, char *const *argv,
                          int *at);
 
 #endif

@@ -8,8 +8,8 @@
 #include <stdio.h>
 
 #include "commit.h"
-#include "number.h"
 #include "message.h"
+#include "number.h"
 
 void cli_put_begin(const char *command) {
   (void)fputs("{", stderr);

@@ -47,8 +47,8 @@ bool cli_put_ended(void);
 /// Text from outside: the path of a file, what a board says of itself.
 void cli_put_text(const char *key, const char *text);
 
-// What a tally of steps means to whoever asked for them, the same for steps that
-// were taken here and for those that a stream reports.
+// What a tally of steps means to whoever asked for them, the same for steps
+// that were taken here and for those that a stream reports.
 
 /// Prints the line `degraded` of a summary to standard error.
 /// since: in, what is known of the first of these steps: "first", or "first
