@@ -21,14 +21,17 @@ DIST_CONSTANTS := $(REALS:%=$(BUILD)/%/constants)
 
 .PHONY: dist install uninstall test-dist
 dist: ## two files, a prepared scene, packages: into build/dist
-dist: $(DIST_CONSTANTS)
-	@mkdir -p $(DIST)/c
-	@tools/package/dist/two_files.py $(DIST)/c
+dist: $(DIST_CONSTANTS) $(DIST)/c/twofold.c
 	@for scene in $(sort chaos smooth $(DIST_SCENE)); do \
 	  tools/package/dist/scene.py $$scene $(DIST_CONSTANTS) $(DIST)/c || \
 	  exit 1; done
 	@tools/package/dist/packages.py $(DIST)/c $(DIST)
 	@echo 'The packages are in $(DIST).'
+
+$(DIST)/c/twofold.c: $(wildcard include/*.h include/twofold/*.h src/*/*.[ch]) \
+    tools/package/dist/two_files.py tools/package/dist/sources.py LICENSE
+	@mkdir -p $(@D)
+	@tools/package/dist/two_files.py $(@D)
 
 # What is installed, below PREFIX. Libraries of both types have names of their
 # own, as their functions have. A folder may have blanks in its name.
@@ -82,7 +85,6 @@ FMU_DIST := $(BUILD)/dist
 FMU_SCENE := $(notdir $(or $(SCENE),chaos))
 FMU_SCENES := $(patsubst %,$(BUILD)/fmu/%/done,$(shell \
   sed -n 's/^ *\.name = "\(.*\)",$$/\1/p' src/scene/scenes.c))
-FMU_CORE := $(CORE:%.c=$(BUILD)/fmu/core/%.o)
 FMU_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -fno-math-errno -fPIC \
   -fvisibility=hidden -ffunction-sections -fdata-sections
 FMU_BINARY_fmi2 := binaries/linux64
@@ -104,21 +106,18 @@ test-fmu: $(FMU_SCENES) $(BUILD)/double/twofold
 
 $(BUILD)/fmu/flags: FORCE
 	@mkdir -p $(@D)
-	@new=$@.$$$$; echo '$(CC) $(FMU_FLAGS) $(EXTRA) $(CORE)' >$$new; \
+	@new=$@.$$$$; echo '$(CC) $(FMU_FLAGS) $(EXTRA)' >$$new; \
 	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
-
-$(BUILD)/fmu/core/%.o: %.c $(BUILD)/fmu/flags
-	$(call compile,$(FMU_FLAGS) $(SRC_FLAGS_$(*F)))
-$(BUILD)/fmu/libtwofold.a: $(FMU_CORE)
-	$(archive)
+$(BUILD)/fmu/twofold.o: $(DIST)/c/twofold.c $(BUILD)/fmu/flags
+	@echo '  CC    $@'
+	@$(CC) $(filter-out -Wunused-macros,$(FMU_FLAGS)) $(EXTRA) -c $< -o $@
 $(BUILD)/fmu/describe: tools/package/fmu/describe.c \
-    tools/package/fmu/variables.c $(SCENE_READER) \
-    $(BUILD)/fmu/libtwofold.a tools/package/fmu/variables.h
+    tools/package/fmu/variables.c $(SCENE_READER) $(BUILD)/fmu/twofold.o \
+    tools/package/fmu/variables.h
 	@echo '  LINK  $@'
-	@$(CC) $(COMMON) $(WARN) -Itools $(EXTRA) $(filter %.c %.a,$^) -lm -o $@
+	@$(CC) $(COMMON) $(WARN) -Itools $(EXTRA) $(filter %.c %.o,$^) -lm -o $@
 
-FMU_SOURCES := $(wildcard tools/package/fmu/*.[chp]* include/*.h \
-  include/twofold/*.h src/*/*.[ch]) docs/FMU.md LICENSE
+FMU_SOURCES := $(wildcard tools/package/fmu/*.[chp]*) docs/FMU.md LICENSE
 # The scene that a folder is named after: $(call fmu_scene,folder).
 fmu_scene = $(if $(filter $(FMU_SCENE),$(1)),$(or $(SCENE),chaos),$(1))
 # $(call fmu_link,directory of the scene,fmi2 or fmi3)
@@ -126,7 +125,8 @@ define fmu_link
 	@mkdir -p $(1)/$(2)/$(FMU_BINARY_$(2))
 	@$(CC) $(FMU_FLAGS) $(EXTRA) -shared -s -Wl,--gc-sections \
 	  -Wl,-z,defs -Wl,-soname,twofold.so \
-	  $(1)/$(2)/sources/fmu_*.c $(BUILD)/fmu/libtwofold.a \
+	  $$(ls $(1)/$(2)/sources/*.c | grep -v /twofold.c) \
+	  $(BUILD)/fmu/twofold.o \
 	  -o $(1)/$(2)/$(FMU_BINARY_$(2))/twofold.so
 endef
 # Of a file the rest is made anew each time: it may be another file by now.
@@ -137,7 +137,8 @@ $(BUILD)/fmu/%/done: $(BUILD)/fmu/describe $(BUILD)/double/constants \
 	@echo '  FMU   $(@D)'
 	@$< '$(call fmu_scene,$*)' >$(@D)/description.json
 	@$(BUILD)/double/constants --scene '$(call fmu_scene,$*)' >$(@D)/scene.h
-	@tools/package/fmu/package.py layout $(@D)/description.json $(@D)
+	@tools/package/fmu/package.py layout $(@D)/description.json \
+	  $(DIST)/c $(@D)
 	$(call fmu_link,$(@D),fmi2)
 	$(call fmu_link,$(@D),fmi3)
 	@tools/package/fmu/package.py pack $(@D) $(@D)/twofold-fmi2.fmu \

@@ -16,29 +16,20 @@ static double rows[LINE_ROWS][LINE_COLUMNS];
 static double counters[8];
 static uint32_t sequence;
 
-void EXPORT(line_open)(void);
-uint8_t *EXPORT(line_bytes)(void);
-uint32_t EXPORT(line_room)(void);
-uint32_t EXPORT(line_take)(uint32_t length);
-const double *EXPORT(line_rows)(void);
-const double *EXPORT(line_counters)(void);
-const char *EXPORT(line_scene)(void);
-uint32_t EXPORT(line_describe)(void);
-
-void line_open(void) {
+void EXPORT(line_open)(void) {
   receiver = (cli_receiver_t){0};
   sequence = 0;
   tf_decoder_init(&decoder, buffer, sizeof buffer);
 }
 
 // Where the page puts bytes from the line, and takes those for it.
-uint8_t *line_bytes(void) { return bytes; }
+uint8_t *EXPORT(line_bytes)(void) { return bytes; }
 
-uint32_t line_room(void) { return LINE_BYTES; }
+uint32_t EXPORT(line_room)(void) { return LINE_BYTES; }
 
 // Decodes so many bytes. Returns: how many rows they completed. A frame takes
 // more than LINE_BYTES / LINE_ROWS bytes, so there is room for all.
-uint32_t line_take(uint32_t length) {
+uint32_t EXPORT(line_take)(uint32_t length) {
   uint32_t count = 0;
   for (uint32_t i = 0; i < length && i < LINE_BYTES; i++) {
     tf_frame_t frame;
@@ -54,11 +45,11 @@ uint32_t line_take(uint32_t length) {
   return count;
 }
 
-const double *line_rows(void) { return rows[0]; }
+const double *EXPORT(line_rows)(void) { return rows[0]; }
 
 // Frames, damaged ones, lost ones, rows, rows without their other half,
 // unknown frames, whether the schema has come, whether numbers are floats.
-const double *line_counters(void) {
+const double *EXPORT(line_counters)(void) {
   const double now[8] = {
       decoder.frames,
       (double)decoder.bad + decoder.too_long + decoder.bad_version,
@@ -72,11 +63,11 @@ const double *line_counters(void) {
   return counters;
 }
 
-const char *line_scene(void) { return receiver.scene; }
+const char *EXPORT(line_scene)(void) { return receiver.scene; }
 
 // The command that asks a board for its schema, in `line_bytes`. Returns: its
 // length.
-uint32_t line_describe(void) {
+uint32_t EXPORT(line_describe)(void) {
   return (uint32_t)tf_command_seal(bytes, TF_UP_DESCRIBE, 0, 0, &sequence, 0,
                                    0);
 }

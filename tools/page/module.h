@@ -8,6 +8,9 @@
 
 #include "twofold.h"
 
+// The page looks these functions up by their names, and no file of the module
+// calls one of another: each is declared where it is defined.
+#pragma GCC diagnostic ignored "-Wmissing-prototypes"
 #define EXPORT(symbol) __attribute__((export_name(#symbol))) symbol
 
 /// Columns of a row, in the order in which core.mjs names them.
@@ -37,10 +40,14 @@ enum {
   ROW_COLUMNS
 };
 
+/// The machine of the motion, NULL before the first, and its last input.
+const tf_machine_t *machine_begun(void);
+tf_input_t input_applied(void);
+
 /// The scene that was read last, NULL before the first; it is kept.
 const tf_scene_t *own_scene(void);
 
-/// The set-up as a scene.
-tf_scene_t setup_scene(void);
+/// A scene as the text of a file, until the next file is put in its place.
+const char *scene_as_file(const tf_scene_t *scene);
 
 #endif

@@ -45,28 +45,7 @@ enum {
   SETUP_NUMBERS
 };
 
-uint32_t EXPORT(scenes)(void);
-const char *EXPORT(scene_name)(uint32_t number);
-const char *EXPORT(scene_shows)(uint32_t number);
-uint32_t EXPORT(load)(uint32_t number);
-double EXPORT(get)(uint32_t number);
-bool EXPORT(set)(uint32_t number, double value);
-double EXPORT(t_end)(void);
-bool EXPORT(is_driven)(void);
-int32_t EXPORT(begin)(void);
-int32_t EXPORT(offending)(void);
-bool EXPORT(uses_rest)(void);
-void EXPORT(by_hand)(double new_force, double new_torque);
-int32_t EXPORT(step)(uint32_t steps);
-int32_t EXPORT(take)(uint32_t mode);
-double *EXPORT(look)(void);
-void EXPORT(restore)(void);
-const double *EXPORT(changed)(void);
-uint32_t EXPORT(count_changes)(void);
-const tf_machine_t *machine_begun(void);
-tf_input_t input_applied(void);
-
-uint32_t scenes(void) { return TF_SCENES; }
+uint32_t EXPORT(scenes)(void) { return TF_SCENES; }
 
 // The number behind those of the core is that of a file.
 static const tf_scene_t *scene_at(uint32_t number) {
@@ -74,19 +53,19 @@ static const tf_scene_t *scene_at(uint32_t number) {
   return number == TF_SCENES ? own_scene() : NULL;
 }
 
-const char *scene_name(uint32_t number) {
+const char *EXPORT(scene_name)(uint32_t number) {
   const tf_scene_t *at = scene_at(number);
   return at != NULL ? at->name : "";
 }
 
-const char *scene_shows(uint32_t number) {
+const char *EXPORT(scene_shows)(uint32_t number) {
   const tf_scene_t *at = scene_at(number);
   return at != NULL ? at->shows : "";
 }
 
 // The set-up is that of a scene. Returns: how many numbers it has; 0 where
 // there is no such scene.
-uint32_t load(uint32_t number) {
+uint32_t EXPORT(load)(uint32_t number) {
   const tf_scene_t *at = scene_at(number);
   if (at == NULL) return 0;
   setup = *at;
@@ -101,7 +80,7 @@ static tf_real_t *parameter_at(uint32_t number) {
                                tf_parameter_ranges[number].offset);
 }
 
-double get(uint32_t number) {
+double EXPORT(get)(uint32_t number) {
   if (number < TF_PARAMETERS) return *parameter_at(number);
   switch (number) {
     case SETUP_LAW:
@@ -143,7 +122,7 @@ static bool set_choice(uint32_t number, double value) {
 
 // Any number is taken: ranges are begin's. Returns: whether there is such a
 // number in a set-up and, if it is one of a list, in the list.
-bool set(uint32_t number, double value) {
+bool EXPORT(set)(uint32_t number, double value) {
   if (number < TF_PARAMETERS) {
     *parameter_at(number) = value;
     return true;
@@ -176,20 +155,21 @@ bool set(uint32_t number, double value) {
   }
 }
 
-tf_scene_t setup_scene(void) {
+// The set-up as a file.
+const char *EXPORT(scene_print)(void) {
   tf_scene_t own = setup;
   own.params.with_angle = with_angle;
-  return own;
+  return scene_as_file(&own);
 }
 
-double t_end(void) { return setup.t_end; }
+double EXPORT(t_end)(void) { return setup.t_end; }
 
-bool is_driven(void) { return setup.knots > 0; }
+bool EXPORT(is_driven)(void) { return setup.knots > 0; }
 
 // Prepares the machine and starts. Returns: a tf_status_t. Where it is refused
 // the motion before goes on; after TF_BAD_PARAMETER `offending` is the number
 // of the parameter.
-int32_t begin(void) {
+int32_t EXPORT(begin)(void) {
   tf_machine_t new_machine;
   tf_state_t new_state;
   tf_report_t new_report;
@@ -211,13 +191,13 @@ int32_t begin(void) {
   return TF_OK;
 }
 
-int32_t offending(void) { return offender; }
+int32_t EXPORT(offending)(void) { return offender; }
 
 // Whether the law of rest matters: only where stick carries a moment.
-bool uses_rest(void) { return begun && machine.stick_kappa > 0; }
+bool EXPORT(uses_rest)(void) { return begun && machine.stick_kappa > 0; }
 
 // A force and a torque beside those of the scene, from the next step on.
-void by_hand(double new_force, double new_torque) {
+void EXPORT(by_hand)(double new_force, double new_torque) {
   force = new_force;
   torque = new_torque;
 }
@@ -244,7 +224,7 @@ static void note_change(unsigned mode, unsigned before) {
 
 // Returns: the status of the last step; if that is < 0 it was refused, and no
 // further one was taken. Changes are those of this call alone.
-int32_t step(uint32_t steps) {
+int32_t EXPORT(step)(uint32_t steps) {
   tf_status_t status = begun ? TF_OK : TF_BAD_STATE;
   changes = 0;
   for (; steps > 0 && status >= 0; steps--) {
@@ -279,7 +259,7 @@ static int32_t try_step(uint32_t mode) {
 
 // One step into a mode of its solution set, whatever the rule would take; the
 // rule goes on from there. Returns: as try_step.
-int32_t take(uint32_t mode) {
+int32_t EXPORT(take)(uint32_t mode) {
   if (mode >= TF_MODES || !begun) return TF_BAD_PARAMETER;
   const int32_t status = try_step(mode);
   if (status != TF_BAD_PARAMETER) return status;
@@ -293,7 +273,7 @@ int32_t take(uint32_t mode) {
   return forced;
 }
 
-double *look(void) {
+double *EXPORT(look)(void) {
   const double now[ROW_COLUMNS] = {
       [ROW_T] = (double)state.tick * machine.dt,
       [ROW_R] = state.r,
@@ -323,7 +303,7 @@ double *look(void) {
 
 // The motion is at the instant of the row that the page has written where
 // `look` keeps it, one that `look` gave for this set-up.
-void restore(void) {
+void EXPORT(restore)(void) {
   state = (tf_state_t){.r = row[ROW_R],
                        .v = row[ROW_V],
                        .w = row[ROW_W],
@@ -347,9 +327,9 @@ void restore(void) {
 }
 
 // tick, mode before, mode, set and choices of each change in the last `step`.
-const double *changed(void) { return change[0]; }
+const double *EXPORT(changed)(void) { return change[0]; }
 
-uint32_t count_changes(void) { return changes; }
+uint32_t EXPORT(count_changes)(void) { return changes; }
 
 const tf_machine_t *machine_begun(void) { return begun ? &machine : 0; }
 

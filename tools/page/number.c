@@ -10,22 +10,17 @@
 static char text[ROOM];
 static double taken;
 
-char *EXPORT(number_text)(void);
-uint32_t EXPORT(number_room)(void);
-const char *EXPORT(number_take)(uint32_t length);
-double EXPORT(number_value)(void);
-
 // Where the page puts the text of a number, zero-terminated.
-char *number_text(void) { return text; }
+char *EXPORT(number_text)(void) { return text; }
 
-uint32_t number_room(void) { return ROOM; }
+uint32_t EXPORT(number_room)(void) { return ROOM; }
 
 // Reads a number from so many bytes. Returns: what is wrong with them, or
 // nothing; then `number_value` is the number.
-const char *number_take(uint32_t length) {
+const char *EXPORT(number_take)(uint32_t length) {
   const char *why = "is not a number";
   if (length >= ROOM || strlen(text) != length) return why;
   return cli_read_real(text, &taken, &why) ? "" : why;
 }
 
-double number_value(void) { return taken; }
+double EXPORT(number_value)(void) { return taken; }

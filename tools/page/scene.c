@@ -15,14 +15,6 @@ static cli_scene_file_t file[2]; // the one that holds, and the next one
 static unsigned present;
 static bool has_one;
 
-char *EXPORT(scene_bytes)(void);
-uint32_t EXPORT(scene_room)(void);
-char *EXPORT(scene_path)(void);
-uint32_t EXPORT(scene_path_room)(void);
-bool EXPORT(scene_take)(uint32_t length);
-const char *EXPORT(scene_told)(void);
-const char *EXPORT(scene_print)(void);
-
 int cli_message(int code, const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
@@ -32,18 +24,18 @@ int cli_message(int code, const char *format, ...) {
 }
 
 // Where the page puts the bytes of a file, and its name, zero-terminated.
-char *scene_bytes(void) { return text; }
+char *EXPORT(scene_bytes)(void) { return text; }
 
-uint32_t scene_room(void) { return TEXT_ROOM; }
+uint32_t EXPORT(scene_room)(void) { return TEXT_ROOM; }
 
-char *scene_path(void) { return name; }
+char *EXPORT(scene_path)(void) { return name; }
 
-uint32_t scene_path_room(void) { return NAME_ROOM; }
+uint32_t EXPORT(scene_path_room)(void) { return NAME_ROOM; }
 
 // Reads a scene of so many bytes. Returns: whether it is one; then it is the
 // scene behind the core's own. Otherwise `scene_told` says why not, and the one
 // before holds.
-bool scene_take(uint32_t length) {
+bool EXPORT(scene_take)(uint32_t length) {
   cli_scene_file_t *next = &file[1 - present];
   if (cli_scene_parse(next, name, text, length) != CLI_DONE) return false;
   present = 1 - present;
@@ -51,17 +43,15 @@ bool scene_take(uint32_t length) {
   return true;
 }
 
-const char *scene_told(void) { return told; }
+const char *EXPORT(scene_told)(void) { return told; }
 
 const tf_scene_t *own_scene(void) {
   return has_one ? &file[present].scene : NULL;
 }
 
-// The set-up as a file.
-const char *scene_print(void) {
+const char *scene_as_file(const tf_scene_t *scene) {
   cli_buffer_t out = {text, 0, sizeof text, false};
-  const tf_scene_t setup = setup_scene();
   cli_add(&out, CLI_SCENE_TITLE);
-  cli_scene_print(&setup, &setup.params, &out);
+  cli_scene_print(scene, &scene->params, &out);
   return text;
 }

@@ -7,16 +7,6 @@
 static uint8_t map[MAP_MOST];
 static double two_fold[TF_TWO_FOLDS][4];
 
-extern const tf_machine_t *machine_begun(void);
-extern tf_input_t input_applied(void);
-
-const uint8_t *EXPORT(regions)(double r0, double r1, uint32_t columns,
-                               double w0, double w1, uint32_t rows);
-const uint8_t *EXPORT(regions_at)(double r, double g0, double g1,
-                                  uint32_t count);
-uint32_t EXPORT(find_two_folds)(void);
-const double *EXPORT(two_folds)(void);
-
 static uint8_t region_at(const tf_machine_t *k, const tf_input_t *input,
                          tf_real_t r, tf_real_t v, tf_real_t w) {
   tf_surface_t at;
@@ -29,8 +19,8 @@ static tf_real_t part(double from, double to, uint32_t i, uint32_t count) {
 
 // Regions at the centres of columns x rows cells, row by row from w0 on.
 // Returns: 0 where that is more than there is room for, or nothing has begun.
-const uint8_t *regions(double r0, double r1, uint32_t columns, double w0,
-                       double w1, uint32_t rows) {
+const uint8_t *EXPORT(regions)(double r0, double r1, uint32_t columns,
+                               double w0, double w1, uint32_t rows) {
   const tf_machine_t *k = machine_begun();
   if (!k || columns > MAP_MOST || rows > MAP_MOST || columns * rows > MAP_MOST)
     return 0;
@@ -49,7 +39,8 @@ const uint8_t *regions(double r0, double r1, uint32_t columns, double w0,
 }
 
 // Regions along h = 0 at one r: v and w follow from g, as in tf_two_folds.
-const uint8_t *regions_at(double r, double g0, double g1, uint32_t count) {
+const uint8_t *EXPORT(regions_at)(double r, double g0, double g1,
+                                  uint32_t count) {
   const tf_machine_t *k = machine_begun();
   if (!k || count > MAP_MOST) return 0;
   const tf_input_t input = input_applied();
@@ -63,7 +54,7 @@ const uint8_t *regions_at(double r, double g0, double g1, uint32_t count) {
 }
 
 // Returns: how many there are.
-uint32_t find_two_folds(void) {
+uint32_t EXPORT(find_two_folds)(void) {
   const tf_machine_t *k = machine_begun();
   tf_surface_point_t points[TF_TWO_FOLDS];
   int count = 0;
@@ -80,4 +71,4 @@ uint32_t find_two_folds(void) {
 }
 
 // r, v, omega and g of each of them.
-const double *two_folds(void) { return two_fold[0]; }
+const double *EXPORT(two_folds)(void) { return two_fold[0]; }

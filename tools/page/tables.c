@@ -3,52 +3,35 @@
 #include "cli/setup/names.h"
 #include "module.h"
 
-const char *EXPORT(parameter_name)(uint32_t number);
-const char *EXPORT(parameter_unit)(uint32_t number);
-double EXPORT(parameter_low)(uint32_t number);
-double EXPORT(parameter_high)(uint32_t number);
-bool EXPORT(parameter_fits)(uint32_t number, double value);
-uint32_t EXPORT(parameter_laws)(uint32_t number);
-uint32_t EXPORT(parameter_scene)(uint32_t number);
-double EXPORT(parameter_there)(uint32_t number);
-double EXPORT(state_limit)(void);
-double EXPORT(least_sine)(void);
-const char *EXPORT(mode_name)(uint32_t mode);
-const char *EXPORT(law_name)(uint32_t law);
-const char *EXPORT(rule_name)(uint32_t rule);
-const char *EXPORT(rest_name)(uint32_t law);
-const char *EXPORT(status_name)(int32_t status);
-const char *EXPORT(version)(void);
-
 // A number behind the last has the empty name.
-const char *parameter_name(uint32_t number) {
+const char *EXPORT(parameter_name)(uint32_t number) {
   return number < TF_PARAMETERS ? tf_parameter_ranges[number].name : "";
 }
 
-const char *parameter_unit(uint32_t number) {
+const char *EXPORT(parameter_unit)(uint32_t number) {
   return number < TF_PARAMETERS ? tf_parameter_ranges[number].unit : "";
 }
 
-double parameter_low(uint32_t number) {
+double EXPORT(parameter_low)(uint32_t number) {
   return number < TF_PARAMETERS ? tf_parameter_ranges[number].low : 0;
 }
 
-double parameter_high(uint32_t number) {
+double EXPORT(parameter_high)(uint32_t number) {
   return number < TF_PARAMETERS ? tf_parameter_ranges[number].high : 0;
 }
 
 // Whether it may have a value, its range apart.
-bool parameter_fits(uint32_t number, double value) {
+bool EXPORT(parameter_fits)(uint32_t number, double value) {
   return number < TF_PARAMETERS && cli_parameter_fits(number, value);
 }
 
 // Bits of the laws that use it.
-uint32_t parameter_laws(uint32_t number) {
+uint32_t EXPORT(parameter_laws)(uint32_t number) {
   return number < TF_PARAMETERS ? tf_parameter_ranges[number].laws : 0;
 }
 
 // The first scene of the core whose law uses it; TF_SCENES where none does.
-uint32_t parameter_scene(uint32_t number) {
+uint32_t EXPORT(parameter_scene)(uint32_t number) {
   const uint32_t laws = parameter_laws(number);
   uint32_t scene = 0;
   while (scene < TF_SCENES && !(laws >> tf_scenes[scene]->params.law & 1u))
@@ -57,7 +40,7 @@ uint32_t parameter_scene(uint32_t number) {
 }
 
 // Its value in that scene; the low end of its range where there is none.
-double parameter_there(uint32_t number) {
+double EXPORT(parameter_there)(uint32_t number) {
   const uint32_t scene = parameter_scene(number);
   if (scene == TF_SCENES) return parameter_low(number);
   return *(
@@ -65,22 +48,22 @@ double parameter_there(uint32_t number) {
                                        tf_parameter_ranges[number].offset);
 }
 
-double state_limit(void) { return TF_STATE_LIMIT; }
+double EXPORT(state_limit)(void) { return TF_STATE_LIMIT; }
 
-double least_sine(void) { return TF_MIN_SINE; }
+double EXPORT(least_sine)(void) { return TF_MIN_SINE; }
 
-const char *mode_name(uint32_t mode) {
+const char *EXPORT(mode_name)(uint32_t mode) {
   return mode < TF_MODES ? tf_mode_name(mode) : "";
 }
 
-const char *law_name(uint32_t law) { return tf_tyre_law_name(law); }
+const char *EXPORT(law_name)(uint32_t law) { return tf_tyre_law_name(law); }
 
-const char *rule_name(uint32_t rule) { return tf_rule_name(rule); }
+const char *EXPORT(rule_name)(uint32_t rule) { return tf_rule_name(rule); }
 
-const char *rest_name(uint32_t law) { return tf_rest_law_name(law); }
+const char *EXPORT(rest_name)(uint32_t law) { return tf_rest_law_name(law); }
 
-const char *status_name(int32_t status) {
+const char *EXPORT(status_name)(int32_t status) {
   return tf_status_name((tf_status_t)status);
 }
 
-const char *version(void) { return TF_VERSION; }
+const char *EXPORT(version)(void) { return TF_VERSION; }

@@ -1,8 +1,7 @@
 // The closed loop at the controller's end: states in, inputs out.
-#include "board/hil/drive.h"
-
 #include <inttypes.h>
 
+#include "board/hil/loop.h"
 #include "cli/host/host.h"
 
 #define PATIENCE 5.0  // longest time without a state [s]

@@ -1,10 +1,10 @@
 // The twin responds to its own states, never to those of the board. From the
 // board it takes only the ticks: of the samples, and at which each input took
 // effect.
-#include "board/hil/twin.h"
-
 #include <math.h>
 #include <string.h>
+
+#include "board/hil/loop.h"
 
 typedef struct {
   hil_board_t *board;

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""Makes the packages of build/dist: templates of tools/package/dist with the version
-filled in, and the two files and the prepared scene where each one wants them.
+"""Makes the packages of build/dist: templates of tools/package/dist with the
+version filled in, and the two files and the prepared scene where each one wants
+them.
 
 usage: packages.py C FOLDER
 C: the folder with twofold.h, twofold.c and the headers of PREPARED.

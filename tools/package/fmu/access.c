@@ -3,6 +3,17 @@
 
 #include "model.h"
 
+fmu_status_t fmu_check_lists(fmu_t *fmu, size_t n, size_t n_values,
+                             const void *references, const void *values) {
+  if (n != n_values)
+    return fmu_error(fmu,
+                     "as many values as value references are needed: every"
+                     " variable is a scalar");
+  if (n > 0 && (references == NULL || values == NULL))
+    return fmu_error(fmu, "value references or values are NULL");
+  return FMU_OK;
+}
+
 static fmu_status_t unknown_reference(fmu_t *fmu, uint32_t reference,
                                       const char *what) {
   fmu_message_t *message = fmu_begin_message(fmu);

@@ -1,5 +1,5 @@
-"""The XML files of an FMU, made from what tools/package/fmu/describe prints: from the
-core's own table of parameters. Nothing in them depends on time or place."""
+"""The XML files of an FMU, made from what describe.c prints: from the core's
+own table of parameters. Nothing in them depends on time or place."""
 from xml.sax.saxutils import quoteattr
 
 MODEL = "twofold"

@@ -155,9 +155,3 @@ fmu_status_t fmu_initialize(fmu_t *fmu, double start_time, bool stops,
   fmu->motion.begun = false;
   return FMU_OK;
 }
-
-fmu_status_t fmu_initialized(fmu_t *fmu, unsigned next_phase) {
-  const fmu_status_t status = fmu_begin(fmu);
-  if (status == FMU_OK) fmu->motion.phase = (uint8_t)next_phase;
-  return status;
-}

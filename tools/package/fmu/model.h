@@ -104,6 +104,10 @@ fmu_message_t *fmu_begin_message(fmu_t *fmu);
 fmu_status_t fmu_set_logging(fmu_t *fmu, bool on, size_t count,
                              const char *const categories[]);
 
+/// Checks the lists of a call: as many values as value references, and both are
+/// there.
+fmu_status_t fmu_check_lists(fmu_t *fmu, size_t n, size_t n_values,
+                             const void *references, const void *values);
 /// Checks that a variable can be read, or set to a value, by an importer that
 /// takes it for one of `kinds` (bits 1 << fmu_kind_t). what: the name of that
 /// type. Returns: FMU_OK, else after a message.
@@ -120,7 +124,7 @@ void fmu_set(fmu_t *fmu, uint32_t reference, double value);
 /// The phases, in order.
 fmu_status_t fmu_initialize(fmu_t *fmu, double start_time, bool stops,
                             double stop_time);
-fmu_status_t fmu_initialized(fmu_t *fmu, unsigned next_phase);
+fmu_status_t fmu_initialized(fmu_t *fmu, unsigned next_phase); // motion.c
 void fmu_reset(fmu_t *fmu);
 
 /// Prepares machine, state and report from the values (motion.c).

@@ -3,14 +3,13 @@
 descriptions, after which the binaries are compiled, and `pack` puts all into
 archives with fixed times, so that equal contents are equal bytes.
 
-usage: package.py layout DESCRIPTION.json DIRECTORY
+usage: package.py layout DESCRIPTION.json CORE DIRECTORY
        package.py pack DIRECTORY FMI2.fmu FMI3.fmu
 
 DIRECTORY/fmi2 and DIRECTORY/fmi3 are the contents of the two; the scene is in
-DIRECTORY/scene.h, as a constant."""
+DIRECTORY/scene.h, as a constant; CORE has twofold.c and twofold.h."""
 import hashlib
 import json
-import re
 import shutil
 import sys
 import uuid
@@ -22,48 +21,20 @@ from icon import icon
 
 ROOT = Path(__file__).resolve().parents[3]
 HERE = Path(__file__).resolve().parent
-FACES = {"fmi2": ["fmi2.c", "fmi2.h"],
+FACES = {"fmi2": ["fmi2.c"],
          "fmi3": ["fmi3.c", "fmi3_absent.c", "fmi3.h"]}
 NOT_IN_FMU = {"describe.c", "fmu_scene.h"}
-INCLUDE = re.compile(r'^(#include ")([^"]+)(")', re.M)
 WRITTEN = 0o100644 << 16  # a plain file that all may read
 
 
-def flat_name(path):
-    """The one name of a file of the tree: src/moreau/step.c becomes
-    moreau_step.c, so that importers that know no folders can compile it."""
-    parts = path.relative_to(ROOT).parts
-    parts = parts[2:] if parts[0] == "tools" else parts[1:]
-    prefix = "fmu_" if path.parent == HERE else ""
-    return prefix + "_".join(parts).replace("fmu_", "")
-
-
-def flat_text(path):
-    """The text of a file, which includes flat names."""
-    def flat(match):
-        name = match[2]
-        for folder in (path.parent, ROOT / "include"):
-            target = (folder / name).resolve()
-            if target.is_file():
-                return match[1] + flat_name(target) + match[3]
-        raise SystemExit(f"package.py: {path}: {name} is not there")
-    return INCLUDE.sub(flat, path.read_text())
-
-
-def sources_of(face):
-    """The files from which one FMU is compiled: flat name to text."""
+def sources_of(face, core):
+    """The files from which one FMU is compiled, name to text: those here and
+    the core in two files, because importers know no folders."""
     others = {n for f, names in FACES.items() if f != face for n in names}
-    mine = [p for p in sorted(HERE.glob("*.[ch]"))
-            if p.name not in others | NOT_IN_FMU]
-    core = sorted([*ROOT.glob("src/*/*.[ch]"), *ROOT.glob("include/*.h"),
-                   *ROOT.glob("include/twofold/*.h")])
-    texts = {}
-    for path in [*mine, *core]:
-        name = flat_name(path)
-        if name in texts:
-            raise SystemExit(f"package.py: two files are called {name}")
-        texts[name] = flat_text(path)
-    return texts
+    paths = [*sorted(HERE.glob("*.[ch]")), core / "twofold.c",
+             core / "twofold.h"]
+    return {path.name: path.read_text() for path in paths
+            if path.name not in others | NOT_IN_FMU}
 
 
 def token_of(model, texts):
@@ -90,12 +61,12 @@ def write(path, text):
     path.write_text(text)
 
 
-def lay_out(model, directory):
-    texts = {face: sources_of(face) for face in FACES}
+def lay_out(model, core, directory):
+    texts = {face: sources_of(face, core) for face in FACES}
     constant = (directory / "scene.h").read_text()
     token = token_of([model, constant], texts)
     scene = (f"// The scene and the token of this FMU, {model['scene']}.\n"
-             f"#include \"twofold_scene.h\"\n\n{constant}\n"
+             f"#include \"twofold.h\"\n\n{constant}\n"
              "#define FMU_SCENE (&scene_constants)\n"
              f"#define FMU_TOKEN \"{token}\"\n")
     picture = icon()
@@ -137,8 +108,10 @@ def pack(home, archive):
 
 
 def main():
-    if len(sys.argv) == 4 and sys.argv[1] == "layout":
-        lay_out(json.loads(Path(sys.argv[2]).read_text()), Path(sys.argv[3]))
+    if len(sys.argv) == 5 and sys.argv[1] == "layout":
+        _, _, model, core, directory = sys.argv
+        lay_out(json.loads(Path(model).read_text()), Path(core),
+                Path(directory))
     elif len(sys.argv) == 5 and sys.argv[1] == "pack":
         pack(Path(sys.argv[2]) / "fmi2", Path(sys.argv[3]))
         pack(Path(sys.argv[2]) / "fmi3", Path(sys.argv[4]))

@@ -59,7 +59,8 @@ def two_files():
                 continue
             golden = place / "golden"
             run("gcc", "-std=gnu17", *PLAIN, *define, "-I", C, "-I",
-                ROOT / "tests", "-I", ROOT / "tests/support",
+                ROOT / "tests", "-I", ROOT / "tests/support", "-I",
+                ROOT / "tests/reference",
                 ROOT / "tests/golden/test_golden.c", built, "-lm", "-o",
                 golden)
             run(golden)

@@ -1,8 +1,8 @@
 /// @file
-/// The digital twin: controller and machine in one process, without a line and
-/// without a clock. Its bits are those that the closed loop should have.
-#ifndef TWOFOLD_HIL_TWIN_H
-#define TWOFOLD_HIL_TWIN_H
+/// The closed loop: its plan, how a board is driven in response to its states
+/// (drive.c), and what judges it (twin.c).
+#ifndef TWOFOLD_HIL_LOOP_H
+#define TWOFOLD_HIL_LOOP_H
 
 #include "board/hil/board.h"
 #include "board/hil/control.h"
@@ -29,8 +29,19 @@ typedef struct {
   tf_state_t end;
 } hil_verdict_t;
 
-/// Runs the twin and compares. Inputs take effect at the ticks that the board's
-/// answers give: the planned ones, unless an input was late.
+/// Reads the board's schema, stops the board at the start of its scene and sets
+/// how long its inputs hold.
+/// Returns: HIL_EQUAL; after a message another code.
+hil_code_t hil_prepare(hil_board_t *board, const hil_plan_t *plan);
+
+/// Runs the board according to the plan, then stops it. Returns: as above.
+hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
+                     const hil_control_t *control);
+
+/// Runs the digital twin, controller and machine in one process without a line
+/// and without a clock, whose bits the closed loop should have, and compares.
+/// Inputs take effect at the ticks that the board's answers give: the planned
+/// ones, unless an input was late.
 /// Returns: HIL_EQUAL, HIL_DIFFERS, HIL_REFUSED (a step is refused).
 hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
                             const hil_control_t *control,
