@@ -210,7 +210,7 @@ CHANGED = $(sort $(foreach file,$(shell git status --porcelain -uall -- src \
 but_for = $(filter-out $(1:%=\%/test_%.c),$(filter %.c,$(2)))
 QUICK = $(sort $(call but_for,$(NOT_QUICK),$(TESTS)) $(call \
   but_for,$(NEVER_QUICK),$(filter $(CHANGED:%=tests/unit/%/%),$(TESTS))))
-quick: ## laws, short tests, units of changed rooms; double
+quick: ## short laws and tests, units of changed rooms; double
 	@echo 'the core set$(CHANGED:%=, tests/unit/%); left out (make test):' \
 	  'float and $(words $(filter-out $(QUICK),$(TESTS))) of' \
 	  '$(words $(TESTS)) programs'

@@ -1,5 +1,5 @@
-// The ends of a step that are off the common path and need no file of their own:
-// under a single-valued law, in no mode, of a slip whose force turns.
+// The ends of a step that are off the common path and need no file of their
+// own: under a single-valued law, in no mode, of a slip whose force turns.
 #include "rare_end.h"
 
 #include "scheme.h"

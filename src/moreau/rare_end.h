@@ -22,8 +22,9 @@ TF_API void tf_codim2_end(free_motion_t *c, const tf_input_t *input,
 TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in,
                                const solutions_t *s, step_end_t *to);
 
-// The end of a step whose balance of energy needs a check: in the form that creates no energy where it does,
-// and not TF_OK where the step is too long for the motion.
+// The end of a step whose balance of energy needs a check: in the form that
+// creates no energy where it does, and not TF_OK where the step is too long for
+// the motion.
 #define tf_checked_end TF_LINK(tf_checked_end)
 TF_API step_end_t tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
                                  const tf_input_t *input, step_end_t to);

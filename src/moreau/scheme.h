@@ -59,7 +59,7 @@ static inline __attribute__((always_inline)) end_kind_t end_of_step(
   return needs_check(k, state, input, to) ? END_TO_CHECK : END_COMMON;
 }
 
-// The same for who leaves a rare one to tf_rare_end: whether it is a common one.
+// The same for who leaves a rare one to tf_rare_end: whether it is common.
 TF_INLINE bool common_end(const tf_machine_t *k, const tf_state_t *state,
                           const tf_input_t *input, start_t start,
                           step_end_t *to) {

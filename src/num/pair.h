@@ -1,8 +1,8 @@
 // Numbers as unevaluated sums hi + lo of two tf_real_t (double-word
 // arithmetic), for the compensated step alone. The first four functions are
 // error-free transformations (Dekker 1971, Knuth, Shewchuk 1997): exact under
-// rounding to nearest without contraction, which rounding.h and the
-// Makefile ensure. The others are built from them. There is no fused multiply-add here,
+// rounding to nearest without contraction, which rounding.h and the Makefile
+// ensure. The others are built from them. There is no fused multiply-add here,
 // because a target without the instruction would call a library for it.
 #ifndef TF_PAIR_H
 #define TF_PAIR_H

@@ -3,8 +3,8 @@
 // compile in gnu mode, where gcc contracts. Every source of the core that
 // computes includes this before its first function, mostly through kernel.h; no
 // public header does, so that a user's own code keeps the user's options. What
-// has all of the core in one file has this before the public headers: an old gcc
-// puts no function without the pragma into one with it.
+// has all of the core in one file has this before the public headers: an old
+// gcc puts no function without the pragma into one with it.
 #ifndef TF_ROUNDING_H
 #define TF_ROUNDING_H
 

@@ -40,9 +40,11 @@ finer: $(two) $(FINER)
 	$(study) finer
 keep-statistics: ## copy what statistics made to docs/
 	$(study) exits keep
-keep-recurrence keep-finer: keep-%: ## copy what it made to docs/
-	$(study) $* keep
-test-shards: ## sweeps under GNU parallel, Slurm, Snakemake; the map; finer
+keep-recurrence: ## copy what recurrence made to docs/
+	$(study) recurrence keep
+keep-finer: ## copy what finer made to docs/
+	$(study) finer keep
+test-shards: ## sweeps under parallel, Slurm, Snakemake; studies
 test-shards: $(two) $(BUILD)/study/finer-64
 	@TWOFOLD='$<' FINER='$(lastword $^)' tests/shards/test_shards.py $(ONLY)
 

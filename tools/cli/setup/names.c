@@ -56,11 +56,28 @@ void cli_print_ranges(void) {
   }
 }
 
-// Finds the number that has a name. what: for the message, what it names and
-// all of them.
+// What a word may be, for the message: what it names, how a sentence about all
+// of them begins, and what the last may have behind it.
+typedef struct {
+  const char *kind, *all_are, *tail;
+} choice_t;
+
+// All names as "a, b and c".
+static void list_names(const char *name_of(unsigned), unsigned count,
+                       char *list, size_t room) {
+  size_t length = 0;
+  for (unsigned i = 0; i < count && length < room; i++) {
+    const char *before = i == 0 ? "" : i + 1 < count ? ", " : " and ";
+    length += (size_t)snprintf(list + length, room - length, "%s%s", before,
+                               name_of(i));
+  }
+}
+
+// Finds the number that has a name.
 static int find_name(const char *name_of(unsigned), unsigned count,
                      const char *option, const char *text, const char *name,
-                     const char *const what[2], unsigned *found) {
+                     choice_t choice, unsigned *found) {
+  char list[256];
   cli_closest_t closest = cli_closest_to(name);
   for (unsigned i = 0; i < count; i++) {
     if (strcmp(name_of(i), name) == 0) {
@@ -69,36 +86,35 @@ static int find_name(const char *name_of(unsigned), unsigned count,
     }
     cli_closest_offer(&closest, name_of(i));
   }
-  return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s%s", option, text,
-                     what[0], name, what[1], closest.hint);
+  list_names(name_of, count, list, sizeof list);
+  return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s %s%s%s", option,
+                     text, choice.kind, name, choice.all_are, list, choice.tail,
+                     closest.hint);
 }
 
 int cli_find_law(const char *option, const char *text, const char *name,
                  tf_tyre_law_t *law) {
-  static const char *const what[] = {
-      "law", "laws are jump, coulomb, two_piece, string, smooth and none"};
+  const choice_t choice = {"law", "laws are", ""};
   unsigned found = *law;
   const int code = find_name(tf_tyre_law_name, TF_TYRE_LAWS, option, text, name,
-                             what, &found);
+                             choice, &found);
   *law = (tf_tyre_law_t)found;
   return code;
 }
 
 int cli_find_rest(const char *option, const char *text, const char *name,
                   tf_rest_law_t *rest) {
-  static const char *const what[] = {"law of rest",
-                                     "they are hull, square and bow_tie"};
+  const choice_t choice = {"law of rest", "they are", ""};
   unsigned found = *rest;
   const int code = find_name(tf_rest_law_name, TF_REST_LAWS, option, text, name,
-                             what, &found);
+                             choice, &found);
   *rest = (tf_rest_law_t)found;
   return code;
 }
 
 int cli_find_rule(const char *option, const char *text, const char *name,
                   tf_rule_t *rule) {
-  static const char *const what[] = {
-      "rule", "rules are persist, slip+, slip- and random[:SEED]"};
+  const choice_t choice = {"rule", "rules are", "[:SEED]"};
   if (strchr(name, ':') != NULL) {
     return cli_message(CLI_USAGE,
                        "%s %s: a seed is not part of a scene: give the rule "
@@ -107,7 +123,7 @@ int cli_find_rule(const char *option, const char *text, const char *name,
   }
   unsigned found = *rule;
   const int code =
-      find_name(tf_rule_name, TF_RULES, option, text, name, what, &found);
+      find_name(tf_rule_name, TF_RULES, option, text, name, choice, &found);
   *rule = (tf_rule_t)found;
   return code;
 }

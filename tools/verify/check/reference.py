@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """The independent solver (tests/reference) builds, agrees with the paper's
 equations, with tests/data and with SUNDIALS, and finds no more wrong steps that
-say TF_OK among a few hundred random machines than docs/VERIFICATION.md has among
-thousands: at most 1 % of a row, and of most rows none."""
+say TF_OK among a few hundred random machines than docs/VERIFICATION.md has
+among thousands: at most 1 % of a row, and of most rows none."""
 import re
 import subprocess
 import sys
