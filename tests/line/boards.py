@@ -6,6 +6,7 @@ types that are tested."""
 import os
 import subprocess
 import sys
+import zlib
 from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[2] / place)
@@ -21,6 +22,18 @@ RUN = [TWOFOLD, "run", "chaos", "--t-end", "0.5", "--dt", "1e-3"]
 
 def program(real, name):
     return f"{FIRMWARE}-{real}/firmware-{name}.elf"
+
+
+def stuffed(body):
+    """COBS of a body without a block of 254."""
+    return b"".join(bytes([len(part) + 1]) + part
+                    for part in body.split(b"\0"))
+
+
+def sealed(code):
+    """With its CRC, which is right whatever the bytes are."""
+    crc = zlib.crc32(code)
+    return code + bytes(128 | crc >> 7 * i & 127 for i in range(5))
 
 
 class Board:

@@ -36,26 +36,21 @@ static uint64_t missing(void) {
   return cli_damage_missing(&damage, &receiver, &decoder);
 }
 
+/* What heartbeats tell in turn, and what is missing after each of them. */
 TEST(drops_are_those_since_the_first_heartbeat) {
-  begin();
-  beat(3);
-  CHECK(missing() == 0);
-  beat(3);
-  hear();
-  CHECK(missing() == 0);
-  beat(10);
-  CHECK(missing() == 7);
-}
-
-TEST(drops_of_a_board_that_was_started_again_count) {
-  begin();
-  beat(100);
-  beat(0);
-  CHECK(missing() == 0);
-  beat(5);
-  CHECK(missing() == 5);
-  beat(2); /* it has dropped two since */
-  CHECK(missing() == 7);
+  static const struct {
+    uint32_t dropped[4], missing[4];
+  } cases[] = {{{3, 3, 3, 10}, {0, 0, 0, 7}},
+               /* A board that was started again: it has dropped two since. */
+               {{100, 0, 5, 2}, {0, 0, 5, 7}}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    begin();
+    for (int n = 0; n < 4; n++) {
+      beat(cases[i].dropped[n]);
+      hear();
+      CHECK(missing() == cases[i].missing[n]);
+    }
+  }
 }
 
 TEST(drops_go_round) {

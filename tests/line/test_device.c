@@ -2,24 +2,7 @@
  * Rows arrive, commands are answered, and when the device goes away the program
  * says so or, under --follow, waits until it is back. The program is that of
  * the environment's TWOFOLD. Nothing here waits for a fixed time. */
-#ifndef _XOPEN_SOURCE
-#define _XOPEN_SOURCE 700
-#endif
-
-#include <errno.h>
-#include <fcntl.h>
-#include <poll.h>
-#include <signal.h>
-#include <sys/types.h>
-#include <sys/wait.h>
-#include <termios.h>
-#include <unistd.h>
-
-#define TAP_OWN_MAIN
-#include "tap.h"
-#include "twofold.h"
-
-#define PATIENCE 20000 /* [ms], for what has to happen */
+#include "terminal.h"
 
 typedef struct {
   int line; /* the board's end of the pseudo-terminal */
@@ -41,15 +24,7 @@ static char device[64];
 
 /* A pseudo-terminal; `device` becomes a link to its other end. */
 static int plug(void) {
-  const int line = posix_openpt(O_RDWR | O_NOCTTY);
-  struct termios raw;
-  if (!CHECK(line >= 0 && grantpt(line) == 0 && unlockpt(line) == 0)) return -1;
-  if (tcgetattr(line, &raw) == 0) {
-    raw.c_lflag = 0;
-    raw.c_oflag = 0;
-    raw.c_iflag = 0;
-    tcsetattr(line, TCSANOW, &raw);
-  }
+  const int line = open_terminal(0);
   unlink(device);
   CHECK(symlink(ptsname(line), device) == 0);
   return line;
@@ -154,27 +129,31 @@ static void send_row(bench_t *b) {
           &b->simulation.report);
 }
 
+/* Serves the program until something holds, within the patience. */
+#define WAIT_FOR(b, holds)                         \
+  for (int i = 0; i < PATIENCE && !(holds); i++) { \
+    serve(b);                                      \
+    listen(b);                                     \
+  }
+
 /* Whether the program has said or written a text, within the patience. */
 static int comes(bench_t *b, const char *text) {
-  for (int i = 0; i < PATIENCE; i++) {
-    serve(b);
-    listen(b);
-    if (strstr(b->heard, text) || strstr(b->got, text)) return 1;
-  }
+  WAIT_FOR(b, strstr(b->heard, text) || strstr(b->got, text));
+  if (strstr(b->heard, text) || strstr(b->got, text)) return 1;
   printf("# never said: %s; but: %s\n", text, b->heard);
   return 0;
 }
 
+static int lines_of(const bench_t *b) {
+  int lines = 0;
+  for (size_t k = 0; k < b->got_used; k++) lines += b->got[k] == '\n';
+  return lines;
+}
+
 /* Whether so many lines are written, the header among them. */
 static int lines_come(bench_t *b, int wanted) {
-  int lines = 0;
-  for (int i = 0; i < PATIENCE && lines < wanted; i++) {
-    serve(b);
-    listen(b);
-    lines = 0;
-    for (size_t k = 0; k < b->got_used; k++) lines += b->got[k] == '\n';
-  }
-  return lines == wanted;
+  WAIT_FOR(b, lines_of(b) >= wanted);
+  return lines_of(b) == wanted;
 }
 
 /* Its exit code, or -1. */
@@ -283,10 +262,7 @@ TEST(answers_to_others_are_not_its_own) {
   static char flag[] = "--send", stop[] = "stop";
   char *const options[] = {flag, stop, NULL};
   begin(&bench, options);
-  for (int i = 0; i < PATIENCE && bench.link.waiting == 0; i++) {
-    serve(&bench);
-    listen(&bench);
-  }
+  WAIT_FOR(&bench, bench.link.waiting > 0);
   const uint32_t number = bench.link.queue[0].sequence;
   CHECK(bench.link.waiting == 1 && bench.link.queue[0].type == TF_UP_STOP);
   for (uint32_t i = 1; i < 200; i++) {

@@ -20,6 +20,7 @@
 #define telemetry_heartbeat csv_heartbeat
 #define telemetry_other csv_other
 #include "../../port/telemetry_csv.h"
+#include "frame_in.h"
 #include "tap.h"
 
 const uint8_t chosen_scene = 0;
@@ -33,22 +34,6 @@ static void switch_on(void) {
 }
 
 static uint8_t line[LOOP_RECORD];
-
-/* The frame of some type among bytes that the firmware made. */
-static tf_frame_t frame_in(const uint8_t *bytes, size_t length, uint8_t type) {
-  static uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
-  tf_decoder_t decoder;
-  tf_frame_t frame = {.payload = buffer};
-  size_t taken = 0;
-  tf_decoder_init(&decoder, buffer, sizeof buffer);
-  while (tf_decoder_block(&decoder, bytes, length, &taken, &frame)) {
-    if (frame.type == type) return frame;
-    bytes += taken;
-    length -= taken;
-  }
-  frame.type = 0;
-  return frame;
-}
 
 static void send(uint8_t type, size_t length) {
   uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)];
@@ -64,6 +49,22 @@ static void send(uint8_t type, size_t length) {
     clock_now += 86806;
     app_receive(wire[i], clock_now);
   }
+}
+
+static tf_heartbeat_t heartbeat_of(const loop_counts_t *counts) {
+  tf_heartbeat_t beat;
+  tf_read_heartbeat(
+      frame_in(line, app_heartbeat(counts, line), TF_DOWN_HEARTBEAT).payload,
+      &beat);
+  return beat;
+}
+
+/* The values that take the most room in a text. */
+static void fill_with_extremes(void) {
+  sim.simulation.state.r = sim.simulation.state.v = sim.simulation.state.w =
+      -TF_REAL_MAX;
+  sim.simulation.report.slip.h = sim.simulation.report.slip.g = -TF_REAL_MIN;
+  sim.simulation.report.force = (tf_force_t){-TF_REAL_MAX, -TF_REAL_MIN};
 }
 
 /* Ticks as the loop gives them. Returns: how many records were at a tick that
@@ -110,10 +111,7 @@ TEST(mean_survives_the_counters) {
       const loop_counts_t counts = {
           .steps = steps, .shortest = 200, .longest = 900, .sum = steps * 300};
       switch_on();
-      const tf_frame_t frame =
-          frame_in(line, app_heartbeat(&counts, line), TF_DOWN_HEARTBEAT);
-      tf_heartbeat_t beat;
-      tf_read_heartbeat(frame.payload, &beat);
+      const tf_heartbeat_t beat = heartbeat_of(&counts);
       CHECK(beat.steps == (uint32_t)steps && beat.exec_mean == 300);
       CHECK(beat.exec_min == 200 && beat.exec_max == 900);
       char text[LOOP_RECORD + 1] = {0};
@@ -132,17 +130,12 @@ TEST(counters_end_at_their_largest) {
   sim.simulation.tally =
       (tf_tally_t){UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, 1};
   sim.simulation.state.tick = UINT64_MAX;
-  const tf_frame_t frame =
-      frame_in(line, app_heartbeat(&counts, line), TF_DOWN_HEARTBEAT);
-  tf_heartbeat_t beat;
-  tf_read_heartbeat(frame.payload, &beat);
+  const tf_heartbeat_t beat = heartbeat_of(&counts);
   CHECK(beat.exec_max == UINT32_MAX && beat.exec_min == UINT32_MAX);
   CHECK(beat.degraded == UINT32_MAX && beat.refused == UINT32_MAX);
   uint8_t text[2 * LOOP_RECORD];
   CHECK(text_heartbeat(&counts, text) <= 200); /* LOOP_RECORD of text */
-  sim.simulation.state.r = sim.simulation.state.v = sim.simulation.state.w =
-      -TF_REAL_MAX;
-  sim.simulation.report.slip.h = sim.simulation.report.slip.g = -TF_REAL_MIN;
+  fill_with_extremes();
   CHECK(text_record(text) <= 200);
   CHECK(app_record(line) <= LOOP_RECORD);
 }
@@ -163,10 +156,7 @@ TEST(csv_has_its_header_again) {
     CHECK(csv_other(text) == 0);
   }
   sim.simulation.state.tick = (uint64_t)4294967295 * RATE + 7;
-  sim.simulation.state.r = sim.simulation.state.v = sim.simulation.state.w =
-      -TF_REAL_MAX;
-  sim.simulation.report.slip.h = sim.simulation.report.slip.g = -TF_REAL_MIN;
-  sim.simulation.report.force = (tf_force_t){-TF_REAL_MAX, -TF_REAL_MIN};
+  fill_with_extremes();
   const unsigned length = csv_record(text);
   CHECK(length <= 160); /* LOOP_RECORD of text */
   text[length] = 0;

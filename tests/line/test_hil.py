@@ -16,10 +16,9 @@ import struct
 import subprocess
 import sys
 import tty
-import zlib
 from pathlib import Path
 
-from boards import BUILD, REALS, Board, program
+from boards import BUILD, REALS, Board, program, sealed, stuffed
 import decode
 from tap import TWOFOLD, Skip, check, run, same
 
@@ -167,11 +166,7 @@ class Line(Board):
 
 def framed(body):
     """The bytes of a frame on the line (docs/PROTOCOL.md, section 1)."""
-    stuffed = b"".join(bytes([len(part) + 1]) + part
-                       for part in body.split(b"\0"))
-    crc = zlib.crc32(stuffed)
-    return (b"\0" + stuffed +
-            bytes(128 | crc >> 7 * i & 127 for i in range(5)) + b"\0")
+    return b"\0" + sealed(stuffed(body)) + b"\0"
 
 
 def pass_on(line, came):

@@ -1,186 +1,16 @@
 /* The firmware of the host port at the end of a real line, a pseudo-terminal:
  * floods, a reader that stalls, leaves, comes back, a device that is unplugged.
  * Whatever the line does, every state that comes is that of the same step of a
- * run in this process, bit for bit, and what did not come is counted.
- * FIRMWARE in the environment is where `make test` put the program. */
-#ifndef _XOPEN_SOURCE
-#define _XOPEN_SOURCE 700
-#endif
-
-#include <errno.h>
-#include <fcntl.h>
-#include <poll.h>
-#include <signal.h>
-#include <sys/types.h>
-#include <sys/wait.h>
-#include <termios.h>
-#include <time.h>
-#include <unistd.h>
-
-#define TAP_OWN_MAIN
-#include "tap.h"
-#include "twofold.h"
-
-#define PATIENCE 20000 /* [ms], for what has to happen */
-
-typedef struct {
-  pid_t child;
-  int line; /* our end */
-  int said; /* what it says on standard error */
-  char heard[4096];
-  size_t heard_used;
-  uint32_t session, number; /* of our next command, as the schema has them */
-  tf_decoder_t decoder;
-  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
-  tf_simulation_t twin;
-  uint64_t states, last, wrong; /* that came; the last one's tick */
-  uint64_t answers;
-  int code;       /* of the last answer */
-  uint8_t source; /* of inputs, in the last report */
-  uint64_t beats, beat_tick, states_at_beat;
-  uint32_t dropped, bad, expired; /* of the last heartbeat */
-} firmware_t;
+ * run in this process, bit for bit, and what did not come is counted. */
+#include "firmware_line.h"
 
 static firmware_t it;
 
-static void hear(firmware_t *f) {
-  const ssize_t got = read(f->said, f->heard + f->heard_used,
-                           sizeof f->heard - 1 - f->heard_used);
-  if (got > 0) f->heard_used += (size_t)got;
-  f->heard[f->heard_used] = '\0';
-}
-
-/* Runs the firmware with TWOFOLD_PORT; out: its standard output, or -1. */
-static void run(firmware_t *f, const char *port, int out) {
-  const char *firmware = getenv("FIRMWARE");
-  static char program[512];
-  int said[2] = {-1, -1};
-  snprintf(program, sizeof program, "%s-%s/firmware-line.elf",
-           firmware ? firmware : "build/boards/host/chaos",
-           TF_REAL_BYTES == 4 ? "float" : "double");
-  memset(f, 0, sizeof *f);
-  f->line = -1;
-  tf_decoder_init(&f->decoder, f->buffer, sizeof f->buffer);
-  tf_params_t params = tf_scenes[0]->params;
-  params.dt = TF_R(1.0) / 1000; /* its RATE */
-  CHECK(tf_simulation_open(&f->twin, tf_scenes[0], &params, 1) == TF_OK);
-  CHECK(pipe(said) == 0 && fcntl(said[0], F_SETFD, FD_CLOEXEC) == 0);
-  fflush(stdout);
-  f->child = fork();
-  if (f->child == 0) {
-    dup2(said[1], 2);
-    if (out >= 0) dup2(out, 1);
-    setenv("TWOFOLD_PORT", port, 1);
-    execl(program, program, (char *)NULL);
-    _exit(127);
-  }
-  close(said[1]);
-  f->said = said[0];
-}
-
-static void make_raw(int line) {
-  struct termios raw;
-  if (!CHECK(tcgetattr(line, &raw) == 0)) return;
-  raw.c_lflag = raw.c_oflag = raw.c_iflag = 0;
-  CHECK(tcsetattr(line, TCSANOW, &raw) == 0);
-}
-
-static int open_line(const firmware_t *f) {
-  char name[64];
-  snprintf(name, sizeof name, "%.*s", (int)strcspn(f->heard, "\n"), f->heard);
-  const int line = open(name, O_RDWR | O_NOCTTY | O_NONBLOCK);
-  CHECK(line >= 0);
-  return line;
-}
-
-/* On a pseudo-terminal of its own making, whose name it prints. */
-static void run_on_terminal(firmware_t *f) {
-  run(f, "pty", -1);
-  while (!strchr(f->heard, '\n') && f->heard_used < 64) {
-    const size_t before = f->heard_used;
-    hear(f);
-    if (!CHECK(f->heard_used > before)) return;
-  }
-  f->line = open_line(f);
-}
-
-static void take_state(firmware_t *f, const tf_frame_t *frame) {
-  tf_state_t x;
-  tf_simulation_t *twin = &f->twin;
-  tf_read_state(frame->payload, frame->tick, &x);
-  while (twin->state.tick < frame->tick) {
-    const tf_input_t input = tf_simulation_input(twin, tf_scenes[0]);
-    if (tf_step(&twin->machine, &twin->state, &input, &twin->report) < 0) break;
-  }
-  f->wrong += x.tick != twin->state.tick || x.mode != twin->state.mode ||
-              memcmp(&x.r, &twin->state.r, sizeof x.r) != 0 ||
-              memcmp(&x.v, &twin->state.v, sizeof x.v) != 0 ||
-              memcmp(&x.w, &twin->state.w, sizeof x.w) != 0;
-  f->states++;
-  f->last = frame->tick;
-}
-
-static void take(firmware_t *f, const tf_frame_t *frame) {
-  if (frame->type == TF_DOWN_STATE) take_state(f, frame);
-  if (frame->type == TF_DOWN_REPORT)
-    f->source = frame->payload[TF_REPORT_BYTES - 1];
-  if (frame->type == TF_DOWN_SCHEMA) {
-    f->session = (uint32_t)tf_wire_get(frame->payload + 13, 4);
-    f->number = (uint32_t)tf_wire_get(frame->payload + 17, 4);
-  }
-  if (frame->type == TF_DOWN_ANSWER) {
-    f->answers++;
-    const uint8_t code = frame->payload[5];
-    f->code = code < 128 ? code : code - 256;
-  }
-  if (frame->type != TF_DOWN_HEARTBEAT) return;
-  f->beats++;
-  f->beat_tick = frame->tick;
-  f->states_at_beat = f->states;
-  f->dropped = (uint32_t)tf_wire_get(frame->payload + 12, 4);
-  f->bad = (uint32_t)tf_wire_get(frame->payload + 16, 4);
-  f->expired = (uint32_t)tf_wire_get(frame->payload + 52, 4);
-}
-
-/* A millisecond of the line. */
-static void listen(firmware_t *f) {
-  struct pollfd line = {f->line, POLLIN, 0};
-  uint8_t bytes[4096];
-  if (poll(&line, 1, 1) <= 0) return;
-  const ssize_t got = read(f->line, bytes, sizeof bytes);
-  tf_frame_t frame;
-  size_t taken = 0, length = got > 0 ? (size_t)got : 0;
-  for (const uint8_t *at = bytes;
-       tf_decoder_block(&f->decoder, at, length, &taken, &frame);) {
-    take(f, &frame);
-    at += taken;
-    length -= taken;
-  }
-}
-
-/* Until so many steps later. */
-static int comes_to(firmware_t *f, uint64_t tick) {
-  for (int i = 0; i < PATIENCE && f->last < tick; i++) listen(f);
-  return f->last >= tick;
-}
-
-static void put_on_line(firmware_t *f, const uint8_t *wire, size_t size) {
-  if (write(f->line, wire, size) < 0) CHECK(errno == EAGAIN);
-}
-
-static void send_command(firmware_t *f, uint8_t type, int broken) {
-  uint8_t wire[TF_FRAME_SIZE(TF_SESSION_BYTES)];
-  const size_t size =
-      tf_command_seal(wire, type, 0, f->session, &f->number, 0, NULL);
-  if (broken) wire[1 + tap_bits() % (size - 2)] ^= 0x10;
-  put_on_line(f, wire, size);
-}
-
 /* Until the next answer. Returns: its code, or 999. */
 static int next_code(firmware_t *f) {
-  const uint64_t answers = f->answers;
-  for (int i = 0; i < PATIENCE && f->answers == answers; i++) listen(f);
-  return f->answers > answers ? f->code : 999;
+  const uint64_t before = f->answers;
+  for (int i = 0; i < PATIENCE && f->answers == before; i++) listen(f);
+  return f->answers > before ? f->code : 999;
 }
 
 /* Asks the board for its simulation. */
@@ -189,27 +19,6 @@ static int meet(firmware_t *f) {
   send_command(f, TF_UP_DESCRIBE, 0);
   for (int i = 0; i < PATIENCE && f->session == 0; i++) listen(f);
   return f->session != 0;
-}
-
-/* Its exit code. What it said last is heard. */
-static int end(firmware_t *f, int signal) {
-  int status = 0;
-  if (signal) kill(f->child, signal);
-  for (int i = 0; i < PATIENCE; i++) {
-    if (waitpid(f->child, &status, WNOHANG) == f->child) {
-      hear(f);
-      close(f->said);
-      if (f->line >= 0) close(f->line);
-      return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-    if (f->line >= 0)
-      listen(f);
-    else
-      poll(NULL, 0, 1);
-  }
-  kill(f->child, SIGKILL);
-  waitpid(f->child, &status, 0);
-  return -1;
 }
 
 TEST(uplink_flood_costs_no_step) {
@@ -223,11 +32,7 @@ TEST(uplink_flood_costs_no_step) {
     listen(&it);
   }
   /* Zeros end what the noise left open, then it listens again. */
-  for (int i = 0; i < PATIENCE && it.answers == 0; i++) {
-    if (i % 100 == 0) send_command(&it, TF_UP_DESCRIBE, 0);
-    listen(&it);
-  }
-  CHECK(it.answers > 0);
+  CHECK(answers(&it, TF_UP_DESCRIBE));
   const uint64_t beats = it.beats;
   for (int i = 0; i < PATIENCE && it.beats == beats; i++) listen(&it);
   CHECK(it.bad > 100);
@@ -320,10 +125,7 @@ TEST(reader_leaves_and_comes_back) {
 TEST(device_that_is_unplugged_ends_it) {
   char port[128];
   struct termios how;
-  const int line = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
-  CHECK(line >= 0 && grantpt(line) == 0 && unlockpt(line) == 0);
-  CHECK(fcntl(line, F_SETFD, FD_CLOEXEC) == 0);
-  make_raw(line);
+  const int line = open_terminal(O_NONBLOCK);
   snprintf(port, sizeof port, "%s:57600", ptsname(line));
   run(&it, port, -1);
   it.line = line;
@@ -374,9 +176,4 @@ TEST(jitter_is_measured_and_told) {
                &ticks, &period, &least, &mean, &most) == 5);
   CHECK(ticks > 0 && period == 1000);
   CHECK(least >= 0 && least <= mean && mean <= most);
-}
-
-int main(int argc, char **argv) {
-  signal(SIGPIPE, SIG_IGN);
-  return tap_main(argc, argv);
 }

@@ -106,11 +106,17 @@ static void reset(uint32_t step_costs) {
   board.put_costs = 1;
 }
 
+/* Runs so many steps, of which none may be late. */
+static void run_in_time(uint32_t steps, uint32_t every) {
+  CHECK(run_loop(steps, every, LOOP_SKIP) == LOOP_DONE);
+  CHECK(counted.steps == steps && board.stepped == steps && board.twice == 0);
+  CHECK(counted.overruns == 0 && counted.skipped == 0);
+}
+
 TEST(every_tick_has_one_step) {
   reset(300);
-  CHECK(run_loop(5000, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counted.steps == 5000 && board.stepped == 5000 && board.twice == 0);
-  CHECK(counted.overruns == 0 && counted.skipped == 0 && counted.dropped == 0);
+  run_in_time(5000, 10);
+  CHECK(counted.dropped == 0);
   CHECK(counted.sent == board.records - 3 + board.beats);
   CHECK(board.records == 3 + 501 && board.beats == 6);
   CHECK(board.put == 100 * counted.sent); /* all of it left */
@@ -120,39 +126,34 @@ TEST(every_tick_has_one_step) {
   CHECK(board.idled > 0);
 }
 
-TEST(overrun_is_finished_and_skips_ticks) {
-  reset(300);
-  board.slow_step = 50;
-  board.slow_costs = 3500; /* three ticks come meanwhile */
-  CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counted.steps == 100 && board.stepped == 100 && board.twice == 0);
-  CHECK(counted.overruns == 1 && counted.skipped == 3);
-  CHECK(counted.longest >= 3500);
-}
-
-TEST(overrun_stops_where_asked) {
-  reset(300);
-  board.slow_step = 50;
-  board.slow_costs = 1100;
-  CHECK(run_loop(100, 10, LOOP_STOP) == LOOP_OVERRAN);
-  CHECK(counted.steps == 50 && counted.overruns == 1); /* it was finished */
-  reset(300);
-  CHECK(run_loop(100, 10, LOOP_STOP) == LOOP_DONE);
-}
-
-TEST(always_late_is_every_other_tick) {
-  reset(1500);
-  CHECK(run_loop(100, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counted.steps == 100 && counted.overruns == 100 && board.twice == 0);
-  CHECK(counted.skipped == 100);
+/* What late steps of 100 cost: each is finished, none is in the tick of another
+ * one, and ticks that came meanwhile are skipped or, where asked, end it. */
+TEST(overruns_are_finished_and_counted) {
+  static const struct {
+    uint32_t step_costs, slow_costs; /* the latter of step 50 */
+    loop_policy_t policy;
+    loop_end_t end;
+    uint32_t steps, overruns, skipped;
+  } cases[] = {{300, 3500, LOOP_SKIP, LOOP_DONE, 100, 1, 3},
+               {300, 1100, LOOP_STOP, LOOP_OVERRAN, 50, 1, 1},
+               {300, 300, LOOP_STOP, LOOP_DONE, 100, 0, 0},
+               {1500, 1500, LOOP_SKIP, LOOP_DONE, 100, 100, 100}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    reset(cases[i].step_costs);
+    board.slow_step = 50;
+    board.slow_costs = cases[i].slow_costs;
+    CHECK(run_loop(100, 10, cases[i].policy) == cases[i].end);
+    CHECK(counted.steps == cases[i].steps && board.stepped == counted.steps);
+    CHECK(counted.overruns == cases[i].overruns && board.twice == 0);
+    CHECK(counted.skipped == cases[i].skipped);
+    CHECK(counted.longest >= cases[i].slow_costs);
+  }
 }
 
 TEST(stalled_reader_costs_records_and_no_step) {
   reset(300);
   board.stalled = true;
-  CHECK(run_loop(10000, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counted.steps == 10000 && counted.overruns == 0 &&
-        counted.skipped == 0);
+  run_in_time(10000, 10);
   CHECK(counted.sent >= 1 && counted.sent * 100 <= LOOP_ROOM);
   /* what was due: a record every 10 ticks and one before, 11 heartbeats */
   CHECK(counted.sent + counted.dropped == 1001 + 11);
@@ -162,8 +163,7 @@ TEST(stalled_reader_costs_records_and_no_step) {
 TEST(flood_costs_neither_step_nor_record) {
   reset(300);
   board.flooded = true;
-  CHECK(run_loop(1000, 10, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counted.steps == 1000 && counted.overruns == 0 && counted.skipped == 0);
+  run_in_time(1000, 10);
   CHECK(counted.dropped == 0 && board.put == 100 * counted.sent);
   CHECK(board.received > 1000 * 100); /* what time there was */
 }
@@ -171,8 +171,7 @@ TEST(flood_costs_neither_step_nor_record) {
 TEST(record_that_would_take_too_long_is_dropped) {
   reset(800);
   board.record_costs = 400;
-  CHECK(run_loop(1000, 1, LOOP_SKIP) == LOOP_DONE);
-  CHECK(counted.steps == 1000 && counted.overruns == 0 && counted.skipped == 0);
+  run_in_time(1000, 1);
   /* those before the first step are how the loop knows */
   CHECK(board.records == 3 + 1 && counted.dropped == 1000);
 }
@@ -223,31 +222,35 @@ TEST(ticks_and_clock_go_round) {
     for (uint64_t k = 0; k < 40; k++) {
       reset(300);
       board.clock = ends[i] - 7 * k * k * PERIOD / 5;
-      CHECK(run_loop(2000, 10, LOOP_SKIP) == LOOP_DONE);
-      CHECK(counted.steps == 2000 && board.twice == 0);
-      CHECK(counted.overruns == 0 && counted.skipped == 0);
+      run_in_time(2000, 10);
       CHECK(counted.dropped == 0 && board.records == 3 + 201);
       CHECK(counted.shortest >= 300 && counted.longest <= 310);
       CHECK(board.put == 100 * counted.sent);
     }
 }
 
+/* A loop whose counts begin where a test puts them, until its board ends after
+ * so many steps. */
+static void run_counted(uint32_t every, uint32_t steps) {
+  const loop_plan_t plan = {1000, 0, every, 1000, LOOP_SKIP};
+  board.broken_after = steps;
+  the_loop.plan = &plan;
+  the_loop.counts = &counted;
+  the_loop.until_record = every;
+  the_loop.until_heartbeat = the_loop.tellable = 1000;
+  the_loop.period = PERIOD;
+  CHECK(run(&the_loop) == LOOP_REFUSED);
+}
+
 /* Steps and their times after any number of them: the mean is right. */
 TEST(mean_is_of_all_steps) {
   for (uint64_t k = 0; k < 5; k++) {
-    const loop_plan_t plan = {1000, 0, 10, 1000, LOOP_SKIP};
+    const uint64_t before = ((uint64_t)1 << 32) - k;
     reset(300);
-    board.broken_after = 10;
-    counted = (loop_counts_t){.shortest = UINT32_MAX};
-    counted.steps = ((uint64_t)1 << 32) - k;
-    counted.sum = counted.steps * 300;
-    the_loop.plan = &plan;
-    the_loop.counts = &counted;
-    the_loop.until_record = the_loop.until_heartbeat = 1000;
-    the_loop.period = PERIOD;
-    the_loop.tellable = 1000;
-    CHECK(run(&the_loop) == LOOP_REFUSED);
-    CHECK(counted.steps == ((uint64_t)1 << 32) - k + 10);
+    counted = (loop_counts_t){
+        .shortest = UINT32_MAX, .steps = before, .sum = before * 300};
+    run_counted(1000, 10);
+    CHECK(counted.steps == before + 10);
     CHECK(counted.sum / counted.steps == 300);
   }
 }
@@ -256,20 +259,12 @@ TEST(mean_is_of_all_steps) {
 TEST(counts_of_the_loop_go_round) {
   loop_counts_t plain = {0};
   for (uint32_t k = 0; k < 12; k++) {
-    const loop_plan_t plan = {1000, 0, 2, 1000, LOOP_SKIP};
     reset(1500); /* always late */
-    board.broken_after = 40;
     board.record_costs = 300;
     counted = (loop_counts_t){.shortest = UINT32_MAX};
     counted.overruns = counted.skipped = counted.dropped = counted.sent =
         0u - k;
-    the_loop.plan = &plan;
-    the_loop.counts = &counted;
-    the_loop.until_record = 2;
-    the_loop.until_heartbeat = 1000;
-    the_loop.period = PERIOD;
-    the_loop.tellable = 1000;
-    CHECK(run(&the_loop) == LOOP_REFUSED);
+    run_counted(2, 40);
     if (k == 0) plain = counted;
     CHECK(counted.steps == 40 && counted.overruns == plain.overruns - k);
     CHECK(counted.skipped == plain.skipped - k);

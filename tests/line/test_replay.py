@@ -90,8 +90,19 @@ def record(path, schema, *rows):
                   for tick, (kind, data) in rows)])
 
 
+def lines_of(path):
+    return Path(path).read_text("ascii").splitlines()
+
+
 def rows_of(path):
-    return Path(path).read_text("ascii").splitlines()[1:]
+    return lines_of(path)[1:]
+
+
+def began(*rows, options=()):
+    """Records commands to a run of chaos. Returns: the words of its replay."""
+    record("one.record", sent("chaos", "--t-end", "0", *AT, *options)[0][3],
+           *rows)
+    return ["run", "chaos", *AT, "--replay", "one.record"]
 
 
 def joined(scene, commands, end, *words, now="", stands=None, every=1):
@@ -118,8 +129,7 @@ def joined(scene, commands, end, *words, now="", stands=None, every=1):
                      else DT), "--save", "again", "--out", "two")
     check(Path("again").read_bytes() == Path("end").read_bytes(),
           "it ends in another state")
-    one, two, want = (Path(name).read_text("ascii").splitlines()
-                      for name in ("one", "two", "want"))
+    one, two, want = map(lines_of, ("one", "two", "want"))
     if "dt=" in now:  # the time of a row is its step times the first dt
         one, two, want = ([row.partition(",")[2] for row in rows]
                           for rows in (one, two, want))
@@ -168,8 +178,7 @@ def test_parameters_and_rule_stay():
            now="--set dt=0.0009765625")
     text = call("run", "chaos", *AT, "--replay", "one.record")[1]
     check("which now needs --set dt=0.0009765625\n" in text, text)
-    record("one.record", sent("chaos", "--t-end", "0", *AT)[0][3], *changes)
-    text = call("run", "chaos", *AT, "--replay", "one.record")[1]
+    text = call(*began(*changes))[1]
     check("rule random:7, exit rate 64 /s\n" in text, text)
 
 
@@ -178,7 +187,7 @@ def test_steps_go_back():
     report that it is saved with: its first row has the state's h and g."""
     back = [(400, SNAPSHOT), (900, hold(-1.4, 0.1, 0.2, 0, 0)), (1000, RESTORE)]
     joined("chaos", [back[0], back[2]], 3000, *AT, stands=400)
-    row = Path("two").read_text("ascii").splitlines()[1].split(",")
+    row = lines_of("two")[1].split(",")
     plain = call("run", "chaos", *AT, "--t-end", "0.4")[0].splitlines()[-1]
     check(row[:6] + row[8:] == plain.split(",")[:6] + plain.split(",")[8:],
           f"{row} is not {plain}")
@@ -189,7 +198,7 @@ def test_steps_go_back():
                   "want", "--events", "all")["events"]["list"]
     check(all(round(event["t"], 4) != 2.301 for event in events),
           "the step back to the start is no change of mode")
-    row = Path("two").read_text("ascii").splitlines()[1]
+    row = lines_of("two")[1]
     plain = call("run", "chaos", *AT, "--t-end", "0")[0].splitlines()[-1]
     check(row == plain, f"{row} is not {plain}")
 
@@ -197,10 +206,8 @@ def test_steps_go_back():
 def test_other_inputs_are_told():
     """Going on under a table in place of inputs by a command is told."""
     Path("table.csv").write_text("t,force\n0,0\n", "ascii")
-    record("one.record", sent("chaos", "--t-end", "0", *AT)[0][3],
-           (100, hold(-1, 0.1, 0.5, 0, 0)), (200, GO))
-    text = call("run", "chaos", *AT, "--replay", "one.record", "--save",
-                "at")[1]
+    replay = began((100, hold(-1, 0.1, 0.5, 0, 0)), (200, GO))
+    text = call(*replay, "--save", "at")[1]
     check("inputs     by a command: omega0 = -1 rad/s" in text, text)
     words = ["run", "chaos", *AT, "--from", "at", "--t-end", "0.3"]
     check("by a command" in call(*words)[1], "they do not hold")
@@ -211,18 +218,14 @@ def test_other_inputs_are_told():
 
 def test_rest_of_a_record_is_told():
     """Where a replay ends before its record does."""
-    record("one.record", sent("chaos", "--t-end", "0", *AT)[0][3],
-           (100, put("mu", -1.0)), (200, GO), (300, GO))
-    text = call("run", "chaos", *AT, "--replay", "one.record", "--save", "at",
-                code=4)[1]
+    replay = began((100, put("mu", -1.0)), (200, GO), (300, GO))
+    text = call(*replay, "--save", "at", code=4)[1]
     check("--save at: 2 rows of the record were not reached" in text, text)
 
 
 def test_start_is_that_of_the_record():
     """Another start or seed would be another motion, and is refused."""
-    schema = sent("chaos", "--t-end", "0", *AT, "--select", "random:7")[0][3]
-    record("one.record", schema, (100, GO))
-    words = ["run", "chaos", *AT, "--replay", "one.record"]
+    words = began((100, GO), options=["--select", "random:7"])
     call(*words, "--select", "random")
     call(*words, "--select", "random:7")
     text = call(*words, "--select", "random:8", code=3)[1]
@@ -233,11 +236,10 @@ def test_start_is_that_of_the_record():
 
 def test_frames_say_what_holds():
     """A schema follows each change, and reports tell whose inputs they had."""
-    record("one.record", sent("chaos", "--t-end", "0", *AT)[0][3],
-           (100, put("kappa", 0.5)), (150, deadman(20)),
-           (200, hold(-1, 0.1, 0.5, 0, 0)), (300, select("random", 9)))
-    got = sent("chaos", *AT, "--replay", "one.record")
-    plain = told("run", "chaos", *AT, "--replay", "one.record", "--out", "rows")
+    replay = began((100, put("kappa", 0.5)), (150, deadman(20)),
+                   (200, hold(-1, 0.1, 0.5, 0, 0)), (300, select("random", 9)))
+    got = sent(*replay[1:])
+    plain = told(*replay, "--out", "rows")
     schemas = [(tick, data) for kind, _, tick, data in got if kind == 1]
     check([tick for tick, _ in schemas] == [0, 100, 150, 300], schemas)
     check([struct.unpack_from("<II", data, 5) for _, data in schemas][-1]
@@ -282,7 +284,7 @@ def test_session_of_a_board():
             break  # a busy computer may lose frames, and keeps none then
     same(code, 3)  # one is refused
     check("set:mu=-1: refused" in text, text)
-    lines = Path("record").read_text("ascii").splitlines()
+    lines = lines_of("record")
     same(len([line for line in lines if re.match(r"\d+,4[0-9a-f],", line)]), 12)
     check(any(re.search(",03,.*,state$", line) for line in lines), "no state")
     check(re.fullmatch(r"# shard 1/1: 14 rows, crc32 [0-9a-f]{8}, "

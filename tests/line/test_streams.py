@@ -8,9 +8,8 @@ import random
 import re
 import struct
 import sys
-import zlib
 
-from boards import BUILD, RUN, program
+from boards import BUILD, RUN, program, sealed, stuffed
 import decode
 from tap import ROOT, main, output, same
 
@@ -110,6 +109,11 @@ def is_number(cell):
         return False
 
 
+def shown_as_number(row, name):
+    """What a form has that knows no words."""
+    return MODES.index(row[name]) if name == "mode" else row[name]
+
+
 def motion():
     """A run as rows of values by name, and a function that shows its frames in
     a form of `monitor`."""
@@ -134,8 +138,8 @@ def of_board():
 def test_arduino_plots_the_pairs_of_monitor():
     rows, shown = motion()
     _, messages = arduino(shown("plotter"))
-    same(messages, [[(name, MODES.index(row[name]) if name == "mode"
-                      else row[name]) for name in PLOTTED] for row in rows])
+    same(messages, [[(name, shown_as_number(row, name)) for name in PLOTTED]
+                    for row in rows])
 
 
 def test_run_and_monitor_write_the_same_pairs():
@@ -215,8 +219,7 @@ def test_plotjuggler_plots_json():
     series = plotjuggler_json(shown("json"))
     for name in NAMES[1:]:
         same(series["/" + name],
-             [(row["t"], MODES.index(row[name]) if name == "mode"
-               else row[name]) for row in rows])
+             [(row["t"], shown_as_number(row, name)) for row in rows])
 
 
 def test_plotjuggler_loads_csv():
@@ -226,18 +229,6 @@ def test_plotjuggler_loads_csv():
         same(series[name], [(row["t"], row[name]) for row in rows])
     whole, _ = of_board()
     same(len(plotjuggler_csv(whole.replace("\r", ""), "t")["mode"]), 81)
-
-
-def stuffed(body):
-    """COBS of a body without a block of 254."""
-    parts = body.split(b"\0")
-    return b"".join(bytes([len(part) + 1]) + part for part in parts)
-
-
-def sealed(code):
-    """With its CRC, which is right whatever the bytes are."""
-    crc = zlib.crc32(code)
-    return code + bytes(128 | crc >> 7 * i & 127 for i in range(5))
 
 
 # A fifth of the bytes, so that there are short and long distances.

@@ -20,19 +20,31 @@ def judged(stream, *words, code):
     return done.stderr.decode()
 
 
+def refused(*words):
+    """Of a command whose files are not two."""
+    done = subprocess.run([RUN[0], *words], capture_output=True, text=True,
+                          check=False)
+    same((words, done.returncode), (words, 2))
+    same("two files are needed" in done.stderr, True)
+
+
+def borders_of(stream):
+    """Where a frame begins."""
+    return [at + 1 for at in range(len(stream) - 1)
+            if stream[at:at + 2] == b"\0\0"]
+
+
 def test_a_run_that_was_cut_is_told():
     """At each border of frames, where nothing else is wrong."""
     stream = output(*RUN, "--every", "50", "--format", "frames")
     judged(stream, code=0)
-    borders = [at + 2 for at in range(len(stream) - 2)
-               if stream[at:at + 2] == b"\0\0"]
+    borders = borders_of(stream)
     same(len(borders) > 20, True)
     for border in borders:
-        whole = stream[:border - 1]
-        said = judged(whole, code=6)
+        said = judged(stream[:border], code=6)
         # A state whose report is cut off is lost.
         same("ends before its run" in said or "were lost" in said, True)
-    summary = judged(stream[:borders[-1] - 1], "--summary", "json", code=6)
+    summary = judged(stream[:borders[-1]], "--summary", "json", code=6)
     same(json.loads(summary.splitlines()[-1])["exit"], 6)
 
 
@@ -85,18 +97,12 @@ def test_rows_of_a_part_do_not_get_the_name():
 
 def test_a_stream_without_its_beginning_is_told():
     stream = output(*RUN, "--every", "50", "--format", "frames")
-    for at in range(len(stream) - 1):
-        if stream[at:at + 2] == b"\0\0" and at + 100 < len(stream):
-            judged(stream[at + 1:], code=6)
+    for border in borders_of(stream):
+        if border + 99 < len(stream):
+            judged(stream[border:], code=6)
 
 
 def test_no_command_writes_what_it_reads():
-    def refused(*words):
-        done = subprocess.run([RUN[0], *words], capture_output=True, text=True,
-                              check=False)
-        same((words, done.returncode), (words, 2))
-        same("two files are needed" in done.stderr, True)
-
     Path("own.scene").write_bytes(output(RUN[0], "scene", "chaos"))
     Path("table").write_text("t,torque\n0,0\n1,0\n")
     output(*RUN, "--save", "stand")
@@ -133,10 +139,7 @@ def test_no_file_is_written_twice():
     for words in (["frames", "--out", "./frames"], ["link", "--out", "frames"],
                   ["frames", "--record", "frames"],
                   ["frames", "--out", "new", "--record", "./new"]):
-        done = subprocess.run([RUN[0], "monitor", "--csv", *words],
-                              capture_output=True, text=True, check=False)
-        same((words, done.returncode), (words, 2))
-        same("two files are needed" in done.stderr, True)
+        refused("monitor", "--csv", *words)
         same(Path("frames").read_bytes() == stream, True)
         same(Path("new").exists(), False)
 

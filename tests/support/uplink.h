@@ -3,6 +3,7 @@
 #ifndef TESTS_SUPPORT_UPLINK_H
 #define TESTS_SUPPORT_UPLINK_H
 
+#include "frame_in.h"
 #include "scene_named.h"
 #include "tap.h"
 #include "twofold.h"
@@ -46,24 +47,18 @@ typedef struct {
 /* The next answer; length 0 where there is none. */
 static inline answer_t answer_of(board_t *board) {
   uint8_t wire[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
-  uint8_t buffer[TF_DECODER_SIZE(TF_ANSWER_BYTES)];
   answer_t answer;
-  tf_decoder_t decoder;
-  tf_frame_t frame;
-  size_t taken;
   memset(&answer, 0, sizeof answer);
-  tf_decoder_init(&decoder, buffer, sizeof buffer);
   const size_t size = tf_link_answer(&board->link, wire, &board->down);
   if (size == 0) return answer;
-  if (!CHECK(tf_decoder_block(&decoder, wire, size, &taken, &frame)))
-    return answer;
-  CHECK(frame.type == TF_DOWN_ANSWER);
+  const tf_frame_t frame = frame_of(wire, size);
+  if (!CHECK(frame.type == TF_DOWN_ANSWER)) return answer;
   const uint8_t *at = frame.payload;
   answer.length = frame.length;
   answer.tick = frame.tick;
   answer.sequence = (uint32_t)tf_wire_get(at, 4);
   answer.type = at[4];
-  answer.code = at[5] < 128 ? at[5] : at[5] - 256;
+  answer.code = code_in(&frame);
   answer.source = at[6];
   answer.index = at[7];
   if (frame.length == 8) return answer;
@@ -127,17 +122,41 @@ static inline unsigned boundary(board_t *board) {
   return tf_link_boundary(&board->link, &board->simulation);
 }
 
-/* Reads all answers that wait. */
-static inline void drain(board_t *board) {
-  uint8_t wire[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
-  while (tf_link_answer(&board->link, wire, &board->down) > 0) {
-  }
+/* Reads all answers that wait. Returns: how many they were. */
+static inline uint32_t drain(board_t *board) {
+  uint32_t count = 0;
+  while (answer_of(board).length) count++;
+  return count;
+}
+
+static inline void ticks(board_t *board, int count) {
+  for (int n = 0; n < count; n++) tick(board);
+}
+
+/* Keeps the state as a host does, from its frame: the data of a restore. */
+#define KEPT_BYTES (8 + TF_STATE_BYTES)
+static inline void keep(board_t *board, uint8_t kept[KEPT_BYTES]) {
+  uint8_t wire[TF_FRAME_SIZE(TF_STATE_BYTES)];
+  const tf_frame_t frame = frame_of(
+      wire, tf_send_state(wire, &board->down, &board->simulation.state));
+  tf_wire_put(kept, frame.tick, 8);
+  memcpy(kept + 8, frame.payload, TF_STATE_BYTES);
 }
 
 static inline int code_of(board_t *board) {
   const answer_t answer = answer_of(board);
   return answer.length ? answer.code : 999;
 }
+
+/* The boundary at which so many of the commands that were sent take effect, and
+ * the answers to them. */
+#define CHECK_TOLD(board, effective, ...)                      \
+  do {                                                         \
+    const int want[] = {__VA_ARGS__};                          \
+    CHECK(boundary(board) == (effective));                     \
+    for (size_t i_ = 0; i_ < sizeof want / sizeof *want; i_++) \
+      CHECK(code_of(board) == want[i_]);                       \
+  } while (0)
 
 static inline unsigned index_of(const char *name) {
   unsigned i = 0;

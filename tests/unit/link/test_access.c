@@ -41,7 +41,7 @@ static int effect_of(board_t *board, const recorded_t *frame) {
 TEST(recorded_command_acts_once) {
   board_t board;
   power_up(&board, "chaos");
-  for (int n = 0; n < 50; n++) tick(&board);
+  ticks(&board, 50);
   const recorded_t reset =
       record(TF_UP_RESET, board.link.session, board.up, 0, NULL);
   CHECK(effect_of(&board, &reset) == TF_ANSWER_DONE);
@@ -145,10 +145,7 @@ TEST(replayed_frames_do_not_fill_the_queue) {
   for (int n = 0; n < 500; n++) {
     for (int i = 0; i < 20; i++) hear(&board, old.wire, old.size);
     send_plain(&board, n % 2 ? TF_UP_START : TF_UP_STOP);
-    CHECK(boundary(&board) == 1);
-    CHECK(code_of(&board) == TF_ANSWER_OLD);
-    CHECK(code_of(&board) == TF_ANSWER_DONE);
-    CHECK(code_of(&board) == 999);
+    CHECK_TOLD(&board, 1, TF_ANSWER_OLD, TF_ANSWER_DONE, 999);
   }
   CHECK(board.link.ignored == 500 * 19);
 }
@@ -166,14 +163,12 @@ TEST(refused_clear_keeps_the_queue) {
   for (unsigned i = 0; i < 5; i++) {
     send(&board, TF_UP_CLEAR, dates[i], NULL, 0);
     CHECK(board.link.waiting == TF_LINK_QUEUE);
-    CHECK(boundary(&board) == 0);
-    CHECK(code_of(&board) == TF_ANSWER_FAR);
+    CHECK_TOLD(&board, 0, TF_ANSWER_FAR);
   }
   for (size_t length = 1; length <= TF_COMMAND_DATA; length++) {
     send(&board, TF_UP_CLEAR, 0, data, length);
     CHECK(board.link.waiting == TF_LINK_QUEUE);
-    CHECK(boundary(&board) == 0);
-    CHECK(code_of(&board) == TF_ANSWER_LENGTH);
+    CHECK_TOLD(&board, 0, TF_ANSWER_LENGTH);
   }
   CHECK(board.link.ignored == 0);
   send_plain(&board, TF_UP_CLEAR);
@@ -192,8 +187,7 @@ TEST(numbers_end_in_another_session) {
     for (uint32_t i = 0; i <= k; i++) {
       CHECK(board.link.session == session && !board.link.describe);
       send_plain(&board, TF_UP_STOP);
-      CHECK(boundary(&board) == 1);
-      CHECK(code_of(&board) == TF_ANSWER_DONE);
+      CHECK_TOLD(&board, 1, TF_ANSWER_DONE);
     }
     CHECK(board.link.session != session && board.link.session != 0);
     CHECK(board.link.describe && board.link.next == 0 && board.up == 0);
@@ -229,12 +223,7 @@ TEST(tag_is_siphash_of_the_body) {
       "\2\x45\14\5\0\0\0"  /* version, stop, 12 bytes, number 5 */
       "\115\0\0\0\0\0\0\0" /* at tick 77 */
       "\x44\x33\x22\x11";  /* of this session */
-  uint8_t buffer[TF_DECODER_SIZE(TF_COMMAND_BYTES)];
-  tf_decoder_t decoder;
-  tf_frame_t got;
-  size_t taken = 0;
-  tf_decoder_init(&decoder, buffer, sizeof buffer);
-  CHECK(tf_decoder_block(&decoder, frame.wire, frame.size, &taken, &got));
+  const tf_frame_t got = frame_of(frame.wire, frame.size);
   CHECK(got.length == 12);
   CHECK(tf_wire_get(got.payload + 4, 8) ==
         tf_siphash(key, (const uint8_t *)body, sizeof body - 1));
@@ -269,17 +258,14 @@ TEST(commands_without_the_tag_do_nothing) {
   }
   /* Each bit of the body, by someone who can make a CRC but not a tag. */
   frame = record(TF_UP_STOP, session, 0, 0, key);
-  uint8_t buffer[TF_DECODER_SIZE(TF_COMMAND_BYTES)];
-  tf_decoder_t decoder;
-  tf_frame_t good;
-  size_t taken = 0;
-  tf_decoder_init(&decoder, buffer, sizeof buffer);
-  CHECK(tf_decoder_block(&decoder, frame.wire, frame.size, &taken, &good));
+  const tf_frame_t good = frame_of(frame.wire, frame.size);
+  uint8_t body[12];
+  memcpy(body, good.payload, sizeof body);
   for (unsigned bit = 0; bit < 8u * 12u + 8u + 32u + 64u; bit++) {
     uint8_t payload[12], type = good.type;
     uint32_t number = good.sequence;
     uint64_t at = good.tick;
-    memcpy(payload, good.payload, 12);
+    memcpy(payload, body, 12);
     if (bit < 96)
       payload[bit / 8] ^= (uint8_t)(1u << bit % 8);
     else if (bit < 104)
@@ -348,7 +334,7 @@ TEST(silent_controller_leaves_the_safe_inputs) {
   send_plain(&board, TF_UP_INPUT); /* those of the scene need no renewal */
   tick(&board);
   CHECK(answer_of(&board).source == TF_INPUT_SET);
-  for (int n = 0; n < 1000; n++) tick(&board);
+  ticks(&board, 1000);
   CHECK(board.simulation.stepped == TF_INPUT_SCENE &&
         board.simulation.expired == 1);
 }
@@ -361,7 +347,7 @@ TEST(only_inputs_feed_the_dead_man) {
   board.simulation.deadman = 50;
   tf_input_t push = tf_input_default(&board.simulation.machine);
   push.force = TF_R(0.25);
-  uint8_t back[8 + TF_STATE_BYTES] = {0};
+  uint8_t back[KEPT_BYTES] = {0};
   send_input(&board, 0, &push);
   tick(&board);
   push.force = (tf_real_t)NAN;
@@ -385,10 +371,10 @@ TEST(only_inputs_feed_the_dead_man) {
   CHECK(board.simulation.stepped == TF_INPUT_SAFE);
   push.force = 1;
   send_input(&board, 0, &push);
-  for (int n = 0; n < 500; n++) tick(&board);
+  ticks(&board, 500);
   CHECK(board.simulation.stepped == TF_INPUT_SET);
   send(&board, TF_UP_DEADMAN, 0, some, 4);
-  for (int n = 0; n < 3; n++) tick(&board);
+  ticks(&board, 3);
   CHECK(board.simulation.stepped == TF_INPUT_SET);
   tick(&board);
   CHECK(board.simulation.stepped == TF_INPUT_SAFE &&
@@ -407,20 +393,12 @@ TEST(dates_hold_at_every_tick) {
     for (uint64_t k = 1; k < 20; k++) {
       board_t board;
       power_up(&board, "chaos");
-      uint8_t kept[8 + TF_STATE_BYTES], wire[TF_FRAME_SIZE(TF_STATE_BYTES)];
-      uint8_t buffer[TF_DECODER_SIZE(TF_STATE_BYTES)];
-      tf_decoder_t decoder;
-      tf_frame_t frame;
-      size_t taken;
-      tf_decoder_init(&decoder, buffer, sizeof buffer);
-      const size_t size =
-          tf_send_state(wire, &board.down, &board.simulation.state);
-      CHECK(tf_decoder_block(&decoder, wire, size, &taken, &frame));
+      uint8_t kept[KEPT_BYTES];
+      keep(&board, kept);
       tf_wire_put(kept, ends[i] - k, 8);
-      memcpy(kept + 8, frame.payload, TF_STATE_BYTES);
       send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
       send(&board, TF_UP_STOP, ends[i] - k + 30, NULL, 0);
-      for (int n = 0; n < 60; n++) tick(&board);
+      ticks(&board, 60);
       CHECK(board.simulation.state.tick == ends[i] - k + 30);
       CHECK(code_of(&board) == 0);
       const answer_t answer = answer_of(&board);

@@ -1,20 +1,11 @@
 /* Every counter of 32 bits in what a board keeps starts at 2^32 - k: it goes on
  * at 0, counts the same, and nothing else changes by it. */
-#include "link/crc.h"
 #include "same_state.h"
 #include "tap.h"
 #include "twofold.h"
 #include "uplink.h"
 
 #define MOST 12
-
-/* Gives a frame another version, and the CRC that it then has. */
-static void make_foreign(uint8_t *wire, size_t size) {
-  wire[2] = 7;
-  const uint32_t crc = tf_crc32(0, wire + 1, size - 7);
-  for (size_t i = 0; i < 5; i++)
-    wire[size - 6 + i] = (uint8_t)(0x80u | (crc >> 7 * i & 0x7fu));
-}
 
 /* The same events to two decoders, of which one has counted a lot. */
 TEST(decoder_counts_go_round) {
@@ -33,7 +24,10 @@ TEST(decoder_counts_go_round) {
       const size_t size =
           tf_frame_seal(wire, 1, kind == 3 ? 64 : 8, &sequence, 5);
       if (kind == 4) wire[9] ^= 1;
-      if (kind == 5) make_foreign(wire, size);
+      if (kind == 5) { /* another version */
+        wire[2] = 7;
+        reseal(wire, size);
+      }
       for (size_t i = 0; i < size; i++) {
         tf_frame_t frame[2];
         CHECK(tf_decoder_push(&one[0], wire[i], &frame[0]) ==

@@ -1,5 +1,6 @@
 /* Frames on a line that is not to be trusted: errors of bits, bursts, bytes
  * that are dropped, doubled or inserted, garbage; and what is not an error. */
+#include "frame_in.h"
 #include "link/crc.h"
 #include "tap.h"
 #include "twofold.h"
@@ -38,17 +39,23 @@ static void open_receiver(receiver_t *receiver) {
                   sizeof receiver->buffer);
 }
 
+/* The next frame that comes out of some bytes, which are taken away. */
+static bool next_frame(receiver_t *receiver, const uint8_t **bytes,
+                       size_t *length, tf_frame_t *frame) {
+  size_t taken = 0;
+  const bool came =
+      tf_decoder_block(&receiver->decoder, *bytes, *length, &taken, frame);
+  *bytes += taken;
+  *length -= taken;
+  return came;
+}
+
 /* How many frames come out of some bytes. */
 static unsigned accepted(receiver_t *receiver, const uint8_t *bytes,
                          size_t length) {
   unsigned count = 0;
-  size_t taken = 0;
   tf_frame_t frame;
-  while (tf_decoder_block(&receiver->decoder, bytes, length, &taken, &frame)) {
-    count++;
-    bytes += taken;
-    length -= taken;
-  }
+  while (next_frame(receiver, &bytes, &length, &frame)) count++;
   return count;
 }
 
@@ -199,12 +206,9 @@ TEST(broken_bytes_cost_only_the_frames_they_touch) {
     const uint8_t *bytes = wire;
     uint64_t seen = 0;
     tf_frame_t frame;
-    size_t taken = 0;
-    while (tf_decoder_block(&receiver.decoder, bytes, length, &taken, &frame)) {
+    while (next_frame(&receiver, &bytes, &length, &frame)) {
       CHECK(is_as_made(&frame, payload));
       seen |= (uint64_t)1 << frame.tick;
-      bytes += taken;
-      length -= taken;
     }
     const uint64_t all = ((uint64_t)1 << RECORD) - 1;
     CHECK((seen | (uint64_t)1 << touched) == all);
@@ -284,15 +288,12 @@ TEST(a_million_frames_over_a_bad_line) {
     size_t size = make(wire, (uint64_t)n, (unsigned)n % 33);
     if (tap_bits() % 10 == 0) size = damage(wire, size);
     const uint8_t *bytes = wire;
-    size_t taken = 0;
     tf_frame_t frame;
-    while (tf_decoder_block(&receiver.decoder, bytes, size, &taken, &frame)) {
+    while (next_frame(&receiver, &bytes, &size, &frame)) {
       wrong += frame.tick > (uint64_t)n ||
                !is_as_made(&frame, (unsigned)(frame.tick % 33));
       if (receiver.decoder.frames == 1) first = frame.tick;
       last = frame.tick;
-      bytes += taken;
-      size -= taken;
     }
   }
   const tf_decoder_t *decoder = &receiver.decoder;
@@ -368,37 +369,33 @@ TEST(long_runs_stay_in_the_buffer) {
     CHECK(buffer[i] == 0xA5);
 }
 
-/* Whole frames of a protocol to come. */
-static void reseal(uint8_t *wire, size_t size) {
-  uint32_t crc = tf_crc32(0, wire + 1, size - 7);
-  for (size_t i = 0; i < 5; i++, crc >>= 7)
-    wire[size - 6 + i] = (uint8_t)(0x80 | (crc & 0x7f));
-}
+/* Frames of nine bytes with one other byte, under the CRC that they then have,
+ * each after those before it. */
 TEST(other_versions_and_lengths_are_counted) {
+  static const struct {
+    unsigned at;
+    uint8_t byte;
+    uint32_t frames, bad, bad_version;         /* that were counted by then */
+  } cases[] = {{2, TF_FRAME_VERSION, 1, 0, 0}, /* as it was */
+               {2, TF_FRAME_VERSION - 1, 1, 0, 1},
+               {4, 8, 1, 1, 1},     /* another length */
+               {1, 0xff, 1, 2, 1}}; /* a chain of COBS that leaves the frame */
   receiver_t receiver;
   open_receiver(&receiver);
+  const tf_decoder_t *decoder = &receiver.decoder;
   uint8_t wire[LONGEST];
-  const size_t size = make(wire, 3, 9);
-  reseal(wire, size);
-  CHECK(accepted(&receiver, wire, size) == 1);
-  wire[2] = TF_FRAME_VERSION - 1;
-  reseal(wire, size);
-  CHECK(accepted(&receiver, wire, size) == 0);
-  CHECK(receiver.decoder.bad_version == 1 && receiver.decoder.bad == 0);
-  make(wire, 3, 9);
-  wire[4] = 8;
-  reseal(wire, size);
-  CHECK(accepted(&receiver, wire, size) == 0);
-  CHECK(receiver.decoder.bad == 1);
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    const size_t size = make(wire, 3, 9);
+    wire[cases[i].at] = cases[i].byte;
+    reseal(wire, size);
+    CHECK(accepted(&receiver, wire, size) == (i == 0));
+    CHECK(decoder->frames == cases[i].frames && decoder->bad == cases[i].bad);
+    CHECK(decoder->bad_version == cases[i].bad_version);
+  }
   /* No more than the checksum of nothing. */
   static const uint8_t nothing[] = {0, 0x80, 0x80, 0x80, 0x80, 0x80, 0};
   CHECK(accepted(&receiver, nothing, sizeof nothing) == 0);
-  CHECK(receiver.decoder.bad == 2 && receiver.decoder.bad_version == 1);
-  make(wire, 3, 9);
-  wire[1] = 0xff; /* a chain of COBS that leaves the frame */
-  reseal(wire, size);
-  CHECK(accepted(&receiver, wire, size) == 0);
-  CHECK(receiver.decoder.bad == 3);
+  CHECK(decoder->bad == 3 && decoder->bad_version == 1);
 }
 
 /* Bytes that are too few for a header are bad, and no other version, however

@@ -18,9 +18,7 @@ TEST(parameters_of_no_machine_are_refused_until_mended) {
   const uint8_t rule[5] = {TF_RULE_RANDOM, 1, 2, 3, 4};
   send_parameter(&board, 0, index_of("mu"), 2);
   send(&board, TF_UP_RULE, 0, rule, sizeof rule);
-  CHECK(boundary(&board) == 0);
-  CHECK(code_of(&board) == TF_BAD_PARAMETER);
-  CHECK(code_of(&board) == TF_BAD_PARAMETER);
+  CHECK_TOLD(&board, 0, TF_BAD_PARAMETER, TF_BAD_PARAMETER);
   CHECK(acts_alike(&board, &before) && board.simulation.state.seed == 5);
   send_parameter(&board, 0, index_of("m"), 1);
   send(&board, TF_UP_RULE, 0, rule, sizeof rule);
@@ -88,10 +86,8 @@ TEST(set_parameter_is_validated_and_answered) {
     send_parameter(&board, 0, i, range->low);
     send_parameter(&board, 0, i, range->high * 2 + 1);
     send_parameter(&board, 0, i, range->low * 2 - 1);
-    CHECK(boundary(&board) == 2);
-    CHECK(code_of(&board) == 0 && code_of(&board) == 0);
-    CHECK(code_of(&board) == TF_BAD_PARAMETER);
-    CHECK(code_of(&board) == TF_BAD_PARAMETER);
+    CHECK_TOLD(&board, 2, TF_ANSWER_DONE, TF_ANSWER_DONE, TF_BAD_PARAMETER,
+               TF_BAD_PARAMETER);
   }
   send_parameter(&board, 0, TF_PARAMETERS, 1);
   send_parameter(&board, 0, 255, 1);
@@ -134,16 +130,14 @@ TEST(lengths_types_and_dates_are_checked) {
   send(&board, TF_UP_STOP, TF_LINK_AHEAD + 1, NULL, 0);
   send(&board, TF_UP_STOP, UINT64_MAX, NULL, 0);
   send(&board, TF_UP_STOP, TF_LINK_AHEAD, NULL, 0);
-  CHECK(boundary(&board) == 0);
-  CHECK(code_of(&board) == TF_ANSWER_FAR && code_of(&board) == TF_ANSWER_FAR);
+  CHECK_TOLD(&board, 0, TF_ANSWER_FAR, TF_ANSWER_FAR);
   CHECK(answer_of(&board).length == 0 && board.link.waiting == 1);
   /* How far ahead counts from the present tick, however long the board runs. */
   board.link.waiting = 0;
   board.simulation.state.tick = TF_LINK_AHEAD + 5;
   send(&board, TF_UP_STOP, 2 * TF_LINK_AHEAD + 6, NULL, 0);
   send(&board, TF_UP_STOP, 2 * TF_LINK_AHEAD + 5, NULL, 0);
-  CHECK(boundary(&board) == 0);
-  CHECK(code_of(&board) == TF_ANSWER_FAR);
+  CHECK_TOLD(&board, 0, TF_ANSWER_FAR);
   CHECK(answer_of(&board).length == 0 && board.link.waiting == 1);
   /* Longer than any command: counted by the decoder, not written. */
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
@@ -183,8 +177,7 @@ TEST(inputs_act_at_their_tick) {
   send_input(&board, 0, &bad);
   bad.force = TF_R(1.1e9);
   send_input(&board, 0, &bad);
-  CHECK(boundary(&board) == 0);
-  CHECK(code_of(&board) == TF_BAD_STATE && code_of(&board) == TF_BAD_STATE);
+  CHECK_TOLD(&board, 0, TF_BAD_STATE, TF_BAD_STATE);
   CHECK(board.simulation.input.force == held.force);
   send_plain(&board, TF_UP_INPUT); /* back to the scene */
   CHECK(boundary(&board) == 1);
@@ -195,34 +188,23 @@ TEST(snapshot_and_restore_continue_bit_for_bit) {
   board_t board;
   power_up(&board, "chaos");
   send_plain(&board, TF_UP_RESTORE);
-  CHECK(boundary(&board) == 0);
-  CHECK(code_of(&board) == TF_ANSWER_EMPTY);
+  CHECK_TOLD(&board, 0, TF_ANSWER_EMPTY);
   const uint8_t random[5] = {TF_RULE_RANDOM, 77, 0, 0, 0};
   send(&board, TF_UP_RULE, 0, random, 5);
-  for (int n = 0; n < 15000; n++) tick(&board);
+  ticks(&board, 15000);
   CHECK(code_of(&board) == TF_ANSWER_DONE);
   send_plain(&board, TF_UP_SNAPSHOT);
   boundary(&board);
-  /* What the host keeps is the frame of the state. */
-  uint8_t wire[TF_FRAME_SIZE(TF_STATE_BYTES)];
-  uint8_t buffer[TF_DECODER_SIZE(TF_STATE_BYTES)];
-  tf_decoder_t decoder;
-  tf_frame_t frame;
-  size_t taken;
-  tf_decoder_init(&decoder, buffer, sizeof buffer);
-  const size_t size = tf_send_state(wire, &board.down, &board.simulation.state);
-  CHECK(tf_decoder_block(&decoder, wire, size, &taken, &frame));
+  uint8_t kept[KEPT_BYTES];
+  keep(&board, kept);
   tf_state_t trail[2000];
   for (int n = 0; n < 20000; n++) {
     tick(&board);
     if (n % 10 == 0) trail[n / 10] = board.simulation.state;
   }
-  uint8_t kept[8 + TF_STATE_BYTES];
-  tf_wire_put(kept, frame.tick, 8);
-  memcpy(kept + 8, frame.payload, TF_STATE_BYTES);
-  int answered = 0;
+  uint32_t answered = 0;
   for (int from = 0; from < 2; from++) {
-    while (answer_of(&board).length) answered++;
+    answered += drain(&board);
     if (from == 0)
       send_plain(&board, TF_UP_RESTORE);
     else
@@ -257,9 +239,9 @@ TEST(start_stop_reset_and_rule) {
   board_t board;
   power_up(&board, "chaos");
   const tf_state_t start = board.simulation.state;
-  for (int n = 0; n < 50; n++) tick(&board);
+  ticks(&board, 50);
   send_plain(&board, TF_UP_STOP);
-  for (int n = 0; n < 50; n++) tick(&board);
+  ticks(&board, 50);
   CHECK(board.simulation.state.tick == 50 && !board.simulation.running);
   send_plain(&board, TF_UP_START);
   tick(&board);
@@ -273,18 +255,14 @@ TEST(start_stop_reset_and_rule) {
   send_parameter(&board, 0, index_of("gamma"), 0);
   send_plain(&board, TF_UP_RESET);
   const tf_state_t before = board.simulation.state;
-  CHECK(boundary(&board) == 1);
-  CHECK(code_of(&board) == 0);
-  CHECK(code_of(&board) == TF_BAD_STATE);
+  CHECK_TOLD(&board, 1, TF_ANSWER_DONE, TF_BAD_STATE);
   CHECK(same_state(&before, &board.simulation.state));
   const uint8_t rule[5] = {TF_RULE_RANDOM, 1, 2, 3, 4};
   const uint8_t none[5] = {TF_RULES, 1, 2, 3, 4};
   send(&board, TF_UP_RULE, 0, rule, 5);
   send(&board, TF_UP_RULE, 0, none, 5);
   board.link.describe = false;
-  CHECK(boundary(&board) == 1);
-  CHECK(code_of(&board) == 0);
-  CHECK(code_of(&board) == TF_BAD_PARAMETER);
+  CHECK_TOLD(&board, 1, TF_ANSWER_DONE, TF_BAD_PARAMETER);
   CHECK(board.simulation.machine.rule == TF_RULE_RANDOM);
   CHECK(board.simulation.state.seed == 0x04030201u && board.link.describe);
   board.link.describe = false;
@@ -314,10 +292,9 @@ TEST(uplink_flood_changes_nothing) {
     tick(&board);
     tick(&quiet);
     CHECK(same_state(&board.simulation.state, &quiet.simulation.state));
-    if (n % 7 == 0)
-      while (answer_of(&board).length) answered++;
+    if (n % 7 == 0) answered += drain(&board);
   }
-  while (answer_of(&board).length) answered++;
+  answered += drain(&board);
   CHECK(answered > 0 && answered + board.link.ignored == sent);
   CHECK(board.link.decoder.bad == 0 && board.link.next <= board.up);
   /* A queue full of what lies ahead does not lock the host out. */
@@ -325,8 +302,7 @@ TEST(uplink_flood_changes_nothing) {
   CHECK(board.link.ignored + answered == sent + 1);
   send_plain(&board, TF_UP_CLEAR);
   send_plain(&board, TF_UP_STOP);
-  CHECK(boundary(&board) == 2);
-  CHECK(code_of(&board) == 0 && code_of(&board) == 0);
+  CHECK_TOLD(&board, 2, TF_ANSWER_DONE, TF_ANSWER_DONE);
   CHECK(board.link.ignored + answered == sent + 5 && !board.simulation.running);
 }
 

@@ -3,6 +3,7 @@
  * down carry. Runs from the root of the project. */
 #include <ctype.h>
 
+#include "frame_in.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -36,30 +37,14 @@ static example_t example(const char *name) {
   return found;
 }
 
-typedef struct {
-  tf_frame_t frame;
-  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
-} received_t;
-
-static void receive(received_t *received, const uint8_t *wire, size_t size) {
-  tf_decoder_t decoder;
-  size_t taken = 0;
-  memset(&received->frame, 0, sizeof received->frame);
-  tf_decoder_init(&decoder, received->buffer, sizeof received->buffer);
-  received->frame.payload = received->buffer;
-  CHECK(tf_decoder_block(&decoder, wire, size, &taken, &received->frame));
-  CHECK(taken == size && size == TF_FRAME_SIZE((size_t)received->frame.length));
-}
-
 /* Decodes an example; in the build of its real type compares it with what was
  * made, and prints that where it differs. */
 static void judge(const char *name, uint8_t type, uint32_t sequence,
                   uint64_t tick, const uint8_t *made, size_t size) {
   const example_t shown = example(name);
-  received_t received;
-  receive(&received, shown.wire, shown.size);
-  CHECK(received.frame.type == type && received.frame.tick == tick);
-  CHECK(received.frame.sequence == sequence);
+  const tf_frame_t frame = frame_of(shown.wire, shown.size);
+  CHECK(frame.type == type && frame.tick == tick);
+  CHECK(frame.sequence == sequence);
   if (size == 0) return; /* of the other real type */
   if (CHECK(shown.size == size && !memcmp(shown.wire, made, size))) return;
   printf("# %s:", name);
@@ -155,7 +140,6 @@ TEST(state_and_report_survive_the_line) {
   for (int n = 0; n < 5000; n++) {
     tf_state_t state = state_shown, back;
     tf_report_t report = report_shown, decoded;
-    received_t received;
     uint32_t sequence = (uint32_t)n;
     state.r = (tf_real_t)tap_uniform(-1e3, 1e3);
     state.v = n % 3 ? (tf_real_t)tap_uniform(-1, 1) : 0;
@@ -167,17 +151,16 @@ TEST(state_and_report_survive_the_line) {
     report.residual = state.v;
     report.delassus = state.phi;
     report.status = n % 2 ? TF_DEGRADED : TF_STEP_TOO_LONG;
-    receive(&received, wire, tf_send_state(wire, &sequence, &state));
-    CHECK(received.frame.length == TF_STATE_BYTES);
-    tf_read_state(received.frame.payload, received.frame.tick, &back);
+    tf_frame_t frame = frame_of(wire, tf_send_state(wire, &sequence, &state));
+    CHECK(frame.length == TF_STATE_BYTES);
+    tf_read_state(frame.payload, frame.tick, &back);
     CHECK(back.r == state.r && back.v == state.v && back.w == state.w);
     CHECK(back.phi == state.phi && back.seed == state.seed);
     CHECK(back.mode == state.mode && back.tick == state.tick);
-    receive(&received, wire,
-            tf_send_report(wire, &sequence, state.tick, &report,
-                           (tf_input_source_t)(n % 3)));
-    CHECK(received.frame.length == TF_REPORT_BYTES);
-    CHECK(tf_read_report(received.frame.payload, &decoded) == n % 3);
+    frame = frame_of(wire, tf_send_report(wire, &sequence, state.tick, &report,
+                                          (tf_input_source_t)(n % 3)));
+    CHECK(frame.length == TF_REPORT_BYTES);
+    CHECK(tf_read_report(frame.payload, &decoded) == n % 3);
     CHECK(decoded.slip.h == report.slip.h && decoded.slip.g == report.slip.g);
     CHECK(decoded.force.F == report.force.F &&
           decoded.force.M == report.force.M);
@@ -186,35 +169,35 @@ TEST(state_and_report_survive_the_line) {
           decoded.status == report.status);
     CHECK(decoded.mode == report.mode && decoded.set == report.set);
     CHECK(decoded.choices == report.choices);
-    receive(&received, wire, tf_send_compact(wire, &sequence, &state, &report));
-    CHECK(received.frame.length == TF_COMPACT_BYTES);
-    CHECK(tf_wire_get_real(received.frame.payload + R) == state.v);
+    frame = frame_of(wire, tf_send_compact(wire, &sequence, &state, &report));
+    CHECK(frame.length == TF_COMPACT_BYTES);
+    CHECK(tf_wire_get_real(frame.payload + R) == state.v);
   }
 }
 
 TEST(heartbeat_survives_the_line) {
   uint8_t wire[LONGEST];
-  received_t received;
   uint32_t sequence = 0;
   const tf_heartbeat_t beat = {1, 2, 3,  4,  5,  6,  7,
                                8, 9, 10, 11, 12, 13, 0xfffffffau};
-  receive(&received, wire, tf_send_heartbeat(wire, &sequence, 1, &beat));
-  CHECK(received.frame.length == TF_HEARTBEAT_BYTES && sequence == 1);
+  const tf_frame_t frame =
+      frame_of(wire, tf_send_heartbeat(wire, &sequence, 1, &beat));
+  CHECK(frame.length == TF_HEARTBEAT_BYTES && sequence == 1);
   for (size_t i = 0; i < 13; i++)
-    CHECK(tf_wire_get(received.frame.payload + 4 * i, 4) == i + 1);
-  CHECK(tf_wire_get(received.frame.payload + 52, 4) == 0xfffffffau);
+    CHECK(tf_wire_get(frame.payload + 4 * i, 4) == i + 1);
+  CHECK(tf_wire_get(frame.payload + 52, 4) == 0xfffffffau);
   tf_heartbeat_t read;
-  tf_read_heartbeat(received.frame.payload, &read);
+  tf_read_heartbeat(frame.payload, &read);
   CHECK(!memcmp(&read, &beat, sizeof beat));
 }
 
 TEST(schema_says_what_runs) {
   uint8_t wire[LONGEST];
-  received_t received;
   uint32_t sequence = 0;
   tf_schema_t schema = schema_shown();
-  receive(&received, wire, tf_send_schema(wire, &sequence, 0, &schema));
-  const uint8_t *at = received.frame.payload;
+  tf_frame_t frame =
+      frame_of(wire, tf_send_schema(wire, &sequence, 0, &schema));
+  const uint8_t *at = frame.payload;
   const tf_params_t *params = schema.params;
   CHECK(at[0] == sizeof(tf_real_t) && at[1] == params->law && at[4] == 2);
   CHECK(tf_wire_get(at + 9, 4) == tf_params_hash(params));
@@ -223,7 +206,7 @@ TEST(schema_says_what_runs) {
   CHECK(tf_wire_get_real(at + 25) == params->dt);
   CHECK(!strcmp((const char *)at + 25 + R, "chaos"));
   CHECK(!strcmp((const char *)at + 25 + R + 6, "demo"));
-  CHECK(received.frame.length == 25 + R + 6 + 5);
+  CHECK(frame.length == 25 + R + 6 + 5);
   /* Each flag has a bit of its own. */
   for (unsigned flags = 0; flags < 64; flags++) {
     if ((flags >> 2 & 3u) >= TF_REST_LAWS) continue;
@@ -235,23 +218,23 @@ TEST(schema_says_what_runs) {
     variant.wants_tag = flags & 16u;
     variant.ends = flags & 32u;
     variant.params = &flagged;
-    receive(&received, wire, tf_send_schema(wire, &sequence, 0, &variant));
-    CHECK(received.frame.payload[4] == flags);
+    frame = frame_of(wire, tf_send_schema(wire, &sequence, 0, &variant));
+    CHECK(frame.payload[4] == flags);
   }
   /* Names that do not fit are cut off, and both still end. */
   char name[400];
   memset(name, 'x', sizeof name);
   name[399] = '\0';
   schema.scene = schema.build = name;
-  receive(&received, wire, tf_send_schema(wire, &sequence, 0, &schema));
-  CHECK(received.frame.length == TF_FRAME_PAYLOAD);
-  CHECK(received.frame.payload[TF_FRAME_PAYLOAD - 2] == 0);
-  CHECK(received.frame.payload[TF_FRAME_PAYLOAD - 1] == 0);
+  frame = frame_of(wire, tf_send_schema(wire, &sequence, 0, &schema));
+  CHECK(frame.length == TF_FRAME_PAYLOAD);
+  CHECK(frame.payload[TF_FRAME_PAYLOAD - 2] == 0);
+  CHECK(frame.payload[TF_FRAME_PAYLOAD - 1] == 0);
   schema.scene = "short"; /* the whole rest is the other's */
-  receive(&received, wire, tf_send_schema(wire, &sequence, 0, &schema));
-  CHECK(received.frame.length == TF_FRAME_PAYLOAD);
-  CHECK(received.frame.payload[TF_FRAME_PAYLOAD - 2] == 'x');
-  CHECK(received.frame.payload[TF_FRAME_PAYLOAD - 1] == 0);
+  frame = frame_of(wire, tf_send_schema(wire, &sequence, 0, &schema));
+  CHECK(frame.length == TF_FRAME_PAYLOAD);
+  CHECK(frame.payload[TF_FRAME_PAYLOAD - 2] == 'x');
+  CHECK(frame.payload[TF_FRAME_PAYLOAD - 1] == 0);
   /* The hash sees every parameter. */
   const uint32_t hash = tf_params_hash(params);
   for (unsigned i = 0; i < TF_PARAMETERS; i++) {
@@ -273,21 +256,21 @@ TEST(schema_says_what_runs) {
 
 TEST(parameters_are_described) {
   uint8_t wire[LONGEST];
-  received_t received;
   uint32_t sequence = 0;
   const tf_params_t *params = &tf_scenes[0]->params;
   for (unsigned i = 0; i < TF_PARAMETERS; i++) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
     tf_real_t value;
     char text[40], want[40];
-    receive(&received, wire, tf_send_parameter(wire, &sequence, 9, params, i));
-    const uint8_t *at = received.frame.payload;
+    const tf_frame_t frame =
+        frame_of(wire, tf_send_parameter(wire, &sequence, 9, params, i));
+    const uint8_t *at = frame.payload;
     memcpy(&value, (const char *)params + range->offset, sizeof value);
     CHECK(at[0] == i && at[1] == ((range->laws >> params->law) & 1));
     CHECK(tf_wire_get_real(at + 2) == value);
     CHECK(tf_wire_get_real(at + 2 + R) == range->low);
     CHECK(tf_wire_get_real(at + 2 + 2 * R) == range->high);
-    const size_t length = received.frame.length - (2u + 3 * R);
+    const size_t length = frame.length - (2u + 3 * R);
     memcpy(text, at + 2 + 3 * R, length);
     text[length] = '\0';
     snprintf(want, sizeof want, "%s,%s", range->name, range->unit);
@@ -337,15 +320,13 @@ TEST(layouts_describe_the_payloads) {
   uint32_t sequence = 0;
   for (unsigned i = 0; i < 4; i++) {
     uint8_t wire[LONGEST];
-    received_t received;
     CHECK(bytes_of(all[i].layout) == all[i].bytes);
-    receive(&received, wire,
-            tf_send_layout(wire, &sequence, 0, all[i].type, all[i].layout));
-    CHECK(received.frame.payload[0] == all[i].type);
+    const tf_frame_t frame = frame_of(
+        wire, tf_send_layout(wire, &sequence, 0, all[i].type, all[i].layout));
+    CHECK(frame.payload[0] == all[i].type);
     /* None is cut off. */
-    CHECK(received.frame.length == 1 + strlen(all[i].layout));
-    CHECK(!memcmp(received.frame.payload + 1, all[i].layout,
-                  strlen(all[i].layout)));
+    CHECK(frame.length == 1 + strlen(all[i].layout));
+    CHECK(!memcmp(frame.payload + 1, all[i].layout, strlen(all[i].layout)));
   }
 }
 
@@ -353,12 +334,11 @@ TEST(long_layout_fills_its_frame) {
   char text[2 * TF_FRAME_PAYLOAD];
   uint8_t wire[2 * LONGEST];
   uint32_t sequence = 0;
-  received_t received;
   memset(text, 'x', sizeof text);
   text[sizeof text - 1] = '\0';
-  receive(&received, wire,
-          tf_send_layout(wire, &sequence, 0, TF_DOWN_STATE, text));
-  CHECK(received.frame.length == TF_FRAME_PAYLOAD);
-  CHECK(received.frame.payload[0] == TF_DOWN_STATE);
-  CHECK(!memcmp(received.frame.payload + 1, text, TF_FRAME_PAYLOAD - 1));
+  const tf_frame_t frame =
+      frame_of(wire, tf_send_layout(wire, &sequence, 0, TF_DOWN_STATE, text));
+  CHECK(frame.length == TF_FRAME_PAYLOAD);
+  CHECK(frame.payload[0] == TF_DOWN_STATE);
+  CHECK(!memcmp(frame.payload + 1, text, TF_FRAME_PAYLOAD - 1));
 }
