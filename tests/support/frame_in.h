@@ -1,5 +1,5 @@
-/* frame_in.h - frames among the bytes of a line, for tests that know what has to
- * be there. A payload is valid until the next call. */
+/* frame_in.h - frames among the bytes of a line, for tests that know what has
+ * to be there. A payload is valid until the next call. */
 #ifndef TESTS_SUPPORT_FRAME_IN_H
 #define TESTS_SUPPORT_FRAME_IN_H
 

@@ -1,5 +1,5 @@
-/* terminal.h - what tests share that start a program at a pseudo-terminal. It is
- * included first, for it asks for more of the system than tap.h. */
+/* terminal.h - what tests share that start a program at a pseudo-terminal. It
+ * is included first, for it asks for more of the system than tap.h. */
 #ifndef TESTS_SUPPORT_TERMINAL_H
 #define TESTS_SUPPORT_TERMINAL_H
 
