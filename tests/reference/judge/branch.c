@@ -121,7 +121,7 @@ static void begin(void) {
 
 static void compare(trial_t *trial, const ref_machine_t *q,
                     const fork_t *fork) {
-  int taken[RUNS];
+  int taken[RUNS] = {0};
   trial->t_end = fork->t;
   for (int k = 0; k < runs_count(&runs); ++k) {
     lib_row_t row;

@@ -35,7 +35,7 @@ static void judge(trial_t *trial) {
   if (!judged) {
     return;
   }
-  bool is_off[RUNS];
+  bool is_off[RUNS] = {false};
   for (int k = 0; k < runs_count(&runs); ++k) {
     lib_row_t row;
     const long others = trial_run(trial, &runs, k, &row);
