@@ -3,6 +3,7 @@
 #include "draw.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -73,13 +74,40 @@ static void place(draw_t *draw, lib_machine_t *q) {
   q->on_surface = kind < 1 && fabs(sin(q->gamma)) > 1e-3;
 }
 
+// The numbers of a machine by their names; the last one is instead of h = 0.
+static const struct {
+  const char *name;
+  size_t at;
+} numbers[] = {
+#define NUMBER(name) \
+  { #name, offsetof(lib_machine_t, name) }
+    NUMBER(m),     NUMBER(d),  NUMBER(beta),   NUMBER(k2), NUMBER(c1),
+    NUMBER(c2),    NUMBER(r0), NUMBER(omega0), NUMBER(mu), NUMBER(kappa),
+    NUMBER(gamma), NUMBER(r),  NUMBER(omega),  NUMBER(dt), NUMBER(v)};
+enum { NUMBERS = sizeof numbers / sizeof *numbers };
+
+static double *number_at(lib_machine_t *q, int i) {
+  return (double *)(void *)((char *)q + numbers[i].at);
+}
+
 static void round_all(lib_machine_t *q) {
-  double *const all[] = {&q->m,  &q->d,     &q->beta, &q->k2,    &q->c1,
-                         &q->c2, &q->r0,    &q->mu,   &q->kappa, &q->omega0,
-                         &q->r,  &q->omega, &q->v};
-  for (unsigned i = 0; i < sizeof all / sizeof *all; ++i) {
-    *all[i] = (float)*all[i];
+  for (int i = 0; i < NUMBERS; ++i) {
+    *number_at(q, i) = (float)*number_at(q, i);
   }
+}
+
+bool draw_set(lib_machine_t *q, const char *text) {
+  for (int i = 0; i < NUMBERS; ++i) {
+    const size_t n = strlen(numbers[i].name);
+    if (strncmp(text, numbers[i].name, n) == 0 && text[n] == '=') {
+      *number_at(q, i) = strtod(text + n + 1, NULL);
+      q->on_surface = q->on_surface && i != NUMBERS - 1;
+      return true;
+    }
+  }
+  const bool law = strcmp(text, "law=coulomb") == 0;
+  q->coulomb = q->coulomb || law;
+  return law || strcmp(text, "h=0") == 0;
 }
 
 lib_machine_t draw_machine(draw_t *draw, draw_range_t range) {
@@ -110,7 +138,10 @@ lib_machine_t draw_machine(draw_t *draw, draw_range_t range) {
   if (range == DRAW_EDGE && one_in(draw, 4)) {
     q.r *= draw_log(draw, 1e-4, 1);
   }
+  const double gamma = q.gamma, dt = q.dt;
   round_all(&q);
+  q.gamma = gamma;
+  q.dt = dt;
   return q;
 }
 
@@ -120,21 +151,12 @@ static real_t as(const lib_table_t *real, double value) {
 
 ref_machine_t draw_reference(const lib_machine_t *machine,
                              const lib_table_t *real) {
-  const lib_machine_t *q = machine;
-  ref_machine_t out = {
-      .m = as(real, q->m),
-      .d = as(real, q->d),
-      .beta = as(real, q->beta),
-      .k2 = as(real, q->k2),
-      .c1 = as(real, q->c1),
-      .c2 = as(real, q->c2),
-      .r0 = as(real, q->r0),
-      .omega0 = as(real, q->omega0),
-      .mu = as(real, q->mu),
-      .kappa = as(real, q->kappa),
-      .gamma = as(real, q->gamma),
-      .law = q->coulomb ? REF_COULOMB : REF_JUMP,
-  };
+  lib_machine_t q = *machine;
+  if (real == &lib_f32) {
+    round_all(&q);
+  }
+  ref_machine_t out = {PARAMETERS_OF(&q),
+                       .law = q.coulomb ? REF_COULOMB : REF_JUMP};
   ref_prepare(&out);
   return out;
 }
@@ -163,25 +185,13 @@ static void set(const char *name, double value) {
 
 void draw_print(const lib_machine_t *machine, double t_end,
                 const char *scheme) {
-  const lib_machine_t *q = machine;
-  const struct {
-    const char *name;
-    double value;
-  } all[] = {{"m", q->m},         {"d", q->d},           {"beta", q->beta},
-             {"k2", q->k2},       {"c1", q->c1},         {"c2", q->c2},
-             {"r0", q->r0},       {"omega0", q->omega0}, {"mu", q->mu},
-             {"kappa", q->kappa}, {"gamma", q->gamma},   {"r", q->r},
-             {"omega", q->omega}, {"dt", q->dt}};
-  printf("twofold run chaos%s", q->coulomb ? " --set law=coulomb" : "");
-  for (unsigned i = 0; i < sizeof all / sizeof *all; ++i) {
-    if (!q->coulomb || strcmp(all[i].name, "kappa") != 0) {
-      set(all[i].name, all[i].value);
+  lib_machine_t q = *machine;
+  printf("twofold run chaos%s", q.coulomb ? " --set law=coulomb" : "");
+  for (int i = 0; i < NUMBERS - q.on_surface; ++i) {
+    if (!q.coulomb || strcmp(numbers[i].name, "kappa") != 0) {
+      set(numbers[i].name, *number_at(&q, i));
     }
   }
-  if (q->on_surface) {
-    printf(" --set h=0");
-  } else {
-    set("v", q->v);
-  }
-  printf(" --t-end %.9g --scheme %s\n", t_end, scheme);
+  printf("%s --t-end %.9g --scheme %s\n", q.on_surface ? " --set h=0" : "",
+         t_end, scheme);
 }

@@ -10,6 +10,13 @@
 
 typedef ref_real_t real_t;
 
+/// The parameters that the reference, the paper, the library and tests/data
+/// name alike, for an initialiser.
+#define PARAMETERS_OF(q)                                                     \
+  .m = (q)->m, .d = (q)->d, .beta = (q)->beta, .k2 = (q)->k2, .c1 = (q)->c1, \
+  .c2 = (q)->c2, .r0 = (q)->r0, .omega0 = (q)->omega0, .mu = (q)->mu,        \
+  .kappa = (q)->kappa, .gamma = (q)->gamma
+
 typedef enum { DRAW_WIDE, DRAW_EDGE, DRAW_EXTREME } draw_range_t;
 
 /// A random sequence; machine i of a seed has its own.
@@ -31,6 +38,8 @@ ref_machine_t draw_reference(const lib_machine_t *machine,
                              const lib_table_t *real);
 ref_state_t draw_start(const lib_machine_t *machine, const ref_machine_t *q,
                        const lib_table_t *real);
+/// NAME=VALUE, law=coulomb or h=0; false where that is none of them.
+bool draw_set(lib_machine_t *machine, const char *text);
 /// Prints the command that replays a run of the library.
 void draw_print(const lib_machine_t *machine, double t_end, const char *scheme);
 

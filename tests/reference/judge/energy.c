@@ -9,14 +9,16 @@
 
 #include "classes.h"
 
-enum { REALS = 2, RUNS = LIB_SCHEMES * REALS };
+enum { KINDS = 2 };
+static const runs_t runs[KINDS] = {{2, 1, {0}, "", "k2  "},
+                                   {2, 1, {0}, "", "r=0 "}};
 
 typedef struct {
-  count_t balance, bound, doubled, run;
+  count_t *balance, *bound, *doubled, *run;
   double worst, sum; ///< worst step, largest run: created over energy
 } tally_t;
 
-static tally_t tallies[2][RUNS];
+static tally_t tallies[KINDS][RUNS];
 
 static double energy_of(const lib_machine_t *q, const lib_row_t *x) {
   const double p = x->v - q->d * x->w, stretch = x->r - q->r0;
@@ -69,92 +71,83 @@ static lib_machine_t machine_of(draw_t *draw, int kind, draw_range_t range) {
   return q;
 }
 
-static void one(const options_t *options, const lib_machine_t *machine,
-                long index, int kind, int k) {
-  const lib_table_t *real = k % REALS ? &lib_f32 : &lib_f64;
-  const lib_scheme_t scheme = (lib_scheme_t)(k / REALS);
-  tally_t *tally = &tallies[kind][k];
-  const char *name = lib_scheme_names[scheme];
+static void begin(void) {
+  for (int kind = 0; kind < KINDS; ++kind) {
+    for (int k = 0; k < runs_count(&runs[kind]); ++k) {
+      const runs_t *of = &runs[kind];
+      tally_t *tally = &tallies[kind][k];
+      const bool shows = k == 0;
+      // The force that located reports is no mean of the step.
+      if (runs_at(of, k).scheme != LIB_LOCATED) {
+        tally->balance = count_run(of, k, shows, "balance off by 1e-3");
+      }
+      tally->bound = count_run(of, k, shows, "1e-3 more than friction could");
+      tally->doubled = count_run(of, k, shows, "twice what it could be");
+      tally->run = count_run(of, k, shows, "runs: 1e-2 in all");
+    }
+  }
+}
+
+static void steps(trial_t *trial, tally_t *tally, run_t run) {
   enum { STEPS = 200 };
+  const lib_machine_t *machine = &trial->machine;
   lib_t lib;
   lib_row_t before, row;
-  double sum = 0, scale = 0;
-  if (real->open(&lib, machine, scheme, &row) < 0) {
+  double sum = 0;
+  if (run.real->open(&lib, machine, run.scheme, &row) < 0) {
     return;
   }
   for (int i = 0; i < STEPS; ++i) {
     before = row;
-    const int status = real->step(&lib, &row);
+    const int status = run.real->step(&lib, &row);
     if (status < 0) {
       break;
     }
     const double E = energy_of(machine, &before),
                  after = energy_of(machine, &row);
-    const double rounding = noise(machine, &row, real->epsilon) +
-                            noise(machine, &before, real->epsilon);
+    const double rounding = noise(machine, &row, run.real->epsilon) +
+                            noise(machine, &before, run.real->epsilon);
     const double left = after - E - work(machine, &before, &row);
     const double over = after - E - most(machine, &before, &row);
     const double size = E + most(machine, &before, &row) + 1e-12;
-    scale = fmax(scale, size);
     const bool ok = status == 0;
-    const double end = (i + 1) * machine->dt;
-    count_try(&tally->balance, ok && left > 1e-3 * size + rounding, options,
-              index, machine, end, name);
-    count_try(&tally->bound, ok && over > 1e-3 * size + rounding, options,
-              index, machine, end, name);
-    count_try(&tally->doubled, ok && over > size + rounding, options, index,
-              machine, end, name);
+    trial->t_end = (i + 1) * machine->dt;
+    count_try(tally->balance, trial, ok && left > 1e-3 * size + rounding);
+    count_try(tally->bound, trial, ok && over > 1e-3 * size + rounding);
+    count_try(tally->doubled, trial, ok && over > size + rounding);
     if (ok && over > rounding) {
       tally->worst = fmax(tally->worst, over / size);
       sum += over / size;
     }
   }
   tally->sum = fmax(tally->sum, sum);
-  count_try(&tally->run, sum > 1e-2, options, index, machine,
-            STEPS * machine->dt, name);
+  trial->t_end = STEPS * machine->dt;
+  count_try(tally->run, trial, sum > 1e-2);
 }
 
-static void name_counts(void) {
-  static char names[2][RUNS][4][96];
-  for (int j = 0; j < 2 * RUNS; ++j) {
-    tally_t *t = &tallies[j / RUNS][j % RUNS];
-    count_t *const counts[4] = {&t->balance, &t->bound, &t->doubled, &t->run};
-    static const char *const kinds[4] = {
-        "balance off by 1e-3", "1e-3 more than friction could",
-        "twice what it could be", "runs: 1e-2 in all"};
-    for (int i = 0; i < 4; ++i) {
-      char *name = names[j / RUNS][j % RUNS][i];
-      snprintf(name, 96, "%s %-11s %-6s %s", j < RUNS ? "k2 " : "r=0",
-               lib_scheme_names[j % RUNS / REALS], j % 2 ? "float" : "double",
-               kinds[i]);
-      counts[i]->what = name;
+static void judge(trial_t *trial) {
+  for (int kind = 0; kind < KINDS; ++kind) {
+    trial->draw =
+        draw_begin(trial->options->seed, (uint64_t)(2 * trial->index + kind));
+    trial->machine = machine_of(&trial->draw, kind, trial->options->range);
+    for (int k = 0; k < runs_count(&runs[kind]); ++k) {
+      steps(trial, &tallies[kind][k], runs_at(&runs[kind], k));
     }
   }
 }
 
-int class_energy(const options_t *options) {
-  name_counts();
-  options_t shown = *options;
-  for (long i = options->first; i < options->first + options->machines; ++i) {
-    for (int kind = 0; kind < 2; ++kind) {
-      draw_t draw = draw_begin(options->seed, (uint64_t)(2 * i + kind));
-      const lib_machine_t machine = machine_of(&draw, kind, options->range);
-      for (int k = 0; k < RUNS; ++k) {
-        shown.show = k == 0 ? options->show : 0;
-        one(&shown, &machine, i, kind, k);
-      }
+static int finish(const options_t *options) {
+  (void)options;
+  for (int kind = 0; kind < KINDS; ++kind) {
+    for (int k = 0; k < runs_count(&runs[kind]); ++k) {
+      const tally_t *t = &tallies[kind][k];
+      snprintf(t->run->note, sizeof t->run->note,
+               "worst step %.3g, worst run %.3g of its energy", t->worst,
+               t->sum);
     }
-  }
-  for (int j = 0; j < 2 * RUNS; ++j) {
-    const tally_t *t = &tallies[j / RUNS][j % RUNS];
-    if (j % RUNS / REALS != LIB_LOCATED) {
-      count_print(&t->balance);
-    }
-    count_print(&t->bound);
-    count_print(&t->doubled);
-    count_print(&t->run);
-    printf("%-50s worst step %.3g, worst run %.3g of its energy\n", "",
-           t->worst, t->sum);
   }
   return 0;
 }
+
+const class_t class_energy = {
+    "energy", "(f) energy from nothing", 2000, 0, begin, judge, finish};

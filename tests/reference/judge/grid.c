@@ -4,7 +4,6 @@
 /// linearised step of random machines: p+ and z+ affine in the force, r+ = r +
 /// dt (v + v+)/2, so that h+ and g+ are quadratic.
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "classes.h"
@@ -133,38 +132,38 @@ static unsigned search(const step_t *step, bool *unsure) {
   return set;
 }
 
-int class_grid(const options_t *options) {
-  static count_t undecided = {.what = "too near a border to judge"};
-  static count_t differ = {.what = "set differs from the search"};
-  static count_t missing = {.what = "of them a mode is missing"};
-  static count_t empty = {.what = "search finds no mode at all"};
-  options_t hushed = *options;
-  hushed.show = 0;
+static count_t *undecided, *differ, *missing, *empty;
+
+static void begin(void) {
+  undecided = count_add(false, "too near a border to judge");
+  differ = count_add(true, "set differs from the search");
+  missing = count_add(false, "of them a mode is missing");
+  empty = count_add(false, "search finds no mode at all");
+}
+
+static void judge(trial_t *trial) {
   enum { STARTS = 10 };
-  for (long i = options->first; i < options->first + options->machines; ++i) {
-    draw_t draw = draw_begin(options->seed, (uint64_t)i);
-    for (int n = 0; n < STARTS; ++n) {
-      lib_machine_t machine = draw_machine(&draw, options->range);
-      machine.coulomb = false;
-      machine.dt = draw_log(&draw, 1e-5, 1e-2);
-      bool unsure;
-      const step_t step = step_of(&machine);
-      const unsigned wanted = search(&step, &unsure);
-      const unsigned found = lib_f64.enumerate(step.form, true);
-      count_try(&undecided, unsure, &hushed, i, &machine, machine.dt, "moreau");
-      if (!unsure) {
-        count_try(&differ, found != wanted, options, i, &machine, machine.dt,
-                  "moreau");
-        count_try(&missing, (wanted & ~found) != 0, &hushed, i, &machine,
-                  machine.dt, "moreau");
-        count_try(&empty, wanted == 0, &hushed, i, &machine, machine.dt,
-                  "moreau");
-      }
+  lib_machine_t *machine = &trial->machine;
+  for (int n = 0; n < STARTS; ++n) {
+    if (n > 0) {
+      *machine = draw_machine(&trial->draw, trial->options->range);
+    }
+    machine->coulomb = false;
+    machine->dt = draw_log(&trial->draw, 1e-5, 1e-2);
+    trial->t_end = machine->dt;
+    bool unsure;
+    const step_t step = step_of(machine);
+    const unsigned wanted = search(&step, &unsure);
+    const unsigned found = lib_f64.enumerate(step.form, true);
+    count_try(undecided, trial, unsure);
+    if (!unsure) {
+      count_try(differ, trial, found != wanted);
+      count_try(missing, trial, (wanted & ~found) != 0);
+      count_try(empty, trial, wanted == 0);
     }
   }
-  count_print(&undecided);
-  count_print(&differ);
-  count_print(&missing);
-  count_print(&empty);
-  return 0;
 }
+
+const class_t class_grid = {
+    "grid", "(a) the enumeration against a search", 2000, 0, begin, judge,
+    NULL};

@@ -39,13 +39,10 @@ static tf_params_t params_of(const lib_machine_t *q) {
 static void fill(const run_t *run, const tf_report_t *report, lib_row_t *row) {
   row->status = (int)report->status;
   row->mode = run->state.mode;
-  row->choices = report->choices;
-  row->set = report->set;
   row->F = (double)report->force.F;
   row->M = (double)report->force.M;
   row->h = (double)report->slip.h;
   row->g = (double)report->slip.g;
-  row->A = (double)report->delassus;
   row->r = (double)run->state.r + (double)run->compensation.r;
   row->v = (double)run->state.v + (double)run->compensation.v;
   row->w = (double)run->state.w + (double)run->compensation.w;
@@ -109,35 +106,6 @@ static int step(lib_t *lib, lib_row_t *row) {
   return (int)status;
 }
 
-static int driven(const lib_machine_t *q, double force, double torque,
-                  lib_row_t *row) {
-  tf_params_t params = params_of(q);
-  tf_machine_t machine;
-  tf_report_t report;
-  run_t run;
-  memset(&run, 0, sizeof run);
-  params.law = TF_TYRE_NONE;
-  tf_status_t status = tf_prepare(&machine, &params, NULL);
-  if (status != TF_OK) {
-    return (int)status;
-  }
-  tf_input_t input = tf_input_default(&machine);
-  run.state = (tf_state_t){.r = (tf_real_t)q->r,
-                           .v = (tf_real_t)q->v,
-                           .w = (tf_real_t)q->omega,
-                           .mode = TF_NO_MODE};
-  status = tf_begin(&machine, &run.state, &input, &report);
-  input.force = (tf_real_t)force;
-  input.torque = (tf_real_t)torque;
-  if (status == TF_OK) {
-    status = tf_step(&machine, &run.state, &input, &report);
-  }
-  if (status >= TF_OK) {
-    fill(&run, &report, row);
-  }
-  return (int)status;
-}
-
 static form_t form_of(const double c[6]) {
   return (form_t){(tf_real_t)c[0], (tf_real_t)c[1], (tf_real_t)c[2],
                   (tf_real_t)c[3], (tf_real_t)c[4], (tf_real_t)c[5]};
@@ -157,17 +125,12 @@ static unsigned enumerate_set(const double form[15], bool has_moment) {
   return solutions.set;
 }
 
-static double energy(const lib_t *lib) {
-  const run_t *run = (const run_t *)(const void *)lib->bytes;
-  return (double)tf_energy(&run->machine.machine, &run->state, run->input.r0);
-}
-
 #ifdef TF_REAL_FLOAT
-const lib_table_t lib_f32 = {"float",       open_run, step,       driven,
-                             enumerate_set, energy,   FLT_EPSILON};
+const lib_table_t lib_f32 = {"float", open_run, step, enumerate_set,
+                             FLT_EPSILON};
 #else
-const lib_table_t lib_f64 = {"double",      open_run, step,       driven,
-                             enumerate_set, energy,   DBL_EPSILON};
+const lib_table_t lib_f64 = {"double", open_run, step, enumerate_set,
+                             DBL_EPSILON};
 
 const char *const lib_scheme_names[LIB_SCHEMES] = {"moreau", "located",
                                                    "compensated"};

@@ -25,9 +25,8 @@ typedef enum {
 
 /// What one step reports, and the state at its end.
 typedef struct {
-  int status, mode, choices;
-  unsigned set;
-  double F, M, h, g, A;
+  int status, mode;
+  double F, M, h, g;
   double r, v, w;
 } lib_row_t;
 
@@ -43,13 +42,9 @@ typedef struct {
   int (*open)(lib_t *lib, const lib_machine_t *machine, lib_scheme_t scheme,
               lib_row_t *row);
   int (*step)(lib_t *lib, lib_row_t *row);
-  /// One step without contact, with a force along r and a torque.
-  int (*driven)(const lib_machine_t *machine, double force, double torque,
-                lib_row_t *row);
   /// Consistent modes of a step as the enumeration sees them, from its forms:
   /// c0 F M FF FM MM of h, then of g, then g before the step, pin_x, pin_y.
   unsigned (*enumerate)(const double form[15], bool has_moment);
-  double (*energy)(const lib_t *lib);
   double epsilon;
 } lib_table_t;
 

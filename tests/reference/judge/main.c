@@ -7,26 +7,12 @@
 
 #include "classes.h"
 
-static const struct {
-  const char *name;
-  int (*run)(const options_t *options);
-  long machines;
-  const char *about;
-} classes[] = {
-    {"validate", class_validate, 1,
-     "the reference against the paper and tests/data"},
-    {"second", class_second, 10, "random machines by a second integration"},
-    {"signs", class_signs, 2000, "(a) mode and signs of h and g"},
-    {"grid", class_grid, 2000, "(a) the enumeration against a search"},
-    {"rest-law", class_rest_law, 2000, "(b) laws of rest that leave no future"},
-    {"false-rest", class_false_rest, 2000, "(c) rest where the motion goes on"},
-    {"branch", class_branch, 2000, "(d) the future taken at h = g = 0"},
-    {"path", class_path, 2000, "(d) ends of motions with one future"},
-    {"rounding", class_rounding, 2000, "(e) rest that rounding ends"},
-    {"energy", class_energy, 2000, "(f) energy from nothing"},
-    {"impulses", class_impulses, 2000, "(g) impulses shorter than the step"},
-    {"standing", class_standing, 2000, "(h) standing still"},
-};
+static const class_t *const classes[] = {
+    &class_validate, &class_second,     &class_signs,    &class_grid,
+    &class_rest_law, &class_false_rest, &class_branch,   &class_path,
+    &class_rounding, &class_energy,     &class_impulses, &class_standing,
+    &class_replay};
+enum { CLASSES = sizeof classes / sizeof *classes };
 
 static int usage(void) {
   printf(
@@ -34,8 +20,10 @@ static int usage(void) {
       "  [--range wide|edge|extreme] [--t-end T] [--show N]\n"
       "       reference replay --t-end T --set NAME=VALUE...\n"
       "  (what `twofold run chaos` takes to replay an offender)\n");
-  for (size_t i = 0; i < sizeof classes / sizeof *classes; ++i) {
-    printf("  %-12s %s\n", classes[i].name, classes[i].about);
+  for (int i = 0; i < CLASSES; ++i) {
+    if (classes[i]->about) {
+      printf("  %-12s %s\n", classes[i]->name, classes[i]->about);
+    }
   }
   return 2;
 }
@@ -57,7 +45,12 @@ static bool parse(options_t *options, int argc, char **argv) {
       options->range = value[0] == 'w'                      ? DRAW_WIDE
                        : value[0] == 'e' && value[1] == 'd' ? DRAW_EDGE
                                                             : DRAW_EXTREME;
-    } else if (strcmp(name, "--set") != 0 && strcmp(name, "--scheme") != 0) {
+    } else if (strcmp(name, "--set") == 0) {
+      if (!draw_set(&options->machine, value)) {
+        printf("unknown: %s\n", value);
+        exit(2);
+      }
+    } else if (strcmp(name, "--scheme") != 0) {
       return false;
     }
   }
@@ -65,25 +58,21 @@ static bool parse(options_t *options, int argc, char **argv) {
 }
 
 int main(int argc, char **argv) {
-  options_t options = {.seed = 1, .show = 2};
+  options_t options = {.seed = 1, .show = 2, .machine = replay_machine};
   setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
-  if (argc < 2) {
-    return usage();
-  }
-  if (strcmp(argv[1], "replay") == 0) {
-    return parse(&options, argc, argv) ? class_replay(&options, argc, argv)
-                                       : usage();
-  }
-  for (size_t i = 0; i < sizeof classes / sizeof *classes; ++i) {
-    if (strcmp(argv[1], classes[i].name) == 0) {
-      options.machines = classes[i].machines;
-      if (!parse(&options, argc, argv)) {
-        return usage();
-      }
-      printf("reference %s --machines %ld --seed %llu --first %ld\n", argv[1],
-             options.machines, (unsigned long long)options.seed, options.first);
-      return classes[i].run(&options);
+  const class_t *class = NULL;
+  for (int i = 0; argc >= 2 && i < CLASSES; ++i) {
+    if (strcmp(argv[1], classes[i]->name) == 0) {
+      class = classes[i];
+      options.machines = class->machines;
     }
   }
-  return usage();
+  if (!class || !parse(&options, argc, argv)) {
+    return usage();
+  }
+  if (class->about) {
+    printf("reference %s --machines %ld --seed %llu --first %ld\n", argv[1],
+           options.machines, (unsigned long long)options.seed, options.first);
+  }
+  return class_run(class, &options);
 }

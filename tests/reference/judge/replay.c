@@ -3,8 +3,6 @@
 /// and its end, beside those of every scheme.
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "classes.h"
 
@@ -65,51 +63,24 @@ static void schemes(const lib_machine_t *machine, double end) {
   }
 }
 
-static bool set(lib_machine_t *q, const char *text) {
-  const struct {
-    const char *name;
-    double *at;
-  } all[] = {
-      {"m=", &q->m},         {"d=", &q->d},           {"beta=", &q->beta},
-      {"k2=", &q->k2},       {"c1=", &q->c1},         {"c2=", &q->c2},
-      {"r0=", &q->r0},       {"omega0=", &q->omega0}, {"mu=", &q->mu},
-      {"kappa=", &q->kappa}, {"gamma=", &q->gamma},   {"r=", &q->r},
-      {"omega=", &q->omega}, {"v=", &q->v},           {"dt=", &q->dt}};
-  for (unsigned i = 0; i < sizeof all / sizeof *all; ++i) {
-    const size_t n = strlen(all[i].name);
-    if (strncmp(text, all[i].name, n) == 0) {
-      *all[i].at = strtod(text + n, NULL);
-      q->on_surface = q->on_surface && strcmp(all[i].name, "v=") != 0;
-      return true;
-    }
-  }
-  const bool law = strcmp(text, "law=coulomb") == 0;
-  q->coulomb = q->coulomb || law;
-  return law || strcmp(text, "h=0") == 0;
-}
+const lib_machine_t replay_machine = {.m = 1,
+                                      .d = 1,
+                                      .beta = 0.05,
+                                      .k2 = 2.2270992253886014,
+                                      .c1 = 1e-3,
+                                      .c2 = 1e-3,
+                                      .r0 = 0.1,
+                                      .omega0 = -1,
+                                      .mu = 1,
+                                      .kappa = 0.27241153714062028,
+                                      .gamma = -2.3561944901923448,
+                                      .r = 0.18,
+                                      .omega = -1.037,
+                                      .on_surface = true,
+                                      .dt = 1e-4};
 
-int class_replay(const options_t *options, int argc, char **argv) {
-  lib_machine_t machine = {.m = 1,
-                           .d = 1,
-                           .beta = 0.05,
-                           .k2 = 2.2270992253886014,
-                           .c1 = 1e-3,
-                           .c2 = 1e-3,
-                           .r0 = 0.1,
-                           .omega0 = -1,
-                           .mu = 1,
-                           .kappa = 0.27241153714062028,
-                           .gamma = -2.3561944901923448,
-                           .r = 0.18,
-                           .omega = -1.037,
-                           .on_surface = true,
-                           .dt = 1e-4};
-  for (int i = 2; i + 1 < argc; i += 2) {
-    if (strcmp(argv[i], "--set") == 0 && !set(&machine, argv[i + 1])) {
-      printf("unknown: %s\n", argv[i + 1]);
-      return 2;
-    }
-  }
+static int finish(const options_t *options) {
+  const lib_machine_t machine = options->machine;
   const double end = options->t_end > 0 ? options->t_end : 3;
   ref_machine_t q = draw_reference(&machine, &lib_f64);
   for (int law = 0; law < REF_RESTS; ++law) {
@@ -127,3 +98,5 @@ int class_replay(const options_t *options, int argc, char **argv) {
   schemes(&machine, end);
   return 0;
 }
+
+const class_t class_replay = {.name = "replay", .finish = finish};

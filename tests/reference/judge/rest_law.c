@@ -6,102 +6,79 @@
 
 #include "classes.h"
 
-static count_t none[2][REF_RESTS] = {
-    {{.what = "random points: none under the bow tie"},
-     {.what = "random points: none under the square"},
-     {.what = "random points: none under the hexagon"}},
-    {{.what = "points reached: none under the bow tie"},
-     {.what = "points reached: none under the square"},
-     {.what = "points reached: none under the hexagon"}}};
-static count_t rests[2][REF_RESTS] = {
-    {{.what = "random points: rest under the bow tie"},
-     {.what = "random points: rest under the square"},
-     {.what = "random points: rest under the hexagon"}},
-    {{.what = "points reached: rest under the bow tie"},
-     {.what = "points reached: rest under the square"},
-     {.what = "points reached: rest under the hexagon"}}};
-static count_t spirals = {.what = "points that only a spiral leaves"};
-static count_t quiet_ok = {.what = "no future, 0.1 s of moreau all OK"};
-static count_t drifts = {.what = "and its drift hangs on dt"};
+static const runs_t coarse = {1, 1, {1e-4}, "", NULL},
+                    fine = {1, 1, {1e-5}, "", NULL};
+static count_t *none[2][REF_RESTS], *rests[2][REF_RESTS];
+static count_t *spirals, *quiet_ok, *drifts;
 
-typedef struct {
-  const options_t *options;
-  lib_machine_t machine;
-  long index;
-} place_t;
-
-// Drift of the scheme in 0.1 s from a wheel at rest at r, and its complaints.
-static double drift(const lib_machine_t *machine, double dt, long *others) {
-  lib_machine_t q = *machine;
-  lib_row_t row;
-  q.dt = dt;
-  *others = class_run(&lib_f64, &q, LIB_STEP, 0.1, &row);
-  return row.r - machine->r;
+static void begin(void) {
+  static const char *const points[2] = {"random points", "points reached"};
+  static const char *const laws[REF_RESTS] = {"bow tie", "square", "hexagon"};
+  char what[96];
+  for (int i = 0; i < 2 * REF_RESTS; ++i) {
+    const int kind = i / REF_RESTS, law = i % REF_RESTS;
+    snprintf(what, sizeof what, "%s: none under the %s", points[kind],
+             laws[law]);
+    none[kind][law] = count_add(law != REF_BOW_TIE, what);
+    snprintf(what, sizeof what, "%s: rest under the %s", points[kind],
+             laws[law]);
+    rests[kind][law] = count_add(false, what);
+  }
+  spirals = count_add(false, "points that only a spiral leaves");
+  quiet_ok = count_add(true, "no future, 0.1 s of moreau all OK");
+  drifts = count_add(false, "and its drift hangs on dt");
 }
 
-static void judge(const place_t *place, const ref_consistent_t *f, real_t r,
-                  int kind) {
-  options_t hushed = *place->options;
-  hushed.show = 0;
-  lib_machine_t machine = place->machine;
-  machine.r = (double)r;
-  machine.v = 0;
-  machine.omega = machine.omega0;
-  machine.on_surface = false;
+// A wheel at rest at r: what leaves it, and tf_step from there.
+static void judge_point(const trial_t *trial, const ref_consistent_t *f,
+                        real_t r, int kind) {
+  trial_t at = *trial;
+  lib_row_t row[2];
+  at.t_end = 0.1;
+  at.machine.r = (double)r;
+  at.machine.v = 0;
+  at.machine.omega = at.machine.omega0;
+  at.machine.on_surface = false;
   const bool moves = f->count > 0 || f->spiral;
   for (int law = 0; law < REF_RESTS; ++law) {
-    count_try(&none[kind][law], !moves && !f->rests[law],
-              law == REF_BOW_TIE ? &hushed : place->options, place->index,
-              &machine, 0.1, "moreau");
-    count_try(&rests[kind][law], f->rests[law], &hushed, place->index, &machine,
-              0.1, "moreau");
+    count_try(none[kind][law], &at, !moves && !f->rests[law]);
+    count_try(rests[kind][law], &at, f->rests[law]);
   }
-  count_try(&spirals, f->count == 0 && f->spiral, &hushed, place->index,
-            &machine, 0.1, "moreau");
+  count_try(spirals, &at, f->count == 0 && f->spiral);
   if (moves || f->rests[REF_BOW_TIE]) {
     return;
   }
-  long coarse = 0, fine = 0;
-  const double a = drift(&machine, 1e-4, &coarse);
-  const double b = drift(&machine, 1e-5, &fine);
-  count_try(&quiet_ok, coarse == 0 && fine == 0, place->options, place->index,
-            &machine, 0.1, "moreau");
-  count_try(&drifts, fabs(a - b) > 1e-7 && fabs(a) > 2 * fabs(b), &hushed,
-            place->index, &machine, 0.1, "moreau");
+  const double dt = at.machine.dt;
+  const bool ok = trial_run(&at, &coarse, 0, &row[0]) == 0;
+  const bool fine_ok = trial_run(&at, &fine, 0, &row[1]) == 0;
+  const double a = row[0].r - at.machine.r, b = row[1].r - at.machine.r;
+  at.machine.dt = dt;
+  count_try(quiet_ok, &at, ok && fine_ok);
+  count_try(drifts, &at, fabs(a - b) > 1e-7 && fabs(a) > 2 * fabs(b));
 }
 
 static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
   if (event == REF_CODIM2) {
-    judge(orbit->context, &orbit->consistent, orbit->at.r, 1);
+    judge_point(orbit->context, &orbit->consistent, orbit->at.r, 1);
   }
 }
 
-int class_rest_law(const options_t *options) {
-  for (long i = options->first; i < options->first + options->machines; ++i) {
-    draw_t draw = draw_begin(options->seed, (uint64_t)i);
-    place_t place = {options, draw_machine(&draw, options->range), i};
-    if (place.machine.coulomb) {
-      continue;
-    }
-    ref_machine_t q;
-    ref_orbit_t orbit = class_orbit(&place.machine, &q, &lib_f64);
-    ref_consistent_t consistent;
-    const ref_state_t point = {.r = (real_t)draw_uniform(&draw, -1, 1)};
-    ref_consistent_codim2(&q, point, &consistent);
-    judge(&place, &consistent, point.r, 0);
-    orbit.watch = on_event;
-    orbit.context = &place;
-    orbit.limit = 2000000;
-    ref_run(&orbit, options->t_end > 0 ? (real_t)options->t_end : 3);
+static void judge(trial_t *trial) {
+  if (trial->machine.coulomb) {
+    return;
   }
-  for (int kind = 0; kind < 2; ++kind) {
-    for (int law = 0; law < REF_RESTS; ++law) {
-      count_print(&none[kind][law]);
-      count_print(&rests[kind][law]);
-    }
-  }
-  count_print(&spirals);
-  count_print(&quiet_ok);
-  count_print(&drifts);
-  return 0;
+  ref_machine_t q;
+  ref_orbit_t orbit = class_orbit(&trial->machine, &q, &lib_f64);
+  ref_consistent_t consistent;
+  const ref_state_t point = {.r = (real_t)draw_uniform(&trial->draw, -1, 1)};
+  ref_consistent_codim2(&q, point, &consistent);
+  judge_point(trial, &consistent, point.r, 0);
+  orbit.watch = on_event;
+  orbit.context = trial;
+  orbit.limit = 2000000;
+  ref_run(&orbit, (real_t)trial->t_end);
 }
+
+const class_t class_rest_law = {
+    "rest-law", "(b) laws of rest that leave no future", 2000, 3, begin, judge,
+    NULL};

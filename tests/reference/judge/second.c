@@ -33,10 +33,10 @@ typedef struct {
 } phase_t;
 
 static paper_t paper_at(const phase_t *phase, real_t t, ref_input_t *u) {
-  const ref_machine_t *q = phase->q;
-  *u = ref_input(q, t, phase->piece);
-  return (paper_t){q->m,  q->d,      q->beta, q->k2,    q->c1,   q->c2,
-                   q->r0, u->omega0, q->mu,   q->kappa, q->gamma};
+  *u = ref_input(phase->q, t, phase->piece);
+  paper_t p = {PARAMETERS_OF(phase->q)};
+  p.omega0 = u->omega0;
+  return p;
 }
 
 // Lagrange's form, with loads in Q_r and Q_phi.
@@ -241,46 +241,58 @@ static void drive(draw_t *draw, bool ramped, ref_machine_t *q, sines_t *sines,
   q->inputs = ramped ? &ramps->inputs : inputs;
 }
 
-// Ends where the second integration has to: at h = g = 0.
-int class_second(const options_t *options) {
-  real_t worst = 0;
+static real_t worst;
+
+static void begin_second(void) {
   printf(
       "machine   t reached  events (both)  codim2_count  largest difference\n");
-  for (long i = options->first; i < options->first + options->machines; ++i) {
-    draw_t draw = draw_begin(options->seed, (uint64_t)i);
-    lib_machine_t machine = draw_machine(&draw, options->range);
-    machine.on_surface = false;
-    ref_machine_t q = draw_reference(&machine, &lib_f64);
-    ref_inputs_t inputs;
-    ref_ramps_t ramps;
-    sines_t sines;
-    if (i % 2) {
-      drive(&draw, i % 4 == 1, &q, &sines, &inputs, &ramps);
-    }
-    ref_orbit_t orbit = {.tolerance = 1e-13L, .law = REF_HEXAGON};
-    ref_begin(&orbit, &q, draw_start(&machine, &q, &lib_f64), REF_MODES);
-    real_t x[3] = {orbit.x.r, ref_v(&q, orbit.x), ref_w(&q, orbit.x)};
-    int events = 0;
-    const double end = options->t_end > 0 ? options->t_end : 2;
-    const double t = integrate(&q, x, end, &events);
-    ref_run(&orbit, t);
-    const real_t e =
-        fmaxl(fabsl(orbit.x.r - x[0]), fmaxl(fabsl(ref_v(&q, orbit.x) - x[1]),
-                                             fabsl(ref_w(&q, orbit.x) - x[2])));
-    printf("%7ld %11.6f %8d %5d %8d %12.2Le  %s\n", i, t, events, orbit.events,
-           orbit.codim2_count, e, ref_stop_name(orbit.stop));
-    worst = fmaxl(worst, e);
+}
+
+// Ends where the second integration has to: at h = g = 0.
+static void judge(trial_t *trial) {
+  trial->machine.on_surface = false;
+  ref_machine_t q = draw_reference(&trial->machine, &lib_f64);
+  ref_inputs_t inputs;
+  ref_ramps_t ramps;
+  sines_t sines;
+  if (trial->index % 2) {
+    drive(&trial->draw, trial->index % 4 == 1, &q, &sines, &inputs, &ramps);
   }
+  ref_orbit_t orbit = {.tolerance = 1e-13L, .law = REF_HEXAGON};
+  ref_begin(&orbit, &q, draw_start(&trial->machine, &q, &lib_f64), REF_MODES);
+  real_t x[3] = {orbit.x.r, ref_v(&q, orbit.x), ref_w(&q, orbit.x)};
+  int events = 0;
+  const double t = integrate(&q, x, trial->t_end, &events);
+  ref_run(&orbit, t);
+  const real_t e =
+      fmaxl(fabsl(orbit.x.r - x[0]), fmaxl(fabsl(ref_v(&q, orbit.x) - x[1]),
+                                           fabsl(ref_w(&q, orbit.x) - x[2])));
+  printf("%7ld %11.6f %8d %5d %8d %12.2Le  %s\n", trial->index, t, events,
+         orbit.events, orbit.codim2_count, e, ref_stop_name(orbit.stop));
+  worst = fmaxl(worst, e);
+}
+
+static int finish(const options_t *options) {
+  (void)options;
   printf("worst %.2Le\n", worst);
   return 0;
 }
 
 #else
 
-int class_second(const options_t *options) {
+#define begin_second NULL
+#define judge NULL
+
+static int finish(const options_t *options) {
   (void)options;
   printf("missing: cvode/cvode.h (apt-get install libsundials-dev)\n");
   return 3;
 }
 
 #endif
+
+const class_t class_second = {
+    "second",     "random machines by a second integration",
+    10,           2,
+    begin_second, judge,
+    finish};

@@ -6,14 +6,22 @@
 
 #include "classes.h"
 
-enum { REALS = 2, DTS = 2, RUNS = LIB_SCHEMES * REALS * DTS, STARTS = 100 };
-static const double dts[DTS] = {1e-4, 1e-3};
+enum { STARTS = 100 };
+static const runs_t runs = {2, 2, {1e-4, 1e-3}, "", NULL};
 
-static count_t counts[2][RUNS];
-static count_t label[LIB_SCHEMES] = {
-    {.what = "moreau, COULOMB: stick on the wrong side of g"},
-    {.what = "located, COULOMB: stick on the wrong side of g"},
-    {.what = "compensated, COULOMB: stick on the wrong side of g"}};
+static count_t *counts[2][RUNS], *label[LIB_SCHEMES];
+
+static void begin(void) {
+  count_runs(counts[0], &runs, true, "first steps from h = 0");
+  count_runs(counts[1], &runs, true, "steps of runs");
+  for (int k = 0; k < LIB_SCHEMES; ++k) {
+    char what[96];
+    snprintf(what, sizeof what, "%s, COULOMB: stick on the wrong side of g",
+             lib_scheme_names[k]);
+    label[k] = count_add(true, what);
+    label[k]->scheme = lib_scheme_names[k];
+  }
+}
 
 // Whether h and g have the signs of the mode, but for rounding. The law COULOMB
 // does not ask for the sign of g; it is counted apart.
@@ -45,61 +53,35 @@ static void start(draw_t *draw, lib_machine_t *q) {
   q->v = (float)(near * draw_uniform(draw, -1, 1));
 }
 
-static void one(const options_t *options, long index, const lib_machine_t *q,
-                int k, int steps) {
-  const lib_table_t *real = k / DTS % REALS ? &lib_f32 : &lib_f64;
-  const lib_scheme_t scheme = (lib_scheme_t)(k / DTS / REALS);
+static void steps(trial_t *trial, int k, int count) {
+  const run_t run = runs_at(&runs, k);
   lib_t lib;
   lib_row_t row;
-  lib_machine_t machine = *q;
-  machine.dt = dts[k % DTS];
-  if (real->open(&lib, &machine, scheme, &row) != 0) {
+  lib_machine_t *machine = &trial->machine;
+  machine->dt = run.dt;
+  if (run.real->open(&lib, machine, run.scheme, &row) != 0) {
     return;
   }
-  for (int i = 0; i < steps && real->step(&lib, &row) >= 0; ++i) {
-    const bool hit = row.status == 0 && !agrees(&machine, &row, real->epsilon);
-    count_t *count = q->coulomb ? &label[scheme] : &counts[steps > 1][k];
-    count_try(count, hit, options, index, &machine, (i + 1) * machine.dt,
-              lib_scheme_names[scheme]);
+  count_t *into = machine->coulomb ? label[run.scheme] : counts[count > 1][k];
+  for (int i = 0; i < count && run.real->step(&lib, &row) >= 0; ++i) {
+    trial->t_end = (i + 1) * machine->dt;
+    count_try(into, trial,
+              row.status == 0 && !agrees(machine, &row, run.real->epsilon));
   }
 }
 
-static void name_counts(void) {
-  static char names[2][RUNS][64];
-  for (int k = 0; k < RUNS; ++k) {
-    for (int i = 0; i < 2; ++i) {
-      snprintf(names[i][k], sizeof names[i][k], "%-11s %-6s %.0e: %s",
-               lib_scheme_names[k / DTS / REALS],
-               k / DTS % REALS ? "float" : "double", dts[k % DTS],
-               i ? "steps of runs" : "first steps from h = 0");
-      counts[i][k].what = names[i][k];
+static void judge(trial_t *trial) {
+  for (int n = 0; n < STARTS; ++n) {
+    start(&trial->draw, &trial->machine);
+    trial->machine.on_surface = fabs(sin(trial->machine.gamma)) > 1e-3;
+    for (int k = 0; k < runs_count(&runs); ++k) {
+      steps(trial, k, 1);
     }
+  }
+  for (int k = 0; k < runs_count(&runs); ++k) {
+    steps(trial, k, 200);
   }
 }
 
-int class_signs(const options_t *options) {
-  name_counts();
-  for (long i = options->first; i < options->first + options->machines; ++i) {
-    draw_t draw = draw_begin(options->seed, (uint64_t)i);
-    lib_machine_t machine = draw_machine(&draw, options->range);
-    for (int n = 0; n < STARTS; ++n) {
-      start(&draw, &machine);
-      machine.on_surface = fabs(sin(machine.gamma)) > 1e-3;
-      for (int k = 0; k < RUNS; ++k) {
-        one(options, i, &machine, k, 1);
-      }
-    }
-    for (int k = 0; k < RUNS; ++k) {
-      one(options, i, &machine, k, 200);
-    }
-  }
-  for (int i = 0; i < 2; ++i) {
-    for (int k = 0; k < RUNS; ++k) {
-      count_print(&counts[i][k]);
-    }
-  }
-  for (int k = 0; k < LIB_SCHEMES; ++k) {
-    count_print(&label[k]);
-  }
-  return 0;
-}
+const class_t class_signs = {
+    "signs", "(a) mode and signs of h and g", 2000, 0, begin, judge, NULL};

@@ -4,36 +4,15 @@
 /// the reference rests; and class (e): a stick that tends to h = g = 0 for
 /// ever, restarted by rounding.
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "classes.h"
 
-enum { REALS = 2, DTS = 2, RUNS = LIB_SCHEMES * REALS * DTS };
-static const double dts[DTS] = {1e-4, 1e-5};
-static const double rest_dts[DTS] = {1e-3, 1e-4};
+static const runs_t runs = {2, 2, {1e-4, 1e-5}, "", NULL};
+static const runs_t rest_runs = {2, 2, {1e-3, 1e-4}, "", NULL};
 
 enum { STILL = 500 };
 
-static count_t stands[RUNS], alarms[RUNS], leaves[RUNS];
-static count_t tends = {.what = "stick tends to h = g = 0 for ever"};
-
-static const lib_table_t *real_of(int k) {
-  return k / DTS % REALS ? &lib_f32 : &lib_f64;
-}
-
-static void name_counts(count_t counts[RUNS], const char *kind,
-                        const double steps[DTS]) {
-  static char names[3][RUNS][64];
-  static int used;
-  for (int k = 0; k < RUNS; ++k) {
-    snprintf(names[used][k], sizeof names[used][k], "%-11s %-6s %.0e: %s",
-             lib_scheme_names[k / DTS / REALS], real_of(k)->name,
-             steps[k % DTS], kind);
-    counts[k].what = names[used][k];
-  }
-  ++used;
-}
+static count_t *stands[RUNS], *alarms[RUNS], *leaves[RUNS], *tends;
 
 // Where a run of one scheme stood still.
 typedef struct {
@@ -96,47 +75,32 @@ static double moves_on(const lib_machine_t *machine, const lib_table_t *real,
                   ((real_t)real->epsilon * fabsl(x.r)));
 }
 
-// One run of one scheme. Moving is more than 50 roundings of r in the time that
-// the scheme stands still, resting is less than one in a second.
-static void count_standing(const options_t *options, long i,
-                           const lib_machine_t *machine, double end, int k) {
-  const lib_table_t *real = real_of(k);
-  const lib_scheme_t scheme = (lib_scheme_t)(k / DTS / REALS);
-  const char *name = lib_scheme_names[scheme];
-  const stand_t stand = stops(real, machine, scheme, end);
-  const real_t time = STILL * (real_t)machine->dt;
-  const bool silent =
-      stand.silent && moves_on(machine, real, &stand.row, time) > 50;
-  const bool alarm =
-      stand.told && fabs(moves_on(machine, real, &stand.told_at, 1)) < 1;
-  count_try(&stands[k], silent, options, i, machine, end, name);
-  count_try(&alarms[k], alarm, options, i, machine, end, name);
+static void begin_standing(void) {
+  count_runs(stands, &runs, true, "stands still in silence");
+  count_runs(alarms, &runs, true, "at rest, and told to move");
 }
 
-int class_standing(const options_t *options) {
-  const double end = options->t_end > 0 ? options->t_end : 1;
-  name_counts(stands, "stands still in silence", dts);
-  name_counts(alarms, "at rest, and told to move", dts);
-  for (long i = options->first; i < options->first + options->machines; ++i) {
-    draw_t draw = draw_begin(options->seed, (uint64_t)i);
-    lib_machine_t machine = draw_machine(&draw, options->range);
-    if (draw_uniform(&draw, 0, 2) < 1) { // from rest, as after a pinned wheel
-      machine.omega = machine.omega0;
-      machine.v = 0;
-      machine.on_surface = false;
-    }
-    for (int k = 0; k < RUNS; ++k) {
-      machine.dt = dts[k % DTS];
-      count_standing(options, i, &machine, end, k);
-    }
+// Moving is more than 50 roundings of r in the time that the scheme stands
+// still, resting is less than one in a second.
+static void judge_standing(trial_t *trial) {
+  lib_machine_t *machine = &trial->machine;
+  if (draw_uniform(&trial->draw, 0, 2) < 1) { // as after a pinned wheel
+    machine->omega = machine->omega0;
+    machine->v = 0;
+    machine->on_surface = false;
   }
-  for (int k = 0; k < RUNS; ++k) {
-    count_print(&stands[k]);
+  for (int k = 0; k < runs_count(&runs); ++k) {
+    const run_t run = runs_at(&runs, k);
+    machine->dt = run.dt;
+    const stand_t stand = stops(run.real, machine, run.scheme, trial->t_end);
+    const real_t time = STILL * (real_t)machine->dt;
+    count_try(
+        stands[k], trial,
+        stand.silent && moves_on(machine, run.real, &stand.row, time) > 50);
+    count_try(
+        alarms[k], trial,
+        stand.told && fabs(moves_on(machine, run.real, &stand.told_at, 1)) < 1);
   }
-  for (int k = 0; k < RUNS; ++k) {
-    count_print(&alarms[k]);
-  }
-  return 0;
 }
 
 // A stick near its end: slow, on h = 0, and apparently without end.
@@ -172,41 +136,38 @@ static bool stays(const lib_machine_t *machine, double end) {
          fabsl(orbit.x.r - machine->r) < 1e-4L * (fabsl(orbit.x.r) + 1);
 }
 
-int class_rounding(const options_t *options) {
-  const double end = options->t_end > 0 ? options->t_end : 20;
-  options_t hushed = *options;
-  hushed.show = 0;
-  name_counts(leaves, "leaves the rest", rest_dts);
-  for (long i = options->first; i < options->first + options->machines; ++i) {
-    draw_t draw = draw_begin(options->seed, (uint64_t)i);
-    lib_machine_t machine = draw_machine(&draw, options->range);
-    ref_machine_t q;
-    ref_state_t near = {.r = 0};
-    const bool rests = settles(&machine, &q, &near);
-    if (rests) {
-      machine.r = (double)near.r;
-      machine.v = (double)ref_v(&q, near);
-      machine.omega = (double)ref_w(&q, near);
-      machine.on_surface = fabsl(q.sine) > 1e-3L;
-    }
-    const bool counts = rests && stays(&machine, end);
-    count_try(&tends, counts, &hushed, i, &machine, end, "moreau");
-    if (!counts) {
-      continue;
-    }
-    for (int k = 0; k < RUNS; ++k) {
-      lib_row_t row;
-      machine.dt = rest_dts[k % DTS];
-      const lib_scheme_t scheme = (lib_scheme_t)(k / DTS / REALS);
-      const long others = class_run(real_of(k), &machine, scheme, end, &row);
-      const bool left = fabs(row.r - machine.r) > 1e-3 * (fabs(machine.r) + 1);
-      count_try(&leaves[k], others >= 0 && left, options, i, &machine, end,
-                lib_scheme_names[scheme]);
-    }
-  }
-  count_print(&tends);
-  for (int k = 0; k < RUNS; ++k) {
-    count_print(&leaves[k]);
-  }
-  return 0;
+static void begin_rounding(void) {
+  tends = count_add(false, "stick tends to h = g = 0 for ever");
+  count_runs(leaves, &rest_runs, true, "leaves the rest");
 }
+
+static void judge_rounding(trial_t *trial) {
+  lib_machine_t *machine = &trial->machine;
+  ref_machine_t q;
+  ref_state_t near = {.r = 0};
+  const bool rests = settles(machine, &q, &near);
+  if (rests) {
+    machine->r = (double)near.r;
+    machine->v = (double)ref_v(&q, near);
+    machine->omega = (double)ref_w(&q, near);
+    machine->on_surface = fabsl(q.sine) > 1e-3L;
+  }
+  const bool counts = rests && stays(machine, trial->t_end);
+  count_try(tends, trial, counts);
+  for (int k = 0; counts && k < runs_count(&rest_runs); ++k) {
+    lib_row_t row;
+    const long others = trial_run(trial, &rest_runs, k, &row);
+    const bool left = fabs(row.r - machine->r) > 1e-3 * (fabs(machine->r) + 1);
+    count_try(leaves[k], trial, others >= 0 && left);
+  }
+}
+
+const class_t class_standing = {"standing",     "(h) standing still", 2000, 1,
+                                begin_standing, judge_standing,       NULL};
+const class_t class_rounding = {"rounding",
+                                "(e) rest that rounding ends",
+                                2000,
+                                20,
+                                begin_rounding,
+                                judge_rounding,
+                                NULL};

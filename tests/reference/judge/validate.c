@@ -20,11 +20,6 @@ static void check(const char *name, const char *what, real_t off, real_t most) {
          name, what, off, most);
 }
 
-static paper_t paper_of(const ref_machine_t *q) {
-  return (paper_t){q->m,  q->d,      q->beta, q->k2,    q->c1,   q->c2,
-                   q->r0, q->omega0, q->mu,   q->kappa, q->gamma};
-}
-
 static real_t apart(real_t a, real_t b) {
   return fabsl(a - b) / (1 + fabsl(a) + fabsl(b));
 }
@@ -38,7 +33,7 @@ static void equations(void) {
     machine.coulomb = machine.on_surface = false;
     machine.kappa += 0.01;
     const ref_machine_t q = draw_reference(&machine, &lib_f64);
-    const paper_t p = paper_of(&q);
+    const paper_t p = {PARAMETERS_OF(&q)};
     ref_state_t at = draw_start(&machine, &q, &lib_f64);
     real_t x[3] = {at.r, ref_v(&q, at), ref_w(&q, at)}, dx[3], F, M;
     const ref_slip_t hg = ref_slip(&q, at);
@@ -74,17 +69,7 @@ static void equations(void) {
 static void two_fold(void) {
   paper_t p;
   paper_default(&p);
-  ref_machine_t q = {.m = p.m,
-                     .d = p.d,
-                     .beta = p.beta,
-                     .k2 = p.k2,
-                     .c1 = p.c1,
-                     .c2 = p.c2,
-                     .r0 = p.r0,
-                     .omega0 = p.omega0,
-                     .mu = p.mu,
-                     .kappa = p.kappa,
-                     .gamma = p.gamma};
+  ref_machine_t q = {PARAMETERS_OF(&p)};
   ref_prepare(&q);
   const real_t r = PAPER_R_STAR, w = PAPER_W_STAR;
   ref_state_t x = ref_state(&q, r, paper_sing_v(&p, r, w), w);
@@ -105,22 +90,9 @@ static ref_law_t law_named(const char *name) {
 }
 
 static ref_machine_t machine_of(const reference_t *ref, ref_ramps_t *ramps) {
-  ref_machine_t q = {.m = ref->m,
-                     .d = ref->d,
-                     .beta = ref->beta,
-                     .k2 = ref->k2,
-                     .c1 = ref->c1,
-                     .c2 = ref->c2,
-                     .r0 = ref->r0,
-                     .omega0 = ref->omega0,
-                     .mu = ref->mu,
-                     .kappa = ref->kappa,
-                     .gamma = ref->gamma,
-                     .epsilon = ref->epsilon,
-                     .k = ref->k,
-                     .delta = ref->delta,
-                     .sigma = ref->sigma,
-                     .rho = ref->rho,
+  ref_machine_t q = {PARAMETERS_OF(ref),  .epsilon = ref->epsilon,
+                     .k = ref->k,         .delta = ref->delta,
+                     .sigma = ref->sigma, .rho = ref->rho,
                      .a = ref->a};
   ref_knot_t knots[REF_KNOTS];
   for (int i = 0; i < ref->knots; ++i) {
@@ -232,7 +204,7 @@ static void carried(void) {
   check("carried", "r at rest", moved, 0);
 }
 
-int class_validate(const options_t *options) {
+static int finish(const options_t *options) {
   (void)options;
   equations();
   two_fold();
@@ -243,3 +215,9 @@ int class_validate(const options_t *options) {
   printf("%d of %d bad\n", failures, checks);
   return failures > 0;
 }
+
+const class_t class_validate = {
+    "validate", "the reference against the paper and tests/data",
+    1,          0,
+    NULL,       NULL,
+    finish};

@@ -1,4 +1,4 @@
-# The host port with one mistake (board.c.in); FAULT is that of faults.py.
+# The host port with one mistake (board.c.in); FAULT is that of kit.py.
 BOARD_CC := gcc
 BOARD_PACKAGES := gcc
 BOARD_FLAGS := -frounding-math -DFAULT=$(FAULT)
