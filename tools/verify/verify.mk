@@ -71,7 +71,8 @@ bounds: $(VARIANTS:%=$(BUILD)/%/cost)
 	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' \
 	  tools/verify/cost/bounds.py
 keep-bounds: ## copy them to docs/bench, and the calls
-	@cp $(BUILD)/bounds/worst.* $(BUILD)/bounds/worst_stack tools/verify/cost/
+	@cp $(foreach of,double float stack,$(BUILD)/bounds/worst.$(of)) \
+	  tools/verify/cost/
 	@cp $(BUILD)/bounds/worst.csv docs/bench/
 
 # tests/regress/test_corpus.c replays the corpus in every `make test`, without

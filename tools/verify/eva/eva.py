@@ -35,14 +35,14 @@ OUT = Path(os.environ.get("BUILD") or "build", "eva")
 REALS = {"f64": "-UTF_REAL_FLOAT", "f32": "-DTF_REAL_FLOAT"}
 # Whole programs need no more than what they call.
 SOURCES = {
-    "STEP": "step,scheme,single_valued,least_violation,codim2_end,balanced,"
-            "codim2,course,quadrant,select,philox,tyre,prepare,kernel",
+    "STEP": "step,rare_end,report,codim2_end,balanced,codim2,course,quadrant,"
+            "select,philox,tyre,prepare,kernel",
     "PREPARE": "prepare,kernel,prepare_compensated,compensated,machine"}
 # Functions that say by their value whether they wrote a result: what is known
 # where they return is kept apart by that value.
 APART = ("first_offender validate_located within in_reach side_of "
          "in_reach_by_cases in_range_by_cases within_by_cases may_step "
-         "complete_frame unpack_frame commit commit_pairs end_of_step "
+         "complete_frame unpack_frame commit end_of_step common_end "
          "rare_step tf_decoder_push_REAL tf_prepare_REAL tf_step_REAL").split()
 # The search for limit directions ends by conditions of which nothing is known:
 # its iterations and their cases are not kept apart.
