@@ -69,27 +69,30 @@ static int moved(problem_t problem) {
   return !(error[1] < 2e-12);
 }
 
+static ref_real_t wide(double x) { return (ref_real_t)x; }
+
 static ref_input_t input_at(const void *context, int piece, ref_real_t t) {
   const problem_t *problem = context;
   (void)piece;
-  return (ref_input_t){.omega0 = problem->params.omega0 + problem->alpha * t,
-                       .alpha = problem->alpha};
+  return (ref_input_t){
+      .omega0 = wide(problem->params.omega0) + wide(problem->alpha) * t,
+      .alpha = wide(problem->alpha)};
 }
 
 static ref_rate_t reference_rate(const problem_t *problem, point_t y,
                                  contact_t c, real_t g) {
   const tf_params_t *p = &problem->params;
   const ref_inputs_t inputs = {.at = input_at, .context = problem};
-  ref_machine_t k = {.m = p->m,
-                     .d = p->d,
-                     .beta = p->beta,
-                     .k2 = p->k2,
-                     .c1 = p->c1,
-                     .c2 = p->c2,
-                     .r0 = p->r0,
-                     .mu = p->mu,
-                     .kappa = p->kappa,
-                     .gamma = p->gamma,
+  ref_machine_t k = {.m = wide(p->m),
+                     .d = wide(p->d),
+                     .beta = wide(p->beta),
+                     .k2 = wide(p->k2),
+                     .c1 = wide(p->c1),
+                     .c2 = wide(p->c2),
+                     .r0 = wide(p->r0),
+                     .mu = wide(p->mu),
+                     .kappa = wide(p->kappa),
+                     .gamma = wide(p->gamma),
                      .inputs = &inputs};
   ref_prepare(&k);
   const ref_slip_t slip = {y.h, g};
@@ -102,6 +105,8 @@ static ref_rate_t reference_rate(const problem_t *problem, point_t y,
   return ref_rate(&k, x, ref_stick_force(&k, c.roll, edge.N / edge.A));
 }
 
+static real_t draw_of(unsigned i) { return (real_t)harness_random(7, i); }
+
 // The largest difference of the rates at random states; NaN counts.
 static int rates_differ(FILE *states) {
   real_t worst = 0;
@@ -110,9 +115,8 @@ static int rates_differ(FILE *states) {
     const problem_t problem = problem_number(i % PEER_PROBLEMS);
     const model_t k = model_of(&problem);
     const int side = i / PEER_PROBLEMS % 3 - 1;
-    const point_t y = {
-        harness_random(7, draw) + 0.05, side * harness_random(7, draw + 1),
-        4 * harness_random(7, draw + 2) - 2, 2 * harness_random(7, draw + 3)};
+    const point_t y = {draw_of(draw) + (real_t)0.05, side * draw_of(draw + 1),
+                       4 * draw_of(draw + 2) - 2, 2 * draw_of(draw + 3)};
     const real_t g = rolling(&k, y);
     const contact_t c = {side, g < 0 ? -1 : 1};
     const point_t dy = contact_rates(&k, c, y);
