@@ -32,7 +32,7 @@ files_in '*.c' tests | grep -v '^tests/target/' | sample >"$BUILD/tidy.tests"
 files_in '*.c' tests/target | sample >"$BUILD/tidy.target"
 tidy <"$BUILD/tidy.core" || wrong "core in double"
 tidy -DTF_REAL_FLOAT <"$BUILD/tidy.core" || wrong "core in float"
-tidy -Itools <"$BUILD/tidy.tools" || wrong "tools"
+tidy -Itools -DFINER_BITS=64 <"$BUILD/tidy.tools" || wrong "tools"
 tidy -Itests -Itests/support -Itests/reference -Isrc <"$BUILD/tidy.tests" ||
   wrong "tests"
 # Programs of the boards are given a number of steps, and a rate.
