@@ -7,7 +7,7 @@ ALLOWED='sqrt sqrtf memcpy memset memmove memcmp'
 libraries=0
 for compiler in gcc clang; do
   command -v "$compiler" >/dev/null || continue
-  for opt in -O0 -O2 -Os; do
+  for opt in ${FULL:+-O0 -O2} -Os; do
     setting "$compiler" "$opt"
     for real in double float; do
       library=$place/$real/libtwofold.a

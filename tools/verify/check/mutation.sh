@@ -1,12 +1,12 @@
 #!/bin/sh
 # A few wrong changes of src/ (make mutation): the tests notice each, or
 # tools/verify/mutation/equivalent says why it makes no difference. MUTATIONS
-# says how many (12, with FULL=yes 100). First all of one order, then those of
+# says how many (8, with FULL=yes 100). First all of one order, then those of
 # the commit's own order, which one fixed sample leaves unseen: more survivors
 # than a quarter are not chance.
 . "$(dirname "$0")/lib.sh"
 need gcc gcc
-sample=${MUTATIONS:-$([ -n "$FULL" ] && echo 100 || echo 12)}
+sample=${MUTATIONS:-$([ -n "$FULL" ] && echo 100 || echo 8)}
 
 # tried SEED SURVIVORS WORD...: a sample of an order, and what to say of it.
 tried() {

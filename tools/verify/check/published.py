@@ -20,7 +20,7 @@ sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tools/study")]
 PLACE = BUILD / "gcc-O3"
 TWOFOLD = PLACE / "double/twofold"
 CHANCE = 5e-4
-SAMPLES, SEED = "1000" if FULL else "150", 77  # of the first run
+SAMPLES, SEED = "1000" if FULL else "60", 77  # of the first run
 
 
 def judge_page(section, page):

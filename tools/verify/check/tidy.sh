@@ -1,6 +1,6 @@
 #!/bin/sh
 # clang-tidy as .clang-tidy says: the core in both real types, and of the other
-# files a quarter, another one with each commit (with FULL=yes all).
+# files an eighth, another one with each commit (with FULL=yes all).
 . "$(dirname "$0")/lib.sh"
 need clang-tidy clang-tidy
 
@@ -19,7 +19,7 @@ tidy() {
 # sample: those of the files on standard input whose turn it is.
 commit=$(git rev-parse --short=7 HEAD 2>/dev/null || echo 0)
 sample() {
-  if [ -n "$FULL" ]; then cat; else awk "NR % 4 == $((0x$commit % 4))"; fi
+  if [ -n "$FULL" ]; then cat; else awk "NR % 8 == $((0x$commit % 8))"; fi
 }
 
 files_in '*.c' src >"$BUILD/tidy.core"
@@ -32,7 +32,7 @@ files_in '*.c' tests | grep -v '^tests/target/' | sample >"$BUILD/tidy.tests"
 files_in '*.c' tests/target | sample >"$BUILD/tidy.target"
 tidy <"$BUILD/tidy.core" || wrong "core in double"
 tidy -DTF_REAL_FLOAT <"$BUILD/tidy.core" || wrong "core in float"
-tidy -Itools <"$BUILD/tidy.tools" || wrong "tools"
+tidy -Itools -DFINER_BITS=64 <"$BUILD/tidy.tools" || wrong "tools"
 tidy -Itests -Itests/support -Itests/reference -Isrc <"$BUILD/tidy.tests" ||
   wrong "tests"
 # Programs of the boards are given a number of steps, and a rate.
