@@ -6,9 +6,9 @@
 /// which the motion starts, the inputs. The constants are local to this
 /// translation unit, and so is every function of the core; the compiler
 /// propagates the constants through them and removes what the scene does not
-/// use, down to the branches of a step. Without SCENE_HEADER all scenes are here;
-/// the one that a number in another object (port/choice.c) names is prepared at
-/// run time.
+/// use, down to the branches of a step. Without SCENE_HEADER all scenes are
+/// here; the one that a number in another object (port/choice.c) names is
+/// prepared at run time.
 ///
 /// Both compute the bits that the library computes.
 #ifndef TWOFOLD_PORT_CORE_H

@@ -116,7 +116,7 @@ static const tf_scene_t driven = {
 #define EACH_SCENE(x)                                                        \
   x(chaos) x(gamma_zero) x(gamma_right) x(coulomb) x(frictionless) x(smooth) \
       x(rolling) x(string) x(driven)
-#define ONE_MORE(scene) +1
+#define ONE_MORE(scene) +1 // NOLINT(bugprone-macro-parentheses): a sum
 #define ADDRESS(scene) &(scene),
 typedef char tf_scenes_has_a_place_for_each[0 EACH_SCENE(ONE_MORE) == TF_SCENES
                                                 ? 1

@@ -180,14 +180,14 @@ typedef struct {
 #define REF_MAX_WAYS 24
 typedef struct {
   ref_way_t list[REF_MAX_WAYS];
-  int count;
   ref_direction_t direction[REF_MAX_WAYS]; ///< h = g = 0: all, leaving or not
-  int directions;
-  bool rests[REF_RESTS]; ///< h = g = 0: rest is possible under the law
-  ref_force_t resting;   ///< force that it takes
-  int arriving;          ///< limit directions and sticks that come in
-  bool spiral;           ///< winds out, with no limit direction
+  ref_force_t resting;                     ///< force that rest takes
   ref_real_t winding;    ///< change of ln rho in a turn; 0 where none turns
+  int count;             ///< of list
+  int directions;        ///< of direction
+  int arriving;          ///< limit directions and sticks that come in
+  bool rests[REF_RESTS]; ///< h = g = 0: rest is possible under the law
+  bool spiral;           ///< winds out, with no limit direction
 } ref_consistent_t;
 
 /// The consistent modes at h = 0, g != 0.

@@ -117,6 +117,7 @@ static form_t form = FORM_ALGEBRAIC;
 
 // The options in the real type, and what a motion has taken.
 typedef struct {
+  // cppcheck-suppress unusedStructMember  ; set by their offsets
   OPTIONS(AS_REAL)
   real_t beta2, sine, cosine, a, right;
   long steps;

@@ -54,8 +54,8 @@ int class_run(const class_t *class, const options_t *options) {
   if (class->begin) {
     class->begin();
   }
-  const long end = class->judge ? options->first + options->machines : 0;
-  for (long i = options->first; i < end; ++i) {
+  const long end = options->first + options->machines;
+  for (long i = options->first; class->judge && i < end; ++i) {
     trial_t trial = {.options = options, .index = i};
     trial.draw = draw_begin(options->seed, (uint64_t)i);
     trial.machine = draw_machine(&trial.draw, options->range);

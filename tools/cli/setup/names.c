@@ -56,12 +56,6 @@ void cli_print_ranges(void) {
   }
 }
 
-// What a word may be, for the message: what it names, how a sentence about all
-// of them begins, and what the last may have behind it.
-typedef struct {
-  const char *kind, *all_are, *tail;
-} choice_t;
-
 // All names as "a, b and c".
 static void list_names(const char *name_of(unsigned), unsigned count,
                        char *list, size_t room) {
@@ -73,10 +67,11 @@ static void list_names(const char *name_of(unsigned), unsigned count,
   }
 }
 
-// Finds the number that has a name.
+// Finds the number that has a name. what: for the message, what it names, how a
+// sentence about all of them begins, and what the last may have behind it.
 static int find_name(const char *name_of(unsigned), unsigned count,
                      const char *option, const char *text, const char *name,
-                     choice_t choice, unsigned *found) {
+                     const char *const what[3], unsigned *found) {
   char list[256];
   cli_closest_t closest = cli_closest_to(name);
   for (unsigned i = 0; i < count; i++) {
@@ -88,33 +83,32 @@ static int find_name(const char *name_of(unsigned), unsigned count,
   }
   list_names(name_of, count, list, sizeof list);
   return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s %s%s%s", option,
-                     text, choice.kind, name, choice.all_are, list, choice.tail,
-                     closest.hint);
+                     text, what[0], name, what[1], list, what[2], closest.hint);
 }
 
 int cli_find_law(const char *option, const char *text, const char *name,
                  tf_tyre_law_t *law) {
-  const choice_t choice = {"law", "laws are", ""};
+  static const char *const what[] = {"law", "laws are", ""};
   unsigned found = *law;
   const int code = find_name(tf_tyre_law_name, TF_TYRE_LAWS, option, text, name,
-                             choice, &found);
+                             what, &found);
   *law = (tf_tyre_law_t)found;
   return code;
 }
 
 int cli_find_rest(const char *option, const char *text, const char *name,
                   tf_rest_law_t *rest) {
-  const choice_t choice = {"law of rest", "they are", ""};
+  static const char *const what[] = {"law of rest", "they are", ""};
   unsigned found = *rest;
   const int code = find_name(tf_rest_law_name, TF_REST_LAWS, option, text, name,
-                             choice, &found);
+                             what, &found);
   *rest = (tf_rest_law_t)found;
   return code;
 }
 
 int cli_find_rule(const char *option, const char *text, const char *name,
                   tf_rule_t *rule) {
-  const choice_t choice = {"rule", "rules are", "[:SEED]"};
+  static const char *const what[] = {"rule", "rules are", "[:SEED]"};
   if (strchr(name, ':') != NULL) {
     return cli_message(CLI_USAGE,
                        "%s %s: a seed is not part of a scene: give the rule "
@@ -123,7 +117,7 @@ int cli_find_rule(const char *option, const char *text, const char *name,
   }
   unsigned found = *rule;
   const int code =
-      find_name(tf_rule_name, TF_RULES, option, text, name, choice, &found);
+      find_name(tf_rule_name, TF_RULES, option, text, name, what, &found);
   *rule = (tf_rule_t)found;
   return code;
 }

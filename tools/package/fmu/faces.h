@@ -32,9 +32,11 @@
 #define READABLE (SETTABLE | FMU_TERMINATED)
 
 /// The beginning of a function that is allowed in some phases.
+// Texts are joined. NOLINTBEGIN(bugprone-macro-parentheses)
 #define ENTER(name, phases)                                          \
   fmu_t *fmu = fmu_enter(instance, FMI_TEXT(FMI_WORD) name, phases); \
   if (fmu == NULL) return FMU_ERROR
+// NOLINTEND(bugprone-macro-parentheses)
 
 /// A function that is allowed in some phases and returns what an expression
 /// does; after the expression its arguments.

@@ -32,8 +32,11 @@ typedef void fmi2_log_t(void *environment, fmi2_string_t instance,
                         fmi2_string_t message, ...);
 typedef struct {
   fmi2_log_t *logger;
+  // cppcheck-suppress unusedStructMember  ; laid out by the standard
   void *(*allocate)(size_t n, size_t size);
+  // cppcheck-suppress unusedStructMember  ; laid out by the standard
   void (*free)(void *memory);
+  // cppcheck-suppress unusedStructMember  ; laid out by the standard
   void (*step_finished)(void *environment, fmu_status_t status);
   void *environment;
 } fmi2_callbacks_t;

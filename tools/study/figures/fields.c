@@ -205,9 +205,10 @@ static void flow(void) {
 // two-fold in omega.
 static const double unit = 0.02; // [rad/s]
 static tf_two_fold_t fold;
-static double size = 1;        // S
-static double a, b, c, d, det; // (r, omega) = two-fold + ((a, b), (c, d)) (xi,
-                               // eta), and its determinant
+static double size = 1; // S
+// (r, omega) = two-fold + ((r_xi, r_eta), (w_xi, w_eta)) (xi, eta), and its
+// determinant.
+static double r_xi, r_eta, w_xi, w_eta, det;
 static double seed[2];
 
 static void coordinates(double r, double w, double out[2]) {
@@ -237,11 +238,11 @@ static int make_chart(void) {
   const double yw = (up[1] - down[1]) / (2 * e);
   const double whole = xr * yw - xw * yr;
   size = unit / fabs(yr / whole);
-  a = size * yw / whole;
-  b = -size * xw / whole;
-  c = -size * yr / whole;
-  d = size * xr / whole;
-  det = a * d - b * c;
+  r_xi = size * yw / whole;
+  r_eta = -size * xw / whole;
+  w_xi = -size * yr / whole;
+  w_eta = size * xr / whole;
+  det = r_xi * w_eta - r_eta * w_xi;
   return found;
 }
 
@@ -278,7 +279,7 @@ static int along_field(double s[4], double step) {
     const tf_surface_t at = surface_at(mid[0], mid[1]);
     const double dr = (double)at.stick.r, dw = (double)at.stick.w;
     const double length =
-        hypot((d * dr - b * dw) / det, (a * dw - c * dr) / det);
+        hypot((w_eta * dr - r_eta * dw) / det, (r_xi * dw - w_xi * dr) / det);
     const double h = length > 0 ? (stage + 1) * step / 2 / length : 0;
     mid[0] = s[2] + h * dr;
     mid[1] = s[3] + h * dw;
@@ -295,8 +296,8 @@ static void orbits(void) {
     for (int i = 1; i <= RAYS; i++) {
       const double turn = acos(-1.0) / 2 * i / (RAYS + 1);
       const double xi = sign * 0.75 * cos(turn), eta = sign * 0.75 * sin(turn);
-      double s[4] = {0, 0, (double)fold.point.r + a * xi + b * eta,
-                     (double)fold.point.w + c * xi + d * eta};
+      double s[4] = {0, 0, (double)fold.point.r + r_xi * xi + r_eta * eta,
+                     (double)fold.point.w + w_xi * xi + w_eta * eta};
       coordinates(s[2], s[3], s);
       memcpy(seed, s, sizeof seed);
       trace(along_form, s, 2e-3, 1500);

@@ -1,8 +1,8 @@
 #!/bin/sh
 # MISRA C:2012 over src/, by cppcheck's addon, in double, with FULL=yes in both
 # real types. Every rule that is deviated from stands in misra.deviations with
-# its reason; what it does not name is wrong, and so is a rule there that nothing
-# violates. Before, the checker is shown to find planted violations.
+# its reason; what it does not name is wrong, and so is a rule there that
+# nothing violates. Before, the checker is shown to find planted violations.
 . "$(dirname "$0")/lib.sh"
 need cppcheck cppcheck
 need /usr/bin/python3 python3
@@ -40,8 +40,9 @@ for want in '3 7.1' '4 15.1'; do
     wrong "the checker does not find the violation of line and rule $want"
 done
 
-for real in -UTF_REAL_FLOAT ${FULL:+-DTF_REAL_FLOAT=1}; do judge "$real" src; done |
-  sort -u >"$BUILD/misra.found"
+for real in -UTF_REAL_FLOAT ${FULL:+-DTF_REAL_FLOAT=1}; do
+  judge "$real" src
+done | sort -u >"$BUILD/misra.found"
 [ -s "$BUILD/misra.found" ] || wrong "the checker says nothing about src/"
 awk '
   FNR == 1 { files++ }
