@@ -214,17 +214,17 @@ def main() -> None:
     if unknown:
         print(f"make eva: there is no entry {min(unknown)}", file=sys.stderr)
         sys.exit(2)
-    todo = [(entry, real) for entry in entries()
+    pairs = [(entry, real) for entry in entries()
             if entry.name in wanted
             for real in (os.environ.get("REALS") or "f64 f32").split()]
-    good = driven.side_by_side(lambda run: analyse(*run), todo)
-    broken = [run for run, done in zip(todo, good) if not done]
+    good = driven.side_by_side(lambda run: analyse(*run), pairs)
+    broken = [run for run, done in zip(pairs, good) if not done]
     for entry, real in broken:
         print(f"{entry.name}-{real}: the analysis stopped")
     if broken:
         print(f"see {OUT}/*.log")
         sys.exit(1)
-    runs = [Run(OUT / f"{entry.name}-{real}.csv") for entry, real in todo]
+    runs = [Run(OUT / f"{entry.name}-{real}.csv") for entry, real in pairs]
     bad = list(wrong(explained, runs))
     for text in bad:
         print(text)
