@@ -28,7 +28,4 @@ int cli_completions(int argc, char *const argv[]);
 /// `twofold scenes`: one line per scene.
 int cli_scenes(int argc, char *const argv[]);
 
-/// `twofold scene SCENE`: a scene as text that reads back to the same bits.
-int cli_scene(const cli_args_t *args);
-
 #endif

@@ -29,15 +29,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "analysis/analysis.h"
 #include "command.h"
-#include "diverge/counts.h"
-#include "diverge/diverge.h"
-#include "monitor/monitor.h"
-#include "run/run.h"
+#include "diverge/job.h"
 #include "setup/names.h"
 #include "setup/scene_file.h"
-#include "sweep/sweep.h"
+#include "sweep/measure.h"
 #include "table.h"
 #include "text/message.h"
 

@@ -10,12 +10,9 @@
 
 #include <string.h>
 
-#include "diverge/diverge.h"
-#include "monitor/board_command.h"
-#include "monitor/stream.h"
+#include "diverge/job.h"
 #include "run/row.h"
 #include "setup/scheme.h"
-#include "sweep/sweep.h"
 #include "text/message.h"
 #include "text/number.h"
 
@@ -254,12 +251,11 @@ const cli_option_t cli_options[] = {
              "--counts, --returns, --exits)"},
     {"--header", NULL, CLI_DIVERGE, FLAG(header),
      .what = "writes a header even if the shard is not the first"},
-    {"--as", "FORM", CLI_MONITOR, OTHER, .read = cli_read_as,
-     .choices = streams,
+    {"--as", "FORM", CLI_MONITOR, CHOICE(as), .choices = streams,
+     .usual = CLI_NO_FORM, .noun = "form",
      .what = "rows, with the digits of the sender's number type; without this "
              "option a terminal shows the state live. Forms:"},
-    {"--csv", NULL, CLI_MONITOR, OTHER, .read = cli_read_csv,
-     .what = "--as csv"},
+    {"--csv", NULL, CLI_MONITOR, FLAG(csv), .what = "--as csv"},
     {"--live", NULL, CLI_MONITOR, FLAG(live),
      .what = "draws the planes (g, h) and (r, omega) and the last ten seconds "
              "of modes; rows only with --as --out"},

@@ -16,15 +16,6 @@ typedef struct {
   cli_output_t output;
 } cli_analysis_t;
 
-/// Checks that --r and --omega are given.
-int cli_analysis_check(cli_args_t *args);
-
-/// The commands.
-int cli_singularities(const cli_args_t *args);
-int cli_regions(const cli_args_t *args);
-int cli_design(const cli_args_t *args);
-int cli_atlas(const cli_args_t *args);
-
 /// Prepares the machine. finds_kappa: the command computes kappa, so a scene
 /// without kappa is not refused.
 int cli_analysis_begin(cli_analysis_t *a, const cli_args_t *args,

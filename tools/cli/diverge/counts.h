@@ -66,9 +66,4 @@ int cli_counts_read(cli_counts_t *counts, const char *name);
 int cli_counts_add(cli_counts_t *counts, const cli_counts_t *more,
                    const char *name);
 
-/// The command `merge`: checks that there are files, and adds them.
-/// Returns: CLI_DONE, or CLI_USAGE after a message; the exit code.
-int cli_merge_check(cli_args_t *args);
-int cli_merge(const cli_args_t *args);
-
 #endif

@@ -3,8 +3,6 @@
 // rows of a cycle are written when it has ended, so that whatever ends the
 // program leaves complete cycles. Memory is that of a single sample.
 
-#include "diverge.h"
-
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,6 @@
 #define TWOFOLD_CLI_BOARD_COMMAND_H
 
 #include "../setup/args.h"
-#include "../text/options.h"
 #include "receiver.h"
 
 #define CLI_BOARD_COMMANDS (CLI_SENDS + 1) ///< with the first, `describe`
@@ -34,9 +33,6 @@ typedef struct {
   bool has_key;
   uint8_t key[TF_KEY_BYTES];
 } cli_board_commands_t;
-
-/// Checks the value of one --send and keeps it in the arguments.
-int cli_read_send(void *args, const cli_given_t *given);
 
 /// Appends a command.
 int cli_board_commands_add(cli_board_commands_t *commands, const char *text);

@@ -2,8 +2,6 @@
 // what was lost. A device that is unplugged is an error unless --follow waits
 // for it to come back.
 
-#include "monitor.h"
-
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -20,7 +18,6 @@
 #include "monitor_summary.h"
 #include "receiver.h"
 #include "session_record.h"
-#include "stream.h"
 #include "view.h"
 
 #define WAIT 100 // for bytes, and between two attempts to open a device [ms]
@@ -104,7 +101,7 @@ static bool take_block(monitor_t *monitor, size_t length) {
   size_t taken = 0;
   tf_frame_t frame;
   cli_csv_t row;
-  char line[CLI_STREAM_ROOM];
+  char line[CLI_ROW_ROOM];
   const cli_stream_t *as = monitor->as;
   monitor->bytes += length;
   while (tf_decoder_block(&monitor->decoder, at, length, &taken, &frame)) {
@@ -381,13 +378,17 @@ int cli_monitor_check(cli_args_t *args) {
                        "monitor: which file or device? (- is "
                        "standard input)");
   }
-  if (args->live && args->as != 0 && args->out == NULL) {
+  if (args->csv && args->as != CLI_NO_FORM && args->as != CLI_FORMAT_CSV) {
+    return cli_message(CLI_USAGE, "--csv: one form at a time (--as was given)");
+  }
+  args->as = args->csv ? (unsigned)CLI_FORMAT_CSV : args->as;
+  if (args->live && args->as != CLI_NO_FORM && args->out == NULL) {
     return cli_message(CLI_USAGE, "--live --as: rows go to --out FILE only");
   }
-  if (args->out != NULL && args->as == 0) {
+  if (args->out != NULL && args->as == CLI_NO_FORM) {
     return cli_message(CLI_USAGE, "--out %s: only with --as", args->out);
   }
-  if (args->provenance && args->as != CLI_AS_CSV) {
+  if (args->provenance && args->as != CLI_FORMAT_CSV) {
     return cli_message(CLI_USAGE, "--provenance: only with --as csv");
   }
   return CLI_DONE;
@@ -417,7 +418,7 @@ int cli_monitor(const cli_args_t *args) {
     return cli_message(CLI_STOPPED, "out of memory");
   }
   monitor->args = args;
-  monitor->as = args->as > 0 ? &cli_streams[args->as - 1] : NULL;
+  monitor->as = args->as != CLI_NO_FORM ? &cli_streams[args->as] : NULL;
   int code = take_commands(&monitor->commands, args);
   if (code == CLI_DONE) {
     tf_decoder_init(&monitor->decoder, monitor->buffer, sizeof monitor->buffer);

@@ -6,6 +6,7 @@
 #include "row.h"
 
 #include <inttypes.h>
+#include <math.h>
 
 #include "../text/buffer.h"
 
@@ -15,7 +16,7 @@ const cli_csv_column_t cli_csv_columns[CLI_CSV_COLUMNS] = {
     {"t", "s"},   {"r", "m"},   {"v", "m/s"}, {"omega", "rad/s"},
     {"h", "m/s"}, {"g", "m/s"}, {"F", "N"},   {"M", "N m"}};
 
-size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
+static size_t csv(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
   for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
     if (i < row->columns) {
@@ -28,7 +29,7 @@ size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   return text.used;
 }
 
-size_t cli_plotter_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
+static size_t plotter(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
   for (size_t i = 1; i < PLOTTED && i < row->columns; i++) {
     cli_add_form(&text, "%s:", cli_csv_columns[i].name);
@@ -40,6 +41,53 @@ size_t cli_plotter_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   return text.used;
 }
 
+static void teleplot_name(cli_buffer_t *text, const cli_csv_t *row,
+                          const char *name) {
+  const double ms = row->column[0] * 1000;
+  cli_add_form(text, "%s:", name);
+  cli_add_number(text, row->is_float ? (double)(float)ms : ms, row->is_float);
+  cli_add(text, ":");
+}
+
+static size_t teleplot(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
+  cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
+  for (size_t i = 1; i < row->columns; i++) {
+    teleplot_name(&text, row, cli_csv_columns[i].name);
+    cli_add_number(&text, row->column[i], row->is_float);
+    // The section sign stands before the unit.
+    cli_add_form(&text, "\xC2\xA7%s|g\n", cli_csv_columns[i].unit);
+  }
+  teleplot_name(&text, row, "mode");
+  cli_add_form(&text, "%s|t\n", tf_mode_name(row->mode));
+  teleplot_name(&text, row, "choices");
+  cli_add_form(&text, "%" PRIu64 "|g\n", (uint64_t)row->choices);
+  return text.used;
+}
+
+static void json_number(cli_buffer_t *text, const cli_csv_t *row, size_t i) {
+  if (isfinite(row->column[i])) {
+    cli_add_number(text, row->column[i], row->is_float);
+  } else {
+    cli_add(text, "null"); // JSON has no other word for it
+  }
+}
+
+static size_t json(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
+  cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
+  cli_add(&text, "{\"timestamp\":");
+  json_number(&text, row, 0);
+  for (size_t i = 1; i < row->columns; i++) {
+    cli_add_form(&text, ",\"%s\":", cli_csv_columns[i].name);
+    json_number(&text, row, i);
+  }
+  cli_add_form(&text, ",\"mode\":%" PRIu64 ",\"choices\":%" PRIu64 "}\n",
+               (uint64_t)row->mode, (uint64_t)row->choices);
+  return text.used;
+}
+
+const cli_stream_t cli_streams[] = {
+    {CLI_CSV_HEADER, csv}, {"", plotter}, {"", teleplot}, {"", json}};
+
 size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,
                const tf_report_t *report, char out[CLI_ROW_ROOM]) {
   const cli_csv_t row = {
@@ -50,8 +98,7 @@ size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,
       sizeof(tf_real_t) == sizeof(float),
       report->mode,
       report->choices};
-  return format == CLI_FORMAT_CSV ? cli_csv_row(&row, out)
-                                  : cli_plotter_row(&row, out);
+  return cli_streams[format].row(&row, out);
 }
 
 // A run as frames, made by the functions that a board calls, so that whatever

@@ -17,7 +17,7 @@ typedef enum {
 } cli_format_t;
 
 /// Room for the longest row or header.
-#define CLI_ROW_ROOM 512
+#define CLI_ROW_ROOM 1024
 
 /// A row of CSV in numbers: t r v omega h g F M.
 #define CLI_CSV_COLUMNS 8
@@ -30,18 +30,27 @@ typedef struct {
   unsigned mode, choices;
 } cli_csv_t;
 
-/// Writes a row of CSV with its newline.
-size_t cli_csv_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
-
 /// Names and units of those columns.
 typedef struct {
   const char *name, *unit;
 } cli_csv_column_t;
 extern const cli_csv_column_t cli_csv_columns[CLI_CSV_COLUMNS];
 
-/// Writes "r:0.18 v:1.2 omega:-1.037 h:1e-10 g:0.05 mode:3 choices:1" and a
-/// newline: the labels are those that a board sends with FORMAT=plotter.
-size_t cli_plotter_row(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
+/// The forms of a row. The modes are numbers where the tool draws numbers only;
+/// what a frame does not carry is left out, or left empty in CSV.
+///   csv      files, also for PlotJuggler
+///   plotter  "r:0.18 v:1.2 omega:-1.037 h:1e-10 g:0.05 mode:3 choices:1", for
+///            the plotter of the Arduino IDE: a board's labels
+///   teleplot name:milliseconds:value§unit|g, one a line: Teleplot, over UDP
+///   json     an object a line, seconds in "timestamp": PlotJuggler, over UDP
+typedef struct {
+  const char *header; ///< the first line, may be empty
+  /// Writes a row with its newlines.
+  size_t (*row)(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
+} cli_stream_t;
+
+/// In the order of cli_format_t, but for frames, and of --as.
+extern const cli_stream_t cli_streams[];
 
 /// Writes one row with its newline. format: CSV or PLOTTER.
 size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,

@@ -3,8 +3,6 @@
 // least every FLUSH_EVERY, and updates the progress line. Whatever ends it, the
 // last step that was taken becomes the last row.
 
-#include "run.h"
-
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /// @file
 /// What a command line gives: a member for each option, whichever commands take
 /// it. The table of options fills it and has the usual values; what was not
-/// given is 0 otherwise.
+/// given is 0 otherwise. And the commands, which get it.
 #ifndef TWOFOLD_CLI_ARGS_H
 #define TWOFOLD_CLI_ARGS_H
 
@@ -17,6 +17,8 @@
 #define CLI_AXES 8     ///< of a sweep, at most
 #define CLI_COLUMNS 32 ///< columns of a sweep, at most
 #define CLI_SENDS 15   ///< commands to a board, at most
+
+#define CLI_NO_FORM UINT32_MAX
 
 /// What is swept: a name of --set, or the seed of rule random.
 typedef struct {
@@ -79,14 +81,40 @@ typedef struct {
   unsigned scheme;     ///< index of cli_schemes
   unsigned format;     ///< cli_format_t
   unsigned summary;    ///< 1: for programs
-  unsigned as;         ///< 1 + index of cli_streams, 0: a live view
+  unsigned as;         ///< index of cli_streams, CLI_NO_FORM: a live view
   unsigned mechanism;  ///< cli_mechanism_t
   unsigned codim2;     ///< cli_codim2_choice_t
   bool provenance;     ///< the rows begin with comments: what they are of
   bool resume, header; ///< goes on with what is there; a header in each shard
   bool real_time, priority, live;
   bool follow;
+  bool csv; ///< as csv
   bool exhaustive;
 } cli_args_t;
+
+// The commands that take options. A check is of options that need or exclude
+// each other, and sets what depends on others; a reader is of the value of one
+// option, or of a positional argument.
+
+int cli_scene(const cli_args_t *args);
+int cli_singularities(const cli_args_t *args);
+int cli_regions(const cli_args_t *args);
+int cli_design(const cli_args_t *args);
+int cli_atlas(const cli_args_t *args);
+int cli_analysis_check(cli_args_t *args);
+int cli_run(const cli_args_t *args);
+int cli_run_check(cli_args_t *args);
+int cli_monitor(const cli_args_t *args);
+int cli_monitor_check(cli_args_t *args);
+int cli_take_source(void *args, const char *word);
+int cli_read_send(void *args, const cli_given_t *given);
+int cli_diverge(const cli_args_t *args);
+int cli_diverge_check(cli_args_t *args);
+int cli_merge(const cli_args_t *args);
+int cli_merge_check(cli_args_t *args);
+int cli_sweep(const cli_args_t *args);
+int cli_sweep_check(cli_args_t *args);
+int cli_read_over(void *args, const cli_given_t *given);
+int cli_read_outcome(void *args, const cli_given_t *given);
 
 #endif

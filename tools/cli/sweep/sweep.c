@@ -3,8 +3,6 @@
 // whose machine is refused is an answer and no failure: its row says so, and
 // the program goes on and ends with code 0.
 
-#include "sweep.h"
-
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>

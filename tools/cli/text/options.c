@@ -29,6 +29,8 @@ void cli_usual_values(const cli_syntax_t *syntax, void *args) {
       *(uint64_t *)to = (uint64_t)option->usual;
     } else if (is_row(syntax, i) && option->kind == CLI_REAL) {
       *(double *)to = option->usual;
+    } else if (is_row(syntax, i) && option->kind == CLI_CHOICE) {
+      *(unsigned *)to = (unsigned)option->usual;
     }
   }
 }

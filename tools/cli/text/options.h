@@ -73,7 +73,7 @@ typedef struct {
   int (*take)(void *args, const char *word);
 } cli_syntax_t;
 
-/// Sets the usual values of all numbers.
+/// Sets the usual values of all numbers and choices.
 void cli_usual_values(const cli_syntax_t *syntax, void *args);
 
 /// Reads all words. "-" is a positional argument.
