@@ -239,12 +239,11 @@ static void save(work_t *work, uint32_t run) {
   at.samples = work->done;
   at.cycles = work->cycles;
   memcpy(at.outcomes, work->outcomes, sizeof at.outcomes);
-  at.exits = cli_file_place(&work->files->exits);
-  at.returns = cli_file_place(&work->files->returns);
   work->saved = cli_now();
   if (!cli_files_flush(work->files) ||
       !cli_checkpoint_put(
-          args, &at, work->counting != NULL ? &work->counting->counts : NULL)) {
+          args, work->files, &at,
+          work->counting != NULL ? &work->counting->counts : NULL)) {
     work->unwritten = true;
   }
 }
@@ -287,8 +286,7 @@ static int perform(work_t *work, const cli_args_t *args) {
     return cli_message(CLI_DONE, "all of the %" PRIu64 " samples are there",
                        work->last - work->first);
   }
-  int code =
-      cli_files_open(work->files, work->job, &run, &at.exits, &at.returns);
+  int code = cli_files_open(work->files, work->job, &run, at.at);
   if (code != CLI_DONE) {
     return code;
   }

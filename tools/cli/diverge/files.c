@@ -30,11 +30,18 @@ static void add_field(cli_buffer_t *text, bool exists, double value) {
   }
 }
 
-static const char exit_header[] =
-    "sample,cycle,time,r,omega,g,side,phase,how,section_time\n";
-static const char return_header[] =
-    "sample,cycle,outcome,time,arrived,exit_r,landing_time,landing_r,landings,"
-    "windings\n";
+static const struct {
+  const char *option, *units, *header;
+} kinds[CLI_FILES] = {
+    {"--exits", "time s, r m, omega rad/s, g m/s, phase 1, section_time s",
+     "sample,cycle,time,r,omega,g,side,phase,how,section_time\n"},
+    {"--returns", "time s, arrived s, exit_r m, landing_time s, landing_r m",
+     "sample,cycle,outcome,time,arrived,exit_r,landing_time,landing_r,landings,"
+     "windings\n"}};
+
+static const char *path_of(const cli_args_t *args, int i) {
+  return i == CLI_EXITS ? args->exits : args->returns;
+}
 
 // Rows of one cycle. Returns: the length, 0 for a cycle without an exit.
 static size_t exit_row(char out[ROW_ROOM], uint64_t sample, uint64_t cycle,
@@ -94,51 +101,39 @@ static int open_file(cli_diverge_file_t *file, const char *option,
   return code;
 }
 
-cli_file_place_t cli_file_place(const cli_diverge_file_t *file) {
-  return (cli_file_place_t){file->bytes, file->trailer.rows, file->trailer.crc};
-}
-
-// The comments of --provenance, which the trailer does not count.
-static void tell(cli_diverge_file_t *file, const cli_job_t *job,
-                 const char *units) {
-  char lines[CLI_PROVENANCE_ROOM];
-  if (file->is_open && job->args->provenance) {
-    const size_t length = cli_job_provenance(job, units, lines);
-    file->bytes += length;
-    (void)cli_output_lines(&file->output, lines, length);
-  }
-}
-
-// What stands before the first row.
+// What stands before the first row: the comments of --provenance, which the
+// trailer does not count, and the header.
 static void begin(cli_diverge_file_t *file, const cli_job_t *job,
                   const char *units, const char *header) {
   const cli_args_t *args = job->args;
-  if (file->bytes == 0 && (args->header || args->shard.index == 1)) {
-    tell(file, job, units);
-    (void)put(file, header, strlen(header), 0);
+  if (file->bytes != 0 || !file->is_open ||
+      !(args->header || args->shard.index == 1)) {
+    return;
   }
+  if (args->provenance) {
+    char lines[CLI_PROVENANCE_ROOM];
+    file->bytes = cli_job_provenance(job, units, lines);
+    (void)cli_output_lines(&file->output, lines, (size_t)file->bytes);
+  }
+  (void)put(file, header, strlen(header), 0);
 }
 
 int cli_files_open(cli_files_t *files, const cli_job_t *job,
-                   const cli_buffer_t *run, const cli_file_place_t *exits,
-                   const cli_file_place_t *returns) {
-  const cli_args_t *args = job->args;
-  files->shard = args->shard;
-  cli_trailer_name(&files->exits.trailer, run->text, run->used);
-  cli_trailer_name(&files->returns.trailer, run->text, run->used);
-  int code = open_file(&files->exits, "--exits", args->exits, exits);
-  if (code == CLI_DONE) {
-    code = open_file(&files->returns, "--returns", args->returns, returns);
+                   const cli_buffer_t *run,
+                   const cli_file_place_t at[CLI_FILES]) {
+  int code = CLI_DONE;
+  files->shard = job->args->shard;
+  for (int i = 0; i < CLI_FILES && code == CLI_DONE; i++) {
+    cli_trailer_name(&files->file[i].trailer, run->text, run->used);
+    code = open_file(&files->file[i], kinds[i].option, path_of(job->args, i),
+                     &at[i]);
   }
   if (code != CLI_DONE) {
     return cli_files_close(files, code);
   }
-  begin(&files->exits, job,
-        "time s, r m, omega rad/s, g m/s, phase 1, section_time s",
-        exit_header);
-  begin(&files->returns, job,
-        "time s, arrived s, exit_r m, landing_time s, landing_r m",
-        return_header);
+  for (int i = 0; i < CLI_FILES; i++) {
+    begin(&files->file[i], job, kinds[i].units, kinds[i].header);
+  }
   return CLI_DONE;
 }
 
@@ -146,17 +141,18 @@ bool cli_files_put(cli_files_t *files, uint64_t sample, uint64_t cycle,
                    const cli_cycle_t *what) {
   char text[ROW_ROOM];
   const size_t exits = exit_row(text, sample, cycle, what);
-  const bool written = put(&files->exits, text, exits, exits > 0);
+  const bool written = put(&files->file[CLI_EXITS], text, exits, exits > 0);
   const size_t returns = return_row(text, sample, cycle, what);
-  return put(&files->returns, text, returns, 1) && written;
+  return put(&files->file[CLI_RETURNS], text, returns, 1) && written;
 }
 
 bool cli_files_flush(cli_files_t *files) {
-  const bool exits =
-      !files->exits.is_open || cli_output_flush(&files->exits.output);
-  const bool returns =
-      !files->returns.is_open || cli_output_flush(&files->returns.output);
-  return exits && returns;
+  bool written = true;
+  for (int i = 0; i < CLI_FILES; i++) {
+    cli_diverge_file_t *file = &files->file[i];
+    written = (!file->is_open || cli_output_flush(&file->output)) && written;
+  }
+  return written;
 }
 
 static void finish(const cli_files_t *files, cli_diverge_file_t *file) {
@@ -167,25 +163,19 @@ static void finish(const cli_files_t *files, cli_diverge_file_t *file) {
   }
 }
 
-static int close_file(cli_diverge_file_t *file, int code) {
-  if (!file->is_open) {
-    return code;
-  }
-  file->is_open = false;
-  return cli_output_end(&file->output, code);
-}
-
 int cli_files_close(cli_files_t *files, int code) {
-  if (code == CLI_DONE) {
-    finish(files, &files->exits);
-    finish(files, &files->returns);
+  for (int i = 0; i < CLI_FILES && code == CLI_DONE; i++) {
+    finish(files, &files->file[i]);
   }
   // Neither gets its name where the other's rows could not be written; the
   // message is that of cli_output_end.
-  const bool written = cli_files_flush(files);
-  const int given = written ? code : CLI_STOPPED;
-  const int exits = close_file(&files->exits, given);
-  return close_file(&files->returns, exits);
+  code = cli_files_flush(files) ? code : CLI_STOPPED;
+  for (int i = 0; i < CLI_FILES; i++) {
+    cli_diverge_file_t *file = &files->file[i];
+    code = file->is_open ? cli_output_end(&file->output, code) : code;
+    file->is_open = false;
+  }
+  return code;
 }
 
 // A sample is the least that can be done again: its cycles follow from one
@@ -217,8 +207,13 @@ static uint32_t crc_of(const cli_checkpoint_t *at, const cli_counts_t *counts) {
   return sum.crc;
 }
 
-bool cli_checkpoint_put(const cli_args_t *args, const cli_checkpoint_t *at,
-                        const cli_counts_t *counts) {
+bool cli_checkpoint_put(const cli_args_t *args, const cli_files_t *files,
+                        cli_checkpoint_t *at, const cli_counts_t *counts) {
+  for (int i = 0; i < CLI_FILES; i++) {
+    const cli_diverge_file_t *file = &files->file[i];
+    at->at[i] =
+        (cli_file_place_t){file->bytes, file->trailer.rows, file->trailer.crc};
+  }
   char beside[CLI_PATH_ROOM], path[CLI_PATH_ROOM];
   name_of(args, ".new", beside);
   name_of(args, "", path);
@@ -378,7 +373,10 @@ cli_resume_t cli_checkpoint_find(const cli_args_t *args, uint32_t run,
     name_of(args, "", path);
     return other(path);
   }
-  return holds(args->exits, &at->exits) && holds(args->returns, &at->returns)
-             ? CLI_RESUME_GO_ON
-             : CLI_RESUME_NEW;
+  for (int i = 0; i < CLI_FILES; i++) {
+    if (!holds(path_of(args, i), &at->at[i])) {
+      return CLI_RESUME_NEW;
+    }
+  }
+  return CLI_RESUME_GO_ON;
 }

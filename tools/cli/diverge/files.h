@@ -24,8 +24,9 @@ typedef struct {
   bool is_open;
 } cli_diverge_file_t;
 
+enum { CLI_EXITS, CLI_RETURNS, CLI_FILES };
 typedef struct {
-  cli_diverge_file_t exits, returns;
+  cli_diverge_file_t file[CLI_FILES];
   cli_shard_t shard; ///< for the trailers
 } cli_files_t;
 
@@ -33,11 +34,8 @@ typedef struct {
 /// header. run: in, a text that all shards of the run share.
 /// Returns: CLI_DONE; after a message CLI_STOPPED, and no new file is left.
 int cli_files_open(cli_files_t *files, const cli_job_t *job,
-                   const cli_buffer_t *run, const cli_file_place_t *exits,
-                   const cli_file_place_t *returns);
-
-/// How far a file is.
-cli_file_place_t cli_file_place(const cli_diverge_file_t *file);
+                   const cli_buffer_t *run,
+                   const cli_file_place_t at[CLI_FILES]);
 
 /// Writes the rows of a cycle.
 /// Returns: whether everything so far could be written.
@@ -62,7 +60,7 @@ typedef struct {
   cli_shard_t shard;
   uint64_t samples; ///< of the shard, that have ended
   uint64_t cycles, outcomes[CLI_OUTCOMES];
-  cli_file_place_t exits, returns;
+  cli_file_place_t at[CLI_FILES];
 } cli_checkpoint_t;
 
 /// What --resume finds.
@@ -78,10 +76,10 @@ typedef enum {
 cli_resume_t cli_checkpoint_find(const cli_args_t *args, uint32_t run,
                                  cli_checkpoint_t *at, cli_counts_t *counts);
 
-/// Writes it beside the first of the files; it replaces the one before at once.
-/// Returns: whether it could be written.
-bool cli_checkpoint_put(const cli_args_t *args, const cli_checkpoint_t *at,
-                        const cli_counts_t *counts);
+/// Writes it beside the first of the files, with the places of both; it
+/// replaces the one before at once. Returns: whether it could be written.
+bool cli_checkpoint_put(const cli_args_t *args, const cli_files_t *files,
+                        cli_checkpoint_t *at, const cli_counts_t *counts);
 
 /// Removes it, of a shard that is whole.
 void cli_checkpoint_remove(const cli_args_t *args);
