@@ -5,7 +5,6 @@
 #include "sample.h"
 /* Of the command line, which tests are not linked with. */
 #include "../../tools/cli/diverge/canard.c"       /* NOLINT */
-#include "../../tools/cli/diverge/vector_field.c" /* NOLINT */
 
 static tf_machine_t machine;
 static cli_two_fold_t through;

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "help.h"
-#include "host/destination.h"
+#include "host/output.h"
 #include "setup/scene_file.h"
 #include "text/message.h"
 #include "text/summary.h"

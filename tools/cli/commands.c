@@ -10,8 +10,8 @@
 //   analysis/  singularities, regions, design and atlas: they examine a machine
 //              without running it
 //   diverge/   the command `diverge`: samples of the motions that can follow a
-//              two-fold. Bottom up: vector_field, canard, tracker, job, motion,
-//              the steppers random, perturbed and lagged, counts, diverge;
+//              two-fold. Bottom up: canard, tracker, job, motion (with noise and
+//              smoothing), the steppers random and lagged, counts, diverge;
 //              `merge` adds its counts
 //   sweep/     the command `sweep`: one row for each point of a grid of
 //              settings; takes only events.h of run/

@@ -2,8 +2,6 @@
 // not on the order in which shards were merged, nor on how often a merged file
 // was merged again. Bins are half open, [i w, (i + 1) w).
 
-#include "counts.h"
-
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -13,6 +11,7 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"
+#include "files.h"
 
 #define LINE 256
 #define HEADER "what,key,count"

@@ -14,7 +14,6 @@
 #include "../host/progress.h"
 #include "../text/message.h"
 #include "../text/summary.h"
-#include "counts.h"
 #include "files.h"
 #include "motion.h"
 

@@ -7,9 +7,9 @@
 // when r passes the section. It says where on the spiral the motion is, and
 // does not depend on how the exit is defined.
 
-#include "tracker.h"
-
 #include <math.h>
+
+#include "motion.h"
 
 // A motion that lands this often without coming back is in a small cycle.
 #define SMALL_LANDINGS 3

@@ -11,8 +11,6 @@
 #define _DEFAULT_SOURCE
 #endif
 
-#include "destination.h"
-
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -23,6 +21,8 @@
 #include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
+
+#include "output.h"
 
 #define MAX_LINKS 40 // as many as Linux follows
 #define MAX_TRIES 100

@@ -2,9 +2,9 @@
 // that is not a frame is damage. A line does not: whoever starts to listen
 // hears half a frame first, and states that mean nothing before the schema.
 
-#include "damage.h"
-
 #include <math.h>
+
+#include "monitor_summary.h"
 
 // The decoder counts modulo 2^32: so does this sum, and a frame adds far less.
 static uint32_t counted(const tf_decoder_t *decoder) {

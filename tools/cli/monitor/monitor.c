@@ -14,10 +14,9 @@
 #include "../host/source.h"
 #include "../live/live.h"
 #include "../text/message.h"
-#include "damage.h"
+#include "board_command.h"
 #include "monitor_summary.h"
 #include "receiver.h"
-#include "session_record.h"
 #include "view.h"
 
 #define WAIT 100 // for bytes, and between two attempts to open a device [ms]

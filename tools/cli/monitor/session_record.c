@@ -5,13 +5,12 @@
 // What was refused did nothing and is left out. The last line counts the rows:
 // a record that is cut off would be a session of fewer commands.
 
-#include "session_record.h"
-
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "../text/message.h"
+#include "board_command.h"
 
 #define ROW_ROOM (2 * TF_FRAME_PAYLOAD + 128)
 

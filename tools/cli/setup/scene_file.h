@@ -1,15 +1,77 @@
 /// @file
 /// Scenes as text: a line `KEY VALUE` or `KEY = VALUE` for each member, with
-/// comments behind `#`. Units and ranges are those of tf_parameter_ranges. A
-/// text that is printed here reads back to the same bits.
+/// comments behind `#`. The parameters come first, in the order of
+/// tf_parameter_ranges, whose names, units and ranges they have. A text that is
+/// printed here reads back to the same bits.
 #ifndef TWOFOLD_CLI_SCENE_FILE_H
 #define TWOFOLD_CLI_SCENE_FILE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "../text/buffer.h"
-#include "scene_values.h"
 #include "twofold.h"
+
+#define CLI_SCENE_BYTES 16384 ///< of a file, at most
+#define CLI_SCENE_NAME 32     ///< with the terminating zero, as below
+#define CLI_SCENE_ABOUT 128
+
+/// A scene and the text that it points to, so it must not be copied.
+typedef struct {
+  tf_scene_t scene;
+  char name[CLI_SCENE_NAME];
+  char shows[CLI_SCENE_ABOUT], leaves_out[CLI_SCENE_ABOUT];
+} cli_scene_file_t;
+
+enum {
+  CLI_KEY_BASED_ON = TF_PARAMETERS,
+  CLI_KEY_NAME,
+  CLI_KEY_SHOWS,
+  CLI_KEY_LEAVES_OUT,
+  CLI_KEY_LAW,
+  CLI_KEY_REST,
+  CLI_KEY_RULE,
+  CLI_KEY_WITH_ANGLE,
+  CLI_KEY_R,
+  CLI_KEY_OMEGA,
+  CLI_KEY_H,
+  CLI_KEY_V,
+  CLI_KEY_T_END,
+  CLI_KEY_PROFILE,
+  CLI_KEYS
+};
+
+/// Name of a key, and the unit of its value, "1" where there is none.
+const char *cli_key_name(size_t key);
+const char *cli_key_unit(size_t key);
+
+#define CLI_PLACE_ROOM 512 ///< longer paths are cut in messages
+
+typedef struct {
+  cli_scene_file_t *file;
+  const char *path;
+  unsigned line;              ///< the present one, from 1
+  unsigned given[CLI_KEYS];   ///< line that gave the key, 0: none
+  char place[CLI_PLACE_ROOM]; ///< "PATH:LINE:" of the present line
+} cli_scene_reader_t;
+
+/// Sets the place to a line. Returns: the place.
+const char *cli_scene_place_of(cli_scene_reader_t *reader, unsigned line);
+
+/// Where a parameter stands in a scene.
+tf_real_t *cli_scene_parameter_of(tf_scene_t *scene, size_t key);
+
+/// Whether the first characters of a text may be the name of a scene.
+bool cli_scene_is_name(const char *text, size_t length);
+
+/// Reports that the value of a key is out of its range. Returns: CLI_REFUSED.
+int cli_scene_refuse_range(cli_scene_reader_t *reader, size_t key,
+                           tf_real_t value, double low, double high);
+
+/// Reads the value of a key of the present line; text is cut into its parts.
+/// Ranges of parameters are not checked here.
+/// Returns: as cli_scene_parse.
+int cli_scene_value(cli_scene_reader_t *reader, size_t key, char *text);
 
 /// Reads a scene from text. Its name is that of the file without the ending,
 /// unless the text gives one.

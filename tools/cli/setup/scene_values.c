@@ -1,14 +1,13 @@
 // The value of one line of a scene. What is a text here becomes the member of a
 // tf_scene_t; a word that is unknown is answered with the closest one.
 
-#include "scene_values.h"
-
 #include <stdio.h>
 #include <string.h>
 
 #include "../text/message.h"
 #include "../text/number.h"
 #include "names.h"
+#include "scene_file.h"
 
 const char *cli_scene_place_of(cli_scene_reader_t *reader, unsigned line) {
   (void)snprintf(reader->place, sizeof reader->place, "%s:%u:", reader->path,

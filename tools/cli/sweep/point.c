@@ -3,8 +3,6 @@
 // like one of --set. So a row is replayed by copying its fields into a command.
 // A refusal is a row, too, with the words of `run` in it.
 
-#include "point.h"
-
 #include <stdio.h>
 #include <string.h>
 
@@ -12,6 +10,7 @@
 #include "../setup/setup.h"
 #include "../text/message.h"
 #include "../text/number.h"
+#include "sheet.h"
 
 #define BATCH 4096 // steps between two checks for a signal
 #define REASON_ROOM 512

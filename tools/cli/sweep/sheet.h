@@ -1,12 +1,51 @@
 /// @file
-/// The file of a sweep: header, rows, trailer; and how a file that was stopped
-/// is taken up again.
+/// One point of a sweep: its settings, its motion, its row. And the file of a
+/// sweep: header, rows, trailer; and how a file that was stopped is taken up
+/// again.
 #ifndef TWOFOLD_CLI_SHEET_H
 #define TWOFOLD_CLI_SHEET_H
 
 #include "../host/output.h"
+#include "../setup/scheme.h"
+#include "../text/buffer.h"
 #include "../text/trailer.h"
-#include "point.h"
+#include "measure.h"
+
+#define CLI_SWEEP_ROW 2048 // room for a row or a header
+
+/// What all points share.
+typedef struct {
+  const cli_args_t *args;
+  const cli_scheme_t *scheme;
+  cli_drive_t drive; ///< of --inputs, and of the scene
+} cli_sweep_t;
+
+/// How a point ended.
+typedef enum {
+  CLI_POINT_DONE,
+  CLI_POINT_FLAGGED,    ///< some steps were degraded or missed their tolerance
+  CLI_POINT_STOPPED,    ///< a step was refused
+  CLI_POINT_REFUSED,    ///< the machine or its start was refused
+  CLI_POINT_INTERRUPTED ///< by a signal: it has no row
+} cli_point_end_t;
+#define CLI_POINT_ENDS 4 // those with a row
+
+/// Checks what is the same at all points, and the ends of every axis.
+/// hash: out, of all that a motion depends on and that the command line does
+/// not name: the scene's parameters, its start, and the table of inputs.
+int cli_point_check(const cli_sweep_t *sweep, uint32_t *hash);
+
+/// Follows the motion at a point and writes its row.
+/// index: in, 0 to points - 1; the last axis is the inner loop.
+/// length: out, of the row with its newline.
+cli_point_end_t cli_point(const cli_sweep_t *sweep, uint64_t index,
+                          char row[CLI_SWEEP_ROW], size_t *length);
+
+/// Writes the fields by which a row begins: its number and its axes.
+void cli_point_name(const cli_args_t *args, uint64_t index, cli_buffer_t *text);
+
+/// Name of an end, as in the column `status`.
+const char *cli_point_status(cli_point_end_t end);
 
 #define CLI_PROLOGUE_ROOM 16384
 typedef struct {

@@ -17,7 +17,6 @@
 #include "../text/number.h"
 #include "../text/options.h"
 #include "../text/summary.h"
-#include "point.h"
 #include "sheet.h"
 
 #define FLUSH_EVERY 0.2 // [s], so at most so much work is lost by a kill
