@@ -233,7 +233,7 @@ def monitor_draws_a_stream():
 def monitor_keeps_messages():
     """What is said while the picture is there is printed at the end, too."""
     master, end = os.openpty()
-    with Terminal([TWOFOLD, "monitor", os.ttyname(end), "--live"],
+    with Terminal([TWOFOLD, "monitor", os.ttyname(end)],
                   columns=90) as terminal:
         terminal.drawn(1)
         os.close(end)

@@ -149,10 +149,7 @@ const cli_command_t cli_commands[] = {
          "After SIGINT, SIGTERM or SIGHUP the program finishes the step, "
          "writes its row and stops; a second signal kills it. The summary goes "
          "to standard error.\n"
-         "\n"
-         "exit codes: 0 done, 2 usage, 3 refused, 4 stopped, 5 done, but some "
-         "steps were degraded or missed their tolerance: the summary counts "
-         "them\n"
+         "exit codes: see 'twofold help exit'\n"
          "\n"
          "names of --set, with their ranges:",
      .tail = print_names,

@@ -110,12 +110,9 @@ void cli_print_overview(void) {
       "csv,\n"
       "                     inputs, exit, save, replay, summary, provenance\n"
       "  --version          version and number type\n"
-      "\n"
-      "exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped, 5 done, "
-      "but\n"
-      "some steps were degraded or missed their tolerance, 6 done, but frames\n"
-      "of a stream were lost or broken, or a value in it is not finite\n",
+      "\n",
       stdout);
+  cli_print_filled(CLI_EXIT_CODES, 0, 0);
 }
 
 void cli_print_page(const cli_command_t *command) {

@@ -254,7 +254,7 @@ const cli_option_t cli_options[] = {
     {"--as", "FORM", CLI_MONITOR, CHOICE(as), .choices = streams,
      .usual = CLI_NO_FORM, .noun = "form",
      .what = "rows, with the digits of the sender's number type; without this "
-             "option a terminal shows the state live. Forms:"},
+             "option a terminal shows --live. Forms:"},
     {"--csv", NULL, CLI_MONITOR, FLAG(csv), .what = "--as csv"},
     {"--live", NULL, CLI_MONITOR, FLAG(live),
      .what = "draws the planes (g, h) and (r, omega) and the last ten seconds "

@@ -105,11 +105,7 @@ static const topic_t topics[] = {
      "  0,-1,0\n"
      "  2,-2,0.5"},
     {"exit exits codes",
-     "Exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped, 5 done, "
-     "but some steps were degraded or missed their tolerance, 6 done, but "
-     "frames of a stream were lost or broken, or a value in it is not "
-     "finite. The file --exits of 'diverge' is something else: 'twofold help "
-     "diverge'."},
+     CLI_EXIT_CODES " The file --exits of 'diverge' is something else."},
     {"degraded coarse fell_back fell-back tolerance-missed reserved_since",
      "A step is degraded where no mode is consistent, or h and g contradict "
      "the mode, and coarse where it does not resolve the motion or misses "
@@ -120,41 +116,23 @@ static const topic_t topics[] = {
      "their end. --summary json: one line of JSON, the last one there; SI "
      "units, null for what is not known. A command that is refused says why "
      "in 'message'."},
-    {"command scene_hash first steps asked end final list kinds "
+    {"command slip_to_stick stick_to_slip slip_to_slip pinned_to_stick "
+     "two_fold to scene_hash first steps asked end final list kinds "
      "largest_h_in_stick largest_residual largest seconds output_seconds "
      "cost late latest applied passed rows last t_first t_last name held "
      "changes began_with commands states left source",
-     "In the summary of 'run':\n"
-     "  first, steps, asked    steps before this run, up to its end, asked "
-     "for\n"
-     "  end, final             why it ended, and where: 'twofold help exit'\n"
-     "  list, kinds            of events; 'slip_to_stick' and so on count "
-     "them\n"
-     "  largest_h_in_stick [m/s], largest_residual [N]: how well stick and "
-     "law\n"
-     "                         hold\n"
-     "  seconds, output_seconds, late, latest: time on the clock [s], and "
-     "how\n"
-     "                         many steps of --realtime were late\n"
-     "  profile, inputs        tables: rows that were seen, t_first to "
-     "t_last, of\n"
-     "                         which some passed between two steps; applied: "
-     "the\n"
-     "                         least and the largest value of a step\n"
-     "  replay, held           what the commands of a record have changed, "
-     "and\n"
-     "                         whose inputs hold: 'twofold help replay'"},
-    {"slip_to_stick stick_to_slip slip_to_slip pinned_to_stick two_fold to",
-     "Events in the summary of 'run': changes of mode from one to another, "
-     "and arrivals at the two-fold."},
+     "In the summary of 'run': steps before it (first), up to its end and "
+     "asked for; why and where it ended (end, final); its events (list, "
+     "kinds, and their counts); how well stick [m/s] and law [N] hold "
+     "(largest); time on the clock [s] and late steps of --realtime. Of a "
+     "table of inputs: rows from t_first to t_last, of which some passed "
+     "between two steps, and the least and the largest value applied. Of "
+     "--replay: what commands have changed, and whose inputs hold."},
     {"bytes broken lost missing restarts too_long other_version not_finite "
      "unmatched unknown sender dropped overruns expired exec_min_ns "
      "exec_mean_ns exec_max_ns",
      "Counts of 'monitor': frames that came damaged, not at all or too long, "
      "and what the board's own heartbeat counts (docs/PROTOCOL.md)."},
-    {"points kept nodes joined",
-     "In the summary of 'sweep': points, and rows that --resume has kept; of "
-     "'diverge --exhaustive': its tree."},
     {"progress",
      "Work of more than two seconds tells on standard error how far it is "
      "and how long it still takes: one line on a terminal, a line now and "
@@ -166,10 +144,10 @@ static const topic_t topics[] = {
      "CRC-32 as of zlib: of all bytes of a file in its last line ('sweep', "
      "'diverge', --save), where readers check it, of a frame, and of a table "
      "of --inputs."},
-    {"dead-man safe",
-     "Inputs that a board got by a command expire after so many ticks; then "
-     "the safe ones hold, those of a machine that nothing drives: 'twofold "
-     "help monitor', docs/PROTOCOL.md."},
+    {"dead-man safe deadman session start stop reset restore clear describe",
+     "Of the commands to a board: 'twofold help send'. Inputs by a command "
+     "expire after so many ticks; then the safe ones hold, those of a machine "
+     "that nothing drives: docs/PROTOCOL.md."},
     {"provenance unit units commit hash parameters number",
      "--provenance of 'run', 'diverge', 'regions', 'atlas' and 'monitor': "
      "four '# ' lines before the header with version, commit, number type; "
@@ -177,7 +155,6 @@ static const topic_t topics[] = {
      "hash of the inputs; units of the columns. The file of 'sweep' always "
      "has such lines, and the JSON of 'singularities' and 'design' has them "
      "as members. All numbers are in SI units."},
-    {"version", "--version prints version and number type of this build."},
     {"region lambda delassus",
      "Columns of 'regions': what becomes of motions at a point of the "
      "surface h = 0; the force [N] that holds h = 0 there; how much a force "
@@ -185,11 +162,13 @@ static const topic_t topics[] = {
     {"K K++ K+- K-+ K-- J1 J2 eigenvalues type case visible invisible "
      "teixeira physical time_scale residual",
      "Numbers of a two-fold: 'twofold help singularities'."},
-    {"point status reason done flagged stopped refused resume outcomes",
+    {"point points kept status reason done flagged stopped refused resume "
+     "outcomes",
      "Columns of 'sweep', what status may be, and what it finds: 'twofold "
      "help sweep'."},
     {"noise smoothing hysteresis delay returned small_cycle timeout canard "
-     "phase side landing landings windings branch branches node counts begun",
+     "phase side landing landings windings branch branches node nodes joined "
+     "counts begun",
      "What 'diverge' samples and finds: 'twofold help diverge'."},
     {"alpha",
      "Acceleration of the turntable [rad/s^2]: it follows from the column "
@@ -209,15 +188,10 @@ static const topic_t topics[] = {
      "whose rows one after the other are those of one run; 'twofold help "
      "merge' adds counts. GNU parallel, Slurm, Snakemake and the map of a "
      "sweep: docs/SWEEPS.md."},
-    {"profile knots",
-     "Speed of the turntable in a scene, linear between up to 8 knots "
-     "TIME:SPEED; 'run --inputs' takes a table of any length."},
-    {"float double number",
-     "The number type of a build: build/double/twofold, build/float/twofold "
-     "('make all'). --version prints it."},
-    {"deadman session start stop reset restore clear describe",
-     "Of the commands to a board: 'twofold help send', docs/PROTOCOL.md."},
-    {"name shows leaves-out based-on",
+    {"version float double number",
+     "--version prints the version and the number type of this build: "
+     "build/double/twofold or build/float/twofold ('make all')."},
+    {"name shows leaves-out based-on profile knots",
      "Keys of a scene's file: 'twofold help scene'."},
 };
 #define TOPICS (sizeof topics / sizeof topics[0])

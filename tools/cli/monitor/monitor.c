@@ -17,7 +17,6 @@
 #include "board_command.h"
 #include "monitor_summary.h"
 #include "receiver.h"
-#include "view.h"
 
 #define WAIT 100 // for bytes, and between two attempts to open a device [ms]
 #define BLOCK 65536
@@ -33,8 +32,7 @@ typedef struct {
   cli_output_t output;
   cli_session_record_t record;
   cli_receiver_t receiver;
-  cli_view_t view;
-  cli_live_t *live; ///< the picture of --live, or NULL
+  cli_live_t *live; ///< the picture, or NULL
   cli_damage_t damage;
   cli_flagged_t flagged;
   tf_decoder_t decoder;
@@ -54,27 +52,23 @@ static void note(cli_live_t *live, const cli_csv_t *row) {
   }
 }
 
-// The first line of the picture: the sender and its line.
+// The first line of the picture: the sender, its line and its counters.
 static void write_title(const monitor_t *monitor, char title[TITLE_ROOM]) {
   const tf_decoder_t *decoder = &monitor->decoder;
-  (void)snprintf(
+  const cli_receiver_t *receiver = &monitor->receiver;
+  const tf_heartbeat_t *beat = &receiver->heartbeat;
+  const int used = snprintf(
       title, TITLE_ROOM,
-      "%s: scene %s; %" PRIu32 " frames, %" PRIu32 " broken, %" PRIu32 " lost",
+      "%.256s: scene %s; %" PRIu32 " frames, %" PRIu32 " broken, %" PRIu32
+      " lost",
       monitor->source.name,
-      monitor->receiver.has_schema ? monitor->receiver.scene : "not known yet",
-      decoder->frames, decoder->bad + decoder->too_long + decoder->bad_version,
-      decoder->lost);
-}
-
-// Draws the picture, or the lines of the view.
-static void show(monitor_t *monitor, double now) {
-  char title[TITLE_ROOM];
-  if (monitor->live == NULL) {
-    cli_view_poll(&monitor->view, &monitor->receiver, &monitor->decoder,
-                  monitor->source.name, now);
-  } else if (cli_live_due(monitor->live, now)) {
-    write_title(monitor, title);
-    cli_live_draw(monitor->live, title, now);
+      receiver->has_schema ? receiver->scene : "not known yet", decoder->frames,
+      decoder->bad + decoder->too_long + decoder->bad_version, decoder->lost);
+  if (receiver->has_heartbeat) {
+    (void)snprintf(title + used, TITLE_ROOM - (size_t)used,
+                   "; %" PRIu32 " overruns, %" PRIu32 " dropped, %" PRIu32
+                   " times without inputs",
+                   beat->overruns, beat->dropped, beat->expired);
   }
 }
 
@@ -124,7 +118,6 @@ static bool take_block(monitor_t *monitor, size_t length) {
       continue;
     }
     cli_damage_row(&monitor->damage, &row, monitor->receiver.tick);
-    cli_view_note(&monitor->view, monitor->receiver.mode);
     note(monitor->live, &row);
     if (as != NULL &&
         !(begin_rows(monitor) &&
@@ -195,8 +188,6 @@ static int send_commands(monitor_t *monitor) {
 static int follow_stream(monitor_t *monitor) {
   const cli_args_t *args = monitor->args;
   const cli_board_commands_t *commands = &monitor->commands;
-  const bool live = monitor->live != NULL ||
-                    (monitor->as == NULL && cli_is_terminal(STDOUT_FILENO));
   while (!cli_stop_asked()) {
     size_t count = 0;
     const int sent = send_commands(monitor);
@@ -204,7 +195,7 @@ static int follow_stream(monitor_t *monitor) {
       return sent;
     }
     if (commands->count > 0 && commands->next == commands->count &&
-        monitor->as == NULL && !live) {
+        monitor->as == NULL && monitor->live == NULL) {
       return CLI_DONE; // every command is answered, and nothing is shown
     }
     const cli_source_found_t found =
@@ -213,8 +204,10 @@ static int follow_stream(monitor_t *monitor) {
     if (found == CLI_SOURCE_BYTES && !take_block(monitor, count)) {
       return output_failed(monitor);
     }
-    if (live) {
-      show(monitor, now);
+    if (cli_live_due(monitor->live, now)) {
+      char title[TITLE_ROOM];
+      write_title(monitor, title);
+      cli_live_draw(monitor->live, title, now);
     }
     // Rows of a slow board are flushed before the next wait.
     if (monitor->as != NULL && (found != CLI_SOURCE_BYTES ||
@@ -337,7 +330,9 @@ static int perform(monitor_t *monitor) {
     cli_source_close(&monitor->source);
     return code;
   }
-  monitor->live = monitor->args->live ? cli_live_open(LIVE_SPAN) : NULL;
+  const bool shows = monitor->as == NULL && cli_is_terminal(STDOUT_FILENO);
+  monitor->live =
+      monitor->args->live || shows ? cli_live_open(LIVE_SPAN) : NULL;
   code = judge_stop(monitor, follow_stream(monitor));
   write_title(monitor, title);
   cli_live_close(monitor->live, title);
