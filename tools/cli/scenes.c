@@ -1,7 +1,6 @@
 // The scenes: a list of them, and one as text that can be changed.
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "command.h"
@@ -57,17 +56,8 @@ static int apply(const cli_args_t *args, tf_scene_t *scene) {
   return CLI_DONE;
 }
 
-static int write_text(const cli_args_t *args, const char *text, size_t length) {
-  cli_output_t *output = calloc(1, sizeof *output);
-  if (output == NULL) {
-    return cli_message(CLI_STOPPED, "out of memory");
-  }
-  const int code = cli_output_write(output, "--out", args->out, text, length);
-  free(output);
-  return code;
-}
-
 int cli_scene(const cli_args_t *args) {
+  static cli_output_t output;
   char text[CLI_SCENE_BYTES];
   cli_buffer_t buffer = {text, 0, sizeof text, false};
   tf_scene_t scene;
@@ -77,5 +67,5 @@ int cli_scene(const cli_args_t *args) {
   }
   cli_add(&buffer, CLI_SCENE_TITLE);
   cli_scene_print(&scene, &scene.params, &buffer);
-  return write_text(args, text, buffer.used);
+  return cli_output_write(&output, "--out", args->out, text, buffer.used);
 }

@@ -341,23 +341,19 @@ static int read_all(const cli_args_t *args, merge_t *merge) {
 }
 
 int cli_merge(const cli_args_t *args) {
-  merge_t *merge = calloc(1, sizeof *merge);
-  if (merge == NULL) {
-    return cli_message(CLI_STOPPED, "out of memory");
-  }
-  int code = read_all(args, merge);
+  static merge_t merge;
+  int code = read_all(args, &merge);
   if (code == CLI_DONE) {
-    code = cli_output_begin(&merge->output, "--out", args->out);
+    code = cli_output_begin(&merge.output, "--out", args->out);
   }
   if (code == CLI_DONE) {
-    (void)cli_counts_put(&merge->sum, &merge->output);
-    code = cli_output_end(&merge->output, code);
+    (void)cli_counts_put(&merge.sum, &merge.output);
+    code = cli_output_end(&merge.output, code);
   }
   if (code == CLI_DONE) {
     (void)fprintf(stderr, "shards     %" PRIu64 " of %" PRIu64 "\n",
-                  cli_counts_shards(&merge->sum), merge->sum.of);
+                  cli_counts_shards(&merge.sum), merge.sum.of);
   }
-  free(merge);
   return code;
 }
 

@@ -6,7 +6,6 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -385,25 +384,15 @@ int cli_diverge_check(cli_args_t *args) {
 
 int cli_diverge(const cli_args_t *args) {
   static cli_job_t job;
-  int code = cli_job_prepare(&job, args);
+  static work_t work;
+  static cli_files_t files;
+  static counting_t counting;
+  const int code = cli_job_prepare(&job, args);
   if (code != CLI_DONE || args->exhaustive) {
     return code != CLI_DONE ? code : cli_exhaustive(&job);
   }
-  work_t *work = calloc(1, sizeof *work);
-  cli_files_t *files = calloc(1, sizeof *files);
-  counting_t *counting =
-      args->counts != NULL ? calloc(1, sizeof *counting) : NULL;
-  if (work == NULL || files == NULL ||
-      (args->counts != NULL && counting == NULL)) {
-    code = cli_message(CLI_STOPPED, "out of memory");
-  } else {
-    work->job = &job;
-    work->files = files;
-    work->counting = counting;
-    code = perform(work, args);
-  }
-  free(counting);
-  free(files);
-  free(work);
-  return code;
+  work.job = &job;
+  work.files = &files;
+  work.counting = args->counts != NULL ? &counting : NULL;
+  return perform(&work, args);
 }

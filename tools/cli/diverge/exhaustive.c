@@ -225,16 +225,15 @@ static void summarise(const search_t *search, int code) {
 }
 
 int cli_exhaustive(const cli_job_t *job) {
-  search_t search = {.job = job};
-  cli_output_t *output = calloc(1, sizeof *output);
-  search.output = output;
+  static cli_output_t output;
+  search_t search = {.job = job, .output = &output};
   search.nodes = calloc((size_t)job->args->nodes, sizeof *search.nodes);
   int code = CLI_DONE;
-  if (output == NULL || search.nodes == NULL) {
+  if (search.nodes == NULL) {
     code = cli_message(CLI_STOPPED, "out of memory");
-  } else if (!cli_output_open(output, job->args->branches)) {
+  } else if (!cli_output_open(&output, job->args->branches)) {
     code = cli_message(CLI_STOPPED, "--branches %s: cannot be written: %s",
-                       job->args->branches, cli_output_reason(output));
+                       job->args->branches, cli_output_reason(&output));
   } else {
     cli_catch_signals();
     char lines[CLI_PROVENANCE_ROOM];
@@ -244,19 +243,18 @@ int cli_exhaustive(const cli_job_t *job) {
           "r m, omega rad/s, stick_time s, exit_r m, exit_omega rad/s, time s, "
           "end_r m, landing_r m",
           lines);
-      (void)cli_output_lines(output, lines, length);
+      (void)cli_output_lines(&output, lines, length);
     }
-    (void)cli_output_lines(output, header, sizeof header - 1);
+    (void)cli_output_lines(&output, header, sizeof header - 1);
     visit_all(&search);
     if (cli_stop_asked()) {
       code = cli_message(CLI_STOPPED,
                          "stopped by a signal; the branches that "
                          "have ended are written");
     }
-    code = cli_output_end(output, code);
+    code = cli_output_end(&output, code);
     summarise(&search, code);
   }
   free(search.nodes);
-  free(output);
   return code;
 }

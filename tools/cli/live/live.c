@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "../text/message.h"
@@ -44,18 +43,13 @@ struct cli_live {
 };
 
 cli_live_t *cli_live_open(double span) {
-  cli_live_t *live = calloc(1, sizeof *live);
-  if (live == NULL) {
-    (void)cli_message(CLI_DONE, "--live: out of memory");
+  static cli_live_t live;
+  live.span = span > 0 ? span : 1;
+  if (!cli_screen_open(&live.screen)) {
     return NULL;
   }
-  live->span = span > 0 ? span : 1;
-  if (!cli_screen_open(&live->screen)) {
-    free(live);
-    return NULL;
-  }
-  cli_message_divert(live->said, sizeof live->said);
-  return live;
+  cli_message_divert(live.said, sizeof live.said);
+  return &live;
 }
 
 void cli_live_note(cli_live_t *live, const cli_live_point_t *point) {
@@ -292,5 +286,4 @@ void cli_live_close(cli_live_t *live, const char *title) {
        line = strtok(NULL, "\n")) {
     (void)cli_message(CLI_DONE, "%s", line);
   }
-  free(live);
 }

@@ -18,7 +18,7 @@ typedef struct {
 /// Takes the terminal at standard output over; messages are shown in it from
 /// then on, and printed at the end. span: in, the time that is kept [s]: all of
 /// a run that ends, or the last seconds of one that does not.
-/// Returns: NULL after a message where there is no such terminal, or no memory.
+/// Returns: NULL after a message where there is no such terminal.
 cli_live_t *cli_live_open(double span);
 
 /// Takes an instant.
@@ -30,7 +30,7 @@ bool cli_live_due(const cli_live_t *live, double now);
 /// Draws. title: in, the first line. now: in, cli_now().
 void cli_live_draw(cli_live_t *live, const char *title, double now);
 
-/// Gives the terminal back, leaves the last picture in it, and frees.
+/// Gives the terminal back, leaves the last picture in it.
 void cli_live_close(cli_live_t *live, const char *title);
 
 #endif

@@ -5,7 +5,6 @@
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -31,14 +30,10 @@ typedef struct {
   cli_source_t source;
   cli_output_t output;
   cli_session_record_t record;
-  cli_receiver_t receiver;
+  cli_seen_t seen;
   cli_live_t *live; ///< the picture, or NULL
-  cli_damage_t damage;
-  cli_flagged_t flagged;
-  tf_decoder_t decoder;
-  uint64_t bytes;
-  bool begun;  ///< what stands before the rows is written
-  bool at_end; ///< of a file or a pipe
+  bool begun;       ///< what stands before the rows is written
+  bool at_end;      ///< of a file or a pipe
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint8_t block[BLOCK];
 } monitor_t;
@@ -54,8 +49,8 @@ static void note(cli_live_t *live, const cli_csv_t *row) {
 
 // The first line of the picture: the sender, its line and its counters.
 static void write_title(const monitor_t *monitor, char title[TITLE_ROOM]) {
-  const tf_decoder_t *decoder = &monitor->decoder;
-  const cli_receiver_t *receiver = &monitor->receiver;
+  const tf_decoder_t *decoder = &monitor->seen.decoder;
+  const cli_receiver_t *receiver = &monitor->seen.receiver;
   const tf_heartbeat_t *beat = &receiver->heartbeat;
   const int used = snprintf(
       title, TITLE_ROOM,
@@ -84,7 +79,7 @@ static bool begin_rows(monitor_t *monitor) {
   return (!monitor->args->provenance ||
           cli_output_lines(
               &monitor->output, lines,
-              cli_received_provenance(&monitor->receiver, lines))) &&
+              cli_received_provenance(&monitor->seen.receiver, lines))) &&
          cli_output_lines(&monitor->output, as->header, strlen(as->header));
 }
 
@@ -96,28 +91,30 @@ static bool take_block(monitor_t *monitor, size_t length) {
   cli_csv_t row;
   char line[CLI_ROW_ROOM];
   const cli_stream_t *as = monitor->as;
-  monitor->bytes += length;
-  while (tf_decoder_block(&monitor->decoder, at, length, &taken, &frame)) {
+  monitor->seen.bytes += length;
+  while (tf_decoder_block(&monitor->seen.decoder, at, length, &taken, &frame)) {
     at += taken;
     length -= taken;
     if (frame.type == TF_DOWN_ANSWER) {
       const cli_board_command_t *done = cli_board_commands_answer(
-          &monitor->commands, &frame, &monitor->receiver);
+          &monitor->commands, &frame, &monitor->seen.receiver);
       if (done != NULL) {
         cli_session_record_command(&monitor->record, done,
-                                   monitor->receiver.is_float, frame.tick);
+                                   monitor->seen.receiver.is_float, frame.tick);
       }
     }
     cli_session_record_frame(&monitor->record, &frame);
-    const bool completes = cli_receiver_take(&monitor->receiver, &frame, &row);
-    cli_damage_frame(&monitor->damage, monitor->source.is_device, frame.type,
-                     &monitor->receiver, &monitor->decoder);
-    cli_flagged_frame(&monitor->flagged, &frame, &monitor->receiver,
+    const bool completes =
+        cli_receiver_take(&monitor->seen.receiver, &frame, &row);
+    cli_damage_frame(&monitor->seen.damage, monitor->source.is_device,
+                     frame.type, &monitor->seen.receiver,
+                     &monitor->seen.decoder);
+    cli_flagged_frame(&monitor->seen.flagged, &frame, &monitor->seen.receiver,
                       completes ? &row : NULL);
     if (!completes) {
       continue;
     }
-    cli_damage_row(&monitor->damage, &row, monitor->receiver.tick);
+    cli_damage_row(&monitor->seen.damage, &row, monitor->seen.receiver.tick);
     note(monitor->live, &row);
     if (as != NULL &&
         !(begin_rows(monitor) &&
@@ -133,7 +130,7 @@ static bool take_block(monitor_t *monitor, size_t length) {
 static bool take_end(monitor_t *monitor) {
   monitor->at_end = true;
   monitor->block[0] = 0;
-  monitor->bytes--;
+  monitor->seen.bytes--;
   return take_block(monitor, 1);
 }
 
@@ -172,12 +169,12 @@ static int send_commands(monitor_t *monitor) {
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
   const double now = cli_now();
   const size_t length =
-      cli_board_commands_next(commands, &monitor->receiver, now, wire);
+      cli_board_commands_next(commands, &monitor->seen.receiver, now, wire);
   if (length > 0 && !cli_source_write(&monitor->source, wire, length)) {
     return cli_message(CLI_STOPPED, "%s: %s", monitor->source.name,
                        strerror(monitor->source.error));
   }
-  if (cli_board_commands_late(commands, &monitor->receiver, now)) {
+  if (cli_board_commands_late(commands, &monitor->seen.receiver, now)) {
     return cli_message(CLI_STOPPED,
                        "--send %s: no answer; does the board take commands?",
                        commands->list[commands->next].text);
@@ -231,15 +228,6 @@ static int follow_stream(monitor_t *monitor) {
   return CLI_DONE;
 }
 
-static cli_seen_t seen_by(const monitor_t *monitor) {
-  return (cli_seen_t){.source = monitor->source.name,
-                      .receiver = &monitor->receiver,
-                      .decoder = &monitor->decoder,
-                      .damage = &monitor->damage,
-                      .flagged = &monitor->flagged,
-                      .bytes = monitor->bytes};
-}
-
 // Opens what is read, and the file that is written.
 static int open_both(monitor_t *monitor) {
   const cli_args_t *args = monitor->args;
@@ -277,13 +265,13 @@ static int judge_stop(const monitor_t *monitor, int code) {
 // part of one. With --follow a board may be started again.
 static int judge_whole(const monitor_t *monitor) {
   const char *name = monitor->source.name;
-  if (monitor->decoder.restarts > 0 && !monitor->args->follow) {
+  if (monitor->seen.decoder.restarts > 0 && !monitor->args->follow) {
     return cli_message(CLI_DAMAGED,
                        "%s: the sender was started again, or frames came "
                        "twice: these are rows of more than one run",
                        name);
   }
-  return monitor->at_end && monitor->damage.is_open
+  return monitor->at_end && monitor->seen.damage.is_open
              ? cli_message(CLI_DAMAGED,
                            "%s: ends before its run: the heartbeat that ends "
                            "it has not come",
@@ -294,24 +282,24 @@ static int judge_whole(const monitor_t *monitor) {
 // Whether the rows are all of one stream. A file of others does not get its
 // name, by which it would say that they are.
 static bool is_whole(const monitor_t *monitor) {
-  return monitor->decoder.frames > 0 &&
-         cli_damage_missing(&monitor->damage, &monitor->receiver,
-                            &monitor->decoder) == 0 &&
-         (monitor->decoder.restarts == 0 || monitor->args->follow) &&
-         !(monitor->at_end && monitor->damage.is_open);
+  return monitor->seen.decoder.frames > 0 &&
+         cli_damage_missing(&monitor->seen.damage, &monitor->seen.receiver,
+                            &monitor->seen.decoder) == 0 &&
+         (monitor->seen.decoder.restarts == 0 || monitor->args->follow) &&
+         !(monitor->at_end && monitor->seen.damage.is_open);
 }
 
 static int judge_stream(const monitor_t *monitor, int code) {
-  const cli_damage_t *damage = &monitor->damage;
+  const cli_damage_t *damage = &monitor->seen.damage;
   if (code == CLI_DONE && monitor->commands.refused > 0) {
     return CLI_REFUSED;
   }
-  if (code == CLI_DONE && monitor->decoder.frames == 0) {
+  if (code == CLI_DONE && monitor->seen.decoder.frames == 0) {
     return cli_message(CLI_STOPPED, "%s: no frame of protocol version %d",
                        monitor->args->source, TF_FRAME_VERSION);
   }
-  if (code == CLI_DONE &&
-      cli_damage_missing(damage, &monitor->receiver, &monitor->decoder) > 0) {
+  if (code == CLI_DONE && cli_damage_missing(damage, &monitor->seen.receiver,
+                                             &monitor->seen.decoder) > 0) {
     return cli_message(CLI_DAMAGED,
                        "%s: frames were lost or broken, as is counted",
                        monitor->source.name);
@@ -320,7 +308,7 @@ static int judge_stream(const monitor_t *monitor, int code) {
   if (code == CLI_DONE && damage->not_finite > 0) {
     return CLI_DAMAGED;
   }
-  return code == CLI_DONE ? cli_flagged_code(&monitor->flagged) : code;
+  return code == CLI_DONE ? cli_flagged_code(&monitor->seen.flagged) : code;
 }
 
 static int perform(monitor_t *monitor) {
@@ -345,13 +333,13 @@ static int perform(monitor_t *monitor) {
   closed = cli_session_record_close(&monitor->record, closed);
   code = closed == whole ? code : closed;
   cli_source_close(&monitor->source);
-  const cli_seen_t seen = seen_by(monitor);
+  monitor->seen.source = monitor->source.name;
   if (monitor->args->summary == 0) {
-    cli_seen_print(&seen);
+    cli_seen_print(&monitor->seen);
   }
   code = judge_stream(monitor, code);
   if (monitor->args->summary != 0) {
-    cli_seen_put(&seen, code);
+    cli_seen_put(&monitor->seen, code);
   }
   return code;
 }
@@ -407,18 +395,14 @@ static int take_commands(cli_board_commands_t *commands,
 }
 
 int cli_monitor(const cli_args_t *args) {
-  monitor_t *monitor = calloc(1, sizeof *monitor);
-  if (monitor == NULL) {
-    return cli_message(CLI_STOPPED, "out of memory");
+  static monitor_t monitor;
+  monitor.args = args;
+  monitor.as = args->as != CLI_NO_FORM ? &cli_streams[args->as] : NULL;
+  const int code = take_commands(&monitor.commands, args);
+  if (code != CLI_DONE) {
+    return code;
   }
-  monitor->args = args;
-  monitor->as = args->as != CLI_NO_FORM ? &cli_streams[args->as] : NULL;
-  int code = take_commands(&monitor->commands, args);
-  if (code == CLI_DONE) {
-    tf_decoder_init(&monitor->decoder, monitor->buffer, sizeof monitor->buffer);
-    cli_catch_signals();
-    code = perform(monitor);
-  }
-  free(monitor);
-  return code;
+  tf_decoder_init(&monitor.seen.decoder, monitor.buffer, sizeof monitor.buffer);
+  cli_catch_signals();
+  return perform(&monitor);
 }

@@ -95,8 +95,8 @@ static void print_board(const tf_heartbeat_t *beat) {
 }
 
 void cli_seen_print(const cli_seen_t *seen) {
-  const cli_receiver_t *receiver = seen->receiver;
-  const tf_decoder_t *decoder = seen->decoder;
+  const cli_receiver_t *receiver = &seen->receiver;
+  const tf_decoder_t *decoder = &seen->decoder;
   if (receiver->has_schema) {
     (void)fprintf(stderr, "sender     %s, scene %s, %s, dt = %g s, ",
                   receiver->build, receiver->scene,
@@ -117,7 +117,7 @@ void cli_seen_print(const cli_seen_t *seen) {
   if (receiver->has_heartbeat) {
     print_board(&receiver->heartbeat);
   }
-  print_flagged(seen->flagged, receiver);
+  print_flagged(&seen->flagged, receiver);
   if (receiver->has_schema && receiver->rows > 0) {
     (void)fprintf(stderr,
                   "last       step %" PRIu64
@@ -126,12 +126,12 @@ void cli_seen_print(const cli_seen_t *seen) {
                   receiver->tick, receiver->state[0], receiver->state[1],
                   receiver->state[2], tf_mode_name(receiver->mode));
   }
-  if (seen->damage->not_finite > 0) {
+  if (seen->damage.not_finite > 0) {
     (void)fprintf(stderr,
                   "values     %" PRIu64
                   " rows with one that is not finite, first at step %" PRIu64
                   "\n",
-                  seen->damage->not_finite, seen->damage->first_tick);
+                  seen->damage.not_finite, seen->damage.first_tick);
   }
 }
 
@@ -148,8 +148,8 @@ static void put_sender(const cli_receiver_t *receiver) {
 }
 
 static void put_line(const cli_seen_t *seen) {
-  const cli_receiver_t *receiver = seen->receiver;
-  const tf_decoder_t *decoder = seen->decoder;
+  const cli_receiver_t *receiver = &seen->receiver;
+  const tf_decoder_t *decoder = &seen->decoder;
   cli_put_count("bytes", seen->bytes);
   cli_put_count("frames", decoder->frames);
   cli_put_count("rows", receiver->rows);
@@ -160,8 +160,9 @@ static void put_line(const cli_seen_t *seen) {
   cli_put_count("too_long", decoder->too_long);
   cli_put_count("other_version", decoder->bad_version);
   cli_put_count("restarts", decoder->restarts);
-  cli_put_count("missing", cli_damage_missing(seen->damage, receiver, decoder));
-  cli_put_count("not_finite", seen->damage->not_finite);
+  cli_put_count("missing",
+                cli_damage_missing(&seen->damage, receiver, decoder));
+  cli_put_count("not_finite", seen->damage.not_finite);
 }
 
 static void put_board(const cli_receiver_t *receiver) {
@@ -197,19 +198,19 @@ static void put_last(const cli_receiver_t *receiver) {
 }
 
 void cli_seen_put(const cli_seen_t *seen, int code) {
-  const tf_tally_t tally = flagged_tally(seen->flagged);
+  const tf_tally_t tally = flagged_tally(&seen->flagged);
   (void)fputs("{", stderr);
   cli_put_word("version", TF_VERSION);
   cli_put_word("commit", cli_commit);
   cli_put_word("command", "monitor");
   cli_put_text("source", seen->source);
-  put_sender(seen->receiver);
+  put_sender(&seen->receiver);
   put_line(seen);
-  put_board(seen->receiver);
+  put_board(&seen->receiver);
   cli_put_count("degraded", tally.degraded);
   cli_put_count("coarse", tally.coarse);
   cli_put_count("fell_back", tally.fell_back);
-  put_last(seen->receiver);
+  put_last(&seen->receiver);
   cli_put_exit(code);
 }
 

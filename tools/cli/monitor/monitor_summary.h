@@ -55,10 +55,10 @@ int cli_flagged_code(const cli_flagged_t *flagged);
 
 typedef struct {
   const char *source; ///< name of the file or device
-  const cli_receiver_t *receiver;
-  const tf_decoder_t *decoder;
-  const cli_damage_t *damage;
-  const cli_flagged_t *flagged;
+  cli_receiver_t receiver;
+  tf_decoder_t decoder;
+  cli_damage_t damage;
+  cli_flagged_t flagged;
   uint64_t bytes;
 } cli_seen_t;
 

@@ -6,7 +6,6 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -410,15 +409,11 @@ int cli_run_check(cli_args_t *args) {
 }
 
 int cli_run(const cli_args_t *args) {
-  cli_run_t *run = calloc(1, sizeof *run);
-  if (run == NULL) {
-    return cli_message(CLI_STOPPED, "out of memory");
-  }
+  static cli_run_t run;
   cli_setup_t setup;
-  const int code = prepare_and_perform(run, &setup, args);
-  cli_drive_free(&run->drive);
-  cli_replay_free(&run->replay);
-  cli_events_free(&run->events);
-  free(run);
+  const int code = prepare_and_perform(&run, &setup, args);
+  cli_drive_free(&run.drive);
+  cli_replay_free(&run.replay);
+  cli_events_free(&run.events);
   return code;
 }
