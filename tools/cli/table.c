@@ -198,22 +198,17 @@ const cli_option_t cli_options[] = {
      .needs = "--realtime",
      .what = "with --realtime: a histogram of how long after their time steps "
              "began and ended, us,began,ended"},
-    {"--live", NULL, CLI_RUN, FLAG(live),
+    {"--live", NULL, CLI_RUN | CLI_MONITOR, FLAG(live),
      .what = "draws the planes (g, h) and (r, omega) and the modes over time "
-             "in the terminal, with --realtime at the pace of the machine; "
-             "rows go to --out only"},
+             "in the terminal (run: with --realtime at the pace of the "
+             "machine; monitor: the last ten seconds); rows go to --out only"},
     {"--select", "RULE", MOTIONS | CLI_SCENE, TEXT(select), .choices = rules,
      .what = "selects one of several consistent modes; default: the scene's "
              "own"},
-    {"--set", "NAME=VALUE", MOTIONS | CLI_SCENE, OTHER, .read = read_set,
-     .how = CLI_REPEATABLE,
+    {"--set", "NAME=VALUE", MOTIONS | CLI_SCENE | ANALYSES | CLI_DIVERGE, OTHER,
+     .read = read_set, .how = CLI_REPEATABLE,
      .what = "a parameter, an initial value or the law; each NAME once; names: "
              "'twofold help run'"},
-    {"--set", "NAME=VALUE", ANALYSES, OTHER, .read = read_set,
-     .how = CLI_REPEATABLE,
-     .what = "a parameter or the law, as in 'twofold help run'"},
-    {"--set", "NAME=VALUE", CLI_DIVERGE, OTHER, .read = read_set,
-     .how = CLI_REPEATABLE, .what = "as in 'twofold help run'"},
     {"--inputs", "FILE", MOTIONS, PATH(drive.inputs), .how = CLI_READS,
      .what = "inputs over time, a CSV table, the same at every point of a "
              "sweep: 'twofold help inputs'"},
@@ -225,12 +220,9 @@ const cli_option_t cli_options[] = {
              "written"},
     {"--format", "NAME", CLI_RUN, CHOICE(format), .choices = formats,
      .noun = "format", .what = "of the rows:"},
-    {"--shard", "I/N", CLI_DIVERGE, OTHER, .read = read_shard,
-     .what = "only part I of N of the samples; the rows of the parts, one "
-             "after the other, are those of one run"},
-    {"--shard", "I/N", CLI_SWEEP, OTHER, .read = read_shard,
-     .what = "only part I of N of the points; the rows of the shards, one file "
-             "after the other, are those of all"},
+    {"--shard", "I/N", CLI_DIVERGE | CLI_SWEEP, OTHER, .read = read_shard,
+     .what = "only part I of N of the samples or points; the rows of the "
+             "parts, one file after the other, are those of all"},
     {.commands = CLI_DIVERGE, .what = "files, CSV:"},
     {"--exits", "FILE", CLI_DIVERGE, PATH(exits), .how = CLI_WRITES,
      .what = "sample,cycle,time [s since the arrival],r [m],omega [rad/s],g "
@@ -256,13 +248,9 @@ const cli_option_t cli_options[] = {
      .what = "rows, with the digits of the sender's number type; without this "
              "option a terminal shows --live. Forms:"},
     {"--csv", NULL, CLI_MONITOR, FLAG(csv), .what = "--as csv"},
-    {"--live", NULL, CLI_MONITOR, FLAG(live),
-     .what = "draws the planes (g, h) and (r, omega) and the last ten seconds "
-             "of modes; rows only with --as --out"},
-    {"--out", "FILE", CLI_MONITOR, PATH(out), .how = CLI_WRITES,
-     .what = "with --as: FILE instead of standard output"},
-    {"--out", "FILE", MOTIONS | CLI_SCENE | ANALYSES | CLI_MERGE, PATH(out),
-     .how = CLI_WRITES, .what = "instead of standard output"},
+    {"--out", "FILE", MOTIONS | CLI_SCENE | ANALYSES | CLI_MERGE | CLI_MONITOR,
+     PATH(out), .how = CLI_WRITES,
+     .what = "instead of standard output; monitor: with --as"},
     {"--save", "FILE", CLI_RUN, PATH(save), .how = CLI_WRITES,
      .what = "the state at the end of the run, whatever ends it"},
     {"--from", "FILE", CLI_RUN, PATH(from), .how = CLI_READS,

@@ -12,7 +12,7 @@
 
 #define PLOTTED 6 // columns from the second up to this one
 
-const cli_csv_column_t cli_csv_columns[CLI_CSV_COLUMNS] = {
+const cli_quantity_t cli_csv_columns[CLI_CSV_COLUMNS] = {
     {"t", "s"},   {"r", "m"},   {"v", "m/s"}, {"omega", "rad/s"},
     {"h", "m/s"}, {"g", "m/s"}, {"F", "N"},   {"M", "N m"}};
 

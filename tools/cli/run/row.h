@@ -31,10 +31,7 @@ typedef struct {
 } cli_csv_t;
 
 /// Names and units of those columns.
-typedef struct {
-  const char *name, *unit;
-} cli_csv_column_t;
-extern const cli_csv_column_t cli_csv_columns[CLI_CSV_COLUMNS];
+extern const cli_quantity_t cli_csv_columns[CLI_CSV_COLUMNS];
 
 /// The forms of a row. The modes are numbers where the tool draws numbers only;
 /// what a frame does not carry is left out, or left empty in CSV.

@@ -39,25 +39,29 @@
 #define HELD_WHOLES 2
 #define CRC_LINE 15 // "crc32 0123abcd\n"
 
-static const char *const real_names[REALS] = {"r",
-                                              "v",
-                                              "omega",
-                                              "phi",
-                                              "compensation-r",
-                                              "compensation-v",
-                                              "compensation-w",
-                                              "compensation-phi",
-                                              "force-F",
-                                              "force-M",
-                                              "slip-h",
-                                              "slip-g",
-                                              "delassus",
-                                              "residual",
-                                              "held-omega0",
-                                              "held-r0",
-                                              "held-force",
-                                              "held-torque",
-                                              "held-alpha"};
+// The members of cli_stand_t that are numbers, in the order of their lines.
+static const struct {
+  const char *name;
+  size_t at;
+} reals[REALS] = {{"r", offsetof(cli_stand_t, state.r)},
+                  {"v", offsetof(cli_stand_t, state.v)},
+                  {"omega", offsetof(cli_stand_t, state.w)},
+                  {"phi", offsetof(cli_stand_t, state.phi)},
+                  {"compensation-r", offsetof(cli_stand_t, compensation.r)},
+                  {"compensation-v", offsetof(cli_stand_t, compensation.v)},
+                  {"compensation-w", offsetof(cli_stand_t, compensation.w)},
+                  {"compensation-phi", offsetof(cli_stand_t, compensation.phi)},
+                  {"force-F", offsetof(cli_stand_t, report.force.F)},
+                  {"force-M", offsetof(cli_stand_t, report.force.M)},
+                  {"slip-h", offsetof(cli_stand_t, report.slip.h)},
+                  {"slip-g", offsetof(cli_stand_t, report.slip.g)},
+                  {"delassus", offsetof(cli_stand_t, report.delassus)},
+                  {"residual", offsetof(cli_stand_t, report.residual)},
+                  {"held-omega0", offsetof(cli_stand_t, held.input.omega0)},
+                  {"held-r0", offsetof(cli_stand_t, held.input.r0)},
+                  {"held-force", offsetof(cli_stand_t, held.input.force)},
+                  {"held-torque", offsetof(cli_stand_t, held.input.torque)},
+                  {"held-alpha", offsetof(cli_stand_t, held.input.alpha)}};
 static const struct {
   const char *name;
   uint64_t most;
@@ -69,19 +73,8 @@ static const struct {
     {"left", UINT32_MAX}};
 static const char *const sources[] = {"scene", "outside", "safe"};
 
-static void list_reals(cli_stand_t *stand, tf_real_t *at[REALS]) {
-  tf_real_t *const all[REALS] = {
-      &stand->state.r,           &stand->state.v,
-      &stand->state.w,           &stand->state.phi,
-      &stand->compensation.r,    &stand->compensation.v,
-      &stand->compensation.w,    &stand->compensation.phi,
-      &stand->report.force.F,    &stand->report.force.M,
-      &stand->report.slip.h,     &stand->report.slip.g,
-      &stand->report.delassus,   &stand->report.residual,
-      &stand->held.input.omega0, &stand->held.input.r0,
-      &stand->held.input.force,  &stand->held.input.torque,
-      &stand->held.input.alpha};
-  memcpy(at, all, sizeof all);
+static tf_real_t *real_of(cli_stand_t *stand, size_t i) {
+  return (tf_real_t *)(void *)((char *)stand + reals[i].at);
 }
 
 static void add_pair(cli_buffer_t *out, const char *key, const char *value) {
@@ -95,7 +88,6 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                        const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]) {
   cli_buffer_t text = {out, 0, CLI_STATE_BYTES, false};
   cli_stand_t copy = *stand;
-  tf_real_t *real[REALS];
   char number[CLI_REAL_ROOM];
   const uint64_t whole[WHOLES] = {stand->state.tick,
                                   stand->state.seed,
@@ -119,10 +111,9 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
     (void)snprintf(number, sizeof number, "%" PRIu64, whole[i]);
     add_pair(&text, wholes[i].name, number);
   }
-  list_reals(&copy, real);
   for (size_t i = 0; i < REALS - HELD_REALS + held * HELD_REALS; i++) {
-    (void)cli_write_real(number, *real[i]);
-    add_pair(&text, real_names[i], number);
+    (void)cli_write_real(number, *real_of(&copy, i));
+    add_pair(&text, reals[i].name, number);
   }
   cli_add(&text, "scene\n");
   cli_scene_print(setup->scene, &setup->params, &text);
@@ -241,7 +232,6 @@ static bool read_source(reader_t *reader, cli_stand_t *stand) {
 
 static int read_values(reader_t *reader, cli_stand_t *stand) {
   uint64_t whole[WHOLES] = {0};
-  tf_real_t *real[REALS];
   const char *why = "";
   const char *inputs = next_value(reader, "inputs");
   if (inputs == NULL || strlen(inputs) != 8 ||
@@ -253,7 +243,6 @@ static int read_values(reader_t *reader, cli_stand_t *stand) {
     return no_state(reader, "no file of --save");
   }
   const size_t held = stand->held.source != TF_INPUT_SCENE;
-  list_reals(stand, real);
   for (size_t i = 0; i < WHOLES - HELD_WHOLES + held * HELD_WHOLES; i++) {
     const char *value = next_value(reader, wholes[i].name);
     if (value == NULL || !cli_read_whole(value, 0, wholes[i].most, &whole[i])) {
@@ -261,8 +250,8 @@ static int read_values(reader_t *reader, cli_stand_t *stand) {
     }
   }
   for (size_t i = 0; i < REALS - HELD_REALS + held * HELD_REALS; i++) {
-    const char *value = next_value(reader, real_names[i]);
-    if (value == NULL || !cli_read_real(value, real[i], &why)) {
+    const char *value = next_value(reader, reals[i].name);
+    if (value == NULL || !cli_read_real(value, real_of(stand, i), &why)) {
       return no_state(reader, "no file of --save");
     }
   }
@@ -282,12 +271,10 @@ static int read_values(reader_t *reader, cli_stand_t *stand) {
 // it.
 static int check_stand(const reader_t *reader, cli_stand_t *stand) {
   const tf_state_t *x = &stand->state;
-  tf_real_t *real[REALS];
-  list_reals(stand, real);
   for (size_t i = 0; i < REALS; i++) {
-    if (!isfinite(*real[i])) {
+    if (!isfinite(*real_of(stand, i))) {
       return cli_message(CLI_REFUSED, "--from %s: %s is not finite",
-                         reader->path, real_names[i]);
+                         reader->path, reals[i].name);
     }
   }
   const double reach =

@@ -11,7 +11,7 @@
 #include "../text/message.h"
 #include "../text/trailer.h"
 
-const cli_input_column_t cli_input_columns[CLI_INPUTS] = {
+const cli_quantity_t cli_input_columns[CLI_INPUTS] = {
     {"omega0", "rad/s"}, {"r0", "m"}, {"force", "N"}, {"torque", "N m"}};
 
 bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row) {

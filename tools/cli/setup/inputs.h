@@ -29,10 +29,7 @@ enum {
   CLI_INPUT_TORQUE,
   CLI_INPUTS
 };
-typedef struct {
-  const char *name, *unit;
-} cli_input_column_t;
-extern const cli_input_column_t cli_input_columns[CLI_INPUTS];
+extern const cli_quantity_t cli_input_columns[CLI_INPUTS];
 
 typedef struct {
   tf_real_t t;                 ///< [s]

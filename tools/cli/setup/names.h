@@ -10,6 +10,11 @@
 
 #include "twofold.h"
 
+/// A name, and the unit of what it names.
+typedef struct {
+  const char *name, *unit;
+} cli_quantity_t;
+
 /// Index of a parameter in tf_parameter_ranges, TF_PARAMETERS where no
 /// parameter has that name.
 size_t cli_parameter_index(const char *name);

@@ -76,7 +76,7 @@ int cli_settings_add(cli_settings_t *settings, const char *option,
 // is in its range is checked later and in a single place, by tf_prepare,
 // because ranges depend on the law and the law may be set after the parameter.
 
-const cli_start_t cli_starts[CLI_STARTS] = {
+const cli_quantity_t cli_starts[CLI_STARTS] = {
     {"r", "m"}, {"v", "m/s"}, {"omega", "rad/s"}, {"h", "m/s"}, {"phi", "rad"}};
 
 static int unknown_setting(const cli_setting_t *setting) {

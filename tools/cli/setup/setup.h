@@ -9,6 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "names.h"
 #include "twofold.h"
 
 // The settings of a command line: NAME=VALUE pairs, still as text.
@@ -57,10 +58,7 @@ enum {
   CLI_START_PHI,
   CLI_STARTS
 };
-typedef struct {
-  const char *name, *unit;
-} cli_start_t;
-extern const cli_start_t cli_starts[CLI_STARTS];
+extern const cli_quantity_t cli_starts[CLI_STARTS];
 
 /// A scene with its settings applied.
 typedef struct {
