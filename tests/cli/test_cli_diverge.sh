@@ -164,7 +164,7 @@ cat - >>rows <<END
 2 chaos --exits x --returns x|two files
 2 chaos --exhaustive --shard 1/2|--exhaustive
 4 chaos --exits e.csv --returns no/such/r.csv|No such
-4 chaos --exhaustive --branches no/such/b.csv|cannot be written
+4 chaos --exhaustive --branches no/such/b.csv|--branches no/such/b.csv: No such
 END
 expectations diverge <rows
 equal 'none of them makes a file' "$(find . -name '[er].csv')" ''

@@ -17,7 +17,7 @@ int main(int argc, char *argv[]) {
     return 2;
   }
   static cli_output_t output;
-  const int code = cli_output_begin(&output, "FILE", argv[3]);
+  const int code = cli_output_begin(&output, "FILE", argv[3], false);
   if (code != CLI_DONE) return code;
   const char *why = cli_take_priority();
   if (why != NULL) fprintf(stderr, "empty_loop: no priority: %s\n", why);

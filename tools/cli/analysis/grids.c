@@ -60,7 +60,7 @@ static int write_line(cli_analysis_t *a, uint64_t i, row_t row,
 static int write_grid(cli_analysis_t *a, const char *header, const char *units,
                       row_t row) {
   char lines[CLI_PROVENANCE_ROOM];
-  int code = cli_output_begin(&a->output, "--out", a->args->out);
+  int code = cli_output_begin(&a->output, "--out", a->args->out, false);
   if (code != CLI_DONE) {
     return code;
   }

@@ -90,8 +90,10 @@ double cli_free_slip_rate(const tf_machine_t *k, cli_point_t at) {
   return cli_slip_rate(k, at, cli_vector_field(k, at, 0, 0));
 }
 
-void cli_sliding_field(const tf_machine_t *k, double r, double z, double s,
-                       double out[2]) {
+// The sliding vector field multiplied by A, (A r', A z') on h = 0: it is regular
+// where A = 0. s: sign of g.
+static void sliding_field(const tf_machine_t *k, double r, double z, double s,
+                          double out[2]) {
   const cli_point_t at = cli_point_on_surface(k, r, z);
   const double A = cli_delassus(k, r, s);
   const double N = cli_free_slip_rate(k, at);
@@ -138,7 +140,7 @@ static cli_canard_node_t step(const cli_canard_t *canard,
     const double r = from.r + part[i] * dt * rate[0];
     const double z = from.z + part[i] * dt * rate[1];
     const double A = cli_delassus(canard->machine, r, canard->s);
-    cli_sliding_field(canard->machine, r, z, canard->s, rate);
+    sliding_field(canard->machine, r, z, canard->s, rate);
     rate[0] /= A;
     rate[1] /= A;
     to.r += weight[i] * dt * rate[0];

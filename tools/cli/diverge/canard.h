@@ -42,11 +42,6 @@ double cli_slip_rate(const tf_machine_t *machine, cli_point_t at,
 /// h' without friction [m/s^2].
 double cli_free_slip_rate(const tf_machine_t *machine, cli_point_t at);
 
-/// The sliding vector field multiplied by A, (A r', A z') on h = 0: it is
-/// regular where A = 0. s: sign of g.
-void cli_sliding_field(const tf_machine_t *machine, double r, double z,
-                       double s, double out[2]);
-
 /// A two-fold that stick passes through.
 typedef struct {
   double r, omega, g; ///< [m], [rad/s], [m/s]

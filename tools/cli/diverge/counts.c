@@ -293,8 +293,9 @@ int cli_counts_read(cli_counts_t *counts, const char *name) {
                                      name, number);
 }
 
-int cli_counts_add(cli_counts_t *counts, const cli_counts_t *more,
-                   const char *name) {
+// Adds the counts of other shards of the same run, read from a file `name`.
+static int add_counts(cli_counts_t *counts, const cli_counts_t *more,
+                      const char *name) {
   if (counts->run != more->run || strcmp(counts->about, more->about) != 0) {
     return cli_message(CLI_REFUSED, "%s: of another run than the first file",
                        name);
@@ -334,7 +335,7 @@ static int read_all(const cli_args_t *args, merge_t *merge) {
     memset(&merge->next, 0, sizeof merge->next);
     code = cli_counts_read(&merge->next, args->files[i]);
     if (code == CLI_DONE) {
-      code = cli_counts_add(&merge->sum, &merge->next, args->files[i]);
+      code = add_counts(&merge->sum, &merge->next, args->files[i]);
     }
   }
   return code;
@@ -344,7 +345,7 @@ int cli_merge(const cli_args_t *args) {
   static merge_t merge;
   int code = read_all(args, &merge);
   if (code == CLI_DONE) {
-    code = cli_output_begin(&merge.output, "--out", args->out);
+    code = cli_output_begin(&merge.output, "--out", args->out, false);
   }
   if (code == CLI_DONE) {
     (void)cli_counts_put(&merge.sum, &merge.output);

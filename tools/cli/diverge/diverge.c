@@ -210,7 +210,8 @@ static int begin_counting(const work_t *work, const cli_buffer_t *run) {
   counts->run = trailer.run;
   counts->of = args->shard.of;
   (void)cli_counts_shard(counts, args->shard.index);
-  return cli_output_begin(&work->counting->output, "--counts", args->counts);
+  return cli_output_begin(&work->counting->output, "--counts", args->counts,
+                          false);
 }
 
 static int end_counting(const work_t *work, int code) {

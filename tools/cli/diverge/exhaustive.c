@@ -101,20 +101,14 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
   search->tracker = cli_tracker_of(search->job);
   const tf_state_t left = motion->state;
   const cli_branch_t end = cli_random_branch(motion, mode, &next.set);
-  const char *name = "unfinished";
+  static const char *const names[] = {"two-fold", "codim2", "escaping",
+                                      "unfinished"};
+  const bool pinned = end == CLI_BRANCH_TIME && motion->state.mode == TF_PINNED;
   uint64_t found = UINT64_MAX;
   next.state = motion->state;
-  if (end == CLI_BRANCH_TWO_FOLD) {
-    name = "two-fold";
-    next.two_fold = true;
+  next.two_fold = end == CLI_BRANCH_TWO_FOLD;
+  if (next.two_fold || end == CLI_BRANCH_CODIM2) {
     found = node_at(search, &next);
-  } else if (end == CLI_BRANCH_CODIM2) {
-    name = "codim2";
-    found = node_at(search, &next);
-  } else if (end == CLI_BRANCH_ESCAPING) {
-    name = "escaping";
-  } else if (motion->state.mode == TF_PINNED) {
-    name = "pinned";
   }
   if (found != UINT64_MAX) {
     (void)snprintf(to, sizeof to, "%" PRIu64, found);
@@ -131,7 +125,8 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
                "%.12g,%s,%" PRIu64 "\n",
                index, from->depth, from->two_fold ? "two-fold" : "codim2",
                (double)from->state.r, (double)from->state.w, tf_mode_name(mode),
-               stick_time, (double)left.r, (double)left.w, name, to, motion->t,
+               stick_time, (double)left.r, (double)left.w,
+               pinned ? "pinned" : names[end], to, motion->t,
                (double)motion->state.r, landing, cycle->windings);
   search->branches++;
   show_progress(search);
@@ -226,17 +221,15 @@ static void summarise(const search_t *search, int code) {
 
 int cli_exhaustive(const cli_job_t *job) {
   static cli_output_t output;
+  char lines[CLI_PROVENANCE_ROOM];
   search_t search = {.job = job, .output = &output};
   search.nodes = calloc((size_t)job->args->nodes, sizeof *search.nodes);
-  int code = CLI_DONE;
   if (search.nodes == NULL) {
-    code = cli_message(CLI_STOPPED, "out of memory");
-  } else if (!cli_output_open(&output, job->args->branches)) {
-    code = cli_message(CLI_STOPPED, "--branches %s: cannot be written: %s",
-                       job->args->branches, cli_output_reason(&output));
-  } else {
-    cli_catch_signals();
-    char lines[CLI_PROVENANCE_ROOM];
+    return cli_message(CLI_STOPPED, "out of memory");
+  }
+  int code =
+      cli_output_begin(&output, "--branches", job->args->branches, false);
+  if (code == CLI_DONE) {
     if (job->args->provenance) {
       const size_t length = cli_job_provenance(
           job,

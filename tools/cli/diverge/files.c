@@ -90,7 +90,7 @@ static int open_file(cli_diverge_file_t *file, const char *option,
   if (path == NULL) {
     return CLI_DONE;
   }
-  const int code = cli_output_begin_again(&file->output, option, path);
+  const int code = cli_output_begin(&file->output, option, path, true);
   file->is_open = code == CLI_DONE;
   if (file->is_open && file->output.to.beside) {
     (void)cli_output_go_on(&file->output, (size_t)at->bytes);

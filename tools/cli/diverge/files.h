@@ -65,11 +65,6 @@ bool cli_counts_put(const cli_counts_t *counts, cli_output_t *output);
 /// Reads such a file; counts is all 0 before. name: in, for messages.
 int cli_counts_read(cli_counts_t *counts, const char *name);
 
-/// Adds the counts of other shards of the same run. name: in, of the file that
-/// `more` was read from.
-int cli_counts_add(cli_counts_t *counts, const cli_counts_t *more,
-                   const char *name);
-
 /// How far a file of rows is written.
 typedef struct {
   uint64_t bytes, rows;

@@ -27,7 +27,8 @@ double cli_draw_uniform(cli_draws_t *draws) {
   return fraction(word[0]);
 }
 
-double cli_draw_normal(cli_draws_t *draws) {
+// Of mean 0 and variance 1.
+static double draw_normal(cli_draws_t *draws) {
   uint32_t word[2];
   draw(draws, word);
   return sqrt(-2 * log(fraction(word[0]))) * cos(TWO_PI * fraction(word[1]));
@@ -131,7 +132,7 @@ static void start(cli_motion_t *motion) {
 static void add_noise(cli_motion_t *motion, double dt) {
   const tf_machine_t *k = &motion->long_steps;
   const double mechanism =
-      motion->size * sqrt(dt) * cli_draw_normal(&motion->draws);
+      motion->size * sqrt(dt) * draw_normal(&motion->draws);
   motion->state.v -= (tf_real_t)(mechanism / (double)k->sin_gamma);
   const tf_slip_t slip =
       tf_slip(k, motion->state.r, motion->state.v, motion->state.w, k->omega0);

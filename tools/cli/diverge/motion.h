@@ -83,7 +83,6 @@ typedef struct {
 } cli_draws_t;
 
 double cli_draw_uniform(cli_draws_t *draws); ///< in (0, 1)
-double cli_draw_normal(cli_draws_t *draws);  ///< mean 0, variance 1
 
 /// |h| <= band and |g| <= CLI_REST_BANDS band count as at rest at h = g = 0.
 #define CLI_REST_BANDS 4

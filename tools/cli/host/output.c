@@ -117,24 +117,14 @@ void cli_output_tell_part(const cli_output_t *output) {
   }
 }
 
-static int begin(cli_output_t *output, const char *option, const char *path,
-                 bool keep) {
+int cli_output_begin(cli_output_t *output, const char *option, const char *path,
+                     bool keep) {
   cli_catch_signals();
   if (open_it(output, path, keep)) {
     return CLI_DONE;
   }
   return cli_message(CLI_STOPPED, "%s %s: %s", option, path,
                      cli_output_reason(output));
-}
-
-int cli_output_begin(cli_output_t *output, const char *option,
-                     const char *path) {
-  return begin(output, option, path, false);
-}
-
-int cli_output_begin_again(cli_output_t *output, const char *option,
-                           const char *path) {
-  return begin(output, option, path, true);
 }
 
 bool cli_output_go_on(cli_output_t *output, size_t kept) {
@@ -165,7 +155,7 @@ int cli_output_end(cli_output_t *output, int code) {
 
 int cli_output_write(cli_output_t *output, const char *option, const char *path,
                      const char *text, size_t length) {
-  const int code = cli_output_begin(output, option, path);
+  const int code = cli_output_begin(output, option, path, false);
   if (code != CLI_DONE) {
     return code;
   }

@@ -56,13 +56,10 @@ bool cli_output_open(cli_output_t *output, const char *path);
 
 /// Opens it for a command: from now on signals are caught as by
 /// cli_catch_signals. option: the option that gave the path, for the message.
-int cli_output_begin(cli_output_t *output, const char *option,
-                     const char *path);
-
-/// The same of a file whose part may hold the rows of a run that was stopped:
-/// they stay, until cli_output_go_on says how many bytes of them are kept.
-int cli_output_begin_again(cli_output_t *output, const char *option,
-                           const char *path);
+/// keep: its part may hold the rows of a run that was stopped: they stay, until
+/// cli_output_go_on says how many bytes of them are kept.
+int cli_output_begin(cli_output_t *output, const char *option, const char *path,
+                     bool keep);
 
 /// Keeps so many bytes of the part, removes the others, and goes on behind
 /// them. Returns: as cli_output_lines.

@@ -239,8 +239,10 @@ static int open_both(monitor_t *monitor) {
                            : strerror(monitor->source.error));
   }
   if (monitor->as != NULL) {
-    if (!cli_output_open(&monitor->output, args->out)) {
-      return output_failed(monitor);
+    const int code =
+        cli_output_begin(&monitor->output, "--out", args->out, false);
+    if (code != CLI_DONE) {
+      return code;
     }
     if (!args->provenance) {
       (void)begin_rows(monitor);

@@ -40,7 +40,7 @@ int cli_session_record_open(cli_session_record_t *record, const char *path) {
   static const char title[] =
       "# Record of a board's session, for 'twofold run SCENE --replay'.\n";
   static const char header[] = "tick,type,data,command\n";
-  const int code = cli_output_begin(&record->output, "--record", path);
+  const int code = cli_output_begin(&record->output, "--record", path, false);
   record->is_open = code == CLI_DONE;
   if (record->is_open) {
     (void)cli_output_lines(&record->output, title, sizeof title - 1);

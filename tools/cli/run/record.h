@@ -29,10 +29,8 @@ typedef struct {
   cli_drive_t drive;
   cli_replay_t replay; ///< its simulation has inputs that hold by a command
   bool replays;        ///< instead of driving the scene
-  cli_format_t format;
-  bool provenance; ///< lines before the header
-  uint64_t every, steps;
-  bool real_time;           ///< step n is taken n dt after the start
+  const cli_args_t *args;
+  uint64_t steps;
   double start;             ///< cli_now() at t = 0
   uint64_t late;            ///< steps that ended after the time of the next one
   double latest;            ///< largest delay among them [s]

@@ -34,7 +34,7 @@ static void write_row(cli_run_t *run) {
   const char *bytes = row;
   size_t length = 0;
   const double started = cli_now();
-  if (run->format == CLI_FORMAT_FRAMES) {
+  if (run->args->format == CLI_FORMAT_FRAMES) {
     bytes = (const char *)frames;
     length = cli_frames_row(&run->sequence, &run->system.state, &run->report,
                             run->drive.table.count > 0
@@ -43,7 +43,8 @@ static void write_row(cli_run_t *run) {
                             frames);
   } else {
     const tf_real_t t = (tf_real_t)cli_run_time(run, run->system.state.tick);
-    length = cli_row(run->format, t, &run->system.state, &run->report, row);
+    length = cli_row((cli_format_t)run->args->format, t, &run->system.state,
+                     &run->report, row);
   }
   if (!cli_output_lines(&run->output, bytes, length)) {
     run->end = CLI_NOT_WRITTEN;
@@ -76,7 +77,7 @@ static bool next_input(cli_run_t *run, tf_input_t *input) {
   }
   const bool goes_on =
       cli_replay_next(&run->replay, &run->system, scene, &run->report, input);
-  if (run->replay.link.describe && run->format == CLI_FORMAT_FRAMES) {
+  if (run->replay.link.describe && run->args->format == CLI_FORMAT_FRAMES) {
     run->replay.link.describe = false;
     write_schema(run);
   }
@@ -143,10 +144,10 @@ static void check_time(cli_run_t *run) {
 // Takes a batch of steps and writes their rows.
 static void take_batch(cli_run_t *run) {
   const uint64_t left = run->steps - run->done;
-  const uint64_t most = run->real_time ? 1 : BATCH;
+  const uint64_t most = run->args->real_time ? 1 : BATCH;
   const uint64_t until = run->done + (left < most ? left : most);
   while (run->done < until && run->done < run->steps && run->end == CLI_ENDED) {
-    if (run->real_time) {
+    if (run->args->real_time) {
       await_step(run);
     }
     if (run->end != CLI_ENDED) {
@@ -156,10 +157,10 @@ static void take_batch(cli_run_t *run) {
       run->end = CLI_INTERRUPTED;
       return;
     }
-    if (take_step(run) && run->system.state.tick % run->every == 0) {
+    if (take_step(run) && run->system.state.tick % run->args->every == 0) {
       write_row(run);
     }
-    if (run->real_time && run->end == CLI_ENDED) {
+    if (run->args->real_time && run->end == CLI_ENDED) {
       check_time(run);
     }
   }
@@ -177,7 +178,7 @@ static void show_progress(cli_progress_t *progress, double now,
 
 static void step_through(cli_run_t *run) {
   const double started = cli_now();
-  const double flush_every = run->real_time ? LIVE_EVERY : FLUSH_EVERY;
+  const double flush_every = run->args->real_time ? LIVE_EVERY : FLUSH_EVERY;
   cli_progress_t progress =
       cli_progress_start(started, run->output.to.descriptor);
   progress.silent = progress.silent || run->live != NULL;
@@ -213,7 +214,7 @@ static void write_provenance(const cli_run_t *run, const char *units,
   char how[CLI_ROW_ROOM], lines[CLI_PROVENANCE_ROOM];
   const cli_inputs_t *table = &run->drive.table;
   cli_buffer_t text = {how, 0, sizeof how, false};
-  if (!run->provenance) {
+  if (!run->args->provenance) {
     return;
   }
   cli_add_form(&text, "scheme %s, dt %g s", run->scheme->name,
@@ -235,10 +236,10 @@ static void write_header(cli_run_t *run) {
     return;
   }
   write_provenance(run, CLI_CSV_UNITS, &run->output);
-  if (run->format == CLI_FORMAT_FRAMES) {
+  if (run->args->format == CLI_FORMAT_FRAMES) {
     run->output.last = '\0';
     write_schema(run);
-  } else if (run->format == CLI_FORMAT_CSV) {
+  } else if (run->args->format == CLI_FORMAT_CSV) {
     (void)cli_output_lines(&run->output, CLI_CSV_HEADER,
                            sizeof CLI_CSV_HEADER - 1);
   }
@@ -248,7 +249,7 @@ static void write_header(cli_run_t *run) {
 // lie between two rows. A run that was interrupted has no end: by that a reader
 // knows it.
 static void write_end(cli_run_t *run) {
-  if (run->rowless || run->format != CLI_FORMAT_FRAMES ||
+  if (run->rowless || run->args->format != CLI_FORMAT_FRAMES ||
       run->end == CLI_NOT_WRITTEN || run->end == CLI_INTERRUPTED) {
     return;
   }
@@ -275,19 +276,20 @@ static int end_lateness(cli_run_t *run, int code) {
 static int open_files(cli_run_t *run, const cli_args_t *args) {
   int code = CLI_DONE;
   if (args->save != NULL) {
-    code = cli_output_begin(&run->saved, "--save", args->save);
+    code = cli_output_begin(&run->saved, "--save", args->save, false);
   }
   if (code == CLI_DONE && args->lateness != NULL) {
     static cli_lateness_t lateness;
     run->lateness = &lateness;
-    code = cli_output_begin(&run->late_rows, "--lateness", args->lateness);
+    code =
+        cli_output_begin(&run->late_rows, "--lateness", args->lateness, false);
   }
   return code;
 }
 
 // Opens what is written, runs, closes it and prints the summary.
 static int perform(cli_run_t *run, const cli_args_t *args) {
-  int code = cli_output_begin(&run->output, "--out", args->out);
+  int code = cli_output_begin(&run->output, "--out", args->out, false);
   if (code != CLI_DONE) {
     return code;
   }
@@ -302,7 +304,6 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
   if (why != NULL) {
     (void)fprintf(stderr, "twofold: --priority: not given: %s\n", why);
   }
-  run->provenance = args->provenance;
   write_header(run);
   step_through(run);
   write_end(run);
@@ -370,9 +371,7 @@ static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
     return code;
   }
   run->setup = setup;
-  run->format = (cli_format_t)args->format;
-  run->every = args->every;
-  run->real_time = args->real_time;
+  run->args = args;
   run->report = setup->report;
   cli_system_begin(&run->system, run->scheme, setup, &run->report);
   run->events.limit = args->listed;

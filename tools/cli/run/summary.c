@@ -245,7 +245,7 @@ static void print_cost(const cli_run_t *run) {
 }
 
 static void print_real_time(const cli_run_t *run) {
-  if (run->real_time) {
+  if (run->args->real_time) {
     (void)fprintf(stderr,
                   "real time  %" PRIu64 " of %" PRIu64
                   " steps late, by %.3g s at most\n",

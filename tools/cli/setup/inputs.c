@@ -210,8 +210,10 @@ void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
   }
 }
 
-void cli_inputs_start(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
-                      tf_input_t *input) {
+// Sets the inputs that the table gives at the instant at which a run starts;
+// alpha is 0.
+static void begin_at(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
+                     tf_input_t *input) {
   tf_real_t value[CLI_INPUTS];
   if (inputs->count == 0) {
     return;
@@ -239,8 +241,8 @@ void cli_drive_begin(cli_drive_t *drive, cli_setup_t *setup) {
   cli_inputs_prepare(&drive->profile, setup->machine.dt);
   cli_inputs_prepare(&drive->table, setup->machine.dt);
   setup->input = tf_input_default(&setup->machine);
-  cli_inputs_start(&drive->profile, 0, 0, &setup->input);
-  cli_inputs_start(&drive->table, 0, 0, &setup->input);
+  begin_at(&drive->profile, 0, 0, &setup->input);
+  begin_at(&drive->table, 0, 0, &setup->input);
 }
 
 void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup) {
@@ -257,8 +259,8 @@ void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup) {
 
 void cli_drive_go_to(cli_drive_t *drive, uint64_t tick, tf_real_t t) {
   tf_input_t input = {0, 0, 0, 0, 0};
-  cli_inputs_start(&drive->profile, tick, t, &input);
-  cli_inputs_start(&drive->table, tick, t, &input);
+  begin_at(&drive->profile, tick, t, &input);
+  begin_at(&drive->table, tick, t, &input);
 }
 
 tf_input_t cli_drive_step(cli_drive_t *drive, const tf_machine_t *machine,

@@ -64,10 +64,6 @@ int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene);
 /// or CLI_REFUSED (out of range); CLI_STOPPED (out of memory).
 int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file);
 
-/// The same from a path, "-" for standard input.
-/// Returns: as cli_inputs_parse; CLI_USAGE as well where it cannot be opened.
-int cli_inputs_read(cli_inputs_t *inputs, const char *path);
-
 /// CRC-32 of all that a table gives: columns, what holds between rows, rows. 0
 /// without rows.
 uint32_t cli_inputs_hash(const cli_inputs_t *inputs);
@@ -88,11 +84,6 @@ void cli_inputs_prepare(cli_inputs_t *inputs, tf_real_t dt);
 void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
                      tf_real_t dt, tf_input_t *input);
 
-/// Sets the inputs that the table gives at the instant at which a run starts;
-/// alpha is 0.
-void cli_inputs_start(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
-                      tf_input_t *input);
-
 /// Frees the rows.
 void cli_inputs_free(cli_inputs_t *inputs);
 
@@ -111,7 +102,7 @@ typedef struct {
 
 /// Reads what drives a scene.
 /// drive: out; to be freed by cli_drive_free, whatever is returned.
-/// Returns: CLI_DONE; after a message as cli_inputs_read, and CLI_USAGE where
+/// Returns: CLI_DONE; after a message as cli_inputs_parse, and CLI_USAGE where
 /// only one of the options is given.
 int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                    const cli_drive_args_t *args);

@@ -186,7 +186,7 @@ int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file) {
   return read_all(&reader, file);
 }
 
-int cli_inputs_read(cli_inputs_t *inputs, const char *path) {
+static int read_file(cli_inputs_t *inputs, const char *path) {
   const bool standard = strcmp(path, "-") == 0;
   FILE *file = standard ? stdin : fopen(path, "r");
   if (file == NULL) {
@@ -227,5 +227,5 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                        args->inputs);
   }
   code = read_between(args->between, &drive->table.linear);
-  return code == CLI_DONE ? cli_inputs_read(&drive->table, args->inputs) : code;
+  return code == CLI_DONE ? read_file(&drive->table, args->inputs) : code;
 }

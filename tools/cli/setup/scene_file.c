@@ -185,7 +185,7 @@ int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
   return code;
 }
 
-int cli_scene_read(cli_scene_file_t *file, const char *path) {
+static int read_file(cli_scene_file_t *file, const char *path) {
   char text[CLI_SCENE_BYTES + 1];
   FILE *opened = fopen(path, "r");
   if (opened == NULL) {
@@ -211,7 +211,7 @@ int cli_take_scene(const tf_scene_t **scene, const char *word) {
   // One scene at a time, so one place is enough.
   static cli_scene_file_t file;
   if (strpbrk(word, "./") != NULL) {
-    const int code = cli_scene_read(&file, word);
+    const int code = read_file(&file, word);
     *scene = code == CLI_DONE ? &file.scene : NULL;
     return code;
   }

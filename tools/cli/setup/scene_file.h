@@ -81,10 +81,6 @@ int cli_scene_value(cli_scene_reader_t *reader, size_t key, char *text);
 int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
                     size_t size);
 
-/// Reads a scene from a file.
-/// Returns: as cli_scene_parse; CLI_USAGE as well where it cannot be read.
-int cli_scene_read(cli_scene_file_t *file, const char *path);
-
 /// The first line of a file that is printed.
 #define CLI_SCENE_TITLE            \
   "# Scene of twofold " TF_VERSION \
@@ -99,7 +95,7 @@ void cli_scene_print(const tf_scene_t *scene, const tf_params_t *params,
 /// scene: in/out, NULL before the first. What is read from a file stays until
 /// the next one is read.
 /// Returns: CLI_DONE; after a message CLI_USAGE (there is no such scene, or it
-/// is the second one) or what cli_scene_read returned.
+/// is the second one) or what cli_scene_parse returned.
 int cli_take_scene(const tf_scene_t **scene, const char *word);
 
 /// Checks that a scene was given.

@@ -238,7 +238,7 @@ int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep,
   if (code != CLI_DONE || sheet->whole) {
     return code;
   }
-  code = cli_output_begin_again(&sheet->output, "--out", args->out);
+  code = cli_output_begin(&sheet->output, "--out", args->out, true);
   if (code != CLI_DONE) {
     return code;
   }
