@@ -9,7 +9,6 @@
 
 #include "help.h"
 #include "host/output.h"
-#include "setup/scene_file.h"
 #include "text/message.h"
 #include "text/summary.h"
 
@@ -150,8 +149,11 @@ int cli_read_args(const cli_command_t *command, cli_args_t *args, int argc,
   cli_usual_values(&syntax, args);
   int code = cli_read_words(&syntax, args, argc, argv);
   code = code == CLI_DONE ? check_files(&syntax, argc, argv) : code;
-  if (code == CLI_DONE && strncmp(command->words, "SCENE", 5) == 0) {
-    code = cli_need_scene(args->scene, command->name);
+  if (code == CLI_DONE && args->scene == NULL &&
+      strncmp(command->words, "SCENE", 5) == 0) {
+    return cli_message(CLI_USAGE,
+                       "%s: which scene? ('twofold scenes' lists them)",
+                       command->name);
   }
   return code == CLI_DONE && command->check != NULL ? command->check(args)
                                                     : code;

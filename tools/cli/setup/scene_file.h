@@ -45,34 +45,6 @@ enum {
 const char *cli_key_name(size_t key);
 const char *cli_key_unit(size_t key);
 
-#define CLI_PLACE_ROOM 512 ///< longer paths are cut in messages
-
-typedef struct {
-  cli_scene_file_t *file;
-  const char *path;
-  unsigned line;              ///< the present one, from 1
-  unsigned given[CLI_KEYS];   ///< line that gave the key, 0: none
-  char place[CLI_PLACE_ROOM]; ///< "PATH:LINE:" of the present line
-} cli_scene_reader_t;
-
-/// Sets the place to a line. Returns: the place.
-const char *cli_scene_place_of(cli_scene_reader_t *reader, unsigned line);
-
-/// Where a parameter stands in a scene.
-tf_real_t *cli_scene_parameter_of(tf_scene_t *scene, size_t key);
-
-/// Whether the first characters of a text may be the name of a scene.
-bool cli_scene_is_name(const char *text, size_t length);
-
-/// Reports that the value of a key is out of its range. Returns: CLI_REFUSED.
-int cli_scene_refuse_range(cli_scene_reader_t *reader, size_t key,
-                           tf_real_t value, double low, double high);
-
-/// Reads the value of a key of the present line; text is cut into its parts.
-/// Ranges of parameters are not checked here.
-/// Returns: as cli_scene_parse.
-int cli_scene_value(cli_scene_reader_t *reader, size_t key, char *text);
-
 /// Reads a scene from text. Its name is that of the file without the ending,
 /// unless the text gives one.
 /// path: in, of the file, for the messages and the name.
@@ -97,8 +69,5 @@ void cli_scene_print(const tf_scene_t *scene, const tf_params_t *params,
 /// Returns: CLI_DONE; after a message CLI_USAGE (there is no such scene, or it
 /// is the second one) or what cli_scene_parse returned.
 int cli_take_scene(const tf_scene_t **scene, const char *word);
-
-/// Checks that a scene was given.
-int cli_need_scene(const tf_scene_t *scene, const char *command);
 
 #endif
