@@ -4,7 +4,7 @@
  * the escaping region, and that it comes from the two-fold. */
 #include "sample.h"
 /* Of the command line, which tests are not linked with. */
-#include "../../tools/cli/diverge/canard.c"       /* NOLINT */
+#include "../../tools/cli/diverge/canard.c" /* NOLINT */
 
 static tf_machine_t machine;
 static cli_two_fold_t through;

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "help.h"
 #include "host/output.h"
 #include "text/message.h"
 #include "text/summary.h"

@@ -2,11 +2,10 @@
 // as in the manuals of other programs; what depends on the length of a text is
 // found here, so that a row of a table holds only words.
 
-#include "help.h"
-
 #include <stdio.h>
 #include <string.h>
 
+#include "command.h"
 #include "text/commit.h"
 #include "text/message.h"
 #include "twofold.h"

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "help.h"
+#include "command.h"
 #include "setup/names.h"
 #include "setup/setup.h"
 #include "sweep/measure.h"

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "../host/host.h"
-#include "../host/progress.h"
 #include "../setup/setup.h"
 #include "../text/buffer.h"
 #include "../text/message.h"

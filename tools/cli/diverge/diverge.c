@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include "../host/host.h"
-#include "../host/progress.h"
 #include "../text/message.h"
 #include "../text/summary.h"
 #include "files.h"

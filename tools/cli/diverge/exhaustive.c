@@ -18,7 +18,6 @@
 
 #include "../host/host.h"
 #include "../host/output.h"
-#include "../host/progress.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/summary.h"

@@ -1,7 +1,5 @@
 // Progress, so that no work of more than five seconds is silent.
 
-#include "progress.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 #include <unistd.h>

@@ -11,7 +11,6 @@
 #include <string.h>
 
 #include "../setup/names.h"
-#include "../text/closest.h"
 #include "../text/message.h"
 #include "../text/number.h"
 

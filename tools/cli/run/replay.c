@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../text/lines.h"
+#include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"

@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include "../host/host.h"
-#include "../host/progress.h"
 #include "../setup/setup.h"
 #include "../text/buffer.h"
 #include "../text/message.h"

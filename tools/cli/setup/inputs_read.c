@@ -6,8 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/closest.h"
-#include "../text/lines.h"
+#include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "inputs.h"

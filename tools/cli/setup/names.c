@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/closest.h"
 #include "../text/message.h"
 #include "../text/number.h"
 

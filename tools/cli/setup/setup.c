@@ -10,7 +10,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/closest.h"
 #include "../text/commit.h"
 #include "../text/message.h"
 #include "../text/number.h"

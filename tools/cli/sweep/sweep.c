@@ -11,8 +11,6 @@
 #include <unistd.h>
 
 #include "../host/host.h"
-#include "../host/progress.h"
-#include "../text/closest.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/options.h"

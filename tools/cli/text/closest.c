@@ -2,11 +2,11 @@
 // delete, replace, swap two neighbours), bounded by a third of the word: beyond
 // that a suggestion is noise.
 
-#include "closest.h"
-
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "message.h"
 
 #define LONGEST CLI_CLOSEST_LONGEST
 

@@ -1,6 +1,6 @@
 // Lines of a text file, of a length that has a bound.
 
-#include "lines.h"
+#include "buffer.h"
 
 cli_line_t cli_read_line(FILE *file, char *out, size_t room) {
   size_t used = 0;

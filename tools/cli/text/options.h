@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "closest.h"
+#include "message.h"
 #include "number.h"
 
 /// An option as typed. value: "" where it takes none.
