@@ -10,8 +10,8 @@
 //   analysis/  singularities, regions, design and atlas: they examine a machine
 //              without running it
 //   diverge/   the command `diverge`: samples of the motions that can follow a
-//              two-fold. Bottom up: canard, tracker, job, motion (with noise and
-//              smoothing), the steppers random and lagged, counts, diverge;
+//              two-fold. Bottom up: canard, tracker, job, motion (with noise
+//              and smoothing), the steppers random and lagged, counts, diverge;
 //              `merge` adds its counts
 //   sweep/     the command `sweep`: one row for each point of a grid of
 //              settings; takes only events.h of run/
@@ -250,9 +250,8 @@ const cli_command_t cli_commands[] = {
          "omega=, h= (or v=). A cycle goes from one arrival at the two-fold to "
          "the next.",
      .notes =
-         "Files end with '# shard I/N: ROWS rows, crc32 CRC, run RUN' (CRC of "
-         "zlib, header and rows; RUN is the same in all shards of a run); a "
-         "file appears when it is complete, and is FILE.part until then. "
+         "A file appears when it is complete, and is FILE.part until then; "
+         "its last line: 'twofold help trailer'. "
          "Without --exits and --returns the returns go to standard output; "
          "FILE - is standard output. Fields of what did not happen are empty. "
          "Outcomes: returned, small_cycle (lands 3 times or more and never "
@@ -294,9 +293,8 @@ const cli_command_t cli_commands[] = {
          "then; `refused` where the machine or its start was, and t and "
          "outcomes are empty. reason has the message, with semicolons for "
          "commas. An outcome that did not happen is empty. Lines that begin "
-         "with # tell the command, the units and, at the end, '# shard I/N: "
-         "ROWS rows, crc32 CRC, run RUN' (CRC of zlib, header and rows; RUN is "
-         "the same in all shards of a run).\n"
+         "with # tell the command, the units and, at the end, how many rows "
+         "there are: 'twofold help trailer'.\n"
          "\n"
          "A row is what `run` would find: --set NAME=VALUE of its fields "
          "repeats it to the bit. Each program takes one core. "

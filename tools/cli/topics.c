@@ -141,9 +141,10 @@ static const topic_t topics[] = {
      "A step of the length dt [s], the parameter; its number is the tick, "
      "and time is tick times dt. Frames, records and --save count ticks."},
     {"crc crc32 trailer",
-     "CRC-32 as of zlib: of all bytes of a file in its last line ('sweep', "
-     "'diverge', --save), where readers check it, of a frame, and of a table "
-     "of --inputs."},
+     "CRC-32 as of zlib: of all bytes of a file in its last line, where "
+     "readers check it, of a frame, and of a table of --inputs. Files of "
+     "'sweep' and 'diverge' end with '# shard I/N: ROWS rows, crc32 CRC, run "
+     "RUN'; RUN is the same in all shards of a run."},
     {"dead-man safe deadman session start stop reset restore clear describe",
      "Of the commands to a board: 'twofold help send'. Inputs by a command "
      "expire after so many ticks; then the safe ones hold, those of a machine "

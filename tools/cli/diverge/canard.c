@@ -90,8 +90,8 @@ double cli_free_slip_rate(const tf_machine_t *k, cli_point_t at) {
   return cli_slip_rate(k, at, cli_vector_field(k, at, 0, 0));
 }
 
-// The sliding vector field multiplied by A, (A r', A z') on h = 0: it is regular
-// where A = 0. s: sign of g.
+// The sliding vector field multiplied by A, (A r', A z') on h = 0: it is
+// regular where A = 0. s: sign of g.
 static void sliding_field(const tf_machine_t *k, double r, double z, double s,
                           double out[2]) {
   const cli_point_t at = cli_point_on_surface(k, r, z);

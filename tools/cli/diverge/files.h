@@ -1,8 +1,8 @@
 /// @file
-/// What `diverge` writes: the files --exits and --returns, and where they stand;
-/// and cycles counted in integers, which is what is left of them where their
-/// rows would be too many. Counts of shards add up to those of the whole, in any
-/// order.
+/// What `diverge` writes: the files --exits and --returns, and where they
+/// stand; and cycles counted in integers, which is what is left of them where
+/// their rows would be too many. Counts of shards add up to those of the whole,
+/// in any order.
 #ifndef TWOFOLD_CLI_FILES_H
 #define TWOFOLD_CLI_FILES_H
 

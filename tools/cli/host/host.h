@@ -1,8 +1,9 @@
 /// @file
 /// What the program needs of POSIX: a monotonic clock, signals that ask for a
-/// stop, and standard descriptors that are safe to use. And the progress of long
-/// work, for a person who waits: on a terminal one line that is overwritten, in a
-/// log a line now and then. Nothing is shown for the first seconds.
+/// stop, and standard descriptors that are safe to use. And the progress of
+/// long work, for a person who waits: on a terminal one line that is
+/// overwritten, in a log a line now and then. Nothing is shown for the first
+/// seconds.
 #ifndef TWOFOLD_CLI_HOST_H
 #define TWOFOLD_CLI_HOST_H
 

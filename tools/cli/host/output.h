@@ -1,7 +1,7 @@
 /// @file
-/// Rows on their way to a file or to standard output, in whole lines. A file gets
-/// its name when it is whole; standard output, a pipe or a device is written as
-/// it comes.
+/// Rows on their way to a file or to standard output, in whole lines. A file
+/// gets its name when it is whole; standard output, a pipe or a device is
+/// written as it comes.
 ///
 /// The rows of FILE are written to FILE.part in the same folder, which is
 /// renamed to FILE once all of them are on disk. Whatever ends the program

@@ -1,8 +1,8 @@
 /// @file
 /// Commands to a board: those of --send as frames, one after the other, each
 /// after the answer to the one before. And what happened to a board, as a file
-/// that `run --replay` reads: its schema, the commands that took effect with the
-/// ticks at which they did, and the last state, to compare with.
+/// that `run --replay` reads: its schema, the commands that took effect with
+/// the ticks at which they did, and the last state, to compare with.
 #ifndef TWOFOLD_CLI_BOARD_COMMAND_H
 #define TWOFOLD_CLI_BOARD_COMMAND_H
 

@@ -1,7 +1,7 @@
 /// @file
-/// Text appended to a buffer of the caller, rows and JSON; and text files line by
-/// line. fgets would hide what follows a zero, and what stands behind a carriage
-/// return is easily dropped: nothing of a file is left out here.
+/// Text appended to a buffer of the caller, rows and JSON; and text files line
+/// by line. fgets would hide what follows a zero, and what stands behind a
+/// carriage return is easily dropped: nothing of a file is left out here.
 #ifndef TWOFOLD_CLI_BUFFER_H
 #define TWOFOLD_CLI_BUFFER_H
 

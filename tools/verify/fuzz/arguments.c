@@ -4,6 +4,7 @@
 // writes anything. What is accepted is in its ranges and ready to run.
 #include <stdlib.h>
 
+#include "cli/analysis/analysis.h"
 #include "cli/command.h"
 #include "cli/monitor/board_command.h"
 #include "cli/setup/scheme.h"
