@@ -198,10 +198,6 @@ const cli_option_t cli_options[] = {
      .needs = "--realtime",
      .what = "with --realtime: a histogram of how long after their time steps "
              "began and ended, us,began,ended"},
-    {"--live", NULL, CLI_RUN | CLI_MONITOR, FLAG(live),
-     .what = "draws the planes (g, h) and (r, omega) and the modes over time "
-             "in the terminal (run: with --realtime at the pace of the "
-             "machine; monitor: the last ten seconds); rows go to --out only"},
     {"--select", "RULE", MOTIONS | CLI_SCENE, TEXT(select), .choices = rules,
      .what = "selects one of several consistent modes; default: the scene's "
              "own"},
@@ -248,6 +244,10 @@ const cli_option_t cli_options[] = {
      .what = "rows, with the digits of the sender's number type; without this "
              "option a terminal shows --live. Forms:"},
     {"--csv", NULL, CLI_MONITOR, FLAG(csv), .what = "--as csv"},
+    {"--live", NULL, CLI_RUN | CLI_MONITOR, FLAG(live),
+     .what = "draws the planes (g, h) and (r, omega) and the modes over time "
+             "in the terminal (run: with --realtime at the pace of the "
+             "machine; monitor: the last ten seconds); rows go to --out only"},
     {"--out", "FILE", MOTIONS | CLI_SCENE | ANALYSES | CLI_MERGE | CLI_MONITOR,
      PATH(out), .how = CLI_WRITES,
      .what = "instead of standard output; monitor: with --as"},
