@@ -220,7 +220,6 @@ static void summarise(const search_t *search, int code) {
 
 int cli_exhaustive(const cli_job_t *job) {
   static cli_output_t output;
-  char lines[CLI_PROVENANCE_ROOM];
   search_t search = {.job = job, .output = &output};
   search.nodes = calloc((size_t)job->args->nodes, sizeof *search.nodes);
   if (search.nodes == NULL) {
@@ -230,6 +229,7 @@ int cli_exhaustive(const cli_job_t *job) {
       cli_output_begin(&output, "--branches", job->args->branches, false);
   if (code == CLI_DONE) {
     if (job->args->provenance) {
+      char lines[CLI_PROVENANCE_ROOM];
       const size_t length = cli_job_provenance(
           job,
           "r m, omega rad/s, stick_time s, exit_r m, exit_omega rad/s, time s, "
