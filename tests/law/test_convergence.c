@@ -9,7 +9,7 @@ static double max3(double a, double b, double c) {
 
 /* `chaos` at t = 1, past codimension two and in stick-: tests/data. */
 static const reference_state_t *chaos_at_one(void) {
-  const reference_state_t *at = references[0]->state;
+  const reference_state_t *at = references[0].state;
   while (at->t < 1) at++;
   return at;
 }
@@ -65,7 +65,7 @@ TEST(branch_is_independent_of_the_step_size) {
  * converge with the step; stick- ends at h = g = 0, where a step ends early; at
  * the two-fold the sliding field is 0/0 and the constant is larger. */
 TEST(cycle_converges_up_to_the_two_fold) {
-  const reference_event_t *want = references[0]->event; /* its four */
+  const reference_event_t *want = references[0].event; /* its four */
   static const double bound[4] = {2, 2, 3, 20};
   static const double dts[] = {1e-3, 3.7e-4, 1e-4, 2.3e-5, 1e-5};
   const int sizes = IS_DOUBLE ? 5 : 3;
@@ -82,7 +82,7 @@ TEST(cycle_converges_up_to_the_two_fold) {
           : event == 2 ? before == TF_SLIP_MINUS && s.x.mode == TF_STICK_PLUS
                        : s.report.delassus <= 0;
       if (!now) continue;
-      CHECK_NEAR((double)n * dts[i], want[event].at.t,
+      CHECK_NEAR((double)n * dts[i], want[event].t,
                  bound[event] * dts[i] + rounding);
       event++;
     }

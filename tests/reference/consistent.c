@@ -90,8 +90,6 @@ static void limit_direction(const ref_machine_t *machine, const ref_affine_t *f,
                  .angle = angle,
                  .family = rises,
              });
-  } else {
-    ++out->arriving;
   }
 }
 
@@ -138,8 +136,6 @@ static bool stick(const ref_machine_t *machine, const ref_affine_t *f,
                          .attracting = edge.A > 0,
                          .rate = s * dg,
                          .angle = s > 0 ? 0 : half_turn});
-  } else {
-    ++out->arriving;
   }
   return true;
 }
@@ -174,7 +170,6 @@ void ref_consistent_codim2(const ref_machine_t *machine, ref_state_t x,
   const bool right = stick(machine, &f, x, 1, out);
   const bool left = stick(machine, &f, x, -1, out);
   if (up != 0 && up == down && !right && !left) {
-    out->winding = winding;
     out->spiral = winding > 0;
   }
   rest(machine, &f, x, out);

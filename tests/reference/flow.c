@@ -235,7 +235,7 @@ static watched_t watched(const ref_orbit_t *orbit, ref_state_t x,
     watch_slip(orbit, x, &out);
   } else if (orbit->mode != REF_PINNED) {
     watch_stick(orbit, x, &out);
-  } else if (orbit->machine->inputs) {
+  } else if (orbit->machine->knots > 0) {
     real_t hull, bow;
     ref_rest_margins(orbit, x, &hull, &bow);
     watch(&out, REF_AT_HULL, hull);

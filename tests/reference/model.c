@@ -12,16 +12,12 @@ void ref_prepare(ref_machine_t *machine) {
 }
 
 ref_input_t ref_input(const ref_machine_t *machine, real_t t, int piece) {
-  const ref_inputs_t *inputs = machine->inputs;
-  return inputs ? inputs->at(inputs->context, piece, t)
-                : (ref_input_t){machine->omega0, 0, 0, 0};
-}
-
-static ref_input_t ramp_at(const void *context, int piece, real_t t) {
-  const ref_ramps_t *ramps = context;
-  const int last = ramps->inputs.count - 1;
-  const ref_knot_t *a = &ramps->knot[piece > 0 ? piece - 1 : 0];
-  const ref_knot_t *b = &ramps->knot[piece > last ? last : piece];
+  const int last = machine->knots - 1;
+  if (last < 0) {
+    return (ref_input_t){machine->omega0, 0, 0, 0};
+  }
+  const ref_knot_t *a = &machine->knot[piece > 0 ? piece - 1 : 0];
+  const ref_knot_t *b = &machine->knot[piece > last ? last : piece];
   ref_input_t u = {a->omega0, 0, a->force, a->torque};
   if (b->t > a->t) {
     const real_t since = t - a->t, length = b->t - a->t;
@@ -31,14 +27,6 @@ static ref_input_t ramp_at(const void *context, int piece, real_t t) {
     u.torque += since * (b->torque - a->torque) / length;
   }
   return u;
-}
-
-void ref_ramps(ref_ramps_t *ramps, const ref_knot_t *knots, int count) {
-  ramps->inputs = (ref_inputs_t){ramps->breaks, count, ramp_at, ramps};
-  for (int i = 0; i < count; ++i) {
-    ramps->knot[i] = knots[i];
-    ramps->breaks[i] = knots[i].t;
-  }
 }
 
 static real_t omega0_at(const ref_machine_t *machine, ref_state_t x) {

@@ -21,15 +21,16 @@ ref_real_t cosq(ref_real_t x);
 ref_real_t tanq(ref_real_t x);
 ref_real_t atan2q(ref_real_t y, ref_real_t x);
 ref_real_t powq(ref_real_t x, ref_real_t y);
-ref_real_t strtoflt128(const char *text, char **end);
 int quadmath_snprintf(char *text, size_t size, const char *format, ...);
 
 #define REF_FN(name) name##q
+#define REF_NUMBER(decimal) (__extension__ decimal##Q)
 #define REF_EPSILON ((ref_real_t)0x1p-112L)
 #else
 typedef long double ref_real_t;
 
 #define REF_FN(name) name##l
+#define REF_NUMBER(decimal) decimal##L
 #define REF_EPSILON LDBL_EPSILON
 #endif
 

@@ -102,11 +102,8 @@ static void reach_codim2(ref_orbit_t *orbit, real_t delay) {
   ref_state_t later = *x;
   later.t += delay;
   ref_consistent_codim2(orbit->machine, later, &orbit->consistent);
-  const int index = orbit->forced != REF_BY_RULE
-                        ? orbit->forced
-                        : ref_choose(&orbit->consistent, orbit->law, from);
+  const int index = ref_choose(&orbit->consistent, orbit->law, from);
   const bool stands = x->z == 0;
-  orbit->forced = REF_BY_RULE;
   orbit->arrived = from;
   orbit->at = *x;
   leave(orbit, index, delay);
@@ -275,7 +272,6 @@ void ref_begin(ref_orbit_t *orbit, const ref_machine_t *machine, ref_state_t x,
                ref_mode_t mode) {
   orbit->machine = machine;
   orbit->x = x;
-  orbit->forced = REF_BY_RULE;
   orbit->stop = REF_REACHED;
   settle(orbit, mode);
 }
@@ -307,17 +303,16 @@ static void pass_break(ref_orbit_t *orbit) {
 }
 
 ref_stop_t ref_run(ref_orbit_t *orbit, real_t end) {
-  const ref_inputs_t *inputs = orbit->machine->inputs;
+  const ref_machine_t *q = orbit->machine;
   if (orbit->limit == 0) {
     orbit->limit = 20000000;
   }
   while (orbit->stop == REF_REACHED && orbit->x.t < end) {
-    const bool breaks = inputs && orbit->x.piece < inputs->count &&
-                        inputs->breaks[orbit->x.piece] <= end;
-    const real_t until = breaks ? inputs->breaks[orbit->x.piece] : end;
-    const ref_mode_t before = orbit->mode;
+    const bool breaks =
+        orbit->x.piece < q->knots && q->knot[orbit->x.piece].t <= end;
+    const real_t until = breaks ? q->knot[orbit->x.piece].t : end;
     if (orbit->x.t < until) {
-      if (before == REF_PINNED && !inputs) {
+      if (orbit->mode == REF_PINNED && q->knots == 0) {
         orbit->x.t = end;
         break;
       }
@@ -326,11 +321,9 @@ ref_stop_t ref_run(ref_orbit_t *orbit, real_t end) {
         orbit->stop = REF_TOO_LONG;
         break;
       }
-      orbit->before = before;
       react(orbit, at);
     }
     if (breaks && orbit->stop == REF_REACHED && orbit->x.t >= until) {
-      orbit->before = orbit->mode;
       pass_break(orbit);
     }
   }

@@ -86,16 +86,6 @@ void paper_g_x(const paper_t *p, const long double x[3], long double n[3]) {
   n[2] = p->d * cosl(p->gamma) + x[0] * sinl(p->gamma);
 }
 
-/* (h, g) is (-(v - d W), r W) rotated by gamma; rotate it back. */
-void paper_from_slip(const paper_t *p, long double r, long double h,
-                     long double g, long double x[3]) {
-  const long double along = -h * sinl(p->gamma) - g * cosl(p->gamma);
-  const long double W = (-h * cosl(p->gamma) + g * sinl(p->gamma)) / r;
-  x[0] = r;
-  x[1] = along + p->d * W;
-  x[2] = p->omega0 + W;
-}
-
 long double paper_v_at(const paper_t *p, long double r, long double w,
                        long double h) {
   const long double W = w - p->omega0;

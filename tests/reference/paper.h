@@ -52,9 +52,6 @@ long double paper_g(const paper_t *p, const long double x[3]);
 void paper_h_x(const paper_t *p, const long double x[3], long double n[3]);
 void paper_g_x(const paper_t *p, const long double x[3], long double n[3]);
 
-/* The inverse: the state with given r, h, g; needs r != 0. */
-void paper_from_slip(const paper_t *p, long double r, long double h,
-                     long double g, long double x[3]);
 /* The v at which (r, w) has slip speed h; needs sin(gamma) != 0. */
 long double paper_v_at(const paper_t *p, long double r, long double w,
                        long double h);

@@ -33,29 +33,13 @@ typedef struct {
   ref_real_t omega0, alpha, force, torque;
 } ref_input_t;
 
-/// Inputs that move. Between two neighbouring times of `breaks` they are
-/// smooth; at a break they may bend or jump. Piece i lasts until break i, and
-/// `at` is asked a little beyond that. A jump of omega0 is a new state: v and w
-/// stay, h and g do not.
-typedef struct {
-  const ref_real_t *breaks; ///< ascending [s]
-  int count;
-  ref_input_t (*at)(const void *context, int piece, ref_real_t t);
-  const void *context;
-} ref_inputs_t;
-
-/// Inputs that are linear between knots, constant before the first and after
-/// the last. Two knots of one time are a jump.
+/// Inputs that move: linear between knots, constant before the first and after
+/// the last. Two knots of one time are a jump; one of omega0 is a new state: v
+/// and w stay, h and g do not.
 enum { REF_KNOTS = 16 };
 typedef struct {
   ref_real_t t, omega0, force, torque;
 } ref_knot_t;
-typedef struct {
-  ref_inputs_t inputs;
-  ref_knot_t knot[REF_KNOTS];
-  ref_real_t breaks[REF_KNOTS];
-} ref_ramps_t;
-void ref_ramps(ref_ramps_t *ramps, const ref_knot_t *knots, int count);
 
 /// Parameters, and what follows from them.
 typedef struct {
@@ -63,14 +47,23 @@ typedef struct {
   ref_real_t epsilon;                 ///< of REF_SMOOTH
   ref_real_t k, delta, sigma, rho, a; ///< of REF_STRING
   ref_law_t law;
-  const ref_inputs_t *inputs; ///< NULL: omega0 constant, no loads
-  ref_real_t sine, cosine;    ///< of gamma
-  ref_real_t share;           ///< 1 - (2/pi) arccot(6 kappa)
+  int knots; ///< 0: omega0 constant, no loads
+  ref_knot_t knot[REF_KNOTS];
+  ref_real_t sine, cosine; ///< of gamma
+  ref_real_t share;        ///< 1 - (2/pi) arccot(6 kappa)
 } ref_machine_t;
+
+/// The parameters that the reference, the paper, the library and the judge name
+/// alike, as numbers of a type, for an initialiser.
+#define PARAMETERS_OF(type, q)                                           \
+  .m = (type)(q)->m, .d = (type)(q)->d, .beta = (type)(q)->beta,         \
+  .k2 = (type)(q)->k2, .c1 = (type)(q)->c1, .c2 = (type)(q)->c2,         \
+  .r0 = (type)(q)->r0, .omega0 = (type)(q)->omega0, .mu = (type)(q)->mu, \
+  .kappa = (type)(q)->kappa, .gamma = (type)(q)->gamma
 
 typedef struct {
   ref_real_t r, p, z, t;
-  int piece; ///< of the inputs
+  int piece; ///< knots that have passed
 } ref_state_t;
 
 /// Numbered as the simulator's modes.
@@ -182,10 +175,8 @@ typedef struct {
   ref_way_t list[REF_MAX_WAYS];
   ref_direction_t direction[REF_MAX_WAYS]; ///< h = g = 0: all, leaving or not
   ref_force_t resting;                     ///< force that rest takes
-  ref_real_t winding;    ///< change of ln rho in a turn; 0 where none turns
-  int count;             ///< of list
-  int directions;        ///< of direction
-  int arriving;          ///< limit directions and sticks that come in
+  int count;                               ///< of list
+  int directions;                          ///< of direction
   bool rests[REF_RESTS]; ///< h = g = 0: rest is possible under the law
   bool spiral;           ///< winds out, with no limit direction
 } ref_consistent_t;
@@ -216,14 +207,12 @@ typedef enum {
 
 /// What happened at an event.
 typedef enum {
-  REF_CROSSES,  ///< slip crosses h = 0
-  REF_ENTERS,   ///< slip becomes stick
-  REF_LEAVES,   ///< stick becomes slip
-  REF_TURNS,    ///< stick passes to the other side of g without rest
-  REF_CODIM2,   ///< h = g = 0 reached, or rest given up
-  REF_ARRIVES,  ///< two-fold reached
-  REF_SWITCHES, ///< a bend or jump of the inputs changes the mode
-  REF_EVENTS
+  REF_CROSSES, ///< slip crosses h = 0
+  REF_ENTERS,  ///< slip becomes stick
+  REF_LEAVES,  ///< stick becomes slip
+  REF_TURNS,   ///< stick passes to the other side of g without rest
+  REF_CODIM2,  ///< h = g = 0 reached, or rest given up
+  REF_ARRIVES  ///< two-fold reached
 } ref_event_t;
 
 typedef struct ref_orbit ref_orbit_t;
@@ -244,17 +233,14 @@ struct ref_orbit {
   long evaluations, limit; ///< of the right-hand side; limit 0: 20 million
   ref_rest_t law;
   ref_mode_t mode;
-  ref_mode_t before;  ///< mode until the last event
   ref_mode_t arrived; ///< mode in which h = g = 0 was last reached
   ref_real_t angle;   ///< atan2(h, g) of the slip that fell into it [rad]
   ref_piece_t piece;  ///< of the law; in stick, side is the sign of A
   ref_stop_t stop;
   int events, codim2_count;
-  int chosen; ///< of consistent.list
-  int forced; ///< at the next h = g = 0 take this; REF_BY_RULE: by the rule
+  int chosen;                   ///< of consistent.list
   ref_real_t pace_slip, pace_A; ///< scales of the step's time
 };
-#define REF_BY_RULE (-3)
 
 /// Starts at x. At h = 0 in `mode` where that is consistent; REF_MODES: in
 /// stick where that is, as the simulator begins. At h = g = 0 by the rule.

@@ -28,14 +28,13 @@ $(BUILD)/reference/reference: $(JUDGE_OBJECTS) \
 	@echo '  LINK  $@'
 	@$(CC) $(OPT) $(EXTRA) $^ $(SUNDIALS) -lm -o $@
 
-# Reference solutions in quadruple precision, one process a problem. Always by
-# gcc: __float128 and libquadmath are its own.
-TABLES := $(wildcard tests/reference/tables/*.c) \
+# Reference solutions in quadruple precision. Always by gcc: __float128 and
+# libquadmath are its own.
+TABLES := tests/reference/tables/main.c \
   $(filter-out tests/reference/paper.c,$(wildcard tests/reference/*.c))
 TABLES_GCC ?= gcc
 
-$(BUILD)/tables/make: $(TABLES) $(wildcard tests/reference/*.h) \
-    tests/reference/tables/tables.h
+$(BUILD)/tables/make: $(TABLES) $(wildcard tests/reference/*.h)
 	@mkdir -p $(@D)
 	@echo '__float128 sqrtq(__float128); int main(int n, char **a)' \
 	  '{ (void)a; return sqrtq(n) < 0; }' | \
@@ -46,9 +45,7 @@ $(BUILD)/tables/make: $(TABLES) $(wildcard tests/reference/*.h) \
 	  -DREF_QUAD -Itests/reference $(TABLES) -lquadmath -lm -o $@
 
 .PHONY: oracle
-oracle: ## remake tests/data/reference*.h (minutes; libquadmath)
+oracle: ## remake tests/data/reference.h (minutes; libquadmath)
 oracle: $(BUILD)/tables/make
-	@$< names | xargs -P $(shell nproc 2>/dev/null || echo 2) -I NAME \
-	  sh -c '$< NAME >$(<D)/NAME && mv $(<D)/NAME tests/data/reference_NAME.h'
-	@$< index >$(<D)/index && mv $(<D)/index tests/data/reference.h
-	@echo 'The references are in tests/data/.'
+	@$< >$(<D)/reference.h && mv $(<D)/reference.h tests/data/reference.h
+	@echo 'The references are in tests/data/reference.h.'

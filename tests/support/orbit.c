@@ -24,17 +24,7 @@ static void note(const ref_orbit_t *orbit, ref_event_t event) {
 }
 
 ref_machine_t orbit_machine(const paper_t *p) {
-  ref_machine_t q = {.m = p->m,
-                     .d = p->d,
-                     .beta = p->beta,
-                     .k2 = p->k2,
-                     .c1 = p->c1,
-                     .c2 = p->c2,
-                     .r0 = p->r0,
-                     .omega0 = p->omega0,
-                     .mu = p->mu,
-                     .kappa = p->kappa,
-                     .gamma = p->gamma};
+  ref_machine_t q = {PARAMETERS_OF(ref_real_t, p)};
   ref_prepare(&q);
   return q;
 }

@@ -21,7 +21,7 @@
 // or two, to the side that rounding takes.
 #define KICK 1e-3
 
-// The two-fold where the reference meets it (tests/data/reference_chaos.h).
+// The two-fold where the reference meets it (tests/data/reference.h).
 static const double twofold_r = 0.1859, twofold_w = -1.037;
 
 static int begin(run_t *run, const problem_t *problem, scheme_t scheme,

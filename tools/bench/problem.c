@@ -41,24 +41,25 @@ static const double end_of_approach[3] = {
 
 static const reference_t *reference_of(const char *name) {
   int i = 0;
-  while (strcmp(references[i]->name, name) != 0) i++;
-  return references[i];
+  while (strcmp(references[i].problem->name, name) != 0) i++;
+  return &references[i];
 }
 
 // What the reference does not say (scheme, rule) is that of scene `chaos`.
 static tf_params_t params_of(const reference_t *ref) {
   tf_params_t p = tf_scenes[0]->params;
-  p.m = (tf_real_t)ref->m;
-  p.d = (tf_real_t)ref->d;
-  p.beta = (tf_real_t)ref->beta;
-  p.k2 = (tf_real_t)ref->k2;
-  p.c1 = (tf_real_t)ref->c1;
-  p.c2 = (tf_real_t)ref->c2;
-  p.r0 = (tf_real_t)ref->r0;
-  p.omega0 = (tf_real_t)ref->omega0;
-  p.mu = (tf_real_t)ref->mu;
-  p.kappa = (tf_real_t)ref->kappa;
-  p.gamma = (tf_real_t)ref->gamma;
+  const ref_machine_t *q = &ref->problem->machine;
+  p.m = (tf_real_t)q->m;
+  p.d = (tf_real_t)q->d;
+  p.beta = (tf_real_t)q->beta;
+  p.k2 = (tf_real_t)q->k2;
+  p.c1 = (tf_real_t)q->c1;
+  p.c2 = (tf_real_t)q->c2;
+  p.r0 = (tf_real_t)q->r0;
+  p.omega0 = (tf_real_t)q->omega0;
+  p.mu = (tf_real_t)q->mu;
+  p.kappa = (tf_real_t)q->kappa;
+  p.gamma = (tf_real_t)q->gamma;
   p.law = TF_TYRE_JUMP;
   p.rule = TF_RULE_PERSIST;
   return p;
@@ -68,13 +69,13 @@ static const reference_state_t *state_at(const reference_t *ref, double t) {
   if (t <= 0) return &ref->start;
   for (int i = 0; i < ref->states; i++)
     if (fabsl(ref->state[i].t - (long double)t) < 1e-12L) return &ref->state[i];
-  fprintf(stderr, "%s: no state at %g s\n", ref->name, t);
+  fprintf(stderr, "%s: no state at %g s\n", ref->problem->name, t);
   abort();
 }
 
 static uint8_t mode_at(const reference_t *ref, double t) {
   const char *name = ref->begins;
-  for (int i = 0; i < ref->events && (double)ref->event[i].at.t <= t; i++)
+  for (int i = 0; i < ref->events && (double)ref->event[i].t <= t; i++)
     name = ref->event[i].after;
   uint8_t mode = 0;
   while (mode < TF_MODES && strcmp(name, tf_mode_name(mode)) != 0) mode++;

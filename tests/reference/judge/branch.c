@@ -1,21 +1,18 @@
 /// @file
-/// Classes (c) and (d): which future a scheme takes at the first h = g = 0 of
-/// a motion. The reference follows every future of that point, and standing
+/// Which future a scheme takes at the first h = g = 0 of a motion. The reference follows every future of that point, and standing
 /// still, for a short while; the scheme has taken the one it is nearest to.
 #include <math.h>
 
 #include "classes.h"
 
-enum { WAYS = REF_MAX_WAYS + 1, DTS = 3 };
-static const runs_t runs = {1, DTS, {1e-4, 3e-5, 1e-5}, "dt ", NULL};
+enum { WAYS = REF_MAX_WAYS + 1 };
+static const runs_t runs = {1, 3, {1e-4, 3e-5, 1e-5}, ""};
 
 // The consistent modes at the first h = g = 0, a little later.
 typedef struct {
-  double t;                      ///< when they are compared [s]
-  ref_state_t codim2, end[WAYS]; ///< [count]: standing still
-  int count, chosen;             ///< of consistent; count where the wheel rests
-  ref_mode_t arrived;
-  bool goes_on; ///< slip arrives, and slips on the same side exist
+  double t;              ///< when they are compared [s]
+  ref_state_t end[WAYS]; ///< [count]: standing still
+  int count, chosen;     ///< of consistent; count where the wheel rests
 } fork_t;
 
 typedef struct {
@@ -49,10 +46,7 @@ static bool make_fork(const ref_orbit_t *at, fork_t *fork) {
     return false;
   }
   fork->t = ceil((double)(at->x.t + span) / 3e-4) * 3e-4;
-  fork->codim2 = at->at;
   fork->count = at->consistent.count;
-  fork->arrived = at->arrived;
-  fork->goes_on = false;
   fork->chosen = at->chosen == REF_REST ? fork->count : at->chosen;
   for (int i = 0; i < fork->count; ++i) {
     ref_orbit_t way = *at;
@@ -61,8 +55,6 @@ static bool make_fork(const ref_orbit_t *at, fork_t *fork) {
     ref_leave(&way, i);
     ref_run(&way, (real_t)fork->t);
     fork->end[i] = way.x;
-    fork->goes_on =
-        fork->goes_on || (at->consistent.list[i].mode == at->arrived);
   }
   fork->end[fork->count] = at->at;
   return true;
@@ -91,37 +83,18 @@ static int nearest(const ref_machine_t *q, const fork_t *fork,
   return least < fmax(0.003, 0.3 * apart) ? best : -1;
 }
 
-static count_t *wrong[RUNS], *off[RUNS], *resting[RUNS], *silent[RUNS];
-static count_t *drawn, *open_, *twice;
-static count_t *shrinks, *stays, *grows, *differ, *own;
+static count_t *come, *open_, *silent[RUNS], *told[RUNS];
 
-static void begin_rest(void) {
-  drawn = count_add(false, "come to h = g = 0");
+static void begin(const class_t *class) {
+  (void)class;
+  come = count_add(false, "come to h = g = 0");
   open_ = count_add(false, "of them more than one future");
-  twice = count_add(false, "of them the slip could go on, rule differs");
-}
-
-static void begin_false_rest(void) {
-  begin_rest();
-  count_runs(resting, &runs, false, "false rest");
-}
-
-static void begin(void) {
-  begin_rest();
-  count_runs(wrong, &runs, true, "another future");
-  count_runs(off, &runs, true, "none of them");
-  count_runs(resting, &runs, true, "false rest");
-  count_runs(silent, &runs, true, "wrong, all steps OK");
-  shrinks = count_add(true, "other future at 1e-4, right at 1e-5");
-  stays = count_add(true, "other future at 1e-5");
-  grows = count_add(true, "other at 1e-5, right at 1e-4");
-  own = count_add(true, "moreau 1e-4 and 1e-5 differ");
-  differ = count_add(true, "moreau 1e-5 and located 1e-5 differ");
+  count_runs(silent, &runs, "wrong, all steps OK");
+  count_runs(told, &runs, "wrong, and told");
 }
 
 static void compare(trial_t *trial, const ref_machine_t *q,
                     const fork_t *fork) {
-  int taken[RUNS] = {0};
   trial->t_end = fork->t;
   for (int k = 0; k < runs_count(&runs); ++k) {
     lib_row_t row;
@@ -129,20 +102,10 @@ static void compare(trial_t *trial, const ref_machine_t *q,
     if (others < 0) {
       return;
     }
-    taken[k] = nearest(q, fork, &row);
-    const bool is_wrong = taken[k] >= 0 && taken[k] != fork->chosen;
-    const bool rests = is_wrong && taken[k] == fork->count;
-    count_try(wrong[k], trial, is_wrong && !rests);
-    count_try(off[k], trial, taken[k] < 0);
-    count_try(resting[k], trial, rests);
-    count_try(silent[k], trial, taken[k] != fork->chosen && others == 0);
+    const bool wrong = nearest(q, fork, &row) != fork->chosen;
+    count_try(silent[k], trial, wrong && others == 0);
+    count_try(told[k], trial, wrong && others != 0);
   }
-  const bool coarse = taken[0] == fork->chosen, fine = taken[2] == fork->chosen;
-  count_try(shrinks, trial, !coarse && fine);
-  count_try(stays, trial, !fine);
-  count_try(grows, trial, coarse && !fine);
-  count_try(own, trial, taken[0] != taken[2]);
-  count_try(differ, trial, taken[2] != taken[LIB_LOCATED * DTS + 2]);
 }
 
 static void judge(trial_t *trial) {
@@ -155,26 +118,18 @@ static void judge(trial_t *trial) {
   ref_run(&orbit, (real_t)trial->t_end);
   fork_t fork = {.count = 0};
   const bool forks = finder.found && make_fork(&finder.first, &fork);
-  count_try(drawn, trial, forks);
+  count_try(come, trial, forks);
   if (!forks) {
     return;
   }
   const bool rests = finder.first.consistent.rests[REF_HEXAGON];
-  const bool slip_ends =
-      fork.goes_on && fork.arrived <= REF_SLIP_MINUS &&
-      (fork.chosen == fork.count ||
-       finder.first.consistent.list[fork.chosen].mode != fork.arrived);
   count_try(open_, trial, fork.count + rests > 1);
-  count_try(twice, trial, slip_ends);
   compare(trial, &q, &fork);
 }
 
-const class_t class_branch = {
-    "branch", "(d) the future taken at h = g = 0", 2000, 3, begin, judge, NULL};
-const class_t class_false_rest = {"false-rest",
-                                  "(c) rest where the motion goes on",
-                                  2000,
-                                  3,
-                                  begin_false_rest,
-                                  judge,
-                                  NULL};
+const class_t class_branch = {.name = "branch",
+                              .about = "the future taken at h = g = 0",
+                              .machines = 2000,
+                              .t_end = 3,
+                              .begin = begin,
+                              .judge = judge};

@@ -110,39 +110,49 @@ bool draw_set(lib_machine_t *q, const char *text) {
   return law || strcmp(text, "h=0") == 0;
 }
 
-lib_machine_t draw_machine(draw_t *draw, draw_range_t range) {
-  const double far = range == DRAW_EDGE ? 10 : 1;
+lib_machine_t draw_machine(draw_t *draw, bool extreme) {
   lib_machine_t q = {
-      .m = draw_log(draw, 0.3 / far, 3 * far),
+      .m = draw_log(draw, 0.3, 3),
       .d = draw_uniform(draw, 0.2, 2),
-      .beta = draw_log(draw, 0.05 / far, 1 * far),
-      .k2 = one_in(draw, 8) ? 0 : draw_uniform(draw, 0, 30 * far),
+      .beta = draw_log(draw, 0.05, 1),
+      .k2 = one_in(draw, 8) ? 0 : draw_uniform(draw, 0, 30),
       .c1 = damping(draw),
       .c2 = damping(draw),
       .r0 = draw_uniform(draw, -0.5, 0.5),
-      .omega0 = sign(draw) * draw_log(draw, 0.1, 3 * far),
-      .mu = draw_log(draw, 0.1 / far, 3 * far),
+      .omega0 = sign(draw) * draw_log(draw, 0.1, 3),
+      .mu = draw_log(draw, 0.1, 3),
       .kappa = one_in(draw, 8) ? draw_log(draw, 1e-8, 1e-3)
                                : draw_uniform(draw, 1e-3, 1),
       .gamma = angle(draw),
       .coulomb = one_in(draw, 20),
       .dt = 1e-4,
   };
-  if (range == DRAW_EXTREME) {
+  if (extreme) {
     q.m = at_an_end(draw, "m", q.m);
     q.beta = at_an_end(draw, "beta", q.beta);
     q.k2 = at_an_end(draw, "k2", q.k2);
     q.mu = at_an_end(draw, "mu", q.mu);
   }
   place(draw, &q);
-  if (range == DRAW_EDGE && one_in(draw, 4)) {
-    q.r *= draw_log(draw, 1e-4, 1);
-  }
   const double gamma = q.gamma, dt = q.dt;
   round_all(&q);
   q.gamma = gamma;
   q.dt = dt;
   return q;
+}
+
+void draw_drive(draw_t *draw, lib_machine_t *q, double time, bool jumps) {
+  static const double share[] = {0, 0.2, 0.4, 0.5, 0.7, 0.9};
+  q->knots = sizeof share / sizeof *share;
+  for (int i = 0; i < q->knots; ++i) {
+    const int at = jumps && i == 3 ? 2 : i;
+    const double turn = draw_uniform(draw, -1.5, 0.5);
+    q->knot[i] =
+        (lib_knot_t){.t = share[at] * time,
+                     .omega0 = (float)(q->omega0 * (i > 0 ? 1 + turn : 1)),
+                     .force = (float)(draw_uniform(draw, -q->mu, q->mu) / 3),
+                     .torque = (float)(draw_uniform(draw, -q->mu, q->mu) / 3)};
+  }
 }
 
 static real_t as(const lib_table_t *real, double value) {
@@ -155,8 +165,13 @@ ref_machine_t draw_reference(const lib_machine_t *machine,
   if (real == &lib_f32) {
     round_all(&q);
   }
-  ref_machine_t out = {PARAMETERS_OF(&q),
-                       .law = q.coulomb ? REF_COULOMB : REF_JUMP};
+  ref_machine_t out = {PARAMETERS_OF(real_t, &q),
+                       .law = q.coulomb ? REF_COULOMB : REF_JUMP,
+                       .knots = q.knots};
+  for (int i = 0; i < q.knots; ++i) {
+    const lib_knot_t *u = &q.knot[i];
+    out.knot[i] = (ref_knot_t){u->t, u->omega0, u->force, u->torque};
+  }
   ref_prepare(&out);
   return out;
 }
@@ -171,8 +186,26 @@ ref_state_t draw_start(const lib_machine_t *machine, const ref_machine_t *q,
   return x;
 }
 
+bool draw_read(lib_machine_t *q, const char *path) {
+  FILE *file = fopen(path, "r");
+  char head[64];
+  if (!file || !fgets(head, sizeof head, file) ||
+      strcmp(head, "t,omega0,force,torque\n") != 0) {
+    return false;
+  }
+  for (q->knots = 0; q->knots < LIB_KNOTS; ++q->knots) {
+    lib_knot_t *u = &q->knot[q->knots];
+    if (fscanf(file, "%lf,%lf,%lf,%lf", &u->t, &u->omega0, &u->force,
+               &u->torque) != 4) {
+      break;
+    }
+  }
+  fclose(file);
+  return q->knots > 0;
+}
+
 // Shortest decimal that reads back to the same double.
-static void set(const char *name, double value) {
+static void number(const char *before, double value) {
   char text[40];
   for (int digits = 6; digits <= 17; ++digits) {
     snprintf(text, sizeof text, "%.*g", digits, value);
@@ -180,18 +213,34 @@ static void set(const char *name, double value) {
       break;
     }
   }
-  printf(" --set %s=%s", name, text);
+  printf("%s%s", before, text);
+}
+
+static void print_inputs(const lib_machine_t *q) {
+  printf("printf 't,omega0,force,torque\\n");
+  for (int i = 0; i < q->knots; ++i) {
+    number("", q->knot[i].t);
+    number(",", q->knot[i].omega0);
+    number(",", q->knot[i].force);
+    number(",", q->knot[i].torque);
+    printf("\\n");
+  }
+  printf("' >in.csv; ");
 }
 
 void draw_print(const lib_machine_t *machine, double t_end,
                 const char *scheme) {
   lib_machine_t q = *machine;
+  if (q.knots > 0) {
+    print_inputs(&q);
+  }
   printf("twofold run chaos%s", q.coulomb ? " --set law=coulomb" : "");
   for (int i = 0; i < NUMBERS - q.on_surface; ++i) {
     if (!q.coulomb || strcmp(numbers[i].name, "kappa") != 0) {
-      set(numbers[i].name, *number_at(&q, i));
+      printf(" --set %s", numbers[i].name);
+      number("=", *number_at(&q, i));
     }
   }
-  printf("%s --t-end %.9g --scheme %s\n", q.on_surface ? " --set h=0" : "",
-         t_end, scheme);
+  printf("%s%s --t-end %.9g --scheme %s\n", q.on_surface ? " --set h=0" : "",
+         q.knots > 0 ? " --inputs in.csv --between linear" : "", t_end, scheme);
 }

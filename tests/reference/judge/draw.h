@@ -10,15 +10,6 @@
 
 typedef ref_real_t real_t;
 
-/// The parameters that the reference, the paper, the library and tests/data
-/// name alike, for an initialiser.
-#define PARAMETERS_OF(q)                                                     \
-  .m = (q)->m, .d = (q)->d, .beta = (q)->beta, .k2 = (q)->k2, .c1 = (q)->c1, \
-  .c2 = (q)->c2, .r0 = (q)->r0, .omega0 = (q)->omega0, .mu = (q)->mu,        \
-  .kappa = (q)->kappa, .gamma = (q)->gamma
-
-typedef enum { DRAW_WIDE, DRAW_EDGE, DRAW_EXTREME } draw_range_t;
-
 /// A random sequence; machine i of a seed has its own.
 typedef struct {
   uint64_t state;
@@ -30,8 +21,12 @@ double draw_uniform(draw_t *draw, double low, double high);
 /// Logarithm uniform; low > 0.
 double draw_log(draw_t *draw, double low, double high);
 /// Machine with a start near h = g = 0, on h = 0 or anywhere. All numbers but
-/// special angles are floats.
-lib_machine_t draw_machine(draw_t *draw, draw_range_t range);
+/// special angles are floats. `extreme`: m, beta, k2 and mu towards the ends of
+/// their ranges in half of the machines.
+lib_machine_t draw_machine(draw_t *draw, bool extreme);
+/// Makes the inputs of a machine move over a time: ramps from its omega0, some
+/// through 0, with loads. `jumps`: with a jump of them all.
+void draw_drive(draw_t *draw, lib_machine_t *machine, double time, bool jumps);
 /// The reference's machine and start. In `real` float the parameters are
 /// rounded as the float build does.
 ref_machine_t draw_reference(const lib_machine_t *machine,
@@ -40,6 +35,8 @@ ref_state_t draw_start(const lib_machine_t *machine, const ref_machine_t *q,
                        const lib_table_t *real);
 /// NAME=VALUE, law=coulomb or h=0; false where that is none of them.
 bool draw_set(lib_machine_t *machine, const char *text);
+/// Inputs from a table as draw_print makes it; false where it is none.
+bool draw_read(lib_machine_t *machine, const char *path);
 /// Prints the command that replays a run of the library.
 void draw_print(const lib_machine_t *machine, double t_end, const char *scheme);
 

@@ -19,9 +19,6 @@ count_t *count_add(bool shows, const char *what) {
 }
 
 void count_try(count_t *count, const trial_t *trial, bool hit) {
-  if (count == NULL) {
-    return;
-  }
   ++count->tries;
   count->hits += hit;
   if (hit && count->shows && count->shown < trial->options->show) {
@@ -45,20 +42,17 @@ static void count_print(const count_t *count) {
            count->hits, count->tries, 100 * p, 100 * fmax(0, mid - half),
            100 * (mid + half));
   }
-  if (count->note[0]) {
-    printf("%-50s %s\n", "", count->note);
-  }
 }
 
 int class_run(const class_t *class, const options_t *options) {
   if (class->begin) {
-    class->begin();
+    class->begin(class);
   }
   const long end = options->first + options->machines;
   for (long i = options->first; class->judge && i < end; ++i) {
-    trial_t trial = {.options = options, .index = i};
+    trial_t trial = {.options = options, .class = class, .index = i};
     trial.draw = draw_begin(options->seed, (uint64_t)i);
-    trial.machine = draw_machine(&trial.draw, options->range);
+    trial.machine = draw_machine(&trial.draw, false);
     trial.t_end = options->t_end > 0 ? options->t_end : class->t_end;
     class->judge(&trial);
   }
@@ -79,27 +73,21 @@ run_t runs_at(const runs_t *runs, int k) {
                  real ? &lib_f32 : &lib_f64, runs->dt[k % runs->dts]};
 }
 
-count_t *count_run(const runs_t *runs, int k, bool shows, const char *kind) {
-  const run_t run = runs_at(runs, k);
-  const char *scheme = lib_scheme_names[run.scheme];
-  char real[16] = "", dt[32] = "", what[96];
-  if (run.dt > 0) {
-    snprintf(dt, sizeof dt, "%s%.0e: ", runs->before, run.dt);
-  }
-  if (runs->reals > 1) {
-    snprintf(real, sizeof real, "%-6s ", run.real->name);
-  }
-  snprintf(what, sizeof what, "%s%-11s %s%s%s", runs->group ? runs->group : "",
-           scheme, real, dt, kind);
-  count_t *count = count_add(shows, what);
-  count->scheme = scheme;
-  return count;
-}
-
-void count_runs(count_t *counts[RUNS], const runs_t *runs, bool shows,
-                const char *kind) {
+void count_runs(count_t *counts[RUNS], const runs_t *runs, const char *kind) {
   for (int k = 0; k < runs_count(runs); ++k) {
-    counts[k] = count_run(runs, k, shows, kind);
+    const run_t run = runs_at(runs, k);
+    const char *scheme = lib_scheme_names[run.scheme];
+    char real[16] = "", dt[32] = "", what[96];
+    if (run.dt > 0) {
+      snprintf(dt, sizeof dt, "%.0e: ", run.dt);
+    }
+    if (runs->reals > 1) {
+      snprintf(real, sizeof real, "%-6s ", run.real->name);
+    }
+    snprintf(what, sizeof what, "%s%-11s %s%s%s", runs->group, scheme, real, dt,
+             kind);
+    counts[k] = count_add(true, what);
+    counts[k]->scheme = scheme;
   }
 }
 
@@ -144,13 +132,4 @@ double class_distance(const ref_machine_t *q, ref_state_t a, ref_state_t b) {
   const lib_row_t row = {
       .r = (double)b.r, .v = (double)ref_v(q, b), .w = (double)ref_w(q, b)};
   return class_difference(q, a, &row);
-}
-
-double class_doubt(ref_orbit_t *orbit, real_t end, ref_stop_t *coarse) {
-  ref_orbit_t other = *orbit;
-  other.watch = NULL;
-  other.tolerance = 1e-8L;
-  ref_run(orbit, end);
-  *coarse = ref_run(&other, end);
-  return class_distance(orbit->machine, orbit->x, other.x);
 }

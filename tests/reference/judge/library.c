@@ -2,10 +2,9 @@
 /// The simulator behind a table of functions; see library.h.
 #include "library.h"
 
+#include <assert.h>
 #include <string.h>
 
-// The enumeration itself is private: it is a stage of the step.
-#include "../../../src/friction/inclusion.h"
 #include "twofold.h"
 
 typedef struct {
@@ -14,6 +13,7 @@ typedef struct {
   tf_compensation_t compensation;
   tf_input_t input;
   lib_scheme_t scheme;
+  lib_machine_t driven; // knots and dt
 } run_t;
 
 static run_t *run_of(lib_t *lib) { return (run_t *)(void *)lib->bytes; }
@@ -34,6 +34,33 @@ static tf_params_t params_of(const lib_machine_t *q) {
   p.dt = (tf_real_t)q->dt;
   p.law = q->coulomb ? TF_TYRE_COULOMB : TF_TYRE_JUMP;
   return p;
+}
+
+static lib_knot_t knot_at(const lib_machine_t *q, double t) {
+  int i = 0;
+  while (i < q->knots && q->knot[i].t <= t) {
+    ++i;
+  }
+  const lib_knot_t *a = &q->knot[i > 0 ? i - 1 : 0];
+  const lib_knot_t *b = &q->knot[i < q->knots ? i : q->knots - 1];
+  const double share = b->t > a->t ? (t - a->t) / (b->t - a->t) : 0;
+  return (lib_knot_t){t, a->omega0 + share * (b->omega0 - a->omega0),
+                      a->force + share * (b->force - a->force),
+                      a->torque + share * (b->torque - a->torque)};
+}
+
+// The inputs of the step that ends at t, as `run --inputs FILE --between
+// linear` gives them where no knot lies within a step: omega0 at its end, the
+// slope, and mean loads.
+static void drive(run_t *run, double t) {
+  const lib_machine_t *q = &run->driven;
+  if (q->knots > 0) {
+    const lib_knot_t end = knot_at(q, t), mean = knot_at(q, t - q->dt / 2);
+    run->input.omega0 = (tf_real_t)end.omega0;
+    run->input.alpha = (tf_real_t)((end.omega0 - mean.omega0) / (q->dt / 2));
+    run->input.force = (tf_real_t)mean.force;
+    run->input.torque = (tf_real_t)mean.torque;
+  }
 }
 
 static void fill(const run_t *run, const tf_report_t *report, lib_row_t *row) {
@@ -67,6 +94,7 @@ static tf_status_t place(run_t *run, const lib_machine_t *q) {
 
 static int open_run(lib_t *lib, const lib_machine_t *q, lib_scheme_t scheme,
                     lib_row_t *row) {
+  assert(sizeof(run_t) <= sizeof *lib);
   run_t *run = run_of(lib);
   const tf_params_t params = params_of(q);
   tf_report_t report;
@@ -74,9 +102,11 @@ static int open_run(lib_t *lib, const lib_machine_t *q, lib_scheme_t scheme,
   memset(row, 0, sizeof *row);
   memset(&report, 0, sizeof report);
   run->scheme = scheme;
+  run->driven = *q;
   tf_status_t status = tf_prepare_compensated(&run->machine, &params, NULL);
   if (status == TF_OK) {
     run->input = tf_input_default(&run->machine.machine);
+    drive(run, 0);
     status = place(run, q);
   }
   if (status == TF_OK) {
@@ -90,6 +120,7 @@ static int step(lib_t *lib, lib_row_t *row) {
   run_t *run = run_of(lib);
   tf_report_t report;
   tf_status_t status;
+  drive(run, ((double)run->state.tick + 1) * run->driven.dt);
   if (run->scheme == LIB_LOCATED) {
     status = tf_step_located(&run->machine.machine, &run->state, &run->input,
                              &report);
@@ -106,31 +137,10 @@ static int step(lib_t *lib, lib_row_t *row) {
   return (int)status;
 }
 
-static form_t form_of(const double c[6]) {
-  return (form_t){(tf_real_t)c[0], (tf_real_t)c[1], (tf_real_t)c[2],
-                  (tf_real_t)c[3], (tf_real_t)c[4], (tf_real_t)c[5]};
-}
-
-static unsigned enumerate_set(const double form[15], bool has_moment) {
-  const inclusion_t inclusion = {
-      .h = form_of(form),
-      .g = form_of(form + 6),
-      .g_now = (tf_real_t)form[12],
-      .has_moment = has_moment,
-      .pin_x = (tf_real_t)form[13],
-      .pin_y = (tf_real_t)form[14],
-  };
-  solutions_t solutions = {0};
-  enumerate(&inclusion, signs_of(&inclusion.g), &solutions);
-  return solutions.set;
-}
-
 #ifdef TF_REAL_FLOAT
-const lib_table_t lib_f32 = {"float", open_run, step, enumerate_set,
-                             FLT_EPSILON};
+const lib_table_t lib_f32 = {"float", open_run, step, FLT_EPSILON};
 #else
-const lib_table_t lib_f64 = {"double", open_run, step, enumerate_set,
-                             DBL_EPSILON};
+const lib_table_t lib_f64 = {"double", open_run, step, DBL_EPSILON};
 
 const char *const lib_scheme_names[LIB_SCHEMES] = {"moreau", "located",
                                                    "compensated"};

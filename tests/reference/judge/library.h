@@ -7,13 +7,22 @@
 
 #include <stdbool.h>
 
-/// Parameters of a machine and where it starts; enough to replay a run.
+/// Inputs at a time; linear in between.
+enum { LIB_KNOTS = 16 };
+typedef struct {
+  double t, omega0, force, torque;
+} lib_knot_t;
+
+/// Parameters of a machine, where it starts and what drives it; enough to
+/// replay a run.
 typedef struct {
   double m, d, beta, k2, c1, c2, r0, omega0, mu, kappa, gamma;
   bool coulomb;
   double r, v, omega;
   bool on_surface; ///< v is to make h = 0
   double dt;
+  int knots; ///< 0: omega0 is constant
+  lib_knot_t knot[LIB_KNOTS];
 } lib_machine_t;
 
 typedef enum {
@@ -42,9 +51,6 @@ typedef struct {
   int (*open)(lib_t *lib, const lib_machine_t *machine, lib_scheme_t scheme,
               lib_row_t *row);
   int (*step)(lib_t *lib, lib_row_t *row);
-  /// Consistent modes of a step as the enumeration sees them, from its forms:
-  /// c0 F M FF FM MM of h, then of g, then g before the step, pin_x, pin_y.
-  unsigned (*enumerate)(const double form[15], bool has_moment);
   double epsilon;
 } lib_table_t;
 

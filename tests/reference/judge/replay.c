@@ -1,7 +1,6 @@
 /// @file
-/// One machine by the reference: its events, the consistent modes at each rest,
-/// and its end, beside those of every scheme.
-#include <math.h>
+/// One machine by the reference under each law of rest: its events, the
+/// consistent modes at each h = g = 0, and its end.
 #include <stdio.h>
 
 #include "classes.h"
@@ -23,8 +22,8 @@ static void print_modes(const ref_consistent_t *f) {
 }
 
 static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
-  static const char *const names[] = {"crosses", "sticks", "leaves", "turns",
-                                      "codim2"};
+  static const char *const names[] = {"crosses", "sticks", "leaves",
+                                      "turns",   "codim2", "two-fold"};
   const ref_machine_t *q = orbit->machine;
   if (orbit->events > 40) {
     return;
@@ -34,32 +33,6 @@ static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
          ref_w(q, orbit->x), ref_slip(q, orbit->x).g, modes[orbit->mode]);
   if (event == REF_CODIM2) {
     print_modes(&orbit->consistent);
-  }
-}
-
-static void row_print(const char *name, const lib_row_t *row, long others) {
-  printf("  %-28s r %.9f v %.9f w %.9f %s, not OK %ld\n", name, row->r, row->v,
-         row->w, modes[row->mode], others);
-}
-
-static void schemes(const lib_machine_t *machine, double end) {
-  static const double dts[] = {1e-4, 3e-5, 1e-5};
-  for (int k = 0; k < LIB_SCHEMES * 3; ++k) {
-    lib_machine_t q = *machine;
-    lib_t lib;
-    lib_row_t row;
-    long others = 0;
-    q.dt = dts[k % 3];
-    const lib_scheme_t scheme = (lib_scheme_t)(k / 3);
-    int status = lib_f64.open(&lib, &q, scheme, &row);
-    const long steps = lround(end / q.dt);
-    for (long i = 0; i < steps && status >= 0; ++i) {
-      status = lib_f64.step(&lib, &row);
-      others += status != 0;
-    }
-    char name[64];
-    snprintf(name, sizeof name, "%s dt %g", lib_scheme_names[scheme], q.dt);
-    row_print(name, &row, others);
   }
 }
 
@@ -95,8 +68,8 @@ static int finish(const options_t *options) {
            ref_stop_name(orbit.stop), orbit.x.t, orbit.x.r, ref_v(&q, orbit.x),
            ref_w(&q, orbit.x), modes[orbit.mode]);
   }
-  schemes(&machine, end);
   return 0;
 }
 
-const class_t class_replay = {.name = "replay", .finish = finish};
+const class_t class_replay = {
+    .name = "replay", .about = "one machine, event by event", .finish = finish};

@@ -4,7 +4,7 @@
 /// its events found by CVODE of SUNDIALS, which others wrote. Of the reference
 /// it uses the parameters and the inputs only. It ends where h = g = 0 comes
 /// near or A = 0, so that it needs no theory of either. Every other machine is
-/// driven: by ramps with a jump of the turntable's speed, or by sines.
+/// driven, half of them with a jump.
 #include <math.h>
 #include <stdio.h>
 
@@ -34,7 +34,7 @@ typedef struct {
 
 static paper_t paper_at(const phase_t *phase, real_t t, ref_input_t *u) {
   *u = ref_input(phase->q, t, phase->piece);
-  paper_t p = {PARAMETERS_OF(phase->q)};
+  paper_t p = {PARAMETERS_OF(real_t, phase->q)};
   p.omega0 = u->omega0;
   return p;
 }
@@ -180,9 +180,8 @@ static double integrate(const ref_machine_t *q, real_t x[3], double end,
   begin(&phase, 0, x);
   bool goes_on = true;
   for (*events = 0; goes_on && t < end;) {
-    const bool breaks = q->inputs && phase.piece < q->inputs->count &&
-                        q->inputs->breaks[phase.piece] < end;
-    const double until = breaks ? (double)q->inputs->breaks[phase.piece] : end;
+    const bool breaks = phase.piece < q->knots && q->knot[phase.piece].t < end;
+    const double until = breaks ? (double)q->knot[phase.piece].t : end;
     int status = CV_TSTOP_RETURN;
     if (until > t) {
       CVodeReInit(cvode, t, y);
@@ -209,41 +208,10 @@ static double integrate(const ref_machine_t *q, real_t x[3], double end,
   return t;
 }
 
-// How the machines of an odd number are driven.
-typedef struct {
-  real_t omega0, swing, pace, force, torque;
-} sines_t;
-
-static ref_input_t sine_at(const void *context, int piece, real_t t) {
-  const sines_t *a = context;
-  (void)piece;
-  return (ref_input_t){a->omega0 + a->swing * sinl(a->pace * t),
-                       a->swing * a->pace * cosl(a->pace * t),
-                       a->force * sinl(3 * t), a->torque * cosl(2 * t)};
-}
-
-static void drive(draw_t *draw, bool ramped, ref_machine_t *q, sines_t *sines,
-                  ref_inputs_t *inputs, ref_ramps_t *ramps) {
-  static const real_t times[6] = {0, 0.5L, 0.9L, 0.9L, 1.3L, 1.8L};
-  const double far = (double)fabsl(q->omega0), load = (double)q->mu / 3;
-  ref_knot_t knots[6];
-  for (int i = 0; i < 6; ++i) {
-    knots[i] = (ref_knot_t){
-        times[i], q->omega0 + (real_t)draw_uniform(draw, -far, far) / 2,
-        (real_t)draw_uniform(draw, -load, load),
-        (real_t)draw_uniform(draw, -load, load)};
-  }
-  *sines = (sines_t){q->omega0, knots[0].omega0 - q->omega0,
-                     (real_t)draw_uniform(draw, 1, 6), knots[1].force,
-                     knots[2].torque};
-  *inputs = (ref_inputs_t){.at = sine_at, .context = sines};
-  ref_ramps(ramps, knots, 6);
-  q->inputs = ramped ? &ramps->inputs : inputs;
-}
-
 static real_t worst;
 
-static void begin_second(void) {
+static void begin_second(const class_t *class) {
+  (void)class;
   printf(
       "machine   t reached  events (both)  codim2_count  largest difference\n");
 }
@@ -251,13 +219,11 @@ static void begin_second(void) {
 // Ends where the second integration has to: at h = g = 0.
 static void judge(trial_t *trial) {
   trial->machine.on_surface = false;
-  ref_machine_t q = draw_reference(&trial->machine, &lib_f64);
-  ref_inputs_t inputs;
-  ref_ramps_t ramps;
-  sines_t sines;
   if (trial->index % 2) {
-    drive(&trial->draw, trial->index % 4 == 1, &q, &sines, &inputs, &ramps);
+    draw_drive(&trial->draw, &trial->machine, trial->t_end,
+               trial->index % 4 == 1);
   }
+  const ref_machine_t q = draw_reference(&trial->machine, &lib_f64);
   ref_orbit_t orbit = {.tolerance = 1e-13L, .law = REF_HEXAGON};
   ref_begin(&orbit, &q, draw_start(&trial->machine, &q, &lib_f64), REF_MODES);
   real_t x[3] = {orbit.x.r, ref_v(&q, orbit.x), ref_w(&q, orbit.x)};
@@ -291,8 +257,10 @@ static int finish(const options_t *options) {
 
 #endif
 
-const class_t class_second = {
-    "second",     "random machines by a second integration",
-    10,           2,
-    begin_second, judge,
-    finish};
+const class_t class_second = {.name = "second",
+                              .about = "machines by a second integration",
+                              .machines = 10,
+                              .t_end = 2,
+                              .begin = begin_second,
+                              .judge = judge,
+                              .finish = finish};

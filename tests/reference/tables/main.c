@@ -1,10 +1,24 @@
-// Writes one reference solution, or the index of all, to standard output. Each
-// is computed twice, the second time at a tolerance 1000 times looser; how far
-// they are apart goes to standard error as well.
+// Computes the reference problems in quadruple precision and writes
+// tests/data/reference.h to standard output, in minutes.
+#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "tables.h"
+#include "problems.h"
+
+enum { EVENTS = 400 };
+
+typedef struct {
+  ref_real_t t, r, v, w;
+} row_t;
+
+typedef struct {
+  row_t start, kept[REF_KEPT], last;
+  ref_real_t h; // at the start
+  ref_mode_t begins;
+  int states, events;
+  ref_real_t time[EVENTS];
+  ref_mode_t after[EVENTS]; // REF_MODES: the motion is not unique any more
+} course_t;
 
 static row_t row_of(const ref_machine_t *q, ref_state_t x) {
   return (row_t){x.t, x.r, ref_v(q, x), ref_w(q, x)};
@@ -12,87 +26,118 @@ static row_t row_of(const ref_machine_t *q, ref_state_t x) {
 
 static void note(const ref_orbit_t *orbit, ref_event_t event) {
   course_t *out = orbit->context;
-  const bool ends = orbit->stop != REF_REACHED;
-  const ref_state_t at = event == REF_CODIM2 ? orbit->at : orbit->x;
-  if (out->events < EVENTS)
-    out->event[out->events++] =
-        (switch_t){row_of(orbit->machine, at), orbit->before,
-                   ends ? REF_MODES : orbit->mode, event};
+  if (out->events == EVENTS) exit(EXIT_FAILURE);
+  out->time[out->events] = event == REF_CODIM2 ? orbit->at.t : orbit->x.t;
+  out->after[out->events++] =
+      orbit->stop == REF_REACHED ? orbit->mode : REF_MODES;
 }
 
-static ref_state_t start_of(const problem_t *problem, const ref_machine_t *q) {
-  const ref_real_t v = quad_of(problem->v);
-  const ref_state_t x =
-      ref_state(q, quad_of(problem->r), v, quad_of(problem->omega));
-  return problem->v ? x : ref_with_h(q, x, quad_of(problem->h));
-}
-
-void course_follow(const problem_t *problem, ref_real_t tolerance,
-                   course_t *out) {
-  ref_machine_t q;
-  ref_ramps_t ramps;
-  ref_orbit_t orbit = {.tolerance = tolerance,
+// Each sixteenth is a stop, kept or not: the digits hang on it.
+static void follow(const ref_problem_t *problem, course_t *out) {
+  static const int quarters[REF_KEPT] = {4, 8, 12, 16};
+  const int *kept = problem->kept[0] ? problem->kept : quarters;
+  ref_machine_t q = problem->machine;
+  ref_orbit_t orbit = {.tolerance = (ref_real_t)1e-30L,
                        .law = REF_HEXAGON,
                        .limit = 2000000000,
                        .watch = note,
                        .context = out};
-  const ref_real_t t_end = quad_of(problem->t_end);
-  const ref_real_t t_grid = quad_of(problem->t_grid);
-  problem_machine(problem, &q, &ramps);
-  out->events = out->states = 0;
-  ref_begin(&orbit, &q, start_of(problem, &q), REF_MODES);
+  ref_prepare(&q);
+  ref_begin(&orbit, &q, ref_problem_start(problem, &q), REF_MODES);
   out->begins = orbit.mode;
   out->start = row_of(&q, orbit.x);
-  out->h = problem->h ? quad_of(problem->h) : ref_slip(&q, orbit.x).h;
-  for (int i = 1; i <= GRID; i++) {
-    if (ref_run(&orbit, t_grid * i / GRID) != REF_REACHED) break;
-    out->grid[out->states++] = row_of(&q, orbit.x);
+  out->h = problem->v != 0 ? ref_slip(&q, orbit.x).h : problem->h;
+  for (int i = 1; i <= REF_SIXTEENTHS; i++) {
+    ref_run(&orbit, problem->t_grid * i / REF_SIXTEENTHS);
+    if (out->states < REF_KEPT && kept[out->states] == i)
+      out->kept[out->states++] = row_of(&q, orbit.x);
   }
-  out->stop = ref_run(&orbit, t_end);
+  ref_run(&orbit, problem->t_end);
   out->last = row_of(&q, orbit.x);
 }
 
-static ref_real_t distance(const row_t *a, const row_t *b) {
-  return ref_larger(ref_abs(a->r - b->r),
-                    ref_larger(ref_abs(a->v - b->v), ref_abs(a->w - b->w)));
+static const char *const mode_names[] = {"slip+",  "slip-",  "stick+",
+                                         "stick-", "pinned", ""};
+
+// 25 digits: more than a long double holds.
+static void number(const char *before, ref_real_t value, const char *after) {
+  char text[64];
+  quadmath_snprintf(text, sizeof text, "%.24Qe", value);
+  printf("%s%sL%s", before, text, after);
 }
 
-static uncertainty_t compare(const course_t *a, const course_t *b) {
-  uncertainty_t d = {0, 0, a->events == b->events && a->states == b->states};
-  for (int i = 0; i < a->states && i < b->states; i++)
-    d.state = ref_larger(d.state, distance(&a->grid[i], &b->grid[i]));
-  for (int i = 0; i < a->events && i < b->events; i++) {
-    const switch_t *x = &a->event[i], *y = &b->event[i];
-    d.time = ref_larger(d.time, ref_abs(x->at.t - y->at.t));
-    d.agree = d.agree && x->before == y->before && x->after == y->after;
+static void row(const char *before, const row_t *x, const char *after) {
+  number(before, x->t, ", ");
+  number("", x->r, ",\n");
+  number("   ", x->v, ", ");
+  number("", x->w, after);
+}
+
+static void write_rows(const char *name, const course_t *course) {
+  printf("\nstatic const reference_state_t %s_states[] = {\n", name);
+  for (int i = 0; i < course->states; i++) row("  {", &course->kept[i], "},\n");
+  printf("};\nstatic const reference_event_t %s_events[] = {\n", name);
+  for (int i = 0; i < course->events; i++) {
+    printf("  {\"%s\", ", mode_names[course->after[i]]);
+    number("", course->time[i], "},\n");
   }
-  return d;
+  if (course->events == 0) puts("  {\"\", 0.0L} /* none */");
+  puts("};");
 }
 
-static void solve(const problem_t *problem) {
-  static course_t fine, loose;
-  course_follow(problem, (ref_real_t)1e-30L, &fine);
-  course_follow(problem, (ref_real_t)1e-27L, &loose);
-  const uncertainty_t looser = compare(&fine, &loose);
-  fprintf(stderr, "%-12s %3d events to t = %-9.6g differences %.1e, %.1e s%s\n",
-          problem->name, fine.events, (double)fine.last.t, (double)looser.state,
-          (double)looser.time, looser.agree ? "" : " (OTHER EVENTS)");
-  write_problem(stdout, problem, &fine, &looser);
+static void write_course(int i, const course_t *course) {
+  const char *name = ref_problems[i].name;
+  printf("  {.problem = &ref_problems[%d], .begins = \"%s\",\n", i,
+         mode_names[course->begins]);
+  number("   .h = ", course->h, ",\n");
+  row("   .start = {", &course->start, "},\n");
+  number("   .t_last = ", course->last.t, ",\n");
+  printf("   .states = %d, .events = %d,\n", course->states, course->events);
+  printf("   .state = %s_states, .event = %s_events},\n", name, name);
 }
 
-int main(int argc, char **argv) {
-  const char *wanted = argc == 2 ? argv[1] : "";
-  int found = 1;
-  if (!strcmp(wanted, "index"))
-    write_index(stdout);
-  else
-    found = !strcmp(wanted, "names");
-  for (int i = 0; i < PROBLEMS; i++) {
-    if (!strcmp(wanted, "names")) puts(problems[i].name);
-    if (strcmp(wanted, problems[i].name) != 0) continue;
-    found = 1;
-    solve(&problems[i]);
+int main(void) {
+  static course_t course[REF_PROBLEMS];
+  puts(
+      "/* Reference solutions, made by `make oracle`, not by hand: by the"
+      " solver of\n"
+      " * tests/reference in quadruple precision, every switch located, from"
+      " the\n"
+      " * paper's equations without a line of the core. 25 digits. SI units;"
+      " modes as\n"
+      " * the core names them. */\n"
+      "/* clang-format off */\n"
+      "#ifndef TESTS_DATA_REFERENCE_H\n"
+      "#define TESTS_DATA_REFERENCE_H\n\n"
+      "#include \"../reference/problems.h\"\n\n"
+      "typedef struct {\n"
+      "  long double t, r, v, w; /* [s], [m], [m/s], [rad/s] */\n"
+      "} reference_state_t;\n\n"
+      "/* r, v and w are continuous. At h = g = 0 and at a two-fold several"
+      " modes may\n"
+      " * be consistent; `after` is \"\" where none is chosen. */\n"
+      "typedef struct {\n"
+      "  const char *after;\n"
+      "  long double t; /* [s] */\n"
+      "} reference_event_t;\n\n"
+      "/* The reference ends at t_last: its length is over, or a two-fold is"
+      " reached. */\n"
+      "typedef struct {\n"
+      "  const ref_problem_t *problem;\n"
+      "  const char *begins;\n"
+      "  long double h; /* at the start; v follows from it */\n"
+      "  reference_state_t start;\n"
+      "  long double t_last;\n"
+      "  int states, events;\n"
+      "  const reference_state_t *state;\n"
+      "  const reference_event_t *event;\n"
+      "} reference_t;");
+  for (int i = 0; i < REF_PROBLEMS; i++) {
+    follow(&ref_problems[i], &course[i]);
+    write_rows(ref_problems[i].name, &course[i]);
   }
-  if (!found) fprintf(stderr, "usage: tables index | names | PROBLEM\n");
-  return found && fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  puts("\nstatic const reference_t references[REF_PROBLEMS] = {");
+  for (int i = 0; i < REF_PROBLEMS; i++) write_course(i, &course[i]);
+  puts("};\n\n#endif");
+  return fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -71,33 +71,18 @@ static int moved(problem_t problem) {
 
 static ref_real_t wide(double x) { return (ref_real_t)x; }
 
-static ref_input_t input_at(const void *context, int piece, ref_real_t t) {
-  const problem_t *problem = context;
-  (void)piece;
-  return (ref_input_t){
-      .omega0 = wide(problem->params.omega0) + wide(problem->alpha) * t,
-      .alpha = wide(problem->alpha)};
-}
-
 static ref_rate_t reference_rate(const problem_t *problem, point_t y,
                                  contact_t c, real_t g) {
   const tf_params_t *p = &problem->params;
-  const ref_inputs_t inputs = {.at = input_at, .context = problem};
-  ref_machine_t k = {.m = wide(p->m),
-                     .d = wide(p->d),
-                     .beta = wide(p->beta),
-                     .k2 = wide(p->k2),
-                     .c1 = wide(p->c1),
-                     .c2 = wide(p->c2),
-                     .r0 = wide(p->r0),
-                     .mu = wide(p->mu),
-                     .kappa = wide(p->kappa),
-                     .gamma = wide(p->gamma),
-                     .inputs = &inputs};
+  const ref_real_t omega0 = wide(p->omega0), far = 1000;
+  ref_machine_t k = {
+      PARAMETERS_OF(ref_real_t, p), .knots = 2,
+      .knot = {{.omega0 = omega0},
+               {far, omega0 + far * wide(problem->alpha), 0, 0}}};
   ref_prepare(&k);
   const ref_slip_t slip = {y.h, g};
   const ref_state_t x =
-      ref_from_slip(&k, (ref_state_t){.r = y.r, .t = y.t}, slip);
+      ref_from_slip(&k, (ref_state_t){.r = y.r, .t = y.t, .piece = 1}, slip);
   if (c.side)
     return ref_rate(&k, x,
                     ref_slip_force(&k, slip, ref_piece_at(&k, slip, c.side)));
