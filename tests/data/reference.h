@@ -19,7 +19,7 @@ typedef struct {
   long double t; /* [s] */
 } reference_event_t;
 
-/* The reference ends at t_last: its length is over, or a two-fold is reached. */
+/* Ends at t_last: its length is over, or a two-fold is reached. */
 typedef struct {
   const ref_problem_t *problem;
   const char *begins;

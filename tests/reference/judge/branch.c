@@ -1,12 +1,13 @@
 /// @file
-/// Which future a scheme takes at the first h = g = 0 of a motion. The reference follows every future of that point, and standing
-/// still, for a short while; the scheme has taken the one it is nearest to.
+/// Which future a scheme takes at the first h = g = 0 of a motion. The reference
+/// follows every future of that point, and standing still, for a short while;
+/// the scheme has taken the one it is nearest to.
 #include <math.h>
 
 #include "classes.h"
 
 enum { WAYS = REF_MAX_WAYS + 1 };
-static const runs_t runs = {1, 3, {1e-4, 3e-5, 1e-5}, ""};
+static const runs_t runs = {1, 3, 1, {1e-4, 3e-5, 1e-5}, ""};
 
 // The consistent modes at the first h = g = 0, a little later.
 typedef struct {

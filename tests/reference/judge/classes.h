@@ -58,6 +58,7 @@ void count_try(count_t *count, const trial_t *trial, bool hit);
 enum { RUNS = 12 };
 typedef struct {
   int reals, dts;
+  double located;    ///< of dt, in located steps
   double dt[3];      ///< 0: that of the machine
   const char *group; ///< first words of the name of a run
 } runs_t;

@@ -80,14 +80,14 @@ static int draw_impulses(trial_t *trial) {
 }
 
 static const struct ends path = {2,
-                                 {{1, 3, {1e-3, 1e-4, 1e-5}, "held, "},
-                                  {1, 3, {1e-3, 1e-4, 1e-5}, "moving, "}},
+                                 {{1, 3, 10, {1e-3, 1e-4, 1e-5}, "held, "},
+                                  {1, 3, 10, {1e-3, 1e-4, 1e-5}, "moving, "}},
                                  "5 % off, all OK",
                                  "5 % off, and told",
                                  0.05,
                                  draw_path},
                          impulses = {1,
-                                     {{1, 2, {1e-4, 1e-5}, ""}},
+                                     {{1, 2, 1, {1e-4, 1e-5}, ""}},
                                      "10 % off, all OK",
                                      "10 % off, some not OK or refused",
                                      0.1,

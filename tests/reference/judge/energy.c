@@ -7,7 +7,8 @@
 #include "classes.h"
 
 enum { KINDS = 2, STEPS = 200 };
-static const runs_t runs[KINDS] = {{2, 1, {0}, "k2  "}, {2, 1, {0}, "r=0 "}};
+static const runs_t runs[KINDS] = {{2, 1, 1, {0}, "k2  "},
+                                   {2, 1, 1, {0}, "r=0 "}};
 static count_t *creates[KINDS][RUNS];
 
 static double energy_of(const lib_machine_t *q, const lib_row_t *x) {

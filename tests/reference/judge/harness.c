@@ -68,9 +68,11 @@ int runs_count(const runs_t *runs) {
 }
 
 run_t runs_at(const runs_t *runs, int k) {
+  const lib_scheme_t scheme = (lib_scheme_t)(k / runs->dts / runs->reals);
   const int real = k / runs->dts % runs->reals;
-  return (run_t){(lib_scheme_t)(k / runs->dts / runs->reals),
-                 real ? &lib_f32 : &lib_f64, runs->dt[k % runs->dts]};
+  const double dt = runs->dt[k % runs->dts];
+  return (run_t){scheme, real ? &lib_f32 : &lib_f64,
+                 scheme == LIB_LOCATED ? runs->located * dt : dt};
 }
 
 void count_runs(count_t *counts[RUNS], const runs_t *runs, const char *kind) {

@@ -6,7 +6,7 @@
 
 #include "classes.h"
 
-static const runs_t runs = {2, 2, {1e-4, 1e-5}, ""};
+static const runs_t runs = {2, 2, 1, {1e-4, 1e-5}, ""};
 
 enum { STILL = 500 };
 
