@@ -1,7 +1,7 @@
 /// @file
-/// Which future a scheme takes at the first h = g = 0 of a motion. The reference
-/// follows every future of that point, and standing still, for a short while;
-/// the scheme has taken the one it is nearest to.
+/// Which future a scheme takes at the first h = g = 0 of a motion. The
+/// reference follows every future of that point, and standing still, for a
+/// short while; the scheme has taken the one it is nearest to.
 #include <math.h>
 
 #include "classes.h"

@@ -116,7 +116,7 @@ static bool next(phase_t *phase, real_t t, const real_t x[3]) {
   const real_t down = h_rate(phase, t, x, -p.mu, -M);
   if (phase->mode == 0) {
     phase->mode = fabsl(up) < fabsl(down) ? 1 : -1;
-    return up < down;
+    return down - up > 1e-6L;
   }
   phase->mode = up > 0 ? 1 : down < 0 ? -1 : 0;
   return true;

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """The independent solver (tests/reference) builds, agrees with the paper's
 equations, with tests/data and with SUNDIALS, and finds no more wrong steps that
-say TF_OK among a few hundred random machines, every other of `path` driven, than
-docs/VERIFICATION.md has among thousands: at most 1 % of a row."""
+say TF_OK among a few hundred random machines, of which every other one of
+`path` is driven, than docs/VERIFICATION.md has among thousands: at most 1 % of
+a row."""
 import re
 import subprocess
 import sys
