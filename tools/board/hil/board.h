@@ -68,8 +68,8 @@ typedef struct {
   uint32_t every;
   hil_sample_t *samples;
   size_t count, room;
-  bool listens; ///< states are kept
-  bool has_new; ///< a state has come since the last response
+  bool listens;             ///< states are kept
+  bool has_new;             ///< a state has come since the last response
   tf_heartbeat_t heartbeat;
   bool has_heartbeat;
 } hil_board_t;
@@ -78,11 +78,14 @@ typedef struct {
 /// Returns: HIL_EQUAL; after a message another code.
 hil_code_t hil_board_listen(hil_board_t *board, int milliseconds);
 
-/// Sends a command. data: NULL where it has none.
-hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
-                          const uint8_t *data, size_t length);
+/// Reads until something holds, or for as many seconds. Returns: as above; the
+/// caller asks whether it holds.
+hil_code_t hil_board_await(hil_board_t *board,
+                           bool (*holds)(const hil_board_t *board),
+                           double patience);
 
-/// Sends a command and waits until it has taken effect. data: as above.
+/// Sends a command and waits until it has taken effect. data: NULL where it has
+/// none.
 hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
                            const uint8_t *data, size_t length);
 
