@@ -131,5 +131,6 @@ def tests(*arguments):
     archive = Archive(*arguments)
     return [(f"fmu_{test.__name__}", test) for test in (
         archive.descriptions_agree_with_the_core,
-        archive.every_function_is_there, archive.two_builds_are_equal, archive.sources_have_the_same_bits,
+        archive.every_function_is_there, archive.two_builds_are_equal,
+        archive.sources_have_the_same_bits,
         archive.compiles_for_a_microcontroller)]

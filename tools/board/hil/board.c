@@ -146,7 +146,7 @@ static hil_code_t take(hil_board_t *board, const tf_frame_t *frame) {
   return HIL_EQUAL;
 }
 
-hil_code_t hil_board_listen(hil_board_t *board, int milliseconds) {
+static hil_code_t listen_for(hil_board_t *board, int milliseconds) {
   uint8_t bytes[512];
   size_t length = 0, taken = 0;
   tf_frame_t frame;
@@ -185,7 +185,7 @@ hil_code_t hil_board_await(hil_board_t *board,
   const double until = cli_now() + patience;
   hil_code_t code = HIL_EQUAL;
   while (code == HIL_EQUAL && !holds(board) && cli_now() < until)
-    code = hil_board_listen(board, 100);
+    code = listen_for(board, 100);
   return code;
 }
 

@@ -1,7 +1,7 @@
 // The closed loop at the controller's end: states in, inputs out.
 #include <inttypes.h>
 
-#include "board/hil/loop.h"
+#include "board/hil/board.h"
 
 #define PATIENCE 5.0  // longest time without a state [s]
 #define TRIES 8       // attempts to send an input to a board that is stopped

@@ -9,8 +9,6 @@
 #include <string.h>
 
 #include "board/hil/board.h"
-#include "board/hil/control.h"
-#include "board/hil/loop.h"
 #include "cli/host/host.h"
 #include "cli/host/output.h"
 #include "cli/host/source.h"
