@@ -78,13 +78,8 @@ def bits_of(scene, version):
 def from_a_file():
     """A scene from a file, with what only a file can change: the law of rest,
     the profile and the length."""
-    make = os.environ.get("MAKE", "make")
-    given = [f"{k}={os.environ[k]}" for k in ("OPT", "CC", "EXTRA")
-             if os.environ.get(k)]
     file = "tests/data/own.scene"
-    subprocess.run([make, "-s", "-C", ROOT, "fmu", f"BUILD={BUILD}",
-                    f"SCENE={file}", *given], check=True,
-                   stdout=subprocess.DEVNULL)
+    test_archive.make_fmu(file, BUILD)
     expected = rows(ROOT / file, "--every", "25")
     check(expected[-1][0] == 2, "length")
     for version in "23":
@@ -227,7 +222,7 @@ TESTS += [(f"{test.__name__}_under_fmi_{v}", lambda t=test, v=v: t(v))
 TESTS += [(test.__name__, test)
           for test in (events_in_order, from_a_file)]
 TESTS += test_calls.tests(lambda v: archive("chaos", v))
-TESTS += test_archive.tests(ROOT, BUILD, archive, rows, same_bits)
+TESTS += test_archive.tests(archive, rows, same_bits)
 
 if __name__ == "__main__":
     sys.exit(run(TESTS))
