@@ -175,8 +175,7 @@ line_needs = $(filter $(1:%=tests/line/test_%.%),$(TESTS))
 LINE := $(if $(call line_needs,line hostile hil),$(VARIANTS:%=line-%))
 LINE += $(if $(call line_needs,hil),$(REALS:%=$(BUILD)/%/hil))
 LINE += $(if $(call line_needs,replay),line-double own-scene)
-LINE += $(if $(call line_needs,streams whole),line-csv line-plotter \
-  $(BUILD)/double/accepted)
+LINE += $(if $(call line_needs,streams whole),line-csv line-plotter)
 line_firmware = @MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf \
   BOARD=host CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' \
   SCENE=$(or $(2),chaos) RATE=1000 $(1)

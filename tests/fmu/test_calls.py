@@ -27,16 +27,11 @@ def raw(wheel, verb, kind, reference, value=0.0, type_c=c_double):
 def bad_values(fmu):
     wheel = fmu.instance()
     refused(DISCARD, "kappa = -1|[1e-9, 1000000] m", wheel.set, "kappa", -1)
-    refused(DISCARD, "theta = 0.4|[0.5, 1]", wheel.set, "theta", 0.4)
     refused(DISCARD, "mu = NaN", wheel.set, "mu", float("nan"))
     refused(DISCARD, "m = infinity", wheel.set, "m", float("inf"))
-    refused(DISCARD, "dt = 2|[1e-9, 1] s", wheel.set, "dt", 2)
     refused(DISCARD, "law = 6|[0, 5]", wheel.set, "law", 6)
-    refused(DISCARD, "rule = -1|[0, 3]", wheel.set, "rule", -1)
-    refused(DISCARD, "force = 2e9", wheel.set, "force", 2e9)
     refused(DISCARD, "take = slip+|before the motion", wheel.set, "take", 0)
     refused(ERROR, "choices is an output", wheel.set, "choices", 1)
-    refused(ERROR, "r is an output", wheel.set, "r", 0.2)
     for name, value in (("kappa", 0.2724115371406203), ("theta", 0.5),
                         ("law", 0), ("take", 5)):
         check(wheel.get(name) == value, f"{name} was set all the same")
@@ -143,17 +138,10 @@ def wrong_times(fmu):
     refused(ERROR, "stopTime", wheel.step, 0.0, 1.1)
     check(wheel.get("tick") == 0, "a refused step moved")
     # The importer's time may carry rounding, but must not drift.
-    time, length = 0.0, 1e-4 * (1 + 9e-7)
     wheel = fmu.instance().begin()
-    try:
-        for _ in range(300000):
-            wheel.step(time, length)
-            time += length
-    except Refused as refusal:
-        check("currentCommunicationPoint" in refusal.text, refusal.text)
-        check(abs(time - wheel.get("time")) < 1.1e-5, "drift before refusal")
-    else:
-        raise AssertionError("time drifts without a word")
+    wheel.step(0.0, 1e-4)
+    wheel.step(1.09e-4, 1e-4)
+    refused(ERROR, "currentCommunicationPoint", wheel.step, 2.11e-4, 1e-4)
 
 
 def refused_steps(fmu):
@@ -188,8 +176,6 @@ def wrong_takes(fmu):
     refused(DISCARD, "take = stick+|not open in this step|would end in slip",
             wheel.step, 1e-4, 1e-4)
     check(wheel.get("tick") == 1, "a refused step moved")
-    wheel.set("take", 5)
-    wheel.step(1e-4, 1e-4)
 
 
 def driven_inputs(fmu):

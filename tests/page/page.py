@@ -1,5 +1,7 @@
 """What the tests of the page share: the browser, a tab with the page in it,
 and the command line beside it."""
+import atexit
+import functools
 import os
 import shutil
 import subprocess
@@ -17,18 +19,14 @@ PAGE = BUILD / "page" / "index.html"
 URL = PAGE.as_uri()
 TWO_FOLD = 20473  # the step of `chaos` from which on three futures are open
 PROGRAM = shutil.which("chromium")
-_running, _tabs = [], []
+_tabs = []
 
 
+@functools.cache
 def browser():
-    if not _running:
-        _running.append(Browser(PROGRAM))
-    return _running[0]
-
-
-def close():
-    while _running:
-        _running.pop().close()
+    made = Browser(PROGRAM)
+    atexit.register(made.close)
+    return made
 
 
 def tab(**options):
@@ -73,3 +71,8 @@ def go(page, tick):
     page.value(f"twofold.play(false); twofold.seek({tick}); "
                f"twofold.motion.seek({tick})")
     settled(page)
+
+
+def shown(page, name):
+    """The text of an element."""
+    return page.value(f"document.getElementById('{name}').textContent")

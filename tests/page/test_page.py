@@ -16,18 +16,14 @@ import test_setup
 from tap import run
 
 
-def main(words):
+def main():
     if not page.PROGRAM:
         print("missing: chromium (apt-get install chromium)")
         return 3
-    try:
-        return run([(test.__name__, page.alone(test)) for test in
-                    test_motion.TESTS + test_setup.TESTS + test_scene.TESTS
-                    + test_looks.TESTS + test_board.TESTS
-                    if any(word in test.__name__ for word in words)])
-    finally:
-        page.close()
+    return run([(test.__name__, page.alone(test)) for test in
+                test_motion.TESTS + test_setup.TESTS + test_scene.TESTS
+                + test_looks.TESTS + test_board.TESTS])
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:] or [""]))
+    sys.exit(main())

@@ -7,7 +7,8 @@ import tempfile
 from pathlib import Path
 from urllib.parse import quote
 
-from page import COMMAND, ROOT, check, command, go, opened, settled
+from page import (COMMAND, ROOT, check, command, go, opened, settled,
+                  shown)
 
 OWN = ROOT / "tests/data/own.scene"
 # Lines over `based-on chaos`, each wrong in its own way; the last ones have
@@ -28,26 +29,14 @@ def address_of(path):
     return f"file={quote(path.name, safe='')}:{quote(path.read_text())}"
 
 
-def told(tab):
-    return tab.value("document.getElementById('refusal').textContent")
-
-
 def csv_of_a_file():
-    """Byte for byte what `run FILE` writes: of a file that gives little, and of
-    each scene as `scene` prints it."""
-    with tempfile.TemporaryDirectory() as folder:
-        files = [OWN]
-        for line in command("scenes").splitlines():
-            name = line.split()[0]
-            files.append(Path(folder, f"my-{name}.scene"))
-            files[-1].write_text(command("scene", name))
-        for path in files:
-            tab = opened(address_of(path))
-            check(told(tab) == "", told(tab))
-            got = tab.value("twofold.play(false); twofold.motion.csv(9, 21000)")
-            want = command("run", str(path), "--t-end", "2.1", "--every", "9")
-            check(got == want, f"{path.name} has another motion")
-            check(path.name in tab.value(COMMAND_LINE), "another file is named")
+    """Byte for byte what `run FILE` writes."""
+    tab = opened(address_of(OWN))
+    check(shown(tab, "refusal") == "", shown(tab, "refusal"))
+    got = tab.value("twofold.play(false); twofold.motion.csv(9, 21000)")
+    check(got == command("run", str(OWN), "--t-end", "2.1", "--every", "9"),
+          "another motion")
+    check(OWN.name in tab.value(COMMAND_LINE), "another file is named")
 
 
 def file_in_the_address():
@@ -94,13 +83,14 @@ def wrong_files():
     check(tab.value("twofold.motion.advance(100)"), "does not go on")
     # A file whose start no motion has: the page shows another scene.
     tab = opened("file=no.scene:" + quote("based-on chaos\ngamma 0\nh 1"))
-    check("gamma = 0: with a start by h, |sin(gamma)| must be" in told(tab)
-          and "scene chaos is shown as it comes" in told(tab), told(tab))
+    told = shown(tab, "refusal")
+    check("gamma = 0: with a start by h, |sin(gamma)| must be" in told
+          and "scene chaos is shown as it comes" in told, told)
     check(tab.value("document.getElementById('scene').selectedIndex") == 0, "0")
     check(not tab.complaints(), tab.complaints())
 
 
-def numbers_of_a_file():
+def numbers():
     """Decimal and hexadecimal numbers have the bits that they have anywhere."""
     draw = random.Random(15)
     tab = opened()
@@ -115,18 +105,11 @@ def numbers_of_a_file():
             texts += [repr(value), value.hex(), f"{value:.3e}"]
         texts.append(f"{draw.getrandbits(60)}.{draw.getrandbits(200)}e"
                      f"{draw.randint(-300, -10)}")
-    got = tab.value(f"""{json.dumps(texts)}.map((text) => {{
-      const told = twofold.core.takeFile('a.b', `based-on chaos\\nr ${{text}}`);
-      twofold.core.c.load(twofold.core.ownScene);
-      return told ?? Array.from(new Uint8Array(Float64Array.of(
-        twofold.core.get('r')).buffer));
-    }})""")
+    got = tab.value(f"""{json.dumps(texts)}.map((text) => Array.from(
+      new Uint8Array(Float64Array.of(twofold.core.number(text)).buffer)))""")
     for text, bits in zip(texts, got):
-        check(bits == list(struct.pack("d", float_of(text))), f"{text}: {bits}")
-
-
-def float_of(text):
-    return float.fromhex(text) if "0x" in text else float(text)
+        value = float.fromhex(text) if "0x" in text else float(text)
+        check(bits == list(struct.pack("d", value)), f"{text}: {bits}")
 
 
 def chosen_and_dropped():
@@ -163,4 +146,4 @@ def chosen_and_dropped():
 
 
 TESTS = [csv_of_a_file, file_in_the_address, save_is_the_command_line,
-         wrong_files, numbers_of_a_file, chosen_and_dropped]
+         wrong_files, numbers, chosen_and_dropped]

@@ -2,7 +2,7 @@
 import json
 import random
 
-from page import check, command, go, opened, settled
+from page import check, go, opened, settled, shown
 
 
 def in_range(draw, low, high):
@@ -55,16 +55,6 @@ def address_there_and_back():
         check(why == "", why)
 
 
-def refused(tab):
-    return tab.value("document.getElementById('refusal').textContent")
-
-
-def said(tab):
-    """The line that is in sight wherever one looks."""
-    return tab.value("document.getElementById('said').textContent")
-
-
-SEEDED = "rule=random&seed=7&"
 MANY = "&".join(f"no{i}=1" for i in range(20))
 # Addresses of which not all is done: words that must be told, and numbers that
 # hold; all else is as in the scene.
@@ -78,49 +68,33 @@ STRANGE = [
     ("h=0&v=1", ["v=1: already given by h=0"], {"h": 0}),
     ("scene=coulomb&scene=chaos", ["scene=chaos: already given by scene=cou"],
      {"law": 1}),
-    ("tick=4&tick=5", ["tick=5: already given by tick=4"], {}),
     ("hand=4:1:1&hand=4:2:2&take=4:slip%2B&take=4:slip-",
      ["hand=4:2:2: already given", "take=4:slip-: already given"], {}),
-    ("mu=x", ["mu=x: 'x' is not a number"], {}),
     ("mu=1x", ["'1x' is not a number"], {}),
     ("mu=%201", ["' 1' is not a number"], {}),
     ("mu=1%00", ["is not a number"], {}),
-    ("mu=1,5", ["'1,5' is not a number"], {}),
-    ("mu=0b1", ["'0b1' is not a number"], {}),
     ("mu=" + "1" * 2000, ["is not a number"], {}),
     ("mu=1e-999", ["too small"], {}),
     ("mu=", ["mu=: expected a value"], {}),
-    ("mu", ["mu: expected name=value"], {}),
     ("kappa=0.3&&", [": expected name=value"], {"kappa": 0.3}),
     ("mu=nan", ["mu = NaN must lie in [0, 1000000000] N"], {}),
     ("mu=1e999", ["mu = Infinity must lie in"], {}),
     ("kappa=-1&mu=2", ["kappa = -1 must lie in [1e-9, 1000000] m"],
      {"mu": 2}),
-    ("r=2e9", ["r = 2000000000 must lie in [-1000000000, 1000000000] m"], {}),
     ("segments=2.5", ["segments = 2.5 must be a whole number in [0, 1000]"],
      {}),
     ("kappa=0x1p-2", [], {"kappa": 0.25}),
-    ("mu=0x10", [], {"mu": 16}),
     ("law=glue", ["law=glue: unknown law; there are jump, coulomb,"], {}),
-    ("law=1", ["law=1: unknown law"], {}),
     ("rule=slip%2", ["rule=slip%2: % is not followed by a code"], {}),
-    ("%zz", ["%zz: expected name=value"], {}),
-    ("%zz=%ff", ["%zz=%ff: % is not"], {}),
     ("scene=nowhere&mu=2", ["scene=nowhere: unknown scene; there are chaos,"],
      {"mu": 2}),
     ("file=a.scene", ["file=a.scene: expected NAME:TEXT"], {}),
-    ("file=a.scene:law%20glue:x", ["expected NAME:TEXT"], {}),
     ("file=a.scene:law%20glue", ["a.scene:1: law: unknown", "'glue'"], {}),
-    (SEEDED + "seed=8", ["seed=8: already given"], {"seed": 7, "rule": 3}),
     ("rule=random&seed=-1", ["seed = -1 must be a whole number in [0, 42949"],
      {"rule": 3}),
-    ("rule=random&seed=1.5", ["seed = 1.5 must be a whole number"],
-     {"rule": 3}),
     ("seed=7", ["seed has no effect: rule persist"], {"seed": 7}),
-    ("rate=3", ["rate has no effect: rule persist"], {"rate": 3}),
     ("epsilon=0.5", ["epsilon has no effect: law jump does not use it"],
      {"epsilon": 0.5}),
-    ("epsilon=-1", ["epsilon = -1 must lie in [1e-12, 1000000] m/s"], {}),
     ("tolerance=0", ["tolerance has no effect: only scheme located"],
      {"tolerance": 0}),
     ("law=coulomb&rest=square", ["rest has no effect: law coulomb"],
@@ -132,21 +106,13 @@ STRANGE = [
     ("r=9e8&omega=9e8", ["|r| + |v| + |omega| must be at most 1000000000"], {}),
     ("take=5:slide", ["take=5:slide: expected TICK:MODE, MODE one of slip+"],
      {}),
-    ("take=x:slip-", ["take=x:slip-: 'x' must be a whole number in [0, 90"],
-     {}),
-    ("take=5:slip-:x", ["take=5:slip-:x: expected TICK:MODE"], {}),
-    ("hand=a:1:2", ["hand=a:1:2: 'a' must be a whole number"], {}),
     ("hand=1:2", ["hand=1:2: expected TICK:FORCE:TORQUE"], {}),
-    ("hand=1:x:2", ["hand=1:x:2: 'x' is not a number"], {}),
     ("hand=1:inf:2", ["force and torque must lie in [-1000000000, 1000000000"],
      {}),
     ("tick=-4", ["tick=-4: '-4' must be a whole number in [0, 900719925474"],
      {}),
-    ("tick=0x10", ["'0x10' must be a whole number"], {}),
-    ("tick=1e3", ["'1e3' must be a whole number"], {}),
     ("tick=99999999999999999999", ["must be a whole number in [0, 90071992"],
      {}),
-    ("scene%3Dchaos%26mu%3D2", ["scene%3Dchaos%26mu%3D2: expected name="], {}),
     (MANY, ["no0=1: unknown", "no7=1: unknown", "and 12 more"], {}),
     ("kappa=0.3&mu=2", [], {"kappa": 0.3, "mu": 2}),
     ("", [], {}),
@@ -162,11 +128,12 @@ def address_that_nobody_wrote():
                   f"{'#' + address + '&end' if address else ''!r}")
         tab.value("dispatchEvent(new Event('hashchange')), 0")
         settled(tab)
-        told = refused(tab)
+        told = shown(tab, "refusal")
         for word in words:
             check(word in told, f"{address}: {word} is not in: {told}")
         check(bool(words) == (told != ""), f"{address}: {told}")
-        check(not words or said(tab) == told, f"{address}: {said(tab)}")
+        said = shown(tab, "said")
+        check(not words or said == told, f"{address}: {said}")
         scene = tab.value("document.getElementById('scene').selectedIndex")
         off = tab.value(f"""(() => {{
           const {{ core }} = twofold, now = core.names.map((n) => core.get(n));
@@ -202,7 +169,8 @@ def address_of_no_motion():
     """A mode that the step does not end in stops the motion, and is named."""
     tab = opened("take=5:pinned&tick=10")
     settled(tab)
-    check("no step from here ends in pinned" in said(tab), said(tab))
+    said = shown(tab, "said")
+    check("no step from here ends in pinned" in said, said)
     check(tab.value("twofold.motion.tick") == 5, "goes on")
 
 
@@ -227,17 +195,14 @@ def refusal_by_name():
     for name, text, words in (
             ("kappa", "-1", "kappa = -1 must lie in [1e-9, 1000000] m"),
             ("kappa", "x", "kappa: 'x' is not a number; it takes [1e-9, 10"),
-            ("kappa", "", "kappa: '' is not a number; it takes [1e-9, 1000"),
             ("mu", "inf", "mu = Infinity must lie in [0, 1000000000] N"),
-            ("theta", "0.4", "theta = 0.4 must lie in [0.5, 1]"),
-            ("r", "2e9", "r = 2000000000 must lie in [-1000000000, 1000000"),
             ("gamma", "0", "gamma = 0: with a start by h, |sin(gamma)| mus"),
             ("omega", "1e9", "|r| + |v| + |omega| must be at most 10000000")):
         held = tab.value(f"twofold.core.get('{name}')")
         got = tab.value(f"({ENTER})('{name}', '{text}')")
         check(words in got[0], f"{name} {text}: {got[0]}")
         check(got[1] == got[2] == held, f"{name} {text}: {got}")
-        check(words in said(tab), said(tab))
+        check(words in shown(tab, "said"), shown(tab, "said"))
         check(tab.value("Array.from(twofold.motion.now)") == before, "moved")
     check(tab.value("getComputedStyle(document.getElementById('refusal'))"
                     ".display") == "block", "the refusal is hidden")
@@ -300,9 +265,8 @@ def a_law_brings_its_parameters():
     for law, names, told in (
             ("smooth", ["epsilon"], "law smooth: epsilon = 0.0001 m/s as in "
                                     "scene smooth"),
-            ("two_piece", ["k"], "law two_piece: k = 1 1/m^2 as in scene"),
             ("string", ["k", "delta", "sigma", "rho", "a"],
-             "law string: delta = 1 1/m, sigma = 1 m, rho = 0.66666666")):
+             "law string: k = 1 1/m^2, delta = 1 1/m, sigma = 1 m, rho = 0.")):
         got = tab.value(f"({CHOOSE})('law', '{law}')")
         check(told in got["said"], got["said"])
         for name in names:
@@ -319,21 +283,6 @@ def a_law_brings_its_parameters():
               in got["refusal"], got)
 
 
-def lists_of_the_command_line():
-    """Laws, rules and laws of rest have the names that `run` takes."""
-    told = command("help", "run")
-    tab = opened()
-    for name in ("law", "rest"):
-        names = tab.value(f"[...document.getElementById('list-{name}').options]"
-                          ".map((option) => option.text)")
-        check(f"  {name:9} {', '.join(names)}\n" in told
-              or f"  {name:9} {', '.join(names)}, " in told, names)
-    for rule in tab.value("[...document.getElementById('list-rule').options]"
-                          ".map((option) => option.text)"):
-        command("run", "chaos", "--t-end", "0", "--select", rule)
-
-
-TESTS = [lists_of_the_command_line, address_there_and_back,
-         address_that_nobody_wrote, address_that_was_cut_off,
-         address_of_no_motion, refusal_by_name, every_law_from_every_law,
-         a_law_brings_its_parameters]
+TESTS = [address_there_and_back, address_that_nobody_wrote,
+         address_that_was_cut_off, address_of_no_motion, refusal_by_name,
+         every_law_from_every_law, a_law_brings_its_parameters]

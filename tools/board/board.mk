@@ -7,7 +7,7 @@
 
 HIL_PARTS := $(wildcard tools/board/hil/*.c) $(addprefix tools/cli/,\
   host/source.c host/host.c host/output.c host/destination.c \
-  text/message.c)
+  text/message.c text/number.c)
 
 define board_rules
 $(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) \
@@ -15,10 +15,6 @@ $(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) \
 	$$(link)
 $(BUILD)/$(1)/constants: $$(call objects_of_$(1),\
     $(wildcard tools/board/constants/*.c) $(SCENE_READER)) \
-    $(BUILD)/$(1)/libtwofold.a
-	$$(link)
-# Which pieces of a stream are frames, for tests/line/test_streams.py.
-$(BUILD)/$(1)/accepted: $(BUILD)/$(1)/tools/board/protocol/accepted.o \
     $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 endef

@@ -5,7 +5,7 @@
 #   DIST_SCENE=driven  a further scene that is prepared as one header
 #   DESTDIR=           where a package is put together
 #   PREFIX=/usr/local  where things are installed
-#   DISTS='c cmake'    only these tests of `make test-dist`
+#   DISTS='cmake zephyr'    of test-dist: tests whose names contain one
 #   SCENE=chaos        what an FMU starts with: the name of a scene, or a file
 #                      (one with a . or a / in its name)
 #   ONLY='bits take'   of test-fmu: tests whose names contain one of these

@@ -3,6 +3,7 @@
 // its schema, without which its numbers have no type.
 
 import { AT, COLUMNS } from './core.mjs';
+import { instantiate } from './libc.mjs';
 
 const COLUMNS_OF_LINE = 10;
 const MAX_RECORDS = 1 << 14;
@@ -12,7 +13,7 @@ export class Line {
   // module: the compiled core. take(row): of each row, t r v omega h g F M
   // mode choices; those that the board did not send are 0.
   constructor(module, take) {
-    this.c = new WebAssembly.Instance(module, {}).exports;
+    this.c = instantiate(module);
     this.c.line_open();
     this.take = take;
   }
@@ -21,11 +22,6 @@ export class Line {
   get counters() {
     return Array.from(new Float64Array(this.c.memory.buffer,
       this.c.line_counters(), 8));
-  }
-
-  get scene() {
-    const bytes = new Uint8Array(this.c.memory.buffer, this.c.line_scene(), 64);
-    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
   }
 
   receive(bytes) {

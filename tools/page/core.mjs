@@ -1,5 +1,6 @@
 // The simulator: names for the numbers of the module, and nothing of the
 // physics. A Core is one motion; two of one compiled module share nothing.
+import { instantiate, textAt } from './libc.mjs';
 
 export const ROW = ['t', 'r', 'v', 'omega', 'h', 'g', 'F', 'M', 'mode',
   'choices', 'set', 'status', 'tick', 'phi', 'table', 'omega0', 'r0', 'force',
@@ -15,7 +16,7 @@ export const rangeOf = (p) => `[${p.low}, ${p.high}]${unitOf(p)}`;
 
 export class Core {
   constructor(module) {
-    const exports = new WebAssembly.Instance(module, {}).exports;
+    const exports = instantiate(module);
     this.c = exports;
     // The module never grows its memory, so views of it last.
     this.row = new Float64Array(exports.memory.buffer, exports.look(), COLUMNS);
@@ -63,10 +64,7 @@ export class Core {
     }
   }
 
-  text(at) {
-    const bytes = new Uint8Array(this.c.memory.buffer, at);
-    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
-  }
+  text(at) { return textAt(this.c, at); }
 
   // Reads a scene from the text of a file. Returns: null, or why it is none, by
   // line, key and range; then the one before holds.

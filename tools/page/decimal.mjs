@@ -1,22 +1,25 @@
 // Numbers and rows as the command line writes them, byte for byte: the fewest
 // digits that read back to the same bits, laid out as %g of C.
 
-const MIN_NORMAL = 2 ** -1022;
+export const MIN_NORMAL = 2 ** -1022;
 
-export function decimal(x) {
+// The power of ten behind the digits.
+export const power = (e) => `e${e < 0 ? '-' : '+'}` +
+  String(Math.abs(e)).padStart(2, '0');
+
+// size: so many digits; without it, the fewest.
+export function decimal(x, size) {
   if (x === 0) return Object.is(x, -0) ? '-0' : '0';
-  const [, sign, first, rest = '', e] =
-    x.toExponential().match(/^(-?)(\d)(?:\.(\d+))?e([+-]\d+)$/);
+  if (!Number.isFinite(x)) return x > 0 ? 'inf' : x < 0 ? '-inf' : 'nan';
+  const [, sign, first, rest = '', e] = x.toExponential(size && size - 1)
+    .match(/^(-?)(\d)(?:\.(\d*?))?0*e([+-]\d+)$/);
   const digits = first + rest, exponent = Number(e);
   // %g takes an exponent from its precision on: that of the command line's
   // search is 15 at least, but for subnormal numbers.
-  const precision = Math.abs(x) < MIN_NORMAL ? digits.length
-    : Math.max(15, digits.length);
-  if (exponent < -4 || exponent >= precision) {
-    const size = String(Math.abs(exponent)).padStart(2, '0');
-    return `${sign}${first}${rest && `.${rest}`}e${exponent < 0 ? '-' : '+'}` +
-      size;
-  }
+  const precision = size ?? (Math.abs(x) < MIN_NORMAL ? digits.length
+    : Math.max(15, digits.length));
+  if (exponent < -4 || exponent >= precision)
+    return sign + first + (rest && `.${rest}`) + power(exponent);
   if (exponent < 0) return `${sign}0.${'0'.repeat(-exponent - 1)}${digits}`;
   const whole = digits.slice(0, exponent + 1).padEnd(exponent + 1, '0');
   const part = digits.slice(exponent + 1);

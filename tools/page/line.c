@@ -63,8 +63,6 @@ const double *EXPORT(line_counters)(void) {
   return counters;
 }
 
-const char *EXPORT(line_scene)(void) { return receiver.scene; }
-
 // The command that asks a board for its schema, in `line_bytes`. Returns: its
 // length.
 uint32_t EXPORT(line_describe)(void) {

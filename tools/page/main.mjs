@@ -474,9 +474,10 @@ function wire() {
     say(error.message));
   $('speed').oninput = $('span').onchange = () => { isStale = true; };
   addEventListener('keydown', keys);
-  addEventListener('hashchange', () => {
+  // The address that was entered: by now it may be one that was remembered.
+  addEventListener('hashchange', ({ newURL = location.href }) => {
     play(false);
-    open(location.hash.slice(1));
+    open(new URL(newURL).hash.slice(1));
   });
   matchMedia('(prefers-color-scheme: dark)').onchange = () => {
     readColours();

@@ -1,6 +1,7 @@
-// The simulator as the module of a web page: it imports nothing. The page
-// writes a set-up, begins, steps, and reads rows. Instances share nothing, so a
-// second one of the same module looks ahead into the futures of the first.
+// The simulator as the module of a web page, which imports nothing but numbers
+// from text and into it (libc.mjs). The page writes a set-up, begins, steps,
+// and reads rows. Instances share nothing, so a second one of the same module
+// looks ahead into the futures of the first.
 #include <string.h>
 
 #include "module.h"

@@ -11,7 +11,7 @@ PAGE_FLAGS := --target=wasm32 -std=c99 -ffreestanding -Oz -flto \
   -ffunction-sections -fdata-sections -Itools/page/libc -Itools -Iinclude \
   $(filter-out -Wunused-macros,$(WARN))
 PAGE_LINK := -nostdlib -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all \
-  -Wl,-z,stack-size=65536
+  -Wl,--export=errno -Wl,-z,stack-size=65536
 PAGE_CORE := $(wildcard src/*/*.c) tools/cli/monitor/receiver.c \
   $(addprefix tools/cli/setup/,scene_file.c scene_print.c names.c) \
   $(addprefix tools/cli/text/,buffer.c closest.c number.c) \

@@ -9,7 +9,7 @@
 #include "cli/host/host.h"
 
 #define PATIENCE 2.0 // wait for an answer [s] ...
-#define TRIES 4      // ... before the command is sent again
+#define TRIES 4      // ... before the command is sent again, so often in all
 #define GIVEN_UP 16  // states after which an answer no longer counts as due
 
 hil_code_t hil_message(hil_code_t code, const char *format, ...) {
@@ -131,11 +131,6 @@ static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
   }
 }
 
-static void take_heartbeat(hil_board_t *board, const tf_frame_t *frame) {
-  tf_read_heartbeat(frame->payload, &board->heartbeat);
-  board->has_heartbeat = true;
-}
-
 static hil_code_t take(hil_board_t *board, const tf_frame_t *frame) {
   if (frame->type == TF_DOWN_SCHEMA) return take_schema(board, frame);
   if (frame->type == TF_DOWN_STATE && frame->length == TF_STATE_BYTES)
@@ -144,12 +139,14 @@ static hil_code_t take(hil_board_t *board, const tf_frame_t *frame) {
     take_report(board, frame);
   if (frame->type == TF_DOWN_ANSWER && frame->length >= 8)
     take_answer(board, frame);
-  if (frame->type == TF_DOWN_HEARTBEAT && frame->length == TF_HEARTBEAT_BYTES)
-    take_heartbeat(board, frame);
+  if (frame->type == TF_DOWN_HEARTBEAT && frame->length == TF_HEARTBEAT_BYTES) {
+    tf_read_heartbeat(frame->payload, &board->heartbeat);
+    board->has_heartbeat = true;
+  }
   return HIL_EQUAL;
 }
 
-hil_code_t hil_board_listen(hil_board_t *board, int milliseconds) {
+static hil_code_t listen_for(hil_board_t *board, int milliseconds) {
   uint8_t bytes[512];
   size_t length = 0, taken = 0;
   tf_frame_t frame;
@@ -182,22 +179,30 @@ static hil_code_t send_as(hil_board_t *board, uint32_t number, tf_type_t type,
                      strerror(board->source.error));
 }
 
+hil_code_t hil_board_await(hil_board_t *board,
+                           bool (*holds)(const hil_board_t *board),
+                           double patience) {
+  const double until = cli_now() + patience;
+  hil_code_t code = HIL_EQUAL;
+  while (code == HIL_EQUAL && !holds(board) && cli_now() < until)
+    code = listen_for(board, 100);
+  return code;
+}
+
+static bool has_renewed(const hil_board_t *board) { return !board->renews; }
+
 // After the last number the board has another session, and a command with that
 // number, sent again, would be a new one there. So it is used up by one that is
 // refused for its length, and all others wait for the new session.
 static hil_code_t renew_session(hil_board_t *board) {
   static const uint8_t too_much = 0;
-  const uint32_t before = board->session;
   for (int tries = 0; board->sequence == UINT32_MAX && tries < TRIES; tries++) {
-    const double until = cli_now() + PATIENCE;
     hil_code_t code =
         send_as(board, UINT32_MAX, TF_UP_STOP, 0, &too_much, sizeof too_much);
     board->sequence = UINT32_MAX;
     board->renews = true;
-    while (code == HIL_EQUAL && board->session == before && cli_now() < until)
-      code = hil_board_listen(board, 100);
+    if (code == HIL_EQUAL) code = hil_board_await(board, has_renewed, PATIENCE);
     if (code != HIL_EQUAL) return code;
-    if (board->session != before) return HIL_EQUAL;
   }
   return board->sequence != UINT32_MAX
              ? HIL_EQUAL
@@ -205,39 +210,36 @@ static hil_code_t renew_session(hil_board_t *board) {
                            board->source.name);
 }
 
-hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
-                          const uint8_t *data, size_t length) {
+// number: out, that of the command.
+static hil_code_t send_new(hil_board_t *board, tf_type_t type, uint64_t tick,
+                           const uint8_t *data, size_t length,
+                           uint32_t *number) {
   const hil_code_t code = renew_session(board);
-  return code == HIL_EQUAL
-             ? send_as(board, board->sequence, type, tick, data, length)
-             : code;
+  *number = board->sequence;
+  return code == HIL_EQUAL ? send_as(board, *number, type, tick, data, length)
+                           : code;
 }
+
+static bool has_answer(const hil_board_t *board) { return board->has_answer; }
 
 // The command is sent again, with the same number, if no answer comes, whether
 // it was lost or its answer was: the board takes a number once.
 hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
                            const uint8_t *data, size_t length) {
-  double until = 0;
-  const hil_code_t renewed =
-      type == TF_UP_DESCRIBE ? HIL_EQUAL : renew_session(board);
-  if (renewed != HIL_EQUAL) return renewed;
+  hil_code_t code = type == TF_UP_DESCRIBE ? HIL_EQUAL : renew_session(board);
   board->ordered = type;
   board->number = board->sequence;
   board->tries = 0;
   board->has_answer = false;
-  while (!board->has_answer) {
-    hil_code_t code = HIL_EQUAL;
-    if (cli_now() > until && board->tries == TRIES)
-      return hil_message(HIL_STOPPED, "%s: no answer; does it take commands?",
-                         board->source.name);
-    if (cli_now() > until) {
-      code = send_as(board, board->number, type, 0, data, length);
-      until = cli_now() + PATIENCE;
-      board->tries++;
-    }
-    if (code == HIL_EQUAL) code = hil_board_listen(board, 100);
-    if (code != HIL_EQUAL) return code;
+  while (code == HIL_EQUAL && !board->has_answer && board->tries < TRIES) {
+    board->tries++;
+    code = send_as(board, board->number, type, 0, data, length);
+    if (code == HIL_EQUAL) code = hil_board_await(board, has_answer, PATIENCE);
   }
+  if (code != HIL_EQUAL) return code;
+  if (!board->has_answer)
+    return hil_message(HIL_STOPPED, "%s: no answer; does it take commands?",
+                       board->source.name);
   if (board->answer != 0)
     return hil_message(HIL_REFUSED, "the board refuses command %02X: %d",
                        (unsigned)type, board->answer);
@@ -245,11 +247,8 @@ hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
 }
 
 hil_code_t hil_board_stop_at(hil_board_t *board, uint64_t tick) {
-  const hil_code_t code = renew_session(board);
-  board->stop_number = board->sequence;
   board->has_stopped = false;
-  return code == HIL_EQUAL ? hil_board_send(board, TF_UP_STOP, tick, NULL, 0)
-                           : code;
+  return send_new(board, TF_UP_STOP, tick, NULL, 0, &board->stop_number);
 }
 
 hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,
@@ -263,8 +262,8 @@ hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,
   at = tf_wire_put_real(at, input->torque);
   (void)tf_wire_put_real(at, input->alpha);
   sample->sent = true;
-  sample->sequence = board->sequence;
-  return hil_board_send(board, TF_UP_INPUT, tick, payload, sizeof payload);
+  return send_new(board, TF_UP_INPUT, tick, payload, sizeof payload,
+                  &sample->sequence);
 }
 
 size_t hil_board_waiting(const hil_board_t *board) {

@@ -1,9 +1,12 @@
 /// @file
 /// The board at the other end of the line: the frames that it sends, the
-/// commands that it is sent, and its answers. The controller is elsewhere.
+/// commands that it is sent, and its answers (board.c). Then the closed loop:
+/// its plan, how a board is driven in response to its states (drive.c), and
+/// what judges it (twin.c). The controller is control.h.
 #ifndef TWOFOLD_HIL_BOARD_H
 #define TWOFOLD_HIL_BOARD_H
 
+#include "board/hil/control.h"
 #include "cli/host/source.h"
 #include "twofold.h"
 
@@ -74,15 +77,15 @@ typedef struct {
   bool has_heartbeat;
 } hil_board_t;
 
-/// Reads what comes within the given number of milliseconds.
-/// Returns: HIL_EQUAL; after a message another code.
-hil_code_t hil_board_listen(hil_board_t *board, int milliseconds);
+/// Reads until something holds, or for as many seconds. Returns: HIL_EQUAL, and
+/// the caller asks whether it holds; after a message another code. So do the
+/// others.
+hil_code_t hil_board_await(hil_board_t *board,
+                           bool (*holds)(const hil_board_t *board),
+                           double patience);
 
-/// Sends a command. data: NULL where it has none.
-hil_code_t hil_board_send(hil_board_t *board, tf_type_t type, uint64_t tick,
-                          const uint8_t *data, size_t length);
-
-/// Sends a command and waits until it has taken effect. data: as above.
+/// Sends a command and waits until it has taken effect. data: NULL where it has
+/// none.
 hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
                            const uint8_t *data, size_t length);
 
@@ -95,5 +98,45 @@ hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,
 
 /// Number of recent samples whose input has no answer yet.
 size_t hil_board_waiting(const hil_board_t *board);
+
+typedef struct {
+  uint64_t steps;   ///< number of steps
+  uint32_t every;   ///< steps from sample to sample
+  uint32_t delay;   ///< steps from a sample to the effect of its input
+  bool in_lockstep; ///< the board waits for each input
+  uint64_t silent;  ///< from this step on no input is sent
+  bool has_deadman; ///< the board is told how long an input holds ...
+  uint32_t deadman; ///< ... in steps; else it keeps its own number
+} hil_plan_t;
+
+typedef struct {
+  size_t compared, differ; ///< states and reports, byte for byte
+  size_t inputs, wrong;    ///< inputs, and those unlike the twin's
+  size_t late;             ///< inputs in effect at another tick than planned
+  size_t unanswered;       ///< inputs without an answer
+  size_t missing;          ///< samples of the plan that were not received
+  uint32_t expired;        ///< inputs that were not renewed in time
+  uint64_t first;          ///< tick of the first difference
+  double rms_error;        ///< of the disc's speed [rad/s]
+  tf_state_t end;
+} hil_verdict_t;
+
+/// Reads the board's schema, stops the board at the start of its scene and sets
+/// how long its inputs hold.
+/// Returns: HIL_EQUAL; after a message another code.
+hil_code_t hil_prepare(hil_board_t *board, const hil_plan_t *plan);
+
+/// Runs the board according to the plan, then stops it. Returns: as above.
+hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
+                     const hil_control_t *control);
+
+/// Runs the digital twin, controller and machine in one process without a line
+/// and without a clock, whose bits the closed loop should have, and compares.
+/// Inputs take effect at the ticks that the board's answers give: the planned
+/// ones, unless an input was late.
+/// Returns: HIL_EQUAL, HIL_DIFFERS, HIL_REFUSED (a step is refused).
+hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
+                            const hil_control_t *control,
+                            hil_verdict_t *verdict);
 
 #endif

@@ -1,23 +1,23 @@
 // The closed loop at the controller's end: states in, inputs out.
 #include <inttypes.h>
 
-#include "board/hil/loop.h"
-#include "cli/host/host.h"
+#include "board/hil/board.h"
 
 #define PATIENCE 5.0  // longest time without a state [s]
 #define TRIES 8       // attempts to send an input to a board that is stopped
 #define OUTSTANDING 3 // inputs that may wait on the board; its queue has four
 
+static bool has_session(const hil_board_t *board) {
+  return board->session != 0;
+}
+
 // Asks the board who it is: without its session it takes no other command.
 static hil_code_t ask(hil_board_t *board) {
   hil_code_t code = hil_board_order(board, TF_UP_DESCRIBE, NULL, 0);
-  const double until = cli_now() + PATIENCE;
-  while (code == HIL_EQUAL && board->session == 0) {
-    code = hil_board_listen(board, 100);
-    if (code == HIL_EQUAL && cli_now() > until)
-      code = hil_message(HIL_STOPPED, "the board does not describe itself");
-  }
-  return code;
+  if (code == HIL_EQUAL) code = hil_board_await(board, has_session, PATIENCE);
+  return code != HIL_EQUAL || has_session(board)
+             ? code
+             : hil_message(HIL_STOPPED, "the board does not describe itself");
 }
 
 static hil_code_t order_deadman(hil_board_t *board, uint32_t steps) {
@@ -38,6 +38,8 @@ static hil_code_t give_back(hil_board_t *board) {
   return code;
 }
 
+static bool has_state(const hil_board_t *board) { return board->count > 0; }
+
 // Commands that another host left in the queue are cleared. Frames that are
 // still on the line are ignored until the first answer comes.
 hil_code_t hil_prepare(hil_board_t *board, const hil_plan_t *plan) {
@@ -48,13 +50,10 @@ hil_code_t hil_prepare(hil_board_t *board, const hil_plan_t *plan) {
   board->deadman_found = board->deadman;
   if (code == HIL_EQUAL && plan->has_deadman)
     code = order_deadman(board, plan->deadman);
-  const double until = cli_now() + PATIENCE;
   board->listens = true;
-  while (code == HIL_EQUAL && board->count == 0) {
-    code = hil_board_listen(board, 100);
-    if (code == HIL_EQUAL && cli_now() > until)
-      code = hil_message(HIL_STOPPED, "the board sends no state");
-  }
+  if (code == HIL_EQUAL) code = hil_board_await(board, has_state, PATIENCE);
+  if (code == HIL_EQUAL && !has_state(board))
+    return hil_message(HIL_STOPPED, "the board sends no state");
   if (code == HIL_EQUAL && board->samples[0].tick != 0)
     code = hil_message(HIL_STOPPED, "the board did not go to its start");
   return code;
@@ -64,25 +63,15 @@ static uint64_t last_tick(const hil_board_t *board) {
   return board->samples[board->count - 1].tick;
 }
 
-static hil_code_t wait_for_state(hil_board_t *board) {
-  const double until = cli_now() + PATIENCE;
-  while (!board->has_new) {
-    const hil_code_t code = hil_board_listen(board, 100);
-    if (code != HIL_EQUAL) return code;
-    if (!board->has_new && cli_now() > until)
-      return hil_message(HIL_STOPPED, "no state after step %" PRIu64,
-                         last_tick(board));
-  }
-  return HIL_EQUAL;
+static hil_code_t stopped(const hil_board_t *board, const char *why) {
+  return hil_message(HIL_STOPPED, "step %" PRIu64 ": %s", last_tick(board),
+                     why);
 }
 
-// Inputs that stay without an answer are counted in the report.
-static hil_code_t wait_for_answers(hil_board_t *board, double patience) {
-  const double until = cli_now() + patience;
-  hil_code_t code = HIL_EQUAL;
-  while (code == HIL_EQUAL && hil_board_waiting(board) > 0 && cli_now() < until)
-    code = hil_board_listen(board, 100);
-  return code;
+static bool has_new(const hil_board_t *board) { return board->has_new; }
+
+static bool is_answered(const hil_board_t *board) {
+  return hil_board_waiting(board) == 0;
 }
 
 // Sends the input for the newest state, if the board has room for it.
@@ -101,39 +90,31 @@ static hil_code_t respond(hil_board_t *board, const hil_plan_t *plan,
   return hil_board_drive(board, sample, sample->tick + plan->delay);
 }
 
-// The board stands where its stop was to take effect. Without that answer it
-// may have run on, and no input could come in time.
-static hil_code_t wait_for_stop(hil_board_t *board, uint64_t tick) {
-  const double until = cli_now() + PATIENCE;
-  while (!board->has_stopped && cli_now() < until) {
-    const hil_code_t code = hil_board_listen(board, 100);
-    if (code != HIL_EQUAL) return code;
-  }
-  return board->has_stopped && board->stopped_at == tick
-             ? HIL_EQUAL
-             : hil_message(HIL_STOPPED, "step %" PRIu64 ": its stop was lost",
-                           tick);
-}
+static bool has_stopped(const hil_board_t *board) { return board->has_stopped; }
 
-// The stop is sent first, because after the start the board does not wait.
+// The board stands where its stop was to take effect: without that answer it
+// may have run on, and no input could come in time. The next stop is sent
+// first, because after the start the board does not wait.
 static hil_code_t respond_in_lockstep(hil_board_t *board,
                                       const hil_plan_t *plan,
                                       const hil_control_t *control) {
   const uint64_t tick = last_tick(board);
+  hil_code_t code = HIL_EQUAL;
   if (tick != (board->count - 1) * plan->every)
-    return hil_message(HIL_STOPPED, "step %" PRIu64 ": a command was lost",
-                       tick);
-  hil_code_t code = tick == 0 ? HIL_EQUAL : wait_for_stop(board, tick);
+    return stopped(board, "a command was lost");
+  if (tick > 0) code = hil_board_await(board, has_stopped, PATIENCE);
+  if (code == HIL_EQUAL && tick > 0 &&
+      !(board->has_stopped && board->stopped_at == tick))
+    return stopped(board, "its stop was lost");
   if (code == HIL_EQUAL) code = hil_board_stop_at(board, tick + plan->every);
   // The board is stopped, so an input that is sent twice takes effect once.
   for (int tries = 0; code == HIL_EQUAL && tries < TRIES; tries++) {
     code = respond(board, plan, control);
-    if (code == HIL_EQUAL) code = wait_for_answers(board, 0.5);
-    if (hil_board_waiting(board) == 0) break;
+    if (code == HIL_EQUAL) code = hil_board_await(board, is_answered, 0.5);
+    if (is_answered(board)) break;
   }
-  if (code == HIL_EQUAL && hil_board_waiting(board) > 0)
-    code =
-        hil_message(HIL_STOPPED, "step %" PRIu64 ": its input was lost", tick);
+  if (code == HIL_EQUAL && !is_answered(board))
+    return stopped(board, "its input was lost");
   return code == HIL_EQUAL ? hil_board_order(board, TF_UP_START, NULL, 0)
                            : code;
 }
@@ -149,10 +130,13 @@ hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
                                : respond(board, plan, control);
     if (code == HIL_EQUAL && last_tick(board) == 0 && !plan->in_lockstep)
       code = hil_board_order(board, TF_UP_START, NULL, 0);
-    if (code == HIL_EQUAL) code = wait_for_state(board);
+    if (code == HIL_EQUAL) code = hil_board_await(board, has_new, PATIENCE);
+    if (code == HIL_EQUAL && !board->has_new)
+      return stopped(board, "no state follows");
   }
   if (code != HIL_EQUAL) return code;
   code = hil_board_order(board, TF_UP_STOP, NULL, 0);
-  if (code == HIL_EQUAL) code = wait_for_answers(board, 1);
+  // Inputs that stay without an answer are counted in the report.
+  if (code == HIL_EQUAL) code = hil_board_await(board, is_answered, 1);
   return code == HIL_EQUAL && plan->has_deadman ? give_back(board) : code;
 }

@@ -9,11 +9,10 @@
 #include <string.h>
 
 #include "board/hil/board.h"
-#include "board/hil/control.h"
-#include "board/hil/loop.h"
 #include "cli/host/host.h"
 #include "cli/host/output.h"
 #include "cli/host/source.h"
+#include "cli/text/number.h"
 
 typedef struct {
   const char *device, *csv;
@@ -51,19 +50,10 @@ static hil_code_t usage(void) {
   return HIL_USAGE;
 }
 
-static bool whole(const char *text, uint64_t least, uint64_t most,
-                  uint64_t *value) {
-  char *end = NULL;
-  *value = strtoull(text, &end, 10);
-  return text[0] >= '0' && text[0] <= '9' && *end == '\0' && *value >= least &&
-         *value <= most;
-}
-
 static bool number(const char *text, tf_real_t *value) {
-  char *end = NULL;
-  const double read = strtod(text, &end);
-  *value = (tf_real_t)read;
-  return end != text && *end == '\0' && read > -1e6 && read < 1e6;
+  const char *why = NULL;
+  return cli_read_real(text, value, &why) && *value > -1000000 &&
+         *value < 1000000;
 }
 
 // Returns: whether the option is known and its value good.
@@ -71,12 +61,12 @@ static bool read_option(options_t *options, const char *name,
                         const char *value) {
   uint64_t n = 0;
   if (!strcmp(name, "--baud"))
-    return whole(value, 1, 100000000, &options->baud);
+    return cli_read_whole(value, 1, 100000000, &options->baud);
   if (!strcmp(name, "--steps"))
-    return whole(value, 1, 10000000, &options->plan.steps);
+    return cli_read_whole(value, 1, 10000000, &options->plan.steps);
   if (!strcmp(name, "--every") || !strcmp(name, "--delay")) {
     const bool every = name[2] == 'e';
-    const bool good = whole(value, every, 65536, &n);
+    const bool good = cli_read_whole(value, every, 65536, &n);
     *(every ? &options->plan.every : &options->plan.delay) = (uint32_t)n;
     return good;
   }
@@ -84,9 +74,9 @@ static bool read_option(options_t *options, const char *name,
   if (!strcmp(name, "--gain")) return number(value, &options->control.gain);
   if (!strcmp(name, "--brake")) return number(value, &options->control.brake);
   if (!strcmp(name, "--silent"))
-    return whole(value, 0, 10000000, &options->plan.silent);
+    return cli_read_whole(value, 0, 10000000, &options->plan.silent);
   if (!strcmp(name, "--deadman")) {
-    options->plan.has_deadman = whole(value, 0, UINT32_MAX, &n);
+    options->plan.has_deadman = cli_read_whole(value, 0, UINT32_MAX, &n);
     options->plan.deadman = (uint32_t)n;
     return options->plan.has_deadman;
   }

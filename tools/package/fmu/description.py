@@ -113,20 +113,28 @@ def bounds(variable, most=None):
     return {"min": low, "max": high}
 
 
+def of_variable(variable):
+    """What both versions say of a variable."""
+    return {"name": variable["name"], "valueReference": variable["reference"],
+            "description": variable["about"], "causality": variable["role"],
+            "variability": variability(variable),
+            "initial": {"parameter": "exact", "output": "calculated"}.get(
+                variable["role"])}
+
+
+def of_value(variable, most=None):
+    """What both versions say of its values. most: of integers."""
+    kind = variable["kind"]
+    return {"declaredType": TYPES[variable["name"]] if kind == "member"
+            else None, "unit": variable["unit"] if kind == "real" else None,
+            **bounds(variable, most), "start": start(variable)}
+
+
 def variable3(variable):
     element = {"real": "Float64", "truth": "Boolean", "member": "Enumeration",
                "small": "Int32", "seed": "UInt32",
                "count": "UInt64"}[variable["kind"]]
-    real, member = variable["kind"] == "real", variable["kind"] == "member"
-    return tag(
-        element, name=variable["name"], valueReference=variable["reference"],
-        description=variable["about"], causality=variable["role"],
-        variability=variability(variable),
-        initial={"parameter": "exact", "output": "calculated"}.get(
-            variable["role"]),
-        declaredType=TYPES[variable["name"]] if member else None,
-        unit=variable["unit"] if real else None, **bounds(variable),
-        start=start(variable))
+    return tag(element, **of_variable(variable), **of_value(variable))
 
 
 def fmi3(model, token):
@@ -159,17 +167,8 @@ def variable2(variable):
     element = {"real": "Real", "truth": "Boolean", "member": "Enumeration",
                "small": "Integer", "seed": "Integer",
                "count": "Real"}[variable["kind"]]
-    real, member = variable["kind"] == "real", variable["kind"] == "member"
-    value = tag(element,
-                declaredType=TYPES[variable["name"]] if member else None,
-                unit=variable["unit"] if real else None,
-                **bounds(variable, FMI2_INTEGER), start=start(variable))
-    return tag("ScalarVariable", [value], name=variable["name"],
-               valueReference=variable["reference"],
-               description=variable["about"], causality=variable["role"],
-               variability=variability(variable),
-               initial={"parameter": "exact", "output": "calculated"}.get(
-                   variable["role"]))
+    inside = tag(element, **of_value(variable, FMI2_INTEGER))
+    return tag("ScalarVariable", [inside], **of_variable(variable))
 
 
 def fmi2(model, token, sources):

@@ -15,6 +15,8 @@
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wmissing-prototypes"
+// Of what the standard hands over some is of no use here.
+#pragma GCC diagnostic ignored "-Wunused-parameter"
 #endif
 #if defined(_WIN32)
 #define FMI_EXPORT __declspec(dllexport)

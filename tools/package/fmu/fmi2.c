@@ -56,8 +56,6 @@ FMI_EXPORT void *FMI(Instantiate)(fmi2_string_t name, fmi2_type_t type,
                                   fmi2_boolean_t visible,
                                   fmi2_boolean_t logging) {
   fmu_t teller;
-  (void)resources;
-  (void)visible;
   memset(&teller, 0, sizeof teller);
   teller.call = "fmi2Instantiate";
   if (name != NULL) strncpy(teller.name, name, sizeof teller.name - 1);
@@ -80,35 +78,20 @@ CALL(SetDebugLogging, FMU_ANY_PHASE,
      fmu_set_logging(fmu, on != 0, n, categories), void *instance,
      fmi2_boolean_t on, size_t n, const fmi2_string_t categories[])
 
-FMI_EXPORT fmu_status_t FMI(SetupExperiment)(
-    void *instance, fmi2_boolean_t has_tolerance, double tolerance,
-    double start_time, fmi2_boolean_t stops, double stop_time) {
-  ENTER("SetupExperiment", FMU_INSTANTIATED);
-  (void)has_tolerance;
-  (void)tolerance;
-  return fmu_initialize(fmu, start_time, stops != 0, stop_time);
-}
+CALL(SetupExperiment, FMU_INSTANTIATED,
+     fmu_initialize(fmu, start_time, stops != 0, stop_time), void *instance,
+     fmi2_boolean_t has_tolerance, double tolerance, double start_time,
+     fmi2_boolean_t stops, double stop_time)
 
-FMI_EXPORT fmu_status_t FMI(EnterInitializationMode)(void *instance) {
-  ENTER("EnterInitializationMode", FMU_INSTANTIATED);
-  fmu->motion.phase = FMU_INITIALIZATION;
-  return FMU_OK;
-}
+CALL(EnterInitializationMode, FMU_INSTANTIATED,
+     fmu_go_to(fmu, FMU_INITIALIZATION), void *instance)
 
 CALL(ExitInitializationMode, FMU_INITIALIZATION, fmu_initialized(fmu, FMU_STEP),
      void *instance)
 
-FMI_EXPORT fmu_status_t FMI(Terminate)(void *instance) {
-  ENTER("Terminate", FMU_STEP);
-  fmu->motion.phase = FMU_TERMINATED;
-  return FMU_OK;
-}
+CALL(Terminate, FMI_MOVING, fmu_go_to(fmu, FMU_TERMINATED), void *instance)
 
-FMI_EXPORT fmu_status_t FMI(Reset)(void *instance) {
-  ENTER("Reset", FMU_ANY_PHASE);
-  fmu_reset(fmu);
-  return FMU_OK;
-}
+CALL(Reset, FMU_ANY_PHASE, fmu_reset(fmu), void *instance)
 
 ACCESS(Real, double, KIND(REAL) | KIND(COUNT), double, fmu_get_real, NUMBER)
 ACCESS(Integer, int, KIND(MEMBER) | KIND(SMALL) | KIND(SEED), int64_t,
@@ -123,7 +106,6 @@ FMI_EXPORT fmu_status_t FMI(DoStep)(void *instance, double time, double length,
                                     fmi2_boolean_t no_restore) {
   ENTER("DoStep", FMU_STEP);
   fmu_step_t end;
-  (void)no_restore;
   return fmu_step(fmu, time, length, &end);
 }
 
@@ -152,10 +134,6 @@ FMI_EXPORT fmu_status_t FMI(GetBooleanStatus)(void *instance,
   CALL(name, FMU_ANY_PHASE,    \
        fmu_error(fmu, "no step of this FMU is ever pending"), __VA_ARGS__)
 NOT_PENDING(CancelStep, void *instance)
-
-#if defined(__GNUC__)
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
 NOT_PENDING(GetStatus, void *instance, fmi2_question_t question,
             fmu_status_t *value)
 NOT_PENDING(GetIntegerStatus, void *instance, fmi2_question_t question,

@@ -18,11 +18,6 @@ FMI_EXPORT void *FMI(InstantiateCoSimulation)(
     const uint32_t intermediate[], size_t n_intermediate, void *environment,
     fmi3_log_t *logger, fmi3_update_t *update) {
   fmu_t teller;
-  (void)resources;
-  (void)visible;
-  (void)intermediate;
-  (void)n_intermediate;
-  (void)update;
   memset(&teller, 0, sizeof teller);
   teller.call = "fmi3InstantiateCoSimulation";
   if (name != NULL) strncpy(teller.name, name, sizeof teller.name - 1);
@@ -44,11 +39,8 @@ FMI_EXPORT fmu_status_t FMI(EnterInitializationMode)(
     void *instance, bool has_tolerance, double tolerance, double start_time,
     bool stops, double stop_time) {
   ENTER("EnterInitializationMode", FMU_INSTANTIATED);
-  (void)has_tolerance;
-  (void)tolerance;
   const fmu_status_t status = fmu_initialize(fmu, start_time, stops, stop_time);
-  if (status == FMU_OK) fmu->motion.phase = FMU_INITIALIZATION;
-  return status;
+  return status == FMU_OK ? fmu_go_to(fmu, FMU_INITIALIZATION) : status;
 }
 
 CALL(ExitInitializationMode, FMU_INITIALIZATION,
@@ -59,27 +51,14 @@ FMI_EXPORT fmu_status_t FMI(EnterEventMode)(void *instance) {
   ENTER("EnterEventMode", FMU_STEP);
   if (!fmu->event_mode)
     return fmu_error(fmu, "this instance was made without event mode");
-  fmu->motion.phase = FMU_EVENT;
-  return FMU_OK;
+  return fmu_go_to(fmu, FMU_EVENT);
 }
 
-FMI_EXPORT fmu_status_t FMI(EnterStepMode)(void *instance) {
-  ENTER("EnterStepMode", FMU_EVENT);
-  fmu->motion.phase = FMU_STEP;
-  return FMU_OK;
-}
+CALL(EnterStepMode, FMU_EVENT, fmu_go_to(fmu, FMU_STEP), void *instance)
 
-FMI_EXPORT fmu_status_t FMI(Terminate)(void *instance) {
-  ENTER("Terminate", FMI_MOVING);
-  fmu->motion.phase = FMU_TERMINATED;
-  return FMU_OK;
-}
+CALL(Terminate, FMI_MOVING, fmu_go_to(fmu, FMU_TERMINATED), void *instance)
 
-FMI_EXPORT fmu_status_t FMI(Reset)(void *instance) {
-  ENTER("Reset", FMU_ANY_PHASE);
-  fmu_reset(fmu);
-  return FMU_OK;
-}
+CALL(Reset, FMU_ANY_PHASE, fmu_reset(fmu), void *instance)
 
 FMI_EXPORT fmu_status_t FMI(UpdateDiscreteStates)(void *instance, bool *again,
                                                   bool *terminates,
@@ -104,7 +83,6 @@ FMI_EXPORT fmu_status_t FMI(DoStep)(void *instance, double time, double length,
                                     double *last_time) {
   ENTER("DoStep", FMU_STEP);
   fmu_step_t end;
-  (void)no_restore;
   if (event == NULL || terminates == NULL || early == NULL || last_time == NULL)
     return fmu_error(fmu, "nowhere to put a result: NULL");
   const fmu_status_t status = fmu_step(fmu, time, length, &end);

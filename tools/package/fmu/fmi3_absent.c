@@ -3,10 +3,6 @@
 
 #include "fmi3.h"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-#endif
-
 static fmu_status_t refuse(void *instance, const char *call) {
   (void)fmu_enter(instance, call, 0);
   return FMU_ERROR;

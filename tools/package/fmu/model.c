@@ -50,10 +50,15 @@ fmu_status_t fmu_error(fmu_t *fmu, const char *why) {
   return fmu_refuse(fmu, FMU_ERROR);
 }
 
-void fmu_reset(fmu_t *fmu) {
+fmu_status_t fmu_go_to(fmu_t *fmu, unsigned phase) {
+  fmu->motion.phase = (uint8_t)phase;
+  return FMU_OK;
+}
+
+fmu_status_t fmu_reset(fmu_t *fmu) {
   memset(&fmu->motion, 0, sizeof fmu->motion);
   fmu_defaults(&fmu->motion.values, FMU_SCENE);
-  fmu->motion.phase = FMU_INSTANTIATED;
+  return fmu_go_to(fmu, FMU_INSTANTIATED);
 }
 
 fmu_t *fmu_new(fmu_t *teller, const char *token) {
@@ -77,7 +82,7 @@ fmu_t *fmu_new(fmu_t *teller, const char *token) {
     return NULL;
   }
   instances[i] = *teller;
-  fmu_reset(&instances[i]);
+  (void)fmu_reset(&instances[i]);
   return &instances[i];
 }
 

@@ -125,7 +125,8 @@ void fmu_set(fmu_t *fmu, uint32_t reference, double value);
 fmu_status_t fmu_initialize(fmu_t *fmu, double start_time, bool stops,
                             double stop_time);
 fmu_status_t fmu_initialized(fmu_t *fmu, unsigned next_phase); // motion.c
-void fmu_reset(fmu_t *fmu);
+fmu_status_t fmu_reset(fmu_t *fmu);
+fmu_status_t fmu_go_to(fmu_t *fmu, unsigned phase);
 
 /// Prepares machine, state and report from the values (motion.c).
 /// Returns: FMU_OK; FMU_DISCARD after a message, motion not begun.

@@ -281,6 +281,5 @@ fmu_status_t fmu_step(fmu_t *fmu, double time, double length, fmu_step_t *end) {
 
 fmu_status_t fmu_initialized(fmu_t *fmu, unsigned next_phase) {
   const fmu_status_t status = fmu_begin(fmu);
-  if (status == FMU_OK) fmu->motion.phase = (uint8_t)next_phase;
-  return status;
+  return status == FMU_OK ? fmu_go_to(fmu, next_phase) : status;
 }

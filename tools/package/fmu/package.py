@@ -17,7 +17,6 @@ import zipfile
 from pathlib import Path
 
 import description
-from icon import icon
 
 ROOT = Path(__file__).resolve().parents[3]
 HERE = Path(__file__).resolve().parent
@@ -69,7 +68,7 @@ def lay_out(model, core, directory):
              f"#include \"twofold.h\"\n\n{constant}\n"
              "#define FMU_SCENE (&scene_constants)\n"
              f"#define FMU_TOKEN \"{token}\"\n")
-    picture = icon()
+    picture = (HERE / "icon.png").read_bytes()
     for face, files in texts.items():
         home = directory / face
         shutil.rmtree(home, ignore_errors=True)

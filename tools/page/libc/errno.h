@@ -1,5 +1,6 @@
 /// @file
-/// What decimal.c reports of a number that has no room in its type.
+/// What libc.mjs reports of a number that is too small for its type; page.mk
+/// exports the variable.
 #ifndef TWOFOLD_PAGE_ERRNO_H
 #define TWOFOLD_PAGE_ERRNO_H
 

@@ -1,5 +1,5 @@
 /// @file
-/// Parts of a double; decimal.c has frexp.
+/// Parts of a double; libc.c has frexp.
 #ifndef TWOFOLD_PAGE_MATH_H
 #define TWOFOLD_PAGE_MATH_H
 

@@ -1,6 +1,6 @@
 /// @file
-/// Of C's text output, what the reader of scenes calls; format.c has snprintf
-/// and vsnprintf. There are no files: what opens or prints one is declared, so
+/// Of C's text output, what the reader of scenes calls, done by the browser
+/// (libc.mjs). There are no files: what opens or prints one is declared, so
 /// that its source compiles, and the linker leaves it out.
 #ifndef TWOFOLD_PAGE_STDIO_H
 #define TWOFOLD_PAGE_STDIO_H
@@ -10,8 +10,11 @@
 
 typedef struct file FILE;
 
-int snprintf(char *out, size_t room, const char *format, ...);
-int vsnprintf(char *out, size_t room, const char *format, va_list arguments);
+__attribute__((import_name("print"))) int snprintf(char *out, size_t room,
+                                                   const char *format, ...);
+__attribute__((import_name("print"))) int vsnprintf(char *out, size_t room,
+                                                    const char *format,
+                                                    va_list arguments);
 
 FILE *fopen(const char *path, const char *how);
 size_t fread(void *to, size_t size, size_t count, FILE *file);

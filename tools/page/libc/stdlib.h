@@ -1,9 +1,10 @@
 /// @file
-/// Numbers from text; decimal.c has strtod.
+/// Numbers from text, read by the browser (libc.mjs).
 #ifndef TWOFOLD_PAGE_STDLIB_H
 #define TWOFOLD_PAGE_STDLIB_H
 
-double strtod(const char *text, char **end);
+__attribute__((import_name("strtod"))) double strtod(const char *text,
+                                                     char **end);
 float strtof(const char *text, char **end); // of builds in float alone
 
 #endif

@@ -1,6 +1,6 @@
 /// @file
 /// What sources that are written for a C library need of it in WebAssembly,
-/// where there is none: port/arch/memory.c and text.c have the functions.
+/// where there is none: port/arch/memory.c and libc.c have the functions.
 #ifndef TWOFOLD_PAGE_STRING_H
 #define TWOFOLD_PAGE_STRING_H
 

@@ -27,6 +27,9 @@ in_common $pictures SAMPLES_random=400 SAMPLES_noise=4 SAMPLES_smoothing=4 \
   --out "$figures/chaos.csv" 2>"$BUILD/figures.said" || wrong 'no motion'
 gnuplot -e "csv='$figures/chaos.csv'; out='$figures/chaos.svg'" \
   tools/study/figures/chaos.gp 2>"$BUILD/figures.said" || wrong 'no picture'
+tools/study/figures/futures.py "$place/double/twofold" "$figures/futures.made"
+cmp "$figures/futures.made" docs/futures.svg ||
+  wrong 'docs/futures.svg is of another core: make keep-futures'
 tests/study/panels.py "$figures"/*.svg >"$BUILD/figures.said" ||
   wrong 'a panel has no marks'
 [ "$BAD" -eq 0 ] || cat "$BUILD/figures.said"

@@ -3,7 +3,6 @@
 function and method, with each kind of bad value. Run by in_python.py, where the
 module is installed."""
 import ctypes
-import inspect
 import math
 from fractions import Fraction
 
@@ -129,31 +128,10 @@ def bits(machine, ensemble):
             ensemble.states.tobytes(), ensemble.reports.tobytes())
 
 
-def judge_completeness(rows):
-    """The table has every argument of every public callable."""
-    named = {}
-    for name, _, _, bad in rows:
-        named.setdefault(name, set()).update(bad)
-    for name in twofold.__all__:
-        what = getattr(twofold, name)
-        if not callable(what):
-            continue
-        own = {name: what.__init__ if inspect.isclass(what) else what}
-        if inspect.isclass(what):
-            own |= {f"{name}.{part}": value for part, value in
-                    vars(what).items() if not part.startswith("_")}
-        for key, function in own.items():
-            wanted = {one.name for one in
-                      inspect.signature(function).parameters.values()
-                      if one.name != "self" and one.kind != one.VAR_KEYWORD}
-            assert wanted <= named.get(key, set()), (key, wanted)
-
-
 def judge(real):
     """Every row; how many bad values are refused."""
     count = 0
     machine, ensemble, rows = table(real)
-    judge_completeness(rows)
     before = bits(machine, ensemble)
     for _, call, good, bad in rows:
         for name, values in bad.items():

@@ -3,9 +3,13 @@ import functools
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[4]
+sys.path.append(str(ROOT / "tests/support"))
+from tap import check, lacks  # noqa: E402
+
 BUILD = (ROOT / os.environ.get("BUILD", "build")).resolve()
 DIST = BUILD / "dist"
 WORK = BUILD / "test-dist"
@@ -15,30 +19,18 @@ REALS = {"double": [], "float": ["-DTF_REAL_FLOAT"]}
 STRICT = ["-Wall", "-Wextra", "-pedantic", "-Werror"]
 
 
-class Missing(Exception):
-    """A tool that is not here."""
-
-
-class Wrong(Exception):
-    """A package does not do what it should."""
-
-
 def need(tool, package):
-    """The path of a tool, or Missing."""
-    if not shutil.which(tool):
-        raise Missing(f"{tool} is missing (Debian: apt-get install {package})")
-    return tool
+    """The name of a tool, without which there is no test."""
+    return tool if shutil.which(tool) else lacks(package)
 
 
-def run(*command, cwd=None, env=None, fails=False):
-    """What a command prints; its failure is Wrong."""
+def run(*command, cwd=None, env=None, codes=(0,)):
+    """What a command prints, which has to end with one of these codes."""
     said = subprocess.run([str(word) for word in command], cwd=cwd, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           env={**os.environ, **(env or {})}, check=False)
-    if (said.returncode != 0) != fails:
-        last = "\n".join(line[:200]
-                         for line in said.stdout.splitlines()[-8:])
-        raise Wrong(f"{' '.join(map(str, command))}\n{last}")
+    check(said.returncode in codes, " ".join(map(str, command)) + "\n"
+          + "\n".join(line[:200] for line in said.stdout.splitlines()[-8:]))
     return said.stdout
 
 
@@ -48,15 +40,13 @@ def rows_of(real, *arguments):
     said = subprocess.run([BUILD / real / "twofold", "run",
                            *map(str, arguments)], text=True, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    if said.returncode not in (0, 5):
-        raise Wrong(f"twofold run {arguments}\n{said.stderr}")
+    check(said.returncode in (0, 5), said.stderr)
     return [line.split(",") for line in said.stdout.splitlines()[1:]]
 
 
 def equal(what, got, want):
-    """Wrong where they differ."""
-    if got != want:
-        raise Wrong(f"{what}: {got!r}, not {want!r}")
+    """Fails where they differ."""
+    check(got == want, f"{what}: {got!r}, not {want!r}")
 
 
 def folder(name):

@@ -3,7 +3,7 @@ import re
 import shlex
 import shutil
 
-from harness import (BUILD, DIST, MAKE, ROOT, STRICT, TWOFOLD, Wrong, ends_at,
+from harness import (BUILD, DIST, MAKE, ROOT, STRICT, TWOFOLD, check, ends_at,
                      equal, folder, need, run, version)
 
 DEMO = ROOT / "tools/package/dist/cmake/examples/demo"
@@ -37,23 +37,16 @@ def judge_pkg_config(root):
 
 
 def judge_manual(page):
-    """A section for each command that `twofold --help` lists, none of which
-    says what another one does; that of scenes has them all."""
+    """A section for each command that `twofold --help` lists; that of scenes
+    has them all."""
     for line in ("TH TWOFOLD 1", version(), "exit codes"):
-        if line not in page:
-            raise Wrong(f"twofold.1 does not say {line}")
+        check(line in page, f"twofold.1 does not say {line}")
     _, *sections = re.split(r"^\.SH ", page, flags=re.M)
     body = dict(section.split("\n", 1) for section in sections)
-    equal("sections of twofold.1 that are there twice", len(body),
-          len(sections))
     commands = re.findall(r"^  ([a-z]+) ", run(TWOFOLD, "--help"), re.M)
     equal("commands in twofold.1",
           [name[8:].lower() for name in body if name.startswith("TWOFOLD ")],
           [name for name in commands if name != "help"])
-    for name, text in body.items():
-        same = [other for other in body if other != name
-                and text.strip() in body[other]]
-        equal(f"sections of twofold.1 that say what {name} says", same, [])
     listed = re.findall(r"^(\w+) ", body["TWOFOLD SCENES"], re.M)
     equal("scenes in twofold.1", listed,
           re.findall(r"^(\w+) ", run(TWOFOLD, "scenes"), re.M))
@@ -120,7 +113,8 @@ def cmake():
         (other / "CMakeLists.txt").write_text(
             "cmake_minimum_required(VERSION 3.13)\nproject(other C)\n"
             "find_package(twofold 0.1 REQUIRED)\n")
-        run("cmake", "-S", other, "-B", other / "build", prefix, fails=True)
+        run("cmake", "-S", other, "-B", other / "build", prefix,
+            codes=(1,))
 
 
 def cmake_arm():
@@ -142,8 +136,8 @@ def cmake_arm():
     for name in NAMES.values():
         code = run("arm-none-eabi-objdump", "-d",
                    place / f"built/libtwofold_{name}.a")
-        if "vmul.f" not in code or "vfma" in code or "vfms" in code:
-            raise Wrong(f"twofold_{name}: not the code that was asked for")
+        check("vmul.f" in code and "vfma" not in code and "vfms" not in code,
+              f"twofold_{name}: not the code that was asked for")
 
 
 TESTS = {"install": install, "cmake": cmake, "cmake-arm": cmake_arm}
