@@ -14,7 +14,6 @@
 
 .PHONY: check valgrind stale bounds keep-bounds eva mutation fuzz fuzz-merge \
   fuzz-clang soak
-HELPERS += fuzz-clang
 
 check: ## warnings, format, static analysis, sanitizers, promises
 	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' FULL='$(FULL)' \

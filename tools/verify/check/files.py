@@ -86,16 +86,6 @@ def judge_test(path, text):
         wrong(f"{path}:{number}: returns by the real type: SKIP says why")
 
 
-PLANTED = ("if (sizeof(tf_real_t) == 4) return;",
-           "if (n < 9 &&\n    !IS_DOUBLE) {\n  return;",
-           "#ifdef TF_REAL_FLOAT\n  return;\n#endif")
-HARMLESS = ('if (!IS_DOUBLE) SKIP("why");', "if (IS_DOUBLE) n = 1;\nreturn;",
-            "return IS_DOUBLE ? 1 : 2;")
-for text in PLANTED + HARMLESS:
-    if bool(RETURNS.search(text)) != (text in PLANTED):
-        wrong(f"a planted return is judged wrong: {text}")
-
-
 def lines_at(name):
     """Lines of a room, of the documents, or of one file."""
     rooms = ["README.md", "DESIGN.md", *Path("docs").glob("*.md")] \

@@ -2,7 +2,6 @@
 //
 //   cost search EVALUATIONS [NAME...] <SEEDS   lines "name units count genes"
 //   cost replay <SEEDS                         the same, only what was found
-//   cost step NAME <SEEDS                      the same count by single steps
 //
 // Genes are spelled "index:hex,..." ("-": all 0); SEEDS are lines as they are
 // printed. EVALUATIONS are calls a function and number of units. Nothing is
@@ -14,7 +13,6 @@
 
 #include "verify/cost/calls.h"
 #include "verify/cost/search.h"
-#include "verify/cost/stepped.h"
 
 #define LINE 2048
 
@@ -135,23 +133,12 @@ static int replay(void) {
   return 0;
 }
 
-static int step(const char *name) {
-  for (size_t i = 0; i < seed_count; i++) {
-    if (strcmp(seeds[i].call->name, name) != 0) continue;
-    subject_t s = subject_of(&seeds[i].genes);
-    s.units = seeds[i].units;
-    if (!print_stepped(seeds[i].call, &s)) return 1;
-  }
-  return 0;
-}
-
 int main(int argc, char **argv) {
   const char *what = argc > 1 ? argv[1] : "";
   int code = 2;
   if (!read_seeds()) return 2;
   if (strcmp(what, "search") == 0 && argc >= 3) code = search_all(argc, argv);
   if (strcmp(what, "replay") == 0) code = replay();
-  if (strcmp(what, "step") == 0 && argc == 3) code = step(short_of(argv[2]));
   if (code == 2) fputs("usage: see tools/verify/cost/main.c\n", stderr);
   free(seeds);
   return code;
