@@ -43,7 +43,8 @@ done
 {
   gcovr --filter src/ "$place" && gcovr --filter src/ --branches \
     --print-summary --fail-under-line 100 --fail-under-branch 100 "$place"
-} >"$BUILD/coverage.txt" 2>&1 || wrong "a line or a branch is reached by no test"
+} >"$BUILD/coverage.txt" 2>&1 ||
+  wrong "a line or a branch is reached by no test"
 cat "$BUILD/coverage.txt"
 count='s/^(lines|branches): .*\(([0-9]+) out of ([0-9]+)\)/\2 of \3 \1/p'
 counts=$(sed -nE "$count" "$BUILD/coverage.txt" | paste -s -d , | sed 's/,/, /')
