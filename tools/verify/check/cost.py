@@ -35,18 +35,14 @@ def judge(real):
         for name in sorted(public_functions() - kept_names):
             if not PLAIN.fullmatch(name):
                 wrong(f"{name}: no call of it is kept in worst.{real}")
-    for what, evaluations in (("kept", 0), ("found", EVALUATIONS)):
-        path = BUILD / f"cost.{what}.{real}"
-        path.write_text(bounds.cost(PLACE, real, evaluations, bounds.HERE))
-        now = bounds.most(path)
-        for (name, units), count in now.items():
-            figure = kept.get((name, units), 0)
-            if count > bounds.SLACK * figure:
-                wrong(f"{name}({units}), {real}: a {what} call takes {count} "
-                      f"instructions, kept are {figure}")
-            if what == "kept" and count < figure / bounds.STALE:
-                wrong(f"{name}({units}), {real}: {figure} are kept, its call "
-                      f"takes {count}")
+    path = BUILD / f"cost.{real}"
+    path.write_text(bounds.cost(PLACE, real, EVALUATIONS, bounds.HERE))
+    now = bounds.most(path)
+    for (name, units), count in now.items():
+        figure = kept.get((name, units), 0)
+        if count > bounds.SLACK * figure or count < figure / bounds.STALE:
+            wrong(f"{name}({units}), {real}: {figure} instructions are kept, a "
+                  f"call takes {count}")
     return len(kept.index.unique("name"))
 
 
