@@ -12,9 +12,9 @@ A public header belongs to the room that has the source of its name. Beside
 these the core includes five headers that a compiler without a library has, and
 branches of its preprocessor ask about the real type. Nothing includes or
 imports itself through others, in the core, the tools and the ports; a header
-and the source beside it count as one there. All of src/ can be compiled as one
-file: no name of a file is defined in another one, which universal ctags tells,
-and no two sources have one name, for an archive would have two members of it.
+and the source beside it count as one there. No two sources have one name, for
+an archive would have two members of it; that no name of a file is defined in
+another one is seen where boards compile all of src/ as one file.
 
 The rooms of tools/ stand in a row: each includes and imports what is in those
 before it, what lies in tools/ itself, and, from `bench` on, the reference of
@@ -25,13 +25,11 @@ it drives whatever app.h declares.
 """
 import ast
 import graphlib
-import json
 import posixpath
 import re
-import subprocess
 from pathlib import Path
 
-from findings import checked, need, wrong
+from findings import checked, wrong
 
 # In the order of that table: the room that each one stands on.
 STANDS_ON = {"num": None, "model": "num", "friction": "model",
@@ -80,7 +78,6 @@ UMBRELLA = "include/twofold.h"
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
 PUBLIC_FUNCTION = re.compile(r"^TF_API\b[^;{]*\(", re.M)
-LINK_NAME = re.compile(r"#define (\w+) TF_LINK\(\1\)")
 # Lines that the core may not have: of headers, and of the preprocessor.
 OTHER_HEADER = re.compile(
     r"^\s*#\s*include(?! (?:<(?:stdint|stdbool|stddef|float|limits)\.h>"
@@ -224,27 +221,6 @@ def imports():
                 yield from ((file, one) for one in own or found)
 
 
-def names_twice(files):
-    """Names that two files of the core define: functions, types, variables,
-    members of enumerations, macros. A macro that gives a function its linked
-    name goes with the function."""
-    core = [f for f in files if is_core(f)]
-    tags = subprocess.run(
-        ["ctags", "--sort=no", "--output-format=json", "--kinds-C=dfgstuev",
-         "--language-force=C", "-D", "TF_API_DATA=extern", "-f", "-"] + core,
-        check=True, stdout=subprocess.PIPE, text=True).stdout
-    linked = {(file, name) for file in core
-              for name in LINK_NAME.findall(Path(file).read_text())}
-    home, found = {}, []
-    for tag in map(json.loads, tags.splitlines()):
-        name, file = tag["name"], tag["path"]
-        if tag["kind"] == "macro" and (file, name) in linked:
-            continue
-        if home.setdefault(name, file) != file:
-            found.append(f"{file}: {name} is defined in {home[name]} as well")
-    return len(home), sorted(set(found))
-
-
 def judge_header(file, room, sources):
     """What is wrong with a public header as such."""
     own = Path(file).stem in sources
@@ -303,11 +279,9 @@ def judge(files):
     return found, count
 
 
-need("ctags", "universal-ctags")
 there = files_of()
 findings, arrows = judge(there)
-names, twice = names_twice(there)
-for finding in findings + twice:
+for finding in findings:
     wrong(finding)
 checked(f"{arrows} includes and imports of {len(there)} files in C and those "
-        f"in Python go one way, {names} names of the core are of one file")
+        "in Python go one way")

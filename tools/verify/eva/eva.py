@@ -12,8 +12,7 @@ it proven, or not looked at, then the end would not be reached and nothing
 behind that point be analysed. Counted are proofs alone: not what is admitted,
 what is dead in this entry or what the analyser's own library asks.
 
-BUILD/eva/ keeps all output. REALS=f64 analyses one real type alone, which gives
-no verdict: explained alarms may be those of the other type.
+BUILD/eva/ keeps all output.
 """
 from __future__ import annotations
 
@@ -196,7 +195,7 @@ def main() -> None:
         print(f"make eva: there is no entry {min(unknown)}", file=sys.stderr)
         sys.exit(2)
     pairs = [(entry, real) for entry in entries() if entry.name in wanted
-             for real in (os.environ.get("REALS") or "f64 f32").split()]
+             for real in REALS]
     good = driven.side_by_side(lambda run: analyse(*run), pairs)
     if not all(good):
         sys.exit(f"an analysis stopped: see {OUT}/*.log")
