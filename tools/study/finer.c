@@ -75,8 +75,9 @@ static const char *const form_names[FORMS] = {"algebraic", "tanh",     "arctan",
 // [m/s], or rad (angle), or 1/k (two_piece). until [s]; fold: r of the two-fold
 // [m]; exit: a motion has left where |h| is that many widths; kick: what is
 // added to h at the two-fold [m/s]. r, w, x: the start, x is h in widths, by
-// default where `chaos` lands in the sliding region before the two-fold. samples, seed, delta: that many motions, in which
-// kick is multiplied and w changed (by the share delta) by draws from (-1, 1).
+// default where `chaos` lands in the sliding region before the two-fold.
+// samples, seed, delta: that many motions, in which kick is multiplied and w
+// changed (by the share delta) by draws from (-1, 1).
 #define OPTIONS(X)                  \
   X(m, 1)                           \
   X(d, 1)                           \
