@@ -83,10 +83,7 @@ BOARD_MAKEFILES := port/port.mk $(call room,board)
 VERIFY_MAKEFILES := $(call room,verify) $(wildcard tests/reference/*.mk \
   tests/reference/*/*.mk)
 
-# A target for users says what it does after `##`, on a line of its own; one
-# that only makefiles and scripts use has no such line and is named here or
-# beside its rule.
-HELPERS := FORCE $(REALS:%=line-%) line-csv line-plotter own-scene
+# A target for users says what it does after `##`, on a line of its own.
 define group
 	@echo; echo '$(1)'
 	@sed -nE 's/^([a-z-]+): ## (.*)/  make \1\t\2/p' $(2) | expand -t 25

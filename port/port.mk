@@ -34,7 +34,6 @@ PROGRAM ?= firmware
 BOARD_OPT ?= -Os
 
 .PHONY: firmware boards test-boards deps elf boards-list
-HELPERS += elf boards-list
 firmware: ## of SCENE=chaos for BOARD=microbit in REAL=float
 
 boards-list:

@@ -157,7 +157,7 @@ for i in 1 2 3; do
     grep -Eqx "# shard $i/3: [0-9]+ rows, crc32 [0-9a-f]{8}, run [0-9a-f]{8}" \
     e.$i
 done
-reads() { "$tools/study/run" summary "$@" >out 2>err; }
+reads() { "$tools/study/run" ks "$1" "$1" cycle >out 2>err; }
 if /usr/bin/python3 -c 'import pandas, statsmodels, tabulate' 2>/dev/null; then
   cat r.1 r.2 r.3 >r
   check 'cat of all shards is read' reads r

@@ -40,22 +40,14 @@ $(EMPTY_LOOP): %: %.o $(addprefix $(BUILD)/double/tools/cli/,host/host.o \
 
 BENCH_NEEDS := $(BENCHES) $(if $(filter double,$(VARIANTS)),$(PEERS) \
   $(EMPTY_LOOP) $(BUILD)/double/twofold)
-.PHONY: bench report keep-bench bench-steps bench-ensemble bench-frame \
-  bench-peers stability realtime size budgets
+.PHONY: bench keep-bench bench-ensemble stability realtime size budgets
 all: $(BENCH_NEEDS)
 
 run_bench = @BUILD='$(BUILD)' CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' \
   ROUNDS='$(ROUNDS)' SECONDS='$(SECONDS)' tools/bench/run
 bench: ## error against cost, peers, stability (or ONLY=...)
-report: ## the same
-report bench: $(BENCH_NEEDS)
+bench: $(BENCH_NEEDS)
 	$(run_bench) $(ONLY)
-bench-steps: ## cost of a Moreau step alone (valgrind)
-bench-steps: $(BENCH_NEEDS)
-	$(run_bench) steps
-bench-peers: ## error against time beside other tools (SUNDIALS, ...)
-bench-peers: $(BENCH_NEEDS)
-	$(run_bench) peers
 stability: ## stiff and extreme cases: where a run is stable
 stability: $(BENCH_NEEDS)
 	$(run_bench) stability
@@ -70,7 +62,6 @@ keep-bench: ## copy what they made to docs/
 	$(run_bench) --keep
 
 bench-ensemble: ## many states at once (try EXTRA=-mavx2)
-bench-frame: ## frames decoded and made, MB/s
-bench-ensemble bench-frame: bench-%: $(BENCHES)
-	@for v in $(VARIANTS); do echo "== $$v" && $(BUILD)/$$v/bench $* || \
+bench-ensemble: $(BENCHES)
+	@for v in $(VARIANTS); do echo "== $$v" && $(BUILD)/$$v/bench ensemble || \
 	  exit 1; done

@@ -3,8 +3,8 @@
 and of public inline ones. A frame is what gcc says of it, return address
 included. The worst of a function is its frame and the worst of what it calls;
 where the assembly only ever jumps to another function (a tail call) the frame
-is gone by then and does not add. A function that is in no file counts what is
-said of its library, else 32 bytes. Recursion, calls through pointers and
+is gone by then and does not add. A function that is in no file counts `flat`
+bytes. Recursion, calls through pointers and
 frames of unbounded size are refused.
 """
 import re
@@ -18,11 +18,8 @@ def short(name):
 
 
 class Graph:
-    """library: bytes of functions that are in no file; `flat` of those that
-    are not in it either, None where these are to be refused."""
-
-    def __init__(self, files, library=None, flat=FLAT):
-        self.library, self.flat = library or {}, flat
+    def __init__(self, files, flat=FLAT):
+        self.flat = flat
         self.frame, self.calls = {}, {}
         self.called, self.jumped = set(), set()
         self.depth, self.path, self.open = {}, {}, set()
@@ -79,11 +76,7 @@ class Graph:
         if name in self.depth:
             return self.depth[name]
         if name not in self.frame:
-            if name in self.library:
-                return self.library[name]
-            if self.flat is None:
-                self.refuse(f"{name}: in no library")
-            return self.flat or 0
+            return self.flat
         if name in self.open:
             self.refuse(f"{name}: recursion")
             return 0

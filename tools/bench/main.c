@@ -9,10 +9,9 @@ int main(int argc, char **argv) {
   static const struct {
     const char *name;
     int (*run)(int argc, char **argv);
-  } commands[] = {{"sweep", sweep_main},        {"single", single_main},
-                  {"after", after_main},        {"rounded", rounded_main},
-                  {"ensemble", ensemble_main},  {"frame", frame_main},
-                  {"stability", stability_main}};
+  } commands[] = {{"sweep", sweep_main},       {"single", single_main},
+                  {"after", after_main},       {"rounded", rounded_main},
+                  {"ensemble", ensemble_main}, {"stability", stability_main}};
   int code = 2;
   for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
     if (argc > 1 && strcmp(argv[1], commands[i].name) == 0)
@@ -20,7 +19,7 @@ int main(int argc, char **argv) {
   if (code == 2)
     fputs(
         "bench: sweep time|count [SOLVER], single, after, rounded, ensemble, "
-        "frame, stability; see tools/bench/*.c\n",
+        "stability; see tools/bench/*.c\n",
         stderr);
   return code;
 }

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-#include "peers/smooth.h"
+#include "peers/runge_kutta.h"
 
 const char *const scheme_names[SCHEMES] = {"moreau", "compensated", "located"};
 

@@ -50,7 +50,6 @@ int single_main(int argc, char **argv);
 int after_main(int argc, char **argv);
 int rounded_main(int argc, char **argv);
 int ensemble_main(int argc, char **argv);
-int frame_main(int argc, char **argv);
 int stability_main(int argc, char **argv);
 
 #endif

@@ -80,18 +80,13 @@ def one_step(rows: pd.DataFrame) -> pd.DataFrame:
     return table.reset_index()
 
 
-def verdict_of(rows: pd.DataFrame) -> pd.Series:
-    """The first word of what is said of a cell."""
-    return rows.verdict.str.extract(r"^(\w+)")[0]
-
-
 def swept(rows: pd.DataFrame) -> pd.DataFrame:
     """Stable cells of each sweep; after a plus sign those that the motion
     itself ended."""
     listed = [line.split("|") for line in
               bench("double", "stability", "--list").splitlines()]
     rows = rows.assign(sweep=rows.problem.str.split("=").str[0],
-                       said=verdict_of(rows))
+                       said=rows.verdict)
 
     def share(said: pd.Series) -> str:
         taken = (said != "bad_parameter").sum()
@@ -108,7 +103,7 @@ def swept(rows: pd.DataFrame) -> pd.DataFrame:
 
 def verdicts(rows: pd.DataFrame) -> pd.DataFrame:
     """Cells by their verdict, and steps that say that they are coarse."""
-    table = pd.crosstab(rows.solver, verdict_of(rows))
+    table = pd.crosstab(rows.solver, rows.verdict)
     kinds = ["ok", "degraded", "physics", "too_long", "diverged", "told",
              "created", "bad_parameter"]
     return table.reindex(columns=kinds, fill_value=0).reset_index()
@@ -117,7 +112,7 @@ def verdicts(rows: pd.DataFrame) -> pd.DataFrame:
 def largest(rows: pd.DataFrame) -> pd.DataFrame:
     """The largest step up to which a value is stable, and how the next one
     fails; `*`: the motion itself left the range of states."""
-    rows = rows.assign(said=verdict_of(rows), dt=rows.dial.str[3:])
+    rows = rows.assign(said=rows.verdict, dt=rows.dial.str[3:])
 
     def tell(cells: pd.DataFrame) -> str:
         good = cells.said.isin((*STABLE, "physics"))

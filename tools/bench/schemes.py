@@ -238,22 +238,8 @@ def stability() -> pd.DataFrame:
     """Every cell: the error is the largest energy in units of what the machine
     was given. Ends the program where a promise of the core is broken."""
     texts = driven.side_by_side(lambda real: bench(real, "stability"), REALS)
-    cells = pd.concat([csv(text) for text in texts])
-    said = pd.Series("", cells.index, dtype=str)
-    refused = cells.refusal != ""
-    goes_on = np.where(cells.finer == "", "; finer steps go on", "")
-    said = np.where(refused, " " + cells.refusal + goes_on, said)
-    for flag in "degraded", "fell_back", "coarse":
-        said = said + np.where(cells[flag] > 0,
-                               f"; {flag} " + cells[flag].astype(str), "")
-    said = said + np.where(cells.stick > 0, "; stick "
-                           + cells.stick.map("{:.3g}".format), "")
-    rows = pd.DataFrame({
-        "problem": cells.sweep + "=" + cells.value.astype(str),
-        "solver": cells.scheme + np.where(cells.real == "float", " float", ""),
-        "dial": cells.dt.map("dt={:.3g}".format), "error": cells.excess,
-        "verdict": cells.verdict + said})
+    cells = csv("".join(texts), [*KEY, "error", "verdict"])
     broken = cells.verdict.isin(["non_finite", "touched"])
     if broken.any():
-        sys.exit(f"a promise is broken:\n{rows[broken.to_numpy()]}")
-    return rows
+        sys.exit(f"a promise is broken:\n{cells[broken]}")
+    return cells

@@ -25,7 +25,6 @@ import driven
 import table
 
 PAGE = "docs/statistics.md"
-PICTURES = ()
 CYCLES = int(os.environ.get("CYCLES") or 1000)
 MACHINES = os.environ.get("MACHINES") or "1000000"
 STEPS = {"noise": "1e-3", "smoothing": "1e-4", "hysteresis": "1e-3",

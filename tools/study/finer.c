@@ -74,11 +74,10 @@ static const char *const form_names[FORMS] = {"algebraic", "tanh",     "arctan",
 // Name and default of each option. The machine, as scene `chaos` has it; width
 // [m/s], or rad (angle), or 1/k (two_piece). until [s]; fold: r of the two-fold
 // [m]; exit: a motion has left where |h| is that many widths; kick: what is
-// added to h at the two-fold [m/s]; step: fixed steps [s] of `columns` columns,
-// 0: by the error, with that tolerance [m, m/s, rad/s], 0: TOLERANCE. r, w, x:
-// the start, x is h in widths, by default where `chaos` lands in the sliding
-// region before the two-fold. samples, seed, delta: that many motions, in which
-// kick is multiplied and w changed (by the share delta) by draws from (-1, 1).
+// added to h at the two-fold [m/s]. r, w, x: the start, x is h in widths, by
+// default where `chaos` lands in the sliding region before the two-fold.
+// samples, seed, delta: that many motions, in which kick is multiplied and w
+// changed (by the share delta) by draws from (-1, 1).
 #define OPTIONS(X)                  \
   X(m, 1)                           \
   X(d, 1)                           \
@@ -96,9 +95,6 @@ static const char *const form_names[FORMS] = {"algebraic", "tanh",     "arctan",
   X(fold, 0.1859)                   \
   X(exit, 3)                        \
   X(kick, 0)                        \
-  X(step, 0)                        \
-  X(columns, COLUMNS)               \
-  X(tolerance, 0)                   \
   X(r, 0.191960972)                 \
   X(w, -1.053244828)                \
   X(x, 0)                           \
@@ -260,9 +256,9 @@ static void midpoint(const motion_t *k, const real_t x[STATES], real_t dt,
 
 // One step of length dt; returns the estimate of its error.
 static real_t leap(const motion_t *k, const point_t *from, real_t dt,
-                   int columns, point_t *to) {
+                   point_t *to) {
   real_t table[COLUMNS][STATES], error = 0;
-  for (int row = 0; row < columns; row++) {
+  for (int row = 0; row < COLUMNS; row++) {
     real_t y[STATES];
     midpoint(k, from->x, dt, 2 * (row + 1), y);
     for (int column = 0; column < row; column++) {
@@ -276,8 +272,8 @@ static real_t leap(const motion_t *k, const point_t *from, real_t dt,
     for (int i = 0; i < STATES; i++) table[row][i] = y[i];
   }
   for (int i = 0; i < STATES; i++) {
-    to->x[i] = table[columns - 1][i];
-    const real_t e = absolute(to->x[i] - table[columns - 2][i]);
+    to->x[i] = table[COLUMNS - 1][i];
+    const real_t e = absolute(to->x[i] - table[COLUMNS - 2][i]);
     if (e > error || e != e) error = e;
   }
   to->t = from->t + dt;
@@ -288,8 +284,8 @@ static real_t leap(const motion_t *k, const point_t *from, real_t dt,
 // and then what the next one may.
 static void advance(motion_t *k, const point_t *from, real_t *dt, point_t *to) {
   for (;;) {
-    const real_t error = leap(k, from, *dt, COLUMNS, to);
-    const double ratio = (double)(error / k->tolerance);
+    const real_t error = leap(k, from, *dt, to);
+    const double ratio = (double)(error / TOLERANCE);
     const double change =
         ratio == ratio ? 0.8 * pow(ratio + 1e-9, -1.0 / (2 * COLUMNS - 1))
                        : 0.2;
@@ -336,7 +332,7 @@ static point_t locate(const motion_t *k, event_t event, const point_t *from,
     const real_t dt = n % 3 == 2
                           ? (low + high) / 2
                           : low + (high - low) * at_low / (at_low - at_high);
-    leap(k, from, dt, COLUMNS, &p);
+    leap(k, from, dt, &p);
     const real_t e = event(k, &p);
     if ((e > 0) == (at_low > 0)) {
       low = dt;
@@ -357,17 +353,6 @@ typedef struct {
   int side, windings;            // of the exit; changes of the sign of h after
   point_t end;
 } outcome_t;
-
-static void next_point(motion_t *k, const point_t *p, real_t *dt,
-                       point_t *next) {
-  if (k->step > 0) {
-    k->error += leap(k, p, k->step, (int)k->columns, next);
-    k->steps++;
-    return;
-  }
-  if (*dt > k->until - p->t) *dt = k->until - p->t;
-  advance(k, p, dt, next);
-}
 
 // What happened between two points, after the two-fold.
 static void note(const motion_t *k, const point_t *p, const point_t *next,
@@ -392,12 +377,11 @@ static bool at_rest(const motion_t *k, const point_t *p) {
 static outcome_t follow(motion_t *k, double kick, point_t p) {
   outcome_t out = {NAN, NAN, NAN, NAN, NAN, 0, 0, 0, 0, p};
   real_t dt = (real_t)1e-6;
-  // A fixed step need not add up to the end to the last bit.
-  const double end =
-      (double)k->until - (k->step > 0 ? (double)k->step / 2 : 1e-14);
+  const double end = (double)k->until - 1e-14;
   while ((double)p.t < end && isnan(out.zero_t)) {
     point_t next;
-    next_point(k, &p, &dt, &next);
+    if (dt > k->until - p.t) dt = k->until - p.t;
+    advance(k, &p, &dt, &next);
     const double grown =
         (double)((next.t - p.t) * (layer_rate(k, p.x) + layer_rate(k, next.x)) /
                  2);
@@ -430,7 +414,6 @@ static motion_t motion_of_options(void) {
   k.cosine = OF(cos)(k.gamma);
   k.right = OF(atan2)(1, 0);
   k.a = OF(atan)(6 * k.kappa) / k.right;
-  if (!(k.tolerance > 0)) k.tolerance = TOLERANCE;
   return k;
 }
 
@@ -481,8 +464,8 @@ int main(int argc, char **argv) {
       fprintf(stderr, "finer: %s: not NAME=VALUE, or not a name\n", argv[n]);
       return 2;
     }
-  if (!(given.columns >= 2 && given.columns <= COLUMNS) || !(given.width > 0)) {
-    fprintf(stderr, "finer: columns is 2 to %d, width > 0\n", COLUMNS);
+  if (!(given.width > 0)) {
+    fputs("finer: width > 0\n", stderr);
     return 2;
   }
   const motion_t k = motion_of_options();

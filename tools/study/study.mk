@@ -74,7 +74,6 @@ BY_hysteresis := --by hysteresis --size 1e-3
 BY_delay := --by delay --size 1e-3
 KINDS := random noise smoothing hysteresis delay
 
-HELPERS += figures-gnuplot
 figures: ## the pictures of docs/FIGURES.md (gnuplot)
 figures: $(FIGURES:%=$(figdir)/%.svg) $(FIGURES:%=$(figdir)/%.png)
 	@echo 'The figures are in $(figdir)/: $(FIGURES)'

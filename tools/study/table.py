@@ -181,13 +181,6 @@ def quantile(values: Iterable[float], p: float,
     return Estimate(float(value), ordered[low], ordered[min(high, n + 1)])
 
 
-def mean(values: Sequence[float]) -> Estimate:
-    """The mean with Student's interval."""
-    centre = float(np.mean(values))
-    half = stats.sem(values) * stats.t.isf((1 - LEVEL) / 2, len(values) - 1)
-    return Estimate(centre, centre - float(half), centre + float(half))
-
-
 def band(n: int, m: int, tests: int = 1) -> float:
     """What the Kolmogorov-Smirnov distance of samples of n and m of one law
     stays below in 95 % of cases, in all of so many tests together (Bonferroni):

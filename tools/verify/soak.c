@@ -142,8 +142,6 @@ static int soak(uint64_t steps, bool compensated) {
          : is_float  ? "float"
                      : "double",
          (double)steps, cli_now() - began);
-  for (unsigned mode = 0; mode < TF_MODES; mode++)
-    printf("# %s: %.6g steps\n", tf_mode_name(mode), (double)s.modes[mode]);
   printf("# with a choice: %.6g; degraded: %.6g\n", (double)s.open,
          (double)s.degraded);
   tell(s.refused == 0, "steps refused", (double)s.refused);

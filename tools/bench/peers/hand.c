@@ -1,7 +1,6 @@
 // Peers written by hand: event-driven Runge-Kutta, and what is written without
 // events: Runge-Kutta on a smoothed law, and Euler's rule with sign(h).
 #include "events.h"
-#include "smooth.h"
 
 static void answer_events(const model_t *k, const motion_t *x,
                           answer_t *answer) {

@@ -1,19 +1,6 @@
 // SUNDIALS: CVODE (Adams and BDF) and ARKODE (Dormand and Prince, order five)
 // with their own root finding, a mode at a time; and CVODE's BDF on the
 // smoothed law without any events. Set-up is part of the time.
-//
-// Without the library this is a program that says so, because the checks look
-// at every file of tools/.
-#include <stdio.h>
-
-// cppcheck cannot ask for headers in brackets; it looks at both ways.
-#if defined(__has_include) && !defined(__cppcheck__)
-#if __has_include(<arkode/arkode_erkstep.h>)
-#define HAS_SUNDIALS
-#endif
-#endif
-
-#ifdef HAS_SUNDIALS
 #include <arkode/arkode_erkstep.h>
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
@@ -259,12 +246,3 @@ int main(int argc, char **argv) {
   return harness_main(argc, argv, solvers,
                       (int)(sizeof solvers / sizeof *solvers));
 }
-
-#else
-
-int main(void) {
-  fputs("SUNDIALS is missing: apt-get install libsundials-dev\n", stderr);
-  return 1;
-}
-
-#endif

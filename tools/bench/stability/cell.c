@@ -86,15 +86,6 @@ static bool all_finite(const tf_state_t *x, const tf_report_t *o) {
          isfinite(o->residual);
 }
 
-// Rounding of the terms of h.
-static long double slip_rounding(const tf_machine_t *k, const tf_state_t *x,
-                                 tf_real_t omega0) {
-  const long double z = fabsl(wide(x->w)) + fabsl(wide(omega0));
-  return wide(TF_REAL_EPSILON) *
-         (fabsl(wide(x->v)) + (fabsl(wide(k->d)) + fabsl(wide(x->r))) * z +
-          wide(TF_REAL_MIN));
-}
-
 static long double size(const tf_state_t *x) {
   return fabsl(wide(x->r)) + fabsl(wide(x->v)) + fabsl(wide(x->w));
 }
@@ -140,9 +131,8 @@ static long double change(const tf_params_t *p, const tf_state_t *x,
 // A refused step, asked again in CELL_FINER parts. The motion diverges by
 // itself only where these parts are refused as well and have come near the
 // limit of states, or where its accelerations leap there even within one part.
-static tf_status_t ask_finer(const case_t *c, step_t *step, tf_real_t theta,
-                             tf_real_t dt, const tf_state_t *last, long n,
-                             bool *leaves) {
+static bool leaves(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt,
+                   const tf_state_t *last, long n) {
   const long double near = wide(TF_STATE_LIMIT) / 100;
   tf_params_t params = c->params;
   tf_machine_t k;
@@ -151,21 +141,19 @@ static tf_status_t ask_finer(const case_t *c, step_t *step, tf_real_t theta,
   params.theta = theta;
   params.dt = dt / CELL_FINER;
   if (params.dt < TF_R(1e-9)) params.dt = TF_R(1e-9);
-  *leaves = false;
   tf_status_t status = tf_prepare(&k, &params, NULL);
-  if (status != TF_OK) return status;
+  if (status != TF_OK) return false;
   const tf_input_t u = input_at(c, &k, n * CELL_FINER);
   for (long i = 0; i < CELL_FINER && status >= TF_OK; i++)
     status = step(&k, &x, &u, &report);
-  *leaves = (status == TF_DIVERGED || status == TF_BAD_STATE) &&
-            size(&x) + change(&params, &x, &u, wide(params.dt)) > near;
-  return status < TF_OK ? status : TF_OK;
+  return (status == TF_DIVERGED || status == TF_BAD_STATE) &&
+         size(&x) + change(&params, &x, &u, wide(params.dt)) > near;
 }
 
 // What a run is watched for, step by step.
 typedef struct {
   const tf_machine_t *k;
-  long double E0, W, r0, before; // before: slip_rounding of the last state
+  long double E0, W, r0;
   long double E, told; // energy; how far flagged steps have led beyond E0 + W
 } watch_t;
 
@@ -178,15 +166,7 @@ static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
                   tf_real_t omega0) {
   const tf_machine_t *k = at->k;
   if (!all_finite(x, report)) worsen(cell, CELL_NON_FINITE);
-  cell->degraded += report->status == TF_DEGRADED;
-  cell->fell_back += report->status == TF_FELL_BACK;
-  cell->coarse += report->status == TF_COARSE;
   if (report->status == TF_DEGRADED) worsen(cell, CELL_DEGRADED);
-  const long double after = slip_rounding(k, x, omega0);
-  if (x->mode > TF_SLIP_MINUS && report->status != TF_DEGRADED)
-    cell->stick =
-        fmaxl(cell->stick, fabsl(wide(report->slip.h)) / (at->before + after));
-  at->before = after;
   const long double E = energy(k, x, at->r0);
   at->W += wide(k->dt) * fmaxl(power(k, old, omega0), power(k, x, omega0));
   const long double room = at->E0 + at->W + energy_of_rounding(k, x, at->r0);
@@ -198,18 +178,13 @@ static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
   cell->excess = fmaxl(cell->excess, E / room);
 }
 
-static void refusal(cell_t *cell, const case_t *c, step_t *step,
-                    tf_real_t theta, tf_real_t dt, const tf_state_t *x) {
-  bool leaves;
-  if (cell->status == TF_BAD_PARAMETER) {
-    worsen(cell, CELL_PARAMETER);
-    return;
-  }
-  cell->finer = ask_finer(c, step, theta, dt, x, cell->steps, &leaves);
-  if (cell->status == TF_STEP_TOO_LONG)
-    worsen(cell, CELL_TOO_LONG);
-  else
-    worsen(cell, leaves ? CELL_PHYSICS : CELL_DIVERGED);
+static cell_verdict_t refusal(const case_t *c, step_t *step, tf_status_t status,
+                              const tf_params_t *params, const tf_state_t *x,
+                              long n) {
+  if (status == TF_BAD_PARAMETER) return CELL_PARAMETER;
+  if (status == TF_STEP_TOO_LONG) return CELL_TOO_LONG;
+  return leaves(c, step, params->theta, params->dt, x, n) ? CELL_PHYSICS
+                                                          : CELL_DIVERGED;
 }
 
 cell_t cell_run(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt) {
@@ -220,30 +195,27 @@ cell_t cell_run(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt) {
   memset(&cell, 0, sizeof cell);
   params.theta = theta;
   params.dt = dt;
-  cell.status = tf_prepare(&k, &params, NULL);
-  if (cell.status == TF_OK) cell.status = begin(c, &k, &x);
-  if (cell.status != TF_OK) {
+  tf_status_t status = tf_prepare(&k, &params, NULL);
+  if (status == TF_OK) status = begin(c, &k, &x);
+  if (status != TF_OK) {
     cell.verdict = CELL_PARAMETER;
     return cell;
   }
   watch_t at = {.k = &k, .r0 = wide(k.r0)};
   at.E0 = at.E = energy(&k, &x, at.r0);
-  at.before = slip_rounding(&k, &x, k.omega0);
-  for (long n = 1; n <= CELL_STEPS; n++) {
-    const tf_input_t u = input_at(c, &k, n);
+  for (long n = 0; n < CELL_STEPS; n++) {
+    const tf_input_t u = input_at(c, &k, n + 1);
     tf_report_t report;
     memset(&report, 0, sizeof report);
     memcpy(&old, &x, sizeof x);
-    cell.status = step(&k, &x, &u, &report);
-    if (report.status != cell.status) worsen(&cell, CELL_TOUCHED);
-    if (cell.status < TF_OK) {
+    status = step(&k, &x, &u, &report);
+    if (report.status != status) worsen(&cell, CELL_TOUCHED);
+    if (status < TF_OK) {
       if (memcmp(&old, &x, sizeof x) != 0) worsen(&cell, CELL_TOUCHED);
-      refusal(&cell, c, step, theta, dt, &old);
+      worsen(&cell, refusal(c, step, status, &params, &old, n));
       return cell;
     }
-    cell.steps++;
     watch(&cell, &at, &old, &x, &report, u.omega0);
   }
-  cell.status = TF_OK;
   return cell;
 }

@@ -34,12 +34,7 @@ extern const char *const cell_verdict_names[CELL_VERDICTS];
 
 typedef struct {
   cell_verdict_t verdict;
-  tf_status_t status; ///< TF_OK, or of the refusal
-  tf_status_t finer;  ///< of dt/CELL_FINER from the last valid state
-  long steps;         ///< accepted
-  long degraded, fell_back, coarse;
   long double excess; ///< largest E / (E0 + W), see CELL_TOLD
-  long double stick;  ///< largest |h| in stick / rounding of its terms
 } cell_t;
 
 /// Runs one cell.

@@ -3,14 +3,12 @@
 (tools/verify/cost/worst.*) are counted again, and a short search goes on from
 them: none takes more than bounds.SLACK times the kept figure, no figure is more
 than bounds.STALE times what its call takes now, and docs/bench/worst.csv has
-the figures. The counter itself is held against single steps. A public function
-has a kept call, or is plain; each is named in a test. EVALUATIONS calls of each
-function (300; with FULL=yes 20000).
+the figures. A public function has a kept call, or is plain; each is named in a
+test. EVALUATIONS calls of each function (300; with FULL=yes 20000).
 """
 import os
 import platform
 import re
-import subprocess
 import sys
 from pathlib import Path
 
@@ -25,7 +23,6 @@ PLAIN = re.compile(r"""tf_(?:\w+_name|wire_\w+|send_\w+|read_\w+|slip|energy|
     decoder_init|link_open|link_add_entropy|params_hash|tyre_is_set_valued|
     philox|input_default|speed_for_slip|ensemble_(?:put|get|report)|
     tally_count|simulation_set_input)""", re.X)
-STEPPED = "tyre_force", "begin", "surface_at"
 EVALUATIONS = int(os.environ.get("EVALUATIONS") or (20000 if FULL else 300))
 PLACE = BUILD / "costs"
 
@@ -38,30 +35,15 @@ def judge(real):
         for name in sorted(public_functions() - kept_names):
             if not PLAIN.fullmatch(name):
                 wrong(f"{name}: no call of it is kept in worst.{real}")
-    for what, evaluations in (("kept", 0), ("found", EVALUATIONS)):
-        path = BUILD / f"cost.{what}.{real}"
-        path.write_text(bounds.cost(PLACE, real, evaluations, bounds.HERE))
-        now = bounds.most(path)
-        for (name, units), count in now.items():
-            figure = kept.get((name, units), 0)
-            if count > bounds.SLACK * figure:
-                wrong(f"{name}({units}), {real}: a {what} call takes {count} "
-                      f"instructions, kept are {figure}")
-            if what == "kept" and count < figure / bounds.STALE:
-                wrong(f"{name}({units}), {real}: {figure} are kept, its call "
-                      f"takes {count}")
+    path = BUILD / f"cost.{real}"
+    path.write_text(bounds.cost(PLACE, real, EVALUATIONS, bounds.HERE))
+    now = bounds.most(path)
+    for (name, units), count in now.items():
+        figure = kept.get((name, units), 0)
+        if count > bounds.SLACK * figure or count < figure / bounds.STALE:
+            wrong(f"{name}({units}), {real}: {figure} instructions are kept, a "
+                  f"call takes {count}")
     return len(kept.index.unique("name"))
-
-
-def judge_counter(name):
-    """Functions without repeated string instructions, of which each step is
-    one; tf_step has them where it is rare."""
-    call = re.search(rf"^tf_{name} .*\n",
-                     (BUILD / "cost.found.double").read_text(), re.M)[0]
-    if subprocess.run([PLACE / "double/cost", "step", name], input=call,
-                      text=True, check=False).returncode:
-        wrong(f"tf_{name}: other instructions were counted than stepped "
-              "through")
 
 
 need("gcc", "gcc")
@@ -73,8 +55,6 @@ if not build("CC=gcc", f"BUILD={PLACE}", "OPT=-O2", "EXTRA=-Werror",
     wrong("tools/verify/cost does not build")
     checked("nothing")
 functions = max(judge(real) for real in bounds.REALS)
-for one in STEPPED:
-    judge_counter(one)
 tests = "\n".join(path.read_text() for path in Path("tests").rglob("*.[ch]"))
 for one in sorted(public_functions()):
     if not re.search(rf"\b{one}\b", tests):

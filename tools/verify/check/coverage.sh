@@ -31,39 +31,21 @@ export TIMEOUT=900
 # shellcheck disable=SC2086  # a list of programs
 quietly tests/run $programs || wrong "tests fail"
 
-# report PLACE SOURCES: what gcovr says of them; fails where a line or a branch
-# is not reached. Headers are also reached from within a test. An object that no
-# program was linked with counts as not reached.
-report() {
-  gcovr --filter "$2" "$1" && gcovr --filter "$2" --branches \
-    --print-summary --fail-under-line 100 --fail-under-branch 100 "$1"
-}
-
-# It must find a branch that is not taken, and a comment must not excuse it.
-seed=$BUILD/coverage-seed
-rm -rf "$seed"
-mkdir -p "$seed"
-cat >"$seed/seed.c" <<'END'
-int main(int n, char **words) {
-  (void)words;
-  return n > 9 ? n : 0;
-}
-END
-quietly gcc --coverage "$seed/seed.c" -o "$seed/seed" || exit 1
-"$seed/seed" || exit 1
-report "$seed" "$seed/" >"$BUILD/coverage.seed" 2>&1 &&
-  wrong "a branch that is not taken is not found"
-grep -q 'branches: 50.0% (1 out of 2)' "$BUILD/coverage.seed" ||
-  wrong "the planted branch is not counted"
+# No comment excuses a line.
 grep -rnE 'GCOVR?_EXCL|LCOV_EXCL' src && wrong "lines are left out"
 
 for source in src/*/*.c; do
   [ -e "$place/double/${source%.c}.gcno" ] ||
     wrong "$source: is compiled for no test"
 done
-report "$place" src/ >"$BUILD/coverage.txt" 2>&1 ||
+# Headers are also reached from within a test. An object that no program was
+# linked with counts as not reached.
+{
+  gcovr --filter src/ "$place" && gcovr --filter src/ --branches \
+    --print-summary --fail-under-line 100 --fail-under-branch 100 "$place"
+} >"$BUILD/coverage.txt" 2>&1 ||
   wrong "a line or a branch is reached by no test"
 cat "$BUILD/coverage.txt"
 count='s/^(lines|branches): .*\(([0-9]+) out of ([0-9]+)\)/\2 of \3 \1/p'
 counts=$(sed -nE "$count" "$BUILD/coverage.txt" | paste -s -d , | sed 's/,/, /')
-checked "$counts of src/; the planted branch is found"
+checked "$counts of src/"

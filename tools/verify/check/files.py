@@ -2,7 +2,7 @@
 """What holds for files as such: none over 500 lines, no line of C, Python, sh
 or make over 80 columns, no marker of unfinished work, no path of one machine,
 no picture over 100 kB; no room, and none of the sums, with more lines than
-LINES says; and no more than 4500 lines of sh and awk in all. No test returns
+LINES says. No test returns
 where it meets one real type, which would count as passed: SKIP of tests/tap.h
 says why.
 """
@@ -12,7 +12,6 @@ from pathlib import Path
 from findings import BUILD, checked, wrong
 
 ROOMS = ("Makefile", ".ci", "include", "src", "port", "tests", "tools")
-MAX_SHELL = 4500
 MAX_PICTURE = 100000
 # What stands beside the core is weight that users and heirs carry. `most` is
 # what stands there now, and only falls; `goal` is where it is to come to, and
@@ -43,7 +42,6 @@ MACHINE = re.compile(r"(?:^|[^\w.}])/(?:[w]ork|[h]ome|[r]oot|[U]sers)/")
 RETURNS = re.compile(r"if \s*\([^;{}]*(?:IS_DOUBLE|IS_FLOAT|tf_real_t)[^;{}]*\)"
                      r"\s*(?:\{\s*)?return\s*;"
                      r"|#if\w*[^\n]*TF_REAL_FLOAT[^\n]*\n\s*return\s*;")
-SHELL = re.compile(r"#!.*\b(?:ba|da)?(?:sh|awk)\b")
 
 
 def files_in(*rooms):
@@ -57,10 +55,6 @@ def text_of(path):
     """None where it is not text."""
     data = path.read_bytes()
     return None if b"\0" in data else data.decode("utf-8", "replace")
-
-
-def is_shell(path, text):
-    return path.suffix in (".sh", ".awk") or bool(SHELL.match(text))
 
 
 def judge_layout(path, lines, text):
@@ -86,16 +80,6 @@ def judge_test(path, text):
         wrong(f"{path}:{number}: returns by the real type: SKIP says why")
 
 
-PLANTED = ("if (sizeof(tf_real_t) == 4) return;",
-           "if (n < 9 &&\n    !IS_DOUBLE) {\n  return;",
-           "#ifdef TF_REAL_FLOAT\n  return;\n#endif")
-HARMLESS = ('if (!IS_DOUBLE) SKIP("why");', "if (IS_DOUBLE) n = 1;\nreturn;",
-            "return IS_DOUBLE ? 1 : 2;")
-for text in PLANTED + HARMLESS:
-    if bool(RETURNS.search(text)) != (text in PLANTED):
-        wrong(f"a planted return is judged wrong: {text}")
-
-
 def lines_at(name):
     """Lines of a room, of the documents, or of one file."""
     rooms = ["README.md", "DESIGN.md", *Path("docs").glob("*.md")] \
@@ -105,7 +89,7 @@ def lines_at(name):
     return sum(text.count("\n") for text in texts if text)
 
 
-shell, pictures = 0, 0
+pictures = 0
 own = list(files_in(*ROOMS))
 for file in own:
     content = text_of(file)
@@ -115,11 +99,6 @@ for file in own:
     judge_layout(file, rows, content)
     if file.parts[0] == "tests":
         judge_test(file, content)
-    if is_shell(file, content):
-        shell += len(rows)
-if shell > MAX_SHELL:
-    wrong(f"{shell} lines of sh and awk, at most {MAX_SHELL}: what has logic "
-          "is Python, or a test in C")
 
 print(f"{'lines':20s} {'there':>6s} {'most':>6s} {'goal':>6s}")
 for place, (most, goal) in LINES.items():
@@ -141,6 +120,6 @@ for file in everything:
         judge_words(file, content.splitlines())
 checked(f"{len(own)} files <= 500 lines in 80 columns; {lines_at('tools')} "
         f"lines of tools, {lines_at('tests')} of tests, "
-        f"{lines_at('documents')} of documents, {shell} of sh and awk; no "
+        f"{lines_at('documents')} of documents; no "
         f"markers, no machine's paths in {len(everything)} files, {pictures} "
         "small pictures; no test returns by the real type")

@@ -60,8 +60,6 @@ need("gcc", "gcc")
 if not in_common(PLACE, "gcc", "-O3", TWOFOLD):
     wrong("the command line does not build")
     checked("nothing")
-if is_far(30, 60, 500, 1000) or not is_far(55, 60, 500, 1000):
-    wrong("planted shares are not judged right")
 import exits  # noqa: E402
 import finer  # noqa: E402
 

@@ -7,8 +7,8 @@ script, and docs/bench/worst.csv, the table of it.
                  keep-bounds` keeps it)
 
 worst.double and worst.float have lines "name units instructions genes", which
-main.c reads and counts again; worst.stack is a table of bytes, functions by
-targets. Environment: BUILD, EVALUATIONS.
+main.c counts again and goes on from; worst.stack is a table of bytes, functions
+by targets. Environment: BUILD, EVALUATIONS.
 """
 from __future__ import annotations
 
@@ -60,11 +60,10 @@ def table(place: Path) -> pandas.DataFrame:
 
 
 def cost(build: Path, real: str, evaluations: int, calls: Path) -> str:
-    """What a search from the calls on finds; 0 evaluations count them again."""
-    what = ["search", str(evaluations)] if evaluations else ["replay"]
+    """What a search from the calls on finds."""
     # What is expensive in one real type may be in the other.
     return subprocess.run(
-        [build / real / "cost", *what], text=True, check=True,
+        [build / real / "cost", str(evaluations)], text=True, check=True,
         input="".join((calls / f"worst.{real}").read_text("utf-8")
                       for real in REALS), stdout=subprocess.PIPE).stdout
 

@@ -56,9 +56,8 @@ class Counter:
                 held, length = [], 0
         yield from self.stretch(held, length, first)
         yield "\t.section\t.rodata\n\t.align 8\n.Lcounts:"
-        # The upper half counts the additions themselves.
         for i in range(self.longest + 1):
-            yield f"\t.long\t{i}, 1"
+            yield f"\t.quad\t{i}"
 
 
 def main() -> None:

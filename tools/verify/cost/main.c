@@ -1,8 +1,6 @@
 // Instructions of every public function, the most that a search finds:
 //
-//   cost search EVALUATIONS [NAME...] <SEEDS   lines "name units count genes"
-//   cost replay <SEEDS                         the same, only what was found
-//   cost step NAME <SEEDS                      the same count by single steps
+//   cost EVALUATIONS <SEEDS          lines "name units count genes"
 //
 // Genes are spelled "index:hex,..." ("-": all 0); SEEDS are lines as they are
 // printed. EVALUATIONS are calls a function and number of units. Nothing is
@@ -14,14 +12,8 @@
 
 #include "verify/cost/calls.h"
 #include "verify/cost/search.h"
-#include "verify/cost/stepped.h"
 
 #define LINE 2048
-
-// With or without its tf_.
-static const char *short_of(const char *name) {
-  return strncmp(name, "tf_", 3) == 0 ? name + 3 : name;
-}
 
 static const call_t *call_named(const char *name) {
   for (unsigned i = 0; i < call_count; i++)
@@ -110,49 +102,15 @@ static int search_call(const call_t *call, long evaluations) {
   return 1;
 }
 
-static int is_wanted(const call_t *call, int argc, char **argv) {
-  for (int i = 3; i < argc; i++)
-    if (strcmp(short_of(argv[i]), call->name) == 0) return 1;
-  return argc <= 3;
-}
-
-static int search_all(int argc, char **argv) {
-  const long evaluations = strtol(argv[2], NULL, 10);
-  for (unsigned i = 0; i < call_count; i++)
-    if (is_wanted(&calls[i], argc, argv) &&
-        !search_call(&calls[i], evaluations))
-      return 1;
-  return 0;
-}
-
-static int replay(void) {
-  for (size_t i = 0; i < seed_count; i++) {
-    const found_t found = {
-        .count = count_of(seeds[i].call, seeds[i].units, &seeds[i].genes),
-        .genes = seeds[i].genes};
-    print_found(seeds[i].call, seeds[i].units, &found);
-  }
-  return 0;
-}
-
-static int step(const char *name) {
-  for (size_t i = 0; i < seed_count; i++) {
-    if (strcmp(seeds[i].call->name, name) != 0) continue;
-    subject_t s = subject_of(&seeds[i].genes);
-    s.units = seeds[i].units;
-    if (!print_stepped(seeds[i].call, &s)) return 1;
-  }
-  return 0;
-}
-
 int main(int argc, char **argv) {
-  const char *what = argc > 1 ? argv[1] : "";
-  int code = 2;
-  if (!read_seeds()) return 2;
-  if (strcmp(what, "search") == 0 && argc >= 3) code = search_all(argc, argv);
-  if (strcmp(what, "replay") == 0) code = replay();
-  if (strcmp(what, "step") == 0 && argc == 3) code = step(short_of(argv[2]));
-  if (code == 2) fputs("usage: see tools/verify/cost/main.c\n", stderr);
+  const long evaluations = argc == 2 ? strtol(argv[1], NULL, 10) : -1;
+  if (evaluations < 0) {
+    fputs("usage: cost EVALUATIONS <SEEDS\n", stderr);
+    return 2;
+  }
+  int done = read_seeds();
+  for (unsigned i = 0; i < call_count && done; i++)
+    done = search_call(&calls[i], evaluations);
   free(seeds);
-  return code;
+  return !done;
 }

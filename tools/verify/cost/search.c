@@ -6,8 +6,6 @@
 #include <string.h>
 
 #define BEST 32
-// Trials of one search; more of them begin anew.
-#define ROUND 100000
 
 uint32_t count_of(const call_t *call, unsigned units, const genes_t *genes) {
   subject_t s = subject_of(genes);
@@ -94,39 +92,23 @@ static void simplify(const call_t *call, unsigned units, found_t *one) {
   }
 }
 
-// One search that knows nothing of others.
-static found_t search_once(const call_t *call, unsigned units,
-                           const genes_t *from, size_t count, long evaluations,
-                           dice_t *dice) {
+found_t search(const call_t *call, unsigned units, const genes_t *from,
+               size_t count, long evaluations) {
+  dice_t dice = {UINT64_C(0x9e3779b97f4a7c15)};
   found_t best[BEST];
   memset(best, 0, sizeof best);
   for (size_t i = 0; i < count; i++) {
     const found_t one = {count_of(call, units, &from[i]), from[i]};
     keep(best, &one);
   }
-  for (long i = 0; i < evaluations; i++) {
+  const long all = evaluations * call->weight;
+  for (long i = 0; i < all; i++) {
     found_t one;
-    one.genes = 4 * i < evaluations ? random_genes(dice) : changed(best, dice);
+    one.genes = 4 * i < all ? random_genes(&dice) : changed(best, &dice);
     one.count = count_of(call, units, &one.genes);
     keep(best, &one);
   }
-  return *most(best);
-}
-
-found_t search(const call_t *call, unsigned units, const genes_t *from,
-               size_t count, long evaluations) {
-  dice_t dice = {UINT64_C(0x9e3779b97f4a7c15)};
-  const long all = evaluations * call->weight;
-  const long rounds = 1 + (all > ROUND ? (all - 1) / ROUND : 0);
-  found_t found = {0, {{0}}};
-  for (long i = 0; i < rounds; i++) {
-    // What was found before takes part in the last round, or all would climb
-    // where it did.
-    const size_t known = i + 1 == rounds ? count : 0;
-    const found_t one =
-        search_once(call, units, from, known, all / rounds, &dice);
-    if (one.count >= found.count) found = one;
-  }
+  found_t found = *most(best);
   simplify(call, units, &found);
   return found;
 }

@@ -12,8 +12,7 @@ it proven, or not looked at, then the end would not be reached and nothing
 behind that point be analysed. Counted are proofs alone: not what is admitted,
 what is dead in this entry or what the analyser's own library asks.
 
-BUILD/eva/ keeps all output. REALS=f64 analyses one real type alone, which gives
-no verdict: explained alarms may be those of the other type.
+BUILD/eva/ keeps all output.
 """
 from __future__ import annotations
 
@@ -88,10 +87,10 @@ def analyse(entry: Entry, real: str) -> bool:
                for name in ("sqrt", "sqrtf", "fabs", "fabsf"))]
     if "cases" in entry.options:
         flags += ["-include", f"{HERE}/cases.h"]
-    csv = OUT / f"{entry.name}-{real}.csv"
-    csv.unlink(missing_ok=True)
+    table = OUT / f"{entry.name}-{real}.csv"
+    table.unlink(missing_ok=True)
     begin = time.time()
-    with open(csv.with_suffix(".log"), "wb") as log:
+    with open(table.with_suffix(".log"), "wb") as log:
         done = subprocess.run(
             ["nice", "-n", "5", "frama-c", "-machdep", "gcc_x86_64",
              f"-cpp-extra-args={' '.join(flags)}", f"{HERE}/{entry.file}",
@@ -102,7 +101,7 @@ def analyse(entry: Entry, real: str) -> bool:
              "model_sqrt:Frama_C_sqrt,model_sqrtf:Frama_C_sqrtf",
              "-permissive", "-eva-split-return-function",
              by_value(APART, "full", real), "-eva-slevel-function",
-             by_value(TOGETHER, "0", real), "-then", "-report-csv", csv],
+             by_value(TOGETHER, "0", real), "-then", "-report-csv", table],
             stdin=subprocess.DEVNULL, stdout=log, stderr=log, check=False)
     print(f"{entry.name}-{real} {time.time() - begin:.0f} s")
     return done.returncode == 0
@@ -118,85 +117,67 @@ class Alarm(NamedTuple):
         return f"{self.entry} {self.function} {self.what}"
 
 
-class Explained:
-    """The alarms that have a reason, and those that have none."""
-
-    def __init__(self, path: Path) -> None:
-        self.reasons: set[Alarm] = set()
-        self.open: list[Alarm] = []
-        self.entries: list[str] = []
-        self.function = ""
-        for line in path.read_text(encoding="utf-8").splitlines():
-            self._take(line)
-
-    def _take(self, line: str) -> None:
-        """One line. All since the last reason have the next one."""
-        key, _, text = line.partition(": ")
-        if not line:
-            self.entries, self.function = [], ""
-        elif key == "in":
-            self.entries = text.split()
-        elif key == "at":
-            self.function = text
-        elif key == "what":
-            self.open += [Alarm(entry, self.function, text)
-                          for entry in self.entries]
-        elif key == "why" and text:
-            self.reasons.update(self.open)
-            self.open = []
+def explained() -> set[Alarm]:
+    """The alarms that have a reason."""
+    found = set()
+    for paragraph in (HERE / "alarms").read_text("utf-8").split("\n\n"):
+        said: dict[str, list[str]] = {key: [] for key in (
+            "in", "at", "what", "why")}
+        for line in paragraph.splitlines():
+            key, _, text = line.partition(": ")
+            said.get(key, []).append(text)
+        if said["in"] and not said["why"]:
+            sys.exit(f"no reason given:\n{paragraph}")
+        found |= {Alarm(entry, function, what) for entries_of in said["in"]
+                  for entry in entries_of.split() for function in said["at"]
+                  for what in said["what"]}
+    return found
 
 
-class Run:
+class Said(NamedTuple):
     """What the analyser says of one entry in one real type."""
+    reached: bool
+    proven: int
+    alarms: dict[Alarm, str]  # and where
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
-        self.entry = re.sub(r"-f(64|32)\.csv$", "", path.name)
-        self.reached = False
-        self.proven = 0
-        self.alarms: list[tuple[Alarm, str]] = []
-        with open(path, encoding="utf-8", newline="") as file:
-            for row in csv.DictReader(file, delimiter="\t",
-                                      quoting=csv.QUOTE_NONE):
-                self._take(row)
 
-    def _take(self, row: dict[str, str]) -> None:
-        """One property."""
+def said_of(entry: str, path: Path) -> Said:
+    """From the table of its properties."""
+    reached, proven, alarms = False, 0, {}
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file, delimiter="\t",
+                                   quoting=csv.QUOTE_NONE))
+    for row in rows:
         function, status = row["function"], row["status"]
         kind, text = row["property kind"], row["property"]
         if kind == "user check" and text == "\\false":
-            if function == self.entry and status not in ("Valid", "Dead"):
-                self.reached = True
-            return
-        if status == "Valid":
-            self.proven += not function.startswith(("Frama_C_", "__builtin_"))
+            reached |= function == entry and status not in ("Valid", "Dead")
+        elif status == "Valid":
+            proven += not function.startswith(("Frama_C_", "__builtin_"))
         elif status not in ("Considered valid", "Dead") and \
                 not function.startswith("Frama_C_"):
             # A number behind the name: one static function in several files.
             function = re.sub(r"_\d+$", "", re.sub(r"_f(64|32)", "", function))
             text = re.sub(r"_(double|float)", "", text)
             text = re.sub(r"\((double|float|tf_real_t)\)", "", text)
-            self.alarms.append((Alarm(self.entry, function, f"{kind}, {text}"),
-                                f"{row['file']}:{row['line']}"))
+            alarms[Alarm(entry, function, f"{kind}, {text}")] = \
+                f"{row['file']}:{row['line']}"
+    return Said(reached, proven, alarms)
 
 
-def wrong(explained: Explained, runs: list[Run]) -> Iterable[str]:
+def wrong(reasons: set[Alarm], runs: dict[str, Said],
+          ran: set[str]) -> Iterable[str]:
     """What does not hold, a text each."""
-    raised = {alarm for run in runs for alarm, _ in run.alarms}
-    ran = {run.entry for run in runs}
-    for run in runs:
-        for alarm, where in run.alarms:
-            if alarm not in explained.reasons:
-                yield (f"{run.entry}: {where}: not explained\n"
-                       f"at: {alarm.function}\nwhat: {alarm.what}")
-    for alarm in explained.open:
-        yield f"no reason given: {alarm}"
-    for alarm in sorted(explained.reasons - raised):
-        if alarm.entry in ran:
-            yield f"explained, but no alarm: {alarm}"
-    for run in runs:
+    raised: set[Alarm] = set()
+    for name, run in runs.items():
+        raised |= run.alarms.keys()
+        for alarm in run.alarms.keys() - reasons:
+            yield (f"{name}: {run.alarms[alarm]}: not explained\n"
+                   f"at: {alarm.function}\nwhat: {alarm.what}")
         if not run.reached:
-            yield f"{run.entry}: its end is not reached ({run.path})"
+            yield f"{name}: its end is not reached"
+    yield from (f"explained, but no alarm: {alarm}"
+                for alarm in sorted(reasons - raised) if alarm.entry in ran)
 
 
 def main() -> None:
@@ -206,33 +187,27 @@ def main() -> None:
               file=sys.stderr)
         sys.exit(3)
     OUT.mkdir(parents=True, exist_ok=True)
-    explained = Explained(HERE / "alarms")
+    reasons = explained()
     known = {entry.name for entry in entries()}
     wanted = set(sys.argv[1:]) or known
-    unknown = (wanted | {
-        alarm.entry for alarm in explained.reasons}) - known
+    unknown = (wanted | {alarm.entry for alarm in reasons}) - known
     if unknown:
         print(f"make eva: there is no entry {min(unknown)}", file=sys.stderr)
         sys.exit(2)
-    pairs = [(entry, real) for entry in entries()
-            if entry.name in wanted
-            for real in (os.environ.get("REALS") or "f64 f32").split()]
+    pairs = [(entry, real) for entry in entries() if entry.name in wanted
+             for real in REALS]
     good = driven.side_by_side(lambda run: analyse(*run), pairs)
-    broken = [run for run, done in zip(pairs, good) if not done]
-    for entry, real in broken:
-        print(f"{entry.name}-{real}: the analysis stopped")
-    if broken:
-        print(f"see {OUT}/*.log")
-        sys.exit(1)
-    runs = [Run(OUT / f"{entry.name}-{real}.csv") for entry, real in pairs]
-    bad = list(wrong(explained, runs))
+    if not all(good):
+        sys.exit(f"an analysis stopped: see {OUT}/*.log")
+    runs = {f"{entry.name}-{real}": said_of(
+        entry.name, OUT / f"{entry.name}-{real}.csv") for entry, real in pairs}
+    bad = list(wrong(reasons, runs, wanted))
     for text in bad:
         print(text)
-    used = explained.reasons & {alarm for run in runs
-                                for alarm, _ in run.alarms}
-    print(f"{len({run.entry for run in runs})} entries, "
-          f"{sum(run.proven for run in runs)} properties proven, "
-          f"{len(used)} alarms explained, {len(bad)} not")
+    raised = {alarm for run in runs.values() for alarm in run.alarms}
+    print(f"{len(wanted)} entries, "
+          f"{sum(run.proven for run in runs.values())} properties proven, "
+          f"{len(reasons & raised)} alarms explained, {len(bad)} not")
     sys.exit(bool(bad))
 
 

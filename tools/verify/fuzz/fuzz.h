@@ -28,8 +28,6 @@ const char *fuzz_scene(const uint8_t *data, size_t size);
 const char *fuzz_table(const uint8_t *data, size_t size);
 /// Changes to a file of --save, to the reader of --from.
 const char *fuzz_state(const uint8_t *data, size_t size);
-/// Rows of a record of a board's session, to its replay.
-const char *fuzz_record(const uint8_t *data, size_t size);
 
 /// The analysis of a machine at one state; its phi serves as the g of a place.
 /// Returns: as a target.

@@ -5,19 +5,21 @@
                               every change; default 60 and 1)
     mutation.py FILE NUMBER   one change: which test notices it
 
-The order is a hash of file, line and seed (changes.py): a sample stays the same
-when other lines change.
+Changed are comparisons, arithmetic and logical operators, signs, literals,
+truth values and strings, where the layout of clang-format shows which operator
+is binary (blanks around it), unary or a pointer. Comments, characters,
+directives, case labels, assertions and sizes of arrays are left. The order is a
+hash of file, line and seed: a sample stays the same when other lines change.
 
 The core is a shared library under test programs that are linked once. A test
 is asked if it contains the part that changed: those first that noticed a change
-of the same file before, then the quick ones, in double and then in float.
-A change that no test notices survives, and fails the run unless `equivalent`
-beside this script gives its reason; a reason that fits no change fails it too.
+of the same file before, then those that need few parts, in double and then in
+float. A change that no test notices survives, and fails the run unless
+`equivalent` beside this script gives its reason; a reason that fits no change
+fails it too.
 
 Environment: SAMPLE, SEED, SURVIVORS (how many may be, default 0), JOBS, MAKE,
-CC (gcc), BUILD; with AGAIN=1 a run that was stopped goes on, and what survived
-is tried again. BUILD/mutation/log has a line for every change, BUILD/mutation/
-REPORT a table by file and what survived.
+CC (gcc), BUILD. BUILD/mutation/REPORT has all changes and a sum.
 """
 from __future__ import annotations
 
@@ -28,33 +30,135 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import threading
 from collections import Counter
 from pathlib import Path
-from typing import Iterable, Iterator, NamedTuple, Optional
+from typing import Iterator, NamedTuple
 
 from scipy import stats
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 import driven
-from changes import Change, all_changes
 
 EQUIVALENT = Path("tools/verify/mutation/equivalent")
 CC = os.environ.get("CC") or "gcc"
 PLACE = Path(os.environ.get("BUILD") or "build", "mutation")
-BASE, PLAIN, LOG = PLACE / "base", PLACE / "plain", PLACE / "log"
+BASE, PLAIN = PLACE / "base", PLACE / "plain"
 REALS = {"double": "-UTF_REAL_FLOAT", "float": "-DTF_REAL_FLOAT"}
 # They start other programs.
 STARTERS = ("test_device", "test_line", "test_hostile")
 SLOW = {f"test_{name}" for name in (
     "extremes", "ensemble", "friction", "reference", "branch", "frame",
     "physics_numbers")}
-# Whatever a change does, it cannot do much: bytes of output, of memory.
-LIMITS = ("--fsize=102400000", "--as=4096000000")
-RESULTS = "noticed", "survived", "same", "invalid"
-lock = threading.Lock()
-took: dict[str, int] = {}  # milliseconds of the processor, without a change
+LONG, SHORT = 200, 20  # s of the processor that a test may take, if slow or not
 saw: dict[str, list[str]] = {}  # the tests that noticed a change of a file
+
+
+# Changes.
+
+# Operators that stand between blanks, and what each may become.
+BINARY = {
+    "<=": "< >", ">=": "> <", "==": "!=", "!=": "==", "&&": "||", "||": "&&",
+    "+=": "-=", "-=": "+=", "*=": "/=", "/=": "*=", "|=": "&=", "&=": "|=",
+    "<<": ">>", ">>": "<<", "<": "<= >=", ">": ">= <=", "+": "-", "-": "+",
+    "*": "/", "/": "*", "|": "&", "&": "|", "^": "|", "%": "*"}
+OPPOSITE = {"true": "false", "false": "true", "++": "--", "--": "++"}
+TOKEN = re.compile(
+    # Directives but the value of a macro, labels, and what only declares.
+    r"^[ ]*(?:\#(?!define[ ])|case[ ]|_Static_assert).* | ^\#define[ ]\w+"
+    r"| //[^\n]* | /\*[\s\S]*?\*/ | '(?:\\.|[^\\'])*' | ->"
+    r'| (?P<string>"(?:\\.|[^\\"])*")'
+    r"| (?P<number>0x(?:[\w.]|(?<=[pP])[-+])* | [0-9](?:[\w.]|(?<=[eE])[-+])*)"
+    r"| (?P<word>\w+)"
+    r"| (?P<array>\[[0-9][^]\n]*[]\n]?)"
+    r"| (?<=[ \n])(?P<binary>" + "|".join(map(re.escape, BINARY)) +
+    r")(?=[ \n])"
+    r"| (?P<pair>\+\+|--)"
+    r"| (?<=[ \n(\[!-])(?P<sign>[-!~])(?=[\w(])", re.X | re.M | re.A)
+# Before the size of an array that is declared here: a name behind a type.
+DECLARED = re.compile(r"(?<!\breturn)(?<=\w) \w+\Z", re.A)
+
+
+def next_literal(number: str) -> str:
+    """A whole literal becomes the next one, another twice as large, 0.0 1."""
+    is_hex = number.startswith("0x")
+    if not re.search("[.pP]" if is_hex else "[.eE]", number):
+        digits = re.match(r"0x[\da-fA-F]+|\d+", number)[0]
+        base = 16 if is_hex else 8 if re.match("0[0-7]", digits) else 10
+        return f"{int(digits, base) + 1}{number[len(digits):]}"
+    digits = re.match(r"0x[\da-fA-F.]+[pP][-+]?\d+|[\d.]+(?:[eE][-+]?\d+)?",
+                      number)[0]
+    value = float.fromhex(digits) if is_hex else float(digits)
+    text = f"{2 * value if value > 0 else 1:.17g}"
+    return text + ("" if re.search("[.e]", text) else ".0") + \
+        number[len(digits):]
+
+
+def changed(kind: str | None, text: str) -> list[str]:
+    """What a token may become."""
+    if kind == "string":
+        return ['""'] * (len(text) > 2)
+    if kind == "number":
+        return [next_literal(text)]
+    if kind == "binary":
+        return BINARY[text].split()
+    if kind == "sign":
+        return [""]
+    return [OPPOSITE[text]] if kind and text in OPPOSITE else []
+
+
+def changes_in(source: str) -> Iterator[tuple[int, str, str]]:
+    """Where each change is, what it replaces, and by what."""
+    at = 0
+    while found := TOKEN.search(source, at):
+        at = found.end()
+        if found["array"] and not DECLARED.search(
+                source, max(0, found.start() - 80), found.start()):
+            at = found.start() + 1
+        for new in changed(found.lastgroup, found[0]):
+            yield found.start(), found[0], new
+
+
+def mixed(number: int, text: str) -> int:
+    """FNV-1a, and a last mixing for its high bits."""
+    for byte in text.encode():
+        number = (number ^ byte) * 0x100000001b3 % 2**64
+    number = (number ^ number >> 32) * 0x9e3779b97f4a7c15 % 2**64
+    return number ^ number >> 29
+
+
+class Change(NamedTuple):
+    """A change of a file; `text` is its line with the change in braces, as in
+    `if (a {< -> <=} b)`."""
+    order: int
+    file: str
+    number: int  # of those of the file
+    line: int
+    text: str
+
+    def excuse(self) -> str:
+        return f"{self.file}: {self.text}"
+
+    def make(self) -> str:
+        """The file with the change."""
+        source = Path(self.file).read_text("utf-8")
+        at, old, new = list(changes_in(source))[self.number - 1]
+        return source[:at] + new + source[at + len(old):]
+
+
+def all_changes(seed: int) -> list[Change]:
+    """In the order of a seed."""
+    found = []
+    for file in sorted(Path().glob("src/*/*.[ch]")):
+        source = file.read_text("utf-8")
+        start = mixed(0xcbf29ce484222325 ^ seed, str(file))
+        for number, (at, old, new) in enumerate(changes_in(source), 1):
+            begin = source.rfind("\n", 0, at) + 1
+            end = re.compile("$", re.M).search(source, at + len(old)).start()
+            text = (f"{source[begin:at].lstrip(' ')}{{{old} -> {new}}}"
+                    f"{source[at + len(old):end]}")
+            found.append(Change(mixed(start, text), str(file), number,
+                                source.count("\n", 0, begin) + 1, text))
+    return sorted(found)
 
 
 # What changes are tried on.
@@ -95,7 +199,7 @@ def linked(target: Path, *parts: object) -> bool:
 
 def must(done: bool, what: object) -> None:
     if not done:
-        sys.exit(f"mutation: {what} does not compile")
+        sys.exit(f"mutation: {what}")
 
 
 @functools.lru_cache(maxsize=None)
@@ -116,23 +220,23 @@ def prepare() -> list[Test]:
     sources = sorted(path for path in Path("tests").rglob("test_*.c")
                      if path.stem not in STARTERS)
     print("mutation: building the tests ...", file=sys.stderr)
-    log = PLACE / "build.log"
-    with open(log, "w", encoding="utf-8") as said:
-        if subprocess.run(
-                [*(os.environ.get("MAKE") or "make").split(), "-s", f"CC={CC}",
-                 f"BUILD={BASE}", "OPT=-O1", "EXTRA=-fPIC",
-                 *(str(BASE / real / source.with_suffix(""))
-                   for real in REALS for source in sources)],
-                stdout=said, stderr=said, check=False).returncode:
-            sys.exit("\n".join(log.read_text("utf-8").splitlines()[-20:]))
+    done = subprocess.run(
+        [*(os.environ.get("MAKE") or "make").split(), "-s", f"CC={CC}",
+         f"BUILD={BASE}", "OPT=-O1", "EXTRA=-fPIC",
+         *(str(BASE / real / source.with_suffix(""))
+           for real in REALS for source in sources)], text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    must(done.returncode == 0, done.stdout)
     tests = []
     for real in REALS:
         room, work = BASE / real, PLAIN / real
         shutil.rmtree(work, ignore_errors=True)
         work.mkdir(parents=True)
         for file in core():
-            must(compiled(real, file, Path("."), work / f"{file.stem}.o"), file)
-        must(linked(work / "libtwofold.so", "-shared", *work.glob("*.o")), real)
+            must(compiled(real, file, Path("."), work / f"{file.stem}.o"),
+                 f"{file} does not compile")
+        must(linked(work / "libtwofold.so", "-shared", *work.glob("*.o")),
+             "the core does not link")
         # What the replay of the corpus takes from the command line.
         subprocess.run(["ar", "rcs", work / "libparts.a",
                         *room.glob("tools/verify/fuzz/*.o"),
@@ -147,9 +251,9 @@ def linked_test(real: str, source: Path) -> Test:
     parts = [room / source.with_suffix(".o"), room / "libsupport.a",
              work / "libparts.a"]
     must(linked(PLAIN / f"{real}-{source.stem}", *parts, f"-L{work}",
-                "-ltwofold", "-lm"), source)
-    must(linked(PLAIN / "static", *parts, room / "libtwofold.a", "-lm",
-                f"-Wl,-Map={PLAIN}/map"), source)
+                "-ltwofold", "-lm") and
+         linked(PLAIN / "static", *parts, room / "libtwofold.a", "-lm",
+                f"-Wl,-Map={PLAIN}/map"), f"{source} does not link")
     needs = re.findall(r"libtwofold\.a\((\w+)\.o\)",
                        (PLAIN / "map").read_text("utf-8"))
     return Test(real, source, frozenset(needs))
@@ -157,20 +261,21 @@ def linked_test(real: str, source: Path) -> Test:
 
 # A change, tried: which test notices it.
 
-def limited(program: Path, seconds: int, out: Path,
-            core_at: Path) -> tuple[int, int]:
-    """Runs a test within its limits; its exit code (137 where it was killed)
-    and the milliseconds of the processor."""
-    with open(out, "wb") as said:
-        # pylint: disable=consider-using-with
-        child = subprocess.Popen(
-            ["prlimit", *LIMITS, f"--cpu={seconds}", "timeout", "-k", "1",
-             "3600", str(program)], stdin=subprocess.DEVNULL, stdout=said,
-            stderr=subprocess.DEVNULL,
-            env={**os.environ, "TAP_BAIL": "1", "LD_LIBRARY_PATH": core_at})
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-    return child.returncode, int(1000 * usage.ru_utime)
+def passes(test: Test, program: Path, at: Path) -> bool:
+    """Runs a test with the core in a folder. Whatever a change does, it cannot
+    do much: seconds, bytes of output, of memory."""
+    seconds = LONG if test.source.stem in SLOW else SHORT
+    return subprocess.run(
+        ["prlimit", "--fsize=102400000", "--as=4096000000", f"--cpu={seconds}",
+         "timeout", "-k", "1", "3600", program], stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False,
+        env={**os.environ, "TAP_BAIL": "1", "LD_LIBRARY_PATH": str(at)}
+        ).returncode == 0
+
+
+@functools.lru_cache(maxsize=None)
+def passes_unchanged(test: Test) -> bool:
+    return passes(test, PLAIN / test.name, PLAIN / test.real)
 
 
 class Trial:
@@ -195,91 +300,49 @@ class Trial:
             objects.append(target)
         return linked(place / "libtwofold.so", "-shared", *objects)
 
-    def is_part_of(self, test: Test) -> bool:
-        """Whether a test has the changed file in it, a header."""
-        return self.change.file in made_of(test.source)
+    def fails(self, test: Test) -> bool:
+        """A test that has the changed file in it, a header, is made again."""
+        program, at = PLAIN / test.name, self.work / test.real
+        if self.change.file in made_of(test.source):
+            program, made = self.work / "test", self.work / "test.o"
+            if not (compiled(test.real, test.source, self.work, made) and
+                    linked(program, made, BASE / test.real / "libsupport.a",
+                           f"-L{at}", "-ltwofold", "-lm")):
+                return True
+        elif self.same or not test.needs & self.changed:
+            return False
+        if passes(test, program, at):
+            return False
+        must(passes_unchanged(test), f"{test.name} fails without a change")
+        return True
 
-    def concerns(self, test: Test) -> bool:
-        return self.is_part_of(test) or \
-            not self.same and bool(test.needs & self.changed)
-
-    def program(self, test: Test) -> Optional[Path]:
-        """A test that has the changed file in it is made again."""
-        if not self.is_part_of(test):
-            return PLAIN / test.name
-        target = self.work / "test"
-        done = compiled(test.real, test.source, self.work,
-                        self.work / "test.o") and linked(
-            target, self.work / "test.o",
-            BASE / test.real / "libsupport.a",
-            f"-L{self.work}/{test.real}", "-ltwofold", "-lm")
-        return target if done else None
-
-    def asked(self, program: Path, at: Path, seconds: int) -> tuple[int, int]:
-        return limited(program, seconds, self.work / "tap", at)
-
-    def must_pass(self, test: Test) -> None:
-        """A test that failed passes without a change, or the run ends."""
-        if test.name in took:
-            return
-        code, time = self.asked(PLAIN / test.name, PLAIN / test.real,
-                                200)
-        if code != 0:
-            sys.exit(f"mutation: {test.name} fails without a change")
-        took[test.name] = time
-
-    def order(self, test: Test) -> float:
-        """Who noticed a change of this file before is asked first, then who is
-        quick, or, where that is not known yet, who needs few parts; those that
-        are known to be slow come last."""
-        remembered = saw.get(self.change.file, [])
-        if test.name in remembered:
-            return remembered.index(test.name) - 1e6
-        return took.get(test.name, (
-            1e5 if test.source.stem in SLOW else 20) * (1 + len(test.needs)))
-
-    def noticed(self, real: str) -> str:
-        """The test of a real type that notices the change, or none."""
-        for test in sorted((test for test in self.tests if test.real == real),
-                           key=self.order):
-            if not self.concerns(test):
-                continue
-            program = self.program(test)
-            if program is None:
-                return test.name
-            # Many times what it took; what is enough, where that is not known.
-            limit = took[test.name] // 100 + 5 if test.name in took else \
-                200 if test.source.stem in SLOW else 20
-            code, time = self.asked(program, self.work / real, limit)
-            if code == 0:
-                took.setdefault(test.name, time)
-                continue
-            self.must_pass(test)
-            with lock:
-                first = saw.get(self.change.file, [])
-                saw[self.change.file] = [test.name] + [
-                    name for name in first if name != test.name][:20]
-            return test.name
-        return ""
+    def order(self, test: Test) -> tuple[int, bool, int]:
+        """Who noticed a change of this file before is asked first."""
+        known = saw.get(self.change.file, [])
+        return (known.index(test.name) if test.name in known else len(known),
+                test.source.stem in SLOW, len(test.needs))
 
     def verdict(self) -> str:
+        """noticed TEST, survived, same or invalid"""
         same_in_both = True
         for real in REALS:
             if not self.compile(real):
-                return "invalid -"
+                return "invalid"
             self.same = (self.work / real / "libtwofold.so").read_bytes() == (
                 PLAIN / real / "libtwofold.so").read_bytes()
             same_in_both &= self.same
-            name = self.noticed(real)
-            if name:
-                return f"noticed {name}"
-        return "same -" if same_in_both else "survived -"
+            for test in sorted((test for test in self.tests
+                                if test.real == real), key=self.order):
+                if self.fails(test):
+                    saw[self.change.file] = [test.name] + [
+                        name for name in saw.get(self.change.file, [])
+                        if name != test.name]
+                    return f"noticed {test.name}"
+        return "same" if same_in_both else "survived"
 
 
-def tried(change: Change, tests: list[Test]) -> None:
-    """Writes to the log what became of a change:
-    noticed TEST | survived - | same - | invalid -  FILE NUMBER LINE COLUMN TEXT
-    """
+def tried(change: Change, tests: list[Test]) -> str:
+    """What became of a change."""
     with tempfile.TemporaryDirectory(dir=PLACE, prefix="work.") as name:
         work = Path(name)
         # Folders of the project, with links to its files.
@@ -288,30 +351,13 @@ def tried(change: Change, tests: list[Test]) -> None:
                             os.symlink(os.path.abspath(file), link))
         (work / change.file).unlink()
         (work / change.file).write_text(change.make(), "utf-8")
-        line = f"{Trial(change, tests, work).verdict()} {change}"
-    with lock:
-        with open(LOG, "a", encoding="utf-8") as file:
-            print(line, file=file)
-        count = len(LOG.read_text("utf-8").splitlines())
-    if line.startswith("survived") or count % 25 == 0:
-        print(f"{count}: {line}", file=sys.stderr)
+        said = Trial(change, tests, work).verdict()
+    if said == "survived":
+        print(f"survived: {change.excuse()}", file=sys.stderr)
+    return said
 
 
 # The run.
-
-def die(text: str, lines: Iterable[str] = ()) -> None:
-    for line in lines:
-        print(line)
-    print(f"mutation: {text}", file=sys.stderr)
-    sys.exit(2)
-
-
-def number(name: str, default: str) -> int:
-    text = os.environ.get(name) or default
-    if not text.isdigit():
-        die(f"{name}={text}: a whole number")
-    return int(text)
-
 
 def excused(changes: list[Change]) -> set[str]:
     """Excused changes, as "FILE: TEXT", each of which fits one change; lines
@@ -323,48 +369,19 @@ def excused(changes: list[Change]) -> set[str]:
             found.add(line)
         elif line.startswith("  "):
             waiting = ""
-        elif waiting:
-            die("a change is excused without a reason", [waiting])
+        else:
+            must(not waiting, f"excused without a reason: {waiting}")
     fits = Counter(change.excuse() for change in changes)
-    for lines, what in (
-            ([text for text in found if fits[text] > 1],
-             f"these lines of {EQUIVALENT} fit several changes each"),
-            ([text for text in found if not fits[text]],
-             f"no change fits these lines of {EQUIVALENT}")):
-        if lines:
-            die(what, sorted(lines))
+    for line in sorted(found):
+        must(fits[line] == 1, f"{fits[line]} changes fit this line of "
+                              f"{EQUIVALENT}, not one: {line}")
     return found
 
 
-def known(sample: list[Change]) -> set[str]:
-    """What a former run has found out stays true where tests are only added.
-    Leaves the log with that, and returns the changes that are in it."""
-    found = {}
-    if os.environ.get("AGAIN") and LOG.exists():
-        for line in LOG.read_text("utf-8").splitlines():
-            verdict, _, change = line.split(" ", 2)
-            if verdict != "survived":
-                found[change] = line
-    names = [str(change) for change in sample]
-    LOG.write_text("".join(found[name] + "\n" for name in names
-                           if name in found), "utf-8")
-    return set(found)
-
-
-def report(log: list[list[str]]) -> Iterator[str]:
-    """Files and results, what survived, and a sum; "same" are changes that
-    compile to the same bytes, "invalid" those that do not compile. The share
-    that is noticed has Wilson's interval."""
-    count = Counter((row[2], row[0]) for row in log)
-    yield f"{'file':<26}" + "".join(f" {one:>8}" for one in RESULTS)
-    for name in sorted({row[2] for row in log}):
-        yield f"{name:<26}" + "".join(f" {count[name, one]:8}"
-                                      for one in RESULTS)
-    yield ""
-    for row in sorted((row for row in log if row[0] == "survived"),
-                      key=lambda row: (row[2], int(row[4]), int(row[5]))):
-        yield f"{row[2]}:{row[4]}:{row[5]}: {row[6]}"
-    of = Counter(row[0] for row in log)
+def total(verdicts: list[str]) -> str:
+    """The share that is noticed, with Wilson's interval; "same" are changes
+    that compile to the same bytes, "invalid" those that do not compile."""
+    of = Counter(verdict.split()[0] for verdict in verdicts)
     tries = of["noticed"] + of["survived"]
     share = "none was tried"
     if tries:
@@ -372,15 +389,16 @@ def report(log: list[list[str]]) -> Iterator[str]:
             method="wilson")
         share = (f"{100 * of['noticed'] / tries:.1f} % (95 % interval "
                  f"{100 * ends.low:.1f} to {100 * ends.high:.1f})")
-    yield (f"{of['noticed']} of {tries} changes noticed: {share}; "
-           f"{of['same']} compile to the same, {of['invalid']} not at all")
+    return (f"{of['noticed']} of {tries} changes noticed: {share}; "
+            f"{of['same']} compile to the same, {of['invalid']} not at all")
 
 
 def main() -> None:
     driven.begin(__file__)
     PLACE.mkdir(parents=True, exist_ok=True)
-    size, seed = number("SAMPLE", "60"), number("SEED", "1")
-    everything = all_changes(seed, sorted(Path().glob("src/*/*.[ch]")))
+    size, seed, most = (int(os.environ.get(name) or default) for name, default
+                        in (("SAMPLE", 60), ("SEED", 1), ("SURVIVORS", 0)))
+    everything = all_changes(seed)
     let_off = excused(everything)
     one = sys.argv[1:3]
     sample = [change for change in everything if (
@@ -388,20 +406,16 @@ def main() -> None:
         change.excuse() not in let_off)]
     if size and not one:
         sample = sample[:size]
-    if not sample:
-        die("there is no such change")
+    must(bool(sample), "there is no such change")
     tests = prepare()
-    done = known(sample)
-    driven.side_by_side(lambda change: tried(change, tests), [
-        change for change in sample if str(change) not in done])
-    log = [line.split(" ", 6) for line in
-           LOG.read_text("utf-8").splitlines()]
-    text = "\n".join([*report(log), f"seed {seed}, of {len(everything)} changes"
-                      f" in all, {len(let_off)} of them excused"])
-    (PLACE / "REPORT").write_text(text + "\n", "utf-8")
-    print(text)
-    verdicts = Counter(row[0] for row in log)
-    sys.exit(verdicts["survived"] > number("SURVIVORS", "0"))
+    verdicts = driven.side_by_side(lambda change: tried(change, tests), sample)
+    text = "".join(f"{change.file}:{change.line}: {verdict}: {change.text}\n"
+                   for change, verdict in zip(sample, verdicts))
+    text += (f"{total(verdicts)}\nseed {seed}, of {len(everything)} changes in "
+             f"all, {len(let_off)} of them excused\n")
+    (PLACE / "REPORT").write_text(text, "utf-8")
+    print(text, end="")
+    sys.exit(verdicts.count("survived") > most)
 
 
 if __name__ == "__main__":
