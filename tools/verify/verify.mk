@@ -1,12 +1,11 @@
 # Everything that is held up by machine: checks, worst cost, proofs, mutation,
 # fuzzing, soak. Included by the Makefile. Checks choose their own compilers.
 #
-#   CHECKS='format words'   only these; tools/verify/run has the list
+#   CHECKS='format arrows'  only these; tools/verify/run has the list
 #   FULL=yes                all of what checks sample otherwise (hours)
 #   EVALUATIONS=100000      bounds: calls of each function that the search tries
 #   ENTRIES='step_any'      eva: these entries
-#   SAMPLE=60 SEED=1 AGAIN= mutation: how many changes of which order, 0 all;
-#                           AGAIN=1 goes on, and tries what survived again
+#   SAMPLE=60 SEED=1        mutation: how many changes of which order, 0 all
 #   SECONDS=30 FUZZ=frame FUZZ_REALS=double
 #                           fuzz: how long, which targets, which real type of
 #                           the target machine
@@ -31,9 +30,8 @@ eva: ## all entries of Frama-C Eva (minutes)
 
 SAMPLE ?= 60
 SEED ?= 1
-AGAIN ?=
 mutation: ## wrong changes of src/ for the tests to notice
-	@BUILD='$(BUILD)' SAMPLE='$(SAMPLE)' SEED='$(SEED)' AGAIN='$(AGAIN)' \
+	@BUILD='$(BUILD)' SAMPLE='$(SAMPLE)' SEED='$(SEED)' \
 	  tools/verify/mutation/mutation.py
 
 # Instructions of the public functions (tools/verify/cost), on x86-64 only: the
