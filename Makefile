@@ -65,7 +65,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: help run test quick all clean FORCE $(REALS:%=line-%) line-csv \
-  line-plotter own-scene
+  line-plotter line-keyed own-scene
 # `make clean test` means one after the other, although all else is parallel.
 ifneq ($(filter clean,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
@@ -169,9 +169,11 @@ TWOFOLD := $(BUILD)/double/twofold
 # What tests of the line need: the host port's firmware, by a make of its own
 # with the same flags, for the board is chosen when a make begins.
 line_needs = $(filter $(1:%=tests/line/test_%.%),$(TESTS))
-LINE := $(if $(call line_needs,line hostile hil),$(VARIANTS:%=line-%))
+LINE := $(if $(call line_needs,hostile hil),$(VARIANTS:%=line-%))
 LINE += $(if $(call line_needs,hil),$(REALS:%=$(BUILD)/%/hil))
-LINE += $(if $(call line_needs,replay),line-double own-scene)
+LINE += $(if $(call line_needs,line device replay),line-double)
+LINE += $(if $(call line_needs,device),line-keyed)
+LINE += $(if $(call line_needs,replay),own-scene)
 LINE += $(if $(call line_needs,streams whole),line-csv line-plotter)
 line_firmware = @MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf \
   BOARD=host CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' \
@@ -182,6 +184,9 @@ $(REALS:%=line-%): line-%: $(BUILD)/%/constants
 line-csv line-plotter: line-%: $(BUILD)/float/constants
 	$(call line_firmware,REAL=float EVERY=5 STEPS=400 FORMAT=$* UPLINK= \
 	  NAMED=-$*)
+line-keyed: $(BUILD)/double/constants
+	$(call line_firmware,REAL=double EVERY=1 STEPS=0 FORMAT=frames UPLINK=yes \
+	  KEY=001F3E5D7C9BBAD9F81736557493B2D1 NAMED=-keyed)
 own-scene: $(BUILD)/double/constants
 	$(call line_firmware,REAL=double EVERY=1 STEPS=2000 FORMAT=frames \
 	  NAMED=-own,tests/data/own.scene)
@@ -196,8 +201,8 @@ test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) $(TWOFOLD) $(LINE)
 # core set, which is what then takes a quarter of a second at most and starts no
 # program, with the laws; and the unit tests of each room of src/ in which git
 # sees a change, but those of more than two seconds. `make test` has them all.
-NEVER_QUICK := branch convergence corpus device ensemble extremes frame golden \
-  hostile line located located_report physics_numbers pinned reference signs
+NEVER_QUICK := branch convergence corpus ensemble extremes frame golden \
+  located located_report physics_numbers pinned reference signs
 NOT_QUICK := $(NEVER_QUICK) begin codim2 compensated degraded \
   extreme_analysis friction kernel lanes located_budget \
   normal_form population singularity tyre

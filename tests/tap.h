@@ -1,8 +1,7 @@
 /* tap.h - the whole test harness: named checks, TAP on standard output, and
  * for each failure the one command that replays it. A test file is one
  * program: `TEST(name) { ... }` functions, which run in the order of the file;
- * main stands here, unless TAP_OWN_MAIN is defined by a file whose own main
- * calls tap_main. A test that has nothing to check in this build returns by
+ * main stands here. A test that has nothing to check in this build returns by
  * SKIP(reason): it is named, and is neither passed nor failed. Options:
  * --seed N, --only NAME. With TAP_BAIL in the environment a program ends at the
  * first test that fails. */
@@ -119,8 +118,6 @@ static inline int tap_main(int argc, char **argv) {
   return tap.failed || !tap.run;
 }
 
-#ifndef TAP_OWN_MAIN
 int main(int argc, char **argv) { return tap_main(argc, argv); }
-#endif
 
 #endif

@@ -4,20 +4,28 @@ what the tests of the line share.
 Environment: FIRMWARE the beginning of the path of its folders; REALS the real
 types that are tested."""
 import os
+import pty
+import select
+import struct
 import subprocess
 import sys
+import termios
+import tty
 import zlib
 from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[2] / place)
                 for place in ("tests/support", "tools/board/protocol")]
-from tap import TWOFOLD  # noqa: E402  (the paths come first)
+from decode import decode  # noqa: E402  (the paths come first)
+from tap import TWOFOLD  # noqa: E402
 
 BUILD = Path(TWOFOLD).parents[1]
 FIRMWARE = str(Path(os.environ.get("FIRMWARE") or
                     BUILD / "boards/host/chaos").resolve())
 REALS = (os.environ.get("REALS") or "double float").split()
 RUN = [TWOFOLD, "run", "chaos", "--t-end", "0.5", "--dt", "1e-3"]
+SCHEMA, STATE, HEARTBEAT, ANSWER = 0x01, 0x03, 0x06, 0x08
+INPUT, STOP, DESCRIBE = 0x41, 0x45, 0x4A
 
 
 def program(real, name):
@@ -36,18 +44,121 @@ def sealed(code):
     return code + bytes(128 | crc >> 7 * i & 127 for i in range(5))
 
 
+def framed(kind, number, tick, payload):
+    """The bytes of a frame on the line (docs/PROTOCOL.md, section 1)."""
+    body = struct.pack("<BBBIQ", 2, kind, len(payload), number, tick) + payload
+    return b"\0" + sealed(stuffed(body)) + b"\0"
+
+
 class Board:
     """`with Board(real) as board:` one that takes commands, on board.name."""
 
-    def __init__(self, real=REALS[0]):
+    def __init__(self, real=REALS[0], name="line", port="pty", **options):
         self.run = subprocess.Popen(
-            [program(real, "line")], stdin=subprocess.DEVNULL,
-            stderr=subprocess.PIPE, env={**os.environ, "TWOFOLD_PORT": "pty"})
-        self.name = self.run.stderr.readline().decode().strip()
+            [program(real, name)], stdin=subprocess.DEVNULL,
+            stderr=subprocess.PIPE, env={**os.environ, "TWOFOLD_PORT": port},
+            **options)
+        self.name = self.run.stderr.readline().decode().strip() \
+            if port == "pty" else port
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        self.run.terminate()
-        self.run.communicate()
+        self.end()
+
+    def end(self):
+        """Its exit code, and what it says in the end."""
+        if not self.run.stderr.closed:
+            self.run.terminate()
+            self.said = self.run.communicate()[1].decode()
+        return self.run.returncode, self.said
+
+
+class Line:
+    """The host's end of a line, and what came over it."""
+
+    def __init__(self, name):
+        self.line = os.open(name, os.O_RDWR | os.O_NOCTTY)
+        tty.setraw(self.line, termios.TCSANOW)
+        self.rest, self.broken, self.session, self.number = b"", 0, bytes(4), 0
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        os.close(self.line)
+
+    def frames(self, seconds=20):
+        """Those of the next bytes."""
+        if not select.select([self.line], [], [], seconds)[0]:
+            return []
+        *pieces, self.rest = (self.rest +
+                              os.read(self.line, 4096)).split(b"\0")
+        found = [decode(piece) for piece in pieces if piece]
+        self.broken += found.count(None)
+        return [frame for frame in found if frame is not None]
+
+    def listen(self, wanted):
+        """The first frame for which wanted(frame) holds."""
+        while found := self.frames():
+            for frame in found:
+                if wanted(frame):
+                    return frame
+        sys.exit("the board is silent")
+
+    def describe(self):
+        """Asks the board who it is: its session and our next number."""
+        os.write(self.line, framed(DESCRIBE, 0, 0, b""))
+        schema = self.listen(lambda frame: frame[0] == SCHEMA and
+                             any(frame[3][13:17]))[3]
+        self.session = schema[13:17]
+        self.number = struct.unpack_from("<I", schema, 17)[0]
+
+    def use_up_to(self, number):
+        """A stop with that number, as another host would send it."""
+        self.describe()
+        os.write(self.line, framed(STOP, number, 0, self.session))
+        answer = self.listen(lambda frame: frame[0] == ANSWER and
+                             frame[3][4] == STOP)
+        return answer[3][5]
+
+
+def pass_on(line, came):
+    """Whoever does not read any more misses it."""
+    try:
+        os.write(line, came)
+    except BlockingIOError:
+        pass
+
+
+def relayed(up, board, *words, down=lambda kind, number: b""):
+    """A program with the words, of which LINE is the name of a line to a board
+    on which each frame up becomes what up(type, frame) returns, and after what
+    down(type, number) comes down. Returns: its exit code, and all that it
+    says."""
+    near, far = pty.openpty()
+    tty.setraw(near)
+    tty.setraw(far)
+    os.set_blocking(near, False)
+    name = os.ttyname(far)
+    with Line(board.name) as other, subprocess.Popen(
+            [name if word == "LINE" else word for word in words],
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT) as process:
+        rest = b""
+        while process.poll() is None:
+            for line in select.select([near, other.line], [], [], 0.05)[0]:
+                came = os.read(line, 4096)
+                if line == other.line:
+                    pass_on(near, came)
+                    continue
+                *pieces, rest = (rest + came).split(b"\0")
+                for piece in filter(None, pieces):
+                    kind, number = decode(piece)[:2]
+                    pass_on(near, down(kind, number))
+                    os.write(other.line, up(kind, b"\0" + piece + b"\0"))
+        said = process.stdout.read().decode()
+    os.close(near)
+    os.close(far)
+    return process.returncode, said

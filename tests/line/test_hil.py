@@ -5,25 +5,16 @@ time and in lockstep, and a loop that is not is found out. Then over a line that
 repeats or loses frames, and over the end of the numbers of commands: between
 both stands a relay that knows where frames begin."""
 import functools
-import os
-import platform
-import pty
 import re
 import resource
-import select
 import signal
-import struct
 import subprocess
 import sys
-import tty
 from pathlib import Path
 
-from boards import BUILD, REALS, Board, program, sealed, stuffed
-import decode
-from tap import TWOFOLD, Skip, check, run, same
+from boards import BUILD, INPUT, REALS, STOP, Board, Line, relayed
+from tap import TWOFOLD, check, run, same
 
-SCHEMA, ANSWER = 0x01, 0x08
-INPUT, STOP, DESCRIBE = 0x41, 0x45, 0x4A
 STEPS = ["--steps", "600", "--every", "10"]
 LOCKSTEP = [*STEPS, "--lockstep"]
 REAL = REALS[0]
@@ -111,14 +102,6 @@ def what_does_not_compare(real):
         drive(board.name, *STEPS, real=real, code=3)
 
 
-def firmware_without_a_key_has_no_tags(real):
-    """By the first constant of SipHash, as x86-64 has it in code."""
-    if platform.machine() != "x86_64":
-        raise Skip("not x86-64")
-    same([b"uespemos" in rows(path) for path in
-          (hil(real), program(real, "line"))], [True, False])
-
-
 def refusals():
     drive("/dev/null", code=4)
     drive("/dev/null", "--delay", "21", code=2)
@@ -127,84 +110,10 @@ def refusals():
                         check=False).returncode, 2)
 
 
-class Line(Board):
-    """A board whose line is open here."""
-
-    def __enter__(self):
-        self.line = os.open(self.name, os.O_RDWR | os.O_NOCTTY)
-        tty.setraw(self.line)
-        return self
-
-    def __exit__(self, *_):
-        os.close(self.line)
-        super().__exit__()
-
-    def listen(self, wanted):
-        """The first frame for which wanted(frame) holds."""
-        heard = b""
-        while select.select([self.line], [], [], 20)[0]:
-            heard += os.read(self.line, 4096)
-            for frame in decode.frames(heard):
-                if wanted(frame):
-                    return frame
-        sys.exit("the board is silent")
-
-    def session(self):
-        """That of its next schema, as four bytes."""
-        os.write(self.line, framed(struct.pack("<BBBIQ", 2, DESCRIBE, 0, 0, 0)))
-        return self.listen(lambda frame: frame[0] == SCHEMA and
-                           any(frame[3][13:17]))[3][13:17]
-
-    def use_up_to(self, number):
-        """A stop with that number, as another host would send it."""
-        session = self.session()
-        os.write(self.line, framed(
-            struct.pack("<BBBIQ", 2, STOP, 4, number, 0) + session))
-        same(self.listen(lambda frame: frame[0] == ANSWER and
-                         frame[3][4] == STOP)[3][5], 0)
-
-
-def framed(body):
-    """The bytes of a frame on the line (docs/PROTOCOL.md, section 1)."""
-    return b"\0" + sealed(stuffed(body)) + b"\0"
-
-
-def pass_on(line, came):
-    """Whoever does not read any more misses it."""
-    try:
-        os.write(line, came)
-    except BlockingIOError:
-        pass
-
-
-def relayed(change, *words):
-    """hil in lockstep over a line on which each frame up becomes what
-    change(type, frame) returns. Returns: its exit code, and all that it
-    says."""
-    with Line() as board:
-        near, far = pty.openpty()
-        tty.setraw(near)
-        tty.setraw(far)
-        os.set_blocking(near, False)
-        with subprocess.Popen([hil(), os.ttyname(far), *LOCKSTEP, *words],
-                              stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT) as loop:
-            rest = b""
-            while loop.poll() is None:
-                for line in select.select([near, board.line], [], [], 0.05)[0]:
-                    came = os.read(line, 4096)
-                    if line == board.line:
-                        pass_on(near, came)
-                        continue
-                    *pieces, rest = (rest + came).split(b"\0")
-                    for piece in filter(None, pieces):
-                        kind = decode.decode(piece)[0]
-                        os.write(board.line,
-                                 change(kind, b"\0" + piece + b"\0"))
-            said = loop.stdout.read().decode()
-        os.close(near)
-        os.close(far)
-        return loop.returncode, said
+def lockstep(up, *words):
+    """hil in lockstep over a line that changes frames."""
+    with Board() as board:
+        return relayed(up, board, hil(), "LINE", *LOCKSTEP, *words)
 
 
 class Losing:
@@ -223,35 +132,35 @@ def as_it_is(_, frame):
 
 
 def doubled_commands_change_nothing():
-    same(relayed(as_it_is, "--csv", "one")[0], 0)
-    code, said = relayed(lambda _, frame: frame + frame, "--csv", "two")
+    same(lockstep(as_it_is, "--csv", "one")[0], 0)
+    code, said = lockstep(lambda _, frame: frame + frame, "--csv", "two")
     same((code, "0 late, 0 without an answer" in said), (0, True))
     same(rows("one") == rows("two"), True)
 
 
 def a_stop_that_is_lost_ends_the_lockstep(number):
     """The first stop is that before the reset, which is sent again."""
-    code, said = relayed(Losing(STOP, number), "--csv", "rows")
+    code, said = lockstep(Losing(STOP, number), "--csv", "rows")
     same((code, " was lost" in said), (4, True))
     same(Path("rows").exists(), False)
 
 
 def an_input_that_is_lost_is_sent_again(number):
-    same(relayed(as_it_is, "--csv", "one")[0], 0)
-    same(relayed(Losing(INPUT, number), "--csv", "two")[0], 0)
+    same(lockstep(as_it_is, "--csv", "one")[0], 0)
+    same(lockstep(Losing(INPUT, number), "--csv", "two")[0], 0)
     same(rows("one") == rows("two"), True)
 
 
 def inputs_that_never_come_end_the_lockstep():
-    code, said = relayed(lambda kind, frame: b"" if kind == INPUT else frame)
+    code, said = lockstep(lambda kind, frame: b"" if kind == INPUT else frame)
     same((code, "step 0: its input was lost" in said), (4, True))
 
 
 def numbers_end_within_a_loop(left):
-    with Line() as board:
+    with Board() as board:
         drive(board.name, *LOCKSTEP, "--csv", "one")
-    with Line() as board:
-        board.use_up_to(2**32 - left)
+    with Board() as board, Line(board.name) as line:
+        same(line.use_up_to(2**32 - left), 0)
         drive(board.name, *LOCKSTEP, "--csv", "two")
     same(rows("one") == rows("two"), True)
 
@@ -260,8 +169,8 @@ def numbers_end_within_commands():
     sent = [word for command in ("snapshot", "start", "stop", "start", "stop")
             for word in ("--send", command)]
     for left in range(2, 8):
-        with Line() as board:
-            board.use_up_to(2**32 - left)
+        with Board() as board, Line(board.name) as line:
+            same(line.use_up_to(2**32 - left), 0)
             done = subprocess.run([TWOFOLD, "monitor", board.name, *sent],
                                   capture_output=True, text=True, check=False)
             # The question who the board is, too. Where the computer is busy
@@ -291,8 +200,7 @@ def cases():
     yield inputs_that_never_come_end_the_lockstep, ()
     for real in REALS:
         for test in (in_real_time, in_lockstep, inputs_that_never_come_in_time,
-                     what_does_not_compare,
-                     firmware_without_a_key_has_no_tags):
+                     what_does_not_compare):
             yield test, (real,)
         yield silent_controller, (real, "--lockstep")
         yield silent_controller, (real, "--delay", "20")

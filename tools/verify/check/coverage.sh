@@ -9,13 +9,12 @@ need gcovr gcovr
 
 # Programs, not the command line: whoever breaks the core should hear it from a
 # test that names what broke. Those of units in double and those of laws in
-# float are enough, and without one that takes long; test_line, test_hostile and
-# test_device start programs.
+# float are enough, and without one that takes long.
 programs_of() { # REAL PLACE...: names of programs
   real=$1
   shift
   files_in 'test_*.c' "$@" |
-    grep -vE "/test_(device|line|hostile|branch)\.c\$" |
+    grep -v "/test_branch\.c\$" |
     sed "s|^|$place/$real/|; s|\.c\$||"
 }
 place=$BUILD/coverage

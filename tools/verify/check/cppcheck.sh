@@ -15,5 +15,5 @@ cppcheck "$@" -UTF_REAL_FLOAT -DFINER_BITS=64 -D__x86_64__ tools ||
 # do the tests of a firmware.
 cppcheck "$@" -UTF_REAL_FLOAT -Itests -Itests/support -Itests/reference \
   -itests/target -itests/support/firmware_start.c -itests/line/test_firmware.c \
-  -itests/line/test_firmware_keyed.c tests || wrong "tests"
+  tests || wrong "tests"
 checked "src in both real types, tools, tests; $(cppcheck --version)"

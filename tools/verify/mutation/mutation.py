@@ -44,8 +44,6 @@ CC = os.environ.get("CC") or "gcc"
 PLACE = Path(os.environ.get("BUILD") or "build", "mutation")
 BASE, PLAIN = PLACE / "base", PLACE / "plain"
 REALS = {"double": "-UTF_REAL_FLOAT", "float": "-DTF_REAL_FLOAT"}
-# They start other programs.
-STARTERS = ("test_device", "test_line", "test_hostile")
 SLOW = {f"test_{name}" for name in (
     "extremes", "ensemble", "friction", "reference", "branch", "frame",
     "physics_numbers")}
@@ -217,8 +215,7 @@ def core() -> list[Path]:
 
 def prepare() -> list[Test]:
     """Builds all of it."""
-    sources = sorted(path for path in Path("tests").rglob("test_*.c")
-                     if path.stem not in STARTERS)
+    sources = sorted(Path("tests").rglob("test_*.c"))
     print("mutation: building the tests ...", file=sys.stderr)
     done = subprocess.run(
         [*(os.environ.get("MAKE") or "make").split(), "-s", f"CC={CC}",

@@ -1,0 +1,120 @@
+#!/usr/bin/python3 -B
+"""`twofold monitor` on a device: a pseudo-terminal with the firmware of the host
+port behind it. Rows arrive, commands are answered, and when the device goes
+away the program says so or, under --follow, waits until it is back."""
+import os
+import re
+import signal
+import struct
+import subprocess
+from pathlib import Path
+
+from boards import ANSWER, INPUT, STOP, Board, Line, framed, relayed
+from tap import TWOFOLD, call, check, main, same, until
+
+KEY = bytes(0x1f * i % 256 for i in range(16)).hex()
+
+
+def rows(path):
+    return Path(path).read_bytes().count(b"\n") if Path(path).exists() else 0
+
+
+def follow(name, *more):
+    """monitor, whose rows go to rows.part and whose words to the file said."""
+    with open("said", "wb") as said:
+        return subprocess.Popen(
+            [TWOFOLD, "monitor", name, "--csv", "--out", "rows", *more],
+            stderr=said, stdin=subprocess.DEVNULL)
+
+
+def heard(text):
+    until(lambda: text in Path("said").read_text(), text)
+
+
+def test_a_device_that_leaves_is_told():
+    with Board("double") as board:
+        monitor = follow(board.name)
+        until(lambda: rows("rows.part") > 100, "rows")
+    same(monitor.wait(), 4)
+    heard("the device went away")
+    found = re.search(r"(\d+) rows", Path("said").read_text())
+    same(int(found[1]), rows("rows.part") - 1)
+
+
+def test_a_followed_device_comes_back():
+    with Board("double") as board:
+        Path("device").symlink_to(board.name)
+        monitor = follow("device", "--follow")
+        until(lambda: rows("rows.part") > 100, "rows")
+        Path("device").unlink()
+    heard("waiting")
+    with Board("double") as board:
+        Path("new").symlink_to(board.name)
+        Path("new").rename("device")
+        heard("back")
+        before = rows("rows.part")
+        until(lambda: rows("rows.part") > before + 100, "rows again")
+        monitor.send_signal(signal.SIGTERM)
+        # 6: a busy computer may lose frames, and the new line begins in one.
+        check(monitor.wait() in (0, 6), monitor.returncode)
+
+
+def sent(board, *commands, code=0, key=()):
+    """What is said of commands. Where the computer is busy rows are lost (6),
+    which is another matter."""
+    words = [word for one in commands for word in ("--send", one)]
+    done = subprocess.run([TWOFOLD, "monitor", board.name, *words, *key],
+                          stdin=subprocess.DEVNULL, capture_output=True,
+                          text=True, check=False)
+    check(done.returncode in (code, code or 6), done.stderr)
+    return done.stderr
+
+
+def test_commands_are_sent_and_answered():
+    with Board("double") as board:
+        said = sent(board, "set:mu=1.25", "select:random:9", "stop",
+                    "input:-1.5,0.1,0.25,-0.125", "deadman:123", "set:mu=-1",
+                    code=3)
+        for text in (r"set:mu=1.25: took effect at step \d+; mu = 1.25, in "
+                     r"\[0, ", "select:random:9: took effect",
+                     "stop: took effect", "input:-1.5,0.1,0.25,-0.125: took",
+                     "deadman:123: took effect",
+                     "set:mu=-1: refused, parameter out of its range at step "
+                     r"\d+; mu = 1.25"):
+            check(re.search(text, said), f"{text}: {said}")
+
+
+def test_answers_to_others_are_not_its_own():
+    """Of another number or type, on the same line: the first that fits is."""
+    def others(kind, number):
+        if kind != STOP:
+            return b""
+        numbers = [number + sign * i * step for i in range(1, 40)
+                   for sign in (1, -1) for step in (1, 65536)]
+        return b"".join(
+            framed(ANSWER, 0, 12345, struct.pack("<I4B", n % 2**32, other, 0, 0,
+                                                 255))
+            for n, other in [(n, STOP) for n in numbers] +
+            [(number, other) for other in range(INPUT, INPUT + 11)
+             if other != STOP])
+
+    with Board("double") as board:
+        code, said = relayed(lambda _, frame: frame, board, TWOFOLD, "monitor",
+                             "LINE", "--send", "stop", down=others)
+    check(code in (0, 6) and "stop: took effect at step" in said, said)
+    check("12345" not in said, said)
+
+
+def test_a_keyed_board_takes_keyed_commands():
+    Path("key").write_text(KEY + "\n")
+    Path("wrong").write_text(KEY[:-1] + "0\n")
+    with Board("double", "keyed") as board:
+        for key in [], ["--key", "wrong"]:
+            said = sent(board, "stop", code=3, key=key)
+            check("stop: refused, its tag is not that" in said, said)
+        said = sent(board, "stop", key=["--key", "key"])
+        check("stop: took effect" in said, said)
+        call("monitor", board.name, "--send", "stop", "--key", "none", code=2)
+
+
+main(globals(), jobs=5)

@@ -1,0 +1,128 @@
+#!/usr/bin/python3 -B
+"""The firmware of the host port at the end of a real line, a pseudo-terminal: a
+reader that stalls, leaves, comes back, a device that is unplugged, a pipe that
+is closed. Whatever the line does, every state that comes is that of the same
+step of a run of the command line, bit for bit, and what did not come is
+counted."""
+import os
+import pty
+import re
+import struct
+import subprocess
+import termios
+import time
+import tty
+
+from boards import (ANSWER, DESCRIBE, HEARTBEAT, RUN, STATE, Board, Line,
+                    framed)
+from decode import frames
+from tap import check, main, output, same, until
+
+
+def motion(payload):
+    """Of a state: r, v, omega, phi and the mode, without the seed."""
+    return payload[:32] + payload[36:]
+
+
+def truth():
+    """States of a run, by their ticks."""
+    words = [*RUN[:3], "--t-end", "10", "--dt", "1e-3", "--format", "frames"]
+    return {tick: motion(payload) for kind, _, tick, payload in
+            frames(output(*words)) if kind == STATE}
+
+
+class Listener(Line):
+    """It judges what comes."""
+
+    def __init__(self, name, states):
+        super().__init__(name)
+        self.states, self.count, self.last = states, 0, 0
+        self.sequence = self.lost = 0
+        self.beat = None
+
+    def frames(self, seconds=20):
+        found = super().frames(seconds)
+        for kind, sequence, tick, payload in found:
+            self.lost += self.sequence not in (0, sequence)
+            self.sequence = sequence + 1
+            if kind == STATE:
+                self.count, self.last = self.count + 1, tick
+                same(motion(payload), self.states.get(tick))
+            if kind == HEARTBEAT:
+                self.beat = (tick, self.count, *struct.unpack("<14I", payload))
+        return found
+
+    def comes_to(self, tick):
+        until(lambda: self.frames() and self.last >= tick, f"step {tick}")
+
+
+def test_stalled_reader_costs_records_and_no_step():
+    with Board("double") as board, Listener(board.name, truth()) as line:
+        line.comes_to(100)
+        time.sleep(1.5)  # more than a pseudo-terminal holds
+        until(lambda: line.frames() and line.beat and line.beat[5] > 0,
+              "records are dropped")
+        # Of every step there was a record, sent or counted; a heartbeat comes
+        # before that of its own step, and may have been dropped itself.
+        tick, count, *numbers = line.beat
+        check(0 <= count + numbers[3] - tick <= 1 + tick / 500, line.beat)
+        same((line.broken, line.lost), (0, 0))
+        same(board.end()[0], 0)
+
+
+def test_reader_leaves_and_comes_back():
+    states = truth()
+    with Board("double") as board:
+        with Listener(board.name, states) as line:
+            line.comes_to(100)
+        with Listener(board.name, states) as again:
+            again.comes_to(line.last + 100)
+        same(board.end()[0], 0)
+
+
+def test_device_that_is_unplugged_ends_it():
+    near, far = pty.openpty()
+    tty.setraw(near)
+    with Board("double", port=f"{os.ttyname(far)}:57600") as board:
+        with Listener(os.ttyname(far), truth()) as line:
+            os.close(line.line)
+            line.line = os.dup(near)
+            line.comes_to(100)
+            same((line.broken, termios.tcgetattr(near)[4]),
+                 (0, termios.B57600))
+            os.write(near, framed(DESCRIBE, 0, 0, b""))
+            line.listen(lambda frame: frame[0] == ANSWER)
+        os.close(far)
+        os.close(near)
+        same(board.run.wait(), 4)
+
+
+def test_closed_pipe_ends_it():
+    with Board("double", port="-", stdout=subprocess.PIPE) as board:
+        check(board.run.stdout.read(1000), "no record")
+        board.run.stdout.close()
+        board.run.stdout = None
+        same(board.run.wait(), 4)
+
+
+def test_wrong_ports_are_told():
+    for port, code, text in (("/dev/null:12345", 2, "12345"),
+                             ("/dev/null:9600", 4, "ioctl"),
+                             ("/dev/there/is/none:9600", 4, "/is/none")):
+        board = Board("double", port=port)
+        board.run.wait()
+        got, said = board.end()
+        check((got, text in said) == (code, True), f"{port}: {got}, {said}")
+
+
+def test_lateness_is_told():
+    with Board("double") as board, Listener(board.name, truth()) as line:
+        line.comes_to(200)
+        said = board.end()[1]
+    found = re.search(r"host: woke for [1-9]\d* ticks of 1000 us; late by (\S+) "
+                      r"us at least, (\S+) in the mean, (\S+) at most", said)
+    late = [float(number) for number in found.groups()]
+    check(0 <= late[0] and late == sorted(late), said)
+
+
+main(globals(), jobs=6)
