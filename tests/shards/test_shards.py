@@ -1,8 +1,9 @@
 #!/usr/bin/python3 -B
-"""`twofold sweep` in shards under the real GNU parallel, Slurm and Snakemake:
-the rows of one run, also where tasks were lost and started again; and its map.
-With them go the laws of the study's own integrator (tests/study). A program
-that is missing is skipped by name, or fails where it is required."""
+"""`twofold sweep` in shards under the real GNU parallel and Snakemake: the rows
+of one run, also where tasks were lost and started again; its map; and counts of
+`twofold diverge`, by tasks of Slurm's script started by hand. With them go the
+laws of the study's own integrator (tests/study). A program that is missing is
+skipped by name, or fails where it is required."""
 import csv
 import os
 import shutil
@@ -12,11 +13,10 @@ import time
 from collections import Counter
 from pathlib import Path
 
-from cluster import Cluster, missing
-
 for room in "support", "study":
     sys.path.append(str(Path(__file__).resolve().parents[1] / room))
 from tap import ROOT, TWOFOLD, check, lacks, run  # noqa: E402
+from tap import call as tap_call  # noqa: E402
 import test_finer  # noqa: E402
 
 TOOLS = ROOT / "tools/study" / "shards"
@@ -33,13 +33,9 @@ def needs(package, *programs):
 
 
 def call(*words, code=0, **options):
-    """A command, its exit code, and what it wrote."""
-    done = subprocess.run([str(word) for word in words], text=True,
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, check=False, **options)
-    check(done.returncode == code,
-          f"{words[0]}: code {done.returncode}, not {code}: {done.stdout}")
-    return done.stdout
+    """All that a command writes."""
+    return "".join(tap_call(*words[1:], program=words[0], code=code,
+                            **options))
 
 
 def whole(folder, *more):
@@ -54,7 +50,7 @@ def rows(*paths):
             .splitlines() if not line.startswith("#")]
 
 
-def parts(folder, name="out"):
+def files(folder, name="out"):
     return [folder / f"{name}.{i}.csv" for i in range(1, SHARDS + 1)]
 
 
@@ -77,47 +73,14 @@ def under_parallel(folder):
                *range(1, SHARDS + 1)]
     environment = dict(os.environ, PARALLEL_HOME=str(folder))
     call(*command, env=environment)
-    same_rows(folder, *parts(folder))
-    before = [path.stat().st_mtime_ns for path in parts(folder)]
-    lose(parts(folder)[3])
+    same_rows(folder, *files(folder))
+    before = [path.stat().st_mtime_ns for path in files(folder)]
+    lose(files(folder)[3])
     call(*command, env=environment)
-    same_rows(folder, *parts(folder))
-    after = [path.stat().st_mtime_ns for path in parts(folder)]
+    same_rows(folder, *files(folder))
+    after = [path.stat().st_mtime_ns for path in files(folder)]
     check([a == b for a, b in zip(before, after)] ==
           [True, True, True, False, True], "only the lost shard is done again")
-
-
-def cluster_place(folder):
-    """An empty folder for a cluster, where Slurm is installed."""
-    needs("slurm-wlm", *["sbatch", "sinfo"])
-    if missing():
-        lacks("slurm-wlm")
-    place = folder / "cluster"
-    place.mkdir(mode=0o755)
-    return place
-
-
-def under_slurm(folder):
-    place = cluster_place(folder)
-    with Cluster(place) as cluster:
-        cluster.environment["TWOFOLD"] = TWOFOLD
-        script = TOOLS / "shards.sbatch"
-        cluster.submit(f"--array=1-{SHARDS}", script, folder / "out", "sweep",
-                       *SWEEP)
-        same_rows(folder, *parts(folder))
-        lose(parts(folder)[1])
-        cluster.submit("--array=2", f"--export=ALL,SHARDS={SHARDS}", script,
-                       folder / "out", "sweep", *SWEEP)
-        same_rows(folder, *parts(folder))
-        check("were there" in (place / "task.2").read_text(),
-              "the lost task goes on behind its last row")
-        study = ["diverge", "chaos", "--samples", "7", "--patience", "0.3"]
-        cluster.submit("--array=1-2", script, folder / "d", *study)
-    for kind in "exits", "returns":
-        one = folder / f"{kind}.csv"
-        call(TWOFOLD, *study, f"--{kind}", one)
-        check(rows(*(folder / f"d-{kind}.{i}.csv" for i in (1, 2))) ==
-              rows(one), f"diverge: {kind} are not the rows of one run")
 
 
 COUNTED = ["chaos", "--samples", "7", "--cycles", "3", "--seed", "4"]
@@ -126,25 +89,6 @@ COUNTED = ["chaos", "--samples", "7", "--cycles", "3", "--seed", "4"]
 def counted(*paths, out, code=0):
     """Merges files of counts. Returns: what was said."""
     return call(TWOFOLD, "merge", *paths, "--out", out, code=code)
-
-
-def counts_under_slurm(folder):
-    """An array of shards, of which one is lost and run again."""
-    place = cluster_place(folder)
-    parts = [folder / f"c.{i}.csv" for i in (1, 2, 3)]
-    with Cluster(place) as cluster:
-        cluster.environment["TWOFOLD"] = TWOFOLD
-        submit = TOOLS / "shards.sbatch", folder / "c", "counts", *COUNTED
-        cluster.submit("--array=1-3", *submit)
-        lose(parts[1])
-        said = counted(parts[2], parts[0], out=folder / "two")
-        check("2 of 3" in said, said)
-        cluster.submit("--array=2", "--export=ALL,SHARDS=3", *submit)
-    one = folder / "one"
-    call(TWOFOLD, "diverge", *COUNTED, "--counts", one)
-    counted(folder / "two", parts[1], out=folder / "all")
-    check((folder / "all").read_bytes() == one.read_bytes(),
-          "shards in any order, one of them twice begun: the same bytes")
 
 
 def counts(folder):
@@ -172,10 +116,12 @@ def counts(folder):
     found = {(row["what"], row["key"]): int(row["count"])
              for row in csv.DictReader(rows(one))}
     check(found == dict(expected), "counts are not those of the rows")
-    parts = [folder / f"part{i}" for i in range(1, 6)]
-    for i, part in enumerate(parts, 1):
-        call(TWOFOLD, "diverge", *COUNTED, "--shard", f"{i}/5", "--counts",
-             part)
+    for i in range(1, SHARDS + 1):
+        call("sh", TOOLS / "shards.sbatch", folder / "part", "counts",
+             *COUNTED, env={**os.environ, "TWOFOLD": TWOFOLD,
+                            "SLURM_ARRAY_TASK_ID": str(i),
+                            "SLURM_ARRAY_TASK_MAX": str(SHARDS)})
+    parts = files(folder, "part")
     counted(*parts[3:], out=folder / "some")
     said = counted(*reversed(parts[:3]), folder / "some", out=folder / "all")
     check("5 of 5" in said, said)
@@ -242,9 +188,8 @@ def killed(folder, command, first):
 
 
 def diverge_goes_on(folder):
-    """A shard that is killed, of rows, of counts, and of both."""
-    for kinds in (["exits", "returns"], ["counts"],
-                  ["counts", "returns", "exits"]):
+    """A shard that is killed, of counts alone, and with rows."""
+    for kinds in ["counts"], ["counts", "returns", "exits"]:
         one, parts = (files_of(folder, kinds, name) for name in ("one", "k"))
         words, samples = study(*one)
         command = [TWOFOLD, *words, *parts, "--resume"]
@@ -308,7 +253,7 @@ def under_snakemake(folder):
     call(*command, cwd=folder, env=environment)
     same_rows(folder, folder / "out.csv")
     check((folder / "out.png").read_bytes().startswith(b"\x89PNG"), "no map")
-    lose(parts(folder)[2])
+    lose(files(folder)[2])
     (folder / "out.csv").unlink()
     said = call(*command, cwd=folder, env=environment)
     same_rows(folder, folder / "out.csv")
@@ -359,31 +304,14 @@ def maps_refuse(folder):
     check(not picture.exists(), "a table that is refused has no picture")
 
 
-def reads_numpy(folder):
-    """Other readers skip the comments, wherever they stand."""
-    import numpy
-    with open(folder / "joined.csv", "w", encoding="ascii") as joined:
-        for i in range(1, 4):
-            joined.write(call(TWOFOLD, "sweep", *SWEEP[:-1], "energy",
-                              "--shard", f"{i}/3", "--out", folder / "s.csv")
-                         and (folder / "s.csv").read_text())
-    table = numpy.genfromtxt(folder / "joined.csv", delimiter=",", names=True,
-                             dtype=None, encoding="ascii")
-    check(table.dtype.names[:3] == ("point", "kappa", "gamma"), "no columns")
-    check(list(table["point"]) == list(range(60)), "not the rows of one run")
-
-
 TESTS = [("parallel: the rows of one run", under_parallel),
-         ("Slurm: the rows of one run", under_slurm),
          ("Snakemake: the rows of one run", under_snakemake),
          ("map: words, numbers, refused points, one axis", maps),
          ("map: what it refuses", maps_refuse),
-         ("numpy reads joined shards", reads_numpy),
          ("counts: those of the rows, merged in any order", counts),
          ("diverge: a shard that is killed goes on", diverge_goes_on),
          ("diverge: what it does not go on with", diverge_does_not_go_on),
-         ("counts: a Slurm array of which a task was lost",
-          counts_under_slurm), *test_finer.TESTS]
+         *test_finer.TESTS]
 
 
 # One at a time: they time themselves, and each takes all processors.

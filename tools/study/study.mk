@@ -4,7 +4,7 @@
 #
 #   CYCLES=20 MACHINES=200 SIDE=8 DESIGNS=4   less of a section
 #   FIGURES='tyre atlas'   of figures: some of them
-#   ONLY='Slurm map'       of test-shards: tests whose names have one of these
+#   ONLY='counts map'      of test-shards: tests whose names have one of these
 
 two := $(BUILD)/double/twofold
 study = @BUILD='$(BUILD)' TWOFOLD='$(two)' tools/study/run
@@ -44,7 +44,7 @@ keep-recurrence: ## copy what recurrence made to docs/
 	$(study) recurrence keep
 keep-finer: ## copy what finer made to docs/
 	$(study) finer keep
-test-shards: ## sweeps under parallel, Slurm, Snakemake; studies
+test-shards: ## sweeps under parallel, Snakemake; studies
 test-shards: $(two) $(BUILD)/study/finer-64
 	@TWOFOLD='$<' FINER='$(lastword $^)' tests/shards/test_shards.py $(ONLY)
 
