@@ -1,6 +1,9 @@
 #!/bin/sh
 # There is help on every word that the command line itself uses: parameters,
-# columns, modes, laws, rules, schemes, formats, options, keys, scenes.
+# columns, modes, laws, rules, schemes, formats, options, keys, scenes. Its
+# options are of one table (tools/cli/table.c), from which come the reading of
+# command lines, help, manual page, suggestions and completions: an option of
+# any command is in all of them.
 # usage: test_help.sh TWOFOLD
 . "$(dirname "$0")/../support/tap.sh"
 
@@ -22,12 +25,17 @@ words() {
     result $? "$name: help $word" "code $code"
   done
 }
+# members ARGS...: the names in the JSON that a command prints.
+members() {
+  "$T" "$@" 2>&1 | grep -o '"[^"]*":' | tr -d '":' | sort -u
+}
 parameters=$(sed -n '/^names of --set/,$s/^  \([a-z0-9]*\) *\[.*/\1/p' pages |
   sort -u)
 check 'parameters were found' [ "$(echo "$parameters" | wc -l)" -gt 24 ]
-options=$(grep -o -e '--[a-z][a-z0-9-]*' pages | grep -v -e '--version' |
-  sort -u)
-check 'options were found' [ "$(echo "$options" | wc -l)" -gt 30 ]
+options=$(grep -o '"--[a-z][a-z0-9-]*", [N"]' "$root/tools/cli/table.c" |
+  cut -d '"' -f 2 | sort -u)
+check 'options were found' [ "$(echo "$options" | wc -l)" -gt 50 ]
+"$T" run chaos --t-end 0.01 --format frames --out frames 2>err
 # shellcheck disable=SC2046,SC2086  # lists of words
 {
   words parameter $parameters law rest
@@ -35,6 +43,20 @@ check 'options were found' [ "$(echo "$options" | wc -l)" -gt 30 ]
   words column $("$T" run chaos --t-end 0 2>err | head -n 1 | tr , ' ')
   words scene $("$T" scenes | cut -d ' ' -f 1)
   words key $("$T" scene driven | sed 's/#.*//' | cut -d ' ' -f 1)
+  words 'column of regions' $("$T" regions chaos --r 0:1:2 --omega=0:1:2 2>err |
+    head -n 1 | tr , ' ')
+  words 'column of sweep' $("$T" sweep chaos --over mu=1:1:1 --t-end 0 2>err |
+    head -n 1 | tr , ' ')
+  words outcome $("$T" help sweep | sed '1,/^outcomes:/d' | sed 's/^  //' |
+    cut -d ' ' -f 1)
+  words 'member of singularities' $(members singularities chaos |
+    grep -v -e count -e two_folds -e rest -e directions -e 'eigenvalue$' \
+      -e velocity -e sticks)
+  words 'member of --summary json' \
+    $(members run driven --t-end 0.1 --summary json --out rows --save at) \
+    $(members sweep chaos --over mu=1:1:1 --summary json --out rows) \
+    $(members diverge chaos --samples 1 --summary json --returns rows) \
+    $(members monitor frames --summary json)
 }
 words mode slip+ slip- stick+ stick- pinned
 words law jump coulomb two_piece string smooth none
@@ -42,26 +64,6 @@ words rule persist slip+ slip- random
 words rest hull square bow_tie
 words scheme moreau located compensated
 words format csv frames plotter
-# shellcheck disable=SC2046  # lists of words
-{
-  words 'column of regions' $("$T" regions chaos --r 0:1:2 --omega=0:1:2 2>err |
-    head -n 1 | tr , ' ')
-  words 'column of sweep' $("$T" sweep chaos --over mu=1:1:1 --t-end 0 2>err |
-    head -n 1 | tr , ' ')
-  words outcome $("$T" help sweep | sed '1,/^outcomes:/d' | sed 's/^  //' |
-    cut -d ' ' -f 1)
-  words 'member of singularities' $("$T" singularities chaos |
-    grep -o '"[^"]*":' | tr -d '":' | grep -v -e count -e two_folds -e rest |
-    sort -u | grep -v -e directions -e eigenvalue$ -e velocity -e sticks)
-}
-# shellcheck disable=SC2046
-words 'member of --summary json' $({
-  "$T" run driven --t-end 0.1 --summary json --out rows --save at
-  "$T" sweep chaos --over mu=1:1:1 --t-end 0 --summary json --out rows
-  "$T" diverge chaos --samples 1 --summary json --returns rows
-  "$T" run chaos --t-end 0.01 --format frames --out frames
-  "$T" monitor frames --summary json
-} 2>&1 | grep -o '"[^"]*":' | tr -d '":' | sort -u)
 words status 'done' flagged stopped refused
 words 'what make makes' bench stability page fmu firmware
 words others version exit inputs summary json provenance profile based-on
@@ -71,18 +73,60 @@ tells() {
   run help "$1"
   check "help $1 tells: $2" grep -qF -e "$2" out
 }
-tells kappa 'moment per force in stick'
-tells segments 'how many segments a step may take'
 tells kappa '[1e-09, 1e+06] m, only in law'
-tells c1 'damping of the disc'
 tells theta '[0.5, 1]'
 tells string 'Scene string'
 tells string 'stretched string with partial slip'
 tells exit '5 done, but'
 tells chaos "'twofold scene chaos' prints it"
 expect 2 "no help on 'kapa'; did you mean 'kappa'?" help kapa
-expect 2 "no help on 'inpts'; did you mean 'inputs'?" help inpts
-expect 2 "no help on 'sumary'; did you mean 'summary'?" help sumary
 expect 2 "no help on 'xyzzy1234'; try" help xyzzy1234
 expect 2 'help: one word at a time' help run chaos
+
+# Options in what is made of their table.
+"$root/tools/package/dist/manual" "$T" 1.0 | sed 's/\\-/-/g' >manual
+for shell in bash zsh fish; do
+  runs completions $shell
+  mv out script.$shell
+  if command -v $shell >/dev/null; then
+    check "$shell accepts its completions" $shell -n script.$shell
+  else
+    lacks "$shell accepts its completions" $shell
+  fi
+done
+for option in $options; do
+  for file in pages manual script.bash script.zsh script.fish; do
+    word=$option
+    [ $file != script.fish ] || word="-l ${option#--}"
+    grep -qE -e "(^|[^a-z-])$word([^a-z-]|\$)" $file ||
+      result 1 "$file has $option"
+  done
+done
+for command in $("$T" help | sed -n 's/^  \([a-z]*\) .*/\1/p' | sort -u |
+  grep -v -e help -e scenes); do
+  option=$("$T" help "$command" | sed -n 's/^  \(--[a-z0-9-]*\).*/\1/p' |
+    sed -n '$p')
+  [ -z "$option" ] ||
+    expect 2 "did you mean '$option" "$command" "${option}q"
+done
+
+# completes WORDS EXPECTED: what bash offers behind them.
+completes() {
+  # shellcheck disable=SC2016  # the other shell's
+  offered=$(bash -c '. ./script.bash; compopt() { :; }; COMP_WORDS=($0 "")
+    COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _twofold
+    echo "${COMPREPLY[*]}"' "$1")
+  case " $offered " in *" $2 "*) ;; *) false ;; esac
+  result $? "bash completes: $1 $2" "$offered"
+}
+if command -v bash >/dev/null; then
+  completes twofold sweep
+  completes 'twofold run' chaos
+  completes 'twofold run chaos' --scheme
+  completes 'twofold run chaos --scheme' located
+  completes 'twofold completions' fish
+else
+  lacks 'what bash completes' bash
+fi
+expect 2 'of which shell? (bash zsh fish)' completions tcsh
 finish

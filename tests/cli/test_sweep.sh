@@ -34,21 +34,17 @@ equal 'the last axis is the inner loop' \
   "$(columns all.csv point kappa h | tr '\n' ' ')" \
   "0,0.25,-0.01 1,0.25,0 2,0.25,0.01 3,0.29,-0.01 4,0.29,0 5,0.29,0.01 "
 columns all.csv kappa h >points
+: >ends
+: >modes
+: >arrivals
 while IFS=, read -r kappa h; do
   run run chaos --dt 1e-3 --t-end 4 --set mu=1.5 --set "kappa=$kappa" \
     --set "h=$h"
-  row '$' 1-6 out
-done <points >wanted
-columns all.csv t end_r end_v end_omega end_h end_g >got
-check 'the ends are those of run, bit for bit' cmp -s got wanted
-while IFS=, read -r kappa h; do
-  run run chaos --dt 1e-3 --t-end 4 --set mu=1.5 --set "kappa=$kappa" \
-    --set "h=$h" --events all
+  row '$' 1-6 out >>ends
   awk -F, '
     NR == 1 { next }
     { seen[$9]; if (NR > 2 && $9 != mode) changes++; mode = $9 }
     $10 > 1 { if (!n++) first = $1 }
-    NR > 2 && $9 !~ /slip/ { stuck++ }
     NR == 2 || $2 < low { low = $2 }
     NR == 2 || $2 > high { high = $2 }
     END {
@@ -56,18 +52,16 @@ while IFS=, read -r kappa h; do
       for (i = 1; i <= n; i++) if (names[i] in seen)
         all = all (all == "" ? "" : "|") names[i]
       print all "," mode "," changes + 0 "," first "," low "," high
-    }' out
-done <points >wanted
-columns all.csv modes final changes ambiguous r_low r_high >got
-check 'modes, changes, first ambiguous time, range of r' cmp -s got wanted
-while IFS=, read -r kappa h; do
-  run run chaos --dt 1e-3 --t-end 4 --set mu=1.5 --set "kappa=$kappa" \
-    --set "h=$h"
+    }' out >>modes
   arrivals=$(sed -n 's/.*two-fold reached \([0-9]*\).*/\1/p' err | head -n 1)
-  echo "${arrivals:-0}"
-done <points >wanted
+  echo "${arrivals:-0}" >>arrivals
+done <points
+columns all.csv t end_r end_v end_omega end_h end_g >got
+check 'the ends are those of run, bit for bit' cmp -s got ends
+columns all.csv modes final changes ambiguous r_low r_high >got
+check 'modes, changes, first ambiguous time, range of r' cmp -s got modes
 columns all.csv arrivals >got
-check 'arrivals at the two-fold' cmp -s got wanted
+check 'arrivals at the two-fold' cmp -s got arrivals
 runs sweep chaos --over r=0.1:0.3:2 --set omega=-1 --set h=0 --set mu=1 \
   --outcome rest,modes
 equal 'pinned to the end is rest, pinned for a while is not' \
@@ -182,9 +176,6 @@ done
 head -n 9 all | cmp -s - again.part
 check 'nor are those of another one' [ $? -eq 0 ]
 
-sweep "$@" --out /dev/stdout --resume | cat >piped
-check 'a pipe keeps nothing, and is written as it is' cmp -s all piped
-
 # A kill at any time loses no row that is in the file.
 set -- chaos --over kappa=0.2:0.4:20 --over gamma=0.3:1.2:15 --t-end 20 \
   --dt 1e-3
@@ -205,7 +196,6 @@ interrupt INT stopped 4 sweep "$@" --out stopped
 check 'it says how to go on' says 'with --resume goes on'
 sweep "$@" --out stopped --resume
 check 'after an interrupt, too' cmp -s whole stopped
-interrupt TERM out 4 sweep "$@"
 
 # The tasks of a job array, started by hand in any order; one is lost.
 set -- chaos --over kappa=0.2:0.4:5 --over gamma=0.3:1.2:5 --dt 1e-3
@@ -239,7 +229,6 @@ check 'no field has a comma' whole_rows out 6
 expectations sweep <<END
 2 chaos|--over NAME=A:B:N is missing
 2 --over kappa=0:1:2|which scene
-2 choas --over kappa=0.1:1:2|mean 'chaos'
 2 chaos --over kapa=0.1:1:2 --out kept|unknown name 'kapa'; did you mean
 2 chaos --over kappa --out kept|--over kappa: expected NAME=A:B:N
 2 chaos --over kappa=1 --out kept|--over kappa=1: expected A:B:N
@@ -248,37 +237,25 @@ expectations sweep <<END
 2 chaos --over kappa=0.1:1:1 --out kept|one value cannot be both
 3 chaos --over kappa=0:1:2 --out kept|--over kappa=0:1:2: kappa must&[1e-09,
 3 chaos --over kappa=0.1:1e7:2 --out kept|--over kappa=0.1:1e7:2: kappa must
-3 chaos --over kappa=0.1:nan:2 --out kept|kappa must lie in
 3 chaos --over omega=0:1e10:2 --out kept|omega must lie in [-1e+09,
-3 chaos --over kappa=0.1:1:2 --set m=0 --out kept|--set m=0: m must lie in
 3 chaos --over dt=0:1:2 --out kept|--over dt=0:1:2: dt must lie in
-3 chaos --over kappa=0.1:1:2 --t-end -1 --out kept|--t-end -1
-3 smooth --over kappa=0.1:1:2 --scheme located --out kept|--scheme located
 2 chaos --over kappa=0.1:1:2 --set kappa=1 --out kept|kappa was already given
 2 chaos --over kappa=0.1:1:2 --over kappa=1:2:2 --out kept|already given
 2 chaos --over h=0:1:2 --set v=1 --out kept|give h or v
 2 chaos --over law=0:1:2 --out kept|unknown law
 2 chaos --over seed=1:2:2 --out kept|only with --select random
 2 chaos --over mu=1:2:2 --inputs inputs.csv --out kept|by --between held or
-2 chaos --over mu=1:2:2 --between held --out kept|only with --inputs
-2 chaos --over mu=1:2:2 --inputs none --between held --out kept|--inputs none
 3 chaos --over seed=1:2:3 --select random|seed must be whole&value 2 is 1.5
-3 chaos --over seed=-1:2:4 --select random|seed must be whole numbers
-2 chaos --over seed=1:2:2 --over seed=1:2:2 --select random|already given
 2 chaos --over kappa=0.1:1:2 --outcome enrgy --out kept|did you mean 'energy'
 2 chaos --over kappa=0.1:1:2 --outcome rest,rest|rest was already given
 2 chaos --over kappa=0.1:1:2 --outcome rest,|unknown outcome ''
 2 chaos --over kappa=0.1:1:2 --resume|--resume: only with --out FILE
-2 chaos --over kappa=0.1:1:2 --shard 3 --out kept|expected I/N
-3 chaos --over kappa=0.1:1:2 --shard 3/2 --out kept|I must lie in
 END
 check 'none of them makes a file' [ ! -e kept ]
 runs help sweep
 for name in $(echo "$all" | tr , ' '); do
   grep -q "^  $name " out || result 1 "help sweep lists $name"
 done
-run help
-check 'help lists sweep' grep -q '^  sweep ' out
 failing_output 11 sweep chaos --over kappa=0.2:0.4:3000 --t-end 0.01 \
   --over gamma=0.3:1.2:1000
 finish
