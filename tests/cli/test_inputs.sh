@@ -90,34 +90,27 @@ awk 'BEGIN { print "t,force"; for (i = 0; i < 300000; i++)
 equal 'many rows: code' $? 0
 check 'many rows: all of them' says '300000 of 300000 rows'
 
-# What is wrong. wrong CODE TEXTS TABLE
-wrong() {
-  # shellcheck disable=SC2059  # a format on purpose
-  printf "$3" >wrong.csv
-  expect "$1" "$2" run chaos --inputs wrong.csv --between held
-}
-wrong 2 "wrong.csv:3: column 2: '1x' is not a number" 't,force\n0,1\n1,1x\n'
-wrong 3 'wrong.csv:2: column 2: force = nan must lie in [-1e+09, 1e+09] N' \
-  't,force\n0,nan\n'
-wrong 3 'wrong.csv:2: column 3: r0 = inf must lie in' 't,force,r0\n0,1,inf\n'
-wrong 3 'wrong.csv:2: column 1: t = inf must lie in' 't,force\ninf,1\n'
-wrong 3 "wrong.csv:4: column 1: '1' is not later than t in the row before" \
-  't,force\n0,1\n1,1\n1,2\n'
-wrong 2 "wrong.csv:1: unknown column 'forec'&did you mean 'force'" 't,forec\n'
-wrong 2 "wrong.csv:1: column 1: 'force' is misplaced" 'force,t\n'
-wrong 2 "wrong.csv:1: column 2: 't' is misplaced" 't,t\n'
-wrong 2 "wrong.csv:1: column 3: 'force' comes twice" 't,force,force\n'
-wrong 2 "wrong.csv:1: column 1: 't' is alone" 't\n'
-wrong 2 'wrong.csv:2: more than the 2 columns' 't,force\n0,1,2\n'
-wrong 2 'wrong.csv:2: fewer than the 3 columns' 't,force,r0\n0,1\n'
-wrong 2 "wrong.csv:2: column 2: '' is not a number" 't,force\n0,\n'
-wrong 2 'wrong.csv: no header' '# nothing\n'
-wrong 2 'wrong.csv: no row' 't,force\n'
-wrong 2 'wrong.csv:1: a zero, or a line' 't,\0force\n'
-wrong 2 'wrong.csv:3: a zero, or a line' 't,force\n0,1\n1,2\0,3'
-wrong 2 'wrong.csv:3: a zero, or a line' 't,force\n0,1\n\0'
-wrong 2 'wrong.csv:2: column 2&is not a number' 't,force\n0,1\r2\n'
-wrong 2 'wrong.csv:2: column 2&is not a number' 't,force\n0,1\r\r\n'
+# What is wrong.
+wrong_files wrong.csv run chaos --inputs wrong.csv --between held <<'WORDS'
+2|t,force\n0,1\n1,1x\n|3: column 2: '1x' is not a number
+3|t,force\n0,nan\n|2: column 2: force = nan must lie in [-1e+09, 1e+09] N
+3|t,force,r0\n0,1,inf\n|2: column 3: r0 = inf must lie in
+3|t,force\ninf,1\n|2: column 1: t = inf must lie in
+3|t,force\n0,1\n1,1\n1,2\n|4: column 1: '1' is not later than t in the
+2|t,forec\n|1: unknown column 'forec'&did you mean 'force'
+2|force,t\n|1: column 1: 'force' is misplaced
+2|t,t\n|1: column 2: 't' is misplaced
+2|t,force,force\n|1: column 3: 'force' comes twice
+2|t\n|1: column 1: 't' is alone
+2|t,force\n0,1,2\n|2: more than the 2 columns
+2|t,force,r0\n0,1\n|2: fewer than the 3 columns
+2|t,force\n0,\n|2: column 2: '' is not a number
+2|# nothing\n| no header
+2|t,force\n| no row
+2|t,\0force\n|1: a zero, or a line
+2|t,force\n0,1\n1,2\0,3|3: a zero, or a line
+2|t,force\n0,1\r2\n|2: column 2&is not a number
+WORDS
 expectations run <<'WORDS'
 2 chaos --inputs one.csv|say what holds between two rows
 2 chaos --between held|--between held: only with --inputs

@@ -1,7 +1,8 @@
 #!/bin/sh
 # What the command line writes is whole, or does not have the name of a whole
 # file: killed, interrupted and full, with a second writer, through links and
-# into what is not a file; shards with one that is lost. usage: test_outputs.sh TWOFOLD
+# into what is not a file; shards with one that is lost.
+# usage: test_outputs.sh TWOFOLD
 . "$(dirname "$0")/../support/tap.sh"
 tools=$root/tools
 # there FILE...: those that are there.

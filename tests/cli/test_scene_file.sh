@@ -50,52 +50,36 @@ runs diverge ./mine.scene --samples 2
 runs run mine.scene --t-end 0.01 --format frames
 check 'frames: the name' grep -qa mine out
 
-# What is wrong, where. wrong CODE TEXTS LINES
-wrong() {
-  # shellcheck disable=SC2059  # a format on purpose
-  printf "$3" >wrong.scene
-  expect "$1" "$2" run wrong.scene
-}
-wrong 2 'wrong.scene:2: unknown key&did you mean '\''kappa'\''' \
-  'based-on chaos\nkapa 0.3\n'
-wrong 2 'wrong.scene:4: kappa was already given in line 2' \
-  'based-on chaos\nkappa 0.3\n# twice\nkappa = 0.2\n'
-wrong 2 "wrong.scene:2: kappa: '0.3m' is not a number" \
-  'based-on chaos\nkappa 0.3m\n'
-wrong 3 'wrong.scene:2: kappa = -0.5 must lie in [1e-09, 1e+06] m' \
-  'based-on chaos\nkappa -0.5\n'
-wrong 3 'wrong.scene:2: theta = 0.25 must lie in [0.5, 1]' \
-  'based-on chaos\ntheta 0.25\n'
-wrong 3 'wrong.scene:2: dt = nan must lie in' 'based-on chaos\ndt nan\n'
-wrong 3 'wrong.scene:2: epsilon = -1 must lie in' 'based-on chaos\nepsilon -1\n'
-wrong 3 'wrong.scene:1: r = 10000000000 must lie in [-1e+09, 1e+09] m' \
-  'r 1e10\n'
-wrong 3 'wrong.scene:2: t-end = -1 must lie in [0, 1e+09] s' \
-  'based-on chaos\nt-end -1\n'
-wrong 3 'wrong.scene: k is missing, which law string needs' \
-  'based-on chaos\nlaw string\n'
-wrong 2 'wrong.scene: law is missing' 'm 1\n'
-wrong 2 'wrong.scene: v or h is missing' 'law none\nr 0\nomega 0\nt-end 1\n'
-wrong 2 'wrong.scene:1: law: unknown law&did you mean '\''jump'\''' 'law jmp\n'
-wrong 2 'wrong.scene:1: rule: a seed is not part of a scene' 'rule random:7\n'
-wrong 3 'profile: omega0 = 1e9 must lie in [-1e+06, 1e+06] rad/s' \
-  'based-on driven\nprofile 0:-1 1:1e9\n'
-wrong 3 'wrong.scene:2: segments must be' 'based-on chaos\nsegments 1.5\n'
-wrong 2 'wrong.scene:1: rest: unknown law of rest' 'rest bow\n'
-wrong 2 'scene:1: with-angle: '\''1'\'' must be yes or no' 'with-angle 1\n'
-wrong 2 'wrong.scene:3: v: give h or v' 'based-on chaos\nh 0\nv 1\n'
-wrong 2 'wrong.scene:2: based-on: must be the first key' 'm 1\nbased-on chaos\n'
-wrong 2 'wrong.scene:1: based-on: unknown scene&did you mean '\''chaos'\''' \
-  'based-on chaso\n'
-wrong 2 'wrong.scene:1: profile: '\''1'\'': expected T:OMEGA0' 'profile 1 2\n'
-wrong 3 'wrong.scene:1: profile: 1 s is not later' 'profile 0:1 1:2 1:3\n'
-wrong 2 'wrong.scene:1: profile: more than 8 knots' \
-  'profile 0:0 1:0 2:0 3:0 4:0 5:0 6:0 7:0 8:0\n'
-wrong 2 'wrong.scene:1: kappa: expected a value' 'kappa = # none\n'
-wrong 2 'wrong.scene:1: column 3: byte 200 is not ASCII' 'm \310\n'
-wrong 2 'wrong.scene:1: name: '\''a b'\''' 'name a b\n'
-wrong 2 'wrong.scene:1: shows: expected at most 127' 'shows "quoted"\n'
-wrong 2 'wrong.scene:1: the line has more than 511' "$(printf '%600s' '')\n"
+# What is wrong, where.
+wrong_files wrong.scene run wrong.scene <<'WORDS'
+2|based-on chaos\nkapa 0.3\n|2: unknown key&did you mean 'kappa'
+2|based-on chaos\nkappa 0.3\n# twice\nkappa = 0.2\n|4: kappa was already given
+2|based-on chaos\nkappa 0.3m\n|2: kappa: '0.3m' is not a number
+3|based-on chaos\nkappa -0.5\n|2: kappa = -0.5 must lie in [1e-09, 1e+06] m
+3|based-on chaos\ndt nan\n|2: dt = nan must lie in
+3|r 1e10\n|1: r = 10000000000 must lie in [-1e+09, 1e+09] m
+3|based-on chaos\nt-end -1\n|2: t-end = -1 must lie in [0, 1e+09] s
+3|based-on chaos\nlaw string\n| k is missing, which law string needs
+2|m 1\n| law is missing
+2|law none\nr 0\nomega 0\nt-end 1\n| v or h is missing
+2|law jmp\n|1: law: unknown law&did you mean 'jump'
+2|rule random:7\n|1: rule: a seed is not part of a scene
+3|based-on driven\nprofile 0:-1 1:1e9\n|2: profile: omega0 = 1e9 must lie in
+3|based-on chaos\nsegments 1.5\n|2: segments must be
+2|rest bow\n|1: rest: unknown law of rest
+2|with-angle 1\n|1: with-angle: '1' must be yes or no
+2|based-on chaos\nh 0\nv 1\n|3: v: give h or v
+2|m 1\nbased-on chaos\n|2: based-on: must be the first key
+2|based-on chaso\n|1: based-on: unknown scene&did you mean 'chaos'
+2|profile 1 2\n|1: profile: '1': expected T:OMEGA0
+3|profile 0:1 1:2 1:3\n|1: profile: 1 s is not later
+2|profile 0:0 1:0 2:0 3:0 4:0 5:0 6:0 7:0 8:0\n|1: profile: more than 8 knots
+2|kappa = # none\n|1: kappa: expected a value
+2|m \310\n|1: column 3: byte 200 is not ASCII
+2|name a b\n|1: name: 'a b'
+2|shows "quoted"\n|1: shows: expected at most 127
+2|%600s\n|1: the line has more than 511
+WORDS
 mv wrong.scene 'no name.scene'
 echo 'based-on chaos' >'no name.scene'
 expect 2 'is no name of a scene&give' run './no name.scene'

@@ -1,11 +1,10 @@
 #!/usr/bin/python3 -B
 """What programs read: the summary as JSON, the time left, and rows that say
-what they are of in a form that numpy, R and gnuplot skip."""
+what they are of in a form that numpy skips."""
 import json
 import os
 import pty
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -209,24 +208,6 @@ def test_time_left():
         os.kill(pid, signal.SIGKILL)
 
 
-def test_provenance_of_run():
-    """Four lines before the header; without them the file is the same."""
-    plain, rows = call(*SHORT)[0], call(*SHORT, "--provenance")[0]
-    lines = rows.splitlines(keepends=True)
-    same("".join(lines[4:]), plain)
-    number = call("--version")[0].split()[-1]
-    for line, form in zip(lines, (
-            rf"# twofold [0-9.]+, commit \S+, numbers are {number}",
-            CHAOS + ", law jump, rule persist, seed 0",
-            "# scheme moreau, dt 0.0001 s", "# units: t s, r m, v m/s, .*")):
-        same(bool(re.fullmatch(form + "\n", line)), True)
-    call("run", "chaos", "--t-end", "0.005", "--format", "frames", "--out",
-         "frames")
-    err = call("monitor", "frames", "--csv")[1]
-    same(re.match(CHAOS, lines[1])[1] in err, True)
-    call(*SHORT, "--provenance", "--format", "plotter", code=2)
-
-
 def test_provenance_tells_all_that_matters():
     """What a motion depends on changes a hash or a word; a name does not."""
     scenes = {"plain": "", "knots": "profile 0:-1 1:-2\n",
@@ -258,11 +239,12 @@ def test_provenance_tells_all_that_matters():
         call("run", "chaos", "--t-end", "0", "--provenance")[0])
 
 
-def test_provenance_of_other_rows():
-    """The same lines, and without them the same file."""
+def test_provenance():
+    """Four lines before the header; without them the file is the same."""
     call("run", "chaos", "--t-end", "0.005", "--format", "frames", "--out",
          "frames")
-    for words in (["regions", "chaos", "--r", "0.1:0.2:2", "--omega=-1:1:2"],
+    for words in (SHORT,
+                  ["regions", "chaos", "--r", "0.1:0.2:2", "--omega=-1:1:2"],
                   ["atlas", "chaos", "--r", "0.1:0.2:2",
                    "--omega=-1.1:-1.05:2"],
                   ["diverge", "chaos", "--samples", "3", "--returns", "-"],
@@ -274,9 +256,17 @@ def test_provenance_of_other_rows():
         plain = call(*words)[0]
         lines = call(*words, "--provenance")[0].splitlines(keepends=True)
         same("".join(lines[4:]), plain)
-        for line, form in zip(lines, ("# twofold .*commit .*", CHAOS + ".*",
-                                      "# .*", "# units: .*")):
+        for line, form in zip(lines, (
+                "# twofold .*commit .*", CHAOS + ".*", "# .*", "# units: .*")):
             same(bool(re.fullmatch(form + "\n", line)), True)
+    lines = call(*SHORT, "--provenance")[0].splitlines()
+    number = call("--version")[0].split()[-1]
+    same(bool(re.fullmatch(r"# twofold [0-9.]+, commit \S+, numbers are "
+                           + number, lines[0])), True)
+    same(lines[2], "# scheme moreau, dt 0.0001 s")
+    same(re.match(CHAOS, lines[1])[1] in call("monitor", "frames", "--csv")[1],
+         True)
+    call(*SHORT, "--provenance", "--format", "plotter", code=2)
 
 
 def test_provenance_of_lateness():
@@ -299,27 +289,6 @@ def test_numpy_reads_it():
     two = numpy.loadtxt("told", delimiter=",", usecols=range(8), skiprows=5)
     same(one.dtype.names[:3], ("t", "r", "v"))
     same((len(one), list(one["r"])), (201, list(two[:, 1])))
-
-
-def reads(program, package, code):
-    """What a program prints that reads the rows."""
-    if not shutil.which(program):
-        lacks(package)
-    call(*SHORT, "--provenance", "--out", "told")
-    done = subprocess.run([program, "-e", code], capture_output=True,
-                          text=True, check=True)
-    return (done.stdout + done.stderr).split()[-1]
-
-
-def test_gnuplot_reads_it():
-    same(reads("gnuplot", "gnuplot-nox",
-               'set datafile separator ","; set key autotitle columnhead; '
-               'stats "told" using 1:2 nooutput; print STATS_records'), "201")
-
-
-def test_r_reads_it():
-    same(reads("Rscript", "r-base-core",
-               'cat(nrow(read.csv("told", comment.char = "#")))'), "201")
 
 
 # The time left waits; the others are short.

@@ -119,8 +119,9 @@ def test_lateness_is_told():
     with Board("double") as board, Listener(board.name, truth()) as line:
         line.comes_to(200)
         said = board.end()[1]
-    found = re.search(r"host: woke for [1-9]\d* ticks of 1000 us; late by (\S+) "
-                      r"us at least, (\S+) in the mean, (\S+) at most", said)
+    found = re.search(
+        r"host: woke for [1-9]\d* ticks of 1000 us; late by (\S+) us at least, "
+        r"(\S+) in the mean, (\S+) at most", said)
     late = [float(number) for number in found.groups()]
     check(0 <= late[0] and late == sorted(late), said)
 

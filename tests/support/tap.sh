@@ -130,6 +130,19 @@ expectations() {
   done
 }
 
+# wrong_files FILE ARGS...: reads rows CODE|LINES|TEXT&TEXT..., and expects that
+# of the command with a FILE of these lines, as printf has them. The first TEXT
+# stands behind the name of the FILE.
+wrong_files() {
+  wrong_file=$1
+  shift
+  while IFS='|' read -r number lines texts; do
+    # shellcheck disable=SC2059  # a format on purpose
+    printf "$lines" >"$wrong_file"
+    expect "$number" "$wrong_file:$texts" "$@"
+  done
+}
+
 # row N FIELDS FILE: these fields of line N, as `cut` names them.
 row() { sed -n "$1p" "$3" | cut -d , -f "$2"; }
 
