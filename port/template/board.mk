@@ -33,7 +33,6 @@ BOARD_RATES_double :=
 #   BOARD_LATE := RATE:SHIFT  at which every step is too late
 #   BOARD_FRAMES := SHIFT   at which every step goes out as frames, at 1 kHz
 #   BOARD_SCHEMES := REALS  in which the other schemes are tested
-#   BOARD_SYMBOLS := yes    the build shows what a scene leaves out
 #   BOARD_PAINT := yes      the painted stack is compared with the call graph
 #   BOARD_LOOP := yes       driven over its line by tools/board/hil
 #   BOARD_LINE := COMMAND   gives it a line and prints the name of that

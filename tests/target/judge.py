@@ -1,31 +1,11 @@
-"""What a board should send: the golden hashes, and the text of a loop; and what
-a firmware of one scene leaves out."""
+"""What a board should send: the golden hashes, and the text of a loop."""
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from pathlib import Path
 
 PAIR = re.compile(r"[a-z]+:-?[0-9]+(\.[0-9]+)?(e-?[0-9]+)?")
 TYPES = {"double": 1, "float": 2}
-# Groups of names, of which a scene has all or none.
-GROUPS = {
-    "angle": "anchor_cos jump_multipliers",
-    "enumeration": "enumerate_both_signs solve_stick select_mode "
-                   "tf_least_violation",
-    "single-valued": "secant_force",
-    "inputs": "speed_at",
-    "preparing": "tf_prepare tf_begin tf_scene_start prepare_angle_kernel "
-                 "tf_parameter_ranges tf_scenes chaos string",
-    "generator": "tf_philox random_exit"}
-LEFT_OUT = {
-    "coulomb": ["angle", "single-valued", "inputs"],
-    "frictionless": ["angle", "enumeration"],
-    "string": ["enumeration", "angle"],
-    "chaos": ["single-valued", "inputs"],
-    "driven": ["single-valued"]}
-IN_GENERIC = [name for group in ("angle", "enumeration", "single-valued",
-                                 "inputs") for name in GROUPS[group].split()]
 
 
 def golden(scene: str, real: str, scheme: str = "moreau") -> str:
@@ -82,21 +62,3 @@ def loop(text: str, rate: int, seconds: int, shared: bool) -> tuple[str, str]:
     if not count["min"] <= count["mean"] <= count["max"]:
         bad.append("times")
     return last, "\n".join(bad)
-
-
-def left_out(symbols: Callable[[str], set[str]]) -> list[str]:
-    """For all that a scene leaves out "", or what is wrong with it, from the
-    names in the firmware of a scene. All must be in the generic firmware,
-    because the absence of a name that is nowhere would prove nothing."""
-    has = symbols("generic")
-    missing = [name for name in [*IN_GENERIC, "tf_parameter_ranges",
-                                 "tf_scenes"] if name not in has]
-    said = [f"generic has no {' '.join(missing)}" if missing else ""]
-    for scene, groups in LEFT_OUT.items():
-        has = symbols(scene)
-        said += [] if has else [f"{scene} has no names at all"]
-        for group in [*groups, "preparing", "generator"]:
-            found = [name for name in GROUPS[group].split() if name in has]
-            said.append(f"{scene} does not leave out {group}: has "
-                        f"{' '.join(found)}" if found else "")
-    return said

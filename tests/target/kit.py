@@ -1,6 +1,5 @@
 #!/usr/bin/python3 -B
-"""What is wrong with a board's port, by name: kit.py BOARD REAL; and whether
-that is named: kit.py --faults.
+"""What is wrong with a board's port, by name: kit.py BOARD REAL.
 
 Builds tests/target/kit.c for the board, runs it in its emulator, and judges
 what it says: variables of board.mk that are empty, functions of port.h that are
@@ -8,25 +7,18 @@ not written, memory that is not as C wants it, arithmetic with other bits than
 this computer's, a tick or a clock at a wrong rate, waiting that misses a tick,
 bytes that are lost either way, an exit code that does not arrive. Prints
 "ok WHAT" or "FAILED WHAT: WHY" for each. Environment: MAKE BUILD.
-
---faults brings up a board `mine` in a copy of the tree, as docs/PORTS.md says:
-first the template as it is, then step by step what a newcomer would write, then
-a whole port with one mistake at a time (tests/target/mine).
 """
 from __future__ import annotations
 
 import os
 import re
-import shutil
 import statistics
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 from typing import Optional
 
-# The tree by which this was called: that may be links.
-ROOT = Path(os.path.abspath(__file__)).parents[2]
+ROOT = Path(__file__).resolve().parents[2]
 MAKE = os.environ.get("MAKE", "make").split()
 BUILD = os.environ.get("BUILD", "build")
 ENVIRONMENT = {name: value for name, value in os.environ.items()
@@ -40,19 +32,6 @@ FLOOD = ("ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 LINES = 48
 TICKS = 16
 TIMEOUT = 60
-# The number of a fault in mine/board.c.in, and what the kit has to say.
-FAULTS = {
-    0: None,
-    1: "FAILED functions of port.h: port_room: not there",
-    2: "FAILED rate: a tick of 1000 Hz lasts ",
-    3: "FAILED port_put: of 48 lines ",
-    4: "FAILED port_get: 1 of 32 bytes ",
-    5: "FAILED arithmetic: other bits than this computer's in: addition",
-    6: "FAILED port_idle: waits although the tick has come",
-    7: "FAILED port_clock: goes back",
-    8: "FAILED port_halt: code 0 where 7 was given",
-    9: "FAILED board.mk: BOARD_STEPS: empty",
-}
 failures = 0
 
 
@@ -252,68 +231,9 @@ def judge(board: Board) -> None:
             f"does not end; it was in {last}")
 
 
-def copy_of_tree(place: Path) -> Path:
-    """Links to all there is, so that a board can be added."""
-    for name in ("Makefile", "src", "include", "tools", "tests"):
-        (place / name).symlink_to(ROOT / name)
-    (place / "port").mkdir()
-    for part in (ROOT / "port").iterdir():
-        (place / "port" / part.name).symlink_to(part)
-    return place / "port" / "mine"
-
-
-def kit(tree: Path, fault: int) -> str:
-    """What the kit says of the board."""
-    return subprocess.run(
-        [tree / "tests/target/kit.py", "mine", "float"], cwd=tree, text=True,
-        env=dict(ENVIRONMENT, BUILD=str(ROOT / BUILD), FAULT=str(fault)),
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout
-
-
-def judged(what: str, said: str, want: str | None) -> bool:
-    """Whether one thing is wrong, and it is named."""
-    wrong = [line for line in said.splitlines() if not line.startswith("ok ")]
-    good = (said and not wrong) if want is None else \
-        (bool(wrong) and wrong[0].startswith(want) and len(wrong) == 1)
-    print(f"{'ok    ' if good else 'FAILED'} kit: {what}:"
-          f" {wrong[0] if wrong else 'nothing is wrong'}", flush=True)
-    if not good:
-        print(f"    want {want}\n    got  {said}")
-    return bool(good)
-
-
-def judge_kit() -> bool:
-    """With one mistake at a time; whether all are named."""
-    good = []
-    with tempfile.TemporaryDirectory(prefix="twofold-faults.") as name:
-        tree = Path(name)
-        mine = copy_of_tree(tree)
-        template, whole = ROOT / "port/template", ROOT / "tests/target/mine"
-        shutil.copytree(template, mine)
-        good.append(judged("the template as it is", kit(tree, 0),
-                           "FAILED board.mk: port/template is a board to copy"))
-        makefile = mine / "board.mk"
-        makefile.write_text("".join(
-            line for line in makefile.read_text().splitlines(True)
-            if not line.startswith("$(error")))
-        good.append(judged("without its error", kit(tree, 0),
-                           "FAILED board.mk: BOARD_REALS, BOARD_RUN,"))
-        shutil.copy(whole / "board.mk", makefile)
-        good.append(judged("no function is written", kit(tree, 0),
-                           "FAILED functions of port.h: port_init,"))
-        shutil.copy(whole / "board.c.in", mine / "board.c")
-        for fault, want in FAULTS.items():
-            good.append(judged(f"fault {fault}", kit(tree, fault), want))
-    shutil.rmtree(ROOT / BUILD / "boards/mine", ignore_errors=True)
-    print(f"{sum(good)} passed, {len(good) - sum(good)} failed")
-    return all(good)
-
-
 def main() -> None:
-    if sys.argv[1:] == ["--faults"]:
-        sys.exit(not judge_kit())
     if len(sys.argv) != 3:
-        sys.exit("usage: kit.py BOARD REAL | kit.py --faults")
+        sys.exit("usage: kit.py BOARD REAL")
     judge(Board(*sys.argv[1:]))
     sys.exit(failures > 0)
 
