@@ -99,14 +99,7 @@ decodes 'without a schema' bad none '' 6
 check 'without a schema: counted' not says ' 0 without a match'
 head -c $((size - 1)) frames >bad
 decodes 'without the last zero: whole' bad want '0 lost, 0 broken'
-for cut in 2 20 60; do
-  head -c $((size - cut)) frames >bad
-  expect 6 '1 broken&were lost or broken' monitor bad
-done
-cat frames frames >bad
-tail -n +2 want | cat want - >both
-decodes 'twice: a restart, no loss' bad both \
-  '0 lost, 0 broken, 0 too long, 0 of&1 restarts&more than one run' 6
+# A run that was cut, or repeated: tests/line/test_whole.py.
 
 # Steps that are not to be trusted: the words and the exit code are those of the
 # run, whether reports, the heartbeat at the end or both tell of them.
@@ -193,7 +186,5 @@ for bad in set:mu set:muu=1 set:mu=1x select:rand select:random:x \
   input:1,2,3 input:1,2,3,4,5 input:1,,3,4; do
   expect 2 '' monitor frames --send "$bad"
 done
-runs monitor --help
-check 'help: the options' grep -q -e --follow out
 full_device monitor frames --csv
 finish

@@ -1,6 +1,6 @@
 /* The application of the firmware (port/firmware.c) with an uplink, tick by
  * tick, on a board made of numbers: its counters at the ends of their ranges,
- * its session, and inputs that nobody renews. */
+ * and its session. */
 #define FRAMES
 #define UPLINK
 #define RATE 1000
@@ -35,16 +35,11 @@ static void switch_on(void) {
 
 static uint8_t line[LOOP_RECORD];
 
-static void send(uint8_t type, size_t length) {
+static void ask(void) {
   uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)];
-  const tf_input_t push = {-1, 0, 0, TF_R(0.5), 0};
-  const tf_real_t values[5] = {push.omega0, push.r0, push.force, push.torque,
-                               push.alpha};
   uint32_t number = sim.link.next;
-  for (size_t i = 0; i < 5; i++)
-    tf_wire_put_real(wire + TF_COMMAND_AT + i * TF_REAL_BYTES, values[i]);
-  const size_t size =
-      tf_command_seal(wire, type, length, sim.link.session, &number, 0, NULL);
+  const size_t size = tf_command_seal(wire, TF_UP_DESCRIBE, 0, sim.link.session,
+                                      &number, 0, NULL);
   for (size_t i = 0; i < size; i++) {
     clock_now += 86806;
     app_receive(wire[i], clock_now);
@@ -166,23 +161,6 @@ TEST(csv_has_its_header_again) {
   CHECK(commas == 9 && !memcmp(text + length - 2, "\r\n", 2));
 }
 
-/* Sequence numbers of what goes down, through the end of 32 bits. */
-TEST(frames_are_numbered_through_the_end) {
-  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
-  tf_decoder_t decoder;
-  switch_on();
-  tf_decoder_init(&decoder, buffer, sizeof buffer);
-  telemetry_sequence = UINT32_MAX - 20;
-  for (int n = 0; n < 40; n++) {
-    size_t length = app_record(line), taken = 0;
-    tf_frame_t frame;
-    for (const uint8_t *at = line;
-         tf_decoder_block(&decoder, at, length, &taken, &frame); at += taken)
-      length -= taken;
-  }
-  CHECK(decoder.frames == 80 && decoder.lost + decoder.restarts == 0);
-}
-
 /* Two boards that are asked at different times have different sessions, and
  * until it is asked a board has none. */
 TEST(session_is_of_the_moment) {
@@ -192,7 +170,7 @@ TEST(session_is_of_the_moment) {
     clock_now = n;
     const tf_frame_t before = frame_in(line, app_other(line), TF_DOWN_SCHEMA);
     CHECK(tf_wire_get(before.payload + 13, 4) == 0);
-    send(TF_UP_DESCRIBE, 0);
+    ask();
     CHECK(app_latch() == 0);
     CHECK(frame_in(line, app_other(line), TF_DOWN_ANSWER).type != 0);
     const tf_frame_t after = frame_in(line, app_other(line), TF_DOWN_SCHEMA);
@@ -201,24 +179,4 @@ TEST(session_is_of_the_moment) {
     CHECK(tf_wire_get(after.payload + 21, 4) == RATE / 2);
     for (unsigned i = 0; i < n; i++) CHECK(seen[i] != seen[n]);
   }
-}
-
-/* With what a build does by default: half a second after the last input the
- * machine coasts, and reports and heartbeats say so. */
-TEST(inputs_expire_by_default) {
-  const loop_counts_t counts = {0};
-  uint32_t until = EVERY;
-  switch_on();
-  send(TF_UP_DESCRIBE, 0);
-  send(TF_UP_INPUT, 5 * TF_REAL_BYTES);
-  for (unsigned n = 1; n <= RATE; n++) {
-    CHECK(app_latch() == 0 && app_step(&until) == LOOP_STEPPED);
-    const tf_frame_t frame = frame_in(line, app_record(line), TF_DOWN_REPORT);
-    CHECK(frame.length == TF_REPORT_BYTES);
-    CHECK(frame.payload[TF_REPORT_BYTES - 1] ==
-          (n <= RATE / 2 ? TF_INPUT_SET : TF_INPUT_SAFE));
-  }
-  const tf_frame_t frame =
-      frame_in(line, app_heartbeat(&counts, line), TF_DOWN_HEARTBEAT);
-  CHECK(tf_wire_get(frame.payload + 52, 4) == 1);
 }

@@ -9,8 +9,7 @@
 #define PERIOD 1000u /* [units of the clock] */
 
 static struct {
-  uint64_t clock;        /* all bits; the loop sees the low ones */
-  uint32_t broken_after; /* these steps; 0: never */
+  uint64_t clock; /* all bits; the loop sees the low ones */
   uint32_t step_costs, record_costs, put_costs;
   uint32_t slow_step, slow_costs; /* one step that costs more */
   uint32_t long_step;             /* or more than the clock measures */
@@ -61,9 +60,7 @@ loop_step_t app_step(uint32_t *until_record) {
   if (board.moves_to > 0 && board.stepped == board.moves_at)
     *until_record = board.moves_to;
   if (board.latched <= board.stands_until) return LOOP_STOOD;
-  if (board.broken ||
-      (board.broken_after > 0 && board.stepped == board.broken_after))
-    return LOOP_BROKE;
+  if (board.broken) return LOOP_BROKE;
   board.twice += board.stepped > 0 && tick == board.last_tick;
   board.last_tick = tick;
   board.stepped++;
@@ -227,52 +224,6 @@ TEST(ticks_and_clock_go_round) {
       CHECK(counted.shortest >= 300 && counted.longest <= 310);
       CHECK(board.put == 100 * counted.sent);
     }
-}
-
-/* A loop whose counts begin where a test puts them, until its board ends after
- * so many steps. */
-static void run_counted(uint32_t every, uint32_t steps) {
-  const loop_plan_t plan = {1000, 0, every, 1000, LOOP_SKIP};
-  board.broken_after = steps;
-  the_loop.plan = &plan;
-  the_loop.counts = &counted;
-  the_loop.until_record = every;
-  the_loop.until_heartbeat = the_loop.tellable = 1000;
-  the_loop.period = PERIOD;
-  CHECK(run(&the_loop) == LOOP_REFUSED);
-}
-
-/* Steps and their times after any number of them: the mean is right. */
-TEST(mean_is_of_all_steps) {
-  for (uint64_t k = 0; k < 5; k++) {
-    const uint64_t before = ((uint64_t)1 << 32) - k;
-    reset(300);
-    counted = (loop_counts_t){
-        .shortest = UINT32_MAX, .steps = before, .sum = before * 300};
-    run_counted(1000, 10);
-    CHECK(counted.steps == before + 10);
-    CHECK(counted.sum / counted.steps == 300);
-  }
-}
-
-/* Overruns, skipped ticks and records, after any number of them. */
-TEST(counts_of_the_loop_go_round) {
-  loop_counts_t plain = {0};
-  for (uint32_t k = 0; k < 12; k++) {
-    reset(1500); /* always late */
-    board.record_costs = 300;
-    counted = (loop_counts_t){.shortest = UINT32_MAX};
-    counted.overruns = counted.skipped = counted.dropped = counted.sent =
-        0u - k;
-    run_counted(2, 40);
-    if (k == 0) plain = counted;
-    CHECK(counted.steps == 40 && counted.overruns == plain.overruns - k);
-    CHECK(counted.skipped == plain.skipped - k);
-    CHECK(counted.sent == plain.sent - k);
-    CHECK(counted.dropped == plain.dropped - k);
-  }
-  CHECK(plain.overruns > 12 && plain.skipped > 12);
-  CHECK(plain.sent > 0 && plain.sent + plain.dropped > 12);
 }
 
 /* A step that lasts longer than the clock measures is not taken for a short
