@@ -47,12 +47,13 @@ def output(*command, **options):
 
 
 def call(*words, code=0, program=TWOFOLD, **options):
-    """(standard output, standard error) of a command, as text."""
+    """(standard output, standard error) of a command, as text. code: its exit
+    code, or several of them."""
     done = subprocess.run([program, *map(str, words)], check=False,
                           stdin=subprocess.DEVNULL, capture_output=True,
                           encoding="utf-8", errors="replace", **options)
-    check(done.returncode == code, f"{words}: code {done.returncode}, not "
-          f"{code}: {done.stderr}")
+    check(done.returncode in (code if isinstance(code, tuple) else (code,)),
+          f"{words}: code {done.returncode}, not {code}: {done.stderr}")
     return done.stdout, done.stderr
 
 
