@@ -3,14 +3,16 @@
 host port behind it. Rows arrive, commands are answered, and when the device goes
 away the program says so or, under --follow, waits until it is back."""
 import os
+import pty
 import re
 import signal
 import struct
 import subprocess
+import tty
 from pathlib import Path
 
-from boards import ANSWER, INPUT, STOP, Board, Line, framed, relayed
-from tap import TWOFOLD, call, check, main, same, until
+from boards import ANSWER, INPUT, RUN, STOP, Board, framed, relayed
+from tap import TWOFOLD, call, check, main, output, same, until
 
 KEY = bytes(0x1f * i % 256 for i in range(16)).hex()
 
@@ -57,6 +59,18 @@ def test_a_followed_device_comes_back():
         monitor.send_signal(signal.SIGTERM)
         # 6: a busy computer may lose frames, and the new line begins in one.
         check(monitor.wait() in (0, 6), monitor.returncode)
+
+
+def test_what_came_before_a_device_was_heard_is_no_loss():
+    near, far = pty.openpty()
+    tty.setraw(near)
+    monitor = follow(os.ttyname(far))
+    until(lambda: rows("rows.part") > 0, "the header")
+    stream = output(*RUN, "--every", "50", "--format", "frames")
+    os.write(near, b"half a frame\0" + stream)
+    until(lambda: rows("rows.part") == 12, "all rows")
+    monitor.send_signal(signal.SIGTERM)
+    same(monitor.wait(), 0)
 
 
 def sent(board, *commands, code=0, key=()):

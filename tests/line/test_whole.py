@@ -5,10 +5,12 @@ that are lost, files that two programs or two options write."""
 import fcntl
 import json
 import os
+import struct
 import subprocess
 from pathlib import Path
 
-from boards import RUN, program
+from boards import HEARTBEAT, RUN, framed, program
+from decode import frames
 from tap import main, output, same
 
 
@@ -56,6 +58,21 @@ def test_more_than_one_run_is_told():
         same("more than one run" in judged(stream, code=6), True)
     half = one[:one.index(b"\0\0", len(one) // 2) + 1]
     same("more than one run" in judged(half + other, code=6), True)
+
+
+def test_drops_are_those_since_the_first_heartbeat():
+    """By the count of the board, which goes round, or begins again with it."""
+    stream = output(*RUN, "--every", "50", "--format", "frames")
+    last = framed(*frames(stream)[-1])
+    same((stream.endswith(last), last[0]), (True, 0))
+    number = frames(stream)[-1][1]
+    for dropped, code in (([3, 3, 3], 0), ([3, 3, 10], 6), ([100, 0], 0),
+                          ([100, 0, 2], 6), ([2**32 - 1] * 2, 0),
+                          ([2**32 - 2, 2], 6)):
+        beats = [framed(HEARTBEAT, number + i, 500, struct.pack(
+            "<14I", 500, 0, 0, one, *[0] * 10)) for i, one in
+                 enumerate(dropped)]
+        judged(stream.removesuffix(last) + b"".join(beats), code=code)
 
 
 def test_an_interrupted_run_has_no_end():
