@@ -53,6 +53,27 @@ equal 'a shard without samples has no row' "$(sed 's/, run .*//' out)" \
   '# shard 3/3: 0 rows, crc32 00000000'
 diverge --samples 4 --shard 2/2 --header --rate 0 --patience 1 >out
 check 'a header if asked for; a rate of 0 ends' grep -q '^sample,cycle' out
+# Where a shard is stopped, that of an earlier run is still there: the last line
+# tells them apart.
+run_of() { tail -n 1 "$1" | sed 's/.*, run //'; }
+set -- --samples 7 --patience 0.3 --seed 5 --shard 2/3
+diverge "$@" --returns r.one
+check 'a shard ends with its count' grep -Eqx \
+  "# shard 2/3: [0-9]+ rows, crc32 [0-9a-f]{8}, run [0-9a-f]{8}" r.one
+while read -r other; do
+  # shellcheck disable=SC2086  # options
+  diverge --patience 0.3 --shard 2/3 $other --returns r.other
+  check "a shard with $other is of another run" \
+    [ "$(run_of r.other)" != "$(run_of r.one)" ]
+done <<END
+--samples 7 --seed 6
+--samples 8 --seed 5
+--samples 7 --seed 5 --section 2e-3
+--samples 7 --seed 5 --codim2 even
+--samples 7 --seed 5 --set mu=1.01
+--samples 7 --seed 5 --set h=0 --set r=0.18 --set omega=-1.03
+--samples 7 --seed 5 --by noise --size 1e-9
+END
 
 # Workers.
 set -- --samples 7 --codim2 even --cycles 3 --patience 3 --seed 5

@@ -1,10 +1,8 @@
 #!/bin/sh
 # What the command line writes is whole, or does not have the name of a whole
 # file: killed, interrupted and full, with a second writer, through links and
-# into what is not a file; shards with one that is lost.
-# usage: test_outputs.sh TWOFOLD
+# into what is not a file. usage: test_outputs.sh TWOFOLD
 . "$(dirname "$0")/../support/tap.sh"
-tools=$root/tools
 # there FILE...: those that are there.
 there() { for file; do [ ! -e "$file" ] || echo "$file"; done; }
 
@@ -148,57 +146,5 @@ kill -s TERM $pid
 wait $pid
 equal 'nohup: only SIGTERM stops it' $? 4
 check 'nohup: it is reported' says interrupted
-
-# Shards.
-set -- diverge chaos --samples 7 --patience 0.3 --seed 5
-for i in 1 2 3; do
-  "$T" "$@" --shard $i/3 --exits e.$i --returns r.$i 2>err
-  check "shard $i ends with its count" \
-    grep -Eqx "# shard $i/3: [0-9]+ rows, crc32 [0-9a-f]{8}, run [0-9a-f]{8}" \
-    e.$i
-done
-reads() { "$tools/study/run" ks "$1" "$1" cycle >out 2>err; }
-if /usr/bin/python3 -c 'import pandas, statsmodels, tabulate' 2>/dev/null; then
-  cat r.1 r.2 r.3 >r
-  check 'cat of all shards is read' reads r
-  head -c 150 r.2 >part
-  while IFS="|" read -r name parts; do
-    # shellcheck disable=SC2086  # a list of files
-    cat $parts >r
-    reads r
-    equal "cat of shards, $name: refused" $? 3
-    check "cat of shards, $name: nothing is said of the rest" [ ! -s out ]
-    check "cat of shards, $name: it says why" \
-      grep -q 'missing\|damaged\|cut off' err
-  done <<END
-the second one missing|r.1 r.3
-the first one missing|r.2 r.3
-one cut off|r.1 part r.3
-one twice|r.1 r.1 r.2 r.3
-END
-  # Where a shard is stopped, that of an earlier run is still there.
-  run_of() { tail -n 1 "$1" | sed 's/.*, run //'; }
-  while read -r other; do
-    # shellcheck disable=SC2086  # options
-    "$T" diverge chaos $other --shard 2/3 --returns r.other 2>err
-    check "a shard with $other is of another run" \
-      [ "$(run_of r.other)" != "$(run_of r.2)" ]
-  done <<END
---samples 7 --patience 0.3 --seed 6
---samples 8 --patience 0.3 --seed 5
---samples 7 --patience 0.3 --seed 5 --section 2e-3
---samples 7 --patience 0.3 --seed 5 --codim2 even
---samples 7 --patience 0.3 --seed 5 --set mu=1.01
---samples 7 --patience 0.3 --seed 5 --set h=0 --set r=0.18 --set omega=-1.03
---samples 7 --patience 0.3 --seed 5 --by noise --size 1e-9
-END
-  cat r.1 r.other r.3 >r
-  reads r
-  equal 'cat of shards, one of another run: refused' $? 3
-  check 'cat of shards, one of another run: it says why' \
-    grep -q 'of another run' err
-else
-  lacks 'cat of shards that are lost or cut off' python3-pandas
-fi
 
 finish

@@ -94,11 +94,6 @@ expect 3 'the seed is 9 there and 7 here' \
 runs run driven --t-end 0.1 --save drives --out one
 sed 's/^profile.*/profile none/; /^crc/d' drives >other
 expect 3 'cut off or changed: its checksum is wrong' run driven --from other
-for line in 1 5 12 30; do
-  sed "${line}s/./x/" at >broken
-  run chaos --from broken 2>/dev/null
-  check "line $line is broken: refused" [ "$code" -ne 0 ]
-done
 # The checksum is right, and no run has left such a state.
 while IFS='|' read -r change texts; do
   sed "/^crc32/d; $change" at >forged
@@ -106,10 +101,7 @@ while IFS='|' read -r change texts; do
   expect 3 "$texts" run chaos --from forged --t-end 0.6
 done <<'END'
 s/^r .*/r nan/|--from forged: r is not finite
-s/^v .*/v -inf/|v is not finite
-s/^phi .*/phi nan/|phi is not finite
 s/^compensation-w .*/compensation-w inf/|compensation-w is not finite
-s/^force-F .*/force-F nan/|force-F is not finite
 s/^delassus .*/delassus 1e999/|delassus is not finite
 s/^omega .*/omega 1e10/|beyond 1e+09
 END

@@ -298,6 +298,15 @@ def maps_refuse(folder):
     call(TWOFOLD, "sweep", *SWEEP, "--shard", "1/2", "--out", shard)
     said = draw(shard, "kappa", "gamma", "modes", picture, code=3)
     check("shard 2/2 is missing" in said, said)
+    for other, text in ((["--shard", "2/2", "--set", "mu=1.1"],
+                         "of another run"),
+                        (["--shard", "1/2"], "shard 2 is missing")):
+        call(TWOFOLD, "sweep", *SWEEP, *other, "--out", folder / "other.csv")
+        joined = folder / "joined.csv"
+        joined.write_text(shard.read_text() +
+                          (folder / "other.csv").read_text())
+        said = draw(joined, "kappa", "gamma", "modes", picture, code=3)
+        check(text in said, said)
     said = draw(table, "kappa", "gamma", "modes", folder / "x.what", code=3)
     check("x.what" in said and "Traceback" not in said, said)
     draw(table, code=2)
