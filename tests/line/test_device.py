@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -B
 """`twofold monitor` on a device: a pseudo-terminal with the firmware of the
-host port behind it. Rows arrive, commands are answered, and when the device goes
-away the program says so or, under --follow, waits until it is back."""
+host port behind it. Rows arrive, commands are answered, and when the device
+goes away the program says so or, under --follow, waits until it is back."""
 import os
 import pty
 import re
