@@ -201,11 +201,10 @@ test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) $(TWOFOLD) $(LINE)
 # core set, which is what then takes a quarter of a second at most and starts no
 # program, with the laws; and the unit tests of each room of src/ in which git
 # sees a change, but those of more than two seconds. `make test` has them all.
-NEVER_QUICK := branch convergence corpus ensemble extremes frame golden \
-  located located_report physics_numbers pinned reference signs
-NOT_QUICK := $(NEVER_QUICK) begin codim2 compensated degraded \
-  extreme_analysis friction kernel lanes located_budget \
-  normal_form population singularity tyre
+NEVER_QUICK := convergence corpus ensemble extremes frame golden \
+  located located_report pinned reference signs
+NOT_QUICK := $(NEVER_QUICK) begin codim2 compensated degraded friction \
+  kernel located_budget normal_form population singularity tyre
 CHANGED = $(sort $(foreach file,$(shell git status --porcelain -uall -- src \
   2>/dev/null),$(word 2,$(subst /, ,$(filter src/%,$(file))))))
 but_for = $(filter-out $(1:%=\%/test_%.c),$(filter %.c,$(2)))

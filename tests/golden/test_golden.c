@@ -17,8 +17,7 @@ static uint64_t trajectory_hash(const tf_scene_t *scene, tf_rule_t rule,
   tf_params_t p = scene->params;
   uint64_t hash = 0xCBF29CE484222325u;
   p.rule = rule;
-  sim_t s = sim_of(&p);
-  CHECK(tf_scene_start(scene, &s.k, 1, &s.x, &s.report) == TF_OK);
+  sim_t s = sim_at_start(scene, &p, 1);
   for (int i = 1; i <= 100000; i++) {
     s.u = tf_scene_input(scene, &s.k, (tf_real_t)i * s.k.dt);
     CHECK(sim_step(&s, scheme) >= 0);

@@ -1,17 +1,9 @@
 /* How the simulated motion converges to the true one. */
 #include "../data/reference.h"
-#include "resolved.h"
 #include "sim.h"
 
 static double max3(double a, double b, double c) {
   return fmax(fabs(a), fmax(fabs(b), fabs(c)));
-}
-
-/* `chaos` at t = 1, past codimension two and in stick-: tests/data. */
-static const reference_state_t *chaos_at_one(void) {
-  const reference_state_t *at = references[0].state;
-  while (at->t < 1) at++;
-  return at;
 }
 
 /* `chaos` at its start, with steps of this length. */
@@ -23,40 +15,6 @@ static sim_t chaos(double dt) {
                   TF_SLIP_PLUS) == TF_OK);
   CHECK(s.x.mode == TF_SLIP_PLUS);
   return s;
-}
-
-static double chaos_error(long n, uint8_t *mode) {
-  sim_t s = chaos(1.0 / (double)n);
-  for (long i = 0; i < n; i++) CHECK(ok_to_resolution(sim_step(&s, MOREAU)));
-  *mode = s.x.mode;
-  const reference_state_t *want = chaos_at_one();
-  return max3((double)((real)s.x.r - want->r), (double)((real)s.x.v - want->v),
-              (double)((real)s.x.w - want->w));
-}
-
-/* Through h = g = 0 several modes are consistent and a careless choice lands on
- * another branch at two step sizes in ten. Every step size of a grid with
- * random offsets must end on the same branch, none left out. In float the
- * rounding of the state adds to the bound: per step at most eps |w|, with
- * random signs sqrt(n) eps, times the growth of errors over the second. */
-TEST(branch_is_independent_of_the_step_size) {
-  const int sizes = samples(80);
-  double worst = 0;
-  for (int i = 0; i < sizes; i++) {
-    const double at = (i + tap_uniform(0, 1)) / sizes;
-    const double dt = 4e-3 * pow(IS_DOUBLE ? 1e-6 / 4e-3 : 1e-5 / 4e-3, at);
-    const long n = lrint(1 / dt);
-    uint8_t mode;
-    const double error = chaos_error(n, &mode);
-    const double rounding =
-        IS_DOUBLE ? 0 : 40 * sqrt((double)n) * (double)TF_REAL_EPSILON;
-    CHECK(mode == TF_STICK_MINUS);
-    if (!CHECK(error <= 0.05 / (double)n + rounding))
-      printf("#   dt = %.6g: error %.3g = %.3g dt\n", 1.0 / (double)n, error,
-             error * (double)n);
-    worst = fmax(worst, error * (double)n);
-  }
-  printf("# worst error over %d step sizes: %.4f dt\n", sizes, worst);
 }
 
 /* The whole cycle of `chaos` up to the two-fold, event by event: entry of

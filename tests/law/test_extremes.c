@@ -15,23 +15,6 @@ static int all_finite(const tf_state_t *x, const tf_report_t *o) {
          isfinite(o->residual);
 }
 
-static void tell(const tf_machine_t *k, const tf_params_t *p,
-                 const tf_state_t *x, const tf_report_t *o) {
-  printf("# law %d rule %d dt %g theta %g", (int)p->law, (int)p->rule,
-         (double)k->dt, (double)k->theta);
-  for (int i = 0; i < TF_PARAMETERS; i++)
-    printf(" %s %a", tf_parameter_ranges[i].name,
-           (double)*(
-               const tf_real_t *)(const void *)((const char *)p +
-                                                tf_parameter_ranges[i].offset));
-  printf(
-      "\n# r %a v %a w %a mode %d, then status %d mode %d F %g M %g h %g g "
-      "%g delassus %g residual %g\n",
-      (double)x->r, (double)x->v, (double)x->w, x->mode, (int)o->status,
-      o->mode, (double)o->force.F, (double)o->force.M, (double)o->slip.h,
-      (double)o->slip.g, (double)o->delassus, (double)o->residual);
-}
-
 /* Up to `steps` steps of one machine, until one is refused. */
 static void run(scheme_t scheme, const tf_params_t *p, tf_state_t x,
                 const tf_input_t *input, int steps) {
@@ -54,10 +37,7 @@ static void run(scheme_t scheme, const tf_params_t *p, tf_state_t x,
     accepted++;
     CHECK(s.report.mode == s.x.mode && s.x.mode < TF_MODES);
     CHECK(s.x.tick == old.tick + 1);
-    if (!CHECK(all_finite(&s.x, &s.report))) {
-      tell(&s.k, p, &old, &s.report);
-      return;
-    }
+    if (!CHECK(all_finite(&s.x, &s.report))) return;
   }
 }
 
@@ -66,20 +46,7 @@ static void run_schemes(const tf_params_t *p, const tf_state_t *x,
   for (int s = 0; s < SCHEMES; s++) run((scheme_t)s, p, *x, input, steps);
 }
 
-static void count_again(void) {
-  accepted = 0;
-  memset(refused, 0, sizeof refused);
-}
-
-static void tell_counts(void) {
-  printf(
-      "# accepted %ld, refused: parameter %ld, state %ld, diverged %ld, too "
-      "long %ld\n",
-      accepted, refused[1], refused[2], refused[3], refused[4]);
-}
-
 TEST(random_machines_keep_every_number_finite) {
-  count_again();
   for (int n = 0; n < samples(50000); n++) {
     const tf_params_t p = draw_machine();
     const tf_real_t limit = one_in(4) ? TF_STATE_LIMIT / 2 : 10;
@@ -93,105 +60,10 @@ TEST(random_machines_keep_every_number_finite) {
     const bool driven = one_in(4);
     run_schemes(&p, &x, driven ? &u : NULL, 10);
   }
-  tell_counts();
+  printf("# accepted %ld, refused: state %ld, diverged %ld, too long %ld\n",
+         accepted, refused[2], refused[3], refused[4]);
   CHECK(accepted > samples(100000));
   for (int i = 2; i <= 4; i++) CHECK(refused[i] > samples(100));
-}
-
-/* Forces, speeds and places of one tiny size, whose squares are 0. */
-TEST(tiny_machines_keep_every_number_finite) {
-  count_again();
-  for (int n = 0; n < samples(10000); n++) {
-    tf_params_t p = tf_scenes[0]->params;
-    const tf_real_t tiny = spread(TF_REAL_MIN * TF_REAL_EPSILON, TF_R(1e-18));
-    p.mu = tiny * (tf_real_t)tap_uniform(0, 1);
-    p.k2 = p.c1 = p.c2 = one_in(2) ? 0 : tiny;
-    p.r0 = one_in(2) ? 0 : tiny;
-    p.omega0 = one_in(2) ? 0 : tiny;
-    tf_state_t x = draw_state(1);
-    x.r = tiny * (tf_real_t)tap_uniform(-1, 1);
-    x.w = p.omega0 + tiny * (tf_real_t)tap_uniform(-1, 1);
-    x.v = one_in(2) ? p.d * (x.w - p.omega0)
-                    : tiny * (tf_real_t)tap_uniform(-1, 1);
-    run_schemes(&p, &x, NULL, 4);
-  }
-  tell_counts();
-  CHECK(accepted > samples(50000));
-}
-
-/* One set of parameters, from a mild start and through r = 0. */
-static void run_all(const tf_params_t *p, tf_real_t scale) {
-  static const double step_sizes[] = {1e-9, 1e-6, 1e-4, 1e-2, 0.1, 1};
-  for (size_t i = 0; i < sizeof step_sizes / sizeof *step_sizes; i++) {
-    tf_params_t q = *p;
-    q.dt = (tf_real_t)step_sizes[i];
-    for (int start = 0; start < 4; start++) {
-      tf_state_t x;
-      memset(&x, 0, sizeof x);
-      x.r = scale * (start == 1 ? 0 : TF_R(0.18));
-      x.v = scale * (start == 2 ? -10 : start == 1 ? 0 : TF_R(0.02));
-      x.w = scale * (start == 1 ? 0 : TF_R(-1.037));
-      x.mode = (uint8_t)(start == 3 ? TF_STICK_PLUS : TF_PINNED);
-      run_schemes(&q, &x, NULL, 8);
-    }
-  }
-}
-
-/* Every parameter at both ends of its range, alone and with every other. */
-TEST(ends_of_the_ranges_keep_every_number_finite) {
-  count_again();
-  for (int i = 0; i < TF_PARAMETERS; i++) {
-    for (int j = i; j < TF_PARAMETERS; j++) {
-      for (int ends = 0; ends < 4; ends++) {
-        tf_params_t p = tf_scenes[0]->params;
-        const tf_parameter_range_t *a = &tf_parameter_ranges[i];
-        const tf_parameter_range_t *b = &tf_parameter_ranges[j];
-        *member(&p, i) = ends & 1 ? a->high : a->low;
-        if (j > i) *member(&p, j) = ends & 2 ? b->high : b->low;
-        run_all(&p, 1);
-      }
-    }
-  }
-  tell_counts();
-}
-
-TEST(listed_extremes_keep_every_number_finite) {
-  const tf_real_t least = TF_REAL_MIN * TF_REAL_EPSILON;
-  count_again();
-  for (int i = 0; i < TF_SCENES; i++) {
-    const tf_params_t scene = tf_scenes[i]->params;
-    tf_params_t p;
-    /* subnormal states and parameters */
-    for (tf_real_t tiny = least; tiny < TF_REAL_MIN * 1000; tiny *= 16) {
-      p = scene;
-      p.r0 = p.omega0 = tiny;
-      run_all(&p, tiny);
-      p = scene;
-      p.mu = p.k2 = p.c1 = p.c2 = p.rate = tiny;
-      run_all(&p, 1);
-      run_all(&p, tiny);
-    }
-    /* gamma where its sine or cosine is 0 or nearly so */
-    for (int n = -4; n <= 4; n++) {
-      p = scene;
-      p.gamma = tf_parameter_ranges[10].high * (tf_real_t)n / 4;
-      run_all(&p, 1);
-      p.gamma += p.gamma < 0 ? TF_REAL_EPSILON : -TF_REAL_EPSILON;
-      run_all(&p, 1);
-    }
-    /* at the centrifugal instability, k2 = m w^2, and beyond */
-    for (tf_real_t ratio = 0; ratio < 3; ratio += TF_R(0.25)) {
-      p = scene;
-      p.omega0 = 1000;
-      p.k2 = ratio * p.m * p.omega0 * p.omega0;
-      run_all(&p, 1);
-      run_all(&p, 1000);
-    }
-    /* far away */
-    for (tf_real_t far = 10; far < TF_R(1e9); far *= 10) run_all(&scene, far);
-  }
-  tell_counts();
-  CHECK(accepted > 100000 && refused[-TF_DIVERGED] > 100);
 }
 
 /* Slopes of h and g that overflow in float: the first made a stick of 8e11 m/s

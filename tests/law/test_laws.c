@@ -1,14 +1,6 @@
 /* Laws that the simulated motion must obey, whatever the implementation. */
-#include "resolved.h"
 #include "scene_named.h"
 #include "sim.h"
-
-/* A scene's machine, with these parameters, at the scene's start. */
-static sim_t started(const tf_scene_t *scene, const tf_params_t *params) {
-  sim_t s = sim_of(params);
-  CHECK(tf_scene_start(scene, &s.k, 0, &s.x, &s.report) == TF_OK);
-  return s;
-}
 
 /* Rounding of the terms of h, for speeds of the turntable up to 2 rad/s. */
 static double slip_rounding(const sim_t *s) {
@@ -22,7 +14,7 @@ TEST(stick_is_exact) {
   const int steps = samples(1000000);
   for (int i = 0; i < 3; i++) {
     const tf_scene_t *scene = scene_named(names[i]);
-    sim_t s = started(scene, &scene->params);
+    sim_t s = sim_at_start(scene, &scene->params, 0);
     int sticks = 0, told = 0;
     for (int n = 1; n <= steps; n++) {
       const double before = slip_rounding(&s);
@@ -58,7 +50,7 @@ TEST(dissipation_without_moment) {
     p.omega0 = 0;
     for (int half = 0; half < 2; half++) {
       p.dt = (tf_real_t)(half ? 1e-3 : 2e-3);
-      sim_t s = started(scene, &p);
+      sim_t s = sim_at_start(scene, &p, 0);
       s.x.v = (tf_real_t)0.5; /* well off h = 0 */
       s.x.mode = TF_NO_MODE;
       CHECK(sim_begin(&s) == TF_OK);
@@ -85,7 +77,7 @@ TEST(dissipation_without_moment) {
  * changes its mode at h = g = 0 its force is a mean with that before. */
 TEST(friction_force_takes_power) {
   const tf_scene_t *scene = scene_named("chaos");
-  sim_t s = started(scene, &scene->params);
+  sim_t s = sim_at_start(scene, &scene->params, 0);
   for (int n = 0; n < 100000; n++) {
     const unsigned was = s.x.mode;
     CHECK(ok_to_resolution(sim_step(&s, MOREAU)));

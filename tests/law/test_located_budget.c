@@ -51,35 +51,6 @@ TEST(located_budget_is_kept) {
   for (int i = 0; i < 4; i++) CHECK(needed[i] > samples(20));
 }
 
-/* What is left is done by the fixed step, from where the segments have come to:
- * a slider on a spring without contact, in a step of two turns. */
-TEST(located_more_segments_are_better) {
-  sim_t s = {.params = tf_scenes[0]->params};
-  s.params.law = TF_TYRE_NONE;
-  s.params.m = 1;
-  s.params.k2 = 10000;
-  s.params.dt = TF_R(0.125);
-  s.params.tolerance = IS_DOUBLE ? TF_R(1e-10) : 0;
-  CHECK(sim_place(&s, 0.1, -1, 0.1, TF_NO_MODE) == TF_OK);
-  const sim_t exact = step_within(&s, TF_LOCATED_MAX_SEGMENTS);
-  CHECK(exact.report.status == TF_OK);
-  double error[TF_LOCATED_MAX_SEGMENTS] = {0};
-  int n = 1;
-  for (;; n++) {
-    const sim_t end = step_within(&s, n);
-    if (end.report.status == TF_OK || n == TF_LOCATED_MAX_SEGMENTS - 1) break;
-    CHECK(end.report.status == TF_COARSE);
-    error[n] = fabs((double)end.x.r - (double)exact.x.r) +
-               fabs((double)end.x.v - (double)exact.x.v) / 100;
-  }
-  printf(
-      "# %d segments needed; errors %.1e with one, %.1e with half of them, "
-      "%.1e with one less\n",
-      n, error[1], error[n / 2], error[n - 1]);
-  CHECK(n > 8);
-  CHECK(error[n / 2] < error[1] && error[n - 1] < error[1] / 20);
-}
-
 /* A budget of 0 is that of the build, what is behind the point is dropped, so
  * what is below 1 is 0, and what is beyond the range is refused by name. */
 TEST(located_budget_is_a_parameter) {

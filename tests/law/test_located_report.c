@@ -1,6 +1,5 @@
 /* What the located step reports, judged from outside: residual, angle, Delassus
  * scalar, the slip that follows a stick, the set, and its refusal. */
-#include "resolved.h"
 #include "sim.h"
 
 static tf_status_t locate(sim_t *s) { return sim_step(s, LOCATED); }
@@ -187,57 +186,6 @@ TEST(located_delassus_is_that_of_the_side_of_g) {
   CHECK(seen[0] > 100 && seen[1] > 100);
 }
 
-/* The set holds the mode taken, also where more modes than at its end were
- * consistent earlier in a long step; choices counts the set. */
-TEST(located_set_holds_the_mode) {
-  int steps = 0, open = 0;
-  for (int i = 0; i < 3000; i++) {
-    sim_t s = {.params = moderate_params()};
-    s.params.dt = TF_R(0.25);
-    s.params.rule = (tf_rule_t)(i % 4);
-    if (sim_place(&s, tap_uniform(-0.4, 0.4), tap_uniform(-1.5, 1.5), 0,
-                  (unsigned)i % TF_MODES) != TF_OK)
-      continue;
-    for (int n = 0; n < 20; n++) {
-      const tf_status_t status = locate(&s);
-      if (status < TF_OK) break;
-      if (status == TF_DEGRADED || status == TF_FELL_BACK) continue;
-      int count = 0;
-      for (int mode = 0; mode < TF_MODES; mode++)
-        count += s.report.set >> mode & 1;
-      CHECK(s.report.set & TF_MODE_BIT(s.report.mode));
-      CHECK(s.report.choices == count);
-      steps++;
-      open += count > 1;
-    }
-  }
-  printf("# %d steps, %d with more than one consistent mode\n", steps, open);
-  CHECK(steps > 10000 && open > 100);
-}
-
-/* Where h is 0 to the last bit the mode of the state is ignored: the step goes
- * on in one of the modes that are consistent there. */
-TEST(located_mode_at_h_0_is_a_consistent_one) {
-  int exact = 0, others = 0;
-  for (int i = 0; i < 20000; i++) {
-    sim_t s = {.params = moderate_params()};
-    s.params.dt = TF_R(1e-9);
-    if (sim_place(&s, tap_uniform(-0.8, 0.8), tap_uniform(-1.5, 1.5), 0,
-                  TF_NO_MODE) != TF_OK ||
-        s.report.slip.h != 0 || fabs((double)s.report.slip.g) < 0.01)
-      continue;
-    const unsigned set = s.report.set;
-    s.x.mode = (uint8_t)(i % 2 ? TF_SLIP_PLUS : TF_SLIP_MINUS);
-    others += !(set & TF_MODE_BIT(s.x.mode));
-    exact++;
-    CHECK(ok_to_resolution(locate(&s)));
-    CHECK(set & TF_MODE_BIT(s.x.mode) && s.report.set == set);
-  }
-  printf("# %d starts, %d of them in a mode that is not consistent\n", exact,
-         others);
-  CHECK(exact > 300 && others > 100);
-}
-
 /* Slip that starts at g = 0, where the law has a kink, one way or the other:
  * as in many steps. gamma = 0, where g is the speed of the slider. */
 TEST(located_slip_starts_at_g_0) {
@@ -285,26 +233,4 @@ TEST(located_without_contact_keeps_its_side_at_h_0) {
       CHECK(s.report.slip.h == 0 && s.x.mode == mode);
     }
   }
-}
-
-/* A slider without contact that runs away: the step that would pass the limit
- * is refused, the state stays as it was, and the report says which. */
-TEST(located_refuses_to_leave_the_range_of_states) {
-  sim_t s = {.params = tf_scenes[0]->params};
-  s.params.law = TF_TYRE_NONE;
-  s.params.dt = TF_R(0.125);
-  CHECK(sim_place(&s, 0, 0, 0, TF_NO_MODE) == TF_OK);
-  s.x.w = 0;
-  s.x.v = TF_R(0.9) * (tf_real_t)TF_STATE_LIMIT;
-  tf_status_t status = TF_OK;
-  for (int n = 0; n < 8 && status >= TF_OK; n++) {
-    const tf_state_t before = s.x;
-    s.report.status = TF_OK;
-    status = locate(&s);
-    CHECK(s.report.status == status);
-    if (status >= TF_OK) continue;
-    CHECK(status == TF_DIVERGED);
-    CHECK(!memcmp(&before, &s.x, sizeof before));
-  }
-  CHECK(status == TF_DIVERGED);
 }

@@ -298,3 +298,22 @@ TEST(string_begins_to_slip_at_force_one) {
     }
   }
 }
+
+/* (force) and (moment) are the string of Appendix B past its no-slip range,
+ * with sigma = 0, rho = 2/3, a = 3 kappa, k = delta = 1 / (3 kappa), at psi. */
+TEST(tyre_law_is_the_reduced_string) {
+  paper_t p;
+  paper_default(&p);
+  const real edge = atanl(1 / (6 * p.kappa));
+  const real stiff = 1 / (3 * p.kappa);
+  const paper_string_t q = {stiff, stiff, 0, 2 / 3.0L, 3 * p.kappa};
+  for (int i = 1; i < 100; i++) {
+    const real slip = PAPER_PI / 2 * (real)i / 100;
+    const real psi = edge + (1 - 2 / PAPER_PI * edge) * slip;
+    real F, M, F_string, M_string;
+    paper_friction(&p, sinl(slip), cosl(slip), &F, &M);
+    CHECK(paper_string(&q, psi, &F_string, &M_string) == 2);
+    CHECK_NEAR(F, p.mu * F_string, 1e-17L);
+    CHECK_NEAR(M, p.mu * M_string, 1e-17L);
+  }
+}

@@ -1,8 +1,7 @@
 /* The simulator against the reference solutions of tests/data/reference.h:
  * every scene and two benchmarks, as far as the solution is unique. */
 #include "../data/reference.h"
-#include "common.h"
-#include "resolved.h"
+#include "sim.h"
 
 /* Step sizes are taken in groups of neighbours and their errors averaged:
  * where in a step an event falls changes the error of one run by its size. */
@@ -41,44 +40,40 @@ static tf_scene_t scene_of(const reference_t *ref, tf_real_t dt) {
   return s;
 }
 
-typedef tf_status_t scheme_t(const tf_machine_t *, tf_state_t *,
-                             const tf_input_t *, tf_report_t *);
-
 typedef struct {
-  scheme_t *scheme;
+  scheme_t scheme;
   tf_scene_t scene;
-  tf_machine_t machine;
-  tf_state_t x;
-  tf_report_t report;
-} sim_t;
+  sim_t sim;
+} run_t;
 
-static int begin(sim_t *s, scheme_t *scheme, const reference_t *ref,
+static int begin(run_t *run, scheme_t scheme, const reference_t *ref,
                  double dt) {
-  s->scheme = scheme;
-  s->scene = scene_of(ref, (tf_real_t)dt);
-  s->scene.params.tolerance = TF_R(1e-11);
-  s->scene.params.segments = TF_LOCATED_MAX_SEGMENTS;
-  if (!CHECK(tf_prepare(&s->machine, &s->scene.params, NULL) == TF_OK))
-    return 0;
-  const tf_input_t u = tf_scene_input(&s->scene, &s->machine, 0);
+  sim_t *s = &run->sim;
+  run->scheme = scheme;
+  run->scene = scene_of(ref, (tf_real_t)dt);
+  run->scene.params.tolerance = TF_R(1e-11);
+  run->scene.params.segments = TF_LOCATED_MAX_SEGMENTS;
+  *s = sim_of(&run->scene.params);
+  s->u = tf_scene_input(&run->scene, &s->k, 0);
   s->x = (tf_state_t){.r = (tf_real_t)ref->start.r,
                       .v = (tf_real_t)ref->start.v,
                       .w = (tf_real_t)ref->start.w,
                       .mode = (uint8_t)mode_named(ref->begins)};
   /* Where h depends on v, v is rounded to that h. */
-  tf_speed_for_slip(&s->machine, s->x.r, s->x.w, u.omega0, (tf_real_t)ref->h,
+  tf_speed_for_slip(&s->k, s->x.r, s->x.w, s->u.omega0, (tf_real_t)ref->h,
                     &s->x.v);
-  CHECK(tf_begin(&s->machine, &s->x, &u, &s->report) == TF_OK);
+  CHECK(sim_begin(s) == TF_OK);
   /* A float does not know the side of so small an h. */
   if (!IS_DOUBLE && fabsl(ref->h) < 1e-6L)
     return CHECK(fabsl((long double)s->report.slip.h) < 1e-6L);
   return CHECK(s->x.mode == mode_named(ref->begins));
 }
 
-static tf_status_t step(sim_t *s, double dt) {
+static tf_status_t step(run_t *run, double dt) {
+  sim_t *s = &run->sim;
   const tf_real_t t = (tf_real_t)(((double)s->x.tick + 1) * dt);
-  const tf_input_t u = tf_scene_input(&s->scene, &s->machine, t);
-  return s->scheme(&s->machine, &s->x, &u, &s->report);
+  s->u = tf_scene_input(&run->scene, &s->k, t);
+  return sim_step(s, run->scheme);
 }
 
 /* Time from one sixteenth of a reference to the next. */
@@ -87,23 +82,24 @@ static double sixteenth_of(const reference_t *ref) {
 }
 
 /* Largest error where the reference has a state, n steps a sixteenth. */
-static double error_of(scheme_t *scheme, const reference_t *ref, int n,
+static double error_of(scheme_t scheme, const reference_t *ref, int n,
                        int *coarse) {
   const double dt = sixteenth_of(ref) / n;
   double worst = 0;
-  sim_t s;
-  if (!begin(&s, scheme, ref, dt)) return INFINITY;
+  run_t run;
+  const tf_state_t *x = &run.sim.x;
+  if (!begin(&run, scheme, ref, dt)) return INFINITY;
   for (int i = 0; i < ref->states; i++) {
     const reference_state_t *want = &ref->state[i];
     const uint32_t end = (uint32_t)lround((double)want->t / dt);
-    while (s.x.tick < end) {
-      const tf_status_t status = step(&s, dt);
+    while (x->tick < end) {
+      const tf_status_t status = step(&run, dt);
       if (!CHECK(status >= TF_OK)) return INFINITY;
       *coarse += !ok_to_resolution(status);
     }
-    worst = fmax(worst, fabs((double)((long double)s.x.r - want->r)));
-    worst = fmax(worst, fabs((double)((long double)s.x.v - want->v)));
-    worst = fmax(worst, fabs((double)((long double)s.x.w - want->w)));
+    worst = fmax(worst, fabs((double)((long double)x->r - want->r)));
+    worst = fmax(worst, fabs((double)((long double)x->v - want->v)));
+    worst = fmax(worst, fabs((double)((long double)x->w - want->w)));
   }
   return worst;
 }
@@ -114,7 +110,7 @@ static double group_error(const reference_t *ref, double dt) {
   int coarse = 0;
   for (int i = 0; i < GROUP; i++) {
     const int n = (int)(sixteenth_of(ref) / dt * (1 + 0.37 * i / GROUP));
-    sum += error_of(tf_step, ref, n, &coarse);
+    sum += error_of(MOREAU, ref, n, &coarse);
     steps += (long)n * REF_SIXTEENTHS;
   }
   /* One step in a thousand may turn beside h = g = 0 and say so; beyond that
@@ -143,19 +139,20 @@ TEST(errors_fall_with_the_step) {
  * phase of the motion: a step of stick within a crossing of h = 0, and with
  * law `string` the sign of h next to h = g = 0, where its force is the stiffer
  * the smaller g and h changes its sign from step to step. */
-static int phases_of(scheme_t *scheme, const reference_t *ref, double dt,
+static int phases_of(scheme_t scheme, const reference_t *ref, double dt,
                      unsigned phase[PHASES]) {
   const double end = (double)ref->t_last * (1 - 1e-3);
   int length[PHASES] = {0}, n = 1;
-  sim_t s;
-  if (!begin(&s, scheme, ref, dt)) return 0;
-  phase[0] = s.x.mode;
-  while (n < PHASES && ((double)s.x.tick + 1) * dt < end) {
-    if (!CHECK(step(&s, dt) >= TF_OK)) return n;
-    if (s.x.mode != phase[n - 1]) {
+  run_t run;
+  const tf_state_t *x = &run.sim.x;
+  if (!begin(&run, scheme, ref, dt)) return 0;
+  phase[0] = x->mode;
+  while (n < PHASES && ((double)x->tick + 1) * dt < end) {
+    if (!CHECK(step(&run, dt) >= TF_OK)) return n;
+    if (x->mode != phase[n - 1]) {
       if (n > 1 && length[n - 1] == 1) n--;
-      if (s.x.mode != phase[n - 1]) {
-        phase[n] = s.x.mode;
+      if (x->mode != phase[n - 1]) {
+        phase[n] = x->mode;
         length[n++] = 0;
       }
     }
@@ -164,7 +161,7 @@ static int phases_of(scheme_t *scheme, const reference_t *ref, double dt,
   return n;
 }
 
-static void check_phases(scheme_t *scheme, const reference_t *ref) {
+static void check_phases(scheme_t scheme, const reference_t *ref) {
   unsigned got[PHASES], want[PHASES];
   int n = phases_of(scheme, ref, IS_DOUBLE ? 1e-4 : 1e-3, got);
   int m = 0;
@@ -192,8 +189,8 @@ static int is_located(const reference_t *ref) {
 TEST(events_come_in_the_order_of_the_reference) {
   for (int i = 0; i < REF_PROBLEMS; i++) {
     const reference_t *ref = &references[i];
-    check_phases(tf_step, ref);
-    if (is_located(ref)) check_phases(tf_step_located, ref);
+    check_phases(MOREAU, ref);
+    if (is_located(ref)) check_phases(LOCATED, ref);
   }
 }
 
@@ -206,7 +203,7 @@ TEST(located_steps_keep_to_the_reference) {
     if (!is_located(ref)) continue;
     for (int j = 0; j < 2; j++) {
       int coarse = 0;
-      const double error = error_of(tf_step_located, ref, steps[j], &coarse);
+      const double error = error_of(LOCATED, ref, steps[j], &coarse);
       printf("# %-12s error %.2e at dt = %.2e, %d coarse\n", ref->problem->name,
              error, sixteenth_of(ref) / steps[j], coarse);
       CHECK(error <= (IS_DOUBLE ? 2e-9 : 5e-4));

@@ -86,25 +86,6 @@ TEST(signs_are_those_of_the_mode) {
   }
 }
 
-/* r moves by about its own size in this step, so that g bends twice. */
-TEST(a_step_across_the_axis_keeps_its_stick) {
-  for (int half = 0; half < 2; half++) {
-    sim_t run = {.params = tf_scenes[0]->params};
-    tf_params_t *p = &run.params;
-    p->m = TF_R(0.11);
-    p->d = TF_R(0.45);
-    p->beta = TF_R(0.013);
-    p->mu = TF_R(9.4);
-    p->kappa = TF_R(0.99);
-    p->gamma = -2;
-    p->dt = half ? TF_R(5e-5) : TF_R(1e-4);
-    CHECK(sim_place(&run, 0.001, -1.2, 0, TF_NO_MODE) == TF_OK);
-    CHECK(sim_step(&run, MOREAU) == TF_OK);
-    CHECK(run.x.mode == TF_STICK_PLUS && has_its_signs(&run, 0));
-    CHECK(run.report.choices >= 2);
-  }
-}
-
 /* Stick with sign s of g at (r, g) on h = 0, by the paper: the rates of r and g
  * per second. */
 typedef struct {

@@ -1,7 +1,6 @@
-/* Standing still: a step that leaves r as it was although the machine is out of
- * equilibrium returns TF_COARSE, one in equilibrium TF_OK. From rest every
- * motion begins more slowly than a float resolves, so half of the random
- * machines start there. The judge in float is the compensated step. */
+/* Equilibrium: a step that leaves r as it was there returns TF_OK. That one
+ * which leaves it so out of equilibrium returns TF_COARSE is judged by class
+ * standing of tests/reference. */
 #include "common.h"
 
 typedef tf_status_t (*step_t)(const tf_machine_t *, tf_state_t *,
@@ -98,60 +97,3 @@ static void judge_equilibria(bool slips, int least_share) {
 
 TEST(slip_in_equilibrium_is_not_told_to_move) { judge_equilibria(true, 2); }
 TEST(stick_in_equilibrium_is_not_told_to_move) { judge_equilibria(false, 10); }
-
-/* Where a scheme first leaves r as it was in STILL steps with TF_OK; false
- * where it does not in n steps. */
-#define STILL 500
-static bool stands_silently(step_t step, const tf_machine_t *k, tf_state_t *x,
-                            const tf_input_t *u, int n, long *told) {
-  int still = 0;
-  for (int i = 0; i < n; i++) {
-    const tf_real_t r = x->r;
-    tf_report_t report;
-    const tf_status_t status = step(k, x, u, &report);
-    if (status < TF_OK) return false;
-    if (x->r != r || x->mode == TF_PINNED) still = 0;
-    still += x->r == r && status == TF_OK && x->mode != TF_PINNED;
-    *told += x->r == r && status == TF_COARSE;
-    if (still == STILL) return true;
-  }
-  return false;
-}
-
-/* By how many roundings of r the compensated step moves it in n steps. */
-static double compensated_motion(const tf_params_t *p, tf_state_t x,
-                                 const tf_input_t *u, int n) {
-  tf_compensated_t k;
-  tf_compensation_t low = {0, 0, 0, 0};
-  tf_report_t report;
-  const tf_real_t r = x.r;
-  CHECK(tf_prepare_compensated(&k, p, NULL) == TF_OK);
-  for (int i = 0; i < n; i++)
-    if (tf_step_compensated(&k, &x, &low, u, &report) < TF_OK) return 0;
-  return fabs((double)x.r - (double)r + (double)low.r) /
-         (fabs((double)r) * (double)TF_REAL_EPSILON);
-}
-
-TEST(no_scheme_stands_still_without_a_word) {
-  if (IS_DOUBLE) SKIP("double resolves these steps");
-  long told = 0, judged = 0, silent = 0;
-  for (int i = 0; i < samples(400); i++) {
-    tf_params_t p = any_params();
-    p.dt = log_uniform(1e-6, 1e-4);
-    const tf_machine_t k = prepared(&p);
-    const tf_input_t u = tf_input_default(&k);
-    tf_state_t start = placed((double)p.omega0);
-    if (i % 2) start.v = uniform(-1e-3, 1e-3);
-    tf_report_t report;
-    CHECK(tf_begin(&k, &start, &u, &report) == TF_OK);
-    for (size_t s = 0; s < KINDS; s++) {
-      tf_state_t x = start;
-      if (!stands_silently(steps[s], &k, &x, &u, 2000, &told)) continue;
-      judged++;
-      silent += compensated_motion(&p, x, &u, STILL) > 50;
-    }
-  }
-  printf("# %ld reported, %ld of %ld silent\n", told, silent, judged);
-  CHECK(silent == 0);
-  CHECK(told > samples(20000));
-}

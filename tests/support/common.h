@@ -17,6 +17,12 @@ typedef long double real;
 #define NEXT(x, to) nextafter((x), (to))
 #endif
 
+/* TF_OK; in float also TF_COARSE, because there a slow motion stands still at
+ * the steps of these tests. */
+static inline int ok_to_resolution(tf_status_t status) {
+  return status == TF_OK || (!IS_DOUBLE && status == TF_COARSE);
+}
+
 static inline real wide(tf_real_t x) { return (real)x; }
 
 static inline tf_real_t uniform(double low, double high) {
@@ -28,15 +34,16 @@ static inline tf_real_t log_uniform(double low, double high) {
   return (tf_real_t)exp(tap_uniform(log(low), log(high)));
 }
 
+static inline tf_real_t *member(tf_params_t *p, int i) {
+  return (tf_real_t *)(void *)((char *)p + tf_parameter_ranges[i].offset);
+}
+
 /* The machine of a row of numbers, in the order of tf_params_t: m, d, beta, k2,
  * c1, c2, r0, omega0, mu, kappa, gamma; all else is that of the paper. */
 #define MACHINE 11
 static inline tf_params_t params_from(const double row[MACHINE]) {
   tf_params_t p = tf_scenes[0]->params;
-  for (int i = 0; i < MACHINE; i++) {
-    const tf_real_t x = (tf_real_t)row[i];
-    memcpy((char *)&p + tf_parameter_ranges[i].offset, &x, sizeof x);
-  }
+  for (int i = 0; i < MACHINE; i++) *member(&p, i) = (tf_real_t)row[i];
   return p;
 }
 

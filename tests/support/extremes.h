@@ -3,8 +3,7 @@
 #ifndef TESTS_SUPPORT_EXTREMES_H
 #define TESTS_SUPPORT_EXTREMES_H
 
-#include "tap.h"
-#include "twofold.h"
+#include "common.h"
 
 static inline bool one_in(unsigned n) { return tap_bits() % n == 0; }
 
@@ -23,10 +22,6 @@ static inline tf_real_t anything(tf_real_t limit) {
                          : one_in(8) ? limit
                                      : spread(least, limit);
   return one_in(2) ? -size : size;
-}
-
-static inline tf_real_t *member(tf_params_t *p, int i) {
-  return (tf_real_t *)(void *)((char *)p + tf_parameter_ranges[i].offset);
 }
 
 static inline void draw_member(tf_params_t *p, int i) {

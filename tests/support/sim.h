@@ -56,6 +56,14 @@ static inline tf_status_t sim_begin(sim_t *s) {
   return tf_begin(&s->k, &s->x, &s->u, &s->report);
 }
 
+/* Of these parameters, at the start of a scene. */
+static inline sim_t sim_at_start(const tf_scene_t *scene,
+                                 const tf_params_t *params, uint32_t seed) {
+  sim_t s = sim_of(params);
+  CHECK(tf_scene_start(scene, &s.k, seed, &s.x, &s.report) == TF_OK);
+  return s;
+}
+
 /* The machine of the parameters begins at r and w on a slip h, in this mode
  * where it is consistent. */
 static inline tf_status_t sim_place(sim_t *s, double r, double w, double h,

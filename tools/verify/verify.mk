@@ -121,8 +121,7 @@ $(ALL_FUZZ:%=$(fuzzdir)/$(1)/%): $(fuzzdir)/$(1)/%: tools/verify/fuzz/entry.c \
 # The replay as a test: an archive that needs no other, for it comes last.
 $(BUILD)/$(1)/libcorpus.a: $(call objects_of_$(1),$(FUZZ_PARTS))
 	$$(archive)
-$(BUILD)/$(1)/tests/regress/test_corpus \
-$(BUILD)/$(1)/tests/law/test_extreme_analysis: $(BUILD)/$(1)/libcorpus.a
+$(BUILD)/$(1)/tests/regress/test_corpus: $(BUILD)/$(1)/libcorpus.a
 endef
 $(foreach v,$(REALS),$(eval $(call fuzz-rules,$(v))))
 

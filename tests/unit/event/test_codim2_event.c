@@ -3,7 +3,6 @@
 #include "codim2_field.h"
 #include "event/segment.h"
 #include "friction/codim2.h"
-#include "resolved.h"
 
 /* Next to a limit direction the angle d off it changes with d' = c d / R, and R
  * with R' = v: d goes with t^(c/v). */

@@ -99,38 +99,6 @@ TEST(slip_leaves_codimension_two_as_a_search_finds) {
   CHECK(none > samples(500));
 }
 
-/* At some torque two limit directions meet and slip can no longer leave: up to
- * it, to the last bits, the direction is found and is one. */
-TEST(limit_direction_ends_where_two_meet) {
-  static const double machine[MACHINE] = {
-      3.4708997806674069, -1.2904105885501247,  0.24305677444984738,
-      3.6521055557989159, 0.051323058735277698, 0.015880019630477717,
-      0.4050161972248435, -0.15350910904364845, 1.4275264971601307,
-      1.63676920002369,   2.5423606082106533};
-  const tf_params_t params = params_from(machine);
-  tf_real_t with = 0, without = 50;
-  int ways = 0;
-  for (int n = 0; n < 60; n++) {
-    place_t c;
-    tf_input_t u = {.omega0 = params.omega0, .r0 = params.r0};
-    u.torque = n == 0 ? with : n == 1 ? without : with + (without - with) / 2;
-    look_at(&c, &params, &u, TF_R(-0.55555597584075833));
-    const bool is = c.out.solutions.set & TF_MODE_BIT(TF_SLIP_PLUS);
-    if (n < 2) CHECK(is == (n == 0));
-    if (is)
-      with = u.torque;
-    else
-      without = u.torque;
-    if (!is) continue;
-    const real angle = angle_of(&c.at, wide(c.out.T[0]), c.out.sign_g[0]);
-    CHECK_NEAR(slip_rate_at(&c.at, 1, angle).rotation, 0, 1e6L * EPSILON);
-    ways++;
-  }
-  printf("# ends at %.9Lg N m, seen %d times\n", wide(with), ways);
-  CHECK(ways > 20);
-  CHECK_NEAR(wide(with), 0.04724L, 1e-4L);
-}
-
 /* A wheel across its slot (gamma = pi/2) is pinned where the law has the force
  * and the moment that this takes; along it (gamma = 0) no force holds the
  * slider. */
@@ -176,38 +144,6 @@ TEST(wheel_is_pinned_where_the_law_allows) {
   }
   printf("# %d pinned, %d not\n", pinned, moves);
   CHECK(pinned > samples(300) && moves > samples(1000));
-}
-
-/* Every point h = g = 0 has a future under the hull of the law, and where rest
- * is none of them one that attracts: none leaves by a direction from which its
- * neighbours turn away alone. The paper's bow tie has points without one. */
-TEST(codimension_two_always_has_a_future) {
-  int points = 0, rests = 0, leaves = 0, no_bow_tie = 0, turn_away = 0;
-  for (int n = 0; n < samples(20000); n++) {
-    const tf_params_t params = wide_params();
-    place_t c;
-    look_at(&c, &params, NULL, uniform(-0.5, 0.5));
-    const tf_state_t state = {.mode = TF_SLIP_PLUS};
-    const unsigned mode =
-        tf_leave_codim2(&c.k, &c.field, TF_SLIP_PLUS, false, &state, &c.out);
-    const unsigned set = c.out.solutions.set;
-    const bool rest = set & TF_MODE_BIT(TF_PINNED);
-    points++;
-    rests += rest;
-    leaves += mode != TF_PINNED;
-    turn_away +=
-        mode != TF_PINNED && !(c.out.solutions.attracting & TF_MODE_BIT(mode));
-    CHECK(mode < TF_MODES && set & TF_MODE_BIT(mode));
-    c.k.rest = TF_REST_BOW_TIE;
-    tf_codim2_modes(&c.k, &c.field, &c.out);
-    no_bow_tie += c.out.solutions.set == 0;
-  }
-  printf(
-      "# of %d points %d may rest, %d leave; under the bow tie %d have no "
-      "future\n",
-      points, rests, leaves, no_bow_tie);
-  CHECK(turn_away == 0);
-  CHECK(rests > samples(1000) && leaves > samples(1000) && no_bow_tie > 0);
 }
 
 /* A field that no machine has: its friction may drive, so that directions from

@@ -120,75 +120,12 @@ TEST(rules_choose_as_declared) {
   }
 }
 
-TEST(slip_never_enters_an_escaping_stick) {
-  question_t q;
-  int entered = 0, none = 0;
-  for (unsigned n = 0; question(n, &q); n++) {
-    for (int i = 0; i < 4; i++) {
-      if (i) q.threshold = tap_bits() >> 1;
-      const unsigned got = answer(&q, tap_bits(), (uint32_t)tap_bits());
-      const bool slipping = q.mode <= TF_SLIP_MINUS;
-      const unsigned unsafe = STICKS & ~q.attracting;
-      const unsigned open = slipping ? q.set & ~unsafe : q.set;
-      CHECK(got <= TF_NO_MODE);
-      CHECK((got == TF_NO_MODE) == (open == 0));
-      if (got == TF_NO_MODE) {
-        none++;
-        continue;
-      }
-      CHECK(open & BIT(got));
-      if (slipping && (q.set & BIT(q.mode))) CHECK(got == q.mode);
-      if (slipping && (STICKS & BIT(got))) {
-        CHECK(q.attracting & BIT(got));
-        entered++;
-      }
-      if (STICKS & q.attracting & q.set & BIT(q.mode)) CHECK(got == q.mode);
-    }
-  }
-  CHECK(entered > 0 && none > 0);
-}
-
-/* Only RANDOM reads the threshold, the tick and the seed, and only where it
- * has something to decide. */
-TEST(the_other_rules_are_not_random) {
-  question_t q;
-  for (unsigned n = 0; question(n, &q); n++) {
-    const bool decides =
-        q.rule == TF_RULE_RANDOM &&
-        (q.mode == TF_PINNED || (STICKS & BIT(q.mode) & ~q.attracting));
-    if (decides) continue;
-    const unsigned got = answer(&q, 0, 0);
-    for (int i = 0; i < 4; i++) {
-      q.threshold = tap_bits() >> 1;
-      CHECK(answer(&q, tap_bits(), (uint32_t)tap_bits()) == got);
-    }
-  }
-}
-
 /* An escaping stick and both slips, under the random rule. */
 static const question_t escaping = {.rule = TF_RULE_RANDOM,
                                     .set = SLIPS | BIT(TF_STICK_PLUS),
                                     .near = TF_STICK_PLUS,
                                     .mode = TF_STICK_PLUS,
                                     .threshold = ALWAYS / 2};
-
-TEST(random_choices_are_reproducible) {
-  int by_tick = 0, by_seed = 0, by_high_word = 0;
-  for (int i = 0; i < 10000; i++) {
-    const uint64_t tick = tap_bits();
-    const uint32_t seed = (uint32_t)tap_bits();
-    const unsigned got = answer(&escaping, tick, seed);
-    CHECK(answer(&escaping, tick, seed) == got);
-    by_tick += answer(&escaping, tick + 1, seed) != got;
-    by_high_word += answer(&escaping, tick ^ UINT64_C(1) << 63, seed) != got;
-    by_seed += answer(&escaping, tick, seed + 1) != got;
-  }
-  /* half stay, a quarter each side: equal with probability 3/8 */
-  const int sd5 = 5 * 49;
-  CHECK(abs(by_tick - 6250) < sd5);
-  CHECK(abs(by_high_word - 6250) < sd5);
-  CHECK(abs(by_seed - 6250) < sd5);
-}
 
 /* The share of exits is threshold / 2^63, and each side takes half of them
  * also where exits are rare. */

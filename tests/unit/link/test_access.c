@@ -134,20 +134,32 @@ TEST(overlong_commands_use_up_their_number) {
   }
 }
 
-/* However many commands are repeated, the host's own get through. */
-TEST(replayed_frames_do_not_fill_the_queue) {
+/* The number of a command that waits, but another type, or one byte more, less
+ * or other than it has: no copy of it. */
+TEST(another_command_of_a_number_that_waits_is_old) {
+  uint8_t data[6] = {TF_RULE_PERSIST, 1, 2, 3, 4, 5};
   board_t board;
   power_up(&board, "chaos");
-  const recorded_t old =
-      record(TF_UP_RESET, board.link.session, board.up, 0, NULL);
-  CHECK(effect_of(&board, &old) == TF_ANSWER_DONE);
-  board.up++;
-  for (int n = 0; n < 500; n++) {
-    for (int i = 0; i < 20; i++) hear(&board, old.wire, old.size);
-    send_plain(&board, n % 2 ? TF_UP_START : TF_UP_STOP);
-    CHECK_TOLD(&board, 1, TF_ANSWER_OLD, TF_ANSWER_DONE, 999);
+  send(&board, TF_UP_STOP, 5, NULL, 0);
+  send(&board, TF_UP_RULE, 5, data, 5);
+  for (size_t length = 0; length <= sizeof data; length++)
+    for (int type = TF_UP_RULE - 1; type <= TF_UP_RULE + 1; type++) {
+      const bool same = type == TF_UP_RULE && length == 5;
+      board.up--;
+      send(&board, (tf_type_t)type, 5, data, length);
+      CHECK(board.link.waiting == 2);
+      boundary(&board);
+      CHECK(code_of(&board) == (same ? 999 : TF_ANSWER_OLD));
+      CHECK(code_of(&board) == 999);
+    }
+  for (size_t i = 0; i < 5; i++) {
+    data[i] ^= 1;
+    board.up--;
+    send(&board, TF_UP_RULE, 5, data, 5);
+    boundary(&board);
+    CHECK(code_of(&board) == TF_ANSWER_OLD);
+    data[i] ^= 1;
   }
-  CHECK(board.link.ignored == 500 * 19);
 }
 
 /* A clear that is dated, or carries anything, is refused like any command: what
@@ -292,53 +304,6 @@ TEST(commands_without_the_tag_do_nothing) {
   CHECK(answer_of(&board).value == 2);
 }
 
-/* A controller that falls silent leaves its last torque for as long as was
- * declared, then the safe inputs; the count and every answer show it. */
-TEST(silent_controller_leaves_the_safe_inputs) {
-  board_t board;
-  power_up(&board, "driven");
-  const uint8_t steps[4] = {100, 0, 0, 0};
-  send(&board, TF_UP_DEADMAN, 0, steps, sizeof steps);
-  CHECK(boundary(&board) == 1);
-  CHECK(code_of(&board) == TF_ANSWER_DONE && board.simulation.deadman == 100);
-  CHECK(board.link.describe); /* the schema has the new number */
-  tf_input_t push = tf_input_default(&board.simulation.machine);
-  push.torque = TF_R(0.5);
-  push.omega0 = TF_R(-0.5);
-  for (int n = 0; n < 1000; n++) {
-    if (n % 100 == 0) send_input(&board, 0, &push); /* in time, just */
-    tick(&board);
-    CHECK(board.simulation.stepped == TF_INPUT_SET);
-    drain(&board);
-  }
-  CHECK(board.simulation.expired == 0);
-  tf_simulation_t twin = board.simulation;
-  tf_input_t safe = tf_input_default(&twin.machine);
-  CHECK(safe.torque == 0 && safe.force == 0 && safe.alpha == 0);
-  for (int n = 0; n < 1000; n++) {
-    tick(&board);
-    tf_step(&twin.machine, &twin.state, &safe, &twin.report);
-    CHECK(board.simulation.stepped == TF_INPUT_SAFE);
-    CHECK(same_state(&twin.state, &board.simulation.state));
-  }
-  CHECK(board.simulation.expired == 1);
-  /* The next command learns it, whatever it is; only an input ends it. */
-  send_plain(&board, TF_UP_SNAPSHOT);
-  tick(&board);
-  CHECK(answer_of(&board).source == TF_INPUT_SAFE);
-  CHECK(board.simulation.stepped == TF_INPUT_SAFE);
-  send_input(&board, 0, &push);
-  tick(&board);
-  CHECK(answer_of(&board).source == TF_INPUT_SAFE);
-  CHECK(board.simulation.stepped == TF_INPUT_SET);
-  send_plain(&board, TF_UP_INPUT); /* those of the scene need no renewal */
-  tick(&board);
-  CHECK(answer_of(&board).source == TF_INPUT_SET);
-  ticks(&board, 1000);
-  CHECK(board.simulation.stepped == TF_INPUT_SCENE &&
-        board.simulation.expired == 1);
-}
-
 /* Only a controller prolongs its inputs: no other command, no broken or
  * repeated frame, no jump of the tick. */
 TEST(only_inputs_feed_the_dead_man) {
@@ -383,25 +348,4 @@ TEST(only_inputs_feed_the_dead_man) {
   send(&board, TF_UP_DEADMAN, 0, some, 3);
   tick(&board);
   CHECK(code_of(&board) == TF_ANSWER_LENGTH && board.simulation.deadman == 3);
-}
-
-/* Ticks at both ends of 32 bits and at the end of what may be restored: dates
- * and jumps are what they are elsewhere. */
-TEST(dates_hold_at_every_tick) {
-  static const uint64_t ends[] = {(uint64_t)1 << 32, TF_LINK_TICKS};
-  for (unsigned i = 0; i < 2; i++)
-    for (uint64_t k = 1; k < 20; k++) {
-      board_t board;
-      power_up(&board, "chaos");
-      uint8_t kept[KEPT_BYTES];
-      keep(&board, kept);
-      tf_wire_put(kept, ends[i] - k, 8);
-      send(&board, TF_UP_RESTORE, 0, kept, sizeof kept);
-      send(&board, TF_UP_STOP, ends[i] - k + 30, NULL, 0);
-      ticks(&board, 60);
-      CHECK(board.simulation.state.tick == ends[i] - k + 30);
-      CHECK(code_of(&board) == 0);
-      const answer_t answer = answer_of(&board);
-      CHECK(answer.code == 0 && answer.tick == ends[i] - k + 30);
-    }
 }

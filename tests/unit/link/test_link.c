@@ -1,5 +1,5 @@
 /* Commands over a line: validated, applied at the boundary between two steps
- * and nowhere else, answered; and bytes that are not commands. */
+ * and nowhere else, answered. Bytes that are none: fuzz target frame. */
 #include "same_state.h"
 #include "scene_named.h"
 #include "tap.h"
@@ -276,57 +276,4 @@ TEST(start_stop_reset_and_rule) {
   hear(&board, wire, tf_frame_seal(wire, TF_UP_DESCRIBE, 1, &board.down, 0));
   tick(&board);
   CHECK(code_of(&board) == TF_ANSWER_LENGTH && !board.link.describe);
-}
-
-/* More commands than there is room for: what fits is answered, the rest is
- * counted, and the motion goes on untouched. */
-TEST(uplink_flood_changes_nothing) {
-  board_t board, quiet;
-  power_up(&board, "chaos");
-  power_up(&quiet, "chaos");
-  uint32_t sent = 0, answered = 0;
-  for (int n = 0; n < 2000; n++) {
-    for (int i = 0; i < 20; i++, sent++)
-      send_plain(&board, i % 3 ? TF_UP_SNAPSHOT : TF_UP_DESCRIBE);
-    CHECK(board.link.waiting <= TF_LINK_QUEUE);
-    tick(&board);
-    tick(&quiet);
-    CHECK(same_state(&board.simulation.state, &quiet.simulation.state));
-    if (n % 7 == 0) answered += drain(&board);
-  }
-  answered += drain(&board);
-  CHECK(answered > 0 && answered + board.link.ignored == sent);
-  CHECK(board.link.decoder.bad == 0 && board.link.next <= board.up);
-  /* A queue full of what lies ahead does not lock the host out. */
-  for (int i = 0; i < 5; i++) send(&board, TF_UP_STOP, 60000, NULL, 0);
-  CHECK(board.link.ignored + answered == sent + 1);
-  send_plain(&board, TF_UP_CLEAR);
-  send_plain(&board, TF_UP_STOP);
-  CHECK_TOLD(&board, 2, TF_ANSWER_DONE, TF_ANSWER_DONE);
-  CHECK(board.link.ignored + answered == sent + 5 && !board.simulation.running);
-}
-
-TEST(no_byte_changes_a_parameter_by_itself) {
-  board_t board, quiet;
-  power_up(&board, "chaos");
-  power_up(&quiet, "chaos");
-  const acting_t before = acting(&board);
-  uint8_t wire[TF_FRAME_SIZE(5 + sizeof(tf_real_t))];
-  for (int n = 0; n < 5000; n++) {
-    for (int i = 0; i < 100; i++)
-      tf_link_receive(&board.link, (uint8_t)(tap_bits() >> 11));
-    /* A command with one byte wrong. */
-    wire[TF_COMMAND_AT] = (uint8_t)index_of("mu");
-    tf_wire_put_real(wire + TF_COMMAND_AT + 1, 3);
-    const size_t size = tf_command_seal(wire, TF_UP_PARAMETER, 1 + R,
-                                        board.link.session, &board.up, 0, NULL);
-    CHECK(size == sizeof wire);
-    wire[1 + tap_bits() % (size - 2)] ^= (uint8_t)(1 + tap_bits() % 255);
-    for (size_t i = 0; i < size; i++) tf_link_receive(&board.link, wire[i]);
-    tick(&board);
-    tick(&quiet);
-    CHECK(acts_alike(&board, &before));
-  }
-  CHECK(same_state(&board.simulation.state, &quiet.simulation.state));
-  CHECK(board.link.decoder.frames == 1 && board.link.decoder.bad > 5000);
 }

@@ -175,22 +175,6 @@ TEST(state_and_report_survive_the_line) {
   }
 }
 
-TEST(heartbeat_survives_the_line) {
-  uint8_t wire[LONGEST];
-  uint32_t sequence = 0;
-  const tf_heartbeat_t beat = {1, 2, 3,  4,  5,  6,  7,
-                               8, 9, 10, 11, 12, 13, 0xfffffffau};
-  const tf_frame_t frame =
-      frame_of(wire, tf_send_heartbeat(wire, &sequence, 1, &beat));
-  CHECK(frame.length == TF_HEARTBEAT_BYTES && sequence == 1);
-  for (size_t i = 0; i < 13; i++)
-    CHECK(tf_wire_get(frame.payload + 4 * i, 4) == i + 1);
-  CHECK(tf_wire_get(frame.payload + 52, 4) == 0xfffffffau);
-  tf_heartbeat_t read;
-  tf_read_heartbeat(frame.payload, &read);
-  CHECK(!memcmp(&read, &beat, sizeof beat));
-}
-
 TEST(schema_says_what_runs) {
   uint8_t wire[LONGEST];
   uint32_t sequence = 0;

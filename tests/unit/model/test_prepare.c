@@ -5,7 +5,6 @@
 #include <stddef.h>
 
 #include "common.h"
-#include "extremes.h"
 
 /* Refused with this offender, without a mark on the machine. */
 static void refused(const tf_params_t *params, int blamed) {
@@ -19,6 +18,12 @@ static void refused(const tf_params_t *params, int blamed) {
     printf("# blamed %d, should be %d\n", offender, blamed);
   CHECK(tf_prepare(&machine, params, NULL) == TF_BAD_PARAMETER);
   CHECK(memcmp(&machine, &before, sizeof machine) == 0);
+  tf_compensated_t pairs, old;
+  memset(&pairs, 0xA5, sizeof pairs);
+  memset(&old, 0xA5, sizeof old);
+  offender = -7;
+  CHECK(tf_prepare_compensated(&pairs, params, &offender) == TF_BAD_PARAMETER);
+  CHECK(memcmp(&pairs, &old, sizeof pairs) == 0 && offender == blamed);
 }
 
 static tf_machine_t accepted(const tf_params_t *params) {
@@ -142,46 +147,6 @@ static void near(tf_real_t got, real want, real ulps) {
   CHECK_NEAR(wide(got), want, ulps * EPSILON * fabsl(want));
 }
 
-TEST(derived_constants_against_long_double) {
-  for (int n = 0; n < samples(20000); n++) {
-    tf_params_t p = params_of_law(TF_TYRE_JUMP);
-    for (int i = 0; i < TF_PARAMETERS; i++) *member(&p, i) *= uniform(0.5, 1);
-    p.theta = uniform(0.5, 1);
-    p.gamma = uniform(-3.14, 3.14);
-    p.rate = (tf_real_t)exp(tap_uniform(-10, 12));
-    const tf_machine_t k = accepted(&p);
-    const real h = wide(p.theta) * wide(p.dt);
-    const real a = h * (wide(p.c2) + h * wide(p.k2));
-    near(k.sin_gamma, sinl(wide(p.gamma)), 2);
-    near(k.cos_gamma, cosl(wide(p.gamma)), 2);
-    near(k.d_sin_gamma, wide(p.d) * sinl(wide(p.gamma)), 3);
-    near(k.beta2, wide(p.beta) * wide(p.beta), 1);
-    near(k.mu_sin_gamma, wide(p.mu) * sinl(wide(p.gamma)), 3);
-    near(k.mu_d_sin_gamma, wide(p.mu) * wide(p.d) * sinl(wide(p.gamma)), 4);
-    near(k.kappa_mu, wide(p.kappa) * wide(p.mu), 1);
-    near(k.inv_mu, 1 / wide(p.mu), 1);
-    near(k.inv_kappa_mu, 1 / (wide(p.kappa) * wide(p.mu)), 2);
-    near(k.inv_mu_dt, 1 / (wide(p.mu) * wide(p.dt)), 2);
-    near(k.tyre.inv_6_kappa, 1 / (6 * wide(p.kappa)), 2);
-    near(k.theta_dt, h, 1);
-    CHECK_NEAR(wide(k.explicit_dt), wide(p.dt) - h, EPSILON * wide(p.dt));
-    near(k.a, a, 4);
-    near(k.d_a, wide(p.d) * a, 5);
-    near(k.m_plus_a, wide(p.m) + a, 2);
-    near(k.m_a_d2, wide(p.m) * a * wide(p.d) * wide(p.d), 7);
-    near(k.inertia, wide(p.m) * wide(p.beta) * wide(p.beta) + h * wide(p.c1),
-         4);
-    near(k.tyre.inv_18_kappa, 1 / (18 * wide(p.kappa)), 2);
-    CHECK(k.stick_kappa == p.kappa && k.tyre.kappa == p.kappa);
-    const real leave = -expm1l(-wide(p.rate) * wide(p.dt));
-    CHECK_NEAR((real)k.exit_threshold, ldexpl(leave, 63),
-               20 * EPSILON * ldexpl(leave, 63) + 1);
-    CHECK(k.m == p.m && k.d == p.d && k.k2 == p.k2 && k.c1 == p.c1);
-    CHECK(k.c2 == p.c2 && k.r0 == p.r0 && k.omega0 == p.omega0);
-    CHECK(k.dt == p.dt && k.theta == p.theta && k.tyre.mu == p.mu);
-  }
-}
-
 TEST(exit_threshold_at_its_ends) {
   tf_params_t p = params_of_law(TF_TYRE_JUMP);
   p.rate = 0;
@@ -236,18 +201,5 @@ TEST(each_law_gets_its_own_constants) {
       CHECK(t->rho == (string ? p.rho : 0));
       CHECK(t->sigma == (string ? p.sigma : 0));
     }
-  }
-}
-
-TEST(a_state_is_small) {
-  CHECK(sizeof(tf_state_t) <= 64);
-  CHECK(sizeof(tf_input_t) == 5 * sizeof(tf_real_t));
-}
-
-TEST(every_scene_prepares) {
-  for (int i = 0; i < TF_SCENES; i++) {
-    const tf_machine_t machine = accepted(&tf_scenes[i]->params);
-    CHECK(machine.tyre.law == tf_scenes[i]->params.law);
-    CHECK(machine.with_angle == tf_scenes[i]->params.with_angle);
   }
 }

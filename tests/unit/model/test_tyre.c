@@ -151,21 +151,6 @@ TEST(string_law_is_continuous_at_its_borders) {
   }
 }
 
-/* Without a relaxation length the border of full slip is g = 0, and slip
- * begins at the leading edge but for a distance that may be subnormal. */
-TEST(string_law_is_full_slip_as_g_vanishes) {
-  for (int i = 0; i < 1000; i++) {
-    tf_params_t params = random_params(TF_TYRE_STRING);
-    params.sigma = 0;
-    const tf_tyre_t tyre = tyre_of(&params);
-    const real F = 2 * wide(tyre.a) * wide(tyre.rho) * wide(tyre.delta);
-    near_string(&tyre, tf_tyre_force(&tyre, 1, 1, 0), F, 0);
-    for (tf_real_t g = TF_REAL_MIN * TF_REAL_EPSILON;
-         g < TF_REAL_MIN / TF_REAL_EPSILON; g *= 2)
-      near_string(&tyre, tf_tyre_force(&tyre, 1, 1, g), F, 0);
-  }
-}
-
 /* Appendix B: sigma = 0, rho = 2/3, delta = 1/(3 kappa), a = 3 kappa; and the
  * formulas that it prints for them. */
 TEST(two_piece_law_is_the_string_law) {
@@ -259,21 +244,5 @@ TEST(every_law_is_odd_and_dissipates) {
       CHECK(side * f.F <=
             params.mu * TF_R(4.0) / 3 * (1 + 2 * TF_REAL_EPSILON));
     }
-  }
-}
-
-/* F and M depend on g / h alone, to the last bit, down to the least normal
- * slip. */
-TEST(jump_law_knows_no_size_of_slip) {
-  for (int i = 0; i < samples(20000); i++) {
-    const tf_params_t params = random_params(TF_TYRE_JUMP);
-    const tf_tyre_t tyre = tyre_of(&params);
-    const tf_real_t h = random_sign() * log_uniform(1, 1e3);
-    const tf_real_t g = random_sign() * log_uniform(1, 1e3);
-    const tf_real_t tiny = TF_REAL_MIN * (tf_real_t)(1 << i % 8);
-    const tf_real_t side = h < 0 ? -1 : 1;
-    const tf_force_t f = tf_tyre_force(&tyre, side, h, g);
-    const tf_force_t least = tf_tyre_force(&tyre, side, h * tiny, g * tiny);
-    CHECK(f.F == least.F && f.M == least.M);
   }
 }

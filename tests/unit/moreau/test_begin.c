@@ -197,39 +197,6 @@ TEST(begin_counts_rounding_as_zero) {
   CHECK(slips > 10 && slips < 70);
 }
 
-/* What a step has left in stick or at rest begins in stick or at rest: h = 0
- * means the same to both. The wheel passes g = 0 where stick turns into one
- * future of several. */
-TEST(stick_goes_on_where_it_begins_again) {
-  long sticks = 0, escaping = 0;
-  for (int n = 0; n < samples(400); n++) {
-    tf_params_t params = tf_scenes[0]->params;
-    params.gamma = params.gamma + uniform(TF_R(-0.5), TF_R(0.5));
-    params.mu *= uniform(TF_R(0.5), 2);
-    const tf_machine_t machine = prepared(&params);
-    const tf_input_t u = tf_input_default(&machine);
-    tf_report_t report;
-    tf_state_t x = {.r = uniform(TF_R(0.1), TF_R(0.3)),
-                    .w = uniform(TF_R(-1.2), TF_R(-0.8)),
-                    .mode = TF_NO_MODE};
-    CHECK(tf_speed_for_slip(&machine, x.r, x.w, u.omega0, 0, &x.v) == TF_OK);
-    CHECK(tf_begin(&machine, &x, &u, &report) == TF_OK);
-    for (int i = 0; i < 500; i++) {
-      if (tf_step(&machine, &x, &u, &report) != TF_OK) continue;
-      if (report.mode <= TF_SLIP_MINUS) continue;
-      /* A stick that is about to end may have done so at that instant. */
-      if (fabsl(wide(report.force.F)) > 0.99L * wide(params.mu)) continue;
-      const tf_report_t again = begun(&machine, &x, report.mode);
-      sticks++;
-      escaping += report.delassus < 0;
-      CHECK(again.mode > TF_SLIP_MINUS);
-    }
-  }
-  printf("# %ld ends in stick or at rest, %ld of them escape\n", sticks,
-         escaping);
-  CHECK(sticks > samples(10000) && escaping > samples(100));
-}
-
 /* v = 0, w = omega0: h = g = 0. */
 TEST(begin_at_codimension_two_is_pinned) {
   const tf_params_t params = tf_scenes[0]->params;
@@ -263,23 +230,6 @@ TEST(begin_where_no_force_acts_on_h) {
     CHECK(report.mode == (side < 0 ? TF_STICK_PLUS : TF_STICK_MINUS));
     CHECK(report.force.F == 0 && report.choices == 1);
   }
-}
-
-/* Both ways to ask for what is not consistent: stick where only slip is
- * possible, slip where only stick is. */
-TEST(begin_ignores_inconsistent_modes) {
-  const tf_machine_t machine = prepared(&tf_scenes[6]->params);
-  tf_state_t x = {.r = TF_R(0.95), .w = TF_R(1.3)};
-  CHECK(tf_speed_for_slip(&machine, x.r, x.w, -1, 0, &x.v) == TF_OK);
-  const unsigned stick = begun(&machine, &x, TF_NO_MODE).mode;
-  CHECK(stick == TF_STICK_PLUS || stick == TF_STICK_MINUS);
-  CHECK(begun(&machine, &x, TF_SLIP_PLUS).mode == stick);
-  CHECK(begun(&machine, &x, TF_SLIP_MINUS).mode == stick);
-  CHECK(begun(&machine, &x, TF_PINNED).mode == stick);
-  x.v += 1;
-  const unsigned slip = begun(&machine, &x, TF_NO_MODE).mode;
-  CHECK(slip <= TF_SLIP_MINUS);
-  CHECK(begun(&machine, &x, stick).mode == slip);
 }
 
 /* The limit is one of sums: of the state, of the inputs; each alone may be as
@@ -341,26 +291,5 @@ TEST(begin_with_slip_is_its_parts) {
     CHECK(report.mode == want.mode && report.set == want.set);
     CHECK(report.force.F == want.force.F && report.force.M == want.force.M);
     if (i % 5 < 2) CHECK(got.mode == side);
-  }
-}
-
-/* Where h does not depend on v, and where the speed that it asks for is beyond
- * the limit. */
-TEST(begin_with_slip_touches_nothing) {
-  tf_params_t params = tf_scenes[0]->params;
-  for (int i = 0; i < 2; i++) {
-    params.gamma = i ? tf_scenes[0]->params.gamma : 0;
-    const tf_machine_t machine = prepared(&params);
-    const tf_input_t input = tf_input_default(&machine);
-    const tf_real_t h = i ? 4 * TF_STATE_LIMIT : TF_R(0.1);
-    const tf_state_t x = {.r = TF_R(0.2), .v = 7, .w = -1, .mode = TF_PINNED};
-    tf_state_t got = x;
-    tf_report_t report, before;
-    memset(&report, 0x5a, sizeof report);
-    before = report;
-    CHECK(tf_begin_with_slip(&machine, &got, &input, h, &report) ==
-          TF_BAD_STATE);
-    CHECK(same_state(&got, &x));
-    CHECK(memcmp(&report, &before, sizeof report) == 0);
   }
 }

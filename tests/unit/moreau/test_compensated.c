@@ -1,5 +1,4 @@
 /* The compensated step: what it adds to a step is digits and nothing else. */
-#include "resolved.h"
 #include "scene_named.h"
 #include "sim.h"
 
@@ -13,9 +12,8 @@ static real pair(tf_real_t high, tf_real_t low) {
 static sim_t begun(const tf_scene_t *scene, double dt) {
   tf_params_t p = scene->params;
   p.dt = (tf_real_t)dt;
-  sim_t s = sim_of(&p);
+  sim_t s = sim_at_start(scene, &p, 1);
   s.u = tf_scene_input(scene, &s.k, 0);
-  CHECK(tf_scene_start(scene, &s.k, 1, &s.x, &s.report) == TF_OK);
   if (!scene->v_is_given)
     CHECK(tf_speed_for_slip_compensated(&s.pairs, &s.x, &s.low, s.u.omega0,
                                         scene->h) == TF_OK);
@@ -28,34 +26,6 @@ static void whole_state(const sim_t *run, real x[4]) {
   x[1] = pair(run->x.v, run->low.v);
   x[2] = pair(run->x.w, run->low.w);
   x[3] = pair(run->x.phi, run->low.phi);
-}
-
-TEST(constants_have_twice_the_precision) {
-  for (int i = 0; i < 1000; i++) {
-    tf_params_t p = tf_scenes[0]->params;
-    tf_compensated_t k, before;
-    p.gamma = i < 2 ? (tf_real_t)(i * 1.5) : uniform(-3.14, 3.14);
-    p.beta = uniform(1e-3, 10);
-    p.m = uniform(1e-3, 10);
-    CHECK(tf_prepare_compensated(&k, &p, NULL) == TF_OK);
-    const real gamma = (real)p.gamma;
-    const real theta_dt = (real)k.machine.theta_dt;
-    const real inertia =
-        (real)p.m * (real)p.beta * (real)p.beta + theta_dt * (real)p.c1;
-    CHECK_NEAR(pair(k.machine.sin_gamma, k.low_sin_gamma), sinl(gamma),
-               40 * PAIR_EPSILON);
-    CHECK_NEAR(pair(k.machine.cos_gamma, k.low_cos_gamma), cosl(gamma),
-               40 * PAIR_EPSILON);
-    CHECK_NEAR(pair(k.machine.inertia, k.low_inertia), inertia,
-               8 * PAIR_EPSILON * inertia);
-    before = k;
-    p.dt = 0;
-    int offender = -1;
-    CHECK(tf_prepare_compensated(&k, &p, &offender) == TF_BAD_PARAMETER);
-    CHECK(!strcmp(tf_parameter_ranges[offender].name, "dt"));
-    CHECK(k.machine.dt == before.machine.dt);
-    CHECK(k.low_sin_gamma == before.low_sin_gamma);
-  }
 }
 
 TEST(compensated_start_has_its_slip) {
@@ -277,30 +247,5 @@ TEST(compensated_refusals_touch_nothing) {
     CHECK(sim_prepare(&run) == TF_OK);
     run.u.force = TF_R(0.9e9);
     refused(run, TF_DIVERGED);
-  }
-}
-
-/* From rest a motion departs with less than the rounding of r in a step: plain
- * steps of a float would stand still. The wheel sticks for 1.9 s, and what is
- * left to the draw takes 0.1 s. */
-TEST(compensated_departures_do_not_stall) {
-  static const uint32_t seeds[] = {1, 2, 5};
-  for (size_t i = 0; i < sizeof seeds / sizeof *seeds; i++) {
-    sim_t run = begun(tf_scenes[0], 1e-4);
-    run.params.rule = TF_RULE_RANDOM;
-    run.params.rate = 10;
-    CHECK(sim_prepare(&run) == TF_OK);
-    run.x.seed = seeds[i];
-    unsigned mode = run.x.mode;
-    long stay = 0, longest = 0, changes = 0;
-    for (int n = 0; n < 250000; n++) {
-      if (!CHECK(sim_step(&run, COMPENSATED) >= TF_OK)) return;
-      stay = run.x.mode == mode ? stay + 1 : 0;
-      changes += run.x.mode != mode;
-      mode = run.x.mode;
-      if (stay > longest) longest = stay;
-    }
-    CHECK(longest < 30000);
-    CHECK(changes > 60);
   }
 }

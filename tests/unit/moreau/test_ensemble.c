@@ -94,15 +94,6 @@ TEST(ensemble_is_the_single_step) {
   chaos_twins(TF_RULE_SLIP_MINUS, MOST, 10000);
 }
 
-/* Or nothing would be gained. */
-TEST(few_lanes_are_done_alone) {
-  if (!IS_DOUBLE) SKIP("in float slow motions keep r as it is");
-  chaos_twins(TF_RULE_PERSIST, 64, 15000);
-  printf("# %zu of %zu lanes alone\n", twins.alone, twins.steps);
-  CHECK(twins.alone * 1000 < twins.steps);
-  CHECK(twins.seen[TF_OK - TF_STEP_TOO_LONG] == twins.steps);
-}
-
 TEST(ensemble_of_any_size) {
   static const size_t sizes[] = {0,  1,  7,  8,  9,  15, 16,
                                  17, 31, 32, 33, 63, 64, 65};
@@ -214,32 +205,6 @@ TEST(ensemble_of_difficult_states) {
           (i != TF_BAD_PARAMETER && i != TF_FELL_BACK));
 }
 
-/* All lanes in slip: there the angle's kernel runs in vectors too. */
-TEST(ensemble_in_slip) {
-  tf_params_t p = scene_named("chaos")->params;
-  p.mu = TF_R(0.01);
-  twins.machine = prepared(&p);
-  const tf_input_t u = tf_input_default(&twins.machine);
-  tf_report_t report;
-  size_t differ = 0, slips = 0;
-  for (size_t i = 0; i < 64; i++) {
-    tf_state_t x = {.r = uniform(-1, 1), .v = uniform(-1, 1)};
-    x.w = uniform(-3, 1);
-    x.mode = TF_NO_MODE;
-    CHECK(tf_begin(&twins.machine, &x, &u, &report) == TF_OK);
-    twins.states[i] = x;
-  }
-  twin(64);
-  for (int i = 0; i < samples(20000); i++) {
-    differ += step_twins(&u);
-    for (size_t j = 0; j < 64; j++)
-      slips += twins.states[j].mode <= TF_SLIP_MINUS;
-  }
-  printf("# coarse %zu of %zu\n", twins.seen[7], twins.steps);
-  CHECK(differ == 0);
-  CHECK(slips * 2 > twins.steps);
-}
-
 /* A state that friction can bring to h = g = 0 within a few steps. */
 static tf_state_t near_rest(const tf_machine_t *k, const tf_input_t *u) {
   const double reach = 4 * (double)k->dt;
@@ -297,54 +262,4 @@ TEST(ensemble_is_pinned_as_single_steps_are) {
   CHECK(rests > (size_t)samples(1000) && alone * 3 < steps);
   for (int i = 0; i < TF_MODES; i++) CHECK(taken[i] > (size_t)samples(1000));
   for (int i = 1; i <= 3; i++) CHECK(choices[i] > (size_t)samples(100));
-}
-
-/* Loads that bring speeds up to the limit of a state within one step, and past
- * it, and numbers that name no mode: lanes are refused where single steps
- * are. */
-TEST(ensemble_refuses_what_single_steps_do) {
-  const int blocks = samples(2000);
-  size_t refused = 0, differ = 0;
-  for (int i = 0; i < blocks; i++) {
-    tf_params_t p = random_params();
-    p.m = TF_R(0.001);
-    p.c1 = p.c2 = p.d = 0;
-    const tf_machine_t k = twins.machine = prepared(&p);
-    tf_input_t u = tf_input_default(&k);
-    u.force = uniform(-1, 1) * (tf_real_t)TF_STATE_LIMIT;
-    u.torque = uniform(-1, 1) * (tf_real_t)TF_STATE_LIMIT * k.inertia / k.dt;
-    for (size_t lane = 0; lane < TF_LANES; lane++) {
-      tf_state_t x = {.r = log_uniform(1e-12, 1)};
-      x.mode = (uint8_t)(tap_bits() % TF_MODES);
-      if (i % 16 == 0) x.mode = (uint8_t)(32 * (1 + lane % 7));
-      twins.states[lane] = x;
-    }
-    twin(TF_LANES);
-    differ += step_twins(&u);
-    for (int status = TF_STEP_TOO_LONG; status < TF_OK; status++)
-      refused += twins.seen[status - TF_STEP_TOO_LONG];
-  }
-  printf("# %zu refused\n", refused);
-  CHECK(differ == 0 && refused > (size_t)samples(1000));
-  CHECK(refused < ((size_t)blocks - 1) * TF_LANES);
-}
-
-TEST(ensemble_reads_back_what_was_put) {
-  static tf_state_block_t blocks[TF_BLOCKS(MOST)];
-  tf_state_t put[MOST];
-  memset(put, 0, sizeof put);
-  for (size_t i = 0; i < MOST; i++) {
-    put[i].r = uniform(-1, 1);
-    put[i].v = uniform(-1, 1);
-    put[i].w = uniform(-1, 1);
-    put[i].phi = uniform(-1, 1);
-    put[i].tick = tap_bits();
-    put[i].seed = (uint32_t)tap_bits();
-    put[i].mode = (uint8_t)tap_bits();
-    tf_ensemble_put(blocks, i, &put[i]);
-  }
-  for (size_t i = 0; i < MOST; i++) {
-    const tf_state_t got = tf_ensemble_get(blocks, i);
-    CHECK(same_state(&got, &put[i]));
-  }
 }

@@ -2,36 +2,6 @@
  * step is the equations of motion is test_scheme's. */
 #include "sim.h"
 
-TEST(default_inputs_are_those_of_the_parameters) {
-  for (int i = 0; i < TF_SCENES; i++) {
-    const tf_scene_t *scene = tf_scenes[i];
-    const tf_machine_t machine = prepared(&scene->params);
-    const tf_input_t rest = tf_input_default(&machine);
-    const tf_input_t same = {.omega0 = scene->params.omega0,
-                             .r0 = scene->params.r0,
-                             .force = 0,
-                             .torque = 0};
-    CHECK(memcmp(&rest, &same, sizeof rest) == 0);
-    tf_state_t a, b;
-    memset(&a, 0, sizeof a);
-    a.r = scene->r;
-    a.v = TF_R(0.1);
-    a.w = scene->omega;
-    a.mode = TF_NO_MODE;
-    memcpy(&b, &a, sizeof b);
-    tf_report_t report;
-    CHECK(tf_begin(&machine, &a, &rest, &report) == TF_OK);
-    CHECK(tf_begin(&machine, &b, &same, &report) == TF_OK);
-    for (int n = 0; n < 100; n++) {
-      const tf_input_t again = tf_input_default(&machine);
-      CHECK(tf_step(&machine, &a, &again, &report) == TF_OK);
-      CHECK(tf_step(&machine, &b, &same, &report) == TF_OK);
-      CHECK(memcmp(&a, &b, sizeof a) == 0);
-    }
-    CHECK(a.tick == 100);
-  }
-}
-
 static const tf_state_t good_state = {
     .r = TF_R(0.5), .v = TF_R(0.3), .w = TF_R(-0.5), .seed = 3, .tick = 7};
 

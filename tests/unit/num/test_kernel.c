@@ -122,27 +122,6 @@ TEST(angle_kernel_error_bound) {
   printf("# kappa 1e-9, 1, 1e6: %.2Lf ULP\n", extreme);
 }
 
-/* T grows with G/H: in neighbouring ratios but for its rounding, in distant
- * ones strictly. */
-TEST(angle_kernel_is_monotone) {
-  for (int i = 0; i < samples(300); i++) {
-    const tf_tyre_t tyre = tyre_with(log_uniform(1e-6, 1e3));
-    const tf_real_t slack = 1 - 2 * COT_PSI_ULP * TF_REAL_EPSILON;
-    tf_real_t previous = 0, distant = 0;
-    for (int n = -400; n <= 400; n++) {
-      const tf_real_t G = (tf_real_t)exp(n * 0.02);
-      const tf_real_t T = cot_psi(&tyre, G, 1);
-      const tf_real_t next = cot_psi(&tyre, NEXT(G, TF_R(1e30)), 1);
-      CHECK(T >= previous * slack && next >= T * slack);
-      previous = T;
-      if (n % 50 == 0) {
-        CHECK(T > distant);
-        distant = T;
-      }
-    }
-  }
-}
-
 static void judge_sine(tf_real_t x, real *worst) {
   tf_real_t s, c, s_minus, c_minus;
   tf_sine_cosine(x, &s, &c);

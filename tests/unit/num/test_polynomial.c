@@ -49,22 +49,6 @@ TEST(first_of_several_roots_is_found) {
   for (int i = 0; i < 4; i++) CHECK(found[i] > samples(50));
 }
 
-/* Two roots close to each other are found as far as halving of the interval
- * goes. */
-TEST(close_roots_are_parted) {
-  for (int n = 2; n < 12; n++) {
-    const double root[2] = {0.3, 0.3 + ldexp(1, -n)};
-    const series_t s = with_roots(root, 2);
-    tf_real_t when = -1;
-    CHECK(tf_first_root(&s, SERIES_ORDER, 1, &when));
-    CHECK_NEAR(wide(when), 0.3L, ldexpl(64 * EPSILON, 2 * n));
-  }
-  /* (t - 1/2)^2 + 1/100 stays above 0. */
-  const series_t above = parabola(TF_R(0.26), -1, 1);
-  tf_real_t when = -1;
-  CHECK(!tf_first_root(&above, SERIES_ORDER, 1, &when) && when == -1);
-}
-
 /* (t + a) (b - t) rises at first and has its root b all the same; what stays
  * above 0 because its slope is too small needs no further look. */
 TEST(no_root_is_taken_for_none) {
@@ -117,32 +101,4 @@ TEST(close_roots_hide_none_behind_them) {
   const series_t nothing = parabola(0, 0, 0);
   tf_real_t when = -1;
   CHECK(!tf_first_root(&nothing, SERIES_ORDER, 1, &when) && when == -1);
-}
-
-/* An interval is halved so often and no more: of two roots on both sides of
- * 2^-most of it the first is found, of two below that none. */
-TEST(an_interval_is_halved_so_often) {
-  const int most = IS_DOUBLE ? 39 : 23;
-  for (int n = most - 3; n <= most + 5; n++) {
-    const double root[2] = {ldexp(0.7, -n), ldexp(1.4, -n)};
-    const series_t s = with_roots(root, 2);
-    tf_real_t when = -1;
-    if (!CHECK(tf_first_root(&s, SERIES_ORDER, 1, &when) == (n <= most)))
-      continue;
-    if (n <= most)
-      CHECK_NEAR(ldexpl(wide(when), n), 0.7L, 64 * EPSILON);
-    else
-      CHECK(when == -1);
-  }
-}
-
-/* The end of an interval belongs to it. */
-TEST(root_at_the_end_is_one) {
-  for (int n = -8; n <= 8; n++) {
-    const double end[1] = {ldexp(1, n)};
-    const series_t s = with_roots(end, 1);
-    tf_real_t when = -1;
-    CHECK(tf_first_root(&s, SERIES_ORDER, (tf_real_t)end[0], &when));
-    CHECK(when == (tf_real_t)end[0]);
-  }
 }

@@ -20,7 +20,6 @@ FEW = """unit/link/test_protocol unit/link/test_link unit/link/test_text
   unit/friction/test_select unit/friction/test_slip_residual
   unit/link/test_frame:frames_survive_the_line
   unit/link/test_frame:long_runs_stay_in_the_buffer
-  unit/link/test_frame:block_decoder_is_the_byte_decoder
   unit/link/test_frame:lost_frames_are_counted
   unit/link/test_frame:other_versions_and_lengths_are_counted
   unit/moreau/test_begin:begin_at_codimension_two_is_pinned
