@@ -323,6 +323,6 @@ TESTS = [("parallel: the rows of one run", under_parallel),
          *test_finer.TESTS]
 
 
-# Two at a time: those that begin a cluster wait most of it.
+# Two at a time: each is one process most of the time, or waits.
 sys.exit(run([(name, lambda test=test: test(Path.cwd()))
               for name, test in TESTS], jobs=2))

@@ -10,7 +10,8 @@ quietly "$MAKE" -s --no-print-directory BUILD="$BUILD/fuzz" fuzz-clang || {
 }
 log=$BUILD/fuzz-runs.log
 "$MAKE" -s --no-print-directory BUILD="$BUILD/fuzz" SECONDS="$seconds" \
-  FUZZ_REALS="double${FULL:+ float}" fuzz >"$log" 2>&1 || wrong "a fuzz target found something"
+  FUZZ_REALS="double${FULL:+ float}" fuzz >"$log" 2>&1 ||
+  wrong "a fuzz target found something"
 cat "$log"
 checked "$(tail -n 1 "$log"); $(awk '$5 == "ok" { runs += $2 }
   END { print runs }' "$log") runs, $seconds s a target"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Everything compiles without a warning: warnings.sh COMPILER. Those of gcc
-# depend on what it optimises; clang's do not, and it does so with FULL=yes only.
+# depend on what it optimises; clang's do not, which does so with FULL=yes only.
 . "$(dirname "$0")/lib.sh"
 need "$1" "$1"
 [ "$1$FULL" = clang ] && opt=-O0 || opt=-O3
