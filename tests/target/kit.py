@@ -45,10 +45,11 @@ def verdict(what: str, why: Optional[str]) -> bool:
 
 
 def make(board: str, *arguments: str) -> subprocess.CompletedProcess:
-    """One at a time: boards are tested side by side, and share the host's."""
-    os.makedirs(ROOT / BUILD, exist_ok=True)
+    """Of a board one at a time: boards are tested side by side, and share the
+    host's."""
+    os.makedirs(ROOT / BUILD / "boards", exist_ok=True)
     return subprocess.run(
-        ["flock", f"{BUILD}/boards.lock", *MAKE, "-s",
+        ["flock", f"{BUILD}/boards/{board}.lock", *MAKE, "-s",
          "--no-print-directory", f"BUILD={BUILD}",
          f"BOARD={board}", *arguments], cwd=ROOT, env=ENVIRONMENT, text=True,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)

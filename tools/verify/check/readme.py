@@ -12,7 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from findings import BUILD, DEFINES, checked, in_common, quietly, wrong
+from findings import BUILD, DEFINES, FULL, checked, in_common, quietly, wrong
 
 PLACE = BUILD / "gcc-O3"  # that of `setting gcc -O3` in lib.sh
 STRICT = ("-std=c99 -O2 -Wall -Wextra -pedantic -Wconversion "
@@ -80,7 +80,8 @@ def need_for_python():
 def judge_uses(said):
     """The table of what it can be used from: its lines as the reader would type
     them, in a build that checks share and a home of their own. Where one makes
-    `demo`, it prints what the program prints."""
+    `demo`, it prints what the program prints. Of tests of packages the last one
+    is run, for `make test-dist` has all; with FULL=yes each is."""
     home = BUILD.absolute() / "readme-home"
     venv = PLACE / "venv"
     for old in (home, venv, PLACE / "demo"):
@@ -107,6 +108,8 @@ def judge_uses(said):
     for use in uses:
         line = re.sub(r"-o demo$", f"-o {DEMO}", use.replace(
             "build/", f"{PLACE}/").replace(" demo.c", f" {PROGRAM}"))
+        if not FULL:
+            line = re.sub(r"DISTS='[^']* ", "DISTS='", line)
         DEMO.unlink(missing_ok=True)
         if not quietly("sh", "-c", functions + line, env=environment,
                        stdin=subprocess.DEVNULL):

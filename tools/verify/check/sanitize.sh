@@ -19,8 +19,12 @@ echo 'int main(void) { return 0; }' >"$BUILD/empty-$1.c"
 export TIMEOUT=900
 set -- "$1" EXTRA="$FLAGS -fno-omit-frame-pointer"
 if [ -z "$FULL" ]; then
-  [ "$1" = gcc ] && rooms='tests/unit tests/line' real=double ||
+  if [ "$1" = gcc ]; then
+    rooms='tests/unit tests/line' real=double
+  else # No law starts the command line: it would be compiled for nothing.
     rooms='tests/law tests/golden tests/regress' real=float
+    set -- "$@" TWOFOLD=
+  fi
   # shellcheck disable=SC2086  # a list of folders
   set -- "$@" VARIANTS=$real \
     TESTS="$(files_in 'test_*.c' $rooms | tr '\n' ' ')"

@@ -123,7 +123,7 @@ def arduino_run(scene, board, chip, processor, flash, ram):
     program = sketch(folder(f"arduino-{board}"), example, board, chip)
     fits(example, program, flash, ram)
     need("simavr", "simavr")
-    said = run("sh", "-c", "timeout 10 simavr -m \"$2\" -f 16000000 "
+    said = run("sh", "-c", "timeout 6 simavr -m \"$2\" -f 16000000 "
                "\"$1\" 2>&1; true", "sh", program, processor)
     got = [tuple(map(int, row)) for row in re.findall(
         r"r:(-?\d+) omega:(-?\d+) mode:(\d)", said)]

@@ -32,11 +32,12 @@ def two_files():
     for tool, package, options in COMPILERS:
         need(tool, package)
         for real, define in REALS.items():
-            built = place / f"{real}.o"
-            run(tool, *options, *STRICT, *PLAIN, *define, "-I", C, "-c",
-                C / "twofold.c", "-o", built)
+            line = [tool, *options, *STRICT, *define, "-I", C, C / "twofold.c"]
             if options[-1] not in ("-std=gnu17", "-std=gnu++11"):
+                run(*line, "-fsyntax-only")
                 continue
+            built = place / f"{real}.o"
+            run(*line, *PLAIN, "-c", "-o", built)
             golden = place / "golden"
             run("gcc", "-std=gnu17", *PLAIN, *define, "-I", C, "-I",
                 ROOT / "tests", "-I", ROOT / "tests/support", "-I",
@@ -108,7 +109,7 @@ def two_scenes():
     golden = golden_hashes()
     for name in ("chaos", "smooth"):
         shutil.copy(C / f"twofold_{name}.h", place)
-        for compiler in COMPILERS:
+        for compiler in COMPILERS[0], COMPILERS[3]:
             for real, want in zip(REALS, golden[name]):
                 equal(f"{name} of two by {' '.join(compiler[2])} in {real}",
                       scene_hash(place, name, real, compiler, source), want)
