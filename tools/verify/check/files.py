@@ -13,22 +13,23 @@ from findings import BUILD, checked, wrong
 
 ROOMS = ("Makefile", ".ci", "include", "src", "port", "tests", "tools")
 MAX_PICTURE = 100000
-# What stands beside the core is weight that users and heirs carry. `most` is
-# what stands there now, and only falls; `goal` is where it is to come to, and
-# the check prints how far that is.
+# What stands beside the core is weight that users and heirs carry. `goal` is
+# what the rooms were to come down to, `most` what they may have: of the sums
+# the goal and what later work may add (3000, 3000 and 500 lines), of a room
+# above its goal what stands there.
 LINES = {name: tuple(map(int, numbers)) for name, *numbers in (
     line.split() for line in """
 name              most   goal
-tools            45870  40000
-tools/cli        16400  14500
-tools/board       1370   1200
-tools/package     5490   5200
-tools/page        4450   4200
-tools/bench         4860   4200
-tools/study       5070   4200
-tools/verify      8050   6500
-tests            30700  25000
-documents         5000   5000
+tools            43000  40000
+tools/cli        15900  14500
+tools/board       1350   1200
+tools/package     5400   5200
+tools/page        4400   4200
+tools/bench       4700   4200
+tools/study       4970   4200
+tools/verify      6600   6500
+tests            28000  25000
+documents         5500   5000
 DESIGN.md          700    700
 docs/BENCH.md      250    250
 docs/VERIFICATION.md 250  250
