@@ -19,14 +19,11 @@ echo 'int main(void) { return 0; }' >"$BUILD/empty-$1.c"
 export TIMEOUT=900
 set -- "$1" EXTRA="$FLAGS -fno-omit-frame-pointer"
 if [ -z "$FULL" ]; then
-  if [ "$1" = gcc ]; then
-    rooms='tests/unit tests/line' real=double
-  else # No law starts the command line: it would be compiled for nothing.
+  [ "$1" = gcc ] && rooms='tests/unit tests/line' real=double ||
     rooms='tests/law tests/golden tests/regress' real=float
-    set -- "$@" TWOFOLD=
-  fi
+  # None starts the command line, which would be compiled for nothing.
   # shellcheck disable=SC2086  # a list of folders
-  set -- "$@" VARIANTS=$real \
+  set -- "$@" VARIANTS=$real TWOFOLD= \
     TESTS="$(files_in 'test_*.c' $rooms | tr '\n' ' ')"
 fi
 compiler=$1
