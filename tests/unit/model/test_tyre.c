@@ -246,3 +246,19 @@ TEST(every_law_is_odd_and_dissipates) {
     }
   }
 }
+
+/* F and M depend on g / h alone, to the last bit, down to the least normal
+ * slip. */
+TEST(jump_law_knows_no_size_of_slip) {
+  for (int i = 0; i < samples(20000); i++) {
+    const tf_params_t params = random_params(TF_TYRE_JUMP);
+    const tf_tyre_t tyre = tyre_of(&params);
+    const tf_real_t h = random_sign() * log_uniform(1, 1e3);
+    const tf_real_t g = random_sign() * log_uniform(1, 1e3);
+    const tf_real_t tiny = TF_REAL_MIN * (tf_real_t)(1 << i % 8);
+    const tf_real_t side = h < 0 ? -1 : 1;
+    const tf_force_t f = tf_tyre_force(&tyre, side, h, g);
+    const tf_force_t least = tf_tyre_force(&tyre, side, h * tiny, g * tiny);
+    CHECK(f.F == least.F && f.M == least.M);
+  }
+}
