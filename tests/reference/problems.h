@@ -14,11 +14,11 @@ enum { REF_SIXTEENTHS = 16, REF_KEPT = 5 };
 /// tests/data has states at sixteenths of t_grid, where the tests' steps may
 /// end, and events up to t_end.
 typedef struct {
-  const char *name;
   ref_machine_t machine;
   ref_real_t r, omega;
   ref_real_t h, v; ///< v or 0: from h
   ref_real_t t_grid, t_end;
+  const char *name;
   int kept[REF_KEPT]; ///< the sixteenths, ascending; none: the quarters
 } ref_problem_t;
 
