@@ -81,7 +81,7 @@ static const topic_t topics[] = {
     {"rule rules schemes formats events",
      "Words that --select, --scheme and --format take, what they mean, and "
      "--events: 'twofold help select' and so on."},
-    {"frames frame wire schema layout heartbeat",
+    {"frame wire schema layout heartbeat",
      "What a board sends, and 'run --format frames' writes: docs/PROTOCOL.md."},
     {"plotter",
      "Lines of label:value pairs for a serial plotter, from 'run --format "
@@ -89,7 +89,7 @@ static const topic_t topics[] = {
      "r:0.18 v:-0.03 omega:-1.037 h:0 g:0.009 mode:2 choices:1 in m, m/s, "
      "rad/s, m/s, m/s; the modes are numbered slip+, slip-, stick+, stick-, "
      "pinned from 0."},
-    {"input inputs held linear between table",
+    {"input inputs table",
      "--inputs FILE --between held|linear of 'run' and 'sweep': inputs over "
      "time, from a CSV table; FILE - is standard input. The first column is "
      "t [s], rising; any of these follow: omega0 [rad/s], r0 [m], force [N], "
@@ -167,7 +167,7 @@ static const topic_t topics[] = {
      "outcomes",
      "Columns of 'sweep', what status may be, and what it finds: 'twofold "
      "help sweep'."},
-    {"noise smoothing hysteresis delay returned small_cycle timeout canard "
+    {"returned small_cycle timeout canard "
      "phase side landing landings windings branch branches node nodes joined "
      "counts begun",
      "What 'diverge' samples and finds: 'twofold help diverge'."},
@@ -180,10 +180,6 @@ static const topic_t topics[] = {
      "run --save FILE writes the state at the end, whatever ends it; run "
      "--from FILE continues bit for bit, with the same machine, scheme and "
      "number type."},
-    {"replay record",
-     "monitor DEVICE --send ... --record FILE keeps which commands a board "
-     "got and when; run SCENE --dt 1/RATE --replay FILE repeats that to the "
-     "bit, and with --save FILE another run goes on from its end."},
     {"shard shards merge parallel slurm snakemake map",
      "--shard I/N of 'diverge' and 'sweep': one of N parts of the work, "
      "whose rows one after the other are those of one run; 'twofold help "

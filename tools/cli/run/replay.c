@@ -140,11 +140,10 @@ static int take_line(reader_t *reader, char *line) {
                                                      : no_record(reader);
 }
 
-int cli_replay_parse(cli_replay_t *replay, const char *name, FILE *file) {
+static int parse(cli_replay_t *replay, FILE *file) {
   char line[LINE_ROOM];
   reader_t reader = {.replay = replay};
   int code = CLI_DONE;
-  replay->name = name;
   while (code == CLI_DONE) {
     const cli_line_t found = cli_read_line(file, line, sizeof line);
     if (found == CLI_LINE_END) {
@@ -154,7 +153,7 @@ int cli_replay_parse(cli_replay_t *replay, const char *name, FILE *file) {
     code = found == CLI_LINE ? take_line(&reader, line) : no_record(&reader);
   }
   if (code == CLI_DONE && ferror(file) != 0) {
-    return cli_message(CLI_USAGE, "%s: %s", name, strerror(errno));
+    return cli_message(CLI_USAGE, "%s: %s", replay->name, strerror(errno));
   }
   if (code == CLI_DONE && !reader.has_schema) {
     return no_record(&reader);
@@ -167,7 +166,8 @@ int cli_replay_read(cli_replay_t *replay, const char *path) {
   if (file == NULL) {
     return cli_message(CLI_USAGE, "--replay %s: %s", path, strerror(errno));
   }
-  const int code = cli_replay_parse(replay, path, file);
+  replay->name = path;
+  const int code = parse(replay, file);
   (void)fclose(file);
   return code;
 }

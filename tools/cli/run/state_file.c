@@ -27,12 +27,12 @@
 
 #include "../setup/names.h"
 #include "../setup/scene_file.h"
+#include "../text/commit.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"
 
 #define VERSION "2"
-#define NUMBER (sizeof(tf_real_t) == sizeof(float) ? "float" : "double")
 #define REALS 19
 #define HELD_REALS 5 // the last ones, where a command's inputs hold
 #define WHOLES 9
@@ -100,7 +100,7 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                                   stand->held.left};
   const size_t held = stand->held.source != TF_INPUT_SCENE;
   add_pair(&text, "twofold-state", VERSION);
-  add_pair(&text, "number", NUMBER);
+  add_pair(&text, "number", CLI_NUMBER_TYPE);
   add_pair(&text, "scheme", scheme->name);
   (void)snprintf(number, sizeof number, "%08" PRIx32, stand->inputs);
   add_pair(&text, "inputs", number);
@@ -314,7 +314,8 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
   }
   *stand = (cli_stand_t){.state = {.r = 0}};
   int code = expect_word(&reader, "twofold-state", VERSION);
-  code = code == CLI_DONE ? expect_word(&reader, "number", NUMBER) : code;
+  code =
+      code == CLI_DONE ? expect_word(&reader, "number", CLI_NUMBER_TYPE) : code;
   code = code == CLI_DONE ? expect_word(&reader, "scheme", scheme->name) : code;
   code = code == CLI_DONE ? read_values(&reader, stand) : code;
   code = code == CLI_DONE ? check_stand(&reader, stand) : code;

@@ -356,9 +356,8 @@ size_t cli_provenance(const cli_setup_t *setup, const char *how,
       "\n"
       "# %s\n"
       "# units: %s\n",
-      TF_VERSION, cli_commit,
-      sizeof(tf_real_t) == sizeof(float) ? "float" : "double",
-      setup->scene->name, cli_scene_hash(setup), tf_params_hash(&setup->params),
+      TF_VERSION, cli_commit, CLI_NUMBER_TYPE, setup->scene->name,
+      cli_scene_hash(setup), tf_params_hash(&setup->params),
       tf_tyre_law_name(setup->params.law), tf_rule_name(setup->params.rule),
       setup->seed, how, units);
 }
