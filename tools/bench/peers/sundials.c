@@ -109,40 +109,26 @@ static int reopen(integrator_t *s, double t) {
 
 // Goes to t_end or to the next root: > 0 at a root, < 0 where it failed.
 static int advance(integrator_t *s, double t_end, double *t) {
-  if (s->method == ERK) {
-    ERKStepSetStopTime(s->memory, t_end);
-    const int flag = ERKStepEvolve(s->memory, t_end, s->y, t, ARK_NORMAL);
-    return flag == ARK_ROOT_RETURN ? 1 : flag < 0 ? -1 : 0;
-  }
-  CVodeSetStopTime(s->memory, t_end);
-  const int flag = CVode(s->memory, t_end, s->y, t, CV_NORMAL);
-  return flag == CV_ROOT_RETURN ? 1 : flag < 0 ? -1 : 0;
+  const int erk = s->method == ERK;
+  (erk ? ERKStepSetStopTime : CVodeSetStopTime)(s->memory, t_end);
+  const int flag = erk ? ERKStepEvolve(s->memory, t_end, s->y, t, ARK_NORMAL)
+                       : CVode(s->memory, t_end, s->y, t, CV_NORMAL);
+  if (flag == (erk ? ARK_ROOT_RETURN : CV_ROOT_RETURN)) return 1;
+  return flag < 0 ? -1 : 0;
 }
 
 static void roots_of(integrator_t *s, int root[ROOTS]) {
-  if (s->method == ERK) {
-    ERKStepGetRootInfo(s->memory, root);
-  } else {
-    CVodeGetRootInfo(s->memory, root);
-  }
+  (s->method == ERK ? ERKStepGetRootInfo : CVodeGetRootInfo)(s->memory, root);
 }
 
 static long steps_of(integrator_t *s) {
   long steps = 0;
-  if (s->method == ERK) {
-    ERKStepGetNumSteps(s->memory, &steps);
-  } else {
-    CVodeGetNumSteps(s->memory, &steps);
-  }
+  (s->method == ERK ? ERKStepGetNumSteps : CVodeGetNumSteps)(s->memory, &steps);
   return steps;
 }
 
 static void shut(integrator_t *s) {
-  if (s->method == ERK) {
-    ERKStepFree(&s->memory);
-  } else {
-    CVodeFree(&s->memory);
-  }
+  (s->method == ERK ? ERKStepFree : CVodeFree)(&s->memory);
   if (s->fixed_point) SUNNonlinSolFree(s->fixed_point);
   if (s->linear) SUNLinSolFree(s->linear);
   if (s->matrix) SUNMatDestroy(s->matrix);
