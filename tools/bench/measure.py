@@ -2,9 +2,10 @@
 callgrind.
 
 Every row is of one problem, solver and setting of its dial: error, time [ns],
-instructions and a verdict; what was not measured is empty. The rows of all
-sections are in one results.csv, at the head of which a line a section says of
-which core it is.
+instructions and a verdict; what was not measured is empty. An error is the
+largest of r [m], v [m/s] and w [rad/s]; of section `after` it is a distance of
+distributions, of `realtime` a number of steps. The rows of all sections are in
+one results.csv, at the head of which a line a section says of which core it is.
 """
 from __future__ import annotations
 
