@@ -109,12 +109,14 @@ static int reopen(integrator_t *s, double t) {
 
 // Goes to t_end or to the next root: > 0 at a root, < 0 where it failed.
 static int advance(integrator_t *s, double t_end, double *t) {
-  const int is_erk = s->method == ERK;
-  (is_erk ? ERKStepSetStopTime : CVodeSetStopTime)(s->memory, t_end);
-  const int flag = is_erk ? ERKStepEvolve(s->memory, t_end, s->y, t, ARK_NORMAL)
-                          : CVode(s->memory, t_end, s->y, t, CV_NORMAL);
-  if (flag == (is_erk ? ARK_ROOT_RETURN : CV_ROOT_RETURN)) return 1;
-  return flag < 0 ? -1 : 0;
+  if (s->method == ERK) {
+    ERKStepSetStopTime(s->memory, t_end);
+    const int flag = ERKStepEvolve(s->memory, t_end, s->y, t, ARK_NORMAL);
+    return flag == ARK_ROOT_RETURN ? 1 : flag < 0 ? -1 : 0;
+  }
+  CVodeSetStopTime(s->memory, t_end);
+  const int flag = CVode(s->memory, t_end, s->y, t, CV_NORMAL);
+  return flag == CV_ROOT_RETURN ? 1 : flag < 0 ? -1 : 0;
 }
 
 static void roots_of(integrator_t *s, int root[ROOTS]) {
