@@ -118,6 +118,13 @@ ref_affine_t ref_affine(const ref_machine_t *machine, ref_state_t x) {
   };
 }
 
+real_t ref_energy(const ref_machine_t *machine, real_t r, real_t P, real_t w,
+                  real_t stretch) {
+  const ref_machine_t *q = machine;
+  const real_t gyration2 = q->beta * q->beta + r * r;
+  return (q->m * (P * P + gyration2 * w * w) + q->k2 * stretch * stretch) / 2;
+}
+
 bool ref_by_angle(const ref_machine_t *machine) {
   return machine->law == REF_JUMP || machine->law == REF_STRING;
 }

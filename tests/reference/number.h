@@ -28,12 +28,6 @@ typedef double ref_real_t;
 #define REF_FN(name) name
 #define REF_NUMBER(decimal) decimal
 #define REF_EPSILON DBL_EPSILON
-#elif REF_BITS == 64
-typedef long double ref_real_t;
-
-#define REF_FN(name) name##l
-#define REF_NUMBER(decimal) decimal##L
-#define REF_EPSILON LDBL_EPSILON
 #elif REF_BITS == 113
 __extension__ typedef __float128 ref_real_t;
 
@@ -52,7 +46,11 @@ int quadmath_snprintf(char *text, size_t size, const char *format, ...);
 #define REF_NUMBER(decimal) (__extension__ decimal##Q)
 #define REF_EPSILON ((ref_real_t)0x1p-112L)
 #else
-#error "REF_BITS is 24, 53, 64 or 113"
+typedef long double ref_real_t;
+
+#define REF_FN(name) name##l
+#define REF_NUMBER(decimal) decimal##L
+#define REF_EPSILON LDBL_EPSILON
 #endif
 
 static inline ref_real_t ref_abs(ref_real_t x) { return REF_FN(fabs)(x); }

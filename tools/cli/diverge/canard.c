@@ -21,9 +21,8 @@
 #include "../setup/names.h"
 #include "twofold/singularity.h"
 
-#define WIDE(name) .name = (double)k->name,
 cli_field_t cli_field_at(const tf_machine_t *k, cli_point_t at) {
-  const cli_wide_t wide = {CLI_WIDE(WIDE)};
+  const cli_wide_t wide = {CLI_WIDE(k)};
   return cli_wide_field_at(&wide, at);
 }
 

@@ -28,16 +28,18 @@ typedef struct {
 } cli_field_t;
 cli_field_t cli_field_at(const tf_machine_t *machine, cli_point_t at);
 
-/// The members of tf_machine_t that it follows from, in double; and the same.
-#define CLI_WIDE(X)                                                      \
-  X(m)                                                                   \
-  X(d)                                                                   \
-  X(beta2) X(k2) X(c1) X(c2) X(r0) X(omega0) X(stick_kappa) X(sin_gamma) \
-      X(cos_gamma) X(minus_sin_gamma)
-#define CLI_DOUBLE(name) double name;
+/// The members of tf_machine_t that it follows from, in double.
 typedef struct {
-  CLI_WIDE(CLI_DOUBLE)
+  double m, d, beta2, k2, c1, c2, r0, omega0, stick_kappa;
+  double sin_gamma, cos_gamma, minus_sin_gamma;
 } cli_wide_t;
+#define CLI_WIDE(k)                                                         \
+  .m = (double)(k)->m, .d = (double)(k)->d, .beta2 = (double)(k)->beta2,    \
+  .k2 = (double)(k)->k2, .c1 = (double)(k)->c1, .c2 = (double)(k)->c2,      \
+  .r0 = (double)(k)->r0, .omega0 = (double)(k)->omega0,                     \
+  .stick_kappa = (double)(k)->stick_kappa,                                  \
+  .sin_gamma = (double)(k)->sin_gamma, .cos_gamma = (double)(k)->cos_gamma, \
+  .minus_sin_gamma = (double)(k)->minus_sin_gamma
 cli_field_t cli_wide_field_at(const cli_wide_t *machine, cli_point_t at);
 
 /// Slip speeds at a point.

@@ -5,10 +5,8 @@
 #include "../../../src/model/rates.h"
 #include "canard.h"
 
-#define GIVEN(name) .name = given->name,
-
 cli_field_t cli_wide_field_at(const cli_wide_t *given, cli_point_t at) {
-  const tf_machine_t k = {CLI_WIDE(GIVEN)};
+  const tf_machine_t k = {CLI_WIDE(given)};
   const tf_input_t input = {.omega0 = k.omega0, .r0 = k.r0};
   const rates_t a = rates_at(&k, &input, at.r, at.p, at.z, k.omega0);
   const tf_slip_t slip = slip_from_pq(&k, at.p, at.r * at.z);
