@@ -113,7 +113,7 @@ wrong_files wrong.csv run chaos --inputs wrong.csv --between held <<'WORDS'
 WORDS
 expectations run <<'WORDS'
 2 chaos --inputs one.csv|say what holds between two rows
-2 chaos --between held|--between held: only with --inputs
+2 chaos --between held|--between: only with --inputs
 2 chaos --inputs one.csv --between cubic|--between cubic: must be held or linear
 2 chaos --inputs none.csv --between held|none.csv: No such file
 2 chaos --inputs . --between held|Is a directory

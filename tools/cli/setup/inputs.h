@@ -95,15 +95,16 @@ typedef struct {
   cli_inputs_t table;   ///< of --inputs; without rows if there is none
 } cli_drive_t;
 
-/// The options --inputs and --between as typed, NULL: not given.
+/// The options --inputs, NULL: not given, and --between, 1: linear.
 typedef struct {
-  const char *inputs, *between;
+  const char *inputs;
+  unsigned between;
 } cli_drive_args_t;
 
 /// Reads what drives a scene.
 /// drive: out; to be freed by cli_drive_free, whatever is returned.
 /// Returns: CLI_DONE; after a message as cli_inputs_parse, and CLI_USAGE where
-/// only one of the options is given.
+/// --between is not given.
 int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                    const cli_drive_args_t *args);
 
