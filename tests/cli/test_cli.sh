@@ -305,7 +305,8 @@ chaos --scheme moreau --t-end 0.1 --dt 1e-3
 cp out plain.csv
 chaos --scheme moreau --t-end 0.1 --dt 1e-3 --accuracy 1
 check '--accuracy changes no row' cmp -s out plain.csv
-check 'the summary has the largest error' grep -q '^estimate  *a step is off' err
+check 'the summary has the largest error' \
+  grep -q '^estimate  *a step is off' err
 expect 5 'estimate   a step is off by' \
   run chaos --scheme moreau --t-end 0.1 --dt 1e-3 --accuracy 1e-6
 expect 3 '--accuracy: not with --scheme located' \
