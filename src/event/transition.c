@@ -67,8 +67,12 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
   const codim2_field_t field = tf_codim2_field_of(k, &rates);
   consistent_modes_t consistent;
   tf_codim2_modes(k, &field, &consistent);
-  const unsigned mode =
+  unsigned mode =
       tf_leave_codim2(k, &field, path->mode, arrives, path->state, &consistent);
+  // A wheel that comes to rest is asked for its exit at once, as it would be at
+  // the start of the next step. The draw of RANDOM is one of that.
+  if (arrives && mode == TF_PINNED && k->rule != TF_RULE_RANDOM)
+    mode = tf_leave_codim2(k, &field, mode, false, path->state, &consistent);
   keep_largest_set(path, consistent.solutions.set);
   if (mode == TF_NO_MODE) return false;
   segment_t segment = {.h_zero_order = 1, .g_starts_at_zero = true};
