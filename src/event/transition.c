@@ -145,11 +145,24 @@ static void begin_in_slip(trajectory_t *path, tf_slip_t slip) {
   keep_largest_set(path, TF_MODE_BIT(path->mode));
 }
 
+// A wheel at rest follows the turntable: how far from that it is, is how far
+// the speed at which a step before ended is from that at which this one begins,
+// by what both were told. A share of the change that the tolerance admits is no
+// jump.
+static tf_real_t rounding_at_start(const trajectory_t *path) {
+  const tf_machine_t *k = path->motion.machine;
+  const tf_state_t *x = path->state;
+  const tf_real_t rounding =
+      step_rounding(path, (end_state_t){x->r, x->v, x->w}, path->omega);
+  if (path->mode != TF_PINNED) return rounding;
+  return rounding +
+         k->tolerance * (magnitude(k->d) + magnitude(x->r)) * path->turn;
+}
+
 TF_API bool tf_first_segment(trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const tf_slip_t slip = trajectory_slip(path);
-  const tf_state_t *x = path->state;
-  const tf_real_t rounding = slip_rounding(k, x->r, x->v, x->w, path->omega);
+  const tf_real_t rounding = rounding_at_start(path);
   if (k->tyre.law == TF_TYRE_NONE) {
     begin_without_contact(path, slip.h);
     return true;
