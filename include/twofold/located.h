@@ -14,10 +14,11 @@ TF_BEGIN_C
 /// Advances the state by dt and locates every event inside the step: Taylor
 /// series in time from event to event (order 3 to 8 in double, to 6 in float),
 /// DESIGN.md section 10. An event is the first root of a polynomial: of h and g
-/// in slip, of mu - |lambda|, g and A in stick. The error goes with the
-/// tolerance, whatever dt is and across events too. What the segments of the
-/// budget leave of a step tf_step takes. In float a motion may stall, as with
-/// tf_step, even at dt = 1e-2.
+/// in slip, of mu - |lambda|, g and A in stick; a rest ends where F and M leave
+/// its law or another mode takes it over. The error goes with the tolerance,
+/// whatever dt is and across events too. What the segments of the budget leave
+/// of a step tf_step takes. In float a motion may stall, as with tf_step, even
+/// at dt = 1e-2.
 /// machine: in, of law JUMP, COULOMB or NONE. state: in/out, from tf_begin,
 ///   tf_step or tf_step_located. input: in.
 /// report: out; force at the end of the step; set and choices: the largest set
