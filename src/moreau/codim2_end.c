@@ -16,29 +16,32 @@
 // state, which an incremental step does not have, and that of the terms of (2)
 // and (3), whose sum goes into p and q; friction, which balances them, is no
 // larger.
-static tf_real_t rounding_of_g(const free_motion_t *c,
-                               const tf_input_t *input) {
+static tf_real_t rounding_of_g(const free_motion_t *c) {
+  const tf_input_t *input = c->input;
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const linear_t *l = &c->linear;
   const tf_state_t *x = c->state;
+  const tf_real_t turn = magnitude(turn_of_step(k, input));
   const force_terms_t size =
       force_terms(k, input, input->r0 - x->r, x->r, x->v, x->w);
   const tf_real_t both = size.torque + magnitude(k->d) * size.radial;
   const tf_real_t p = l->p_b * size.radial + magnitude(l->p_t) * both +
-                      magnitude(l->p_c) * size.torque;
-  const tf_real_t z =
-      l->z_t * both + l->z_c * size.torque + magnitude(l->p_t) * size.radial;
+                      magnitude(l->p_c) * size.torque + magnitude(k->d) * turn;
+  const tf_real_t z = l->z_t * both + l->z_c * size.torque +
+                      magnitude(l->p_t) * size.radial + turn;
   return 64 * TF_REAL_EPSILON * (p + magnitude(x->r) * z) +
-         (c->start.incremental ? 0
-                               : slip_rounding(k, x->r, x->v, x->w, l->omega0));
+         (c->start.incremental
+              ? 0
+              : slip_rounding(k, x->r, x->v, x->w, turntable_size(k, input)));
 }
 
 static bool signs_agree(const free_motion_t *c, unsigned mode,
                         const forced_end_t *end) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   const end_state_t at = end->at;
   return has_signs_of_mode(
       mode, end_slip(c, end),
-      slip_rounding(TF_STEP_MACHINE(c), at.r, at.v, at.w, c->linear.omega0));
+      slip_rounding(k, at.r, at.v, at.w, turntable_size(k, c->input)));
 }
 
 // Whether a stick that ends on the other side of g = 0 does so by rounding
@@ -290,13 +293,13 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
 
 // A stick that loses its mode where g = 0 is within reach, or a motion that is
 // at h = g = 0.
-static void end_at_codim2(const free_motion_t *c, const tf_input_t *input,
-                          const inclusion_t *in, const codim2_field_t *field,
-                          const solutions_t *s, step_end_t *to) {
+static void end_at_codim2(const free_motion_t *c, const inclusion_t *in,
+                          const codim2_field_t *field, const solutions_t *s,
+                          step_end_t *to) {
   const unsigned mode = c->state->mode;
   arrival_t arrival = {.comes = is_slip(mode) || mode == TF_PINNED};
   if (!arrival.comes) {
-    const tf_real_t rounding = rounding_of_g(c, input);
+    const tf_real_t rounding = rounding_of_g(c);
     if (rests_at_g_zero(c, in, s, mode, rounding)) {
       to->outcome.mode = mode;
       to->outcome.set = s->set | TF_MODE_BIT(mode);
@@ -313,8 +316,8 @@ static void end_at_codim2(const free_motion_t *c, const tf_input_t *input,
     pass_codim2(c, in, field, &modes, s, to);
 }
 
-TF_API void tf_codim2_end(free_motion_t *c, const tf_input_t *input,
-                          inclusion_t *in, solutions_t *s, step_end_t *to) {
+TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, solutions_t *s,
+                          step_end_t *to) {
   add_pinned_point(c, in);
   // The hull reaches beyond the forces by which signs_of() judges.
   enumerate(in, BOTH_SIGNS, s);
@@ -324,7 +327,7 @@ TF_API void tf_codim2_end(free_motion_t *c, const tf_input_t *input,
   if (is_slip(c->state->mode) && (now.h != 0 || now.g != 0))
     end_slip_near_codim2(c, in, &field, s, to);
   else
-    end_at_codim2(c, input, in, &field, s, to);
+    end_at_codim2(c, in, &field, s, to);
   if (to->outcome.mode == TF_NO_MODE)
     tf_least_violation(c, in, s, to);
   else

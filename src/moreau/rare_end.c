@@ -154,7 +154,7 @@ TF_API step_end_t tf_rare_end(const tf_machine_t *k, const tf_state_t *state,
       refuse_end(&to);
       break;
     case END_CODIM2:
-      tf_codim2_end(&c, input, &in, &s, &to);
+      tf_codim2_end(&c, &in, &s, &to);
       break;
     case END_NO_MODE:
       tf_least_violation(&c, &in, &s, &to);

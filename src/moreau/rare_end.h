@@ -13,8 +13,8 @@ TF_API step_end_t tf_rare_end(const tf_machine_t *k, const tf_state_t *state,
 
 // At h = g = 0, or near it with the mode lost; see codim2_end.c.
 #define tf_codim2_end TF_LINK(tf_codim2_end)
-TF_API void tf_codim2_end(free_motion_t *c, const tf_input_t *input,
-                          inclusion_t *in, solutions_t *s, step_end_t *to);
+TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, solutions_t *s,
+                          step_end_t *to);
 
 // Where no mode is consistent, or none that a slip may enter: of all ends that
 // the step may take, the one that violates the law least.
