@@ -28,8 +28,8 @@ TF_INLINE tf_real_t ground_speed(const tf_machine_t *k, tf_real_t v,
 #define TF_STEP_TURN(u, time) ((u)->alpha * (time))
 #endif
 
-// That after the step, and the speed at its start and at its theta point; omega0
-// of the inputs is that at the end.
+// That after the step, and the speed at its start and at its theta point;
+// omega0 of the inputs is that at the end.
 TF_INLINE tf_real_t turn_of_step(const tf_machine_t *k, const tf_input_t *u) {
   return TF_STEP_TURN(u, k->dt);
 }
@@ -79,8 +79,8 @@ TF_INLINE tf_real_t turntable_size(const tf_machine_t *k, const tf_input_t *u) {
 //   the turntable's speed at the start adds u of its size, where it turns;
 //   z, d z, r z, p and the two products of h or g add u each.
 // h and g are (p, q) rotated, so that this is at most 2 (1 + 4 + 1 + 3) u times
-// the sum of their terms. Whoever asks whether a state is at h = 0 or g = 0 asks
-// for this bound, so that a state means the same to all of them.
+// the sum of their terms. Whoever asks whether a state is at h = 0 or g = 0
+// asks for this bound, so that a state means the same to all of them.
 #define SLIP_ROUNDINGS (32 * TF_REAL_EPSILON)
 TF_INLINE tf_real_t slip_rounding(const tf_machine_t *k, tf_real_t r,
                                   tf_real_t v, tf_real_t w, tf_real_t omega0) {
