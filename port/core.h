@@ -34,6 +34,11 @@
 #if defined(SCENE_HEADER) && !defined(UPLINK) && !defined(SCHEME_LOCATED)
 #define TF_STEP_MACHINE(c) ((void)(c), &scene_machine)
 #endif
+// Without a profile and without commands the turntable is steady.
+#if defined(SCENE_HEADER) && !defined(UPLINK)
+#define TF_STEP_TURN(u, time) \
+  (scene_constants.knots > 0 ? (u)->alpha * (time) : 0)
+#endif
 
 #ifdef BOARD_SMALL
 // Where flash is short, the parts of a step stay functions: half the size.

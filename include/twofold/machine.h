@@ -157,8 +157,9 @@ typedef struct {
   tf_real_t r0;     ///< rest position of the spring [m]
   tf_real_t force;  ///< on the slider, along r [N]
   tf_real_t torque; ///< on the disc [N m]
-  tf_real_t alpha;  ///< acceleration of the turntable during the step
-                    ///< [rad/s^2]; 0: omega0 held (tf_step_located only)
+  tf_real_t alpha;  ///< mean acceleration of the turntable over the step
+                    ///< [rad/s^2]: at its start it has omega0 - alpha dt; 0:
+                    ///< omega0 held, and where it changes it jumps
 } tf_input_t;
 
 /// Largest sum of |r| [m], |v| [m/s] and |w| [rad/s] that is accepted, and of

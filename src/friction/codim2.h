@@ -51,6 +51,7 @@ typedef struct {
   tf_real_t share; // of the step that this takes: 1, or less to h = g = 0
   multipliers_t sum; // of its force over that share
   bool leads_in;     // along a limit direction that leads to h = g = 0
+  unsigned from;     // the mode in which it comes there
 } codim2_course_t;
 
 // The course of a slip with this sign of h that is not at h = g = 0: through

@@ -35,7 +35,7 @@ static unsigned slip_mode(const quadrant_t *q) {
 
 static codim2_course_t course_to(const course_point_t *at, unsigned mode,
                                  tf_slip_t slip, bool leads_in) {
-  return (codim2_course_t){mode, slip, at->time, at->sum, leads_in};
+  return (codim2_course_t){mode, slip, at->time, at->sum, leads_in, mode};
 }
 
 // Goes on straight away from h = g = 0 or to it, from a distance and at a rate,
@@ -47,7 +47,9 @@ static codim2_course_t along_direction(course_point_t *at, unsigned mode,
   if (!(distance + rate * remaining > 0)) {
     const tf_real_t time = rate < 0 ? distance / -rate : 0;
     add_force(at, force, time < remaining ? time : remaining);
-    return course_to(at, TF_PINNED, (tf_slip_t){0, 0}, true);
+    codim2_course_t end = course_to(at, TF_PINNED, (tf_slip_t){0, 0}, true);
+    end.from = mode;
+    return end;
   }
   const tf_real_t left = distance + rate * remaining;
   add_force(at, force, remaining);

@@ -78,7 +78,7 @@ static held_t hold(const given_t *x, middle_t c) {
 static tf_real_t stopping_share(const given_t *x, const held_t *b, tf_real_t r,
                                 change_t by) {
   const tf_machine_t *k = x->machine;
-  const tf_real_t omega0 = x->input->omega0;
+  const tf_real_t omega0 = speed_at_theta(k, x->input);
   const tf_real_t p = b->P + k->theta * b->linear.free.p + k->d * omega0;
   const tf_real_t z = b->w + k->theta * b->linear.free.z - omega0;
   const tf_real_t h = slip_from_pq(k, p, r * z).h;
@@ -105,7 +105,7 @@ static balanced_end_t end_about(const given_t *x, middle_t c,
   end.at.w = (b.u + c.R * to.z) / gyration_at(k, end.at.r);
   end.at.v = slider_velocity(k, b.P + to.p, end.at.w);
   const tf_real_t wt = b.w + k->theta * to.z;
-  const tf_real_t arm = F * x->input->omega0 * k->cos_gamma;
+  const tf_real_t arm = F * speed_at_theta(k, x->input) * k->cos_gamma;
   *excess = smaller(x->M * (wt - from->w), x->M * (wt - end.at.w)) +
             smaller(arm * (c.r - from->r), arm * (c.r - end.at.r));
   return end;
@@ -170,11 +170,13 @@ TF_API step_end_t tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
   const bool slips_on = force.F == 0 || (is_slip(mode) && mode == state->mode);
   if (creates || (!coarse && grows(k, &b, energy, slips_on))) {
     const balanced_end_t end = tf_balanced_end(k, state, input, mode, force);
-    // Near h = 0 its force is not that of the slip, which then goes on.
-    if (creates || (end.mode == mode && end.force.F == force.F))
+    // Near h = 0 its force is not that of the slip, which then goes on; beside
+    // the axis it may end on the other side, and b.jumps is asked of one end.
+    if (creates || (end.mode == mode && end.force.F == force.F &&
+                    (end.at.r > 0) == (at.r > 0)))
       take_balanced_end(&end, &to);
   }
-  if ((creates || coarse) && to.outcome.status == TF_OK)
+  if ((creates || coarse || b.jumps) && to.outcome.status == TF_OK)
     to.outcome.status = TF_COARSE;
   return to;
 }

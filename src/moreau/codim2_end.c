@@ -16,29 +16,32 @@
 // state, which an incremental step does not have, and that of the terms of (2)
 // and (3), whose sum goes into p and q; friction, which balances them, is no
 // larger.
-static tf_real_t rounding_of_g(const free_motion_t *c,
-                               const tf_input_t *input) {
+static tf_real_t rounding_of_g(const free_motion_t *c) {
+  const tf_input_t *input = c->input;
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const linear_t *l = &c->linear;
   const tf_state_t *x = c->state;
+  const tf_real_t turn = magnitude(turn_of_step(k, input));
   const force_terms_t size =
       force_terms(k, input, input->r0 - x->r, x->r, x->v, x->w);
   const tf_real_t both = size.torque + magnitude(k->d) * size.radial;
   const tf_real_t p = l->p_b * size.radial + magnitude(l->p_t) * both +
-                      magnitude(l->p_c) * size.torque;
-  const tf_real_t z =
-      l->z_t * both + l->z_c * size.torque + magnitude(l->p_t) * size.radial;
+                      magnitude(l->p_c) * size.torque + magnitude(k->d) * turn;
+  const tf_real_t z = l->z_t * both + l->z_c * size.torque +
+                      magnitude(l->p_t) * size.radial + turn;
   return 64 * TF_REAL_EPSILON * (p + magnitude(x->r) * z) +
-         (c->start.incremental ? 0
-                               : slip_rounding(k, x->r, x->v, x->w, l->omega0));
+         (c->start.incremental
+              ? 0
+              : slip_rounding(k, x->r, x->v, x->w, turntable_size(k, input)));
 }
 
 static bool signs_agree(const free_motion_t *c, unsigned mode,
                         const forced_end_t *end) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
   const end_state_t at = end->at;
   return has_signs_of_mode(
       mode, end_slip(c, end),
-      slip_rounding(TF_STEP_MACHINE(c), at.r, at.v, at.w, c->linear.omega0));
+      slip_rounding(k, at.r, at.v, at.w, turntable_size(k, c->input)));
 }
 
 // Whether a stick that ends on the other side of g = 0 does so by rounding
@@ -62,12 +65,13 @@ static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
          signs_agree(c, mode, &end);
 }
 
-// Whether a motion comes to h = g = 0 in a step, in which share of it, and the
-// sum of its multipliers over that.
+// Whether a motion comes to h = g = 0 in a step, in which share of it, the sum
+// of its multipliers over that, and in which mode: a slip may stick before.
 typedef struct {
   bool comes;
   tf_real_t share;
   multipliers_t sum;
+  unsigned from;
 } arrival_t;
 
 // A stick comes there if it solves but with the other sign of g. One whose g is
@@ -84,7 +88,8 @@ static arrival_t arrival_of_stick(const inclusion_t *in, int s,
       comes && change != 0 ? clip(in->g_now / change, 0, 1) : 0;
   return (arrival_t){comes && slip_plus_solves(&h) == slip_minus_solves(&h),
                      share,
-                     {share * x, s ? -share * x : share * x}};
+                     {share * x, s ? -share * x : share * x},
+                     s ? TF_STICK_MINUS : TF_STICK_PLUS};
 }
 
 // The multipliers under which neither h nor g changes; too large where friction
@@ -166,7 +171,7 @@ static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const bool arrives = arrival->share > 0;
   const unsigned mode =
-      tf_leave_codim2(k, field, c->state->mode, arrives, c->state, modes);
+      tf_leave_codim2(k, field, arrival->from, arrives, c->state, modes);
   if (mode == TF_NO_MODE) return false;
   out->outcome.set = modes->solutions.set;
   if (mode == TF_PINNED) {
@@ -212,7 +217,7 @@ static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
   if (mode != TF_NO_MODE) {
     out->end = mode_end(c, &s, mode);
   } else if (held) {
-    const arrival_t arrival = {true, 1, {in->pin_x, in->pin_y}};
+    const arrival_t arrival = {true, 1, {in->pin_x, in->pin_y}, x->mode};
     if (!continue_from_codim2(c, in, field, modes, &arrival, out))
       out->outcome.mode = TF_NO_MODE;
   }
@@ -264,8 +269,8 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   const int sign_h = c->state->mode == TF_SLIP_PLUS ? 1 : -1;
   const codim2_course_t course =
       tf_codim2_course(k, field, c->start.slip, sign_h);
-  const arrival_t arrival = {course.mode == TF_PINNED, course.share,
-                             course.sum};
+  const arrival_t arrival = {course.mode == TF_PINNED, course.share, course.sum,
+                             course.from};
   consistent_modes_t modes = {.solutions = {.set = 0}};
   if (arrival.comes || may_be_held(s, c->state->mode))
     tf_codim2_modes(k, field, &modes);
@@ -290,13 +295,14 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
 
 // A stick that loses its mode where g = 0 is within reach, or a motion that is
 // at h = g = 0.
-static void end_at_codim2(const free_motion_t *c, const tf_input_t *input,
-                          const inclusion_t *in, const codim2_field_t *field,
-                          const solutions_t *s, step_end_t *to) {
+static void end_at_codim2(const free_motion_t *c, const inclusion_t *in,
+                          const codim2_field_t *field, const solutions_t *s,
+                          step_end_t *to) {
   const unsigned mode = c->state->mode;
-  arrival_t arrival = {.comes = is_slip(mode) || mode == TF_PINNED};
+  arrival_t arrival = {.comes = is_slip(mode) || mode == TF_PINNED,
+                       .from = mode};
   if (!arrival.comes) {
-    const tf_real_t rounding = rounding_of_g(c, input);
+    const tf_real_t rounding = rounding_of_g(c);
     if (rests_at_g_zero(c, in, s, mode, rounding)) {
       to->outcome.mode = mode;
       to->outcome.set = s->set | TF_MODE_BIT(mode);
@@ -313,8 +319,8 @@ static void end_at_codim2(const free_motion_t *c, const tf_input_t *input,
     pass_codim2(c, in, field, &modes, s, to);
 }
 
-TF_API void tf_codim2_end(free_motion_t *c, const tf_input_t *input,
-                          inclusion_t *in, solutions_t *s, step_end_t *to) {
+TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, solutions_t *s,
+                          step_end_t *to) {
   add_pinned_point(c, in);
   // The hull reaches beyond the forces by which signs_of() judges.
   enumerate(in, BOTH_SIGNS, s);
@@ -324,10 +330,27 @@ TF_API void tf_codim2_end(free_motion_t *c, const tf_input_t *input,
   if (is_slip(c->state->mode) && (now.h != 0 || now.g != 0))
     end_slip_near_codim2(c, in, &field, s, to);
   else
-    end_at_codim2(c, input, in, &field, s, to);
+    end_at_codim2(c, in, &field, s, to);
   if (to->outcome.mode == TF_NO_MODE)
     tf_least_violation(c, in, s, to);
   else
     to->outcome.delassus =
         step_delassus(TF_STEP_MACHINE(c), in, end_slip(c, &to->end).g < 0);
+}
+
+TF_API void tf_end_along_course(free_motion_t *c, inclusion_t *in,
+                                const solutions_t *s, step_end_t *to) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
+  add_pinned_point(c, in);
+  const codim2_field_t field = field_of_step(c, in);
+  const codim2_course_t course = tf_codim2_course(
+      k, &field, c->start.slip, c->state->mode == TF_SLIP_PLUS ? 1 : -1);
+  const step_end_t passed = *to;
+  const bool leads_to_end = course.mode < TF_PINNED && has(s->set, course.mode);
+  if (leads_to_end && follow_course(c, in, &course, s, to)) {
+    to->outcome.delassus = step_delassus(k, in, end_slip(c, &to->end).g < 0);
+    return;
+  }
+  *to = passed;
+  to->outcome.status = TF_COARSE;
 }

@@ -49,12 +49,12 @@ static __attribute__((noinline)) tf_status_t commit_pairs(
   tf_state_t *state = step->state;
   outcome_t outcome = to->outcome;
   const tf_force_t force = to->end.force;
-  const tf_real_t omega0 = step->input->omega0;
   const state_pair_t end =
       pairs_at_end(step, force, to->end.friction, outcome, to->end.at);
   if (!in_reach(end.r.hi, end.v.hi, end.w.hi) ||
       !within(outcome.delassus + outcome.residual, TF_REAL_MAX))
     return refuse_step(report, TF_DIVERGED); // one of the two is 0
+  const pair_t omega0 = {step->input->omega0, 0};
   const tf_slip_t slip = slip_in_pairs(step->constants, &end, omega0).slip;
   const end_state_t at = {end.r.hi, end.v.hi, end.w.hi};
   if (outcome.is_balanced) outcome.mode = slip_of_sign(slip.h, state->mode);
@@ -62,7 +62,7 @@ static __attribute__((noinline)) tf_status_t commit_pairs(
   store_compensation(k, state, step->low, &end);
   record(state, at, slip, force, residual, outcome, report);
   if (plainly_has_signs(k, outcome.mode, slip, at)) return outcome.status;
-  return tf_status_of_end(k, state, omega0, report);
+  return tf_status_of_end(k, state, step->input, report);
 }
 
 TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
@@ -77,7 +77,8 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   if (!may_step(state, input) || !within(low, TF_STATE_LIMIT))
     return refuse_step(report, TF_BAD_STATE);
   const state_pair_t pairs = paired(state, compensation);
-  const start_t start = slip_in_pairs(machine, &pairs, input->omega0);
+  const pair_t omega0 = two_sum(input->omega0, -turn_of_step(k, input));
+  const start_t start = slip_in_pairs(machine, &pairs, omega0);
   step_end_t to;
   if (!common_end(k, state, input, start, &to))
     to = tf_rare_end(k, state, input, start);

@@ -36,8 +36,8 @@ TF_INLINE pair_t cosine_pair(const tf_compensated_t *k) {
 // so it is formed in pairs. g is small beside p and q only where h is not, and
 // then it decides nothing: the leading parts of p and q are enough.
 TF_INLINE start_t slip_in_pairs(const tf_compensated_t *k,
-                                const state_pair_t *state, tf_real_t omega0) {
-  const pair_t z = pair_normalized(pair_plus(state->w, -omega0));
+                                const state_pair_t *state, pair_t omega0) {
+  const pair_t z = pair_normalized(pair_difference(state->w, omega0));
   const pair_t p =
       pair_normalized(pair_difference(state->v, pair_times(z, k->machine.d)));
   const pair_t q = pair_product(state->r, z);
@@ -111,14 +111,16 @@ TF_INLINE pair_t travelled(const tf_machine_t *k, pair_t from, pair_t v,
       from, (pair_t){travel.hi, travel.lo + (k->dt * v.lo + k->theta_dt * dv)});
 }
 
-// (7): the end of a step under a force and the change that responds to it.
+// (7): the end of a step under a force and the change that responds to it. (6)
+// is for the change of P and w, so that the turn is taken out again.
 TF_INLINE state_pair_t end_in_pairs(const tf_compensated_t *constants,
                                     const state_pair_t *state,
                                     const tf_input_t *u, const linear_t *l,
                                     unsigned mode, tf_force_t f,
                                     change_t friction) {
   const tf_machine_t *k = &constants->machine;
-  const change_t c = {l->free.p + friction.p, l->free.z + friction.z};
+  const change_t relative = {l->free.p + friction.p, l->free.z + friction.z};
+  const change_t c = against_turntable(k, -turn_of_step(k, u), relative);
   const change_t low =
       refinement(constants, state, u, l, f, moment_remainder(k, mode, f), c);
   const pair_t dz = {c.z, low.z};

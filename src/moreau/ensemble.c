@@ -194,8 +194,10 @@ static __attribute__((noinline)) void slip_few(
 }
 
 static void ends_all(const tf_machine_t *restrict k,
-                     const tf_state_block_t *restrict b, tf_real_t omega0,
-                     work_t *restrict work) {
+                     const tf_state_block_t *restrict b,
+                     const tf_input_t *restrict u, work_t *restrict work) {
+  const tf_real_t omega0 = u->omega0;
+  const tf_real_t speed = turntable_size(k, u);
   for (int i = 0; i < TF_LANES; i++) {
     const mask_t moves = when(work->side[i] != 0) | when(work->roll[i] != 0);
     const end_state_t by = lane_end(k, work, omega0, i, work->x[i], work->y[i]);
@@ -208,7 +210,7 @@ static void ends_all(const tf_machine_t *restrict k,
     work->v[i] = v;
     work->w[i] = omega;
     const tf_slip_t slip = slip_speeds(k, r, v, omega - omega0);
-    const tf_real_t rounding = slip_rounding(k, r, v, omega, omega0);
+    const tf_real_t rounding = slip_rounding(k, r, v, omega, speed);
     work->rare[i] |=
         ~(when(within(size, TF_STATE_LIMIT)) &
           lane_has_signs(work->side[i], work->roll[i], slip, rounding)) |
@@ -349,7 +351,7 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
     slip_all(k, b, u->omega0, &work);
   else if (slips > 0)
     slip_few(k, b, u->omega0, &work, slips);
-  ends_all(k, b, u->omega0, &work);
+  ends_all(k, b, u, &work);
   balance_all(k, b, u, &work);
   if (any_rare(&work)) return step_some(k, b, u, &work, out);
   if (k->with_angle) angles_all(k, b, &work);

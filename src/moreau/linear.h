@@ -4,7 +4,9 @@
 //
 // The velocities are z = w - omega0 and p = v - d z: p carries the kinetic
 // energy without a cross term, so that the mass matrix is diagonal and nothing
-// cancels where beta or r is small.
+// cancels where beta or r is small. Each is against the turntable of its own
+// time: over a step z changes by dw - alpha dt and p by dv - d dw + d alpha dt,
+// and what starts, passes the theta point and ends needs no other omega0.
 #ifndef TF_LINEAR_H
 #define TF_LINEAR_H
 
@@ -18,8 +20,8 @@ typedef struct {
 
 typedef struct {
   tf_real_t omega0;        // of the turntable at the end of the step
-  tf_real_t p, z;          // at the start of the step
-  change_t free;           // change without friction
+  tf_real_t p, z;          // at the start, against the turntable of that time
+  change_t free;           // change without friction, the turn in it
   tf_real_t r_explicit;    // r + (1 - theta) dt v [m]
   tf_real_t arm;           // r_theta cos(gamma), arm of F about the axis [m]
   tf_real_t p_b, p_t, p_c; // dt S^-1 by rows, see change_under()
@@ -77,6 +79,14 @@ TF_INLINE void invert(const tf_machine_t *k, tf_real_t J, tf_real_t e,
   l->definite = (definite > 0) & (scale > 0);
 }
 
+// A change of P and w as one of p and z, while the turntable turns faster by
+// so much: both are measured against the turntable of their own time. Written
+// so that a turn of +0 changes no bit, signed zeros included.
+TF_INLINE change_t against_turntable(const tf_machine_t *k, tf_real_t turn,
+                                     change_t c) {
+  return (change_t){c.p - k->d * (0 - turn), c.z - turn};
+}
+
 TF_INLINE linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
                              const tf_input_t *input) {
   const tf_real_t v = state->v, w = state->w, theta_dt = k->theta_dt;
@@ -91,10 +101,11 @@ TF_INLINE linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
   const tf_real_t e = theta_dt * twice;
   const tf_real_t J = k->inertia + mr * (r_theta + 2 * (theta_dt * v));
   invert(k, J, e, &l); // (5), (6)
-  l.free = change_under(&l, Q_r, Q_phi + k->d * Q_r, Q_phi);
-  l.arm = r_theta * k->cos_gamma;
   l.omega0 = input->omega0;
-  l.z = w - l.omega0;
+  l.free = against_turntable(k, turn_of_step(k, input),
+                             change_under(&l, Q_r, Q_phi + k->d * Q_r, Q_phi));
+  l.arm = r_theta * k->cos_gamma;
+  l.z = w - speed_at_start(k, input);
   l.p = slider_speed(k, v, l.z);
   l.r_explicit = state->r + k->explicit_dt * v;
   return l;

@@ -139,6 +139,17 @@ static void end_turning(const free_motion_t *c, const inclusion_t *in,
   if (coarse) to->outcome.status = TF_COARSE;
 }
 
+// Whether a slip ends within its step and that changes the velocities by so much
+// that the way there counts: its force turns up to h = 0.
+static bool ends_by_impulse(const tf_machine_t *k, const tf_state_t *from,
+                            const step_end_t *to) {
+  const end_state_t at = to->end.at;
+  const tf_real_t dw = at.w - from->w;
+  return k->stick_kappa > 0 && ends_slip(from->mode, to->outcome.mode) &&
+         changes_much(k, (end_state_t){from->r, from->v, from->w}, at,
+                      ground_speed(k, at.v - from->v, dw), dw, TF_COURSE_SHARE);
+}
+
 TF_API step_end_t tf_rare_end(const tf_machine_t *k, const tf_state_t *state,
                               const tf_input_t *input, start_t start) {
   free_motion_t c;
@@ -146,7 +157,10 @@ TF_API step_end_t tf_rare_end(const tf_machine_t *k, const tf_state_t *state,
   solutions_t s;
   unsigned signs;
   step_end_t to;
-  switch (end_of_step(k, state, input, start, &c, &in, &s, &signs, &to)) {
+  const end_kind_t kind =
+      end_of_step(k, state, input, start, &c, &in, &s, &signs, &to);
+  const bool may_follow = kind == END_TURNING || kind == END_TO_CHECK;
+  switch (kind) {
     case END_SINGLE_VALUED:
       single_valued_end(k, state, input, start, &to);
       break;
@@ -154,7 +168,7 @@ TF_API step_end_t tf_rare_end(const tf_machine_t *k, const tf_state_t *state,
       refuse_end(&to);
       break;
     case END_CODIM2:
-      tf_codim2_end(&c, input, &in, &s, &to);
+      tf_codim2_end(&c, &in, &s, &to);
       break;
     case END_NO_MODE:
       tf_least_violation(&c, &in, &s, &to);
@@ -170,6 +184,8 @@ TF_API step_end_t tf_rare_end(const tf_machine_t *k, const tf_state_t *state,
         to.outcome.status = TF_COARSE;
       break;
   }
+  if (may_follow && ends_by_impulse(k, state, &to))
+    tf_end_along_course(&c, &in, &s, &to);
   if (to.outcome.status >= TF_OK && needs_check(k, state, input, &to))
     return tf_checked_end(k, state, input, to);
   return to;

@@ -13,8 +13,15 @@ TF_API step_end_t tf_rare_end(const tf_machine_t *k, const tf_state_t *state,
 
 // At h = g = 0, or near it with the mode lost; see codim2_end.c.
 #define tf_codim2_end TF_LINK(tf_codim2_end)
-TF_API void tf_codim2_end(free_motion_t *c, const tf_input_t *input,
-                          inclusion_t *in, solutions_t *s, step_end_t *to);
+TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, solutions_t *s,
+                          step_end_t *to);
+
+// A slip that ends in stick or rest within its step, and by that changes much:
+// it ends where its course does. It is TF_COARSE where that is in no mode that
+// solves the inclusion, or where no force of the law leads there.
+#define tf_end_along_course TF_LINK(tf_end_along_course)
+TF_API void tf_end_along_course(free_motion_t *c, inclusion_t *in,
+                                const solutions_t *s, step_end_t *to);
 
 // Where no mode is consistent, or none that a slip may enter: of all ends that
 // the step may take, the one that violates the law least.

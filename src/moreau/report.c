@@ -4,17 +4,19 @@
 
 #include "../model/rates.h"
 
-// A turntable that stands may bring the wheel to rest; then h and g are off by
-// the rounding of the forces that balance, friction and spring, times dt A.
+// A turntable that stands, or passes 0, may bring the wheel to rest; then h and
+// g are off by the rounding of the forces that balance, friction and spring,
+// times dt A.
 TF_API tf_status_t tf_status_of_end(const tf_machine_t *k,
-                                    const tf_state_t *state, tf_real_t omega0,
-                                    tf_report_t *report) {
+                                    const tf_state_t *state,
+                                    const tf_input_t *u, tf_report_t *report) {
   const tf_real_t rounding =
-      slip_rounding(k, state->r, state->v, state->w, omega0);
+      slip_rounding(k, state->r, state->v, state->w, turntable_size(k, u));
   const tf_real_t force =
       magnitude(report->force.F) + k->k2 * magnitude(state->r);
   const tf_real_t taken = k->dt * magnitude(report->delassus) * force;
-  const tf_real_t of_force = omega0 == 0 ? SLIP_ROUNDINGS * taken : 0;
+  const bool stands = within(u->omega0, magnitude(turn_of_step(k, u)));
+  const tf_real_t of_force = stands ? SLIP_ROUNDINGS * taken : 0;
   return status_by_signs(report, rounding + of_force);
 }
 

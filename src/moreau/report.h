@@ -94,7 +94,7 @@ TF_INLINE tf_status_t status_by_signs(tf_report_t *report, tf_real_t rounding) {
 #define tf_status_of_end TF_LINK(tf_status_of_end)
 __attribute__((noinline, cold)) TF_API tf_status_t
 tf_status_of_end(const tf_machine_t *k, const tf_state_t *state,
-                 tf_real_t omega0, tf_report_t *report);
+                 const tf_input_t *u, tf_report_t *report);
 
 // The status of a step that is recorded likewise and has left r as it was:
 // whether the motion stalls.

@@ -31,7 +31,7 @@ typedef struct {
 // That of a plain step.
 TF_INLINE start_t start_of(const tf_machine_t *k, const tf_state_t *state,
                            const tf_input_t *input) {
-  const tf_real_t z = state->w - input->omega0;
+  const tf_real_t z = state->w - speed_at_start(k, input);
   return (start_t){.p = slider_speed(k, state->v, z), .z = z};
 }
 
@@ -39,6 +39,7 @@ TF_INLINE start_t start_of(const tf_machine_t *k, const tf_state_t *state,
 typedef struct {
   const tf_machine_t *machine;
   const tf_state_t *state;
+  const tf_input_t *input;
   start_t start;
   linear_t linear;
   free_end_t end;
@@ -63,6 +64,7 @@ TF_INLINE free_motion_t free_motion(const tf_machine_t *k,
                                     const tf_input_t *input, start_t start) {
   free_motion_t c = {.machine = k,
                      .state = state,
+                     .input = input,
                      .start = start,
                      .linear = linearise(k, state, input)};
   c.linear.p = start.p;

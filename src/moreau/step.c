@@ -22,7 +22,7 @@ TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
   record(state, at, slip, to->end.force, residual, outcome, report);
   tf_status_t status = outcome.status;
   if (!plainly_has_signs(k, outcome.mode, slip, at))
-    status = tf_status_of_end(k, state, input->omega0, report);
+    status = tf_status_of_end(k, state, input, report);
   return stays ? tf_status_of_stall(k, input, state, report) : status;
 }
 

@@ -159,8 +159,8 @@ static int agreeing(const kind_t *kind, int map, int most) {
   tf_input_t u = tf_input_default(&a);
   u.force = uniform(-0.1, 0.1);
   u.torque = uniform(-0.1, 0.1);
-  u.alpha = kind->step == tf_step_located ? uniform(-0.5, 0.5) : 0;
-  const tf_input_t v = mapped_input(map, u);
+  u.alpha = uniform(-0.5, 0.5);
+  tf_input_t v = mapped_input(map, u);
   tf_state_t x = state_at_random(&a, &u), y = mapped_state(map, x);
   tf_report_t first = {.status = TF_OK}, second = {.status = TF_OK};
   CHECK(tf_begin(&a, &x, &u, &first) == TF_OK);
@@ -169,6 +169,8 @@ static int agreeing(const kind_t *kind, int map, int most) {
   for (int n = 0; n < most; n++) {
     const tf_state_t want = mapped_state(map, x);
     if (!same_state(&want, &y) || !same_report(map, &first, &second)) return n;
+    u.omega0 += u.alpha * a.dt;
+    v = mapped_input(map, u);
     if (kind->step(&a, &x, &u, &first) < 0) return most;
     (void)kind->step(&b, &y, &v, &second);
     /* Next to a singular point terms of a series overflow in float: in one unit

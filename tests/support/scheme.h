@@ -9,7 +9,7 @@
 typedef struct {
   paper_t p;
   real x[3]; /* r, v, w at the start */
-  real dt, theta, omega0, sin, cos, r_t, Q_r, Q_phi, s[2][2], det;
+  real dt, theta, omega0, alpha, sin, cos, r_t, Q_r, Q_phi, s[2][2], det;
 } scheme_step_t;
 
 /* (1)-(5). */
@@ -20,6 +20,7 @@ static inline scheme_step_t scheme_step(const tf_params_t *params,
   c.dt = wide(params->dt);
   c.theta = wide(params->theta);
   c.omega0 = wide(u->omega0);
+  c.alpha = wide(u->alpha);
   c.sin = sinl(c.p.gamma);
   c.cos = cosl(c.p.gamma);
   const real t = c.theta * c.dt, a = t * (c.p.c2 + t * c.p.k2);
@@ -66,14 +67,15 @@ static inline void scheme_end(const scheme_step_t *c, real F, real M,
   end[0] = c->x[0] + c->dt * (c->x[1] + c->theta * d[0]);
 }
 
-/* h and g of (h) and (g) at some r, v, w. */
+/* h and g of (h) and (g) at some r, v, w, at a share of the step. */
 typedef struct {
   real h, g;
 } scheme_slip_t;
 
-static inline scheme_slip_t scheme_slip(const scheme_step_t *c,
+static inline scheme_slip_t scheme_slip(const scheme_step_t *c, real share,
                                         const real x[3]) {
-  const real z = x[2] - c->omega0, e = x[1] - c->p.d * z;
+  const real before = (1 - share) * c->dt * c->alpha;
+  const real z = x[2] - (c->omega0 - before), e = x[1] - c->p.d * z;
   return (scheme_slip_t){-e * c->sin - x[0] * z * c->cos,
                          x[0] * z * c->sin - e * c->cos};
 }

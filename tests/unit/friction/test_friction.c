@@ -28,7 +28,8 @@ static void discretise(step_t *k) {
   const real c = fabsl((real)k->u.torque) + fabsl(p->c1 * w) +
                  fabsl(2 * m * rt * v * w) + mu * arm + fabsl(p->d) * b;
   const real J = paper_clock_rate(p, rt), dt = k->c.dt;
-  const real z = fabsl(w) + fabsl((real)k->u.omega0) + dt * c / J;
+  const real turntable = fabsl((real)k->u.omega0) + dt * fabsl(k->c.alpha);
+  const real z = fabsl(w) + turntable + dt * c / J;
   k->load = b + c;
   k->noise =
       64 * EPSILON *
@@ -50,7 +51,7 @@ typedef scheme_slip_t slip_t;
 static slip_t slip_at(const step_t *k, real x, real y) {
   real end[3];
   scheme_end(&k->c, x * k->p.mu, y * k->p.kappa * k->p.mu, end);
-  return scheme_slip(&k->c, end);
+  return scheme_slip(&k->c, 1, end);
 }
 
 /* Between two points of a grid h and g are parabolas: three values of one give
@@ -197,6 +198,8 @@ static int draw(step_t *k, tf_machine_t *machine, int i) {
   k->u.torque = (tf_real_t)(tap_uniform(-1, 1) * (double)k->p.mu);
   tf_speed_for_slip(machine, k->x.r, k->x.w, k->u.omega0, (tf_real_t)h,
                     &k->x.v);
+  if (i % 3 == 0) k->u.alpha = uniform(-2, 2);
+  k->u.omega0 += k->u.alpha * k->p.dt;
   k->x.mode = (uint8_t)(tap_bits() % TF_MODES);
   discretise(k);
   return 1;

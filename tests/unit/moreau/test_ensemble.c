@@ -189,14 +189,18 @@ TEST(ensemble_of_difficult_states) {
     p.rule = (tf_rule_t)(m % TF_RULES);
     if (m % 50 == 7) p.gamma = 0;
     twins.machine = prepared(&p);
-    const tf_input_t u = tf_input_default(&twins.machine);
+    tf_input_t u = tf_input_default(&twins.machine);
+    if (m % 2) u.alpha = uniform(-3, 3);
     const size_t n = 64; /* whole blocks */
     for (size_t i = 0; i < n; i++) {
       twins.states[i] = difficult_state(u.omega0);
       if (tap_bits() % 10 == 0) spoil(&twins.states[i]);
     }
     twin(n);
-    for (int i = 0; i < 5; i++) differ += step_twins(&u);
+    for (int i = 0; i < 5; i++) {
+      u.omega0 += u.alpha * twins.machine.dt;
+      differ += step_twins(&u);
+    }
     for (int i = 0; i < 8; i++) seen[i] += twins.seen[i];
   }
   CHECK(differ == 0);
@@ -237,7 +241,8 @@ TEST(ensemble_is_pinned_as_single_steps_are) {
     p.with_angle = i % 2;
     if (i % 5 == 0) p.theta = uniform(0.5, 1);
     twins.machine = prepared(&p);
-    const tf_input_t u = tf_input_default(&twins.machine);
+    tf_input_t u = tf_input_default(&twins.machine);
+    if (i % 5 == 0) u.alpha = uniform(-1, 1);
     for (size_t lane = 0; lane < TF_LANES; lane++)
       twins.states[lane] = near_rest(&twins.machine, &u);
     twin(TF_LANES);
@@ -245,6 +250,7 @@ TEST(ensemble_is_pinned_as_single_steps_are) {
       size_t pinned[2] = {0, 0};
       for (size_t lane = 0; lane < TF_LANES; lane++)
         pinned[0] += twins.states[lane].mode == TF_PINNED;
+      u.omega0 += u.alpha * twins.machine.dt;
       differ += step_twins(&u);
       for (size_t lane = 0; lane < TF_LANES; lane++) {
         pinned[1] += twins.states[lane].mode == TF_PINNED;

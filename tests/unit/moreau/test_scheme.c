@@ -32,7 +32,8 @@ static case_t random_case(tf_tyre_law_t law, double longest) {
   c.input = (tf_input_t){.omega0 = uniform(-2, 2),
                          .r0 = uniform(-1, 1),
                          .force = uniform(-2, 2),
-                         .torque = uniform(-2, 2)};
+                         .torque = uniform(-2, 2),
+                         .alpha = uniform(-2, 2)};
   c.state = (tf_state_t){.r = uniform(0.3, 1.5),
                          .v = uniform(-1, 1),
                          .w = uniform(-3, 3),
@@ -118,7 +119,8 @@ static secant_t secant(const case_t *at, scheme_slip_t slip) {
   secant_t out = {wide(f.F), wide(f.M),
                   fabsl(slip.h) > 1e-2L && fabsl(E) > 1e-4L};
   if (!(E < 0)) return out;
-  const real h_now = scheme_slip(c, c->x).h, h_free = scheme_slip(c, end).h;
+  const real h_now = scheme_slip(c, 0, c->x).h;
+  const real h_free = scheme_slip(c, 1, end).h;
   const real h_t = (h_now + c->theta * (h_free - h_now)) / (1 - c->theta * E);
   const real share = fmaxl(-1, fminl(1, h_t / slip.h));
   out.F *= share;
@@ -140,12 +142,12 @@ TEST(single_valued_force_is_the_secant_of_the_scheme) {
     tf_state_t x = c.state;
     tf_report_t report;
     if (tf_step(&c.machine, &x, &c.input, &report) != TF_OK) continue;
-    const secant_t first = secant(&c, scheme_slip(scheme, x0));
+    const secant_t first = secant(&c, scheme_slip(scheme, 0, x0));
     real end[3];
     scheme_end(scheme, first.F, first.M, end);
     const real middle[3] = {scheme->r_t, x0[1] + theta * (end[1] - x0[1]),
                             x0[2] + theta * (end[2] - x0[2])};
-    const secant_t second = secant(&c, scheme_slip(scheme, middle));
+    const secant_t second = secant(&c, scheme_slip(scheme, theta, middle));
     if (!first.clear || !second.clear) continue;
     const real size = fabsl(second.F) + fabsl(second.M) + scheme->p.mu;
     const real off = fabsl(wide(report.force.F) - second.F) +

@@ -1,0 +1,382 @@
+/* Laws of a machine whose turntable speeds up or slows down: each state goes
+ * with the speed of the turntable at its own instant. With that of another one
+ * the motion is off by its acceleration times the step, which makes a smooth
+ * motion one of first order, and at h = g = 0, where all else is as small,
+ * another motion. */
+#include "../../src/moreau/rare_end.h"
+#include "../reference/reference.h"
+#include "same_state.h"
+#include "sim.h"
+
+/* A machine, how it starts, and what acts on it all the time. */
+typedef struct {
+  tf_params_t params;
+  double r, v, w, alpha, force, torque;
+} motion_t;
+
+typedef struct {
+  double r, v, w;
+} end_t;
+
+static const double duration = 0.25;
+
+static motion_t any_motion(tf_tyre_law_t law) {
+  motion_t m = {.params = wide_params()};
+  tf_params_t *p = &m.params;
+  p->law = law;
+  p->theta = TF_R(0.5);
+  p->beta = uniform(0.2, 1);
+  p->k2 = uniform(0, 1); /* no period of it is balanced, see grows() */
+  p->c2 = 0;
+  p->mu = uniform(0.1, 1);
+  p->epsilon = uniform(0.1, 0.5);
+  p->k = uniform(1, 20);
+  p->delta = uniform(1, 10);
+  p->sigma = uniform(0, 1);
+  p->rho = uniform(0.3, 1);
+  p->a = uniform(0.1, 0.5);
+  m.r = tap_uniform(0.3, 1);
+  m.v = tap_uniform(-1, 1);
+  m.w = (double)p->omega0 + tap_uniform(-2, 2);
+  m.alpha = tap_uniform(-4, 4);
+  m.force = tap_uniform(-1, 1);
+  m.torque = tap_uniform(-1, 1);
+  return m;
+}
+
+static ref_machine_t reference_of(const motion_t *m) {
+  static const ref_law_t laws[TF_TYRE_LAWS] = {[TF_TYRE_JUMP] = REF_JUMP,
+                                               [TF_TYRE_COULOMB] = REF_COULOMB,
+                                               [TF_TYRE_SMOOTH] = REF_SMOOTH,
+                                               [TF_TYRE_STRING] = REF_STRING,
+                                               [TF_TYRE_NONE] = REF_FREE};
+  const tf_params_t *p = &m->params;
+  ref_machine_t q = {PARAMETERS_OF(ref_real_t, p),
+                     .epsilon = p->epsilon,
+                     .k = p->k,
+                     .delta = p->delta,
+                     .sigma = p->sigma,
+                     .rho = p->rho,
+                     .a = p->a,
+                     .law = laws[p->law],
+                     .knots = 2};
+  for (int i = 0; i < 2; i++)
+    q.knot[i] = (ref_knot_t){i, p->omega0 + i * m->alpha, m->force, m->torque};
+  ref_prepare(&q);
+  return q;
+}
+
+/* The true end of a motion that keeps its mode; false where it does not. */
+static bool true_end(const motion_t *m, ref_mode_t mode, end_t *end) {
+  const ref_machine_t q = reference_of(m);
+  ref_orbit_t orbit = {.tolerance = 1e-13L};
+  ref_state_t x = ref_state(&q, m->r, m->v, m->w);
+  if (mode > REF_SLIP_MINUS) x = ref_on_surface(&q, x);
+  ref_begin(&orbit, &q, x, mode);
+  const ref_slip_t from = ref_slip(&q, x);
+  if (ref_run(&orbit, duration) != REF_REACHED || orbit.events > 0 ||
+      orbit.mode != mode)
+    return false;
+  if (from.g * ref_slip(&q, orbit.x).g < 0) /* a kink of the force of slip */
+    return false;
+  *end = (end_t){(double)orbit.x.r, (double)ref_v(&q, orbit.x),
+                 (double)ref_w(&q, orbit.x)};
+  return true;
+}
+
+static double apart(const sim_t *s, const end_t *want) {
+  return fabs((double)s->x.r - want->r) + fabs((double)s->x.v - want->v) +
+         fabs((double)s->x.w - want->w);
+}
+
+/* One step, however it is taken. */
+typedef tf_status_t (*taken_t)(sim_t *s);
+
+static tf_status_t plain(sim_t *s) { return sim_step(s, MOREAU); }
+static tf_status_t compensated(sim_t *s) { return sim_step(s, COMPENSATED); }
+
+/* A block of equal lanes, each with the bits of tf_step. */
+static tf_status_t in_lanes(sim_t *s) {
+  tf_state_block_t block;
+  tf_report_block_t reports;
+  memset(&block, 0, sizeof block);
+  memset(&reports, 0, sizeof reports);
+  for (size_t i = 0; i < TF_LANES; i++) tf_ensemble_put(&block, i, &s->x);
+  tf_ensemble_step(&s->k, &block, TF_LANES, &s->u, &reports);
+  const tf_status_t status = plain(s);
+  const tf_state_t x = tf_ensemble_get(&block, TF_LANES - 1);
+  CHECK(same_state(&x, &s->x));
+  return status;
+}
+
+/* The form that creates no energy, under the force of the plain step. */
+static tf_status_t balanced(sim_t *s) {
+  tf_state_t x = s->x;
+  const tf_status_t status = tf_step(&s->k, &x, &s->u, &s->report);
+  const balanced_end_t end =
+      tf_balanced_end(&s->k, &s->x, &s->u, x.mode, s->report.force);
+  s->x.r = end.at.r;
+  s->x.v = end.at.v;
+  s->x.w = end.at.w;
+  s->x.mode = x.mode;
+  return status;
+}
+
+static sim_t begun(const motion_t *m, int n) {
+  tf_params_t p = m->params;
+  p.dt = (tf_real_t)(duration / n);
+  sim_t s = sim_of(&p);
+  s.u.alpha = (tf_real_t)m->alpha;
+  s.u.force = (tf_real_t)m->force;
+  s.u.torque = (tf_real_t)m->torque;
+  s.x.r = (tf_real_t)m->r;
+  s.x.v = (tf_real_t)m->v;
+  s.x.w = (tf_real_t)m->w;
+  CHECK(sim_begin(&s) == TF_OK);
+  return s;
+}
+
+static tf_status_t turn(sim_t *s, const motion_t *m, taken_t taken) {
+  s->u.omega0 = m->params.omega0 +
+                (tf_real_t)(m->alpha * (double)(s->x.tick + 1)) * s->k.dt;
+  const uint64_t tick = s->x.tick;
+  const tf_status_t status = taken(s);
+  s->x.tick = tick + 1;
+  return status;
+}
+
+/* Runs n steps; false where one is not TF_OK or changes the mode. */
+static bool keeps_mode(sim_t *s, const motion_t *m, int n, taken_t taken) {
+  const unsigned mode = s->x.mode;
+  for (int i = 0; i < n; i++)
+    if (turn(s, m, taken) != TF_OK || s->x.mode != mode) return false;
+  return true;
+}
+
+/* How the mean error over some motions falls in two halvings of the step. */
+static void has_order_two(const char *name, taken_t taken, tf_tyre_law_t law,
+                          bool sticks) {
+  double sum[3] = {0, 0, 0};
+  int judged = 0;
+  for (int i = 0; judged < 20 && i < 20000; i++) {
+    motion_t m = any_motion(law);
+    if (sticks) {
+      const sim_t s = sim_of(&m.params);
+      tf_real_t v;
+      if (tf_speed_for_slip(&s.k, (tf_real_t)m.r, (tf_real_t)m.w, s.u.omega0, 0,
+                            &v) != TF_OK)
+        continue;
+      m.v = (double)v;
+    }
+    sim_t run[3];
+    int kept = 0;
+    for (; kept < 3; kept++) {
+      const int n = (IS_DOUBLE ? 50 : 12) << kept;
+      run[kept] = begun(&m, n);
+      if ((run[kept].x.mode > TF_SLIP_MINUS) != sticks ||
+          !keeps_mode(&run[kept], &m, n, taken))
+        break;
+    }
+    end_t want;
+    if (kept < 3 || !true_end(&m, (ref_mode_t)run[0].x.mode, &want)) continue;
+    for (int j = 0; j < 3; j++) sum[j] += apart(&run[j], &want);
+    judged++;
+  }
+  printf("# %-24s %.2e, %.2e, %.2e: order %.2f\n", name, sum[0] / judged,
+         sum[1] / judged, sum[2] / judged, log(sum[0] / sum[2]) / log(4));
+  CHECK(judged == 20);
+  CHECK(sum[0] > 3 * sum[1] && sum[0] < 5 * sum[1]);
+  CHECK(!IS_DOUBLE || (sum[1] > 3 * sum[2] && sum[1] < 5 * sum[2]));
+}
+
+TEST(order_two_in_slip_on_a_ramp) {
+  has_order_two("slip", plain, TF_TYRE_JUMP, false);
+  has_order_two("slip, compensated", compensated, TF_TYRE_JUMP, false);
+  has_order_two("slip, lanes", in_lanes, TF_TYRE_JUMP, false);
+  has_order_two("slip, balanced", balanced, TF_TYRE_JUMP, false);
+  has_order_two("slip without moment", plain, TF_TYRE_COULOMB, false);
+  has_order_two("smooth law", plain, TF_TYRE_SMOOTH, false);
+  has_order_two("string", plain, TF_TYRE_STRING, false);
+}
+
+TEST(order_two_in_stick_on_a_ramp) {
+  has_order_two("stick", plain, TF_TYRE_JUMP, true);
+  has_order_two("stick, compensated", compensated, TF_TYRE_JUMP, true);
+  has_order_two("stick, lanes", in_lanes, TF_TYRE_JUMP, true);
+}
+
+/* A pinned wheel goes with the turntable, under the force that accelerates it:
+ * the energy that it gains is what the turntable has worked. */
+TEST(pinned_wheel_takes_its_energy_from_the_turntable) {
+  int rested = 0;
+  for (int i = 0; i < samples(4000); i++) {
+    motion_t m = any_motion(TF_TYRE_JUMP);
+    m.params.c1 = m.params.c2 = 0;
+    m.params.mu = uniform(3, 10);
+    m.v = m.force = m.torque = 0;
+    m.w = (double)m.params.omega0;
+    const int n = 50;
+    const bool pairs = i % 2;
+    sim_t s = begun(&m, n);
+    const real d = wide(s.k.d), dt = wide(s.k.dt);
+    const real first = wide(tf_energy(&s.k, &s.x, s.u.r0));
+    const tf_real_t start = s.x.r;
+    real work = 0, size = first;
+    bool rests = s.x.mode == TF_PINNED;
+    for (int j = 0; j < n && rests; j++) {
+      const real before = wide(s.x.w);
+      CHECK(turn(&s, &m, pairs ? compensated : plain) >= TF_OK);
+      rests = s.x.mode == TF_PINNED;
+      if (!rests) break;
+      CHECK(s.x.v == 0 && s.x.w == s.u.omega0 && s.x.r == start);
+      CHECK(s.report.slip.h == 0 && s.report.slip.g == 0);
+      const real F = wide(s.report.force.F), M = wide(s.report.force.M);
+      const real arm = wide(s.x.r) * cosl(wide(s.params.gamma)) -
+                       d * sinl(wide(s.params.gamma));
+      work += dt * (before + wide(s.x.w)) / 2 * (F * arm + M);
+      size += dt * (fabsl(before) + fabsl(wide(s.x.w))) *
+              (fabsl(F * arm) + fabsl(M));
+    }
+    if (!rests) continue;
+    const real gained = wide(tf_energy(&s.k, &s.x, s.u.r0)) - first;
+    CHECK_NEAR(gained, work, 1e3L * EPSILON * (size + 1));
+    rested++;
+  }
+  printf("# %d of %d rest\n", rested, samples(4000));
+  CHECK(rested > samples(300));
+}
+
+/* What friction puts into a slip on a ramp is what (17) says of the slip at the
+ * theta point, F h_t, and of the turntable there: its own speed times the
+ * moment that it needs. */
+TEST(friction_of_a_step_works_against_the_turntable_of_the_theta_point) {
+  for (int i = 0; i < samples(4000); i++) {
+    motion_t m = any_motion(TF_TYRE_JUMP);
+    m.params.theta = uniform(0.5, 1);
+    sim_t s = begun(&m, 100);
+    s.u.omega0 += s.u.alpha * s.k.dt;
+    const end_state_t from = {s.x.r, s.x.v, s.x.w};
+    if (sim_step(&s, MOREAU) != TF_OK) continue;
+    const end_state_t to = {s.x.r, s.x.v, s.x.w};
+    const tf_force_t f = s.report.force;
+    const balance_t b =
+        balance_of(&s.k, is_midpoint(&s.k), &s.u, from, to, f.F);
+    paper_t p = paper_of(&s.params);
+    const real dt = wide(s.k.dt), theta = wide(s.params.theta);
+    p.omega0 = wide(s.u.omega0) - (1 - theta) * dt * wide(s.u.alpha);
+    const real v = wide(from.v) + theta * (wide(to.v) - wide(from.v));
+    const real w = wide(from.w) + theta * (wide(to.w) - wide(from.w));
+    const real r = wide(from.r) + theta * dt * wide(from.v);
+    const real under = wide(from.r) + theta * dt * v; /* turntable's radius */
+    const real x[3] = {r, v, w};
+    const real h = paper_h(&p, x) +
+                   (under - r) * p.omega0 * cosl(p.gamma); /* see balance.h */
+    CHECK_NEAR(
+        wide(b.friction), -dt * wide(f.F) * h,
+        64 * EPSILON * dt * fabsl(wide(f.F)) *
+            (fabsl(v) + (fabsl(p.d) + fabsl(r)) * (fabsl(w) + fabsl(p.omega0)) +
+             1));
+  }
+}
+
+/* A stick in the form that creates no energy: the slip that its force ends is
+ * that against the turntable of the theta point, up to the third order. */
+TEST(balanced_stick_ends_the_slip_of_the_theta_point) {
+  int judged = 0;
+  for (int i = 0; i < samples(4000); i++) {
+    motion_t m = any_motion(TF_TYRE_JUMP);
+    m.params.theta = uniform(0.5, 1);
+    sim_t s = begun(&m, 250);
+    if (tf_speed_for_slip(&s.k, s.x.r, s.x.w, s.u.omega0, 0, &s.x.v) != TF_OK)
+      continue;
+    const end_state_t from = {s.x.r, s.x.v, s.x.w};
+    s.u.omega0 += s.u.alpha * s.k.dt;
+    s.x.mode = TF_STICK_PLUS;
+    const balanced_end_t end = tf_balanced_end(&s.k, &s.x, &s.u, TF_STICK_PLUS,
+                                               (tf_force_t){0, uniform(-1, 1)});
+    const tf_real_t mu = s.params.mu;
+    if (!(end.force.F < TF_R(0.99) * mu && end.force.F > TF_R(-0.99) * mu))
+      continue;
+    paper_t p = paper_of(&s.params);
+    const real dt = wide(s.k.dt), after = wide(s.params.theta);
+    const real before = 1 - after, r0 = wide(from.r), r1 = wide(end.at.r);
+    const real R0 = before * sqrtl(p.beta * p.beta + r0 * r0);
+    const real R1 = after * sqrtl(p.beta * p.beta + r1 * r1);
+    const real w0 = wide(from.w), w1 = wide(end.at.w);
+    const real w = (R0 * w0 + R1 * w1) / (R0 + R1);
+    const real P = before * (wide(from.v) - p.d * w0) +
+                   after * (wide(end.at.v) - p.d * w1);
+    const real x[3] = {before * r0 + after * r1, P + p.d * w, w};
+    p.omega0 = wide(s.u.omega0) - before * dt * wide(s.u.alpha);
+    CHECK(fabsl(paper_h(&p, x)) < (IS_DOUBLE ? 1e-5L : 5e-5L));
+    judged++;
+  }
+  printf("# %d forces within the law\n", judged);
+  CHECK(judged > samples(200));
+}
+
+/* `chaos` on a ramp of its turntable, for a second. */
+static sim_t on_ramp(const motion_t *m, double dt, scheme_t scheme, double *gap,
+                     int *told) {
+  tf_params_t p = m->params;
+  p.dt = (tf_real_t)dt;
+  p.tolerance = TF_R(1e-10);
+  sim_t s = sim_of(&p);
+  s.u.alpha = (tf_real_t)m->alpha;
+  s.x.r = (tf_real_t)m->r;
+  s.x.v = (tf_real_t)m->v;
+  s.x.w = (tf_real_t)m->w;
+  CHECK(sim_begin(&s) == TF_OK);
+  *gap = 1;
+  *told = 0;
+  for (long i = 1; i <= lround(1 / dt); i++) {
+    s.u.omega0 = p.omega0 + (tf_real_t)(m->alpha * (double)i * dt);
+    *told += sim_step(&s, scheme) != TF_OK;
+    *gap = fmin(*gap,
+                fabs((double)s.report.slip.h) + fabs((double)s.report.slip.g));
+  }
+  return s;
+}
+
+/* The wheel of the example slips, sticks, and comes to h = g = 0, where it
+ * rests, whatever the step; with the turntable of the end of the step at its
+ * start it went on in a slip, at every step. */
+TEST(wheel_comes_to_rest_on_a_ramp_at_every_step) {
+  static const double dts[] = {1e-3, 1e-4, 1e-5};
+  const motion_t m = {tf_scenes[0]->params, 0.145, -0.084, -1.037, 0.3, 0, 0};
+  for (int i = 0; i < (IS_DOUBLE ? 3 : 2); i++)
+    for (scheme_t scheme = MOREAU; scheme <= COMPENSATED; scheme++) {
+      double gap;
+      int told;
+      const sim_t s = on_ramp(&m, dts[i], scheme, &gap, &told);
+      CHECK(s.x.mode == TF_PINNED && s.x.v == 0 && s.x.w == s.u.omega0);
+      CHECK_NEAR((double)s.x.r, 0.155514, IS_DOUBLE ? dts[i] : 1e-3);
+    }
+}
+
+/* Motions through h = g = 0 on a ramp take the branch that the located step
+ * takes, where that one is sure of it: at two steps it ends in one place. */
+TEST(ramp_through_codimension_two_has_the_branch_of_the_located_step) {
+  if (!IS_DOUBLE) SKIP("rounding of float is as large as the differences");
+  int judged = 0, other = 0;
+  for (int i = 0; i < samples(600); i++) {
+    motion_t m = {.params = tf_scenes[0]->params,
+                  .r = tap_uniform(0.1, 0.24),
+                  .v = tap_uniform(-0.1, 0.1),
+                  .w = tap_uniform(-1.1, -0.9),
+                  .alpha = tap_uniform(-0.5, 0.5)};
+    double gap, unused;
+    int told;
+    const sim_t fine = on_ramp(&m, 1e-4, LOCATED, &gap, &told);
+    if (told > 0 || gap > 1e-3) continue;
+    const sim_t rough = on_ramp(&m, 3.7e-4, LOCATED, &unused, &told);
+    const end_t want = {(double)fine.x.r, (double)fine.x.v, (double)fine.x.w};
+    if (told > 0 || apart(&rough, &want) > 1e-3) continue;
+    const sim_t s = on_ramp(&m, 1e-4, MOREAU, &unused, &told);
+    if (told > 0) continue;
+    judged++;
+    other += apart(&s, &want) > 0.02;
+  }
+  printf("# %d motions, %d on another branch\n", judged, other);
+  CHECK(judged > samples(100) && other <= judged / 20);
+}
