@@ -125,10 +125,10 @@ TEST(ensemble_of_every_scene) {
     begin_twins(scene, TF_RULE_PERSIST, 2 * TF_LANES + 1, 0.05);
     const double dt = (double)twins.machine.dt;
     for (int i = 1; i <= samples(10000); i++) {
-      const tf_real_t t = (tf_real_t)(i * dt * 10);
-      tf_input_t u = tf_scene_input(scene, &twins.machine, t);
-      u.force = (tf_real_t)(0.5 * sin(3 * (double)t));
-      u.torque = (tf_real_t)(0.2 * cos(5 * (double)t));
+      const double t = i * dt * 10;
+      tf_input_t u = tf_scene_input(scene, &twins.machine, (uint64_t)i * 10);
+      u.force = (tf_real_t)(0.5 * sin(3 * t));
+      u.torque = (tf_real_t)(0.2 * cos(5 * t));
       differ += step_twins(&u);
     }
     CHECK(differ == 0);

@@ -17,9 +17,8 @@ TEST(simulation_is_the_run_of_the_command_line) {
     CHECK(same_state(&state, &simulation.state));
     CHECK(report.choices == simulation.report.choices && simulation.running);
     for (int n = 1; n <= 30000; n++) {
-      const tf_input_t input = tf_scene_input(
-          scene, &simulation.machine,
-          (tf_real_t)((double)n * (double)simulation.machine.dt));
+      const tf_input_t input =
+          tf_scene_input(scene, &simulation.machine, (uint64_t)n);
       tf_step(&simulation.machine, &state, &input, &report);
       const tf_input_t own = tf_simulation_input(&simulation, scene);
       CHECK(own.omega0 == input.omega0 && own.alpha == input.alpha);

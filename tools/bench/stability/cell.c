@@ -92,7 +92,7 @@ static long double size(const tf_state_t *x) {
 
 static tf_input_t input_at(const case_t *c, const tf_machine_t *k, long n) {
   if (!c->scene) return tf_input_default(k);
-  return tf_scene_input(c->scene, k, (tf_real_t)n * k->dt);
+  return tf_scene_input(c->scene, k, (uint64_t)n);
 }
 
 static tf_status_t begin(const case_t *c, const tf_machine_t *k,

@@ -75,7 +75,8 @@ static const fmu_variable_t other_reals[FMU_REALS - TF_PARAMETERS] = {
     INPUT("force", "N", "force on the slider, along r"),
     INPUT("torque", "N m", "torque on the disc"),
     INPUT("alpha", "rad/s^2",
-          "acceleration of the turntable during a step (scheme located)"),
+          "acceleration with which the turntable comes to omega0 at the end of "
+          "the communication step; 0: it has omega0 throughout"),
     OUTPUT("r", "m", "displacement of the slider"),
     OUTPUT("v", "m/s", "speed of the slider"),
     OUTPUT("omega", "rad/s", "speed of the disc"),
