@@ -53,7 +53,11 @@ TF_API tf_input_t tf_simulation_input(tf_simulation_t *simulation,
   const tf_machine_t *machine = &simulation->machine;
   if (simulation->source == TF_INPUT_SET) count_down(simulation);
   simulation->stepped = simulation->source;
-  if (simulation->source == TF_INPUT_SET) return simulation->input;
+  if (simulation->source == TF_INPUT_SET) {
+    const tf_input_t input = simulation->input;
+    simulation->input.alpha = 0;
+    return input;
+  }
   if (simulation->source == TF_INPUT_SAFE) return tf_input_default(machine);
   return tf_scene_input(scene, machine, simulation->state.tick + 1);
 }

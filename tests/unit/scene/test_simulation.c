@@ -75,6 +75,28 @@ TEST(inputs_expire_after_their_steps) {
         simulation.deadman == UINT32_MAX);
 }
 
+/* alpha is that of the first step, whether the next command comes in time, late
+ * or never: the turntable stays where it has come to. */
+TEST(alpha_acts_on_its_first_step_only) {
+  const tf_scene_t *scene = scene_named("driven");
+  tf_simulation_t simulation;
+  CHECK(tf_simulation_open(&simulation, scene, &scene->params, 0) == TF_OK);
+  const tf_real_t dt = simulation.machine.dt;
+  simulation.deadman = 12;
+  tf_input_t sent = tf_input_default(&simulation.machine);
+  for (int steps = 1; steps <= 20; steps++) {
+    tf_turntable_to(&sent, sent.omega0 + TF_R(0.25), dt);
+    sent.torque = (tf_real_t)steps;
+    tf_simulation_set_input(&simulation, &sent);
+    for (int n = 0; n < steps; n++) {
+      const tf_input_t got = tf_simulation_input(&simulation, scene);
+      CHECK(got.alpha == (n == 0 ? sent.alpha : 0) && sent.alpha != 0);
+      CHECK(got.omega0 == (n < 12 ? sent.omega0 : simulation.machine.omega0));
+      CHECK(got.torque == (n < 12 ? sent.torque : 0));
+    }
+  }
+}
+
 /* What the steps of a run said is counted by status, and the first that was not
  * TF_OK is remembered. */
 TEST(tally_counts_every_status) {
