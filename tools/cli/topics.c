@@ -95,10 +95,14 @@ static const topic_t topics[] = {
      "t [s], rising; any of these follow: omega0 [rad/s], r0 [m], force [N], "
      "torque [N m]. Lines that begin with # are comments.\n"
      "  held    a row holds from the first step that begins at t until the\n"
-     "          next row does\n"
-     "  linear  between rows; r0, force and torque are the mean over each "
-     "step\n"
-     "Before the first row and after the last one it is that row. What has "
+     "          next row does; a step is told its omega0 and alpha = 0, and\n"
+     "          where omega0 is another one, the turntable jumps at its start\n"
+     "  linear  between rows; a step is told omega0 at its end and its mean\n"
+     "          slope alpha, and the mean of r0, force and torque over it\n"
+     "Two rows of one time are a jump; linear, one within a step acts on its "
+     "omega0 at its start. Steps of --scheme located are split at the rows of "
+     "a linear table. Before the first row and after the last one it is that "
+     "row. What has "
      "no column stays that of the scene. For example:\n"
      "\n"
      "  t,omega0,force\n"
@@ -119,14 +123,16 @@ static const topic_t topics[] = {
     {"command slip_to_stick stick_to_slip slip_to_slip pinned_to_stick "
      "two_fold to scene_hash first steps asked end final list kinds "
      "largest_h_in_stick largest_residual largest seconds output_seconds "
-     "cost late latest applied passed rows last t_first t_last name held "
+     "cost late latest applied passed within jumps rows last t_first t_last "
+     "name held "
      "changes began_with commands states left source",
      "In the summary of 'run': steps before it (first), up to its end and "
      "asked for; why and where it ended (end, final); its events (list, "
      "kinds, and their counts); how well stick [m/s] and law [N] hold "
      "(largest); time on the clock [s] and late steps of --realtime. Of a "
      "table of inputs: rows from t_first to t_last, of which some passed "
-     "between two steps, and the least and the largest value applied. Of "
+     "between two steps or lie within one (as jumps), and the least and the "
+     "largest value applied. Of "
      "--replay: what commands have changed, and whose inputs hold."},
     {"bytes broken lost missing restarts too_long other_version not_finite "
      "unmatched unknown sender dropped overruns expired exec_min_ns "
@@ -172,8 +178,9 @@ static const topic_t topics[] = {
      "counts begun",
      "What 'diverge' samples and finds: 'twofold help diverge'."},
     {"alpha",
-     "Acceleration of the turntable [rad/s^2]: it follows from the column "
-     "omega0 of --inputs, or from a profile, where that is linear."},
+     "Acceleration of the turntable [rad/s^2], its mean over a step: it "
+     "follows from the column omega0 of --inputs, or from a profile, where "
+     "that is linear, and is 0 where it is held."},
     {"bench stability figures statistics page firmware fmu board boards dist",
      "Made by make, not by this program: 'make help' lists the targets."},
     {"save from resume state snapshot carry",

@@ -101,9 +101,9 @@ static real path_of(const tf_scene_t *scene, const tf_machine_t *k,
   return moved;
 }
 
-/* Two knots at one time are a jump. On the boundary of two steps it acts between
- * them, also where neither dt nor its time is a binary number; within a step it
- * acts at the start of that step. alpha has nothing of it. */
+/* Two knots at one time are a jump. On the boundary of two steps it acts
+ * between them, also where neither dt nor its time is a binary number; within a
+ * step it acts at the start of that step. alpha has nothing of it. */
 TEST(a_profile_may_jump) {
   tf_scene_t scene = *scene_named("driven");
   tf_machine_t k = prepared(&scene.params);

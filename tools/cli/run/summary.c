@@ -61,6 +61,13 @@ static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
                   "held\n",
                   passed);
   }
+  if (table->within > 0) {
+    (void)fprintf(
+        stderr,
+        "           %zu times of rows lie within a step; %zu are jumps, "
+        "which act at its start\n",
+        table->within, table->jumps);
+  }
 }
 
 // Inputs that a board got by a command, as they stand at the end.

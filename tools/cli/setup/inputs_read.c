@@ -129,11 +129,14 @@ static int read_row(reader_t *reader, char *line) {
                        reader->name, (unsigned long long)reader->line,
                        line != NULL ? "more" : "fewer", reader->fields);
   }
-  if (inputs->count > 0 && !(row.t > inputs->rows[inputs->count - 1].t)) {
+  const cli_input_row_t *end = inputs->rows + inputs->count;
+  const bool earlier = inputs->count > 0 && row.t < end[-1].t;
+  if (earlier || (inputs->count > 1 && row.t <= end[-2].t)) {
     char text[CLI_REAL_ROOM];
     (void)cli_write_real(text, row.t);
     return refuse(reader, CLI_REFUSED, 0, text,
-                  "is not later than t in the row before");
+                  earlier ? "is earlier than t in the row before"
+                          : "is t of two rows before: a jump has two");
   }
   return cli_inputs_add(inputs, &row)
              ? CLI_DONE
@@ -226,5 +229,9 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                        args->inputs);
   }
   code = read_between(args->between, &drive->table.linear);
-  return code == CLI_DONE ? read_file(&drive->table, args->inputs) : code;
+  code = code == CLI_DONE ? read_file(&drive->table, args->inputs) : code;
+  if (drive->table.given[CLI_INPUT_OMEGA0]) {
+    cli_inputs_free(&drive->profile);
+  }
+  return code;
 }

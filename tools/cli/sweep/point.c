@@ -140,19 +140,19 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
   const cli_setup_t *setup = &point->setup;
   const double dt = (double)setup->machine.dt;
   tf_report_t report = setup->report;
+  tf_input_t input;
   cli_system_begin(&point->system, point->sweep->scheme, setup, &report);
   cli_course_begin(&point->course, &point->system.state, &report);
   point->input = setup->input;
   point->course.energy_at_start = energy_of(point);
   for (uint64_t i = 1; i <= steps; i++) {
     const double t = (double)i * dt;
-    const tf_input_t input =
-        cli_drive_step(&point->drive, &setup->machine, i - 1, (tf_real_t)t);
     if (i % BATCH == 0 && cli_stop_asked()) {
       return CLI_POINT_INTERRUPTED;
     }
     const tf_status_t status =
-        point->sweep->scheme->step(&point->system, &input, &report);
+        cli_drive_take(&point->drive, point->sweep->scheme, setup,
+                       &point->system, &input, &report);
     if (status < 0) {
       (void)snprintf(point->reason, REASON_ROOM, "step %llu: %s",
                      (unsigned long long)i, tf_status_name(status));
