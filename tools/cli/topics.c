@@ -110,11 +110,13 @@ static const topic_t topics[] = {
      "  2,-2,0.5"},
     {"exit exits codes",
      CLI_EXIT_CODES " The file --exits of 'diverge' is something else."},
-    {"degraded coarse fell_back fell-back tolerance-missed reserved_since",
+    {"degraded coarse stalled fell_back fell-back reserved_since",
      "A step is degraded where no mode is consistent, or h and g contradict "
-     "the mode, and coarse where it does not resolve the motion or misses "
-     "its tolerance: a smaller dt helps. Both are counted, and make exit "
-     "code 5. fell_back: a located step that tf_step took, to its own order."},
+     "the mode; coarse where it does not resolve the motion, or a located step "
+     "misses its tolerance: a smaller dt helps; stalled where the change of "
+     "the motion is lost in rounding: a longer dt helps, double, or --scheme "
+     "compensated. All are counted, and make exit code 5. fell_back: a located "
+     "step that tf_step took, to its own order."},
     {"summary json text message",
      "What 'run', 'sweep', 'diverge' and 'monitor' say on standard error at "
      "their end. --summary json: one line of JSON, the last one there; SI "

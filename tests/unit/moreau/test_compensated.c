@@ -141,7 +141,7 @@ static int same_step(const sim_t *at, real *worst) {
   memset(&b.low, 0, sizeof b.low);
   const tf_status_t plain = sim_step(&a, MOREAU);
   const tf_status_t compensated = sim_step(&b, COMPENSATED);
-  const int stands = plain == TF_COARSE && compensated == TF_OK;
+  const int stands = plain == TF_STALLED && compensated == TF_OK;
   /* Sets differ where one of them comes to h = g = 0 and the other does not. */
   if ((plain != compensated && !stands) || a.report.mode != b.report.mode ||
       a.report.set != b.report.set)

@@ -170,7 +170,7 @@ static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
   const long double E = energy(k, x, at->r0);
   at->W += wide(k->dt) * fmaxl(power(k, old, omega0), power(k, x, omega0));
   const long double room = at->E0 + at->W + energy_of_rounding(k, x, at->r0);
-  if (report->status == TF_COARSE || report->status == TF_DEGRADED)
+  if (report->status >= TF_COARSE || report->status == TF_DEGRADED)
     at->told = fmaxl(at->told, fminl(at->told + E - at->E, E - room));
   at->E = E;
   if (!(E <= FACTOR * room)) worsen(cell, CELL_TOLD);

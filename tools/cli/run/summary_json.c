@@ -100,7 +100,6 @@ static void put_table(const cli_run_t *run, const char *key,
 
 static void put_quality(const cli_run_t *run) {
   const tf_tally_t *tally = &run->tally;
-  const uint64_t reserved = tally->degraded + tally->coarse + tally->fell_back;
   cli_put_count("ambiguous", run->ambiguity.steps);
   cli_put_double("ambiguous_since", run->ambiguity.since);
   if (run->ambiguity.start > 0) {
@@ -108,11 +107,10 @@ static void put_quality(const cli_run_t *run) {
   } else {
     cli_put_null("choices_at_start");
   }
-  cli_put_count("degraded", tally->degraded);
-  cli_put_count("coarse", tally->coarse);
-  cli_put_count("fell_back", tally->fell_back);
-  cli_put_double("reserved_since",
-                 reserved > 0 ? cli_run_time(run, tally->first) : (double)NAN);
+  cli_tally_put(tally);
+  cli_put_double("reserved_since", cli_tally_reserved(tally) > 0
+                                       ? cli_run_time(run, tally->first)
+                                       : (double)NAN);
   cli_put_double("largest_h_in_stick", run->largest_h);
   cli_put_double("largest_residual", run->largest_residual);
 }

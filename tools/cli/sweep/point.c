@@ -10,6 +10,7 @@
 #include "../setup/setup.h"
 #include "../text/message.h"
 #include "../text/number.h"
+#include "../text/summary.h"
 #include "sheet.h"
 
 #define BATCH 4096 // steps between two checks for a signal
@@ -164,13 +165,14 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
     cli_course_see(&point->course, t, &point->system.state, &report);
   }
   point->course.energy = energy_of(point);
-  if (point->tally.degraded + point->tally.coarse > 0) {
-    (void)snprintf(point->reason, REASON_ROOM,
-                   "%llu steps degraded; %llu missed the tolerance; first at "
-                   "t = %.9g s",
-                   (unsigned long long)point->tally.degraded,
-                   (unsigned long long)point->tally.coarse,
-                   (double)point->tally.first * dt);
+  const tf_tally_t *tally = &point->tally;
+  if (cli_tally_code(tally) != CLI_DONE) {
+    (void)snprintf(
+        point->reason, REASON_ROOM,
+        "%llu steps degraded; %llu coarse; %llu stalled; first at "
+        "t = %.9g s",
+        (unsigned long long)tally->degraded, (unsigned long long)tally->coarse,
+        (unsigned long long)tally->stalled, (double)tally->first * dt);
     return CLI_POINT_FLAGGED;
   }
   return CLI_POINT_DONE;

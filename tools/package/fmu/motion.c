@@ -151,6 +151,7 @@ void fmu_observe(fmu_motion_t *motion) {
   whole[FMU_DEGRADED] = (int64_t)motion->tally.degraded;
   whole[FMU_FELL_BACK] = (int64_t)motion->tally.fell_back;
   whole[FMU_COARSE] = (int64_t)motion->tally.coarse;
+  whole[FMU_STALLED] = (int64_t)motion->tally.stalled;
   whole[FMU_REFUSED] = (int64_t)motion->tally.refused;
   whole[FMU_FIRST] = (int64_t)motion->tally.first;
 }
