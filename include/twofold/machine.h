@@ -186,8 +186,8 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
 TF_API tf_input_t tf_input_default(const tf_machine_t *machine);
 
 /// Moves the turntable on, as it moves during the next step: to a new omega0,
-/// with alpha = (omega0 - its last value)/dt. A turntable that jumps is not moved
-/// but put there: omega0 is set, and alpha to 0.
+/// with alpha = (omega0 - its last value)/dt. A turntable that jumps is not
+/// moved but put there: omega0 is set, and alpha to 0.
 /// input: in/out, of the last step, or of the start. omega0: in, at the end of
 ///   the step [rad/s]. dt: in, of the machine, > 0 [s].
 #define tf_turntable_to TF_LINK(tf_turntable_to)

@@ -31,9 +31,10 @@ typedef struct {
 } tf_scene_t;
 
 /// Inputs of a scene for the step that ends at a tick, that is at tick dt; they
-/// depend on nothing else. alpha is the mean over that step. A jump within it is
-/// moved to its start. A knot that is tick dt but for rounding (2^-20 dt) is not
-/// within a step. Tick 0: those of the start, with the alpha of the first step.
+/// depend on nothing else. alpha is the mean over that step. A jump within it
+/// is moved to its start. A knot that is tick dt but for rounding (2^-20 dt) is
+/// not within a step. Tick 0: those of the start, with the alpha of the first
+/// step.
 /// scene: in. machine: in, from scene->params (or altered ones). tick: in; in
 ///   float exact up to 2^24.
 #define tf_scene_input TF_LINK(tf_scene_input)

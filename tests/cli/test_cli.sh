@@ -118,7 +118,10 @@ expectations run chaos <<END
 2 --set beta|--set beta
 2 --set =1|--set =1
 2 --set law=strin|unknown law 'strin'
-2 --select slip|unknown rule 'slip'
+2 --select slip|--select slip: unknown rule; rules are persist, slip+
+2 --select slip|slip- and random; did you mean 'slip+'
+2 --select perist:7|--select perist:7: unknown rule
+2 --select :7|--select :7: unknown rule
 2 --scheme verlet|--scheme verlet
 2 --scheme locate|mean 'located'
 2 --scheme compensate|mean 'compensated'

@@ -78,6 +78,14 @@ tells theta '[0.5, 1]'
 tells string 'Scene string'
 tells string 'stretched string with partial slip'
 tells exit '5 done, but'
+tells persist 'persist      the present mode, while it is consistent'
+tells slip- '--select RULE of'
+tells slip- 'slip+        an escaping stick ends at once, to this side'
+tells slip- 'The contact: slip+ (h > 0), slip- (h < 0)'
+tells random '--by KIND of'
+tells random '--select RULE of'
+tells monitor 'frames of a board, a file or a pipe (-)'
+tells monitor 'without it a terminal shows the live view'
 tells chaos "'twofold scene chaos' prints it"
 expect 2 "no help on 'kapa'; did you mean 'kappa'?" help kapa
 expect 2 "no help on 'xyzzy1234'; try" help xyzzy1234
@@ -109,6 +117,15 @@ for command in $("$T" help | sed -n 's/^  \([a-z]*\) .*/\1/p' | sort -u |
   [ -z "$option" ] ||
     expect 2 "did you mean '$option" "$command" "${option}q"
 done
+
+# Any word but those of the table is refused, and they are told; --send, whose
+# words have payloads, names the help.
+sed -n "s/^  \([a-z]*\):\(--[a-z0-9-]*\)) words='\([^ ]*\) .*/\1 \2 \3/p" \
+  script.bash | grep -v -e --send >chosen
+check 'options with words were found' [ "$(wc -l <chosen)" -gt 12 ]
+while read -r command option first; do
+  expect 2 "$option xyzzy&$first" "$command" chaos "$option" xyzzy
+done <chosen
 
 # completes WORDS EXPECTED: what bash offers behind them.
 completes() {

@@ -97,9 +97,9 @@ set -- run chaos --dt 0x1p-10 --t-end 0.5
 runs "$@" --inputs early.csv --between held --out want
 runs "$@" --inputs jump.csv --between linear
 check 'a jump within a step' cmp out want
-check 'it is counted' says '1 times of rows lie within a step; 1 are jumps'
+check 'it is counted' says '1 times of rows lie within a step, 1 of them'
 runs "$@" --inputs jump.csv --between linear --scheme located
-check 'located: none lies within a step' not says 'within a step'
+check 'located: none lies within a step' not says 'lie within a step'
 
 # The only inputs that are told are those of the table.
 runs run driven --t-end 0.1 --inputs jump.csv --between linear
@@ -121,10 +121,10 @@ awk 'BEGIN { split("0 100 100.5 120 120.25 300", t)
 for scheme in moreau compensated; do
   set -- run chaos --dt 0x1p-10 --t-end 0.3 --scheme $scheme --between linear
   runs "$@" --inputs ends.csv --out want
-  check 'rows at the ends of steps' not says 'within a step'
+  check 'rows at the ends of steps' not says 'lie within a step'
   runs "$@" --inputs kinks.csv
   check "a step is told its ends, $scheme" cmp out want
-  check 'of kinks: how many' says '2 times of rows lie within a step; 0 are'
+  check 'of kinks: how many' says '2 times of rows lie within a step, 0 of'
 done
 
 # A located step is split at rows, so its end is that of steps that end there:
@@ -186,7 +186,7 @@ wrong_files wrong.csv run chaos --inputs wrong.csv --between held <<'WORDS'
 WORDS
 expectations run <<'WORDS'
 2 chaos --inputs one.csv|say what holds between two rows
-2 chaos --between held|--between held: only with --inputs
+2 chaos --between held|--between: only with --inputs
 2 chaos --inputs one.csv --between cubic|--between cubic: must be held or linear
 2 chaos --inputs none.csv --between held|none.csv: No such file
 2 chaos --inputs . --between held|Is a directory

@@ -1,9 +1,8 @@
 # What the schemes cost, what their errors are and where they are stable; flash,
 # RAM and stack of the boards. Included by the Makefile.
 #
-#   ONLY='peers stability'   these sections of `make bench`: precision peers
-#                        steps after rounded ensemble stability, which it takes
-#                        by default, realtime sizes budgets; of `make size` and
+#   ONLY='peers stability'   these sections of `make bench` (SECTIONS of
+#                        tools/bench/run) in place of USUAL; of `make size` and
 #                        `make budgets`: these boards
 #   ROUNDS=5             of the peers
 #   SECONDS=10           of each loop in real time

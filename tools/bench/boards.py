@@ -15,6 +15,7 @@ from typing import NamedTuple, Optional
 
 import numpy as np
 
+import driven
 from callgraph import Graph
 from measure import BUILD
 
@@ -33,9 +34,8 @@ def plugin() -> Path:
     """The part of the emulator that counts."""
     path = BUILD / "count.so"
     path.parent.mkdir(parents=True, exist_ok=True)
-    subprocess.run(["cc", "-std=c99", "-O2", "-fPIC", "-shared",
-                    "tools/bench/count.c", "-o", str(path)],
-                   check=True)
+    driven.output("cc", "-std=c99", "-O2", "-fPIC", "-shared",
+                  "tools/bench/count.c", "-o", path)
     return path
 
 
@@ -177,11 +177,8 @@ class Firmware:
             return None
         elf, out = self.place / "window.elf", BUILD / "counted"
         out.unlink(missing_ok=True)
-        symbols = subprocess.run([self.board.tool("nm"), str(elf)],
-                                 stdout=subprocess.PIPE, text=True,
-                                 check=True).stdout
-        at = {line.split()[-1]: line.split()[0]
-              for line in symbols.splitlines()}
+        at = {line.split()[-1]: line.split()[0] for line in
+              driven.output(self.board.tool("nm"), elf).splitlines()}
         marks = f"open=0x{at['window_open']},close=0x{at['window_close']}"
         self._emulate(elf, 300, "-plugin", f"{counter},{marks},out={out}")
         windows = np.fromfile(out, np.uint32) if out.exists() else []

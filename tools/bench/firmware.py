@@ -8,7 +8,8 @@ import pandas as pd
 
 import driven
 from boards import Board, Firmware, boards, plugin
-from measure import BUILD, COLUMNS, KEPT, OUT, REALS, say
+from measure import (BUILD, COLUMNS, KEPT, OUT, REALS, load, save,
+                     say)
 
 TABLE = KEPT / "sizes.csv"
 FIRMWARE = ["board", "real", "scene"]
@@ -42,8 +43,8 @@ def all_firmware(names: list[str]) -> Iterable[Firmware]:
 
 
 def measure(names: list[str]) -> pd.DataFrame:
-    """Sizes, and instructions of a step in the emulator. Also leaves the table
-    for the check, in which boards that were not asked keep their rows."""
+    """Sizes, and instructions of a step in the emulator, in a table of their
+    own, in which boards that were not asked keep their lines."""
     steps = int(os.environ.get("STEPS") or 30000)
     counter, found = plugin(), []
     for one in all_firmware(names):
@@ -56,26 +57,13 @@ def measure(names: list[str]) -> pd.DataFrame:
                       one.painted(PAINTED_STEPS), *counts])
         say(" ".join("-" if n is None else str(n) for n in found[-1]))
     table = pd.DataFrame(found, columns=[*FIRMWARE, *HELD, *COUNTED])
-    table = table.convert_dtypes()
-    core, old = driven.output("tools/stamp", "core").strip(), read()
+    core, (of, old) = driven.output("tools/stamp", "core").strip(), load(TABLE)
     if names:
-        with open(TABLE, encoding="utf-8") as file:
-            core = f"{file.readline()[2:].strip()} {', '.join(names)}: {core}"
+        core = f"{of[0]} {', '.join(names)}: {core}"
     whole = pd.concat([old[~old.board.isin(table.board)], table])
-    with open(OUT / "table-sizes.csv", "w", encoding="utf-8") as file:
-        print(f"# {core}", file=file)
-        whole.sort_values("board", kind="stable").to_csv(file, index=False)
-    key = {"problem": table.scene, "solver": table.board + " " + table.real}
-    return pd.concat([
-        pd.DataFrame({**key, "dial": name, "instructions": table[name]})
-        for name in ("least", "median", "most")] + [
-        pd.DataFrame({**key, "dial": f"{name} [B]", "error": table[name]})
-        for name in (*HELD, "painted")])
-
-
-def read() -> pd.DataFrame:
-    """The table that is kept."""
-    return pd.read_csv(TABLE, comment="#").convert_dtypes()
+    save(OUT / TABLE.name, [core],
+         whole.sort_values("board", kind="stable").convert_dtypes())
+    return pd.DataFrame()
 
 
 def grown(one: Firmware, kept: pd.DataFrame) -> list[str]:
@@ -93,14 +81,14 @@ def grown(one: Firmware, kept: pd.DataFrame) -> list[str]:
         if now is None or pd.isna(before):
             continue
         if now > before * (1 + MOST):
-            said.append(f"{one}: {name} {before} -> {now} B, "
+            said.append(f"{one}: {name} {before:.0f} -> {now} B, "
                         f"{100 * (now / before - 1):+.1f} %")
     return said
 
 
 def check(every: bool) -> int:
     """Compares with the table. Returns: an exit code."""
-    kept, wrong, seen = read(), [], 0
+    (_, kept), wrong, seen = load(TABLE), [], 0
     for one in all_firmware([] if every else
                             list(dict.fromkeys(few[0] for few in FEW))):
         if every and one.board.name == "host":

@@ -140,6 +140,9 @@ int harness_main(int argc, char **argv, const solver_t *solvers, int n) {
     time_all(solvers, n, only);
   else if (strcmp(argv[1], "count") == 0)
     count_all(solvers, n, only);
+  else if (strcmp(argv[1], "problems") == 0)
+    for (int i = 0; i < PROBLEMS; i++)
+      printf("%s,%g\n", problem_number(i).name, problem_number(i).length);
   else
     return 2;
   return 0;

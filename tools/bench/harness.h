@@ -33,9 +33,9 @@ struct solver {
 /// Prints one row `problem,solver,dial,error,ns,verdict` a problem, solver and
 /// setting (`time`: the median time of a few runs in a row), or runs each once
 /// for callgrind, which dumps its counter after every call of `solve_counted`,
-/// and prints `problem,solver,dial` (`count`). A further argument: only the
-/// solver of this name. The settings are the same every time. Returns: an exit
-/// code.
+/// and prints `problem,solver,dial` (`count`), or prints `problem,length [s]`
+/// (`problems`). A further argument: only the solver of this name. The settings
+/// are the same every time. Returns: an exit code.
 int harness_main(int argc, char **argv, const solver_t *solvers, int n);
 
 /// Steps of about dt that fill the problem.

@@ -1,7 +1,11 @@
-"""Rows of measurements, and instructions counted by callgrind.
+"""Rows of measurements, where they are kept, and instructions counted by
+callgrind.
 
 Every row is of one problem, solver and setting of its dial: error, time [ns],
-instructions and a verdict; what was not measured is empty.
+instructions and a verdict; what was not measured is empty. An error is the
+largest of r [m], v [m/s] and w [rad/s]; of section `after` it is a distance of
+distributions, of `realtime` a number of steps. The rows of all sections are in
+one results.csv, at the head of which a line a section says of which core it is.
 """
 from __future__ import annotations
 
@@ -21,10 +25,11 @@ import driven  # noqa: E402
 BUILD = Path(os.environ.get("BUILD") or "build")
 CC = os.environ.get("CC") or "gcc"
 REALS = "double", "float"
-OUT = BUILD / "bench"          # what was measured
-KEPT = Path("docs/bench")      # tables and pictures of the page
+OUT = BUILD / "bench"      # what was measured in this build
+KEPT = Path("docs/bench")  # what is kept: rows, tables, pictures
 KEY = ["problem", "solver", "dial"]
 COLUMNS = [*KEY, "error", "ns", "instructions", "verdict"]
+RESULTS = "results.csv"
 
 
 def say(text: object) -> None:
@@ -41,6 +46,42 @@ def csv(text: str, names: list[str] | None = None) -> pd.DataFrame:
     """A table of lines, without a header where the columns have names here."""
     return pd.read_csv(io.StringIO(text), names=names, keep_default_na=False,
                        na_values=["nan", "-nan"])
+
+
+def load(path: Path) -> tuple[list[str], pd.DataFrame]:
+    """The lines at the head of a table, without their mark, and the table."""
+    head = [line[2:] for line in path.read_text("utf-8").splitlines()
+            if line.startswith("# ")]
+    return head, pd.read_csv(path, comment="#", keep_default_na=False,
+                             na_values=[""])
+
+
+def save(path: Path, head: list[str], table: pd.DataFrame) -> None:
+    """As `load` reads it."""
+    with open(path, "w", encoding="utf-8") as file:
+        file.writelines(f"# {line}\n" for line in head)
+        table.to_csv(file, index=False, float_format="%.6g")
+
+
+def results(folder: Path) -> tuple[dict[str, str], pd.DataFrame]:
+    """Of which core each section of a folder is, and all rows."""
+    if not (folder / RESULTS).exists():
+        return {}, pd.DataFrame(columns=[*COLUMNS, "section"])
+    head, rows = load(folder / RESULTS)
+    return dict(line.split(": ", 1) for line in head), rows
+
+
+def put(folder: Path, of: dict[str, str], rows: pd.DataFrame) -> None:
+    """Puts sections in the place of what a folder has of them."""
+    was, others = results(folder)
+    rows = pd.concat([others[~others.section.isin(of)], rows])
+    for name in "error", "ns", "instructions":
+        rows[name] = pd.to_numeric(rows[name])
+    # Counts keep all digits.
+    rows["instructions"] = rows.instructions.round().astype("Int64")
+    save(folder / RESULTS,
+         [f"{name}: {core}" for name, core in sorted({**was, **of}.items())],
+         rows.sort_values("section", kind="stable"))
 
 
 def timed(text: str) -> pd.DataFrame:

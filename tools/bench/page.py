@@ -1,9 +1,9 @@
 """docs/BENCH.md: words written by hand, tables of what was measured.
 
-A table stands below the line `<!-- NAME -->`. What was measured in this
-build is reduced to tables BUILD/bench/table-NAME.csv; what was not is taken
-from docs/bench/NAME.csv, which has the same form and says in its first line of
-which core it is.
+A table stands below the line `<!-- NAME -->`. It is made from a section of
+BUILD/bench/results.csv; what was not measured in this build is taken from
+docs/bench/results.csv, which has the same form. What is not an error, a time or
+a verdict of a solver at a dial is in tables of its own beside it.
 """
 from __future__ import annotations
 
@@ -13,21 +13,16 @@ from typing import Callable
 
 import pandas as pd
 
-import pictures
-from measure import COLUMNS, KEPT, OUT, bench
+from pictures import PICTURES
+from measure import COLUMNS, KEPT, OUT, bench, csv, load, put, results, save
 
 LEVELS = 1e-3, 1e-6, 1e-9
 PEERED = "chaos", "crossings", "stickslip", "driven"
 WINDOWS = "smooth", "stick", "approach", "cycle"
 OWN = "moreau|compensated|located"
 STABLE = "ok", "degraded"
-
-
-def read(path: Path) -> tuple[str, pd.DataFrame]:
-    """The first line of a table, without its mark, and the table."""
-    with open(path, encoding="utf-8") as file:
-        return file.readline()[2:].strip(), pd.read_csv(
-            file, keep_default_na=False, na_values=[""])
+# Steps of section `kilohertz`, and how the page tells them apart.
+IN = {"dt=1.000e-03": "", "dt=3.333e-04": " in three", "dt=1.000e-04": ""}
 
 
 def least(runs: pd.DataFrame, level: float, unit: str) -> float:
@@ -39,45 +34,26 @@ def least(runs: pd.DataFrame, level: float, unit: str) -> float:
 
 
 def series(rows: pd.DataFrame) -> pd.DataFrame:
-    """What an error costs, a line a problem and solver."""
+    """What an error costs at least, a row a problem, solver and error."""
     dial = rows.dial.str.split("=", expand=True)
     rows = rows.assign(name=dial[0], setting=dial[1].astype(float))
     lines = []
     for key, runs in rows.groupby(["problem", "solver", "name"], sort=False):
         runs = runs.sort_values("setting", ascending=False)
         wrong = runs.verdict.isin(["branch", "refused"]).sum()
-        lines.append([*key[:2], *(least(runs, level, unit) for unit
-                                  in ("instructions", "ns")
-                                  for level in LEVELS), len(runs), wrong])
-    return pd.DataFrame(lines, columns=[
-        "problem", "solver", *(f"{unit} {level:.0e}" for unit
-                               in ("instructions", "ns") for level in LEVELS),
-        "settings", "wrong"]).round(0)
+        lines += [[*key[:2], f"least of {len(runs)}", level,
+                   least(runs, level, "ns"), least(runs, level, "instructions"),
+                   f"{wrong} wrong"] for level in LEVELS]
+    return pd.DataFrame(lines, columns=COLUMNS)
 
 
 def kilohertz(rows: pd.DataFrame) -> pd.DataFrame:
     """Steps of 1 ms and less: instructions of a millisecond, and error."""
-    long = {"driven": 2, "crossings": 2, "stickslip": 2, "cycle": 2,
-            "rolling": 2.5, "chaos": 1, "smooth": 0.125, "stick": 0.25,
-            "approach": 0.046}
-    each = {"dt=1.000e-03": "", "dt=3.333e-04": " in three",
-            "dt=1.000e-04": " in ten"}
-    rows = rows[rows.dial.isin(list(each)) & rows.instructions.notna()]
-    return pd.DataFrame({
-        "problem": rows.problem, "solver": rows.solver + rows.dial.map(each),
-        "instructions": (rows.instructions / rows.problem.map(long) / 1e3
-                         ).round(0), "error": rows.error})
-
-
-def one_step(rows: pd.DataFrame) -> pd.DataFrame:
-    """Single steps: a line a run and phase."""
-    what = rows.dial.str.extract(r"(\d+) steps, (.*): (.*)")
-    rows = rows.assign(steps=what[0], phase=what[1], name=what[2])
-    table = rows.pivot_table(index=["problem", "solver", "steps", "phase"],
-                             columns="name", values=["instructions", "ns"],
-                             sort=False)
-    table.columns = [f"{unit} {name}" for unit, name in table.columns]
-    return table.reset_index()
+    long = csv(bench("double", "sweep", "problems"), ["problem", "length"])
+    length = rows.problem.map(long.set_index("problem").length)
+    rows = rows[rows.dial.isin(list(IN)) & rows.instructions.notna()]
+    return rows.drop(columns=["ns", "verdict"]).assign(
+        instructions=rows.instructions / length / 1e3)
 
 
 def swept(rows: pd.DataFrame) -> pd.DataFrame:
@@ -127,38 +103,26 @@ def largest(rows: pd.DataFrame) -> pd.DataFrame:
     return told.unstack("solver").reindex(rows.problem.unique()).reset_index()
 
 
-def as_measured(rows: pd.DataFrame) -> pd.DataFrame:
-    """All rows, without empty columns."""
-    return rows.dropna(axis="columns", how="all")
-
-
-# What the page needs of each section: tables by their names.
 Reduced = dict[str, Callable[[pd.DataFrame], pd.DataFrame]]
-REDUCED: dict[str, Reduced] = {
+# What is kept of a section in place of its rows: sections of results.csv, and
+# tables of other columns.
+ROWS: dict[str, Reduced] = {
     "precision": {"precision": series, "kilohertz": kilohertz},
-    "peers": {"peers": series}, "steps": {"steps": one_step},
-    "stability": {"sweeps": swept, "verdicts": verdicts, "largest": largest},
-    **{name: {name: as_measured} for name in
-       ("after", "rounded", "ensemble", "realtime", "budgets")}}
+    "peers": {"peers": series}, "stability": {}}
+TABLES: dict[str, Reduced] = {
+    "stability": {"sweeps": swept, "verdicts": verdicts, "largest": largest}}
 
 
-def reduce() -> None:
-    """Tables of all sections that were measured in this build, and all rows."""
-    whole = []
-    for section, tables in REDUCED.items():
-        path = OUT / f"{section}.csv"
-        if not path.exists():
-            continue
-        of, rows = read(path)
-        whole.append(rows)
-        for name, make in tables.items():
-            with open(OUT / f"table-{name}.csv", "w",
-                      encoding="utf-8") as file:
-                print(f"# {of}", file=file)
-                make(rows).to_csv(file, index=False, float_format="%.6g")
-        pictures.draw(section, rows)
-    if whole:
-        pd.concat(whole)[COLUMNS].to_csv(OUT / "results.csv", index=False)
+def keep(section: str, of: str, rows: pd.DataFrame) -> None:
+    """Leaves what was measured, and the pictures of it."""
+    if section in ROWS:
+        save(OUT / f"all-{section}.csv", [of], rows)
+    if section in PICTURES:
+        PICTURES[section](rows)
+    for name, make in TABLES.get(section, {}).items():
+        save(OUT / f"{name}.csv", [of], make(rows))
+    for name, make in ROWS.get(section, {section: pd.DataFrame.copy}).items():
+        put(OUT, {name: of}, make(rows).assign(section=name))
 
 
 class Page:
@@ -166,12 +130,19 @@ class Page:
 
     def __init__(self) -> None:
         self.of: dict[str, str] = {}
+        self.results = results(OUT), results(KEPT)
+
+    def section(self, name: str) -> pd.DataFrame:
+        """Rows of this build, else those that are kept."""
+        of, rows = self.results[name not in self.results[0][0]]
+        self.of[name] = of[name]
+        return rows[rows.section == name]
 
     def table(self, name: str) -> pd.DataFrame:
         """A table of this build, else the one that is kept."""
-        path = OUT / f"table-{name}.csv"
-        self.of[name], rows = read(path if path.exists()
-                                   else KEPT / f"{name}.csv")
+        path = OUT / f"{name}.csv"
+        (self.of[name],), rows = load(path if path.exists()
+                                      else KEPT / path.name)
         return rows
 
     def scenes(self) -> pd.DataFrame:
@@ -188,21 +159,20 @@ class Page:
 
     def races(self) -> pd.DataFrame:
         """The best of this project beside the best peer."""
-        rows, lines = self.table("peers"), []
+        rows, lines = self.section("peers"), []
         own = rows.solver.str.match(OWN)
         for problem in PEERED:
             for level in LEVELS:
                 line: list[object] = [f"`{problem}`", f"{level:.0e}"]
-                cost, time = (f"{unit} {level:.0e}"
-                              for unit in ("instructions", "ns"))
                 best = []
                 for of in own, ~own & ~rows.solver.str.contains("same"):
                     one = rows[of & (rows.problem == problem)
-                               & rows[cost].notna()]
-                    best.append(one.loc[one[cost].idxmin()])
-                    line += [f"{best[-1][cost] / 1e3:,.1f}", best[-1].solver]
+                               & (rows.error == level)]
+                    best.append(one.loc[one.instructions.idxmin()])
+                    line += [f"{best[-1].instructions / 1e3:,.1f}",
+                             best[-1].solver]
                 line += [f"{best[0][unit] / best[1][unit]:.2f}"
-                         for unit in (cost, time)]
+                         for unit in ("instructions", "ns")]
                 lines.append(line)
         return pd.DataFrame(lines, columns=[
             "problem", "error", "this project", "by", "best peer", "by ",
@@ -210,18 +180,20 @@ class Page:
 
     def peers(self) -> pd.DataFrame:
         """All solvers, of each its best width or step."""
-        return to_levels(self.table("peers"), PEERED)
+        return to_levels(self.section("peers"), PEERED)
 
     def windows(self) -> pd.DataFrame:
         """The project's own schemes in windows of the motion."""
-        return to_levels(self.table("precision"), WINDOWS)
+        return to_levels(self.section("precision"), WINDOWS)
 
     def kilohertz(self) -> pd.DataFrame:
         """A step of 1 ms: instructions and error."""
-        rows = self.table("kilohertz")
+        rows = self.section("kilohertz")
+        rows = rows[rows.dial != "dt=1.000e-04"]
         text = rows.instructions.map("{:.0f}, ".format) + \
             rows.error.map("{:.0e}".format)
-        wide = rows.assign(text=text).drop_duplicates(
+        solver = rows.solver + rows.dial.map(IN)
+        wide = rows.assign(text=text, solver=solver).drop_duplicates(
             ["problem", "solver"]).pivot(
             index="problem", columns="solver", values="text")
         return wide.loc[[*PEERED, "rolling"], [
@@ -232,18 +204,22 @@ class Page:
     def phases(self) -> pd.DataFrame:
         """Instructions of one step: of Moreau's by phase, of all schemes over
         `cycle`, and beside one of Runge-Kutta's on the smoothed law."""
-        rows = self.table("steps")
-        moreau = rows[(rows.steps == 20000) & (rows.solver == "moreau")]
-        others = rows[(rows.steps == 400) & (rows.phase == "all")
+        rows = self.section("steps")
+        what = rows.dial.str.extract(r"(\d+) steps, (.*): (.*)")
+        rows = rows.assign(steps=what[0], phase=what[1], name=what[2]
+                           ).pivot_table(
+            index=["problem", "solver", "steps", "phase"], columns="name",
+            values="instructions", sort=False).reset_index()
+        moreau = rows[(rows.steps == "20000") & (rows.solver == "moreau")]
+        others = rows[(rows.steps == "400") & (rows.phase == "all")
                       & (rows.problem == "cycle")
                       & ~rows.solver.str.contains("float")]
-        table = pd.concat([moreau[moreau.phase != "all"], others]).rename(
-            columns=lambda name: name.replace("instructions ", ""))
-        mean = self.table("kilohertz")
+        table = pd.concat([moreau[moreau.phase != "all"], others])
+        mean = self.section("kilohertz")
         mean = mean[(mean.problem == "chaos")
-                    & mean.solver.str.contains("in ten")]
+                    & (mean.dial == "dt=1.000e-04")]
         mean = mean.assign(
-            solver=mean.solver.str.split().str[0], steps=10000,
+            solver=mean.solver.str.split().str[0], steps="10000",
             phase="`chaos`, mean", median=mean.instructions / 10)
         table = pd.concat([table, mean])
         return whole(table[["solver", "steps", "phase", "median", "99 %",
@@ -251,14 +227,14 @@ class Page:
 
     def ensemble(self) -> pd.DataFrame:
         """Ratios of throughput."""
-        rows = self.table("ensemble")
+        rows = self.section("ensemble")
         rows = rows[rows.verdict.notna()]
         return rows.pivot(index="problem", columns="solver",
                           values="verdict").reset_index()
 
     def rounded(self) -> pd.DataFrame:
         """How the compensated step in float ends, by the length of the run."""
-        rows = self.table("rounded")
+        rows = self.section("rounded")
         rows = rows[rows.verdict.notna()]
         run = rows.problem.str.extract(r"/(.*)")[0].fillna("problems, all dt")
         table = pd.crosstab(run.rename("steps"), rows.verdict)
@@ -268,7 +244,7 @@ class Page:
 
     def after(self) -> pd.DataFrame:
         """The coarsest step from which on no distance is more than chance."""
-        rows = self.table("after")
+        rows = self.section("after")
         rows = rows[rows.dial.str.endswith("e-08")]
 
         def same(runs: pd.DataFrame) -> str:
@@ -293,7 +269,7 @@ class Page:
 
     def budgets(self) -> pd.DataFrame:
         """Median and most instructions of a step of 1 ms on boards."""
-        rows = self.table("budgets")
+        rows = self.section("budgets")
         what = rows.dial.str.split(": ", expand=True)
         rows = rows.assign(scheme=what[0], name=what[1])
         wide = rows.pivot_table(index="solver", columns=["name", "scheme"],
@@ -309,7 +285,7 @@ class Page:
 
     def realtime(self) -> pd.DataFrame:
         """Lateness of loops that were alone [us]."""
-        rows = self.table("realtime")
+        rows = self.section("realtime")
         value = rows.ns.div(1000).where(rows.ns.notna(), rows.error)
         table = rows.assign(value=value)[
             rows.problem.str.contains("alone")].pivot_table(
@@ -337,21 +313,18 @@ def to_levels(rows: pd.DataFrame, problems: tuple[str, ...]) -> pd.DataFrame:
     rows = rows[~rows.solver.str.contains("float|same|kHz|segments|order")
                 & rows.problem.isin(problems)]
     name = rows.solver.str.split().str[0]
-    cost = [f"instructions {level:.0e}" for level in LEVELS]
-    time = [f"ns {level:.0e}" for level in LEVELS]
-    counted = rows[cost].notna().any(axis=1).groupby(name).transform("any")
+    counted = rows.instructions.notna().groupby(name).transform("any")
     # In units of the least time, in thousandths.
-    least_time = rows.groupby("problem")[time].transform("min")
-    others = name + ", times the least time"
-    rows = rows.assign(name=name.where(counted, others))
-    rows[cost] = rows[cost].where(
-        counted, 1e3 * (rows[time] / least_time).to_numpy())
-    best = rows.groupby(["name", "problem"], sort=False)[cost + time].min()
-    text = pd.DataFrame({level: [
-        f"{n / 1e3:,.0f}" if n > 0 else "?" if ns > 0 else "-"
-        for n, ns in zip(best[level], best[level.replace("instructions", "ns")])
-        ] for level in cost}, best.index)
-    return text.agg(" / ".join, axis=1).unstack()[list(problems)].reset_index()
+    least_time = rows.groupby(["problem", "error"]).ns.transform("min")
+    rows = rows.assign(
+        name=name.where(counted, name + ", times the least time"),
+        cost=rows.instructions.where(counted, 1e3 * rows.ns / least_time))
+    best = rows.groupby(["name", "problem", "error"], sort=False)[
+        ["cost", "ns"]].min()
+    best["text"] = [f"{n / 1e3:,.0f}" if n > 0 else "?" if ns > 0 else "-"
+                    for n, ns in zip(best.cost, best.ns)]
+    text = best.groupby(["name", "problem"], sort=False).text.agg(" / ".join)
+    return text.unstack().loc[rows.name.unique(), list(problems)].reset_index()
 
 
 def whole(table: pd.DataFrame) -> pd.DataFrame:
@@ -361,8 +334,7 @@ def whole(table: pd.DataFrame) -> pd.DataFrame:
 
 
 def write() -> None:
-    """The page of this build, beside its tables."""
-    reduce()
+    """The page of this build, beside its rows and tables."""
     page = Page()
 
     def block(found: re.Match) -> str:

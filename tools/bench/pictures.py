@@ -93,9 +93,4 @@ def stability(rows: pd.DataFrame) -> None:
     save(figure, "stability.svg")
 
 
-def draw(section: str, rows: pd.DataFrame) -> None:
-    """The picture of a section, if it has one."""
-    if section == "peers":
-        costs(rows)
-    if section == "stability":
-        stability(rows)
+PICTURES = {"peers": costs, "stability": stability}

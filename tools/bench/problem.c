@@ -45,24 +45,16 @@ static const reference_t *reference_of(const char *name) {
   return &references[i];
 }
 
-// What the reference does not say (scheme, rule) is that of scene `chaos`.
+// What the reference does not say is that of scene `chaos`.
 static tf_params_t params_of(const reference_t *ref) {
-  tf_params_t p = tf_scenes[0]->params;
-  const ref_machine_t *q = &ref->problem->machine;
-  p.m = (tf_real_t)q->m;
-  p.d = (tf_real_t)q->d;
-  p.beta = (tf_real_t)q->beta;
-  p.k2 = (tf_real_t)q->k2;
-  p.c1 = (tf_real_t)q->c1;
-  p.c2 = (tf_real_t)q->c2;
-  p.r0 = (tf_real_t)q->r0;
-  p.omega0 = (tf_real_t)q->omega0;
-  p.mu = (tf_real_t)q->mu;
-  p.kappa = (tf_real_t)q->kappa;
-  p.gamma = (tf_real_t)q->gamma;
-  p.law = TF_TYRE_JUMP;
-  p.rule = TF_RULE_PERSIST;
-  return p;
+  const tf_params_t *chaos = &tf_scenes[0]->params;
+  return (tf_params_t){PARAMETERS_OF(tf_real_t, &ref->problem->machine),
+                       .theta = chaos->theta,
+                       .dt = chaos->dt,
+                       .rate = chaos->rate,
+                       .tolerance = chaos->tolerance,
+                       .law = TF_TYRE_JUMP,
+                       .rule = TF_RULE_PERSIST};
 }
 
 static const reference_state_t *state_at(const reference_t *ref, double t) {

@@ -159,7 +159,12 @@ const cli_command_t cli_commands[] = {
      .perform = cli_run},
     {.name = "monitor",
      .words = "FILE|DEVICE|- [OPTION]...",
-     .what = "decodes frames from a board, a file or a pipe",
+     .what = "decode frames from a board, a file or a pipe",
+     .about =
+         "Decodes the frames of a board, a file or a pipe (-), and tells at "
+         "the end, on standard error, who sent them, what was lost or broken "
+         "and the last state. Rows are written with --as; without it a "
+         "terminal shows the live view, and anything else gets no rows.",
      .notes =
          "FILE is FILE.part until the end, see 'twofold help run', and stays "
          "so where frames are missing or are those of more than one run. Lost "

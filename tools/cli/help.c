@@ -79,6 +79,16 @@ static void describe(const cli_option_t *option, char *out, size_t room) {
   }
 }
 
+static void print_choices(const cli_option_t *option, size_t margin) {
+  for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;
+       at++) {
+    if (at->what[0] != '\0') {
+      (void)printf("%*s%-*s", (int)margin, "", CHOICE, at->name);
+      cli_print_filled(at->what, margin + CHOICE, margin + CHOICE);
+    }
+  }
+}
+
 static void print_option(const cli_option_t *option) {
   char text[1024];
   const int used = printf("  %s %s", option->name,
@@ -86,13 +96,7 @@ static void print_option(const cli_option_t *option) {
   (void)printf("%*s", used < COLUMN ? COLUMN - used : 1, "");
   describe(option, text, sizeof text);
   cli_print_filled(text, COLUMN, COLUMN);
-  for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;
-       at++) {
-    if (at->what[0] != '\0') {
-      (void)printf("%*s%-*s", COLUMN, "", CHOICE, at->name);
-      cli_print_filled(at->what, COLUMN + CHOICE, COLUMN + CHOICE);
-    }
-  }
+  print_choices(option, COLUMN);
 }
 
 void cli_print_overview(void) {
@@ -151,31 +155,31 @@ static void print_commands(const cli_option_t *option) {
   }
 }
 
+// A word of a value is told with those beside it: some say "likewise".
+static bool is_of(const cli_option_t *option, const char *word) {
+  const cli_choice_t *at = option->choices;
+  while (at != NULL && at->name != NULL &&
+         (at->what[0] == '\0' || strcmp(at->name, word) != 0)) {
+    at++;
+  }
+  return option->name != NULL && (strcmp(option->name + 2, word) == 0 ||
+                                  (at != NULL && at->name != NULL));
+}
+
 bool cli_print_option(const char *word) {
   char text[1024];
   bool found = false;
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
-    const bool named =
-        option->name != NULL && strcmp(option->name + 2, word) == 0;
-    found = found || named;
-    if (named) {
+    if (is_of(option, word)) {
       (void)printf("%s %s ", option->name,
                    option->value != NULL ? option->value : "");
       print_commands(option);
       describe(option, text, sizeof text);
       (void)puts(":");
       cli_print_filled(text, 0, 0);
-    }
-    for (const cli_choice_t *at = option->choices;
-         at != NULL && at->name != NULL; at++) {
-      const bool told = at->what[0] != '\0';
-      if (told && (named || strcmp(at->name, word) == 0)) {
-        const int used = named ? printf("  %-*s", CHOICE - 2, at->name)
-                               : printf("%s %s: ", option->name, at->name);
-        cli_print_filled(at->what, (size_t)used, CHOICE);
-        found = true;
-      }
+      print_choices(option, 2);
+      found = true;
     }
   }
   return found;

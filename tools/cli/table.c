@@ -199,6 +199,7 @@ const cli_option_t cli_options[] = {
      .what = "with --realtime: a histogram of how long after their time steps "
              "began and ended, us,began,ended"},
     {"--select", "RULE", MOTIONS | CLI_SCENE, TEXT(select), .choices = rules,
+     .noun = "rule",
      .what = "selects one of several consistent modes; default: the scene's "
              "own"},
     {"--set", "NAME=VALUE", MOTIONS | CLI_SCENE | ANALYSES | CLI_DIVERGE, OTHER,
@@ -208,8 +209,8 @@ const cli_option_t cli_options[] = {
     {"--inputs", "FILE", MOTIONS, PATH(drive.inputs), .how = CLI_READS,
      .what = "inputs over time, a CSV table, the same at every point of a "
              "sweep: 'twofold help inputs'"},
-    {"--between", "WORD", MOTIONS, TEXT(drive.between), .choices = between,
-     .what = "with --inputs:"},
+    {"--between", "WORD", MOTIONS, CHOICE(drive.between), .choices = between,
+     .usual = CLI_NOT_GIVEN, .needs = "--inputs", .what = "with --inputs:"},
     {"--every", "N", CLI_RUN, WHOLE(every), .low = 1, .high = CLI_MAX_STEPS,
      .usual = 1,
      .what = "a row every N steps; the first and the last instant are always "
@@ -240,7 +241,7 @@ const cli_option_t cli_options[] = {
     {"--header", NULL, CLI_DIVERGE, FLAG(header),
      .what = "writes a header even if the shard is not the first"},
     {"--as", "FORM", CLI_MONITOR, CHOICE(as), .choices = streams,
-     .usual = CLI_NO_FORM, .noun = "form",
+     .usual = CLI_NOT_GIVEN, .noun = "form",
      .what = "rows, with the digits of the sender's number type; without this "
              "option a terminal shows --live. Forms:"},
     {"--csv", NULL, CLI_MONITOR, FLAG(csv), .what = "--as csv"},

@@ -81,7 +81,7 @@ static const topic_t topics[] = {
     {"rule rules schemes formats events",
      "Words that --select, --scheme and --format take, what they mean, and "
      "--events: 'twofold help select' and so on."},
-    {"frames frame wire schema layout heartbeat",
+    {"frame wire schema layout heartbeat",
      "What a board sends, and 'run --format frames' writes: docs/PROTOCOL.md."},
     {"plotter",
      "Lines of label:value pairs for a serial plotter, from 'run --format "
@@ -89,7 +89,7 @@ static const topic_t topics[] = {
      "r:0.18 v:-0.03 omega:-1.037 h:0 g:0.009 mode:2 choices:1 in m, m/s, "
      "rad/s, m/s, m/s; the modes are numbered slip+, slip-, stick+, stick-, "
      "pinned from 0."},
-    {"input inputs held linear between table",
+    {"input inputs table",
      "--inputs FILE --between held|linear of 'run' and 'sweep': inputs over "
      "time, from a CSV table; FILE - is standard input. The first column is "
      "t [s], rising; any of these follow: omega0 [rad/s], r0 [m], force [N], "
@@ -102,8 +102,7 @@ static const topic_t topics[] = {
      "Two rows of one time are a jump; linear, one within a step acts on its "
      "omega0 at its start. Steps of --scheme located are split at the rows of "
      "a linear table. Before the first row and after the last one it is that "
-     "row. What has "
-     "no column stays that of the scene. For example:\n"
+     "row. What has no column stays that of the scene. For example:\n"
      "\n"
      "  t,omega0,force\n"
      "  0,-1,0\n"
@@ -126,16 +125,15 @@ static const topic_t topics[] = {
      "two_fold to scene_hash first steps asked end final list kinds "
      "largest_h_in_stick largest_residual largest seconds output_seconds "
      "cost late latest applied passed within jumps rows last t_first t_last "
-     "name held "
-     "changes began_with commands states left source",
+     "name held changes began_with commands states left source",
      "In the summary of 'run': steps before it (first), up to its end and "
      "asked for; why and where it ended (end, final); its events (list, "
      "kinds, and their counts); how well stick [m/s] and law [N] hold "
      "(largest); time on the clock [s] and late steps of --realtime. Of a "
      "table of inputs: rows from t_first to t_last, of which some passed "
      "between two steps or lie within one (as jumps), and the least and the "
-     "largest value applied. Of "
-     "--replay: what commands have changed, and whose inputs hold."},
+     "largest value applied. Of --replay: what commands have changed, and "
+     "whose inputs hold."},
     {"bytes broken lost missing restarts too_long other_version not_finite "
      "unmatched unknown sender dropped overruns expired exec_min_ns "
      "exec_mean_ns exec_max_ns",
@@ -175,24 +173,19 @@ static const topic_t topics[] = {
      "outcomes",
      "Columns of 'sweep', what status may be, and what it finds: 'twofold "
      "help sweep'."},
-    {"noise smoothing hysteresis delay returned small_cycle timeout canard "
+    {"returned small_cycle timeout canard "
      "phase side landing landings windings branch branches node nodes joined "
      "counts begun",
      "What 'diverge' samples and finds: 'twofold help diverge'."},
     {"alpha",
-     "Acceleration of the turntable [rad/s^2], its mean over a step: it "
-     "follows from the column omega0 of --inputs, or from a profile, where "
-     "that is linear, and is 0 where it is held."},
+     "Mean acceleration of the turntable over a step [rad/s^2], by the column "
+     "omega0 of --inputs or a profile, where that is linear; else 0."},
     {"bench stability figures statistics page firmware fmu board boards dist",
      "Made by make, not by this program: 'make help' lists the targets."},
     {"save from resume state snapshot carry",
      "run --save FILE writes the state at the end, whatever ends it; run "
      "--from FILE continues bit for bit, with the same machine, scheme and "
      "number type."},
-    {"replay record",
-     "monitor DEVICE --send ... --record FILE keeps which commands a board "
-     "got and when; run SCENE --dt 1/RATE --replay FILE repeats that to the "
-     "bit, and with --save FILE another run goes on from its end."},
     {"shard shards merge parallel slurm snakemake map",
      "--shard I/N of 'diverge' and 'sweep': one of N parts of the work, "
      "whose rows one after the other are those of one run; 'twofold help "

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cli/host/host.h"
+#include "cli/setup/names.h"
 #include "twofold.h"
 
 #define MIN_STEPS 1000.0
@@ -76,7 +77,7 @@ static void judge(soak_t *s, const tf_report_t *report, uint64_t step,
   s->modes[x->mode]++;
   s->degraded += report->status == TF_DEGRADED;
   s->open += choices > 1;
-  if (x->mode <= TF_SLIP_MINUS) return;
+  if (cli_is_slip(x->mode)) return;
   // The bound of `stick_is_exact`: rounding on both sides of the step.
   const double drift = fabs((double)report->slip.h) / (before + rounding(s));
   if (drift > s->drift) s->drift = drift;

@@ -123,7 +123,8 @@ static void course(const reference_t *ref) {
   snprintf(what, sizeof what, "%d states of tests/data", ref->states);
   check(problem->name, what, off, 1e-11L);
   snprintf(what, sizeof what, "times of its %d events", ref->events);
-  check(problem->name, what, events.off, 1e-11L);
+  // That event moves by 2e-11 s with the last bit of a processor's arctangent.
+  check(problem->name, what, events.off, 1e-10L);
   check(problem->name, "events besides", events.seen - ref->events, 0);
 }
 

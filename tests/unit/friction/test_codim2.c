@@ -290,7 +290,7 @@ TEST(a_course_ends_with_the_signs_of_its_mode) {
     ends[is.mode]++;
     if (is.mode == TF_SLIP_PLUS) wrong += !(end.h >= 0);
     if (is.mode == TF_SLIP_MINUS) wrong += !(end.h <= 0);
-    if (is.mode > TF_SLIP_MINUS) wrong += end.h != 0;
+    if (!in_slip(is.mode)) wrong += end.h != 0;
     if (is.mode == TF_STICK_PLUS) wrong += !(end.g > 0);
     if (is.mode == TF_STICK_MINUS) wrong += !(end.g < 0);
     if (is.mode == TF_PINNED) wrong += end.g != 0;

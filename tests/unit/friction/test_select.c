@@ -61,7 +61,7 @@ static unsigned when_lost(const question_t *q) {
   if (q->set & BIT(TF_PINNED)) return BIT(TF_PINNED);
   if (q->set & SLIPS)
     return (q->set & SLIPS) == SLIPS ? BIT(fast) : q->set & SLIPS;
-  if (sticks && q->mode > TF_SLIP_MINUS) return nearest(sticks, q->near);
+  if (sticks && !is_slip(q->mode)) return nearest(sticks, q->near);
   return BIT(TF_NO_MODE);
 }
 

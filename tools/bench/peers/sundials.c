@@ -120,29 +120,17 @@ static int advance(integrator_t *s, double t_end, double *t) {
 }
 
 static void roots_of(integrator_t *s, int root[ROOTS]) {
-  if (s->method == ERK) {
-    ERKStepGetRootInfo(s->memory, root);
-  } else {
-    CVodeGetRootInfo(s->memory, root);
-  }
+  (s->method == ERK ? ERKStepGetRootInfo : CVodeGetRootInfo)(s->memory, root);
 }
 
 static long steps_of(integrator_t *s) {
   long steps = 0;
-  if (s->method == ERK) {
-    ERKStepGetNumSteps(s->memory, &steps);
-  } else {
-    CVodeGetNumSteps(s->memory, &steps);
-  }
+  (s->method == ERK ? ERKStepGetNumSteps : CVodeGetNumSteps)(s->memory, &steps);
   return steps;
 }
 
 static void shut(integrator_t *s) {
-  if (s->method == ERK) {
-    ERKStepFree(&s->memory);
-  } else {
-    CVodeFree(&s->memory);
-  }
+  (s->method == ERK ? ERKStepFree : CVodeFree)(&s->memory);
   if (s->fixed_point) SUNNonlinSolFree(s->fixed_point);
   if (s->linear) SUNLinSolFree(s->linear);
   if (s->matrix) SUNMatDestroy(s->matrix);

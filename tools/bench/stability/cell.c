@@ -113,14 +113,9 @@ static tf_status_t begin(const case_t *c, const tf_machine_t *k,
 // How much the state changes in a time by its free accelerations.
 static long double change(const tf_params_t *p, const tf_state_t *x,
                           const tf_input_t *u, long double time) {
-  const ref_machine_t k = {.m = wide(p->m),
-                           .d = wide(p->d),
-                           .beta = wide(p->beta),
-                           .k2 = wide(p->k2),
-                           .c1 = wide(p->c1),
-                           .c2 = wide(p->c2),
-                           .r0 = wide(u->r0),
-                           .omega0 = wide(u->omega0)};
+  ref_machine_t k = {PARAMETERS_OF(ref_real_t, p)};
+  k.r0 = wide(u->r0);
+  k.omega0 = wide(u->omega0);
   const ref_rate_t rate =
       ref_rate(&k, ref_state(&k, wide(x->r), wide(x->v), wide(x->w)),
                (ref_force_t){0, 0});

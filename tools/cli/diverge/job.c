@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "../setup/names.h"
+#include "../text/commit.h"
 #include "../text/message.h"
 
 // The units of size follow from what is perturbed: noise on h has the standard
@@ -126,7 +127,7 @@ void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
                              args->seed,
                              job->at_two_fold};
   cli_add(text, TF_VERSION);
-  cli_add(text, sizeof(tf_real_t) == sizeof(float) ? " float" : " double");
+  cli_add(text, " " CLI_NUMBER_TYPE);
   for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
     cli_add_form(text, " %" PRIu64, counts[i]);
   }

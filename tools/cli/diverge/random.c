@@ -26,7 +26,7 @@ static cli_instant_t instant(const cli_motion_t *motion) {
                          .at = at,
                          .h = (double)slip.h,
                          .g = (double)slip.g,
-                         .on = motion->state.mode > TF_SLIP_MINUS,
+                         .on = !cli_is_slip(motion->state.mode),
                          .pinned = motion->state.mode == TF_PINNED};
 }
 

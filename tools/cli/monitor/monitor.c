@@ -369,14 +369,14 @@ int cli_monitor_check(cli_args_t *args) {
                        "monitor: which file or device? (- is "
                        "standard input)");
   }
-  if (args->csv && args->as != CLI_NO_FORM && args->as != CLI_FORMAT_CSV) {
+  if (args->csv && args->as != CLI_NOT_GIVEN && args->as != CLI_FORMAT_CSV) {
     return cli_message(CLI_USAGE, "--csv: one form at a time (--as was given)");
   }
   args->as = args->csv ? (unsigned)CLI_FORMAT_CSV : args->as;
-  if (args->live && args->as != CLI_NO_FORM && args->out == NULL) {
+  if (args->live && args->as != CLI_NOT_GIVEN && args->out == NULL) {
     return cli_message(CLI_USAGE, "--live --as: rows go to --out FILE only");
   }
-  if (args->out != NULL && args->as == CLI_NO_FORM) {
+  if (args->out != NULL && args->as == CLI_NOT_GIVEN) {
     return cli_message(CLI_USAGE, "--out %s: only with --as", args->out);
   }
   if (args->provenance && args->as != CLI_FORMAT_CSV) {
@@ -406,7 +406,7 @@ static int take_commands(cli_board_commands_t *commands,
 int cli_monitor(const cli_args_t *args) {
   static monitor_t monitor;
   monitor.args = args;
-  monitor.as = args->as != CLI_NO_FORM ? &cli_streams[args->as] : NULL;
+  monitor.as = args->as != CLI_NOT_GIVEN ? &cli_streams[args->as] : NULL;
   const int code = take_commands(&monitor.commands, args);
   if (code != CLI_DONE) {
     return code;

@@ -17,11 +17,11 @@ static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
 // A board that was started again counts from 0, and what it reported before
 // holds.
-static void note_heartbeat(tf_tally_t *counted, const tf_heartbeat_t *beat) {
-  counted->degraded = larger(counted->degraded, beat->degraded);
-  counted->fell_back = larger(counted->fell_back, beat->fell_back);
-  counted->coarse = larger(counted->coarse, beat->coarse);
-  counted->stalled = larger(counted->stalled, beat->stalled);
+static void raise_to(tf_tally_t *tally, tf_tally_t least) {
+  tally->degraded = larger(tally->degraded, least.degraded);
+  tally->fell_back = larger(tally->fell_back, least.fell_back);
+  tally->coarse = larger(tally->coarse, least.coarse);
+  tally->stalled = larger(tally->stalled, least.stalled);
 }
 
 static void note_report(cli_flagged_t *flagged, const cli_receiver_t *receiver,
@@ -42,7 +42,10 @@ static void note_report(cli_flagged_t *flagged, const cli_receiver_t *receiver,
 void cli_flagged_frame(cli_flagged_t *flagged, const tf_frame_t *frame,
                        const cli_receiver_t *receiver, const cli_csv_t *row) {
   if (frame->type == TF_DOWN_HEARTBEAT && receiver->has_heartbeat) {
-    note_heartbeat(&flagged->counted, &receiver->heartbeat);
+    const tf_heartbeat_t *beat = &receiver->heartbeat;
+    raise_to(&flagged->counted,
+             (tf_tally_t){beat->degraded, beat->fell_back, beat->coarse,
+                          beat->stalled, 0, 0});
   } else if (frame->type == TF_DOWN_REPORT && row != NULL) {
     note_report(flagged, receiver, row);
   }
@@ -51,10 +54,7 @@ void cli_flagged_frame(cli_flagged_t *flagged, const tf_frame_t *frame,
 // The steps that are known to be flagged.
 static tf_tally_t flagged_tally(const cli_flagged_t *flagged) {
   tf_tally_t tally = flagged->counted;
-  tally.degraded = larger(tally.degraded, flagged->reported.degraded);
-  tally.fell_back = larger(tally.fell_back, flagged->reported.fell_back);
-  tally.coarse = larger(tally.coarse, flagged->reported.coarse);
-  tally.stalled = larger(tally.stalled, flagged->reported.stalled);
+  raise_to(&tally, flagged->reported);
   return tally;
 }
 

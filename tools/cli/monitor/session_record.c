@@ -1,10 +1,10 @@
 // A record is CSV: tick, type and payload of a frame of docs/PROTOCOL.md, and
 // for a person the command as typed. The first row is the schema, so the record
-// says what it belongs to in the words of the board; there the last field is the
-// version of the protocol. Of the states the last one is kept: a replay that
-// ends in its bits was the same throughout.
-// What was refused did nothing and is left out. The last line counts the rows:
-// a record that is cut off would be a session of fewer commands.
+// says what it belongs to in the words of the board, and of which version of
+// the protocol it is. Of the states the last one is kept: a replay that ends in
+// its bits was the same throughout. What was refused did nothing and is left
+// out. The last line counts the rows: a record that is cut off would be a
+// session of fewer commands.
 
 #include <inttypes.h>
 #include <stdio.h>

@@ -67,7 +67,7 @@ void cli_run_observe(cli_run_t *run, const tf_report_t *after) {
   cli_events_observe(&run->events, &run->report, after, &run->system.state, t);
   cli_ambiguity_see(&run->ambiguity, after, t);
   tf_tally_count(&run->tally, run->done, after->status);
-  if (after->mode > TF_SLIP_MINUS) {
+  if (!cli_is_slip(after->mode)) {
     run->largest_h = fmax(run->largest_h, fabs((double)after->slip.h));
   }
   run->largest_residual = fmax(run->largest_residual, (double)after->residual);
@@ -175,6 +175,6 @@ int cli_run_go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup) {
   run->system.compensation = stand.compensation;
   run->report = stand.report;
   run->first = run->done = stand.state.tick;
-  cli_drive_go_to(&run->drive, run->first, setup->machine.dt);
+  (void)cli_drive_begin(&run->drive, &setup->machine, run->first);
   return CLI_DONE;
 }

@@ -66,15 +66,12 @@ static bool read_row(char *line, cli_replay_row_t *row, const char **command) {
 }
 
 static bool add(cli_replay_t *replay, const cli_replay_row_t *row) {
-  if (replay->count == replay->room) {
-    const size_t room = replay->room == 0 ? 64 : 2 * replay->room;
-    cli_replay_row_t *rows = realloc(replay->rows, room * sizeof *rows);
-    if (rows == NULL) {
-      return false;
-    }
-    replay->rows = rows;
-    replay->room = room;
+  cli_replay_row_t *rows =
+      cli_grow(replay->rows, replay->count, &replay->room, sizeof *rows);
+  if (rows == NULL) {
+    return false;
   }
+  replay->rows = rows;
   replay->rows[replay->count++] = *row;
   return true;
 }
@@ -149,11 +146,10 @@ static int take_line(reader_t *reader, char *line) {
                                                      : no_record(reader);
 }
 
-int cli_replay_parse(cli_replay_t *replay, const char *name, FILE *file) {
+static int parse(cli_replay_t *replay, FILE *file) {
   char line[LINE_ROOM];
   reader_t reader = {.replay = replay};
   int code = CLI_DONE;
-  replay->name = name;
   while (code == CLI_DONE) {
     const cli_line_t found = cli_read_line(file, line, sizeof line);
     if (found == CLI_LINE_END) {
@@ -163,7 +159,7 @@ int cli_replay_parse(cli_replay_t *replay, const char *name, FILE *file) {
     code = found == CLI_LINE ? take_line(&reader, line) : no_record(&reader);
   }
   if (code == CLI_DONE && ferror(file) != 0) {
-    return cli_message(CLI_USAGE, "%s: %s", name, strerror(errno));
+    return cli_message(CLI_USAGE, "%s: %s", replay->name, strerror(errno));
   }
   if (code == CLI_DONE && !reader.has_schema) {
     return no_record(&reader);
@@ -176,7 +172,8 @@ int cli_replay_read(cli_replay_t *replay, const char *path) {
   if (file == NULL) {
     return cli_message(CLI_USAGE, "--replay %s: %s", path, strerror(errno));
   }
-  const int code = cli_replay_parse(replay, path, file);
+  replay->name = path;
+  const int code = parse(replay, file);
   (void)fclose(file);
   return code;
 }

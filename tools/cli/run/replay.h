@@ -5,8 +5,6 @@
 #ifndef TWOFOLD_CLI_REPLAY_H
 #define TWOFOLD_CLI_REPLAY_H
 
-#include <stdio.h>
-
 #include "../setup/scheme.h"
 
 /// A frame of the record: a command, or a state to compare with.
@@ -30,15 +28,11 @@ typedef struct {
   const char *failed; ///< why the replay is not the simulation, or NULL
 } cli_replay_t;
 
-/// Reads a record from an open file.
+/// Reads a record.
 /// replay: in/out, empty; to be freed by cli_replay_free, whatever is returned.
-/// name: in, kept, for messages.
+/// path: in, kept, for messages.
 /// Returns: CLI_DONE; after a message CLI_USAGE, CLI_REFUSED (cut off or
 /// changed) or CLI_STOPPED.
-int cli_replay_parse(cli_replay_t *replay, const char *name, FILE *file);
-
-/// The same from a path.
-/// Returns: as cli_replay_parse; CLI_USAGE as well where it cannot be opened.
 int cli_replay_read(cli_replay_t *replay, const char *path);
 
 /// Begins it at the start of a setup, which takes the seed of the board.

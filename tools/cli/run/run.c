@@ -328,7 +328,7 @@ static int prepare(const cli_args_t *args, cli_setup_t *setup, cli_run_t *run) {
              ? cli_drive_read(&run->drive, args->scene, &args->drive)
              : code;
   if (code == CLI_DONE) {
-    cli_drive_begin(&run->drive, setup);
+    setup->input = cli_drive_begin(&run->drive, &setup->machine, 0);
     cli_drive_notes(&run->drive, setup);
     code = cli_setup_start(setup);
   }

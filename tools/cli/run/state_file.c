@@ -27,12 +27,12 @@
 
 #include "../setup/names.h"
 #include "../setup/scene_file.h"
+#include "../text/commit.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"
 
 #define VERSION "3"
-#define NUMBER (sizeof(tf_real_t) == sizeof(float) ? "float" : "double")
 #define REALS 19
 #define HELD_REALS 5 // the last ones, where a command's inputs hold
 #define WHOLES 9
@@ -100,7 +100,7 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                                   stand->held.left};
   const size_t held = stand->held.source != TF_INPUT_SCENE;
   add_pair(&text, "twofold-state", VERSION);
-  add_pair(&text, "number", NUMBER);
+  add_pair(&text, "number", CLI_NUMBER_TYPE);
   add_pair(&text, "scheme", scheme->name);
   (void)snprintf(number, sizeof number, "%08" PRIx32, stand->inputs);
   add_pair(&text, "inputs", number);
@@ -304,7 +304,7 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
                     size_t size, const cli_setup_t *setup,
                     const cli_scheme_t *scheme) {
   reader_t reader = {path, text};
-  if (strncmp(text, "twofold-state ", 14) != 0) {
+  if (strncmp(text, "twofold-state ", 14) != 0 || strchr(text, '\n') == NULL) {
     return no_state(&reader, "no file of --save");
   }
   if (!is_whole(text, size)) {
@@ -314,16 +314,11 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
   }
   *stand = (cli_stand_t){.state = {.r = 0}};
   const char *version = next_value(&reader, "twofold-state");
-  if (version == NULL) {
-    return no_state(&reader, "no file of --save");
-  }
   if (strcmp(version, VERSION) != 0) {
-    return cli_message(CLI_REFUSED,
-                       "--from %s: a state of version %s, here it is " VERSION
-                       ": run up to it again, with --save",
-                       path, version);
+    return differs(&reader, "its version (run up to it again, with --save)",
+                   version, VERSION);
   }
-  int code = expect_word(&reader, "number", NUMBER);
+  int code = expect_word(&reader, "number", CLI_NUMBER_TYPE);
   code = code == CLI_DONE ? expect_word(&reader, "scheme", scheme->name) : code;
   code = code == CLI_DONE ? read_values(&reader, stand) : code;
   code = code == CLI_DONE ? check_stand(&reader, stand) : code;

@@ -39,10 +39,9 @@ static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
     return;
   }
   const size_t last = cli_inputs_last(table, cli_run_time(run, run->done));
-  const size_t passed = cli_inputs_passed(table, table->first, last);
   (void)fprintf(stderr, "inputs     %s, %s: %zu of %zu rows, t = %g to %g s%s",
                 table->name, table->linear ? "linear" : "held",
-                last - table->first + 1 - passed, table->count,
+                last - table->first + 1 - table->passed, table->count,
                 (double)table->rows[table->first].t,
                 (double)table->rows[last].t, table->applied ? "; applied" : "");
   const char *comma = " ";
@@ -55,18 +54,17 @@ static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
     }
   }
   (void)fputc('\n', stderr);
-  if (passed > 0) {
+  if (table->passed > 0) {
     (void)fprintf(stderr,
                   "           %zu other rows lie between two steps and never "
                   "held\n",
-                  passed);
+                  table->passed);
   }
   if (table->within > 0) {
-    (void)fprintf(
-        stderr,
-        "           %zu times of rows lie within a step; %zu are jumps, "
-        "which act at its start\n",
-        table->within, table->jumps);
+    (void)fprintf(stderr,
+                  "           %zu times of rows lie within a step, %zu of them "
+                  "jumps\n",
+                  table->within, table->jumps);
   }
 }
 

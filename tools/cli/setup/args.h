@@ -18,8 +18,6 @@
 #define CLI_COLUMNS 32 ///< columns of a sweep, at most
 #define CLI_SENDS 15   ///< commands to a board, at most
 
-#define CLI_NO_FORM UINT32_MAX
-
 /// What is swept: a name of --set, or the seed of rule random.
 typedef struct {
   char name[CLI_NAME_ROOM];
@@ -81,7 +79,7 @@ typedef struct {
   unsigned scheme;     ///< index of cli_schemes
   unsigned format;     ///< cli_format_t
   unsigned summary;    ///< 1: for programs
-  unsigned as;         ///< index of cli_streams, CLI_NO_FORM: a live view
+  unsigned as;         ///< index of cli_streams, CLI_NOT_GIVEN: a live view
   unsigned mechanism;  ///< cli_mechanism_t
   unsigned codim2;     ///< cli_codim2_choice_t
   bool provenance;     ///< the rows begin with comments: what they are of

@@ -3,11 +3,11 @@
 
 #include "inputs.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/trailer.h"
 
@@ -15,18 +15,12 @@ const cli_quantity_t cli_input_columns[CLI_INPUTS] = {
     {"omega0", "rad/s"}, {"r0", "m"}, {"force", "N"}, {"torque", "N m"}};
 
 bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row) {
-  if (inputs->count == inputs->room) {
-    const size_t room = inputs->room == 0 ? 64 : 2 * inputs->room;
-    cli_input_row_t *rows = NULL;
-    if (room <= SIZE_MAX / sizeof *rows) {
-      rows = realloc(inputs->rows, room * sizeof *rows);
-    }
-    if (rows == NULL) {
-      return false;
-    }
-    inputs->rows = rows;
-    inputs->room = room;
+  cli_input_row_t *rows =
+      cli_grow(inputs->rows, inputs->count, &inputs->room, sizeof *rows);
+  if (rows == NULL) {
+    return false;
   }
+  inputs->rows = rows;
   inputs->rows[inputs->count++] = *row;
   return true;
 }
@@ -63,55 +57,18 @@ uint32_t cli_inputs_hash(const cli_inputs_t *inputs) {
   return sum.crc;
 }
 
-// The first step that begins at a time or later. A time that is n dt but for
-// the rounding of decimals is n; where that is coarser than a step, the step
-// that begins next to it.
-void cli_inputs_prepare(cli_inputs_t *inputs, tf_real_t dt) {
-  for (size_t i = 0; i < inputs->count; i++) {
-    const double n = (double)inputs->rows[i].t / (double)dt;
-    const double rounding =
-        fmin(1e-6 + 4 * (double)TF_REAL_EPSILON * fabs(n), 0.5);
-    const double first = ceil(n - rounding);
-    inputs->rows[i].tick =
-        first < 1 ? 0 : (first < 1e18 ? (uint64_t)first : UINT64_MAX);
-  }
-  inputs->at = 0;
-}
-
 size_t cli_inputs_last(const cli_inputs_t *inputs, double t) {
   return inputs->at + (inputs->linear && inputs->at + 1 < inputs->count &&
                        (double)inputs->rows[inputs->at].t < t);
 }
 
-size_t cli_inputs_passed(const cli_inputs_t *inputs, size_t first,
-                         size_t last) {
-  size_t passed = 0;
-  for (size_t i = first; !inputs->linear && i < last; i++) {
-    passed += inputs->rows[i].tick == inputs->rows[i + 1].tick;
-  }
-  return passed;
-}
-
 // A span that cannot be a step of its own is not cut off: dt is >= 1e-9 s.
 #define SHORTEST TF_R(2e-9)
-
-static void go_to_tick(cli_inputs_t *inputs, uint64_t tick) {
-  const cli_input_row_t *rows = inputs->rows;
-  size_t i = inputs->at;
-  while (i > 0 && rows[i].tick > tick) {
-    i--;
-  }
-  while (i + 1 < inputs->count && rows[i + 1].tick <= tick) {
-    i++;
-  }
-  inputs->at = i;
-}
 
 // As tf_scene_input does it, operation by operation: a row that is tick dt but
 // for rounding belongs to that boundary, and not to a step.
 cli_span_t cli_span_of(uint64_t tick, tf_real_t dt) {
-  cli_span_t span = {tick, (tf_real_t)tick * dt, (tf_real_t)(tick + 1) * dt, dt,
-                     0};
+  cli_span_t span = {(tf_real_t)tick * dt, (tf_real_t)(tick + 1) * dt, dt, 0};
   const tf_real_t rounding = dt * TF_R(0x1p-20) + 4 * TF_REAL_EPSILON * span.to;
   span.off = rounding < dt / 2 ? rounding : dt / 2;
   return span;
@@ -121,28 +78,23 @@ cli_span_t cli_span_of(uint64_t tick, tf_real_t dt) {
 // t + off belong to it.
 static void look_up(cli_inputs_t *inputs, tf_real_t t, tf_real_t off,
                     tf_real_t value[CLI_INPUTS]) {
-  const cli_input_row_t *rows = inputs->rows;
-  size_t at = inputs->at;
-  while (at > 0 && rows[at].t > t + off) {
-    at--;
-  }
-  while (at + 1 < inputs->count && rows[at + 1].t <= t + off) {
-    at++;
-  }
-  inputs->at = at;
-  const cli_input_row_t *row = &rows[at];
-  const bool stands = at + 1 == inputs->count || t <= row->t;
+  const cli_input_row_t *row = &inputs->rows[inputs->at];
+  const cli_input_row_t *end = inputs->rows + inputs->count - 1;
+  for (; row > inputs->rows && row->t > t + off; row--) continue;
+  for (; row < end && row[1].t <= t + off; row++) continue;
+  inputs->at = (size_t)(row - inputs->rows);
+  const bool stands = !inputs->linear || row == end || t <= row->t;
   for (size_t i = 0; i < CLI_INPUTS; i++) {
     value[i] = stands || t < row[1].t ? row->value[i] : row[1].value[i];
-    if (!stands && t < row[1].t && inputs->given[i]) {
+    if (!stands && t < row[1].t) {
       value[i] += (row[1].value[i] - row->value[i]) *
                   ((t - row->t) / (row[1].t - row->t));
     }
   }
 }
 
-// The rows from `next` to `last` lie within a span. The mean of one input, piece
-// by piece, is never outside of its values, whatever the rounding.
+// The rows from `next` to `last` lie within a span. The mean of one input,
+// piece by piece, is never outside of its values, whatever the rounding.
 static tf_real_t mean_of(const cli_inputs_t *inputs, size_t column, size_t next,
                          size_t last, const cli_span_t *span, tf_real_t before,
                          tf_real_t after) {
@@ -150,9 +102,6 @@ static tf_real_t mean_of(const cli_inputs_t *inputs, size_t column, size_t next,
   tf_real_t from = span->from, value = before, sum = 0;
   tf_real_t low = before < after ? before : after;
   tf_real_t high = before < after ? after : before;
-  if (next > last) {
-    return (before + after) / 2;
-  }
   for (size_t k = next; k <= last; k++) {
     const tf_real_t then = inputs->rows[k].value[column];
     sum += (value + then) / 2 * ((inputs->rows[k].t - from) / length);
@@ -182,12 +131,9 @@ static void set(const cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS],
 // Notes between which values the inputs of steps have been.
 static void note(cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS]) {
   for (size_t i = 0; i < CLI_INPUTS; i++) {
-    if (!inputs->applied || value[i] < inputs->low[i]) {
-      inputs->low[i] = value[i];
-    }
-    if (!inputs->applied || value[i] > inputs->high[i]) {
-      inputs->high[i] = value[i];
-    }
+    tf_real_t *low = &inputs->low[i], *high = &inputs->high[i];
+    *low = inputs->applied && *low < value[i] ? *low : value[i];
+    *high = inputs->applied && *high > value[i] ? *high : value[i];
   }
   inputs->applied = true;
 }
@@ -199,13 +145,14 @@ void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
   if (inputs->count == 0) {
     return;
   }
+  const size_t was = inputs->at;
+  look_up(inputs, span->from, span->off, before);
   if (!inputs->linear) {
-    go_to_tick(inputs, span->tick);
-    set(inputs, inputs->rows[inputs->at].value, input);
-    note(inputs, inputs->rows[inputs->at].value);
+    inputs->passed += inputs->at > was ? inputs->at - was - 1 : 0;
+    set(inputs, before, input);
+    note(inputs, before);
     return;
   }
-  look_up(inputs, span->from, span->off, before);
   const cli_input_row_t *rows = inputs->rows;
   const size_t next =
       inputs->at + (rows[inputs->at].t <= span->from + span->off);
@@ -233,23 +180,20 @@ void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
 
 // Sets the inputs that the table gives at the instant at which a run starts,
 // with the alpha of its first step.
-static void begin_at(cli_inputs_t *inputs, uint64_t tick, tf_real_t dt,
+static void begin_at(cli_inputs_t *inputs, const cli_span_t *span,
                      tf_input_t *input) {
-  const cli_span_t span = cli_span_of(tick, dt);
   tf_real_t value[CLI_INPUTS];
   if (inputs->count == 0) {
     return;
   }
-  cli_inputs_over(inputs, &span, input);
+  cli_inputs_over(inputs, span, input);
   const tf_real_t alpha = input->alpha;
-  if (inputs->linear) {
-    look_up(inputs, span.from, span.off, value);
-    set(inputs, value, input);
-  }
+  look_up(inputs, span->from, span->off, value);
+  set(inputs, value, input);
   input->alpha = alpha;
   inputs->first = inputs->at;
   inputs->applied = false;
-  inputs->within = inputs->jumps = 0;
+  inputs->passed = inputs->within = inputs->jumps = 0;
 }
 
 void cli_inputs_free(cli_inputs_t *inputs) {
@@ -261,12 +205,13 @@ void cli_inputs_free(cli_inputs_t *inputs) {
 // The profile of a scene and a table of one's own are the same kind of thing;
 // the latter is applied over the former, column by column.
 
-void cli_drive_begin(cli_drive_t *drive, cli_setup_t *setup) {
-  cli_inputs_prepare(&drive->profile, setup->machine.dt);
-  cli_inputs_prepare(&drive->table, setup->machine.dt);
-  setup->input = tf_input_default(&setup->machine);
-  begin_at(&drive->profile, 0, setup->machine.dt, &setup->input);
-  begin_at(&drive->table, 0, setup->machine.dt, &setup->input);
+tf_input_t cli_drive_begin(cli_drive_t *drive, const tf_machine_t *machine,
+                           uint64_t tick) {
+  const cli_span_t span = cli_span_of(tick, machine->dt);
+  tf_input_t input = tf_input_default(machine);
+  begin_at(&drive->profile, &span, &input);
+  begin_at(&drive->table, &span, &input);
+  return input;
 }
 
 void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup) {
@@ -279,12 +224,6 @@ void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup) {
                         cli_input_columns[i].name);
     }
   }
-}
-
-void cli_drive_go_to(cli_drive_t *drive, uint64_t tick, tf_real_t dt) {
-  tf_input_t input = {0, 0, 0, 0, 0};
-  begin_at(&drive->profile, tick, dt, &input);
-  begin_at(&drive->table, tick, dt, &input);
 }
 
 tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,

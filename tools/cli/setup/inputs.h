@@ -34,7 +34,6 @@ extern const cli_quantity_t cli_input_columns[CLI_INPUTS];
 
 typedef struct {
   tf_real_t t;                 ///< [s]
-  uint64_t tick;               ///< of the first step that it holds for
   tf_real_t value[CLI_INPUTS]; ///< 0 where the column is not given
 } cli_input_row_t;
 
@@ -46,6 +45,7 @@ typedef struct {
   size_t count, room;
   size_t at;            ///< row of the last look-up
   size_t first;         ///< row of the first one
+  size_t passed;        ///< rows of a held table that never held
   size_t within, jumps; ///< times of rows within a step, and jumps there
   bool applied; ///< to a step, or more of them; then their least and largest:
   tf_real_t low[CLI_INPUTS], high[CLI_INPUTS];
@@ -74,16 +74,8 @@ uint32_t cli_inputs_hash(const cli_inputs_t *inputs);
 /// table that is the one behind.
 size_t cli_inputs_last(const cli_inputs_t *inputs, double t);
 
-/// How many of the rows first to last, both included, never held, because the
-/// next one begins to hold with the same step. A linear table has none.
-size_t cli_inputs_passed(const cli_inputs_t *inputs, size_t first, size_t last);
-
-/// Finds the steps that the rows begin to hold for.
-void cli_inputs_prepare(cli_inputs_t *inputs, tf_real_t dt);
-
 /// A step, or a part of one.
 typedef struct {
-  uint64_t tick;      ///< at which the step begins
   tf_real_t from, to; ///< times of its ends [s]
   tf_real_t dt;       ///< its length, not rounded as they are [s]
   tf_real_t off;      ///< what is nearer to an end belongs to it [s]
@@ -108,27 +100,26 @@ typedef struct {
   cli_inputs_t table;   ///< of --inputs; without rows if there is none
 } cli_drive_t;
 
-/// The options --inputs and --between as typed, NULL: not given.
+/// The options --inputs, NULL: not given, and --between, 1: linear.
 typedef struct {
-  const char *inputs, *between;
+  const char *inputs;
+  unsigned between;
 } cli_drive_args_t;
 
 /// Reads what drives a scene.
 /// drive: out; to be freed by cli_drive_free, whatever is returned.
 /// Returns: CLI_DONE; after a message as cli_inputs_parse, and CLI_USAGE where
-/// only one of the options is given.
+/// --between is not given.
 int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                    const cli_drive_args_t *args);
 
-/// Prepares it for the machine of a setup and sets the inputs of the setup at
-/// t = 0.
-void cli_drive_begin(cli_drive_t *drive, cli_setup_t *setup);
+/// Goes to a tick at which a run of a machine begins.
+/// Returns: the inputs of that instant, with the alpha of the step behind it.
+tf_input_t cli_drive_begin(cli_drive_t *drive, const tf_machine_t *machine,
+                           uint64_t tick);
 
 /// Reports on standard error which settings have no effect beside the table.
 void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup);
-
-/// Goes to a tick, at which a run begins that goes on from another one.
-void cli_drive_go_to(cli_drive_t *drive, uint64_t tick, tf_real_t dt);
 
 /// Inputs of a machine over a span.
 tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,

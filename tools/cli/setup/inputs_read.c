@@ -9,6 +9,7 @@
 #include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
+#include "../text/options.h"
 #include "inputs.h"
 #include "names.h"
 
@@ -202,34 +203,21 @@ static int read_file(cli_inputs_t *inputs, const char *path) {
   return code;
 }
 
-static int read_between(const char *between, bool *linear) {
-  *linear = strcmp(between, "linear") == 0;
-  if (*linear || strcmp(between, "held") == 0) {
-    return CLI_DONE;
-  }
-  return cli_message(CLI_USAGE, "--between %s: must be held or linear",
-                     between);
-}
-
 int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                    const cli_drive_args_t *args) {
   memset(drive, 0, sizeof *drive);
   int code = cli_inputs_of_scene(&drive->profile, scene);
-  if (code != CLI_DONE || (args->inputs == NULL && args->between == NULL)) {
+  if (code != CLI_DONE || args->inputs == NULL) {
     return code;
   }
-  if (args->inputs == NULL) {
-    return cli_message(CLI_USAGE, "--between %s: only with --inputs",
-                       args->between);
-  }
-  if (args->between == NULL) {
+  if (args->between == CLI_NOT_GIVEN) {
     return cli_message(CLI_USAGE,
                        "--inputs %s: say what holds between two rows, by "
                        "--between held or --between linear",
                        args->inputs);
   }
-  code = read_between(args->between, &drive->table.linear);
-  code = code == CLI_DONE ? read_file(&drive->table, args->inputs) : code;
+  drive->table.linear = args->between == 1;
+  code = read_file(&drive->table, args->inputs);
   if (drive->table.given[CLI_INPUT_OMEGA0]) {
     cli_inputs_free(&drive->profile);
   }

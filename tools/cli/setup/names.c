@@ -66,11 +66,11 @@ static void list_names(const char *name_of(unsigned), unsigned count,
   }
 }
 
-// Finds the number that has a name. what: for the message, what it names, how a
-// sentence about all of them begins, and what the last may have behind it.
+// Finds the number that has a name. what: for the message, what it names, and
+// how a sentence about all of them begins.
 static int find_name(const char *name_of(unsigned), unsigned count,
                      const char *option, const char *text, const char *name,
-                     const char *const what[3], unsigned *found) {
+                     const char *const what[2], unsigned *found) {
   char list[256];
   cli_closest_t closest = cli_closest_to(name);
   for (unsigned i = 0; i < count; i++) {
@@ -81,13 +81,13 @@ static int find_name(const char *name_of(unsigned), unsigned count,
     cli_closest_offer(&closest, name_of(i));
   }
   list_names(name_of, count, list, sizeof list);
-  return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s %s%s%s", option,
-                     text, what[0], name, what[1], list, what[2], closest.hint);
+  return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s %s%s", option, text,
+                     what[0], name, what[1], list, closest.hint);
 }
 
 int cli_find_law(const char *option, const char *text, const char *name,
                  tf_tyre_law_t *law) {
-  static const char *const what[] = {"law", "laws are", ""};
+  static const char *const what[] = {"law", "laws are"};
   unsigned found = *law;
   const int code = find_name(tf_tyre_law_name, TF_TYRE_LAWS, option, text, name,
                              what, &found);
@@ -97,7 +97,7 @@ int cli_find_law(const char *option, const char *text, const char *name,
 
 int cli_find_rest(const char *option, const char *text, const char *name,
                   tf_rest_law_t *rest) {
-  static const char *const what[] = {"law of rest", "they are", ""};
+  static const char *const what[] = {"law of rest", "they are"};
   unsigned found = *rest;
   const int code = find_name(tf_rest_law_name, TF_REST_LAWS, option, text, name,
                              what, &found);
@@ -107,7 +107,7 @@ int cli_find_rest(const char *option, const char *text, const char *name,
 
 int cli_find_rule(const char *option, const char *text, const char *name,
                   tf_rule_t *rule) {
-  static const char *const what[] = {"rule", "rules are", "[:SEED]"};
+  static const char *const what[] = {"rule", "rules are"};
   if (strchr(name, ':') != NULL) {
     return cli_message(CLI_USAGE,
                        "%s %s: a seed is not part of a scene: give the rule "

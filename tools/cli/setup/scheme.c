@@ -95,11 +95,10 @@ tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
   const tf_state_t before = system->state;
   cli_span_t rest = cli_span_of(before.tick, setup->machine.dt);
   tf_report_t met = {.status = TF_OK};
-  tf_status_t status = TF_OK;
-  for (uint64_t part = 0; status >= 0; part++) {
+  for (uint64_t part = 0, last = 0; !last && met.status >= 0; part++) {
     cli_span_t span = rest;
     span.to = scheme->splits ? cli_drive_next(drive, &rest) : rest.to;
-    const bool last = !(span.to < rest.to);
+    last = !(span.to < rest.to);
     span.dt = last ? rest.dt : span.to - span.from;
     *input = cli_drive_over(drive, &setup->machine, &span);
     if (last && part == 0) {
@@ -109,26 +108,22 @@ tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
     params.dt = span.dt;
     (void)tf_prepare(&system->machine.machine, &params, NULL);
     system->state.tick = before.tick | part << PART_OF_TICK;
-    status = scheme->step(system, input, report);
-    met.status = met.status == TF_OK ? status : met.status;
-    if (report->choices > met.choices) {
-      met.choices = report->choices;
-      met.set = report->set;
+    if (scheme->step(system, input, report) >= 0 && met.status > TF_OK) {
+      report->status = met.status;
     }
-    if (last) {
-      break;
+    if (met.choices > report->choices) {
+      report->choices = met.choices;
+      report->set = met.set;
     }
+    met = *report;
     rest.from = span.to;
     rest.dt -= span.dt;
   }
   system->machine.machine = setup->machine;
-  if (status < 0) {
+  if (met.status < 0) {
     system->state = before;
-    return status;
+  } else {
+    system->state.tick = before.tick + 1;
   }
-  system->state.tick = before.tick + 1;
-  report->choices = met.choices;
-  report->set = met.set;
-  report->status = met.status;
   return met.status;
 }

@@ -47,7 +47,7 @@ int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps);
 /// The time of the end, as above.
 tf_real_t cli_end_of(const cli_args_t *args);
 
-/// Takes a step under what drives the machine of a setup, from system->state on.
+/// Takes a step of a setup's machine under what drives it, from system->state.
 /// A scheme that splits steps takes one for each part; the report then has the
 /// largest set of them, and the first status that is not TF_OK.
 /// input: out, that of the step, or of its last part.

@@ -78,22 +78,8 @@ int cli_settings_add(cli_settings_t *settings, const char *option,
 const cli_quantity_t cli_starts[CLI_STARTS] = {
     {"r", "m"}, {"v", "m/s"}, {"omega", "rad/s"}, {"h", "m/s"}, {"phi", "rad"}};
 
-static int unknown_setting(const cli_setting_t *setting) {
-  cli_closest_t closest = cli_closest_to(setting->name);
-  (void)cli_closest_find(&closest, tf_parameter_ranges, TF_PARAMETERS,
-                         sizeof tf_parameter_ranges[0]);
-  (void)cli_closest_find(&closest, cli_starts, CLI_STARTS,
-                         sizeof cli_starts[0]);
-  cli_closest_offer(&closest, "law");
-  cli_closest_offer(&closest, "rest");
-  return cli_message(CLI_USAGE, "%s %s: unknown name '%s'%s", setting->option,
-                     setting->text, setting->name, closest.hint);
-}
-
 static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
   tf_real_t value = 0;
-  const size_t parameter = cli_parameter_index(setting->name);
-  size_t start = 0;
   if (strcmp(setting->name, "law") == 0) {
     return cli_find_law(setting->option, setting->text, setting->value,
                         &setup->params.law);
@@ -102,12 +88,17 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
     return cli_find_rest(setting->option, setting->text, setting->value,
                          &setup->params.rest);
   }
-  while (start < CLI_STARTS &&
-         strcmp(cli_starts[start].name, setting->name) != 0) {
-    start++;
-  }
+  cli_closest_t closest = cli_closest_to(setting->name);
+  const size_t parameter =
+      cli_closest_find(&closest, tf_parameter_ranges, TF_PARAMETERS,
+                       sizeof tf_parameter_ranges[0]);
+  const size_t start =
+      cli_closest_find(&closest, cli_starts, CLI_STARTS, sizeof cli_starts[0]);
   if (parameter == TF_PARAMETERS && start == CLI_STARTS) {
-    return unknown_setting(setting);
+    cli_closest_offer(&closest, "law");
+    cli_closest_offer(&closest, "rest");
+    return cli_message(CLI_USAGE, "%s %s: unknown name '%s'%s", setting->option,
+                       setting->text, setting->name, closest.hint);
   }
   const int code =
       cli_read_number(setting->option, setting->text, setting->value, &value);
@@ -356,9 +347,8 @@ size_t cli_provenance(const cli_setup_t *setup, const char *how,
       "\n"
       "# %s\n"
       "# units: %s\n",
-      TF_VERSION, cli_commit,
-      sizeof(tf_real_t) == sizeof(float) ? "float" : "double",
-      setup->scene->name, cli_scene_hash(setup), tf_params_hash(&setup->params),
+      TF_VERSION, cli_commit, CLI_NUMBER_TYPE, setup->scene->name,
+      cli_scene_hash(setup), tf_params_hash(&setup->params),
       tf_tyre_law_name(setup->params.law), tf_rule_name(setup->params.rule),
       setup->seed, how, units);
 }

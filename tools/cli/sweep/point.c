@@ -3,6 +3,7 @@
 // like one of --set. So a row is replayed by copying its fields into a command.
 // A refusal is a row, too, with the words of `run` in it.
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -97,7 +98,8 @@ static int prepare(point_t *point, uint64_t *steps) {
   code = code == CLI_DONE ? cli_setup_machine(&point->setup) : code;
   if (code == CLI_DONE) {
     point->drive = sweep->drive;
-    cli_drive_begin(&point->drive, &point->setup);
+    point->setup.input =
+        cli_drive_begin(&point->drive, &point->setup.machine, 0);
     code = cli_count_steps(sweep->args, point->setup.machine.dt, steps);
   }
   return code;
@@ -165,14 +167,13 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
     cli_course_see(&point->course, t, &point->system.state, &report);
   }
   point->course.energy = energy_of(point);
-  const tf_tally_t *tally = &point->tally;
-  if (cli_tally_code(tally) != CLI_DONE) {
-    (void)snprintf(
-        point->reason, REASON_ROOM,
-        "%llu steps degraded; %llu coarse; %llu stalled; first at "
-        "t = %.9g s",
-        (unsigned long long)tally->degraded, (unsigned long long)tally->coarse,
-        (unsigned long long)tally->stalled, (double)tally->first * dt);
+  if (cli_tally_code(&point->tally) != CLI_DONE) {
+    const tf_tally_t *tally = &point->tally;
+    (void)snprintf(point->reason, REASON_ROOM,
+                   "%" PRIu64 " steps degraded; %" PRIu64 " coarse; %" PRIu64
+                   " stalled; first at t = %.9g s",
+                   tally->degraded, tally->coarse, tally->stalled,
+                   (double)tally->first * dt);
     return CLI_POINT_FLAGGED;
   }
   return CLI_POINT_DONE;

@@ -65,7 +65,7 @@ static void add_command(const cli_sheet_t *sheet, cli_buffer_t *text) {
   }
   if (args->drive.inputs != NULL) {
     cli_add_form(text, " --inputs %s --between %s (", args->drive.inputs,
-                 args->drive.between);
+                 args->drive.between == 1 ? "linear" : "held");
     cli_add_hash(text, sheet->inputs);
     cli_add(text, ")");
   }

@@ -149,10 +149,12 @@ static int refuse_choice(const cli_option_t *option, const cli_given_t *given) {
                            option->noun, list, closest.hint);
 }
 
+// length: in, of the word at the begin of the value.
 static int read_choice(const cli_option_t *option, const cli_given_t *given,
-                       unsigned *out) {
+                       size_t length, unsigned *out) {
   for (unsigned i = 0; option->choices[i].name != NULL; i++) {
-    if (strcmp(given->value, option->choices[i].name) == 0) {
+    const char *name = option->choices[i].name;
+    if (strlen(name) == length && strncmp(given->value, name, length) == 0) {
       *out = i;
       return CLI_DONE;
     }
@@ -163,6 +165,7 @@ static int read_choice(const cli_option_t *option, const cli_given_t *given,
 static int read_value(const cli_option_t *option, const cli_given_t *given,
                       void *args) {
   void *to = (char *)args + option->member;
+  unsigned place = 0;
   switch (option->kind) {
     case CLI_FLAG:
       *(bool *)to = true;
@@ -176,7 +179,10 @@ static int read_value(const cli_option_t *option, const cli_given_t *given,
       return CLI_DONE;
     case CLI_TEXT:
       *(const char **)to = given->value;
-      return CLI_DONE;
+      return option->choices == NULL
+                 ? CLI_DONE
+                 : read_choice(option, given, strcspn(given->value, ":"),
+                               &place);
     case CLI_WHOLE:
       return read_whole(option, given, to);
     case CLI_REAL:
@@ -185,7 +191,7 @@ static int read_value(const cli_option_t *option, const cli_given_t *given,
     case CLI_RANGE:
       return read_range(option, given, to);
     case CLI_CHOICE:
-      return read_choice(option, given, to);
+      return read_choice(option, given, strlen(given->value), to);
     case CLI_OTHER:
       break;
   }

@@ -55,13 +55,15 @@ typedef struct {
   const char *unit;        ///< of the range, NULL: none
   const char *noun;        ///< of choices, for messages; NULL: "must be"
   const char *needs;       ///< name of an option without which it is refused
-  const cli_choice_t *choices; ///< also of CLI_TEXT: checked later
+  /// Of CLI_TEXT: it begins with one of them, up to its end or a colon.
+  const cli_choice_t *choices;
   /// Of CLI_OTHER. Returns: CLI_DONE, or another code after a message.
   int (*read)(void *args, const cli_given_t *given);
   unsigned how; ///< of the bits above
 } cli_option_t;
 
-#define CLI_ROWS 128 ///< of a table, at most
+#define CLI_ROWS 128             ///< of a table, at most
+#define CLI_NOT_GIVEN UINT32_MAX ///< usual place of a choice without one
 
 /// A table and a command. take: stores a positional argument. Returns: as
 /// cli_option_t.read.
