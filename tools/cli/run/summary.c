@@ -34,16 +34,16 @@ static void print_request(const cli_run_t *run) {
 }
 
 // The rows of a table that the steps came to see, and what was applied to them.
-static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
+static void print_table(const cli_inputs_t *table) {
   if (table->count == 0) {
     return;
   }
-  const size_t last = cli_inputs_last(table, cli_run_time(run, run->done));
   (void)fprintf(stderr, "inputs     %s, %s: %zu of %zu rows, t = %g to %g s%s",
                 table->name, table->linear ? "linear" : "held",
-                last - table->first + 1 - table->passed, table->count,
+                table->last - table->first + 1 - table->passed, table->count,
                 (double)table->rows[table->first].t,
-                (double)table->rows[last].t, table->applied ? "; applied" : "");
+                (double)table->rows[table->last].t,
+                table->applied ? "; applied" : "");
   const char *comma = " ";
   for (size_t i = 0; i < CLI_INPUTS; i++) {
     if (table->given[i] && table->applied) {
@@ -100,8 +100,8 @@ static void print_drive(const cli_run_t *run) {
       (void)fprintf(stderr, "           which now needs%s\n", changes);
     }
   } else {
-    print_table(run, &run->drive.profile);
-    print_table(run, &run->drive.table);
+    print_table(&run->drive.profile);
+    print_table(&run->drive.table);
   }
   print_held(&run->replay.simulation);
 }

@@ -65,23 +65,21 @@ static void put_held(const tf_simulation_t *simulation) {
   (void)fputs("}, ", stderr);
 }
 
-static void put_table(const cli_run_t *run, const char *key,
-                      const cli_inputs_t *table) {
+static void put_table(const char *key, const cli_inputs_t *table) {
   if (table->count == 0) {
     return;
   }
-  const size_t last = cli_inputs_last(table, cli_run_time(run, run->done));
   (void)fprintf(stderr, "\"%s\": {", key);
   cli_put_text("name", table->name);
   cli_put_word("between", table->linear ? "linear" : "held");
   cli_put_count("rows", table->count);
   cli_put_count("first", table->first);
-  cli_put_count("last", last);
+  cli_put_count("last", table->last);
   cli_put_count("passed", table->passed);
   cli_put_count("within", table->within);
   cli_put_count("jumps", table->jumps);
   cli_put_real("t_first", table->rows[table->first].t);
-  cli_put_real("t_last", table->rows[last].t);
+  cli_put_real("t_last", table->rows[table->last].t);
   cli_put_hash("crc32", cli_inputs_hash(table));
   (void)fputs("\"applied\": {", stderr);
   const char *comma = "";
@@ -166,8 +164,8 @@ void cli_summary_json(const cli_run_t *run, int code) {
                                      [CLI_NOT_REPLAYED] = "not replayed",
                                      [CLI_NOT_WRITTEN] = "not written"};
   put_request(run);
-  put_table(run, "profile", &run->drive.profile);
-  put_table(run, "inputs", &run->drive.table);
+  put_table("profile", &run->drive.profile);
+  put_table("inputs", &run->drive.table);
   put_replay(run);
   put_held(&run->replay.simulation);
   put_events(&run->events);

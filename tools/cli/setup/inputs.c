@@ -57,11 +57,6 @@ uint32_t cli_inputs_hash(const cli_inputs_t *inputs) {
   return sum.crc;
 }
 
-size_t cli_inputs_last(const cli_inputs_t *inputs, double t) {
-  return inputs->at + (inputs->linear && inputs->at + 1 < inputs->count &&
-                       (double)inputs->rows[inputs->at].t < t);
-}
-
 // A span that cannot be a step of its own is not cut off: dt is >= 1e-9 s.
 #define SHORTEST TF_R(2e-9)
 
@@ -149,6 +144,7 @@ void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
   look_up(inputs, span->from, span->off, before);
   if (!inputs->linear) {
     inputs->passed += inputs->at > was ? inputs->at - was - 1 : 0;
+    inputs->last = inputs->at;
     set(inputs, before, input);
     note(inputs, before);
     return;
@@ -157,6 +153,8 @@ void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
   const size_t next =
       inputs->at + (rows[inputs->at].t <= span->from + span->off);
   look_up(inputs, span->to, -span->off, after);
+  inputs->last = inputs->at + (inputs->at + 1 < inputs->count &&
+                               rows[inputs->at].t < span->to);
   for (size_t k = next; k <= inputs->at; k++) {
     if (k > next && rows[k].t == rows[k - 1].t) {
       jumps +=
@@ -191,7 +189,7 @@ static void begin_at(cli_inputs_t *inputs, const cli_span_t *span,
   look_up(inputs, span->from, span->off, value);
   set(inputs, value, input);
   input->alpha = alpha;
-  inputs->first = inputs->at;
+  inputs->first = inputs->last = inputs->at;
   inputs->applied = false;
   inputs->passed = inputs->within = inputs->jumps = 0;
 }

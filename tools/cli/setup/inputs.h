@@ -44,7 +44,7 @@ typedef struct {
   cli_input_row_t *rows; ///< from the heap, NULL while empty
   size_t count, room;
   size_t at;            ///< row of the last look-up
-  size_t first;         ///< row of the first one
+  size_t first, last;   ///< rows that steps came to see, with the one behind
   size_t passed;        ///< rows of a held table that never held
   size_t within, jumps; ///< times of rows within a step, and jumps there
   bool applied; ///< to a step, or more of them; then their least and largest:
@@ -69,10 +69,6 @@ int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file);
 /// CRC-32 of all that a table gives: columns, what holds between rows, rows. 0
 /// without rows.
 uint32_t cli_inputs_hash(const cli_inputs_t *inputs);
-
-/// The last row that the steps up to a time t [s] came to see: of a linear
-/// table that is the one behind.
-size_t cli_inputs_last(const cli_inputs_t *inputs, double t);
 
 /// A step, or a part of one.
 typedef struct {
