@@ -87,11 +87,14 @@ check 'the start is that of the inputs' cmp out want
 printf 't,omega0\n0,-1\n0.3,-1\n0.3,-0.8\n' >jump.csv
 printf 't,omega0\n0,-1\n0.3,-0.8\n' >held.csv
 printf 't,omega0\n0,-1\n0.2998046875,-0.8\n' >early.csv
+printf 'based-on chaos\nprofile 0:-1 0.3:-1 0.3:-0.8\n' >jump.scene
 for scheme in moreau located compensated; do
-  set -- run chaos --t-end 0.5 --scheme $scheme
-  runs "$@" --inputs held.csv --between held --out want
-  runs "$@" --inputs jump.csv --between linear
+  set -- --t-end 0.5 --scheme $scheme
+  runs run chaos "$@" --inputs held.csv --between held --out want
+  runs run chaos "$@" --inputs jump.csv --between linear
   check "a jump between two steps, $scheme" cmp out want
+  runs run jump.scene "$@"
+  check "a jump of a scene, $scheme" cmp out want
 done
 set -- run chaos --dt 0x1p-10 --t-end 0.5
 runs "$@" --inputs early.csv --between held --out want
