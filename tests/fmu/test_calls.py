@@ -68,7 +68,7 @@ def bad_combinations(fmu):
 def wrong_references(fmu):
     wheel = fmu.instance().begin()
     real = wheel.real
-    for reference in (8, 99, 100, 120, 4000000000):
+    for reference in (8, 99, 100, 121, 4000000000):
         refused(ERROR, f"value reference {reference}", raw, wheel, "Get", real,
                 reference)
     refused(ERROR, f"{real} variable|101", raw, wheel, "Get", real, 101)
