@@ -3,6 +3,13 @@
 
 #include "../num/rounding.h"
 
+// The time of a tick, by halves: both conversions are of 32 bits, and that of 64
+// takes 2 KB on a processor without floating point. Rounded as it up to 2^32.
+static tf_real_t time_of(uint64_t tick, tf_real_t dt) {
+  const tf_real_t high = (tf_real_t)(uint32_t)(tick >> 32) * TF_R(0x1p32);
+  return (high + (tf_real_t)(uint32_t)tick) * dt;
+}
+
 // The speed of the turntable at a time, to which knots up to t + off belong.
 static tf_real_t speed_at(const tf_scene_t *scene, tf_real_t t, tf_real_t off) {
   const tf_knot_t *knot = scene->profile;
@@ -34,8 +41,7 @@ TF_API tf_input_t tf_scene_input(const tf_scene_t *scene,
   if (scene->knots == 0) return input;
   const uint64_t first = tick == 0 ? 0 : tick - 1;
   const tf_real_t dt = machine->dt;
-  const tf_real_t from = (tf_real_t)first * dt,
-                  to = (tf_real_t)(first + 1) * dt;
+  const tf_real_t from = time_of(first, dt), to = time_of(first + 1, dt);
   const tf_real_t rounding = dt * TF_R(0x1p-20) + 4 * TF_REAL_EPSILON * to;
   const tf_real_t off = rounding < dt / 2 ? rounding : dt / 2;
   const tf_real_t start = speed_at(scene, from, off);
