@@ -180,8 +180,7 @@ static inline bool scheme_begin(void) { return true; }
 
 /// The inputs of the step that ends after so many steps.
 static inline tf_input_t scene_input(uint32_t steps) {
-  return tf_scene_input(SCENE, SCENE_MACHINE,
-                        (tf_real_t)steps * SCENE_MACHINE->dt);
+  return tf_scene_input(SCENE, SCENE_MACHINE, steps);
 }
 
 #endif

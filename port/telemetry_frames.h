@@ -33,7 +33,8 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
                          .period = 1000000000u / RATE,
                          .degraded = at_most_32_bits(SIM_TALLY.degraded),
                          .fell_back = at_most_32_bits(SIM_TALLY.fell_back),
-                         .coarse = at_most_32_bits(SIM_TALLY.coarse)};
+                         .coarse = at_most_32_bits(SIM_TALLY.coarse),
+                         .stalled = at_most_32_bits(SIM_TALLY.stalled)};
   if (c->steps > 0) {
     beat.exec_min = nanoseconds(c->shortest);
     beat.exec_mean = nanoseconds(c->sum / c->steps);

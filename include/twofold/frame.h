@@ -13,7 +13,7 @@
 
 TF_BEGIN_C
 
-#define TF_FRAME_VERSION 2
+#define TF_FRAME_VERSION 3
 /// Version, type, length, sequence (4) and tick (8).
 #define TF_FRAME_HEADER 15
 /// Where the payload has to be for tf_frame_seal.
@@ -46,6 +46,7 @@ typedef struct {
   uint32_t bad;         ///< CRC, COBS or length wrong
   uint32_t too_long;    ///< longer than the buffer
   uint32_t bad_version; ///< correct, but of another version of the protocol
+  uint8_t version;      ///< which one the last of them was of
   uint32_t lost;        ///< missing sequence numbers
   uint32_t restarts;    ///< the sequence went back: the sender was restarted
 } tf_decoder_t;

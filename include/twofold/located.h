@@ -30,12 +30,13 @@ TF_BEGIN_C
 ///   the angle is known no better.
 /// Returns: TF_OK; TF_COARSE (the segments of the budget, or a series, did not
 ///   reach the end: tf_step did the rest of the step, over which force is the
-///   mean and whose residual it is; or the motion stalls); TF_FELL_BACK (they
-///   made no way from the start, where no series converged or the one segment
-///   of the budget met an event: tf_step took the whole step, and the report is
-///   its own); TF_COARSE, TF_DEGRADED (the same, or the rest, and tf_step
-///   returned that); TF_BAD_PARAMETER (another law), TF_BAD_STATE, TF_DIVERGED,
-///   TF_STEP_TOO_LONG (state untouched, report holds the status).
+///   mean and whose residual it is); TF_STALLED (the motion stalls);
+///   TF_FELL_BACK (they made no way from the start, where no series converged
+///   or the one segment of the budget met an event: tf_step took the whole
+///   step, and the report is its own); TF_COARSE, TF_STALLED, TF_DEGRADED (the
+///   same, or the rest, and tf_step returned that); TF_BAD_PARAMETER (another
+///   law), TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report
+///   holds the status).
 /// Trust: TF_OK promises what it does of tf_step, with an error that follows
 ///   the tolerance; where it was found not to, docs/VERIFICATION.md says.
 #define tf_step_located TF_LINK(tf_step_located)

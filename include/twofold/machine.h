@@ -151,15 +151,17 @@ typedef struct {
   uint8_t mode;  ///< tf_mode_t
 } tf_state_t;
 
-/// The inputs, constant over one step.
+/// The inputs, constant over one step but for the speed of the turntable, which
+/// goes from omega0 - alpha dt to omega0. Where that is not the omega0 of the
+/// step before, the turntable jumps at the start of the step.
 typedef struct {
   tf_real_t omega0; ///< speed of the turntable at the end of the step [rad/s]
   tf_real_t r0;     ///< rest position of the spring [m]
   tf_real_t force;  ///< on the slider, along r [N]
   tf_real_t torque; ///< on the disc [N m]
-  tf_real_t alpha;  ///< mean acceleration of the turntable over the step
-                    ///< [rad/s^2]: at its start it has omega0 - alpha dt; 0:
-                    ///< omega0 held, and where it changes it jumps
+  tf_real_t alpha;  ///< acceleration of the turntable, its mean over the step
+                    ///< [rad/s^2] (tf_turntable_to); 0: omega0 throughout, and
+                    ///< where it changes it jumps
 } tf_input_t;
 
 /// Largest sum of |r| [m], |v| [m/s] and |w| [rad/s] that is accepted, and of
@@ -183,6 +185,14 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
 /// parameters, no force, no torque.
 #define tf_input_default TF_LINK(tf_input_default)
 TF_API tf_input_t tf_input_default(const tf_machine_t *machine);
+
+/// Moves the turntable on, as it moves during the next step: to a new omega0,
+/// with alpha = (omega0 - its last value)/dt. A turntable that jumps is not
+/// moved but put there: omega0 is set, and alpha to 0.
+/// input: in/out, of the last step, or of the start. omega0: in, at the end of
+///   the step [rad/s]. dt: in, of the machine, > 0 [s].
+#define tf_turntable_to TF_LINK(tf_turntable_to)
+TF_API void tf_turntable_to(tf_input_t *input, tf_real_t omega0, tf_real_t dt);
 
 /// Slip of the wheel against the turntable.
 typedef struct {

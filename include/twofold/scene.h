@@ -11,7 +11,7 @@
 TF_BEGIN_C
 
 /// A knot of the turntable's speed, which is linear between knots and constant
-/// before the first and after the last.
+/// before the first and after the last. Two knots at one time are a jump.
 typedef struct {
   tf_real_t t, omega0; ///< [s], [rad/s]
 } tf_knot_t;
@@ -30,16 +30,19 @@ typedef struct {
   tf_knot_t profile[TF_SCENE_KNOTS];
 } tf_scene_t;
 
-/// Inputs of a scene for the step that ends at t, linear between its knots;
-/// alpha is the mean over the step.
-/// scene: in. machine: in, from scene->params (or altered ones). t: in [s],
-///   finite.
+/// Inputs of a scene for the step that ends at a tick, that is at tick dt; they
+/// depend on nothing else. alpha is the mean over that step. A jump within it
+/// is moved to its start. A knot that is tick dt but for rounding (2^-20 dt) is
+/// not within a step. Tick 0: those of the start, with the alpha of the first
+/// step.
+/// scene: in. machine: in, from scene->params (or altered ones). tick: in; in
+///   float exact up to 2^24.
 #define tf_scene_input TF_LINK(tf_scene_input)
 TF_API tf_input_t tf_scene_input(const tf_scene_t *scene,
-                                 const tf_machine_t *machine, tf_real_t t);
+                                 const tf_machine_t *machine, uint64_t tick);
 
 /// Start of a scene: state, mode and report at tick 0, by tf_begin_with_slip
-/// where the scene gives h, else by tf_begin, under the inputs of t = 0.
+/// where the scene gives h, else by tf_begin, under the inputs of tick 0.
 /// scene: in. machine: in, from scene->params (or altered ones).
 /// seed: in, of rule `random`. state, report: out.
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched: there is no such start).

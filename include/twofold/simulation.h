@@ -10,9 +10,11 @@
 ///                          &simulation.report));
 ///
 /// Inputs that are set from outside hold for `deadman` steps (not seconds: a
-/// board in lockstep may wait). After that the inputs are the safe ones, those
-/// of a machine that nothing drives (tf_input_default), until they are set once
-/// more. Cost and stack: docs/BENCH.md.
+/// board in lockstep may wait). Their alpha is that of the first of these
+/// steps, at whose end the turntable has their omega0, and keeps it. After that
+/// the inputs are the safe ones, those of a machine that nothing drives
+/// (tf_input_default), until they are set once more. Cost and stack:
+/// docs/BENCH.md.
 #ifndef TWOFOLD_SIMULATION_H
 #define TWOFOLD_SIMULATION_H
 
@@ -64,7 +66,8 @@ TF_API tf_status_t tf_simulation_open(tf_simulation_t *simulation,
                                       const tf_scene_t *scene,
                                       const tf_params_t *params, uint32_t seed);
 
-/// Sets the inputs from outside; they hold from the next step on.
+/// Sets the inputs from outside; they hold from the next step on, alpha for
+/// that step alone.
 /// simulation: in/out. input: in, checked by the step.
 #define tf_simulation_set_input TF_LINK(tf_simulation_set_input)
 TF_API void tf_simulation_set_input(tf_simulation_t *simulation,

@@ -12,15 +12,15 @@ TF_BEGIN_C
 /// refuses stands with the function.
 typedef enum {
   TF_OK = 0,
-  TF_DEGRADED = 1,       ///< no mode was consistent, or none that a slip may
-                         ///< enter: smallest residual taken; or h and g do not
-                         ///< end with the signs of the mode, but for rounding
-  TF_FELL_BACK = 2,      ///< tf_step_located left it to tf_step: TF_OK
-  TF_COARSE = 3,         ///< too coarse: tf_step_located ran out of segments
-                         ///< and left the rest to tf_step; or the step is too
-                         ///< long for the motion; or the motion stalls: it has
-                         ///< lost the change of the state in its rounding, and
-                         ///< so will the next steps
+  TF_DEGRADED = 1,  ///< no mode was consistent, or none that a slip may
+                    ///< enter: smallest residual taken; or h and g do not
+                    ///< end with the signs of the mode, but for rounding
+  TF_FELL_BACK = 2, ///< tf_step_located left it to tf_step: TF_OK
+  TF_COARSE = 3,    ///< too coarse: the step is too long for the motion;
+                    ///< or tf_step_located missed its tolerance: it ran out
+                    ///< of segments and left the rest to tf_step
+  TF_STALLED = 4,   ///< the motion stalls: the step has lost the change of
+                    ///< the state in its rounding, and so will the next
   TF_BAD_PARAMETER = -1, ///< a parameter or option is out of its range
   TF_BAD_STATE = -2,     ///< state or input not finite or out of its range
   TF_DIVERGED = -3,      ///< the next state would leave the range of states

@@ -13,7 +13,9 @@ TF_BEGIN_C
 typedef struct {
   uint8_t mode;       ///< tf_mode_t, taken
   uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode); of a
-                      ///< step that comes to h = g = 0, those of that point
+                      ///< step that comes to h = g = 0, those of that point;
+                      ///< of a slip that passes it within reach, also the
+                      ///< mode in which its course ends
   uint8_t choices;    ///< how many modes that is
   tf_force_t force;   ///< F [N], M [N m], mean over the step; of
                       ///< tf_step_located at its end
@@ -76,13 +78,20 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///   friction ends a slip and changes the velocities by more than a third, or
 ///   its force changes direction within it and that alone changes them by 3 %;
 ///   or a slip that several modes may follow passes by h = g = 0, or no
-///   force leads along its course there; or the motion stalls);
+///   force leads along its course there); TF_STALLED (advanced, but stalls);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
 /// Trust: where it says TF_OK, the mode is one of the set, h and g have its
 ///   signs, or are 0 within their rounding, as it asks, no energy is created
 ///   but for that share, and what follows h = g = 0 is what law and rule say.
-///   Steps that were found to break this are in docs/VERIFICATION.md.
+///   A slip with h = g = 0 within reach follows its course there, and the mode
+///   in which that ends is in the set, although next to r = 0 the inclusion of
+///   the step may not have it. Steps that were found to break this are in
+///   docs/VERIFICATION.md.
+///   All of it is said of the inputs that the step was told. An alpha of 0 and
+///   another omega0 than that of the step before is a turntable that jumps: a
+///   ramp without alpha (tf_turntable_to) is a chain of jumps, each at the
+///   start of its step, and another motion than the ramp.
 #define tf_step TF_LINK(tf_step)
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report);

@@ -15,6 +15,7 @@ typedef struct {
   uint64_t degraded;  ///< TF_DEGRADED
   uint64_t fell_back; ///< TF_FELL_BACK
   uint64_t coarse;    ///< TF_COARSE
+  uint64_t stalled;   ///< TF_STALLED
   uint64_t refused;   ///< negative codes: the state is untouched
   uint64_t first;     ///< tick of the first of all these, if there is one
 } tf_tally_t;

@@ -49,7 +49,7 @@ typedef enum {
 #define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
 #define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 5)
 #define TF_COMPACT_BYTES (3 * TF_REAL_BYTES + 2)
-#define TF_HEARTBEAT_BYTES 56u
+#define TF_HEARTBEAT_BYTES 60u
 #define TF_PARAMETER_BYTES (3 * TF_REAL_BYTES + 32)
 
 /// Contents of a schema frame.
@@ -81,6 +81,7 @@ typedef struct {
   uint32_t degraded;  ///< steps TF_DEGRADED
   uint32_t fell_back; ///< steps TF_FELL_BACK
   uint32_t coarse;    ///< steps TF_COARSE
+  uint32_t stalled;   ///< steps TF_STALLED
   uint32_t expired;   ///< inputs from outside that were not renewed in time
 } tf_heartbeat_t;
 

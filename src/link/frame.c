@@ -110,6 +110,7 @@ static bool unpack_frame(tf_decoder_t *decoder, size_t used,
   const uint8_t *header = code + 1;
   if (header[0] != TF_FRAME_VERSION) {
     decoder->bad_version++;
+    decoder->version = header[0];
     return false;
   }
   if (header[2] != stuffed - 1 - TF_FRAME_HEADER) {

@@ -74,9 +74,9 @@ TF_API const char *const tf_layout_compact =
     "r,real,1,m;v,real,1,m/s;omega,real,1,rad/s;mode,u8,1,1;choices,u8,1,1";
 TF_API const char *const tf_layout_heartbeat =
     "steps,u32,1,1;refused,u32,1,1;overruns,u32,1,1;dropped,u32,1,1;"
-    "bad,u32,1,1;ignored,u32,1,1;exec_min,u32,1e-9,s;exec_mean,u32,1e-9,s;"
-    "exec_max,u32,1e-9,s;period,u32,1e-9,s;degraded,u32,1,1;fell_back,u32,1,1;"
-    "coarse,u32,1,1;expired,u32,1,1";
+    "bad,u32,1,1;ignored,u32,1,1;min,u32,1e-9,s;mean,u32,1e-9,s;"
+    "max,u32,1e-9,s;period,u32,1e-9,s;degraded,u32,1,1;fell_back,u32,1,1;"
+    "coarse,u32,1,1;stalled,u32,1,1;expired,u32,1,1";
 
 TF_API size_t tf_send_layout(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              tf_type_t type, const char *layout) {
@@ -136,7 +136,7 @@ TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
       heartbeat->dropped,  heartbeat->bad,       heartbeat->ignored,
       heartbeat->exec_min, heartbeat->exec_mean, heartbeat->exec_max,
       heartbeat->period,   heartbeat->degraded,  heartbeat->fell_back,
-      heartbeat->coarse,   heartbeat->expired};
+      heartbeat->coarse,   heartbeat->stalled,   heartbeat->expired};
   uint8_t *at = wire + TF_FRAME_AT;
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     at = tf_wire_put(at, counters[i], 4);
@@ -150,7 +150,7 @@ TF_API void tf_read_heartbeat(const uint8_t *payload,
       &heartbeat->dropped,  &heartbeat->bad,       &heartbeat->ignored,
       &heartbeat->exec_min, &heartbeat->exec_mean, &heartbeat->exec_max,
       &heartbeat->period,   &heartbeat->degraded,  &heartbeat->fell_back,
-      &heartbeat->coarse,   &heartbeat->expired};
+      &heartbeat->coarse,   &heartbeat->stalled,   &heartbeat->expired};
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     *counters[i] = (uint32_t)tf_wire_get(payload + 4 * i, 4);
 }

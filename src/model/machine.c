@@ -7,6 +7,11 @@ TF_API tf_input_t tf_input_default(const tf_machine_t *machine) {
   return (tf_input_t){machine->omega0, machine->r0, 0, 0, 0};
 }
 
+TF_API void tf_turntable_to(tf_input_t *input, tf_real_t omega0, tf_real_t dt) {
+  input->alpha = (omega0 - input->omega0) / dt;
+  input->omega0 = omega0;
+}
+
 TF_API tf_slip_t tf_slip(const tf_machine_t *machine, tf_real_t r, tf_real_t v,
                          tf_real_t w, tf_real_t omega0) {
   return slip_speeds(machine, r, v, w - omega0);

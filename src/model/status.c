@@ -9,6 +9,8 @@ TF_API const char *tf_status_name(tf_status_t status) {
       return "degraded: no mode was consistent and admissible";
     case TF_COARSE:
       return "too long for this motion: bounded, but not resolved";
+    case TF_STALLED:
+      return "the motion stalls: its change is lost in rounding";
     case TF_FELL_BACK:
       return "located step fell back on the Moreau-Jean step";
     case TF_BAD_PARAMETER:

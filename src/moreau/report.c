@@ -136,6 +136,6 @@ TF_API tf_status_t tf_status_of_stall(const tf_machine_t *k,
                                       tf_report_t *report) {
   if (report->status == TF_OK && x->mode != TF_PINNED &&
       stalls(k, u, x, report->force))
-    report->status = TF_COARSE;
+    report->status = TF_STALLED;
   return report->status;
 }

@@ -48,16 +48,16 @@ static void count_down(tf_simulation_t *simulation) {
   simulation->expired++;
 }
 
-// In float the tick is exact up to 2^24 steps: far beyond the last knot of a
-// scene, after which the inputs are constant.
 TF_API tf_input_t tf_simulation_input(tf_simulation_t *simulation,
                                       const tf_scene_t *scene) {
   const tf_machine_t *machine = &simulation->machine;
   if (simulation->source == TF_INPUT_SET) count_down(simulation);
   simulation->stepped = simulation->source;
-  if (simulation->source == TF_INPUT_SET) return simulation->input;
+  if (simulation->source == TF_INPUT_SET) {
+    const tf_input_t input = simulation->input;
+    simulation->input.alpha = 0;
+    return input;
+  }
   if (simulation->source == TF_INPUT_SAFE) return tf_input_default(machine);
-  const tf_real_t tick = (tf_real_t)(simulation->state.tick + 1);
-  return tf_scene_input(scene, machine,
-                        scene->knots == 0 ? 0 : tick * machine->dt);
+  return tf_scene_input(scene, machine, simulation->state.tick + 1);
 }

@@ -82,6 +82,81 @@ runs run chaos --t-end 0.2 --set omega0=-0.5 --out want
 runs run chaos --t-end 0.2 --inputs speed.csv --between linear
 check 'the start is that of the inputs' cmp out want
 
+# Rows of one time are a jump: between two steps as rows that are held, and
+# within a step at its start. 307/1024 = 0.2998.
+printf 't,omega0\n0,-1\n0.3,-1\n0.3,-0.8\n' >jump.csv
+printf 't,omega0\n0,-1\n0.3,-0.8\n' >held.csv
+printf 't,omega0\n0,-1\n0.2998046875,-0.8\n' >early.csv
+printf 'based-on chaos\nprofile 0:-1 0.3:-1 0.3:-0.8\n' >jump.scene
+for scheme in moreau located compensated; do
+  set -- --t-end 0.5 --scheme $scheme
+  runs run chaos "$@" --inputs held.csv --between held --out want
+  runs run chaos "$@" --inputs jump.csv --between linear
+  check "a jump between two steps, $scheme" cmp out want
+  runs run jump.scene "$@"
+  check "a jump of a scene, $scheme" cmp out want
+done
+set -- run chaos --dt 0x1p-10 --t-end 0.5
+runs "$@" --inputs early.csv --between held --out want
+runs "$@" --inputs jump.csv --between linear
+check 'a jump within a step' cmp out want
+check 'it is counted' says '1 times of rows lie within a step, 1 of them'
+runs "$@" --inputs jump.csv --between linear --scheme located
+check 'located: none lies within a step' not says 'lie within a step'
+
+# The only inputs that are told are those of the table.
+runs run driven --t-end 0.1 --inputs jump.csv --between linear
+check 'the profile is not what was applied' not says 'profile of the scene'
+check 'the table is' says 'jump.csv, linear&applied omega0 in [-1, -1] rad/s'
+
+# A step is told omega0 at its end and its mean slope, whatever lies within it:
+# a table with that row at each of its ends alone is the same to it. The rows
+# are in units of a step, and reverse and have their kinks at steps and within.
+awk 'BEGIN { split("0 100 100.5 120 120.25 300", t)
+  split("-1 -0.75 -0.5 -0.875 -0.5 -1", w)
+  print "t,omega0" >"kinks.csv"; print "t,omega0" >"ends.csv"
+  for (i = 1; i <= 6; i++) printf "%.17g,%s\n", t[i] / 1024, w[i] >"kinks.csv"
+  for (n = 0; n <= 300; n++) {
+    for (i = 1; i < 5 && t[i + 1] <= n; i++) continue
+    printf "%.17g,%.17g\n", n / 1024,
+      w[i] + (w[i + 1] - w[i]) * ((n - t[i]) / (t[i + 1] - t[i])) >"ends.csv"
+  } }'
+for scheme in moreau compensated; do
+  set -- run chaos --dt 0x1p-10 --t-end 0.3 --scheme $scheme --between linear
+  runs "$@" --inputs ends.csv --out want
+  check 'rows at the ends of steps' not says 'lie within a step'
+  runs "$@" --inputs kinks.csv
+  check "a step is told its ends, $scheme" cmp out want
+  check 'of kinks: how many' says '2 times of rows lie within a step, 0 of'
+done
+
+# A located step is split at rows, so its end is that of steps that end there:
+# ramp, steps, sine, reversal, kinks at steps of 10 ms and within those of 37.
+shape() { # NAME, then rows as T:OMEGA0
+  { echo t,omega0; shift; printf '%s\n' "$@" | tr : ,; } >shape.csv
+}
+followed() { # NAME
+  for dt in 0.001 0.01 0.037 0.111; do
+    runs run coulomb --set omega0=-1 --set tolerance=1e-11 \
+      --set segments=1000 --t-end 1.11 \
+      --scheme located --inputs shape.csv --between linear --dt $dt
+    [ $dt = 0.001 ] && want=$(tail -n 1 out | cut -d, -f2)
+    within "$1: located at $dt" "$(tail -n 1 out | cut -d, -f2)" "$want" 1e-8
+  done
+}
+shape ramp 0:-1 1:-0.5
+followed ramp
+shape steps 0:-1 0.2:-1 0.2:-0.8 0.5:-0.8 0.5:-1.1 0.83:-1.1 0.83:-1
+followed steps
+# shellcheck disable=SC2046  # a row is a word
+shape sine $(awk 'BEGIN { for (t = 0; t <= 1.2; t += 0.02)
+  printf "%.2f:%.17g ", t, -1 + 0.3 * sin(7 * t) }')
+followed sine
+shape reversal 0:-1 0.3:-1 0.31:1 0.32:-1 1:-1
+followed reversal
+shape kinks 0:-1 0.111:-0.9 0.13:-1.1 0.4:-1 0.777:-0.7 0.8:-1
+followed kinks
+
 # A long one.
 awk 'BEGIN { print "t,force"; for (i = 0; i < 300000; i++)
   print i * 1e-5 "," 1e-3 * (i % 7) }' |
@@ -96,7 +171,8 @@ wrong_files wrong.csv run chaos --inputs wrong.csv --between held <<'WORDS'
 3|t,force\n0,nan\n|2: column 2: force = nan must lie in [-1e+09, 1e+09] N
 3|t,force,r0\n0,1,inf\n|2: column 3: r0 = inf must lie in
 3|t,force\ninf,1\n|2: column 1: t = inf must lie in
-3|t,force\n0,1\n1,1\n1,2\n|4: column 1: '1' is not later than t in the
+3|t,force\n0,1\n1,1\n0.5,2\n|4: column 1: '0.5' is earlier than t in the
+3|t,force\n0,1\n1,1\n1,2\n1,2\n|5: column 1: '1' is t of two rows before
 2|t,forec\n|1: unknown column 'forec'&did you mean 'force'
 2|force,t\n|1: column 1: 'force' is misplaced
 2|t,t\n|1: column 2: 't' is misplaced

@@ -72,7 +72,8 @@ wrong_files wrong.scene run wrong.scene <<'WORDS'
 2|m 1\nbased-on chaos\n|2: based-on: must be the first key
 2|based-on chaso\n|1: based-on: unknown scene&did you mean 'chaos'
 2|profile 1 2\n|1: profile: '1': expected T:OMEGA0
-3|profile 0:1 1:2 1:3\n|1: profile: 1 s is not later
+3|profile 0:1 1:2 0.5:3\n|1: profile: 0.5 s is not later
+3|profile 0:1 1:2 1:3 1:4\n|1: profile: 1 s is not later
 2|profile 0:0 1:0 2:0 3:0 4:0 5:0 6:0 7:0 8:0\n|1: profile: more than 8 knots
 2|kappa = # none\n|1: kappa: expected a value
 2|m \310\n|1: column 3: byte 200 is not ASCII

@@ -68,7 +68,7 @@ def bad_combinations(fmu):
 def wrong_references(fmu):
     wheel = fmu.instance().begin()
     real = wheel.real
-    for reference in (8, 99, 100, 120, 4000000000):
+    for reference in (8, 99, 100, 121, 4000000000):
         refused(ERROR, f"value reference {reference}", raw, wheel, "Get", real,
                 reference)
     refused(ERROR, f"{real} variable|101", raw, wheel, "Get", real, 101)
@@ -188,6 +188,24 @@ def driven_inputs(fmu):
     free.step(0.0, 1e-4)
 
 
+def moved_turntable(fmu):
+    """A communication step of eight steps moves the turntable as eight of one
+    step do, and not as steps under a speed that stands. Numbers are sums of
+    powers of two."""
+    dt, slope, ends = 2.0 ** -10, 0.25, []
+    options = {} if fmu.version == "2" else {"events": False, "early": False}
+    for length, alpha in ((1, slope), (8, slope), (8, 0.0)):
+        wheel = fmu.instance(**options).begin(dt=dt, scheme=1)
+        for n in range(0, 256, length):
+            wheel.set("omega0", -1 + slope * dt * (n + length))
+            wheel.set("alpha", alpha)
+            wheel.step(n * dt, length * dt)
+        ends.append(wheel.reals(["r", "v", "omega", "h", "g"]))
+        wheel.free()
+    check(ends[0] == ends[1], f"{ends[:2]}")
+    check(ends[0] != ends[2], "alpha makes no difference")
+
+
 def limits(fmu):
     refused(ERROR, "token|" + fmu.token, lambda: fmu.instance(token="{0}"))
     wheels = [fmu.instance() for _ in range(16)]
@@ -229,7 +247,8 @@ def silent(fmu):
 
 def tests(archive):
     both = (bad_values, bad_combinations, wrong_references, wrong_order,
-            wrong_times, refused_steps, wrong_takes, limits, silent)
+            wrong_times, refused_steps, wrong_takes, moved_turntable, limits,
+            silent)
     found = [(f"{test.__name__}_under_fmi_{v}",
               lambda t=test, v=v: t(Fmu(archive(v))))
              for test in both for v in "23"]

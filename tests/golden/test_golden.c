@@ -19,7 +19,7 @@ static uint64_t trajectory_hash(const tf_scene_t *scene, tf_rule_t rule,
   p.rule = rule;
   sim_t s = sim_at_start(scene, &p, 1);
   for (int i = 1; i <= 100000; i++) {
-    s.u = tf_scene_input(scene, &s.k, (tf_real_t)i * s.k.dt);
+    s.u = tf_scene_input(scene, &s.k, (uint64_t)i);
     CHECK(sim_step(&s, scheme) >= 0);
     const tf_real_t bits[4] = {s.x.r + 0, s.x.v + 0, s.x.w + 0, s.x.phi + 0};
     const unsigned char modes[2] = {s.report.mode, s.report.set};

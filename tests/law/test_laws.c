@@ -19,7 +19,7 @@ TEST(stick_is_exact) {
     for (int n = 1; n <= steps; n++) {
       const double before = slip_rounding(&s);
       const unsigned was = s.x.mode;
-      s.u = tf_scene_input(scene, &s.k, (tf_real_t)n * s.k.dt);
+      s.u = tf_scene_input(scene, &s.k, (uint64_t)n);
       const tf_status_t status = sim_step(&s, MOREAU);
       CHECK(status >= TF_OK && status != TF_DEGRADED);
       told +=

@@ -70,10 +70,9 @@ static int begin(run_t *run, scheme_t scheme, const reference_t *ref,
   return CHECK(s->x.mode == mode_named(ref->begins));
 }
 
-static tf_status_t step(run_t *run, double dt) {
+static tf_status_t step(run_t *run) {
   sim_t *s = &run->sim;
-  const tf_real_t t = (tf_real_t)(((double)s->x.tick + 1) * dt);
-  s->u = tf_scene_input(&run->scene, &s->k, t);
+  s->u = tf_scene_input(&run->scene, &s->k, s->x.tick + 1);
   return sim_step(s, run->scheme);
 }
 
@@ -94,7 +93,7 @@ static double error_of(scheme_t scheme, const reference_t *ref, int n,
     const reference_state_t *want = &ref->state[i];
     const uint32_t end = (uint32_t)lround((double)want->t / dt);
     while (x->tick < end) {
-      const tf_status_t status = step(&run, dt);
+      const tf_status_t status = step(&run);
       if (!CHECK(status >= TF_OK)) return INFINITY;
       *coarse += !ok_to_resolution(status);
     }
@@ -149,7 +148,7 @@ static int phases_of(scheme_t scheme, const reference_t *ref, double dt,
   if (!begin(&run, scheme, ref, dt)) return 0;
   phase[0] = x->mode;
   while (n < PHASES && ((double)x->tick + 1) * dt < end) {
-    if (!CHECK(step(&run, dt) >= TF_OK)) return n;
+    if (!CHECK(step(&run) >= TF_OK)) return n;
     if (x->mode != phase[n - 1]) {
       if (n > 1 && length[n - 1] == 1) n--;
       if (x->mode != phase[n - 1]) {
@@ -162,24 +161,31 @@ static int phases_of(scheme_t scheme, const reference_t *ref, double dt,
   return n;
 }
 
+static int is_order_of(const unsigned *got, int n, const unsigned *want,
+                       int m) {
+  int same = 0;
+  while (same < n && same < m && got[same] == want[same]) same++;
+  /* Steps of float are 1 ms: they may see one event after the last too soon. */
+  return same == m && n <= m + (IS_DOUBLE ? 0 : 1);
+}
+
 static void check_phases(scheme_t scheme, const reference_t *ref) {
   unsigned got[PHASES], want[PHASES];
-  int n = phases_of(scheme, ref, IS_DOUBLE ? 1e-4 : 1e-3, got);
+  const int n = phases_of(scheme, ref, IS_DOUBLE ? 1e-4 : 1e-3, got);
   int m = 0;
   want[m++] = mode_named(ref->begins);
   for (int j = 0; j < ref->events && m < PHASES; j++) {
     const unsigned after = mode_named(ref->event[j].after);
     if (after < TF_MODES && after != want[m - 1]) want[m++] = after;
   }
-  int same = 0;
-  if (!IS_DOUBLE && fabsl(ref->h) < 1e-6L && n > 1 && got[0] != want[0])
-    memmove(got, got + 1, (size_t)--n * sizeof *got); /* begun on the other */
-  while (same < n && same < m && got[same] == want[same]) same++;
-  /* Steps of float are 1 ms: they may see one event after the last too soon. */
-  const int more = IS_DOUBLE ? 0 : 1;
-  if (!CHECK(same == m && n <= m + more))
-    printf("#   %s: %d phases, %d of the reference, %d alike\n",
-           ref->problem->name, n, m, same);
+  /* A float does not know the side of so small an h: it begins on the other, or
+   * as the motion goes on. */
+  const int either = !IS_DOUBLE && fabsl(ref->h) < 1e-6L && n > 1 && m > 1;
+  if (!CHECK(is_order_of(got, n, want, m) ||
+             (either && (is_order_of(got + 1, n - 1, want, m) ||
+                         is_order_of(got, n, want + 1, m - 1)))))
+    printf("#   %s: %d phases, %d of the reference\n", ref->problem->name, n,
+           m);
 }
 
 static int is_located(const reference_t *ref) {

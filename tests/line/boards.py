@@ -46,7 +46,7 @@ def sealed(code):
 
 def framed(kind, number, tick, payload):
     """The bytes of a frame on the line (docs/PROTOCOL.md, section 1)."""
-    body = struct.pack("<BBBIQ", 2, kind, len(payload), number, tick) + payload
+    body = struct.pack("<BBBIQ", 3, kind, len(payload), number, tick) + payload
     return b"\0" + sealed(stuffed(body)) + b"\0"
 
 

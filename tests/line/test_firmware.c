@@ -122,12 +122,13 @@ TEST(counters_end_at_their_largest) {
                                 UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT64_MAX};
   switch_on();
   clock_rate = 1000000; /* 4295 s are more nanoseconds than 32 bits hold */
-  sim.simulation.tally =
-      (tf_tally_t){UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, 1};
+  sim.simulation.tally = (tf_tally_t){UINT64_MAX, UINT64_MAX, UINT64_MAX,
+                                      UINT64_MAX, UINT64_MAX, 1};
   sim.simulation.state.tick = UINT64_MAX;
   const tf_heartbeat_t beat = heartbeat_of(&counts);
   CHECK(beat.exec_max == UINT32_MAX && beat.exec_min == UINT32_MAX);
   CHECK(beat.degraded == UINT32_MAX && beat.refused == UINT32_MAX);
+  CHECK(beat.coarse == UINT32_MAX && beat.stalled == UINT32_MAX);
   uint8_t text[2 * LOOP_RECORD];
   CHECK(text_heartbeat(&counts, text) <= 200); /* LOOP_RECORD of text */
   fill_with_extremes();

@@ -79,7 +79,8 @@ def seal(path, lines):
 
 def record(path, schema, *rows):
     """Writes a record of commands: (step, (type, data)) each."""
-    seal(path, ["tick,type,data,command", f"0,01,{schema.hex()},schema",
+    seal(path, ["tick,type,data,command",
+                f"0,01,{schema.hex()},schema of version 3",
                 *(f"{tick},{kind:02x},{data.hex()},-"
                   for tick, (kind, data) in rows)])
 
@@ -149,6 +150,43 @@ def test_inputs_hold_and_expire():
             check(got["left"] == (left or 0), got)
         got = joined(scene, [(200, drive), (400, AGAIN), (500, GO)], 2000, *AT)
         check("held" not in got, got)
+
+
+def test_alpha_acts_on_one_step():
+    """A turntable that is moved step by step moves as in a table; a command
+    that is lost or late leaves it where it is, and the next one makes up for
+    that by a jump. All numbers are sums of powers of two."""
+    parts, slope, count = 1024, 0.25, 400
+    r0 = float(dict(line.split()[:2] for line in call("scene", "chaos")[0]
+                    .splitlines() if line[:1].isalpha() and " " in line)["r0"])
+
+    def speed(step):
+        return -1 + slope * step / parts
+
+    def command(step, tick=None):
+        return (step if tick is None else tick,
+                hold(speed(step + 1), r0, 0, 0, slope))
+
+    steps = list(range(count))
+    every = [command(n) for n in steps]
+    late = [command(200, 203) if n == 203 else command(n)
+            for n in steps if n not in (200, 201, 202)]
+    lost = [command(n) for n in steps if n not in (100, 101)]
+    for scheme in ("moreau", "located"):
+        words = ["chaos", "--dt", 1 / parts, "--scheme", scheme]
+        schema = sent(*words, "--t-end", "0")[0][3]
+        for commands, rows in (
+                (every, []),
+                (late, [(200, 200), (203, 200), (204, 201), (204, 204)]),
+                (lost, [(100, 100), (102, 100), (102, 102)])):
+            record("moved.record", schema, *commands, (count, GO))
+            call("run", *words, "--replay", "moved.record", "--out", "got")
+            Path("moved.csv").write_text("t,omega0\n" + "".join(
+                f"{t / parts!r},{speed(at)!r}\n"
+                for t, at in ((0, 0), *rows, (count, count))))
+            call("run", *words, "--t-end", count / parts, "--inputs",
+                 "moved.csv", "--between", "linear", "--out", "want")
+            same(lines_of("got"), lines_of("want"))
 
 
 def test_parameters_and_rule_stay():
@@ -324,6 +362,9 @@ def wrong_records(lines):
             ([*words, "rows"], 2, "rows:1: no record"),
             ([*words, "none"], 2, "none: No such file")):
         refused(more, code, *texts)
+    seal("bad", [row.replace(" of version 3", "") for row in rows])
+    refused([*words, "bad"], 3, "'schema', here it is 'schema of version 3': "
+            "record the session again")
     seal("bad", [row.replace(",44,,start", ",44,0g,start") for row in rows])
     refused([*words, "bad"], 2, "bad:", "no record of")
     seal("bad", [re.sub("^[0-9]*(,42.*kappa)", r"0\1", row) for row in rows])

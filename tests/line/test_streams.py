@@ -110,13 +110,13 @@ def test_decoder_in_python_rejects():
     """What is no frame under a right CRC, as test_frame.c has it for the core:
     another version, a wrong length, a distance that leads out, and one byte too
     many."""
-    def piece(payload, version=2, longer=0):
+    def piece(payload, version=3, longer=0):
         return sealed(stuffed(struct.pack(
             "<BBBIQ", version, 7, len(payload) + longer, 1, 2) + payload))
     same([decode.decode(piece(bytes(size))) for size in (0, 238)],
          [(7, 1, 2, bytes(size)) for size in (0, 238)])
     same([decode.decode(bad) for bad in (
-        piece(b"", version=3), piece(b"1", longer=1), piece(b"1", longer=-1),
+        piece(b"", version=2), piece(b"1", longer=1), piece(b"1", longer=-1),
         sealed(b"\xff" + stuffed(bytes(15))[1:]), piece(bytes(240)), b"")],
          [None] * 6)
 

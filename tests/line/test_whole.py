@@ -70,7 +70,7 @@ def test_drops_are_those_since_the_first_heartbeat():
                           ([100, 0, 2], 6), ([2**32 - 1] * 2, 0),
                           ([2**32 - 2, 2], 6)):
         beats = [framed(HEARTBEAT, number + i, 500, struct.pack(
-            "<14I", 500, 0, 0, one, *[0] * 10)) for i, one in
+            "<15I", 500, 0, 0, one, *[0] * 11)) for i, one in
                  enumerate(dropped)]
         judged(stream.removesuffix(last) + b"".join(beats), code=code)
 

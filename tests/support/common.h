@@ -19,10 +19,10 @@ typedef long double real;
 
 static inline int in_slip(unsigned mode) { return mode <= TF_SLIP_MINUS; }
 
-/* TF_OK; in float also TF_COARSE, because there a slow motion stands still at
+/* TF_OK; in float also TF_STALLED, because there a slow motion stands still at
  * the steps of these tests. */
 static inline int ok_to_resolution(tf_status_t status) {
-  return status == TF_OK || (!IS_DOUBLE && status == TF_COARSE);
+  return status == TF_OK || (!IS_DOUBLE && status == TF_STALLED);
 }
 
 static inline real wide(tf_real_t x) { return (real)x; }

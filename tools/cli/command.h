@@ -33,10 +33,10 @@ int cli_completions(int argc, char *const argv[]);
 int cli_scenes(int argc, char *const argv[]);
 
 /// What the codes of all commands mean.
-#define CLI_EXIT_CODES                                                         \
-  "Exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped, 5 done, but "  \
-  "some steps were degraded or missed their tolerance, 6 done, but frames of " \
-  "a stream were lost or broken, or a value in it is not finite."
+#define CLI_EXIT_CODES                                                        \
+  "Exit codes: 0 done, 2 usage, 3 parameter refused, 4 stopped, 5 done, but " \
+  "some steps were degraded, coarse or stalled, 6 done, but frames of a "     \
+  "stream were lost or broken, or a value in it is not finite."
 
 /// Prints text in lines of at most 79 columns. A line that begins with a blank
 /// is printed as it is. first: in, columns of the first line that are in use.

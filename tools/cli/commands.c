@@ -174,7 +174,7 @@ const cli_command_t cli_commands[] = {
          "whole.\n"
          "exit codes: 0 done, 2 usage, 3 a command was refused, 4 no frame, no "
          "answer, interrupted within a file, or the device was unplugged, 5 "
-         "done, but some steps were degraded or missed their tolerance, as "
+         "done, but some steps were degraded, coarse or stalled, as "
          "reports and heartbeats tell, 6 done, but frames were lost or broken, "
          "the stream ends before its run, the sender was started again (unless "
          "there is --follow), or a value is not finite",
@@ -293,7 +293,7 @@ const cli_command_t cli_commands[] = {
      .notes =
          "Columns: point (from 0), one for each axis, status, reason, t (the "
          "time that was reached), one for each outcome. status is `done`; "
-         "`flagged` where some steps were degraded or missed their tolerance; "
+         "`flagged` where some steps were degraded, coarse or stalled; "
          "`stopped` where a step was refused, and outcomes are those until "
          "then; `refused` where the machine or its start was, and t and "
          "outcomes are empty. reason has the message, with semicolons for "

@@ -95,22 +95,27 @@ static const topic_t topics[] = {
      "t [s], rising; any of these follow: omega0 [rad/s], r0 [m], force [N], "
      "torque [N m]. Lines that begin with # are comments.\n"
      "  held    a row holds from the first step that begins at t until the\n"
-     "          next row does\n"
-     "  linear  between rows; r0, force and torque are the mean over each "
-     "step\n"
-     "Before the first row and after the last one it is that row. What has "
-     "no column stays that of the scene. For example:\n"
+     "          next row does; a step is told its omega0 and alpha = 0, and\n"
+     "          where omega0 is another one, the turntable jumps at its start\n"
+     "  linear  between rows; a step is told omega0 at its end and its mean\n"
+     "          slope alpha, and the mean of r0, force and torque over it\n"
+     "Two rows of one time are a jump; linear, one within a step acts on its "
+     "omega0 at its start. Steps of --scheme located are split at the rows of "
+     "a linear table. Before the first row and after the last one it is that "
+     "row. What has no column stays that of the scene. For example:\n"
      "\n"
      "  t,omega0,force\n"
      "  0,-1,0\n"
      "  2,-2,0.5"},
     {"exit exits codes",
      CLI_EXIT_CODES " The file --exits of 'diverge' is something else."},
-    {"degraded coarse fell_back fell-back tolerance-missed reserved_since",
+    {"degraded coarse stalled fell_back fell-back reserved_since",
      "A step is degraded where no mode is consistent, or h and g contradict "
-     "the mode, and coarse where it does not resolve the motion or misses "
-     "its tolerance: a smaller dt helps. Both are counted, and make exit "
-     "code 5. fell_back: a located step that tf_step took, to its own order."},
+     "the mode; coarse where it does not resolve the motion, or a located step "
+     "misses its tolerance: a smaller dt helps; stalled where the change of "
+     "the motion is lost in rounding: a longer dt helps, double, or --scheme "
+     "compensated. All are counted, and make exit code 5. fell_back: a located "
+     "step that tf_step took, to its own order."},
     {"summary json text message",
      "What 'run', 'sweep', 'diverge' and 'monitor' say on standard error at "
      "their end. --summary json: one line of JSON, the last one there; SI "
@@ -119,17 +124,17 @@ static const topic_t topics[] = {
     {"command slip_to_stick stick_to_slip slip_to_slip pinned_to_stick "
      "two_fold to scene_hash first steps asked end final list kinds "
      "largest_h_in_stick largest_residual largest_error largest seconds "
-     "output_seconds "
-     "cost late latest applied passed rows last t_first t_last name held "
-     "changes began_with commands states left source",
+     "output_seconds cost late latest applied passed within jumps rows last "
+     "t_first t_last name held changes began_with commands states left source",
      "In the summary of 'run': steps before it (first), up to its end and "
      "asked for; why and where it ended (end, final); its events (list, "
      "kinds, and their counts); how well stick [m/s] and law [N] hold, "
      "and what --accuracy estimates (largest); time on the clock [s] and late "
      "steps of --realtime. Of a "
      "table of inputs: rows from t_first to t_last, of which some passed "
-     "between two steps, and the least and the largest value applied. Of "
-     "--replay: what commands have changed, and whose inputs hold."},
+     "between two steps or lie within one (as jumps), and the least and the "
+     "largest value applied. Of --replay: what commands have changed, and "
+     "whose inputs hold."},
     {"bytes broken lost missing restarts too_long other_version not_finite "
      "unmatched unknown sender dropped overruns expired exec_min_ns "
      "exec_mean_ns exec_max_ns",
@@ -174,8 +179,8 @@ static const topic_t topics[] = {
      "counts begun",
      "What 'diverge' samples and finds: 'twofold help diverge'."},
     {"alpha",
-     "Acceleration of the turntable [rad/s^2]: it follows from the column "
-     "omega0 of --inputs, or from a profile, where that is linear."},
+     "Mean acceleration of the turntable over a step [rad/s^2], by the column "
+     "omega0 of --inputs or a profile, where that is linear; else 0."},
     {"bench stability figures statistics page firmware fmu board boards dist",
      "Made by make, not by this program: 'make help' lists the targets."},
     {"save from resume state snapshot carry",

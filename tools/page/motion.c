@@ -204,9 +204,7 @@ void EXPORT(by_hand)(double new_force, double new_torque) {
 }
 
 static tf_input_t next_input(void) {
-  tf_input_t input = tf_scene_input(
-      &scene, &machine,
-      scene.knots == 0 ? 0 : (tf_real_t)(state.tick + 1) * machine.dt);
+  tf_input_t input = tf_scene_input(&scene, &machine, state.tick + 1);
   input.force += force;
   input.torque += torque;
   return input;

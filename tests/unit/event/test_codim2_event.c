@@ -179,7 +179,7 @@ TEST(wheel_at_rest_leaves_by_the_faster_stick) {
 /* Every law of rest and every rule, from h = g = 0 or a slip that falls into
  * it. Under the bow tie there may be no future: then tf_step takes over. */
 TEST(located_steps_from_codimension_two_of_every_law_and_rule) {
-  int by_status[4] = {0};
+  int by_status[5] = {0};
   for (int n = 0; n < 8000; n++) {
     tf_params_t params = any_params(n);
     params.rest = (tf_rest_law_t)(n % TF_REST_LAWS);

@@ -232,7 +232,7 @@ TEST(tag_is_siphash_of_the_body) {
   /* Of all that the board acts on, and behind it. */
   recorded_t frame = record(TF_UP_STOP, 0x11223344u, 5, 77, key);
   static const char body[] =
-      "\2\x45\14\5\0\0\0"  /* version, stop, 12 bytes, number 5 */
+      "\3\x45\14\5\0\0\0"  /* version, stop, 12 bytes, number 5 */
       "\115\0\0\0\0\0\0\0" /* at tick 77 */
       "\x44\x33\x22\x11";  /* of this session */
   const tf_frame_t got = frame_of(frame.wire, frame.size);

@@ -225,6 +225,7 @@ TEST(other_versions_and_lengths_are_counted) {
   static const uint8_t nothing[] = {0, 0x80, 0x80, 0x80, 0x80, 0x80, 0};
   CHECK(accepted(&receiver, nothing, sizeof nothing) == 0);
   CHECK(decoder->bad == 3 && decoder->bad_version == 1);
+  CHECK(decoder->version == TF_FRAME_VERSION - 1);
 }
 
 /* Bytes that are too few for a header are bad, and no other version, however

@@ -58,7 +58,7 @@ static const tf_report_t report_shown = {
     TF_STICK_MINUS,   0x18, 2, {TF_R(0.75), TF_R(-0.2)},
     {0, TF_R(-0.25)}, 2,    0, TF_OK};
 static const tf_heartbeat_t heartbeat_shown = {
-    1000, 0, 2, 3, 1, 0, 5200, 5400, 9100, 1000000, 4, 0, 1, 2};
+    1000, 0, 2, 3, 1, 0, 5200, 5400, 9100, 1000000, 4, 0, 1, 3, 2};
 static tf_schema_t schema_shown(void) {
   const tf_schema_t schema = {.params = &tf_scenes[0]->params,
                               .scene = tf_scenes[0]->name,

@@ -87,7 +87,7 @@ static void judge_distinct(const char *(*name_of)(unsigned), int first,
 }
 
 TEST(status_names_are_distinct) {
-  judge_distinct(status, TF_STEP_TOO_LONG, TF_COARSE, "unknown status");
+  judge_distinct(status, TF_STEP_TOO_LONG, TF_STALLED, "unknown status");
 }
 
 TEST(reasons_and_types_have_names) {

@@ -17,9 +17,8 @@ TEST(simulation_is_the_run_of_the_command_line) {
     CHECK(same_state(&state, &simulation.state));
     CHECK(report.choices == simulation.report.choices && simulation.running);
     for (int n = 1; n <= 30000; n++) {
-      const tf_input_t input = tf_scene_input(
-          scene, &simulation.machine,
-          (tf_real_t)((double)n * (double)simulation.machine.dt));
+      const tf_input_t input =
+          tf_scene_input(scene, &simulation.machine, (uint64_t)n);
       tf_step(&simulation.machine, &state, &input, &report);
       const tf_input_t own = tf_simulation_input(&simulation, scene);
       CHECK(own.omega0 == input.omega0 && own.alpha == input.alpha);
@@ -76,6 +75,28 @@ TEST(inputs_expire_after_their_steps) {
         simulation.deadman == UINT32_MAX);
 }
 
+/* alpha is that of the first step, whether the next command comes in time, late
+ * or never: the turntable stays where it has come to. */
+TEST(alpha_acts_on_its_first_step_only) {
+  const tf_scene_t *scene = scene_named("driven");
+  tf_simulation_t simulation;
+  CHECK(tf_simulation_open(&simulation, scene, &scene->params, 0) == TF_OK);
+  const tf_real_t dt = simulation.machine.dt;
+  simulation.deadman = 12;
+  tf_input_t sent = tf_input_default(&simulation.machine);
+  for (int steps = 1; steps <= 20; steps++) {
+    tf_turntable_to(&sent, sent.omega0 + TF_R(0.25), dt);
+    sent.torque = (tf_real_t)steps;
+    tf_simulation_set_input(&simulation, &sent);
+    for (int n = 0; n < steps; n++) {
+      const tf_input_t got = tf_simulation_input(&simulation, scene);
+      CHECK(got.alpha == (n == 0 ? sent.alpha : 0) && sent.alpha != 0);
+      CHECK(got.omega0 == (n < 12 ? sent.omega0 : simulation.machine.omega0));
+      CHECK(got.torque == (n < 12 ? sent.torque : 0));
+    }
+  }
+}
+
 /* What the steps of a run said is counted by status, and the first that was not
  * TF_OK is remembered. */
 TEST(tally_counts_every_status) {
@@ -84,10 +105,12 @@ TEST(tally_counts_every_status) {
   uint64_t tick = UINT64_C(1) << 33;
   tf_tally_count(&tally, tick++, TF_OK);
   CHECK(tally.degraded + tally.fell_back + tally.coarse + tally.refused == 0);
-  for (int status = TF_STEP_TOO_LONG; status <= TF_COARSE; status++)
+  CHECK(tally.stalled == 0);
+  for (int status = TF_STEP_TOO_LONG; status <= TF_STALLED; status++)
     for (int n = 0; n < 10 + status; n++)
       tf_tally_count(&tally, tick++, (tf_status_t)status);
   CHECK(tally.degraded == 11 && tally.fell_back == 12 && tally.coarse == 13);
+  CHECK(tally.stalled == 14);
   CHECK(tally.refused == 6 + 7 + 8 + 9);
   CHECK(tally.first == (UINT64_C(1) << 33) + 1);
 }
@@ -99,5 +122,5 @@ TEST(simulation_opens_with_an_empty_tally) {
   const tf_scene_t *scene = tf_scenes[0];
   CHECK(tf_simulation_open(&simulation, scene, &scene->params, 0) == TF_OK);
   const tf_tally_t *t = &simulation.tally;
-  CHECK(t->degraded + t->fell_back + t->coarse + t->refused == 0);
+  CHECK(t->degraded + t->fell_back + t->coarse + t->refused + t->stalled == 0);
 }

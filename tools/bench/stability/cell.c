@@ -84,7 +84,7 @@ static long double size(const tf_state_t *x) {
 
 static tf_input_t input_at(const case_t *c, const tf_machine_t *k, long n) {
   if (!c->scene) return tf_input_default(k);
-  return tf_scene_input(c->scene, k, (tf_real_t)n * k->dt);
+  return tf_scene_input(c->scene, k, (uint64_t)n);
 }
 
 static tf_status_t begin(const case_t *c, const tf_machine_t *k,
@@ -159,7 +159,7 @@ static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
   at->W += wide(k->dt) * fmaxl(power(&k->tyre, &at->q, old, omega0),
                                power(&k->tyre, &at->q, x, omega0));
   const long double room = at->E0 + at->W + energy_of_rounding(&at->q, x);
-  if (report->status == TF_COARSE || report->status == TF_DEGRADED)
+  if (report->status >= TF_COARSE || report->status == TF_DEGRADED)
     at->told = fmaxl(at->told, fminl(at->told + E - at->E, E - room));
   at->E = E;
   if (!(E <= FACTOR * room)) worsen(cell, CELL_TOLD);

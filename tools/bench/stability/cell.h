@@ -23,7 +23,7 @@ typedef enum {
   CELL_TOO_LONG,  ///< refused: r moves by more than its size in a step
   CELL_DIVERGED,  ///< refused, and shorter steps go on: the scheme's fault
   CELL_TOLD,      ///< more energy than the contact can have put in, by steps
-                  ///< that said TF_COARSE or TF_DEGRADED
+                  ///< that said TF_COARSE, TF_STALLED or TF_DEGRADED
   CELL_CREATED,   ///< the same by steps that said nothing of it
   CELL_PARAMETER, ///< the scheme or the real type does not take the case
   CELL_TOUCHED,   ///< a refused step changed the state, or lied about status

@@ -17,10 +17,11 @@ static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
 // A board that was started again counts from 0, and what it reported before
 // holds.
-static void note_heartbeat(tf_tally_t *counted, const tf_heartbeat_t *beat) {
-  counted->degraded = larger(counted->degraded, beat->degraded);
-  counted->fell_back = larger(counted->fell_back, beat->fell_back);
-  counted->coarse = larger(counted->coarse, beat->coarse);
+static void raise_to(tf_tally_t *tally, tf_tally_t least) {
+  tally->degraded = larger(tally->degraded, least.degraded);
+  tally->fell_back = larger(tally->fell_back, least.fell_back);
+  tally->coarse = larger(tally->coarse, least.coarse);
+  tally->stalled = larger(tally->stalled, least.stalled);
 }
 
 static void note_report(cli_flagged_t *flagged, const cli_receiver_t *receiver,
@@ -31,8 +32,7 @@ static void note_report(cli_flagged_t *flagged, const cli_receiver_t *receiver,
   if (repeats) {
     return;
   }
-  const uint64_t none = flagged->reported.degraded +
-                        flagged->reported.fell_back + flagged->reported.coarse;
+  const uint64_t none = cli_tally_reserved(&flagged->reported);
   tf_tally_count(&flagged->reported, receiver->tick, receiver->status);
   if (none == 0) {
     flagged->first = row->column[0];
@@ -42,7 +42,10 @@ static void note_report(cli_flagged_t *flagged, const cli_receiver_t *receiver,
 void cli_flagged_frame(cli_flagged_t *flagged, const tf_frame_t *frame,
                        const cli_receiver_t *receiver, const cli_csv_t *row) {
   if (frame->type == TF_DOWN_HEARTBEAT && receiver->has_heartbeat) {
-    note_heartbeat(&flagged->counted, &receiver->heartbeat);
+    const tf_heartbeat_t *beat = &receiver->heartbeat;
+    raise_to(&flagged->counted,
+             (tf_tally_t){beat->degraded, beat->fell_back, beat->coarse,
+                          beat->stalled, 0, 0});
   } else if (frame->type == TF_DOWN_REPORT && row != NULL) {
     note_report(flagged, receiver, row);
   }
@@ -51,9 +54,7 @@ void cli_flagged_frame(cli_flagged_t *flagged, const tf_frame_t *frame,
 // The steps that are known to be flagged.
 static tf_tally_t flagged_tally(const cli_flagged_t *flagged) {
   tf_tally_t tally = flagged->counted;
-  tally.degraded = larger(tally.degraded, flagged->reported.degraded);
-  tally.fell_back = larger(tally.fell_back, flagged->reported.fell_back);
-  tally.coarse = larger(tally.coarse, flagged->reported.coarse);
+  raise_to(&tally, flagged->reported);
   return tally;
 }
 
@@ -62,11 +63,10 @@ static void print_flagged(const cli_flagged_t *flagged,
                           const cli_receiver_t *receiver) {
   const tf_tally_t tally = flagged_tally(flagged),
                    *reported = &flagged->reported;
-  const bool is_reported =
-      reported->degraded + reported->fell_back + reported->coarse > 0;
   if (flagged->has_report || receiver->has_heartbeat) {
-    cli_tally_print(&tally, "first reported",
-                    is_reported ? flagged->first : (double)NAN);
+    cli_tally_print(
+        &tally, "first reported",
+        cli_tally_reserved(reported) > 0 ? flagged->first : (double)NAN);
   }
 }
 
@@ -207,9 +207,7 @@ void cli_seen_put(const cli_seen_t *seen, int code) {
   put_sender(&seen->receiver);
   put_line(seen);
   put_board(&seen->receiver);
-  cli_put_count("degraded", tally.degraded);
-  cli_put_count("coarse", tally.coarse);
-  cli_put_count("fell_back", tally.fell_back);
+  cli_tally_put(&tally);
   put_last(&seen->receiver);
   cli_put_exit(code);
 }

@@ -1,14 +1,16 @@
 // A record is CSV: tick, type and payload of a frame of docs/PROTOCOL.md, and
-// for a person the command as typed. The first row is the schema, so the
-// record says what it belongs to in the words of the board. Of the states
-// the last one is kept: a replay that ends in its bits was the same throughout.
-// What was refused did nothing and is left out. The last line counts the rows:
-// a record that is cut off would be a session of fewer commands.
+// for a person the command as typed. The first row is the schema, so the record
+// says what it belongs to in the words of the board, and of which version of
+// the protocol it is. Of the states the last one is kept: a replay that ends in
+// its bits was the same throughout. What was refused did nothing and is left
+// out. The last line counts the rows: a record that is cut off would be a
+// session of fewer commands.
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "../run/row.h"
 #include "../text/message.h"
 #include "board_command.h"
 
@@ -56,7 +58,7 @@ void cli_session_record_frame(cli_session_record_t *record,
   }
   if (frame->type == TF_DOWN_SCHEMA && !record->has_schema) {
     put_row(record, frame->tick, frame->type, frame->payload, frame->length,
-            "schema");
+            CLI_RECORD_SCHEMA);
     record->has_schema = true;
   }
   if (frame->type != TF_DOWN_STATE || !record->has_schema) {

@@ -18,6 +18,7 @@
 #include <stdlib.h>
 
 #include "../setup/names.h"
+#include "../text/buffer.h"
 
 static bool changes_sign(tf_real_t a, tf_real_t b) {
   return (a > 0 && b < 0) || (a < 0 && b > 0);
@@ -54,19 +55,13 @@ static cli_event_t *new_event(cli_events_t *events) {
   if (events->used >= events->limit) {
     return NULL;
   }
-  if (events->used == events->room) {
-    const size_t room = events->room == 0 ? 64 : 2 * events->room;
-    cli_event_t *list = NULL;
-    if (room <= SIZE_MAX / sizeof *list) {
-      list = realloc(events->list, room * sizeof *list);
-    }
-    if (list == NULL) {
-      events->limit = events->used;
-      return NULL;
-    }
-    events->list = list;
-    events->room = room;
+  cli_event_t *list =
+      cli_grow(events->list, events->used, &events->room, sizeof *list);
+  if (list == NULL) {
+    events->limit = events->used;
+    return NULL;
   }
+  events->list = list;
   return &events->list[events->used++];
 }
 

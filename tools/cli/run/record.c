@@ -175,7 +175,6 @@ int cli_run_go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup) {
   run->system.compensation = stand.compensation;
   run->report = stand.report;
   run->first = run->done = stand.state.tick;
-  const tf_real_t t = (tf_real_t)cli_run_time(run, run->first);
-  cli_drive_go_to(&run->drive, run->first, t);
+  (void)cli_drive_begin(&run->drive, &setup->machine, run->first);
   return CLI_DONE;
 }

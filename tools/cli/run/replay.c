@@ -15,6 +15,7 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"
+#include "row.h"
 
 #define LINE_ROOM 1024
 // Where these stand in the payload of a schema.
@@ -43,7 +44,7 @@ static bool read_hex(const char *text, size_t length, cli_replay_row_t *row) {
 }
 
 // TICK,TYPE,DATA,COMMAND
-static bool read_row(char *line, cli_replay_row_t *row) {
+static bool read_row(char *line, cli_replay_row_t *row, const char **command) {
   cli_replay_row_t type;
   char *field[3];
   for (size_t i = 0; i < 3; i++) {
@@ -60,19 +61,17 @@ static bool read_row(char *line, cli_replay_row_t *row) {
     return false;
   }
   row->type = type.data[0];
+  *command = line;
   return read_hex(field[2], strlen(field[2]), row);
 }
 
 static bool add(cli_replay_t *replay, const cli_replay_row_t *row) {
-  if (replay->count == replay->room) {
-    const size_t room = replay->room == 0 ? 64 : 2 * replay->room;
-    cli_replay_row_t *rows = realloc(replay->rows, room * sizeof *rows);
-    if (rows == NULL) {
-      return false;
-    }
-    replay->rows = rows;
-    replay->room = room;
+  cli_replay_row_t *rows =
+      cli_grow(replay->rows, replay->count, &replay->room, sizeof *rows);
+  if (rows == NULL) {
+    return false;
   }
+  replay->rows = rows;
   replay->rows[replay->count++] = *row;
   return true;
 }
@@ -98,11 +97,18 @@ static int cut_off(const reader_t *reader) {
 static int take_row(reader_t *reader, char *line) {
   cli_replay_t *replay = reader->replay;
   cli_replay_row_t row;
-  if (!read_row(line, &row) ||
+  const char *command = NULL;
+  if (!read_row(line, &row, &command) ||
       (row.type == TF_DOWN_SCHEMA) == reader->has_schema) {
     return no_record(reader);
   }
   if (!reader->has_schema) {
+    if (strcmp(command, CLI_RECORD_SCHEMA) != 0) {
+      return cli_message(CLI_REFUSED,
+                         "%s: '%s', here it is '" CLI_RECORD_SCHEMA
+                         "': record the session again",
+                         replay->name, command);
+    }
     reader->has_schema = true;
     replay->schema = row;
     return row.length >= SCHEMA_LEAST ? CLI_DONE : no_record(reader);

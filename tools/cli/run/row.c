@@ -142,6 +142,7 @@ size_t cli_frames_end(uint32_t *sequence, uint64_t tick, uint64_t steps,
                                .overruns = (uint32_t)late,
                                .degraded = at_most_32_bits(tally->degraded),
                                .fell_back = at_most_32_bits(tally->fell_back),
-                               .coarse = at_most_32_bits(tally->coarse)};
+                               .coarse = at_most_32_bits(tally->coarse),
+                               .stalled = at_most_32_bits(tally->stalled)};
   return tf_send_heartbeat(out, sequence, tick, &beat);
 }

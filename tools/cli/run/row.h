@@ -74,4 +74,10 @@ size_t cli_frames_end(uint32_t *sequence, uint64_t tick, uint64_t steps,
                       uint64_t late, const tf_tally_t *tally,
                       uint8_t out[CLI_FRAMES_ROOM]);
 
+/// The last field of the first row of a record: another version of the protocol
+/// has other commands.
+#define CLI_TEXT_OF(number) #number
+#define CLI_SCHEMA_OF(version) "schema of version " CLI_TEXT_OF(version)
+#define CLI_RECORD_SCHEMA CLI_SCHEMA_OF(TF_FRAME_VERSION)
+
 #endif

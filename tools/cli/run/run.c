@@ -61,17 +61,13 @@ static void write_schema(cli_run_t *run) {
   (void)cli_output_lines(&run->output, (const char *)frames, length);
 }
 
-// Inputs of the next step. Returns: whether there is one.
+// Inputs of the next step, of a command or a record. Returns: whether there is
+// one.
 static bool next_input(cli_run_t *run, tf_input_t *input) {
   tf_simulation_t *simulation = &run->replay.simulation;
   const tf_scene_t *scene = run->setup->scene;
-  if (!run->replays && simulation->source != TF_INPUT_SCENE) {
-    *input = tf_simulation_input(simulation, scene);
-    return true;
-  }
   if (!run->replays) {
-    const tf_real_t t = (tf_real_t)cli_run_time(run, run->done + 1);
-    *input = cli_drive_step(&run->drive, &run->setup->machine, run->done, t);
+    *input = tf_simulation_input(simulation, scene);
     return true;
   }
   const bool goes_on =
@@ -93,11 +89,15 @@ static bool next_input(cli_run_t *run, tf_input_t *input) {
 // Returns: whether a step was taken.
 static bool take_step(cli_run_t *run) {
   tf_input_t input;
-  if (!next_input(run, &input)) {
+  tf_report_t report;
+  if (!run->replays && run->replay.simulation.source == TF_INPUT_SCENE) {
+    run->status = cli_drive_take(&run->drive, run->scheme, run->setup,
+                                 &run->system, &input, &report);
+  } else if (next_input(run, &input)) {
+    run->status = run->scheme->step(&run->system, &input, &report);
+  } else {
     return false;
   }
-  tf_report_t report;
-  run->status = run->scheme->step(&run->system, &input, &report);
   if (run->status < 0) {
     run->end = CLI_STEP_REFUSED;
     return false;
@@ -336,7 +336,7 @@ static int prepare(const cli_args_t *args, cli_setup_t *setup, cli_run_t *run) {
              ? cli_drive_read(&run->drive, args->scene, &args->drive)
              : code;
   if (code == CLI_DONE) {
-    cli_drive_begin(&run->drive, setup);
+    setup->input = cli_drive_begin(&run->drive, &setup->machine, 0);
     cli_drive_notes(&run->drive, setup);
     code = cli_setup_start(setup);
   }

@@ -1,6 +1,6 @@
 // Where a run stands, as text:
 //
-//   twofold-state 2          version of this format
+//   twofold-state 3          version of this format
 //   number double            type of all numbers below
 //   scheme moreau
 //   inputs 00000000          hash of the table of --inputs, 0: none
@@ -32,7 +32,7 @@
 #include "../text/number.h"
 #include "../text/trailer.h"
 
-#define VERSION "2"
+#define VERSION "3"
 #define REALS 19
 #define HELD_REALS 5 // the last ones, where a command's inputs hold
 #define WHOLES 9
@@ -69,7 +69,7 @@ static const struct {
     {"tick", UINT64_C(1) << 62},   {"seed", UINT32_MAX},
     {"mode", TF_MODES - 1},        {"report-mode", TF_MODES - 1},
     {"set", (1u << TF_MODES) - 1}, {"choices", TF_MODES},
-    {"status", TF_COARSE},         {"deadman", UINT32_MAX},
+    {"status", TF_STALLED},        {"deadman", UINT32_MAX},
     {"left", UINT32_MAX}};
 static const char *const sources[] = {"scene", "outside", "safe"};
 
@@ -304,7 +304,7 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
                     size_t size, const cli_setup_t *setup,
                     const cli_scheme_t *scheme) {
   reader_t reader = {path, text};
-  if (strncmp(text, "twofold-state ", 14) != 0) {
+  if (strncmp(text, "twofold-state ", 14) != 0 || strchr(text, '\n') == NULL) {
     return no_state(&reader, "no file of --save");
   }
   if (!is_whole(text, size)) {
@@ -313,9 +313,12 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
                        path);
   }
   *stand = (cli_stand_t){.state = {.r = 0}};
-  int code = expect_word(&reader, "twofold-state", VERSION);
-  code =
-      code == CLI_DONE ? expect_word(&reader, "number", CLI_NUMBER_TYPE) : code;
+  const char *version = next_value(&reader, "twofold-state");
+  if (strcmp(version, VERSION) != 0) {
+    return differs(&reader, "its version (run up to it again, with --save)",
+                   version, VERSION);
+  }
+  int code = expect_word(&reader, "number", CLI_NUMBER_TYPE);
   code = code == CLI_DONE ? expect_word(&reader, "scheme", scheme->name) : code;
   code = code == CLI_DONE ? read_values(&reader, stand) : code;
   code = code == CLI_DONE ? check_stand(&reader, stand) : code;

@@ -34,17 +34,16 @@ static void print_request(const cli_run_t *run) {
 }
 
 // The rows of a table that the steps came to see, and what was applied to them.
-static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
+static void print_table(const cli_inputs_t *table) {
   if (table->count == 0) {
     return;
   }
-  const size_t last = cli_inputs_last(table, cli_run_time(run, run->done));
-  const size_t passed = cli_inputs_passed(table, table->first, last);
   (void)fprintf(stderr, "inputs     %s, %s: %zu of %zu rows, t = %g to %g s%s",
                 table->name, table->linear ? "linear" : "held",
-                last - table->first + 1 - passed, table->count,
+                table->last - table->first + 1 - table->passed, table->count,
                 (double)table->rows[table->first].t,
-                (double)table->rows[last].t, table->applied ? "; applied" : "");
+                (double)table->rows[table->last].t,
+                table->applied ? "; applied" : "");
   const char *comma = " ";
   for (size_t i = 0; i < CLI_INPUTS; i++) {
     if (table->given[i] && table->applied) {
@@ -55,11 +54,17 @@ static void print_table(const cli_run_t *run, const cli_inputs_t *table) {
     }
   }
   (void)fputc('\n', stderr);
-  if (passed > 0) {
+  if (table->passed > 0) {
     (void)fprintf(stderr,
                   "           %zu other rows lie between two steps and never "
                   "held\n",
-                  passed);
+                  table->passed);
+  }
+  if (table->within > 0) {
+    (void)fprintf(stderr,
+                  "           %zu times of rows lie within a step, %zu of them "
+                  "jumps\n",
+                  table->within, table->jumps);
   }
 }
 
@@ -95,8 +100,8 @@ static void print_drive(const cli_run_t *run) {
       (void)fprintf(stderr, "           which now needs%s\n", changes);
     }
   } else {
-    print_table(run, &run->drive.profile);
-    print_table(run, &run->drive.table);
+    print_table(&run->drive.profile);
+    print_table(&run->drive.table);
   }
   print_held(&run->replay.simulation);
 }

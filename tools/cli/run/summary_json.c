@@ -65,21 +65,21 @@ static void put_held(const tf_simulation_t *simulation) {
   (void)fputs("}, ", stderr);
 }
 
-static void put_table(const cli_run_t *run, const char *key,
-                      const cli_inputs_t *table) {
+static void put_table(const char *key, const cli_inputs_t *table) {
   if (table->count == 0) {
     return;
   }
-  const size_t last = cli_inputs_last(table, cli_run_time(run, run->done));
   (void)fprintf(stderr, "\"%s\": {", key);
   cli_put_text("name", table->name);
   cli_put_word("between", table->linear ? "linear" : "held");
   cli_put_count("rows", table->count);
   cli_put_count("first", table->first);
-  cli_put_count("last", last);
-  cli_put_count("passed", cli_inputs_passed(table, table->first, last));
+  cli_put_count("last", table->last);
+  cli_put_count("passed", table->passed);
+  cli_put_count("within", table->within);
+  cli_put_count("jumps", table->jumps);
   cli_put_real("t_first", table->rows[table->first].t);
-  cli_put_real("t_last", table->rows[last].t);
+  cli_put_real("t_last", table->rows[table->last].t);
   cli_put_hash("crc32", cli_inputs_hash(table));
   (void)fputs("\"applied\": {", stderr);
   const char *comma = "";
@@ -98,7 +98,6 @@ static void put_table(const cli_run_t *run, const char *key,
 
 static void put_quality(const cli_run_t *run) {
   const tf_tally_t *tally = &run->tally;
-  const uint64_t reserved = tally->degraded + tally->coarse + tally->fell_back;
   cli_put_count("ambiguous", run->ambiguity.steps);
   cli_put_double("ambiguous_since", run->ambiguity.since);
   if (run->ambiguity.start > 0) {
@@ -106,11 +105,10 @@ static void put_quality(const cli_run_t *run) {
   } else {
     cli_put_null("choices_at_start");
   }
-  cli_put_count("degraded", tally->degraded);
-  cli_put_count("coarse", tally->coarse);
-  cli_put_count("fell_back", tally->fell_back);
-  cli_put_double("reserved_since",
-                 reserved > 0 ? cli_run_time(run, tally->first) : (double)NAN);
+  cli_tally_put(tally);
+  cli_put_double("reserved_since", cli_tally_reserved(tally) > 0
+                                       ? cli_run_time(run, tally->first)
+                                       : (double)NAN);
   cli_put_double("largest_h_in_stick", run->largest_h);
   cli_put_double("largest_residual", run->largest_residual);
   cli_put_double("largest_error", run->args->accuracy > 0
@@ -169,8 +167,8 @@ void cli_summary_json(const cli_run_t *run, int code) {
                                      [CLI_NOT_REPLAYED] = "not replayed",
                                      [CLI_NOT_WRITTEN] = "not written"};
   put_request(run);
-  put_table(run, "profile", &run->drive.profile);
-  put_table(run, "inputs", &run->drive.table);
+  put_table("profile", &run->drive.profile);
+  put_table("inputs", &run->drive.table);
   put_replay(run);
   put_held(&run->replay.simulation);
   put_events(&run->events);

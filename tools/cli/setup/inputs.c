@@ -3,11 +3,11 @@
 
 #include "inputs.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/trailer.h"
 
@@ -15,18 +15,12 @@ const cli_quantity_t cli_input_columns[CLI_INPUTS] = {
     {"omega0", "rad/s"}, {"r0", "m"}, {"force", "N"}, {"torque", "N m"}};
 
 bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row) {
-  if (inputs->count == inputs->room) {
-    const size_t room = inputs->room == 0 ? 64 : 2 * inputs->room;
-    cli_input_row_t *rows = NULL;
-    if (room <= SIZE_MAX / sizeof *rows) {
-      rows = realloc(inputs->rows, room * sizeof *rows);
-    }
-    if (rows == NULL) {
-      return false;
-    }
-    inputs->rows = rows;
-    inputs->room = room;
+  cli_input_row_t *rows =
+      cli_grow(inputs->rows, inputs->count, &inputs->room, sizeof *rows);
+  if (rows == NULL) {
+    return false;
   }
+  inputs->rows = rows;
   inputs->rows[inputs->count++] = *row;
   return true;
 }
@@ -63,96 +57,55 @@ uint32_t cli_inputs_hash(const cli_inputs_t *inputs) {
   return sum.crc;
 }
 
-// The first step that begins at a time or later. A time that is n dt but for
-// the rounding of decimals is n; where that is coarser than a step, the step
-// that begins next to it.
-void cli_inputs_prepare(cli_inputs_t *inputs, tf_real_t dt) {
-  for (size_t i = 0; i < inputs->count; i++) {
-    const double n = (double)inputs->rows[i].t / (double)dt;
-    const double rounding =
-        fmin(1e-6 + 4 * (double)TF_REAL_EPSILON * fabs(n), 0.5);
-    const double first = ceil(n - rounding);
-    inputs->rows[i].tick =
-        first < 1 ? 0 : (first < 1e18 ? (uint64_t)first : UINT64_MAX);
-  }
-  inputs->at = 0;
+// A span that cannot be a step of its own is not cut off: dt is >= 1e-9 s.
+#define SHORTEST TF_R(2e-9)
+
+// As tf_scene_input does it, operation by operation: a row that is tick dt but
+// for rounding belongs to that boundary, and not to a step.
+cli_span_t cli_span_of(uint64_t tick, tf_real_t dt) {
+  cli_span_t span = {(tf_real_t)tick * dt, (tf_real_t)(tick + 1) * dt, dt, 0};
+  const tf_real_t rounding = dt * TF_R(0x1p-20) + 4 * TF_REAL_EPSILON * span.to;
+  span.off = rounding < dt / 2 ? rounding : dt / 2;
+  return span;
 }
 
-size_t cli_inputs_last(const cli_inputs_t *inputs, double t) {
-  return inputs->at + (inputs->linear && inputs->at + 1 < inputs->count &&
-                       (double)inputs->rows[inputs->at].t < t);
-}
-
-size_t cli_inputs_passed(const cli_inputs_t *inputs, size_t first,
-                         size_t last) {
-  size_t passed = 0;
-  for (size_t i = first; !inputs->linear && i < last; i++) {
-    passed += inputs->rows[i].tick == inputs->rows[i + 1].tick;
-  }
-  return passed;
-}
-
-static void go_to_tick(cli_inputs_t *inputs, uint64_t tick) {
-  const cli_input_row_t *rows = inputs->rows;
-  size_t i = inputs->at;
-  while (i > 0 && rows[i].tick > tick) {
-    i--;
-  }
-  while (i + 1 < inputs->count && rows[i + 1].tick <= tick) {
-    i++;
-  }
-  inputs->at = i;
-}
-
-static void go_to_time(cli_inputs_t *inputs, tf_real_t t) {
-  const cli_input_row_t *rows = inputs->rows;
-  size_t i = inputs->at;
-  while (i > 0 && rows[i].t > t) {
-    i--;
-  }
-  while (i + 1 < inputs->count && rows[i + 1].t <= t) {
-    i++;
-  }
-  inputs->at = i;
-}
-
-// The inputs at a time, between two rows of a linear table. The order of the
-// operations is that of tf_scene_input.
-static void look_up(cli_inputs_t *inputs, tf_real_t t,
+// The inputs at a time t, between two rows of a linear table. Rows up to
+// t + off belong to it.
+static void look_up(cli_inputs_t *inputs, tf_real_t t, tf_real_t off,
                     tf_real_t value[CLI_INPUTS]) {
-  go_to_time(inputs, t);
   const cli_input_row_t *row = &inputs->rows[inputs->at];
-  const bool between = inputs->at + 1 < inputs->count && t > row->t;
+  const cli_input_row_t *end = inputs->rows + inputs->count - 1;
+  for (; row > inputs->rows && row->t > t + off; row--) continue;
+  for (; row < end && row[1].t <= t + off; row++) continue;
+  inputs->at = (size_t)(row - inputs->rows);
+  const bool stands = !inputs->linear || row == end || t <= row->t;
   for (size_t i = 0; i < CLI_INPUTS; i++) {
-    value[i] = row->value[i];
-    if (between && inputs->given[i]) {
+    value[i] = stands || t < row[1].t ? row->value[i] : row[1].value[i];
+    if (!stands && t < row[1].t) {
       value[i] += (row[1].value[i] - row->value[i]) *
                   ((t - row->t) / (row[1].t - row->t));
     }
   }
 }
 
-// The mean over a step from `start` to t of one input, piece by piece where
-// rows lie in it: from row `next` on. A mean is never outside of its values,
-// whatever the rounding.
+// The rows from `next` to `last` lie within a span. The mean of one input,
+// piece by piece, is never outside of its values, whatever the rounding.
 static tf_real_t mean_of(const cli_inputs_t *inputs, size_t column, size_t next,
-                         tf_real_t start, tf_real_t t, tf_real_t before,
+                         size_t last, const cli_span_t *span, tf_real_t before,
                          tf_real_t after) {
-  tf_real_t from = start, value = before, sum = 0;
+  const tf_real_t length = span->to - span->from;
+  tf_real_t from = span->from, value = before, sum = 0;
   tf_real_t low = before < after ? before : after;
   tf_real_t high = before < after ? after : before;
-  if (next == inputs->count || !(inputs->rows[next].t < t)) {
-    return (before + after) / 2;
-  }
-  for (size_t k = next; k < inputs->count && inputs->rows[k].t < t; k++) {
+  for (size_t k = next; k <= last; k++) {
     const tf_real_t then = inputs->rows[k].value[column];
-    sum += (value + then) / 2 * ((inputs->rows[k].t - from) / (t - start));
+    sum += (value + then) / 2 * ((inputs->rows[k].t - from) / length);
     from = inputs->rows[k].t;
     value = then;
     low = then < low ? then : low;
     high = then > high ? then : high;
   }
-  sum += (value + after) / 2 * ((t - from) / (t - start));
+  sum += (value + after) / 2 * ((span->to - from) / length);
   return sum < low ? low : sum > high ? high : sum;
 }
 
@@ -170,62 +123,75 @@ static void set(const cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS],
   }
 }
 
-// Sets the inputs of a step, and notes between which values they have been.
-static void apply(cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS],
-                  tf_input_t *input) {
+// Notes between which values the inputs of steps have been.
+static void note(cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS]) {
   for (size_t i = 0; i < CLI_INPUTS; i++) {
-    if (!inputs->applied || value[i] < inputs->low[i]) {
-      inputs->low[i] = value[i];
-    }
-    if (!inputs->applied || value[i] > inputs->high[i]) {
-      inputs->high[i] = value[i];
-    }
+    tf_real_t *low = &inputs->low[i], *high = &inputs->high[i];
+    *low = inputs->applied && *low < value[i] ? *low : value[i];
+    *high = inputs->applied && *high > value[i] ? *high : value[i];
   }
   inputs->applied = true;
-  set(inputs, value, input);
 }
 
-void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
-                     tf_real_t dt, tf_input_t *input) {
+void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
+                     tf_input_t *input) {
   tf_real_t before[CLI_INPUTS], after[CLI_INPUTS], mean[CLI_INPUTS];
+  tf_real_t jumps = 0;
   if (inputs->count == 0) {
     return;
   }
+  const size_t was = inputs->at;
+  look_up(inputs, span->from, span->off, before);
   if (!inputs->linear) {
-    go_to_tick(inputs, tick);
-    apply(inputs, inputs->rows[inputs->at].value, input);
+    inputs->passed += inputs->at > was ? inputs->at - was - 1 : 0;
+    inputs->last = inputs->at;
+    set(inputs, before, input);
+    note(inputs, before);
     return;
   }
-  look_up(inputs, t - dt, before);
-  // The first row after the begin of the step.
-  const size_t next = inputs->at + (inputs->rows[inputs->at].t <= t - dt);
-  look_up(inputs, t, after);
+  const cli_input_row_t *rows = inputs->rows;
+  const size_t next =
+      inputs->at + (rows[inputs->at].t <= span->from + span->off);
+  look_up(inputs, span->to, -span->off, after);
+  inputs->last = inputs->at + (inputs->at + 1 < inputs->count &&
+                               rows[inputs->at].t < span->to);
+  for (size_t k = next; k <= inputs->at; k++) {
+    if (k > next && rows[k].t == rows[k - 1].t) {
+      jumps +=
+          rows[k].value[CLI_INPUT_OMEGA0] - rows[k - 1].value[CLI_INPUT_OMEGA0];
+      inputs->jumps++;
+    } else {
+      inputs->within++;
+    }
+  }
   for (size_t i = 0; i < CLI_INPUTS; i++) {
-    mean[i] = mean_of(inputs, i, next, t - dt, t, before[i], after[i]);
+    mean[i] = mean_of(inputs, i, next, inputs->at, span, before[i], after[i]);
+  }
+  mean[CLI_INPUT_OMEGA0] = before[CLI_INPUT_OMEGA0] + jumps;
+  set(inputs, mean, input);
+  if (inputs->given[CLI_INPUT_OMEGA0]) {
+    tf_turntable_to(input, after[CLI_INPUT_OMEGA0], span->dt);
   }
   mean[CLI_INPUT_OMEGA0] = after[CLI_INPUT_OMEGA0];
-  apply(inputs, mean, input);
-  if (inputs->given[CLI_INPUT_OMEGA0]) {
-    input->alpha = (after[CLI_INPUT_OMEGA0] - before[CLI_INPUT_OMEGA0]) / dt;
-  }
+  note(inputs, mean);
 }
 
-// Sets the inputs that the table gives at the instant at which a run starts;
-// alpha is 0.
-static void begin_at(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
+// Sets the inputs that the table gives at the instant at which a run starts,
+// with the alpha of its first step.
+static void begin_at(cli_inputs_t *inputs, const cli_span_t *span,
                      tf_input_t *input) {
   tf_real_t value[CLI_INPUTS];
   if (inputs->count == 0) {
     return;
   }
-  if (inputs->linear) {
-    look_up(inputs, t, value);
-    set(inputs, value, input);
-  } else {
-    go_to_tick(inputs, tick);
-    set(inputs, inputs->rows[inputs->at].value, input);
-  }
-  inputs->first = inputs->at;
+  cli_inputs_over(inputs, span, input);
+  const tf_real_t alpha = input->alpha;
+  look_up(inputs, span->from, span->off, value);
+  set(inputs, value, input);
+  input->alpha = alpha;
+  inputs->first = inputs->last = inputs->at;
+  inputs->applied = false;
+  inputs->passed = inputs->within = inputs->jumps = 0;
 }
 
 void cli_inputs_free(cli_inputs_t *inputs) {
@@ -237,12 +203,13 @@ void cli_inputs_free(cli_inputs_t *inputs) {
 // The profile of a scene and a table of one's own are the same kind of thing;
 // the latter is applied over the former, column by column.
 
-void cli_drive_begin(cli_drive_t *drive, cli_setup_t *setup) {
-  cli_inputs_prepare(&drive->profile, setup->machine.dt);
-  cli_inputs_prepare(&drive->table, setup->machine.dt);
-  setup->input = tf_input_default(&setup->machine);
-  begin_at(&drive->profile, 0, 0, &setup->input);
-  begin_at(&drive->table, 0, 0, &setup->input);
+tf_input_t cli_drive_begin(cli_drive_t *drive, const tf_machine_t *machine,
+                           uint64_t tick) {
+  const cli_span_t span = cli_span_of(tick, machine->dt);
+  tf_input_t input = tf_input_default(machine);
+  begin_at(&drive->profile, &span, &input);
+  begin_at(&drive->table, &span, &input);
+  return input;
 }
 
 void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup) {
@@ -257,18 +224,30 @@ void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup) {
   }
 }
 
-void cli_drive_go_to(cli_drive_t *drive, uint64_t tick, tf_real_t t) {
-  tf_input_t input = {0, 0, 0, 0, 0};
-  begin_at(&drive->profile, tick, t, &input);
-  begin_at(&drive->table, tick, t, &input);
+tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,
+                          const cli_span_t *span) {
+  tf_input_t input = tf_input_default(machine);
+  cli_inputs_over(&drive->profile, span, &input);
+  cli_inputs_over(&drive->table, span, &input);
+  return input;
 }
 
-tf_input_t cli_drive_step(cli_drive_t *drive, const tf_machine_t *machine,
-                          uint64_t tick, tf_real_t t) {
-  tf_input_t input = tf_input_default(machine);
-  cli_inputs_step(&drive->profile, tick, t, machine->dt, &input);
-  cli_inputs_step(&drive->table, tick, t, machine->dt, &input);
-  return input;
+static tf_real_t next_row(const cli_inputs_t *inputs, tf_real_t from,
+                          tf_real_t to, tf_real_t end) {
+  size_t i = inputs->at;
+  while (i < inputs->count && inputs->rows[i].t <= from) {
+    i++;
+  }
+  return inputs->linear && i < inputs->count && inputs->rows[i].t <= to
+             ? inputs->rows[i].t
+             : end;
+}
+
+tf_real_t cli_drive_next(const cli_drive_t *drive, const cli_span_t *span) {
+  const tf_real_t off = span->off > SHORTEST ? span->off : SHORTEST;
+  const tf_real_t from = span->from + off, to = span->to - off;
+  const tf_real_t end = next_row(&drive->profile, from, to, span->to);
+  return next_row(&drive->table, from, end < to ? end : to, end);
 }
 
 void cli_drive_free(cli_drive_t *drive) {

@@ -7,7 +7,8 @@
 /// linear: between rows. omega0 is that of the end of the step, alpha the mean
 ///   over the step, as in tf_scene_input and bit for bit the same; r0, force
 ///   and torque are constant over a step and the mean over it, so that no part
-///   of a force is lost.
+///   of a force is lost. Two rows of one time are a jump, of which alpha has no
+///   part: within a step it acts on omega0 at the start of that step.
 ///
 /// Before the first row and after the last one inputs are those of that row.
 #ifndef TWOFOLD_CLI_INPUTS_H
@@ -33,7 +34,6 @@ extern const cli_quantity_t cli_input_columns[CLI_INPUTS];
 
 typedef struct {
   tf_real_t t;                 ///< [s]
-  uint64_t tick;               ///< of the first step that it holds for
   tf_real_t value[CLI_INPUTS]; ///< 0 where the column is not given
 } cli_input_row_t;
 
@@ -43,13 +43,15 @@ typedef struct {
   bool given[CLI_INPUTS];
   cli_input_row_t *rows; ///< from the heap, NULL while empty
   size_t count, room;
-  size_t at;    ///< row of the last look-up
-  size_t first; ///< row of the first one
+  size_t at;            ///< row of the last look-up
+  size_t first, last;   ///< rows that steps came to see, with the one behind
+  size_t passed;        ///< rows of a held table that never held
+  size_t within, jumps; ///< times of rows within a step, and jumps there
   bool applied; ///< to a step, or more of them; then their least and largest:
   tf_real_t low[CLI_INPUTS], high[CLI_INPUTS];
 } cli_inputs_t;
 
-/// Appends a row; its time must be later than that of the row before.
+/// Appends a row; its time must not be earlier than that of the row before.
 /// Returns: whether there was memory for it.
 bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row);
 
@@ -68,21 +70,19 @@ int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file);
 /// without rows.
 uint32_t cli_inputs_hash(const cli_inputs_t *inputs);
 
-/// The last row that the steps up to a time t [s] came to see: of a linear
-/// table that is the one behind.
-size_t cli_inputs_last(const cli_inputs_t *inputs, double t);
+/// A step, or a part of one.
+typedef struct {
+  tf_real_t from, to; ///< times of its ends [s]
+  tf_real_t dt;       ///< its length, not rounded as they are [s]
+  tf_real_t off;      ///< what is nearer to an end belongs to it [s]
+} cli_span_t;
 
-/// How many of the rows first to last, both included, never held, because the
-/// next one begins to hold with the same step. A linear table has none.
-size_t cli_inputs_passed(const cli_inputs_t *inputs, size_t first, size_t last);
+/// The step from a tick to the next one.
+cli_span_t cli_span_of(uint64_t tick, tf_real_t dt);
 
-/// Finds the steps that the rows begin to hold for.
-void cli_inputs_prepare(cli_inputs_t *inputs, tf_real_t dt);
-
-/// Sets the inputs that the table gives, for the step from a tick to the next.
-/// t: in, time at the end of that step [s]. dt: in, its length [s].
-void cli_inputs_step(cli_inputs_t *inputs, uint64_t tick, tf_real_t t,
-                     tf_real_t dt, tf_input_t *input);
+/// Sets the inputs that the table gives over a span.
+void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
+                     tf_input_t *input);
 
 /// Frees the rows.
 void cli_inputs_free(cli_inputs_t *inputs);
@@ -91,7 +91,8 @@ void cli_inputs_free(cli_inputs_t *inputs);
 // command line gives.
 
 typedef struct {
-  cli_inputs_t profile; ///< of the scene
+  cli_inputs_t profile; ///< of the scene; without rows where the table has
+                        ///< its column
   cli_inputs_t table;   ///< of --inputs; without rows if there is none
 } cli_drive_t;
 
@@ -108,21 +109,20 @@ typedef struct {
 int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                    const cli_drive_args_t *args);
 
-/// Prepares it for the machine of a setup and sets the inputs of the setup at
-/// t = 0.
-void cli_drive_begin(cli_drive_t *drive, cli_setup_t *setup);
+/// Goes to a tick at which a run of a machine begins.
+/// Returns: the inputs of that instant, with the alpha of the step behind it.
+tf_input_t cli_drive_begin(cli_drive_t *drive, const tf_machine_t *machine,
+                           uint64_t tick);
 
 /// Reports on standard error which settings have no effect beside the table.
 void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup);
 
-/// Goes to a tick and its time, at which a run begins that goes on from another
-/// one.
-void cli_drive_go_to(cli_drive_t *drive, uint64_t tick, tf_real_t t);
+/// Inputs of a machine over a span.
+tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,
+                          const cli_span_t *span);
 
-/// Inputs for the step of a machine from a tick to the next one.
-/// t: in, time at the end of that step [s].
-tf_input_t cli_drive_step(cli_drive_t *drive, const tf_machine_t *machine,
-                          uint64_t tick, tf_real_t t);
+/// The time of the first row of a linear table within a span, or its end.
+tf_real_t cli_drive_next(const cli_drive_t *drive, const cli_span_t *span);
 
 void cli_drive_free(cli_drive_t *drive);
 

@@ -130,11 +130,14 @@ static int read_row(reader_t *reader, char *line) {
                        reader->name, (unsigned long long)reader->line,
                        line != NULL ? "more" : "fewer", reader->fields);
   }
-  if (inputs->count > 0 && !(row.t > inputs->rows[inputs->count - 1].t)) {
+  const cli_input_row_t *end = inputs->rows + inputs->count;
+  const bool earlier = inputs->count > 0 && row.t < end[-1].t;
+  if (earlier || (inputs->count > 1 && row.t <= end[-2].t)) {
     char text[CLI_REAL_ROOM];
     (void)cli_write_real(text, row.t);
     return refuse(reader, CLI_REFUSED, 0, text,
-                  "is not later than t in the row before");
+                  earlier ? "is earlier than t in the row before"
+                          : "is t of two rows before: a jump has two");
   }
   return cli_inputs_add(inputs, &row)
              ? CLI_DONE
@@ -203,7 +206,7 @@ static int read_file(cli_inputs_t *inputs, const char *path) {
 int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                    const cli_drive_args_t *args) {
   memset(drive, 0, sizeof *drive);
-  const int code = cli_inputs_of_scene(&drive->profile, scene);
+  int code = cli_inputs_of_scene(&drive->profile, scene);
   if (code != CLI_DONE || args->inputs == NULL) {
     return code;
   }
@@ -214,5 +217,9 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                        args->inputs);
   }
   drive->table.linear = args->between == 1;
-  return read_file(&drive->table, args->inputs);
+  code = read_file(&drive->table, args->inputs);
+  if (drive->table.given[CLI_INPUT_OMEGA0]) {
+    cli_inputs_free(&drive->profile);
+  }
+  return code;
 }

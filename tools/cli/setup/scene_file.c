@@ -77,7 +77,7 @@ static int read_bounded(reader_t *reader, size_t key, const char *text,
              : refuse_range(reader, key, *value, low, high);
 }
 
-// One knot, T:OMEGA0, later than the one before.
+// One knot, T:OMEGA0, not earlier than the one before; two of one time jump.
 static int read_knot(reader_t *reader, char *text) {
   tf_scene_t *scene = &reader->file->scene;
   tf_knot_t knot = {0, 0};
@@ -100,9 +100,11 @@ static int read_knot(reader_t *reader, char *text) {
                        "is given by 'run --inputs FILE'",
                        reader->place, TF_SCENE_KNOTS);
   }
-  if (scene->knots > 0 && !(knot.t > scene->profile[scene->knots - 1].t)) {
+  const tf_knot_t *end = scene->profile + scene->knots;
+  if ((scene->knots > 0 && !(knot.t >= end[-1].t)) ||
+      (scene->knots > 1 && !(knot.t > end[-2].t))) {
     return cli_message(CLI_REFUSED,
-                       "%s profile: %s s is not later than the knot before",
+                       "%s profile: %s s is not later than the knots before",
                        reader->place, text);
   }
   scene->profile[scene->knots++] = knot;

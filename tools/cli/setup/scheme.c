@@ -40,11 +40,11 @@ static tf_status_t step_compensated(cli_system_t *system,
 #define LAW(name) (1u << TF_TYRE_##name)
 #define ALL_LAWS ((1u << TF_TYRE_LAWS) - 1)
 const cli_scheme_t cli_schemes[CLI_SCHEMES] = {
-    {"moreau", 0, step_moreau, ALL_LAWS, "tolerance",
+    {"moreau", 0, step_moreau, false, ALL_LAWS, "tolerance",
      "under --scheme moreau: it belongs to --scheme located"},
-    {"located", 1, step_located, LAW(JUMP) | LAW(COULOMB) | LAW(NONE), "theta",
-     "under --scheme located but where a step falls back on moreau"},
-    {"compensated", 2, step_compensated, ALL_LAWS, "tolerance",
+    {"located", 1, step_located, true, LAW(JUMP) | LAW(COULOMB) | LAW(NONE),
+     "theta", "under --scheme located but where a step falls back on moreau"},
+    {"compensated", 2, step_compensated, false, ALL_LAWS, "tolerance",
      "under --scheme compensated: it belongs to --scheme located"},
 };
 
@@ -107,4 +107,46 @@ void cli_system_begin(cli_system_t *system, const cli_scheme_t *scheme,
     (void)tf_begin(&system->machine.machine, &system->state, &setup->input,
                    report);
   }
+}
+
+// The tick is the counter of the random generator: each part draws for itself.
+#define PART_OF_TICK 52
+
+tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
+                           const cli_setup_t *setup, cli_system_t *system,
+                           tf_input_t *input, tf_report_t *report) {
+  const tf_state_t before = system->state;
+  cli_span_t rest = cli_span_of(before.tick, setup->machine.dt);
+  tf_report_t met = {.status = TF_OK};
+  for (uint64_t part = 0, last = 0; !last && met.status >= 0; part++) {
+    cli_span_t span = rest;
+    span.to = scheme->splits ? cli_drive_next(drive, &rest) : rest.to;
+    last = !(span.to < rest.to);
+    span.dt = last ? rest.dt : span.to - span.from;
+    *input = cli_drive_over(drive, &setup->machine, &span);
+    if (last && part == 0) {
+      return scheme->step(system, input, report);
+    }
+    tf_params_t params = setup->params;
+    params.dt = span.dt;
+    (void)tf_prepare(&system->machine.machine, &params, NULL);
+    system->state.tick = before.tick | part << PART_OF_TICK;
+    if (scheme->step(system, input, report) >= 0 && met.status > TF_OK) {
+      report->status = met.status;
+    }
+    if (met.choices > report->choices) {
+      report->choices = met.choices;
+      report->set = met.set;
+    }
+    met = *report;
+    rest.from = span.to;
+    rest.dt -= span.dt;
+  }
+  system->machine.machine = setup->machine;
+  if (met.status < 0) {
+    system->state = before;
+  } else {
+    system->state.tick = before.tick + 1;
+  }
+  return met.status;
 }

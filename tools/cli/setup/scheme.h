@@ -4,6 +4,7 @@
 #define TWOFOLD_CLI_SCHEME_H
 
 #include "args.h"
+#include "inputs.h"
 #include "setup.h"
 
 /// Machine and state, with what the compensated scheme adds to both. The other
@@ -24,6 +25,7 @@ typedef struct {
   const char *name; ///< as on the command line
   uint8_t code;     ///< as in the schema frame
   cli_step_t step;
+  bool splits;        ///< steps are split at the rows of a linear table
   unsigned laws;      ///< bit set of the tf_tyre_law_t that it accepts
   const char *unused; ///< name of a parameter that it does not use ...
   const char *why;    ///< ... and the end of the message "... has no effect"
@@ -53,6 +55,14 @@ int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps);
 
 /// The time of the end, as above.
 tf_real_t cli_end_of(const cli_args_t *args);
+
+/// Takes a step of a setup's machine under what drives it, from system->state.
+/// A scheme that splits steps takes one for each part; the report then has the
+/// largest set of them, and the first status that is not TF_OK.
+/// input: out, that of the step, or of its last part.
+tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
+                           const cli_setup_t *setup, cli_system_t *system,
+                           tf_input_t *input, tf_report_t *report);
 
 /// Puts a system into the initial state of a setup. Under the compensated
 /// scheme the speed that follows from a given slip speed h is computed with its

@@ -205,7 +205,7 @@ int cli_setup_machine(cli_setup_t *setup) {
   if (offender < TF_PARAMETERS) {
     return refuse_parameter(setup, offender);
   }
-  setup->input = tf_scene_input(setup->scene, &setup->machine, TF_R(0.0));
+  setup->input = tf_scene_input(setup->scene, &setup->machine, 0);
   return CLI_DONE;
 }
 

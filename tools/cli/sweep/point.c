@@ -3,6 +3,7 @@
 // like one of --set. So a row is replayed by copying its fields into a command.
 // A refusal is a row, too, with the words of `run` in it.
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -10,6 +11,7 @@
 #include "../setup/setup.h"
 #include "../text/message.h"
 #include "../text/number.h"
+#include "../text/summary.h"
 #include "sheet.h"
 
 #define BATCH 4096 // steps between two checks for a signal
@@ -96,7 +98,8 @@ static int prepare(point_t *point, uint64_t *steps) {
   code = code == CLI_DONE ? cli_setup_machine(&point->setup) : code;
   if (code == CLI_DONE) {
     point->drive = sweep->drive;
-    cli_drive_begin(&point->drive, &point->setup);
+    point->setup.input =
+        cli_drive_begin(&point->drive, &point->setup.machine, 0);
     code = cli_count_steps(sweep->args, point->setup.machine.dt, steps);
   }
   return code;
@@ -144,19 +147,19 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
   const cli_setup_t *setup = &point->setup;
   const double dt = (double)setup->machine.dt;
   tf_report_t report = setup->report;
+  tf_input_t input;
   cli_system_begin(&point->system, point->sweep->scheme, setup, &report);
   cli_course_begin(&point->course, &point->system.state, &report);
   point->input = setup->input;
   point->course.energy_at_start = energy_of(point);
   for (uint64_t i = 1; i <= steps; i++) {
     const double t = (double)i * dt;
-    const tf_input_t input =
-        cli_drive_step(&point->drive, &setup->machine, i - 1, (tf_real_t)t);
     if (i % BATCH == 0 && cli_stop_asked()) {
       return CLI_POINT_INTERRUPTED;
     }
     const tf_status_t status =
-        point->sweep->scheme->step(&point->system, &input, &report);
+        cli_drive_take(&point->drive, point->sweep->scheme, setup,
+                       &point->system, &input, &report);
     if (status < 0) {
       (void)snprintf(point->reason, REASON_ROOM, "step %llu: %s",
                      (unsigned long long)i, tf_status_name(status));
@@ -168,13 +171,13 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
     cli_course_see(&point->course, t, &point->system.state, &report);
   }
   point->course.energy = energy_of(point);
-  if (point->tally.degraded + point->tally.coarse > 0) {
+  if (cli_tally_code(&point->tally) != CLI_DONE) {
+    const tf_tally_t *tally = &point->tally;
     (void)snprintf(point->reason, REASON_ROOM,
-                   "%llu steps degraded; %llu missed the tolerance; first at "
-                   "t = %.9g s",
-                   (unsigned long long)point->tally.degraded,
-                   (unsigned long long)point->tally.coarse,
-                   (double)point->tally.first * dt);
+                   "%" PRIu64 " steps degraded; %" PRIu64 " coarse; %" PRIu64
+                   " stalled; first at t = %.9g s",
+                   tally->degraded, tally->coarse, tally->stalled,
+                   (double)tally->first * dt);
     return CLI_POINT_FLAGGED;
   }
   return CLI_POINT_DONE;

@@ -23,7 +23,7 @@ typedef struct {
 /// How a point ended.
 typedef enum {
   CLI_POINT_DONE,
-  CLI_POINT_FLAGGED,    ///< some steps were degraded or missed their tolerance
+  CLI_POINT_FLAGGED,    ///< some steps were degraded, coarse or stalled
   CLI_POINT_STOPPED,    ///< a step was refused
   CLI_POINT_REFUSED,    ///< the machine or its start was refused
   CLI_POINT_INTERRUPTED ///< by a signal: it has no row

@@ -6,6 +6,7 @@
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "number.h"
@@ -71,4 +72,14 @@ void cli_add_count(cli_buffer_t *buffer, uint64_t value) {
   char digits[CLI_REAL_ROOM];
   (void)snprintf(digits, sizeof digits, "%" PRIu64, value);
   cli_add(buffer, digits);
+}
+
+void *cli_grow(void *list, size_t used, size_t *room, size_t size) {
+  const size_t more = *room == 0 ? 64 : 2 * *room;
+  if (used < *room) {
+    return list;
+  }
+  list = more <= SIZE_MAX / size ? realloc(list, more * size) : NULL;
+  *room = list != NULL ? more : *room;
+  return list;
 }

@@ -36,6 +36,11 @@ void cli_add_hash(cli_buffer_t *buffer, uint32_t value);
 /// A float (is_float) or a double, whichever type this program was built for.
 void cli_add_number(cli_buffer_t *buffer, double value, bool is_float);
 
+/// Makes room for one more in a list from the heap, of `used` members of `size`
+/// bytes each. room: in/out, members that it has room for.
+/// Returns: the list, which may have moved; NULL: no memory, it is as it was.
+void *cli_grow(void *list, size_t used, size_t *room, size_t size);
+
 typedef enum {
   CLI_LINE,     ///< a line, without its end
   CLI_LINE_END, ///< there are no more; ferror tells whether that is an error

@@ -19,7 +19,7 @@ enum {
   CLI_REFUSED = 3, ///< a value was read but lies outside its range
   CLI_STOPPED = 4, ///< interrupted, refused by a step, or not writable
   CLI_FLAGGED = 5, ///< all was done, and some steps said that they cannot be
-                   ///< trusted to their bound: degraded, or coarse
+                   ///< trusted to their bound: degraded, coarse or stalled
   CLI_DAMAGED = 6  ///< all that came was read, and frames were lost or broken,
                    ///< or are not those of one whole run, or a value is not
                    ///< finite

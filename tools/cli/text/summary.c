@@ -112,20 +112,32 @@ void cli_put_text(const char *key, const char *text) {
 // back on another scheme keeps its promise, so it is reported and does not
 // change the exit code.
 
+uint64_t cli_tally_reserved(const tf_tally_t *tally) {
+  return tally->degraded + tally->coarse + tally->stalled + tally->fell_back;
+}
+
+void cli_tally_put(const tf_tally_t *tally) {
+  cli_put_count("degraded", tally->degraded);
+  cli_put_count("coarse", tally->coarse);
+  cli_put_count("stalled", tally->stalled);
+  cli_put_count("fell_back", tally->fell_back);
+}
+
 void cli_tally_print(const tf_tally_t *tally, const char *since, double t) {
+  const uint64_t reserved = cli_tally_reserved(tally);
   (void)fprintf(stderr, "degraded   %" PRIu64 " steps", tally->degraded);
-  if (tally->coarse > 0 || tally->fell_back > 0) {
+  if (reserved > tally->degraded) {
     (void)fprintf(stderr,
-                  "; %" PRIu64 " missed the tolerance, %" PRIu64
+                  "; %" PRIu64 " coarse, %" PRIu64 " stalled, %" PRIu64
                   " fell back on moreau",
-                  tally->coarse, tally->fell_back);
+                  tally->coarse, tally->stalled, tally->fell_back);
   }
-  if (tally->degraded + tally->coarse + tally->fell_back > 0 && !isnan(t)) {
+  if (reserved > 0 && !isnan(t)) {
     (void)fprintf(stderr, ", %s at t = %g s", since, t);
   }
   (void)fputc('\n', stderr);
 }
 
 int cli_tally_code(const tf_tally_t *tally) {
-  return tally->degraded > 0 || tally->coarse > 0 ? CLI_FLAGGED : CLI_DONE;
+  return cli_tally_reserved(tally) > tally->fell_back ? CLI_FLAGGED : CLI_DONE;
 }

@@ -50,13 +50,19 @@ void cli_put_text(const char *key, const char *text);
 // What a tally of steps means to whoever asked for them, the same for steps
 // that were taken here and for those that a stream reports.
 
+/// How many steps it counts that were taken with a reservation.
+uint64_t cli_tally_reserved(const tf_tally_t *tally);
+
+/// Puts its counts into a summary in JSON.
+void cli_tally_put(const tf_tally_t *tally);
+
 /// Prints the line `degraded` of a summary to standard error.
 /// since: in, what is known of the first of these steps: "first", or "first
 /// reported". t: in, when that was [s]; NAN: not known, and not told.
 void cli_tally_print(const tf_tally_t *tally, const char *since, double t);
 
-/// Returns: CLI_FLAGGED where some steps were degraded or missed their
-/// tolerance, else CLI_DONE.
+/// Returns: CLI_FLAGGED where some steps were degraded, coarse or stalled, else
+/// CLI_DONE.
 int cli_tally_code(const tf_tally_t *tally);
 
 #endif

@@ -57,8 +57,7 @@ void tf_@scene@_begin(tf_state_t *state, tf_report_t *report) {
 }
 
 tf_input_t tf_@scene@_input(const tf_state_t *state) {
-  return tf_scene_input(&scene_constants, &scene_machine,
-                        (tf_real_t)(state->tick + 1) * scene_machine.dt);
+  return tf_scene_input(&scene_constants, &scene_machine, state->tick + 1);
 }
 
 tf_status_t tf_@scene@_step(tf_state_t *state, const tf_input_t *input,

@@ -69,7 +69,7 @@ int main(int argc, char *argv[]) {
   printf(", \"dt\": ");
   print_number((double)scene->params.dt);
   printf(",\n \"statuses\": [");
-  for (int status = TF_STEP_TOO_LONG; status <= TF_COARSE; status++)
+  for (int status = TF_STEP_TOO_LONG; status <= TF_STALLED; status++)
     printf("%s\"%s\"", status > TF_STEP_TOO_LONG ? ", " : "",
            tf_status_name((tf_status_t)status));
   printf("],\n \"variables\": [");

@@ -41,8 +41,11 @@ static tf_params_t parameters_of(const fmu_values_t *values) {
   return params;
 }
 
-// The inputs of the step that ends at a tick.
-static tf_input_t input_at(const fmu_motion_t *motion, uint64_t tick) {
+// The inputs of the step that ends at a tick. Those of the importer are of the
+// communication step, which ends at another one: over it the turntable comes to
+// omega0, with the acceleration alpha.
+static tf_input_t input_at(const fmu_motion_t *motion, uint64_t tick,
+                           uint64_t end) {
   const fmu_values_t *values = &motion->values;
   const tf_scene_t *scene = FMU_SCENE;
   tf_input_t input = {.omega0 = (tf_real_t)values->real[FMU_OMEGA0],
@@ -51,10 +54,12 @@ static tf_input_t input_at(const fmu_motion_t *motion, uint64_t tick) {
                       .torque = (tf_real_t)values->real[FMU_TORQUE],
                       .alpha = (tf_real_t)values->real[FMU_ALPHA]};
   if (values->whole[FMU_FOLLOW_PROFILE] != 0) {
-    const tf_input_t driven = tf_scene_input(
-        scene, &motion->machine, (tf_real_t)tick * motion->machine.dt);
+    const tf_input_t driven = tf_scene_input(scene, &motion->machine, tick);
     input.omega0 = driven.omega0;
     input.alpha = driven.alpha;
+  } else {
+    input.omega0 -=
+        input.alpha * ((tf_real_t)(end - tick) * motion->machine.dt);
   }
   return input;
 }
@@ -89,7 +94,7 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
   const fmu_values_t *values = &motion->values;
   motion->begun = false;
   if (prepare(fmu) != FMU_OK) return FMU_DISCARD;
-  const tf_input_t input = input_at(motion, 0);
+  const tf_input_t input = input_at(motion, 0, 0);
   const tf_real_t h = (tf_real_t)values->real[FMU_START_H];
   tf_state_t start;
   memset(&start, 0, sizeof start);
@@ -146,6 +151,7 @@ void fmu_observe(fmu_motion_t *motion) {
   whole[FMU_DEGRADED] = (int64_t)motion->tally.degraded;
   whole[FMU_FELL_BACK] = (int64_t)motion->tally.fell_back;
   whole[FMU_COARSE] = (int64_t)motion->tally.coarse;
+  whole[FMU_STALLED] = (int64_t)motion->tally.stalled;
   whole[FMU_REFUSED] = (int64_t)motion->tally.refused;
   whole[FMU_FIRST] = (int64_t)motion->tally.first;
 }
@@ -236,12 +242,13 @@ static void log_event(fmu_t *fmu) {
   fmu->emit(fmu, FMU_OK, fmu_categories[0], message->text);
 }
 
-// One step of dt. event: out, whether mode or set changed.
-static fmu_status_t advance(fmu_t *fmu, bool *event) {
+// One step of dt, of a communication step that ends at a tick. event: out,
+// whether mode or set changed.
+static fmu_status_t advance(fmu_t *fmu, uint64_t end, bool *event) {
   fmu_motion_t *motion = &fmu->motion;
   const unsigned mode = motion->report.mode, set = motion->report.set;
   const unsigned take = (unsigned)motion->values.whole[FMU_TAKE];
-  const tf_input_t input = input_at(motion, motion->state.tick + 1);
+  const tf_input_t input = input_at(motion, motion->state.tick + 1, end);
   if (motion->takes) motion->state.mode = (uint8_t)take;
   const tf_status_t status =
       motion->values.whole[FMU_SCHEME] == FMU_LOCATED
@@ -269,7 +276,7 @@ fmu_status_t fmu_step(fmu_t *fmu, double time, double length, fmu_step_t *end) {
   if (status != FMU_OK) return status;
   memcpy(&fmu->before, &fmu->motion, sizeof fmu->before);
   while (fmu->motion.state.tick < last) {
-    status = advance(fmu, &end->event);
+    status = advance(fmu, last, &end->event);
     if (status != FMU_OK) return status;
     if (end->event && fmu->early_return) break;
   }

@@ -19,7 +19,7 @@ static const char *take_name(unsigned mode) {
 static const char *status_word(unsigned i) {
   static const char *const words[] = {"step_too_long", "diverged", "bad_state",
                                       "bad_parameter", "ok",       "degraded",
-                                      "fell_back",     "coarse"};
+                                      "fell_back",     "coarse",   "stalled"};
   return words[i];
 }
 
@@ -75,7 +75,8 @@ static const fmu_variable_t other_reals[FMU_REALS - TF_PARAMETERS] = {
     INPUT("force", "N", "force on the slider, along r"),
     INPUT("torque", "N m", "torque on the disc"),
     INPUT("alpha", "rad/s^2",
-          "acceleration of the turntable during a step (scheme located)"),
+          "acceleration with which the turntable comes to omega0 at the end of "
+          "the communication step; 0: it has omega0 throughout"),
     OUTPUT("r", "m", "displacement of the slider"),
     OUTPUT("v", "m/s", "speed of the slider"),
     OUTPUT("omega", "rad/s", "speed of the disc"),
@@ -122,14 +123,15 @@ static const fmu_variable_t wholes[FMU_WHOLES] = {
           "these modes, as a sum: slip+ 1, slip- 2, stick+ 4, stick- 8, "
           "pinned 16"),
     MEMBER("status", "what the last step returned", OUTPUT, status_word,
-           TF_STEP_TOO_LONG, TF_COARSE),
+           TF_STEP_TOO_LONG, TF_STALLED),
     COUNT("tick", "steps of dt since the start"),
     COUNT("events", "changes of mode or set since the start"),
     COUNT("degraded", "steps in which no mode was consistent"),
     COUNT("fell_back", "steps of scheme located that moreau took"),
-    COUNT("coarse", "steps that missed their tolerance or stood still"),
+    COUNT("coarse", "steps too long for the motion, or for the tolerance"),
+    COUNT("stalled", "steps whose change was lost in rounding"),
     COUNT("refused", "steps that were refused"),
-    COUNT("first", "tick of the first step that these four counted"),
+    COUNT("first", "tick of the first step that these five counted"),
 };
 
 static const char *about(size_t offset) {

@@ -95,8 +95,7 @@ static tf_scene_t scene_of(const subject_t *s) {
 
 CALL(scene_input) {
   const tf_scene_t scene = scene_of(s);
-  const tf_real_t t = sized_of(GENE(2), -4, 1);
-  return COUNT(tf_scene_input(&scene, K, t));
+  return COUNT(tf_scene_input(&scene, K, GENE(2) >> (GENE(3) % 32)));
 }
 CALL(scene_start) {
   const tf_scene_t scene = scene_of(s);

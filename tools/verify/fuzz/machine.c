@@ -97,7 +97,7 @@ static const char *judge_step(const tf_state_t *was, const tf_state_t *state,
     FUZZ_HOLD(memcmp(was, state, sizeof *was) == 0);
     return NULL;
   }
-  FUZZ_HOLD(status == TF_OK || status == TF_DEGRADED || status == TF_COARSE ||
+  FUZZ_HOLD(status == TF_OK || status == TF_DEGRADED || status >= TF_COARSE ||
             status == TF_FELL_BACK);
   FUZZ_HOLD(fuzz_in_reach(state));
   FUZZ_HOLD(state->tick == was->tick + 1 && state->seed == was->seed);
@@ -134,7 +134,7 @@ static const char *step(subject_t *s) {
   memset(&s->compensation, 0, sizeof s->compensation);
   const tf_status_t status =
       tf_step(&s->machine.machine, &s->state, &s->input, &report);
-  FUZZ_HOLD(status <= TF_DEGRADED || status == TF_COARSE);
+  FUZZ_HOLD(status <= TF_DEGRADED || status >= TF_COARSE);
   return judge_step(&was, &s->state, &report, status);
 }
 
@@ -147,7 +147,7 @@ static const char *step_compensated(subject_t *s) {
   memcpy(&kept, &s->compensation, sizeof kept);
   const tf_status_t status = tf_step_compensated(
       &s->machine, &s->state, &s->compensation, &s->input, &report);
-  FUZZ_HOLD(status <= TF_DEGRADED || status == TF_COARSE);
+  FUZZ_HOLD(status <= TF_DEGRADED || status >= TF_COARSE);
   if (status < 0) FUZZ_HOLD(memcmp(&kept, &s->compensation, sizeof kept) == 0);
   FUZZ_HOLD(fuzz_finite(s->compensation.r) && fuzz_finite(s->compensation.v));
   FUZZ_HOLD(fuzz_finite(s->compensation.w));

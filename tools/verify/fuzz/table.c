@@ -23,8 +23,8 @@ static const char *rows_hold(const cli_inputs_t *inputs) {
   for (size_t i = 0; i < inputs->count; i++) {
     const cli_input_row_t *row = &inputs->rows[i];
     FUZZ_HOLD(fuzz_magnitude(row->t) <= TF_STATE_LIMIT);
-    FUZZ_HOLD(i == 0 || row->t > row[-1].t);
-    FUZZ_HOLD(i == 0 || row->tick >= row[-1].tick);
+    FUZZ_HOLD(i == 0 || row->t >= row[-1].t);
+    FUZZ_HOLD(i < 2 || row->t > row[-2].t);
     FUZZ_HOLD(in_ranges(row->value));
     for (int k = 0; k < CLI_INPUTS; k++)
       FUZZ_HOLD(inputs->given[k] || fuzz_same(row->value[k], 0));
@@ -38,8 +38,8 @@ static const char *look_up(cli_inputs_t *inputs, uint64_t tick, tf_real_t dt) {
   for (int i = 0; i < STEPS; i++, tick++) {
     tf_input_t input = {TF_R(7.0), TF_R(8.0), TF_R(9.0), TF_R(10.0),
                         TF_R(11.0)};
-    const tf_real_t t = (tf_real_t)((double)(tick + 1) * (double)dt);
-    cli_inputs_step(inputs, tick, t, dt, &input);
+    const cli_span_t span = cli_span_of(tick, dt);
+    cli_inputs_over(inputs, &span, &input);
     const tf_real_t value[CLI_INPUTS] = {input.omega0, input.r0, input.force,
                                          input.torque};
     FUZZ_HOLD(in_ranges(value) && fuzz_finite(input.alpha));
@@ -51,10 +51,10 @@ static const char *look_up(cli_inputs_t *inputs, uint64_t tick, tf_real_t dt) {
 
 static const char *judge(cli_inputs_t *inputs) {
   const tf_real_t dt = TF_R(1e-3);
-  cli_inputs_prepare(inputs, dt);
   FUZZ_HOLD_ALL(rows_hold(inputs));
-  const uint64_t middle = inputs->rows[inputs->count / 2].tick;
-  FUZZ_HOLD_ALL(look_up(inputs, middle < 1000000 ? middle : 1000000, dt));
+  const tf_real_t n = inputs->rows[inputs->count / 2].t / dt;
+  const uint64_t middle = n < 1 ? 0 : n < 1e6 ? (uint64_t)n : 1000000;
+  FUZZ_HOLD_ALL(look_up(inputs, middle, dt));
   return look_up(inputs, 0, dt);
 }
 

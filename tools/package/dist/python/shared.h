@@ -70,7 +70,8 @@ void SHARED(twofold_row)(const tf_machine_t *machine, const tf_state_t *state,
 }
 
 /* Takes so many steps, and writes a row after every `every` of them and after
- * the last. input: NULL, then those of the scene. Returns: steps taken; fewer
+ * the last. input: those of the first step, held afterwards; NULL: those of the
+ * scene. Returns: steps taken; fewer
  * where one is refused, whose status is in `status`. */
 uint64_t SHARED(twofold_run)(const tf_machine_t *machine,
                              const tf_scene_t *scene, int located,
@@ -78,8 +79,9 @@ uint64_t SHARED(twofold_run)(const tf_machine_t *machine,
                              tf_report_t *report, uint64_t steps,
                              uint64_t every, row_t *rows, int *status) {
   for (uint64_t i = 1; i <= steps; i++) {
-    const tf_real_t t = (tf_real_t)(state->tick + 1) * machine->dt;
-    const tf_input_t u = input ? *input : tf_scene_input(scene, machine, t);
+    tf_input_t u =
+        input ? *input : tf_scene_input(scene, machine, state->tick + 1);
+    if (input && i > 1) u.alpha = 0;
     const tf_status_t done = located
                                  ? tf_step_located(machine, state, &u, report)
                                  : tf_step(machine, state, &u, report);

@@ -200,6 +200,7 @@ class _Core:
         for name, result, arguments in (
                 ("tf_prepare", c_int, (any_, any_, POINTER(c_int))),
                 ("tf_input_default", self.Input, (any_,)),
+                ("tf_turntable_to", None, (input_, real, real)),
                 ("tf_begin", c_int, (any_, state, input_, report)),
                 ("tf_begin_with_slip", c_int,
                  (any_, state, input_, real, report)),
@@ -351,6 +352,14 @@ class Machine:
                                          INPUTS[name]))
         return given
 
+    def turntable_to(self, inputs, omega0):
+        """Moves the turntable of inputs, of input(), on to omega0 [rad/s] at
+        the end of the next step: alpha becomes the mean over that step."""
+        self._given(inputs)
+        self.core.call_turntable_to(
+            byref(inputs), _number("omega0", omega0, -LIMIT, LIMIT, "rad/s"),
+            self["dt"])
+
     def _given(self, inputs):
         """Inputs of input(), which may have been altered since."""
         if not isinstance(inputs, self.core.Input):
@@ -383,7 +392,8 @@ class Machine:
         whole number of steps.
 
         scheme: "moreau", or "located" (high order, events located).
-        inputs: of input(), held; None: those of the scene.
+        inputs: of input(), held; their alpha is that of the first step, behind
+          which the turntable keeps its omega0. None: those of the scene.
         Returns: an array with a row at the beginning, one after every `every`
           steps and one at the end; t [s], r [m], v [m/s], omega [rad/s], phi
           [rad], h, g [m/s], F [N], M [N m], mode (index into MODES), set (bit
@@ -446,15 +456,18 @@ class Ensemble:
                                         byref(state))
 
     def step(self, steps=1, inputs=None):
-        """Takes so many steps. inputs: of Machine.input(), held. A state whose
-        step is refused stays where it is; see status."""
+        """Takes so many steps. inputs: of Machine.input(), held; their alpha is
+        that of the first step. A state whose step is refused stays where it is;
+        see status."""
         steps = _integer("steps", steps, 0, STEPS)
-        given = self.machine._given(self.machine.input() if inputs is None
-                                    else inputs)
+        inputs = self.machine.input() if inputs is None else inputs
+        self.machine._given(inputs)
+        inputs = self.core.Input.from_buffer_copy(inputs)
         for _ in range(steps):
             self.core.call_ensemble_step(
                 self.machine._machine, self.states.ctypes.data, self.n,
-                given, self.reports.ctypes.data)
+                byref(inputs), self.reports.ctypes.data)
+            inputs.alpha = 0
 
     def __getitem__(self, name):
         """An array over the states: r [m], v [m/s], omega [rad/s], phi [rad],
