@@ -288,12 +288,12 @@ static void pass_break(ref_orbit_t *orbit) {
     x->p += q->d * jump;
     x->z -= jump;
     settle(orbit, orbit->mode);
+    orbit->step = (real_t)1e-5L;
   } else if (before == REF_PINNED) {
     reach_codim2(orbit, 0);
   } else if (sticks(orbit)) {
     settle(orbit, orbit->mode);
   }
-  orbit->step = (real_t)1e-5L;
   if (before != orbit->mode && before != REF_PINNED &&
       orbit->mode != REF_PINNED) {
     announce(orbit, slips(orbit)
@@ -309,8 +309,8 @@ ref_stop_t ref_run(ref_orbit_t *orbit, real_t end) {
   }
   while (orbit->stop == REF_REACHED && orbit->x.t < end) {
     const bool breaks =
-        orbit->x.piece < q->knots && q->knot[orbit->x.piece].t <= end;
-    const real_t until = breaks ? q->knot[orbit->x.piece].t : end;
+        orbit->x.piece < q->knots && ref_knot(q, orbit->x.piece)->t <= end;
+    const real_t until = breaks ? ref_knot(q, orbit->x.piece)->t : end;
     if (orbit->x.t < until) {
       if (orbit->mode == REF_PINNED && q->knots == 0) {
         orbit->x.t = end;

@@ -1,0 +1,47 @@
+/// @file
+/// The rows of `reference table`: who is drawn for a class, and which of them
+/// belong to it.
+#ifndef REFERENCE_ROWS_H
+#define REFERENCE_ROWS_H
+
+#include "moving.h"
+
+/// What the reference met on the way.
+typedef struct {
+  int through;        ///< times at h = g = 0
+  int events;         ///< all of them
+  double stuck;       ///< shortest stick that came to h = g = 0 from a slip [s]
+  bool rested;        ///< stood on the turntable
+  bool left_rest;     ///< and did not stay there
+  bool several;       ///< a choice that the rule does not make sharply
+  bool passed_r;      ///< r changed its sign
+  real_t stick_since; ///< -1: not in stick, or not from a slip
+} met_t;
+
+enum { ROW_STEPS = 3, ROW_MODELS = 7 };
+
+/// One kind of run of the library; not at steps below `least`.
+typedef struct {
+  lib_scheme_t scheme;
+  const lib_table_t *real;
+  double coarser; ///< its steps are as many times those of the row
+  double least;   ///< [s]
+} model_t;
+
+typedef struct row {
+  const char *name, *about;
+  double t_end;
+  double dt[ROW_STEPS]; ///< 0: no more
+  const model_t *models;
+  int model_count;
+  bool order; ///< counts errors that do not fall as dt^1.5, not those above 2 %
+  /// Changes a random machine; `moves` says whether its inputs shall move.
+  void (*draw)(draw_t *draw, lib_machine_t *machine, const struct row *row,
+               bool moves);
+  bool (*takes)(const met_t *met); ///< NULL: all
+} row_t;
+
+enum { ROWS = 13 };
+extern const row_t rows[ROWS];
+
+#endif
