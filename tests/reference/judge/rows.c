@@ -61,7 +61,9 @@ static void draw_smooth(draw_t *draw, lib_machine_t *q, const row_t *row,
 // may hold; or about to come to rest there.
 static void at_rest(draw_t *draw, lib_machine_t *q) {
   const double stiffness = q->k2 - q->m * q->omega0 * q->omega0;
-  const double hold = 1.3 * q->mu * sin(q->gamma) * draw_uniform(draw, -1, 1);
+  const double share = 1 - draw_log(draw, 1e-3, 1);
+  const double side = draw_uniform(draw, 0, 2) < 1 ? -1 : 1;
+  const double hold = side * share * q->mu * sin(q->gamma);
   q->on_surface = q->coulomb = false;
   q->r = (float)fmax(-2, fmin(2, (q->k2 * q->r0 + hold) / stiffness));
   q->v = 0;
@@ -179,7 +181,7 @@ static const model_t short_steps[] = {
 
 #define MODELS(list) .models = list, .model_count = sizeof list / sizeof *list
 #define USUAL .t_end = 0.5, .dt = {1e-3, 1e-4, 1e-5}, MODELS(all)
-#define LONG .t_end = 3, .dt = {1e-3, 1e-4}, MODELS(all)
+#define LONG .t_end = 2, .dt = {1e-3, 1e-4}, MODELS(all)
 
 const row_t rows[ROWS] = {
     {"A", "ramps of omega0, through h = g = 0", USUAL, .draw = draw_ramps,
