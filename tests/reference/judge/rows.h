@@ -28,18 +28,24 @@ typedef struct {
   double least;   ///< [s]
 } model_t;
 
-typedef struct row {
+/// Which inputs move: of every other machine any shape, or of all.
+typedef enum { MOVE_HALF, MOVE_ALL, MOVE_RAMP, MOVE_THROUGH_ZERO } move_t;
+
+typedef struct {
   const char *name, *about;
   double t_end;
   double dt[ROW_STEPS]; ///< 0: no more
   const model_t *models;
   int model_count;
   bool order; ///< counts errors that do not fall as dt^1.5, not those above 2 %
-  /// Changes a random machine; `moves` says whether its inputs shall move.
-  void (*draw)(draw_t *draw, lib_machine_t *machine, const struct row *row,
-               bool moves);
+  move_t moves;
+  /// Changes a random machine; NULL: not.
+  void (*place)(draw_t *draw, lib_machine_t *machine);
   bool (*takes)(const met_t *met); ///< NULL: all
 } row_t;
+
+/// A machine of a row; inputs that move by half do where `moves`.
+lib_machine_t row_machine(draw_t *draw, const row_t *row, bool moves);
 
 enum { ROWS = 13 };
 extern const row_t rows[ROWS];

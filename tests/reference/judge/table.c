@@ -26,17 +26,28 @@ static const double off = 0.02, off_located = 1e-6;
 // for a judgement in double, in float, and of the located step.
 static const double beside = 1e-9, sure = 1e-3, sure_f32 = 5e-5, sharp = 2e-7;
 
+// What is counted of a kind of run, and of a row.
+enum {
+  TRIED,
+  THROUGH,
+  SILENT,
+  SILENT_THROUGH,
+  TOLD,
+  FLAGGED,
+  REFUSED,
+  TALLIES
+};
+enum { JUDGED, DRAWN, SEVERAL, BORDER, STOPPED, CASES };
+
 typedef struct {
-  long tried, through, silent, silent_through, told, flagged, refused;
-  double log_error; // sum over the runs that were not refused
-  long measured;
-  long shown[SHOWN]; // first machines that are silently wrong
+  long n[TALLIES], shown[SHOWN]; // first machines that are silently wrong
+  double log_error, measured;    // sum over the runs that were not refused
 } tally_t;
 
 typedef struct {
-  long drawn, judged, several, border, stopped;
+  long n[CASES];
   tally_t tally[ROW_STEPS][ROW_MODELS];
-} count_table_t;
+} row_count_t;
 
 static bool watches_ties(const ref_consistent_t *f, const ref_way_t *taken) {
   for (int i = 0; i < f->count; ++i) {
@@ -117,43 +128,40 @@ typedef struct {
 // Draws machine `index` of a row until one belongs to it and the reference is
 // sure of it.
 static bool draw_case(const row_t *row, const options_t *options, long index,
-                      count_table_t *count, case_t *c) {
+                      row_count_t *count, case_t *c) {
   const uint64_t name = (uint64_t)(row - rows + 1) << 48;
   draw_t draw = draw_begin(options->seed, name + (uint64_t)index);
   for (int i = 0; i < DRAWS; ++i) {
     c->row = row;
-    c->machine = draw_machine(&draw, false);
-    const double rest = draw_uniform(&draw, 0, 8);
-    row->draw(&draw, &c->machine, row, index % 2 != 0);
-    c->machine.rest = rest < 6 ? 0 : rest < 7 ? 1 : 2;
+    c->machine = row_machine(&draw, row, index % 2 != 0);
     c->q = draw_reference(&c->machine, &lib_f64);
     met_t met;
     ref_state_t other;
-    ++count->drawn;
+    ++count->n[DRAWN];
     const ref_stop_t stop =
         follow(&c->machine, &c->q, 0, row->t_end, &c->met, &c->end);
     if (row->takes && !row->takes(&c->met)) {
       continue;
     }
     if (stop != REF_REACHED) {
-      ++count->stopped;
+      ++count->n[STOPPED];
       continue;
     }
     if (c->met.several) {
-      ++count->several;
+      ++count->n[SEVERAL];
       continue;
     }
     if (follow(&c->machine, &c->q, beside, row->t_end, &met, &other) !=
         REF_REACHED) {
-      ++count->border;
+      ++count->n[BORDER];
       continue;
     }
     c->moved = class_distance(&c->q, c->end, other);
     if (!(c->moved < sure)) {
-      ++count->border;
+      ++count->n[BORDER];
       continue;
     }
-    ++count->judged;
+    ++count->n[JUDGED];
     return true;
   }
   return false;
@@ -205,19 +213,21 @@ static int run(const case_t *c, const model_t *model, lib_row_t *at) {
 
 static void tally(tally_t *t, const case_t *c, long index, int outcome,
                   bool wrong, double error) {
-  const bool silent = outcome == 0 && wrong;
-  const bool through = c->met.through > 0;
-  ++t->tried;
-  t->through += through;
-  t->refused += outcome < 0;
-  t->told += outcome > 0 && wrong;
-  t->flagged += outcome > 0 && !wrong;
-  if (silent && t->silent < SHOWN) {
-    t->shown[t->silent] = index;
+  const bool through = c->met.through > 0, silent = outcome == 0 && wrong;
+  const bool is[TALLIES] = {true,
+                            through,
+                            silent,
+                            silent && through,
+                            outcome > 0 && wrong,
+                            outcome > 0 && !wrong,
+                            outcome < 0};
+  if (silent && t->n[SILENT] < SHOWN) {
+    t->shown[t->n[SILENT]] = index;
   }
-  t->silent += silent;
-  t->silent_through += silent && through;
-  if (outcome >= 0 && error < HUGE_VAL) {
+  for (int i = 0; i < TALLIES; ++i) {
+    t->n[i] += is[i];
+  }
+  if (error < HUGE_VAL) {
     t->log_error += log10(fmax(error, 1e-16));
     ++t->measured;
   }
@@ -273,7 +283,7 @@ static bool judges(const case_t *c, const model_t *model) {
 
 // One machine through all runs of its row.
 static void judge_case(case_t *c, const options_t *options, long index,
-                       count_table_t *count) {
+                       row_count_t *count) {
   const row_t *row = c->row;
   double steps[ROW_STEPS], before[ROW_MODELS] = {0};
   told_case_t told[2 * ROW_STEPS + 1] = {{.dt = 0}};
@@ -307,25 +317,19 @@ static void judge_case(case_t *c, const options_t *options, long index,
   }
 }
 
-static void add(count_table_t *sum, const count_table_t *part) {
-  sum->drawn += part->drawn;
-  sum->judged += part->judged;
-  sum->several += part->several;
-  sum->border += part->border;
-  sum->stopped += part->stopped;
+static void add(row_count_t *sum, const row_count_t *part) {
+  for (int i = 0; i < CASES; ++i) {
+    sum->n[i] += part->n[i];
+  }
   for (int i = 0; i < ROW_STEPS * ROW_MODELS; ++i) {
     tally_t *a = &sum->tally[0][0] + i;
     const tally_t *b = &part->tally[0][0] + i;
-    for (long n = 0; n < b->silent && n < SHOWN && a->silent + n < SHOWN; ++n) {
-      a->shown[a->silent + n] = b->shown[n];
+    for (long n = 0; n < b->n[SILENT] && a->n[SILENT] + n < SHOWN; ++n) {
+      a->shown[a->n[SILENT] + n] = b->shown[n < SHOWN ? n : 0];
     }
-    a->tried += b->tried;
-    a->through += b->through;
-    a->silent += b->silent;
-    a->silent_through += b->silent_through;
-    a->told += b->told;
-    a->flagged += b->flagged;
-    a->refused += b->refused;
+    for (int k = 0; k < TALLIES; ++k) {
+      a->n[k] += b->n[k];
+    }
     a->log_error += b->log_error;
     a->measured += b->measured;
   }
@@ -333,7 +337,7 @@ static void add(count_table_t *sum, const count_table_t *part) {
 
 // Every `jobs`-th machine of a row; the first of them says how far it is.
 static void judge_share(const row_t *row, const options_t *options, long job,
-                        count_table_t *count) {
+                        row_count_t *count) {
   const time_t began = time(NULL);
   time_t said = began;
   for (long i = job; i < options->machines; i += options->jobs) {
@@ -363,14 +367,14 @@ static void judge_share(const row_t *row, const options_t *options, long job,
 
 // Shares a row among processes; false where one did not answer.
 static bool judge_row(const row_t *row, const options_t *options,
-                      count_table_t *count) {
+                      row_count_t *count) {
   int ends[64][2];
   bool good = true;
   for (long job = 1; job < options->jobs; ++job) {
     good = good && pipe(ends[job]) == 0;
     const pid_t child = good ? fork() : -1;
     if (child == 0) {
-      count_table_t part;
+      row_count_t part;
       memset(&part, 0, sizeof part);
       judge_share(row, options, job, &part);
       const char *at = (const char *)&part;
@@ -382,7 +386,7 @@ static bool judge_row(const row_t *row, const options_t *options,
   }
   judge_share(row, options, 0, count);
   for (long job = 1; good && job < options->jobs; ++job) {
-    count_table_t part;
+    row_count_t part;
     char *at = (char *)&part;
     ssize_t got = 0, more;
     close(ends[job][1]);
@@ -399,28 +403,29 @@ static bool judge_row(const row_t *row, const options_t *options,
 }
 
 static void print_row(const row_t *row, const options_t *options,
-                      const count_table_t *count) {
+                      const row_count_t *count) {
+  const long *n = count->n;
   double steps[ROW_STEPS];
   steps_of(row, options, steps);
-  printf(
-      "%s. %s: %ld judged of %ld drawn; not judged: %ld several futures, %ld "
-      "near a border, %ld without an end\n",
-      row->name, row->about, count->judged, count->drawn, count->several,
-      count->border, count->stopped);
+  printf("%s. %s: %ld judged of %ld drawn; not judged: %ld several futures, ",
+         row->name, row->about, n[JUDGED], n[DRAWN], n[SEVERAL]);
+  printf("%ld near a border, %ld without an end\n", n[BORDER], n[STOPPED]);
   for (int i = 0; i < ROW_STEPS * row->model_count; ++i) {
     const int k = i % ROW_STEPS, m = i / ROW_STEPS;
     const model_t *model = &row->models[m];
     const tally_t *t = &count->tally[k][m];
-    if (t->tried == 0) {
+    if (t->n[TRIED] == 0) {
       continue;
     }
-    printf("  %-3s %-11s %-6s %6.0e %6ld %7ld %6ld %7ld %7ld %7ld %7ld %9.1e",
-           row->name, lib_scheme_names[model->scheme], model->real->name,
-           steps[k] * model->coarser, t->tried, t->through, t->silent,
-           t->silent_through, t->told, t->flagged, t->refused,
-           pow(10, t->log_error / fmax(1, (double)t->measured)));
-    for (long n = 0; n < t->silent && n < SHOWN && n < options->show; ++n) {
-      printf("%s%ld", n ? "," : "  first ", t->shown[n]);
+    printf("  %-3s %-11s %-6s %6.0e", row->name,
+           lib_scheme_names[model->scheme], model->real->name,
+           steps[k] * model->coarser);
+    for (int j = 0; j < TALLIES; ++j) {
+      printf(" %7ld", t->n[j]);
+    }
+    printf(" %8.1e", pow(10, t->log_error / fmax(1, t->measured)));
+    for (long j = 0; j < t->n[SILENT] && j < SHOWN && j < options->show; ++j) {
+      printf("%s%ld", j ? "," : "  first ", t->shown[j]);
     }
     printf("\n");
   }
@@ -434,13 +439,14 @@ static int run_table(const options_t *asked) {
   bool known = false, good = true;
   printf(
       "reference table, seed %llu; silent: all steps OK and more than 2 %% "
-      "off (located 1e-6; A': order below 1.5)\n"
-      "  row scheme      real       dt  tried through silent through "
-      "flagged flagged refused   mean of\n"
-      "  %56s wrong   right           the error\n",
-      (unsigned long long)options.seed, "");
+      "off (located 1e-6; A': order below 1.5)\n",
+      (unsigned long long)options.seed);
+  printf(
+      "  row scheme      real       dt   tried through  silent through "
+      "flagged flagged refused  mean of\n%62s wrong   right %15s\n",
+      "", "error");
   for (int i = 0; i < ROWS; ++i) {
-    static count_table_t count;
+    static row_count_t count;
     if (strcmp(options.row, "all") != 0 &&
         strcmp(options.row, rows[i].name) != 0) {
       continue;
