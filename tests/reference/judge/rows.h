@@ -38,6 +38,7 @@ typedef struct {
   const model_t *models;
   int model_count;
   bool order; ///< counts errors that do not fall as dt^1.5, not those above 2 %
+  bool rests; ///< takes a wheel that stands on the turntable if it stays
   move_t moves;
   /// Changes a random machine; NULL: not.
   void (*place)(draw_t *draw, lib_machine_t *machine);

@@ -26,6 +26,9 @@ static const double off = 0.02, off_located = 1e-6;
 // for a judgement in double, in float, and of the located step.
 static const double beside = 1e-9, sure = 1e-3, sure_f32 = 5e-5, sharp = 2e-7;
 
+// As the library numbers them.
+static const ref_rest_t rest_laws[] = {REF_HEXAGON, REF_SQUARE, REF_BOW_TIE};
+
 // What is counted of a kind of run, and of a row.
 enum {
   TRIED,
@@ -92,12 +95,10 @@ static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
 static ref_stop_t follow(const lib_machine_t *machine, const ref_machine_t *q,
                          double share, double end, met_t *met, ref_state_t *x) {
   ref_orbit_t orbit = {.tolerance = 1e-11L,
-                       .law = REF_HEXAGON,
+                       .law = rest_laws[machine->rest],
                        .limit = 3000000,
                        .watch = on_event,
                        .context = met};
-  static const ref_rest_t laws[] = {REF_HEXAGON, REF_SQUARE, REF_BOW_TIE};
-  orbit.law = laws[machine->rest];
   *met = (met_t){.stuck = HUGE_VAL, .stick_since = -1};
   ref_state_t start = draw_start(machine, q, &lib_f64);
   start.r *= 1 + (real_t)share;
@@ -114,6 +115,15 @@ static ref_stop_t follow(const lib_machine_t *machine, const ref_machine_t *q,
   met->passed_r = (orbit.x.r < 0) != (machine->r < 0);
   *x = orbit.x;
   return stop;
+}
+
+// A wheel put on the turntable that does not stay there, which is most of them.
+static bool slides_off(const lib_machine_t *machine, const ref_machine_t *q) {
+  ref_orbit_t orbit = {.tolerance = 1e-11L, .law = rest_laws[machine->rest]};
+  ref_state_t start = draw_start(machine, q, &lib_f64);
+  start.piece = q->knots > 0;
+  ref_begin(&orbit, q, start, REF_MODES);
+  return start.p == 0 && start.z == 0 && orbit.mode != REF_PINNED;
 }
 
 typedef struct {
@@ -138,6 +148,9 @@ static bool draw_case(const row_t *row, const options_t *options, long index,
     met_t met;
     ref_state_t other;
     ++count->n[DRAWN];
+    if (row->rests && slides_off(&c->machine, &c->q)) {
+      continue;
+    }
     const ref_stop_t stop =
         follow(&c->machine, &c->q, 0, row->t_end, &c->met, &c->end);
     if (row->takes && !row->takes(&c->met)) {
