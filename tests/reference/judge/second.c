@@ -206,7 +206,10 @@ static double integrate(const ref_machine_t *q, real_t x[3], double end,
     if (status == CV_ROOT_RETURN) {
       goes_on = ++*events < TOO_MANY && next(&phase, t, x);
     } else if (status >= 0 && breaks) {
-      ++phase.piece;
+      while (phase.piece < q->knots &&
+             (double)ref_knot(q, phase.piece)->t <= until) {
+        ++phase.piece;
+      }
       begin(&phase, t, x);
     } else {
       goes_on = false;
