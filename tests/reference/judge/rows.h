@@ -18,15 +18,14 @@ typedef struct {
   real_t stick_since; ///< -1: not in stick, or not from a slip
 } met_t;
 
-enum { ROW_STEPS = 3, ROW_MODELS = 7 };
+enum { ROW_STEPS = 3, ROW_MODELS = 6 };
 
-/// One kind of run of the library; not at steps below `least`.
+/// One kind of run of the library.
 typedef struct {
   lib_scheme_t scheme;
   const lib_table_t *real;
-  double coarser; ///< its steps are as many times those of the row
-  double least;   ///< [s]
 } model_t;
+extern const model_t row_models[ROW_MODELS];
 
 /// Which inputs move: of every other machine any shape, or of all.
 typedef enum { MOVE_HALF, MOVE_ALL, MOVE_RAMP, MOVE_THROUGH_ZERO } move_t;
@@ -35,8 +34,9 @@ typedef struct {
   const char *name, *about;
   double t_end;
   double dt[ROW_STEPS]; ///< 0: no more
-  const model_t *models;
-  int model_count;
+  double located;       ///< of dt, in located steps
+  double least;         ///< dt of the shortest steps of `located` and lanes
+  bool plain;           ///< without compensated double, located and lanes
   bool order; ///< counts errors that do not fall as dt^1.5, not those above 2 %
   bool rests; ///< takes a wheel that stands on the turntable if it stays
   move_t moves;

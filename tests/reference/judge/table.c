@@ -30,21 +30,12 @@ static const double beside = 1e-9, sure = 1e-3, sure_f32 = 5e-5, sharp = 2e-7;
 static const ref_rest_t rest_laws[] = {REF_HEXAGON, REF_SQUARE, REF_BOW_TIE};
 
 // What is counted of a kind of run, and of a row.
-enum {
-  TRIED,
-  THROUGH,
-  SILENT,
-  SILENT_THROUGH,
-  TOLD,
-  FLAGGED,
-  REFUSED,
-  TALLIES
-};
+enum { TRIED, THROUGH, SILENT, SILENT_THROUGH, TOLD, FLAGGED, REFUSED, KINDS };
 enum { JUDGED, DRAWN, SEVERAL, BORDER, STOPPED, CASES };
 
 typedef struct {
-  long n[TALLIES], shown[SHOWN]; // first machines that are silently wrong
-  double log_error, measured;    // sum over the runs that were not refused
+  long n[KINDS], shown[SHOWN]; // first machines that are silently wrong
+  double log_error, measured;  // sum over the runs that were not refused
 } tally_t;
 
 typedef struct {
@@ -227,17 +218,17 @@ static int run(const case_t *c, const model_t *model, lib_row_t *at) {
 static void tally(tally_t *t, const case_t *c, long index, int outcome,
                   bool wrong, double error) {
   const bool through = c->met.through > 0, silent = outcome == 0 && wrong;
-  const bool is[TALLIES] = {true,
-                            through,
-                            silent,
-                            silent && through,
-                            outcome > 0 && wrong,
-                            outcome > 0 && !wrong,
-                            outcome < 0};
+  const bool is[KINDS] = {true,
+                          through,
+                          silent,
+                          silent && through,
+                          outcome > 0 && wrong,
+                          outcome > 0 && !wrong,
+                          outcome < 0};
   if (silent && t->n[SILENT] < SHOWN) {
     t->shown[t->n[SILENT]] = index;
   }
-  for (int i = 0; i < TALLIES; ++i) {
+  for (int i = 0; i < KINDS; ++i) {
     t->n[i] += is[i];
   }
   if (error < HUGE_VAL) {
@@ -288,10 +279,19 @@ static const told_case_t *told_of(const case_t *c, told_case_t *told) {
   return told;
 }
 
-static bool judges(const case_t *c, const model_t *model) {
-  return model->scheme == LIB_LOCATED ? c->moved < sharp
-         : model->real == &lib_f32    ? c->moved < sure_f32
-                                      : true;
+static double dt_of(const row_t *row, const model_t *model, double step) {
+  return model->scheme == LIB_LOCATED ? step * row->located : step;
+}
+
+// Whether a run belongs to the row, and the reference is sure enough for it.
+static bool judges(const case_t *c, const model_t *model, double step) {
+  const bool located = model->scheme == LIB_LOCATED;
+  const bool f64 = model->real == &lib_f64;
+  if (step == 0 || (c->row->plain && model->scheme != LIB_STEP && f64) ||
+      ((located || model->scheme == LIB_LANES) && step < c->row->least)) {
+    return false;
+  }
+  return c->moved < (located ? sharp : f64 ? sure : sure_f32);
 }
 
 // One machine through all runs of its row.
@@ -301,13 +301,13 @@ static void judge_case(case_t *c, const options_t *options, long index,
   double steps[ROW_STEPS], before[ROW_MODELS] = {0};
   told_case_t told[2 * ROW_STEPS + 1] = {{.dt = 0}};
   steps_of(row, options, steps);
-  for (int i = 0; i < ROW_STEPS * row->model_count; ++i) {
-    const int k = i / row->model_count, m = i % row->model_count;
-    const model_t *model = &row->models[m];
-    if (steps[k] == 0 || steps[k] < model->least || !judges(c, model)) {
+  for (int i = 0; i < ROW_STEPS * ROW_MODELS; ++i) {
+    const int k = i / ROW_MODELS, m = i % ROW_MODELS;
+    const model_t *model = &row_models[m];
+    if (!judges(c, model, steps[k])) {
       continue;
     }
-    c->machine.dt = steps[k] * model->coarser;
+    c->machine.dt = dt_of(row, model, steps[k]);
     const told_case_t *ref = told_of(c, told);
     if (!ref->known) {
       continue;
@@ -340,7 +340,7 @@ static void add(row_count_t *sum, const row_count_t *part) {
     for (long n = 0; n < b->n[SILENT] && a->n[SILENT] + n < SHOWN; ++n) {
       a->shown[a->n[SILENT] + n] = b->shown[n < SHOWN ? n : 0];
     }
-    for (int k = 0; k < TALLIES; ++k) {
+    for (int k = 0; k < KINDS; ++k) {
       a->n[k] += b->n[k];
     }
     a->log_error += b->log_error;
@@ -423,17 +423,17 @@ static void print_row(const row_t *row, const options_t *options,
   printf("%s. %s: %ld judged of %ld drawn; not judged: %ld several futures, ",
          row->name, row->about, n[JUDGED], n[DRAWN], n[SEVERAL]);
   printf("%ld near a border, %ld without an end\n", n[BORDER], n[STOPPED]);
-  for (int i = 0; i < ROW_STEPS * row->model_count; ++i) {
+  for (int i = 0; i < ROW_STEPS * ROW_MODELS; ++i) {
     const int k = i % ROW_STEPS, m = i / ROW_STEPS;
-    const model_t *model = &row->models[m];
+    const model_t *model = &row_models[m];
     const tally_t *t = &count->tally[k][m];
     if (t->n[TRIED] == 0) {
       continue;
     }
     printf("  %-3s %-11s %-6s %6.0e", row->name,
            lib_scheme_names[model->scheme], model->real->name,
-           steps[k] * model->coarser);
-    for (int j = 0; j < TALLIES; ++j) {
+           dt_of(row, model, steps[k]));
+    for (int j = 0; j < KINDS; ++j) {
       printf(" %7ld", t->n[j]);
     }
     printf(" %8.1e", pow(10, t->log_error / fmax(1, t->measured)));
