@@ -11,13 +11,17 @@ void ref_prepare(ref_machine_t *machine) {
   machine->share = 1 - 2 / REF_PI * ref_atan2(1, 6 * machine->kappa);
 }
 
+const ref_knot_t *ref_knot(const ref_machine_t *machine, int i) {
+  return (machine->table ? machine->table : machine->knot) + i;
+}
+
 ref_input_t ref_input(const ref_machine_t *machine, real_t t, int piece) {
   const int last = machine->knots - 1;
   if (last < 0) {
     return (ref_input_t){machine->omega0, 0, 0, 0};
   }
-  const ref_knot_t *a = &machine->knot[piece > 0 ? piece - 1 : 0];
-  const ref_knot_t *b = &machine->knot[piece > last ? last : piece];
+  const ref_knot_t *a = ref_knot(machine, piece > 0 ? piece - 1 : 0);
+  const ref_knot_t *b = ref_knot(machine, piece > last ? last : piece);
   ref_input_t u = {a->omega0, 0, a->force, a->torque};
   if (b->t > a->t) {
     const real_t since = t - a->t, length = b->t - a->t;
@@ -25,6 +29,11 @@ ref_input_t ref_input(const ref_machine_t *machine, real_t t, int piece) {
     u.omega0 += since * u.alpha;
     u.force += since * (b->force - a->force) / length;
     u.torque += since * (b->torque - a->torque) / length;
+  }
+  if (machine->swing != 0) {
+    const real_t turn = machine->swing_rate * t;
+    u.omega0 += machine->swing * ref_sin(turn);
+    u.alpha += machine->swing * machine->swing_rate * ref_cos(turn);
   }
   return u;
 }

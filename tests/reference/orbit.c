@@ -86,6 +86,22 @@ static void leave(ref_orbit_t *orbit, int index, real_t delay) {
 
 void ref_leave(ref_orbit_t *orbit, int index) { leave(orbit, index, 0); }
 
+// Whether a slip that ends a rest has its acceleration from the start, as under
+// a law of rest that leaves out a part of the hull, and need not grow.
+static bool starts_at_once(const ref_orbit_t *orbit, ref_state_t x, int index,
+                           real_t delay) {
+  ref_consistent_t sooner;
+  x.t += delay / 2;
+  ref_consistent_codim2(orbit->machine, x, &sooner);
+  bool at_once = delay == 0;
+  for (int i = 0; index >= 0 && i < sooner.count; ++i) {
+    const ref_way_t *way = &orbit->consistent.list[index];
+    at_once |= sooner.list[i].mode == way->mode &&
+               sooner.list[i].rate > (real_t)0.75L * way->rate;
+  }
+  return at_once;
+}
+
 // At h = g = 0, where either the wheel stands against the turntable (z = 0) or
 // passes the axis (r = 0).
 static void reach_codim2(ref_orbit_t *orbit, real_t delay) {
@@ -106,7 +122,7 @@ static void reach_codim2(ref_orbit_t *orbit, real_t delay) {
   const bool stands = x->z == 0;
   orbit->arrived = from;
   orbit->at = *x;
-  leave(orbit, index, delay);
+  leave(orbit, index, starts_at_once(orbit, *x, index, delay) ? 0 : delay);
   if (from != REF_PINNED || orbit->mode != REF_PINNED) {
     announce(orbit, stands ? REF_CODIM2 : REF_TURNS);
   }
@@ -282,18 +298,22 @@ static void pass_break(ref_orbit_t *orbit) {
   const ref_machine_t *q = orbit->machine;
   const ref_mode_t before = orbit->mode;
   ref_state_t *x = &orbit->x;
-  const real_t was = ref_input(q, x->t, x->piece++).omega0;
+  const real_t was = ref_input(q, x->t, x->piece).omega0;
+  const real_t at = ref_knot(q, x->piece)->t;
+  while (x->piece < q->knots && ref_knot(q, x->piece)->t <= at) {
+    ++x->piece; // one of no length has no slope
+  }
   const real_t jump = ref_input(q, x->t, x->piece).omega0 - was;
   if (ref_abs(jump) > 64 * REF_EPSILON * ref_abs(was)) {
     x->p += q->d * jump;
     x->z -= jump;
     settle(orbit, orbit->mode);
+    orbit->step = (real_t)1e-5L;
   } else if (before == REF_PINNED) {
     reach_codim2(orbit, 0);
   } else if (sticks(orbit)) {
     settle(orbit, orbit->mode);
   }
-  orbit->step = (real_t)1e-5L;
   if (before != orbit->mode && before != REF_PINNED &&
       orbit->mode != REF_PINNED) {
     announce(orbit, slips(orbit)
@@ -309,8 +329,8 @@ ref_stop_t ref_run(ref_orbit_t *orbit, real_t end) {
   }
   while (orbit->stop == REF_REACHED && orbit->x.t < end) {
     const bool breaks =
-        orbit->x.piece < q->knots && q->knot[orbit->x.piece].t <= end;
-    const real_t until = breaks ? q->knot[orbit->x.piece].t : end;
+        orbit->x.piece < q->knots && ref_knot(q, orbit->x.piece)->t <= end;
+    const real_t until = breaks ? ref_knot(q, orbit->x.piece)->t : end;
     if (orbit->x.t < until) {
       if (orbit->mode == REF_PINNED && q->knots == 0) {
         orbit->x.t = end;

@@ -35,7 +35,7 @@ typedef struct {
 
 /// Inputs that move: linear between knots, constant before the first and after
 /// the last. Two knots of one time are a jump; one of omega0 is a new state: v
-/// and w stay, h and g do not.
+/// and w stay, h and g do not. On top of that omega0 swings as a sine.
 enum { REF_KNOTS = 16 };
 typedef struct {
   ref_real_t t, omega0, force, torque;
@@ -49,8 +49,10 @@ typedef struct {
   ref_law_t law;
   int knots; ///< 0: omega0 constant, no loads
   ref_knot_t knot[REF_KNOTS];
-  ref_real_t sine, cosine; ///< of gamma
-  ref_real_t share;        ///< 1 - (2/pi) arccot(6 kappa)
+  const ref_knot_t *table;      ///< instead of `knot`, of any length; or NULL
+  ref_real_t swing, swing_rate; ///< [rad/s], [rad/s]; needs a knot
+  ref_real_t sine, cosine;      ///< of gamma
+  ref_real_t share;             ///< 1 - (2/pi) arccot(6 kappa)
 } ref_machine_t;
 
 /// The parameters that the reference, the paper, the library and the judge name
@@ -109,6 +111,7 @@ typedef struct {
 
 /// Fills what follows from the parameters.
 void ref_prepare(ref_machine_t *machine);
+const ref_knot_t *ref_knot(const ref_machine_t *machine, int i);
 ref_input_t ref_input(const ref_machine_t *machine, ref_real_t t, int piece);
 /// The state at t = 0 [m, m/s, rad/s], and its v and w.
 ref_state_t ref_state(const ref_machine_t *machine, ref_real_t r, ref_real_t v,

@@ -13,6 +13,13 @@ reference: ## an independent solver, to compare the steps with
 reference: $(BUILD)/reference/reference
 	@$< validate
 
+# Of each class of machines 2000, in two processes.
+TABLE_MACHINES ?= 2000
+.PHONY: reference-table
+reference-table: ## runs that are silently wrong, by class (an hour)
+reference-table: $(BUILD)/reference/reference
+	@$< table --machines $(TABLE_MACHINES)
+
 $(BUILD)/reference/library_f64.o: tests/reference/judge/library.c
 	$(call compile,$(JUDGE_FLAGS))
 $(BUILD)/reference/library_f32.o: tests/reference/judge/library.c

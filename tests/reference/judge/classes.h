@@ -14,6 +14,8 @@ typedef struct {
   double t_end;          ///< 0: that of the class
   long show;             ///< replay commands printed for each count
   lib_machine_t machine; ///< that of replay
+  const char *row, *dts; ///< of table: its class, steps instead of its own
+  long jobs;             ///< of table: processes
 } options_t;
 
 /// A machine to judge; a class may change it and the time on the way.
@@ -87,7 +89,7 @@ double class_distance(const ref_machine_t *q, ref_state_t a, ref_state_t b);
 
 extern const class_t class_validate, class_second, class_rest_law, class_branch,
     class_path, class_impulses, class_energy, class_standing, class_estimates,
-    class_replay;
+    class_replay, class_table;
 /// The machine of replay, before --set.
 extern const lib_machine_t replay_machine;
 

@@ -165,9 +165,9 @@ ref_machine_t draw_reference(const lib_machine_t *machine,
   if (real == &lib_f32) {
     round_all(&q);
   }
-  ref_machine_t out = {PARAMETERS_OF(real_t, &q),
-                       .law = q.coulomb ? REF_COULOMB : REF_JUMP,
-                       .knots = q.knots};
+  ref_machine_t out = {
+      PARAMETERS_OF(real_t, &q), .law = q.coulomb ? REF_COULOMB : REF_JUMP,
+      .knots = q.knots, .swing = q.swing, .swing_rate = q.swing_rate};
   for (int i = 0; i < q.knots; ++i) {
     const lib_knot_t *u = &q.knot[i];
     out.knot[i] = (ref_knot_t){u->t, u->omega0, u->force, u->torque};

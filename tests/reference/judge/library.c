@@ -5,6 +5,7 @@
 #include <assert.h>
 #include <string.h>
 
+#include "moving.h"
 #include "params.h"
 
 typedef struct {
@@ -14,34 +15,21 @@ typedef struct {
   tf_input_t input;
   lib_scheme_t scheme;
   lib_machine_t driven; // knots and dt
+  tf_state_block_t lanes;
+  tf_report_block_t reports;
 } run_t;
 
 static run_t *run_of(lib_t *lib) { return (run_t *)(void *)lib->bytes; }
 
-static lib_knot_t knot_at(const lib_machine_t *q, double t) {
-  int i = 0;
-  while (i < q->knots && q->knot[i].t <= t) {
-    ++i;
-  }
-  const lib_knot_t *a = &q->knot[i > 0 ? i - 1 : 0];
-  const lib_knot_t *b = &q->knot[i < q->knots ? i : q->knots - 1];
-  const double share = b->t > a->t ? (t - a->t) / (b->t - a->t) : 0;
-  return (lib_knot_t){t, a->omega0 + share * (b->omega0 - a->omega0),
-                      a->force + share * (b->force - a->force),
-                      a->torque + share * (b->torque - a->torque)};
-}
-
-// The inputs of the step that ends at t, as `run --inputs FILE --between
-// linear` gives them where no knot lies within a step: omega0 at its end, the
-// slope, and mean loads.
-static void drive(run_t *run, double t) {
-  const lib_machine_t *q = &run->driven;
-  if (q->knots > 0) {
-    const lib_knot_t end = knot_at(q, t), mean = knot_at(q, t - q->dt / 2);
-    run->input.omega0 = (tf_real_t)end.omega0;
-    run->input.alpha = (tf_real_t)((end.omega0 - mean.omega0) / (q->dt / 2));
-    run->input.force = (tf_real_t)mean.force;
-    run->input.torque = (tf_real_t)mean.torque;
+// The inputs of a step from one time to another, as `run --inputs FILE --between
+// linear` gives them.
+static void drive(run_t *run, double from, double to) {
+  if (run->driven.knots > 0) {
+    const told_t told = moving_told(&run->driven, from, to);
+    run->input.omega0 = (tf_real_t)told.omega0;
+    run->input.alpha = (tf_real_t)told.alpha;
+    run->input.force = (tf_real_t)told.force;
+    run->input.torque = (tf_real_t)told.torque;
   }
 }
 
@@ -88,12 +76,15 @@ static int open_run(lib_t *lib, const lib_machine_t *q, lib_scheme_t scheme,
   tf_status_t status = tf_prepare_compensated(&run->machine, &params, NULL);
   if (status == TF_OK) {
     run->input = tf_input_default(&run->machine.machine);
-    drive(run, 0);
+    drive(run, 0, 0);
     status = place(run, q);
   }
   if (status == TF_OK) {
     status = tf_begin(&run->machine.machine, &run->state, &run->input, &report);
     fill(run, &report, row);
+  }
+  for (size_t i = 0; i < TF_LANES; ++i) {
+    tf_ensemble_put(&run->lanes, i, &run->state);
   }
   return (int)status;
 }
@@ -102,13 +93,20 @@ static int step(lib_t *lib, lib_row_t *row) {
   run_t *run = run_of(lib);
   tf_report_t report;
   tf_status_t status;
-  drive(run, ((double)run->state.tick + 1) * run->driven.dt);
+  const double dt = run->driven.dt, ticks = (double)run->state.tick;
+  drive(run, ticks * dt, (ticks + 1) * dt);
   if (run->scheme == LIB_LOCATED) {
     status = tf_step_located(&run->machine.machine, &run->state, &run->input,
                              &report);
   } else if (run->scheme == LIB_COMPENSATED) {
     status = tf_step_compensated(&run->machine, &run->state, &run->compensation,
                                  &run->input, &report);
+  } else if (run->scheme == LIB_LANES) {
+    tf_ensemble_step(&run->machine.machine, &run->lanes, TF_LANES, &run->input,
+                     &run->reports);
+    run->state = tf_ensemble_get(&run->lanes, TF_LANES - 1);
+    report = tf_ensemble_report(&run->reports, TF_LANES - 1);
+    status = report.status;
   } else {
     status = tf_step(&run->machine.machine, &run->state, &run->input, &report);
   }
@@ -124,8 +122,8 @@ const lib_table_t lib_f32 = {"float", open_run, step, FLT_EPSILON};
 #else
 const lib_table_t lib_f64 = {"double", open_run, step, DBL_EPSILON};
 
-const char *const lib_scheme_names[LIB_SCHEMES] = {"moreau", "located",
-                                                   "compensated"};
+const char *const lib_scheme_names[LIB_SCHEMES + 1] = {"moreau", "located",
+                                                       "compensated", "lanes"};
 
 void lib_range(const char *name, double *low, double *high) {
   for (int i = 0; i < TF_PARAMETERS; ++i) {

@@ -21,15 +21,18 @@ typedef struct {
   double r, v, omega;
   bool on_surface; ///< v is to make h = 0
   double dt;
+  int rest;  ///< law at h = g = 0, numbered as by the library
   int knots; ///< 0: omega0 is constant
   lib_knot_t knot[LIB_KNOTS];
+  double swing, swing_rate; ///< a sine on top of omega0 [rad/s]
 } lib_machine_t;
 
 typedef enum {
   LIB_STEP,
   LIB_LOCATED,
   LIB_COMPENSATED,
-  LIB_SCHEMES
+  LIB_SCHEMES,
+  LIB_LANES = LIB_SCHEMES ///< tf_ensemble_step, the same state in each lane
 } lib_scheme_t;
 
 /// What one step reports, and the state at its end.
@@ -42,7 +45,7 @@ typedef struct {
 /// A machine and its state; the bytes belong to library.c.
 typedef union {
   long double align;
-  unsigned char bytes[2048];
+  unsigned char bytes[4096];
 } lib_t;
 
 typedef struct {
@@ -55,7 +58,7 @@ typedef struct {
 } lib_table_t;
 
 extern const lib_table_t lib_f64, lib_f32;
-extern const char *const lib_scheme_names[LIB_SCHEMES];
+extern const char *const lib_scheme_names[LIB_SCHEMES + 1];
 
 /// Ends of the range of a parameter, by its name.
 void lib_range(const char *name, double *low, double *high);

@@ -10,13 +10,17 @@
 static const class_t *const classes[] = {
     &class_validate,  &class_second,   &class_rest_law, &class_branch,
     &class_path,      &class_impulses, &class_energy,   &class_standing,
-    &class_estimates, &class_replay};
+    &class_estimates, &class_table,    &class_replay};
 enum { CLASSES = sizeof classes / sizeof classes[0] };
 
 static int usage(void) {
   printf(
       "usage: reference CLASS [--machines N] [--seed S] [--first I]\n"
       "  [--t-end T] [--show N]\n"
+      "       reference table [--class A|A8|A'|B|...|K|all] [--dt LIST]\n"
+      "  [--jobs N] [--machines N] [--seed S] [--show N]; --first I --machines "
+      "1\n"
+      "  shows one case\n"
       "       reference replay --t-end T --set NAME=VALUE... [--inputs FILE]\n"
       "  (what `twofold run chaos` takes to replay an offender)\n");
   for (int i = 0; i < CLASSES; ++i) {
@@ -36,6 +40,12 @@ static bool take(options_t *options, const char *name, const char *value) {
     options->t_end = atof(value);
   } else if (strcmp(name, "--show") == 0) {
     options->show = atol(value);
+  } else if (strcmp(name, "--class") == 0) {
+    options->row = value;
+  } else if (strcmp(name, "--dt") == 0) {
+    options->dts = value;
+  } else if (strcmp(name, "--jobs") == 0) {
+    options->jobs = atol(value);
   } else if (strcmp(name, "--set") == 0) {
     return draw_set(&options->machine, value);
   } else if (strcmp(name, "--inputs") == 0) {
@@ -47,7 +57,8 @@ static bool take(options_t *options, const char *name, const char *value) {
 }
 
 int main(int argc, char **argv) {
-  options_t options = {.seed = 1, .show = 2, .machine = replay_machine};
+  options_t options = {
+      .seed = 1, .show = 2, .machine = replay_machine, .row = "all", .jobs = 2};
   setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
   const class_t *class = NULL;
   for (int i = 0; argc >= 2 && i < CLASSES; ++i) {

@@ -20,6 +20,7 @@ static inline tf_params_t params_of(const lib_machine_t *q) {
   p.kappa = (tf_real_t)q->kappa;
   p.gamma = (tf_real_t)q->gamma;
   p.dt = (tf_real_t)q->dt;
+  p.rest = (tf_rest_law_t)q->rest;
   p.law = q->coulomb ? TF_TYRE_COULOMB : TF_TYRE_JUMP;
   return p;
 }

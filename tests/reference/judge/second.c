@@ -3,12 +3,14 @@
 /// equations as they are printed, by the mass matrix in (r, v, w), stepped and
 /// its events found by CVODE of SUNDIALS, which others wrote. Of the reference
 /// it uses the parameters and the inputs only. It ends where h = g = 0 comes
-/// near or A = 0, so that it needs no theory of either. Every other machine is
-/// driven, half of them with a jump.
+/// near or A = 0, so that it needs no theory of either, and after 500 events,
+/// which wind round a two-fold. Every machine is driven: by
+/// ramps, ramps with a jump, or a shape of moving.c.
 #include <math.h>
 #include <stdio.h>
 
 #include "classes.h"
+#include "moving.h"
 #include "paper.h"
 
 // cppcheck cannot ask for headers in brackets; it looks at both ways.
@@ -23,7 +25,11 @@
 #include <nvector/nvector_serial.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-enum { ROOTS = 3 };
+enum { ROOTS = 4, TOO_MANY = 500 };
+
+// Slip [m/s] at which h = g = 0 is near, and difference of h' over the law at
+// which A = 0 is [m/s^2]: there the motion ends.
+static const real_t nearby = 1e-7L, flat = 1e-4L;
 
 typedef struct {
   const ref_machine_t *q;
@@ -77,7 +83,10 @@ static void slope(const phase_t *phase, real_t t, const real_t x[3],
     ref_input_t u;
     const paper_t p = paper_at(phase, t, &u);
     const real_t h = paper_h(&p, x), g = paper_g(&p, x);
-    paper_friction(&p, h != 0 ? h : phase->mode * 1e-300L, g, &F, &M);
+    // Behind h = 0 the force of the edge goes on, so that a trial step over it
+    // has no jump in it.
+    const real_t edge = phase->mode * 1e-300L;
+    paper_friction(&p, phase->mode * h > 0 ? h : edge, g, &F, &M);
   }
   field(phase, t, x, F, M, out);
 }
@@ -89,11 +98,13 @@ static void margins(const phase_t *phase, real_t t, const real_t x[3],
   const paper_t p = paper_at(phase, t, &u);
   out[0] = (double)(phase->sign_g * paper_g(&p, x));
   out[1] = (double)(phase->mode * paper_h(&p, x));
-  out[2] = 1;
+  out[2] = (double)(fabsl(paper_g(&p, x)) + fabsl(paper_h(&p, x)) - nearby);
+  out[3] = 1;
   if (phase->mode == 0) {
     const real_t M = arm(phase) * p.mu;
     const real_t up = h_rate(phase, t, x, p.mu, M);
     const real_t down = h_rate(phase, t, x, -p.mu, -M);
+    out[3] = (double)(fabsl(down - up) - flat);
     out[1] = (double)(up < down ? -up : up);
     out[2] = (double)(up < down ? down : -down);
   }
@@ -104,7 +115,7 @@ static bool next(phase_t *phase, real_t t, const real_t x[3]) {
   ref_input_t u;
   const paper_t p = paper_at(phase, t, &u);
   const real_t h = paper_h(&p, x), g = paper_g(&p, x);
-  if (fabsl(h) + fabsl(g) < 1e-7L) {
+  if (fabsl(h) + fabsl(g) < 2 * nearby) {
     return false;
   }
   if (phase->mode != 0 && fabsl(g) < fabsl(h)) {
@@ -116,7 +127,7 @@ static bool next(phase_t *phase, real_t t, const real_t x[3]) {
   const real_t down = h_rate(phase, t, x, -p.mu, -M);
   if (phase->mode == 0) {
     phase->mode = fabsl(up) < fabsl(down) ? 1 : -1;
-    return down - up > 1e-6L;
+    return down - up > 2 * flat;
   }
   phase->mode = up > 0 ? 1 : down < 0 ? -1 : 0;
   return true;
@@ -176,6 +187,7 @@ static double integrate(const ref_machine_t *q, real_t x[3], double end,
   CVodeSetNonlinearSolver(cvode, solver);
   CVodeSetUserData(cvode, &phase);
   CVodeSetMaxNumSteps(cvode, 200000);
+  CVodeSetMaxHnilWarns(cvode, -1);
   CVodeRootInit(cvode, ROOTS, roots);
   begin(&phase, 0, x);
   bool goes_on = true;
@@ -192,10 +204,12 @@ static double integrate(const ref_machine_t *q, real_t x[3], double end,
       x[i] = at[i];
     }
     if (status == CV_ROOT_RETURN) {
-      ++*events;
-      goes_on = next(&phase, t, x);
+      goes_on = ++*events < TOO_MANY && next(&phase, t, x);
     } else if (status >= 0 && breaks) {
-      ++phase.piece;
+      while (phase.piece < q->knots &&
+             (double)ref_knot(q, phase.piece)->t <= until) {
+        ++phase.piece;
+      }
       begin(&phase, t, x);
     } else {
       goes_on = false;
@@ -208,39 +222,61 @@ static double integrate(const ref_machine_t *q, real_t x[3], double end,
   return t;
 }
 
-static real_t worst;
+// The largest difference, and the largest that a start moved by less than
+// `moved` would not make.
+static real_t worst, unexplained;
+static const real_t moved = 1e-10L;
 
 static void begin_second(const class_t *class) {
   (void)class;
   printf(
-      "machine   t reached  events (both)  codim2_count  largest difference\n");
+      "machine   t reached  events (both)  codim2_count  largest difference, "
+      "of a start moved by 1e-10\n");
+}
+
+static real_t apart(const ref_orbit_t *orbit, const real_t x[3]) {
+  const real_t in_v = ref_v(orbit->machine, orbit->x) - x[1];
+  const real_t in_w = ref_w(orbit->machine, orbit->x) - x[2];
+  return fmaxl(fabsl(orbit->x.r - x[0]), fmaxl(fabsl(in_v), fabsl(in_w)));
 }
 
 // Ends where the second integration has to: at h = g = 0.
 static void judge(trial_t *trial) {
   trial->machine.on_surface = false;
-  if (trial->index % 2) {
-    draw_drive(&trial->draw, &trial->machine, trial->t_end,
-               trial->index % 4 == 1);
+  if (trial->index % 3 == 0) {
+    const double shape = draw_uniform(&trial->draw, 0, MOVING_SHAPES);
+    moving_draw(&trial->draw, &trial->machine, (moving_shape_t)(int)shape,
+                trial->t_end, trial->t_end / 90);
+  } else {
+    draw_drive(&trial->draw, &trial->machine, trial->t_end, trial->index % 2);
   }
   const ref_machine_t q = draw_reference(&trial->machine, &lib_f64);
+  const ref_state_t start = draw_start(&trial->machine, &q, &lib_f64);
+  ref_state_t beside = start;
+  beside.r += moved;
   ref_orbit_t orbit = {.tolerance = 1e-13L, .law = REF_HEXAGON};
-  ref_begin(&orbit, &q, draw_start(&trial->machine, &q, &lib_f64), REF_MODES);
+  ref_orbit_t other = orbit;
+  ref_begin(&orbit, &q, start, REF_MODES);
+  ref_begin(&other, &q, beside, REF_MODES);
   real_t x[3] = {orbit.x.r, ref_v(&q, orbit.x), ref_w(&q, orbit.x)};
   int events = 0;
   const double t = integrate(&q, x, trial->t_end, &events);
   ref_run(&orbit, t);
-  const real_t e =
-      fmaxl(fabsl(orbit.x.r - x[0]), fmaxl(fabsl(ref_v(&q, orbit.x) - x[1]),
-                                           fabsl(ref_w(&q, orbit.x) - x[2])));
-  printf("%7ld %11.6f %8d %5d %8d %12.2Le  %s\n", trial->index, t, events,
-         orbit.events, orbit.codim2_count, e, ref_stop_name(orbit.stop));
+  ref_run(&other, t);
+  const real_t e = apart(&orbit, x);
+  const real_t grown = apart(
+      &other, (real_t[3]){orbit.x.r, ref_v(&q, orbit.x), ref_w(&q, orbit.x)});
+  printf("%7ld %11.6f %8d %5d %8d %12.2Le %12.2Le  %s\n", trial->index, t,
+         events, orbit.events, orbit.codim2_count, e, grown,
+         ref_stop_name(orbit.stop));
   worst = fmaxl(worst, e);
+  unexplained = fmaxl(unexplained, e < grown ? 0 : e);
 }
 
 static int finish(const options_t *options) {
   (void)options;
-  printf("worst %.2Le\n", worst);
+  printf("worst %.2Le\nworst above a start moved by 1e-10 %.2Le\n", worst,
+         unexplained);
   return 0;
 }
 

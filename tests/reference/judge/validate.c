@@ -123,8 +123,10 @@ static void course(const reference_t *ref) {
   snprintf(what, sizeof what, "%d states of tests/data", ref->states);
   check(problem->name, what, off, 1e-11L);
   snprintf(what, sizeof what, "times of its %d events", ref->events);
-  // That event moves by 2e-11 s with the last bit of a processor's arctangent.
-  check(problem->name, what, events.off, 1e-10L);
+  // `smooth` passes its first h = 0 at 2e-6 m/s^2, so that the last digits of
+  // h, and of libm, move that time.
+  const bool slow = problem->machine.law == REF_SMOOTH;
+  check(problem->name, what, events.off, slow ? 1e-10L : 1e-11L);
   check(problem->name, "events besides", events.seen - ref->events, 0);
 }
 

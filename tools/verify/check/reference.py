@@ -20,8 +20,47 @@ CLASSES = [
      .01),
     ("standing", ["--machines", 60, "--seed", 2], "in silence", .01),
 ]
-WORST = 1e-7  # of 40 machines, 20 of them driven, from SUNDIALS
+# A small table: class, its steps, machines, and the most that may be silently
+# wrong in one of its lines, with the reason for what is left; None: no bound.
+TABLE = [
+    ("A", "1e-3,1e-4", 20, None, ""),
+    ("A8", "1e-3,1e-4", 20, None, ""),
+    ("A'", "8e-3,4e-3,2e-3", 20, None, ""),
+    ("B", "1e-3", 5, None, ""),
+    ("C", "1e-3", 10, None, ""),
+    ("D", "1e-3,1e-4", 20, None, ""),
+    ("E", "1e-3,1e-4", 20, None, ""),
+    ("F", "1e-4,1e-5", 20, None, ""),
+    ("G", "1e-6", 4, None, ""),
+    ("H", "1e-3,1e-4", 20, None, ""),
+    ("I", "1e-3,1e-4", 20, None, ""),
+    ("J", "1e-3,1e-4", 20, None, ""),
+    ("K", "1,0.1", 20, None, ""),
+]
+LINE = re.compile(r"  (\S+ +\S+ +\S+ +\S+) +(\d+) +\d+ +(\d+) .*")
+WORST = 1e-7  # of 40 machines on inputs that move, from SUNDIALS
 ROW = re.compile(r"(.*?) +(\d+) of +(\d+)(?: .*)?")
+
+
+def judge_table(program):
+    """Compares the table with its bounds; returns how many runs it judged."""
+    judged = 0
+    for name, steps, machines, most, why in TABLE:
+        done = subprocess.run(
+            [program, "table", "--class", name, "--dt", steps, "--machines",
+             str(machines), "--show", "0"], text=True, stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL, check=False)
+        lines = [LINE.fullmatch(line) for line in done.stdout.splitlines()]
+        lines = [line for line in lines if line and int(line[2])]
+        if done.returncode or not lines:
+            wrong(f"reference table, class {name}: code {done.returncode}, "
+                  f"{len(lines)} lines")
+        for line in lines:
+            judged += int(line[2])
+            if most is not None and int(line[3]) > most:
+                wrong(f"reference table: {line[1]}: {line[3]} of {line[2]} "
+                      f"silently wrong, at most {most} allowed ({why})")
+    return judged
 
 
 def main():
@@ -48,6 +87,7 @@ def main():
             if count > most * of:
                 wrong(f"reference {name}: {row[1]}: {count} of {of}, "
                       f"at most {most * of:g} allowed")
+    judged += judge_table(place / "reference/reference")
     done = subprocess.run([place / "reference/reference", "second",
                            "--machines", "40"], text=True,
                           stdout=subprocess.PIPE, check=False)
@@ -57,8 +97,9 @@ def main():
     worst = re.search(r"^worst (.*)", done.stdout, re.M)
     if done.returncode or not worst or not float(worst[1]) < WORST:
         wrong(f"reference second: {done.stdout}")
-    checked(f"{judged} steps and motions of {len(CLASSES)} classes; SUNDIALS "
-            f"is {worst[1] if worst else 'not'} apart at most")
+    checked(f"{judged} steps and motions of {len(CLASSES)} kinds and of "
+            f"{len(TABLE)} classes of the table; SUNDIALS is "
+            f"{worst[1] if worst else 'not'} apart at most")
 
 
 main()

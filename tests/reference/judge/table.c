@@ -1,0 +1,486 @@
+/// @file
+/// `reference table`: of each class of machines, how many runs of the library
+/// end far from the reference with every step OK. The reference follows the
+/// inputs that the steps were told, from event to event; where it is not sure
+/// of its own end it says so, and the machine is not counted.
+#ifndef _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L // fork, pipe
+#endif
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "classes.h"
+#include "rows.h"
+
+enum { KNOTS = 4000, DRAWS = 200, SHOWN = 6 };
+
+// What is wrong: class_difference of an end; of the located step.
+static const double off = 0.02, off_located = 1e-6;
+
+// How far the end of the reference may move when its start moves by `beside`,
+// for a judgement in double, in float, and of the located step.
+static const double beside = 1e-9, sure = 1e-3, sure_f32 = 5e-5, sharp = 2e-7;
+
+// As the library numbers them.
+static const ref_rest_t rest_laws[] = {REF_HEXAGON, REF_SQUARE, REF_BOW_TIE};
+
+// What is counted of a kind of run, and of a row.
+enum { TRIED, THROUGH, SILENT, SILENT_THROUGH, TOLD, FLAGGED, REFUSED, KINDS };
+enum { JUDGED, DRAWN, SEVERAL, BORDER, STOPPED, CASES };
+
+typedef struct {
+  long n[KINDS], shown[SHOWN]; // first machines that are silently wrong
+  double log_error, measured;  // sum over the runs that were not refused
+} tally_t;
+
+typedef struct {
+  long n[CASES];
+  tally_t tally[ROW_STEPS][ROW_MODELS];
+} row_count_t;
+
+static bool watches_ties(const ref_consistent_t *f, const ref_way_t *taken) {
+  for (int i = 0; i < f->count; ++i) {
+    const ref_way_t *way = &f->list[i];
+    const bool alike =
+        (way->mode > REF_SLIP_MINUS) == (taken->mode > REF_SLIP_MINUS) &&
+        way->attracting == taken->attracting && way->family == taken->family;
+    if (way != taken && alike &&
+        fabsl(way->rate - taken->rate) < 0.01L * taken->rate) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
+  met_t *met = orbit->context;
+  const ref_consistent_t *f = &orbit->consistent;
+  if (event == REF_ENTERS) {
+    met->stick_since = orbit->x.t;
+  }
+  if (event == REF_CODIM2) {
+    const ref_way_t *taken =
+        orbit->chosen >= 0 ? &f->list[orbit->chosen] : NULL;
+    ++met->through;
+    if (orbit->arrived >= REF_STICK_PLUS && met->stick_since >= 0) {
+      met->stuck = fmin(met->stuck, (double)(orbit->at.t - met->stick_since));
+    }
+    met->several |=
+        taken && (taken->family || watches_ties(f, taken) ||
+                  (taken->mode >= REF_STICK_PLUS && !taken->attracting));
+    met->left_rest |= orbit->arrived == REF_PINNED;
+  }
+  if (event != REF_ENTERS) {
+    met->stick_since = -1;
+  }
+  met->rested |= orbit->mode == REF_PINNED;
+  ++met->events;
+}
+
+// The end of the reference from a start moved by a share of its size.
+static ref_stop_t follow(const lib_machine_t *machine, const ref_machine_t *q,
+                         double share, double end, met_t *met, ref_state_t *x) {
+  ref_orbit_t orbit = {.tolerance = 1e-11L,
+                       .law = rest_laws[machine->rest],
+                       .limit = 3000000,
+                       .watch = on_event,
+                       .context = met};
+  *met = (met_t){.stuck = HUGE_VAL, .stick_since = -1};
+  ref_state_t start = draw_start(machine, q, &lib_f64);
+  start.r *= 1 + (real_t)share;
+  if (!machine->on_surface) {
+    start.p *= 1 + (real_t)share;
+    start.z *= 1 - (real_t)share;
+  } else if (share != 0) {
+    start = ref_on_surface(q, start);
+  }
+  start.piece = q->knots > 0;
+  ref_begin(&orbit, q, start, REF_MODES);
+  met->rested = orbit.mode == REF_PINNED;
+  const ref_stop_t stop = ref_run(&orbit, (real_t)end);
+  met->passed_r = (orbit.x.r < 0) != (machine->r < 0);
+  *x = orbit.x;
+  return stop;
+}
+
+// A wheel put on the turntable that does not stay there, which is most of them.
+static bool slides_off(const lib_machine_t *machine, const ref_machine_t *q) {
+  ref_orbit_t orbit = {.tolerance = 1e-11L, .law = rest_laws[machine->rest]};
+  ref_state_t start = draw_start(machine, q, &lib_f64);
+  start.piece = q->knots > 0;
+  ref_begin(&orbit, q, start, REF_MODES);
+  return start.p == 0 && start.z == 0 && orbit.mode != REF_PINNED;
+}
+
+typedef struct {
+  const row_t *row;
+  lib_machine_t machine;
+  ref_machine_t q;
+  ref_state_t end;
+  met_t met;
+  double moved; // of the end, by a start moved by `beside`
+} case_t;
+
+// Draws machine `index` of a row until one belongs to it and the reference is
+// sure of it.
+static bool draw_case(const row_t *row, const options_t *options, long index,
+                      row_count_t *count, case_t *c) {
+  const uint64_t name = (uint64_t)(row - rows + 1) << 48;
+  draw_t draw = draw_begin(options->seed, name + (uint64_t)index);
+  for (int i = 0; i < DRAWS; ++i) {
+    c->row = row;
+    c->machine = row_machine(&draw, row, index % 2 != 0);
+    c->q = draw_reference(&c->machine, &lib_f64);
+    met_t met;
+    ref_state_t other;
+    ++count->n[DRAWN];
+    if (row->rests && slides_off(&c->machine, &c->q)) {
+      continue;
+    }
+    const ref_stop_t stop =
+        follow(&c->machine, &c->q, 0, row->t_end, &c->met, &c->end);
+    if (row->takes && !row->takes(&c->met)) {
+      continue;
+    }
+    if (stop != REF_REACHED) {
+      ++count->n[STOPPED];
+      continue;
+    }
+    if (c->met.several) {
+      ++count->n[SEVERAL];
+      continue;
+    }
+    if (follow(&c->machine, &c->q, beside, row->t_end, &met, &other) !=
+        REF_REACHED) {
+      ++count->n[BORDER];
+      continue;
+    }
+    c->moved = class_distance(&c->q, c->end, other);
+    if (!(c->moved < sure)) {
+      ++count->n[BORDER];
+      continue;
+    }
+    ++count->n[JUDGED];
+    return true;
+  }
+  return false;
+}
+
+// The end by the inputs that the steps of machine.dt are told; false where the
+// reference does not come to it, or not to one.
+static bool told_end(const case_t *c, ref_state_t *end) {
+  static ref_knot_t table[KNOTS];
+  const lib_machine_t *machine = &c->machine;
+  const long steps = lround(c->row->t_end / machine->dt);
+  const int knots =
+      machine->knots > 0 ? moving_table(machine, steps, table, KNOTS) : 0;
+  *end = c->end;
+  if (knots == 0) {
+    return true;
+  }
+  ref_machine_t q = c->q;
+  q.knots = knots;
+  q.table = table;
+  q.swing = 0;
+  met_t met;
+  ref_state_t x;
+  if (follow(machine, &q, 0, c->row->t_end, &met, &x) != REF_REACHED) {
+    return false;
+  }
+  end->r = x.r;
+  end->z += ref_w(&q, x) - ref_w(&c->q, c->end);
+  end->p = ref_v(&q, x) - q.d * end->z;
+  return !met.several;
+}
+
+// Runs to the end: -1 refused, 0 all steps OK, 1 not all.
+static int run(const case_t *c, const model_t *model, lib_row_t *at) {
+  lib_t lib;
+  if (model->real->open(&lib, &c->machine, model->scheme, at) < 0) {
+    return -1;
+  }
+  int flagged = 0;
+  for (long n = lround(c->row->t_end / c->machine.dt); n > 0; --n) {
+    const int status = model->real->step(&lib, at);
+    if (status < 0) {
+      return -1;
+    }
+    flagged |= status > 0;
+  }
+  return flagged;
+}
+
+static void tally(tally_t *t, const case_t *c, long index, int outcome,
+                  bool wrong, double error) {
+  const bool through = c->met.through > 0, silent = outcome == 0 && wrong;
+  const bool is[KINDS] = {true,
+                          through,
+                          silent,
+                          silent && through,
+                          outcome > 0 && wrong,
+                          outcome > 0 && !wrong,
+                          outcome < 0};
+  if (silent && t->n[SILENT] < SHOWN) {
+    t->shown[t->n[SILENT]] = index;
+  }
+  for (int i = 0; i < KINDS; ++i) {
+    t->n[i] += is[i];
+  }
+  if (error < HUGE_VAL) {
+    t->log_error += log10(fmax(error, 1e-16));
+    ++t->measured;
+  }
+}
+
+static void show(const case_t *c, const model_t *model, double dt, int outcome,
+                 double error, const ref_state_t *end, const lib_row_t *at) {
+  const ref_machine_t *q = &c->q;
+  printf(
+      "  %-11s %-6s %-7.1g %-7s off by %.2e: r %.9g v %.9g w %.9g, "
+      "reference %.9Lg %.9Lg %.9Lg\n",
+      lib_scheme_names[model->scheme], model->real->name, dt,
+      outcome < 0    ? "refused"
+      : outcome == 0 ? "OK"
+                     : "flagged",
+      error, at->r, at->v, at->w, end->r, ref_v(q, *end), ref_w(q, *end));
+}
+
+static void steps_of(const row_t *row, const options_t *options,
+                     double dt[ROW_STEPS]) {
+  memcpy(dt, row->dt, sizeof row->dt);
+  const char *text = options->dts;
+  for (int i = 0; text && i < ROW_STEPS; ++i) {
+    char *rest;
+    dt[i] = strtod(text, &rest);
+    text = *rest == ',' ? rest + 1 : rest;
+  }
+}
+
+// The reference's end for steps of machine.dt.
+typedef struct {
+  double dt;
+  bool known;
+  ref_state_t end;
+} told_case_t;
+
+static const told_case_t *told_of(const case_t *c, told_case_t *told) {
+  while (told->dt != 0 && told->dt != c->machine.dt) {
+    ++told;
+  }
+  if (told->dt == 0) {
+    told->dt = c->machine.dt;
+    told->known = told_end(c, &told->end);
+  }
+  return told;
+}
+
+static double dt_of(const row_t *row, const model_t *model, double step) {
+  return model->scheme == LIB_LOCATED ? step * row->located : step;
+}
+
+// Whether a run belongs to the row, and the reference is sure enough for it.
+static bool judges(const case_t *c, const model_t *model, double step) {
+  const bool located = model->scheme == LIB_LOCATED;
+  const bool f64 = model->real == &lib_f64;
+  if (step == 0 || (c->row->plain && model->scheme != LIB_STEP && f64) ||
+      ((located || model->scheme == LIB_LANES) && step < c->row->least)) {
+    return false;
+  }
+  return c->moved < (located ? sharp : f64 ? sure : sure_f32);
+}
+
+// One machine through all runs of its row.
+static void judge_case(case_t *c, const options_t *options, long index,
+                       row_count_t *count) {
+  const row_t *row = c->row;
+  double steps[ROW_STEPS], before[ROW_MODELS] = {0};
+  told_case_t told[2 * ROW_STEPS + 1] = {{.dt = 0}};
+  steps_of(row, options, steps);
+  for (int i = 0; i < ROW_STEPS * ROW_MODELS; ++i) {
+    const int k = i / ROW_MODELS, m = i % ROW_MODELS;
+    const model_t *model = &row_models[m];
+    if (!judges(c, model, steps[k])) {
+      continue;
+    }
+    c->machine.dt = dt_of(row, model, steps[k]);
+    const told_case_t *ref = told_of(c, told);
+    if (!ref->known) {
+      continue;
+    }
+    lib_row_t at;
+    const int outcome = run(c, model, &at);
+    const double error =
+        outcome < 0 ? HUGE_VAL : class_difference(&c->q, ref->end, &at);
+    bool wrong = error > (model->scheme == LIB_LOCATED ? off_located : off);
+    if (row->order && model->scheme != LIB_LOCATED) {
+      const double fall = k > 0 ? pow(steps[k] / steps[k - 1], 1.5) : 1;
+      wrong = k > 0 && error > 256 * model->real->epsilon &&
+              error > fall * before[m];
+      before[m] = error;
+    }
+    tally(&count->tally[k][m], c, index, outcome, wrong, error);
+    if (options->machines == 1) {
+      show(c, model, c->machine.dt, outcome, error, &ref->end, &at);
+    }
+  }
+}
+
+static void add(row_count_t *sum, const row_count_t *part) {
+  for (int i = 0; i < CASES; ++i) {
+    sum->n[i] += part->n[i];
+  }
+  for (int i = 0; i < ROW_STEPS * ROW_MODELS; ++i) {
+    tally_t *a = &sum->tally[0][0] + i;
+    const tally_t *b = &part->tally[0][0] + i;
+    for (long n = 0; n < b->n[SILENT] && a->n[SILENT] + n < SHOWN; ++n) {
+      a->shown[a->n[SILENT] + n] = b->shown[n < SHOWN ? n : 0];
+    }
+    for (int k = 0; k < KINDS; ++k) {
+      a->n[k] += b->n[k];
+    }
+    a->log_error += b->log_error;
+    a->measured += b->measured;
+  }
+}
+
+// Every `jobs`-th machine of a row; the first of them says how far it is.
+static void judge_share(const row_t *row, const options_t *options, long job,
+                        row_count_t *count) {
+  const time_t began = time(NULL);
+  time_t said = began;
+  for (long i = job; i < options->machines; i += options->jobs) {
+    case_t c;
+    const long index = options->first + i;
+    if (draw_case(row, options, index, count, &c)) {
+      if (options->machines == 1) {
+        draw_print(&c.machine, row->t_end, "SCHEME");
+        printf(
+            "  sine %.9g rad/s, %.9g rad/s; law of rest %d; a start moved by "
+            "%.0e ends %.1e apart; h = g = 0 %d times\n",
+            c.machine.swing, c.machine.swing_rate, c.machine.rest, beside,
+            c.moved, c.met.through);
+      }
+      judge_case(&c, options, index, count);
+    }
+    const time_t now = time(NULL);
+    if (job == 0 && now - said >= 2) {
+      said = now;
+      const double each = (double)(now - began) / (double)(i + 1);
+      fprintf(stderr, "\r%s: %ld of %ld machines, %.0f s left in the row  ",
+              row->name, i + 1, options->machines,
+              each * (double)(options->machines - i - 1));
+    }
+  }
+}
+
+// Shares a row among processes; false where one did not answer.
+static bool judge_row(const row_t *row, const options_t *options,
+                      row_count_t *count) {
+  int ends[64][2];
+  bool good = true;
+  for (long job = 1; job < options->jobs; ++job) {
+    good = good && pipe(ends[job]) == 0;
+    const pid_t child = good ? fork() : -1;
+    if (child == 0) {
+      row_count_t part;
+      memset(&part, 0, sizeof part);
+      judge_share(row, options, job, &part);
+      const char *at = (const char *)&part;
+      const bool sent =
+          write(ends[job][1], at, sizeof part) == (ssize_t)sizeof part;
+      _exit(sent ? 0 : 1);
+    }
+    good = good && child > 0;
+  }
+  judge_share(row, options, 0, count);
+  for (long job = 1; good && job < options->jobs; ++job) {
+    row_count_t part;
+    char *at = (char *)&part;
+    ssize_t got = 0, more;
+    close(ends[job][1]);
+    while (got < (ssize_t)sizeof part &&
+           (more = read(ends[job][0], at + got, sizeof part - (size_t)got)) >
+               0) {
+      got += more;
+    }
+    close(ends[job][0]);
+    good = got == (ssize_t)sizeof part && wait(NULL) > 0;
+    add(count, &part);
+  }
+  return good;
+}
+
+static void print_row(const row_t *row, const options_t *options,
+                      const row_count_t *count) {
+  const long *n = count->n;
+  double steps[ROW_STEPS];
+  steps_of(row, options, steps);
+  printf("%s. %s: %ld judged of %ld drawn; not judged: %ld several futures, ",
+         row->name, row->about, n[JUDGED], n[DRAWN], n[SEVERAL]);
+  printf("%ld near a border, %ld without an end\n", n[BORDER], n[STOPPED]);
+  for (int i = 0; i < ROW_STEPS * ROW_MODELS; ++i) {
+    const int k = i % ROW_STEPS, m = i / ROW_STEPS;
+    const model_t *model = &row_models[m];
+    const tally_t *t = &count->tally[k][m];
+    if (t->n[TRIED] == 0) {
+      continue;
+    }
+    printf("  %-3s %-11s %-6s %6.0e", row->name,
+           lib_scheme_names[model->scheme], model->real->name,
+           dt_of(row, model, steps[k]));
+    for (int j = 0; j < KINDS; ++j) {
+      printf(" %7ld", t->n[j]);
+    }
+    printf(" %8.1e", pow(10, t->log_error / fmax(1, t->measured)));
+    for (long j = 0; j < t->n[SILENT] && j < SHOWN && j < options->show; ++j) {
+      printf("%s%ld", j ? "," : "  first ", t->shown[j]);
+    }
+    printf("\n");
+  }
+}
+
+static int run_table(const options_t *asked) {
+  options_t options = *asked;
+  if (options.jobs < 1 || options.jobs > 63 || options.machines < 2) {
+    options.jobs = 1;
+  }
+  bool known = false, good = true;
+  printf(
+      "reference table, seed %llu; silent: all steps OK and more than 2 %% "
+      "off (located 1e-6; A': order below 1.5)\n",
+      (unsigned long long)options.seed);
+  printf(
+      "  row scheme      real       dt   tried through  silent through "
+      "flagged flagged refused  mean of\n%62s wrong   right %15s\n",
+      "", "error");
+  for (int i = 0; i < ROWS; ++i) {
+    static row_count_t count;
+    if (strcmp(options.row, "all") != 0 &&
+        strcmp(options.row, rows[i].name) != 0) {
+      continue;
+    }
+    known = true;
+    memset(&count, 0, sizeof count);
+    fflush(stdout);
+    good = judge_row(&rows[i], &options, &count) && good;
+    fprintf(stderr, "\r%60s\r", "");
+    print_row(&rows[i], &options, &count);
+  }
+  if (!known) {
+    printf("no class %s\n", options.row);
+  }
+  return known && good ? 0 : 2;
+}
+
+const class_t class_table = {
+    .name = "table",
+    .about =
+        "classes of machines by each scheme: silently wrong, flagged, "
+        "refused",
+    .machines = 200,
+    .finish = run_table};
