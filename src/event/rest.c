@@ -7,7 +7,8 @@
 // so that this ends where |M| = kappa |F|, and it needs no more than mu,
 //   A(s) lambda = A(0) F + r cos(gamma) M / J,  |lambda| <= mu.
 // Where an exit rule asks for a slip, this begins with a limit direction, which
-// is no root of a polynomial: the instant is found by halving.
+// is no root of a polynomial: the instant is found by halving, and one that is
+// gone again by the end of the step is passed over.
 #include "../friction/mode_set.h"
 #include "../friction/rest_law.h"
 #include "segment.h"
