@@ -3,13 +3,14 @@
 /// end far from the reference with every step OK. The reference follows the
 /// inputs that the steps were told, from event to event; where it is not sure
 /// of its own end it says so, and the machine is not counted.
-#ifndef _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L // fork, pipe
+#ifndef _DEFAULT_SOURCE
+#define _DEFAULT_SOURCE // MAP_ANONYMOUS
 #endif
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -147,26 +148,18 @@ static bool draw_case(const row_t *row, const options_t *options, long index,
     if (row->takes && !row->takes(&c->met)) {
       continue;
     }
-    if (stop != REF_REACHED) {
-      ++count->n[STOPPED];
-      continue;
+    const bool reached =
+        stop == REF_REACHED && follow(&c->machine, &c->q, beside, row->t_end,
+                                      &met, &other) == REF_REACHED;
+    c->moved = reached ? class_distance(&c->q, c->end, other) : HUGE_VAL;
+    const int is = stop != REF_REACHED ? STOPPED
+                   : c->met.several    ? SEVERAL
+                   : c->moved < sure   ? JUDGED
+                                       : BORDER;
+    ++count->n[is];
+    if (is == JUDGED) {
+      return true;
     }
-    if (c->met.several) {
-      ++count->n[SEVERAL];
-      continue;
-    }
-    if (follow(&c->machine, &c->q, beside, row->t_end, &met, &other) !=
-        REF_REACHED) {
-      ++count->n[BORDER];
-      continue;
-    }
-    c->moved = class_distance(&c->q, c->end, other);
-    if (!(c->moved < sure)) {
-      ++count->n[BORDER];
-      continue;
-    }
-    ++count->n[JUDGED];
-    return true;
   }
   return false;
 }
@@ -378,41 +371,31 @@ static void judge_share(const row_t *row, const options_t *options, long job,
   }
 }
 
-// Shares a row among processes; false where one did not answer.
+// Shares a row among processes; false where one did not end well.
 static bool judge_row(const row_t *row, const options_t *options,
                       row_count_t *count) {
-  int ends[64][2];
+  const size_t jobs = (size_t)options->jobs, size = jobs * sizeof *count;
+  row_count_t *parts = mmap(NULL, size, PROT_READ | PROT_WRITE,
+                            MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (parts == MAP_FAILED) {
+    return false;
+  }
+  for (size_t job = 1; job < jobs; ++job) {
+    if (fork() == 0) {
+      judge_share(row, options, (long)job, &parts[job]);
+      _exit(0);
+    }
+  }
+  judge_share(row, options, 0, parts);
   bool good = true;
-  for (long job = 1; job < options->jobs; ++job) {
-    good = good && pipe(ends[job]) == 0;
-    const pid_t child = good ? fork() : -1;
-    if (child == 0) {
-      row_count_t part;
-      memset(&part, 0, sizeof part);
-      judge_share(row, options, job, &part);
-      const char *at = (const char *)&part;
-      const bool sent =
-          write(ends[job][1], at, sizeof part) == (ssize_t)sizeof part;
-      _exit(sent ? 0 : 1);
-    }
-    good = good && child > 0;
+  for (size_t job = 0; job < jobs; ++job) {
+    int status = 0;
+    good = (job == 0 || (wait(&status) > 0 && status == 0)) && good;
   }
-  judge_share(row, options, 0, count);
-  for (long job = 1; good && job < options->jobs; ++job) {
-    row_count_t part;
-    char *at = (char *)&part;
-    ssize_t got = 0, more;
-    close(ends[job][1]);
-    while (got < (ssize_t)sizeof part &&
-           (more = read(ends[job][0], at + got, sizeof part - (size_t)got)) >
-               0) {
-      got += more;
-    }
-    close(ends[job][0]);
-    good = got == (ssize_t)sizeof part && wait(NULL) > 0;
-    add(count, &part);
+  for (size_t job = 0; job < jobs; ++job) {
+    add(count, &parts[job]);
   }
-  return good;
+  return munmap(parts, size) == 0 && good;
 }
 
 static void print_row(const row_t *row, const options_t *options,
