@@ -7,7 +7,7 @@
 # The profile of the scene `driven`, as a table over the scene `chaos`.
 printf '# knots of driven\nt,omega0\n0,-1\n2,-2\n4,-2\n8,1\n10,0\n' >knots.csv
 for scheme in moreau located compensated; do
-  set -- --scheme $scheme --every 11
+  set -- --scheme $scheme --every 11 --dt 2e-4
   runs run driven "$@" --out want
   runs run chaos --set phi=0 --t-end 12 --inputs knots.csv --between linear "$@"
   check "the profile as a table, $scheme" cmp out want

@@ -26,7 +26,8 @@ static int in_ranges(const tf_params_t *params) {
 static const char *run(const cli_args_t *args) {
   cli_setup_t setup;
   const cli_scheme_t *scheme = &cli_schemes[args->scheme];
-  FUZZ_HOLD(args->scheme < CLI_SCHEMES && args->every >= 1);
+  FUZZ_HOLD((args->scheme < CLI_SCHEMES || args->scheme == CLI_NOT_GIVEN) &&
+            args->every >= 1);
   FUZZ_HOLD(args->out == NULL || args->out[0] != '\0');
   int code = cli_setup_read(&setup, args->scene, &args->settings, args->select);
   FUZZ_HOLD(code == CLI_DONE || code == CLI_USAGE);
