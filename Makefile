@@ -133,6 +133,9 @@ $(BUILD)/$(1)/twofold: $$(call objects_of_$(1),$(CLI)) \
 $(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \
     $(BUILD)/$(1)/libtwofold.a
 	$$(link)
+# A test of the command line is linked with what it tests.
+$(BUILD)/$(1)/tests/cli/test_canard: $(BUILD)/$(1)/tools/cli/diverge/canard.o \
+  $(BUILD)/$(1)/tools/cli/diverge/field.o
 endef
 
 # Only this file is compiled again where the commit is another one.

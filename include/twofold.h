@@ -16,6 +16,7 @@
 #include "twofold/compensated.h"
 #include "twofold/design.h"
 #include "twofold/ensemble.h"
+#include "twofold/estimated.h"
 #include "twofold/frame.h"
 #include "twofold/link.h"
 #include "twofold/located.h"

@@ -1,11 +1,10 @@
 // The first event of a segment. An event is where a function of time vanishes
-// that has one sign throughout the segment: h, g, mu - |lambda|, A, or what is
-// left of |F| and |M| to the bounds of rest_law.h. These are polynomials here,
-// up to the order of the motion, so their first roots are isolated by
-// Descartes' rule on Bernstein coefficients (polynomial.h). Event-driven
-// solvers that compare signs at the ends of steps, as in Piiroinen and
-// Kuznetsov (2008), may pass over a pair of roots.
-#include "../friction/rest_law.h"
+// that has one sign throughout the segment: h, g, mu - |lambda|, A, or where the
+// wheel rests those of rest.c. These are polynomials here, up to the order of
+// the motion, so their first roots are isolated by Descartes' rule on Bernstein
+// coefficients (polynomial.h). Event-driven solvers that compare signs at the
+// ends of steps, as in Piiroinen and Kuznetsov (2008), may pass over a pair of
+// roots.
 #include "segment.h"
 
 // (of_p p + of_q q) / t^zeros, for a sum with a zero of that order at t = 0.
@@ -139,41 +138,6 @@ static event_t event_in_stick(const taylor_t *motion, const segment_t *segment,
   return event;
 }
 
-// bound - |a| + slope |b| as long as a and b have these signs; for all signs
-// together it is that at every time.
-TF_INLINE bool reaches_rest_bound(const series_t *a, tf_real_t sign_a,
-                                  tf_real_t bound, const series_t *b,
-                                  tf_real_t slope, tf_real_t *time) {
-  series_t margin;
-  margin_of(a, PINNED_ORDER, sign_a, bound, &margin);
-  for (int n = 0; n <= PINNED_ORDER; n++) margin.c[n] += slope * b->c[n];
-  return vanishes_before(&margin, PINNED_ORDER, time);
-}
-
-// |F| and |M| reach their bounds under the law of rest. Where a bound grows
-// with the other one (the bow tie) only the present sign of that one counts.
-static event_t event_while_pinned(const taylor_t *motion, tf_real_t *time) {
-  const tf_machine_t *k = motion->machine;
-  const rest_bounds_t at = rest_bounds(k->rest);
-  const tf_real_t mu = k->tyre.mu, kappa = k->stick_kappa;
-  const tf_real_t sign_F = motion->F.c[0] < 0 ? TF_R(-1.0) : TF_R(1.0);
-  event_t event = EVENT_NONE;
-  for (int i = 0; i < 4; i++) {
-    const tf_real_t sign = i < 2 ? TF_R(-1.0) : TF_R(1.0);
-    const tf_real_t other = i % 2 == 0 ? TF_R(-1.0) : TF_R(1.0);
-    if (reaches_rest_bound(&motion->F, sign, at.x0 * mu, &motion->M,
-                           other * at.x1 / kappa, time))
-      event = EVENT_UNPINNED;
-  }
-  for (int i = 0; i < 2; i++) {
-    const tf_real_t sign = i == 0 ? TF_R(-1.0) : TF_R(1.0);
-    if (reaches_rest_bound(&motion->M, sign, at.y0 * kappa * mu, &motion->F,
-                           sign_F * kappa * at.y1, time))
-      event = EVENT_UNPINNED;
-  }
-  return event;
-}
-
 TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
                              tf_real_t length, tf_real_t *time) {
   *time = length;
@@ -185,7 +149,7 @@ TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
     case CONTACT_TWO_FOLD_STICK:
       return event_in_stick(motion, segment, time);
     case CONTACT_PINNED:
-      return event_while_pinned(motion, time);
+      return tf_next_event_at_rest(motion, time);
     case CONTACT_NONE:
     default:
       break;

@@ -31,7 +31,9 @@ static void begin_trajectory(trajectory_t *path, const tf_machine_t *k,
   path->state = state;
   path->motion.machine = k;
   path->motion.input = input;
-  path->omega = input->omega0 - input->alpha * k->dt;
+  const tf_real_t turn = input->alpha * k->dt;
+  path->omega = input->omega0 - turn;
+  path->turn = magnitude(turn);
   path->now.r = state->r;
   path->now.z = state->w - path->omega;
   path->now.p = slider_speed(k, state->v, path->now.z);
@@ -238,8 +240,7 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
   record(state, end, slip, path->force, residual_at_end(path, slip), outcome,
          report);
   // What follows an event begins with the h and g that its segment ended with.
-  const tf_real_t rounding =
-      slip_rounding(k, end.r, end.v, end.w, input->omega0);
+  const tf_real_t rounding = step_rounding(path, end, input->omega0);
   const tf_status_t status = status_by_signs(
       report, rounding + k->tolerance / SLIP_ROUNDINGS * rounding);
   return stays ? tf_status_of_stall(k, input, state, report) : status;

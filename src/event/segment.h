@@ -32,7 +32,7 @@ typedef enum {
   EVENT_CODIM2,   // slip or stick reaches h = g = 0
   EVENT_RELEASE,  // |lambda| = mu in stick
   EVENT_TWO_FOLD, // A = 0 in stick
-  EVENT_UNPINNED  // F or M reaches a bound of the law of rest
+  EVENT_UNPINNED  // a wheel at rest has a future that ends it
 } event_t;
 
 // Computes the series of a segment from their terms 0, with as many terms as
@@ -58,5 +58,9 @@ TF_API tf_real_t tf_angle_change(const taylor_t *motion, tf_real_t t);
 #define tf_next_event TF_LINK(tf_next_event)
 TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
                              tf_real_t length, tf_real_t *time);
+
+// The same of a wheel at rest.
+#define tf_next_event_at_rest TF_LINK(tf_next_event_at_rest)
+TF_API event_t tf_next_event_at_rest(const taylor_t *motion, tf_real_t *time);
 
 #endif

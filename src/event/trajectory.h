@@ -11,6 +11,7 @@ typedef struct {
   segment_t segment;
   phase_point_t now;
   tf_real_t omega;     // speed of the turntable now [rad/s]
+  tf_real_t turn;      // by how much it changes in the step, without sign
   tf_real_t remaining; // time until the end of the step [s]
   tf_real_t angle;     // of the disc, since the start of the step [rad]
   bool is_over;        // at the end of the step, and force is that of the end
@@ -30,14 +31,23 @@ TF_INLINE tf_slip_t trajectory_slip(const trajectory_t *path) {
 #define tf_trajectory_rates TF_LINK(tf_trajectory_rates)
 TF_API rates_t tf_trajectory_rates(const trajectory_t *path);
 
+// What rounding makes of h and g at a point of the step. That of omega is one
+// of omega0 at the end and of its change: where omega0 passes 0 they are larger
+// than it is.
+TF_INLINE tf_real_t step_rounding(const trajectory_t *path, end_state_t at,
+                                  tf_real_t omega) {
+  return slip_rounding(path->motion.machine, at.r, at.v, at.w,
+                       magnitude(omega) + path->turn);
+}
+
 // By how much the h and g of a point of a series may be off by rounding [m/s]:
 // an eighth of the bound by which a state is at h = 0, because that point is
 // the value of a polynomial and not the end of a step.
 TF_INLINE tf_real_t trajectory_rounding(const trajectory_t *path) {
-  const tf_machine_t *k = path->motion.machine;
   const phase_point_t at = path->now;
-  return slip_rounding(k, at.r, slider_velocity(k, at.p, at.z),
-                       at.z + path->omega, path->omega) /
+  const tf_real_t v = slider_velocity(path->motion.machine, at.p, at.z);
+  return step_rounding(path, (end_state_t){at.r, v, at.z + path->omega},
+                       path->omega) /
          8;
 }
 

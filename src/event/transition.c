@@ -67,8 +67,12 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
   const codim2_field_t field = tf_codim2_field_of(k, &rates);
   consistent_modes_t consistent;
   tf_codim2_modes(k, &field, &consistent);
-  const unsigned mode =
+  unsigned mode =
       tf_leave_codim2(k, &field, path->mode, arrives, path->state, &consistent);
+  // A wheel that comes to rest is asked for its exit at once, as it would be at
+  // the start of the next step. The draw of RANDOM is one of that.
+  if (arrives && mode == TF_PINNED && k->rule != TF_RULE_RANDOM)
+    mode = tf_leave_codim2(k, &field, mode, false, path->state, &consistent);
   keep_largest_set(path, consistent.solutions.set);
   if (mode == TF_NO_MODE) return false;
   segment_t segment = {.h_zero_order = 1, .g_starts_at_zero = true};
@@ -141,11 +145,24 @@ static void begin_in_slip(trajectory_t *path, tf_slip_t slip) {
   keep_largest_set(path, TF_MODE_BIT(path->mode));
 }
 
+// A wheel at rest follows the turntable: how far from that it is, is how far
+// the speed at which a step before ended is from that at which this one begins,
+// by what both were told. A share of the change that the tolerance admits is no
+// jump.
+static tf_real_t rounding_at_start(const trajectory_t *path) {
+  const tf_machine_t *k = path->motion.machine;
+  const tf_state_t *x = path->state;
+  const tf_real_t rounding =
+      step_rounding(path, (end_state_t){x->r, x->v, x->w}, path->omega);
+  if (path->mode != TF_PINNED) return rounding;
+  return rounding +
+         k->tolerance * (magnitude(k->d) + magnitude(x->r)) * path->turn;
+}
+
 TF_API bool tf_first_segment(trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const tf_slip_t slip = trajectory_slip(path);
-  const tf_state_t *x = path->state;
-  const tf_real_t rounding = slip_rounding(k, x->r, x->v, x->w, path->omega);
+  const tf_real_t rounding = rounding_at_start(path);
   if (k->tyre.law == TF_TYRE_NONE) {
     begin_without_contact(path, slip.h);
     return true;

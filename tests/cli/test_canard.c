@@ -2,9 +2,8 @@
  * the paper, from the whole window of its figure 4, it is computed or its
  * failure has a name; where it is computed the core says that it is stick, in
  * the escaping region, and that it comes from the two-fold. */
+#include "../../tools/cli/diverge/canard.h"
 #include "sample.h"
-/* Of the command line, which tests are not linked with. */
-#include "../../tools/cli/diverge/canard.c" /* NOLINT */
 
 static tf_machine_t machine;
 static cli_two_fold_t through;
@@ -122,10 +121,10 @@ TEST(random_machines_are_followed_or_say_why) {
       cli_point_t at;
       double reached = 0;
       CHECK(cli_canard_after(&canard, i * canard.node[0].t / 8, &at, &reached));
-      const double A = cli_delassus(&c.machine, at.r, canard.s);
-      CHECK(A < 0 && canard.s * (double)cli_slip_at(&c.machine, at).g > 0);
-      CHECK(fabs(cli_free_slip_rate(&c.machine, at) / A) <
-            1.001 * (double)c.machine.tyre.mu);
+      const cli_field_t f = cli_field_at(&c.machine, at);
+      const double A = f.A[canard.s < 0];
+      CHECK(A < 0 && canard.s * f.g > 0);
+      CHECK(fabs(f.N / A) < 1.001 * (double)c.machine.tyre.mu);
     }
   }
   printf("# random machines: %d of %d followed\n", solved, drawn);

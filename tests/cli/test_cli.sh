@@ -301,6 +301,25 @@ equal 'of moreau every step is too long' "$(degraded_count coarse)" 100
 expect 2 'two files are needed' run chaos --save one --out one
 expect 3 'segments must be a whole number' run chaos --set segments=2.5
 
+# --accuracy flags steps and changes no row; float has a default of its own.
+chaos --scheme moreau --t-end 0.1 --dt 1e-3
+cp out plain.csv
+chaos --scheme moreau --t-end 0.1 --dt 1e-3 --accuracy 1
+check '--accuracy changes no row' cmp -s out plain.csv
+check 'the summary has the largest error' \
+  grep -q '^estimate  *a step is off' err
+expect 5 'estimate   a step is off by' \
+  run chaos --scheme moreau --t-end 0.1 --dt 1e-3 --accuracy 1e-6
+expect 3 '--accuracy: not with --scheme located' \
+  run chaos --scheme located --accuracy 1
+expect 3 'must lie in (0, 1]' run chaos --accuracy -1
+chaos --t-end 1e-3 --dt 1e-4
+scheme=moreau
+[ "$real" != float ] || scheme=compensated
+check "no --scheme below 1 ms: $scheme" grep -q "^scheme     $scheme," err
+chaos --t-end 1e-2 --dt 1e-3
+check 'no --scheme at 1 ms: moreau' grep -q '^scheme     moreau,' err
+
 # The summary and its events.
 chaos --t-end 10 --every 1000000
 for word in scene scheme steps events ambiguous degraded largest final cost; do

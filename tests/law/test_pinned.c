@@ -2,31 +2,28 @@
  * force and the moment that keep it there are what the paper's equations ask
  * for, and it stays as long as the law has them, whichever of its two limits
  * they reach first and on whichever side. */
+#include "reference.h"
 #include "sample.h"
 
 typedef struct {
   real F, M;
 } hold_t;
 
-/* F and M under which r rests and w follows the turntable: the paper's
- * equations are affine in both, and an external force along r and a torque on
- * the disc, which it lacks, act by the inverse of its mass matrix. */
+/* F and M under which r rests and w follows the turntable: the reference's
+ * rates are affine in both, and M does not act on p. */
 static hold_t hold(const paper_t *p, const tf_input_t *u, real r, real w) {
-  const real x[3] = {r, 0, w};
-  real none[3], force[3], moment[3];
-  paper_t rotating = *p;
-  rotating.omega0 = w;
-  paper_rhs_mass(&rotating, x, 0, 0, none);
-  paper_rhs_mass(&rotating, x, 1, 0, force);
-  paper_rhs_mass(&rotating, x, 0, 1, moment);
-  const real a = force[1] - none[1], b = moment[1] - none[1];
-  const real c = force[2] - none[2], d = moment[2] - none[2];
-  const real by_mass = 1 / (p->m * (p->beta * p->beta + r * r));
-  const real Q_r = wide(u->force), Q_phi = wide(u->torque);
-  none[1] += Q_r / p->m + by_mass * p->d * (p->d * Q_r + Q_phi);
-  none[2] += by_mass * (p->d * Q_r + Q_phi);
-  const real e = -none[1], f = wide(u->alpha) - none[2], det = a * d - b * c;
-  return (hold_t){(e * d - b * f) / det, (a * f - e * c) / det};
+  ref_machine_t q = {PARAMETERS_OF(real, p), .knots = 2};
+  const real force = wide(u->force), torque = wide(u->torque);
+  q.knot[0] = (ref_knot_t){0, w, force, torque};
+  q.knot[1] = (ref_knot_t){1, w + wide(u->alpha), force, torque};
+  ref_prepare(&q);
+  const ref_state_t x = {.r = r, .piece = 1};
+  const ref_rate_t none = ref_rate(&q, x, (ref_force_t){0, 0});
+  const ref_rate_t by_F = ref_rate(&q, x, (ref_force_t){1, 0});
+  const ref_rate_t by_M = ref_rate(&q, x, (ref_force_t){0, 1});
+  const real F = -none.p / (by_F.p - none.p);
+  const real z = none.z + F * (by_F.z - none.z);
+  return (hold_t){F, -z / (by_M.z - none.z)};
 }
 
 /* How far both are from the borders of the hull of the law; < 0 beyond one. */

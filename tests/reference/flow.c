@@ -1,8 +1,7 @@
 /// @file
-/// One step within a mode by extrapolation of the midpoint rule (Gragg,
-/// Bulirsch, Stoer): it has no table of coefficients, so it is as exact as its
-/// numbers. An event is a sign change of a watched function; the step is taken
-/// again with a smaller length to end on it, which costs no accuracy.
+/// One step within a mode. An event is a sign change of a watched function; the
+/// step is taken again with a smaller length to end on it, which costs no
+/// accuracy.
 ///
 /// A step runs in a time of its own, in which all that is singular is regular:
 /// next to h = g = 0, where the direction of slip decides the force, dt is
@@ -11,9 +10,11 @@
 /// point.
 #include "flow.h"
 
+#include "extrapolate.h"
+
 typedef ref_real_t real_t;
 
-enum { WATCHED = 5, COLUMNS = 14, DIM = 4 };
+enum { WATCHED = 5 };
 
 typedef struct {
   int count;
@@ -22,7 +23,7 @@ typedef struct {
 } watched_t;
 
 /// A / scale of A at which the straight line into a two-fold begins.
-#ifdef REF_QUAD
+#if REF_BITS == 113
 static const real_t near_fold = (real_t)1e-17L;
 #else
 static const real_t near_fold = 1e-9L;
@@ -93,28 +94,6 @@ ref_state_t ref_slope(ref_orbit_t *orbit, ref_state_t x) {
       .r = pace * f.r, .p = pace * f.p, .z = pace * f.z, .t = pace};
 }
 
-static ref_state_t along(ref_state_t x, real_t t, ref_state_t f) {
-  x.r += t * f.r;
-  x.p += t * f.p;
-  x.z += t * f.z;
-  x.t += t * f.t;
-  return x;
-}
-
-// n substeps of the midpoint rule.
-static ref_state_t midpoint(ref_orbit_t *orbit, ref_state_t start, real_t H,
-                            int n) {
-  const real_t dt = H / n;
-  ref_state_t last = orbit->x;
-  ref_state_t x = along(last, dt, start);
-  for (int i = 1; i < n; ++i) {
-    const ref_state_t next = along(last, 2 * dt, ref_slope(orbit, x));
-    last = x;
-    x = next;
-  }
-  return x;
-}
-
 // Error against what h, g and r are at both ends: where the angle in the
 // (h, g) plane decides the force, the smaller slip counts.
 static real_t error(const ref_orbit_t *orbit, ref_state_t a, ref_state_t end) {
@@ -137,37 +116,21 @@ static real_t error(const ref_orbit_t *orbit, ref_state_t a, ref_state_t end) {
   return e >= 0 ? e / orbit->tolerance : (real_t)HUGE_VALL;
 }
 
-// Columns of the extrapolation table that suit a tolerance.
-static int columns(const ref_orbit_t *orbit) {
-  return orbit->tolerance > (real_t)1e-14L   ? 6
-         : orbit->tolerance > (real_t)1e-20L ? 8
-                                             : COLUMNS;
+static ref_state_t slope_of(void *orbit, ref_state_t x) {
+  return ref_slope(orbit, x);
 }
 
 // One step of length H. Returns the error over the tolerance.
 static real_t trial(ref_orbit_t *orbit, real_t H, ref_state_t *end) {
   if (orbit->mode == REF_PINNED) {
     ++orbit->evaluations;
-    *end = along(orbit->x, H, (ref_state_t){.t = 1});
+    *end = orbit->x;
+    end->t += H;
     return 0;
   }
-  const ref_state_t start = ref_slope(orbit, orbit->x);
-  const int last = columns(orbit) - 1;
-  ref_state_t row[COLUMNS], coarser = orbit->x;
-  for (int k = 0; k <= last; ++k) {
-    ref_state_t next = midpoint(orbit, start, H, 2 * (k + 1));
-    for (int j = 1; j <= k; ++j) {
-      const real_t ratio = (real_t)(k + 1) / (k + 1 - j);
-      const real_t factor = 1 / (ratio * ratio - 1);
-      const ref_state_t old = row[j - 1];
-      const ref_state_t change = {next.r - old.r, next.p - old.p,
-                                  next.z - old.z, next.t - old.t, 0};
-      row[j - 1] = next;
-      next = along(next, factor, change);
-    }
-    coarser = k > 0 ? row[k - 1] : next;
-    row[k] = *end = next;
-  }
+  ref_state_t coarser;
+  *end = ref_extrapolate(slope_of, orbit, orbit->x, H,
+                         ref_columns(orbit->tolerance), &coarser);
   return error(orbit, coarser, *end);
 }
 
@@ -244,47 +207,26 @@ static watched_t watched(const ref_orbit_t *orbit, ref_state_t x,
   return out;
 }
 
-// Length of the step that ends where function `which` crosses 0, by the
-// Illinois form of false position; `low` has it positive.
-static real_t locate(ref_orbit_t *orbit, real_t until, int which, real_t low,
-                     real_t high, ref_state_t *at) {
-  trial(orbit, low, at);
-  real_t f_low = watched(orbit, *at, until).value[which];
-  trial(orbit, high, at);
-  real_t f_high = watched(orbit, *at, until).value[which];
-  for (int i = 0; i < 120 && high - low > REF_EPSILON * high; ++i) {
-    real_t mid = (low * f_high - high * f_low) / (f_high - f_low);
-    if (!(mid > low && mid < high) || i > 60) {
-      mid = (low + high) / 2;
-    }
-    trial(orbit, mid, at);
-    const real_t f = watched(orbit, *at, until).value[which];
-    if (f > 0) {
-      low = mid;
-      f_low = f;
-      f_high /= 2;
-    } else {
-      high = mid;
-      f_high = f;
-      f_low /= 2;
-      if (f == 0) {
-        break;
-      }
-    }
-  }
-  trial(orbit, high, at);
-  return high;
+// A function that is watched, in a step to a time.
+typedef struct {
+  ref_orbit_t *orbit;
+  real_t until;
+  int which;
+} watching_t;
+
+static real_t value_after(void *context, real_t length, ref_state_t *end) {
+  const watching_t *at = context;
+  trial(at->orbit, length, end);
+  return watched(at->orbit, *end, at->until).value[at->which];
 }
 
 // A step may start on a zero and has to come off it first: a length at which
 // the function is positive, or next to nothing.
-static real_t off_zero(ref_orbit_t *orbit, real_t until, int which,
-                       real_t length) {
+static real_t off_zero(watching_t *at, real_t length) {
   ref_state_t near;
   for (int k = 0; k < 60; ++k) {
     length /= 2;
-    trial(orbit, length, &near);
-    if (watched(orbit, near, until).value[which] > 0) {
+    if (value_after(at, length, &near) > 0) {
       break;
     }
   }
@@ -357,7 +299,7 @@ static real_t longest(ref_orbit_t *orbit, real_t until) {
 }
 
 ref_at_t ref_advance(ref_orbit_t *orbit, real_t until) {
-  const int order = 2 * columns(orbit) - 1;
+  const int columns = ref_columns(orbit->tolerance);
   if (until - orbit->x.t <= roundings * until) {
     orbit->x.t = until;
     return REF_AT_TIME;
@@ -367,8 +309,7 @@ ref_at_t ref_advance(ref_orbit_t *orbit, real_t until) {
   for (int tries = 0;; ++tries) {
     e = trial(orbit, H, &end);
     if (e > 1) {
-      H *= ref_larger((real_t)0.1L,
-                      (real_t)0.9L * ref_pow(e, (real_t)-1 / order));
+      H *= ref_step_factor(e, columns);
     } else if (tries < 40 && hides_an_event(orbit, until, H, end)) {
       H /= 2;
     } else {
@@ -378,9 +319,7 @@ ref_at_t ref_advance(ref_orbit_t *orbit, real_t until) {
       return REF_AT_NONE;
     }
   }
-  e = ref_larger(e, (real_t)1e-12L);
-  orbit->step =
-      H * ref_smaller(4, (real_t)0.9L * ref_pow(e, (real_t)-1 / order));
+  orbit->step = H * ref_step_factor(e, columns);
   const watched_t start = watched(orbit, orbit->x, until);
   ref_at_t event = REF_AT_NONE;
   for (int i = 0; i < start.count; ++i) {
@@ -391,8 +330,9 @@ ref_at_t ref_advance(ref_orbit_t *orbit, real_t until) {
     if (f >= 0 || event == start.at[i]) {
       continue;
     }
-    const real_t low = start.value[i] > 0 ? 0 : off_zero(orbit, until, i, H);
-    H = locate(orbit, until, i, low, H, &end);
+    watching_t at = {orbit, until, i};
+    const real_t low = start.value[i] > 0 ? 0 : off_zero(&at, H);
+    H = ref_locate(value_after, &at, low, H, &end);
     event = start.at[i];
   }
   orbit->x = orbit->mode == REF_STICK_PLUS || orbit->mode == REF_STICK_MINUS

@@ -118,6 +118,13 @@ ref_affine_t ref_affine(const ref_machine_t *machine, ref_state_t x) {
   };
 }
 
+real_t ref_energy(const ref_machine_t *machine, real_t r, real_t P, real_t w,
+                  real_t stretch) {
+  const ref_machine_t *q = machine;
+  const real_t gyration2 = q->beta * q->beta + r * r;
+  return (q->m * (P * P + gyration2 * w * w) + q->k2 * stretch * stretch) / 2;
+}
+
 bool ref_by_angle(const ref_machine_t *machine) {
   return machine->law == REF_JUMP || machine->law == REF_STRING;
 }
@@ -182,23 +189,24 @@ static ref_force_t angle_force(const ref_machine_t *q, real_t H, real_t G) {
 ref_force_t ref_slip_force(const ref_machine_t *machine, ref_slip_t slip,
                            ref_piece_t piece) {
   const ref_machine_t *q = machine;
+  const real_t side = (real_t)piece.side, roll = (real_t)piece.roll;
   if (!ref_has_kink(q)) {
-    return (ref_force_t){q->law == REF_COULOMB ? piece.side * q->mu : 0, 0};
+    return (ref_force_t){q->law == REF_COULOMB ? side * q->mu : 0, 0};
   }
-  const real_t H = piece.side * slip.h, G = piece.roll * slip.g;
+  const real_t H = side * slip.h, G = roll * slip.g;
   const ref_force_t f = q->law == REF_STRING ? string_force(q, piece.zone, H, G)
                                              : angle_force(q, H, G);
-  real_t size = piece.side * q->mu;
+  real_t size = side * q->mu;
   if (q->law == REF_SMOOTH) {
     size = q->mu * slip.h / ref_hypot(slip.h, q->epsilon);
   }
-  return (ref_force_t){size * f.F, piece.roll * size * f.M};
+  return (ref_force_t){size * f.F, roll * size * f.M};
 }
 
 ref_force_t ref_stick_force(const ref_machine_t *machine, int s,
                             real_t lambda) {
   const real_t kappa = machine->law == REF_JUMP ? machine->kappa : 0;
-  return (ref_force_t){lambda, s * kappa * lambda};
+  return (ref_force_t){lambda, (real_t)s * kappa * lambda};
 }
 
 ref_edge_t ref_edge(const ref_machine_t *machine, ref_state_t x, int s) {

@@ -1,8 +1,10 @@
 /// @file
-/// The reference's number: long double, which needs no library but libm; or,
-/// with -DREF_QUAD, quadruple precision by gcc and libquadmath, for the maker
-/// of tests/data alone. The prototypes stand here instead of quadmath.h, which
-/// belongs to gcc, so that every static analyser can read these files.
+/// The reference's number, by its bits: long double, which needs no library but
+/// libm; or, with -DREF_BITS=113, quadruple precision by gcc and libquadmath,
+/// for the maker of tests/data. Laws without a jump (tools/study/finer.c) take
+/// float and double, too, 24 and 53. The prototypes stand here instead of
+/// quadmath.h, which belongs to gcc, so that every static analyser can read
+/// these files.
 #ifndef REFERENCE_NUMBER_H
 #define REFERENCE_NUMBER_H
 
@@ -10,7 +12,23 @@
 #include <math.h>
 #include <stddef.h>
 
-#ifdef REF_QUAD
+#ifndef REF_BITS
+#define REF_BITS 64
+#endif
+
+#if REF_BITS == 24
+typedef float ref_real_t;
+
+#define REF_FN(name) name##f
+#define REF_NUMBER(decimal) decimal##F
+#define REF_EPSILON FLT_EPSILON
+#elif REF_BITS == 53
+typedef double ref_real_t;
+
+#define REF_FN(name) name
+#define REF_NUMBER(decimal) decimal
+#define REF_EPSILON DBL_EPSILON
+#elif REF_BITS == 113
 __extension__ typedef __float128 ref_real_t;
 
 ref_real_t fabsq(ref_real_t x);
@@ -19,6 +37,7 @@ ref_real_t hypotq(ref_real_t x, ref_real_t y);
 ref_real_t sinq(ref_real_t x);
 ref_real_t cosq(ref_real_t x);
 ref_real_t tanq(ref_real_t x);
+ref_real_t tanhq(ref_real_t x);
 ref_real_t atan2q(ref_real_t y, ref_real_t x);
 ref_real_t powq(ref_real_t x, ref_real_t y);
 int quadmath_snprintf(char *text, size_t size, const char *format, ...);

@@ -15,7 +15,7 @@ static long double dot(const long double a[3], const long double b[3]) {
 }
 
 /* m (beta^2 + r^2) = dt / dtau */
-static long double clock_rate(const paper_t *p, long double r) {
+long double paper_clock_rate(const paper_t *p, long double r) {
   return p->m * (p->beta * p->beta + r * r);
 }
 
@@ -123,7 +123,7 @@ void paper_rhs(const paper_t *p, const long double x[3], long double F,
                long double M, long double dx[3]) {
   const long double r = x[0], v = x[1], w = x[2], p1 = paper_p1(p, x);
   const long double drag = p->c1 + 2.0L * p->m * r * v;
-  dx[0] = clock_rate(p, r) * v;
+  dx[0] = paper_clock_rate(p, r) * v;
   dx[1] = (p->beta * p->beta + p->d * p->d + r * r) * p1 - p->d * drag * w +
           F * paper_p2(p, r) + p->d * M;
   dx[2] = p->d * p1 - drag * w + F * r * cosl(p->gamma) + M;
@@ -131,7 +131,7 @@ void paper_rhs(const paper_t *p, const long double x[3], long double F,
 
 void paper_rhs_time(const paper_t *p, const long double x[3], long double F,
                     long double M, long double dx[3]) {
-  const long double rate = clock_rate(p, x[0]);
+  const long double rate = paper_clock_rate(p, x[0]);
   paper_rhs(p, x, F, M, dx);
   for (int i = 0; i < 3; i++) dx[i] /= rate;
 }
@@ -178,7 +178,7 @@ void paper_lie_x(const paper_t *p, const long double x[3], long double lambda,
   const long double p1_r = -p->k2 + m * w * w, p1_v = -p->c2;
   const long double p1_w = 2.0L * m * r * w;
   const long double p2_r = d * cg + 2.0L * r * sg;
-  const long double f1_x[3] = {2.0L * m * r * v, clock_rate(p, r), 0.0L};
+  const long double f1_x[3] = {2.0L * m * r * v, paper_clock_rate(p, r), 0.0L};
   const long double f2_x[3] = {
       2.0L * r * p1 + arm * p1_r - 2.0L * d * m * v * w + lambda * p2_r,
       arm * p1_v - 2.0L * d * m * r * w, arm * p1_w - d * drag};
@@ -197,7 +197,7 @@ long double paper_delassus(const paper_t *p, long double r, int s) {
   const long double sg = sinl(p->gamma);
   return (r * r + p->beta * p->beta * sg * sg +
           (long double)s * p->kappa * r * cosl(p->gamma)) /
-         clock_rate(p, r);
+         paper_clock_rate(p, r);
 }
 
 /* (muCalc)  lambda = -(h_x . f(x, 0)) / (h_x . f_lambda(x, 0)) */

@@ -62,6 +62,7 @@ void paper_friction(const paper_t *p, long double h, long double g,
 
 /* p1, p2 and (ds1)-(ds3) for a given F and M, in rescaled time, in physical
  * time, and in physical time by the mass matrix (Lagrange's form). */
+long double paper_clock_rate(const paper_t *p, long double r); /* dt/dtau */
 long double paper_p1(const paper_t *p, const long double x[3]);
 long double paper_p2(const paper_t *p, long double r);
 void paper_rhs(const paper_t *p, const long double x[3], long double F,

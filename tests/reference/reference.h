@@ -129,6 +129,10 @@ ref_state_t ref_on_surface(const ref_machine_t *machine, ref_state_t x);
 ref_rate_t ref_rate(const ref_machine_t *machine, ref_state_t x,
                     ref_force_t force);
 ref_affine_t ref_affine(const ref_machine_t *machine, ref_state_t x);
+/// Kinetic and spring energy: m (P^2 + (beta^2 + r^2) w^2)/2 + k2 stretch^2/2
+/// with P = v - d w, stretch = r - r0.
+ref_real_t ref_energy(const ref_machine_t *machine, ref_real_t r, ref_real_t P,
+                      ref_real_t w, ref_real_t stretch);
 ref_piece_t ref_piece_at(const ref_machine_t *machine, ref_slip_t slip,
                          int side);
 /// The law of slip: (force), (moment), or appendix B.

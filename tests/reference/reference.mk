@@ -42,7 +42,7 @@ $(BUILD)/tables/make: $(TABLES) $(wildcard tests/reference/*.h)
 	  echo 'make oracle needs gcc with libquadmath, on a processor that it is' \
 	  'made for, as x86-64 (Debian: apt-get install gcc).'; exit 1; }
 	$(TABLES_GCC) $(filter-out -Iinclude,$(COMMON)) $(WARN) $(EXTRA) \
-	  -DREF_QUAD -Itests/reference $(TABLES) -lquadmath -lm -o $@
+	  -DREF_BITS=113 -Itests/reference $(TABLES) -lquadmath -lm -o $@
 
 .PHONY: oracle
 oracle: ## remake tests/data/reference.h (minutes; libquadmath)

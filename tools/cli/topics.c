@@ -123,13 +123,14 @@ static const topic_t topics[] = {
      "in 'message'."},
     {"command slip_to_stick stick_to_slip slip_to_slip pinned_to_stick "
      "two_fold to scene_hash first steps asked end final list kinds "
-     "largest_h_in_stick largest_residual largest seconds output_seconds "
-     "cost late latest applied passed within jumps rows last t_first t_last "
-     "name held changes began_with commands states left source",
+     "largest_h_in_stick largest_residual largest_error largest seconds "
+     "output_seconds cost late latest applied passed within jumps rows last "
+     "t_first t_last name held changes began_with commands states left source",
      "In the summary of 'run': steps before it (first), up to its end and "
      "asked for; why and where it ended (end, final); its events (list, "
-     "kinds, and their counts); how well stick [m/s] and law [N] hold "
-     "(largest); time on the clock [s] and late steps of --realtime. Of a "
+     "kinds, and their counts); how well stick [m/s] and law [N] hold, "
+     "and what --accuracy estimates (largest); time on the clock [s] and late "
+     "steps of --realtime. Of a "
      "table of inputs: rows from t_first to t_last, of which some passed "
      "between two steps or lie within one (as jumps), and the least and the "
      "largest value applied. Of --replay: what commands have changed, and "

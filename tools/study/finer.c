@@ -11,47 +11,22 @@
 // The names and their defaults stand in OPTIONS. Writes a line for each motion
 // under one that names the columns.
 //
-// Integration is by extrapolation of Gragg's midpoint rule with 2, 4, 6, ...
-// substeps to order 2 COLUMNS (Deuflhard, SIAM Review 27, 1985). It has no
-// table of coefficients, so it is as exact as its arithmetic. No line of it is
-// the core's, nor of the references: those have the law with the jump.
-#include <math.h>
+// The equations of motion and the steps are the reference's (tests/reference),
+// in the precision of REF_BITS.
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-// The number type of one build: builds differ in their rounding alone. UNIT is
-// half a unit in the last place of 1; TOLERANCE of a step is above what
-// rounding makes of an extrapolated step, or no step would meet it.
-#if FINER_BITS == 24
-typedef float real_t;
-#define OF(function) function##f
-#define COLUMNS 4
-#define TOLERANCE 0x1p-15F
-#elif FINER_BITS == 53
-typedef double real_t;
-#define OF(function) function
-#define COLUMNS 6
-#define TOLERANCE 0x1p-44
-#elif FINER_BITS == 64
-typedef long double real_t;
-#define OF(function) function##l
-#define COLUMNS 7
-#define TOLERANCE 0x1p-55L
-#elif FINER_BITS == 113
-#include <quadmath.h>
-__extension__ typedef __float128 real_t;
-#define OF(function) function##q
-#define COLUMNS 10
-#define TOLERANCE ((real_t)0x1p-92L)
-#else
-#error "FINER_BITS is 24, 53, 64 or 113"
-#endif
-#define UNIT OF(ldexp)(1, -FINER_BITS)
+#include "../../tests/reference/extrapolate.h"
 
-enum { STATES = 3 }; // r, v, w
+typedef ref_real_t real_t;
+
+// Of a step: above what rounding makes of an extrapolated one, or no step would
+// meet it.
+#define TOLERANCE (REF_EPSILON * (REF_BITS > 64 ? 0x100000 : 0x100))
+enum { COLUMNS = REF_BITS > 64 ? 10 : REF_BITS > 53 ? 7 : 6 };
 
 typedef enum {
   FORM_ALGEBRAIC, // x / sqrt(1 + x^2), the core's law `smooth`
@@ -104,245 +79,141 @@ static const char *const form_names[FORMS] = {"algebraic", "tanh",     "arctan",
 #define AS_TEXT(name, value) #name,
 #define AS_DOUBLE(name, value) double name;
 #define AS_DEFAULT(name, value) value,
-#define AS_REAL(name, value) real_t name;
-#define IN_REAL(name, value) .name = (real_t)given.name,
 
 static const char *const names[] = {OPTIONS(AS_TEXT)};
 static struct { OPTIONS(AS_DOUBLE) } given = {OPTIONS(AS_DEFAULT)};
 static form_t form = FORM_ALGEBRAIC;
 
-// The options in the real type, and what a motion has taken.
 typedef struct {
-  // cppcheck-suppress unusedStructMember  ; set by their offsets
-  OPTIONS(AS_REAL)
-  real_t beta2, sine, cosine, a, right;
+  ref_machine_t machine;
+  real_t width;
   long steps;
   real_t error; // the sum of the estimates of all steps
 } motion_t;
 
-typedef struct {
-  real_t t, x[STATES];
-} point_t;
-
-typedef struct {
-  real_t h, g;
-} slip_t;
-
-typedef struct {
-  real_t F, M;
-} force_t;
-
-static real_t absolute(real_t x) { return x < 0 ? -x : x; }
-
-static real_t clipped(real_t x) { return x > 1 ? 1 : x < -1 ? -1 : x; }
-
 // phi
-static real_t share(const motion_t *k, real_t x) {
-  switch (form) {
-    case FORM_TANH:
-      return OF(tanh)(x);
-    case FORM_ARCTAN:
-      return OF(atan)(x) / k->right;
-    case FORM_CUBIC:
-      x = clipped(x);
-      return x * (3 - x * x) / 2;
-    case FORM_ANGLE:
-      return clipped(x);
-    case FORM_SKEW: // x + (sqrt(1 + x^2) + x - 1) rises from -1 to 3 x
-      x += OF(sqrt)(1 + x * x) + x - 1;
-      return x / OF(sqrt)(1 + x * x);
-    case FORM_ALGEBRAIC:
-    case FORM_CORNER:
-    case FORM_TWO_PIECE:
-    case FORMS:
-    default:
-      return x / OF(sqrt)(1 + x * x);
+static real_t share(real_t x) {
+  if (form == FORM_TANH) return REF_FN(tanh)(x);
+  if (form == FORM_ARCTAN) return 2 / REF_PI * ref_atan2(x, 1);
+  if (form == FORM_CUBIC) {
+    x = ref_smaller(1, ref_larger(-1, x));
+    return x * (3 - x * x) / 2;
   }
+  // sqrt(1 + x^2) + 2 x - 1 rises from -1 to 3 x
+  if (form == FORM_SKEW) x += ref_sqrt(1 + x * x) + x - 1;
+  return x / ref_sqrt(1 + x * x);
 }
 
-// Corrected formulas of Appendix B: linear up to cot = 18 k kappa^2.
-static force_t two_piece(const motion_t *k, real_t H, real_t G) {
-  const real_t steep = 18 * k->kappa * k->kappa / k->width;
-  if (steep * H < G) return (force_t){steep * H / G, k->kappa * steep * H / G};
-  const real_t cot = G / (steep * H);
-  return (force_t){(real_t)4 / 3 - cot / 3, k->kappa * cot};
-}
-
-// With T = cot psi = tan(a atan(G / H)): F = mu (4/3 - T/(18 kappa)), M = mu
-// T/6, times the share of the sign of h, and M times that of g.
-static force_t force_at(const motion_t *k, slip_t s) {
+// The reference's law at |h|, |g| times the share of the sign of h, and M times
+// that of g; |phi| times the law of the side: a skew phi may be < 0 at h > 0.
+static ref_force_t force_at(const motion_t *k, ref_slip_t s) {
+  const ref_machine_t *q = &k->machine;
   const real_t w = k->width;
-  real_t H = absolute(s.h), G = absolute(s.g), of_h, of_g = s.g < 0 ? -1 : 1;
-  force_t f;
+  ref_slip_t law = {ref_abs(s.h), ref_abs(s.g)};
+  real_t of_h = s.h < 0 ? -1 : 1, of_g = s.g < 0 ? -1 : 1;
   if (form == FORM_CORNER) {
-    H = OF(sqrt)(s.h * s.h + w * w);
-    G = OF(sqrt)(s.g * s.g + w * w);
-    of_h = s.h / H;
-    of_g = s.g / G;
-  } else if (form == FORM_TWO_PIECE) {
-    of_h = s.h < 0 ? -1 : 1;
-  } else if (form == FORM_ANGLE) {
-    of_h = H < w * G ? s.h / (w * G) : s.h < 0 ? -1 : 1;
-  } else {
-    of_h = share(k, s.h / w);
+    law = (ref_slip_t){ref_hypot(s.h, w), ref_hypot(s.g, w)};
+    of_h = s.h / law.h;
+    of_g = s.g / law.g;
+  } else if (form < FORM_CORNER) {
+    of_h = share(s.h / w);
+  } else if (form == FORM_ANGLE && law.h < w * law.g) {
+    of_h = s.h / (w * law.g);
   }
-  if (form == FORM_TWO_PIECE) {
-    f = two_piece(k, H, G);
-  } else {
-    const real_t T = OF(tan)(k->a * OF(atan2)(G, H));
-    f = (force_t){(real_t)4 / 3 - T / (18 * k->kappa), T / 6};
-  }
-  // |phi| times the law of the side: a skew phi may be < 0 at h > 0.
-  return (force_t){k->mu * of_h * f.F, k->mu * of_h * of_g * f.M};
-}
-
-// (h), (g)
-static slip_t slip_at(const motion_t *k, const real_t x[STATES]) {
-  const real_t z = x[2] - k->omega0, p = x[1] - k->d * z, q = x[0] * z;
-  return (slip_t){-p * k->sine - q * k->cosine, -p * k->cosine + q * k->sine};
-}
-
-// In physical time: (v', w') = Mass^-1 (Q_r, Q_phi), the paper's (ds2), (ds3)
-// divided by m (beta^2 + r^2).
-static void rate(const motion_t *k, const real_t x[STATES], real_t dx[STATES]) {
-  const real_t r = x[0], v = x[1], w = x[2];
-  const force_t f = force_at(k, slip_at(k, x));
-  const real_t Q_r =
-      k->k2 * (k->r0 - r) - k->c2 * v + k->m * r * w * w + f.F * k->sine;
-  const real_t Q_phi = -k->c1 * w - 2 * k->m * r * v * w +
-                       f.F * (r * k->cosine - k->d * k->sine) + f.M;
-  const real_t gyration2 = k->beta2 + r * r, D = k->m * gyration2;
-  dx[0] = v;
-  dx[1] = ((gyration2 + k->d * k->d) * Q_r + k->d * Q_phi) / D;
-  dx[2] = (k->d * Q_r + Q_phi) / D;
+  const ref_force_t f = ref_slip_force(q, law, ref_piece_at(q, law, 1));
+  return (ref_force_t){of_h * f.F, of_h * of_g * f.M};
 }
 
 // The width of the layer in h.
 static real_t layer_width(const motion_t *k, real_t g) {
-  return form >= FORM_ANGLE ? k->width * absolute(g) : k->width;
+  return form >= FORM_ANGLE ? k->width * ref_abs(g) : k->width;
 }
 
-// dh'/dh across the layer; < 0 attracts. r and w do not change across it. The
-// force acts on h' by (r^2 + beta^2 sin^2)/D, the moment by r cos/D.
-static real_t layer_rate(const motion_t *k, const real_t x[STATES]) {
-  const slip_t s = slip_at(k, x);
-  const real_t r = x[0], D = k->m * (k->beta2 + r * r);
+// dh'/dh across the layer; < 0 attracts. r and z do not change across it.
+static real_t layer_rate(const motion_t *k, ref_state_t x) {
+  const ref_slip_t s = ref_slip(&k->machine, x);
   const real_t by = layer_width(k, s.g) / 1000;
-  const force_t low = force_at(k, (slip_t){s.h - by, s.g});
-  const force_t high = force_at(k, (slip_t){s.h + by, s.g});
-  return -((r * r + k->beta2 * k->sine * k->sine) * (high.F - low.F) +
-           r * k->cosine * (high.M - low.M)) /
-         (2 * by * D);
+  const ref_force_t low = force_at(k, (ref_slip_t){s.h - by, s.g});
+  const ref_force_t high = force_at(k, (ref_slip_t){s.h + by, s.g});
+  const ref_affine_t of = ref_affine(&k->machine, x);
+  return (of.h_F * (high.F - low.F) + of.h_M * (high.M - low.M)) / (2 * by);
 }
 
-static void midpoint(const motion_t *k, const real_t x[STATES], real_t dt,
-                     int n, real_t y[STATES]) {
-  const real_t h = dt / (real_t)n;
-  real_t before[STATES], dx[STATES];
-  rate(k, x, dx);
-  for (int i = 0; i < STATES; i++) {
-    before[i] = x[i];
-    y[i] = x[i] + h * dx[i];
-  }
-  for (int step = 1; step < n; step++) {
-    rate(k, y, dx);
-    for (int i = 0; i < STATES; i++) {
-      const real_t next = before[i] + 2 * h * dx[i];
-      before[i] = y[i];
-      y[i] = next;
-    }
-  }
+static ref_state_t slope(void *motion, ref_state_t x) {
+  const motion_t *k = motion;
+  const ref_machine_t *q = &k->machine;
+  const ref_rate_t f = ref_rate(q, x, force_at(k, ref_slip(q, x)));
+  return (ref_state_t){.r = f.r, .p = f.p, .z = f.z};
 }
 
 // One step of length dt; returns the estimate of its error.
-static real_t leap(const motion_t *k, const point_t *from, real_t dt,
-                   point_t *to) {
-  real_t table[COLUMNS][STATES], error = 0;
-  for (int row = 0; row < COLUMNS; row++) {
-    real_t y[STATES];
-    midpoint(k, from->x, dt, 2 * (row + 1), y);
-    for (int column = 0; column < row; column++) {
-      const real_t ratio = (real_t)(row + 1) / (real_t)(row - column);
-      for (int i = 0; i < STATES; i++) {
-        const real_t left = table[column][i];
-        table[column][i] = y[i];
-        y[i] += (y[i] - left) / (ratio * ratio - 1);
-      }
-    }
-    for (int i = 0; i < STATES; i++) table[row][i] = y[i];
-  }
-  for (int i = 0; i < STATES; i++) {
-    to->x[i] = table[COLUMNS - 1][i];
-    const real_t e = absolute(to->x[i] - table[COLUMNS - 2][i]);
-    if (e > error || e != e) error = e;
-  }
-  to->t = from->t + dt;
-  return error;
+static real_t leap(motion_t *k, ref_state_t from, real_t dt, ref_state_t *to) {
+  ref_state_t coarser;
+  *to = ref_extrapolate(slope, k, from, dt, COLUMNS, &coarser);
+  to->t = from.t + dt;
+  const real_t in_r = ref_abs(to->r - coarser.r);
+  const real_t in_p = ref_abs(to->p - coarser.p);
+  const real_t in_z = ref_abs(to->z - coarser.z);
+  return in_r + in_p + in_z;
 }
 
 // One step that meets the tolerance, or is of 1e-12 s; *dt is what it may take,
 // and then what the next one may.
-static void advance(motion_t *k, const point_t *from, real_t *dt, point_t *to) {
+static ref_state_t advance(motion_t *k, ref_state_t from, real_t *dt) {
   for (;;) {
-    const real_t error = leap(k, from, *dt, to);
-    const double ratio = (double)(error / TOLERANCE);
-    const double change =
-        ratio == ratio ? 0.8 * pow(ratio + 1e-9, -1.0 / (2 * COLUMNS - 1))
-                       : 0.2;
-    const real_t taken = *dt;
-    *dt *= (real_t)(change > 2 ? 2 : change < 0.2 ? 0.2 : change);
-    if (*dt > (real_t)0.01) *dt = (real_t)0.01;
-    if (ratio <= 1 || taken < (real_t)1e-12) {
+    ref_state_t to;
+    const real_t error = leap(k, from, *dt, &to), taken = *dt;
+    *dt = ref_smaller((real_t)0.01L,
+                      taken * ref_step_factor(error / TOLERANCE, COLUMNS));
+    if (error <= TOLERANCE || taken < (real_t)1e-12L) {
       k->steps++;
       k->error += error;
-      return;
+      return to;
     }
   }
 }
 
 // Events: each where its function changes its sign.
-typedef real_t (*event_t)(const motion_t *, const point_t *);
+typedef real_t (*event_t)(const motion_t *, ref_state_t);
 
-static real_t beyond_fold(const motion_t *k, const point_t *p) {
-  return p->x[0] - k->fold;
+static real_t beyond_fold(const motion_t *k, ref_state_t x) {
+  (void)k;
+  return x.r - (real_t)given.fold;
 }
 
-static real_t rolling(const motion_t *k, const point_t *p) {
-  return slip_at(k, p->x).g;
+static real_t rolling(const motion_t *k, ref_state_t x) {
+  return ref_slip(&k->machine, x).g;
 }
 
-static real_t inside(const motion_t *k, const point_t *p) {
-  const slip_t s = slip_at(k, p->x);
-  return k->exit * layer_width(k, s.g) - absolute(s.h);
+static real_t inside(const motion_t *k, ref_state_t x) {
+  const ref_slip_t s = ref_slip(&k->machine, x);
+  return (real_t)given.exit * layer_width(k, s.g) - ref_abs(s.h);
 }
 
-static bool crosses(const motion_t *k, event_t event, const point_t *from,
-                    const point_t *to) {
+static bool crosses(const motion_t *k, event_t event, ref_state_t from,
+                    ref_state_t to) {
   return (event(k, from) > 0) != (event(k, to) > 0);
 }
 
-// Where the event lies between two points of one step: by regula falsi, every
-// third time by bisection.
-static point_t locate(const motion_t *k, event_t event, const point_t *from,
-                      const point_t *to) {
-  real_t low = 0, high = to->t - from->t;
-  real_t at_low = event(k, from), at_high = event(k, to);
-  point_t p = *to;
-  for (int n = 0; n < 60 && high - low > 4 * UNIT; n++) {
-    const real_t dt = n % 3 == 2
-                          ? (low + high) / 2
-                          : low + (high - low) * at_low / (at_low - at_high);
-    leap(k, from, dt, &p);
-    const real_t e = event(k, &p);
-    if ((e > 0) == (at_low > 0)) {
-      low = dt;
-      at_low = e;
-    } else {
-      high = dt;
-      at_high = e;
-    }
-  }
-  return p;
+typedef struct {
+  motion_t *motion;
+  event_t event;
+  ref_state_t from;
+  real_t sign; // there
+} crossing_t;
+
+static real_t after(void *crossing, real_t dt, ref_state_t *to) {
+  const crossing_t *at = crossing;
+  leap(at->motion, at->from, dt, to);
+  return at->sign * at->event(at->motion, *to);
+}
+
+// Where the event lies between two points of one step.
+static ref_state_t locate(motion_t *k, event_t event, ref_state_t from,
+                          ref_state_t to) {
+  crossing_t at = {k, event, from, event(k, from) > 0 ? 1 : -1};
+  ref_locate(after, &at, 0, to.t - from.t, &to);
+  return to;
 }
 
 typedef struct {
@@ -351,85 +222,91 @@ typedef struct {
   double before, behind;         // integrals of the layer's rate: to the
                                  // two-fold, and from it to the exit
   int side, windings;            // of the exit; changes of the sign of h after
-  point_t end;
+  ref_state_t end;
 } outcome_t;
 
 // What happened between two points, after the two-fold.
-static void note(const motion_t *k, const point_t *p, const point_t *next,
-                 outcome_t *out) {
-  const bool was = slip_at(k, p->x).h > 0, is = slip_at(k, next->x).h > 0;
+static void note(motion_t *k, ref_state_t x, ref_state_t next, outcome_t *out) {
+  const ref_machine_t *q = &k->machine;
+  const bool was = ref_slip(q, x).h > 0, is = ref_slip(q, next).h > 0;
   if (out->side != 0) {
     out->windings += was != is;
   } else if (inside(k, next) < 0) {
-    const point_t at = inside(k, p) > 0 ? locate(k, inside, p, next) : *next;
+    const ref_state_t at = inside(k, x) > 0 ? locate(k, inside, x, next) : next;
     out->exit_t = (double)at.t;
-    out->exit_r = (double)at.x[0];
-    out->side = slip_at(k, at.x).h > 0 ? 1 : -1;
+    out->exit_r = (double)at.r;
+    out->side = ref_slip(q, at).h > 0 ? 1 : -1;
   }
 }
 
 // Laws of the slip angle alone have no limit there: what follows is rounding.
-static bool at_rest(const motion_t *k, const point_t *p) {
-  const slip_t s = slip_at(k, p->x);
-  return form >= FORM_ANGLE && absolute(s.h) + absolute(s.g) < (real_t)1e-8;
+static bool at_rest(const motion_t *k, ref_state_t x) {
+  const ref_slip_t s = ref_slip(&k->machine, x);
+  return form >= FORM_ANGLE && ref_abs(s.h) + ref_abs(s.g) < (real_t)1e-8L;
 }
 
-static outcome_t follow(motion_t *k, double kick, point_t p) {
-  outcome_t out = {NAN, NAN, NAN, NAN, NAN, 0, 0, 0, 0, p};
-  real_t dt = (real_t)1e-6;
-  const double end = (double)k->until - 1e-14;
-  while ((double)p.t < end && isnan(out.zero_t)) {
-    point_t next;
-    if (dt > k->until - p.t) dt = k->until - p.t;
-    advance(k, &p, &dt, &next);
+static outcome_t follow(motion_t *k, double kick, ref_state_t x) {
+  outcome_t out = {NAN, NAN, NAN, NAN, NAN, 0, 0, 0, 0, x};
+  real_t dt = (real_t)1e-6L;
+  const real_t until = (real_t)given.until;
+  while ((double)x.t < given.until - 1e-14 && isnan(out.zero_t)) {
+    dt = ref_smaller(dt, until - x.t);
+    ref_state_t next = advance(k, x, &dt);
     const double grown =
-        (double)((next.t - p.t) * (layer_rate(k, p.x) + layer_rate(k, next.x)) /
-                 2);
+        (double)((next.t - x.t) * (layer_rate(k, x) + layer_rate(k, next)) / 2);
     if (isnan(out.fold_t)) {
       out.before += grown;
-      if (crosses(k, beyond_fold, &p, &next)) {
-        next = locate(k, beyond_fold, &p, &next);
+      if (crosses(k, beyond_fold, x, next)) {
+        next = locate(k, beyond_fold, x, next);
         out.fold_t = (double)next.t;
-        next.x[1] -= (real_t)kick / k->sine;
+        next.p -= (real_t)kick / k->machine.sine;
       }
     } else {
       if (out.side == 0) out.behind += grown;
-      note(k, &p, &next, &out);
-      if (crosses(k, rolling, &p, &next) || at_rest(k, &next)) {
-        if (!at_rest(k, &next)) next = locate(k, rolling, &p, &next);
+      note(k, x, next, &out);
+      if (crosses(k, rolling, x, next) || at_rest(k, next)) {
+        if (!at_rest(k, next)) next = locate(k, rolling, x, next);
         out.zero_t = (double)next.t;
-        out.zero_r = (double)next.x[0];
+        out.zero_r = (double)next.r;
       }
     }
-    p = next;
+    x = next;
   }
-  out.end = p;
+  out.end = x;
   return out;
 }
 
+// Appendix B with these is F = 4/3 - cot/3, M = kappa cot in partial slip, cot
+// = width |g / h| / (18 kappa^2), and linear from cot = 1 on.
 static motion_t motion_of_options(void) {
-  motion_t k = {OPTIONS(IN_REAL)};
-  k.beta2 = k.beta * k.beta;
-  k.sine = OF(sin)(k.gamma);
-  k.cosine = OF(cos)(k.gamma);
-  k.right = OF(atan2)(1, 0);
-  k.a = OF(atan)(6 * k.kappa) / k.right;
+  motion_t k = {.machine = {PARAMETERS_OF(real_t, &given)},
+                .width = (real_t)given.width};
+  ref_machine_t *q = &k.machine;
+  if (form == FORM_TWO_PIECE) {
+    q->law = REF_STRING;
+    q->rho = 2 / (real_t)3;
+    q->a = 3 * q->kappa;
+    q->delta = 1 / q->a;
+    q->k = 1 / k.width;
+  }
+  ref_prepare(q);
   return k;
 }
 
 static void sample(motion_t k, double delta, double kick) {
-  const real_t w = k.w * (1 + (real_t)delta), z = w - k.omega0;
-  const real_t g = slip_at(&k, (real_t[]){k.r, 0, w}).g;
-  const real_t h = k.x * layer_width(&k, g);
-  const real_t v = k.d * z - (h + k.r * z * k.cosine) / k.sine;
-  const outcome_t out = follow(&k, kick, (point_t){0, {k.r, v, w}});
+  const ref_machine_t *q = &k.machine;
+  const real_t w = (real_t)given.w * (1 + (real_t)delta);
+  const ref_state_t start = ref_state(q, (real_t)given.r, 0, w);
+  const real_t width = layer_width(&k, ref_slip(q, start).g);
+  const outcome_t out =
+      follow(&k, kick, ref_with_h(q, start, (real_t)given.x * width));
   printf(
       "%s,%d,%.6g,%.6g,%.6g,%d,%.12g,%.12g,%.12g,%.12g,%.12g,%.9g,%.9g,"
       "%d,%ld,%.3g,%.12g,%.17g,%.17g,%.17g\n",
-      form_names[form], FINER_BITS, given.width, delta, kick, out.side,
+      form_names[form], REF_BITS, given.width, delta, kick, out.side,
       out.fold_t, out.exit_t, out.exit_r, out.zero_t, out.zero_r, out.before,
       out.behind, out.windings, k.steps, (double)k.error, (double)out.end.t,
-      (double)out.end.x[0], (double)out.end.x[1], (double)out.end.x[2]);
+      (double)out.end.r, (double)ref_v(q, out.end), (double)ref_w(q, out.end));
 }
 
 static bool set_option(const char *word) {

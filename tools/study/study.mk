@@ -18,11 +18,15 @@ $(BUILD)/study/machines: $(BUILD)/double/tools/study/machines.o \
 # library are its own.
 FINER := $(patsubst %,$(BUILD)/study/finer-%,24 53 64 113)
 FINER_GCC ?= gcc
-$(FINER): $(BUILD)/study/finer-%: tools/study/finer.c
+FINER_SOURCES := tools/study/finer.c tests/reference/model.c \
+  tests/reference/extrapolate.c
+$(FINER): $(BUILD)/study/finer-%: $(FINER_SOURCES) \
+    $(wildcard tests/reference/*.h)
 	@mkdir -p $(@D)
 	@echo '  CC    $@'
 	@$(FINER_GCC) $(filter-out -Iinclude,$(COMMON)) $(WARN) $(EXTRA) \
-	  -DFINER_BITS=$* $< -lm $(if $(filter 113,$*),-lquadmath) -o $@
+	  -DREF_BITS=$* $(FINER_SOURCES) -lm $(if $(filter 113,$*),-lquadmath) \
+	  -o $@
 
 .PHONY: statistics keep-statistics recurrence recurrence-page keep-recurrence \
   finer keep-finer figures keep-figures keep-futures figures-gnuplot test-shards

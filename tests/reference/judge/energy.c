@@ -12,10 +12,8 @@ static const runs_t runs[KINDS] = {{2, 1, 1, {0}, "k2  "},
 static count_t *creates[KINDS][RUNS];
 
 static double energy_of(const lib_machine_t *q, const lib_row_t *x) {
-  const double p = x->v - q->d * x->w, stretch = x->r - q->r0;
-  return q->m * p * p / 2 +
-         q->m * (q->beta * q->beta + x->r * x->r) * x->w * x->w / 2 +
-         q->k2 * stretch * stretch / 2;
+  const ref_machine_t k = {PARAMETERS_OF(long double, q)};
+  return (double)ref_energy(&k, x->r, x->v - q->d * x->w, x->w, x->r - q->r0);
 }
 
 // The most that friction can put in: |F| <= 4 mu/3, |M| <= kappa mu, at the

@@ -124,10 +124,9 @@ TEST(wheel_is_pinned_where_the_law_allows) {
     if (r == 0) /* on the axis no stick starts */
       CHECK(!(out.solutions.set &
               (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))));
-    const real w = wide(u.omega0);
-    const real F =
-        -(wide(k.k2) * (wide(k.r0) - wide(r)) + wide(k.m) * wide(r) * w * w);
-    const real M = wide(k.c1) * w, mu = wide(params.mu);
+    const paper_t p = paper_of(&params);
+    const real x[3] = {wide(r), 0, wide(u.omega0)};
+    const real F = -paper_p1(&p, x), M = p.c1 * x[2], mu = wide(params.mu);
     const real kappa = wide(params.kappa);
     const real most_F[] = {4 * mu / 3 - fabsl(M) / (3 * kappa), mu, mu};
     const real most_M[] = {kappa * mu, kappa * mu, kappa * fabsl(F)};

@@ -27,7 +27,7 @@ static void discretise(step_t *k) {
                  fabsl(m * rt * w * w) + fabsl((real)k->u.force) + mu;
   const real c = fabsl((real)k->u.torque) + fabsl(p->c1 * w) +
                  fabsl(2 * m * rt * v * w) + mu * arm + fabsl(p->d) * b;
-  const real J = m * (p->beta * p->beta + rt * rt), dt = k->c.dt;
+  const real J = paper_clock_rate(p, rt), dt = k->c.dt;
   const real z = fabsl(w) + fabsl((real)k->u.omega0) + dt * c / J;
   k->load = b + c;
   k->noise =

@@ -2,14 +2,12 @@
  * a step is too long for the motion; over the whole ranges of parameters. */
 #include "../../../src/moreau/balance.h"
 #include "../../../src/moreau/rare_end.h"
+#include "reference.h"
 #include "sim.h"
 
-static real energy_of(const tf_machine_t *k, end_state_t x) {
-  const real p = wide(x.v) - wide(k->d) * wide(x.w);
-  const real r = wide(x.r), w = wide(x.w), s = r - wide(k->r0);
-  return (wide(k->m) * (p * p + (wide(k->beta2) + r * r) * w * w) +
-          wide(k->k2) * s * s) /
-         2;
+static real energy_of(const ref_machine_t *q, end_state_t x) {
+  const real r = wide(x.r), w = wide(x.w);
+  return ref_energy(q, r, wide(x.v) - q->d * w, w, r - q->r0);
 }
 
 /* No contact, no damping, nothing that drives: energy is kept. */
@@ -37,13 +35,11 @@ static end_state_t place(const tf_state_t *x) {
 }
 
 /* Rounding of an energy that is read from a state. */
-static real noise(const tf_machine_t *k, end_state_t x) {
-  const real p = fabsl(wide(x.v)) + fabsl(wide(k->d) * wide(x.w));
-  const real s = fabsl(wide(x.r)) + fabsl(wide(k->r0));
-  const real q2 =
-      (wide(k->beta2) + wide(x.r) * wide(x.r)) * wide(x.w) * wide(x.w);
-  return 64 * EPSILON *
-         (wide(k->m) * (p * p + q2) + wide(k->k2) * s * s + wide(TF_REAL_MIN));
+static real noise(const ref_machine_t *q, end_state_t x) {
+  const real r = fabsl(wide(x.r)), w = fabsl(wide(x.w));
+  const real p = fabsl(wide(x.v)) + fabsl(q->d) * w;
+  const real energy = ref_energy(q, r, p, w, r + fabsl(q->r0));
+  return 64 * EPSILON * (2 * energy + wide(TF_REAL_MIN));
 }
 
 /* (17): what the linear step creates is the difference of the energies; and a
@@ -53,6 +49,7 @@ TEST(created_energy_in_closed_form) {
   for (int i = 0; i < samples(20000); i++) {
     const tf_params_t p = conservative();
     const tf_machine_t k = prepared(&p);
+    const ref_machine_t q = {PARAMETERS_OF(real, &p)};
     const tf_input_t u = tf_input_default(&k);
     const tf_state_t x = moving();
     const linear_t l = linearise(&k, &x, &u);
@@ -61,14 +58,14 @@ TEST(created_energy_in_closed_form) {
     const end_state_t to = end_after(&k, &l, (change_t){0, 0});
     const balance_t b = balance_of(&k, is_midpoint(&k), &u, from, to, 0);
     const tf_real_t energy = mean_energy(&k, &u, from, to);
-    const real made = energy_of(&k, to) - energy_of(&k, from);
-    const real room = noise(&k, from) + noise(&k, to);
+    const real made = energy_of(&q, to) - energy_of(&q, from);
+    const real room = noise(&q, from) + noise(&q, to);
     const real terms =
         wide(k.m) * (wide(to.v) * wide(to.v) + wide(to.w) * wide(to.w) +
                      wide(from.w) * wide(from.w));
     CHECK_NEAR(wide(b.created), made, 64 * (room + EPSILON * terms));
     CHECK(b.friction == 0);
-    const real both = energy_of(&k, from) + energy_of(&k, to);
+    const real both = energy_of(&q, from) + energy_of(&q, to);
     CHECK(fabsl(wide(b.product)) <= both * (1 + 64 * EPSILON) + room);
     CHECK_NEAR(wide(energy), both / 2, room);
     if (!is_balanced(&b)) continue;
@@ -85,14 +82,15 @@ static long accepted, coarse;
  * `all` it does so whatever the status, else those steps are asked that say
  * nothing was wrong. */
 static void follow(sim_t *s, scheme_t scheme, int steps, bool all, real share) {
+  const ref_machine_t q = {PARAMETERS_OF(real, &s->params)};
   for (int n = 0; n < steps; n++) {
     const end_state_t from = place(&s->x);
     const tf_status_t status = sim_step(s, scheme);
     if (status < TF_OK || (!all && status != TF_OK)) break;
     const end_state_t to = place(&s->x);
-    const real before = energy_of(&s->k, from), after = energy_of(&s->k, to);
+    const real before = energy_of(&q, from), after = energy_of(&q, to);
     CHECK(after - before <= share * (before + after) / 2 +
-                                32 * (noise(&s->k, from) + noise(&s->k, to)));
+                                32 * (noise(&q, from) + noise(&q, to)));
     accepted++;
     coarse += status == TF_COARSE;
   }
@@ -193,8 +191,8 @@ TEST(balanced_step_order_and_energy) {
     const end_state_t c = far_end(p, x, 0.5L, 800);
     const real ab = between(a, b), bc = between(b, c);
     if (bc > 1e-9L) CHECK_NEAR(ab / bc, 4, 0.4);
-    const tf_machine_t k = prepared(&p);
-    CHECK_NEAR(energy_of(&k, a), energy_of(&k, place(&x)),
-               2000 * noise(&k, place(&x)));
+    const ref_machine_t q = {PARAMETERS_OF(real, &p)};
+    CHECK_NEAR(energy_of(&q, a), energy_of(&q, place(&x)),
+               2000 * noise(&q, place(&x)));
   }
 }

@@ -31,25 +31,18 @@ static long double rounding(long double x) {
   return 8 * wide(TF_REAL_EPSILON) * (x + wide(TF_REAL_MIN));
 }
 
-static long double energy(const tf_machine_t *k, const tf_state_t *x,
-                          long double r0) {
-  const long double p = wide(x->v) - wide(k->d) * wide(x->w);
-  const long double r = wide(x->r), w = wide(x->w), s = r - r0;
-  return (wide(k->m) * (p * p + (wide(k->beta2) + r * r) * w * w) +
-          wide(k->k2) * s * s) /
-         2;
+static long double energy(const ref_machine_t *q, const tf_state_t *x) {
+  const long double r = wide(x->r), w = wide(x->w);
+  return ref_energy(q, r, wide(x->v) - q->d * w, w, r - q->r0);
 }
 
 // The energy of the rounding of a state.
-static long double energy_of_rounding(const tf_machine_t *k,
-                                      const tf_state_t *x, long double r0) {
-  const long double r = fabsl(wide(x->r)), d = fabsl(wide(k->d));
+static long double energy_of_rounding(const ref_machine_t *q,
+                                      const tf_state_t *x) {
+  const long double r = fabsl(wide(x->r));
   const long double dw = rounding(fabsl(wide(x->w)));
-  const long double dp = rounding(fabsl(wide(x->v))) + d * dw;
-  const long double ds = rounding(r + fabsl(r0));
-  return (wide(k->m) * (dp * dp + (wide(k->beta2) + r * r) * dw * dw) +
-          wide(k->k2) * ds * ds) /
-         2;
+  const long double dp = rounding(fabsl(wide(x->v))) + fabsl(q->d) * dw;
+  return ref_energy(q, r, dp, dw, rounding(r + fabsl(q->r0)));
 }
 
 // |F| and |M| that a law never exceeds. String: the pressure is delta at most
@@ -71,11 +64,10 @@ static tf_force_t largest_force(const tf_tyre_t *t) {
   return (tf_force_t){0, 0};
 }
 
-static long double power(const tf_machine_t *k, const tf_state_t *x,
-                         tf_real_t omega0) {
-  const tf_force_t f = largest_force(&k->tyre);
-  const long double arm =
-      wide(x->r) * wide(k->cos_gamma) - wide(k->d) * wide(k->sin_gamma);
+static long double power(const tf_tyre_t *tyre, const ref_machine_t *q,
+                         const tf_state_t *x, tf_real_t omega0) {
+  const tf_force_t f = largest_force(tyre);
+  const long double arm = wide(x->r) * q->cosine - q->d * q->sine;
   return fabsl(wide(f.F) * wide(omega0) * arm) + fabsl(wide(f.M) * wide(x->w));
 }
 
@@ -148,7 +140,8 @@ static bool leaves(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt,
 // What a run is watched for, step by step.
 typedef struct {
   const tf_machine_t *k;
-  long double E0, W, r0;
+  ref_machine_t q;
+  long double E0, W;
   long double E, told; // energy; how far flagged steps have led beyond E0 + W
 } watch_t;
 
@@ -162,9 +155,10 @@ static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
   const tf_machine_t *k = at->k;
   if (!all_finite(x, report)) worsen(cell, CELL_NON_FINITE);
   if (report->status == TF_DEGRADED) worsen(cell, CELL_DEGRADED);
-  const long double E = energy(k, x, at->r0);
-  at->W += wide(k->dt) * fmaxl(power(k, old, omega0), power(k, x, omega0));
-  const long double room = at->E0 + at->W + energy_of_rounding(k, x, at->r0);
+  const long double E = energy(&at->q, x);
+  at->W += wide(k->dt) * fmaxl(power(&k->tyre, &at->q, old, omega0),
+                               power(&k->tyre, &at->q, x, omega0));
+  const long double room = at->E0 + at->W + energy_of_rounding(&at->q, x);
   if (report->status >= TF_COARSE || report->status == TF_DEGRADED)
     at->told = fmaxl(at->told, fminl(at->told + E - at->E, E - room));
   at->E = E;
@@ -196,8 +190,9 @@ cell_t cell_run(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt) {
     cell.verdict = CELL_PARAMETER;
     return cell;
   }
-  watch_t at = {.k = &k, .r0 = wide(k.r0)};
-  at.E0 = at.E = energy(&k, &x, at.r0);
+  watch_t at = {.k = &k, .q = {PARAMETERS_OF(long double, &params)}};
+  ref_prepare(&at.q);
+  at.E0 = at.E = energy(&at.q, &x);
   for (long n = 0; n < CELL_STEPS; n++) {
     const tf_input_t u = input_at(c, &k, n + 1);
     tf_report_t report;

@@ -21,40 +21,14 @@
 #include "../setup/names.h"
 #include "twofold/singularity.h"
 
-// The equations of motion in (r, p, z), p = v - d z, z = w - omega0, in which
-// friction acts through a diagonal mass matrix (DESIGN.md (13), (14)):
-//   r' = v = p + d z,   m p' = Q_r + F sin gamma
-//   m (beta^2 + r^2) z' = Q_phi + d Q_r + F r cos gamma + M
-// On h = 0 with F = lambda, M = s kappa lambda: h' = N - A lambda.
-
-// J [kg m^2], in double whatever the number type of the core.
-static double inertia_at(const tf_machine_t *k, double r) {
-  return (double)k->m * ((double)k->beta2 + r * r);
-}
-
-// J z' in stick, of lambda = 1 N; s: the sign of g.
-static double stick_arm(const tf_machine_t *k, double r, double s) {
-  return r * (double)k->cos_gamma + s * (double)k->stick_kappa;
-}
-
-cli_point_t cli_vector_field(const tf_machine_t *k, cli_point_t at, double F,
-                             double M) {
-  const double v = at.p + (double)k->d * at.z;
-  const double w = at.z + (double)k->omega0;
-  const double Q_r = (double)k->k2 * ((double)k->r0 - at.r) -
-                     (double)k->c2 * v + (double)k->m * at.r * w * w;
-  const double Q_phi = -(double)k->c1 * w - 2 * (double)k->m * at.r * v * w;
-  const double J = inertia_at(k, at.r);
-  return (cli_point_t){
-      v, (Q_r + F * (double)k->sin_gamma) / (double)k->m,
-      (Q_phi + (double)k->d * Q_r + F * at.r * (double)k->cos_gamma + M) / J};
+cli_field_t cli_field_at(const tf_machine_t *k, cli_point_t at) {
+  const cli_wide_t wide = {CLI_WIDE(k)};
+  return cli_wide_field_at(&wide, at);
 }
 
 tf_slip_t cli_slip_at(const tf_machine_t *k, cli_point_t at) {
-  const double q = at.r * at.z;
-  return (tf_slip_t){
-      (tf_real_t)(-at.p * (double)k->sin_gamma - q * (double)k->cos_gamma),
-      (tf_real_t)(q * (double)k->sin_gamma - at.p * (double)k->cos_gamma)};
+  const cli_field_t f = cli_field_at(k, at);
+  return (tf_slip_t){(tf_real_t)f.h, (tf_real_t)f.g};
 }
 
 tf_state_t cli_state_at(const tf_machine_t *k, cli_point_t at) {
@@ -71,35 +45,17 @@ cli_point_t cli_point_of(const tf_machine_t *k, const tf_state_t *state) {
 }
 
 double cli_delassus(const tf_machine_t *k, double r, double g) {
-  return (double)k->sin_gamma * (double)k->sin_gamma / (double)k->m +
-         r * (double)k->cos_gamma * stick_arm(k, r, g < 0 ? -1 : 1) /
-             inertia_at(k, r);
+  return cli_field_at(k, (cli_point_t){r, 0, 0}).A[g < 0];
 }
 
 cli_point_t cli_point_on_surface(const tf_machine_t *k, double r, double z) {
-  return (cli_point_t){r, -r * z * (double)k->cos_gamma / (double)k->sin_gamma,
-                       z};
+  const double h = cli_field_at(k, (cli_point_t){r, 0, z}).h;
+  return (cli_point_t){r, h / (double)k->sin_gamma, z};
 }
 
-double cli_slip_rate(const tf_machine_t *k, cli_point_t at, cli_point_t rate) {
-  return -rate.p * (double)k->sin_gamma -
-         (rate.r * at.z + at.r * rate.z) * (double)k->cos_gamma;
-}
-
-double cli_free_slip_rate(const tf_machine_t *k, cli_point_t at) {
-  return cli_slip_rate(k, at, cli_vector_field(k, at, 0, 0));
-}
-
-// The sliding vector field multiplied by A, (A r', A z') on h = 0: it is
-// regular where A = 0. s: sign of g.
-static void sliding_field(const tf_machine_t *k, double r, double z, double s,
-                          double out[2]) {
-  const cli_point_t at = cli_point_on_surface(k, r, z);
-  const double A = cli_delassus(k, r, s);
-  const double N = cli_free_slip_rate(k, at);
-  const cli_point_t f = cli_vector_field(k, at, 0, 0);
-  out[0] = A * f.r;
-  out[1] = A * f.z + N * stick_arm(k, r, s) / inertia_at(k, r);
+static cli_field_t on_surface(const cli_canard_t *canard, double r, double z) {
+  const tf_machine_t *k = canard->machine;
+  return cli_field_at(k, cli_point_on_surface(k, r, z));
 }
 
 // Of the time from the two-fold to the end: before it the tangent is the curve,
@@ -116,16 +72,10 @@ static void sliding_field(const tf_machine_t *k, double r, double z, double s,
 #define AFTER 1e-3 // [s], a step beyond the last node
 
 static bool is_escaping(const cli_canard_t *canard, double r, double z) {
-  const tf_machine_t *k = canard->machine;
-  const cli_point_t at = cli_point_on_surface(k, r, z);
-  const double A = cli_delassus(k, r, canard->s);
-  return A < 0 && fabs(cli_free_slip_rate(k, at)) < -A * (double)k->tyre.mu &&
-         canard->s * (double)cli_slip_at(k, at).g > 0;
-}
-
-static double speed(const cli_canard_t *canard, double r, double z) {
-  const tf_machine_t *k = canard->machine;
-  return cli_vector_field(k, cli_point_on_surface(k, r, z), 0, 0).r;
+  const cli_field_t f = on_surface(canard, r, z);
+  const double A = f.A[canard->s < 0];
+  return A < 0 && fabs(f.N) < -A * (double)canard->machine->tyre.mu &&
+         canard->s * f.g > 0;
 }
 
 // Stick after a time dt from a point: a step of the classical Runge-Kutta
@@ -139,10 +89,11 @@ static cli_canard_node_t step(const cli_canard_t *canard,
   for (int i = 0; i < 4; i++) {
     const double r = from.r + part[i] * dt * rate[0];
     const double z = from.z + part[i] * dt * rate[1];
-    const double A = cli_delassus(canard->machine, r, canard->s);
-    sliding_field(canard->machine, r, z, canard->s, rate);
-    rate[0] /= A;
-    rate[1] /= A;
+    // The sliding vector field, (svf), from that times A.
+    const cli_field_t f = on_surface(canard, r, z);
+    const double A = f.A[canard->s < 0], arm = f.stick_arm[canard->s < 0];
+    rate[0] = A * f.rate.r / A;
+    rate[1] = (A * f.rate.z + f.N * arm / f.J) / A;
     to.r += weight[i] * dt * rate[0];
     to.z += weight[i] * dt * rate[1];
   }
@@ -193,18 +144,17 @@ static void polish(cli_canard_t *canard) {
     const double e = 1e-5 * fabs(canard->z);
     double N[3];
     for (int j = 0; j < 3; j++) {
-      N[j] = cli_free_slip_rate(
-          k, cli_point_on_surface(k, canard->r, canard->z + (j - 1) * e));
+      N[j] = on_surface(canard, canard->r, canard->z + (j - 1) * e).N;
     }
     canard->z -= 2 * e * N[1] / (N[2] - N[0]);
   }
-  canard->v = speed(canard, canard->r, canard->z);
+  canard->v = on_surface(canard, canard->r, canard->z).rate.r;
 }
 
 // The time since the two-fold, about: by the higher of the speeds here and
 // there.
 static double time_since(const cli_canard_t *canard, cli_canard_node_t at) {
-  const double v = speed(canard, at.r, at.z);
+  const double v = on_surface(canard, at.r, at.z).rate.r;
   return (at.r - canard->r) / (fabs(v) > fabs(canard->v) ? v : canard->v);
 }
 

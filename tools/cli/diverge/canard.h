@@ -1,8 +1,8 @@
 /// @file
-/// The equations of motion in double precision, for the steppers of `diverge`,
-/// in the variables in which the mass matrix of friction is diagonal; the
-/// two-fold that stick passes through, from the sliding to the escaping region;
-/// and the motion that does so along the weak direction: a canard.
+/// The core's equations of motion, in double whatever its number type is, for
+/// the steppers of `diverge`; the two-fold that stick passes through, from the
+/// sliding to the escaping region; and the motion that does so along the weak
+/// direction: a canard.
 #ifndef TWOFOLD_CLI_CANARD_H
 #define TWOFOLD_CLI_CANARD_H
 
@@ -17,9 +17,30 @@ typedef struct {
   double z; ///< w - omega0 [rad/s]
 } cli_point_t;
 
-/// Time derivative of a point under the friction force F and moment M.
-cli_point_t cli_vector_field(const tf_machine_t *machine, cli_point_t at,
-                             double F, double M);
+/// At a point. [2]: for g > 0, for g < 0.
+typedef struct {
+  cli_point_t rate;         ///< time derivative without friction
+  double h, g;              ///< slip speeds [m/s]
+  double N, A[2];           ///< h' = N - A lambda [m/s^2], [1/kg]
+  double p_F;               ///< p' of F = 1 N
+  double arm, stick_arm[2]; ///< of F and of lambda about the axis [m]
+  double J;                 ///< [kg m^2]
+} cli_field_t;
+cli_field_t cli_field_at(const tf_machine_t *machine, cli_point_t at);
+
+/// The members of tf_machine_t that it follows from, in double.
+typedef struct {
+  double m, d, beta2, k2, c1, c2, r0, omega0, stick_kappa;
+  double sin_gamma, cos_gamma, minus_sin_gamma;
+} cli_wide_t;
+#define CLI_WIDE(k)                                                         \
+  .m = (double)(k)->m, .d = (double)(k)->d, .beta2 = (double)(k)->beta2,    \
+  .k2 = (double)(k)->k2, .c1 = (double)(k)->c1, .c2 = (double)(k)->c2,      \
+  .r0 = (double)(k)->r0, .omega0 = (double)(k)->omega0,                     \
+  .stick_kappa = (double)(k)->stick_kappa,                                  \
+  .sin_gamma = (double)(k)->sin_gamma, .cos_gamma = (double)(k)->cos_gamma, \
+  .minus_sin_gamma = (double)(k)->minus_sin_gamma
+cli_field_t cli_wide_field_at(const cli_wide_t *machine, cli_point_t at);
 
 /// Slip speeds at a point.
 tf_slip_t cli_slip_at(const tf_machine_t *machine, cli_point_t at);
@@ -34,13 +55,6 @@ double cli_delassus(const tf_machine_t *machine, double r, double g);
 /// The point of h = 0 at (r, z).
 cli_point_t cli_point_on_surface(const tf_machine_t *machine, double r,
                                  double z);
-
-/// Change of h in time when the point moves at a rate [m/s^2].
-double cli_slip_rate(const tf_machine_t *machine, cli_point_t at,
-                     cli_point_t rate);
-
-/// h' without friction [m/s^2].
-double cli_free_slip_rate(const tf_machine_t *machine, cli_point_t at);
 
 /// A two-fold that stick passes through.
 typedef struct {

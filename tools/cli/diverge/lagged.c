@@ -21,10 +21,12 @@ static cli_point_t along(cli_point_t at, cli_point_t rate, double dt) {
 }
 
 static cli_point_t rate_of(const tf_machine_t *k, cli_point_t at, int side) {
-  const tf_slip_t slip = cli_slip_at(k, at);
-  const tf_force_t force =
-      tf_tyre_force(&k->tyre, (tf_real_t)side, slip.h, slip.g);
-  return cli_vector_field(k, at, (double)force.F, (double)force.M);
+  const cli_field_t f = cli_field_at(k, at);
+  const tf_force_t by =
+      tf_tyre_force(&k->tyre, (tf_real_t)side, (tf_real_t)f.h, (tf_real_t)f.g);
+  const double F = (double)by.F, M = (double)by.M;
+  return (cli_point_t){f.rate.r, f.rate.p + F * f.p_F,
+                       f.rate.z + (F * f.arm + M) / f.J};
 }
 
 static cli_point_t step(const tf_machine_t *k, cli_point_t at, int side,
@@ -43,9 +45,11 @@ static double slip_of(const tf_machine_t *k, cli_point_t at) {
   return (double)cli_slip_at(k, at).h;
 }
 
-// h' with friction on a side.
+// h' with friction on a side: h is linear in p and r z.
 static double slip_rate(const tf_machine_t *k, cli_point_t at, int side) {
-  return cli_slip_rate(k, at, rate_of(k, at, side));
+  const cli_point_t f = rate_of(k, at, side);
+  const cli_point_t change = {1, f.p, f.r * at.z + at.r * f.z};
+  return cli_field_at(k, change).h;
 }
 
 // Integrates until h = level, which is found by Newton's method, or for dt at

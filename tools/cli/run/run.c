@@ -321,8 +321,16 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
 
 static int prepare(const cli_args_t *args, cli_setup_t *setup, cli_run_t *run) {
   int code = cli_setup_read(setup, args->scene, &args->settings, args->select);
-  code =
-      code == CLI_DONE ? cli_check_law(run->scheme, setup->params.law) : code;
+  if (code == CLI_DONE) {
+    run->scheme = cli_scheme_for(args, setup->params.dt);
+    code = cli_check_law(run->scheme, setup->params.law);
+  }
+  if (code == CLI_DONE && args->accuracy > 0 && run->scheme->code != 0) {
+    code = cli_message(CLI_REFUSED,
+                       "--accuracy: not with --scheme %s: only the steps of "
+                       "moreau are taken in halves",
+                       run->scheme->name);
+  }
   code = code == CLI_DONE ? cli_setup_machine(setup) : code;
   code = code == CLI_DONE
              ? cli_drive_read(&run->drive, args->scene, &args->drive)
@@ -357,7 +365,6 @@ static int prepare_replay(cli_run_t *run, const cli_args_t *args,
 // Prepares a run as it was asked for and performs it.
 static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
                                const cli_args_t *args) {
-  run->scheme = &cli_schemes[args->scheme];
   int code = prepare(args, setup, run);
   if (code != CLI_DONE) {
     return code;
@@ -373,6 +380,7 @@ static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
   run->args = args;
   run->report = setup->report;
   cli_system_begin(&run->system, run->scheme, setup, &run->report);
+  run->system.accuracy = (tf_real_t)args->accuracy;
   run->events.limit = args->listed;
   run->end = CLI_ENDED;
   if (args->from != NULL) {

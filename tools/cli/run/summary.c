@@ -217,6 +217,10 @@ static void print_quality(const cli_run_t *run) {
   cli_tally_print(&run->tally, "first", cli_run_time(run, run->tally.first));
   (void)fprintf(stderr, "largest    |h| in stick %.3g m/s, residual %.3g N\n",
                 run->largest_h, run->largest_residual);
+  if (run->args->accuracy > 0) {
+    (void)fprintf(stderr, "estimate   a step is off by %.3g at most\n",
+                  (double)run->system.error);
+  }
 }
 
 static void print_final(const cli_run_t *run) {

@@ -111,6 +111,9 @@ static void put_quality(const cli_run_t *run) {
                                        : (double)NAN);
   cli_put_double("largest_h_in_stick", run->largest_h);
   cli_put_double("largest_residual", run->largest_residual);
+  cli_put_double("largest_error", run->args->accuracy > 0
+                                      ? (double)run->system.error
+                                      : (double)NAN);
 }
 
 static void put_events(const cli_events_t *events) {

@@ -65,6 +65,7 @@ typedef struct {
 
   // Of diverge.
   const char *exits, *returns, *counts, *branches;
+  double accuracy;          ///< of a step of moreau; 0: not estimated
   double size;              ///< unit: that of the mechanism; 0: not given
   double spread;            ///< sizes are drawn from [size / spread, size]
   double patience;          ///< longest cycle [s]
@@ -76,7 +77,7 @@ typedef struct {
   uint64_t seed;            ///< < 2^32
 
   // Words and switches of all of them.
-  unsigned scheme;     ///< index of cli_schemes
+  unsigned scheme;     ///< index of cli_schemes, or CLI_NOT_GIVEN
   unsigned format;     ///< cli_format_t
   unsigned summary;    ///< 1: for programs
   unsigned as;         ///< index of cli_streams, CLI_NOT_GIVEN: a live view

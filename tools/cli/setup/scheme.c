@@ -9,10 +9,19 @@
 #include "../text/message.h"
 #include "names.h"
 #include "twofold/compensated.h"
+#include "twofold/estimated.h"
 
 static tf_status_t step_moreau(cli_system_t *system, const tf_input_t *input,
                                tf_report_t *report) {
-  return tf_step(&system->machine.machine, &system->state, input, report);
+  const tf_machine_t *machine = &system->machine.machine;
+  if (!(system->accuracy > 0)) {
+    return tf_step(machine, &system->state, input, report);
+  }
+  tf_real_t error;
+  const tf_status_t status = tf_step_estimated(
+      machine, &system->state, input, system->accuracy, report, &error);
+  system->error = error > system->error ? error : system->error;
+  return status;
 }
 
 static tf_status_t step_located(cli_system_t *system, const tf_input_t *input,
@@ -38,6 +47,20 @@ const cli_scheme_t cli_schemes[CLI_SCHEMES] = {
     {"compensated", 2, step_compensated, false, ALL_LAWS, "tolerance",
      "under --scheme compensated: it belongs to --scheme located"},
 };
+
+const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt) {
+  if (args->scheme != CLI_NOT_GIVEN) {
+    return &cli_schemes[args->scheme];
+  }
+  const bool rounds = sizeof dt == sizeof(float) && dt < CLI_SHORT_STEP;
+  if (rounds) {
+    (void)cli_message(CLI_DONE,
+                      "note: float at dt = %g s: --scheme compensated; moreau "
+                      "would lose slow motions in the rounding of the state",
+                      (double)dt);
+  }
+  return &cli_schemes[rounds ? 2 : 0];
+}
 
 int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law) {
   if (((scheme->laws >> (unsigned)law) & 1u) != 0) {

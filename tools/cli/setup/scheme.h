@@ -13,6 +13,8 @@ typedef struct {
   tf_compensated_t machine;
   tf_state_t state;
   tf_compensation_t compensation;
+  tf_real_t accuracy; ///< of moreau; 0: its error is not estimated
+  tf_real_t error;    ///< the largest of its steps
 } cli_system_t;
 
 /// One step of a scheme.
@@ -36,6 +38,13 @@ typedef struct {
 #define CLI_SCHEMES 3
 /// The first is the default.
 extern const cli_scheme_t cli_schemes[CLI_SCHEMES];
+
+/// Float loses a motion in the rounding of its state at shorter steps [s].
+#define CLI_SHORT_STEP TF_R(1e-3)
+
+/// The scheme that is asked for. Where none is, moreau; in float at short steps
+/// compensated, which a note then says.
+const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt);
 
 /// Checks that a scheme accepts a law.
 int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law);

@@ -106,7 +106,7 @@ static int prepare(point_t *point, uint64_t *steps) {
 }
 
 // An end of every axis, by a message that names the axis and its range.
-static int check_end(const cli_sweep_t *sweep, bool last, uint32_t *hash) {
+static int check_end(cli_sweep_t *sweep, bool last, uint32_t *hash) {
   const cli_args_t *args = sweep->args;
   point_t point = {0};
   uint64_t steps = 0;
@@ -118,7 +118,11 @@ static int check_end(const cli_sweep_t *sweep, bool last, uint32_t *hash) {
       setting->text = args->axis[i].range.text;
     }
   }
-  int code = prepare(&point, &steps);
+  int code = read_setup(&point);
+  if (code == CLI_DONE && sweep->scheme == NULL) {
+    sweep->scheme = cli_scheme_for(args, point.setup.params.dt);
+  }
+  code = code == CLI_DONE ? prepare(&point, &steps) : code;
   code = code == CLI_DONE ? cli_setup_check_starts(&point.setup) : code;
   if (code == CLI_DONE && !last) {
     *hash = cli_scene_hash(&point.setup);
@@ -128,7 +132,7 @@ static int check_end(const cli_sweep_t *sweep, bool last, uint32_t *hash) {
   return code;
 }
 
-int cli_point_check(const cli_sweep_t *sweep, uint32_t *hash) {
+int cli_point_check(cli_sweep_t *sweep, uint32_t *hash) {
   const int code = check_end(sweep, false, hash);
   return code == CLI_DONE ? check_end(sweep, true, hash) : code;
 }

@@ -59,7 +59,7 @@ static void add_command(const cli_sheet_t *sheet, cli_buffer_t *text) {
                "# twofold %s, commit %s, numbers are %s: sweep %s --scheme %s "
                "--t-end %g",
                TF_VERSION, cli_commit, CLI_NUMBER_TYPE, args->scene->name,
-               cli_schemes[args->scheme].name, (double)cli_end_of(args));
+               sheet->scheme->name, (double)cli_end_of(args));
   if (args->select != NULL) {
     cli_add_form(text, " --select %s", args->select);
   }
@@ -229,6 +229,7 @@ int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep,
   size_t kept = 0;
   memset(sheet, 0, sizeof *sheet);
   sheet->args = args;
+  sheet->scheme = sweep->scheme;
   sheet->inputs = cli_inputs_hash(&sweep->drive.table);
   cli_shard_range(&args->shard, args->points, &sheet->first, &sheet->end);
   if (!make_prologue(sheet, hash)) {

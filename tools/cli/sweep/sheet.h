@@ -16,8 +16,8 @@
 /// What all points share.
 typedef struct {
   const cli_args_t *args;
-  const cli_scheme_t *scheme;
-  cli_drive_t drive; ///< of --inputs, and of the scene
+  const cli_scheme_t *scheme; ///< NULL: that of the first point
+  cli_drive_t drive;          ///< of --inputs, and of the scene
 } cli_sweep_t;
 
 /// How a point ended.
@@ -30,10 +30,11 @@ typedef enum {
 } cli_point_end_t;
 #define CLI_POINT_ENDS 4 // those with a row
 
-/// Checks what is the same at all points, and the ends of every axis.
+/// Checks what is the same at all points, and the ends of every axis; chooses
+/// the scheme.
 /// hash: out, of all that a motion depends on and that the command line does
 /// not name: the scene's parameters, its start, and the table of inputs.
-int cli_point_check(const cli_sweep_t *sweep, uint32_t *hash);
+int cli_point_check(cli_sweep_t *sweep, uint32_t *hash);
 
 /// Follows the motion at a point and writes its row.
 /// index: in, 0 to points - 1; the last axis is the inner loop.
@@ -50,6 +51,7 @@ const char *cli_point_status(cli_point_end_t end);
 #define CLI_PROLOGUE_ROOM 16384
 typedef struct {
   const cli_args_t *args;
+  const cli_scheme_t *scheme;
   uint32_t inputs; ///< hash of their table
   cli_output_t output;
   cli_trailer_t trailer;

@@ -135,9 +135,8 @@ static int perform(work_t *work, uint32_t hash) {
 
 int cli_sweep(const cli_args_t *args) {
   static cli_sheet_t sheet;
-  work_t work = {.args = args,
-                 .sweep = {args, &cli_schemes[args->scheme], {{0}, {0}}},
-                 .sheet = &sheet};
+  work_t work = {
+      .args = args, .sweep = {args, NULL, {{0}, {0}}}, .sheet = &sheet};
   uint32_t hash = 0;
   int code = cli_drive_read(&work.sweep.drive, args->scene, &args->drive);
   code = code == CLI_DONE ? cli_point_check(&work.sweep, &hash) : code;

@@ -339,8 +339,8 @@ static polar_t rates(double r, double phi) {
       tf_tyre_force(&k->tyre, h < 0 ? -1 : 1, (tf_real_t)h, (tf_real_t)g);
   const double p = (double)(rate.dp + rate.Fp * f.F);
   const double q = (double)(rate.dq + rate.Fq * f.F + rate.Mq * f.M);
-  const double s = (double)k->sin_gamma, cosine = (double)k->cos_gamma;
-  const double dh = -p * s - q * cosine, dg = -p * cosine + q * s;
+  const tf_slip_t d = slip_from_pq(k, (tf_real_t)p, (tf_real_t)q);
+  const double dh = (double)d.h, dg = (double)d.g;
   return (polar_t){dg * g + dh * h, dh * g - dg * h};
 }
 

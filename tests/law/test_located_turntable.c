@@ -1,0 +1,153 @@
+/* The located step on a turntable that changes its speed: what it makes of rest
+ * does not depend on where its steps end. */
+#include "sample.h"
+#include "sim.h"
+
+/* Where a machine begins, z = w - omega0, and its inputs. */
+typedef struct {
+  tf_params_t params;
+  double r, v, z, omega0, alpha, force, torque;
+} ramp_t;
+
+/* Steps to t_end. to_stick, to_slip: how often a rest has become one. */
+typedef struct {
+  tf_state_t x;
+  int to_stick, to_slip, not_ok;
+} course_t;
+
+static course_t follow(const ramp_t *ramp, double t_end, int n) {
+  course_t c = {.not_ok = 0};
+  sim_t s = sim_of(&ramp->params);
+  s.params.dt = (tf_real_t)(t_end / n);
+  CHECK(sim_prepare(&s) == TF_OK);
+  s.u.omega0 = (tf_real_t)ramp->omega0;
+  s.u.alpha = (tf_real_t)ramp->alpha;
+  s.u.force = (tf_real_t)ramp->force;
+  s.u.torque = (tf_real_t)ramp->torque;
+  s.x.r = (tf_real_t)ramp->r;
+  s.x.v = (tf_real_t)ramp->v;
+  s.x.w = s.u.omega0 + (tf_real_t)ramp->z;
+  CHECK(sim_begin(&s) == TF_OK);
+  for (int i = 1; i <= n; i++) {
+    const unsigned before = s.x.mode;
+    s.u.omega0 = (tf_real_t)(ramp->omega0 + ramp->alpha * t_end * i / n);
+    c.not_ok += !ok_to_resolution(sim_step(&s, LOCATED));
+    if (before != TF_PINNED || s.x.mode == TF_PINNED) continue;
+    c.to_stick += s.x.mode > TF_SLIP_MINUS;
+    c.to_slip += s.x.mode <= TF_SLIP_MINUS;
+  }
+  c.x = s.x;
+  return c;
+}
+
+static double apart(const tf_state_t *a, const tf_state_t *b) {
+  return fabs((double)a->r - (double)b->r) + fabs((double)a->v - (double)b->v) +
+         fabs((double)a->w - (double)b->w);
+}
+
+/* A turntable that slows down and reverses: the wheel rests, and a stick takes
+ * it over where |M| = kappa |F|. */
+TEST(rest_is_taken_over_by_a_stick_within_a_step) {
+  ramp_t ramp = {tf_scenes[0]->params, 0.21, 0.022, 0.031, -1, 0.7, 0, 0};
+  ramp.params.tolerance = TF_R(1e-10);
+  for (int n = 175; n <= 17500; n *= 10) {
+    const course_t c = follow(&ramp, 1.75, n);
+    printf("# %d steps: r = %.9f m\n", n, (double)c.x.r);
+    CHECK(c.not_ok == 0 && c.to_stick == 1);
+    if (IS_DOUBLE) CHECK_NEAR(wide(c.x.r), 0.1020816874L, 1e-8L);
+  }
+}
+
+/* A machine at rest under loads by which friction has these shares of mu and
+ * kappa mu. */
+static ramp_t resting(int i) {
+  ramp_t ramp = {.params = random_params()};
+  tf_params_t *p = &ramp.params;
+  p->tolerance = TF_R(1e-10);
+  p->rest = (tf_rest_law_t)(i % TF_REST_LAWS);
+  p->rule = (tf_rule_t)(i / TF_REST_LAWS % TF_RULE_RANDOM);
+  ramp.r = tap_uniform(-0.5, 0.5);
+  ramp.omega0 = (double)p->omega0;
+  ramp.alpha = tap_uniform(-3, 3);
+  const double m = (double)p->m, d = (double)p->d, beta = (double)p->beta;
+  const double r = ramp.r, w = ramp.omega0, gamma = (double)p->gamma;
+  const double F = tap_uniform(-1, 1) * (double)p->mu;
+  const double M = tap_uniform(-1, 1) * (double)(p->mu * p->kappa);
+  const double Q_r = -F * sin(gamma) - m * d * ramp.alpha;
+  ramp.force = Q_r - (double)p->k2 * ((double)p->r0 - r) - m * r * w * w;
+  ramp.torque = m * (beta * beta + r * r) * ramp.alpha + (double)p->c1 * w -
+                d * Q_r - F * r * cos(gamma) - M;
+  return ramp;
+}
+
+/* Rest of every law, and every rule that does not draw; ends that both say they
+ * know. */
+TEST(rest_does_not_depend_on_the_step) {
+  if (!IS_DOUBLE) SKIP("rounding of float hides the error of the series");
+  int to_stick = 0, to_slip = 0, by_rule = 0;
+  for (int i = 0; i < samples(4000); i++) {
+    const ramp_t ramp = resting(i);
+    const course_t a = follow(&ramp, 0.1, 10), b = follow(&ramp, 0.1, 400);
+    if (a.not_ok || b.not_ok || a.to_stick + b.to_stick + b.to_slip == 0)
+      continue;
+    CHECK(apart(&a.x, &b.x) < 1e-6);
+    to_stick += b.to_stick;
+    to_slip += b.to_slip;
+    by_rule += b.to_slip && ramp.params.rule != TF_RULE_PERSIST;
+  }
+  printf("# to a stick %d, to a slip %d, of which by a rule %d\n", to_stick,
+         to_slip, by_rule);
+  CHECK(to_stick > 50 && to_slip > 50 && by_rule > 20);
+}
+
+/* A wheel that may rest rests, whatever sign omega0 has, and where it has none:
+ * v = 0 and w = omega0. */
+TEST(rest_goes_on_while_the_turntable_passes_0) {
+  int steps = 0;
+  for (int i = 0; i < samples(400); i++) {
+    sim_t s = sim_of(&tf_scenes[0]->params);
+    s.params.mu = 5;
+    s.params.rest = (tf_rest_law_t)(i % TF_REST_LAWS);
+    s.params.dt = log_uniform(1e-5, 1e-2);
+    CHECK(sim_prepare(&s) == TF_OK);
+    const double dt = (double)s.params.dt, alpha = tap_uniform(-0.05, 0.05);
+    const double zero = i % 4 ? tap_uniform(0.3, 0.7) * 50 * dt : 25 * dt;
+    const tf_real_t r = uniform(0.08, 0.12);
+    s.u.omega0 = (tf_real_t)(-alpha * zero);
+    s.u.alpha = (tf_real_t)alpha;
+    s.x.r = r;
+    s.x.w = s.u.omega0;
+    CHECK(sim_begin(&s) == TF_OK);
+    for (int n = 1; n <= 50 && s.x.mode == TF_PINNED; n++) {
+      const tf_real_t before = s.u.omega0;
+      s.u.omega0 = (tf_real_t)(alpha * (n * dt - zero));
+      /* By the ramp, or by what the speeds of both ends say. */
+      if (i % 2) s.u.alpha = (s.u.omega0 - before) / s.params.dt;
+      CHECK(ok_to_resolution(sim_step(&s, LOCATED)));
+      if (s.x.mode != TF_PINNED) break;
+      CHECK(s.report.status == TF_OK);
+      CHECK(s.x.r == r && s.x.v == 0 && s.x.w == s.u.omega0);
+      steps++;
+    }
+  }
+  printf("# %d steps at rest\n", steps);
+  CHECK(steps > samples(400) * 20);
+}
+
+/* A jump of omega0 is no rounding: the wheel slips. */
+TEST(rest_ends_where_the_turntable_jumps) {
+  sim_t s = sim_of(&tf_scenes[0]->params);
+  s.params.mu = 5;
+  s.params.dt = TF_R(1e-3);
+  CHECK(sim_prepare(&s) == TF_OK);
+  s.x = (tf_state_t){.r = TF_R(0.1), .mode = TF_PINNED};
+  s.u.omega0 = TF_R(1e-5);
+  for (int i = 0; i < 2; i++) {
+    sim_t jump = s;
+    jump.u.alpha = i ? jump.u.omega0 / jump.params.dt : 0;
+    CHECK(sim_step(&jump, LOCATED) >= TF_OK);
+    CHECK(jump.report.status == TF_OK);
+    if (i) CHECK(jump.x.mode == TF_PINNED && jump.x.w == jump.u.omega0);
+    if (!i) CHECK(jump.x.r != s.x.r);
+  }
+}

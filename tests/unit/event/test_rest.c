@@ -1,0 +1,200 @@
+/* What ends a rest on a turntable that changes its speed, and when: against the
+ * conditions by the paper's equations, looked for at close instants. */
+#include "codim2_field.h"
+#include "event/segment.h"
+
+enum { INSTANTS = 512, HALVES = 60 };
+
+/* A wheel at rest, and for how long. */
+typedef struct {
+  tf_params_t params;
+  tf_machine_t k;
+  tf_input_t u;
+  tf_real_t r, omega, length;
+} rest_t;
+
+/* h' and g' by the paper at a time, without friction, by F and by M, under the
+ * acceleration of the turntable. */
+static field_t field_after(const rest_t *c, real t) {
+  field_t at = {.paper = paper_of(&c->params)};
+  at.paper.omega0 = wide(c->omega) + wide(c->u.alpha) * t;
+  const real x[3] = {wide(c->r), 0, at.paper.omega0};
+  real h_x[3], g_x[3];
+  paper_h_x(&at.paper, x, h_x);
+  paper_g_x(&at.paper, x, g_x);
+  /* The loads, which the paper has not, act by the inverse mass matrix. */
+  const real Q_r = wide(c->u.force);
+  const real Q_phi = wide(c->u.torque) + at.paper.d * Q_r;
+  const real beta = at.paper.beta;
+  const real by_mass = 1 / (at.paper.m * (beta * beta + x[0] * x[0]));
+  for (int by = 0; by < 3; by++) {
+    real dx[3];
+    paper_rhs_time(&at.paper, x, by == 1, by == 2, dx);
+    dx[1] += Q_r / at.paper.m + by_mass * at.paper.d * Q_phi;
+    dx[2] += by_mass * Q_phi - wide(c->u.alpha);
+    for (int i = 0; i < 3; i++) {
+      at.h[by] += h_x[i] * dx[i];
+      at.g[by] += g_x[i] * dx[i];
+    }
+  }
+  for (int by = 1; by < 3; by++) {
+    at.h[by] -= at.h[0];
+    at.g[by] -= at.g[0];
+  }
+  return at;
+}
+
+/* How far the force that holds the wheel is within its law; < 0 beyond. */
+static real margin_of_law(const rest_t *c, const field_t *at) {
+  const real mu = at->paper.mu, kappa = at->paper.kappa;
+  const real det = at->h[1] * at->g[2] - at->h[2] * at->g[1];
+  const real F = fabsl(at->h[2] * at->g[0] - at->h[0] * at->g[2]) / fabsl(det);
+  const real M = fabsl(at->h[0] * at->g[1] - at->h[1] * at->g[0]) / fabsl(det);
+  if (c->params.rest == TF_REST_HULL)
+    return fminl(4 * mu / 3 - M / (3 * kappa) - F, mu - M / kappa);
+  return fminl(mu - F, (c->params.rest == TF_REST_SQUARE ? mu : F) - M / kappa);
+}
+
+/* How far an attracting stick is from being consistent; > 0 where it is. */
+static real margin_of_stick(const field_t *at, int roll) {
+  const real kappa = (real)roll * at->paper.kappa;
+  const real A = -(at->h[1] + kappa * at->h[2]), lambda = at->h[0] / A;
+  const real growth =
+      (real)roll * (at->g[0] + lambda * (at->g[1] + kappa * at->g[2]));
+  return A > 0 ? fminl(growth, (at->paper.mu - fabsl(lambda)) * A) : -1;
+}
+
+/* < 0 where the rest has ended. */
+static real margin_of_rest(const rest_t *c, real t) {
+  const field_t at = field_after(c, t);
+  const real sticks = fmaxl(margin_of_stick(&at, 1), margin_of_stick(&at, -1));
+  return fminl(margin_of_law(c, &at), -sticks);
+}
+
+/* The first instant at which it has; beyond the time where none is. */
+static real end_of_rest(const rest_t *c) {
+  const real length = wide(c->length);
+  for (int i = 1; i <= INSTANTS; i++) {
+    real high = length * i / INSTANTS, low = length * (i - 1) / INSTANTS;
+    if (margin_of_rest(c, high) >= 0) continue;
+    for (int n = 0; n < HALVES; n++) {
+      const real mid = (low + high) / 2;
+      if (margin_of_rest(c, mid) < 0)
+        high = mid;
+      else
+        low = mid;
+    }
+    return high;
+  }
+  return 2 * length;
+}
+
+/* Loads hold it under a force within the law of stick. */
+static rest_t any_rest(int n) {
+  rest_t c;
+  memset(&c, 0, sizeof c);
+  c.params = random_params();
+  c.params.rest = (tf_rest_law_t)(n % TF_REST_LAWS);
+  c.k = prepared(&c.params);
+  c.u = tf_input_default(&c.k);
+  c.u.alpha = uniform(-3, 3);
+  c.omega = c.u.omega0;
+  c.r = uniform(-0.5, 0.5);
+  c.length = TF_R(0.25);
+  const rates_t free = rates_at(&c.k, &c.u, c.r, 0, 0, c.omega);
+  const tf_real_t F = uniform(-1, 1) * c.params.mu;
+  const tf_real_t M = uniform(-1, 1) * c.params.mu * c.params.kappa;
+  c.u.force = (free.pinning.F - F) * c.k.sin_gamma;
+  c.u.torque = -(M + F * c.r * c.k.cos_gamma) - c.k.d * c.u.force -
+               free.dz * c.k.m * (c.k.beta2 + c.r * c.r);
+  return c;
+}
+
+static event_t next_event(const rest_t *c, taylor_t *motion, tf_real_t *time) {
+  const segment_t segment = {.contact = CONTACT_PINNED};
+  begin_taylor(motion, &c->k, &c->u, c->omega, (phase_point_t){c->r, 0, 0});
+  CHECK(tf_taylor_coefficients(motion, &segment, c->length));
+  return tf_next_event(motion, &segment, c->length, time);
+}
+
+TEST(rest_ends_where_its_law_or_a_stick_ends_it) {
+  int by_law = 0, by_stick = 0, goes_on = 0;
+  for (int n = 0; n < samples(8000); n++) {
+    const rest_t c = any_rest(n);
+    if (!(margin_of_rest(&c, 0) > 1e-3L)) continue;
+    static taylor_t motion;
+    tf_real_t time;
+    const event_t event = next_event(&c, &motion, &time);
+    const real want = end_of_rest(&c), length = wide(c.length);
+    /* A condition that hardly changes its sign has no definite root. */
+    const real slack = length * (IS_DOUBLE ? 1e-5L : 1e-2L);
+    if (margin_of_rest(&c, want + slack) > -4096 * EPSILON) continue;
+    if (want > length) {
+      CHECK(event == EVENT_NONE || margin_of_rest(&c, wide(time)) < 1e-3L);
+      goes_on++;
+      continue;
+    }
+    if (!CHECK(event == EVENT_UNPINNED || want > length - slack)) continue;
+    CHECK_NEAR(wide(time), want, slack);
+    const field_t at = field_after(&c, want);
+    if (margin_of_law(&c, &at) < 1e-9L)
+      by_law++;
+    else
+      by_stick++;
+  }
+  printf("# by the law %d, by a stick %d, not at all %d\n", by_law, by_stick,
+         goes_on);
+  CHECK(by_law > 100 && by_stick > 50);
+}
+
+/* At the instant of the event whoever lists the modes has the one that ends the
+ * rest: the wheel is not left there by rounding. */
+TEST(event_of_rest_is_seen_by_the_modes) {
+  int by_stick = 0, by_slip = 0;
+  for (int n = 0; n < samples(8000); n++) {
+    rest_t c = any_rest(n);
+    c.k.rule = (tf_rule_t)(n / TF_REST_LAWS % TF_RULE_RANDOM);
+    const unsigned asked = c.k.rule == TF_RULE_SLIP_PLUS    ? 1
+                           : c.k.rule == TF_RULE_SLIP_MINUS ? 2
+                                                            : 0;
+    static taylor_t motion;
+    tf_real_t time;
+    unsigned set[2], attracting[2];
+    if (!(margin_of_rest(&c, 0) > 1e-3L)) continue;
+    const event_t event = next_event(&c, &motion, &time);
+    for (int i = 0; i < 2; i++) {
+      const tf_real_t omega = i ? c.omega + c.u.alpha * time : c.omega;
+      const rates_t rates = rates_at(&c.k, &c.u, c.r, 0, 0, omega);
+      const codim2_field_t field = tf_codim2_field_of(&c.k, &rates);
+      consistent_modes_t out;
+      tf_codim2_modes(&c.k, &field, &out);
+      set[i] = out.solutions.set;
+      attracting[i] = set[i] & out.solutions.attracting & STICKS;
+    }
+    if (set[0] & asked || event == EVENT_NONE) continue;
+    CHECK(!(set[1] & TF_MODE_BIT(TF_PINNED)) || attracting[1] ||
+          set[1] & asked);
+    by_stick += attracting[1] != 0;
+    by_slip += (set[1] & asked) != 0;
+  }
+  printf("# by a stick %d, by the slip of the rule %d\n", by_stick, by_slip);
+  CHECK(by_stick > 50 && by_slip > 10);
+}
+
+/* The draw of RANDOM, not the stick, ends its rest. */
+TEST(random_rest_waits_for_its_draw) {
+  int waits = 0;
+  for (int n = 0; n < samples(4000); n++) {
+    rest_t c = any_rest(n);
+    if (!(margin_of_rest(&c, 0) > 1e-3L)) continue;
+    static taylor_t motion;
+    tf_real_t time, later;
+    if (next_event(&c, &motion, &time) == EVENT_NONE) continue;
+    c.k.rule = TF_RULE_RANDOM;
+    const event_t event = next_event(&c, &motion, &later);
+    CHECK(later >= time);
+    waits += event == EVENT_NONE;
+  }
+  printf("# %d rests that only a stick ends\n", waits);
+  CHECK(waits > 10);
+}
