@@ -3,8 +3,9 @@
 
 #include "../num/rounding.h"
 
-// The time of a tick, by halves: both conversions are of 32 bits, and that of 64
-// takes 2 KB on a processor without floating point. Rounded as it up to 2^32.
+// The time of a tick, by halves: both conversions are of 32 bits, and that of
+// 64 takes 2 KB on a processor without floating point. Up to 2^32 it is rounded
+// as that.
 static tf_real_t time_of(uint64_t tick, tf_real_t dt) {
   const tf_real_t high = (tf_real_t)(uint32_t)(tick >> 32) * TF_R(0x1p32);
   return (high + (tf_real_t)(uint32_t)tick) * dt;

@@ -15,10 +15,11 @@ OWN = ROOT / "tests/data/own.scene"
 # numbers that only exact reading and printing tells apart.
 WRONG = ["kapa 0.3", "kappa", "kappa 0.3 0.4", "kappa = 1x", "kappa nan",
          "kappa -1e-400", "mu = 1e999", "m 0x1p-60", "law glue", "rule slip",
-         "rest bow", "profile 0:1 0:2", "profile 0", "h 1\nv 2", "with-angle 1",
-         "name a b", "r 1e10", "\u00e9 1", "#\ngamma 4\n#", "d 2\nd 2",
-         "based-on chaos", "shows \"x\"", "t-end -1", "x" * 600, "#" * 17000,
-         "kappa 1000000.0000000002", "mu inf", "r 1e-320", "beta 1e-10",
+         "rest bow", "profile 0:1 0:2 0:3", "profile 0", "h 1\nv 2",
+         "with-angle 1", "name a b", "r 1e10", "\u00e9 1", "#\ngamma 4\n#",
+         "d 2\nd 2", "based-on chaos", "shows \"x\"", "t-end -1", "x" * 600,
+         "#" * 17000, "kappa 1000000.0000000002", "mu inf", "r 1e-320",
+         "beta 1e-10",
          "beta 0.00000000012345678901234567", "k2 123456789012345678",
          "kappa 9999999.5", "theta 0.49999999999999994", "c1 -5e-324"]
 COMMAND_LINE = ("twofold.draw(); "

@@ -297,15 +297,16 @@ static int judge_stream(const monitor_t *monitor, int code) {
     return CLI_REFUSED;
   }
   const tf_decoder_t *decoder = &monitor->seen.decoder;
+  if (decoder->frames == 0 && decoder->bad_version > 0) {
+    return cli_message(CLI_STOPPED,
+                       "%s: its protocol is version %u, here it is %d: build "
+                       "what sends it from these sources",
+                       monitor->args->source, (unsigned)decoder->version,
+                       TF_FRAME_VERSION);
+  }
   if (code == CLI_DONE && decoder->frames == 0) {
-    return decoder->bad_version == 0
-               ? cli_message(CLI_STOPPED, "%s: no frame of protocol version %d",
-                             monitor->args->source, TF_FRAME_VERSION)
-               : cli_message(CLI_STOPPED,
-                             "%s: its protocol is version %u, here it is %d: "
-                             "build what sends it from these sources",
-                             monitor->args->source, (unsigned)decoder->version,
-                             TF_FRAME_VERSION);
+    return cli_message(CLI_STOPPED, "%s: no frame of protocol version %d",
+                       monitor->args->source, TF_FRAME_VERSION);
   }
   if (code == CLI_DONE && cli_damage_missing(damage, &monitor->seen.receiver,
                                              &monitor->seen.decoder) > 0) {

@@ -26,18 +26,13 @@
 #define SCHEMA_LEAST 25
 
 static bool read_hex(const char *text, size_t length, cli_replay_row_t *row) {
-  static const char digits[] = "0123456789abcdef";
-  if (length % 2 != 0 || length / 2 > sizeof row->data) {
+  if (length % 2 != 0 || length / 2 > sizeof row->data ||
+      strspn(text, "0123456789abcdef") < length) {
     return false;
   }
-  for (size_t i = 0; i < length; i++) {
-    const char *digit = strchr(digits, text[i]);
-    if (digit == NULL || *digit == '\0') {
-      return false;
-    }
-    const unsigned value = (unsigned)(digit - digits);
-    row->data[i / 2] =
-        (uint8_t)(i % 2 == 0 ? value << 4 : row->data[i / 2] | value);
+  for (size_t i = 0; i < length; i += 2) {
+    const char byte[3] = {text[i], text[i + 1], '\0'};
+    row->data[i / 2] = (uint8_t)strtoul(byte, NULL, 16);
   }
   row->length = (uint8_t)(length / 2);
   return true;

@@ -173,22 +173,20 @@ static int compare_params(const reader_t *reader, const tf_params_t *there,
       return differs(reader, tf_parameter_ranges[i].name, one, two);
     }
   }
-  if (there->law != here->law) {
-    return differs(reader, "law", tf_tyre_law_name(there->law),
-                   tf_tyre_law_name(here->law));
+  const struct {
+    const char *name, *there, *here;
+  } words[] = {
+      {"law", tf_tyre_law_name(there->law), tf_tyre_law_name(here->law)},
+      {"rule", tf_rule_name(there->rule), tf_rule_name(here->rule)},
+      {"rest", tf_rest_law_name(there->rest), tf_rest_law_name(here->rest)},
+      {"with-angle", there->with_angle ? "yes" : "no",
+       here->with_angle ? "yes" : "no"}};
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+    if (strcmp(words[i].there, words[i].here) != 0) {
+      return differs(reader, words[i].name, words[i].there, words[i].here);
+    }
   }
-  if (there->rule != here->rule) {
-    return differs(reader, "rule", tf_rule_name(there->rule),
-                   tf_rule_name(here->rule));
-  }
-  if (there->rest != here->rest) {
-    return differs(reader, "rest", tf_rest_law_name(there->rest),
-                   tf_rest_law_name(here->rest));
-  }
-  return there->with_angle == here->with_angle
-             ? CLI_DONE
-             : differs(reader, "with-angle", there->with_angle ? "yes" : "no",
-                       here->with_angle ? "yes" : "no");
+  return CLI_DONE;
 }
 
 static bool same_profile(const tf_scene_t *a, const tf_scene_t *b) {
@@ -233,27 +231,22 @@ static bool read_source(reader_t *reader, cli_stand_t *stand) {
 static int read_values(reader_t *reader, cli_stand_t *stand) {
   uint64_t whole[WHOLES] = {0};
   const char *why = "";
-  const char *inputs = next_value(reader, "inputs");
-  if (inputs == NULL || strlen(inputs) != 8 ||
-      strspn(inputs, "0123456789abcdef") != 8) {
-    return no_state(reader, "no file of --save");
-  }
-  stand->inputs = (uint32_t)strtoul(inputs, NULL, 16);
-  if (!read_source(reader, stand)) {
-    return no_state(reader, "no file of --save");
-  }
+  const char *value = next_value(reader, "inputs");
+  bool good = value != NULL && strlen(value) == 8 &&
+              strspn(value, "0123456789abcdef") == 8;
+  stand->inputs = good ? (uint32_t)strtoul(value, NULL, 16) : 0;
+  good = good && read_source(reader, stand);
   const size_t held = stand->held.source != TF_INPUT_SCENE;
   for (size_t i = 0; i < WHOLES - HELD_WHOLES + held * HELD_WHOLES; i++) {
-    const char *value = next_value(reader, wholes[i].name);
-    if (value == NULL || !cli_read_whole(value, 0, wholes[i].most, &whole[i])) {
-      return no_state(reader, "no file of --save");
-    }
+    value = good ? next_value(reader, wholes[i].name) : NULL;
+    good = value != NULL && cli_read_whole(value, 0, wholes[i].most, &whole[i]);
   }
   for (size_t i = 0; i < REALS - HELD_REALS + held * HELD_REALS; i++) {
-    const char *value = next_value(reader, reals[i].name);
-    if (value == NULL || !cli_read_real(value, real_of(stand, i), &why)) {
-      return no_state(reader, "no file of --save");
-    }
+    value = good ? next_value(reader, reals[i].name) : NULL;
+    good = value != NULL && cli_read_real(value, real_of(stand, i), &why);
+  }
+  if (!good) {
+    return no_state(reader, "no file of --save");
   }
   stand->state.tick = whole[0];
   stand->state.seed = (uint32_t)whole[1];

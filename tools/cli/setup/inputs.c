@@ -232,22 +232,19 @@ tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,
   return input;
 }
 
-static tf_real_t next_row(const cli_inputs_t *inputs, tf_real_t from,
-                          tf_real_t to, tf_real_t end) {
-  size_t i = inputs->at;
-  while (i < inputs->count && inputs->rows[i].t <= from) {
-    i++;
-  }
-  return inputs->linear && i < inputs->count && inputs->rows[i].t <= to
-             ? inputs->rows[i].t
-             : end;
-}
-
 tf_real_t cli_drive_next(const cli_drive_t *drive, const cli_span_t *span) {
+  const cli_inputs_t *const both[] = {&drive->profile, &drive->table};
   const tf_real_t off = span->off > SHORTEST ? span->off : SHORTEST;
-  const tf_real_t from = span->from + off, to = span->to - off;
-  const tf_real_t end = next_row(&drive->profile, from, to, span->to);
-  return next_row(&drive->table, from, end < to ? end : to, end);
+  tf_real_t next = span->to, least = span->to - off;
+  for (size_t i = 0; i < 2; i++) {
+    size_t k = both[i]->at;
+    for (; k < both[i]->count && both[i]->rows[k].t <= span->from + off; k++)
+      continue;
+    if (both[i]->linear && k < both[i]->count && both[i]->rows[k].t <= least) {
+      next = least = both[i]->rows[k].t;
+    }
+  }
+  return next;
 }
 
 void cli_drive_free(cli_drive_t *drive) {
