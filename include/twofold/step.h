@@ -32,7 +32,7 @@ typedef struct {
 /// slip by the sign of h; at h = 0 stick where |lambda| <= mu, else slip by the
 /// sign of dh/dt; at h = g = 0 pinned, and the first step reports what else is
 /// possible. |h| within rounding (32 epsilon times its terms) counts as 0.
-/// machine, input: in. report: out; of the instant.
+/// machine, input: in, at that instant: its omega0 and alpha. report: out.
 /// state: in/out. r, v, w are set by the caller, within TF_STATE_LIMIT; mode
 ///   holds the one preferred where several are possible, or TF_NO_MODE for
 ///   none, and ends as the mode taken. phi, tick and seed keep what they hold.
@@ -78,7 +78,8 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///   friction ends a slip and changes the velocities by more than a third, or
 ///   its force changes direction within it and that alone changes them by 3 %;
 ///   or a slip that several modes may follow passes by h = g = 0, or no
-///   force leads along its course there); TF_STALLED (advanced, but stalls);
+///   force leads along its course there; or the wheel crosses the axis by more
+///   than 2 beta); TF_STALLED (advanced, but stalls);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
 /// Trust: where it says TF_OK, the mode is one of the set, h and g have its

@@ -28,18 +28,19 @@ TF_INLINE tf_real_t ground_speed(const tf_machine_t *k, tf_real_t v,
 #define TF_STEP_TURN(u, time) ((u)->alpha * (time))
 #endif
 
-// That after the step, and the speed at its start and at its theta point;
-// omega0 of the inputs is that at the end.
+// Its gain over the step, and over what follows the theta point; its speed at
+// that point. omega0 of the inputs is that at the end.
 TF_INLINE tf_real_t turn_of_step(const tf_machine_t *k, const tf_input_t *u) {
   return TF_STEP_TURN(u, k->dt);
 }
 
-TF_INLINE tf_real_t speed_at_start(const tf_machine_t *k, const tf_input_t *u) {
-  return u->omega0 - turn_of_step(k, u);
+TF_INLINE tf_real_t turn_after_theta(const tf_machine_t *k,
+                                     const tf_input_t *u) {
+  return TF_STEP_TURN(u, k->explicit_dt);
 }
 
 TF_INLINE tf_real_t speed_at_theta(const tf_machine_t *k, const tf_input_t *u) {
-  return u->omega0 - TF_STEP_TURN(u, k->explicit_dt);
+  return u->omega0 - turn_after_theta(k, u);
 }
 
 // v from p and z, or from P and w.
@@ -67,20 +68,15 @@ TF_INLINE tf_real_t slip_terms(const tf_machine_t *k, tf_real_t r, tf_real_t v,
          (magnitude(k->d) + magnitude(r)) * (magnitude(w) + magnitude(omega0));
 }
 
-// The size of omega0 in a step: that at the end and the turn, whichever way.
-TF_INLINE tf_real_t turntable_size(const tf_machine_t *k, const tf_input_t *u) {
-  return magnitude(u->omega0) - (0 - magnitude(turn_of_step(k, u)));
-}
-
 // What rounding makes of h and g at a state: below it they count as 0. With u =
 // epsilon/2, and a step that moves v and w by no more than their size,
 //   w and omega0 are off by u |w| and u |omega0|, and v by u |v|;
 //   the sums and products that form v+ and w+ add 4 u of each;
-//   the turntable's speed at the start adds u of its size, where it turns;
+
 //   z, d z, r z, p and the two products of h or g add u each.
-// h and g are (p, q) rotated, so that this is at most 2 (1 + 4 + 1 + 3) u times
-// the sum of their terms. Whoever asks whether a state is at h = 0 or g = 0
-// asks for this bound, so that a state means the same to all of them.
+// h and g are (p, q) rotated, so that this is at most 2 (1 + 4 + 3) u times the
+// sum of their terms. Whoever asks whether a state is at h = 0 or g = 0 asks
+// for this bound, so that a state means the same to all of them.
 #define SLIP_ROUNDINGS (32 * TF_REAL_EPSILON)
 TF_INLINE tf_real_t slip_rounding(const tf_machine_t *k, tf_real_t r,
                                   tf_real_t v, tf_real_t w, tf_real_t omega0) {

@@ -65,21 +65,13 @@ typedef struct {
   tf_real_t created;  // D, (17) [J]
   tf_real_t friction; // dt times -F h_t: > 0 where friction puts energy in [J]
   tf_real_t product;  // m (P P+ + (beta^2 + r r+) w w+) + k2 s s+ [J]
-  bool jumps;         // across the axis
+  tf_real_t across;   // r r+: <= 0 across the axis [m^2]
 } balance_t;
 
 // At theta = 1/2
 //   D = m [w_t dw (r_t dt dv + dt^2 v+^2/4) + dt^2 v_t dv w^2/4]
 TF_INLINE bool is_midpoint(const tf_machine_t *k) {
   return k->theta == TF_R(0.5);
-}
-
-// Whether a step takes the wheel across the axis by more than 2 beta: it skips
-// that the inertia changes by a factor of (beta^2 + r^2)/beta^2 and that the
-// disc may turn by half a turn.
-TF_INLINE bool jumps_axis(const tf_machine_t *k, tf_real_t from, tf_real_t to) {
-  const tf_real_t by = to - from;
-  return (from * to <= 0) & (by * by > 4 * k->beta2);
 }
 
 // midpoint: is_midpoint(k), which loops over lanes ask once.
@@ -99,13 +91,14 @@ TF_INLINE balance_t balance_of(const tf_machine_t *k, bool midpoint,
                        : created_by_theta(k, r, v, w, dv, dw);
   // -h of slip_from_pq, written out for 1 % of a step: F on the arm r_t, the
   // turntable of the theta point under the wheel as it moves.
+
   const tf_real_t omega0 = speed_at_theta(k, u);
   b.friction = k->dt * F *
                (slider_speed(k, vt, wt - omega0) * k->sin_gamma +
                 (rt * wt - (r + move) * omega0) * k->cos_gamma);
-  b.product = k->m * (P * end_P + (k->beta2 + r * end.r) * (w * end.w)) +
+  b.across = r * end.r;
+  b.product = k->m * (P * end_P + (k->beta2 + b.across) * (w * end.w)) +
               k->k2 * ((r - u->r0) * (end.r - u->r0));
-  b.jumps = jumps_axis(k, r, end.r);
   return b;
 }
 
@@ -115,7 +108,7 @@ TF_INLINE bool is_balanced(const balance_t *b) {
   const tf_real_t most = TF_GROWTH_SHARE / 2 * b->product;
   const tf_real_t share = TF_CREATED_SHARE / 2 * b->product;
   return (b->created <= most) & (-b->created <= share) &
-         (b->created + b->friction <= share) & !b->jumps;
+         (b->created + b->friction <= share) & (b->across > 0);
 }
 
 // The mean energy of the ends of a step.
@@ -177,6 +170,14 @@ TF_INLINE bool is_fast(const tf_machine_t *k, end_state_t at) {
   const tf_real_t R2 = gyration2_at(k, at.r), d2 = k->d * k->d;
   const tf_real_t travel2 = at.v * at.v + R2 * (at.w * at.w);
   return 4 * k->a * (R2 + d2) >= k->m * R2 || !(k->dt * k->dt * travel2 < R2);
+}
+
+// Whether a step takes the wheel across the axis by more than 2 beta: it skips
+// that the inertia changes by a factor of (beta^2 + r^2)/beta^2 and that the
+// disc may turn by half a turn.
+TF_INLINE bool jumps_axis(const tf_machine_t *k, const balance_t *b,
+                          tf_real_t by) {
+  return b->across <= 0 && by * by > 4 * k->beta2;
 }
 
 // Whether a step is too long for the motion: in the norm of the energy the

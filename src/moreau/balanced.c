@@ -171,12 +171,13 @@ TF_API step_end_t tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
   if (creates || (!coarse && grows(k, &b, energy, slips_on))) {
     const balanced_end_t end = tf_balanced_end(k, state, input, mode, force);
     // Near h = 0 its force is not that of the slip, which then goes on; beside
-    // the axis it may end on the other side, and b.jumps is asked of one end.
+    // the axis it may end on the other side, and b is that of one end.
     if (creates || (end.mode == mode && end.force.F == force.F &&
                     (end.at.r > 0) == (at.r > 0)))
       take_balanced_end(&end, &to);
   }
-  if ((creates || coarse || b.jumps) && to.outcome.status == TF_OK)
+  const bool jumps = jumps_axis(k, &b, at.r - from.r);
+  if ((creates || coarse || jumps) && to.outcome.status == TF_OK)
     to.outcome.status = TF_COARSE;
   return to;
 }

@@ -30,9 +30,9 @@ static tf_real_t rounding_of_g(const free_motion_t *c) {
   const tf_real_t z = l->z_t * both + l->z_c * size.torque +
                       magnitude(l->p_t) * size.radial + turn;
   return 64 * TF_REAL_EPSILON * (p + magnitude(x->r) * z) +
-         (c->start.incremental
-              ? 0
-              : slip_rounding(k, x->r, x->v, x->w, turntable_size(k, input)));
+         (c->start.incremental ? 0
+                               : slip_rounding(k, x->r, x->v, x->w,
+                                               magnitude(l->omega0) + turn));
 }
 
 static bool signs_agree(const free_motion_t *c, unsigned mode,
@@ -41,7 +41,7 @@ static bool signs_agree(const free_motion_t *c, unsigned mode,
   const end_state_t at = end->at;
   return has_signs_of_mode(
       mode, end_slip(c, end),
-      slip_rounding(k, at.r, at.v, at.w, turntable_size(k, c->input)));
+      slip_rounding(k, at.r, at.v, at.w, c->linear.omega0));
 }
 
 // Whether a stick that ends on the other side of g = 0 does so by rounding

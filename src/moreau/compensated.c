@@ -77,8 +77,11 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   if (!may_step(state, input) || !within(low, TF_STATE_LIMIT))
     return refuse_step(report, TF_BAD_STATE);
   const state_pair_t pairs = paired(state, compensation);
-  const pair_t omega0 = two_sum(input->omega0, -turn_of_step(k, input));
-  const start_t start = slip_in_pairs(machine, &pairs, omega0);
+  const tf_real_t turn = turn_of_step(k, input);
+  const pair_t omega0 = two_sum(input->omega0, -turn);
+  start_t start = slip_in_pairs(machine, &pairs, omega0);
+  start.p += k->d * turn; // now against the turntable of the end
+  start.z -= turn;
   step_end_t to;
   if (!common_end(k, state, input, start, &to))
     to = tf_rare_end(k, state, input, start);

@@ -111,16 +111,14 @@ TF_INLINE pair_t travelled(const tf_machine_t *k, pair_t from, pair_t v,
       from, (pair_t){travel.hi, travel.lo + (k->dt * v.lo + k->theta_dt * dv)});
 }
 
-// (7): the end of a step under a force and the change that responds to it. (6)
-// is for the change of P and w, so that the turn is taken out again.
+// (7): the end of a step under a force and the change that responds to it.
 TF_INLINE state_pair_t end_in_pairs(const tf_compensated_t *constants,
                                     const state_pair_t *state,
                                     const tf_input_t *u, const linear_t *l,
                                     unsigned mode, tf_force_t f,
                                     change_t friction) {
   const tf_machine_t *k = &constants->machine;
-  const change_t relative = {l->free.p + friction.p, l->free.z + friction.z};
-  const change_t c = against_turntable(k, -turn_of_step(k, u), relative);
+  const change_t c = {l->free.p + friction.p, l->free.z + friction.z};
   const change_t low =
       refinement(constants, state, u, l, f, moment_remainder(k, mode, f), c);
   const pair_t dz = {c.z, low.z};

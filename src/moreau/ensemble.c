@@ -51,9 +51,12 @@ static bool all_continue(const tf_state_block_t *restrict b,
 // Slips that have h = g = 0 within reach are left to tf_step: is_near_codim2().
 static void near_codim2_all(const tf_machine_t *restrict k,
                             const tf_state_block_t *restrict b,
+                            const tf_input_t *restrict u,
                             work_t *restrict work) {
+  const tf_real_t turn = turn_of_step(k, u);
   for (int i = 0; i < TF_LANES; i++) {
-    const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
+    const tf_slip_t now =
+        slip_at_instant(k, turn, b->r[i], work->p[i], work->z[i]);
     const form_t h = form_of(&work->h, i), g = form_of(&work->g, i);
     work->rare[i] |= when(is_slip(b->mode[i])) & when(may_vanish(&h, now.h)) &
                      when(may_vanish(&g, now.g));
@@ -121,12 +124,13 @@ TF_INLINE end_state_t lane_end(const tf_machine_t *k, const work_t *work,
 
 TF_INLINE tf_slip_t lane_theta_slip(const tf_machine_t *k,
                                     const tf_state_block_t *b,
-                                    const work_t *work, int i, tf_real_t x,
-                                    tf_real_t y) {
+                                    const tf_input_t *u, const work_t *work,
+                                    int i, tf_real_t x, tf_real_t y) {
   const linear_t l = {.p = work->p[i],
                       .z = work->z[i],
                       .free = {work->free_p[i], work->free_z[i]}};
-  return slip_at_theta(k, &l, r_at_theta(k, b->r[i], b->v[i]),
+  return slip_at_theta(k, &l, turn_after_theta(k, u),
+                       r_at_theta(k, b->r[i], b->v[i]),
                        lane_change(work, i, x, y));
 }
 
@@ -152,17 +156,20 @@ TF_INLINE tf_real_t lane_tau(const work_t *work, mask_t minus, int i) {
 // slip_end() of stages.h for a lane that slips; other lanes keep their values.
 // `alone`: this lane slips, and is not one of several done at once.
 TF_INLINE void slip_lane(const tf_machine_t *restrict k,
-                         const tf_state_block_t *restrict b, tf_real_t omega0,
-                         work_t *restrict work, int i, bool alone) {
+                         const tf_state_block_t *restrict b,
+                         const tf_input_t *restrict u, work_t *restrict work,
+                         int i, bool alone) {
+  const tf_real_t omega0 = u->omega0;
   const mask_t slips = when(alone || work->side[i] != 0);
   const mask_t minus = when(work->side[i] < 0);
   const tf_real_t side = flip_sign(minus, 1);
   const tf_real_t tau = lane_tau(work, minus, i);
-  const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
+  const tf_slip_t now =
+      slip_at_instant(k, turn_of_step(k, u), b->r[i], work->p[i], work->z[i]);
   const lane_multipliers_t first =
       alone ? lane_multipliers_alone(&k->tyre, side, now)
             : lane_multipliers(&k->tyre, side, now);
-  const tf_slip_t at = lane_theta_slip(k, b, work, i, first.x, first.y);
+  const tf_slip_t at = lane_theta_slip(k, b, u, work, i, first.x, first.y);
   const lane_multipliers_t theta =
       alone ? lane_multipliers_alone(&k->tyre, side, at)
             : lane_multipliers(&k->tyre, side, at);
@@ -179,25 +186,23 @@ TF_INLINE void slip_lane(const tf_machine_t *restrict k,
 }
 
 static void slip_all(const tf_machine_t *restrict k,
-                     const tf_state_block_t *restrict b, tf_real_t omega0,
-                     work_t *restrict work) {
-  for (int i = 0; i < TF_LANES; i++) slip_lane(k, b, omega0, work, i, false);
+                     const tf_state_block_t *restrict b,
+                     const tf_input_t *restrict u, work_t *restrict work) {
+  for (int i = 0; i < TF_LANES; i++) slip_lane(k, b, u, work, i, false);
 }
 
 // A function of its own: what it needs lies beside the passes of a block for no
 // longer than it runs.
 static __attribute__((noinline)) void slip_few(
     const tf_machine_t *restrict k, const tf_state_block_t *restrict b,
-    tf_real_t omega0, work_t *restrict work, int slips) {
+    const tf_input_t *restrict u, work_t *restrict work, int slips) {
   for (int n = 0; n < slips; n++)
-    slip_lane(k, b, omega0, work, work->slipping[n], true);
+    slip_lane(k, b, u, work, work->slipping[n], true);
 }
 
 static void ends_all(const tf_machine_t *restrict k,
-                     const tf_state_block_t *restrict b,
-                     const tf_input_t *restrict u, work_t *restrict work) {
-  const tf_real_t omega0 = u->omega0;
-  const tf_real_t speed = turntable_size(k, u);
+                     const tf_state_block_t *restrict b, tf_real_t omega0,
+                     work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++) {
     const mask_t moves = when(work->side[i] != 0) | when(work->roll[i] != 0);
     const end_state_t by = lane_end(k, work, omega0, i, work->x[i], work->y[i]);
@@ -210,7 +215,7 @@ static void ends_all(const tf_machine_t *restrict k,
     work->v[i] = v;
     work->w[i] = omega;
     const tf_slip_t slip = slip_speeds(k, r, v, omega - omega0);
-    const tf_real_t rounding = slip_rounding(k, r, v, omega, speed);
+    const tf_real_t rounding = slip_rounding(k, r, v, omega, omega0);
     work->rare[i] |=
         ~(when(within(size, TF_STATE_LIMIT)) &
           lane_has_signs(work->side[i], work->roll[i], slip, rounding)) |
@@ -340,18 +345,18 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
   forms_all(k, &work);
   pin_all(k, &work);
   g_along_all(&work);
-  h_along_all(k, b, &work);
+  h_along_all(k, b, u, &work);
   roots_all(&work);
   sticks_all(&work);
   slips_all(&work);
-  near_codim2_all(k, b, &work);
+  near_codim2_all(k, b, u, &work);
   const int slips = choose(k, b, &work);
   stick_all(&work);
   if (slips > FEW)
-    slip_all(k, b, u->omega0, &work);
+    slip_all(k, b, u, &work);
   else if (slips > 0)
-    slip_few(k, b, u->omega0, &work, slips);
-  ends_all(k, b, u, &work);
+    slip_few(k, b, u, &work, slips);
+  ends_all(k, b, u->omega0, &work);
   balance_all(k, b, u, &work);
   if (any_rare(&work)) return step_some(k, b, u, &work, out);
   if (k->with_angle) angles_all(k, b, &work);

@@ -155,7 +155,8 @@ static void g_along_all(work_t *restrict work) {
 
 static void h_along_all(const tf_machine_t *restrict k,
                         const tf_state_block_t *restrict b,
-                        work_t *restrict work) {
+                        const tf_input_t *restrict u, work_t *restrict work) {
+  const tf_real_t turn = turn_of_step(k, u);
   for (int i = 0; i < TF_LANES; i++) {
     const form_t h = form_of(&work->h, i);
     const quadratic_t h0 = along(&h, 0), h1 = along(&h, 1);
@@ -167,7 +168,8 @@ static void h_along_all(const tf_machine_t *restrict k,
     const mask_t one0 = up0 ^ down0, one1 = up1 ^ down1;
     const mask_t two0 = when(has_extremum_inside(&h0));
     const mask_t two1 = when(has_extremum_inside(&h1));
-    const tf_slip_t now = slip_from_pq(k, work->p[i], b->r[i] * work->z[i]);
+    const tf_slip_t now =
+        slip_at_instant(k, turn, b->r[i], work->p[i], work->z[i]);
     const mask_t prefer = when(now.g >= 0);
     work->down[0][i] =
         share_down(work->g_plus[0][i], work->g_minus[0][i], up0, up1, prefer);

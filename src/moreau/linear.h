@@ -4,9 +4,9 @@
 //
 // The velocities are z = w - omega0 and p = v - d z: p carries the kinetic
 // energy without a cross term, so that the mass matrix is diagonal and nothing
-// cancels where beta or r is small. Each is against the turntable of its own
-// time: over a step z changes by dw - alpha dt and p by dv - d dw + d alpha dt,
-// and what starts, passes the theta point and ends needs no other omega0.
+// cancels where beta or r is small. They are against the turntable of the end of
+// the step; where a slip at its start or at the theta point is asked for, that
+// is against the turntable of that instant, see slip_at_instant().
 #ifndef TF_LINEAR_H
 #define TF_LINEAR_H
 
@@ -20,8 +20,8 @@ typedef struct {
 
 typedef struct {
   tf_real_t omega0;        // of the turntable at the end of the step
-  tf_real_t p, z;          // at the start, against the turntable of that time
-  change_t free;           // change without friction, the turn in it
+  tf_real_t p, z;          // at the start, against that turntable
+  change_t free;           // change without friction
   tf_real_t r_explicit;    // r + (1 - theta) dt v [m]
   tf_real_t arm;           // r_theta cos(gamma), arm of F about the axis [m]
   tf_real_t p_b, p_t, p_c; // dt S^-1 by rows, see change_under()
@@ -79,14 +79,6 @@ TF_INLINE void invert(const tf_machine_t *k, tf_real_t J, tf_real_t e,
   l->definite = (definite > 0) & (scale > 0);
 }
 
-// A change of P and w as one of p and z, while the turntable turns faster by
-// so much: both are measured against the turntable of their own time. Written
-// so that a turn of +0 changes no bit, signed zeros included.
-TF_INLINE change_t against_turntable(const tf_machine_t *k, tf_real_t turn,
-                                     change_t c) {
-  return (change_t){c.p - k->d * (0 - turn), c.z - turn};
-}
-
 TF_INLINE linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
                              const tf_input_t *input) {
   const tf_real_t v = state->v, w = state->w, theta_dt = k->theta_dt;
@@ -102,10 +94,9 @@ TF_INLINE linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
   const tf_real_t J = k->inertia + mr * (r_theta + 2 * (theta_dt * v));
   invert(k, J, e, &l); // (5), (6)
   l.omega0 = input->omega0;
-  l.free = against_turntable(k, turn_of_step(k, input),
-                             change_under(&l, Q_r, Q_phi + k->d * Q_r, Q_phi));
+  l.free = change_under(&l, Q_r, Q_phi + k->d * Q_r, Q_phi);
   l.arm = r_theta * k->cos_gamma;
-  l.z = w - speed_at_start(k, input);
+  l.z = w - l.omega0;
   l.p = slider_speed(k, v, l.z);
   l.r_explicit = state->r + k->explicit_dt * v;
   return l;
@@ -137,12 +128,20 @@ TF_INLINE tf_real_t angle_change(const tf_machine_t *k, tf_real_t w,
   return k->explicit_dt * w + k->theta_dt * w_end;
 }
 
+// The slip at an instant of a step, from p and z against the turntable of its
+// end, of which the turntable falls short then by a turn.
+TF_INLINE tf_slip_t slip_at_instant(const tf_machine_t *k, tf_real_t turn,
+                                    tf_real_t r, tf_real_t p, tf_real_t z) {
+  return slip_from_pq(k, p - k->d * turn, r * (z + turn));
+}
+
 // (9): slip at the theta point, at which the force of a slip is evaluated.
 TF_INLINE tf_slip_t slip_at_theta(const tf_machine_t *k, const linear_t *l,
-                                  tf_real_t r_theta, change_t friction) {
+                                  tf_real_t turn, tf_real_t r_theta,
+                                  change_t friction) {
   const tf_real_t p = l->p + k->theta * (l->free.p + friction.p);
   const tf_real_t z = l->z + k->theta * (l->free.z + friction.z);
-  return slip_from_pq(k, p, r_theta * z);
+  return slip_at_instant(k, turn, r_theta, p, z);
 }
 
 // (8): responses of p, z and r at the end of the step to x = F / mu or to

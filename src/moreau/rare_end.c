@@ -18,8 +18,8 @@ static tf_force_t single_valued_law(const tf_machine_t *k, tf_slip_t at) {
 static tf_slip_t slip_at_theta_under(const free_motion_t *c,
                                      change_t friction) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
-  return slip_at_theta(k, &c->linear, r_at_theta(k, c->state->r, c->state->v),
-                       friction);
+  return slip_at_theta(k, &c->linear, turn_after_theta(k, c->input),
+                       r_at_theta(k, c->state->r, c->state->v), friction);
 }
 
 // (11): the secant F = c h at the predicted slip is taken implicitly where that

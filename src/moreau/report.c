@@ -11,7 +11,7 @@ TF_API tf_status_t tf_status_of_end(const tf_machine_t *k,
                                     const tf_state_t *state,
                                     const tf_input_t *u, tf_report_t *report) {
   const tf_real_t rounding =
-      slip_rounding(k, state->r, state->v, state->w, turntable_size(k, u));
+      slip_rounding(k, state->r, state->v, state->w, u->omega0);
   const tf_real_t force =
       magnitude(report->force.F) + k->k2 * magnitude(state->r);
   const tf_real_t taken = k->dt * magnitude(report->delassus) * force;

@@ -17,11 +17,11 @@
 #define TF_STEP_MACHINE(c) ((c)->machine)
 #endif
 
-// The velocities and the slip that a step starts with. An incremental step
-// (compensation.h) knows its slip to more digits than p and z are stored in: it
-// adds the change over the step to the slip at the start. A plain step computes
-// the slip from the state that it will store, so that its report is the slip of
-// that state.
+// The velocities that a step starts with, against the turntable of its end, and
+// its slip at the start. An incremental step (compensation.h) knows its slip to
+// more digits than p and z are stored in: it adds the change over the step to
+// the slip at the start. A plain step computes the slip from the state that it
+// will store, so that its report is the slip of that state.
 typedef struct {
   tf_real_t p, z;
   tf_slip_t slip; // where known
@@ -31,7 +31,7 @@ typedef struct {
 // That of a plain step.
 TF_INLINE start_t start_of(const tf_machine_t *k, const tf_state_t *state,
                            const tf_input_t *input) {
-  const tf_real_t z = state->w - speed_at_start(k, input);
+  const tf_real_t z = state->w - input->omega0;
   return (start_t){.p = slider_speed(k, state->v, z), .z = z};
 }
 
@@ -47,14 +47,15 @@ typedef struct {
 } free_motion_t;
 
 // The slip after a change of p and z, from that at the start: q changes by
-// r dz + z+ dr.
+// r dz + z+ dr, while the turntable turns faster by so much.
 TF_INLINE tf_slip_t slip_by_increment(const tf_machine_t *k,
                                       const tf_state_t *state,
-                                      const start_t *start, change_t c) {
+                                      const start_t *start, tf_real_t turn,
+                                      change_t c) {
   const tf_real_t dr =
       k->dt * state->v + k->theta_dt * slider_velocity(k, c.p, c.z);
-  const tf_slip_t by =
-      slip_from_pq(k, c.p, state->r * c.z + (start->z + c.z) * dr);
+  const tf_slip_t by = slip_from_pq(
+      k, c.p + k->d * turn, state->r * (c.z - turn) + (start->z + c.z) * dr);
   return (tf_slip_t){start->slip.h + by.h, start->slip.g + by.g};
 }
 
@@ -71,14 +72,17 @@ TF_INLINE free_motion_t free_motion(const tf_machine_t *k,
   c.linear.z = start.z;
   c.end = free_end(k, &c.linear);
   c.slip = start.incremental
-               ? slip_by_increment(k, state, &c.start, c.linear.free)
+               ? slip_by_increment(k, state, &c.start, turn_of_step(k, input),
+                                   c.linear.free)
                : slip_from_pq(k, c.end.p, c.end.r * c.end.z);
   return c;
 }
 
 TF_INLINE tf_slip_t start_slip(const free_motion_t *c) {
   if (c->start.known) return c->start.slip;
-  return slip_from_pq(TF_STEP_MACHINE(c), c->start.p, c->state->r * c->start.z);
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
+  return slip_at_instant(k, turn_of_step(k, c->input), c->state->r, c->start.p,
+                         c->start.z);
 }
 
 // Where a step ends under a force. Of an incremental step r, v, w are what a
@@ -111,7 +115,7 @@ TF_INLINE tf_slip_t end_slip(const free_motion_t *c, const forced_end_t *end) {
     return slip_speeds(k, end->at.r, end->at.v, end->at.w - l->omega0);
   if (end->pinned) return (tf_slip_t){0, 0};
   return slip_by_increment(
-      k, c->state, &c->start,
+      k, c->state, &c->start, turn_of_step(k, c->input),
       (change_t){l->free.p + end->friction.p, l->free.z + end->friction.z});
 }
 
@@ -217,7 +221,8 @@ TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
   const multipliers_t first = slip_multipliers(&k->tyre, side, now);
   const tf_real_t r_theta = r_at_theta(k, c->state->r, c->state->v);
   const tf_slip_t at =
-      slip_at_theta(k, &c->linear, r_theta, change_by(c, first));
+      slip_at_theta(k, &c->linear, turn_after_theta(k, c->input), r_theta,
+                    change_by(c, first));
   const multipliers_t theta = slip_multipliers(&k->tyre, side, at);
   forced_end_t end = end_by(c, theta);
   end.turns = force_turns(first, theta);
