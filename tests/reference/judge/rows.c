@@ -141,7 +141,8 @@ const row_t rows[ROWS] = {
     {"F", "impulses shorter than the step", .t_end = 0.1, .dt = {1e-4, 1e-5},
      .located = 10, .place = hard_tyre},
     {"G", "rounding at 1 us", .t_end = 0.5, .dt = {1e-6}, .plain = true},
-    {"H", "near h = g = 0", USUAL, .place = near_codim2},
+    {"H", "near h = g = 0, and through it", USUAL, .place = near_codim2,
+     .takes = comes_through},
     {"I", "extreme k2, beta, mu, m, kappa", USUAL, .place = extreme},
     {"J", "kappa 1 to 100", USUAL, .place = large_kappa},
     {"K", "dt 0.1 s and 1 s", .t_end = 2, .dt = {1, 0.1}, .located = 1}};

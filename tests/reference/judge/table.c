@@ -76,6 +76,8 @@ static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
                   (taken->mode >= REF_STICK_PLUS && !taken->attracting));
     met->left_rest |= orbit->arrived == REF_PINNED;
   }
+  // A wheel along the slot has A = N = 0 on the axis: rounding decides there.
+  met->several |= event == REF_LEAVES && fabsl(orbit->x.r) < 1e-6L;
   if (event != REF_ENTERS) {
     met->stick_since = -1;
   }
@@ -165,7 +167,7 @@ static bool draw_case(const row_t *row, const options_t *options, long index,
 }
 
 // The end by the inputs that the steps of machine.dt are told; false where the
-// reference does not come to it, or not to one.
+// reference does not come to it, or not to one, or is not sure of it.
 static bool told_end(const case_t *c, ref_state_t *end) {
   static ref_knot_t table[KNOTS];
   const lib_machine_t *machine = &c->machine;
@@ -181,14 +183,16 @@ static bool told_end(const case_t *c, ref_state_t *end) {
   q.table = table;
   q.swing = 0;
   met_t met;
-  ref_state_t x;
-  if (follow(machine, &q, 0, c->row->t_end, &met, &x) != REF_REACHED) {
+  ref_state_t x, other;
+  const double t_end = c->row->t_end;
+  if (follow(machine, &q, beside, t_end, &met, &other) != REF_REACHED ||
+      follow(machine, &q, 0, t_end, &met, &x) != REF_REACHED) {
     return false;
   }
   end->r = x.r;
   end->z += ref_w(&q, x) - ref_w(&c->q, c->end);
   end->p = ref_v(&q, x) - q.d * end->z;
-  return !met.several;
+  return !met.several && class_distance(&q, x, other) < sure;
 }
 
 // Runs to the end: -1 refused, 0 all steps OK, 1 not all.
