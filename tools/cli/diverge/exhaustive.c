@@ -39,7 +39,6 @@ typedef struct {
   node_t *nodes; ///< args->nodes of them at most
   uint64_t used, branches, joined, dropped;
   cli_motion_t motion;
-  cli_tracker_t tracker;
   bool unwritten;
   uint64_t visited; ///< nodes whose branches have all been followed
   double part;      ///< of the present one, by the times at which it is left
@@ -97,7 +96,6 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
   char row[ROW_ROOM];
   char to[CLI_REAL_ROOM] = "";
   node_t next = {.depth = from->depth + 1};
-  search->tracker = cli_tracker_of(search->job);
   const tf_state_t left = motion->state;
   const cli_branch_t end = cli_random_branch(motion, mode, &next.set);
   static const char *const names[] = {"two-fold", "codim2", "escaping",
@@ -112,7 +110,7 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
   if (found != UINT64_MAX) {
     (void)snprintf(to, sizeof to, "%" PRIu64, found);
   }
-  const cli_cycle_t *cycle = &search->tracker.cycle;
+  const cli_cycle_t *cycle = &motion->tracker.cycle;
   char landing[CLI_REAL_ROOM] = "";
   if (cycle->landed) {
     (void)snprintf(landing, sizeof landing, "%.12g", cycle->land_r);
@@ -175,9 +173,8 @@ static void visit_all(search_t *search) {
     first.state = job->setup.state;
     first.set = job->setup.report.set;
   }
-  search->motion.job = job;
-  search->motion.tracker = &search->tracker;
-  search->motion.long_steps = job->machine;
+  search->motion.job = search->motion.tracker.job = job;
+  cli_motion_begin(&search->motion, &job->params);
   (void)node_at(search, &first);
   search->progress =
       cli_progress_start(cli_now(), search->output->to.descriptor);

@@ -127,13 +127,12 @@ int cli_output_begin(cli_output_t *output, const char *option, const char *path,
                      cli_output_reason(output));
 }
 
-bool cli_output_go_on(cli_output_t *output, size_t kept) {
-  if (output->error == 0 &&
+void cli_output_go_on(cli_output_t *output, size_t kept) {
+  if (output->to.beside && output->error == 0 &&
       (ftruncate(output->to.descriptor, (off_t)kept) != 0 ||
        lseek(output->to.descriptor, (off_t)kept, SEEK_SET) < 0)) {
     output->error = errno;
   }
-  return output->error == 0;
 }
 
 int cli_output_refuse_other(const char *path, const char *what) {

@@ -61,9 +61,9 @@ bool cli_output_open(cli_output_t *output, const char *path);
 int cli_output_begin(cli_output_t *output, const char *option, const char *path,
                      bool keep);
 
-/// Keeps so many bytes of the part, removes the others, and goes on behind
-/// them. Returns: as cli_output_lines.
-bool cli_output_go_on(cli_output_t *output, size_t kept);
+/// Keeps so many bytes of the part, if there is one, removes the others, and
+/// goes on behind them.
+void cli_output_go_on(cli_output_t *output, size_t kept);
 
 /// Refuses to go on with a file that is of something else; what: in, a sweep or
 /// a run. Returns: CLI_REFUSED after a message.

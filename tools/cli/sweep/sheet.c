@@ -249,9 +249,7 @@ int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep,
     (void)cli_output_close(&sheet->output, false);
     return code;
   }
-  if (sheet->output.to.beside) {
-    (void)cli_output_go_on(&sheet->output, kept);
-  }
+  cli_output_go_on(&sheet->output, kept);
   if (kept == 0) {
     (void)cli_output_lines(&sheet->output, sheet->prologue, sheet->length);
   }
