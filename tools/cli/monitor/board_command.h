@@ -41,11 +41,6 @@ typedef struct {
 /// Appends a command.
 int cli_board_commands_add(cli_board_commands_t *commands, const char *text);
 
-/// Writes the data of a command, in the real type of the board.
-/// Returns: their length.
-size_t cli_board_command_data(const cli_board_command_t *command, bool is_float,
-                              uint8_t data[TF_FRAME_PAYLOAD]);
-
 /// Makes the frame of the next command, if no answer is awaited.
 /// wire: out, TF_FRAME_SIZE(TF_FRAME_PAYLOAD).
 /// Returns: its length, or 0.
