@@ -10,15 +10,15 @@
 #include "../text/message.h"
 
 int cli_analysis_check(cli_args_t *args) {
-  const char *grid = strcmp(args->command, "design") != 0 ? "A:B:N" : NULL;
-  if (args->r.text != NULL && args->omega.text != NULL) {
-    return CLI_DONE;
+  const bool grid = strcmp(args->command, "design") != 0;
+  if (args->r.text == NULL) {
+    return cli_message(CLI_USAGE, "%s: --r %s is missing", args->command,
+                       grid ? "A:B:N" : "R");
   }
-  return args->r.text == NULL
-             ? cli_message(CLI_USAGE, "%s: --r %s is missing", args->command,
-                           grid != NULL ? grid : "R")
+  return args->omega.text != NULL
+             ? CLI_DONE
              : cli_message(CLI_USAGE, "%s: --omega %s is missing",
-                           args->command, grid != NULL ? grid : "W");
+                           args->command, grid ? "A:B:N" : "W");
 }
 
 // Reports which settings have no effect because only `run` uses them, or
@@ -57,10 +57,8 @@ int cli_analysis_begin(cli_analysis_t *a, const cli_args_t *args,
 
 cli_origin_t cli_analysis_origin(const cli_analysis_t *a, const char *name) {
   const cli_setting_t *setting = cli_settings_find(&a->args->settings, name);
-  const cli_origin_t scene = {"scene", a->args->scene->name};
-  const cli_origin_t typed = {setting != NULL ? setting->option : "",
-                              setting != NULL ? setting->text : ""};
-  return setting != NULL ? typed : scene;
+  return setting != NULL ? (cli_origin_t){setting->option, setting->text}
+                         : (cli_origin_t){"scene", a->args->scene->name};
 }
 
 int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment) {

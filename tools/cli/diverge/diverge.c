@@ -85,15 +85,6 @@ static bool follow(work_t *work, const cli_stepper_t *stepper, bool from_it) {
   return true;
 }
 
-// Time within the band that counts as on the surface. Random motions have modes
-// and need none.
-static double least_dwell(const cli_motion_t *motion) {
-  return motion->job->args->mechanism == CLI_BY_RANDOM
-             ? 0
-             : 4 * (double)motion->job->machine.dt /
-                   motion->job->args->refinement;
-}
-
 static bool do_sample(work_t *work, uint64_t sample) {
   const cli_job_t *job = work->job;
   const cli_stepper_t *stepper = steppers[job->args->mechanism];
@@ -107,8 +98,13 @@ static bool do_sample(work_t *work, uint64_t sample) {
   if (job->args->spread > 1) {
     motion->size *= pow(job->args->spread, -cli_draw_uniform(&motion->draws));
   }
-  stepper->start(motion);
-  motion->tracker.dwell = least_dwell(motion);
+  const cli_instant_t start = stepper->start(motion);
+  cli_track_start(&motion->tracker, &start);
+  // Time within the band that counts as on the surface; random motions have
+  // modes and need none.
+  if (job->args->mechanism != CLI_BY_RANDOM) {
+    motion->tracker.dwell = 4 * (double)job->machine.dt / job->args->refinement;
+  }
   // Without `pass` the sample starts before the two-fold and first arrives.
   bool from_it = job->at_two_fold && stepper->pass != NULL;
   if (job->at_two_fold && !from_it) {

@@ -164,14 +164,13 @@ static void leave_codim2(search_t *search, const node_t *node, uint64_t index) {
 
 static void visit_all(search_t *search) {
   const cli_job_t *job = search->job;
-  node_t first = {.set = 0, .two_fold = job->at_two_fold};
+  node_t first = {.state = job->setup.state,
+                  .set = job->setup.report.set,
+                  .two_fold = job->at_two_fold};
   if (job->at_two_fold) {
     first.state = cli_state_at(
         &job->machine,
         cli_point_on_surface(&job->machine, job->canard.r, job->canard.z));
-  } else {
-    first.state = job->setup.state;
-    first.set = job->setup.report.set;
   }
   search->motion.job = search->motion.tracker.job = job;
   cli_motion_begin(&search->motion, &job->params);

@@ -83,18 +83,16 @@ static double step_until(const tf_machine_t *k, cli_point_t *at, int side,
   return x;
 }
 
-static void start(cli_motion_t *motion) {
+static cli_instant_t start(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
   cli_motion_begin(motion, &job->params);
   motion->band = job->args->mechanism == CLI_BY_DELAY
                      ? RATE_BOUND * motion->size *
                            (double)job->machine.tyre.mu / (double)job->machine.m
                      : motion->size * OVERSHOOT;
-  const tf_state_t at = cli_motion_start(job);
-  motion->at = cli_point_of(&job->machine, &at);
+  motion->at = cli_point_of(&job->machine, &motion->state);
   motion->side = cli_draw_uniform(&motion->draws) < 0.5 ? -1 : 1;
-  const cli_instant_t now = cli_instant_at(motion, motion->at);
-  cli_track_start(&motion->tracker, &now);
+  return cli_instant_at(motion, motion->at);
 }
 
 // Hysteresis: the side changes where h leaves the band on the other side.

@@ -35,19 +35,17 @@ static double draw_normal(cli_draws_t *draws) {
 }
 
 void cli_motion_begin(cli_motion_t *motion, const tf_params_t *params) {
+  const cli_job_t *job = motion->job;
   tf_params_t near = *params;
-  near.dt = (tf_real_t)((double)params->dt / motion->job->args->refinement);
+  near.dt = (tf_real_t)((double)params->dt / job->args->refinement);
   (void)tf_prepare(&motion->long_steps, params, NULL);
   (void)tf_prepare(&motion->short_steps, &near, NULL);
+  motion->state = job->at_two_fold ? cli_before_two_fold(&job->machine,
+                                                         &job->two_fold, BEFORE)
+                                   : job->setup.state;
   motion->t = 0;
   motion->wait = -1;
   motion->queued = 0;
-}
-
-tf_state_t cli_motion_start(const cli_job_t *job) {
-  return job->at_two_fold
-             ? cli_before_two_fold(&job->machine, &job->two_fold, BEFORE)
-             : job->setup.state;
 }
 
 double cli_step_length(const cli_motion_t *motion, cli_point_t at, double g) {
@@ -102,7 +100,7 @@ static cli_instant_t instant(const cli_motion_t *motion) {
                         cli_point_of(&motion->long_steps, &motion->state));
 }
 
-static void start(cli_motion_t *motion) {
+static cli_instant_t start(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
   tf_params_t params = job->params;
   tf_report_t report;
@@ -116,10 +114,8 @@ static void start(cli_motion_t *motion) {
     motion->band = 4 * motion->size * (isfinite(resolved) ? sqrt(resolved) : 1);
   }
   cli_motion_begin(motion, &params);
-  motion->state = cli_motion_start(job);
   (void)tf_begin(&motion->long_steps, &motion->state, &input, &report);
-  const cli_instant_t now = instant(motion);
-  cli_track_start(&motion->tracker, &now);
+  return instant(motion);
 }
 
 static void add_noise(cli_motion_t *motion, double dt) {

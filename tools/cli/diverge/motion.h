@@ -108,8 +108,8 @@ typedef struct {
 
 /// How a mechanism moves a sample.
 typedef struct {
-  /// Puts the sample at its start and starts the tracker.
-  void (*start)(cli_motion_t *motion);
+  /// Puts the sample at its start. Returns: its first instant.
+  cli_instant_t (*start)(cli_motion_t *motion);
   /// Takes one step. Returns: whether the cycle ended.
   bool (*advance)(cli_motion_t *motion);
   /// Passes the two-fold. Returns: whether the cycle ended. NULL where advance
@@ -117,13 +117,9 @@ typedef struct {
   bool (*pass)(cli_motion_t *motion);
 } cli_stepper_t;
 
-/// Puts a motion at t = 0 and prepares its machines. params: in, of the long
-/// steps.
+/// Puts a motion at t = 0, before the two-fold where it has to arrive there
+/// first, and prepares its machines. params: in, of the long steps.
 void cli_motion_begin(cli_motion_t *motion, const tf_params_t *params);
-
-/// State from which a motion starts that has to arrive at the two-fold first,
-/// or the start that was typed.
-tf_state_t cli_motion_start(const cli_job_t *job);
 
 /// Length of the next step: shorter near the two-fold [s].
 double cli_step_length(const cli_motion_t *motion, cli_point_t at, double g);

@@ -77,18 +77,16 @@ static bool pass_two_fold(cli_motion_t *motion) {
   return cli_track(&motion->tracker, &on) || leave_stick(motion, !escaping);
 }
 
-static void start(cli_motion_t *motion) {
+static cli_instant_t start(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
   cli_motion_begin(motion, &job->params);
-  motion->state = job->setup.state;
   if (job->at_two_fold) {
     motion->state = cli_state_at(
         &job->machine,
         cli_point_on_surface(&job->machine, job->canard.r, job->canard.z));
     motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
   }
-  const cli_instant_t now = instant(motion);
-  cli_track_start(&motion->tracker, &now);
+  return instant(motion);
 }
 
 static tf_status_t step(cli_motion_t *motion, const tf_machine_t *machine) {

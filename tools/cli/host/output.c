@@ -20,7 +20,7 @@
 #include "../text/message.h"
 #include "host.h"
 
-static bool open_it(cli_output_t *output, const char *path, bool keep) {
+bool cli_output_open(cli_output_t *output, const char *path, bool keep) {
   output->used = 0;
   output->last = '\n';
   output->flushed = cli_now();
@@ -28,10 +28,6 @@ static bool open_it(cli_output_t *output, const char *path, bool keep) {
       path == NULL || strcmp(path, "-") == 0 ? "standard output" : path;
   output->error = cli_destination_open(&output->to, path, keep);
   return output->error == 0;
-}
-
-bool cli_output_open(cli_output_t *output, const char *path) {
-  return open_it(output, path, false);
 }
 
 // Removes the bytes after the last whole line of what was written.
@@ -120,7 +116,7 @@ void cli_output_tell_part(const cli_output_t *output) {
 int cli_output_begin(cli_output_t *output, const char *option, const char *path,
                      bool keep) {
   cli_catch_signals();
-  if (open_it(output, path, keep)) {
+  if (cli_output_open(output, path, keep)) {
     return CLI_DONE;
   }
   return cli_message(CLI_STOPPED, "%s %s: %s", option, path,

@@ -51,13 +51,13 @@ typedef struct {
 } cli_output_t;
 
 /// Opens a file for writing, or standard output where path is NULL or "-".
+/// keep: its part may hold the rows of a run that was stopped: they stay, until
+/// cli_output_go_on says how many bytes of them are kept.
 /// Returns: whether it is open; otherwise error is set.
-bool cli_output_open(cli_output_t *output, const char *path);
+bool cli_output_open(cli_output_t *output, const char *path, bool keep);
 
 /// Opens it for a command: from now on signals are caught as by
 /// cli_catch_signals. option: the option that gave the path, for the message.
-/// keep: its part may hold the rows of a run that was stopped: they stay, until
-/// cli_output_go_on says how many bytes of them are kept.
 int cli_output_begin(cli_output_t *output, const char *option, const char *path,
                      bool keep);
 
