@@ -101,7 +101,3 @@ void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
   cli_add_hash(text, tf_params_hash(&a->setup.params));
   cli_add_form(text, "\",\n  \"units\": {%s},\n", units);
 }
-
-int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length) {
-  return cli_output_write(&a->output, "--out", a->args->out, text, length);
-}

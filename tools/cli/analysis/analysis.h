@@ -43,7 +43,4 @@ int cli_analysis_refuse_gamma(const cli_analysis_t *a);
 void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
                              cli_buffer_t *text);
 
-/// Writes one text and closes the output.
-int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length);
-
 #endif
