@@ -21,17 +21,6 @@ typedef struct {
   char path[CLI_PATH_ROOM], part[CLI_PATH_ROOM];
 } cli_destination_t;
 
-/// Opens it; a path of NULL or "-" is standard output. keep: what is in the
-/// part stays; the caller says where to go on.
-/// Returns: 0 or an errno; EBUSY: another program writes this file.
-int cli_destination_open(cli_destination_t *destination, const char *path,
-                         bool keep);
-
-/// Closes it, on disk; standard output stays open. whole: all rows are there,
-/// so the file gets its name; otherwise its rows stay in `part`.
-/// Returns: 0 or an errno; EBUSY: `part` is not the file that was opened.
-int cli_destination_close(cli_destination_t *destination, bool whole);
-
 /// Whether a descriptor is a regular file.
 bool cli_is_regular(int descriptor);
 
@@ -93,8 +82,8 @@ bool cli_output_lines(cli_output_t *output, const char *lines, size_t length);
 /// Returns: as cli_output_lines.
 bool cli_output_flush(cli_output_t *output);
 
-/// Flushes, syncs to disk and closes (standard output is left open). whole: as
-/// in cli_destination_close; a file whose output failed is not whole.
+/// Flushes, syncs to disk and closes (standard output is left open). whole: all
+/// rows are there, so the file gets its name unless its output failed.
 /// Returns: as cli_output_lines.
 bool cli_output_close(cli_output_t *output, bool whole);
 
