@@ -3,6 +3,7 @@
 
 #include "analysis.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "../setup/names.h"
@@ -75,20 +76,28 @@ int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment) {
                                                 : "it does not jump at h = 0");
 }
 
-int cli_analysis_refuse_mu(const cli_analysis_t *a) {
+int cli_analysis_check_design(const cli_analysis_t *a) {
+  const tf_machine_t *k = &a->setup.machine;
   const cli_origin_t mu = cli_analysis_origin(a, "mu");
-  return cli_message(CLI_REFUSED, "%s %s: %s needs mu > 0", mu.option, mu.text,
-                     a->args->command);
-}
-
-int cli_analysis_refuse_gamma(const cli_analysis_t *a) {
   const cli_origin_t gamma = cli_analysis_origin(a, "gamma");
+  const int code = cli_analysis_needs_jump(a, true);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (!(k->tyre.mu > 0)) {
+    return cli_message(CLI_REFUSED, "%s %s: %s needs mu > 0", mu.option,
+                       mu.text, a->args->command);
+  }
+  if (fabs((double)k->sin_gamma) >= (double)TF_MIN_SINE &&
+      fabs((double)k->cos_gamma) >= (double)TF_MIN_SINE) {
+    return CLI_DONE;
+  }
   return cli_message(
       CLI_REFUSED,
       "%s %s: %s needs |sin(gamma)| and |cos(gamma)| in [1e-06, 1], they are "
       "%g and %g",
-      gamma.option, gamma.text, a->args->command,
-      (double)a->setup.machine.sin_gamma, (double)a->setup.machine.cos_gamma);
+      gamma.option, gamma.text, a->args->command, (double)k->sin_gamma,
+      (double)k->cos_gamma);
 }
 
 void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,

@@ -136,10 +136,6 @@ static int out_of_range(const cli_analysis_t *a, const char *name,
 
 static int refuse(const cli_analysis_t *a, const tf_design_t *design) {
   switch ((tf_design_obstacle_t)design->obstacle) {
-    case TF_DESIGN_LAW:
-      return cli_analysis_refuse_mu(a);
-    case TF_DESIGN_GAMMA:
-      return cli_analysis_refuse_gamma(a);
     case TF_DESIGN_R:
       return cli_message(CLI_REFUSED,
                          "--r %s: r must not be 0, nor so large or small that "
@@ -160,15 +156,17 @@ static int refuse(const cli_analysis_t *a, const tf_design_t *design) {
       return out_of_range(a, "kappa", design->kappa);
     case TF_DESIGN_K2:
       return out_of_range(a, "k2", design->k2);
+    case TF_DESIGN_LAW:
+    case TF_DESIGN_GAMMA: // were refused before
     case TF_DESIGN_FOUND:
       break;
   }
-  return CLI_DONE;
+  return CLI_REFUSED;
 }
 
 static int describe_design(const cli_analysis_t *a, cli_buffer_t *text) {
   tf_design_t design;
-  const int code = cli_analysis_needs_jump(a, true);
+  const int code = cli_analysis_check_design(a);
   if (code != CLI_DONE) {
     return code;
   }

@@ -60,9 +60,7 @@ static void check_clock(work_t *work) {
   if (cli_stop_asked()) {
     work->stopped = true;
   }
-  if (cli_progress_due(&work->progress, now)) {
-    show_progress(work, now);
-  }
+  show_progress(work, now);
   if (now - work->flushed > FLUSH_EVERY) {
     work->unwritten = !cli_files_flush(work->files) || work->unwritten;
     work->flushed = now;

@@ -27,16 +27,6 @@ typedef struct {
   cli_progress_t progress;
 } work_t;
 
-static void show_progress(work_t *work, double now) {
-  const cli_sheet_t *sheet = work->sheet;
-  const uint64_t points = sheet->end - sheet->first;
-  const double done = (double)work->done;
-  cli_progress_say(&work->progress, now, done / (double)(points - sheet->kept),
-                   "%" PRIu64 " of %" PRIu64 " points, %.3g points/s",
-                   sheet->kept + work->done, points,
-                   done / (now - work->progress.started));
-}
-
 // Returns: CLI_DONE, or CLI_STOPPED; where the output failed, the message is
 // that of cli_sheet_close.
 static int do_points(work_t *work) {
@@ -60,9 +50,13 @@ static int do_points(work_t *work) {
         !cli_output_flush(&sheet->output)) {
       return CLI_STOPPED;
     }
-    if (cli_progress_due(&work->progress, now)) {
-      show_progress(work, now);
-    }
+    const uint64_t points = sheet->end - sheet->first;
+    const double done = (double)work->done;
+    cli_progress_say(&work->progress, now,
+                     done / (double)(points - sheet->kept),
+                     "%" PRIu64 " of %" PRIu64 " points, %.3g points/s",
+                     sheet->kept + work->done, points,
+                     done / (now - work->progress.started));
   }
   return CLI_DONE;
 }
