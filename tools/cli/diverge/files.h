@@ -41,7 +41,6 @@ typedef struct {
 /// there before.
 bool cli_counts_shard(cli_counts_t *counts, uint64_t index);
 
-/// How many shards are counted.
 uint64_t cli_counts_shards(const cli_counts_t *counts);
 
 /// Counts a cycle. cycle: in, its number in its sample, from 1. patience: in,
@@ -85,12 +84,10 @@ typedef struct {
 /// Returns: CLI_DONE; after a message CLI_STOPPED, and no new file is left.
 int cli_files_open(cli_files_t *files, const cli_file_place_t at[CLI_FILES]);
 
-/// Writes the rows of a cycle, and counts it.
 /// Returns: whether everything so far could be written.
 bool cli_files_put(cli_files_t *files, uint64_t sample, uint64_t cycle,
                    const cli_cycle_t *what);
 
-/// Hands everything to the operating system. Returns: as cli_files_put.
 bool cli_files_flush(cli_files_t *files);
 
 /// Closes all after a run that ended with a code; under CLI_DONE they get their
@@ -111,7 +108,6 @@ typedef struct {
   cli_file_place_t at[CLI_FILES];
 } cli_checkpoint_t;
 
-/// What --resume finds.
 typedef enum {
   CLI_RESUME_NEW,   ///< nothing to go on with: from the first sample
   CLI_RESUME_GO_ON, ///< the checkpoint is read, and the rows are there
@@ -127,7 +123,6 @@ cli_resume_t cli_checkpoint_find(cli_files_t *files, cli_checkpoint_t *at);
 /// replaces the one before at once. Returns: whether it could be written.
 bool cli_checkpoint_put(const cli_files_t *files, cli_checkpoint_t *at);
 
-/// Removes it, of a shard that is whole.
 void cli_checkpoint_remove(const cli_files_t *files);
 
 #endif

@@ -67,11 +67,9 @@ typedef struct {
 /// Starts at the first instant of a sample.
 void cli_track_start(cli_tracker_t *tracker, const cli_instant_t *at);
 
-/// Takes the next instant.
-/// Returns: whether it ends the cycle.
+/// Returns: whether the next instant ends the cycle.
 bool cli_track(cli_tracker_t *tracker, const cli_instant_t *at);
 
-/// Begins the next cycle, after one that returned.
 void cli_track_next(cli_tracker_t *tracker);
 
 /// The random numbers of one sample. The generator is counter based, so they do
@@ -121,14 +119,12 @@ typedef struct {
 /// first, and prepares its machines. params: in, of the long steps.
 void cli_motion_begin(cli_motion_t *motion, const tf_params_t *params);
 
-/// Length of the next step: shorter near the two-fold [s].
 double cli_step_length(const cli_motion_t *motion, cli_point_t at, double g);
 
 /// The present instant of a motion at a point: on the surface where |h| is
 /// within its band.
 cli_instant_t cli_instant_at(const cli_motion_t *motion, cli_point_t at);
 
-/// Ends the cycle after a refused step. Returns: true.
 bool cli_refuse_cycle(cli_motion_t *motion);
 
 /// --by random; --by noise and --by smoothing; --by hysteresis and --by delay.
@@ -136,7 +132,6 @@ extern const cli_stepper_t cli_random_stepper;
 extern const cli_stepper_t cli_perturbed_stepper;
 extern const cli_stepper_t cli_lagged_stepper;
 
-/// Where a branch ends.
 typedef enum {
   CLI_BRANCH_TWO_FOLD,
   CLI_BRANCH_CODIM2,   ///< at h = g = 0 with several consistent modes

@@ -21,7 +21,6 @@ typedef struct {
   char path[CLI_PATH_ROOM], part[CLI_PATH_ROOM];
 } cli_destination_t;
 
-/// Whether a descriptor is a regular file.
 bool cli_is_regular(int descriptor);
 
 /// Whether two paths name one regular file, there or not yet; NULL and "-" are

@@ -60,7 +60,6 @@ typedef struct {
 /// not one byte goes to standard output.
 bool cli_screen_open(cli_screen_t *screen);
 
-/// Reads the size.
 void cli_screen_measure(cli_screen_t *screen);
 
 /// What a drawing has to begin with, to end a line with, and to end with.

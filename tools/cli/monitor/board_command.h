@@ -38,7 +38,6 @@ typedef struct {
   uint8_t key[TF_KEY_BYTES];
 } cli_board_commands_t;
 
-/// Appends a command.
 int cli_board_commands_add(cli_board_commands_t *commands, const char *text);
 
 /// Makes the frame of the next command, if no answer is awaited.
@@ -69,10 +68,8 @@ typedef struct {
   uint8_t state[TF_FRAME_PAYLOAD];
 } cli_session_record_t;
 
-/// Opens the file of --record.
 int cli_session_record_open(cli_session_record_t *record, const char *path);
 
-/// Takes note of a frame from the board.
 void cli_session_record_frame(cli_session_record_t *record,
                               const tf_frame_t *frame);
 
@@ -81,7 +78,6 @@ void cli_session_record_command(cli_session_record_t *record,
                                 const cli_board_command_t *command,
                                 bool is_float, uint64_t tick);
 
-/// Closes the file.
 /// Returns: code; CLI_STOPPED after a message if it was CLI_DONE.
 int cli_session_record_close(cli_session_record_t *record, int code);
 

@@ -38,13 +38,11 @@ typedef struct {
   uint64_t unknown;    ///< frames of unknown type or length
 } cli_receiver_t;
 
-/// Takes a frame.
 /// row: out, written if the frame completes a row.
 /// Returns: whether it does.
 bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
                        cli_csv_t *row);
 
-/// Reads a real of the sender's type.
 double cli_receiver_real(const cli_receiver_t *receiver, const uint8_t *at);
 
 #endif
