@@ -17,15 +17,6 @@
 #define PATIENCE 3.0    // for an answer [s]
 #define ANSWER_BYTES 8u // of every answer; one about a parameter has more
 
-static const struct {
-  const char *name;
-  uint8_t type;
-} plain[] = {{"describe", TF_UP_DESCRIBE}, {"start", TF_UP_START},
-             {"stop", TF_UP_STOP},         {"reset", TF_UP_RESET},
-             {"snapshot", TF_UP_SNAPSHOT}, {"restore", TF_UP_RESTORE},
-             {"clear", TF_UP_CLEAR},       {"input", TF_UP_INPUT}};
-#define PLAIN (sizeof plain / sizeof plain[0])
-
 static int refuse(const char *text, const char *why) {
   return cli_message(CLI_USAGE, "--send %s: %s", text, why);
 }
@@ -49,9 +40,8 @@ static int read_set(cli_board_command_t *command, const char *rest) {
                   "expected set:NAME=VALUE with the name of a "
                   "parameter ('twofold help run')");
   }
-  command->type = TF_UP_PARAMETER;
   command->index = (uint8_t)i;
-  command->number[0] = rest + length + 1;
+  command->number[command->numbers++] = rest + length + 1;
   return cli_read_real(command->number[0], &value, &why)
              ? CLI_DONE
              : refuse(command->text, why);
@@ -72,7 +62,6 @@ static int read_select(cli_board_command_t *command, const char *rest) {
                   "expected select:RULE[:SEED] with one of persist, slip+, "
                   "slip-, random");
   }
-  command->type = TF_UP_RULE;
   command->index = (uint8_t)i;
   command->seed = (uint32_t)seed;
   return CLI_DONE;
@@ -80,7 +69,6 @@ static int read_select(cli_board_command_t *command, const char *rest) {
 
 // Four numbers separated by commas; cli_read_real takes one at a time.
 static int read_input(cli_board_command_t *command, const char *rest) {
-  command->type = TF_UP_INPUT;
   for (command->numbers = 0; command->numbers < 4; command->numbers++) {
     char number[CLI_REAL_ROOM];
     const size_t length = strcspn(rest, ",");
@@ -98,18 +86,37 @@ static int read_input(cli_board_command_t *command, const char *rest) {
     }
     rest += length + 1;
   }
+  // The speeds are constant, so the turntable's acceleration is 0.
+  command->number[command->numbers++] = "0";
   return CLI_DONE;
 }
 
 static int read_deadman(cli_board_command_t *command, const char *rest) {
   uint64_t steps = 0;
-  command->type = TF_UP_DEADMAN;
   if (!cli_read_whole(rest, 0, UINT32_MAX, &steps)) {
     return refuse(command->text, "expected deadman:STEPS; 0: without end");
   }
   command->seed = (uint32_t)steps;
   return CLI_DONE;
 }
+
+// A command with data has a reader of what stands behind its name.
+static const struct {
+  const char *name;
+  uint8_t type;
+  int (*read)(cli_board_command_t *command, const char *rest);
+} forms[] = {{"describe", TF_UP_DESCRIBE, NULL},
+             {"start", TF_UP_START, NULL},
+             {"stop", TF_UP_STOP, NULL},
+             {"reset", TF_UP_RESET, NULL},
+             {"snapshot", TF_UP_SNAPSHOT, NULL},
+             {"restore", TF_UP_RESTORE, NULL},
+             {"clear", TF_UP_CLEAR, NULL},
+             {"input", TF_UP_INPUT, NULL},
+             {"set:", TF_UP_PARAMETER, read_set},
+             {"select:", TF_UP_RULE, read_select},
+             {"input:", TF_UP_INPUT, read_input},
+             {"deadman:", TF_UP_DEADMAN, read_deadman}};
 
 int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
   if (commands->count == CLI_BOARD_COMMANDS) {
@@ -119,24 +126,18 @@ int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
   commands->count++;
   *command = (cli_board_command_t){.text = text};
   cli_closest_t closest = cli_closest_to(text);
-  for (size_t i = 0; i < PLAIN; i++) {
-    if (strcmp(text, plain[i].name) == 0) {
-      command->type = plain[i].type;
+  for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++) {
+    const size_t length = strlen(forms[i].name);
+    command->type = forms[i].type;
+    if (forms[i].read != NULL && strncmp(text, forms[i].name, length) == 0) {
+      return forms[i].read(command, text + length);
+    }
+    if (forms[i].read == NULL && strcmp(text, forms[i].name) == 0) {
       return CLI_DONE;
     }
-    cli_closest_offer(&closest, plain[i].name);
-  }
-  if (strncmp(text, "set:", 4) == 0) {
-    return read_set(command, text + 4);
-  }
-  if (strncmp(text, "select:", 7) == 0) {
-    return read_select(command, text + 7);
-  }
-  if (strncmp(text, "input:", 6) == 0) {
-    return read_input(command, text + 6);
-  }
-  if (strncmp(text, "deadman:", 8) == 0) {
-    return read_deadman(command, text + 8);
+    if (forms[i].read == NULL) {
+      cli_closest_offer(&closest, forms[i].name);
+    }
   }
   return cli_message(CLI_USAGE,
                      "--send %s: unknown command%s ('twofold help monitor' "
@@ -169,22 +170,15 @@ static uint8_t *put_number(uint8_t *at, const char *text, bool is_float) {
 
 static uint8_t *put_data(uint8_t *at, const cli_board_command_t *command,
                          bool is_float) {
-  if (command->type == TF_UP_PARAMETER) {
+  if (command->type == TF_UP_PARAMETER || command->type == TF_UP_RULE) {
     *at++ = command->index;
-    return put_number(at, command->number[0], is_float);
-  }
-  if (command->type == TF_UP_RULE) {
-    *at++ = command->index;
-    return tf_wire_put(at, command->seed, 4);
-  }
-  if (command->type == TF_UP_DEADMAN) {
-    return tf_wire_put(at, command->seed, 4);
   }
   for (size_t i = 0; i < command->numbers; i++) {
     at = put_number(at, command->number[i], is_float);
   }
-  // The speeds are constant, so the turntable's acceleration is 0.
-  return command->numbers > 0 ? put_number(at, "0", is_float) : at;
+  return command->type == TF_UP_RULE || command->type == TF_UP_DEADMAN
+             ? tf_wire_put(at, command->seed, 4)
+             : at;
 }
 
 // Whether the board has described itself since it was asked to. That tells the
