@@ -69,7 +69,7 @@ uint64_t cli_counts_shards(const cli_counts_t *counts) {
 }
 
 // What lies beyond the last bin is in it: bins lose nothing.
-static void count(cli_counts_t *counts, int kind, double key) {
+static void add_one(cli_counts_t *counts, int kind, double key) {
   const double bin = key - (double)kinds[kind].low;
   const double last = (double)(kinds[kind].size - 1);
   const size_t at = bin > 0 ? (size_t)(bin < last ? bin : last) : 0;
@@ -79,22 +79,22 @@ static void count(cli_counts_t *counts, int kind, double key) {
 void cli_counts_cycle(cli_counts_t *counts, uint64_t cycle,
                       const cli_cycle_t *what, double patience) {
   const bool returned = what->outcome == CLI_CYCLE_RETURNED;
-  count(counts, OUTCOME, what->outcome);
-  count(counts, BEGUN, (double)cycle);
+  add_one(counts, OUTCOME, what->outcome);
+  add_one(counts, BEGUN, (double)cycle);
   if (what->left) {
-    count(counts, SIDE, what->side > 0);
+    add_one(counts, SIDE, what->side > 0);
   }
   if (what->left && what->phase >= 0) {
-    count(counts, PHASE, floor(what->phase / (1.0 / CLI_COUNT_PHASES)));
+    add_one(counts, PHASE, floor(what->phase / (1.0 / CLI_COUNT_PHASES)));
   }
   if (returned) {
     const double time =
         what->ended - (what->left ? what->exit_t : what->arrived);
-    count(counts, RETURNED, (double)cycle);
-    count(counts, TIME, floor(time / (patience / CLI_COUNT_TIMES)));
+    add_one(counts, RETURNED, (double)cycle);
+    add_one(counts, TIME, floor(time / (patience / CLI_COUNT_TIMES)));
   }
   if (what->landed) {
-    count(counts, LANDING, floor(what->land_r / CLI_COUNT_PLACE));
+    add_one(counts, LANDING, floor(what->land_r / CLI_COUNT_PLACE));
   }
 }
 

@@ -61,8 +61,8 @@ cli_progress_t cli_progress_start(double now, int output);
 
 bool cli_progress_due(const cli_progress_t *progress, double now);
 
-/// Prints a message if it is time, and the time left, as if the rest of the work
-/// went at the mean speed of what is done.
+/// Prints a message if it is time, and the time left, as if the rest of the
+/// work went at the mean speed of what is done.
 /// share: in, of the work that is done, 0: none, and no time left is told.
 /// format: in, of the message, which says what is done.
 void cli_progress_say(cli_progress_t *progress, double now, double share,
