@@ -6,8 +6,7 @@
 #   REAL SCENE RATE EVERY: see port/port.mk
 
 HIL_PARTS := $(wildcard tools/board/hil/*.c) $(addprefix tools/cli/,\
-  host/source.c host/host.c host/output.c host/destination.c \
-  text/message.c text/number.c)
+  host/source.c host/host.c host/output.c text/message.c text/number.c)
 
 define board_rules
 $(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) \

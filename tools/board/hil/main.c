@@ -136,7 +136,7 @@ static hil_code_t write_csv(const hil_board_t *board, const char *name) {
   static const char header[] = "step,r,v,omega,mode,omega0,torque,effect\n";
   static cli_output_t output; // holds the buffer
   char row[ROW_ROOM];
-  if (cli_output_open(&output, name)) {
+  if (cli_output_open(&output, name, false)) {
     (void)cli_output_lines(&output, header, sizeof header - 1);
     for (size_t i = 0; i < board->count; i++)
       (void)cli_output_lines(&output, row, make_row(&board->samples[i], row));

@@ -3,6 +3,7 @@
 
 #include "analysis.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "../setup/names.h"
@@ -10,15 +11,15 @@
 #include "../text/message.h"
 
 int cli_analysis_check(cli_args_t *args) {
-  const char *grid = strcmp(args->command, "design") != 0 ? "A:B:N" : NULL;
-  if (args->r.text != NULL && args->omega.text != NULL) {
-    return CLI_DONE;
+  const bool grid = strcmp(args->command, "design") != 0;
+  if (args->r.text == NULL) {
+    return cli_message(CLI_USAGE, "%s: --r %s is missing", args->command,
+                       grid ? "A:B:N" : "R");
   }
-  return args->r.text == NULL
-             ? cli_message(CLI_USAGE, "%s: --r %s is missing", args->command,
-                           grid != NULL ? grid : "R")
+  return args->omega.text != NULL
+             ? CLI_DONE
              : cli_message(CLI_USAGE, "%s: --omega %s is missing",
-                           args->command, grid != NULL ? grid : "W");
+                           args->command, grid ? "A:B:N" : "W");
 }
 
 // Reports which settings have no effect because only `run` uses them, or
@@ -57,10 +58,8 @@ int cli_analysis_begin(cli_analysis_t *a, const cli_args_t *args,
 
 cli_origin_t cli_analysis_origin(const cli_analysis_t *a, const char *name) {
   const cli_setting_t *setting = cli_settings_find(&a->args->settings, name);
-  const cli_origin_t scene = {"scene", a->args->scene->name};
-  const cli_origin_t typed = {setting != NULL ? setting->option : "",
-                              setting != NULL ? setting->text : ""};
-  return setting != NULL ? typed : scene;
+  return setting != NULL ? (cli_origin_t){setting->option, setting->text}
+                         : (cli_origin_t){"scene", a->args->scene->name};
 }
 
 int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment) {
@@ -77,20 +76,28 @@ int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment) {
                                                 : "it does not jump at h = 0");
 }
 
-int cli_analysis_refuse_mu(const cli_analysis_t *a) {
+int cli_analysis_check_design(const cli_analysis_t *a) {
+  const tf_machine_t *k = &a->setup.machine;
   const cli_origin_t mu = cli_analysis_origin(a, "mu");
-  return cli_message(CLI_REFUSED, "%s %s: %s needs mu > 0", mu.option, mu.text,
-                     a->args->command);
-}
-
-int cli_analysis_refuse_gamma(const cli_analysis_t *a) {
   const cli_origin_t gamma = cli_analysis_origin(a, "gamma");
+  const int code = cli_analysis_needs_jump(a, true);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (!(k->tyre.mu > 0)) {
+    return cli_message(CLI_REFUSED, "%s %s: %s needs mu > 0", mu.option,
+                       mu.text, a->args->command);
+  }
+  if (fabs((double)k->sin_gamma) >= (double)TF_MIN_SINE &&
+      fabs((double)k->cos_gamma) >= (double)TF_MIN_SINE) {
+    return CLI_DONE;
+  }
   return cli_message(
       CLI_REFUSED,
       "%s %s: %s needs |sin(gamma)| and |cos(gamma)| in [1e-06, 1], they are "
       "%g and %g",
-      gamma.option, gamma.text, a->args->command,
-      (double)a->setup.machine.sin_gamma, (double)a->setup.machine.cos_gamma);
+      gamma.option, gamma.text, a->args->command, (double)k->sin_gamma,
+      (double)k->cos_gamma);
 }
 
 void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
@@ -102,8 +109,4 @@ void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
                TF_VERSION, cli_commit, CLI_NUMBER_TYPE, a->args->scene->name);
   cli_add_hash(text, tf_params_hash(&a->setup.params));
   cli_add_form(text, "\",\n  \"units\": {%s},\n", units);
-}
-
-int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length) {
-  return cli_output_write(&a->output, "--out", a->args->out, text, length);
 }

@@ -32,18 +32,14 @@ cli_origin_t cli_analysis_origin(const cli_analysis_t *a, const char *name);
 /// moment in stick.
 int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment);
 
-/// Refuses mu = 0, and a gamma whose sine or cosine nearly vanishes.
-/// Returns: CLI_REFUSED, after a message.
-int cli_analysis_refuse_mu(const cli_analysis_t *a);
-int cli_analysis_refuse_gamma(const cli_analysis_t *a);
+/// Refuses what kappa and k2 cannot be designed for: a law without a moment in
+/// stick, mu = 0, and a gamma whose sine or cosine nearly vanishes.
+int cli_analysis_check_design(const cli_analysis_t *a);
 
 /// Begins an object of JSON: version, commit and number type of this program,
 /// scene, hash of the parameters, and the units of what follows, as members of
 /// an object.
 void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
                              cli_buffer_t *text);
-
-/// Writes one text and closes the output.
-int cli_analysis_write(cli_analysis_t *a, const char *text, size_t length);
 
 #endif

@@ -95,21 +95,32 @@ static int describe_all(const cli_analysis_t *a, cli_buffer_t *text) {
     }
   }
   cli_add(text, count > 0 ? "\n  ]\n}\n" : "]\n}\n");
-  if (status != TF_OK || text->truncated) {
-    return cli_message(
-        CLI_STOPPED, "scene %s: singularities: %s", a->args->scene->name,
-        text->truncated ? "out of room" : tf_status_name(status));
-  }
-  return CLI_DONE;
+  return status == TF_OK
+             ? CLI_DONE
+             : cli_message(CLI_STOPPED, "scene %s: singularities: %s",
+                           a->args->scene->name, tf_status_name(status));
 }
 
-int cli_singularities(const cli_args_t *args) {
+// Computes and writes. describe: returns CLI_DONE, or another code after a
+// message.
+static int write_json(const cli_args_t *args, bool finds_kappa,
+                      int (*describe)(const cli_analysis_t *a,
+                                      cli_buffer_t *text)) {
   cli_analysis_t a;
   char room[ROOM];
   cli_buffer_t text = {room, 0, sizeof room, false};
-  int code = cli_analysis_begin(&a, args, false);
-  code = code == CLI_DONE ? describe_all(&a, &text) : code;
-  return code == CLI_DONE ? cli_analysis_write(&a, room, text.used) : code;
+  int code = cli_analysis_begin(&a, args, finds_kappa);
+  code = code == CLI_DONE ? describe(&a, &text) : code;
+  if (code == CLI_DONE && text.truncated) {
+    code = cli_message(CLI_STOPPED, "%s: out of room", args->command);
+  }
+  return code == CLI_DONE
+             ? cli_output_write(&a.output, "--out", args->out, room, text.used)
+             : code;
+}
+
+int cli_singularities(const cli_args_t *args) {
+  return write_json(args, false, describe_all);
 }
 
 static int out_of_range(const cli_analysis_t *a, const char *name,
@@ -125,10 +136,6 @@ static int out_of_range(const cli_analysis_t *a, const char *name,
 
 static int refuse(const cli_analysis_t *a, const tf_design_t *design) {
   switch ((tf_design_obstacle_t)design->obstacle) {
-    case TF_DESIGN_LAW:
-      return cli_analysis_refuse_mu(a);
-    case TF_DESIGN_GAMMA:
-      return cli_analysis_refuse_gamma(a);
     case TF_DESIGN_R:
       return cli_message(CLI_REFUSED,
                          "--r %s: r must not be 0, nor so large or small that "
@@ -149,40 +156,36 @@ static int refuse(const cli_analysis_t *a, const tf_design_t *design) {
       return out_of_range(a, "kappa", design->kappa);
     case TF_DESIGN_K2:
       return out_of_range(a, "k2", design->k2);
+    case TF_DESIGN_LAW:
+    case TF_DESIGN_GAMMA: // were refused before
     case TF_DESIGN_FOUND:
       break;
   }
-  return CLI_DONE;
+  return CLI_REFUSED;
 }
 
-static void describe_design(const cli_analysis_t *a, const tf_design_t *design,
-                            cli_buffer_t *text) {
+static int describe_design(const cli_analysis_t *a, cli_buffer_t *text) {
+  tf_design_t design;
+  const int code = cli_analysis_check_design(a);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (tf_design_two_fold(&a->setup.machine, &a->setup.input, a->args->r.from,
+                         a->args->omega.from, &design) != TF_OK) {
+    return refuse(a, &design);
+  }
   cli_analysis_begin_json(a, DESIGN_UNITS, text);
-  const double kappa = (double)design->kappa, k2 = (double)design->k2;
+  const double kappa = (double)design.kappa, k2 = (double)design.k2;
   cli_add_form(text,
                "  \"kappa\": %g,\n  \"k2\": %g,\n"
                "  \"set\": \"--set kappa=%g --set k2=%g\",\n"
                "  \"two_fold\":\n",
                kappa, k2, kappa, k2);
-  add_two_fold(text, &design->two_fold);
+  add_two_fold(text, &design.two_fold);
   cli_add(text, "\n}\n");
+  return CLI_DONE;
 }
 
 int cli_design(const cli_args_t *args) {
-  cli_analysis_t a;
-  tf_design_t design;
-  char room[ROOM];
-  cli_buffer_t text = {room, 0, sizeof room, false};
-  int code = cli_analysis_begin(&a, args, true);
-  code = code == CLI_DONE ? cli_analysis_needs_jump(&a, true) : code;
-  if (code != CLI_DONE) {
-    return code;
-  }
-  if (tf_design_two_fold(&a.setup.machine, &a.setup.input, args->r.from,
-                         args->omega.from, &design) != TF_OK) {
-    return refuse(&a, &design);
-  }
-  describe_design(&a, &design, &text);
-  return text.truncated ? cli_message(CLI_STOPPED, "design: out of room")
-                        : cli_analysis_write(&a, room, text.used);
+  return write_json(args, true, describe_design);
 }

@@ -42,14 +42,11 @@ static int write_line(cli_analysis_t *a, uint64_t i, row_t row,
     if (now - a->output.flushed >= FLUSH_EVERY) {
       (void)cli_output_flush(&a->output);
     }
-    if (cli_progress_due(progress, now)) {
-      const double done =
-          (double)i * (double)a->args->omega.count + (double)(j + 1);
-      const double points =
-          (double)a->args->r.count * (double)a->args->omega.count;
-      cli_progress_say(progress, now, done / points, "%.0f of %.0f points",
-                       done, points);
-    }
+    const double line = (double)a->args->omega.count;
+    const double done = (double)i * line + (double)(j + 1);
+    const double points = (double)a->args->r.count * line;
+    cli_progress_say(progress, now, done / points, "%.0f of %.0f points", done,
+                     points);
   }
   return CLI_DONE;
 }
@@ -182,22 +179,10 @@ static int atlas_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
   return CLI_DONE;
 }
 
-// What would refuse every point is reported once, before the first row.
-static int check_atlas(const cli_analysis_t *a) {
-  const tf_machine_t *k = &a->setup.machine;
-  if (!(k->tyre.mu > 0)) {
-    return cli_analysis_refuse_mu(a);
-  }
-  const bool too_small = fabs((double)k->sin_gamma) < (double)TF_MIN_SINE ||
-                         fabs((double)k->cos_gamma) < (double)TF_MIN_SINE;
-  return too_small ? cli_analysis_refuse_gamma(a) : CLI_DONE;
-}
-
 int cli_atlas(const cli_args_t *args) {
   cli_analysis_t a;
   int code = cli_analysis_begin(&a, args, true);
-  code = code == CLI_DONE ? cli_analysis_needs_jump(&a, true) : code;
-  code = code == CLI_DONE ? check_atlas(&a) : code;
+  code = code == CLI_DONE ? cli_analysis_check_design(&a) : code;
   return code == CLI_DONE
              ? write_grid(&a, atlas_header,
                           "r m, omega rad/s, v m/s, g m/s, kappa m, k2 N/m, K "

@@ -14,13 +14,13 @@
 #include "files.h"
 
 #define LINE 256
-#define HEADER "what,key,count"
+#define HEADER "what,key,count\n"
 
-// The keys of a kind are its numbers from `low` on, or names.
+// The keys of a kind are its numbers from `low` on, or names. Its cells stand
+// behind those of the kinds before it.
 typedef struct {
   const char *what;
-  size_t first, size;
-  long low;
+  long low, size;
   const char *(*name)(size_t i);
 } kind_t;
 
@@ -30,16 +30,23 @@ static const char *outcome_at(size_t i) {
 
 static const char *side_at(size_t i) { return i > 0 ? "slip+" : "slip-"; }
 
-static const kind_t kinds[] = {
-    {"outcome", CLI_COUNT_OUTCOME, CLI_OUTCOMES, 0, outcome_at},
-    {"begun", CLI_COUNT_BEGUN, CLI_COUNT_CYCLES, 1, NULL},
-    {"returned", CLI_COUNT_RETURNED, CLI_COUNT_CYCLES, 1, NULL},
-    {"side", CLI_COUNT_SIDE, 2, 0, side_at},
-    {"phase", CLI_COUNT_PHASE, CLI_COUNT_PHASES, 0, NULL},
-    {"time", CLI_COUNT_TIME, CLI_COUNT_TIMES, 0, NULL},
-    {"landing", CLI_COUNT_LANDING, 2 * CLI_COUNT_PLACES + 1, -CLI_COUNT_PLACES,
-     NULL}};
-#define KINDS (sizeof kinds / sizeof kinds[0])
+enum { OUTCOME, BEGUN, RETURNED, SIDE, PHASE, TIME, LANDING, KINDS };
+static const kind_t kinds[KINDS] = {
+    [OUTCOME] = {"outcome", 0, CLI_OUTCOMES, outcome_at},
+    [BEGUN] = {"begun", 1, CLI_COUNT_CYCLES, NULL},
+    [RETURNED] = {"returned", 1, CLI_COUNT_CYCLES, NULL},
+    [SIDE] = {"side", 0, 2, side_at},
+    [PHASE] = {"phase", 0, CLI_COUNT_PHASES, NULL},
+    [TIME] = {"time", 0, CLI_COUNT_TIMES, NULL},
+    [LANDING] = {"landing", -CLI_COUNT_PLACES, 2 * CLI_COUNT_PLACES + 1, NULL}};
+
+static const uint64_t *cells_of(const cli_counts_t *counts, int kind) {
+  const uint64_t *cell = counts->cell;
+  for (int i = 0; i < kind; i++) {
+    cell += kinds[i].size;
+  }
+  return cell;
+}
 
 bool cli_counts_shard(cli_counts_t *counts, uint64_t index) {
   uint8_t *byte = &counts->has[(index - 1) / 8];
@@ -62,66 +69,70 @@ uint64_t cli_counts_shards(const cli_counts_t *counts) {
 }
 
 // What lies beyond the last bin is in it: bins lose nothing.
-static size_t bin_of(double value, double width, long low, size_t size) {
-  const double bin = floor(value / width) - (double)low;
-  const double last = (double)(size - 1);
-  return bin > 0 ? (size_t)(bin < last ? bin : last) : 0;
+static void add_one(cli_counts_t *counts, int kind, double key) {
+  const double bin = key - (double)kinds[kind].low;
+  const double last = (double)(kinds[kind].size - 1);
+  const size_t at = bin > 0 ? (size_t)(bin < last ? bin : last) : 0;
+  counts->cell[(size_t)(cells_of(counts, kind) - counts->cell) + at]++;
 }
 
 void cli_counts_cycle(cli_counts_t *counts, uint64_t cycle,
                       const cli_cycle_t *what, double patience) {
-  uint64_t *cell = counts->cell;
   const bool returned = what->outcome == CLI_CYCLE_RETURNED;
-  cell[CLI_COUNT_OUTCOME + (size_t)what->outcome]++;
-  cell[CLI_COUNT_BEGUN + cycle - 1]++;
-  cell[CLI_COUNT_RETURNED + cycle - 1] += returned;
+  add_one(counts, OUTCOME, what->outcome);
+  add_one(counts, BEGUN, (double)cycle);
   if (what->left) {
-    cell[CLI_COUNT_SIDE + (what->side > 0)]++;
+    add_one(counts, SIDE, what->side > 0);
   }
   if (what->left && what->phase >= 0) {
-    cell[CLI_COUNT_PHASE +
-         bin_of(what->phase, 1.0 / CLI_COUNT_PHASES, 0, CLI_COUNT_PHASES)]++;
+    add_one(counts, PHASE, floor(what->phase / (1.0 / CLI_COUNT_PHASES)));
   }
   if (returned) {
     const double time =
         what->ended - (what->left ? what->exit_t : what->arrived);
-    cell[CLI_COUNT_TIME +
-         bin_of(time, patience / CLI_COUNT_TIMES, 0, CLI_COUNT_TIMES)]++;
+    add_one(counts, RETURNED, (double)cycle);
+    add_one(counts, TIME, floor(time / (patience / CLI_COUNT_TIMES)));
   }
   if (what->landed) {
-    cell[CLI_COUNT_LANDING + bin_of(what->land_r, CLI_COUNT_PLACE,
-                                    -CLI_COUNT_PLACES,
-                                    2 * CLI_COUNT_PLACES + 1)]++;
+    add_one(counts, LANDING, floor(what->land_r / CLI_COUNT_PLACE));
   }
 }
 
 static void put(cli_output_t *output, cli_trailer_t *trailer, const char *line,
-                int length, uint64_t rows) {
-  cli_trailer_add(trailer, line, (size_t)length, rows);
-  (void)cli_output_lines(output, line, (size_t)length);
+                uint64_t rows) {
+  cli_trailer_add(trailer, line, strlen(line), rows);
+  (void)cli_output_lines(output, line, strlen(line));
+}
+
+static void write_shards(uint64_t first, uint64_t last, uint64_t of,
+                         char line[LINE]) {
+  (void)snprintf(line, LINE,
+                 "# shards %" PRIu64 " to %" PRIu64 " of %" PRIu64 "\n", first,
+                 last, of);
+}
+
+static void write_end(const cli_trailer_t *trailer, char line[LINE]) {
+  (void)snprintf(line, LINE,
+                 "# counts: %" PRIu64 " rows, crc32 %08" PRIx32
+                 ", run %08" PRIx32 "\n",
+                 trailer->rows, trailer->crc, trailer->run);
 }
 
 // Which shards are counted, a line for neighbours. All of them together are the
 // one shard of the whole run.
 static void put_shards(const cli_counts_t *counts, cli_output_t *output,
                        cli_trailer_t *trailer) {
-  static const char whole[] = "# shards 1 to 1 of 1\n";
   char line[LINE];
-  if (cli_counts_shards(counts) == counts->of) {
-    put(output, trailer, whole, (int)sizeof whole - 1, 0);
-    return;
-  }
-  for (uint64_t i = 1; i <= counts->of; i++) {
+  const bool whole = cli_counts_shards(counts) == counts->of;
+  const uint64_t of = whole ? 1 : counts->of;
+  for (uint64_t i = 1; i <= of; i++) {
     const uint64_t first = i;
-    while (i <= counts->of && has_shard(counts, i)) {
+    while (i <= of && has_shard(counts, i)) {
       i++;
     }
     if (i > first) {
-      put(output, trailer, line,
-          snprintf(line, sizeof line,
-                   "# shards %" PRIu64 " to %" PRIu64 " of %" PRIu64 "\n",
-                   first, i - 1, counts->of),
-          0);
+      write_shards(first, i - 1, of, line);
+      put(output, trailer, line, 0);
     }
   }
 }
@@ -129,51 +140,44 @@ static void put_shards(const cli_counts_t *counts, cli_output_t *output,
 bool cli_counts_put(const cli_counts_t *counts, cli_output_t *output) {
   cli_trailer_t trailer = {0, 0, counts->run};
   char line[LINE];
-  put(output, &trailer, counts->about, (int)strlen(counts->about), 0);
+  put(output, &trailer, counts->about, 0);
   put_shards(counts, output, &trailer);
-  put(output, &trailer, HEADER "\n", (int)sizeof HEADER, 0);
-  for (size_t k = 0; k < KINDS; k++) {
+  put(output, &trailer, HEADER, 0);
+  for (int k = 0; k < KINDS; k++) {
     const kind_t *kind = &kinds[k];
-    for (size_t i = 0; i < kind->size; i++) {
-      const uint64_t count = counts->cell[kind->first + i];
+    const uint64_t *cell = cells_of(counts, k);
+    for (long i = 0; i < kind->size; i++) {
       char key[32];
-      if (count == 0) {
+      if (cell[i] == 0) {
         continue;
       }
-      (void)snprintf(key, sizeof key, "%ld", kind->low + (long)i);
-      put(output, &trailer, line,
-          snprintf(line, sizeof line, "%s,%s,%" PRIu64 "\n", kind->what,
-                   kind->name != NULL ? kind->name(i) : key, count),
-          1);
+      (void)snprintf(key, sizeof key, "%ld", kind->low + i);
+      (void)snprintf(line, sizeof line, "%s,%s,%" PRIu64 "\n", kind->what,
+                     kind->name != NULL ? kind->name((size_t)i) : key, cell[i]);
+      put(output, &trailer, line, 1);
     }
   }
-  return cli_output_lines(
-      output, line,
-      (size_t)snprintf(line, sizeof line,
-                       "# counts: %" PRIu64 " rows, crc32 %08" PRIx32
-                       ", run %08" PRIx32 "\n",
-                       trailer.rows, trailer.crc, trailer.run));
+  write_end(&trailer, line);
+  return cli_output_lines(output, line, strlen(line));
 }
 
 // The cell of a key, or NULL.
 static uint64_t *cell_of(cli_counts_t *counts, const char *what,
                          const char *key) {
-  for (size_t k = 0; k < KINDS; k++) {
-    const kind_t *kind = &kinds[k];
+  uint64_t *cell = counts->cell;
+  for (const kind_t *kind = kinds; kind < kinds + KINDS; kind++) {
     char *end = NULL;
     const long number = strtol(key, &end, 10) - kind->low;
-    if (strcmp(what, kind->what) != 0) {
-      continue;
+    if (strcmp(what, kind->what) == 0 && kind->name == NULL) {
+      const bool good = end != key && *end == '\0' && number >= 0;
+      return good && number < kind->size ? cell + number : NULL;
     }
-    if (kind->name == NULL && end != key && *end == '\0' && number >= 0 &&
-        number < (long)kind->size) {
-      return &counts->cell[kind->first + (size_t)number];
-    }
-    for (size_t i = 0; kind->name != NULL && i < kind->size; i++) {
-      if (strcmp(key, kind->name(i)) == 0) {
-        return &counts->cell[kind->first + i];
+    for (long i = 0; strcmp(what, kind->what) == 0 && i < kind->size; i++) {
+      if (strcmp(key, kind->name((size_t)i)) == 0) {
+        return cell + i;
       }
     }
+    cell += kind->size;
   }
   return NULL;
 }
@@ -203,9 +207,7 @@ static bool read_shards(cli_counts_t *counts, const char *line) {
       (counts->of != 0 && counts->of != of)) {
     return false;
   }
-  (void)snprintf(again, sizeof again,
-                 "# shards %" PRIu64 " to %" PRIu64 " of %" PRIu64, first, last,
-                 of);
+  write_shards(first, last, of, again);
   counts->of = of;
   bool is_new = strcmp(again, line) == 0;
   for (uint64_t i = first; i <= last; i++) {
@@ -223,41 +225,35 @@ typedef struct {
 // The last line, which says what the others should have been.
 static bool read_end(cli_counts_t *counts, reader_t *reader, const char *line) {
   char again[LINE];
-  uint32_t run = 0;
   const char *at = strstr(line, ", run ");
   reader->at_end = true;
-  if (at == NULL || sscanf(at, ", run %8" SCNx32, &run) != 1) {
+  if (at == NULL || sscanf(at, ", run %8" SCNx32, &reader->trailer.run) != 1) {
     return false;
   }
-  counts->run = run;
-  (void)snprintf(again, sizeof again,
-                 "# counts: %" PRIu64 " rows, crc32 %08" PRIx32
-                 ", run %08" PRIx32,
-                 reader->trailer.rows, reader->trailer.crc, run);
+  counts->run = reader->trailer.run;
+  write_end(&reader->trailer, again);
   return strcmp(again, line) == 0;
 }
 
-// One line, without its newline.
+// One line, with its newline.
 static bool take_line(cli_counts_t *counts, reader_t *reader, char *line) {
   const size_t length = strlen(line), used = strlen(counts->about);
-  if (reader->at_end) {
+  if (reader->at_end || line[length - 1] != '\n') {
     return false;
   }
   if (strncmp(line, "# counts:", 9) == 0) {
     return reader->in_rows && counts->of > 0 && read_end(counts, reader, line);
   }
-  const bool is_row = reader->in_rows;
-  cli_trailer_add(&reader->trailer, line, length, is_row);
-  cli_trailer_add(&reader->trailer, "\n", 1, 0);
-  if (is_row) {
+  cli_trailer_add(&reader->trailer, line, length, reader->in_rows);
+  if (reader->in_rows) {
+    line[length - 1] = '\0';
     return read_row(counts, line);
   }
   if (strncmp(line, "# shards ", 9) == 0) {
     return read_shards(counts, line);
   }
-  if (line[0] == '#' && used + length + 2 <= sizeof counts->about) {
-    memcpy(counts->about + used, line, length);
-    memcpy(counts->about + used + length, "\n", 2);
+  if (line[0] == '#' && used + length < sizeof counts->about) {
+    memcpy(counts->about + used, line, length + 1);
     return true;
   }
   reader->in_rows = strcmp(line, HEADER) == 0;
@@ -273,14 +269,8 @@ int cli_counts_read(cli_counts_t *counts, const char *name) {
     return cli_message(CLI_USAGE, "%s: cannot be read", name);
   }
   bool right = true;
-  while (right && fgets(line, sizeof line, file) != NULL) {
-    char *end = strchr(line, '\n');
-    number++;
-    right = end != NULL;
-    if (right) {
-      *end = '\0';
-      right = take_line(counts, &reader, line);
-    }
+  for (; right && fgets(line, sizeof line, file) != NULL; number++) {
+    right = line[0] != '\0' && take_line(counts, &reader, line);
   }
   (void)fclose(file);
   if (!right) {

@@ -27,24 +27,14 @@ static const cli_stepper_t *const steppers[CLI_MECHANISMS] = {
     [CLI_BY_DELAY] = &cli_lagged_stepper,
 };
 
-// --counts
-typedef struct {
-  cli_counts_t counts;
-  cli_output_t output;
-} counting_t;
-
 typedef struct {
   const cli_job_t *job;
   cli_files_t *files;
-  counting_t *counting; ///< NULL: cycles are not counted
   cli_motion_t motion;
-  cli_tracker_t tracker;
   uint64_t first, last; ///< samples of this shard
-  uint64_t done;        ///< samples that have ended
+  cli_checkpoint_t at;  ///< what has ended
   uint64_t in_sample;   ///< cycles of the present one that have ended
-  uint64_t cycles;      ///< cycles that have ended
-  uint64_t kept;        ///< of them, those of the run that was stopped
-  uint64_t outcomes[CLI_OUTCOMES];
+  uint64_t kept;        ///< cycles of the run that was stopped
   double flushed, saved;
   cli_progress_t progress;
   bool stopped, unwritten;
@@ -53,15 +43,16 @@ typedef struct {
 static void show_progress(work_t *work, double now) {
   const double samples = (double)(work->last - work->first);
   const double share =
-      ((double)work->done +
+      ((double)work->at.samples +
        (double)work->in_sample / (double)work->job->args->cycles) /
       samples;
   cli_progress_say(
       &work->progress, now, share,
       "%" PRIu64 " of %.0f samples, %" PRIu64 " cycles, %" PRIu64
       " returned, %.3g cycles/s",
-      work->done, samples, work->cycles, work->outcomes[CLI_CYCLE_RETURNED],
-      (double)(work->cycles - work->kept) / (now - work->progress.started));
+      work->at.samples, samples, work->at.cycles,
+      work->at.outcomes[CLI_CYCLE_RETURNED],
+      (double)(work->at.cycles - work->kept) / (now - work->progress.started));
 }
 
 static void check_clock(work_t *work) {
@@ -69,9 +60,7 @@ static void check_clock(work_t *work) {
   if (cli_stop_asked()) {
     work->stopped = true;
   }
-  if (cli_progress_due(&work->progress, now)) {
-    show_progress(work, now);
-  }
+  show_progress(work, now);
   if (now - work->flushed > FLUSH_EVERY) {
     work->unwritten = !cli_files_flush(work->files) || work->unwritten;
     work->flushed = now;
@@ -94,22 +83,12 @@ static bool follow(work_t *work, const cli_stepper_t *stepper, bool from_it) {
   return true;
 }
 
-// Time within the band that counts as on the surface. Random motions have modes
-// and need none.
-static double least_dwell(const cli_motion_t *motion) {
-  return motion->job->args->mechanism == CLI_BY_RANDOM
-             ? 0
-             : 4 * (double)motion->job->machine.dt /
-                   motion->job->args->refinement;
-}
-
 static bool do_sample(work_t *work, uint64_t sample) {
   const cli_job_t *job = work->job;
   const cli_stepper_t *stepper = steppers[job->args->mechanism];
   cli_motion_t *motion = &work->motion;
-  work->tracker = cli_tracker_of(job);
   motion->job = job;
-  motion->tracker = &work->tracker;
+  motion->tracker = (cli_tracker_t){.job = job};
   motion->draws.seed = (uint32_t)job->args->seed;
   motion->draws.sample = (uint32_t)sample;
   motion->draws.used = 0;
@@ -117,16 +96,21 @@ static bool do_sample(work_t *work, uint64_t sample) {
   if (job->args->spread > 1) {
     motion->size *= pow(job->args->spread, -cli_draw_uniform(&motion->draws));
   }
-  stepper->start(motion);
-  work->tracker.dwell = least_dwell(motion);
+  const cli_instant_t start = stepper->start(motion);
+  cli_track_start(&motion->tracker, &start);
+  // Time within the band that counts as on the surface; random motions have
+  // modes and need none.
+  if (job->args->mechanism != CLI_BY_RANDOM) {
+    motion->tracker.dwell = 4 * (double)job->machine.dt / job->args->refinement;
+  }
   // Without `pass` the sample starts before the two-fold and first arrives.
   bool from_it = job->at_two_fold && stepper->pass != NULL;
   if (job->at_two_fold && !from_it) {
     if (!follow(work, stepper, false)) {
       return false;
     }
-    if (work->tracker.cycle.outcome == CLI_CYCLE_RETURNED) {
-      cli_track_next(&work->tracker);
+    if (motion->tracker.cycle.outcome == CLI_CYCLE_RETURNED) {
+      cli_track_next(&motion->tracker);
     }
   }
   for (uint64_t cycle = 1; cycle <= job->args->cycles; cycle++) {
@@ -134,15 +118,11 @@ static bool do_sample(work_t *work, uint64_t sample) {
     if (!follow(work, stepper, from_it)) {
       return false;
     }
-    const cli_outcome_t outcome = work->tracker.cycle.outcome;
+    const cli_outcome_t outcome = motion->tracker.cycle.outcome;
     work->unwritten |=
-        !cli_files_put(work->files, sample, cycle, &work->tracker.cycle);
-    if (work->counting != NULL) {
-      cli_counts_cycle(&work->counting->counts, cycle, &work->tracker.cycle,
-                       job->args->patience);
-    }
-    work->cycles++;
-    work->outcomes[outcome]++;
+        !cli_files_put(work->files, sample, cycle, &motion->tracker.cycle);
+    work->at.cycles++;
+    work->at.outcomes[outcome]++;
     check_clock(work);
     if (outcome != CLI_CYCLE_RETURNED) {
       break;
@@ -150,7 +130,7 @@ static bool do_sample(work_t *work, uint64_t sample) {
     if (work->stopped || work->unwritten) {
       return false;
     }
-    cli_track_next(&work->tracker);
+    cli_track_next(&motion->tracker);
     from_it = true;
   }
   return true;
@@ -161,15 +141,16 @@ static void summarise(const work_t *work, double seconds) {
                 "samples    %" PRIu64 " of %" PRIu64
                 ", by %s\ncycles     "
                 "%" PRIu64,
-                work->done, work->last - work->first,
-                cli_mechanisms[work->job->args->mechanism].name, work->cycles);
+                work->at.samples, work->last - work->first,
+                cli_mechanisms[work->job->args->mechanism].name,
+                work->at.cycles);
   for (int i = 1; i < CLI_OUTCOMES; i++) {
-    if (work->outcomes[i] > 0) {
+    if (work->at.outcomes[i] > 0) {
       (void)fprintf(stderr, ", %s %" PRIu64, cli_outcome_name((cli_outcome_t)i),
-                    work->outcomes[i]);
+                    work->at.outcomes[i]);
     }
   }
-  const uint64_t cycles = work->cycles - work->kept;
+  const uint64_t cycles = work->at.cycles - work->kept;
   (void)fprintf(stderr, "\ncost       %.3g s, %.3g ms a cycle\n", seconds,
                 cycles > 0 ? 1e3 * seconds / (double)cycles : 0.0);
 }
@@ -182,101 +163,45 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   cli_put_word("by", cli_mechanisms[args->mechanism].name);
   cli_put_count("seed", args->seed);
   cli_put_count("samples", work->last - work->first);
-  cli_put_count("done", work->done);
-  cli_put_count("cycles", work->cycles);
+  cli_put_count("done", work->at.samples);
+  cli_put_count("cycles", work->at.cycles);
   for (int i = 1; i < CLI_OUTCOMES; i++) {
-    cli_put_count(cli_outcome_name((cli_outcome_t)i), work->outcomes[i]);
+    cli_put_count(cli_outcome_name((cli_outcome_t)i), work->at.outcomes[i]);
   }
   cli_put_end(seconds, code);
 }
 
-// What the counts of all shards are of, and which shard this one is.
-static int begin_counting(const work_t *work, const cli_buffer_t *run) {
-  const cli_args_t *args = work->job->args;
-  if (work->counting == NULL) {
-    return CLI_DONE;
-  }
-  cli_counts_t *counts = &work->counting->counts;
-  cli_trailer_t trailer = {0, 0, 0};
-  const size_t used = cli_job_provenance(
-      work->job, "time s, landing m, phase windings", counts->about);
-  (void)snprintf(counts->about + used, sizeof counts->about - used,
-                 "# %" PRIu64 " samples of %" PRIu64
-                 " cycles; bins: time %.17g s, phase %g, landing %g m\n",
-                 args->samples, args->cycles, args->patience / CLI_COUNT_TIMES,
-                 1.0 / CLI_COUNT_PHASES, CLI_COUNT_PLACE);
-  cli_trailer_name(&trailer, run->text, run->used);
-  counts->run = trailer.run;
-  counts->of = args->shard.of;
-  (void)cli_counts_shard(counts, args->shard.index);
-  return cli_output_begin(&work->counting->output, "--counts", args->counts,
-                          false);
-}
-
-static int end_counting(const work_t *work, int code) {
-  if (work->counting == NULL) {
-    return code;
-  }
-  if (code == CLI_DONE) {
-    (void)cli_counts_put(&work->counting->counts, &work->counting->output);
-  }
-  return cli_output_end(&work->counting->output, code);
-}
-
 // Under --resume, after a sample.
-static void save(work_t *work, uint32_t run) {
-  const cli_args_t *args = work->job->args;
-  if (!args->resume || cli_now() - work->saved < CHECKPOINT_EVERY) {
+static void save(work_t *work) {
+  if (!work->job->args->resume || cli_now() - work->saved < CHECKPOINT_EVERY) {
     return;
   }
-  cli_checkpoint_t at;
-  memset(&at, 0, sizeof at); // its bytes have a checksum
-  at.run = run;
-  at.number = sizeof(tf_real_t);
-  at.shard = args->shard;
-  at.samples = work->done;
-  at.cycles = work->cycles;
-  memcpy(at.outcomes, work->outcomes, sizeof at.outcomes);
   work->saved = cli_now();
-  if (!cli_files_flush(work->files) ||
-      !cli_checkpoint_put(
-          args, work->files, &at,
-          work->counting != NULL ? &work->counting->counts : NULL)) {
-    work->unwritten = true;
-  }
+  work->unwritten |= !cli_files_flush(work->files) ||
+                     !cli_checkpoint_put(work->files, &work->at);
 }
 
 // Where the shard begins: behind what --resume finds.
-static cli_resume_t find_place(work_t *work, const cli_buffer_t *run,
-                               cli_checkpoint_t *at) {
+static cli_resume_t find_place(work_t *work) {
   const cli_args_t *args = work->job->args;
-  cli_counts_t *counts =
-      work->counting != NULL ? &work->counting->counts : NULL;
+  char text[CLI_JOB_TEXT];
+  cli_buffer_t run = {text, 0, sizeof text, false};
   cli_trailer_t trailer = {0, 0, 0};
-  cli_trailer_name(&trailer, run->text, run->used);
-  const cli_resume_t found =
-      args->resume ? cli_checkpoint_find(args, trailer.run, at, counts)
-                   : CLI_RESUME_NEW;
-  if (found != CLI_RESUME_GO_ON) {
-    memset(at, 0, sizeof *at);
-    if (counts != NULL) {
-      memset(counts, 0, sizeof *counts);
-    }
-  }
-  at->run = trailer.run;
-  work->done = at->samples;
-  work->cycles = work->kept = at->cycles;
-  memcpy(work->outcomes, at->outcomes, sizeof at->outcomes);
+  cli_job_describe(work->job, &run);
+  cli_trailer_name(&trailer, run.text, run.used);
+  work->files->run = work->at.run = trailer.run;
+  work->at.number = sizeof(tf_real_t);
+  work->at.shard = args->shard;
+  cli_shard_range(&args->shard, args->samples, &work->first, &work->last);
+  const cli_resume_t found = args->resume
+                                 ? cli_checkpoint_find(work->files, &work->at)
+                                 : CLI_RESUME_NEW;
+  work->kept = work->at.cycles;
   return found;
 }
 
 static int perform(work_t *work, const cli_args_t *args) {
-  char text[CLI_JOB_TEXT];
-  cli_buffer_t run = {text, 0, sizeof text, false};
-  cli_checkpoint_t at;
-  cli_job_describe(work->job, &run);
-  cli_shard_range(&args->shard, args->samples, &work->first, &work->last);
-  const cli_resume_t found = find_place(work, &run, &at);
+  const cli_resume_t found = find_place(work);
   if (found == CLI_RESUME_OTHER) {
     return CLI_REFUSED;
   }
@@ -284,32 +209,26 @@ static int perform(work_t *work, const cli_args_t *args) {
     return cli_message(CLI_DONE, "all of the %" PRIu64 " samples are there",
                        work->last - work->first);
   }
-  int code = cli_files_open(work->files, work->job, &run, at.at);
+  int code = cli_files_open(work->files, work->at.at);
   if (code != CLI_DONE) {
     return code;
   }
-  code = begin_counting(work, &run);
-  if (code != CLI_DONE) {
-    return cli_files_close(work->files, code);
-  }
   work->flushed = work->saved = cli_now();
   work->progress = cli_progress_start(work->flushed, -1);
-  for (uint64_t i = work->first + work->done; i < work->last; i++) {
+  for (uint64_t i = work->first + work->at.samples;
+       i < work->last && !work->stopped && !work->unwritten; i++) {
     if (!do_sample(work, i)) {
       break;
     }
-    work->done++;
+    work->at.samples++;
     work->in_sample = 0;
-    save(work, at.run);
-    if (work->stopped || work->unwritten) {
-      break;
-    }
+    save(work);
   }
   // Where the output failed, the message is that of cli_files_close.
   code = work->unwritten || work->stopped ? CLI_STOPPED : CLI_DONE;
-  code = end_counting(work, cli_files_close(work->files, code));
+  code = cli_files_close(work->files, code);
   if (args->resume && code == CLI_DONE) {
-    cli_checkpoint_remove(args);
+    cli_checkpoint_remove(work->files);
   }
   const double seconds = cli_now() - work->progress.started;
   cli_progress_clear(&work->progress);
@@ -320,7 +239,7 @@ static int perform(work_t *work, const cli_args_t *args) {
     (void)cli_message(CLI_STOPPED,
                       "stopped by a signal after %" PRIu64
                       " samples; what has ended is written",
-                      work->done);
+                      work->at.samples);
     if (args->resume) {
       (void)cli_message(CLI_STOPPED, "the same command goes on");
     }
@@ -386,13 +305,11 @@ int cli_diverge(const cli_args_t *args) {
   static cli_job_t job;
   static work_t work;
   static cli_files_t files;
-  static counting_t counting;
   const int code = cli_job_prepare(&job, args);
   if (code != CLI_DONE || args->exhaustive) {
     return code != CLI_DONE ? code : cli_exhaustive(&job);
   }
-  work.job = &job;
+  work.job = files.job = &job;
   work.files = &files;
-  work.counting = args->counts != NULL ? &counting : NULL;
   return perform(&work, args);
 }

@@ -35,12 +35,10 @@ typedef struct {
 
 typedef struct {
   const cli_job_t *job;
-  cli_output_t *output;
+  cli_output_t output;
   node_t *nodes; ///< args->nodes of them at most
   uint64_t used, branches, joined, dropped;
   cli_motion_t motion;
-  cli_tracker_t tracker;
-  bool unwritten;
   uint64_t visited; ///< nodes whose branches have all been followed
   double part;      ///< of the present one, by the times at which it is left
   cli_progress_t progress;
@@ -97,7 +95,6 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
   char row[ROW_ROOM];
   char to[CLI_REAL_ROOM] = "";
   node_t next = {.depth = from->depth + 1};
-  search->tracker = cli_tracker_of(search->job);
   const tf_state_t left = motion->state;
   const cli_branch_t end = cli_random_branch(motion, mode, &next.set);
   static const char *const names[] = {"two-fold", "codim2", "escaping",
@@ -112,7 +109,7 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
   if (found != UINT64_MAX) {
     (void)snprintf(to, sizeof to, "%" PRIu64, found);
   }
-  const cli_cycle_t *cycle = &search->tracker.cycle;
+  const cli_cycle_t *cycle = &motion->tracker.cycle;
   char landing[CLI_REAL_ROOM] = "";
   if (cycle->landed) {
     (void)snprintf(landing, sizeof landing, "%.12g", cycle->land_r);
@@ -129,9 +126,11 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
                (double)motion->state.r, landing, cycle->windings);
   search->branches++;
   show_progress(search);
-  if (!cli_output_lines(search->output, row, (size_t)length)) {
-    search->unwritten = true;
-  }
+  (void)cli_output_lines(&search->output, row, (size_t)length);
+}
+
+static bool has_to_stop(const search_t *search) {
+  return search->output.error != 0 || cli_stop_asked();
 }
 
 // All branches that leave the canard.
@@ -139,7 +138,7 @@ static void leave_two_fold(search_t *search, const node_t *node,
                            uint64_t index) {
   const cli_job_t *job = search->job;
   double reached = 0;
-  for (uint64_t i = 1; !search->unwritten && !cli_stop_asked(); i++) {
+  for (uint64_t i = 1; !has_to_stop(search); i++) {
     const double t = (double)i * job->args->grid;
     cli_point_t at;
     if (t > job->args->patience ||
@@ -156,8 +155,7 @@ static void leave_two_fold(search_t *search, const node_t *node,
 
 static void leave_codim2(search_t *search, const node_t *node, uint64_t index) {
   for (unsigned mode = 0; mode < TF_MODES; mode++) {
-    if ((node->set & TF_MODE_BIT(mode)) != 0 && !search->unwritten &&
-        !cli_stop_asked()) {
+    if ((node->set & TF_MODE_BIT(mode)) != 0 && !has_to_stop(search)) {
       search->motion.state = node->state;
       follow(search, node, index, mode, 0);
     }
@@ -166,28 +164,23 @@ static void leave_codim2(search_t *search, const node_t *node, uint64_t index) {
 
 static void visit_all(search_t *search) {
   const cli_job_t *job = search->job;
-  node_t first = {.set = 0, .two_fold = job->at_two_fold};
+  node_t first = {.state = job->setup.state,
+                  .set = job->setup.report.set,
+                  .two_fold = job->at_two_fold};
   if (job->at_two_fold) {
     first.state = cli_state_at(
         &job->machine,
         cli_point_on_surface(&job->machine, job->canard.r, job->canard.z));
-  } else {
-    first.state = job->setup.state;
-    first.set = job->setup.report.set;
   }
-  search->motion.job = job;
-  search->motion.tracker = &search->tracker;
-  search->motion.long_steps = job->machine;
+  search->motion.job = search->motion.tracker.job = job;
+  cli_motion_begin(&search->motion, &job->params);
   (void)node_at(search, &first);
   search->progress =
-      cli_progress_start(cli_now(), search->output->to.descriptor);
-  for (uint64_t i = 0; i < search->used; i++) {
+      cli_progress_start(cli_now(), search->output.to.descriptor);
+  for (uint64_t i = 0; i < search->used && !has_to_stop(search); i++) {
     search->visited = i;
     search->part = 0;
     const node_t node = search->nodes[i];
-    if (search->unwritten || cli_stop_asked()) {
-      break;
-    }
     if (node.depth >= job->args->depth) {
       continue;
     }
@@ -219,14 +212,14 @@ static void summarise(const search_t *search, int code) {
 }
 
 int cli_exhaustive(const cli_job_t *job) {
-  static cli_output_t output;
-  search_t search = {.job = job, .output = &output};
+  static search_t search;
+  search.job = job;
   search.nodes = calloc((size_t)job->args->nodes, sizeof *search.nodes);
   if (search.nodes == NULL) {
     return cli_message(CLI_STOPPED, "out of memory");
   }
-  int code =
-      cli_output_begin(&output, "--branches", job->args->branches, false);
+  int code = cli_output_begin(&search.output, "--branches", job->args->branches,
+                              false);
   if (code == CLI_DONE) {
     if (job->args->provenance) {
       char lines[CLI_PROVENANCE_ROOM];
@@ -235,16 +228,16 @@ int cli_exhaustive(const cli_job_t *job) {
           "r m, omega rad/s, stick_time s, exit_r m, exit_omega rad/s, time s, "
           "end_r m, landing_r m",
           lines);
-      (void)cli_output_lines(&output, lines, length);
+      (void)cli_output_lines(&search.output, lines, length);
     }
-    (void)cli_output_lines(&output, header, sizeof header - 1);
+    (void)cli_output_lines(&search.output, header, sizeof header - 1);
     visit_all(&search);
     if (cli_stop_asked()) {
       code = cli_message(CLI_STOPPED,
                          "stopped by a signal; the branches that "
                          "have ended are written");
     }
-    code = cli_output_end(&output, code);
+    code = cli_output_end(&search.output, code);
     summarise(&search, code);
   }
   free(search.nodes);

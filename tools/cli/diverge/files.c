@@ -39,7 +39,8 @@ static const struct {
      "sample,cycle,outcome,time,arrived,exit_r,landing_time,landing_r,landings,"
      "windings\n"}};
 
-static const char *path_of(const cli_args_t *args, int i) {
+static const char *path_of(const cli_files_t *files, int i) {
+  const cli_args_t *args = files->job->args;
   return i == CLI_EXITS ? args->exits : args->returns;
 }
 
@@ -85,56 +86,72 @@ static bool put(cli_diverge_file_t *file, const char *text, size_t length,
   return cli_output_lines(&file->output, text, length);
 }
 
-static int open_file(cli_diverge_file_t *file, const char *option,
-                     const char *path, const cli_file_place_t *at) {
+static int open_file(cli_files_t *files, int i, const cli_file_place_t *at) {
+  cli_diverge_file_t *file = &files->file[i];
+  const char *path = path_of(files, i);
+  file->trailer = (cli_trailer_t){at->rows, at->crc, files->run};
+  file->bytes = at->bytes;
   if (path == NULL) {
     return CLI_DONE;
   }
-  const int code = cli_output_begin(&file->output, option, path, true);
+  const int code = cli_output_begin(&file->output, kinds[i].option, path, true);
   file->is_open = code == CLI_DONE;
-  if (file->is_open && file->output.to.beside) {
-    (void)cli_output_go_on(&file->output, (size_t)at->bytes);
+  if (file->is_open) {
+    cli_output_go_on(&file->output, (size_t)at->bytes);
   }
-  file->bytes = at->bytes;
-  file->trailer.rows = at->rows;
-  file->trailer.crc = at->crc;
   return code;
 }
 
 // What stands before the first row: the comments of --provenance, which the
 // trailer does not count, and the header.
-static void begin(cli_diverge_file_t *file, const cli_job_t *job,
-                  const char *units, const char *header) {
-  const cli_args_t *args = job->args;
+static void begin(cli_files_t *files, int i) {
+  const cli_args_t *args = files->job->args;
+  cli_diverge_file_t *file = &files->file[i];
   if (file->bytes != 0 || !file->is_open ||
       !(args->header || args->shard.index == 1)) {
     return;
   }
   if (args->provenance) {
     char lines[CLI_PROVENANCE_ROOM];
-    file->bytes = cli_job_provenance(job, units, lines);
+    file->bytes = cli_job_provenance(files->job, kinds[i].units, lines);
     (void)cli_output_lines(&file->output, lines, (size_t)file->bytes);
   }
-  (void)put(file, header, strlen(header), 0);
+  (void)put(file, kinds[i].header, strlen(kinds[i].header), 0);
 }
 
-int cli_files_open(cli_files_t *files, const cli_job_t *job,
-                   const cli_buffer_t *run,
-                   const cli_file_place_t at[CLI_FILES]) {
+// What the counts of all shards are of, and which shard this one is.
+static int begin_counts(cli_files_t *files) {
+  const cli_args_t *args = files->job->args;
+  cli_counts_t *counts = &files->counts;
+  if (args->counts == NULL) {
+    return CLI_DONE;
+  }
+  const size_t used = cli_job_provenance(
+      files->job, "time s, landing m, phase windings", counts->about);
+  (void)snprintf(counts->about + used, sizeof counts->about - used,
+                 "# %" PRIu64 " samples of %" PRIu64
+                 " cycles; bins: time %.17g s, phase %g, landing %g m\n",
+                 args->samples, args->cycles, args->patience / CLI_COUNT_TIMES,
+                 1.0 / CLI_COUNT_PHASES, CLI_COUNT_PLACE);
+  counts->run = files->run;
+  counts->of = args->shard.of;
+  (void)cli_counts_shard(counts, args->shard.index);
+  const int code =
+      cli_output_begin(&files->counted, "--counts", args->counts, false);
+  files->counts_are_open = code == CLI_DONE;
+  return code;
+}
+
+int cli_files_open(cli_files_t *files, const cli_file_place_t at[CLI_FILES]) {
   int code = CLI_DONE;
-  files->shard = job->args->shard;
   for (int i = 0; i < CLI_FILES && code == CLI_DONE; i++) {
-    cli_trailer_name(&files->file[i].trailer, run->text, run->used);
-    code = open_file(&files->file[i], kinds[i].option, path_of(job->args, i),
-                     &at[i]);
+    code = open_file(files, i, &at[i]);
   }
-  if (code != CLI_DONE) {
-    return cli_files_close(files, code);
+  for (int i = 0; i < CLI_FILES && code == CLI_DONE; i++) {
+    begin(files, i);
   }
-  for (int i = 0; i < CLI_FILES; i++) {
-    begin(&files->file[i], job, kinds[i].units, kinds[i].header);
-  }
-  return CLI_DONE;
+  code = code == CLI_DONE ? begin_counts(files) : code;
+  return code == CLI_DONE ? code : cli_files_close(files, code);
 }
 
 bool cli_files_put(cli_files_t *files, uint64_t sample, uint64_t cycle,
@@ -143,6 +160,9 @@ bool cli_files_put(cli_files_t *files, uint64_t sample, uint64_t cycle,
   const size_t exits = exit_row(text, sample, cycle, what);
   const bool written = put(&files->file[CLI_EXITS], text, exits, exits > 0);
   const size_t returns = return_row(text, sample, cycle, what);
+  if (files->counts_are_open) {
+    cli_counts_cycle(&files->counts, cycle, what, files->job->args->patience);
+  }
   return put(&files->file[CLI_RETURNS], text, returns, 1) && written;
 }
 
@@ -155,19 +175,17 @@ bool cli_files_flush(cli_files_t *files) {
   return written;
 }
 
-static void finish(const cli_files_t *files, cli_diverge_file_t *file) {
-  char text[CLI_TRAILER_ROOM];
-  const size_t length = cli_trailer_line(&file->trailer, &files->shard, text);
-  if (file->is_open) {
-    (void)cli_output_lines(&file->output, text, length);
-  }
-}
-
 int cli_files_close(cli_files_t *files, int code) {
   for (int i = 0; i < CLI_FILES && code == CLI_DONE; i++) {
-    finish(files, &files->file[i]);
+    cli_diverge_file_t *file = &files->file[i];
+    char text[CLI_TRAILER_ROOM];
+    if (file->is_open) {
+      (void)cli_output_lines(
+          &file->output, text,
+          cli_trailer_line(&file->trailer, &files->job->args->shard, text));
+    }
   }
-  // Neither gets its name where the other's rows could not be written; the
+  // None gets its name where the other's rows could not be written; the
   // message is that of cli_output_end.
   code = cli_files_flush(files) ? code : CLI_STOPPED;
   for (int i = 0; i < CLI_FILES; i++) {
@@ -175,7 +193,10 @@ int cli_files_close(cli_files_t *files, int code) {
     code = file->is_open ? cli_output_end(&file->output, code) : code;
     file->is_open = false;
   }
-  return code;
+  if (files->counts_are_open && code == CLI_DONE) {
+    (void)cli_counts_put(&files->counts, &files->counted);
+  }
+  return files->counts_are_open ? cli_output_end(&files->counted, code) : code;
 }
 
 // A sample is the least that can be done again: its cycles follow from one
@@ -188,82 +209,99 @@ int cli_files_close(cli_files_t *files, int code) {
 
 #define LINE 4096
 
-static const char *file_of(const cli_args_t *args) {
-  const char *rows = args->returns != NULL ? args->returns : args->exits;
-  return args->counts != NULL ? args->counts : rows;
-}
-
-static void name_of(const cli_args_t *args, const char *end,
+static void name_of(const cli_files_t *files, const char *end,
                     char out[CLI_PATH_ROOM]) {
-  (void)snprintf(out, CLI_PATH_ROOM, "%s.resume%s", file_of(args), end);
+  const cli_args_t *args = files->job->args;
+  const char *rows = args->returns != NULL ? args->returns : args->exits;
+  (void)snprintf(out, CLI_PATH_ROOM, "%s.resume%s",
+                 args->counts != NULL ? args->counts : rows, end);
 }
 
-static uint32_t crc_of(const cli_checkpoint_t *at, const cli_counts_t *counts) {
+// Bytes of the counts in a checkpoint.
+static size_t counted_bytes(const cli_files_t *files) {
+  return files->job->args->counts != NULL ? sizeof files->counts.cell : 0;
+}
+
+static uint32_t crc_of(const cli_files_t *files, const cli_checkpoint_t *at) {
   cli_trailer_t sum = {0, 0, 0};
   cli_trailer_add(&sum, (const char *)at, sizeof *at, 0);
-  if (counts != NULL) {
-    cli_trailer_add(&sum, (const char *)counts->cell, sizeof counts->cell, 0);
-  }
+  cli_trailer_add(&sum, (const char *)files->counts.cell, counted_bytes(files),
+                  0);
   return sum.crc;
 }
 
-bool cli_checkpoint_put(const cli_args_t *args, const cli_files_t *files,
-                        cli_checkpoint_t *at, const cli_counts_t *counts) {
+bool cli_checkpoint_put(const cli_files_t *files, cli_checkpoint_t *at) {
   for (int i = 0; i < CLI_FILES; i++) {
     const cli_diverge_file_t *file = &files->file[i];
     at->at[i] =
         (cli_file_place_t){file->bytes, file->trailer.rows, file->trailer.crc};
   }
   char beside[CLI_PATH_ROOM], path[CLI_PATH_ROOM];
-  name_of(args, ".new", beside);
-  name_of(args, "", path);
-  const uint32_t crc = crc_of(at, counts);
+  name_of(files, ".new", beside);
+  name_of(files, "", path);
+  const uint32_t crc = crc_of(files, at);
+  const size_t counted = counted_bytes(files);
   FILE *file = fopen(beside, "wb");
   if (file == NULL) {
     return false;
   }
-  bool written = fwrite(at, sizeof *at, 1, file) == 1;
-  if (counts != NULL) {
-    written =
-        fwrite(counts->cell, sizeof counts->cell, 1, file) == 1 && written;
-  }
-  written = fwrite(&crc, sizeof crc, 1, file) == 1 && written;
+  bool written = fwrite(at, sizeof *at, 1, file) == 1 &&
+                 fwrite(files->counts.cell, 1, counted, file) == counted &&
+                 fwrite(&crc, sizeof crc, 1, file) == 1;
   written = fclose(file) == 0 && written;
   return written && rename(beside, path) == 0;
 }
 
-void cli_checkpoint_remove(const cli_args_t *args) {
+void cli_checkpoint_remove(const cli_files_t *files) {
   char path[CLI_PATH_ROOM];
-  name_of(args, "", path);
+  name_of(files, "", path);
   (void)remove(path);
 }
 
 // Returns: whether there is one that was not changed.
-static bool get(const cli_args_t *args, cli_checkpoint_t *at,
-                cli_counts_t *counts) {
+static bool get(cli_files_t *files, cli_checkpoint_t *at) {
   char path[CLI_PATH_ROOM];
   uint32_t crc = 0;
-  name_of(args, "", path);
+  const size_t counted = counted_bytes(files);
+  name_of(files, "", path);
   FILE *file = fopen(path, "rb");
   if (file == NULL) {
     return false;
   }
-  bool read = fread(at, sizeof *at, 1, file) == 1;
-  if (read && counts != NULL) {
-    read = fread(counts->cell, sizeof counts->cell, 1, file) == 1;
-  }
-  read = read && fread(&crc, sizeof crc, 1, file) == 1 && fgetc(file) == EOF &&
-         crc == crc_of(at, counts);
+  const bool read = fread(at, sizeof *at, 1, file) == 1 &&
+                    fread(files->counts.cell, 1, counted, file) == counted &&
+                    fread(&crc, sizeof crc, 1, file) == 1 &&
+                    fgetc(file) == EOF && crc == crc_of(files, at);
   (void)fclose(file);
   return read;
+}
+
+// Sums the lines of a file that a trailer counts, up to so many bytes. last:
+// out, the last line. Returns: the bytes that were read.
+static uint64_t sum_lines(FILE *file, uint64_t end, cli_trailer_t *sum,
+                          char last[LINE]) {
+  uint64_t bytes = 0;
+  bool comment = false, begins = true;
+  last[0] = '\0';
+  while (bytes < end && fgets(last, LINE, file) != NULL) {
+    const size_t length = strlen(last);
+    comment = begins ? last[0] == '#' : comment;
+    begins = length > 0 && last[length - 1] == '\n';
+    bytes += length;
+    if (length == 0) {
+      break;
+    }
+    if (!comment) {
+      cli_trailer_add(sum, last, length, strncmp(last, "sample,", 7) != 0);
+    }
+  }
+  return bytes;
 }
 
 // Whether a part begins with the rows that a checkpoint says.
 static bool holds(const char *path, const cli_file_place_t *place) {
   char part[CLI_PATH_ROOM], line[LINE];
   cli_trailer_t sum = {0, 0, 0};
-  uint64_t bytes = 0;
-  bool comment = false, begins = true;
   if (path == NULL) {
     return true;
   }
@@ -272,18 +310,7 @@ static bool holds(const char *path, const cli_file_place_t *place) {
   if (file == NULL) {
     return false;
   }
-  while (bytes < place->bytes && fgets(line, sizeof line, file) != NULL) {
-    const size_t length = strlen(line);
-    comment = begins ? line[0] == '#' : comment;
-    begins = length > 0 && line[length - 1] == '\n';
-    bytes += length;
-    if (length == 0) {
-      break;
-    }
-    if (!comment) {
-      cli_trailer_add(&sum, line, length, 0);
-    }
-  }
+  const uint64_t bytes = sum_lines(file, place->bytes, &sum, line);
   (void)fclose(file);
   return bytes == place->bytes && sum.crc == place->crc;
 }
@@ -291,21 +318,6 @@ static bool holds(const char *path, const cli_file_place_t *place) {
 static cli_resume_t other(const char *path) {
   (void)cli_output_refuse_other(path, "run");
   return CLI_RESUME_OTHER;
-}
-
-// Whether the last line of a file is the trailer of this shard and counts what
-// is before it.
-static bool ends_whole(FILE *file, const cli_shard_t *shard, uint32_t run) {
-  char line[LINE] = "", last[CLI_TRAILER_ROOM] = "";
-  cli_trailer_t sum = {0, 0, run};
-  while (fgets(line, sizeof line, file) != NULL) {
-    if (line[0] != '#') {
-      cli_trailer_add(&sum, line, strlen(line),
-                      strncmp(line, "sample,", 7) != 0);
-    }
-  }
-  (void)cli_trailer_line(&sum, shard, last);
-  return strcmp(line, last) == 0;
 }
 
 // NULL where there is none. What is not a regular file keeps no rows, and
@@ -317,43 +329,65 @@ static FILE *open_regular(const char *path) {
   return regular ? fopen(path, "r") : NULL;
 }
 
-// A file of rows: not there, whole, or another one.
-static cli_resume_t look_at_rows(const char *path, const cli_shard_t *shard,
-                                 uint32_t run) {
+// A file of rows: not there, whole, or another one. Its last line has to be the
+// trailer of this shard, and count what is before it.
+static cli_resume_t look_at_rows(const char *path, const cli_checkpoint_t *at) {
+  char line[LINE], last[CLI_TRAILER_ROOM];
+  cli_trailer_t sum = {0, 0, at->run};
   FILE *file = open_regular(path);
   if (file == NULL) {
     return path == NULL ? CLI_RESUME_WHOLE : CLI_RESUME_NEW;
   }
-  const bool whole = ends_whole(file, shard, run);
+  (void)sum_lines(file, UINT64_MAX, &sum, line);
   (void)fclose(file);
-  return whole ? CLI_RESUME_WHOLE : other(path);
+  (void)cli_trailer_line(&sum, &at->shard, last);
+  return strcmp(line, last) == 0 ? CLI_RESUME_WHOLE : other(path);
 }
 
-static cli_resume_t look_at_counts(const char *path, const cli_shard_t *shard,
-                                   uint32_t run, cli_counts_t *counts) {
+static cli_resume_t look_at_counts(const char *path, const cli_checkpoint_t *at,
+                                   cli_counts_t *counts) {
   FILE *file = open_regular(path);
   if (file == NULL) {
     return path == NULL ? CLI_RESUME_WHOLE : CLI_RESUME_NEW;
   }
   (void)fclose(file);
-  memset(counts, 0, sizeof *counts);
   if (cli_counts_read(counts, path) != CLI_DONE) {
     return CLI_RESUME_OTHER;
   }
-  const bool same = counts->run == run && counts->of == shard->of &&
+  const bool same = counts->run == at->run && counts->of == at->shard.of &&
                     cli_counts_shards(counts) == 1 &&
-                    !cli_counts_shard(counts, shard->index);
+                    !cli_counts_shard(counts, at->shard.index);
   memset(counts, 0, sizeof *counts);
   return same ? CLI_RESUME_WHOLE : other(path);
 }
 
-cli_resume_t cli_checkpoint_find(const cli_args_t *args, uint32_t run,
-                                 cli_checkpoint_t *at, cli_counts_t *counts) {
-  const cli_shard_t *shard = &args->shard;
+// Whether a checkpoint is there, and the rows that it says. fresh: in, what it
+// has to be of.
+static cli_resume_t look_at_checkpoint(cli_files_t *files,
+                                       const cli_checkpoint_t *fresh,
+                                       cli_checkpoint_t *at) {
+  if (!get(files, at)) {
+    return CLI_RESUME_NEW;
+  }
+  if (at->run != fresh->run || at->number != fresh->number ||
+      at->shard.index != fresh->shard.index ||
+      at->shard.of != fresh->shard.of) {
+    char path[CLI_PATH_ROOM];
+    name_of(files, "", path);
+    return other(path);
+  }
+  return holds(path_of(files, CLI_EXITS), &at->at[CLI_EXITS]) &&
+                 holds(path_of(files, CLI_RETURNS), &at->at[CLI_RETURNS])
+             ? CLI_RESUME_GO_ON
+             : CLI_RESUME_NEW;
+}
+
+cli_resume_t cli_checkpoint_find(cli_files_t *files, cli_checkpoint_t *at) {
+  const cli_checkpoint_t fresh = *at;
   const cli_resume_t found[] = {
-      look_at_rows(args->exits, shard, run),
-      look_at_rows(args->returns, shard, run),
-      look_at_counts(args->counts, shard, run, counts)};
+      look_at_rows(path_of(files, CLI_EXITS), at),
+      look_at_rows(path_of(files, CLI_RETURNS), at),
+      look_at_counts(files->job->args->counts, at, &files->counts)};
   int whole = 0;
   for (size_t i = 0; i < sizeof found / sizeof found[0]; i++) {
     if (found[i] == CLI_RESUME_OTHER) {
@@ -364,19 +398,10 @@ cli_resume_t cli_checkpoint_find(const cli_args_t *args, uint32_t run,
   if (whole == 3) {
     return CLI_RESUME_WHOLE;
   }
-  if (!get(args, at, counts)) {
-    return CLI_RESUME_NEW;
+  const cli_resume_t state = look_at_checkpoint(files, &fresh, at);
+  if (state == CLI_RESUME_NEW) {
+    *at = fresh;
+    memset(&files->counts, 0, sizeof files->counts);
   }
-  if (at->run != run || at->number != sizeof(tf_real_t) ||
-      at->shard.index != shard->index || at->shard.of != shard->of) {
-    char path[CLI_PATH_ROOM];
-    name_of(args, "", path);
-    return other(path);
-  }
-  for (int i = 0; i < CLI_FILES; i++) {
-    if (!holds(path_of(args, i), &at->at[i])) {
-      return CLI_RESUME_NEW;
-    }
-  }
-  return CLI_RESUME_GO_ON;
+  return state;
 }

@@ -24,17 +24,9 @@
 #define CLI_COUNT_PLACES 20000 ///< bins on each side of r = 0
 #define CLI_COUNT_PLACE 1e-4   ///< their width [m]
 
-/// Where the counts of each kind begin, in the order of a file.
-enum {
-  CLI_COUNT_OUTCOME = 0,
-  CLI_COUNT_BEGUN = CLI_COUNT_OUTCOME + CLI_OUTCOMES,
-  CLI_COUNT_RETURNED = CLI_COUNT_BEGUN + CLI_COUNT_CYCLES,
-  CLI_COUNT_SIDE = CLI_COUNT_RETURNED + CLI_COUNT_CYCLES,
-  CLI_COUNT_PHASE = CLI_COUNT_SIDE + 2,
-  CLI_COUNT_TIME = CLI_COUNT_PHASE + CLI_COUNT_PHASES,
-  CLI_COUNT_LANDING = CLI_COUNT_TIME + CLI_COUNT_TIMES,
-  CLI_COUNT_CELLS = CLI_COUNT_LANDING + 2 * CLI_COUNT_PLACES + 1
-};
+#define CLI_COUNT_CELLS                                         \
+  (CLI_OUTCOMES + 2 * CLI_COUNT_CYCLES + 2 + CLI_COUNT_PHASES + \
+   CLI_COUNT_TIMES + 2 * CLI_COUNT_PLACES + 1)
 
 #define CLI_COUNT_ABOUT 2048 ///< room for the comments before the header
 typedef struct {
@@ -49,7 +41,6 @@ typedef struct {
 /// there before.
 bool cli_counts_shard(cli_counts_t *counts, uint64_t index);
 
-/// How many shards are counted.
 uint64_t cli_counts_shards(const cli_counts_t *counts);
 
 /// Counts a cycle. cycle: in, its number in its sample, from 1. patience: in,
@@ -80,27 +71,27 @@ typedef struct {
 
 enum { CLI_EXITS, CLI_RETURNS, CLI_FILES };
 typedef struct {
+  const cli_job_t *job;
+  uint32_t run; ///< for the trailers
   cli_diverge_file_t file[CLI_FILES];
-  cli_shard_t shard; ///< for the trailers
+  cli_counts_t counts; ///< of --counts
+  cli_output_t counted;
+  bool counts_are_open;
 } cli_files_t;
 
-/// Opens both, and goes on behind these places; behind bytes = 0 with the
-/// header. run: in, a text that all shards of the run share.
+/// Opens all that were asked for, and goes on behind these places; behind
+/// bytes = 0 with the header.
 /// Returns: CLI_DONE; after a message CLI_STOPPED, and no new file is left.
-int cli_files_open(cli_files_t *files, const cli_job_t *job,
-                   const cli_buffer_t *run,
-                   const cli_file_place_t at[CLI_FILES]);
+int cli_files_open(cli_files_t *files, const cli_file_place_t at[CLI_FILES]);
 
-/// Writes the rows of a cycle.
 /// Returns: whether everything so far could be written.
 bool cli_files_put(cli_files_t *files, uint64_t sample, uint64_t cycle,
                    const cli_cycle_t *what);
 
-/// Hands everything to the operating system. Returns: as cli_files_put.
 bool cli_files_flush(cli_files_t *files);
 
-/// Closes both after a run that ended with a code; under CLI_DONE both get
-/// their trailer and their name.
+/// Closes all after a run that ended with a code; under CLI_DONE they get their
+/// trailer and their name.
 /// Returns: the code; CLI_STOPPED after a message if it was CLI_DONE.
 int cli_files_close(cli_files_t *files, int code);
 
@@ -117,7 +108,6 @@ typedef struct {
   cli_file_place_t at[CLI_FILES];
 } cli_checkpoint_t;
 
-/// What --resume finds.
 typedef enum {
   CLI_RESUME_NEW,   ///< nothing to go on with: from the first sample
   CLI_RESUME_GO_ON, ///< the checkpoint is read, and the rows are there
@@ -125,17 +115,14 @@ typedef enum {
   CLI_RESUME_OTHER  ///< a file or a checkpoint is of another run; a message
 } cli_resume_t;
 
-/// Looks at the files of a shard and at its checkpoint. run: in, as in the
-/// trailers. counts: out, NULL where cycles are not counted.
-cli_resume_t cli_checkpoint_find(const cli_args_t *args, uint32_t run,
-                                 cli_checkpoint_t *at, cli_counts_t *counts);
+/// Looks at the files of a shard and at its checkpoint, which gives the counts,
+/// too. at: in, run, number and shard; out, those of the checkpoint.
+cli_resume_t cli_checkpoint_find(cli_files_t *files, cli_checkpoint_t *at);
 
-/// Writes it beside the first of the files, with the places of both; it
+/// Writes it beside the first of the files, with the places of the rows; it
 /// replaces the one before at once. Returns: whether it could be written.
-bool cli_checkpoint_put(const cli_args_t *args, const cli_files_t *files,
-                        cli_checkpoint_t *at, const cli_counts_t *counts);
+bool cli_checkpoint_put(const cli_files_t *files, cli_checkpoint_t *at);
 
-/// Removes it, of a shard that is whole.
-void cli_checkpoint_remove(const cli_args_t *args);
+void cli_checkpoint_remove(const cli_files_t *files);
 
 #endif

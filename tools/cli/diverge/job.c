@@ -96,8 +96,6 @@ int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
   if (code != CLI_DONE) {
     return code;
   }
-  job->dt = (double)setup->params.dt;
-  job->rate = (double)setup->params.rate;
   job->params = setup->params;
   job->params.rule =
       args->codim2 == CLI_CODIM2_ATTRACTING ? TF_RULE_PERSIST : TF_RULE_RANDOM;
@@ -144,6 +142,7 @@ size_t cli_job_provenance(const cli_job_t *job, const char *units,
                           char out[CLI_PROVENANCE_ROOM]) {
   const cli_args_t *args = job->args;
   const cli_mechanism_info_t *by = &cli_mechanisms[args->mechanism];
+  const double dt = (double)job->params.dt;
   char how[CLI_PROVENANCE_ROOM / 4];
   cli_setup_t told = job->setup;
   told.seed = (uint32_t)args->seed;
@@ -151,11 +150,11 @@ size_t cli_job_provenance(const cli_job_t *job, const char *units,
     (void)snprintf(how, sizeof how, "all branches, grid %.9g s", args->grid);
   } else if (args->mechanism == CLI_BY_RANDOM) {
     (void)snprintf(how, sizeof how, "by random, rate %.9g 1/s, dt %.9g s",
-                   job->rate, job->dt);
+                   (double)job->setup.params.rate, dt);
   } else {
     (void)snprintf(how, sizeof how,
                    "by %s, size %.9g %s, spread %.9g, dt %.9g s", by->name,
-                   args->size, by->unit, args->spread, job->dt);
+                   args->size, by->unit, args->spread, dt);
   }
   return cli_provenance(&told, how, units, out);
 }

@@ -42,8 +42,6 @@ typedef struct {
   cli_two_fold_t two_fold;
   cli_canard_t canard;  ///< through the two-fold
   bool at_two_fold;     ///< the samples start there
-  double dt;            ///< [s]
-  double rate;          ///< of exits [1/s]
   tf_params_t params;   ///< of `machine`
   tf_machine_t machine; ///< its rule never leaves an escaping stick
 } cli_job_t;

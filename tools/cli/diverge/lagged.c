@@ -87,21 +87,16 @@ static double step_until(const tf_machine_t *k, cli_point_t *at, int side,
   return x;
 }
 
-static void start(cli_motion_t *motion) {
+static cli_instant_t start(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
-  motion->long_steps = job->machine;
-  cli_prepare_near(motion, &job->params);
+  cli_motion_begin(motion, &job->params);
   motion->band = job->args->mechanism == CLI_BY_DELAY
                      ? RATE_BOUND * motion->size *
                            (double)job->machine.tyre.mu / (double)job->machine.m
                      : motion->size * OVERSHOOT;
-  const tf_state_t at = cli_motion_start(job);
-  motion->at = cli_point_of(&job->machine, &at);
-  motion->t = 0;
+  motion->at = cli_point_of(&job->machine, &motion->state);
   motion->side = cli_draw_uniform(&motion->draws) < 0.5 ? -1 : 1;
-  motion->queued = 0;
-  const cli_instant_t now = cli_instant_in_band(motion, motion->at);
-  cli_track_start(motion->tracker, &now);
+  return cli_instant_at(motion, motion->at);
 }
 
 // Hysteresis: the side changes where h leaves the band on the other side.
@@ -150,18 +145,18 @@ static void advance_delay(cli_motion_t *motion, double dt) {
 }
 
 static bool advance(cli_motion_t *motion) {
-  const cli_instant_t *last = &motion->tracker->last;
+  const cli_instant_t *last = &motion->tracker.last;
   const double dt = cli_step_length(motion, last->at, last->g);
   if (motion->job->args->mechanism == CLI_BY_DELAY) {
     advance_delay(motion, dt);
   } else {
     advance_hysteresis(motion, dt);
   }
-  const cli_instant_t now = cli_instant_in_band(motion, motion->at);
+  const cli_instant_t now = cli_instant_at(motion, motion->at);
   if (!(fabs(now.at.r) + fabs(now.at.p) + fabs(now.at.z) < 1e9)) {
     return cli_refuse_cycle(motion);
   }
-  return cli_track(motion->tracker, &now);
+  return cli_track(&motion->tracker, &now);
 }
 
 const cli_stepper_t cli_lagged_stepper = {start, advance, NULL};

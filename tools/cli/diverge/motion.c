@@ -34,24 +34,18 @@ static double draw_normal(cli_draws_t *draws) {
   return sqrt(-2 * log(fraction(word[0]))) * cos(TWO_PI * fraction(word[1]));
 }
 
-cli_tracker_t cli_tracker_of(const cli_job_t *job) {
-  return (cli_tracker_t){.machine = &job->machine,
-                         .two_fold = &job->two_fold,
-                         .section = job->args->section,
-                         .patience = job->args->patience};
-}
-
-tf_state_t cli_motion_start(const cli_job_t *job) {
-  return job->at_two_fold
-             ? cli_before_two_fold(&job->machine, &job->two_fold, BEFORE)
-             : job->setup.state;
-}
-
-void cli_prepare_near(cli_motion_t *motion, const tf_params_t *params) {
+void cli_motion_begin(cli_motion_t *motion, const tf_params_t *params) {
   const cli_job_t *job = motion->job;
-  tf_params_t short_steps = *params;
-  short_steps.dt = (tf_real_t)(job->dt / job->args->refinement);
-  (void)tf_prepare(&motion->short_steps, &short_steps, NULL);
+  tf_params_t near = *params;
+  near.dt = (tf_real_t)((double)params->dt / job->args->refinement);
+  (void)tf_prepare(&motion->long_steps, params, NULL);
+  (void)tf_prepare(&motion->short_steps, &near, NULL);
+  motion->state = job->at_two_fold ? cli_before_two_fold(&job->machine,
+                                                         &job->two_fold, BEFORE)
+                                   : job->setup.state;
+  motion->t = 0;
+  motion->wait = -1;
+  motion->queued = 0;
 }
 
 double cli_step_length(const cli_motion_t *motion, cli_point_t at, double g) {
@@ -62,7 +56,7 @@ double cli_step_length(const cli_motion_t *motion, cli_point_t at, double g) {
                      : (double)motion->long_steps.dt;
 }
 
-cli_instant_t cli_instant_in_band(const cli_motion_t *motion, cli_point_t at) {
+cli_instant_t cli_instant_at(const cli_motion_t *motion, cli_point_t at) {
   const tf_slip_t slip = cli_slip_at(&motion->long_steps, at);
   const bool on = fabs((double)slip.h) <= motion->band;
   const bool rest = fabs((double)slip.g) <= CLI_REST_BANDS * motion->band;
@@ -75,8 +69,8 @@ cli_instant_t cli_instant_in_band(const cli_motion_t *motion, cli_point_t at) {
 }
 
 bool cli_refuse_cycle(cli_motion_t *motion) {
-  motion->tracker->cycle.ended = motion->t;
-  motion->tracker->cycle.outcome = CLI_CYCLE_REFUSED;
+  motion->tracker.cycle.ended = motion->t;
+  motion->tracker.cycle.outcome = CLI_CYCLE_REFUSED;
   return true;
 }
 
@@ -102,11 +96,11 @@ static double weakening(const cli_job_t *job) {
 }
 
 static cli_instant_t instant(const cli_motion_t *motion) {
-  return cli_instant_in_band(motion,
-                             cli_point_of(&motion->long_steps, &motion->state));
+  return cli_instant_at(motion,
+                        cli_point_of(&motion->long_steps, &motion->state));
 }
 
-static void start(cli_motion_t *motion) {
+static cli_instant_t start(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
   tf_params_t params = job->params;
   tf_report_t report;
@@ -119,14 +113,9 @@ static void start(cli_motion_t *motion) {
     const double resolved = pow(2 * motion->size / weakening(job), 2.0 / 3.0);
     motion->band = 4 * motion->size * (isfinite(resolved) ? sqrt(resolved) : 1);
   }
-  params.dt = (tf_real_t)job->dt;
-  (void)tf_prepare(&motion->long_steps, &params, NULL);
-  cli_prepare_near(motion, &params);
-  motion->t = 0;
-  motion->state = cli_motion_start(job);
+  cli_motion_begin(motion, &params);
   (void)tf_begin(&motion->long_steps, &motion->state, &input, &report);
-  const cli_instant_t now = instant(motion);
-  cli_track_start(motion->tracker, &now);
+  return instant(motion);
 }
 
 static void add_noise(cli_motion_t *motion, double dt) {
@@ -140,7 +129,7 @@ static void add_noise(cli_motion_t *motion, double dt) {
 }
 
 static bool advance(cli_motion_t *motion) {
-  const cli_instant_t before = motion->tracker->last;
+  const cli_instant_t before = motion->tracker.last;
   const double dt = cli_step_length(motion, before.at, before.g);
   const tf_machine_t *k = dt < (double)motion->long_steps.dt
                               ? &motion->short_steps
@@ -158,7 +147,7 @@ static bool advance(cli_motion_t *motion) {
   if (noisy) {
     add_noise(motion, dt);
   }
-  return cli_track(motion->tracker, &now);
+  return cli_track(&motion->tracker, &now);
 }
 
 const cli_stepper_t cli_perturbed_stepper = {start, advance, NULL};

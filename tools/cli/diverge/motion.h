@@ -52,9 +52,7 @@ typedef struct {
 } cli_cycle_t;
 
 typedef struct {
-  const tf_machine_t *machine;
-  const cli_two_fold_t *two_fold;
-  double section, patience;
+  const cli_job_t *job;
   double dwell; ///< time within the band that counts as on the surface [s]
   cli_instant_t before, last;
   cli_cycle_t cycle;
@@ -69,11 +67,9 @@ typedef struct {
 /// Starts at the first instant of a sample.
 void cli_track_start(cli_tracker_t *tracker, const cli_instant_t *at);
 
-/// Takes the next instant.
-/// Returns: whether it ends the cycle.
+/// Returns: whether the next instant ends the cycle.
 bool cli_track(cli_tracker_t *tracker, const cli_instant_t *at);
 
-/// Begins the next cycle, after one that returned.
 void cli_track_next(cli_tracker_t *tracker);
 
 /// The random numbers of one sample. The generator is counter based, so they do
@@ -92,7 +88,7 @@ double cli_draw_uniform(cli_draws_t *draws); ///< in (0, 1)
 
 typedef struct {
   const cli_job_t *job;
-  cli_tracker_t *tracker;
+  cli_tracker_t tracker;
   cli_draws_t draws;
   double size;              ///< of the mechanism, in this sample
   double band;              ///< |h| <= band is on the surface [m/s]
@@ -110,8 +106,8 @@ typedef struct {
 
 /// How a mechanism moves a sample.
 typedef struct {
-  /// Puts the sample at its start and starts the tracker.
-  void (*start)(cli_motion_t *motion);
+  /// Puts the sample at its start. Returns: its first instant.
+  cli_instant_t (*start)(cli_motion_t *motion);
   /// Takes one step. Returns: whether the cycle ended.
   bool (*advance)(cli_motion_t *motion);
   /// Passes the two-fold. Returns: whether the cycle ended. NULL where advance
@@ -119,23 +115,16 @@ typedef struct {
   bool (*pass)(cli_motion_t *motion);
 } cli_stepper_t;
 
-/// A tracker of the job's motions, without its dwell time.
-cli_tracker_t cli_tracker_of(const cli_job_t *job);
+/// Puts a motion at t = 0, before the two-fold where it has to arrive there
+/// first, and prepares its machines. params: in, of the long steps.
+void cli_motion_begin(cli_motion_t *motion, const tf_params_t *params);
 
-/// State from which a motion starts that has to arrive at the two-fold first,
-/// or the start that was typed.
-tf_state_t cli_motion_start(const cli_job_t *job);
-
-/// Prepares the machine of the short steps. params: of the long ones.
-void cli_prepare_near(cli_motion_t *motion, const tf_params_t *params);
-
-/// Length of the next step: shorter near the two-fold [s].
 double cli_step_length(const cli_motion_t *motion, cli_point_t at, double g);
 
-/// The present instant of a motion for which a band stands for the surface.
-cli_instant_t cli_instant_in_band(const cli_motion_t *motion, cli_point_t at);
+/// The present instant of a motion at a point: on the surface where |h| is
+/// within its band.
+cli_instant_t cli_instant_at(const cli_motion_t *motion, cli_point_t at);
 
-/// Ends the cycle after a refused step. Returns: true.
 bool cli_refuse_cycle(cli_motion_t *motion);
 
 /// --by random; --by noise and --by smoothing; --by hysteresis and --by delay.
@@ -143,7 +132,6 @@ extern const cli_stepper_t cli_random_stepper;
 extern const cli_stepper_t cli_perturbed_stepper;
 extern const cli_stepper_t cli_lagged_stepper;
 
-/// Where a branch ends.
 typedef enum {
   CLI_BRANCH_TWO_FOLD,
   CLI_BRANCH_CODIM2,   ///< at h = g = 0 with several consistent modes

@@ -20,18 +20,15 @@
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 
 static cli_instant_t instant(const cli_motion_t *motion) {
-  const cli_point_t at = cli_point_of(&motion->job->machine, &motion->state);
-  const tf_slip_t slip = cli_slip_at(&motion->job->machine, at);
-  return (cli_instant_t){.t = motion->t,
-                         .at = at,
-                         .h = (double)slip.h,
-                         .g = (double)slip.g,
-                         .on = !cli_is_slip(motion->state.mode),
-                         .pinned = motion->state.mode == TF_PINNED};
+  const tf_machine_t *k = &motion->job->machine;
+  cli_instant_t now = cli_instant_at(motion, cli_point_of(k, &motion->state));
+  now.on = !cli_is_slip(motion->state.mode);
+  now.pinned = motion->state.mode == TF_PINNED;
+  return now;
 }
 
 static double draw_time(cli_motion_t *motion) {
-  const double rate = motion->job->rate;
+  const double rate = (double)motion->job->setup.params.rate;
   const double u = cli_draw_uniform(&motion->draws);
   return rate > 0 ? -log(u) / rate : (double)INFINITY;
 }
@@ -59,7 +56,7 @@ static bool leave_stick(cli_motion_t *motion, bool released) {
   now.on = false;
   now.released = released;
   now.h = motion->state.mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
-  return cli_track(motion->tracker, &now);
+  return cli_track(&motion->tracker, &now);
 }
 
 // From the two-fold along the canard, then slip to a random side.
@@ -67,7 +64,7 @@ static bool pass_two_fold(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
   cli_point_t at;
   double reached = 0;
-  const double limit = motion->tracker->patience;
+  const double limit = motion->job->args->patience;
   const double stay = fmin(draw_time(motion), limit);
   const bool escaping = cli_canard_after(&job->canard, stay, &at, &reached);
   motion->t += reached;
@@ -76,28 +73,20 @@ static bool pass_two_fold(cli_motion_t *motion) {
   const cli_instant_t on = instant(motion);
   // To go on from the two-fold is no arrival there, wherever the sign of A is
   // that of its rounding.
-  motion->tracker->last = on;
-  return cli_track(motion->tracker, &on) || leave_stick(motion, !escaping);
+  motion->tracker.last = on;
+  return cli_track(&motion->tracker, &on) || leave_stick(motion, !escaping);
 }
 
-static void start(cli_motion_t *motion) {
+static cli_instant_t start(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
-  motion->long_steps = job->machine;
-  cli_prepare_near(motion, &job->params);
-  motion->wait = -1;
-  motion->t = 0;
-  if (!job->at_two_fold) {
-    motion->state = job->setup.state;
-    const cli_instant_t now = instant(motion);
-    cli_track_start(motion->tracker, &now);
-    return;
+  cli_motion_begin(motion, &job->params);
+  if (job->at_two_fold) {
+    motion->state = cli_state_at(
+        &job->machine,
+        cli_point_on_surface(&job->machine, job->canard.r, job->canard.z));
+    motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
   }
-  motion->state = cli_state_at(
-      &job->machine,
-      cli_point_on_surface(&job->machine, job->canard.r, job->canard.z));
-  motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
-  const cli_instant_t now = instant(motion);
-  cli_track_start(motion->tracker, &now);
+  return instant(motion);
 }
 
 static tf_status_t step(cli_motion_t *motion, const tf_machine_t *machine) {
@@ -169,13 +158,13 @@ static bool leave_codim2(cli_motion_t *motion, unsigned mode) {
     motion->t += OFF;
   }
   const cli_instant_t now = instant(motion);
-  return cli_track(motion->tracker, &now);
+  return cli_track(&motion->tracker, &now);
 }
 
 static bool at_codim2(cli_motion_t *motion, unsigned set) {
   cli_instant_t now = instant(motion);
   now.on = false;
-  return cli_track(motion->tracker, &now) ||
+  return cli_track(&motion->tracker, &now) ||
          leave_codim2(motion, draw_mode(motion, set));
 }
 
@@ -207,8 +196,8 @@ static bool end_wait(cli_motion_t *motion) {
   motion->t += motion->wait;
   motion->wait = -1;
   const cli_instant_t now = instant(motion);
-  if (cli_track(motion->tracker, &now) || motion->state.mode != mode) {
-    return motion->tracker->cycle.outcome != CLI_CYCLE_OPEN;
+  if (cli_track(&motion->tracker, &now) || motion->state.mode != mode) {
+    return motion->tracker.cycle.outcome != CLI_CYCLE_OPEN;
   }
   return mode == TF_PINNED ? leave_pinned(motion) : leave_stick(motion, false);
 }
@@ -216,7 +205,7 @@ static bool end_wait(cli_motion_t *motion) {
 // Passes the state after a step to the tracker. Stick that passed the two-fold
 // and ended within the same step ended after the two-fold.
 static bool track(cli_motion_t *motion, const tf_state_t *from) {
-  const cli_instant_t *before = &motion->tracker->last;
+  const cli_instant_t *before = &motion->tracker.last;
   cli_instant_t now = instant(motion);
   const double side = cli_stick_sign(from->mode);
   const tf_machine_t *k = &motion->job->machine;
@@ -227,11 +216,11 @@ static bool track(cli_motion_t *motion, const tf_state_t *from) {
     now.on = true;
     now.g = before->g;
   }
-  if (!cli_track(motion->tracker, &now)) {
+  if (!cli_track(&motion->tracker, &now)) {
     return false;
   }
-  if (motion->tracker->cycle.outcome == CLI_CYCLE_RETURNED) {
-    motion->t = motion->tracker->cycle.ended;
+  if (motion->tracker.cycle.outcome == CLI_CYCLE_RETURNED) {
+    motion->t = motion->tracker.cycle.ended;
     motion->wait = -1;
   }
   return true;
@@ -272,11 +261,11 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
   motion->wait = -1;
   motion->state.mode = (uint8_t)mode;
   cli_instant_t now = instant(motion);
-  cli_track_start(motion->tracker, &now);
+  cli_track_start(&motion->tracker, &now);
   if (cli_is_slip(mode)) {
-    motion->tracker->last.on = true;
+    motion->tracker.last.on = true;
     now.h = mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
-    (void)cli_track(motion->tracker, &now);
+    (void)cli_track(&motion->tracker, &now);
   }
   if (!step_of(motion, OFF)) {
     return CLI_BRANCH_TIME;
@@ -292,7 +281,7 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
     }
     motion->t += dt;
     if (track(motion, &from)) {
-      return motion->tracker->cycle.outcome == CLI_CYCLE_RETURNED
+      return motion->tracker.cycle.outcome == CLI_CYCLE_RETURNED
                  ? CLI_BRANCH_TWO_FOLD
                  : CLI_BRANCH_TIME;
     }

@@ -22,7 +22,7 @@ const char *cli_outcome_name(cli_outcome_t outcome) {
 
 // Whether g has the sign that it has at the two-fold.
 static bool two_fold_side(const cli_tracker_t *tracker, double g) {
-  return tracker->two_fold->g < 0 ? g < 0 : g > 0;
+  return tracker->job->two_fold.g < 0 ? g < 0 : g > 0;
 }
 
 static void begin_cycle(cli_tracker_t *tracker, double t) {
@@ -48,7 +48,7 @@ void cli_track_next(cli_tracker_t *tracker) {
 // and v of both.
 static double passage(const cli_tracker_t *tracker, const cli_instant_t *a,
                       const cli_instant_t *b, double r) {
-  const double d = (double)tracker->machine->d;
+  const double d = (double)tracker->job->machine.d;
   const double dt = b->t - a->t;
   const double va = (a->at.p + d * a->at.z) * dt;
   const double vb = (b->at.p + d * b->at.z) * dt;
@@ -70,9 +70,9 @@ static double passage(const cli_tracker_t *tracker, const cli_instant_t *a,
 
 static bool has_arrived(cli_tracker_t *tracker, const cli_instant_t *at) {
   const cli_instant_t *last = &tracker->last;
-  const double side = tracker->two_fold->g;
-  const tf_machine_t *k = tracker->machine;
-  if (!isfinite(tracker->two_fold->r) || !last->on || !at->on ||
+  const double side = tracker->job->two_fold.g;
+  const tf_machine_t *k = &tracker->job->machine;
+  if (!isfinite(tracker->job->two_fold.r) || !last->on || !at->on ||
       !two_fold_side(tracker, last->g) || !two_fold_side(tracker, at->g) ||
       at->t - tracker->on_since < tracker->dwell) {
     return false;
@@ -81,7 +81,7 @@ static bool has_arrived(cli_tracker_t *tracker, const cli_instant_t *at) {
         cli_delassus(k, at->at.r, side) <= 0)) {
     return false;
   }
-  tracker->cycle.ended = passage(tracker, last, at, tracker->two_fold->r);
+  tracker->cycle.ended = passage(tracker, last, at, tracker->job->two_fold.r);
   tracker->cycle.outcome = CLI_CYCLE_RETURNED;
   return true;
 }
@@ -96,7 +96,7 @@ static void watch_exit(cli_tracker_t *tracker, const cli_instant_t *at) {
   cycle->released = at->released;
   cycle->exit_t = last->t;
   cycle->exit_r = last->at.r;
-  cycle->exit_omega = last->at.z + (double)tracker->machine->omega0;
+  cycle->exit_omega = last->at.z + (double)tracker->job->machine.omega0;
   cycle->exit_g = last->g;
   cycle->side = at->h < 0 ? -1 : 1;
   tracker->slip_side = cycle->side;
@@ -114,7 +114,8 @@ static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
   cli_cycle_t *cycle = &tracker->cycle;
   const cli_instant_t *last = &tracker->last;
   const double section =
-      tracker->two_fold->r + copysign(tracker->section, tracker->two_fold->v);
+      tracker->job->two_fold.r +
+      copysign(tracker->job->args->section, tracker->job->two_fold.v);
   if (!cycle->left || cycle->landed) {
     return;
   }
@@ -148,7 +149,7 @@ static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
 // slip, by extrapolation of h from before them.
 static void reach_surface(cli_tracker_t *tracker, const cli_instant_t *at) {
   const cli_instant_t *last = &tracker->last, *before = &tracker->before;
-  const double v = last->at.p + (double)tracker->machine->d * last->at.z;
+  const double v = last->at.p + (double)tracker->job->machine.d * last->at.z;
   const double fall = (before->h - last->h) / (last->t - before->t);
   double dt = at->t - last->t;
   tracker->on_since = at->t;
@@ -190,7 +191,7 @@ bool cli_track(cli_tracker_t *tracker, const cli_instant_t *at) {
     watch_exit(tracker, at);
     watch_windings(tracker, at);
     watch_landing(tracker, at);
-    if (at->t - cycle->arrived > tracker->patience) {
+    if (at->t - cycle->arrived > tracker->job->args->patience) {
       cycle->ended = at->t;
       cycle->outcome = at->pinned                          ? CLI_CYCLE_PINNED
                        : cycle->landings >= SMALL_LANDINGS ? CLI_CYCLE_SMALL

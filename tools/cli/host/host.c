@@ -139,6 +139,9 @@ bool cli_progress_due(const cli_progress_t *progress, double now) {
 void cli_progress_say(cli_progress_t *progress, double now, double share,
                       const char *format, ...) {
   va_list arguments;
+  if (!cli_progress_due(progress, now)) {
+    return;
+  }
   (void)fputs(progress->one_line ? "\r" : "twofold: ", stderr);
   va_start(arguments, format);
   (void)vfprintf(stderr, format, arguments);

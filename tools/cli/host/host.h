@@ -11,8 +11,7 @@
 
 #include "../text/message.h"
 
-/// Monotonic time in seconds.
-double cli_now(void);
+double cli_now(void); ///< monotonic [s]
 
 /// Waits; a signal ends the wait early.
 void cli_sleep(int milliseconds);
@@ -25,7 +24,6 @@ void cli_wait_until(double time);
 /// Returns: NULL, or why it may not.
 const char *cli_take_priority(void);
 
-/// Whether a descriptor is a terminal.
 bool cli_is_terminal(int descriptor);
 
 /// Occupies closed standard descriptors, so that no opened file takes their
@@ -47,7 +45,6 @@ void cli_restore_on_stop(const char *bytes);
 /// does not tell.
 void cli_terminal_size(int *columns, int *rows);
 
-/// Whether a signal has asked for a stop.
 bool cli_stop_asked(void);
 
 typedef struct {
@@ -58,16 +55,14 @@ typedef struct {
   double next;    ///< cli_now() of the next message
 } cli_progress_t;
 
-/// Starts it.
 /// output: in, descriptor that the rows go to: on a terminal they show the
 /// progress themselves. -1: none.
 cli_progress_t cli_progress_start(double now, int output);
 
-/// Whether it is time for a message.
 bool cli_progress_due(const cli_progress_t *progress, double now);
 
-/// Prints a message and the time left, as if the rest of the work went at the
-/// mean speed of what is done.
+/// Prints a message if it is time, and the time left, as if the rest of the
+/// work went at the mean speed of what is done.
 /// share: in, of the work that is done, 0: none, and no time left is told.
 /// format: in, of the message, which says what is done.
 void cli_progress_say(cli_progress_t *progress, double now, double share,

@@ -21,18 +21,6 @@ typedef struct {
   char path[CLI_PATH_ROOM], part[CLI_PATH_ROOM];
 } cli_destination_t;
 
-/// Opens it; a path of NULL or "-" is standard output. keep: what is in the
-/// part stays; the caller says where to go on.
-/// Returns: 0 or an errno; EBUSY: another program writes this file.
-int cli_destination_open(cli_destination_t *destination, const char *path,
-                         bool keep);
-
-/// Closes it, on disk; standard output stays open. whole: all rows are there,
-/// so the file gets its name; otherwise its rows stay in `part`.
-/// Returns: 0 or an errno; EBUSY: `part` is not the file that was opened.
-int cli_destination_close(cli_destination_t *destination, bool whole);
-
-/// Whether a descriptor is a regular file.
 bool cli_is_regular(int descriptor);
 
 /// Whether two paths name one regular file, there or not yet; NULL and "-" are
@@ -51,19 +39,19 @@ typedef struct {
 } cli_output_t;
 
 /// Opens a file for writing, or standard output where path is NULL or "-".
+/// keep: its part may hold the rows of a run that was stopped: they stay, until
+/// cli_output_go_on says how many bytes of them are kept.
 /// Returns: whether it is open; otherwise error is set.
-bool cli_output_open(cli_output_t *output, const char *path);
+bool cli_output_open(cli_output_t *output, const char *path, bool keep);
 
 /// Opens it for a command: from now on signals are caught as by
 /// cli_catch_signals. option: the option that gave the path, for the message.
-/// keep: its part may hold the rows of a run that was stopped: they stay, until
-/// cli_output_go_on says how many bytes of them are kept.
 int cli_output_begin(cli_output_t *output, const char *option, const char *path,
                      bool keep);
 
-/// Keeps so many bytes of the part, removes the others, and goes on behind
-/// them. Returns: as cli_output_lines.
-bool cli_output_go_on(cli_output_t *output, size_t kept);
+/// Keeps so many bytes of the part, if there is one, removes the others, and
+/// goes on behind them.
+void cli_output_go_on(cli_output_t *output, size_t kept);
 
 /// Refuses to go on with a file that is of something else; what: in, a sweep or
 /// a run. Returns: CLI_REFUSED after a message.
@@ -93,8 +81,8 @@ bool cli_output_lines(cli_output_t *output, const char *lines, size_t length);
 /// Returns: as cli_output_lines.
 bool cli_output_flush(cli_output_t *output);
 
-/// Flushes, syncs to disk and closes (standard output is left open). whole: as
-/// in cli_destination_close; a file whose output failed is not whole.
+/// Flushes, syncs to disk and closes (standard output is left open). whole: all
+/// rows are there, so the file gets its name unless its output failed.
 /// Returns: as cli_output_lines.
 bool cli_output_close(cli_output_t *output, bool whole);
 

@@ -16,7 +16,6 @@ typedef struct {
   int error;      ///< errno of the failure, or 0
 } cli_source_t;
 
-/// Outcome of a read.
 typedef enum {
   CLI_SOURCE_BYTES, ///< at least one byte
   CLI_SOURCE_QUIET, ///< no byte within the time allowed
@@ -41,7 +40,6 @@ cli_source_found_t cli_source_read(cli_source_t *source, uint8_t *bytes,
 bool cli_source_write(cli_source_t *source, const uint8_t *bytes,
                       size_t length);
 
-/// Closes what was opened.
 void cli_source_close(cli_source_t *source);
 
 /// The key of a board that takes only tagged commands, from a file: an argument

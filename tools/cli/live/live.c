@@ -95,49 +95,39 @@ static void fit(cli_extent_t *extent, double low, double high) {
 }
 
 static void fit_all(cli_live_t *live) {
-  double low[4], high[4];
+  cli_extent_t *const extents[4] = {&live->r, &live->omega, &live->h, &live->g};
   for (int i = 0; i < 4; i++) {
-    low[i] = (double)INFINITY;
-    high[i] = -(double)INFINITY;
-  }
-  for (uint64_t back = 0; back < BUCKETS; back++) {
-    const bucket_t *bucket = bucket_at(live, back);
-    if (bucket == NULL) {
-      continue;
+    double low = (double)INFINITY, high = -(double)INFINITY;
+    for (uint64_t back = 0; back < BUCKETS; back++) {
+      const bucket_t *bucket = bucket_at(live, back);
+      if (bucket != NULL) {
+        const cli_live_point_t *at = &bucket->last;
+        const double values[4] = {at->r, at->omega, at->h, at->g};
+        low = fmin(low, values[i]);
+        high = fmax(high, values[i]);
+      }
     }
-    const cli_live_point_t *at = &bucket->last;
-    const double values[4] = {at->r, at->omega, at->h, at->g};
-    for (int i = 0; i < 4; i++) {
-      low[i] = fmin(low[i], values[i]);
-      high[i] = fmax(high[i], values[i]);
-    }
+    fit(extents[i], low, high);
   }
-  fit(&live->r, low[0], high[0]);
-  fit(&live->omega, low[1], high[1]);
-  fit(&live->h, low[2], high[2]);
-  fit(&live->g, low[3], high[3]);
+}
+
+static void plot_dot(cli_live_t *live, const cli_live_point_t *at,
+                     unsigned ink) {
+  cli_canvas_dot(&live->left, at->g, at->h, ink);
+  cli_canvas_dot(&live->right, at->r, at->omega, ink);
 }
 
 // Puts the motion on both planes, oldest first.
 static void plot(cli_live_t *live, int columns, int rows) {
-  cli_canvas_clear(&live->left, columns, rows);
-  cli_canvas_clear(&live->right, columns, rows);
-  live->left.x = live->g;
-  live->left.y = live->h;
-  live->right.x = live->r;
-  live->right.y = live->omega;
-  cli_canvas_axes(&live->left);
-  cli_canvas_axes(&live->right);
+  cli_canvas_clear(&live->left, columns, rows, live->g, live->h);
+  cli_canvas_clear(&live->right, columns, rows, live->r, live->omega);
   for (uint64_t back = BUCKETS; back > 0; back--) {
     const bucket_t *bucket = bucket_at(live, back - 1);
     if (bucket != NULL) {
-      const cli_live_point_t *at = &bucket->last;
-      cli_canvas_dot(&live->left, at->g, at->h, at->mode);
-      cli_canvas_dot(&live->right, at->r, at->omega, at->mode);
+      plot_dot(live, &bucket->last, bucket->last.mode);
     }
   }
-  cli_canvas_dot(&live->left, live->last.g, live->last.h, CLI_INK_NOW);
-  cli_canvas_dot(&live->right, live->last.r, live->last.omega, CLI_INK_NOW);
+  plot_dot(live, &live->last, CLI_INK_NOW);
 }
 
 // The modes within a column of the lanes, of so many columns.

@@ -21,10 +21,7 @@ typedef struct {
 /// Returns: NULL after a message where there is no such terminal.
 cli_live_t *cli_live_open(double span);
 
-/// Takes an instant.
 void cli_live_note(cli_live_t *live, const cli_live_point_t *point);
-
-/// Whether it is time to draw.
 bool cli_live_due(const cli_live_t *live, double now);
 
 /// Draws. title: in, the first line. now: in, cli_now().

@@ -23,13 +23,6 @@
 // shows a plane of 160 dots. Where the terminal is not known to take UTF-8 a
 // cell is one mark, that of the mode of its last dot.
 
-void cli_canvas_clear(cli_canvas_t *canvas, int columns, int rows) {
-  canvas->columns = columns < CLI_CANVAS_COLUMNS ? columns : CLI_CANVAS_COLUMNS;
-  canvas->rows = rows < CLI_CANVAS_ROWS ? rows : CLI_CANVAS_ROWS;
-  memset(canvas->dots, 0, sizeof canvas->dots);
-  memset(canvas->ink, 0, sizeof canvas->ink);
-}
-
 // Dot of a value among n, -1 outside.
 static int place(const cli_extent_t *extent, double value, int n) {
   const double at = (value - extent->low) / (extent->high - extent->low) * n;
@@ -47,15 +40,13 @@ static void set_dot(cli_canvas_t *canvas, int column, int row, unsigned ink) {
   *there = (uint8_t)(ink + 1);
 }
 
-void cli_canvas_dot(cli_canvas_t *canvas, double x, double y, unsigned ink) {
-  const int column = place(&canvas->x, x, 2 * canvas->columns);
-  const int row = place(&canvas->y, y, 4 * canvas->rows);
-  if (column >= 0 && row >= 0) {
-    set_dot(canvas, column, 4 * canvas->rows - 1 - row, ink);
-  }
-}
-
-void cli_canvas_axes(cli_canvas_t *canvas) {
+void cli_canvas_clear(cli_canvas_t *canvas, int columns, int rows,
+                      cli_extent_t x, cli_extent_t y) {
+  memset(canvas, 0, sizeof *canvas);
+  canvas->columns = columns < CLI_CANVAS_COLUMNS ? columns : CLI_CANVAS_COLUMNS;
+  canvas->rows = rows < CLI_CANVAS_ROWS ? rows : CLI_CANVAS_ROWS;
+  canvas->x = x;
+  canvas->y = y;
   const int column = place(&canvas->x, 0, 2 * canvas->columns);
   const int row = place(&canvas->y, 0, 4 * canvas->rows);
   for (int i = 0; row >= 0 && i < 2 * canvas->columns; i += 2) {
@@ -63,6 +54,14 @@ void cli_canvas_axes(cli_canvas_t *canvas) {
   }
   for (int i = 0; column >= 0 && i < 4 * canvas->rows; i += 2) {
     set_dot(canvas, column, i, CLI_INK_AXIS);
+  }
+}
+
+void cli_canvas_dot(cli_canvas_t *canvas, double x, double y, unsigned ink) {
+  const int column = place(&canvas->x, x, 2 * canvas->columns);
+  const int row = place(&canvas->y, y, 4 * canvas->rows);
+  if (column >= 0 && row >= 0) {
+    set_dot(canvas, column, 4 * canvas->rows - 1 - row, ink);
   }
 }
 

@@ -30,14 +30,13 @@ typedef struct {
   uint8_t ink[CLI_CANVAS_ROWS][CLI_CANVAS_COLUMNS];  ///< of the last dot, + 1
 } cli_canvas_t;
 
-/// Empties it. columns, rows: in, in cells, cut to the room that there is.
-void cli_canvas_clear(cli_canvas_t *canvas, int columns, int rows);
+/// Empties it but for the lines x = 0 and y = 0, where they are within the
+/// extents. columns, rows: in, in cells, cut to the room that there is.
+void cli_canvas_clear(cli_canvas_t *canvas, int columns, int rows,
+                      cli_extent_t x, cli_extent_t y);
 
 /// A dot; nothing outside of the extents.
 void cli_canvas_dot(cli_canvas_t *canvas, double x, double y, unsigned ink);
-
-/// The lines x = 0 and y = 0, where they are within the extents.
-void cli_canvas_axes(cli_canvas_t *canvas);
 
 /// Appends a row of cells, top row 0.
 void cli_canvas_row(const cli_canvas_t *canvas, int row, const cli_pen_t *pen,
@@ -61,7 +60,6 @@ typedef struct {
 /// not one byte goes to standard output.
 bool cli_screen_open(cli_screen_t *screen);
 
-/// Reads the size.
 void cli_screen_measure(cli_screen_t *screen);
 
 /// What a drawing has to begin with, to end a line with, and to end with.

@@ -10,21 +10,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../run/row.h"
 #include "../setup/names.h"
 #include "../text/message.h"
 #include "../text/number.h"
 
 #define PATIENCE 3.0    // for an answer [s]
 #define ANSWER_BYTES 8u // of every answer; one about a parameter has more
-
-static const struct {
-  const char *name;
-  uint8_t type;
-} plain[] = {{"describe", TF_UP_DESCRIBE}, {"start", TF_UP_START},
-             {"stop", TF_UP_STOP},         {"reset", TF_UP_RESET},
-             {"snapshot", TF_UP_SNAPSHOT}, {"restore", TF_UP_RESTORE},
-             {"clear", TF_UP_CLEAR},       {"input", TF_UP_INPUT}};
-#define PLAIN (sizeof plain / sizeof plain[0])
 
 static int refuse(const char *text, const char *why) {
   return cli_message(CLI_USAGE, "--send %s: %s", text, why);
@@ -49,9 +41,8 @@ static int read_set(cli_board_command_t *command, const char *rest) {
                   "expected set:NAME=VALUE with the name of a "
                   "parameter ('twofold help run')");
   }
-  command->type = TF_UP_PARAMETER;
   command->index = (uint8_t)i;
-  command->number[0] = rest + length + 1;
+  command->number[command->numbers++] = rest + length + 1;
   return cli_read_real(command->number[0], &value, &why)
              ? CLI_DONE
              : refuse(command->text, why);
@@ -72,7 +63,6 @@ static int read_select(cli_board_command_t *command, const char *rest) {
                   "expected select:RULE[:SEED] with one of persist, slip+, "
                   "slip-, random");
   }
-  command->type = TF_UP_RULE;
   command->index = (uint8_t)i;
   command->seed = (uint32_t)seed;
   return CLI_DONE;
@@ -80,7 +70,6 @@ static int read_select(cli_board_command_t *command, const char *rest) {
 
 // Four numbers separated by commas; cli_read_real takes one at a time.
 static int read_input(cli_board_command_t *command, const char *rest) {
-  command->type = TF_UP_INPUT;
   for (command->numbers = 0; command->numbers < 4; command->numbers++) {
     char number[CLI_REAL_ROOM];
     const size_t length = strcspn(rest, ",");
@@ -98,18 +87,37 @@ static int read_input(cli_board_command_t *command, const char *rest) {
     }
     rest += length + 1;
   }
+  // The speeds are constant, so the turntable's acceleration is 0.
+  command->number[command->numbers++] = "0";
   return CLI_DONE;
 }
 
 static int read_deadman(cli_board_command_t *command, const char *rest) {
   uint64_t steps = 0;
-  command->type = TF_UP_DEADMAN;
   if (!cli_read_whole(rest, 0, UINT32_MAX, &steps)) {
     return refuse(command->text, "expected deadman:STEPS; 0: without end");
   }
   command->seed = (uint32_t)steps;
   return CLI_DONE;
 }
+
+// A command with data has a reader of what stands behind its name.
+static const struct {
+  const char *name;
+  uint8_t type;
+  int (*read)(cli_board_command_t *command, const char *rest);
+} forms[] = {{"describe", TF_UP_DESCRIBE, NULL},
+             {"start", TF_UP_START, NULL},
+             {"stop", TF_UP_STOP, NULL},
+             {"reset", TF_UP_RESET, NULL},
+             {"snapshot", TF_UP_SNAPSHOT, NULL},
+             {"restore", TF_UP_RESTORE, NULL},
+             {"clear", TF_UP_CLEAR, NULL},
+             {"input", TF_UP_INPUT, NULL},
+             {"set:", TF_UP_PARAMETER, read_set},
+             {"select:", TF_UP_RULE, read_select},
+             {"input:", TF_UP_INPUT, read_input},
+             {"deadman:", TF_UP_DEADMAN, read_deadman}};
 
 int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
   if (commands->count == CLI_BOARD_COMMANDS) {
@@ -119,24 +127,18 @@ int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
   commands->count++;
   *command = (cli_board_command_t){.text = text};
   cli_closest_t closest = cli_closest_to(text);
-  for (size_t i = 0; i < PLAIN; i++) {
-    if (strcmp(text, plain[i].name) == 0) {
-      command->type = plain[i].type;
+  for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++) {
+    const size_t length = strlen(forms[i].name);
+    command->type = forms[i].type;
+    if (forms[i].read != NULL && strncmp(text, forms[i].name, length) == 0) {
+      return forms[i].read(command, text + length);
+    }
+    if (forms[i].read == NULL && strcmp(text, forms[i].name) == 0) {
       return CLI_DONE;
     }
-    cli_closest_offer(&closest, plain[i].name);
-  }
-  if (strncmp(text, "set:", 4) == 0) {
-    return read_set(command, text + 4);
-  }
-  if (strncmp(text, "select:", 7) == 0) {
-    return read_select(command, text + 7);
-  }
-  if (strncmp(text, "input:", 6) == 0) {
-    return read_input(command, text + 6);
-  }
-  if (strncmp(text, "deadman:", 8) == 0) {
-    return read_deadman(command, text + 8);
+    if (forms[i].read == NULL) {
+      cli_closest_offer(&closest, forms[i].name);
+    }
   }
   return cli_message(CLI_USAGE,
                      "--send %s: unknown command%s ('twofold help monitor' "
@@ -169,27 +171,15 @@ static uint8_t *put_number(uint8_t *at, const char *text, bool is_float) {
 
 static uint8_t *put_data(uint8_t *at, const cli_board_command_t *command,
                          bool is_float) {
-  if (command->type == TF_UP_PARAMETER) {
+  if (command->type == TF_UP_PARAMETER || command->type == TF_UP_RULE) {
     *at++ = command->index;
-    return put_number(at, command->number[0], is_float);
-  }
-  if (command->type == TF_UP_RULE) {
-    *at++ = command->index;
-    return tf_wire_put(at, command->seed, 4);
-  }
-  if (command->type == TF_UP_DEADMAN) {
-    return tf_wire_put(at, command->seed, 4);
   }
   for (size_t i = 0; i < command->numbers; i++) {
     at = put_number(at, command->number[i], is_float);
   }
-  // The speeds are constant, so the turntable's acceleration is 0.
-  return command->numbers > 0 ? put_number(at, "0", is_float) : at;
-}
-
-size_t cli_board_command_data(const cli_board_command_t *command, bool is_float,
-                              uint8_t data[TF_FRAME_PAYLOAD]) {
-  return (size_t)(put_data(data, command, is_float) - data);
+  return command->type == TF_UP_RULE || command->type == TF_UP_DEADMAN
+             ? tf_wire_put(at, command->seed, 4)
+             : at;
 }
 
 // Whether the board has described itself since it was asked to. That tells the
@@ -322,4 +312,96 @@ const cli_board_command_t *cli_board_commands_answer(
   commands->waiting = false;
   commands->next++;
   return code == 0 ? command : NULL;
+}
+
+// A record is CSV: tick, type and payload of a frame of docs/PROTOCOL.md, and
+// for a person the command as typed. The first row is the schema, so the
+// record says what it belongs to in the words of the board. Of the states
+// the last one is kept: a replay that ends in its bits was the same throughout.
+// What was refused did nothing and is left out. The last line counts the rows:
+// a record that is cut off would be a session of fewer commands.
+
+#define ROW_ROOM (2 * TF_FRAME_PAYLOAD + 128)
+
+static void put(cli_session_record_t *record, const char *lines, size_t length,
+                uint64_t rows) {
+  cli_trailer_add(&record->trailer, lines, length, rows);
+  (void)cli_output_lines(&record->output, lines, length);
+}
+
+static void put_row(cli_session_record_t *record, uint64_t tick, uint8_t type,
+                    const uint8_t *data, size_t length, const char *text) {
+  char row[ROW_ROOM];
+  size_t at = (size_t)snprintf(row, sizeof row, "%" PRIu64 ",%02x,", tick,
+                               (unsigned)type);
+  for (size_t i = 0; i < length; i++) {
+    at +=
+        (size_t)snprintf(row + at, sizeof row - at, "%02x", (unsigned)data[i]);
+  }
+  at += (size_t)snprintf(row + at, sizeof row - at, ",%.64s\n", text);
+  if (type == TF_DOWN_SCHEMA) {
+    cli_trailer_name(&record->trailer, row, at - 1);
+  }
+  put(record, row, at, 1);
+}
+
+int cli_session_record_open(cli_session_record_t *record, const char *path) {
+  static const char title[] =
+      "# Record of a board's session, for 'twofold run SCENE --replay'.\n";
+  static const char header[] = "tick,type,data,command\n";
+  const int code = cli_output_begin(&record->output, "--record", path, false);
+  record->is_open = code == CLI_DONE;
+  if (record->is_open) {
+    (void)cli_output_lines(&record->output, title, sizeof title - 1);
+    put(record, header, sizeof header - 1, 0);
+  }
+  return code;
+}
+
+void cli_session_record_frame(cli_session_record_t *record,
+                              const tf_frame_t *frame) {
+  if (!record->is_open) {
+    return;
+  }
+  if (frame->type == TF_DOWN_SCHEMA && !record->has_schema) {
+    put_row(record, frame->tick, frame->type, frame->payload, frame->length,
+            CLI_RECORD_SCHEMA);
+    record->has_schema = true;
+  }
+  if (frame->type != TF_DOWN_STATE || !record->has_schema) {
+    return;
+  }
+  memcpy(record->state, frame->payload, frame->length);
+  record->tick = frame->tick;
+  record->length = frame->length;
+  record->has_state = true;
+}
+
+void cli_session_record_command(cli_session_record_t *record,
+                                const cli_board_command_t *command,
+                                bool is_float, uint64_t tick) {
+  uint8_t data[TF_FRAME_PAYLOAD];
+  if (!record->is_open || command->type == TF_UP_DESCRIBE) {
+    return;
+  }
+  record->has_state = false;
+  const size_t length = (size_t)(put_data(data, command, is_float) - data);
+  put_row(record, tick, command->type, data, length, command->text);
+}
+
+int cli_session_record_close(cli_session_record_t *record, int code) {
+  if (!record->is_open) {
+    return code;
+  }
+  if (record->has_state) {
+    put_row(record, record->tick, TF_DOWN_STATE, record->state, record->length,
+            "state");
+  }
+  if (code == CLI_DONE) {
+    char line[CLI_TRAILER_ROOM];
+    (void)cli_output_lines(
+        &record->output, line,
+        cli_trailer_line(&record->trailer, &cli_whole_shard, line));
+  }
+  return cli_output_end(&record->output, code);
 }

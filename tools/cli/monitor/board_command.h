@@ -18,7 +18,7 @@ typedef struct {
   uint8_t type;          ///< tf_type_t
   uint8_t index;         ///< of a parameter, or a rule
   uint32_t seed;         ///< of a rule, or the steps of `deadman`
-  const char *number[4]; ///< as typed, converted in the real type of the board
+  const char *number[5]; ///< as typed, converted in the real type of the board
   size_t numbers;
 } cli_board_command_t;
 
@@ -38,13 +38,7 @@ typedef struct {
   uint8_t key[TF_KEY_BYTES];
 } cli_board_commands_t;
 
-/// Appends a command.
 int cli_board_commands_add(cli_board_commands_t *commands, const char *text);
-
-/// Writes the data of a command, in the real type of the board.
-/// Returns: their length.
-size_t cli_board_command_data(const cli_board_command_t *command, bool is_float,
-                              uint8_t data[TF_FRAME_PAYLOAD]);
 
 /// Makes the frame of the next command, if no answer is awaited.
 /// wire: out, TF_FRAME_SIZE(TF_FRAME_PAYLOAD).
@@ -74,10 +68,8 @@ typedef struct {
   uint8_t state[TF_FRAME_PAYLOAD];
 } cli_session_record_t;
 
-/// Opens the file of --record.
 int cli_session_record_open(cli_session_record_t *record, const char *path);
 
-/// Takes note of a frame from the board.
 void cli_session_record_frame(cli_session_record_t *record,
                               const tf_frame_t *frame);
 
@@ -86,7 +78,6 @@ void cli_session_record_command(cli_session_record_t *record,
                                 const cli_board_command_t *command,
                                 bool is_float, uint64_t tick);
 
-/// Closes the file.
 /// Returns: code; CLI_STOPPED after a message if it was CLI_DONE.
 int cli_session_record_close(cli_session_record_t *record, int code);
 

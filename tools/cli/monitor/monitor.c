@@ -13,9 +13,9 @@
 #include "../host/source.h"
 #include "../live/live.h"
 #include "../text/message.h"
+#include "../text/summary.h"
 #include "board_command.h"
 #include "monitor_summary.h"
-#include "receiver.h"
 
 #define WAIT 100 // for bytes, and between two attempts to open a device [ms]
 #define BLOCK 65536
@@ -91,30 +91,26 @@ static bool take_block(monitor_t *monitor, size_t length) {
   cli_csv_t row;
   char line[CLI_ROW_ROOM];
   const cli_stream_t *as = monitor->as;
-  monitor->seen.bytes += length;
-  while (tf_decoder_block(&monitor->seen.decoder, at, length, &taken, &frame)) {
+  cli_seen_t *seen = &monitor->seen;
+  seen->bytes += length;
+  seen->is_device = monitor->source.is_device;
+  while (tf_decoder_block(&seen->decoder, at, length, &taken, &frame)) {
     at += taken;
     length -= taken;
     if (frame.type == TF_DOWN_ANSWER) {
       const cli_board_command_t *done = cli_board_commands_answer(
-          &monitor->commands, &frame, &monitor->seen.receiver);
+          &monitor->commands, &frame, &seen->receiver);
       if (done != NULL) {
         cli_session_record_command(&monitor->record, done,
-                                   monitor->seen.receiver.is_float, frame.tick);
+                                   seen->receiver.is_float, frame.tick);
       }
     }
     cli_session_record_frame(&monitor->record, &frame);
-    const bool completes =
-        cli_receiver_take(&monitor->seen.receiver, &frame, &row);
-    cli_damage_frame(&monitor->seen.damage, monitor->source.is_device,
-                     frame.type, &monitor->seen.receiver,
-                     &monitor->seen.decoder);
-    cli_flagged_frame(&monitor->seen.flagged, &frame, &monitor->seen.receiver,
-                      completes ? &row : NULL);
+    const bool completes = cli_receiver_take(&seen->receiver, &frame, &row);
+    cli_seen_frame(seen, frame.type, completes ? &row : NULL);
     if (!completes) {
       continue;
     }
-    cli_damage_row(&monitor->seen.damage, &row, monitor->seen.receiver.tick);
     note(monitor->live, &row);
     if (as != NULL &&
         !(begin_rows(monitor) &&
@@ -263,40 +259,31 @@ static int judge_stop(const monitor_t *monitor, int code) {
   return code;
 }
 
-// Where all frames are right, they may still be of more than one run, or of a
-// part of one. With --follow a board may be started again.
-static int judge_whole(const monitor_t *monitor) {
-  const char *name = monitor->source.name;
-  if (monitor->seen.decoder.restarts > 0 && !monitor->args->follow) {
-    return cli_message(CLI_DAMAGED,
-                       "%s: the sender was started again, or frames came "
-                       "twice: these are rows of more than one run",
-                       name);
+// What is wrong with the stream as a whole, NULL: nothing. Where all frames are
+// right, they may still be of more than one run, or of a part of one. With
+// --follow a board may be started again.
+static const char *fault_of(const monitor_t *monitor) {
+  const cli_seen_t *seen = &monitor->seen;
+  if (cli_seen_missing(seen) > 0) {
+    return "frames were lost or broken, as is counted";
   }
-  return monitor->at_end && monitor->seen.damage.is_open
-             ? cli_message(CLI_DAMAGED,
-                           "%s: ends before its run: the heartbeat that ends "
-                           "it has not come",
-                           name)
-             : CLI_DONE;
-}
-
-// Whether the rows are all of one stream. A file of others does not get its
-// name, by which it would say that they are.
-static bool is_whole(const monitor_t *monitor) {
-  return monitor->seen.decoder.frames > 0 &&
-         cli_damage_missing(&monitor->seen.damage, &monitor->seen.receiver,
-                            &monitor->seen.decoder) == 0 &&
-         (monitor->seen.decoder.restarts == 0 || monitor->args->follow) &&
-         !(monitor->at_end && monitor->seen.damage.is_open);
+  if (seen->decoder.restarts > 0 && !monitor->args->follow) {
+    return "the sender was started again, or frames came twice: these are rows "
+           "of more than one run";
+  }
+  return monitor->at_end && seen->is_open
+             ? "ends before its run: the heartbeat that ends it has not come"
+             : NULL;
 }
 
 static int judge_stream(const monitor_t *monitor, int code) {
-  const cli_damage_t *damage = &monitor->seen.damage;
-  if (code == CLI_DONE && monitor->commands.refused > 0) {
-    return CLI_REFUSED;
+  const cli_seen_t *seen = &monitor->seen;
+  const tf_tally_t flagged = cli_seen_flagged(seen);
+  const char *fault = fault_of(monitor);
+  if (code != CLI_DONE || monitor->commands.refused > 0) {
+    return code != CLI_DONE ? code : CLI_REFUSED;
   }
-  const tf_decoder_t *decoder = &monitor->seen.decoder;
+  const tf_decoder_t *decoder = &seen->decoder;
   if (decoder->frames == 0 && decoder->bad_version > 0) {
     return cli_message(CLI_STOPPED,
                        "%s: its protocol is version %u, here it is %d: build "
@@ -304,21 +291,14 @@ static int judge_stream(const monitor_t *monitor, int code) {
                        monitor->args->source, (unsigned)decoder->version,
                        TF_FRAME_VERSION);
   }
-  if (code == CLI_DONE && decoder->frames == 0) {
+  if (decoder->frames == 0) {
     return cli_message(CLI_STOPPED, "%s: no frame of protocol version %d",
                        monitor->args->source, TF_FRAME_VERSION);
   }
-  if (code == CLI_DONE && cli_damage_missing(damage, &monitor->seen.receiver,
-                                             &monitor->seen.decoder) > 0) {
-    return cli_message(CLI_DAMAGED,
-                       "%s: frames were lost or broken, as is counted",
-                       monitor->source.name);
+  if (fault != NULL) {
+    return cli_message(CLI_DAMAGED, "%s: %s", monitor->source.name, fault);
   }
-  code = code == CLI_DONE ? judge_whole(monitor) : code;
-  if (code == CLI_DONE && damage->not_finite > 0) {
-    return CLI_DAMAGED;
-  }
-  return code == CLI_DONE ? cli_flagged_code(&monitor->seen.flagged) : code;
+  return seen->not_finite > 0 ? CLI_DAMAGED : cli_tally_code(&flagged);
 }
 
 static int perform(monitor_t *monitor) {
@@ -334,7 +314,11 @@ static int perform(monitor_t *monitor) {
   code = judge_stop(monitor, follow_stream(monitor));
   write_title(monitor, title);
   cli_live_close(monitor->live, title);
-  const int whole = is_whole(monitor) ? code : CLI_DAMAGED;
+  // A file of rows that are not all of one stream does not get its name, by
+  // which it would say that they are.
+  const bool is_whole =
+      monitor->seen.decoder.frames > 0 && fault_of(monitor) == NULL;
+  const int whole = is_whole ? code : CLI_DAMAGED;
   int closed = whole;
   if (monitor->as != NULL) {
     (void)begin_rows(monitor); // a stream without a row has a header, too

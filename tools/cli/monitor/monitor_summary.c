@@ -1,5 +1,9 @@
 // Both forms of the summary have the same counts. What a board has not told is
 // left out of the text and is null in JSON.
+//
+// A file of frames and a pipe begin where the sender began: everything in them
+// that is not a frame is damage. A line does not: whoever starts to listen
+// hears half a frame first, and states that mean nothing before the schema.
 
 #include "monitor_summary.h"
 
@@ -11,68 +15,99 @@
 #include "../text/commit.h"
 #include "../text/number.h"
 #include "../text/summary.h"
-#include "receiver.h"
 
-static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
-
-// A board that was started again counts from 0, and what it reported before
-// holds.
-static void raise_to(tf_tally_t *tally, tf_tally_t least) {
-  tally->degraded = larger(tally->degraded, least.degraded);
-  tally->fell_back = larger(tally->fell_back, least.fell_back);
-  tally->coarse = larger(tally->coarse, least.coarse);
-  tally->stalled = larger(tally->stalled, least.stalled);
+// The decoder counts modulo 2^32: so does this sum, and a frame adds far less.
+static uint32_t counted(const tf_decoder_t *decoder) {
+  return decoder->lost + decoder->bad + decoder->too_long +
+         decoder->bad_version;
 }
 
-static void note_report(cli_flagged_t *flagged, const cli_receiver_t *receiver,
-                        const cli_csv_t *row) {
-  const bool repeats = flagged->has_report && flagged->tick == receiver->tick;
-  flagged->has_report = true;
-  flagged->tick = receiver->tick;
-  if (repeats) {
-    return;
-  }
-  const uint64_t none = cli_tally_reserved(&flagged->reported);
-  tf_tally_count(&flagged->reported, receiver->tick, receiver->status);
-  if (none == 0) {
-    flagged->first = row->column[0];
-  }
+static uint64_t missing_so_far(const cli_seen_t *seen) {
+  return seen->missed +
+         (uint32_t)(counted(&seen->decoder) - seen->last_counted) +
+         seen->receiver.incomplete;
 }
 
-void cli_flagged_frame(cli_flagged_t *flagged, const tf_frame_t *frame,
-                       const cli_receiver_t *receiver, const cli_csv_t *row) {
-  if (frame->type == TF_DOWN_HEARTBEAT && receiver->has_heartbeat) {
-    const tf_heartbeat_t *beat = &receiver->heartbeat;
-    raise_to(&flagged->counted,
-             (tf_tally_t){beat->degraded, beat->fell_back, beat->coarse,
-                          beat->stalled, 0, 0});
-  } else if (frame->type == TF_DOWN_REPORT && row != NULL) {
-    note_report(flagged, receiver, row);
+// A count that went back is that of a board that was started again, and counts
+// from 0; one that went on may have passed 2^32.
+static void note_dropped(cli_seen_t *seen, uint32_t told) {
+  const uint32_t more = told - seen->last_told;
+  if (seen->has_told) {
+    seen->dropped += more <= UINT32_MAX / 2 ? more : told;
+  }
+  seen->has_told = true;
+  seen->last_told = told;
+}
+
+static void note_row(cli_seen_t *seen, const cli_csv_t *row) {
+  bool finite = true;
+  for (size_t i = 0; i < row->columns; i++) {
+    finite = finite && isfinite(row->column[i]);
+  }
+  if (!finite && seen->not_finite++ == 0) {
+    seen->first_tick = seen->receiver.tick;
   }
 }
 
-// The steps that are known to be flagged.
-static tf_tally_t flagged_tally(const cli_flagged_t *flagged) {
-  tf_tally_t tally = flagged->counted;
-  raise_to(&tally, flagged->reported);
+// Of each count the larger one.
+static tf_tally_t most(const tf_tally_t *a, const tf_tally_t *b) {
+  tf_tally_t tally = *a;
+  tally.degraded = a->degraded > b->degraded ? a->degraded : b->degraded;
+  tally.fell_back = a->fell_back > b->fell_back ? a->fell_back : b->fell_back;
+  tally.coarse = a->coarse > b->coarse ? a->coarse : b->coarse;
+  tally.stalled = a->stalled > b->stalled ? a->stalled : b->stalled;
   return tally;
 }
 
-// Prints the line of the summary if the stream has any status.
-static void print_flagged(const cli_flagged_t *flagged,
-                          const cli_receiver_t *receiver) {
-  const tf_tally_t tally = flagged_tally(flagged),
-                   *reported = &flagged->reported;
-  if (flagged->has_report || receiver->has_heartbeat) {
-    cli_tally_print(
-        &tally, "first reported",
-        cli_tally_reserved(reported) > 0 ? flagged->first : (double)NAN);
+static void note_report(cli_seen_t *seen, const cli_csv_t *row) {
+  const cli_receiver_t *receiver = &seen->receiver;
+  const bool repeats = seen->has_report && seen->tick == receiver->tick;
+  seen->has_report = true;
+  seen->tick = receiver->tick;
+  if (repeats) {
+    return;
+  }
+  if (cli_tally_reserved(&seen->reported) == 0) {
+    seen->first = row->column[0];
+  }
+  tf_tally_count(&seen->reported, receiver->tick, receiver->status);
+}
+
+void cli_seen_frame(cli_seen_t *seen, uint8_t type, const cli_csv_t *row) {
+  const cli_receiver_t *receiver = &seen->receiver;
+  const tf_heartbeat_t *beat = &receiver->heartbeat;
+  seen->missed += (uint32_t)(counted(&seen->decoder) - seen->last_counted);
+  seen->last_counted = counted(&seen->decoder);
+  if (receiver->has_schema && !seen->heard) {
+    seen->heard = true;
+    seen->before = seen->is_device ? missing_so_far(seen) : 0;
+  }
+  seen->is_open = receiver->ends && type != TF_DOWN_HEARTBEAT;
+  if (receiver->has_heartbeat) {
+    note_dropped(seen, beat->dropped);
+    // A board that was started again counts from 0, and what it reported before
+    // holds.
+    const tf_tally_t told = {.degraded = beat->degraded,
+                             .fell_back = beat->fell_back,
+                             .coarse = beat->coarse,
+                             .stalled = beat->stalled};
+    seen->counted = most(&seen->counted, &told);
+  }
+  if (type == TF_DOWN_REPORT && row != NULL) {
+    note_report(seen, row);
+  }
+  if (row != NULL) {
+    note_row(seen, row);
   }
 }
 
-int cli_flagged_code(const cli_flagged_t *flagged) {
-  const tf_tally_t tally = flagged_tally(flagged);
-  return cli_tally_code(&tally);
+uint64_t cli_seen_missing(const cli_seen_t *seen) {
+  return missing_so_far(seen) + seen->receiver.has_state - seen->before +
+         seen->dropped;
+}
+
+tf_tally_t cli_seen_flagged(const cli_seen_t *seen) {
+  return most(&seen->counted, &seen->reported);
 }
 
 static void print_board(const tf_heartbeat_t *beat) {
@@ -117,7 +152,12 @@ void cli_seen_print(const cli_seen_t *seen) {
   if (receiver->has_heartbeat) {
     print_board(&receiver->heartbeat);
   }
-  print_flagged(&seen->flagged, receiver);
+  if (seen->has_report || receiver->has_heartbeat) {
+    const tf_tally_t tally = cli_seen_flagged(seen);
+    cli_tally_print(
+        &tally, "first reported",
+        cli_tally_reserved(&seen->reported) > 0 ? seen->first : (double)NAN);
+  }
   if (receiver->has_schema && receiver->rows > 0) {
     (void)fprintf(stderr,
                   "last       step %" PRIu64
@@ -126,12 +166,12 @@ void cli_seen_print(const cli_seen_t *seen) {
                   receiver->tick, receiver->state[0], receiver->state[1],
                   receiver->state[2], tf_mode_name(receiver->mode));
   }
-  if (seen->damage.not_finite > 0) {
+  if (seen->not_finite > 0) {
     (void)fprintf(stderr,
                   "values     %" PRIu64
                   " rows with one that is not finite, first at step %" PRIu64
                   "\n",
-                  seen->damage.not_finite, seen->damage.first_tick);
+                  seen->not_finite, seen->first_tick);
   }
 }
 
@@ -160,9 +200,8 @@ static void put_line(const cli_seen_t *seen) {
   cli_put_count("too_long", decoder->too_long);
   cli_put_count("other_version", decoder->bad_version);
   cli_put_count("restarts", decoder->restarts);
-  cli_put_count("missing",
-                cli_damage_missing(&seen->damage, receiver, decoder));
-  cli_put_count("not_finite", seen->damage.not_finite);
+  cli_put_count("missing", cli_seen_missing(seen));
+  cli_put_count("not_finite", seen->not_finite);
 }
 
 static void put_board(const cli_receiver_t *receiver) {
@@ -189,16 +228,16 @@ static void put_last(const cli_receiver_t *receiver) {
   }
   (void)fputs("\"last\": {", stderr);
   cli_put_count("step", receiver->tick);
-  cli_put_number("r", receiver->state[0], receiver->is_float);
-  (void)fputs(", ", stderr);
-  cli_put_number("v", receiver->state[1], receiver->is_float);
-  (void)fputs(", ", stderr);
-  cli_put_number("omega", receiver->state[2], receiver->is_float);
-  (void)fprintf(stderr, ", \"mode\": \"%s\"}, ", tf_mode_name(receiver->mode));
+  for (int i = 0; i < 3; i++) {
+    static const char *const names[] = {"r", "v", "omega"};
+    cli_put_number(names[i], receiver->state[i], receiver->is_float);
+    (void)fputs(", ", stderr);
+  }
+  (void)fprintf(stderr, "\"mode\": \"%s\"}, ", tf_mode_name(receiver->mode));
 }
 
 void cli_seen_put(const cli_seen_t *seen, int code) {
-  const tf_tally_t tally = flagged_tally(&seen->flagged);
+  const tf_tally_t tally = cli_seen_flagged(seen);
   (void)fputs("{", stderr);
   cli_put_word("version", TF_VERSION);
   cli_put_word("commit", cli_commit);

@@ -7,6 +7,12 @@
 #include "receiver.h"
 
 typedef struct {
+  const char *source; ///< name of the file or device
+  bool is_device;     ///< the stream began before it was read
+  cli_receiver_t receiver;
+  tf_decoder_t decoder;
+  uint64_t bytes;
+
   uint64_t missed;       ///< of what the decoder counts, without end
   uint32_t last_counted; ///< by the decoder, modulo 2^32
   uint64_t before;     ///< missing before a device was heard from its start on
@@ -17,50 +23,26 @@ typedef struct {
   bool is_open;        ///< the stream has an end, which has not come yet
   uint64_t not_finite; ///< rows with a value that is not finite
   uint64_t first_tick; ///< of the first of these
-} cli_damage_t;
 
-/// Takes note of a frame of a type that the receiver has taken. is_device: the
-/// stream began before it was read, so what came before the first schema is not
-/// a loss.
-void cli_damage_frame(cli_damage_t *damage, bool is_device, uint8_t type,
-                      const cli_receiver_t *receiver,
-                      const tf_decoder_t *decoder);
-
-/// Takes note of a row.
-void cli_damage_row(cli_damage_t *damage, const cli_csv_t *row, uint64_t tick);
-
-/// Frames that were lost, broken or dropped, and states without their report.
-uint64_t cli_damage_missing(const cli_damage_t *damage,
-                            const cli_receiver_t *receiver,
-                            const tf_decoder_t *decoder);
-
-/// The steps of a stream that cannot be trusted to their bound. A report is
-/// of its own step alone, and a heartbeat of all steps up to itself: each may
-/// count steps that the other does not.
-typedef struct {
+  // The steps that cannot be trusted to their bound. A report is of its own
+  // step alone, and a heartbeat of all steps up to itself: each may count steps
+  // that the other does not.
   tf_tally_t reported; ///< steps whose report has come
   tf_tally_t counted;  ///< most steps that a heartbeat has counted
   double first;        ///< time of the first one among the reported [s]
   uint64_t tick;       ///< of the last report
   bool has_report;     ///< there was one
-} cli_flagged_t;
+} cli_seen_t;
 
 /// Takes note of a frame that the receiver has taken, which a board that stands
 /// still may repeat. row: in, the row that the frame completes, or NULL.
-void cli_flagged_frame(cli_flagged_t *flagged, const tf_frame_t *frame,
-                       const cli_receiver_t *receiver, const cli_csv_t *row);
+void cli_seen_frame(cli_seen_t *seen, uint8_t type, const cli_csv_t *row);
 
-/// Returns: CLI_FLAGGED or CLI_DONE.
-int cli_flagged_code(const cli_flagged_t *flagged);
+/// Frames that were lost, broken or dropped, and states without their report.
+uint64_t cli_seen_missing(const cli_seen_t *seen);
 
-typedef struct {
-  const char *source; ///< name of the file or device
-  cli_receiver_t receiver;
-  tf_decoder_t decoder;
-  cli_damage_t damage;
-  cli_flagged_t flagged;
-  uint64_t bytes;
-} cli_seen_t;
+/// The steps that are known to be flagged.
+tf_tally_t cli_seen_flagged(const cli_seen_t *seen);
 
 /// The summary for a person, on standard error.
 void cli_seen_print(const cli_seen_t *seen);

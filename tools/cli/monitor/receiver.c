@@ -57,7 +57,6 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   const double before = receiver->dt;
   receiver->is_float = at[0] == 4;
   receiver->hash = (uint32_t)tf_wire_get(at + 9, 4);
-  receiver->wants_tag = (at[4] & 16u) != 0;
   receiver->ends = (at[4] & 32u) != 0;
   receiver->session = (uint32_t)tf_wire_get(at + 13, 4);
   receiver->sequence = (uint32_t)tf_wire_get(at + 17, 4);
@@ -110,7 +109,6 @@ static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
   }
   receiver->mode = at[0];
   receiver->choices = at[2];
-  receiver->source = at[4];
   receiver->status = (tf_status_t)(at[3] < 128 ? at[3] : (int)at[3] - 256);
   receiver->has_state = false;
   receiver->rows++;
@@ -131,11 +129,6 @@ static bool take_compact(cli_receiver_t *receiver, const tf_frame_t *frame,
   receiver->rows++;
   fill_row(receiver, 4, row);
   return true;
-}
-
-static void take_heartbeat(cli_receiver_t *receiver, const tf_frame_t *frame) {
-  tf_read_heartbeat(frame->payload, &receiver->heartbeat);
-  receiver->has_heartbeat = true;
 }
 
 // Bytes of a payload of fixed length; 0 where the length depends on the data.
@@ -185,7 +178,8 @@ bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
     case TF_DOWN_COMPACT:
       return take_compact(receiver, frame, row);
     case TF_DOWN_HEARTBEAT:
-      take_heartbeat(receiver, frame);
+      tf_read_heartbeat(frame->payload, &receiver->heartbeat);
+      receiver->has_heartbeat = true;
       return false;
     case TF_DOWN_ANSWER:
     case TF_DOWN_LAYOUT:

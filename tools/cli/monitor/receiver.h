@@ -13,10 +13,9 @@
 typedef struct {
   bool has_schema;
   bool is_float;
-  double dt;     ///< [s]
-  double base;   ///< time = base + tick dt; not 0 once dt was changed [s]
-  uint32_t hash; ///< of the parameters
-  bool wants_tag;
+  double dt;         ///< [s]
+  double base;       ///< time = base + tick dt; not 0 once dt was changed [s]
+  uint32_t hash;     ///< of the parameters
   bool ends;         ///< the stream has an end, which is a heartbeat
   uint32_t session;  ///< that commands have to name
   uint32_t sequence; ///< least number of a command that is still taken
@@ -26,7 +25,7 @@ typedef struct {
   uint64_t tick;    ///< of the state
   double state[4];  ///< r, v, omega, phi
   double report[6]; ///< h, g, F, M, delassus, residual
-  uint8_t mode, choices, source;
+  uint8_t mode, choices;
   tf_status_t status; ///< of the last report
   bool has_state;     ///< a state has come, its report not yet
   bool early;         ///< ... before the schema
@@ -39,13 +38,11 @@ typedef struct {
   uint64_t unknown;    ///< frames of unknown type or length
 } cli_receiver_t;
 
-/// Takes a frame.
 /// row: out, written if the frame completes a row.
 /// Returns: whether it does.
 bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
                        cli_csv_t *row);
 
-/// Reads a real of the sender's type.
 double cli_receiver_real(const cli_receiver_t *receiver, const uint8_t *at);
 
 #endif

@@ -75,55 +75,31 @@ static void add_modes(unsigned modes, cli_buffer_t *text) {
   }
 }
 
-// A share of all steps; there is none without a step.
-static double share(const cli_course_t *course, uint64_t part) {
-  return (double)part / (double)course->steps;
-}
-
-// The number, NaN where there is none.
+// The number, NaN where there is none. A share is one of all steps; there is
+// none without a step.
 static double number_of(cli_measure_t measure, const cli_course_t *course) {
-  const double none = (double)NAN;
+  const double none = (double)NAN, steps = (double)course->steps;
   const uint64_t arrivals = course->events.counts[CLI_TWO_FOLD];
-  switch (measure) {
-    case CLI_REST:
-      return course->report.mode == TF_PINNED ? course->pinned_since : none;
-    case CLI_ARRIVAL:
-      return arrivals > 0 ? course->first_arrival : none;
-    case CLI_RECURRENCE:
-      return arrivals > 1 ? (course->last_arrival - course->first_arrival) /
-                                (double)(arrivals - 1)
-                          : none;
-    case CLI_AMBIGUOUS:
-      return course->ambiguity.since;
-    case CLI_AMBIGUOUS_SHARE:
-      return share(course, course->ambiguity.steps);
-    case CLI_STICK_SHARE:
-      return share(course, course->stuck);
-    case CLI_ENERGY:
-      return course->energy;
-    case CLI_ENERGY_CHANGE:
-      return course->energy - course->energy_at_start;
-    case CLI_R_LOW:
-      return course->r_low;
-    case CLI_R_HIGH:
-      return course->r_high;
-    case CLI_END_R:
-      return (double)course->state.r;
-    case CLI_END_V:
-      return (double)course->state.v;
-    case CLI_END_OMEGA:
-      return (double)course->state.w;
-    case CLI_END_H:
-      return (double)course->report.slip.h;
-    case CLI_END_G:
-      return (double)course->report.slip.g;
-    case CLI_MODES:
-    case CLI_FINAL:
-    case CLI_CHANGES:
-    case CLI_ARRIVALS:
-    default:
-      return none;
-  }
+  const bool rests = course->report.mode == TF_PINNED;
+  const double between = course->last_arrival - course->first_arrival;
+  const double values[CLI_MEASURES] = {
+      [CLI_REST] = rests ? course->pinned_since : none,
+      [CLI_ARRIVAL] = arrivals > 0 ? course->first_arrival : none,
+      [CLI_RECURRENCE] = arrivals > 1 ? between / (double)(arrivals - 1) : none,
+      [CLI_AMBIGUOUS] = course->ambiguity.since,
+      [CLI_AMBIGUOUS_SHARE] = (double)course->ambiguity.steps / steps,
+      [CLI_STICK_SHARE] = (double)course->stuck / steps,
+      [CLI_ENERGY] = course->energy,
+      [CLI_ENERGY_CHANGE] = course->energy - course->energy_at_start,
+      [CLI_R_LOW] = course->r_low,
+      [CLI_R_HIGH] = course->r_high,
+      [CLI_END_R] = (double)course->state.r,
+      [CLI_END_V] = (double)course->state.v,
+      [CLI_END_OMEGA] = (double)course->state.w,
+      [CLI_END_H] = (double)course->report.slip.h,
+      [CLI_END_G] = (double)course->report.slip.g,
+  };
+  return values[measure];
 }
 
 void cli_measure_add(cli_measure_t measure, const cli_course_t *course,

@@ -53,7 +53,6 @@ typedef struct {
   double r_low, r_high;               ///< [m]
 } cli_course_t;
 
-/// Begins with the state at t = 0.
 void cli_course_begin(cli_course_t *course, const tf_state_t *state,
                       const tf_report_t *report);
 
@@ -61,7 +60,6 @@ void cli_course_begin(cli_course_t *course, const tf_state_t *state,
 void cli_course_see(cli_course_t *course, double t, const tf_state_t *state,
                     const tf_report_t *report);
 
-/// Appends an outcome; nothing where it did not happen.
 void cli_measure_add(cli_measure_t measure, const cli_course_t *course,
                      cli_buffer_t *text);
 

@@ -90,15 +90,6 @@ static void add_scene(uint32_t hash, cli_buffer_t *text) {
   cli_add(text, ")\n");
 }
 
-// The shards of a run have all of this in common.
-static void name_run(cli_sheet_t *sheet, uint32_t hash) {
-  char command[CLI_PROLOGUE_ROOM];
-  cli_buffer_t text = {command, 0, sizeof command, false};
-  add_command(sheet, &text);
-  add_scene(hash, &text);
-  cli_trailer_name(&sheet->trailer, command, text.used);
-}
-
 static void add_unit(cli_buffer_t *text, const char *name, const char *unit) {
   if (unit[0] != '\0') {
     cli_add_form(text, " %s %s,", name, unit);
@@ -125,13 +116,20 @@ static bool make_prologue(cli_sheet_t *sheet, uint32_t hash) {
   }
   sheet->header = text.used;
   add_command(sheet, &text);
+  const size_t command = text.used;
   cli_add_form(&text, " --shard %" PRIu64 "/%" PRIu64, sheet->args->shard.index,
                sheet->args->shard.of);
+  const size_t scene = text.used;
   add_scene(hash, &text);
+  // The shards of a run have command and scene in common.
+  cli_trailer_t run = {0, 0, 0};
+  cli_trailer_add(&run, sheet->prologue + sheet->header,
+                  command - sheet->header, 0);
+  cli_trailer_add(&run, sheet->prologue + scene, text.used - scene, 0);
+  sheet->trailer.run = run.crc;
   add_units(sheet->args, &text);
   sheet->length = text.used;
   cli_trailer_add(&sheet->trailer, sheet->prologue, sheet->header, 0);
-  name_run(sheet, hash);
   return !text.truncated;
 }
 
@@ -243,16 +241,12 @@ int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep,
   if (code != CLI_DONE) {
     return code;
   }
-  if (sheet->output.to.beside) {
-    code = look_at_part(sheet, &kept);
-  }
+  code = sheet->output.to.beside ? look_at_part(sheet, &kept) : CLI_DONE;
   if (code != CLI_DONE) {
     (void)cli_output_close(&sheet->output, false);
     return code;
   }
-  if (sheet->output.to.beside) {
-    (void)cli_output_go_on(&sheet->output, kept);
-  }
+  cli_output_go_on(&sheet->output, kept);
   if (kept == 0) {
     (void)cli_output_lines(&sheet->output, sheet->prologue, sheet->length);
   }

@@ -20,23 +20,12 @@
 #define FLUSH_EVERY 0.2 // [s], so at most so much work is lost by a kill
 
 typedef struct {
-  const cli_args_t *args;
   cli_sweep_t sweep;
   cli_sheet_t *sheet;
   uint64_t done; ///< points of this call
   uint64_t ends[CLI_POINT_ENDS];
   cli_progress_t progress;
 } work_t;
-
-static void show_progress(work_t *work, double now) {
-  const cli_sheet_t *sheet = work->sheet;
-  const uint64_t points = sheet->end - sheet->first;
-  const double done = (double)work->done;
-  cli_progress_say(&work->progress, now, done / (double)(points - sheet->kept),
-                   "%" PRIu64 " of %" PRIu64 " points, %.3g points/s",
-                   sheet->kept + work->done, points,
-                   done / (now - work->progress.started));
-}
 
 // Returns: CLI_DONE, or CLI_STOPPED; where the output failed, the message is
 // that of cli_sheet_close.
@@ -61,9 +50,13 @@ static int do_points(work_t *work) {
         !cli_output_flush(&sheet->output)) {
       return CLI_STOPPED;
     }
-    if (cli_progress_due(&work->progress, now)) {
-      show_progress(work, now);
-    }
+    const uint64_t points = sheet->end - sheet->first;
+    const double done = (double)work->done;
+    cli_progress_say(&work->progress, now,
+                     done / (double)(points - sheet->kept),
+                     "%" PRIu64 " of %" PRIu64 " points, %.3g points/s",
+                     sheet->kept + work->done, points,
+                     done / (now - work->progress.started));
   }
   return CLI_DONE;
 }
@@ -92,7 +85,7 @@ static void summarise(const work_t *work, double seconds) {
 static void summarise_json(const work_t *work, double seconds, int code) {
   const cli_sheet_t *sheet = work->sheet;
   cli_put_begin("sweep");
-  cli_put_word("scene", work->args->scene->name);
+  cli_put_word("scene", work->sweep.args->scene->name);
   cli_put_word("scheme", work->sweep.scheme->name);
   cli_put_count("points", sheet->end - sheet->first);
   cli_put_count("kept", sheet->kept);
@@ -110,8 +103,8 @@ static int perform(work_t *work, uint32_t hash) {
   }
   if (sheet->whole) {
     (void)cli_message(CLI_DONE, "%s has all of its %" PRIu64 " points",
-                      work->args->out, sheet->kept);
-    if (work->args->summary != 0) {
+                      work->sweep.args->out, sheet->kept);
+    if (work->sweep.args->summary != 0) {
       summarise_json(work, 0, CLI_DONE);
     }
     return CLI_DONE;
@@ -121,13 +114,13 @@ static int perform(work_t *work, uint32_t hash) {
   cli_progress_clear(&work->progress);
   code = cli_sheet_close(sheet, code);
   const double seconds = cli_now() - work->progress.started;
-  if (work->args->summary == 0) {
+  if (work->sweep.args->summary == 0) {
     summarise(work, seconds);
   }
   if (code != CLI_DONE && sheet->output.to.left) {
     (void)cli_message(code, "the same command with --resume goes on");
   }
-  if (work->args->summary != 0) {
+  if (work->sweep.args->summary != 0) {
     summarise_json(work, seconds, code);
   }
   return code;
@@ -135,8 +128,7 @@ static int perform(work_t *work, uint32_t hash) {
 
 int cli_sweep(const cli_args_t *args) {
   static cli_sheet_t sheet;
-  work_t work = {
-      .args = args, .sweep = {args, NULL, {{0}, {0}}}, .sheet = &sheet};
+  work_t work = {.sweep = {args, NULL, {{0}, {0}}}, .sheet = &sheet};
   uint32_t hash = 0;
   int code = cli_drive_read(&work.sweep.drive, args->scene, &args->drive);
   code = code == CLI_DONE ? cli_point_check(&work.sweep, &hash) : code;
@@ -152,10 +144,6 @@ int cli_sweep(const cli_args_t *args) {
 #define MAX_VALUES 1000000u            // of one axis
 #define MAX_POINTS 1000000000000000ull // exact in a double
 
-static bool is_seed(double value) {
-  return value >= 0 && value <= UINT32_MAX && floor(value) >= value;
-}
-
 // The seed is a number of rule random, not a real parameter of the machine.
 static int add_seed(const cli_args_t *args, cli_axis_t *axis) {
   const char *text = axis->range.text;
@@ -169,12 +157,12 @@ static int add_seed(const cli_args_t *args, cli_axis_t *axis) {
     }
   }
   for (uint64_t i = 0; i < axis->range.count; i++) {
-    if (!is_seed((double)cli_range_at(&axis->range, i))) {
+    const double value = (double)cli_range_at(&axis->range, i);
+    if (!(value >= 0 && value <= UINT32_MAX && floor(value) >= value)) {
       return cli_message(CLI_REFUSED,
                          "--over %s: seed must be whole numbers in "
                          "[0, 4294967295]; value %llu is %.9g",
-                         text, (unsigned long long)i + 1,
-                         (double)cli_range_at(&axis->range, i));
+                         text, (unsigned long long)i + 1, value);
     }
   }
   return CLI_DONE;

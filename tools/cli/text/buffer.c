@@ -51,9 +51,7 @@ void cli_add_form(cli_buffer_t *buffer, const char *form, ...) {
 }
 
 void cli_add_real(cli_buffer_t *buffer, tf_real_t value) {
-  char digits[CLI_REAL_ROOM];
-  (void)cli_write_real(digits, value);
-  cli_add(buffer, digits);
+  cli_add_number(buffer, (double)value, sizeof value == sizeof(float));
 }
 
 void cli_add_number(cli_buffer_t *buffer, double value, bool is_float) {

@@ -44,7 +44,6 @@ const char *cli_last_message(void);
 /// standard error again. out: in/out, kept, zero-terminated; cut off at room.
 void cli_message_divert(char *out, size_t room);
 
-/// Flushes standard output and prints a message if that fails.
 int cli_finish_stdout(void);
 
 #define CLI_CLOSEST_LONGEST 24 ///< longer words are not compared

@@ -47,12 +47,6 @@ static int unknown_option(const cli_syntax_t *syntax, const char *word) {
                      closest.hint, syntax->command);
 }
 
-static int given_twice(const cli_given_t *given) {
-  return cli_message(CLI_USAGE, "%s%s%s: %s was already given", given->name,
-                     given->value[0] != '\0' ? " " : "", given->value,
-                     given->name);
-}
-
 static bool is_option(const char *word) {
   return word[0] == '-' && word[1] != '\0';
 }
@@ -223,7 +217,9 @@ static int read_option(const cli_syntax_t *syntax, void *args, int argc,
     return cli_message(CLI_USAGE, "%s: expected a value", given.name);
   }
   if ((option->how & CLI_REPEATABLE) == 0 && seen[i]) {
-    return given_twice(&given);
+    return cli_message(CLI_USAGE, "%s%s%s: %s was already given", given.name,
+                       given.value[0] != '\0' ? " " : "", given.value,
+                       given.name);
   }
   seen[i] = true;
   return read_value(option, &given, args);

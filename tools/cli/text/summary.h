@@ -23,7 +23,6 @@ void cli_put_number(const char *key, double value, bool is_float);
 void cli_put_real(const char *key, tf_real_t value);
 void cli_put_double(const char *key, double value);
 
-/// What is not known.
 void cli_put_null(const char *key);
 
 void cli_put_count(const char *key, uint64_t value);
@@ -41,7 +40,6 @@ void cli_put_exit(int code);
 /// The same after the time that the work took [s].
 void cli_put_end(double seconds, int code);
 
-/// Whether a summary was written.
 bool cli_put_ended(void);
 
 /// Text from outside: the path of a file, what a board says of itself.

@@ -14,7 +14,6 @@ typedef struct {
   uint64_t index, of;
 } cli_shard_t;
 
-/// All of the work.
 extern const cli_shard_t cli_whole_shard;
 
 /// Reads I/N.
