@@ -5,8 +5,8 @@
 #include <assert.h>
 #include <string.h>
 
-#include "moving.h"
 #include "params.h"
+#include "told.h"
 
 typedef struct {
   tf_compensated_t machine;
@@ -21,8 +21,8 @@ typedef struct {
 
 static run_t *run_of(lib_t *lib) { return (run_t *)(void *)lib->bytes; }
 
-// The inputs of a step from one time to another, as `run --inputs FILE --between
-// linear` gives them.
+// The inputs of a step from one time to another, as `run --inputs FILE
+// --between linear` gives them.
 static void drive(run_t *run, double from, double to) {
   if (run->driven.knots > 0) {
     const told_t told = moving_told(&run->driven, from, to);

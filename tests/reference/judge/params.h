@@ -3,7 +3,7 @@
 #ifndef REFERENCE_PARAMS_H
 #define REFERENCE_PARAMS_H
 
-#include "library.h"
+#include "machine.h"
 #include "twofold.h"
 
 static inline tf_params_t params_of(const lib_machine_t *q) {

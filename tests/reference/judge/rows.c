@@ -27,8 +27,8 @@ static void in_slip(draw_t *draw, lib_machine_t *q) {
   q->v = q->d * (q->omega - q->omega0) + around(draw, 4);
 }
 
-// At rest where the spring and the turning balance but for a force that friction
-// may hold; or about to come to rest there.
+// At rest where the spring and the turning balance but for a force that
+// friction may hold; or about to come to rest there.
 static void at_rest(draw_t *draw, lib_machine_t *q) {
   const double stiffness = q->k2 - q->m * q->omega0 * q->omega0;
   const double share = 1 - draw_log(draw, 1e-3, 1);

@@ -84,7 +84,7 @@ OTHER_HEADER = re.compile(
     r'|"[^"]*")$).*', re.M)
 BRANCH = re.compile(
     r"^\s*#\s*(?:if|elif|ifdef|ifndef)\b"
-    r"(?!.*(?:TF_\w+_H|TWOFOLD_\w*H|__cplusplus|TF_STEP_MACHINE)$"
+    r"(?!.*(?:TF_\w+_H|TWOFOLD_\w*H|__cplusplus|TF_STEP_\w+)$"
     r"|.*(?:TF_REAL_FLOAT|TF_API)).*", re.M)
 # They ask the compiler for its arithmetic.
 ASKING = ("include/twofold/real.h", "src/num/rounding.h")

@@ -25,7 +25,6 @@ static int in_ranges(const tf_params_t *params) {
 
 static const char *run(const cli_args_t *args) {
   cli_setup_t setup;
-  const cli_scheme_t *scheme = &cli_schemes[args->scheme];
   FUZZ_HOLD((args->scheme < CLI_SCHEMES || args->scheme == CLI_NOT_GIVEN) &&
             args->every >= 1);
   FUZZ_HOLD(args->out == NULL || args->out[0] != '\0');
@@ -38,6 +37,7 @@ static const char *run(const cli_args_t *args) {
   if (code != CLI_DONE) return NULL;
   code = cli_setup_start(&setup);
   FUZZ_HOLD(is_code(code));
+  const cli_scheme_t *scheme = cli_scheme_for(args, setup.params.dt);
   cli_setup_notes(&setup, scheme->unused, scheme->why);
   if (code != CLI_DONE) return NULL;
   FUZZ_HOLD(fuzz_in_reach(&setup.state) && setup.state.mode < TF_MODES);
