@@ -4,9 +4,9 @@
 //
 // The velocities are z = w - omega0 and p = v - d z: p carries the kinetic
 // energy without a cross term, so that the mass matrix is diagonal and nothing
-// cancels where beta or r is small. They are against the turntable of the end of
-// the step; where a slip at its start or at the theta point is asked for, that
-// is against the turntable of that instant, see slip_at_instant().
+// cancels where beta or r is small. They are against the turntable of the end
+// of the step; where a slip at its start or at the theta point is asked for,
+// that is against the turntable of that instant, see slip_at_instant().
 #ifndef TF_LINEAR_H
 #define TF_LINEAR_H
 

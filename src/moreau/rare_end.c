@@ -139,8 +139,8 @@ static void end_turning(const free_motion_t *c, const inclusion_t *in,
   if (coarse) to->outcome.status = TF_COARSE;
 }
 
-// Whether a slip ends within its step and that changes the velocities by so much
-// that the way there counts: its force turns up to h = 0.
+// Whether a slip ends within its step and that changes the velocities by so
+// much that the way there counts: its force turns up to h = 0.
 static bool ends_by_impulse(const tf_machine_t *k, const tf_state_t *from,
                             const step_end_t *to) {
   const end_state_t at = to->end.at;
