@@ -1,10 +1,11 @@
 // The first event of a segment. An event is where a function of time vanishes
 // that has one sign throughout the segment: h, g, mu - |lambda|, A, or where
-// the wheel rests those of rest.c. These are polynomials here, up to the order of
-// the motion, so their first roots are isolated by Descartes' rule on Bernstein
-// coefficients (polynomial.h). Event-driven solvers that compare signs at the
-// ends of steps, as in Piiroinen and Kuznetsov (2008), may pass over a pair of
-// roots.
+// the wheel rests those of rest.c. These are polynomials here, up to the order
+// of the motion, so their first roots are isolated by Descartes' rule on
+// Bernstein coefficients (polynomial.h). Event-driven solvers that compare
+// signs at the ends of steps, as in Piiroinen and Kuznetsov (2008), may pass
+// over a pair of roots.
+
 #include "segment.h"
 
 // (of_p p + of_q q) / t^zeros, for a sum with a zero of that order at t = 0.

@@ -17,6 +17,7 @@
 
 #include "classes.h"
 #include "rows.h"
+#include "told.h"
 
 enum { KNOTS = 4000, DRAWS = 200, SHOWN = 6 };
 

@@ -54,10 +54,10 @@ int moving_table(const lib_machine_t *q, long steps, ref_knot_t *table,
   for (long n = 0; n < steps; ++n) {
     const double from = (double)n * q->dt, to = (double)(n + 1) * q->dt;
     const told_t u = moving_told(q, from, to);
-    real_t start = (real_t)u.omega0 - (real_t)u.alpha * q->dt;
+    ref_real_t start = (ref_real_t)u.omega0 - (ref_real_t)u.alpha * q->dt;
     bool goes_on = false;
     if (count > 0) {
-      const real_t end = table[count - 1].omega0;
+      const ref_real_t end = table[count - 1].omega0;
       if (fabsl(start - end) <= 1e-12L * (1 + fabsl(end))) {
         start = end;
         goes_on = u.alpha == before.alpha && u.force == before.force &&
@@ -71,7 +71,8 @@ int moving_table(const lib_machine_t *q, long steps, ref_knot_t *table,
       table[count++] = (ref_knot_t){from, start, u.force, u.torque};
       ++count;
     }
-    table[count - 1] = (ref_knot_t){to, (real_t)u.omega0, u.force, u.torque};
+    table[count - 1] =
+        (ref_knot_t){to, (ref_real_t)u.omega0, u.force, u.torque};
     before = u;
   }
   return count;
