@@ -80,6 +80,7 @@
 #include "../src/event/event.c"
 #include "../src/event/limit_direction.c"
 #include "../src/event/located.c"
+#include "../src/event/rest.c"
 #include "../src/event/taylor.c"
 #include "../src/event/trajectory.c"
 #include "../src/event/transition.c"

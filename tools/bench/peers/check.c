@@ -26,15 +26,29 @@ static int write_problems(const char *name) {
   for (int i = 0; i < PEER_PROBLEMS; i++) {
     const problem_t q = problem_number(i);
     const tf_params_t *p = &q.params;
-    const long double row[] = {
-        q.start[0],    q.start[2], q.h,      problem_side(&q),
-        q.length,      p->m,       p->d,     p->beta,
-        p->k2,         p->c1,      p->c2,    p->r0,
-        p->omega0,     p->mu,      p->kappa, p->gamma,
-        q.alpha,       q.end[0],   q.end[1], q.end[2],
-        q.branch_error};
+    const double row[] = {(double)q.start[0],
+                          (double)q.start[2],
+                          (double)q.h,
+                          (double)problem_side(&q),
+                          (double)q.length,
+                          p->m,
+                          p->d,
+                          p->beta,
+                          p->k2,
+                          p->c1,
+                          p->c2,
+                          p->r0,
+                          p->omega0,
+                          p->mu,
+                          p->kappa,
+                          p->gamma,
+                          (double)q.alpha,
+                          q.end[0],
+                          q.end[1],
+                          q.end[2],
+                          q.branch_error};
     for (size_t j = 0; j < sizeof row / sizeof *row; j++)
-      fprintf(file, "%.17g ", (double)row[j]);
+      fprintf(file, "%.17g ", row[j]);
     fputs("\n", file);
   }
   return fclose(file) != 0;

@@ -130,9 +130,10 @@ static int read_row(reader_t *reader, char *line) {
                        reader->name, (unsigned long long)reader->line,
                        line != NULL ? "more" : "fewer", reader->fields);
   }
-  const cli_input_row_t *end = inputs->rows + inputs->count;
-  const bool earlier = inputs->count > 0 && row.t < end[-1].t;
-  if (earlier || (inputs->count > 1 && row.t <= end[-2].t)) {
+  const cli_input_row_t *rows = inputs->rows;
+  const size_t n = inputs->count;
+  const bool earlier = n > 0 && row.t < rows[n - 1].t;
+  if (earlier || (n > 1 && row.t <= rows[n - 2].t)) {
     char text[CLI_REAL_ROOM];
     (void)cli_write_real(text, row.t);
     return refuse(reader, CLI_REFUSED, 0, text,

@@ -53,7 +53,7 @@ static const char *judge(cli_inputs_t *inputs) {
   const tf_real_t dt = TF_R(1e-3);
   FUZZ_HOLD_ALL(rows_hold(inputs));
   const tf_real_t n = inputs->rows[inputs->count / 2].t / dt;
-  const uint64_t middle = n < 1 ? 0 : n < 1e6 ? (uint64_t)n : 1000000;
+  const uint64_t middle = n < 1 ? 0 : n < TF_R(1e6) ? (uint64_t)n : 1000000;
   FUZZ_HOLD_ALL(look_up(inputs, middle, dt));
   return look_up(inputs, 0, dt);
 }
