@@ -1,6 +1,6 @@
-/* Equilibrium: a step that leaves r as it was there returns TF_OK. That one
- * which leaves it so out of equilibrium returns TF_COARSE is judged by class
- * standing of tests/reference. */
+/* Equilibrium: a step that leaves r as it was there returns TF_OK. Out of it a
+ * step that is too short to move r stalls, which class standing of
+ * tests/reference judges of any motion. */
 #include "common.h"
 
 typedef tf_status_t (*step_t)(const tf_machine_t *, tf_state_t *,
@@ -97,3 +97,25 @@ static void judge_equilibria(bool slips, int least_share) {
 
 TEST(slip_in_equilibrium_is_not_told_to_move) { judge_equilibria(true, 2); }
 TEST(stick_in_equilibrium_is_not_told_to_move) { judge_equilibria(false, 10); }
+
+/* From rest a stretched spring moves the slider by less than half of the last
+ * digit of r, in 32 steps as well. */
+TEST(step_too_short_to_move_the_slider_stalls) {
+  for (int i = 0; i < samples(400); i++) {
+    tf_params_t p = wide_params();
+    const tf_real_t rate = log_uniform(1e-4, 1e-3);
+    p.law = TF_TYRE_NONE;
+    p.d = 0;
+    p.k2 = uniform(0.1, 1);
+    p.r0 = TF_R(0.3) + p.m * rate / p.k2;
+    p.dt = (tf_real_t)sqrtl(EPSILON / (1e4L * wide(rate))) * uniform(0.3, 3);
+    const tf_machine_t k = prepared(&p);
+    const tf_input_t u = tf_input_default(&k);
+    for (size_t s = 0; s < KINDS; s++) {
+      tf_state_t x = {.r = TF_R(0.3)};
+      tf_report_t report;
+      CHECK(steps[s](&k, &x, &u, &report) == TF_STALLED);
+      CHECK(x.r == TF_R(0.3) && x.v > 0);
+    }
+  }
+}

@@ -1,7 +1,7 @@
 /* Located steps that reach h = g = 0 or leave it, against the field of slip by
  * the paper's law. */
 #include "codim2_field.h"
-#include "event/segment.h"
+#include "event/trajectory.h"
 #include "friction/codim2.h"
 
 /* Next to a limit direction the angle d off it changes with d' = c d / R, and R
@@ -41,6 +41,35 @@ TEST(exponent_of_a_limit_direction) {
     seen++;
   }
   CHECK(seen > 200);
+}
+
+/* The parts of a series, one after the other, turn the disc as far as the whole
+ * does: a slip that follows a limit direction begins in the middle of one. */
+TEST(angle_of_a_series_is_the_sum_of_its_parts) {
+  for (int n = 0; n < 200; n++) {
+    tf_params_t params = any_params(n);
+    params.with_angle = true;
+    const tf_machine_t k = prepared(&params);
+    const tf_input_t u = tf_input_default(&k);
+    static trajectory_t whole, part;
+    memset(&whole, 0, sizeof whole);
+    whole.motion.machine = &k;
+    whole.motion.input = &u;
+    whole.omega = u.omega0;
+    whole.remaining = TF_R(0.02);
+    whole.now = (phase_point_t){uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+    whole.segment = (segment_t){.contact = CONTACT_NONE};
+    CHECK(tf_begin_series(&whole));
+    part = whole;
+    tf_real_t from = 0;
+    for (int i = 1; i <= 4; i++) {
+      const tf_real_t to = TF_R(0.005) * (tf_real_t)i;
+      tf_advance(&part, from, to);
+      from = to;
+    }
+    tf_advance(&whole, 0, from);
+    CHECK_NEAR(wide(part.angle), wide(whole.angle), 64 * EPSILON);
+  }
 }
 
 /* How fast g grows in the stick on one side of g = 0. */

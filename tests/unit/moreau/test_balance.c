@@ -176,11 +176,14 @@ static real between(end_state_t a, end_state_t b) {
          fabsl(wide(a.w) - wide(b.w));
 }
 
-/* The balanced step keeps the energy to rounding and has order 2. */
+/* The balanced step keeps the energy to rounding and has order 2, which it has
+ * with damping too. */
 TEST(balanced_step_order_and_energy) {
   if (!IS_DOUBLE) SKIP("rounding of float is as large as the differences");
   for (int i = 0; i < 200; i++) {
     tf_params_t p = conservative();
+    const bool damped = i % 2;
+    if (damped) p.c1 = uniform(0.1, 1), p.c2 = uniform(0.1, 1);
     p.theta = TF_R(0.5);
     p.k2 = log_uniform(0.1, 10);
     p.beta = log_uniform(0.3, 1);
@@ -192,7 +195,58 @@ TEST(balanced_step_order_and_energy) {
     const real ab = between(a, b), bc = between(b, c);
     if (bc > 1e-9L) CHECK_NEAR(ab / bc, 4, 0.4);
     const ref_machine_t q = {PARAMETERS_OF(real, &p)};
-    CHECK_NEAR(energy_of(&q, a), energy_of(&q, place(&x)),
-               2000 * noise(&q, place(&x)));
+    if (!damped)
+      CHECK_NEAR(energy_of(&q, a), energy_of(&q, place(&x)),
+                 2000 * noise(&q, place(&x)));
   }
+}
+
+/* However strong a damper is and however long the step, the balanced step loses
+ * energy by it. */
+TEST(damping_takes_energy_from_a_balanced_step) {
+  for (int i = 0; i < samples(4000); i++) {
+    tf_params_t p = conservative();
+    p.c1 = log_uniform(1e-3, 1e6);
+    p.c2 = tap_bits() % 2 ? 0 : log_uniform(1e-3, 1e6);
+    const ref_machine_t q = {PARAMETERS_OF(real, &p)};
+    const tf_state_t x = moving();
+    const end_state_t end = far_end(p, x, wide(p.dt), 1);
+    CHECK(energy_of(&q, end) <= energy_of(&q, place(&x)) +
+                                    64 * noise(&q, place(&x)) +
+                                    64 * noise(&q, end));
+  }
+}
+
+/* How far the end of a balanced step is from (18), its equation of P, with the
+ * matrix of the true middle. */
+static real missed_at_middle(const tf_params_t *p, const tf_state_t *x,
+                             real dt) {
+  const ref_machine_t q = {PARAMETERS_OF(real, p)};
+  const end_state_t from = place(x), to = far_end(*p, *x, dt, 1);
+  const real r0 = wide(from.r), w0 = wide(from.w), r1 = wide(to.r);
+  const real w1 = wide(to.w), P0 = wide(from.v) - q.d * w0;
+  const real P1 = wide(to.v) - q.d * w1, u0 = hypotl(q.beta, r0) * w0;
+  const real u1 = hypotl(q.beta, r1) * w1, r = (r0 + r1) / 2, u = (u0 + u1) / 2;
+  const real R = (hypotl(q.beta, r0) + hypotl(q.beta, r1)) / 2;
+  const real G = q.m * r * (u / R) / R;
+  return fabsl(q.m * (P1 - P0) / dt + q.k2 * (r - q.r0) - G * u);
+}
+
+/* A guess of the middle is one power of the step better than that before it:
+ * the start is off by the first power, the second guess by the third. */
+TEST(two_guesses_miss_the_middle_by_the_third_power) {
+  real coarse = 0, fine = 0;
+  for (int i = 0; i < samples(2000); i++) {
+    tf_params_t p = conservative();
+    p.theta = TF_R(0.5);
+    p.m = 1;
+    p.k2 = uniform(0.1, 10);
+    p.beta = uniform(0.3, 1);
+    const tf_state_t x = {
+        .r = uniform(0.5, 1), .v = uniform(-1, 1), .w = uniform(-2, 2)};
+    coarse += missed_at_middle(&p, &x, 0.04L);
+    fine += missed_at_middle(&p, &x, 0.02L);
+  }
+  printf("# ratio %.2Lf\n", coarse / fine);
+  CHECK_NEAR(coarse / fine, 8, 2);
 }

@@ -41,6 +41,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 import driven
 
 EQUIVALENT = Path("tools/verify/mutation/equivalent")
+KEPT = Path("tools/verify/mutation/kept")
 CC = os.environ.get("CC") or "gcc"
 PLACE = Path(os.environ.get("BUILD") or "build", "mutation")
 BASE, PLAIN = PLACE / "base", PLACE / "plain"
@@ -130,9 +131,10 @@ class Change(NamedTuple):
     `if (a {< -> <=} b)`."""
     order: int
     file: str
-    number: int  # of those of the file
+    number: int  # of those of the file; 0: a kept one
     line: int
     text: str
+    test: str = ""  # that alone is asked
 
     def excuse(self) -> str:
         return f"{self.file}: {self.text}"
@@ -140,6 +142,9 @@ class Change(NamedTuple):
     def make(self) -> str:
         """The file with the change."""
         source = Path(self.file).read_text("utf-8")
+        if not self.number:
+            before, old, new, after = parts_of(self.text)
+            return source.replace(before + old + after, before + new + after, 1)
         at, old, new = list(changes_in(source))[self.number - 1]
         return source[:at] + new + source[at + len(old):]
 
@@ -158,6 +163,29 @@ def all_changes(seed: int) -> list[Change]:
             found.append(Change(mixed(start, text), str(file), number,
                                 source.count("\n", 0, begin) + 1, text))
     return sorted(found)
+
+
+def parts_of(text: str) -> tuple[str, ...]:
+    """Of a line with a change: what stands before it, old, new, behind it."""
+    found = re.fullmatch(r"(.*){([^{}]*) -> ([^{}]*)}(.*)", text)
+    must(found is not None, f"no change: {text}")
+    return found.groups()
+
+
+def kept_changes() -> list[Change]:
+    """Those that are tried always."""
+    found: list[Change] = []
+    for line in KEPT.read_text("utf-8").splitlines():
+        if line.startswith("src/"):
+            file, text = line.split(": ", 1)
+            before, old, _, after = parts_of(text)
+            source = Path(file).read_text("utf-8")
+            at = source.find(before + old + after)
+            must(at >= 0, f"no line of the source fits this of {KEPT}: {line}")
+            found.append(Change(0, file, 0, source.count("\n", 0, at) + 1, text))
+        elif line.startswith("  "):
+            found[-1] = found[-1]._replace(test=line.strip())
+    return found
 
 
 # What changes are tried on.
@@ -217,7 +245,8 @@ def core() -> list[Path]:
 @functools.lru_cache(maxsize=None)
 def prepare() -> list[Test]:
     """Builds all of it."""
-    sources = sorted(Path("tests").rglob("test_*.c"))
+    sources = sorted(source for source in Path("tests").rglob("test_*.c")
+                     if source.parent.name != "golden")
     print("mutation: building the tests ...", file=sys.stderr)
     done = subprocess.run(
         [*(os.environ.get("MAKE") or "make").split(), "-s", f"CC={CC}",
@@ -350,7 +379,8 @@ def tried(change: Change, tests: list[Test]) -> str:
                             os.symlink(os.path.abspath(file), link))
         (work / change.file).unlink()
         (work / change.file).write_text(change.make(), "utf-8")
-        said = Trial(change, tests, work).verdict()
+        said = Trial(change, [test for test in tests if change.test in
+                              ("", test.source.stem)], work).verdict()
     if said == "survived":
         print(f"survived: {change.excuse()}", file=sys.stderr)
     return said
@@ -392,16 +422,16 @@ def total(verdicts: list[str]) -> str:
             f"{of['same']} compile to the same, {of['invalid']} not at all")
 
 
-def survivors(seed: int) -> int:
+def survivors(seed: str) -> int:
     """How many changes of the sample of an order survive; it is reported."""
     size = int(os.environ.get("SAMPLE") or 60)
-    everything = all_changes(seed)
-    let_off = excused(everything)
-    one = sys.argv[1:3]
+    is_kept, one = seed == "kept", sys.argv[1:3]
+    everything = kept_changes() if is_kept else all_changes(int(seed))
+    let_off = set() if is_kept else excused(everything)
     sample = [change for change in everything if (
         [change.file, str(change.number)] == one if one else
         change.excuse() not in let_off)]
-    if size and not one:
+    if size and not one and not is_kept:
         sample = sample[:size]
     must(bool(sample), "there is no such change")
     tests = prepare()
@@ -420,11 +450,11 @@ def main() -> None:
     driven.begin(__file__)
     PLACE.mkdir(parents=True, exist_ok=True)
     (PLACE / "REPORT").write_text("", "utf-8")
-    seeds, most = (list(map(int, (os.environ.get(name) or default).split()))
-                   for name, default in (("SEED", "1"), ("SURVIVORS", "0")))
+    seeds, most = ((os.environ.get(name) or default).split() for name, default
+                   in (("SEED", "1"), ("SURVIVORS", "0")))
     must(len(seeds) == len(most), "a number of SURVIVORS for each SEED")
     found = list(map(survivors, seeds))  # of all, whatever the first has
-    sys.exit(any(count > limit for count, limit in zip(found, most)))
+    sys.exit(any(count > int(limit) for count, limit in zip(found, most)))
 
 
 if __name__ == "__main__":
