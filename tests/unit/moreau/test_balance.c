@@ -201,6 +201,29 @@ TEST(balanced_step_order_and_energy) {
   }
 }
 
+/* A spring that turns by 1/45 rad a step or more gains 2^-20 of the energy a step
+ * at most: what linearisation makes in a period does not add up. */
+TEST(a_stiff_spring_gains_no_energy_in_time) {
+  enum { STEPS = 50000 };
+  for (int i = 0; i < 8; i++) {
+    tf_params_t p = conservative();
+    p.m = p.r0 = 1;
+    p.k2 = log_uniform(100, 1e5);
+    p.beta = TF_R(0.5);
+    p.theta = TF_R(0.5);
+    p.dt = uniform(0.04, 0.3) / (tf_real_t)sqrt((double)p.k2);
+    sim_t s = sim_of(&p);
+    s.x = (tf_state_t){
+        .r = uniform(0.8, 1.2), .v = uniform(-1, 1), .w = uniform(-3, 3)};
+    const real most = wide(tf_energy(&s.k, &s.x, s.u.r0)) *
+                      (expl(STEPS * 0x1p-20L) + 2048 * EPSILON);
+    for (int n = 0; n < STEPS; n++) {
+      CHECK(sim_step(&s, MOREAU) >= TF_OK);
+      CHECK(wide(tf_energy(&s.k, &s.x, s.u.r0)) <= most);
+    }
+  }
+}
+
 /* However strong a damper is and however long the step, the balanced step loses
  * energy by it. */
 TEST(damping_takes_energy_from_a_balanced_step) {
