@@ -152,7 +152,6 @@ TEST(smooth_law_in_equilibrium_is_not_told_to_move) {
       stalled += status == TF_STALLED;
     }
   }
-  printf("# %ld of %ld stalled\n", stalled, still);
   CHECK(still > samples(20000));
   CHECK(IS_DOUBLE ? stalled == 0 : 5 * stalled < still);
 }
