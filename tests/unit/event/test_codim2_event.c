@@ -1,5 +1,5 @@
-/* Steps that reach h = g = 0 or leave it, most of them located, against the field
- * of slip by the paper's law. */
+/* Steps that reach h = g = 0 or leave it, most of them located, against the
+ * field of slip by the paper's law. */
 #include "codim2_field.h"
 #include "event/segment.h"
 #include "friction/codim2.h"

@@ -255,8 +255,8 @@ TEST(balanced_step_order_and_energy) {
   }
 }
 
-/* A spring that turns by 1/45 rad a step or more gains 2^-20 of the energy a step
- * at most: what linearisation makes in a period does not add up. */
+/* A spring that turns by 1/45 rad a step or more gains 2^-20 of the energy a
+ * step at most: what linearisation makes in a period does not add up. */
 TEST(a_stiff_spring_gains_no_energy_in_time) {
   enum { STEPS = 50000 };
   for (int i = 0; i < 8; i++) {

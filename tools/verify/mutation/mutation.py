@@ -14,9 +14,10 @@ hash of file, line and seed: a sample stays the same when other lines change.
 The core is a shared library under test programs that are linked once. A test
 is asked if it contains the part that changed: those first that noticed a change
 of the same file before, then those that need few parts, in double and then in
-float. A change that no test notices survives, and fails the run unless
+float. Those with hashes are not asked: they say that something differs, not
+what is wrong. A change that no test notices survives, and fails the run unless
 `equivalent` beside this script gives its reason; a reason that fits no change
-fails it too.
+fails it too. SEED=kept has the changes of `kept`, each for its own test.
 
 Environment: SAMPLE, SEED, SURVIVORS (how many may be, default 0), JOBS, MAKE,
 CC (gcc), BUILD. BUILD/mutation/REPORT has all changes and a sum. SEED='1 303'
@@ -42,6 +43,7 @@ import driven
 
 EQUIVALENT = Path("tools/verify/mutation/equivalent")
 KEPT = Path("tools/verify/mutation/kept")
+KEPT_TEXT = re.compile("(.*){([^{}]*) -> ([^{}]*)}(.*)")
 CC = os.environ.get("CC") or "gcc"
 PLACE = Path(os.environ.get("BUILD") or "build", "mutation")
 BASE, PLAIN = PLACE / "base", PLACE / "plain"
@@ -131,10 +133,10 @@ class Change(NamedTuple):
     `if (a {< -> <=} b)`."""
     order: int
     file: str
-    number: int  # of those of the file; 0: a kept one
+    number: int  # of those of the file
     line: int
     text: str
-    test: str = ""  # that alone is asked
+    test: str = ""  # of a kept one: that alone is asked
 
     def excuse(self) -> str:
         return f"{self.file}: {self.text}"
@@ -142,9 +144,10 @@ class Change(NamedTuple):
     def make(self) -> str:
         """The file with the change."""
         source = Path(self.file).read_text("utf-8")
-        if not self.number:
-            before, old, new, after = parts_of(self.text)
-            return source.replace(before + old + after, before + new + after, 1)
+        if self.test:
+            before, old, new, after = KEPT_TEXT.fullmatch(self.text).groups()
+            was = before + old + after
+            return source.replace(was, before + new + after, 1)
         at, old, new = list(changes_in(source))[self.number - 1]
         return source[:at] + new + source[at + len(old):]
 
@@ -165,26 +168,16 @@ def all_changes(seed: int) -> list[Change]:
     return sorted(found)
 
 
-def parts_of(text: str) -> tuple[str, ...]:
-    """Of a line with a change: what stands before it, old, new, behind it."""
-    found = re.fullmatch(r"(.*){([^{}]*) -> ([^{}]*)}(.*)", text)
-    must(found is not None, f"no change: {text}")
-    return found.groups()
-
-
 def kept_changes() -> list[Change]:
     """Those that are tried always."""
-    found: list[Change] = []
-    for line in KEPT.read_text("utf-8").splitlines():
-        if line.startswith("src/"):
-            file, text = line.split(": ", 1)
-            before, old, _, after = parts_of(text)
-            source = Path(file).read_text("utf-8")
-            at = source.find(before + old + after)
-            must(at >= 0, f"no line of the source fits this of {KEPT}: {line}")
-            found.append(Change(0, file, 0, source.count("\n", 0, at) + 1, text))
-        elif line.startswith("  "):
-            found[-1] = found[-1]._replace(test=line.strip())
+    found = []
+    for line in KEPT.read_text("utf-8").splitlines()[4:]:
+        test, file, text = line.split(": ", 2)
+        before, old, _, after = KEPT_TEXT.fullmatch(text).groups()
+        source = Path(file).read_text("utf-8")
+        above, fits, _ = source.partition(before + old + after)
+        must(fits, f"no line of the source fits this of {KEPT}: {text}")
+        found.append(Change(0, file, 0, above.count("\n") + 1, text, test))
     return found
 
 
@@ -224,7 +217,7 @@ def linked(target: Path, *parts: object) -> bool:
                           check=False).returncode == 0
 
 
-def must(done: bool, what: object) -> None:
+def must(done: object, what: object) -> None:
     if not done:
         sys.exit(f"mutation: {what}")
 
@@ -443,7 +436,8 @@ def survivors(seed: str) -> int:
     with open(PLACE / "REPORT", "a", encoding="utf-8") as file:
         file.write(text)
     print(text, end="")
-    return verdicts.count("survived")
+    missed = {"survived", *(("same", "invalid") if is_kept else ())}
+    return sum(verdict in missed for verdict in verdicts)
 
 
 def main() -> None:
