@@ -1,7 +1,7 @@
 #!/bin/sh
 # Wrong changes of src/ that only a hash noticed once (make mutation): each has
-# a test that notices it. With FULL=yes also a hundred others in the order of the
-# commit, of which more survivors than a quarter are not chance.
+# a test that notices it. With FULL=yes also a hundred others in the order of
+# the commit, of which more survivors than a quarter are not chance.
 . "$(dirname "$0")/lib.sh"
 need gcc gcc
 commit=$(git rev-parse --short=7 HEAD 2>/dev/null || echo 1)
