@@ -51,6 +51,27 @@ TEST(located_budget_is_kept) {
   for (int i = 0; i < 4; i++) CHECK(needed[i] > samples(20));
 }
 
+/* The angle of a disc that turns evenly is speed times time, although most of
+ * the step is left to the fixed step: what the segments have turned counts. */
+TEST(angle_is_kept_where_the_budget_ends) {
+  for (int i = 0; i < samples(200); i++) {
+    tf_params_t p = tf_scenes[0]->params;
+    p.law = TF_TYRE_NONE;
+    p.d = p.r0 = p.c1 = p.c2 = 0;
+    p.beta = 1;
+    p.k2 = uniform(50, 200);
+    p.dt = uniform(0.2, 0.4);
+    p.with_angle = true;
+    sim_t s = sim_of(&p);
+    s.x.r = TF_R(1e-3);
+    s.x.w = uniform(-3, 3);
+    CHECK(sim_begin(&s) == TF_OK);
+    const sim_t end = step_within(&s, 1);
+    CHECK(end.report.status == TF_COARSE);
+    CHECK_NEAR(wide(end.x.phi), wide(s.x.w) * wide(p.dt), 5e-5L);
+  }
+}
+
 /* A budget of 0 is that of the build, what is behind the point is dropped, so
  * what is below 1 is 0, and what is beyond the range is refused by name. */
 TEST(located_budget_is_a_parameter) {

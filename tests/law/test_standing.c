@@ -1,6 +1,6 @@
-/* Equilibrium: a step that leaves r as it was there returns TF_OK. That one
- * which leaves it so out of equilibrium returns TF_COARSE is judged by class
- * standing of tests/reference. */
+/* Equilibrium: a step that leaves r as it was there returns TF_OK. Out of it a
+ * step that is too short to move r stalls, which class standing of
+ * tests/reference judges of any motion. */
 #include "common.h"
 
 typedef tf_status_t (*step_t)(const tf_machine_t *, tf_state_t *,
@@ -97,3 +97,61 @@ static void judge_equilibria(bool slips, int least_share) {
 
 TEST(slip_in_equilibrium_is_not_told_to_move) { judge_equilibria(true, 2); }
 TEST(stick_in_equilibrium_is_not_told_to_move) { judge_equilibria(false, 10); }
+
+/* From rest a stretched spring moves the slider by less than half of the last
+ * digit of r, in 32 steps as well. */
+TEST(step_too_short_to_move_the_slider_stalls) {
+  for (int i = 0; i < samples(400); i++) {
+    tf_params_t p = wide_params();
+    const tf_real_t rate = log_uniform(1e-4, 1e-3);
+    p.law = TF_TYRE_NONE;
+    p.d = p.omega0 = p.c1 = p.c2 = 0;
+    p.k2 = uniform(0.01, 0.1);
+    p.r0 = TF_R(0.3) + p.m * rate / p.k2;
+    p.dt = (tf_real_t)sqrtl(EPSILON / (1e4L * wide(rate))) * uniform(0.3, 3);
+    const tf_machine_t k = prepared(&p);
+    const tf_input_t u = tf_input_default(&k);
+    for (size_t s = 0; s < KINDS; s++) {
+      tf_state_t x = {.r = TF_R(0.3)};
+      tf_report_t report;
+      CHECK(steps[s](&k, &x, &u, &report) == TF_STALLED);
+      CHECK(x.r == TF_R(0.3) && x.v > 0);
+    }
+  }
+}
+
+/* The smooth law holds a wheel that rolls on the circle, against loads of any
+ * size below mu, by a slip of 1e-12 m/s, which is rounding: its force at that
+ * slip is off, but each step balances it. Where a step leaves r as it was, the
+ * motion is at rest there. In float the way there takes longer than this. */
+TEST(smooth_law_in_equilibrium_is_not_told_to_move) {
+  long still = 0, stalled = 0;
+  for (int i = 0; i < samples(1200); i++) {
+    tf_params_t p = wide_params();
+    p.law = TF_TYRE_SMOOTH;
+    p.epsilon = TF_R(1e-12);
+    p.mu = log_uniform(0.05, 0.2);
+    p.k2 = 1;
+    p.gamma = uniform(0.3, 2.8);
+    p.dt = IS_DOUBLE ? log_uniform(1e-7, 1e-4) : log_uniform(1e-4, 1e-2);
+    const tf_machine_t k = prepared(&p);
+    tf_input_t u = tf_input_default(&k);
+    tf_state_t x = {.r = p.d * (tf_real_t)tan((double)p.gamma), .mode = 0};
+    if (fabsl(wide(x.r)) > 3) continue;
+    CHECK(tf_speed_for_slip(&k, x.r, x.w, u.omega0, 0, &x.v) == TF_OK);
+    const tf_slip_t slip = tf_slip(&k, x.r, x.v, x.w, u.omega0);
+    tf_force_t by = {uniform(-0.9, 0.9) * p.mu, 0};
+    by.M = slip.g < 0 ? -p.kappa * by.F : p.kappa * by.F;
+    balance(&p, &x, by, &u);
+    for (int n = 0; n < 200; n++) {
+      const tf_real_t r = x.r;
+      tf_report_t report;
+      const tf_status_t status = tf_step(&k, &x, &u, &report);
+      if (n < 100 || x.r != r) continue;
+      still++;
+      stalled += status == TF_STALLED;
+    }
+  }
+  CHECK(still > samples(20000));
+  CHECK(IS_DOUBLE ? stalled == 0 : 5 * stalled < still);
+}

@@ -123,6 +123,23 @@ TEST(damped_two_folds_are_accurate) {
   CHECK(places > samples(50));
 }
 
+/* A damper beyond all other forces holds the slider: h is balanced where it
+ * answers spring and centrifugal force, next to g = 0. Squares of its
+ * coefficient are beyond the range of float. */
+TEST(two_fold_under_an_extreme_damper) {
+  tf_params_t params = tf_scenes[0]->params;
+  params.m = TF_R(1e-9);
+  params.c1 = 0;
+  params.c2 = TF_R(1e12);
+  const folds_t f = folds_of(&params);
+  CHECK(f.count == 1 && f.absence == TF_ABSENCE_NONE);
+  CHECK_NEAR(wide(f.at[0].r), PAPER_R_STAR, 8 * EPSILON);
+  const real x[3] = {wide(f.at[0].r), 0, f.paper.omega0}, g = wide(f.at[0].g);
+  const real zeta = sinl(f.paper.gamma) / x[0];
+  const real nu = f.paper.d * zeta - cosl(f.paper.gamma);
+  CHECK_NEAR(g, paper_p1(&f.paper, x) / (f.paper.c2 * nu), 64 * EPSILON * g);
+}
+
 TEST(every_two_fold_is_found) {
   int seen[TF_TWO_FOLDS + 1] = {0};
   for (int i = 0; i < samples(400); i++) {

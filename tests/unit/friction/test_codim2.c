@@ -197,6 +197,35 @@ TEST(exits_of_any_field_are_those_of_a_search) {
         close * 200 < attract);
 }
 
+/* Only a stick that arrives goes on at rest where the bow tie holds the wheel:
+ * which future a motion has that is at h = g = 0 and has lost its mode does not
+ * depend on what that mode was. */
+TEST(lost_modes_have_the_same_future) {
+  int lost = 0, held = 0;
+  const tf_state_t x = {.tick = 7, .seed = 1};
+  for (int n = 0; n < samples(8000); n++) {
+    const tf_params_t params = any_params(n);
+    const tf_machine_t k = prepared(&params);
+    field_t at;
+    codim2_field_t field = any_field(&params, &at);
+    field.pin = (multipliers_t){uniform(-1, 1), 0};
+    field.pin.y = uniform(-1, 1) * field.pin.x;
+    consistent_modes_t out;
+    tf_codim2_modes(&k, &field, &out);
+    const unsigned none =
+        tf_leave_codim2(&k, &field, TF_NO_MODE, false, &x, &out);
+    for (unsigned mode = 0; mode < TF_PINNED; mode++) {
+      if (out.solutions.set & TF_MODE_BIT(mode)) continue;
+      CHECK(tf_leave_codim2(&k, &field, mode, false, &x, &out) == none);
+      lost++;
+      held += none != TF_PINNED && !in_slip(mode) &&
+              tf_leave_codim2(&k, &field, mode, true, &x, &out) == TF_PINNED;
+    }
+  }
+  printf("# %d lost, %d would be held on arrival\n", lost, held);
+  CHECK(lost > samples(8000) && held > samples(100));
+}
+
 /* Where a slip near h = g = 0 is after a step, by steps of its angle and its
  * distance that are short beside both. */
 typedef struct {

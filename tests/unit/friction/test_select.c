@@ -164,6 +164,25 @@ TEST(random_exit_has_a_sharp_threshold) {
   }
 }
 
+/* Also where an exit is so rare that it fixes the whole first word of the
+ * generator but for 14 bits. */
+TEST(rare_exits_take_either_side) {
+  question_t q = escaping;
+  int exits = 0, plus = 0;
+  q.threshold = ALWAYS >> 18;
+  for (uint64_t tick = 0; tick < UINT64_C(64) << 18; tick++) {
+    uint32_t word[2];
+    tf_philox(tick, 9, word);
+    if (word[0] >> 14) continue;
+    const unsigned got = answer(&q, tick, 9);
+    CHECK(got != q.mode);
+    exits++;
+    plus += got == TF_SLIP_PLUS;
+  }
+  CHECK(exits > 32);
+  CHECK(fabs(plus - exits / 2.0) < 5 * sqrt(exits) / 2);
+}
+
 /* Every choice out of n others has its share: chi square of n - 1 degrees of
  * freedom, below mean + 5 standard deviations. stays is what must come where
  * there is no other. */

@@ -1,4 +1,5 @@
 /* Kinematics and energy, against the paper. */
+#include "model/rates.h"
 #include "sample.h"
 
 TEST(kinematics_against_the_paper) {
@@ -60,6 +61,29 @@ TEST(slip_speed_is_refused_where_v_does_not_act_on_h) {
 }
 
 /* Slider: both components of its velocity; disc; spring. */
+/* Of q' = v z + r z' the second part is bounded for every force of stick, and
+ * one of them takes it to that bound. */
+TEST(parts_of_q_rate_are_bounded) {
+  for (int i = 0; i < samples(4000); i++) {
+    const tf_params_t params = wide_params();
+    const tf_machine_t k = prepared(&params);
+    const tf_input_t u = tf_input_default(&k);
+    const paper_t paper = paper_of(&params);
+    const tf_real_t r = uniform(-0.5, 0.5), w = u.omega0 + uniform(-1, 1);
+    const rates_t rates = rates_at(&k, &u, r, 0, w - u.omega0, u.omega0);
+    const real x[3] = {wide(r), wide(k.d * (w - u.omega0)), wide(w)};
+    real most = 0;
+    for (int n = 0; n < 4; n++) {
+      real dx[3];
+      const real F = n & 1 ? paper.mu : -paper.mu;
+      paper_rhs_time(&paper, x, F, n & 2 ? paper.kappa * F : -paper.kappa * F,
+                     dx);
+      most = fmaxl(most, fabsl(x[0] * dx[2]));
+    }
+    CHECK_NEAR(wide(rates.rz), most, 64 * EPSILON * (most + 100));
+  }
+}
+
 TEST(energy_against_its_definition) {
   for (int i = 0; i < samples(50000); i++) {
     tf_params_t p = random_params();

@@ -2,6 +2,7 @@
  * a step is too long for the motion; over the whole ranges of parameters. */
 #include "../../../src/moreau/balance.h"
 #include "../../../src/moreau/rare_end.h"
+#include "codim2_field.h"
 #include "reference.h"
 #include "sim.h"
 
@@ -157,6 +158,63 @@ TEST(a_reversal_is_not_coarse) {
   CHECK(x.v < 0);
 }
 
+/* The end of a slip of size R that has h = g = 0 within reach, and its course,
+ * in the field over the step. */
+static int end_near_codim2(const tf_machine_t *k, const tf_state_t *x,
+                           tf_slip_t *now, codim2_course_t *course,
+                           solutions_t *s, step_end_t *to) {
+  const tf_input_t u = tf_input_default(k);
+  const start_t start = start_of(k, x, &u);
+  free_motion_t c = free_motion(k, x, &u, start);
+  inclusion_t in;
+  if (!c.linear.definite) return 0;
+  const unsigned signs = solve_inclusion(&c, &in, s);
+  if (!is_near_codim2(&c, &in, signs, s->set)) return 0;
+  tf_codim2_end(&c, &in, s, to);
+  *now = c.start.slip;
+  const codim2_field_t field = {{in.h.c0 - now->h, in.h.cx, in.h.cy},
+                                {in.g.c0 - now->g, in.g.cx, in.g.cy},
+                                {2, 2}};
+  *course = tf_codim2_course(k, &field, *now, now->h > 0 ? 1 : -1);
+  return 1;
+}
+
+/* A slip that follows its course past h = g = 0, with several futures, and
+ * turns by more than 29 degrees, may have missed one: where it loses its mode
+ * and where it comes nearer by 29 %. Else it is TF_OK. */
+TEST(a_slip_that_may_miss_its_future_is_coarse) {
+  int lost = 0, nearer = 0, neither = 0;
+  for (int n = 0; n < samples(40000); n++) {
+    tf_params_t p = any_params(n);
+    p.dt = TF_R(1e-3);
+    const tf_machine_t k = prepared(&p);
+    const tf_real_t z = uniform(-0.01, 0.01);
+    tf_state_t x = {.r = uniform(-0.6, 0.6), .w = p.omega0 + z};
+    x.v = k.d * z + uniform(-0.003, 0.003);
+    x.mode = tf_slip(&k, x.r, x.v, x.w, p.omega0).h > 0 ? TF_SLIP_PLUS
+                                                        : TF_SLIP_MINUS;
+    tf_slip_t now;
+    codim2_course_t course;
+    solutions_t s;
+    step_end_t to;
+    if (!end_near_codim2(&k, &x, &now, &course, &s, &to) ||
+        !to.outcome.is_mean || course.mode >= TF_PINNED || size_of(s.set) < 2)
+      continue;
+    const real before = hypotl(wide(now.h), wide(now.g));
+    const real after = hypotl(wide(course.slip.h), wide(course.slip.g));
+    const real cosine = (wide(now.h) * wide(course.slip.h) +
+                         wide(now.g) * wide(course.slip.g)) /
+                        (before * after);
+    const bool loses = course.mode != x.mode, nears = after < 0.71L * before;
+    const bool misses = cosine <= 0.875L && (loses || nears);
+    CHECK(to.outcome.status == (misses ? TF_COARSE : TF_OK));
+    lost += misses && !nears;
+    nearer += misses && nears;
+    neither += !misses;
+  }
+  CHECK(lost > samples(200) && nearer > samples(200) && neither > samples(200));
+}
+
 static end_state_t far_end(tf_params_t p, tf_state_t x, real time, int steps) {
   p.dt = (tf_real_t)(time / steps);
   const tf_machine_t k = prepared(&p);
@@ -195,4 +253,74 @@ TEST(balanced_step_order_and_energy) {
     CHECK_NEAR(energy_of(&q, a), energy_of(&q, place(&x)),
                2000 * noise(&q, place(&x)));
   }
+}
+
+/* A spring that turns by 1/45 rad a step or more gains 2^-20 of the energy a
+ * step at most: what linearisation makes in a period does not add up. */
+TEST(a_stiff_spring_gains_no_energy_in_time) {
+  enum { STEPS = 50000 };
+  for (int i = 0; i < 8; i++) {
+    tf_params_t p = conservative();
+    p.m = p.r0 = 1;
+    p.k2 = log_uniform(100, 1e5);
+    p.beta = TF_R(0.5);
+    p.theta = TF_R(0.5);
+    p.dt = uniform(0.04, 0.3) / (tf_real_t)sqrt((double)p.k2);
+    sim_t s = sim_of(&p);
+    s.x = (tf_state_t){
+        .r = uniform(0.8, 1.2), .v = uniform(-1, 1), .w = uniform(-3, 3)};
+    const real most = wide(tf_energy(&s.k, &s.x, s.u.r0)) *
+                      (expl(STEPS * 0x1p-20L) + 2048 * EPSILON);
+    for (int n = 0; n < STEPS; n++) {
+      CHECK(sim_step(&s, MOREAU) >= TF_OK);
+      CHECK(wide(tf_energy(&s.k, &s.x, s.u.r0)) <= most);
+    }
+  }
+}
+
+/* However strong a damper is and however long the step, the balanced step loses
+ * energy by it. */
+TEST(damping_takes_energy_from_a_balanced_step) {
+  for (int i = 0; i < samples(4000); i++) {
+    tf_params_t p = conservative();
+    p.c1 = log_uniform(1e-3, 1e6);
+    p.c2 = tap_bits() % 2 ? 0 : log_uniform(1e-3, 1e6);
+    const ref_machine_t q = {PARAMETERS_OF(real, &p)};
+    const tf_state_t x = moving();
+    const end_state_t end = far_end(p, x, wide(p.dt), 1);
+    CHECK(energy_of(&q, end) <= energy_of(&q, place(&x)) +
+                                    64 * noise(&q, place(&x)) +
+                                    64 * noise(&q, end));
+  }
+}
+
+/* How far the end of a balanced step is from (18), its equation of P, with the
+ * matrix of the true middle. */
+static real missed_at_middle(const tf_params_t *p, const tf_state_t *x,
+                             real dt) {
+  const ref_machine_t q = {PARAMETERS_OF(real, p)};
+  const end_state_t from = place(x), to = far_end(*p, *x, dt, 1);
+  const real w0 = wide(from.w), w1 = wide(to.w);
+  const real R0 = hypotl(q.beta, wide(from.r)), R1 = hypotl(q.beta, wide(to.r));
+  const real dP = wide(to.v) - wide(from.v) - q.d * (w1 - w0);
+  const real r = wide(from.r + to.r) / 2, w = (R0 * w0 + R1 * w1) / (R0 + R1);
+  return fabsl(q.m * dP / dt + q.k2 * (r - q.r0) - q.m * r * w * w);
+}
+
+/* A guess of the middle is one power of the step better than that before it:
+ * the start is off by the first power, the second guess by the third. */
+TEST(two_guesses_miss_the_middle_by_the_third_power) {
+  real far = 0, near = 0;
+  for (int i = 0; i < samples(2000); i++) {
+    tf_params_t p = conservative();
+    p.theta = TF_R(0.5);
+    p.m = 1;
+    p.k2 = uniform(0.1, 10);
+    p.beta = uniform(0.3, 1);
+    const tf_state_t x = {
+        .r = uniform(0.5, 1), .v = uniform(-1, 1), .w = uniform(-2, 2)};
+    far += missed_at_middle(&p, &x, 0.04L);
+    near += missed_at_middle(&p, &x, 0.02L);
+  }
+  CHECK_NEAR(far / near, 8, 2);
 }

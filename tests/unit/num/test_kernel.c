@@ -99,6 +99,24 @@ static void judge_extremes(const tf_tyre_t *tyre, real *worst) {
   CHECK(cot_psi(tyre, 0, 1) == 0);
 }
 
+/* The anchors T = tan(a n pi/16) where most of them are steep. Those above pi/4
+ * come down from T(inf), which is exact: a sum of angles would multiply the
+ * rounding of its terms. By the square mean, which tells that from chance. */
+TEST(anchors_error_bound) {
+  real sum[TF_TYRE_ANCHORS] = {0};
+  const int count = samples(20000);
+  for (int i = 0; i < count; i++) {
+    const tf_tyre_t tyre = tyre_with(log_uniform(1, 1e6));
+    const real whole = atanl(6 * wide(tyre.kappa));
+    for (int n = 1; n < TF_TYRE_ANCHORS - 1; n++) {
+      const real off = ulps(tyre.T_anchor[n], tanl(whole * (real)n / 8));
+      sum[n] += off * off / count;
+    }
+  }
+  for (int n = 1; n < TF_TYRE_ANCHORS - 1; n++)
+    if (!CHECK(sqrtl(sum[n]) < 1.2L)) printf("# T[%d]\n", n);
+}
+
 TEST(angle_kernel_error_bound) {
   const struct {
     double low, high;

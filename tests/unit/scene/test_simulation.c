@@ -115,6 +115,19 @@ TEST(tally_counts_every_status) {
   CHECK(tally.first == (UINT64_C(1) << 33) + 1);
 }
 
+/* Whatever came first stays the first. */
+TEST(tally_keeps_its_first_reservation) {
+  for (int first = TF_STEP_TOO_LONG; first <= TF_STALLED; first++)
+    for (int then = TF_STEP_TOO_LONG; then <= TF_STALLED; then++) {
+      if (first == TF_OK || then == TF_OK) continue;
+      tf_tally_t tally;
+      memset(&tally, 0, sizeof tally);
+      tf_tally_count(&tally, 5, (tf_status_t)first);
+      tf_tally_count(&tally, 6, (tf_status_t)then);
+      CHECK(tally.first == 5);
+    }
+}
+
 /* A simulation counts from its opening, whatever it ran before. */
 TEST(simulation_opens_with_an_empty_tally) {
   tf_simulation_t simulation;

@@ -14,9 +14,10 @@ hash of file, line and seed: a sample stays the same when other lines change.
 The core is a shared library under test programs that are linked once. A test
 is asked if it contains the part that changed: those first that noticed a change
 of the same file before, then those that need few parts, in double and then in
-float. A change that no test notices survives, and fails the run unless
+float. Those with hashes are not asked: they say that something differs, not
+what is wrong. A change that no test notices survives, and fails the run unless
 `equivalent` beside this script gives its reason; a reason that fits no change
-fails it too.
+fails it too. SEED=kept has the changes of `kept`, each for its own test.
 
 Environment: SAMPLE, SEED, SURVIVORS (how many may be, default 0), JOBS, MAKE,
 CC (gcc), BUILD. BUILD/mutation/REPORT has all changes and a sum. SEED='1 303'
@@ -41,6 +42,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 import driven
 
 EQUIVALENT = Path("tools/verify/mutation/equivalent")
+KEPT = Path("tools/verify/mutation/kept")
+KEPT_TEXT = re.compile("(.*){([^{}]*) -> ([^{}]*)}(.*)")
 CC = os.environ.get("CC") or "gcc"
 PLACE = Path(os.environ.get("BUILD") or "build", "mutation")
 BASE, PLAIN = PLACE / "base", PLACE / "plain"
@@ -133,6 +136,7 @@ class Change(NamedTuple):
     number: int  # of those of the file
     line: int
     text: str
+    test: str = ""  # of a kept one: that alone is asked
 
     def excuse(self) -> str:
         return f"{self.file}: {self.text}"
@@ -140,6 +144,10 @@ class Change(NamedTuple):
     def make(self) -> str:
         """The file with the change."""
         source = Path(self.file).read_text("utf-8")
+        if self.test:
+            before, old, new, after = KEPT_TEXT.fullmatch(self.text).groups()
+            was = before + old + after
+            return source.replace(was, before + new + after, 1)
         at, old, new = list(changes_in(source))[self.number - 1]
         return source[:at] + new + source[at + len(old):]
 
@@ -158,6 +166,19 @@ def all_changes(seed: int) -> list[Change]:
             found.append(Change(mixed(start, text), str(file), number,
                                 source.count("\n", 0, begin) + 1, text))
     return sorted(found)
+
+
+def kept_changes() -> list[Change]:
+    """Those that are tried always."""
+    found = []
+    for line in KEPT.read_text("utf-8").splitlines()[4:]:
+        test, file, text = line.split(": ", 2)
+        before, old, _, after = KEPT_TEXT.fullmatch(text).groups()
+        source = Path(file).read_text("utf-8")
+        above, fits, _ = source.partition(before + old + after)
+        must(fits, f"no line of the source fits this of {KEPT}: {text}")
+        found.append(Change(0, file, 0, above.count("\n") + 1, text, test))
+    return found
 
 
 # What changes are tried on.
@@ -196,7 +217,7 @@ def linked(target: Path, *parts: object) -> bool:
                           check=False).returncode == 0
 
 
-def must(done: bool, what: object) -> None:
+def must(done: object, what: object) -> None:
     if not done:
         sys.exit(f"mutation: {what}")
 
@@ -217,7 +238,8 @@ def core() -> list[Path]:
 @functools.lru_cache(maxsize=None)
 def prepare() -> list[Test]:
     """Builds all of it."""
-    sources = sorted(Path("tests").rglob("test_*.c"))
+    sources = sorted(source for source in Path("tests").rglob("test_*.c")
+                     if source.parent.name != "golden")
     print("mutation: building the tests ...", file=sys.stderr)
     done = subprocess.run(
         [*(os.environ.get("MAKE") or "make").split(), "-s", f"CC={CC}",
@@ -350,7 +372,8 @@ def tried(change: Change, tests: list[Test]) -> str:
                             os.symlink(os.path.abspath(file), link))
         (work / change.file).unlink()
         (work / change.file).write_text(change.make(), "utf-8")
-        said = Trial(change, tests, work).verdict()
+        said = Trial(change, [test for test in tests if change.test in
+                              ("", test.source.stem)], work).verdict()
     if said == "survived":
         print(f"survived: {change.excuse()}", file=sys.stderr)
     return said
@@ -392,16 +415,16 @@ def total(verdicts: list[str]) -> str:
             f"{of['same']} compile to the same, {of['invalid']} not at all")
 
 
-def survivors(seed: int) -> int:
+def survivors(seed: str) -> int:
     """How many changes of the sample of an order survive; it is reported."""
     size = int(os.environ.get("SAMPLE") or 60)
-    everything = all_changes(seed)
-    let_off = excused(everything)
-    one = sys.argv[1:3]
+    is_kept, one = seed == "kept", sys.argv[1:3]
+    everything = kept_changes() if is_kept else all_changes(int(seed))
+    let_off = set() if is_kept else excused(everything)
     sample = [change for change in everything if (
         [change.file, str(change.number)] == one if one else
         change.excuse() not in let_off)]
-    if size and not one:
+    if size and not one and not is_kept:
         sample = sample[:size]
     must(bool(sample), "there is no such change")
     tests = prepare()
@@ -413,18 +436,19 @@ def survivors(seed: int) -> int:
     with open(PLACE / "REPORT", "a", encoding="utf-8") as file:
         file.write(text)
     print(text, end="")
-    return verdicts.count("survived")
+    missed = {"survived", *(("same", "invalid") if is_kept else ())}
+    return sum(verdict in missed for verdict in verdicts)
 
 
 def main() -> None:
     driven.begin(__file__)
     PLACE.mkdir(parents=True, exist_ok=True)
     (PLACE / "REPORT").write_text("", "utf-8")
-    seeds, most = (list(map(int, (os.environ.get(name) or default).split()))
-                   for name, default in (("SEED", "1"), ("SURVIVORS", "0")))
+    seeds, most = ((os.environ.get(name) or default).split() for name, default
+                   in (("SEED", "1"), ("SURVIVORS", "0")))
     must(len(seeds) == len(most), "a number of SURVIVORS for each SEED")
     found = list(map(survivors, seeds))  # of all, whatever the first has
-    sys.exit(any(count > limit for count, limit in zip(found, most)))
+    sys.exit(any(count > int(limit) for count, limit in zip(found, most)))
 
 
 if __name__ == "__main__":

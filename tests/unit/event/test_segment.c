@@ -1,0 +1,85 @@
+/* Segments of a located step: how h begins in one, and that the parts of its
+ * series make up the whole. */
+#include "codim2_field.h"
+#include "event/transition.h"
+
+/* The parts of a series, one after the other, turn the disc as far as the whole
+ * does: a slip that follows a limit direction begins in the middle of one. */
+TEST(angle_of_a_series_is_the_sum_of_its_parts) {
+  for (int n = 0; n < 200; n++) {
+    tf_params_t params = any_params(n);
+    params.law = TF_TYRE_NONE;
+    params.with_angle = true;
+    const tf_machine_t k = prepared(&params);
+    const tf_input_t u = tf_input_default(&k);
+    static trajectory_t whole, part;
+    memset(&whole, 0, sizeof whole);
+    whole.motion.machine = &k;
+    whole.motion.input = &u;
+    whole.omega = u.omega0;
+    whole.remaining = TF_R(0.02);
+    whole.now = (phase_point_t){uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+    CHECK(tf_begin_series(&whole));
+    part = whole;
+    const tf_real_t middle = uniform(0.005, 0.015);
+    tf_advance(&part, 0, middle);
+    tf_advance(&part, middle, whole.remaining);
+    tf_advance(&whole, 0, whole.remaining);
+    CHECK_NEAR(wide(part.angle), wide(whole.angle), 64 * EPSILON);
+  }
+}
+
+/* A stick whose force has come to mu, on a trajectory that nothing else has
+ * happened to: the load makes it so. */
+static void begin_at_release(trajectory_t *path, const tf_machine_t *k,
+                             tf_input_t *u, unsigned mode, real lambda) {
+  const int s = mode == TF_STICK_MINUS;
+  const tf_real_t r = uniform(0.1, 0.6), z = uniform(-1, 1);
+  const tf_real_t p = -r * z * k->cos_gamma / k->sin_gamma;
+  const rates_t rates = rates_at(k, u, r, p, z, u->omega0);
+  memset(path, 0, sizeof *path);
+  path->motion.machine = k;
+  path->motion.input = u;
+  path->omega = u->omega0;
+  path->remaining = k->dt;
+  path->now = (phase_point_t){r, p, z};
+  path->mode = mode;
+  path->force.F = (tf_real_t)lambda;
+  path->segment.contact = CONTACT_STICK;
+  path->segment.sign_g = s ? -1 : 1;
+  /* A force f changes N by -sin f/m - r cos d f/J. */
+  const real missing = wide(rates.A[s]) * lambda - wide(rates.N);
+  const real J = wide(inertia_at(k, r)), sine = wide(k->sin_gamma);
+  u->force += (tf_real_t)(missing / (-sine / wide(k->m) -
+                                     wide(r * k->cos_gamma) * wide(k->d) / J));
+}
+
+/* An attracting stick is left along h = 0, with t^2, and an escaping one at an
+ * angle, with t: the order of the zero that is divided out of h. */
+TEST(released_slip_begins_with_its_order) {
+  int of_order[3] = {0};
+  for (int n = 0; n < 4000; n++) {
+    const tf_params_t params = any_params(n);
+    const tf_machine_t k = prepared(&params);
+    tf_input_t u = tf_input_default(&k);
+    static trajectory_t path;
+    const unsigned mode = n & 1 ? TF_STICK_MINUS : TF_STICK_PLUS;
+    const real lambda = (n & 2 ? 1 : -1) * wide(params.mu);
+    begin_at_release(&path, &k, &u, mode, lambda);
+    const tf_slip_t slip = trajectory_slip(&path);
+    if (fabsl(wide(u.force)) > 100 || (slip.g < 0) != (n & 1)) continue;
+    const real A = wide(tf_trajectory_rates(&path).A[n & 1]);
+    CHECK(tf_next_segment(&path, EVENT_RELEASE) && tf_begin_series(&path));
+    const real h1 =
+        wide(slip_from_pq(&k, path.motion.p.c[1], path.motion.q.c[1]).h);
+    const int sign = path.segment.sign_h, order = path.segment.h_zero_order;
+    if (A > 0)
+      CHECK_NEAR(h1, 0, 1e5L * EPSILON);
+    else
+      CHECK_NEAR(sign * h1, 2 * fabsl(A * lambda), 1e5L * EPSILON * (1 - A));
+    CHECK(order == (A > 0 ? 2 : 1));
+    of_order[order]++;
+  }
+  printf("# with t %d times, with t^2 %d times\n", of_order[1], of_order[2]);
+  CHECK(of_order[1] > 100 && of_order[2] > 100);
+}
