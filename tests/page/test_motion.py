@@ -85,13 +85,13 @@ def futures_fan_out():
     })()""")
     tab.mouse("Moved", x, y)
     check(len(tab.value(CHOICES)) == 3, "another mark under the pointer")
-    # A slip meets h = g = 0 and may stick or rest; a step later rest and a
-    # slip are possible too, but a step into them ends as a stick: they are
-    # shown, but cannot be chosen.
+    # A slip passes by h = g = 0 and sticks. Another slip and, for one step, rest
+    # are possible too, but a step into them ends as a stick: they are shown, but
+    # cannot be chosen.
     tab.value("location.hash = '#scene=driven&tick=84000&end'")
     go(tab, 84000)
-    for tick, expected in ((83827, ["1  stick−", "2  pinned"]),
-                           (83828, ["slip−!", "1  stick−", "pinned!"])):
+    for tick, expected in ((83829, ["slip−!", "1  stick−", "pinned!"]),
+                           (83830, ["slip−!", "1  stick−"])):
         tab.value(f"twofold.showFan({tick})")
         names = tab.value(CHOICES)
         check(names == expected, f"{tick}: {names}")
