@@ -28,15 +28,22 @@ typedef struct {
   tf_status_t status; ///< as returned
 } tf_report_t;
 
-/// Finds the mode in which a state starts, and reports the law at that instant:
-/// slip by the sign of h; at h = 0 stick where |lambda| <= mu, else slip by the
-/// sign of dh/dt; at h = g = 0 pinned, and the first step reports what else is
-/// possible. |h| within rounding (32 epsilon times its terms) counts as 0.
+/// Finds every mode that may follow from an instant and the one in which a
+/// state starts, and reports the law then: slip by the sign of h; at h = 0 stick
+/// where |lambda| <= mu, else slip by the sign of dh/dt, in an escaping region
+/// all three; at h = g = 0 the ways out and, where its law has the force
+/// (tf_rest_law_t), rest. |h| or |g| within rounding (32 epsilon times its
+/// terms) counts as 0.
 /// machine, input: in, at that instant: its omega0 and alpha. report: out.
 /// state: in/out. r, v, w are set by the caller, within TF_STATE_LIMIT; mode
 ///   holds the one preferred where several are possible, or TF_NO_MODE for
-///   none, and ends as the mode taken. phi, tick and seed keep what they hold.
+///   none, and ends as the mode taken: of h = 0 stick, of h = g = 0 pinned, or
+///   what the exit rule takes where the wheel cannot rest. phi, tick and seed
+///   keep what they hold.
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched).
+/// Trust: the set is that of the instant, whatever dt is; a step may find
+///   another one. It is empty, and the mode pinned, where the law of rest
+///   leaves no future; the hull leaves one (docs/INCLUSION.md).
 #define tf_begin TF_LINK(tf_begin)
 TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
                             const tf_input_t *input, tf_report_t *report);

@@ -49,20 +49,11 @@ static bool leave_h_zero(trajectory_t *path) {
   return true;
 }
 
-// h = g = 0 means p = 0 and r z = 0: the wheel turns with the turntable, or the
-// slider passes the axis. Set to 0 is whichever of z and r changes r z now.
-static void set_codim2(trajectory_t *path) {
-  const rates_t rates = tf_trajectory_rates(path);
-  path->now.p = 0;
-  if (rates.vz > rates.rz)
-    path->now.r = 0;
-  else
-    path->now.z = 0;
-}
-
 static bool leave_codim2(trajectory_t *path, bool arrives) {
-  set_codim2(path);
   const tf_machine_t *k = path->motion.machine;
+  const rates_t before = tf_trajectory_rates(path);
+  place_at_codim2(&before, &path->now.r, &path->now.z);
+  path->now.p = 0;
   const rates_t rates = tf_trajectory_rates(path);
   const codim2_field_t field = tf_codim2_field_of(k, &rates);
   consistent_modes_t consistent;

@@ -79,6 +79,18 @@ TF_API void tf_codim2_modes(const tf_machine_t *k, const codim2_field_t *field,
     out->solutions.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
 }
 
+TF_API multipliers_t tf_codim2_multipliers(const tf_machine_t *k,
+                                           const consistent_modes_t *modes,
+                                           unsigned mode) {
+  if (!is_slip(mode)) {
+    const tf_real_t x = modes->lambda[mode == TF_STICK_MINUS] * k->inv_mu;
+    return (multipliers_t){x, mode == TF_STICK_MINUS ? -x : x};
+  }
+  const tf_real_t side = mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0);
+  return signed_multipliers(multipliers_at(&k->tyre, modes->T[mode]), side,
+                            (tf_real_t)modes->sign_g[mode]);
+}
+
 TF_API unsigned tf_leave_codim2(const tf_machine_t *k,
                                 const codim2_field_t *field, unsigned from,
                                 bool arrives, const tf_state_t *state,

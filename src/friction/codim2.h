@@ -1,5 +1,6 @@
 // What follows h = g = 0: every future that is consistent there, and the one
-// that is taken. Every step asks this one function.
+// that is taken. Every step asks this one function, and
+// tf_begin, at an instant.
 //
 // Near that point h and g are s sin(angle) and s cos(angle), and their rates
 // depend on the angle alone: s' = S(angle), s angle' = N(angle). So a motion
@@ -28,6 +29,15 @@ TF_INLINE stick_t stick_at(const codim2_field_t *field, int s) {
   const affine_t h = field->h, g = field->g;
   const tf_real_t slope = h.cx + sign * h.cy, x = -h.c0 / slope;
   return (stick_t){x, sign * (g.c0 + x * (g.cx + sign * g.cy)), slope < 0};
+}
+
+// h = g = 0 means p = 0 and r z = 0: the wheel turns with the turntable, or the
+// slider passes the axis. Set to 0 is whichever of z and r changes r z now.
+TF_INLINE void place_at_codim2(const rates_t *now, tf_real_t *r, tf_real_t *z) {
+  if (now->vz > now->rz)
+    *r = 0;
+  else
+    *z = 0;
 }
 
 // That of an instant.
@@ -69,6 +79,12 @@ TF_API codim2_course_t tf_codim2_course(const tf_machine_t *k,
 #define tf_codim2_modes TF_LINK(tf_codim2_modes)
 TF_API void tf_codim2_modes(const tf_machine_t *k, const codim2_field_t *field,
                             consistent_modes_t *out);
+
+// The multipliers of a slip or stick of these modes that leaves h = g = 0.
+#define tf_codim2_multipliers TF_LINK(tf_codim2_multipliers)
+TF_API multipliers_t tf_codim2_multipliers(const tf_machine_t *k,
+                                           const consistent_modes_t *modes,
+                                           unsigned mode);
 
 // Of these modes the one that the declared rule takes (tf_rule_t), TF_NO_MODE
 // where there is none. from: the mode of the motion. arrives: it comes there,

@@ -114,19 +114,6 @@ static codim2_field_t field_of_step(const free_motion_t *c,
   return (codim2_field_t){h, g, rests ? pin : balancing_multipliers(h, g)};
 }
 
-// The multipliers of a slip or stick that leaves h = g = 0.
-static multipliers_t leaving_multipliers(const tf_machine_t *k,
-                                         const consistent_modes_t *modes,
-                                         unsigned mode) {
-  if (!is_slip(mode)) {
-    const tf_real_t x = modes->lambda[mode == TF_STICK_MINUS] * k->inv_mu;
-    return (multipliers_t){x, mode == TF_STICK_MINUS ? -x : x};
-  }
-  const tf_real_t side = mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0);
-  return signed_multipliers(multipliers_at(&k->tyre, modes->T[mode]), side,
-                            (tf_real_t)modes->sign_g[mode]);
-}
-
 static tf_real_t value_under(affine_t f, multipliers_t m) {
   return f.c0 + f.cx * m.x + f.cy * m.y;
 }
@@ -181,7 +168,7 @@ static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
     return rests_under(TF_REST_HULL, HULL_SHARE * in->pin_x,
                        HULL_SHARE * in->pin_y);
   }
-  const multipliers_t leaving = leaving_multipliers(k, modes, mode);
+  const multipliers_t leaving = tf_codim2_multipliers(k, modes, mode);
   const tf_real_t share = clip(arrival->share, 0, MAX_SHARE),
                   remaining = 1 - share;
   const multipliers_t mean = {arrival->sum.x + remaining * leaving.x,

@@ -130,6 +130,20 @@ check 'both sides at every multiple of the grid' awk -F, '
                n["slip+", 0.3] == 1) }' out
 diverge --exhaustive --depth 1 --grid 0.1 --patience 0.5 --branches b
 check 'the file is what goes to standard output' cmp -s b out
+# The first h = g = 0 of `chaos` as a start: a branch for each of its modes, of
+# which the first row of a run has as many.
+at='--set r=0.17986265324413 --set omega=-1 --set h=0'
+for law in 'hull slip- stick+ stick- pinned' 'bow_tie slip- stick+ stick-'; do
+  # shellcheck disable=SC2086  # a list of words, and of options
+  set -- $law
+  # shellcheck disable=SC2086
+  diverge --exhaustive --depth 1 $at --set "rest=$1" >out
+  # shellcheck disable=SC2086
+  "$T" run chaos $at --set "rest=$1" --t-end 1e-4 >row 2>err
+  equal "every future of h = g = 0 under $1" \
+    "$1 $(awk -F, 'NR > 1 { printf "%s ", $6 }' out)$(
+      sed -n '2s/.*,//p' row)" "$law $(($# - 1))"
+done
 diverge --exhaustive --depth 4 --grid 0.2 --patience 3 >out
 check 'all modes of h = g = 0 are followed' awk -F, '
   $3 == "codim2" { seen[$6] = 1 }

@@ -16,6 +16,7 @@ def csv_of_every_scene():
             *((f"scene={name}", 30000) for name in scenes),
             ("scene=chaos&kappa=0.3&h=0&dt=0.001&omega=-1.02", 4000),
             ("rule=random&seed=7&h=0&omega=-1.02", 20000),
+            ("r=0.17986265324413&h=0&omega=-1", 1000),  # at h = g = 0
             ("law=smooth&epsilon=1e-9&m=1e-7&v=-3e-9", 2000),
             ("scene=driven&rule=slip%2B", 70000)):
         tab = opened(address)
@@ -85,13 +86,13 @@ def futures_fan_out():
     })()""")
     tab.mouse("Moved", x, y)
     check(len(tab.value(CHOICES)) == 3, "another mark under the pointer")
-    # A slip meets h = g = 0 and may stick or rest; a step later rest and a
-    # slip are possible too, but a step into them ends as a stick: they are
+    # A slip passes by h = g = 0 and sticks. Another slip and, for one step,
+    # rest are possible too, but a step into them ends as a stick: they are
     # shown, but cannot be chosen.
     tab.value("location.hash = '#scene=driven&tick=84000&end'")
     go(tab, 84000)
-    for tick, expected in ((83827, ["1  stick−", "2  pinned"]),
-                           (83828, ["slip−!", "1  stick−", "pinned!"])):
+    for tick, expected in ((83829, ["slip−!", "1  stick−", "pinned!"]),
+                           (83830, ["slip−!", "1  stick−"])):
         tab.value(f"twofold.showFan({tick})")
         names = tab.value(CHOICES)
         check(names == expected, f"{tick}: {names}")

@@ -9,6 +9,7 @@ import sys
 
 import page
 import test_board
+import test_futures
 import test_looks
 import test_motion
 import test_scene
@@ -21,8 +22,8 @@ def main():
         print("missing: chromium (apt-get install chromium)")
         return 3
     return run([(test.__name__, page.alone(test)) for test in
-                test_motion.TESTS + test_setup.TESTS + test_scene.TESTS
-                + test_looks.TESTS + test_board.TESTS])
+                test_motion.TESTS + test_futures.TESTS + test_setup.TESTS
+                + test_scene.TESTS + test_looks.TESTS + test_board.TESTS])
 
 
 if __name__ == "__main__":

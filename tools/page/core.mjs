@@ -184,6 +184,13 @@ export class Core {
     return this.row;
   }
 
+  // All that another one of the same module is: set-up, scene from a file,
+  // machine, motion. Between calls its memory is all that it has.
+  become(other) {
+    new Uint8Array(this.c.memory.buffer)
+      .set(new Uint8Array(other.c.memory.buffer));
+  }
+
   restore(row) {
     this.row.set(row);
     this.c.restore();

@@ -89,7 +89,6 @@ function refuse(words) {
 
 // The scene of a file stands last in the list.
 function showFile() {
-  scout.takeFile(core.file.name, core.file.text);
   const list = $('scene').options;
   list[core.ownScene] = new Option(core.scenes[core.ownScene]);
 }
@@ -132,7 +131,6 @@ function open(text) {
   scene = got.scene;
   own = got.own;
   if (core.file) showFile();
-  scout.c.load(scene);
   $('scene').selectedIndex = scene;
   $('shows').textContent = core.text(core.c.scene_shows(scene));
   panel.show(own);
@@ -287,9 +285,7 @@ const csvSteps = () => Math.max(motion.tick, 1);
 // Writes the rows from a motion of its own, so that this one is free.
 async function writeRows() {
   const other = new Core(compiled), steps = csvSteps(), parts = [];
-  if (core.file) other.takeFile(core.file.name, core.file.text);
-  other.c.load(scene);
-  putBack(other, numbers(core));
+  other.become(core);
   const copy = new Motion(other, scout), name = `${core.scenes[scene]}.csv`;
   copy.begin(motion.log);
   const rows = writing = copy.lines(motion.every, steps);

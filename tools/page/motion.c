@@ -1,7 +1,7 @@
 // The simulator as the module of a web page, which imports nothing but numbers
 // from text and into it (libc.mjs). The page writes a set-up, begins, steps,
 // and reads rows. Instances share nothing, so a second one of the same module
-// looks ahead into the futures of the first.
+// that is made a copy of the first looks ahead into its futures.
 #include <string.h>
 
 #include "module.h"

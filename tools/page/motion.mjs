@@ -2,7 +2,6 @@
 // futures that were chosen, each at its tick. Set-up and log decide every bit,
 // so the past is not kept but stepped again from the nearest row: a row every
 // `every` steps is a snapshot. When there are MAX_ROWS, every other one goes.
-import { numbers, putBack } from './address.mjs';
 import { AT, BAD_PARAMETER, COLUMNS } from './core.mjs';
 import { HEADER, line } from './decimal.mjs';
 
@@ -10,7 +9,8 @@ const MAX_ROWS = 1 << 17;
 const MAX_CHANGES = 1 << 16;
 
 export class Motion {
-  // core moves; scout looks ahead. Both are of one module.
+  // core moves; scout looks ahead: a copy of core, taken whenever it looks.
+  // Both are of one module.
   constructor(core, scout) {
     this.core = core;
     this.scout = scout;
@@ -36,7 +36,6 @@ export class Motion {
     this.changes = [[0, start[AT.mode], start[AT.mode], start[AT.set],
       start[AT.choices]]];
     this.#keep();
-    putBack(this.scout, numbers(this.core));
     return null;
   }
 
@@ -161,7 +160,7 @@ export class Motion {
   // The scout at the instant before the step that ends at a tick.
   #before(tick) {
     const { scout } = this;
-    if (scout.c.begin() !== 0) return false;
+    scout.become(this.core);
     const i = Math.min(Math.floor((tick - 1) / this.every), this.count - 1);
     scout.restore(this.row(i));
     scout.look();

@@ -4,7 +4,8 @@
  * and ignored elsewhere. */
 #include <stdbool.h>
 
-#include "common.h"
+#include "codim2_field.h"
+#include "reference.h"
 #include "same_state.h"
 
 #define BIT(mode) ((unsigned)TF_MODE_BIT(mode))
@@ -151,6 +152,8 @@ TEST(begin_without_a_moment) {
     CHECK(c.A > 0);
     judge_contact(&machine, &c, 0);
   }
+  const tf_state_t x = {.r = TF_R(0.5), .w = params.omega0};
+  CHECK(begun(&machine, &x, TF_NO_MODE).mode != TF_PINNED);
 }
 
 /* Off h = 0 the side decides alone, at any law, whatever mode is asked for. */
@@ -197,26 +200,109 @@ TEST(begin_counts_rounding_as_zero) {
   CHECK(slips > 10 && slips < 70);
 }
 
-/* v = 0, w = omega0: h = g = 0. */
-TEST(begin_at_codimension_two_is_pinned) {
-  const tf_params_t params = tf_scenes[0]->params;
-  const tf_machine_t machine = prepared(&params);
-  for (int i = 0; i < 2000; i++) {
-    const tf_state_t x = {.r = uniform(-2, 2), .w = params.omega0};
-    const tf_report_t report = begun(&machine, &x, TF_NO_MODE);
-    CHECK(report.mode == TF_PINNED && report.choices == 1);
-    CHECK(report.slip.h == 0 && report.slip.g == 0);
-    /* g = 0 counts as rolling forwards. */
-    const paper_t p = paper_of(&params);
-    const real A = paper_delassus(&p, wide(x.r), 1);
-    CHECK_NEAR(wide(report.delassus), A, 32 * EPSILON * (1 + fabsl(A)));
-    asked_mode_is_taken_if_consistent(&machine, &x);
+static ref_machine_t reference_of(const tf_params_t *params,
+                                  const tf_input_t *u) {
+  ref_machine_t q = {PARAMETERS_OF(real, params), .knots = 2};
+  const real w = wide(u->omega0), force = wide(u->force);
+  q.knot[0] = (ref_knot_t){0, w, force, wide(u->torque)};
+  q.knot[1] = (ref_knot_t){1, w + wide(u->alpha), force, wide(u->torque)};
+  ref_prepare(&q);
+  return q;
+}
+
+/* The modes in which the reference leaves h = g = 0, or rests there. */
+static unsigned reference_set(const ref_machine_t *q, tf_rest_law_t rest,
+                              ref_state_t x) {
+  static const ref_rest_t law[TF_REST_LAWS] = {[TF_REST_HULL] = REF_HEXAGON,
+                                               [TF_REST_SQUARE] = REF_SQUARE,
+                                               [TF_REST_BOW_TIE] = REF_BOW_TIE};
+  ref_consistent_t found;
+  ref_consistent_codim2(q, x, &found);
+  unsigned set = found.rests[law[rest]] ? BIT(TF_PINNED) : 0;
+  for (int i = 0; i < found.count; i++) set |= BIT(found.list[i].mode);
+  return set;
+}
+
+/* Whether the reference has another set next to a point, so that rounding may
+ * decide. */
+static bool is_border(const ref_machine_t *q, tf_rest_law_t rest,
+                      ref_state_t x) {
+  const real near = IS_DOUBLE ? 1e-6L : 1e-3L;
+  const ref_state_t above = {x.r * (1 + near), 0, x.z * (1 + near), 0, 1};
+  const ref_state_t below = {x.r * (1 - near), 0, x.z * (1 - near), 0, 1};
+  const unsigned set = reference_set(q, rest, x);
+  return set != reference_set(q, rest, above) ||
+         set != reference_set(q, rest, below);
+}
+
+/* The force of a start holds h or g, or gives it the sign of the mode. */
+static void judge_force(const ref_machine_t *q, const tf_report_t *report,
+                        ref_state_t x) {
+  const ref_force_t force = {wide(report->force.F), wide(report->force.M)};
+  const ref_rate_t rate = ref_rate(q, x, force);
+  const ref_rate_t none = ref_rate(q, x, (ref_force_t){0, 0});
+  const unsigned mode = report->mode;
+  const real off =
+      1e3L * EPSILON * (1 + fabsl(none.p) + fabsl(none.z) + q->mu / q->m);
+  if (in_slip(mode))
+    CHECK((mode == TF_SLIP_PLUS ? rate.h : -rate.h) > -off);
+  else
+    CHECK(fabsl(rate.h) < off);
+  if (mode == TF_PINNED) CHECK(fabsl(rate.g) < off);
+  if (mode == TF_STICK_PLUS) CHECK(rate.g > -off);
+  if (mode == TF_STICK_MINUS) CHECK(rate.g < off);
+}
+
+/* v = d z and r z = 0: h = g = 0. The wheel rests where its law holds it, and
+ * else is in another mode of the set, or at rest where that is empty. */
+TEST(begin_at_codimension_two_has_every_future) {
+  int sizes[TF_MODES + 1] = {0}, borders = 0;
+  for (int n = 0; n < samples(1000); n++) {
+    tf_params_t params = any_params(n);
+    params.rest = (tf_rest_law_t)(n % TF_REST_LAWS);
+    params.rule = (tf_rule_t)(n / 3 % TF_RULES);
+    const tf_machine_t k = prepared(&params);
+    tf_input_t u = tf_input_default(&k);
+    u.force = n % 2 ? uniform(-2, 2) : 0;
+    u.torque = n % 2 ? uniform(-1, 1) : 0;
+    u.alpha = n % 5 ? 0 : uniform(-2, 2);
+    const ref_machine_t q = reference_of(&params, &u);
+    const bool passes_axis = n % 7 == 0;
+    const tf_real_t z = passes_axis ? uniform(-2, 2) : 0;
+    const tf_state_t x = {.r = passes_axis ? 0 : uniform(-0.6, 0.6),
+                          .v = params.d * z,
+                          .w = params.omega0 + z};
+    const ref_state_t at = {wide(x.r), 0, wide(z), 0, 1};
+    const unsigned want = reference_set(&q, params.rest, at);
+    for (unsigned asked = 0; asked <= TF_NO_MODE; asked++) {
+      tf_state_t y = x;
+      tf_report_t report;
+      y.mode = (uint8_t)asked;
+      CHECK(tf_begin(&k, &y, &u, &report) == TF_OK);
+      if (report.set != want && is_border(&q, params.rest, at)) {
+        borders++;
+        break;
+      }
+      CHECK(report.set == want && report.mode == y.mode);
+      if (want & BIT(asked))
+        CHECK(y.mode == asked);
+      else if (!want || want & BIT(TF_PINNED))
+        CHECK(y.mode == TF_PINNED);
+      else
+        CHECK(want & BIT(y.mode));
+      /* g = 0 counts as rolling forwards. */
+      const real A = ref_edge(&q, at, 1).A;
+      CHECK_NEAR(wide(report.delassus), A, 1e3L * EPSILON * (1 + fabsl(A)));
+      if (want) judge_force(&q, &report, at);
+      if (asked == TF_NO_MODE) sizes[report.choices]++;
+    }
   }
-  tf_params_t coulomb = params;
-  coulomb.law = TF_TYRE_COULOMB;
-  const tf_machine_t without = prepared(&coulomb);
-  const tf_state_t x = {.r = TF_R(0.5), .w = params.omega0};
-  CHECK(begun(&without, &x, TF_NO_MODE).mode != TF_PINNED);
+  printf(
+      "# futures: none %d, one %d, two %d, three %d, four %d; at borders "
+      "%d\n",
+      sizes[0], sizes[1], sizes[2], sizes[3], sizes[4], borders);
+  CHECK(borders <= samples(1000) / 100);
+  for (int i = 1; i <= 4; i++) CHECK(sizes[i] > samples(1));
 }
 
 /* gamma = 0 and r = 0: no force acts on h, and none is needed. */

@@ -45,9 +45,10 @@ static int prepare_start(cli_job_t *job) {
   if (code == CLI_DONE && setup->report.choices < 2) {
     return cli_message(
         CLI_REFUSED,
-        "the start r = %g m, v = %g m/s, omega = %g rad/s has one future "
+        "the start r = %g m, v = %g m/s, omega = %g rad/s has %s future "
         "(%s), nothing diverges there",
         (double)setup->state.r, (double)setup->state.v, (double)setup->state.w,
+        setup->report.choices == 1 ? "one" : "no",
         tf_mode_name(setup->state.mode));
   }
   return code;

@@ -103,6 +103,17 @@ static bool step_of(cli_motion_t *motion, double dt) {
          step(motion, &machine) >= 0;
 }
 
+// Every mode that may follow from where the motion is.
+static unsigned futures_of(const cli_motion_t *motion) {
+  const tf_machine_t *k = &motion->job->machine;
+  const tf_input_t input = tf_input_default(k);
+  tf_state_t state = motion->state;
+  tf_report_t report = {.set = 0};
+  state.mode = TF_NO_MODE;
+  (void)tf_begin(k, &state, &input, &report);
+  return report.set;
+}
+
 // Whether within the last step, which began at `from`, the motion was at
 // h = g = 0 with several consistent modes. If so it is put there; set gets the
 // modes.
@@ -111,7 +122,7 @@ static bool was_at_codim2(cli_motion_t *motion, const tf_state_t *from,
   const tf_machine_t *k = &motion->job->machine;
   const cli_motion_t after = *motion;
   double passed = 0;
-  *set = 0;
+  bool met = false;
   if (motion->report.choices < 2) {
     return false;
   }
@@ -123,7 +134,7 @@ static bool was_at_codim2(cli_motion_t *motion, const tf_state_t *from,
       break;
     }
     if (motion->report.choices > 1) {
-      *set = motion->report.set;
+      met = true;
       motion->state = before;
     } else {
       passed += length;
@@ -133,7 +144,7 @@ static bool was_at_codim2(cli_motion_t *motion, const tf_state_t *from,
   const double speed =
       fabs((double)motion->state.v) + fabs((double)motion->state.w);
   // Short steps may miss h = g = 0 where the long one hit it.
-  if (*set == 0 || length > SHORTEST ||
+  if (!met || length > SHORTEST ||
       fabs(now.h) + fabs(now.g) >
           CODIM2_TOLERANCES * (double)k->tolerance * speed) {
     *motion = after;
@@ -143,6 +154,7 @@ static bool was_at_codim2(cli_motion_t *motion, const tf_state_t *from,
   motion->state = cli_state_at(k, at);
   motion->state.mode = TF_PINNED;
   motion->t += passed;
+  *set = futures_of(motion);
   return true;
 }
 
@@ -168,15 +180,9 @@ static bool at_codim2(cli_motion_t *motion, unsigned set) {
          leave_codim2(motion, draw_mode(motion, set));
 }
 
-// Leaves h = g = 0 after a pinned wheel has waited, in one of the other modes
-// that a short step finds consistent.
+// Leaves h = g = 0 after a pinned wheel has waited, in one of the other modes.
 static bool leave_pinned(cli_motion_t *motion) {
-  const tf_state_t pinned = motion->state;
-  unsigned set = 0;
-  if (step_of(motion, OFF)) {
-    set = motion->report.set & ~TF_MODE_BIT(TF_PINNED);
-  }
-  motion->state = pinned;
+  const unsigned set = futures_of(motion) & ~TF_MODE_BIT(TF_PINNED);
   return leave_codim2(motion, set != 0 ? draw_mode(motion, set) : TF_PINNED);
 }
 

@@ -123,6 +123,11 @@ static const char *begin(subject_t *s) {
     return NULL;
   }
   FUZZ_HOLD(s->state.tick == was.tick && s->state.seed == was.seed);
+  // A law of rest may leave no future at h = g = 0.
+  if (report.set == 0) {
+    FUZZ_HOLD(report.choices == 0 && report.mode == TF_PINNED);
+    return NULL;
+  }
   return judge_report(&report, &s->state, status);
 }
 
