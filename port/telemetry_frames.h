@@ -34,7 +34,8 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
                          .degraded = at_most_32_bits(SIM_TALLY.degraded),
                          .fell_back = at_most_32_bits(SIM_TALLY.fell_back),
                          .coarse = at_most_32_bits(SIM_TALLY.coarse),
-                         .stalled = at_most_32_bits(SIM_TALLY.stalled)};
+                         .stalled = at_most_32_bits(SIM_TALLY.stalled),
+                         .skipped = c->skipped};
   if (c->steps > 0) {
     beat.exec_min = nanoseconds(c->shortest);
     beat.exec_mean = nanoseconds(c->sum / c->steps);

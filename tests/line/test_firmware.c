@@ -103,12 +103,16 @@ TEST(mean_survives_the_counters) {
   for (unsigned i = 0; i < 3; i++)
     for (uint64_t k = 0; k < 6; k++) {
       const uint64_t steps = ends[i] - 3 + k;
-      const loop_counts_t counts = {
-          .steps = steps, .shortest = 200, .longest = 900, .sum = steps * 300};
+      const loop_counts_t counts = {.steps = steps,
+                                    .shortest = 200,
+                                    .longest = 900,
+                                    .sum = steps * 300,
+                                    .skipped = 93};
       switch_on();
       const tf_heartbeat_t beat = heartbeat_of(&counts);
       CHECK(beat.steps == (uint32_t)steps && beat.exec_mean == 300);
       CHECK(beat.exec_min == 200 && beat.exec_max == 900);
+      CHECK(beat.skipped == 93);
       char text[LOOP_RECORD + 1] = {0};
       text_heartbeat(&counts, (uint8_t *)text);
       CHECK(strstr(text, " min:200 mean:300 max:900") != NULL);

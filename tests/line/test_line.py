@@ -7,6 +7,7 @@ counted."""
 import os
 import pty
 import re
+import signal
 import struct
 import subprocess
 import termios
@@ -49,7 +50,7 @@ class Listener(Line):
                 self.count, self.last = self.count + 1, tick
                 same(motion(payload), self.states.get(tick))
             if kind == HEARTBEAT:
-                self.beat = (tick, self.count, *struct.unpack("<15I", payload))
+                self.beat = (tick, self.count, *struct.unpack("<16I", payload))
         return found
 
     def comes_to(self, tick):
@@ -68,6 +69,25 @@ def test_stalled_reader_costs_records_and_no_step():
         check(0 <= count + numbers[3] - tick <= 1 + tick / 500, line.beat)
         same((line.broken, line.lost), (0, 0))
         same(board.end()[0], 0)
+
+
+def test_ticks_without_a_step_are_told():
+    """A board that is stopped for 80 ms of every 100 is late, and says so as
+    often as one that is not: a second of its clock is 1000 ticks."""
+    with Board("double") as board, Listener(board.name, truth()) as line:
+        told = []
+        line.comes_to(20)
+        while len(told) < 4:
+            board.run.send_signal(signal.SIGSTOP)
+            time.sleep(0.08)
+            board.run.send_signal(signal.SIGCONT)
+            time.sleep(0.02)
+            line.frames(0)
+            if line.beat and line.beat[2:] not in told:
+                told.append(line.beat[2:])
+        clock = [beat[0] + beat[15] for beat in told]
+        check(all(two - one >= 1000 for one, two in zip(clock, clock[1:])), told)
+        check(told[-1][15] > told[1][15], told)
 
 
 def test_reader_leaves_and_comes_back():

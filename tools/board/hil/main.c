@@ -167,15 +167,16 @@ static void print_summary(const hil_board_t *board, const hil_plan_t *plan,
   printf("line      %" PRIu32 " frames, %" PRIu32 " broken, %" PRIu32 " lost",
          board->decoder.frames, board->decoder.bad, board->decoder.lost);
   if (board->has_heartbeat)
-    printf("; the board: %" PRIu32 " overruns, %" PRIu32 " dropped, %" PRIu32
+    printf("; the board: %" PRIu32 " overruns, %" PRIu32
+           " ticks without a step, %" PRIu32 " dropped, %" PRIu32
            " broken or lost, %" PRIu32 " ignored; steps %" PRIu32
            " refused, %" PRIu32 " degraded, %" PRIu32 " coarse, %" PRIu32
            " stalled, %" PRIu32 " fell back",
-           board->heartbeat.overruns, board->heartbeat.dropped,
-           board->heartbeat.bad, board->heartbeat.ignored,
-           board->heartbeat.refused, board->heartbeat.degraded,
-           board->heartbeat.coarse, board->heartbeat.stalled,
-           board->heartbeat.fell_back);
+           board->heartbeat.overruns, board->heartbeat.skipped,
+           board->heartbeat.dropped, board->heartbeat.bad,
+           board->heartbeat.ignored, board->heartbeat.refused,
+           board->heartbeat.degraded, board->heartbeat.coarse,
+           board->heartbeat.stalled, board->heartbeat.fell_back);
   printf(
       "\ncontrol   omega off its set point by %.3g rad/s (rms); end: r = %.9g "
       "m, "
