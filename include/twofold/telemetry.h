@@ -30,6 +30,7 @@ typedef enum {
   TF_DOWN_HEARTBEAT = 0x06, ///< counters of the real-time loop
   TF_DOWN_PARAMETER = 0x07, ///< one parameter: value, range, name, unit
   TF_DOWN_ANSWER = 0x08,    ///< the result of a command
+  TF_DOWN_EXPIRED = 0x09,   ///< inputs from outside have expired
   TF_UP_INPUT = 0x41,
   TF_UP_PARAMETER = 0x42,
   TF_UP_RULE = 0x43,
@@ -50,6 +51,7 @@ typedef enum {
 #define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 5)
 #define TF_COMPACT_BYTES (3 * TF_REAL_BYTES + 2)
 #define TF_HEARTBEAT_BYTES 64u
+#define TF_EXPIRED_BYTES 4u
 #define TF_PARAMETER_BYTES (3 * TF_REAL_BYTES + 32)
 
 /// Contents of a schema frame.
