@@ -132,6 +132,10 @@ TEST(documented_frames_decode) {
   judge("heartbeat", 0x06, 5, 1000, wire, size);
   size = tf_send_parameter(wire, &sequence, 1000, &tf_scenes[0]->params, 8);
   judge("parameter", 0x07, 6, 1000, wire, own * size);
+  tf_wire_put(wire + TF_FRAME_AT, 2, TF_EXPIRED_BYTES);
+  size =
+      tf_frame_seal(wire, TF_DOWN_EXPIRED, TF_EXPIRED_BYTES, &sequence, 1000);
+  judge("expired", 0x09, 7, 1000, wire, size);
   judge_commands();
 }
 

@@ -95,7 +95,7 @@ static int read_input(cli_board_command_t *command, const char *rest) {
 static int read_deadman(cli_board_command_t *command, const char *rest) {
   uint64_t steps = 0;
   if (!cli_read_whole(rest, 0, UINT32_MAX, &steps)) {
-    return refuse(command->text, "expected deadman:STEPS; 0: without end");
+    return refuse(command->text, "expected deadman:TICKS; 0: without end");
   }
   command->seed = (uint32_t)steps;
   return CLI_DONE;
