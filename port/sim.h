@@ -2,12 +2,12 @@
 /// The simulation of a firmware, from tick to tick.
 ///
 /// Locked (without UPLINK) the machine is a constant and bytes that come in are
-/// ignored. With UPLINK they are commands, which take effect at the
-/// tick that they name, or at the first one after they came. Inputs that come
-/// this way hold for DEADMAN ticks of the board's clock, by default half a second: 25 records at the
-/// default rate, so that a controller may miss most of them, and still short
-/// against the two seconds that scene `chaos` stays in one mode. With
-/// UPLINK_KEY, 16 bytes, commands need the tag of that key.
+/// ignored. With UPLINK they are commands, which take effect at the tick that
+/// they name, or at the first one after they came. Inputs that come this way
+/// hold for DEADMAN ticks of the board's clock, by default half a second: 25
+/// records at the default rate, so that a controller may miss most of them, and
+/// still short against the two seconds that scene `chaos` stays in one mode.
+/// With UPLINK_KEY, 16 bytes, commands need the tag of that key.
 #ifndef TWOFOLD_PORT_SIM_H
 #define TWOFOLD_PORT_SIM_H
 

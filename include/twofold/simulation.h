@@ -10,13 +10,12 @@
 ///                          &simulation.report));
 ///
 /// Inputs that are set from outside hold for `deadman` ticks of the program's
-/// clock. A tick is a step, or one that passes without a step while the
-/// simulation runs (tf_simulation_pass); while it stands, as a board in lockstep
-/// does, none counts. Their alpha is that of the first of these
-/// steps, at whose end the turntable has their omega0, and keeps it. After that
-/// the inputs are the safe ones, those of a machine that nothing drives
-/// (tf_input_default), until they are set once more. Cost and stack:
-/// docs/BENCH.md.
+/// clock: steps, and ticks that pass without one while the simulation runs
+/// (tf_simulation_pass). While it stands, as a board in lockstep does, none
+/// counts. Their alpha is that of the first of these steps, at whose end the
+/// turntable has their omega0, and keeps it. After that the inputs are the safe
+/// ones, those of a machine that nothing drives (tf_input_default), until they
+/// are set once more. Cost and stack: docs/BENCH.md.
 #ifndef TWOFOLD_SIMULATION_H
 #define TWOFOLD_SIMULATION_H
 
