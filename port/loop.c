@@ -14,7 +14,7 @@ typedef struct {
   uint32_t tellable; // ticks that the clock can measure
   // Time that writing takes [clock]: of anything, and of a record.
   uint32_t longest_record, shortest_record;
-  uint32_t until_record, until_heartbeat;
+  uint32_t until_record, last_heartbeat; // the latter is a tick
   unsigned first, last; // the bytes to send are buffer[first .. last - 1]
   uint8_t buffer[LOOP_ROOM];
 } loop_t;
@@ -103,11 +103,11 @@ static unsigned queue_other(loop_t *loop) {
 // most. The times measured here keep later descriptions from delaying a step.
 static void send_descriptions(loop_t *loop) {
   bool more = true;
-  const uint32_t first = loop->tick;
+  loop->last_heartbeat = loop->tick;
   time_a_record(loop);
   queue_record(loop, 1);
   while ((more || loop->first != loop->last) &&
-         loop->tick - first < loop->plan->rate) {
+         loop->tick - loop->last_heartbeat < loop->plan->rate) {
     if (more && make_room(loop)) more = queue_other(loop) > 0;
     use_spare_time(loop);
     loop->tick = port_ticks();
@@ -136,8 +136,9 @@ static int overran(loop_t *loop) {
 }
 
 static void queue_what_is_due(loop_t *loop) {
-  if (--loop->until_heartbeat == 0) {
-    loop->until_heartbeat = loop->plan->heartbeat;
+  // By the clock: a board that is late says so in time.
+  if (loop->tick - loop->last_heartbeat >= loop->plan->heartbeat) {
+    loop->last_heartbeat = loop->tick;
     queue_record(loop, 1);
   }
   if (--loop->until_record == 0) {
@@ -150,6 +151,7 @@ static void queue_what_is_due(loop_t *loop) {
 static loop_end_t run(loop_t *loop) {
   loop_counts_t *counts = loop->counts;
   send_descriptions(loop);
+  loop->last_heartbeat = loop->tick;
   while (loop->plan->steps == 0 || counts->steps < loop->plan->steps) {
     use_spare_time(loop);
     const uint32_t now = port_ticks();
@@ -177,7 +179,6 @@ loop_end_t loop_run(const loop_plan_t *plan, loop_counts_t *counts) {
   loop->plan = plan;
   loop->counts = counts;
   loop->until_record = plan->every;
-  loop->until_heartbeat = plan->heartbeat;
   if (!port_tick_start(plan->rate)) return LOOP_NO_TIMER;
   loop->period = port_clock_rate() / plan->rate;
   loop->tellable = UINT32_MAX / 2 / (loop->period + 1);

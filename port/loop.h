@@ -6,7 +6,7 @@
 /// and in the time that is left the serial line: records are written and sent,
 /// and bytes are received. A record that does not fit, in room or in time, is
 /// dropped; a step never is. Both are counted, and the counts are sent in the
-/// heartbeats.
+/// heartbeats, which come by the clock: of a board that is late as often.
 ///
 /// Overrun: step and output end after the next tick. Under policy LOOP_SKIP
 /// they are finished, the ticks that passed meanwhile get no step (`skipped`

@@ -26,7 +26,8 @@ void port_init(void);
 bool port_tick_start(uint32_t rate);
 
 /// Ticks since port_tick_start, modulo 2^32. The board counts them whether or
-/// not this is called.
+/// not this is called, and by time: steps that are late, sleep and other
+/// programs do not stop the count, by which inputs from outside expire.
 uint32_t port_ticks(void);
 
 /// A clock that never goes back, running since port_tick_start, modulo 2^32.

@@ -13,14 +13,14 @@
 #   STEPS=0          how many; 0 without end
 #   FORMAT=plotter   or csv, or frames (docs/PROTOCOL.md)
 #   UPLINK=          yes: takes commands (frames); else locked
-#   DEADMAN=         steps that inputs from the uplink hold, 0 without end; by
+#   DEADMAN=         ticks that inputs from the uplink hold, 0 without end; by
 #                    default those of half a second
 #   KEY=             32 hexadecimal digits: commands need the tag of this key
 #   OVERRUN=skip     or stop: what the loop does about a step that ends too late
 #   EVERY=           steps from record to record; by default 50 records a second
 #   ONLY='host uno'  the boards for `make test-boards`
-#   PROGRAM=firmware or trajectory, population, window, stack, kit
-#                    (tests/target); wasm32: module
+#   PROGRAM=firmware or trajectory, population, window, stack, deadman,
+#                    kit (tests/target); wasm32: module
 
 BOARDS := $(filter-out template,$(patsubst port/%/board.mk,%,\
   $(wildcard port/*/board.mk)))
@@ -80,6 +80,7 @@ BOARD_CC ?= $(BOARD_TOOLS)gcc
 # Test programs keep the dt of the scene.
 RATE_OF_firmware := $(RATE)
 RATE_OF_stack := $(RATE)
+RATE_OF_deadman := $(RATE)
 RATE_OF_kit := $(RATE)
 FIRMWARE_RATE := $(RATE_OF_$(PROGRAM))
 
@@ -100,6 +101,7 @@ SOURCE_firmware := port/main.c port/firmware.c port/loop.c
 SOURCE_trajectory := tests/target/trajectory.c
 SOURCE_population := tests/target/population.c
 SOURCE_stack := tests/target/stack.c port/firmware.c port/loop.c
+SOURCE_deadman := tests/target/deadman.c port/loop.c
 SOURCE_window := tests/target/window.c
 SOURCE_kit := tests/target/kit.c
 FIRMWARE_SOURCES := $(SOURCE_$(PROGRAM)) $(wildcard port/$(BOARD)/*.c) \

@@ -2,17 +2,18 @@
 /// The simulation of a firmware, from tick to tick.
 ///
 /// Locked (without UPLINK) the machine is a constant and bytes that come in are
-/// ignored. With UPLINK they are commands, which take effect at the
-/// tick that they name, or at the first one after they came. Inputs that come
-/// this way hold for DEADMAN steps, by default half a second: 25 records at the
-/// default rate, so that a controller may miss most of them, and still short
-/// against the two seconds that scene `chaos` stays in one mode. With
-/// UPLINK_KEY, 16 bytes, commands need the tag of that key.
+/// ignored. With UPLINK they are commands, which take effect at the tick that
+/// they name, or at the first one after they came. Inputs that come this way
+/// hold for DEADMAN ticks of the board's clock, by default half a second: 25
+/// records at the default rate, so that a controller may miss most of them, and
+/// still short against the two seconds that scene `chaos` stays in one mode.
+/// With UPLINK_KEY, 16 bytes, commands need the tag of that key.
 #ifndef TWOFOLD_PORT_SIM_H
 #define TWOFOLD_PORT_SIM_H
 
 #include "app.h"
 #include "core.h"
+#include "port.h"
 
 #ifndef RATE
 #define RATE 1000
@@ -32,6 +33,11 @@ static struct {
   tf_link_t link;
   uint64_t expected; // tick of the next step, unless a command changes it
   bool is_under_way; // the last tick took that step
+  uint32_t ticks;    // of the board's clock, when commands last took effect
+  // Inputs that have expired, which is to be told behind so many answers.
+  bool has_expired;
+  uint8_t answers;
+  uint64_t expired_at; // tick of the machine
 } sim;
 #define SIM_STATE sim.simulation.state
 #define SIM_TALLY sim.simulation.tally
@@ -65,8 +71,23 @@ static void sim_receive(uint8_t byte, uint32_t when) {
 #endif
 }
 
+// Each tick of the clock is counted once, also where it comes between the
+// loop's look at it and this one.
 static void sim_latch(void) {
+  const uint32_t now = port_ticks();
+  tf_simulation_pass(&sim.simulation, now - sim.ticks - 1);
+  sim.ticks = now;
   (void)tf_link_boundary(&sim.link, &sim.simulation);
+}
+
+// What took effect before is told before.
+static void sim_note_expired(uint64_t tick) {
+  const tf_link_t *link = &sim.link;
+  sim.has_expired = true;
+  sim.expired_at = tick;
+  sim.answers = link->has_aside;
+  for (unsigned i = 0; i < link->waiting; i++)
+    sim.answers = (uint8_t)(sim.answers + link->queue[i].done);
 }
 
 // Whatever commands do to the tick, records are of ticks that are multiples of
@@ -78,7 +99,9 @@ static loop_step_t sim_step(uint32_t *until_record) {
   if (!simulation->running) return LOOP_STOOD;
   if (!was_under_way || simulation->state.tick != sim.expected)
     *until_record = EVERY - (uint32_t)(simulation->state.tick % EVERY);
+  const uint32_t expired = simulation->expired;
   const tf_input_t input = tf_simulation_input(simulation, SCENE);
+  if (simulation->expired != expired) sim_note_expired(simulation->state.tick);
   const tf_status_t status = scheme_step(
       &simulation->machine, &simulation->state, &input, &simulation->report);
   tf_tally_count(&simulation->tally, simulation->state.tick, status);

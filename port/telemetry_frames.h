@@ -34,7 +34,8 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
                          .degraded = at_most_32_bits(SIM_TALLY.degraded),
                          .fell_back = at_most_32_bits(SIM_TALLY.fell_back),
                          .coarse = at_most_32_bits(SIM_TALLY.coarse),
-                         .stalled = at_most_32_bits(SIM_TALLY.stalled)};
+                         .stalled = at_most_32_bits(SIM_TALLY.stalled),
+                         .skipped = c->skipped};
   if (c->steps > 0) {
     beat.exec_min = nanoseconds(c->shortest);
     beat.exec_mean = nanoseconds(c->sum / c->steps);
@@ -72,9 +73,25 @@ static size_t telemetry_layout(uint8_t *to, tf_type_t type,
   return tf_send_layout(to, &telemetry_sequence, SIM_STATE.tick, type, layout);
 }
 
+#ifdef UPLINK
+// The next answer, or that inputs have expired. Returns: bytes; 0: neither.
+static size_t telemetry_answer(uint8_t *to) {
+  if (!sim.has_expired || sim.answers > 0) {
+    const size_t n = tf_link_answer(&sim.link, to, &telemetry_sequence);
+    if (sim.answers > 0) sim.answers--;
+    if (n > 0 || !sim.has_expired) return n;
+  }
+  sim.has_expired = false;
+  sim.answers = 0;
+  (void)tf_wire_put(to + TF_FRAME_AT, sim.simulation.expired, TF_EXPIRED_BYTES);
+  return tf_frame_seal(to, TF_DOWN_EXPIRED, TF_EXPIRED_BYTES,
+                       &telemetry_sequence, sim.expired_at);
+}
+#endif
+
 static unsigned telemetry_other(uint8_t *to) {
 #ifdef UPLINK
-  const size_t n = tf_link_answer(&sim.link, to, &telemetry_sequence);
+  const size_t n = telemetry_answer(to);
   if (n > 0) return (unsigned)n;
   if (sim.link.describe) telemetry_description = 0;
   sim.link.describe = false;

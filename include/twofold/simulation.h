@@ -9,12 +9,13 @@
 ///                  tf_step(&simulation.machine, &simulation.state, &input,
 ///                          &simulation.report));
 ///
-/// Inputs that are set from outside hold for `deadman` steps (not seconds: a
-/// board in lockstep may wait). Their alpha is that of the first of these
-/// steps, at whose end the turntable has their omega0, and keeps it. After that
-/// the inputs are the safe ones, those of a machine that nothing drives
-/// (tf_input_default), until they are set once more. Cost and stack:
-/// docs/BENCH.md.
+/// Inputs that are set from outside hold for `deadman` ticks of the program's
+/// clock: steps, and ticks that pass without one while the simulation runs
+/// (tf_simulation_pass). While it stands, as a board in lockstep does, none
+/// counts. Their alpha is that of the first of these steps, at whose end the
+/// turntable has their omega0, and keeps it. After that the inputs are the safe
+/// ones, those of a machine that nothing drives (tf_input_default), until they
+/// are set once more. Cost and stack: docs/BENCH.md.
 #ifndef TWOFOLD_SIMULATION_H
 #define TWOFOLD_SIMULATION_H
 
@@ -38,8 +39,8 @@ typedef struct {
   tf_input_t input;          ///< set from outside
   tf_input_source_t source;  ///< whose inputs the next step has
   tf_input_source_t stepped; ///< whose inputs the last step had
-  uint32_t deadman; ///< steps that inputs from outside hold; 0: without end
-  uint32_t left;    ///< steps that the present ones still hold
+  uint32_t deadman; ///< ticks that inputs from outside hold; 0: without end
+  uint32_t left;    ///< ticks that the present ones still hold
   uint32_t expired; ///< inputs that expired so, modulo 2^32
   tf_tally_t tally; ///< of the steps since tf_simulation_open
   bool running;     ///< whether the program steps at a tick
@@ -73,9 +74,18 @@ TF_API tf_status_t tf_simulation_open(tf_simulation_t *simulation,
 TF_API void tf_simulation_set_input(tf_simulation_t *simulation,
                                     const tf_input_t *input);
 
+/// Ticks have passed without a step, and inputs from outside hold for so many
+/// fewer. To be called before commands take effect.
+/// simulation: in/out. ticks: in.
+static inline void tf_simulation_pass(tf_simulation_t *simulation,
+                                      uint32_t ticks) {
+  if (!simulation->running) return;
+  simulation->left -= ticks < simulation->left ? ticks : simulation->left;
+}
+
 /// Inputs of the next step: those of the scene at (tick + 1) dt, those set from
 /// outside, or those of tf_input_default. To be called once for each step: this
-/// is where the steps of the dead-man are counted.
+/// is where its tick of the dead-man is counted.
 /// simulation: in/out. scene: in.
 #define tf_simulation_input TF_LINK(tf_simulation_input)
 TF_API tf_input_t tf_simulation_input(tf_simulation_t *simulation,

@@ -30,6 +30,7 @@ typedef enum {
   TF_DOWN_HEARTBEAT = 0x06, ///< counters of the real-time loop
   TF_DOWN_PARAMETER = 0x07, ///< one parameter: value, range, name, unit
   TF_DOWN_ANSWER = 0x08,    ///< the result of a command
+  TF_DOWN_EXPIRED = 0x09,   ///< inputs from outside have expired
   TF_UP_INPUT = 0x41,
   TF_UP_PARAMETER = 0x42,
   TF_UP_RULE = 0x43,
@@ -49,7 +50,8 @@ typedef enum {
 #define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
 #define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 5)
 #define TF_COMPACT_BYTES (3 * TF_REAL_BYTES + 2)
-#define TF_HEARTBEAT_BYTES 60u
+#define TF_HEARTBEAT_BYTES 64u
+#define TF_EXPIRED_BYTES 4u
 #define TF_PARAMETER_BYTES (3 * TF_REAL_BYTES + 32)
 
 /// Contents of a schema frame.
@@ -83,6 +85,7 @@ typedef struct {
   uint32_t coarse;    ///< steps TF_COARSE
   uint32_t stalled;   ///< steps TF_STALLED
   uint32_t expired;   ///< inputs from outside that were not renewed in time
+  uint32_t skipped;   ///< ticks that got no step
 } tf_heartbeat_t;
 
 /// Hash of all parameters that the motion depends on, the same on every board:
@@ -98,7 +101,8 @@ TF_API size_t tf_send_schema(uint8_t *wire, uint32_t *sequence, uint64_t tick,
 
 /// Names, types, scales and units of the payloads, for tf_send_layout:
 /// "name,type,scale,unit", separated by ";". Types: real (of the size in the
-/// schema), u8, i8, u16, u32, u64. The number times the scale is in the unit.
+/// schema), u8, i8, u16, u32, u64. The number times the scale is in the unit;
+/// where both are left out it is a count or a code.
 #define tf_layout_state TF_LINK(tf_layout_state)
 TF_API_DATA const char *const tf_layout_state;
 #define tf_layout_report TF_LINK(tf_layout_report)

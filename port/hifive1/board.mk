@@ -17,5 +17,7 @@ BOARD_STEPS := 100000
 BOARD_RATES_float := 400:3
 BOARD_RATES_double := 200:3
 BOARD_LOADS := -kernel
+# A rate and shift at which every step is too late.
+BOARD_LATE := 1000:6
 # The painted stack is compared with the call graph.
 BOARD_PAINT := yes

@@ -64,19 +64,18 @@ TF_API size_t tf_send_schema(uint8_t *wire, uint32_t *sequence, uint64_t tick,
 }
 
 TF_API const char *const tf_layout_state =
-    "r,real,1,m;v,real,1,m/s;omega,real,1,rad/s;phi,real,1,rad;seed,u32,1,1;"
-    "mode,u8,1,1";
+    "r,real,1,m;v,real,1,m/s;omega,real,1,rad/s;phi,real,1,rad;seed,u32;"
+    "mode,u8";
 TF_API const char *const tf_layout_report =
     "h,real,1,m/s;g,real,1,m/s;F,real,1,N;M,real,1,N m;delassus,real,1,1/kg;"
-    "residual,real,1,N;mode,u8,1,1;set,u8,1,1;choices,u8,1,1;status,i8,1,1;"
-    "input,u8,1,1";
+    "residual,real,1,N;mode,u8;set,u8;choices,u8;status,i8;input,u8";
 TF_API const char *const tf_layout_compact =
-    "r,real,1,m;v,real,1,m/s;omega,real,1,rad/s;mode,u8,1,1;choices,u8,1,1";
+    "r,real,1,m;v,real,1,m/s;omega,real,1,rad/s;mode,u8;choices,u8";
 TF_API const char *const tf_layout_heartbeat =
-    "steps,u32,1,1;refused,u32,1,1;overruns,u32,1,1;dropped,u32,1,1;"
-    "bad,u32,1,1;ignored,u32,1,1;min,u32,1e-9,s;mean,u32,1e-9,s;"
-    "max,u32,1e-9,s;period,u32,1e-9,s;degraded,u32,1,1;fell_back,u32,1,1;"
-    "coarse,u32,1,1;stalled,u32,1,1;expired,u32,1,1";
+    "steps,u32;refused,u32;overruns,u32;dropped,u32;bad,u32;ignored,u32;"
+    "min,u32,1e-9,s;mean,u32,1e-9,s;max,u32,1e-9,s;period,u32,1e-9,s;"
+    "degraded,u32;fell_back,u32;coarse,u32;stalled,u32;expired,u32;"
+    "skipped,u32";
 
 TF_API size_t tf_send_layout(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              tf_type_t type, const char *layout) {
@@ -136,7 +135,8 @@ TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
       heartbeat->dropped,  heartbeat->bad,       heartbeat->ignored,
       heartbeat->exec_min, heartbeat->exec_mean, heartbeat->exec_max,
       heartbeat->period,   heartbeat->degraded,  heartbeat->fell_back,
-      heartbeat->coarse,   heartbeat->stalled,   heartbeat->expired};
+      heartbeat->coarse,   heartbeat->stalled,   heartbeat->expired,
+      heartbeat->skipped};
   uint8_t *at = wire + TF_FRAME_AT;
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     at = tf_wire_put(at, counters[i], 4);
@@ -150,7 +150,8 @@ TF_API void tf_read_heartbeat(const uint8_t *payload,
       &heartbeat->dropped,  &heartbeat->bad,       &heartbeat->ignored,
       &heartbeat->exec_min, &heartbeat->exec_mean, &heartbeat->exec_max,
       &heartbeat->period,   &heartbeat->degraded,  &heartbeat->fell_back,
-      &heartbeat->coarse,   &heartbeat->stalled,   &heartbeat->expired};
+      &heartbeat->coarse,   &heartbeat->stalled,   &heartbeat->expired,
+      &heartbeat->skipped};
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     *counters[i] = (uint32_t)tf_wire_get(payload + 4 * i, 4);
 }

@@ -36,7 +36,7 @@ TF_API void tf_simulation_set_input(tf_simulation_t *simulation,
   simulation->left = simulation->deadman;
 }
 
-// A count of steps that are left, not a tick at which the inputs end: the tick
+// A count of ticks that are left, not a tick at which the inputs end: the tick
 // jumps when a state is restored.
 static void count_down(tf_simulation_t *simulation) {
   if (simulation->deadman == 0) return;

@@ -6,10 +6,12 @@ types that are tested."""
 import os
 import pty
 import select
+import signal
 import struct
 import subprocess
 import sys
 import termios
+import time
 import tty
 import zlib
 from pathlib import Path
@@ -17,15 +19,15 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).resolve().parents[2] / place)
                 for place in ("tests/support", "tools/board/protocol")]
 from decode import decode  # noqa: E402  (the paths come first)
-from tap import TWOFOLD  # noqa: E402
+from tap import TWOFOLD, check  # noqa: E402
 
 BUILD = Path(TWOFOLD).parents[1]
 FIRMWARE = str(Path(os.environ.get("FIRMWARE") or
                     BUILD / "boards/host/chaos").resolve())
 REALS = (os.environ.get("REALS") or "double float").split()
 RUN = [TWOFOLD, "run", "chaos", "--t-end", "0.5", "--dt", "1e-3"]
-SCHEMA, STATE, HEARTBEAT, ANSWER = 0x01, 0x03, 0x06, 0x08
-INPUT, STOP, DESCRIBE = 0x41, 0x45, 0x4A
+SCHEMA, STATE, HEARTBEAT, ANSWER, EXPIRED = 0x01, 0x03, 0x06, 0x08, 0x09
+INPUT, STOP, DESCRIBE, DEADMAN = 0x41, 0x45, 0x4A, 0x4B
 
 
 def program(real, name):
@@ -66,6 +68,13 @@ class Board:
 
     def __exit__(self, *_):
         self.end()
+
+    def stop_a_while(self):
+        """For 80 ms, of the next 100."""
+        self.run.send_signal(signal.SIGSTOP)
+        time.sleep(0.08)
+        self.run.send_signal(signal.SIGCONT)
+        time.sleep(0.02)
 
     def end(self):
         """Its exit code, and what it says in the end."""
@@ -114,6 +123,15 @@ class Line:
                              any(frame[3][13:17]))[3]
         self.session = schema[13:17]
         self.number = struct.unpack_from("<I", schema, 17)[0]
+
+    def command(self, kind, data):
+        """It takes effect. Returns: the step after which it does."""
+        os.write(self.line, framed(kind, self.number, 0, self.session + data))
+        self.number += 1
+        answer = self.listen(lambda frame: frame[0] == ANSWER and
+                             frame[3][4] == kind)
+        check(answer[3][5] == 0, answer)
+        return answer[2]
 
     def use_up_to(self, number):
         """A stop with that number, as another host would send it."""

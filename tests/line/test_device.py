@@ -57,8 +57,9 @@ def test_a_followed_device_comes_back():
         before = rows("rows.part")
         until(lambda: rows("rows.part") > before + 100, "rows again")
         monitor.send_signal(signal.SIGTERM)
-        # 6: a busy computer may lose frames, and the new line begins in one.
-        check(monitor.wait() in (0, 6), monitor.returncode)
+        # 5, 6: a busy computer may be late and lose frames, and the new line
+        # begins in one.
+        check(monitor.wait() in (0, 5, 6), monitor.returncode)
 
 
 def test_what_came_before_a_device_was_heard_is_no_loss():
@@ -74,13 +75,13 @@ def test_what_came_before_a_device_was_heard_is_no_loss():
 
 
 def sent(board, *commands, code=0, key=()):
-    """What is said of commands. Where the computer is busy rows are lost (6),
-    which is another matter."""
+    """What is said of commands. Where the computer is busy ticks get no step
+    (5) or rows are lost (6), which is another matter."""
     words = [word for one in commands for word in ("--send", one)]
     done = subprocess.run([TWOFOLD, "monitor", board.name, *words, *key],
                           stdin=subprocess.DEVNULL, capture_output=True,
                           text=True, check=False)
-    check(done.returncode in (code, code or 6), done.stderr)
+    check(done.returncode in ((code,) if code else (0, 5, 6)), done.stderr)
     return done.stderr
 
 
@@ -115,7 +116,7 @@ def test_answers_to_others_are_not_its_own():
     with Board("double") as board:
         code, said = relayed(lambda _, frame: frame, board, TWOFOLD, "monitor",
                              "LINE", "--send", "stop", down=others)
-    check(code in (0, 6) and "stop: took effect at step" in said, said)
+    check(code in (0, 5, 6) and "stop: took effect at step" in said, said)
     check("12345" not in said, said)
 
 

@@ -26,6 +26,8 @@
 const uint8_t chosen_scene = 0;
 static uint32_t clock_now, clock_rate;
 uint32_t port_clock_rate(void) { return clock_rate; }
+static uint32_t ticks_now;
+uint32_t port_ticks(void) { return ticks_now; }
 
 static void switch_on(void) {
   memset(&sim, 0, sizeof sim);
@@ -44,6 +46,14 @@ static void ask(void) {
     clock_now += 86806;
     app_receive(wire[i], clock_now);
   }
+}
+
+/* A tick of the board's clock, by which so many have passed. */
+static void tick_after(uint32_t ticks) {
+  uint32_t until = EVERY;
+  ticks_now += ticks;
+  CHECK(app_latch() == 0);
+  (void)app_step(&until);
 }
 
 static tf_heartbeat_t heartbeat_of(const loop_counts_t *counts) {
@@ -103,12 +113,16 @@ TEST(mean_survives_the_counters) {
   for (unsigned i = 0; i < 3; i++)
     for (uint64_t k = 0; k < 6; k++) {
       const uint64_t steps = ends[i] - 3 + k;
-      const loop_counts_t counts = {
-          .steps = steps, .shortest = 200, .longest = 900, .sum = steps * 300};
+      const loop_counts_t counts = {.steps = steps,
+                                    .shortest = 200,
+                                    .longest = 900,
+                                    .sum = steps * 300,
+                                    .skipped = 93};
       switch_on();
       const tf_heartbeat_t beat = heartbeat_of(&counts);
       CHECK(beat.steps == (uint32_t)steps && beat.exec_mean == 300);
       CHECK(beat.exec_min == 200 && beat.exec_max == 900);
+      CHECK(beat.skipped == 93);
       char text[LOOP_RECORD + 1] = {0};
       text_heartbeat(&counts, (uint8_t *)text);
       CHECK(strstr(text, " min:200 mean:300 max:900") != NULL);
@@ -160,6 +174,41 @@ TEST(csv_has_its_header_again) {
   unsigned commas = 0;
   for (unsigned i = 0; i < length; i++) commas += text[i] == ',';
   CHECK(commas == 9 && !memcmp(text + length - 2, "\r\n", 2));
+}
+
+/* Half a second of the board's clock is that, however many of its ticks get a
+ * step, and where the clock goes round; a board that stands loses none. When
+ * inputs expire is told behind the answers of before. */
+TEST(dead_man_is_of_the_clock) {
+  for (uint32_t gap = 1; gap < 600; gap += 7) {
+    ticks_now = 0u - 3 * gap;
+    switch_on();
+    while (app_other(line) > 0) continue;
+    tick_after(1);
+    const tf_input_t push = tf_input_default(&sim.simulation.machine);
+    tf_simulation_set_input(&sim.simulation, &push);
+    sim.simulation.running = false;
+    tick_after(1000);
+    sim.simulation.running = true;
+    tick_after(1);
+    for (uint32_t since = gap; since < RATE / 2; since += gap) {
+      tick_after(gap);
+      CHECK(sim.simulation.stepped == TF_INPUT_SET && app_other(line) == 0);
+    }
+    tick_after(gap);
+    const uint64_t steps = sim.simulation.state.tick;
+    CHECK(sim.simulation.stepped == TF_INPUT_SAFE);
+    const tf_frame_t told = frame_in(line, app_other(line), TF_DOWN_EXPIRED);
+    CHECK(tf_wire_get(told.payload, TF_EXPIRED_BYTES) == 1);
+    CHECK(told.tick == steps - 1 && app_other(line) == 0);
+    /* An answer that waits goes before it. */
+    ask();
+    tf_simulation_set_input(&sim.simulation, &push);
+    sim.simulation.left = 0;
+    tick_after(1);
+    CHECK(frame_in(line, app_other(line), TF_DOWN_ANSWER).type != 0);
+    CHECK(frame_in(line, app_other(line), TF_DOWN_EXPIRED).type != 0);
+  }
 }
 
 /* Two boards that are asked at different times have different sessions, and

@@ -78,7 +78,21 @@ def silent_controller(real, *how):
     with Board(real) as board:
         said = drive(board.name, *STEPS, *how, "--silent", "200", "--deadman",
                      "100", real=real)
-        says(said, f"held for 100 steps, expired {times} times")
+        says(said, f"held for 100 ticks, expired {times} times")
+
+
+def stopped_board(real):
+    """By whose clock inputs expire in fewer steps, one or many of them."""
+    with Board(real) as board, subprocess.Popen(
+            [hil(real), board.name, *STEPS, "--silent", "300", "--deadman",
+             "200"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            text=True) as process:
+        while process.poll() is None:
+            board.stop_a_while()
+        said = process.stdout.read()
+    check(process.returncode == 0, said)
+    says(said, "held for 200 ticks, expired [1-9][0-9]* times")
+    says(said, "the board: .*[1-9][0-9]* ticks without a step")
 
 
 def inputs_that_never_come_in_time(real):
@@ -204,6 +218,7 @@ def cases():
             yield test, (real,)
         yield silent_controller, (real, "--lockstep")
         yield silent_controller, (real, "--delay", "20")
+        yield stopped_board, (real,)
     for test, numbers in (
             (a_stop_that_is_lost_ends_the_lockstep, (2, 9)),
             (an_input_that_is_lost_is_sent_again, (1, 5)),

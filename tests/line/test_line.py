@@ -4,6 +4,7 @@ reader that stalls, leaves, comes back, a device that is unplugged, a pipe that
 is closed. Whatever the line does, every state that comes is that of the same
 step of a run of the command line, bit for bit, and what did not come is
 counted."""
+import contextlib
 import os
 import pty
 import re
@@ -13,10 +14,24 @@ import termios
 import time
 import tty
 
-from boards import (ANSWER, DESCRIBE, HEARTBEAT, RUN, STATE, Board, Line,
-                    framed)
+from boards import (ANSWER, DEADMAN, DESCRIBE, EXPIRED, HEARTBEAT, INPUT, RUN,
+                    STATE, Board, Line, framed)
 from decode import frames
 from tap import check, main, output, same, until
+
+
+@contextlib.contextmanager
+def busy(processes):
+    """Other work beside what is tested, of the lowest priority."""
+    others = [subprocess.Popen(["nice", "-n", "19", "sh", "-c",
+                                "while :; do :; done"])
+              for _ in range(processes)]
+    try:
+        yield
+    finally:
+        for other in others:
+            other.kill()
+            other.wait()
 
 
 def motion(payload):
@@ -49,7 +64,7 @@ class Listener(Line):
                 self.count, self.last = self.count + 1, tick
                 same(motion(payload), self.states.get(tick))
             if kind == HEARTBEAT:
-                self.beat = (tick, self.count, *struct.unpack("<15I", payload))
+                self.beat = (tick, self.count, *struct.unpack("<16I", payload))
         return found
 
     def comes_to(self, tick):
@@ -68,6 +83,58 @@ def test_stalled_reader_costs_records_and_no_step():
         check(0 <= count + numbers[3] - tick <= 1 + tick / 500, line.beat)
         same((line.broken, line.lost), (0, 0))
         same(board.end()[0], 0)
+
+
+def beat_in(frame):
+    """The step of a heartbeat, and its ticks of the clock that got none."""
+    return [(frame[2], *struct.unpack_from("<I", frame[3], 60))] \
+        if frame[0] == HEARTBEAT else []
+
+
+def test_ticks_without_a_step_are_told():
+    """A board that is stopped for 80 ms of every 100 is late, and says so as
+    often as one that is not: a second of its clock is 1000 ticks."""
+    with Board("double") as board, Line(board.name) as line:
+        told = []
+        line.listen(lambda frame: frame[0] == STATE)
+        while len(told) < 4:
+            board.stop_a_while()
+            told += [beat for frame in line.frames() for beat in beat_in(frame)]
+        clock = [sum(beat) for beat in told]
+        check(all(two - one >= 1000 for one, two in zip(clock, clock[1:])),
+              told)
+        check(told[-1][1] > told[1][1], told)
+
+
+def hold(board, line, stops):
+    """Inputs hold for 2000 ticks. Returns: for how many steps they did, and how
+    many ticks there were meanwhile, as the heartbeats within count them."""
+    line.describe()
+    line.command(DEADMAN, struct.pack("<I", 2000))
+    beats, ended = [], None
+    begun = line.command(INPUT, struct.pack("<5d", -1, 0.1, 0, 0, 0))
+    while ended is None:
+        if stops:
+            board.stop_a_while()
+        for frame in line.frames():
+            beats += beat_in(frame)
+            if frame[0] == EXPIRED:
+                ended = frame[2]
+    within = [sum(beat) for beat in beats if begun < beat[0] < ended]
+    return ended - begun, within[-1] - within[0] if within else None
+
+
+def test_inputs_expire_by_the_clock():
+    """Of a board that is stopped for 80 ms of every 100 long before it has
+    taken so many steps, and of one beside other work after as many at most."""
+    for stops in True, False:
+        with Board("double") as board, Line(board.name) as line, \
+                busy(0 if stops else 2):
+            os.setpriority(os.PRIO_PROCESS, board.run.pid, 19)
+            ticks = None
+            while ticks is None:  # all of the computer may stand for seconds
+                steps, ticks = hold(board, line, stops)
+            check(steps <= 2000 - 60 * stops and ticks < 2000, (steps, ticks))
 
 
 def test_reader_leaves_and_comes_back():

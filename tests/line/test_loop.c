@@ -147,6 +147,18 @@ TEST(overruns_are_finished_and_counted) {
   }
 }
 
+/* Heartbeats are of the clock: two ticks to a step, or a gap of many. */
+TEST(late_board_has_its_heartbeats) {
+  reset(1500);
+  CHECK(run_loop(5000, 10, LOOP_SKIP) == LOOP_DONE);
+  CHECK(counted.skipped == 5000 && board.beats == 1 + 10);
+  reset(300);
+  board.slow_step = 999;
+  board.slow_costs = 5000 * PERIOD;
+  CHECK(run_loop(2000, 10, LOOP_SKIP) == LOOP_DONE);
+  CHECK(board.beats == 1 + 2 && counted.skipped == 5000);
+}
+
 TEST(stalled_reader_costs_records_and_no_step) {
   reset(300);
   board.stalled = true;

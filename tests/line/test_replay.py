@@ -152,6 +152,21 @@ def test_inputs_hold_and_expire():
         check("held" not in got, got)
 
 
+def test_inputs_expire_by_the_clock_of_the_board():
+    """Of which the steps that are left may be fewer: where they end is told."""
+    drive, early = hold(-1.4, 0.12, 0.3, -0.02, 0.1), (0x09, bits32(1))
+    for left in 1, 200, 299:
+        replay = began((100, deadman(300)), (200, drive), (200 + left, early),
+                       (600, GO))
+        sources = [data[-1] for kind, _, _, data in sent(*replay[1:])
+                   if kind == 4]
+        check(sources == [0] * 201 + [1] * left + [2] * (400 - left), sources)
+    for rows in ([], [(100, deadman(0)), (200, drive)],
+                 [(100, deadman(5)), (200, drive)]):
+        text = call(*began(*rows, (300, early), (600, GO)), code=4)[1]
+        check("inputs expire that do not hold" in text, text)
+
+
 def test_alpha_acts_on_one_step():
     """A turntable that is moved step by step moves as in a table; a command
     that is lost or late leaves it where it is, and the next one makes up for
@@ -307,8 +322,10 @@ def test_session_of_a_board():
     lines = lines_of("record")
     same(len([line for line in lines if re.match(r"\d+,4[0-9a-f],", line)]), 12)
     check(any(re.search(",03,.*,state$", line) for line in lines), "no state")
-    check(re.fullmatch(r"# shard 1/1: 14 rows, crc32 [0-9a-f]{8}, "
-                       r"run [0-9a-f]{8}", lines[-1]), lines[-1])
+    expired = sum(",09," in line for line in lines)
+    check(re.fullmatch(fr"# shard 1/1: {14 + expired} rows, "
+                       r"crc32 [0-9a-f]{8}, run [0-9a-f]{8}",
+                       lines[-1]), lines[-1])
     text = call("run", "chaos", *AT, "--replay", "record", "--save", "at",
                 "--out", "again")[1]
     check("record: 12 commands took effect, 1 states" in text, text)

@@ -60,19 +60,24 @@ def test_more_than_one_run_is_told():
     same("more than one run" in judged(half + other, code=6), True)
 
 
-def test_drops_are_those_since_the_first_heartbeat():
-    """By the count of the board, which goes round, or begins again with it."""
+def test_counts_are_those_since_the_first_heartbeat():
+    """By the counts of the board, which go round, or begin again with it: of
+    records that were dropped, and of ticks without a step."""
     stream = output(*RUN, "--every", "50", "--format", "frames")
     last = framed(*frames(stream)[-1])
     same((stream.endswith(last), last[0]), (True, 0))
     number = frames(stream)[-1][1]
-    for dropped, code in (([3, 3, 3], 0), ([3, 3, 10], 6), ([100, 0], 0),
-                          ([100, 0, 2], 6), ([2**32 - 1] * 2, 0),
-                          ([2**32 - 2, 2], 6)):
-        beats = [framed(HEARTBEAT, number + i, 500, struct.pack(
-            "<15I", 500, 0, 0, one, *[0] * 11)) for i, one in
-                 enumerate(dropped)]
-        judged(stream.removesuffix(last) + b"".join(beats), code=code)
+    for counts, grows in (([3, 3, 3], 0), ([3, 3, 10], 1), ([100, 0], 0),
+                          ([100, 0, 2], 1), ([2**32 - 1] * 2, 0),
+                          ([2**32 - 2, 2], 1)):
+        for where, code in ((3, 6), (15, 5)):
+            beats = [framed(HEARTBEAT, number + i, 500, struct.pack(
+                "<16I", 500, *(one * (at == where) for at in range(1, 16))))
+                     for i, one in enumerate(counts)]
+            said = judged(stream.removesuffix(last) + b"".join(beats),
+                          "--summary", "json", code=grows * code)
+            same(json.loads(said.splitlines()[-1])["board"][
+                "dropped" if where == 3 else "skipped"], counts[-1])
 
 
 def test_an_interrupted_run_has_no_end():

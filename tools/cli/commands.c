@@ -174,8 +174,9 @@ const cli_command_t cli_commands[] = {
          "whole.\n"
          "exit codes: 0 done, 2 usage, 3 a command was refused, 4 no frame, no "
          "answer, interrupted within a file, or the device was unplugged, 5 "
-         "done, but some steps were degraded, coarse or stalled, as "
-         "reports and heartbeats tell, 6 done, but frames were lost or broken, "
+         "done, but some steps were degraded, coarse or stalled, or "
+         "ticks of the board got no step, as it tells meanwhile, 6 done, but "
+         "frames were lost or broken, "
          "the stream ends before its run, the sender was started again (unless "
          "there is --follow), or a value is not finite",
      .bit = CLI_MONITOR,

@@ -308,7 +308,7 @@ const cli_option_t cli_options[] = {
      .what = "sends a command to the board and prints the answer; may be "
              "repeated. Commands: start, stop, reset, snapshot, restore, "
              "describe, clear, set:NAME=VALUE, select:RULE[:SEED], input (the "
-             "scene's own), input:OMEGA0,R0,FORCE,TORQUE, deadman:STEPS that "
+             "scene's own), input:OMEGA0,R0,FORCE,TORQUE, deadman:TICKS that "
              "inputs hold (0: without end). Ends after the last answer unless "
              "there is --as or a live view"},
     {"--key", "FILE", CLI_MONITOR, TEXT(key), .how = CLI_READS,

@@ -58,7 +58,7 @@ static const tf_report_t report_shown = {
     TF_STICK_MINUS,   0x18, 2, {TF_R(0.75), TF_R(-0.2)},
     {0, TF_R(-0.25)}, 2,    0, TF_OK};
 static const tf_heartbeat_t heartbeat_shown = {
-    1000, 0, 2, 3, 1, 0, 5200, 5400, 9100, 1000000, 4, 0, 1, 3, 2};
+    1000, 0, 2, 3, 1, 0, 5200, 5400, 9100, 1000000, 4, 0, 1, 3, 2, 93};
 static tf_schema_t schema_shown(void) {
   const tf_schema_t schema = {.params = &tf_scenes[0]->params,
                               .scene = tf_scenes[0]->name,
@@ -132,6 +132,10 @@ TEST(documented_frames_decode) {
   judge("heartbeat", 0x06, 5, 1000, wire, size);
   size = tf_send_parameter(wire, &sequence, 1000, &tf_scenes[0]->params, 8);
   judge("parameter", 0x07, 6, 1000, wire, own * size);
+  tf_wire_put(wire + TF_FRAME_AT, 2, TF_EXPIRED_BYTES);
+  size =
+      tf_frame_seal(wire, TF_DOWN_EXPIRED, TF_EXPIRED_BYTES, &sequence, 1000);
+  judge("expired", 0x09, 7, 1000, wire, size);
   judge_commands();
 }
 
@@ -278,10 +282,14 @@ static unsigned bytes_of(const char *layout) {
   unsigned sum = 0;
   while (*layout) {
     char name[16], type[8], scale[8], unit[16];
-    int used = 0;
-    CHECK(sscanf(layout, "%15[^,],%7[^,],%7[^,],%15[^;]%n", name, type, scale,
-                 unit, &used) == 4);
-    CHECK(strtod(scale, NULL) > 0);
+    int used = 0, more = 0;
+    CHECK(sscanf(layout, "%15[^,;],%7[^,;]%n", name, type, &used) == 2);
+    if (layout[used] == ',') {
+      CHECK(sscanf(layout + used, ",%7[^,;],%15[^;]%n", scale, unit, &more) ==
+            2);
+      CHECK(strtod(scale, NULL) > 0);
+      used += more;
+    }
     unsigned i = 0;
     while (i < 6 && strcmp(types[i].name, type)) i++;
     if (!CHECK(i < 6 && used > 0)) return 0;

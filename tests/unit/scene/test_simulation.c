@@ -75,6 +75,24 @@ TEST(inputs_expire_after_their_steps) {
         simulation.deadman == UINT32_MAX);
 }
 
+/* A tick without a step is one of those for which inputs hold, but not while
+ * the simulation stands. */
+TEST(ticks_without_a_step_count) {
+  tf_simulation_t simulation;
+  CHECK(tf_simulation_open(&simulation, tf_scenes[0], &tf_scenes[0]->params,
+                           0) == TF_OK);
+  for (uint32_t left = 0; left < 5; left++)
+    for (uint32_t ticks = 0; ticks < 7; ticks++) {
+      simulation.left = left;
+      simulation.running = false;
+      tf_simulation_pass(&simulation, ticks);
+      CHECK(simulation.left == left);
+      simulation.running = true;
+      tf_simulation_pass(&simulation, ticks < 6 ? ticks : UINT32_MAX);
+      CHECK(simulation.left == (ticks < left ? left - ticks : 0));
+    }
+}
+
 /* alpha is that of the first step, whether the next command comes in time, late
  * or never: the turntable stays where it has come to. */
 TEST(alpha_acts_on_its_first_step_only) {

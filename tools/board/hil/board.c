@@ -139,6 +139,9 @@ static hil_code_t take(hil_board_t *board, const tf_frame_t *frame) {
     take_report(board, frame);
   if (frame->type == TF_DOWN_ANSWER && frame->length >= 8)
     take_answer(board, frame);
+  if (frame->type == TF_DOWN_EXPIRED && board->listens &&
+      board->expired_count < board->room)
+    board->expired[board->expired_count++] = frame->tick;
   if (frame->type == TF_DOWN_HEARTBEAT && frame->length == TF_HEARTBEAT_BYTES) {
     tf_read_heartbeat(frame->payload, &board->heartbeat);
     board->has_heartbeat = true;

@@ -51,7 +51,7 @@ typedef struct {
   bool has_schema;
   uint32_t session;       ///< that commands name; 0: not known yet
   bool renews;            ///< its last number was sent: another session follows
-  uint32_t deadman;       ///< steps that an input holds
+  uint32_t deadman;       ///< ticks that an input holds
   uint32_t deadman_found; ///< ... before this host changed it
   tf_params_t params;
   const tf_scene_t *scene;
@@ -71,8 +71,10 @@ typedef struct {
   uint32_t every;
   hil_sample_t *samples;
   size_t count, room;
-  bool listens; ///< states are kept
-  bool has_new; ///< a state has come since the last response
+  uint64_t *expired;    ///< ticks from which inputs that expired held no longer
+  size_t expired_count; ///< at most `room`
+  bool listens;         ///< states are kept
+  bool has_new;         ///< a state has come since the last response
   tf_heartbeat_t heartbeat;
   bool has_heartbeat;
 } hil_board_t;
@@ -106,7 +108,7 @@ typedef struct {
   bool in_lockstep; ///< the board waits for each input
   uint64_t silent;  ///< from this step on no input is sent
   bool has_deadman; ///< the board is told how long an input holds ...
-  uint32_t deadman; ///< ... in steps; else it keeps its own number
+  uint32_t deadman; ///< ... in ticks; else it keeps its own number
 } hil_plan_t;
 
 typedef struct {

@@ -36,7 +36,7 @@ static hil_code_t usage(void) {
       "  --speed W       set point of the disc's speed [rad/s] (-0.9)\n"
       "  --gain G        of the turntable's speed (0.1)\n"
       "  --brake B       torque / speed above the set point [N m s] (0.2)\n"
-      "  --deadman N     steps that an input holds, 0 without end; default: "
+      "  --deadman N     ticks that an input holds, 0 without end; default: "
       "as\n"
       "                  the board has it\n"
       "  --silent N      sends no input from step N on, as a controller that\n"
@@ -162,20 +162,21 @@ static void print_summary(const hil_board_t *board, const hil_plan_t *plan,
   if (board->deadman == 0)
     printf("held without end");
   else
-    printf("held for %" PRIu32 " steps", board->deadman);
+    printf("held for %" PRIu32 " ticks", board->deadman);
   printf(", expired %" PRIu32 " times\n", v->expired);
   printf("line      %" PRIu32 " frames, %" PRIu32 " broken, %" PRIu32 " lost",
          board->decoder.frames, board->decoder.bad, board->decoder.lost);
   if (board->has_heartbeat)
-    printf("; the board: %" PRIu32 " overruns, %" PRIu32 " dropped, %" PRIu32
+    printf("; the board: %" PRIu32 " overruns, %" PRIu32
+           " ticks without a step, %" PRIu32 " dropped, %" PRIu32
            " broken or lost, %" PRIu32 " ignored; steps %" PRIu32
            " refused, %" PRIu32 " degraded, %" PRIu32 " coarse, %" PRIu32
            " stalled, %" PRIu32 " fell back",
-           board->heartbeat.overruns, board->heartbeat.dropped,
-           board->heartbeat.bad, board->heartbeat.ignored,
-           board->heartbeat.refused, board->heartbeat.degraded,
-           board->heartbeat.coarse, board->heartbeat.stalled,
-           board->heartbeat.fell_back);
+           board->heartbeat.overruns, board->heartbeat.skipped,
+           board->heartbeat.dropped, board->heartbeat.bad,
+           board->heartbeat.ignored, board->heartbeat.refused,
+           board->heartbeat.degraded, board->heartbeat.coarse,
+           board->heartbeat.stalled, board->heartbeat.fell_back);
   printf(
       "\ncontrol   omega off its set point by %.3g rad/s (rms); end: r = %.9g "
       "m, "
@@ -222,7 +223,8 @@ int main(int argc, char **argv) {
   board->key = options.has_key ? options.key : NULL;
   board->room = (size_t)(options.plan.steps / options.plan.every) + 64;
   board->samples = calloc(board->room, sizeof *board->samples);
-  if (board->samples != NULL) {
+  board->expired = calloc(board->room, sizeof *board->expired);
+  if (board->samples != NULL && board->expired != NULL) {
     cli_catch_signals();
     code = perform(board, &options);
     if (ferror(stdout) || fflush(stdout) || ferror(stderr)) code = HIL_STOPPED;
@@ -230,6 +232,7 @@ int main(int argc, char **argv) {
     code = hil_message(HIL_STOPPED, "out of memory");
   }
   free(board->samples);
+  free(board->expired);
   free(board);
   return (int)code;
 }

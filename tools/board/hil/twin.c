@@ -1,6 +1,6 @@
 // The twin responds to its own states, never to those of the board. From the
-// board it takes only the ticks: of the samples, and at which each input took
-// effect.
+// board it takes only the ticks: of the samples, at which each input took
+// effect, and at which inputs expired, since that is by the board's clock.
 #include <math.h>
 #include <string.h>
 
@@ -13,6 +13,7 @@ typedef struct {
   tf_simulation_t simulation;
   size_t next;   // sample to compare next
   size_t effect; // sample whose input takes effect next
+  size_t expiry; // to come
   double squares;
 } twin_t;
 
@@ -81,6 +82,17 @@ static void apply(twin_t *twin) {
   }
 }
 
+// Inputs that expire before this step: the simulation finds none of their ticks
+// left.
+static void expire(twin_t *twin) {
+  const hil_board_t *board = twin->board;
+  while (twin->expiry < board->expired_count &&
+         board->expired[twin->expiry] == twin->simulation.state.tick) {
+    twin->simulation.left = 0;
+    twin->expiry++;
+  }
+}
+
 // Counts late, unanswered and missing inputs. Those that could not take effect
 // within the run are not sent.
 static void count_times(const hil_board_t *board, const hil_plan_t *plan,
@@ -117,6 +129,7 @@ hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
       compare(&twin);
     apply(&twin);
     if (tick == plan->steps) break;
+    expire(&twin);
     const tf_input_t input = tf_simulation_input(simulation, board->scene);
     if (tf_step(&simulation->machine, &simulation->state, &input,
                 &simulation->report) < 0)

@@ -95,7 +95,7 @@ static int read_input(cli_board_command_t *command, const char *rest) {
 static int read_deadman(cli_board_command_t *command, const char *rest) {
   uint64_t steps = 0;
   if (!cli_read_whole(rest, 0, UINT32_MAX, &steps)) {
-    return refuse(command->text, "expected deadman:STEPS; 0: without end");
+    return refuse(command->text, "expected deadman:TICKS; 0: without end");
   }
   command->seed = (uint32_t)steps;
   return CLI_DONE;
@@ -316,7 +316,8 @@ const cli_board_command_t *cli_board_commands_answer(
 
 // A record is CSV: tick, type and payload of a frame of docs/PROTOCOL.md, and
 // for a person the command as typed. The first row is the schema, so the
-// record says what it belongs to in the words of the board. Of the states
+// record says what it belongs to in the words of the board. That inputs expired
+// is a row too: when they did depends on the board's clock. Of the states
 // the last one is kept: a replay that ends in its bits was the same throughout.
 // What was refused did nothing and is left out. The last line counts the rows:
 // a record that is cut off would be a session of fewer commands.
@@ -367,6 +368,11 @@ void cli_session_record_frame(cli_session_record_t *record,
     put_row(record, frame->tick, frame->type, frame->payload, frame->length,
             CLI_RECORD_SCHEMA);
     record->has_schema = true;
+  }
+  if (frame->type == TF_DOWN_EXPIRED && record->has_schema) {
+    record->has_state = false;
+    put_row(record, frame->tick, frame->type, frame->payload, frame->length,
+            "inputs expired");
   }
   if (frame->type != TF_DOWN_STATE || !record->has_schema) {
     return;

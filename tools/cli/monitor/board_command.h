@@ -17,7 +17,7 @@ typedef struct {
   const char *text;      ///< as typed
   uint8_t type;          ///< tf_type_t
   uint8_t index;         ///< of a parameter, or a rule
-  uint32_t seed;         ///< of a rule, or the steps of `deadman`
+  uint32_t seed;         ///< of a rule, or the ticks of `deadman`
   const char *number[5]; ///< as typed, converted in the real type of the board
   size_t numbers;
 } cli_board_command_t;

@@ -61,9 +61,9 @@ static void write_title(const monitor_t *monitor, char title[TITLE_ROOM]) {
       decoder->bad + decoder->too_long + decoder->bad_version, decoder->lost);
   if (receiver->has_heartbeat) {
     (void)snprintf(title + used, TITLE_ROOM - (size_t)used,
-                   "; %" PRIu32 " overruns, %" PRIu32 " dropped, %" PRIu32
-                   " times without inputs",
-                   beat->overruns, beat->dropped, beat->expired);
+                   "; %" PRIu32 " overruns, %" PRIu32 " skipped, %" PRIu32
+                   " dropped, %" PRIu32 " times without inputs",
+                   beat->overruns, beat->skipped, beat->dropped, beat->expired);
   }
 }
 
@@ -298,7 +298,10 @@ static int judge_stream(const monitor_t *monitor, int code) {
   if (fault != NULL) {
     return cli_message(CLI_DAMAGED, "%s: %s", monitor->source.name, fault);
   }
-  return seen->not_finite > 0 ? CLI_DAMAGED : cli_tally_code(&flagged);
+  if (seen->not_finite > 0) {
+    return CLI_DAMAGED;
+  }
+  return seen->skipped.more > 0 ? CLI_FLAGGED : cli_tally_code(&flagged);
 }
 
 static int perform(monitor_t *monitor) {

@@ -30,13 +30,13 @@ static uint64_t missing_so_far(const cli_seen_t *seen) {
 
 // A count that went back is that of a board that was started again, and counts
 // from 0; one that went on may have passed 2^32.
-static void note_dropped(cli_seen_t *seen, uint32_t told) {
-  const uint32_t more = told - seen->last_told;
-  if (seen->has_told) {
-    seen->dropped += more <= UINT32_MAX / 2 ? more : told;
+static void note_told(cli_told_t *count, uint32_t told) {
+  const uint32_t more = told - count->last;
+  if (count->is_known) {
+    count->more += more <= UINT32_MAX / 2 ? more : told;
   }
-  seen->has_told = true;
-  seen->last_told = told;
+  count->is_known = true;
+  count->last = told;
 }
 
 static void note_row(cli_seen_t *seen, const cli_csv_t *row) {
@@ -84,7 +84,8 @@ void cli_seen_frame(cli_seen_t *seen, uint8_t type, const cli_csv_t *row) {
   }
   seen->is_open = receiver->ends && type != TF_DOWN_HEARTBEAT;
   if (receiver->has_heartbeat) {
-    note_dropped(seen, beat->dropped);
+    note_told(&seen->dropped, beat->dropped);
+    note_told(&seen->skipped, beat->skipped);
     // A board that was started again counts from 0, and what it reported before
     // holds.
     const tf_tally_t told = {.degraded = beat->degraded,
@@ -103,7 +104,7 @@ void cli_seen_frame(cli_seen_t *seen, uint8_t type, const cli_csv_t *row) {
 
 uint64_t cli_seen_missing(const cli_seen_t *seen) {
   return missing_so_far(seen) + seen->receiver.has_state - seen->before +
-         seen->dropped;
+         seen->dropped.more;
 }
 
 tf_tally_t cli_seen_flagged(const cli_seen_t *seen) {
@@ -113,8 +114,10 @@ tf_tally_t cli_seen_flagged(const cli_seen_t *seen) {
 static void print_board(const tf_heartbeat_t *beat) {
   (void)fprintf(stderr,
                 "board      %" PRIu32 " steps, %" PRIu32 " overruns, %" PRIu32
-                " frames dropped, %" PRIu32 " steps refused",
-                beat->steps, beat->overruns, beat->dropped, beat->refused);
+                " ticks without a step, %" PRIu32 " frames dropped, %" PRIu32
+                " steps refused",
+                beat->steps, beat->overruns, beat->skipped, beat->dropped,
+                beat->refused);
   if (beat->exec_max > 0) {
     (void)fprintf(stderr,
                   "; a step takes %" PRIu32 " to %" PRIu32 " ns, mean %" PRIu32,
@@ -213,6 +216,7 @@ static void put_board(const cli_receiver_t *receiver) {
   (void)fputs("\"board\": {", stderr);
   cli_put_count("steps", beat->steps);
   cli_put_count("overruns", beat->overruns);
+  cli_put_count("skipped", beat->skipped);
   cli_put_count("dropped", beat->dropped);
   cli_put_count("expired", beat->expired);
   cli_put_count("exec_min_ns", beat->exec_min);

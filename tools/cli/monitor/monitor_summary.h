@@ -6,6 +6,13 @@
 
 #include "receiver.h"
 
+/// A count of the board, which goes round, or begins again with it.
+typedef struct {
+  uint64_t more; ///< since the first heartbeat that told it
+  uint32_t last; ///< as the last one has it
+  bool is_known;
+} cli_told_t;
+
 typedef struct {
   const char *source; ///< name of the file or device
   bool is_device;     ///< the stream began before it was read
@@ -17,9 +24,8 @@ typedef struct {
   uint32_t last_counted; ///< by the decoder, modulo 2^32
   uint64_t before;     ///< missing before a device was heard from its start on
   bool heard;          ///< the first schema has come
-  uint64_t dropped;    ///< frames that the board itself dropped meanwhile
-  uint32_t last_told;  ///< dropped frames as the last heartbeat has them
-  bool has_told;       ///< there was one
+  cli_told_t dropped;  ///< frames that the board itself dropped
+  cli_told_t skipped;  ///< its ticks that got no step
   bool is_open;        ///< the stream has an end, which has not come yet
   uint64_t not_finite; ///< rows with a value that is not finite
   uint64_t first_tick; ///< of the first of these

@@ -143,6 +143,8 @@ static unsigned length_of(const cli_receiver_t *receiver, uint8_t type) {
       return 3 * R + 2;
     case TF_DOWN_HEARTBEAT:
       return TF_HEARTBEAT_BYTES;
+    case TF_DOWN_EXPIRED:
+      return TF_EXPIRED_BYTES;
     default:
       return 0;
   }
@@ -182,6 +184,7 @@ bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
       receiver->has_heartbeat = true;
       return false;
     case TF_DOWN_ANSWER:
+    case TF_DOWN_EXPIRED:
     case TF_DOWN_LAYOUT:
     case TF_DOWN_PARAMETER:
       return false;

@@ -325,6 +325,11 @@ bool cli_replay_next(cli_replay_t *replay, cli_system_t *system,
       if (!same_state(row, &simulation->state)) {
         replay->failed = "the state is not that of the board";
       }
+    } else if (row->type == TF_DOWN_EXPIRED) {
+      if (simulation->source != TF_INPUT_SET || simulation->deadman == 0) {
+        replay->failed = "inputs expire that do not hold";
+      }
+      simulation->left = 0; // the next step finds that they have
     } else if (!perform(replay, row)) {
       replay->failed = "a command is refused that the board took";
     } else {
