@@ -32,6 +32,7 @@
 #include <unistd.h>
 
 #include "../text/message.h"
+#include "../text/trailer.h"
 #include "host.h"
 
 #define MAX_LINKS 40 // as many as Linux follows
@@ -140,7 +141,12 @@ static int open_part(cli_destination_t *to, const struct stat *before,
     if (opened < 0) {
       return errno;
     }
+    struct stat found;
     int error = cli_is_regular(opened) ? 0 : EEXIST;
+    // Under another name it is somebody's file.
+    if (error == 0 && fstat(opened, &found) == 0 && found.st_nlink > 1) {
+      error = EMLINK;
+    }
     if (error == 0 && flock(opened, LOCK_EX | LOCK_NB) != 0) {
       error = errno == EWOULDBLOCK ? EBUSY : errno;
     }
@@ -280,6 +286,7 @@ static int destination_close(cli_destination_t *to, bool whole) {
 
 bool cli_output_open(cli_output_t *output, const char *path, bool keep) {
   output->used = 0;
+  output->checked = false;
   output->last = '\n';
   output->flushed = cli_now();
   output->name =
@@ -343,8 +350,70 @@ bool cli_output_lines(cli_output_t *output, const char *lines, size_t length) {
   return true;
 }
 
+// Writes the lines of a part to a copy; of its trailers only the last, which is
+// at its end. Returns: 0 or an errno.
+static int copy_rows(const char *part, int to) {
+  static cli_output_t copy;
+  static char line[CLI_OUTPUT_ROOM + 1]; // as long as a row can be
+  char last[CLI_TRAILER_ROOM] = "";
+  FILE *from = fopen(part, "r");
+  if (from == NULL) {
+    return errno;
+  }
+  copy.to.descriptor = to;
+  copy.used = 0;
+  copy.error = 0;
+  copy.last = '\n';
+  while (fgets(line, sizeof line, from) != NULL) {
+    if (strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) == 0) {
+      (void)snprintf(last, sizeof last, "%s", line);
+    } else {
+      (void)cli_output_lines(&copy, line, strlen(line));
+    }
+  }
+  (void)cli_output_lines(&copy, last, strlen(last));
+  (void)cli_output_flush(&copy);
+  const int error = ferror(from) != 0 ? EIO : copy.error;
+  (void)fclose(from);
+  return error == 0 && fsync(to) != 0 ? errno : error;
+}
+
+// Takes the trailers but the last out of a part. What is rewritten where it
+// stands is lost with the program, so a copy takes the place of the part, with
+// its permissions and with a lock. Returns: 0 or an errno.
+static int drop_checks(cli_destination_t *to) {
+  char path[CLI_PATH_ROOM + 4];
+  struct stat part;
+  if (!names(to->part, to->descriptor) || fstat(to->descriptor, &part) != 0) {
+    return EBUSY;
+  }
+  (void)snprintf(path, sizeof path, "%s.new", to->part);
+  (void)unlink(path); // of a program that was killed: the part has its lock
+  const int copy = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (copy < 0) {
+    return errno;
+  }
+  int error = fchmod(copy, part.st_mode & 0777) != 0 ? errno : 0;
+  error = error == 0 && flock(copy, LOCK_EX | LOCK_NB) != 0 ? EBUSY : error;
+  error = error == 0 ? copy_rows(to->part, copy) : error;
+  if (error == 0 && rename(path, to->part) != 0) {
+    error = errno;
+  }
+  if (error != 0) {
+    (void)unlink(path);
+    (void)close(copy);
+    return error;
+  }
+  (void)close(to->descriptor);
+  to->descriptor = copy;
+  return 0;
+}
+
 bool cli_output_close(cli_output_t *output, bool whole) {
   (void)cli_output_flush(output);
+  if (output->checked && whole && output->error == 0) {
+    output->error = drop_checks(&output->to);
+  }
   const int error = destination_close(&output->to, whole && output->error == 0);
   if (output->error == 0) {
     output->error = error;
@@ -358,6 +427,8 @@ const char *cli_output_reason(const cli_output_t *output) {
       return "closed by its reader";
     case EBUSY:
       return "another program writes this file";
+    case EMLINK:
+      return "its .part is a hard link to another file; remove it";
     default:
       return strerror(output->error);
   }

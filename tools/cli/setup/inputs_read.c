@@ -4,12 +4,14 @@
 
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/options.h"
+#include "../text/trailer.h"
 #include "inputs.h"
 #include "names.h"
 
@@ -20,8 +22,11 @@ typedef struct {
   cli_inputs_t *inputs;
   const char *name;
   uint64_t line;
-  size_t fields;       // of every row; 0 before the header
-  size_t kind[FIELDS]; // CLI_INPUT_..., or CLI_INPUTS for t
+  size_t fields;        // of every row; 0 before the header
+  size_t kind[FIELDS];  // CLI_INPUT_..., or CLI_INPUTS for t
+  cli_trailer_t sum;    // of header and rows
+  bool declared, wrong; // a comment says how many rows, and it is not so
+  uint64_t rows;        // that a comment said before them
 } reader_t;
 
 static int refuse(const reader_t *reader, int code, size_t field,
@@ -145,13 +150,51 @@ static int read_row(reader_t *reader, char *line) {
                            (unsigned long long)reader->line);
 }
 
+// A comment may say how long the table is: `# 120 rows` before them, or the
+// trailer of this program's files behind them, with the checksum.
+static void read_comment(reader_t *reader, const char *line) {
+  char last[CLI_TRAILER_ROOM], *end = NULL;
+  const uint64_t rows = line[1] == ' ' ? strtoull(line + 2, &end, 10) : 0;
+  if (end != NULL && end != line + 2 && strcmp(end, " rows") == 0) {
+    reader->declared = true;
+    reader->rows = rows;
+  } else if (strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) ==
+             0) {
+    (void)cli_trailer_line(&reader->sum, &cli_whole_shard, last);
+    const size_t length = (size_t)(strstr(last, ", run") - last);
+    reader->wrong = reader->wrong || strncmp(line, last, length) != 0;
+    reader->declared = true;
+    reader->rows = reader->sum.rows;
+  }
+}
+
+static int check_length(const reader_t *reader, bool open) {
+  if (reader->declared &&
+      (open || reader->wrong || reader->rows != reader->sum.rows)) {
+    return cli_message(CLI_REFUSED,
+                       "%s: cut off or changed: it is not as long as it says",
+                       reader->name);
+  }
+  return open ? cli_message(CLI_DONE,
+                            "note: %s:%llu: the last line has no newline: it "
+                            "may be cut off",
+                            reader->name, (unsigned long long)reader->line)
+              : CLI_DONE;
+}
+
 static int read_line(reader_t *reader, char *line) {
   if (reader->line == 1) {
     line += cli_utf8_mark(line, strlen(line));
   }
-  if (line[strspn(line, " \t")] == '\0' || line[0] == '#') {
+  if (line[0] == '#') {
+    read_comment(reader, line);
     return CLI_DONE;
   }
+  if (line[strspn(line, " \t")] == '\0') {
+    return CLI_DONE;
+  }
+  cli_trailer_add(&reader->sum, line, strlen(line), reader->fields > 0);
+  cli_trailer_add(&reader->sum, "\n", 1, 0);
   return reader->fields == 0 ? read_header(reader, line)
                              : read_row(reader, line);
 }
@@ -159,12 +202,14 @@ static int read_line(reader_t *reader, char *line) {
 static int read_all(reader_t *reader, FILE *file) {
   char line[LINE_ROOM];
   int code = CLI_DONE;
+  bool open = false;
   while (code == CLI_DONE) {
     const cli_line_t found = cli_read_line(file, line, sizeof line);
     if (found == CLI_LINE_END) {
       break;
     }
     reader->line++;
+    open = feof(file) != 0; // what ended the line is not a newline
     code = found == CLI_LINE
                ? read_line(reader, line)
                : cli_message(CLI_USAGE,
@@ -180,7 +225,7 @@ static int read_all(reader_t *reader, FILE *file) {
     return cli_message(CLI_USAGE, "%s: no %s", reader->name,
                        reader->fields == 0 ? "header" : "row");
   }
-  return code;
+  return code == CLI_DONE ? check_length(reader, open) : code;
 }
 
 int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file) {

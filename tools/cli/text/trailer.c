@@ -72,9 +72,9 @@ void cli_trailer_name(cli_trailer_t *trailer, const char *text, size_t length) {
 
 size_t cli_trailer_line(const cli_trailer_t *trailer, const cli_shard_t *shard,
                         char out[CLI_TRAILER_ROOM]) {
-  return (size_t)snprintf(out, CLI_TRAILER_ROOM,
-                          "# shard %" PRIu64 "/%" PRIu64 ": %" PRIu64
-                          " rows, crc32 %08" PRIx32 ", run %08" PRIx32 "\n",
-                          shard->index, shard->of, trailer->rows, trailer->crc,
-                          trailer->run);
+  return (size_t)snprintf(
+      out, CLI_TRAILER_ROOM,
+      CLI_TRAILER_MARK "%" PRIu64 "/%" PRIu64 ": %" PRIu64
+                       " rows, crc32 %08" PRIx32 ", run %08" PRIx32 "\n",
+      shard->index, shard->of, trailer->rows, trailer->crc, trailer->run);
 }

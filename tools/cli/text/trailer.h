@@ -27,6 +27,7 @@ void cli_shard_range(const cli_shard_t *shard, uint64_t count, uint64_t *first,
                      uint64_t *end);
 
 #define CLI_TRAILER_ROOM 128
+#define CLI_TRAILER_MARK "# shard " ///< by which a trailer begins
 typedef struct {
   uint64_t rows; ///< lines without the header
   uint32_t crc;  ///< CRC-32 of zlib over all bytes, the header's included
