@@ -11,7 +11,8 @@ import tempfile
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
-from tap import ROOT, TWOFOLD, Skip, check, lacks, main, output, same  # noqa
+from tap import (ROOT, TWOFOLD, Skip, check, lacks, main,  # noqa: E402
+                 output, same)
 
 ENDED = 99
 SWEEP = ["sweep", "chaos", "--over", "kappa=0.2:0.4:7", "--t-end", "0.01",
@@ -55,9 +56,9 @@ def clear(kept):
 
 
 def ends(words, *prepare, step=1):
-    """Ends a command at each call, or at each of so many; what has its name then is whole, or what was
-    there before. The same command has to go on from there. Yields the files of
-    each end, and those of a command that was not ended."""
+    """Ends a command at each call, or at each of so many; what has its name
+    then is whole, or what was there before. The same command has to go on from
+    there. Yields the files of each end, and those without one."""
     enter_folder()
     for first in prepare:
         same(perform(first), 0)

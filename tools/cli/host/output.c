@@ -350,63 +350,51 @@ bool cli_output_lines(cli_output_t *output, const char *lines, size_t length) {
   return true;
 }
 
-// Writes the lines of a part to a copy; of its trailers only the last, which is
-// at its end. Returns: 0 or an errno.
-static int copy_rows(const char *part, int to) {
-  static cli_output_t copy;
+// Writes the lines of a part to its copy; of its trailers only the last, which
+// is at its end. Returns: 0 or an errno.
+static int copy_rows(const char *part, cli_output_t *copy) {
   static char line[CLI_OUTPUT_ROOM + 1]; // as long as a row can be
   char last[CLI_TRAILER_ROOM] = "";
   FILE *from = fopen(part, "r");
   if (from == NULL) {
     return errno;
   }
-  copy.to.descriptor = to;
-  copy.used = 0;
-  copy.error = 0;
-  copy.last = '\n';
   while (fgets(line, sizeof line, from) != NULL) {
     if (strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) == 0) {
       (void)snprintf(last, sizeof last, "%s", line);
     } else {
-      (void)cli_output_lines(&copy, line, strlen(line));
+      (void)cli_output_lines(copy, line, strlen(line));
     }
   }
-  (void)cli_output_lines(&copy, last, strlen(last));
-  (void)cli_output_flush(&copy);
-  const int error = ferror(from) != 0 ? EIO : copy.error;
+  (void)cli_output_lines(copy, last, strlen(last));
+  (void)cli_output_flush(copy);
+  const int error = ferror(from) != 0 ? EIO : copy->error;
   (void)fclose(from);
-  return error == 0 && fsync(to) != 0 ? errno : error;
+  return error;
 }
 
 // Takes the trailers but the last out of a part. What is rewritten where it
-// stands is lost with the program, so a copy takes the place of the part, with
-// its permissions and with a lock. Returns: 0 or an errno.
+// stands is lost with the program, so a copy takes the place of the part, and
+// keeps its own lock. Returns: 0 or an errno.
 static int drop_checks(cli_destination_t *to) {
-  char path[CLI_PATH_ROOM + 4];
-  struct stat part;
-  if (!names(to->part, to->descriptor) || fstat(to->descriptor, &part) != 0) {
-    return EBUSY;
+  static cli_output_t copy;
+  copy.last = '\n';
+  copy.error = names(to->part, to->descriptor)
+                   ? destination_open(&copy.to, to->part, false)
+                   : EBUSY;
+  if (copy.error != 0) {
+    return copy.error;
   }
-  (void)snprintf(path, sizeof path, "%s.new", to->part);
-  (void)unlink(path); // of a program that was killed: the part has its lock
-  const int copy = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (copy < 0) {
-    return errno;
+  const int kept = dup(copy.to.descriptor);
+  int error = kept < 0 ? errno : copy_rows(to->part, &copy);
+  const int closed = destination_close(&copy.to, error == 0);
+  error = error == 0 ? closed : error;
+  if (copy.to.left) {
+    (void)unlink(copy.to.part);
   }
-  int error = fchmod(copy, part.st_mode & 0777) != 0 ? errno : 0;
-  error = error == 0 && flock(copy, LOCK_EX | LOCK_NB) != 0 ? EBUSY : error;
-  error = error == 0 ? copy_rows(to->part, copy) : error;
-  if (error == 0 && rename(path, to->part) != 0) {
-    error = errno;
-  }
-  if (error != 0) {
-    (void)unlink(path);
-    (void)close(copy);
-    return error;
-  }
-  (void)close(to->descriptor);
-  to->descriptor = copy;
-  return 0;
+  (void)close(error == 0 ? to->descriptor : kept);
+  to->descriptor = error == 0 ? kept : to->descriptor;
+  return error;
 }
 
 bool cli_output_close(cli_output_t *output, bool whole) {

@@ -3,8 +3,8 @@
 // run in its middle.
 
 #include <errno.h>
+#include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "../text/buffer.h"
@@ -22,11 +22,10 @@ typedef struct {
   cli_inputs_t *inputs;
   const char *name;
   uint64_t line;
-  size_t fields;        // of every row; 0 before the header
-  size_t kind[FIELDS];  // CLI_INPUT_..., or CLI_INPUTS for t
-  cli_trailer_t sum;    // of header and rows
-  bool declared, wrong; // a comment says how many rows, and it is not so
-  uint64_t rows;        // that a comment said before them
+  size_t fields;               // of every row; 0 before the header
+  size_t kind[FIELDS];         // CLI_INPUT_..., or CLI_INPUTS for t
+  cli_trailer_t sum;           // of header and rows
+  char said[CLI_TRAILER_ROOM]; // by a comment, of the length
 } reader_t;
 
 static int refuse(const reader_t *reader, int code, size_t field,
@@ -150,36 +149,36 @@ static int read_row(reader_t *reader, char *line) {
                            (unsigned long long)reader->line);
 }
 
-// A comment may say how long the table is: `# 120 rows` before them, or the
-// trailer of this program's files behind them, with the checksum.
+// A comment may say how long the table is: `# 120 rows` before its rows, or the
+// trailer of this program's files behind them.
 static void read_comment(reader_t *reader, const char *line) {
-  char last[CLI_TRAILER_ROOM], *end = NULL;
-  const uint64_t rows = line[1] == ' ' ? strtoull(line + 2, &end, 10) : 0;
-  if (end != NULL && end != line + 2 && strcmp(end, " rows") == 0) {
-    reader->declared = true;
-    reader->rows = rows;
-  } else if (strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) ==
-             0) {
-    (void)cli_trailer_line(&reader->sum, &cli_whole_shard, last);
-    const size_t length = (size_t)(strstr(last, ", run") - last);
-    reader->wrong = reader->wrong || strncmp(line, last, length) != 0;
-    reader->declared = true;
-    reader->rows = reader->sum.rows;
+  const size_t digits = line[1] == ' ' ? strspn(line + 2, "0123456789") : 0;
+  if ((digits > 0 && strcmp(line + 2 + digits, " rows") == 0) ||
+      strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) == 0) {
+    (void)snprintf(reader->said, sizeof reader->said, "%.*s",
+                   CLI_TRAILER_ROOM - 1, line);
   }
 }
 
+// open: the last line has no newline.
 static int check_length(const reader_t *reader, bool open) {
-  if (reader->declared &&
-      (open || reader->wrong || reader->rows != reader->sum.rows)) {
-    return cli_message(CLI_REFUSED,
-                       "%s: cut off or changed: it is not as long as it says",
-                       reader->name);
+  char rows[CLI_TRAILER_ROOM], trailer[CLI_TRAILER_ROOM];
+  (void)snprintf(rows, sizeof rows, "# %" PRIu64 " rows", reader->sum.rows);
+  (void)cli_trailer_line(&reader->sum, &cli_whole_shard, trailer);
+  const size_t length = (size_t)(strstr(trailer, ", run") - trailer);
+  if (reader->said[0] == '\0') {
+    return !open ? CLI_DONE
+                 : cli_message(CLI_DONE,
+                               "note: %s:%llu: the last line has no newline: "
+                               "it may be cut off",
+                               reader->name, (unsigned long long)reader->line);
   }
-  return open ? cli_message(CLI_DONE,
-                            "note: %s:%llu: the last line has no newline: it "
-                            "may be cut off",
-                            reader->name, (unsigned long long)reader->line)
-              : CLI_DONE;
+  const bool right = strcmp(reader->said, rows) == 0 ||
+                     strncmp(reader->said, trailer, length) == 0;
+  return right && !open
+             ? CLI_DONE
+             : cli_message(CLI_REFUSED, "%s: cut off or changed: it says '%s'",
+                           reader->name, reader->said);
 }
 
 static int read_line(reader_t *reader, char *line) {
