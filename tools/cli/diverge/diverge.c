@@ -187,12 +187,9 @@ static cli_resume_t find_place(work_t *work) {
   const cli_args_t *args = work->job->args;
   char text[CLI_JOB_TEXT];
   cli_buffer_t run = {text, 0, sizeof text, false};
-  cli_trailer_t trailer = {0, 0, 0};
   cli_job_describe(work->job, &run);
-  cli_trailer_name(&trailer, run.text, run.used);
-  work->files->run = work->at.run = trailer.run;
-  cli_trailer_name(&trailer, cli_commit, strlen(cli_commit));
-  work->at.build = trailer.run ^ (uint32_t)sizeof(tf_real_t);
+  work->files->run = work->at.run = cli_crc(0, run.text, run.used);
+  work->at.build = cli_crc(0, cli_commit, strlen(cli_commit));
   work->at.shard = args->shard;
   cli_shard_range(&args->shard, args->samples, &work->first, &work->last);
   const cli_resume_t found = args->resume

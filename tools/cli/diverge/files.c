@@ -90,7 +90,7 @@ static int open_file(cli_files_t *files, int i, const cli_file_place_t *at) {
   cli_diverge_file_t *file = &files->file[i];
   const char *path = path_of(files, i);
   file->trailer = (cli_trailer_t){at->rows, at->crc, files->run};
-  file->about.crc = at->about;
+  file->about = at->about;
   file->bytes = at->bytes;
   if (path == NULL || file->is_whole) {
     return CLI_DONE;
@@ -115,7 +115,7 @@ static void begin(cli_files_t *files, int i) {
   if (args->provenance) {
     char lines[CLI_PROVENANCE_ROOM];
     file->bytes = cli_job_provenance(files->job, kinds[i].units, lines);
-    cli_trailer_add(&file->about, lines, (size_t)file->bytes, 0);
+    file->about = cli_crc(0, lines, (size_t)file->bytes);
     (void)cli_output_lines(&file->output, lines, (size_t)file->bytes);
   }
   (void)put(file, kinds[i].header, strlen(kinds[i].header), 0);
@@ -224,11 +224,8 @@ static size_t counted_bytes(const cli_files_t *files) {
 }
 
 static uint32_t crc_of(const cli_files_t *files, const cli_checkpoint_t *at) {
-  cli_trailer_t sum = {0, 0, 0};
-  cli_trailer_add(&sum, (const char *)at, sizeof *at, 0);
-  cli_trailer_add(&sum, (const char *)files->counts.cell, counted_bytes(files),
-                  0);
-  return sum.crc;
+  return cli_crc(cli_crc(0, at, sizeof *at), files->counts.cell,
+                 counted_bytes(files));
 }
 
 static void put_bytes(cli_output_t *output, const void *from, size_t length) {
@@ -246,7 +243,7 @@ bool cli_checkpoint_put(const cli_files_t *files, cli_checkpoint_t *at) {
   for (int i = 0; i < CLI_FILES; i++) {
     const cli_diverge_file_t *file = &files->file[i];
     at->at[i] = (cli_file_place_t){file->bytes, file->trailer.rows,
-                                   file->trailer.crc, file->about.crc};
+                                   file->trailer.crc, file->about};
   }
   char path[CLI_PATH_ROOM];
   name_of(files, path);
@@ -289,7 +286,7 @@ static bool get(cli_files_t *files, cli_checkpoint_t *at) {
 // Sums the lines of a file up to so many bytes: those that a trailer counts,
 // and comments. last: out, the last line. Returns: the bytes that were read.
 static uint64_t sum_lines(FILE *file, uint64_t end, cli_trailer_t *sum,
-                          cli_trailer_t *about, char last[LINE]) {
+                          uint32_t *about, char last[LINE]) {
   uint64_t bytes = 0;
   bool comment = false, begins = true;
   last[0] = '\0';
@@ -301,8 +298,11 @@ static uint64_t sum_lines(FILE *file, uint64_t end, cli_trailer_t *sum,
     if (length == 0) {
       break;
     }
-    cli_trailer_add(comment ? about : sum, last, length,
-                    strncmp(last, "sample,", 7) != 0);
+    if (comment) {
+      *about = cli_crc(*about, last, length);
+    } else {
+      cli_trailer_add(sum, last, length, strncmp(last, "sample,", 7) != 0);
+    }
   }
   return bytes;
 }
@@ -312,7 +312,8 @@ static bool holds(const cli_files_t *files, int i,
                   const cli_file_place_t *place) {
   const char *path = path_of(files, i);
   char part[CLI_PATH_ROOM], line[LINE];
-  cli_trailer_t sum = {0, 0, 0}, about = {0, 0, 0};
+  cli_trailer_t sum = {0, 0, 0};
+  uint32_t about = 0;
   if (path == NULL || files->file[i].is_whole) {
     return true;
   }
@@ -324,7 +325,7 @@ static bool holds(const cli_files_t *files, int i,
   const uint64_t bytes = sum_lines(file, place->bytes, &sum, &about, line);
   (void)fclose(file);
   return bytes == place->bytes && sum.crc == place->crc &&
-         about.crc == place->about;
+         about == place->about;
 }
 
 static cli_resume_t other(const char *path) {
@@ -345,7 +346,8 @@ static FILE *open_regular(const char *path) {
 // trailer of this shard, and count what is before it.
 static cli_resume_t look_at_rows(const char *path, const cli_checkpoint_t *at) {
   char line[LINE], last[CLI_TRAILER_ROOM];
-  cli_trailer_t sum = {0, 0, at->run}, about = {0, 0, 0};
+  cli_trailer_t sum = {0, 0, at->run};
+  uint32_t about = 0;
   FILE *file = open_regular(path);
   if (file == NULL) {
     return path == NULL ? CLI_RESUME_WHOLE : CLI_RESUME_NEW;

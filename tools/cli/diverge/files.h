@@ -66,7 +66,7 @@ typedef struct {
 typedef struct {
   cli_output_t output;
   cli_trailer_t trailer;
-  cli_trailer_t about; ///< of the comments
+  uint32_t about; ///< as in the place
   uint64_t bytes;
   bool is_open, is_whole; ///< is_whole: FILE is there, and stays
 } cli_diverge_file_t;
@@ -103,7 +103,7 @@ int cli_files_close(cli_files_t *files, int code);
 /// After a sample that has ended.
 typedef struct {
   uint32_t run;   ///< as in the trailers
-  uint32_t build; ///< checksum of the commit and the number type
+  uint32_t build; ///< checksum of cli_commit
   cli_shard_t shard;
   uint64_t samples; ///< of the shard, that have ended
   uint64_t cycles, outcomes[CLI_OUTCOMES];

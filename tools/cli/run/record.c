@@ -99,8 +99,7 @@ bool cli_run_save(cli_run_t *run, const char *path) {
                       "--save %s: not written: the rows up to this state did "
                       "not reach %s",
                       path, run->output.name);
-    (void)cli_output_close(&run->saved, false);
-    return false;
+    return cli_output_end(&run->saved, CLI_STOPPED) == CLI_DONE;
   }
   (void)cli_output_lines(&run->saved, text, length);
   if (run->replays && run->replay.next < run->replay.count) {

@@ -122,11 +122,9 @@ static bool make_prologue(cli_sheet_t *sheet, uint32_t hash) {
   const size_t scene = text.used;
   add_scene(hash, &text);
   // The shards of a run have command and scene in common.
-  cli_trailer_t run = {0, 0, 0};
-  cli_trailer_add(&run, sheet->prologue + sheet->header,
-                  command - sheet->header, 0);
-  cli_trailer_add(&run, sheet->prologue + scene, text.used - scene, 0);
-  sheet->trailer.run = run.crc;
+  sheet->trailer.run = cli_crc(
+      cli_crc(0, sheet->prologue + sheet->header, command - sheet->header),
+      sheet->prologue + scene, text.used - scene);
   add_units(sheet->args, &text);
   sheet->length = text.used;
   cli_trailer_add(&sheet->trailer, sheet->prologue, sheet->header, 0);
