@@ -29,13 +29,15 @@ static bool is_last_of(int file) {
          fstat(file, &status) == 0 && S_ISREG(status.st_mode) && is_last();
 }
 
+// The function that one of these stands before.
+#define REAL(name) ((__typeof__(&(name)))dlsym(RTLD_NEXT, #name))
+
 ssize_t write(int file, const void *bytes, size_t count) {
-  ssize_t (*real)(int, const void *, size_t) = dlsym(RTLD_NEXT, "write");
   if (is_last_of(file)) {
-    (void)!real(file, bytes, count / 2);
+    (void)!REAL(write)(file, bytes, count / 2);
     _exit(ENDED);
   }
-  return real(file, bytes, count);
+  return REAL(write)(file, bytes, count);
 }
 
 int fsync(int file) {
@@ -44,27 +46,23 @@ int fsync(int file) {
 }
 
 int ftruncate(int file, off_t length) {
-  int (*real)(int, off_t) = dlsym(RTLD_NEXT, "ftruncate");
   if (is_last_of(file)) _exit(ENDED);
-  return real(file, length);
+  return REAL(ftruncate)(file, length);
 }
 
 int close(int file) {
-  int (*real)(int) = dlsym(RTLD_NEXT, "close");
   if (is_last_of(file)) _exit(ENDED);
-  return real(file);
+  return REAL(close)(file);
 }
 
 int rename(const char *from, const char *to) {
-  int (*real)(const char *, const char *) = dlsym(RTLD_NEXT, "rename");
   if (is_last()) _exit(ENDED);
-  return real(from, to);
+  return REAL(rename)(from, to);
 }
 
 int unlink(const char *path) {
-  int (*real)(const char *) = dlsym(RTLD_NEXT, "unlink");
   if (is_last()) _exit(ENDED);
-  return real(path);
+  return REAL(unlink)(path);
 }
 
 int remove(const char *path) { return unlink(path); }
