@@ -54,9 +54,12 @@ TEST_FLAGS := $(COMMON) $(WARN) -Itests -Itests/support -Itests/reference -Isrc
 # Short sums of products of numbers that were just computed: in vectors they
 # would wait for their stores (located step of chaos: 1.15 times the time).
 SRC_FLAGS_taylor := -fno-tree-vectorize
-# The command line says of which commit it is.
-COMMIT := git describe --always --dirty --exclude='*' 2>/dev/null || \
-  echo unknown
+# The command line says of which commit it is, and of which sources: of one
+# commit there are as many as somebody changes them.
+SOURCES := $(sort $(CORE) $(CLI) $(wildcard include/*.h include/*/*.h \
+  src/*/*.h tools/cli/*.h tools/cli/*/*.h))
+COMMIT := echo $$(git describe --always --dirty --exclude='*' 2>/dev/null || \
+  echo unknown)-$$(cat $(SOURCES) | cksum | cut -d ' ' -f 1)
 TOOL_FLAGS_commit = -DTF_COMMIT='"$(shell $(COMMIT))"'
 FLAGS_double :=
 FLAGS_float := -DTF_REAL_FLOAT

@@ -167,6 +167,26 @@ equal 'many rows: code' $? 0
 check 'many rows: all of them' says '300000 of 300000 rows'
 
 # What is wrong.
+# A table may say how long it is, by the trailer of this program's files or by
+# a comment before its rows.
+printf 't,force\n0,1\n1,0.25\n' >told.csv
+printf '# shard 1/1: 2 rows, crc32 %s, run 0\n' "$(crc32 <told.csv)" >>told.csv
+runs run chaos --t-end 0 --inputs told.csv --between held
+check 'a table that says its length is read' not says told.csv:
+sed 's/0.25/0.2/' told.csv >changed.csv
+expect 3 'changed.csv: cut off or changed' \
+  run chaos --t-end 0 --inputs changed.csv --between held
+for rows in 2 3; do
+  { echo "# $rows rows" && sed '$d' told.csv; } >"$rows.csv"
+done
+runs run chaos --t-end 0 --inputs 2.csv --between held
+expect 3 '3.csv: cut off' run chaos --t-end 0 --inputs 3.csv --between held
+printf 't,force\n0,1\n1,0.2' >open.csv
+{ echo '# 2 rows' && cat open.csv; } >cut.csv
+expect 3 'cut.csv: cut off' run chaos --t-end 0 --inputs cut.csv --between held
+runs run chaos --t-end 0 --inputs open.csv --between held
+check 'nor is a cut one unnoticed' says 'note: open.csv:3: the last line has no'
+
 wrong_files wrong.csv run chaos --inputs wrong.csv --between held <<'WORDS'
 2|t,force\n0,1\n1,1x\n|3: column 2: '1x' is not a number
 3|t,force\n0,nan\n|2: column 2: force = nan must lie in [-1e+09, 1e+09] N

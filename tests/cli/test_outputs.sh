@@ -84,6 +84,10 @@ expect 4 'symbolic links' run chaos --t-end 0 --out again
 ln -s victim trap.part
 expect 4 '--out trap' run chaos --t-end 0 --out trap
 check 'a part that is a link is not followed' [ ! -s victim ]
+echo precious >victim
+ln victim hard.part
+expect 4 'hard link to another file' run chaos --t-end 0 --out hard
+equal 'nor is a hard link' "$(cat victim)" precious
 
 # What is not a regular file is written as it is.
 mkfifo pipe

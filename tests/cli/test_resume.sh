@@ -62,6 +62,16 @@ runs run chaos --from at --t-end "$(awk -v n="$tick" 'BEGIN {
   printf "%.10g", (n + 1) * 1e-4 }')"
 equal 'and it goes on' "$(sed -n 2p out)" "$(tail -n 1 big.part)"
 
+# A full disk: no state whose rows are in no file.
+rm -f at
+(
+  ulimit -f 8 || exit 4
+  exec "$T" run chaos --t-end 1 --save at --out quota 2>err
+)
+equal 'a full disk: code' $? 4
+check 'a full disk: no state' [ ! -e at ]
+check 'and that is told' says '--save at: not written&did not reach quota'
+
 # What differs.
 runs run chaos --t-end 0.5 --save at --out one
 cp at before

@@ -271,8 +271,8 @@ const cli_option_t cli_options[] = {
      .what = "the commands that took effect, each with its step, for 'twofold "
              "run SCENE --replay FILE'"},
     {"--resume", NULL, CLI_SWEEP, FLAG(resume),
-     .what = "goes on behind the last whole row of FILE.part; does nothing "
-             "where FILE is whole"},
+     .what = "goes on with the rows of FILE.part whose check is right; does "
+             "nothing where FILE is whole"},
     {"--provenance", NULL, CLI_RUN | GRIDS | CLI_DIVERGE | CLI_MONITOR,
      FLAG(provenance),
      .what = "four comment lines before the header of CSV (diverge: of "

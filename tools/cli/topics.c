@@ -93,7 +93,8 @@ static const topic_t topics[] = {
      "--inputs FILE --between held|linear of 'run' and 'sweep': inputs over "
      "time, from a CSV table; FILE - is standard input. The first column is "
      "t [s], rising; any of these follow: omega0 [rad/s], r0 [m], force [N], "
-     "torque [N m]. Lines that begin with # are comments.\n"
+     "torque [N m]. Lines that begin with # are comments; "
+     "'# N rows' is how many rows there have to be.\n"
      "  held    a row holds from the first step that begins at t until the\n"
      "          next row does; a step is told its omega0 and alpha = 0, and\n"
      "          where omega0 is another one, the turntable jumps at its start\n"
@@ -158,7 +159,8 @@ static const topic_t topics[] = {
      "that nothing drives: docs/PROTOCOL.md."},
     {"provenance unit units commit hash parameters number",
      "--provenance of 'run', 'diverge', 'regions', 'atlas' and 'monitor': "
-     "four '# ' lines before the header with version, commit, number type; "
+     "four '# ' lines before the header with version, commit and checksum "
+     "of the sources, number type; "
      "scene, its hash, that of the parameters, law, rule, seed; scheme, dt, "
      "hash of the inputs; units of the columns. The file of 'sweep' always "
      "has such lines, and the JSON of 'singularities' and 'design' has them "

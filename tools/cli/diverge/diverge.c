@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "../host/host.h"
+#include "../text/commit.h"
 #include "../text/message.h"
 #include "../text/summary.h"
 #include "files.h"
@@ -186,11 +187,9 @@ static cli_resume_t find_place(work_t *work) {
   const cli_args_t *args = work->job->args;
   char text[CLI_JOB_TEXT];
   cli_buffer_t run = {text, 0, sizeof text, false};
-  cli_trailer_t trailer = {0, 0, 0};
   cli_job_describe(work->job, &run);
-  cli_trailer_name(&trailer, run.text, run.used);
-  work->files->run = work->at.run = trailer.run;
-  work->at.number = sizeof(tf_real_t);
+  work->files->run = work->at.run = cli_crc(0, run.text, run.used);
+  work->at.build = cli_crc(0, cli_commit, strlen(cli_commit));
   work->at.shard = args->shard;
   cli_shard_range(&args->shard, args->samples, &work->first, &work->last);
   const cli_resume_t found = args->resume
@@ -206,6 +205,7 @@ static int perform(work_t *work, const cli_args_t *args) {
     return CLI_REFUSED;
   }
   if (found == CLI_RESUME_WHOLE) {
+    cli_checkpoint_remove(work->files);
     return cli_message(CLI_DONE, "all of the %" PRIu64 " samples are there",
                        work->last - work->first);
   }

@@ -90,8 +90,9 @@ static int open_file(cli_files_t *files, int i, const cli_file_place_t *at) {
   cli_diverge_file_t *file = &files->file[i];
   const char *path = path_of(files, i);
   file->trailer = (cli_trailer_t){at->rows, at->crc, files->run};
+  file->about = at->about;
   file->bytes = at->bytes;
-  if (path == NULL) {
+  if (path == NULL || file->is_whole) {
     return CLI_DONE;
   }
   const int code = cli_output_begin(&file->output, kinds[i].option, path, true);
@@ -114,6 +115,7 @@ static void begin(cli_files_t *files, int i) {
   if (args->provenance) {
     char lines[CLI_PROVENANCE_ROOM];
     file->bytes = cli_job_provenance(files->job, kinds[i].units, lines);
+    file->about = cli_crc(0, lines, (size_t)file->bytes);
     (void)cli_output_lines(&file->output, lines, (size_t)file->bytes);
   }
   (void)put(file, kinds[i].header, strlen(kinds[i].header), 0);
@@ -201,20 +203,19 @@ int cli_files_close(cli_files_t *files, int code) {
 
 // A sample is the least that can be done again: its cycles follow from one
 // another. Rows are kept up to the end of the last sample of the checkpoint,
-// whose bytes and checksum it knows; counts are in it. It is written under
-// another name and renamed, so that it is whole or the one before; rows are
-// handed to the system first, so there are never fewer than it says. Where a
-// machine lost power and there are, or they were changed, the shard begins
-// anew.
+// whose bytes and checksums it knows; counts are in it. It is a file like any
+// other, so it is whole or the one before; rows are handed to the system first,
+// so there are never fewer than it says. Where a machine lost power and there
+// are, or they were changed, the shard begins anew. A file that already has its
+// name, because the program was killed before the next one got its own, stays.
 
 #define LINE 4096
 
-static void name_of(const cli_files_t *files, const char *end,
-                    char out[CLI_PATH_ROOM]) {
+static void name_of(const cli_files_t *files, char out[CLI_PATH_ROOM]) {
   const cli_args_t *args = files->job->args;
   const char *rows = args->returns != NULL ? args->returns : args->exits;
-  (void)snprintf(out, CLI_PATH_ROOM, "%s.resume%s",
-                 args->counts != NULL ? args->counts : rows, end);
+  (void)snprintf(out, CLI_PATH_ROOM, "%s.resume",
+                 args->counts != NULL ? args->counts : rows);
 }
 
 // Bytes of the counts in a checkpoint.
@@ -223,39 +224,45 @@ static size_t counted_bytes(const cli_files_t *files) {
 }
 
 static uint32_t crc_of(const cli_files_t *files, const cli_checkpoint_t *at) {
-  cli_trailer_t sum = {0, 0, 0};
-  cli_trailer_add(&sum, (const char *)at, sizeof *at, 0);
-  cli_trailer_add(&sum, (const char *)files->counts.cell, counted_bytes(files),
-                  0);
-  return sum.crc;
+  return cli_crc(cli_crc(0, at, sizeof *at), files->counts.cell,
+                 counted_bytes(files));
+}
+
+static void put_bytes(cli_output_t *output, const void *from, size_t length) {
+  const char *bytes = from;
+  while (length > 0) {
+    const size_t next = length < CLI_OUTPUT_ROOM ? length : CLI_OUTPUT_ROOM;
+    (void)cli_output_lines(output, bytes, next);
+    bytes += next;
+    length -= next;
+  }
 }
 
 bool cli_checkpoint_put(const cli_files_t *files, cli_checkpoint_t *at) {
+  static cli_output_t note;
   for (int i = 0; i < CLI_FILES; i++) {
     const cli_diverge_file_t *file = &files->file[i];
-    at->at[i] =
-        (cli_file_place_t){file->bytes, file->trailer.rows, file->trailer.crc};
+    at->at[i] = (cli_file_place_t){file->bytes, file->trailer.rows,
+                                   file->trailer.crc, file->about};
   }
-  char beside[CLI_PATH_ROOM], path[CLI_PATH_ROOM];
-  name_of(files, ".new", beside);
-  name_of(files, "", path);
+  char path[CLI_PATH_ROOM];
+  name_of(files, path);
   const uint32_t crc = crc_of(files, at);
-  const size_t counted = counted_bytes(files);
-  FILE *file = fopen(beside, "wb");
-  if (file == NULL) {
+  if (cli_output_begin(&note, "--resume", path, false) != CLI_DONE) {
     return false;
   }
-  bool written = fwrite(at, sizeof *at, 1, file) == 1 &&
-                 fwrite(files->counts.cell, 1, counted, file) == counted &&
-                 fwrite(&crc, sizeof crc, 1, file) == 1;
-  written = fclose(file) == 0 && written;
-  return written && rename(beside, path) == 0;
+  put_bytes(&note, at, sizeof *at);
+  put_bytes(&note, files->counts.cell, counted_bytes(files));
+  put_bytes(&note, &crc, sizeof crc);
+  return cli_output_end(&note, CLI_DONE) == CLI_DONE;
 }
 
 void cli_checkpoint_remove(const cli_files_t *files) {
-  char path[CLI_PATH_ROOM];
-  name_of(files, "", path);
+  char path[CLI_PATH_ROOM], part[CLI_PATH_ROOM + 5];
+  name_of(files, path);
+  (void)snprintf(part, sizeof part, "%s.part", path);
   (void)remove(path);
+  (void)remove(part); // of a program that was killed
 }
 
 // Returns: whether there is one that was not changed.
@@ -263,7 +270,7 @@ static bool get(cli_files_t *files, cli_checkpoint_t *at) {
   char path[CLI_PATH_ROOM];
   uint32_t crc = 0;
   const size_t counted = counted_bytes(files);
-  name_of(files, "", path);
+  name_of(files, path);
   FILE *file = fopen(path, "rb");
   if (file == NULL) {
     return false;
@@ -276,10 +283,10 @@ static bool get(cli_files_t *files, cli_checkpoint_t *at) {
   return read;
 }
 
-// Sums the lines of a file that a trailer counts, up to so many bytes. last:
-// out, the last line. Returns: the bytes that were read.
+// Sums the lines of a file up to so many bytes: those that a trailer counts,
+// and comments. last: out, the last line. Returns: the bytes that were read.
 static uint64_t sum_lines(FILE *file, uint64_t end, cli_trailer_t *sum,
-                          char last[LINE]) {
+                          uint32_t *about, char last[LINE]) {
   uint64_t bytes = 0;
   bool comment = false, begins = true;
   last[0] = '\0';
@@ -291,18 +298,23 @@ static uint64_t sum_lines(FILE *file, uint64_t end, cli_trailer_t *sum,
     if (length == 0) {
       break;
     }
-    if (!comment) {
+    if (comment) {
+      *about = cli_crc(*about, last, length);
+    } else {
       cli_trailer_add(sum, last, length, strncmp(last, "sample,", 7) != 0);
     }
   }
   return bytes;
 }
 
-// Whether a part begins with the rows that a checkpoint says.
-static bool holds(const char *path, const cli_file_place_t *place) {
+// Whether a part begins with the rows that a checkpoint says, or is whole.
+static bool holds(const cli_files_t *files, int i,
+                  const cli_file_place_t *place) {
+  const char *path = path_of(files, i);
   char part[CLI_PATH_ROOM], line[LINE];
   cli_trailer_t sum = {0, 0, 0};
-  if (path == NULL) {
+  uint32_t about = 0;
+  if (path == NULL || files->file[i].is_whole) {
     return true;
   }
   (void)snprintf(part, sizeof part, "%s.part", path);
@@ -310,9 +322,10 @@ static bool holds(const char *path, const cli_file_place_t *place) {
   if (file == NULL) {
     return false;
   }
-  const uint64_t bytes = sum_lines(file, place->bytes, &sum, line);
+  const uint64_t bytes = sum_lines(file, place->bytes, &sum, &about, line);
   (void)fclose(file);
-  return bytes == place->bytes && sum.crc == place->crc;
+  return bytes == place->bytes && sum.crc == place->crc &&
+         about == place->about;
 }
 
 static cli_resume_t other(const char *path) {
@@ -334,11 +347,12 @@ static FILE *open_regular(const char *path) {
 static cli_resume_t look_at_rows(const char *path, const cli_checkpoint_t *at) {
   char line[LINE], last[CLI_TRAILER_ROOM];
   cli_trailer_t sum = {0, 0, at->run};
+  uint32_t about = 0;
   FILE *file = open_regular(path);
   if (file == NULL) {
     return path == NULL ? CLI_RESUME_WHOLE : CLI_RESUME_NEW;
   }
-  (void)sum_lines(file, UINT64_MAX, &sum, line);
+  (void)sum_lines(file, UINT64_MAX, &sum, &about, line);
   (void)fclose(file);
   (void)cli_trailer_line(&sum, &at->shard, last);
   return strcmp(line, last) == 0 ? CLI_RESUME_WHOLE : other(path);
@@ -369,17 +383,18 @@ static cli_resume_t look_at_checkpoint(cli_files_t *files,
   if (!get(files, at)) {
     return CLI_RESUME_NEW;
   }
-  if (at->run != fresh->run || at->number != fresh->number ||
+  if (at->run != fresh->run || at->build != fresh->build ||
       at->shard.index != fresh->shard.index ||
       at->shard.of != fresh->shard.of) {
     char path[CLI_PATH_ROOM];
-    name_of(files, "", path);
+    name_of(files, path);
     return other(path);
   }
-  return holds(path_of(files, CLI_EXITS), &at->at[CLI_EXITS]) &&
-                 holds(path_of(files, CLI_RETURNS), &at->at[CLI_RETURNS])
-             ? CLI_RESUME_GO_ON
-             : CLI_RESUME_NEW;
+  bool held = true;
+  for (int i = 0; i < CLI_FILES; i++) {
+    held = held && holds(files, i, &at->at[i]);
+  }
+  return held ? CLI_RESUME_GO_ON : CLI_RESUME_NEW;
 }
 
 cli_resume_t cli_checkpoint_find(cli_files_t *files, cli_checkpoint_t *at) {
@@ -398,10 +413,14 @@ cli_resume_t cli_checkpoint_find(cli_files_t *files, cli_checkpoint_t *at) {
   if (whole == 3) {
     return CLI_RESUME_WHOLE;
   }
+  for (int i = 0; i < CLI_FILES; i++) {
+    files->file[i].is_whole = found[i] == CLI_RESUME_WHOLE;
+  }
   const cli_resume_t state = look_at_checkpoint(files, &fresh, at);
   if (state == CLI_RESUME_NEW) {
     *at = fresh;
     memset(&files->counts, 0, sizeof files->counts);
+    files->file[CLI_EXITS].is_whole = files->file[CLI_RETURNS].is_whole = false;
   }
   return state;
 }

@@ -59,14 +59,16 @@ int cli_counts_read(cli_counts_t *counts, const char *name);
 /// How far a file of rows is written.
 typedef struct {
   uint64_t bytes, rows;
-  uint32_t crc; ///< as in the trailer
+  uint32_t crc;   ///< as in the trailer
+  uint32_t about; ///< the same over what the trailer leaves out, comments
 } cli_file_place_t;
 
 typedef struct {
   cli_output_t output;
   cli_trailer_t trailer;
+  uint32_t about; ///< as in the place
   uint64_t bytes;
-  bool is_open;
+  bool is_open, is_whole; ///< is_whole: FILE is there, and stays
 } cli_diverge_file_t;
 
 enum { CLI_EXITS, CLI_RETURNS, CLI_FILES };
@@ -100,8 +102,8 @@ int cli_files_close(cli_files_t *files, int code);
 
 /// After a sample that has ended.
 typedef struct {
-  uint32_t run;    ///< as in the trailers
-  uint32_t number; ///< bytes of a number of the build
+  uint32_t run;   ///< as in the trailers
+  uint32_t build; ///< checksum of cli_commit
   cli_shard_t shard;
   uint64_t samples; ///< of the shard, that have ended
   uint64_t cycles, outcomes[CLI_OUTCOMES];

@@ -32,6 +32,7 @@
 #include <unistd.h>
 
 #include "../text/message.h"
+#include "../text/trailer.h"
 #include "host.h"
 
 #define MAX_LINKS 40 // as many as Linux follows
@@ -140,7 +141,12 @@ static int open_part(cli_destination_t *to, const struct stat *before,
     if (opened < 0) {
       return errno;
     }
+    struct stat found;
     int error = cli_is_regular(opened) ? 0 : EEXIST;
+    // Under another name it is somebody's file.
+    if (error == 0 && fstat(opened, &found) == 0 && found.st_nlink > 1) {
+      error = EMLINK;
+    }
     if (error == 0 && flock(opened, LOCK_EX | LOCK_NB) != 0) {
       error = errno == EWOULDBLOCK ? EBUSY : errno;
     }
@@ -280,6 +286,7 @@ static int destination_close(cli_destination_t *to, bool whole) {
 
 bool cli_output_open(cli_output_t *output, const char *path, bool keep) {
   output->used = 0;
+  output->checked = false;
   output->last = '\n';
   output->flushed = cli_now();
   output->name =
@@ -343,8 +350,58 @@ bool cli_output_lines(cli_output_t *output, const char *lines, size_t length) {
   return true;
 }
 
+// Writes the lines of a part to its copy; of its trailers only the last, which
+// is at its end. Returns: 0 or an errno.
+static int copy_rows(const char *part, cli_output_t *copy) {
+  static char line[CLI_OUTPUT_ROOM + 1]; // as long as a row can be
+  char last[CLI_TRAILER_ROOM] = "";
+  FILE *from = fopen(part, "r");
+  if (from == NULL) {
+    return errno;
+  }
+  while (fgets(line, sizeof line, from) != NULL) {
+    if (strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) == 0) {
+      (void)snprintf(last, sizeof last, "%s", line);
+    } else {
+      (void)cli_output_lines(copy, line, strlen(line));
+    }
+  }
+  (void)cli_output_lines(copy, last, strlen(last));
+  (void)cli_output_flush(copy);
+  const int error = ferror(from) != 0 ? EIO : copy->error;
+  (void)fclose(from);
+  return error;
+}
+
+// Takes the trailers but the last out of a part. What is rewritten where it
+// stands is lost with the program, so a copy takes the place of the part, and
+// keeps its own lock. Returns: 0 or an errno.
+static int drop_checks(cli_destination_t *to) {
+  static cli_output_t copy;
+  copy.last = '\n';
+  copy.error = names(to->part, to->descriptor)
+                   ? destination_open(&copy.to, to->part, false)
+                   : EBUSY;
+  if (copy.error != 0) {
+    return copy.error;
+  }
+  const int kept = dup(copy.to.descriptor);
+  int error = kept < 0 ? errno : copy_rows(to->part, &copy);
+  const int closed = destination_close(&copy.to, error == 0);
+  error = error == 0 ? closed : error;
+  if (copy.to.left) {
+    (void)unlink(copy.to.part);
+  }
+  (void)close(error == 0 ? to->descriptor : kept);
+  to->descriptor = error == 0 ? kept : to->descriptor;
+  return error;
+}
+
 bool cli_output_close(cli_output_t *output, bool whole) {
   (void)cli_output_flush(output);
+  if (output->checked && whole && output->error == 0) {
+    output->error = drop_checks(&output->to);
+  }
   const int error = destination_close(&output->to, whole && output->error == 0);
   if (output->error == 0) {
     output->error = error;
@@ -358,6 +415,8 @@ const char *cli_output_reason(const cli_output_t *output) {
       return "closed by its reader";
     case EBUSY:
       return "another program writes this file";
+    case EMLINK:
+      return "its .part is a hard link to another file; remove it";
     default:
       return strerror(output->error);
   }

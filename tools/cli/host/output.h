@@ -34,6 +34,7 @@ typedef struct {
   int error;      ///< errno of the first failure, 0 while there was none
   double flushed; ///< cli_now() of the last flush
   char last;      ///< byte that ends a row: newline unless set otherwise
+  bool checked;   ///< of the trailers in the part, FILE gets only the last
   size_t used;
   char buffer[CLI_OUTPUT_ROOM];
 } cli_output_t;

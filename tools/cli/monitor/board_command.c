@@ -341,7 +341,7 @@ static void put_row(cli_session_record_t *record, uint64_t tick, uint8_t type,
   }
   at += (size_t)snprintf(row + at, sizeof row - at, ",%.64s\n", text);
   if (type == TF_DOWN_SCHEMA) {
-    cli_trailer_name(&record->trailer, row, at - 1);
+    record->trailer.run = cli_crc(0, row, at - 1);
   }
   put(record, row, at, 1);
 }

@@ -94,6 +94,13 @@ bool cli_run_save(cli_run_t *run, const char *path) {
                              {simulation->source, simulation->deadman,
                               simulation->left, simulation->input}};
   const size_t length = cli_state_print(&stand, &setup, run->scheme, text);
+  if (run->output.error != 0) {
+    (void)cli_message(CLI_STOPPED,
+                      "--save %s: not written: the rows up to this state did "
+                      "not reach %s",
+                      path, run->output.name);
+    return cli_output_end(&run->saved, CLI_STOPPED) == CLI_DONE;
+  }
   (void)cli_output_lines(&run->saved, text, length);
   if (run->replays && run->replay.next < run->replay.count) {
     (void)cli_message(

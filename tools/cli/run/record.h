@@ -91,7 +91,9 @@ void cli_summary(const cli_run_t *run, bool json, int code);
 // A run that goes on where another one stands: --save and --from.
 
 /// Saves where a run stands in the open file of --save, with the parameters,
-/// the rule and the inputs that commands of a replay have left in effect.
+/// the rule and the inputs that commands of a replay have left in effect. The
+/// rows up to it are on disk before: their output is closed, and where it
+/// failed, no state is saved.
 /// path: in, of --save, NULL: it is not asked for.
 /// Returns: whether that is written, or not asked for.
 bool cli_run_save(cli_run_t *run, const char *path);

@@ -120,7 +120,7 @@ static int take_line(reader_t *reader, char *line) {
   if (reader->is_whole) {
     return cut_off(reader);
   }
-  if (strncmp(line, "# shard", 7) == 0) {
+  if (strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) == 0) {
     const size_t end = cli_trailer_line(&reader->sum, &cli_whole_shard, last);
     reader->is_whole = length + 1 == end && memcmp(line, last, length) == 0;
     return reader->is_whole ? CLI_DONE : cut_off(reader);
@@ -129,7 +129,7 @@ static int take_line(reader_t *reader, char *line) {
     return CLI_DONE;
   }
   if (reader->has_header && !reader->has_schema) {
-    cli_trailer_name(&reader->sum, line, length);
+    reader->sum.run = cli_crc(0, line, length);
   }
   cli_trailer_add(&reader->sum, line, length, reader->has_header);
   cli_trailer_add(&reader->sum, "\n", 1, 0);

@@ -307,10 +307,10 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
   step_through(run);
   write_end(run);
   cli_live_close(run->live, run->setup->scene->name);
-  const bool saved = cli_run_save(run, args->save);
   if (!cli_output_close(&run->output, run->end == CLI_ENDED)) {
     run->end = CLI_NOT_WRITTEN;
   }
+  const bool saved = cli_run_save(run, args->save);
   code = cli_tally_code(&run->tally);
   if (run->end != CLI_ENDED || !saved) {
     code = CLI_STOPPED;

@@ -117,9 +117,8 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
   }
   cli_add(&text, "scene\n");
   cli_scene_print(setup->scene, &setup->params, &text);
-  cli_trailer_t sum = {0};
-  cli_trailer_add(&sum, out, text.used, 0);
-  (void)snprintf(number, sizeof number, "%08" PRIx32, sum.crc);
+  (void)snprintf(number, sizeof number, "%08" PRIx32,
+                 cli_crc(0, out, text.used));
   add_pair(&text, "crc32", number);
   return text.used;
 }
@@ -282,12 +281,11 @@ static int check_stand(const reader_t *reader, cli_stand_t *stand) {
 // Cuts the last line off, the checksum. Returns: whether it is right.
 static bool is_whole(char *text, size_t size) {
   char line[CRC_LINE + 1];
-  cli_trailer_t sum = {0};
   if (size < CRC_LINE || memchr(text, 0, size) != NULL) {
     return false;
   }
-  cli_trailer_add(&sum, text, size - CRC_LINE, 0);
-  (void)snprintf(line, sizeof line, "crc32 %08" PRIx32 "\n", sum.crc);
+  (void)snprintf(line, sizeof line, "crc32 %08" PRIx32 "\n",
+                 cli_crc(0, text, size - CRC_LINE));
   const bool right = memcmp(text + size - CRC_LINE, line, CRC_LINE) == 0;
   text[size - CRC_LINE] = '\0';
   return right;

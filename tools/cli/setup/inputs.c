@@ -41,7 +41,7 @@ int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene) {
 
 uint32_t cli_inputs_hash(const cli_inputs_t *inputs) {
   char text[32 * (CLI_INPUTS + 1)];
-  cli_trailer_t sum = {0};
+  uint32_t sum = 0;
   for (size_t i = 0; i < inputs->count; i++) {
     const cli_input_row_t *row = &inputs->rows[i];
     int length =
@@ -52,9 +52,9 @@ uint32_t cli_inputs_hash(const cli_inputs_t *inputs) {
                            " %zu:%a", column, (double)row->value[column]);
       }
     }
-    cli_trailer_add(&sum, text, (size_t)length, 0);
+    sum = cli_crc(sum, text, (size_t)length);
   }
-  return sum.crc;
+  return sum;
 }
 
 // A span that cannot be a step of its own is not cut off: dt is >= 1e-9 s.

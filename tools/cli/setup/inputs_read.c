@@ -3,6 +3,7 @@
 // run in its middle.
 
 #include <errno.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -10,6 +11,7 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/options.h"
+#include "../text/trailer.h"
 #include "inputs.h"
 #include "names.h"
 
@@ -20,8 +22,10 @@ typedef struct {
   cli_inputs_t *inputs;
   const char *name;
   uint64_t line;
-  size_t fields;       // of every row; 0 before the header
-  size_t kind[FIELDS]; // CLI_INPUT_..., or CLI_INPUTS for t
+  size_t fields;               // of every row; 0 before the header
+  size_t kind[FIELDS];         // CLI_INPUT_..., or CLI_INPUTS for t
+  cli_trailer_t sum;           // of header and rows
+  char said[CLI_TRAILER_ROOM]; // by a comment, of the length
 } reader_t;
 
 static int refuse(const reader_t *reader, int code, size_t field,
@@ -146,13 +150,51 @@ static int read_row(reader_t *reader, char *line) {
                            (unsigned long long)reader->line);
 }
 
+// A comment may say how long the table is: `# 120 rows` before its rows, or the
+// trailer of this program's files behind them.
+static void read_comment(reader_t *reader, const char *line) {
+  const size_t digits = line[1] == ' ' ? strspn(line + 2, "0123456789") : 0;
+  if ((digits > 0 && strcmp(line + 2 + digits, " rows") == 0) ||
+      strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) == 0) {
+    (void)snprintf(reader->said, sizeof reader->said, "%.*s",
+                   CLI_TRAILER_ROOM - 1, line);
+  }
+}
+
+// open: the last line has no newline.
+static int check_length(const reader_t *reader, bool open) {
+  char rows[CLI_TRAILER_ROOM], trailer[CLI_TRAILER_ROOM];
+  (void)snprintf(rows, sizeof rows, "# %" PRIu64 " rows", reader->sum.rows);
+  (void)cli_trailer_line(&reader->sum, &cli_whole_shard, trailer);
+  const size_t length = (size_t)(strstr(trailer, ", run") - trailer);
+  if (reader->said[0] == '\0') {
+    return !open ? CLI_DONE
+                 : cli_message(CLI_DONE,
+                               "note: %s:%llu: the last line has no newline: "
+                               "it may be cut off",
+                               reader->name, (unsigned long long)reader->line);
+  }
+  const bool right = strcmp(reader->said, rows) == 0 ||
+                     strncmp(reader->said, trailer, length) == 0;
+  return right && !open
+             ? CLI_DONE
+             : cli_message(CLI_REFUSED, "%s: cut off or changed: it says '%s'",
+                           reader->name, reader->said);
+}
+
 static int read_line(reader_t *reader, char *line) {
   if (reader->line == 1) {
     line += cli_utf8_mark(line, strlen(line));
   }
-  if (line[strspn(line, " \t")] == '\0' || line[0] == '#') {
+  if (line[0] == '#') {
+    read_comment(reader, line);
     return CLI_DONE;
   }
+  if (line[strspn(line, " \t")] == '\0') {
+    return CLI_DONE;
+  }
+  cli_trailer_add(&reader->sum, line, strlen(line), reader->fields > 0);
+  cli_trailer_add(&reader->sum, "\n", 1, 0);
   return reader->fields == 0 ? read_header(reader, line)
                              : read_row(reader, line);
 }
@@ -160,12 +202,14 @@ static int read_line(reader_t *reader, char *line) {
 static int read_all(reader_t *reader, FILE *file) {
   char line[LINE_ROOM];
   int code = CLI_DONE;
+  bool open = false;
   while (code == CLI_DONE) {
     const cli_line_t found = cli_read_line(file, line, sizeof line);
     if (found == CLI_LINE_END) {
       break;
     }
     reader->line++;
+    open = feof(file) != 0; // what ended the line is not a newline
     code = found == CLI_LINE
                ? read_line(reader, line)
                : cli_message(CLI_USAGE,
@@ -181,7 +225,7 @@ static int read_all(reader_t *reader, FILE *file) {
     return cli_message(CLI_USAGE, "%s: no %s", reader->name,
                        reader->fields == 0 ? "header" : "row");
   }
-  return code;
+  return code == CLI_DONE ? check_length(reader, open) : code;
 }
 
 int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file) {

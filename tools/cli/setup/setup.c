@@ -316,25 +316,25 @@ void cli_setup_notes(const cli_setup_t *setup, const char *unused,
 uint32_t cli_scene_hash(const cli_setup_t *setup) {
   const tf_scene_t *scene = setup->scene;
   char text[64];
-  cli_trailer_t sum = {0};
+  uint32_t sum = 0;
   const bool v_is_given =
       setup->set_start[CLI_START_V] != NULL ||
       (scene->v_is_given && setup->set_start[CLI_START_H] == NULL);
   int length = snprintf(text, sizeof text, "%08" PRIx32 " %d",
                         tf_params_hash(&setup->params), (int)v_is_given);
-  cli_trailer_add(&sum, text, (size_t)length, 0);
+  sum = cli_crc(sum, text, (size_t)length);
   for (unsigned i = 0; i < CLI_STARTS; i++) {
     if (i != (v_is_given ? CLI_START_H : CLI_START_V)) {
       length = snprintf(text, sizeof text, " %a", (double)setup->start[i]);
-      cli_trailer_add(&sum, text, (size_t)length, 0);
+      sum = cli_crc(sum, text, (size_t)length);
     }
   }
   for (unsigned i = 0; i < scene->knots; i++) {
     length = snprintf(text, sizeof text, " %a %a", (double)scene->profile[i].t,
                       (double)scene->profile[i].omega0);
-    cli_trailer_add(&sum, text, (size_t)length, 0);
+    sum = cli_crc(sum, text, (size_t)length);
   }
-  return sum.crc;
+  return sum;
 }
 
 size_t cli_provenance(const cli_setup_t *setup, const char *how,

@@ -1,9 +1,9 @@
 // The file of a sweep. A row depends on the command and its own number alone,
-// so a sweep that was stopped, even by SIGKILL, goes on behind the last whole
-// row of FILE.part and ends with the bytes of one that was not. That the part
-// is of the same command, its second line says, and that of each row, the
-// fields by which the row begins; from the first one on that is not as it must
-// be, rows are computed again.
+// so a sweep that was stopped, even by SIGKILL, goes on with FILE.part and ends
+// with the bytes of one that was not. That the part is of the same command, its
+// second line says. Each time that rows are handed to the system, the trailer
+// of a file that ends there stands behind them; rows behind the last one that
+// is right are computed again. FILE has the last trailer alone.
 //
 // The comments stand behind the header, not before it: numpy.genfromtxt takes
 // the names of columns from the first line even where it is a comment.
@@ -122,11 +122,9 @@ static bool make_prologue(cli_sheet_t *sheet, uint32_t hash) {
   const size_t scene = text.used;
   add_scene(hash, &text);
   // The shards of a run have command and scene in common.
-  cli_trailer_t run = {0, 0, 0};
-  cli_trailer_add(&run, sheet->prologue + sheet->header,
-                  command - sheet->header, 0);
-  cli_trailer_add(&run, sheet->prologue + scene, text.used - scene, 0);
-  sheet->trailer.run = run.crc;
+  sheet->trailer.run = cli_crc(
+      cli_crc(0, sheet->prologue + sheet->header, command - sheet->header),
+      sheet->prologue + scene, text.used - scene);
   add_units(sheet->args, &text);
   sheet->length = text.used;
   cli_trailer_add(&sheet->trailer, sheet->prologue, sheet->header, 0);
@@ -148,8 +146,8 @@ static bool is_row(const cli_args_t *args, uint64_t index, const char *line) {
          commas + 1 == COLUMNS_BEFORE + args->axes + args->measures;
 }
 
-// Takes up what a file has. kept: out, bytes of it that are as they must be.
-// Returns: whether it begins as a file of this sweep does.
+// Takes up what a file has, up to its last trailer that is right. kept: out,
+// bytes of that. Returns: whether it begins as a file of this sweep does.
 static bool take_up(cli_sheet_t *sheet, FILE *file, size_t *kept) {
   char line[CLI_PROLOGUE_ROOM];
   const cli_args_t *args = sheet->args;
@@ -160,23 +158,28 @@ static bool take_up(cli_sheet_t *sheet, FILE *file, size_t *kept) {
   if (begun < sheet->length) {
     return true; // cut off before the first row
   }
+  size_t used = begun, trailers = 0;
+  cli_trailer_t sum = sheet->trailer;
   *kept = begun;
   while (fgets(line, sizeof line, file) != NULL) {
-    const uint64_t index = sheet->first + sheet->kept;
-    const size_t length = strlen(line);
-    if (index == sheet->end) {
-      char last[CLI_TRAILER_ROOM];
-      (void)cli_trailer_line(&sheet->trailer, &args->shard, last);
-      sheet->whole = strcmp(line, last) == 0;
+    char last[CLI_TRAILER_ROOM];
+    const uint64_t index = sheet->first + sum.rows;
+    used += strlen(line);
+    (void)cli_trailer_line(&sum, &args->shard, last);
+    if (strcmp(line, last) == 0) {
+      sheet->trailer = sum;
+      *kept = used;
+      trailers++;
+    } else if (index < sheet->end && is_row(args, index, line)) {
+      cli_trailer_add(&sum, line, strlen(line), 1);
+    } else {
+      used = 0;
       break;
     }
-    if (length == 0 || !is_row(args, index, line)) {
-      break;
-    }
-    cli_trailer_add(&sheet->trailer, line, length, 1);
-    sheet->kept++;
-    *kept += length;
   }
+  sheet->kept = sheet->trailer.rows;
+  sheet->whole = trailers == 1 && *kept == used &&
+                 sheet->first + sheet->kept == sheet->end;
   return true;
 }
 
@@ -246,6 +249,8 @@ int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep,
     (void)cli_output_close(&sheet->output, false);
     return code;
   }
+  sheet->output.checked = sheet->output.to.beside;
+  sheet->whole = false; // it lacks its name
   cli_output_go_on(&sheet->output, kept);
   if (kept == 0) {
     (void)cli_output_lines(&sheet->output, sheet->prologue, sheet->length);
@@ -258,12 +263,23 @@ bool cli_sheet_put(cli_sheet_t *sheet, const char *row, size_t length) {
   return cli_output_lines(&sheet->output, row, length);
 }
 
-int cli_sheet_close(cli_sheet_t *sheet, int code) {
+static void put_trailer(cli_sheet_t *sheet) {
   char line[CLI_TRAILER_ROOM];
-  if (code == CLI_DONE) {
-    (void)cli_output_lines(
-        &sheet->output, line,
-        cli_trailer_line(&sheet->trailer, &sheet->args->shard, line));
+  (void)cli_output_lines(
+      &sheet->output, line,
+      cli_trailer_line(&sheet->trailer, &sheet->args->shard, line));
+}
+
+bool cli_sheet_flush(cli_sheet_t *sheet) {
+  if (sheet->output.checked) {
+    put_trailer(sheet);
+  }
+  return cli_output_flush(&sheet->output);
+}
+
+int cli_sheet_close(cli_sheet_t *sheet, int code) {
+  if (code == CLI_DONE || sheet->output.checked) {
+    put_trailer(sheet);
   }
   return cli_output_end(&sheet->output, code);
 }

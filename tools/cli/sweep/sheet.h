@@ -71,6 +71,10 @@ int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep, uint32_t hash);
 /// Returns: whether everything so far could be written.
 bool cli_sheet_put(cli_sheet_t *sheet, const char *row, size_t length);
 
+/// Hands everything to the operating system; in a part, with a check of it.
+/// Returns: as cli_sheet_put.
+bool cli_sheet_flush(cli_sheet_t *sheet);
+
 /// Ends the file: under CLI_DONE it gets its trailer and its name.
 /// Returns: the code; CLI_STOPPED after a message if it was CLI_DONE.
 int cli_sheet_close(cli_sheet_t *sheet, int code);

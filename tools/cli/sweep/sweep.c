@@ -46,8 +46,7 @@ static int do_points(work_t *work) {
     work->ends[end]++;
     work->done++;
     const double now = cli_now();
-    if (now - sheet->output.flushed >= FLUSH_EVERY &&
-        !cli_output_flush(&sheet->output)) {
+    if (now - sheet->output.flushed >= FLUSH_EVERY && !cli_sheet_flush(sheet)) {
       return CLI_STOPPED;
     }
     const uint64_t points = sheet->end - sheet->first;
@@ -63,13 +62,12 @@ static int do_points(work_t *work) {
 
 static void summarise(const work_t *work, double seconds) {
   const cli_sheet_t *sheet = work->sheet;
-  const char *separator = "";
+  const char *separator = "\nstatus     ";
   (void)fprintf(stderr, "points     %" PRIu64 " of %" PRIu64,
                 sheet->kept + work->done, sheet->end - sheet->first);
   if (sheet->kept > 0) {
     (void)fprintf(stderr, ", of which %" PRIu64 " were there", sheet->kept);
   }
-  (void)fputs("\nstatus     ", stderr);
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
     if (work->ends[i] > 0) {
       (void)fprintf(stderr, "%s%s %" PRIu64, separator,

@@ -5,8 +5,9 @@
 
 #include "twofold.h"
 
-/// Its short hash, with "-dirty" behind it where files had been changed;
-/// "unknown" where it was not compiled in a git work tree.
+/// Its short hash, with "-dirty" behind it where files had been changed, or
+/// "unknown" where it was not compiled in a git work tree; then "-" and the
+/// checksum of its sources, by cksum.
 extern const char *const cli_commit;
 
 #ifdef TF_REAL_FLOAT

@@ -49,10 +49,11 @@ void cli_shard_range(const cli_shard_t *shard, uint64_t count, uint64_t *first,
   *end = *first + share + (before < longer ? 1 : 0);
 }
 
-static uint32_t crc_of(uint32_t before, const char *bytes, size_t length) {
+uint32_t cli_crc(uint32_t before, const void *from, size_t length) {
+  const unsigned char *bytes = from;
   uint32_t crc = ~before;
   for (size_t i = 0; i < length; i++) {
-    crc ^= (unsigned char)bytes[i];
+    crc ^= bytes[i];
     for (int bit = 0; bit < 8; bit++) {
       crc = crc >> 1 ^ (0xedb88320u & (0u - (crc & 1u)));
     }
@@ -62,19 +63,15 @@ static uint32_t crc_of(uint32_t before, const char *bytes, size_t length) {
 
 void cli_trailer_add(cli_trailer_t *trailer, const char *lines, size_t length,
                      uint64_t rows) {
-  trailer->crc = crc_of(trailer->crc, lines, length);
+  trailer->crc = cli_crc(trailer->crc, lines, length);
   trailer->rows += rows;
-}
-
-void cli_trailer_name(cli_trailer_t *trailer, const char *text, size_t length) {
-  trailer->run = crc_of(0, text, length);
 }
 
 size_t cli_trailer_line(const cli_trailer_t *trailer, const cli_shard_t *shard,
                         char out[CLI_TRAILER_ROOM]) {
-  return (size_t)snprintf(out, CLI_TRAILER_ROOM,
-                          "# shard %" PRIu64 "/%" PRIu64 ": %" PRIu64
-                          " rows, crc32 %08" PRIx32 ", run %08" PRIx32 "\n",
-                          shard->index, shard->of, trailer->rows, trailer->crc,
-                          trailer->run);
+  return (size_t)snprintf(
+      out, CLI_TRAILER_ROOM,
+      CLI_TRAILER_MARK "%" PRIu64 "/%" PRIu64 ": %" PRIu64
+                       " rows, crc32 %08" PRIx32 ", run %08" PRIx32 "\n",
+      shard->index, shard->of, trailer->rows, trailer->crc, trailer->run);
 }

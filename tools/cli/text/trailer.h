@@ -26,19 +26,20 @@ int cli_read_shard(const cli_given_t *given, cli_shard_t *shard);
 void cli_shard_range(const cli_shard_t *shard, uint64_t count, uint64_t *first,
                      uint64_t *end);
 
+/// The CRC-32 of zlib. before: in, that of the bytes before these, 0: none.
+uint32_t cli_crc(uint32_t before, const void *bytes, size_t length);
+
 #define CLI_TRAILER_ROOM 128
+#define CLI_TRAILER_MARK "# shard " ///< by which a trailer begins
 typedef struct {
   uint64_t rows; ///< lines without the header
-  uint32_t crc;  ///< CRC-32 of zlib over all bytes, the header's included
-  uint32_t run;  ///< the same in all shards of a run, another one in others
+  uint32_t crc;  ///< over all bytes, the header's included, by cli_crc
+  uint32_t run;  ///< of a text that all shards of a run share, by cli_crc
 } cli_trailer_t;
 
 /// Counts lines that are written. rows: how many rows they are.
 void cli_trailer_add(cli_trailer_t *trailer, const char *lines, size_t length,
                      uint64_t rows);
-
-/// Names the run by the CRC-32 of a text that all of its shards share.
-void cli_trailer_name(cli_trailer_t *trailer, const char *text, size_t length);
 
 /// Writes the comment `# shard I/N: ROWS rows, crc32 CRC, run RUN` and a
 /// newline.

@@ -66,10 +66,8 @@ static bool change_file(file_t *file, fuzz_bytes_t *in) {
   for (unsigned i = 0; i < changes; i++)
     file->size = change(file->text, file->size, in);
   if (seals && file->size + CRC_LINE <= CLI_STATE_BYTES) {
-    cli_trailer_t sum = {0};
-    cli_trailer_add(&sum, file->text, file->size, 0);
     (void)snprintf(file->text + file->size, CRC_LINE + 1, "crc32 %08lx\n",
-                   (unsigned long)sum.crc);
+                   (unsigned long)cli_crc(0, file->text, file->size));
     file->size += CRC_LINE;
   }
   file->text[file->size] = '\0';

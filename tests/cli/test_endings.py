@@ -1,0 +1,181 @@
+#!/usr/bin/python3 -B
+"""A command that writes is ended at each of its calls on files (end_at.c), and
+begun again: what has its name is whole, and in the end all is there, with the
+bytes of a command that was not ended. And a part in which a bit is another one,
+or that another build has written, is not gone on with."""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
+from tap import (ROOT, TWOFOLD, Skip, check, lacks, main,  # noqa: E402
+                 output, same)
+
+ENDED = 99
+SWEEP = ["sweep", "chaos", "--over", "kappa=0.2:0.4:7", "--t-end", "0.01",
+         "--out", "x", "--resume"]
+
+
+DIVERGE = ["diverge", "chaos", "--samples", "2", "--cycles", "2",
+           "--provenance", "--exits", "e", "--returns", "r", "--counts", "c",
+           "--resume"]
+GRID = ["--r", "0.1:0.2:9", "--omega=-1.1:-0.9:9"]
+
+
+def perform(words, number=0, program=TWOFOLD):
+    """The exit code of a command that is ended at such a call, or by itself."""
+    return subprocess.run(
+        [program, *words], check=False, stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        env=dict(os.environ, LD_PRELOAD=str(Path("../end_at.so").resolve()),
+                 ENDS_AT=str(number))).returncode
+
+
+def enter_folder():
+    """A new one, with what is preloaded beside it."""
+    compiler = shutil.which("gcc") or lacks("gcc")
+    subprocess.run([compiler, "-shared", "-fPIC", "-o", "end_at.so",
+                    Path(__file__).with_name("end_at.c"), "-ldl"], check=True)
+    os.chdir(tempfile.mkdtemp(dir="."))
+    if perform(["scene", "chaos", "--out", "x"], 1) != ENDED:
+        raise Skip("nothing can be preloaded here")
+    clear(())
+
+
+def contents():
+    return {path.name: path.read_bytes() for path in Path().iterdir()}
+
+
+def clear(kept):
+    for path in Path().iterdir():
+        if path.name not in kept:
+            path.unlink()
+
+
+def ends(words, *prepare, step=1):
+    """Ends a command at each call, or at each of so many; what has its name
+    then is whole, or what was there before. The same command has to go on from
+    there. Yields the files of each end, and those without one."""
+    enter_folder()
+    for first in prepare:
+        same(perform(first), 0)
+    before = contents()
+    same(perform(words), 0)
+    whole, code, number = contents(), ENDED, 1 - step
+    made = sorted(set(whole) - set(before))
+    while code == ENDED:
+        clear(before)
+        number += step
+        old = b"old" if number % 2 and "--resume" not in words else None
+        for name in made if old else ():
+            Path(name).write_bytes(old)
+        code = perform(words, number)
+        found = contents()
+        for name in made:
+            check(found.get(name) in (old, whole[name]),
+                  f"{name} is not whole, ended at call {number}")
+        yield found, whole
+        same(perform(words), 0)
+        check(contents() == whole, f"not the same, ended at call {number}: "
+              f"{sorted(contents())}")
+    same(code, 0)
+    check(number > 5, f"only {number} calls were seen")
+
+
+def ends_well(*given, **options):
+    for _ in ends(*given, **options):
+        pass
+
+
+def test_sweep():
+    ends_well(SWEEP)
+
+
+def test_sweep_in_shards():
+    ends_well([*SWEEP, "--shard", "2/3"])
+
+
+def test_diverge():
+    ends_well(DIVERGE, step=2)  # fsync before each rename, close behind it
+
+
+def test_diverge_exhaustive():
+    ends_well(["diverge", "chaos", "--exhaustive", "--depth", "2", "--branches",
+               "x"])
+
+
+def test_run():
+    """A state that is there belongs to rows that are there."""
+    for found, whole in ends([
+            "run", "chaos", "--t-end", "0.02", "--every", "20", "--out", "x",
+            "--save", "at", "--realtime", "--lateness", "late"]):
+        check(found.get("at") != whole["at"] or found["x"] == whole["x"],
+              "a state without its rows")
+
+
+def test_merge():
+    shard = ["diverge", "chaos", "--samples", "2", "--counts"]
+    ends_well(["merge", "one", "two", "--out", "x"],
+              *([*shard, name, "--shard", f"{i}/2"]
+                for i, name in enumerate(("one", "two"), 1)))
+
+
+def test_monitor():
+    ends_well(["monitor", "rows", "--csv", "--out", "x", "--record", "y"],
+              ["run", "chaos", "--t-end", "0.01", "--format", "frames",
+               "--out", "rows"])
+
+
+def test_tables_and_scenes():
+    for words in (["regions", "chaos", *GRID], ["atlas", "chaos", *GRID],
+                  ["singularities", "chaos"], ["scene", "chaos"],
+                  ["design", "chaos", "--r", "0.1859", "--omega=-1.037"]):
+        ends_well([*words, "--out", "x"])
+
+
+def test_a_bit_of_a_part():
+    """It is found, wherever it is: another file is not made."""
+    found, whole = max(ends(SWEEP), key=lambda pair: len(
+        pair[0].get("x.part", b"")))
+    part = found["x.part"]
+    check(part.count(b"# shard") > 5, "not one check after each row")
+    for at in range(0, len(part), 5):
+        bit = bytearray(part)
+        bit[at] ^= 1 << at % 8
+        clear(())
+        Path("x.part").write_bytes(bit)
+        check(perform(SWEEP) in (0, 3) and
+              contents() in (whole, {"x.part": bytes(bit)}), f"byte {at}")
+
+
+def test_two_builds():
+    """The version has the checksum of the sources, and what other sources have
+    written is not gone on with."""
+    sources = sorted(
+        str(path.relative_to(ROOT)) for pattern in (
+            "include/*.h", "include/*/*.h", "src/*/*.[ch]", "tools/*.c",
+            "tools/cli/*.[ch]", "tools/cli/*/*.[ch]")
+        for path in ROOT.glob(pattern))
+    total = output("cksum", input=b"".join(
+        Path(ROOT, path).read_bytes() for path in sources)).split()[0]
+    rows = output(TWOFOLD, "run", "chaos", "--t-end", "0", "--provenance")
+    check(b"-%s, numbers are" % total in rows, f"{total}: {rows[:99]}")
+    other = Path("other").resolve()
+    other.write_bytes(Path(TWOFOLD).read_bytes().replace(
+        b"-%s\0" % total, b"-%s\0" % total[::-1]))
+    other.chmod(0o700)
+    for words, name, mark in ((SWEEP, "x.part", b"# shard"),
+                              (DIVERGE, "c.resume", b"")):
+        found = next(found for found, _ in ends(words)
+                     if name in found and mark in found[name])
+        clear(())
+        for name, text in found.items():
+            Path(name).write_bytes(text)
+        same(perform(words, program=other), 3)
+        same(contents(), found)
+
+
+main(globals(), jobs=2)
