@@ -29,9 +29,9 @@ typedef struct {
 } tf_report_t;
 
 /// Finds every mode that may follow from an instant and the one in which a
-/// state starts, and reports the law then: slip by the sign of h; at h = 0 stick
-/// where |lambda| <= mu, else slip by the sign of dh/dt, in an escaping region
-/// all three; at h = g = 0 the ways out and, where its law has the force
+/// state starts, and reports the law then: slip by the sign of h; at h = 0
+/// stick where |lambda| <= mu, else slip by the sign of dh/dt, in an escaping
+/// region all three; at h = g = 0 the ways out and, where its law has the force
 /// (tf_rest_law_t), rest. |h| or |g| within rounding (32 epsilon times its
 /// terms) counts as 0.
 /// machine, input: in, at that instant: its omega0 and alpha. report: out.

@@ -17,8 +17,6 @@ from tap import (ROOT, TWOFOLD, Skip, check, lacks, main,  # noqa: E402
 ENDED = 99
 SWEEP = ["sweep", "chaos", "--over", "kappa=0.2:0.4:7", "--t-end", "0.01",
          "--out", "x", "--resume"]
-
-
 DIVERGE = ["diverge", "chaos", "--samples", "2", "--cycles", "2",
            "--provenance", "--exits", "e", "--returns", "r", "--counts", "c",
            "--resume"]

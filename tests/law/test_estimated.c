@@ -99,20 +99,6 @@ TEST(a_step_that_misses_the_accuracy_is_coarse) {
   }
 }
 
-/* A wheel at rest, and one without friction that nothing moves, have no error,
- * although there is nothing to have it as a share of. */
-TEST(rest_has_no_error) {
-  sim_t s = moving_machine(TF_R(1e-2));
-  s.u.alpha = 0;
-  s.x.r = s.u.r0;
-  s.x.v = 0;
-  s.x.w = s.u.omega0 = 0;
-  CHECK(sim_begin(&s) == TF_OK);
-  tf_real_t error;
-  CHECK(tf_step_estimated(&s.k, &s.x, &s.u, 0, &s.report, &error) == TF_OK);
-  CHECK(error == 0);
-}
-
 /* What the rule draws is drawn for the step and its halves alike, whether the
  * stick ends or goes on: another draw would put them 5e-3 apart. Where the law
  * is about to end the stick anyhow, that ends it in one of them alone. */

@@ -4,10 +4,6 @@
 
 #include <math.h>
 
-const char *const moving_names[MOVING_SHAPES] = {
-    "ramp",  "triangle",     "sine",           "held steps",
-    "jumps", "through zero", "hold then ramp", "kinks"};
-
 static const double pi = 3.14159265358979323846;
 
 static double sign(draw_t *draw) {

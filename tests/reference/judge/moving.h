@@ -16,7 +16,6 @@ typedef enum {
   MOVING_KINKS,
   MOVING_SHAPES
 } moving_shape_t;
-extern const char *const moving_names[MOVING_SHAPES];
 
 /// Makes omega0 move from where it is over a time, with loads in half of the
 /// draws, which move in an eighth. Half of the draws have their knots on

@@ -61,7 +61,7 @@ PORT_INCLUDES = {
     "port": (), "ring": (), "text": (), "app": (), "choice": (), "core": (),
     "loop": ("app", "port"),
     "main": ("app", "loop", "port"),
-    "sim": ("app", "core"),
+    "sim": ("app", "core", "port"),
     "telemetry_csv": ("sim", "text"),
     "telemetry_frames": ("port", "sim"),
     "telemetry_plotter": ("sim", "text"),
