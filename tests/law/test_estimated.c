@@ -77,7 +77,7 @@ TEST(the_estimate_lies_by_the_error) {
     by += wide(estimate) > error / 10 && wide(estimate) < error * 10;
   }
   CHECK(all > samples(8000) / 4);
-  CHECK(by >= 0.98 * (double)all);
+  CHECK((double)by >= 0.98 * (double)all);
 }
 
 TEST(a_step_that_misses_the_accuracy_is_coarse) {

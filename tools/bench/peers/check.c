@@ -26,10 +26,11 @@ static int write_problems(const char *name) {
   for (int i = 0; i < PEER_PROBLEMS; i++) {
     const problem_t q = problem_number(i);
     const tf_params_t *p = &q.params;
+    const double side = problem_side(&q);
     const double row[] = {(double)q.start[0],
                           (double)q.start[2],
                           (double)q.h,
-                          (double)problem_side(&q),
+                          side,
                           (double)q.length,
                           p->m,
                           p->d,

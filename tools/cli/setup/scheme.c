@@ -52,7 +52,9 @@ const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt) {
   if (args->scheme != CLI_NOT_GIVEN) {
     return &cli_schemes[args->scheme];
   }
-  const bool rounds = sizeof dt == sizeof(float) && dt < CLI_SHORT_STEP;
+  // A board that takes commands keeps to moreau.
+  const bool rounds =
+      sizeof dt == sizeof(float) && dt < CLI_SHORT_STEP && args->replay == NULL;
   if (rounds) {
     (void)cli_message(CLI_DONE,
                       "note: float at dt = %g s: --scheme compensated; moreau "

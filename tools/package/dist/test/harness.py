@@ -35,10 +35,10 @@ def run(*command, cwd=None, env=None, codes=(0,)):
 
 
 def rows_of(real, *arguments):
-    """Rows of `twofold run` as lists of words, without the header. Code 5 says
-    that steps were degraded, which is no failure here."""
+    """Rows of `twofold run` by tf_step, as lists of words, without the header.
+    Code 5 says that steps were degraded, which is no failure here."""
     said = subprocess.run([BUILD / real / "twofold", "run",
-                           *map(str, arguments)], text=True, check=False,
+                           *map(str, arguments), "--scheme", "moreau"], text=True, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     check(said.returncode in (0, 5), said.stderr)
     return [line.split(",") for line in said.stdout.splitlines()[1:]]
