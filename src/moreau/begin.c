@@ -16,7 +16,7 @@ typedef struct {
 static instant_t instant_of(const tf_machine_t *k, const tf_state_t *x,
                             const tf_input_t *u) {
   tf_real_t r = x->r, z = x->w - u->omega0;
-  instant_t at;
+  instant_t at = {.is_codim2 = false};
   at.slip = tf_slip(k, r, x->v, x->w, u->omega0);
   at.rounding = slip_rounding(k, r, x->v, x->w, u->omega0);
   at.rates = rates_at(k, u, r, slider_speed(k, x->v, z), z, u->omega0);

@@ -134,8 +134,8 @@ typedef struct {
 // sure of it.
 static bool draw_case(const row_t *row, const options_t *options, long index,
                       row_count_t *count, case_t *c) {
-  const uint64_t name = (uint64_t)(row - rows + 1) << 48;
-  draw_t draw = draw_begin(options->seed, name + (uint64_t)index);
+  const uint64_t key = (uint64_t)(row - rows + 1) << 48;
+  draw_t draw = draw_begin(options->seed, key + (uint64_t)index);
   for (int i = 0; i < DRAWS; ++i) {
     c->row = row;
     c->machine = row_machine(&draw, row, index % 2 != 0);
@@ -185,9 +185,9 @@ static bool told_end(const case_t *c, ref_state_t *end) {
   q.swing = 0;
   met_t met;
   ref_state_t x, other;
-  const double t_end = c->row->t_end;
-  if (follow(machine, &q, beside, t_end, &met, &other) != REF_REACHED ||
-      follow(machine, &q, 0, t_end, &met, &x) != REF_REACHED) {
+  const double time = c->row->t_end;
+  if (follow(machine, &q, beside, time, &met, &other) != REF_REACHED ||
+      follow(machine, &q, 0, time, &met, &x) != REF_REACHED) {
     return false;
   }
   end->r = x.r;

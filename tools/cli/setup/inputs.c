@@ -75,8 +75,8 @@ static void look_up(cli_inputs_t *inputs, tf_real_t t, tf_real_t off,
                     tf_real_t value[CLI_INPUTS]) {
   const cli_input_row_t *row = &inputs->rows[inputs->at];
   const cli_input_row_t *end = inputs->rows + inputs->count - 1;
-  for (; row > inputs->rows && row->t > t + off; row--) continue;
-  for (; row < end && row[1].t <= t + off; row++) continue;
+  while (row > inputs->rows && row->t > t + off) row--;
+  while (row < end && row[1].t <= t + off) row++;
   inputs->at = (size_t)(row - inputs->rows);
   const bool stands = !inputs->linear || row == end || t <= row->t;
   for (size_t i = 0; i < CLI_INPUTS; i++) {
@@ -238,8 +238,7 @@ tf_real_t cli_drive_next(const cli_drive_t *drive, const cli_span_t *span) {
   tf_real_t next = span->to, least = span->to - off;
   for (size_t i = 0; i < 2; i++) {
     size_t k = both[i]->at;
-    for (; k < both[i]->count && both[i]->rows[k].t <= span->from + off; k++)
-      continue;
+    while (k < both[i]->count && both[i]->rows[k].t <= span->from + off) k++;
     if (both[i]->linear && k < both[i]->count && both[i]->rows[k].t <= least) {
       next = least = both[i]->rows[k].t;
     }

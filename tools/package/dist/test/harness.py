@@ -38,7 +38,8 @@ def rows_of(real, *arguments):
     """Rows of `twofold run` by tf_step, as lists of words, without the header.
     Code 5 says that steps were degraded, which is no failure here."""
     said = subprocess.run([BUILD / real / "twofold", "run",
-                           *map(str, arguments), "--scheme", "moreau"], text=True, check=False,
+                           *map(str, arguments), "--scheme", "moreau"],
+                          text=True, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     check(said.returncode in (0, 5), said.stderr)
     return [line.split(",") for line in said.stdout.splitlines()[1:]]
