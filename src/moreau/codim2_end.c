@@ -256,8 +256,10 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   const int sign_h = c->state->mode == TF_SLIP_PLUS ? 1 : -1;
   const codim2_course_t course =
       tf_codim2_course(k, field, c->start.slip, sign_h);
-  const arrival_t arrival = {course.mode == TF_PINNED, course.share, course.sum,
-                             course.from};
+  const arrival_t arrival = {.comes = course.mode == TF_PINNED,
+                             .share = course.share,
+                             .sum = course.sum,
+                             .from = course.from};
   consistent_modes_t modes = {.solutions = {.set = 0}};
   if (arrival.comes || may_be_held(s, c->state->mode))
     tf_codim2_modes(k, field, &modes);
