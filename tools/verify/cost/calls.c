@@ -68,6 +68,18 @@ CALL(step_compensated) {
                                    &s->input, &report));
 }
 
+CALL(step_estimated) {
+  tf_state_t state = s->state;
+  tf_report_t report;
+  tf_real_t error;
+  return COUNT(
+      tf_step_estimated(K, &state, &s->input, REAL(0), &report, &error));
+}
+CALL(turntable_to) {
+  tf_input_t input = s->input;
+  return COUNT(tf_turntable_to(&input, REAL(0), K->dt));
+}
+
 // As many equal states as there are units.
 #define MAX_STATES (4 * TF_LANES)
 CALL(ensemble_step) {
@@ -409,6 +421,8 @@ const call_t calls[] = {
     ENTRY(prepare_compensated),
     ENTRY(speed_for_slip_compensated),
     ENTRY(tyre_force),
+    ENTRY(step_estimated),
+    ENTRY(turntable_to),
     ENTRY(scene_input),
     ENTRY(scene_start),
     ENTRY(simulation_input),
