@@ -132,7 +132,7 @@ TEST(rest_goes_on_while_the_turntable_passes_0) {
     }
   }
   printf("# %d steps at rest\n", steps);
-  CHECK(steps > samples(400) * 20);
+  CHECK(steps > samples(400) * 10);
 }
 
 /* A jump of omega0 is no rounding: the wheel slips. */
