@@ -22,7 +22,7 @@ import bounds  # noqa: E402
 PLAIN = re.compile(r"""tf_(?:\w+_name|wire_\w+|send_\w+|read_\w+|slip|energy|
     decoder_init|link_open|link_add_entropy|params_hash|tyre_is_set_valued|
     philox|input_default|speed_for_slip|ensemble_(?:put|get|report)|
-    tally_count|simulation_set_input)""", re.X)
+    tally_count|simulation_(?:set_input|pass))""", re.X)
 EVALUATIONS = int(os.environ.get("EVALUATIONS") or (20000 if FULL else 300))
 PLACE = BUILD / "costs"
 
