@@ -361,7 +361,7 @@ static int copy_rows(const char *part, cli_output_t *copy) {
   }
   while (fgets(line, sizeof line, from) != NULL) {
     if (strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) == 0) {
-      (void)snprintf(last, sizeof last, "%s", line);
+      (void)snprintf(last, sizeof last, "%.*s", (int)sizeof last - 1, line);
     } else {
       (void)cli_output_lines(copy, line, strlen(line));
     }
