@@ -15,7 +15,6 @@ typedef struct {
 
 typedef struct {
   const char *source; ///< name of the file or device
-  bool is_device;     ///< the stream began before it was read
   cli_receiver_t receiver;
   tf_decoder_t decoder;
   uint64_t bytes;
@@ -23,10 +22,8 @@ typedef struct {
   uint64_t missed;       ///< of what the decoder counts, without end
   uint32_t last_counted; ///< by the decoder, modulo 2^32
   uint64_t before;     ///< missing before a device was heard from its start on
-  bool heard;          ///< the first schema has come
   cli_told_t dropped;  ///< frames that the board itself dropped
   cli_told_t skipped;  ///< its ticks that got no step
-  bool is_open;        ///< the stream has an end, which has not come yet
   uint64_t not_finite; ///< rows with a value that is not finite
   uint64_t first_tick; ///< of the first of these
 
@@ -38,6 +35,10 @@ typedef struct {
   double first;        ///< time of the first one among the reported [s]
   uint64_t tick;       ///< of the last report
   bool has_report;     ///< there was one
+
+  bool is_device; ///< the stream began before it was read
+  bool heard;     ///< the first schema has come
+  bool is_open;   ///< the stream has an end, which has not come yet
 } cli_seen_t;
 
 /// Takes note of a frame that the receiver has taken, which a board that stands

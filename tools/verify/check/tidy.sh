@@ -37,7 +37,7 @@ tidy -Itools -DFINER_BITS=64 <"$BUILD/tidy.tools" || wrong "tools"
 tidy -Itests -Itests/support -Itests/reference -Isrc <"$BUILD/tidy.tests" ||
   wrong "tests"
 # Programs of the boards are given a number of steps, and a rate.
-tidy -Iport -DSTEPS=1000 -DRATE=1000 <"$BUILD/tidy.target" ||
+tidy -Iport -DSTEPS=1000 -DRATE=1000 -DUPLINK <"$BUILD/tidy.target" ||
   wrong "programs of the boards"
 checked "$(cat "$BUILD"/tidy.core "$BUILD"/tidy.tools "$BUILD"/tidy.tests \
   "$BUILD"/tidy.target | wc -l) files, the core in double${FULL:+ and float}"

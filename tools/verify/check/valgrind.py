@@ -22,7 +22,7 @@ FEW = """unit/link/test_protocol unit/link/test_link unit/link/test_text
   unit/link/test_frame:long_runs_stay_in_the_buffer
   unit/link/test_frame:lost_frames_are_counted
   unit/link/test_frame:other_versions_and_lengths_are_counted
-  unit/moreau/test_begin:begin_at_codimension_two_is_pinned
+  unit/moreau/test_begin:begin_at_codimension_two_has_every_future
   unit/moreau/test_ensemble:ensemble_of_any_size
   law/test_located_report:located_residual_is_that_of_the_law
   law/test_located_report:located_event_at_the_end_of_a_step
