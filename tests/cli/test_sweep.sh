@@ -80,6 +80,9 @@ mv out seeds.csv
 run run chaos --select random:3 --t-end 3
 equal 'a seed is that of the random rule' \
   "$(columns seeds.csv end_r | sed -n 3p)" "$(row '$' 2 out)"
+runs sweep chaos --over seed=1:300:300 --select random --t-end 0
+equal 'whole values of an axis are exact' \
+  "$(columns out seed | tr '\n' ' ')" "$(seq 300 | tr '\n' ' ')"
 runs sweep chaos --over kappa=0.3:0.3:1 --t-end 0 --outcome \
   modes,rest,recurrence,ambiguous,ambiguous_share,energy_change
 equal 'and has no share' "$(columns out ambiguous_share energy_change)" ,0

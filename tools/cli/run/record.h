@@ -12,6 +12,7 @@
 #include "events.h"
 #include "replay.h"
 #include "row.h"
+#include "state_file.h"
 #include "twofold.h"
 
 /// Why a run ended.
@@ -26,6 +27,7 @@ typedef enum {
 typedef struct {
   const cli_setup_t *setup;
   const cli_scheme_t *scheme;
+  cli_stand_t from; ///< where it starts, under --from
   cli_drive_t drive;
   cli_replay_t replay; ///< its simulation has inputs that hold by a command
   bool replays;        ///< instead of driving the scene

@@ -162,7 +162,8 @@ static int parse(cli_replay_t *replay, FILE *file) {
   return code == CLI_DONE && !reader.is_whole ? cut_off(&reader) : code;
 }
 
-int cli_replay_read(cli_replay_t *replay, const char *path) {
+int cli_replay_read(cli_replay_t *replay, const char *path,
+                    const cli_scheme_t **scheme) {
   FILE *file = fopen(path, "r");
   if (file == NULL) {
     return cli_message(CLI_USAGE, "--replay %s: %s", path, strerror(errno));
@@ -170,6 +171,10 @@ int cli_replay_read(cli_replay_t *replay, const char *path) {
   replay->name = path;
   const int code = parse(replay, file);
   (void)fclose(file);
+  const uint8_t there = replay->schema.data[SCHEMA_SCHEME];
+  if (code == CLI_DONE && *scheme == NULL && there < CLI_SCHEMES) {
+    *scheme = &cli_schemes[there];
+  }
   return code;
 }
 

@@ -30,10 +30,11 @@ typedef struct {
 
 /// Reads a record.
 /// replay: in/out, empty; to be freed by cli_replay_free, whatever is returned.
-/// path: in, kept, for messages.
+/// path: in, kept, for messages. scheme: in/out, NULL: that of the board.
 /// Returns: CLI_DONE; after a message CLI_USAGE, CLI_REFUSED (cut off or
 /// changed) or CLI_STOPPED.
-int cli_replay_read(cli_replay_t *replay, const char *path);
+int cli_replay_read(cli_replay_t *replay, const char *path,
+                    const cli_scheme_t **scheme);
 
 /// Begins it at the start of a setup, which takes the seed of the board.
 /// steps: out, how many the record has.

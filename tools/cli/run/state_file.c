@@ -152,13 +152,19 @@ static int differs(const reader_t *reader, const char *what, const char *there,
                      reader->path, what, there, here);
 }
 
-static int expect_word(reader_t *reader, const char *key, const char *here) {
-  const char *there = next_value(reader, key);
-  if (there == NULL) {
-    return no_state(reader, "no file of --save");
+// The scheme has to be the one asked for, where one is.
+static int read_scheme(reader_t *reader, const cli_scheme_t **scheme) {
+  const char *here = *scheme != NULL ? (*scheme)->name : NULL;
+  const char *there = next_value(reader, "scheme");
+  for (size_t i = 0; there != NULL && i < CLI_SCHEMES; i++) {
+    if (strcmp(there, cli_schemes[i].name) == 0) {
+      *scheme = &cli_schemes[i];
+      return here == NULL || strcmp(there, here) == 0
+                 ? CLI_DONE
+                 : differs(reader, "scheme", there, here);
+    }
   }
-  return strcmp(there, here) == 0 ? CLI_DONE
-                                  : differs(reader, key, there, here);
+  return no_state(reader, "no file of --save");
 }
 
 static int compare_params(const reader_t *reader, const tf_params_t *there,
@@ -293,7 +299,7 @@ static bool is_whole(char *text, size_t size) {
 
 int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
                     size_t size, const cli_setup_t *setup,
-                    const cli_scheme_t *scheme) {
+                    const cli_scheme_t **scheme) {
   reader_t reader = {path, text};
   if (strncmp(text, "twofold-state ", 14) != 0 || strchr(text, '\n') == NULL) {
     return no_state(&reader, "no file of --save");
@@ -309,15 +315,19 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
     return differs(&reader, "its version (run up to it again, with --save)",
                    version, VERSION);
   }
-  int code = expect_word(&reader, "number", CLI_NUMBER_TYPE);
-  code = code == CLI_DONE ? expect_word(&reader, "scheme", scheme->name) : code;
+  const char *number = next_value(&reader, "number");
+  int code = number == NULL ? no_state(&reader, "no file of --save")
+             : strcmp(number, CLI_NUMBER_TYPE) == 0
+                 ? CLI_DONE
+                 : differs(&reader, "number", number, CLI_NUMBER_TYPE);
+  code = code == CLI_DONE ? read_scheme(&reader, scheme) : code;
   code = code == CLI_DONE ? read_values(&reader, stand) : code;
   code = code == CLI_DONE ? check_stand(&reader, stand) : code;
   return code == CLI_DONE ? compare_scene(&reader, setup) : code;
 }
 
 int cli_state_read(cli_stand_t *stand, const char *path,
-                   const cli_setup_t *setup, const cli_scheme_t *scheme) {
+                   const cli_setup_t *setup, const cli_scheme_t **scheme) {
   char text[CLI_STATE_BYTES + 1];
   const reader_t reader = {path, text};
   FILE *file = fopen(path, "r");

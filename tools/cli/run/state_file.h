@@ -35,15 +35,17 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
 /// Reads it from text. The machine, the profile of the scene, the scheme and
 /// the number type have to be those with which it was written, bit for bit.
 /// text: in/out, size bytes and a zero behind them; it is cut into lines.
+/// setup: in, its parameters, which need not be prepared.
+/// scheme: in/out, NULL: that of the text.
 /// Returns: CLI_DONE; after a message that says what differs CLI_REFUSED, or
 /// CLI_USAGE where the text is none of this kind.
 int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
                     size_t size, const cli_setup_t *setup,
-                    const cli_scheme_t *scheme);
+                    const cli_scheme_t **scheme);
 
 /// Reads it from a file.
 /// Returns: as cli_state_parse; CLI_USAGE as well where it cannot be read.
 int cli_state_read(cli_stand_t *stand, const char *path,
-                   const cli_setup_t *setup, const cli_scheme_t *scheme);
+                   const cli_setup_t *setup, const cli_scheme_t **scheme);
 
 #endif

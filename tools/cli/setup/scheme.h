@@ -42,9 +42,11 @@ extern const cli_scheme_t cli_schemes[CLI_SCHEMES];
 /// Float loses a motion in the rounding of its state at shorter steps [s].
 #define CLI_SHORT_STEP TF_R(1e-3)
 
-/// The scheme that is asked for. Where none is, moreau; in float at short steps
-/// compensated, which a note then says.
-const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt);
+/// The scheme that is asked for. Where none is, that of the state or the record
+/// that a run goes on from (there; NULL: none); else moreau, and in float at
+/// short steps compensated. What is not moreau, or not usual, a note says.
+const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt,
+                                   const cli_scheme_t *there);
 
 /// Checks that a scheme accepts a law.
 int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law);

@@ -120,7 +120,7 @@ static int check_end(cli_sweep_t *sweep, bool last, uint32_t *hash) {
   }
   int code = read_setup(&point);
   if (code == CLI_DONE && sweep->scheme == NULL) {
-    sweep->scheme = cli_scheme_for(args, point.setup.params.dt);
+    sweep->scheme = cli_scheme_for(args, point.setup.params.dt, NULL);
   }
   code = code == CLI_DONE ? prepare(&point, &steps) : code;
   code = code == CLI_DONE ? cli_setup_check_starts(&point.setup) : code;
