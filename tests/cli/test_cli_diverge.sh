@@ -173,23 +173,12 @@ cat - >>rows <<END
 3 chaos --rate nan $files|--rate nan: rate must lie in [0, 1e+09] 1/s
 3 chaos --by noise --size inf $files|--size inf: must lie in (0, 1]
 3 chaos --set r=0.3 --set omega=-0.5 --set h=0.1 $files|has one future
-3 chaos --rate -1 $files|rate must lie in
-2 chaos --rate x $files|is not a number
-3 chaos --by smoothing --size -1 $files|must lie in
-3 chaos --by noise --size 0 $files|must lie in
 2 chaos --by delay $files|give --size
 2 chaos --size 1 $files|has a --rate
-3 chaos --shard 0/4 $files|I must lie in
 3 chaos --shard 5/4 $files|I must lie in
 2 chaos --shard 3 $files|expected I/N
-3 gamma_right $files|no two-fold
-3 chaos --set kappa=0.01 $files|no two-fold
 3 coulomb $files|no two-fold
 3 driven $files|driven
-2 chaos --by luck $files|unknown kind
-2 chaos --sample 3|did you mean
-2 chaos --seed 1 --seed 2|--seed was already given
-2 chaos --exits x --returns x|two files
 2 chaos --exhaustive --shard 1/2|--exhaustive
 4 chaos --exits e.csv --returns no/such/r.csv|No such
 4 chaos --exhaustive --branches no/such/b.csv|--branches no/such/b.csv: No such

@@ -178,13 +178,9 @@ expectations monitor <<END
 4 missing --csv|missing: No such file or directory
 2 |
 2 a b|
-2 frames --cvs|did you mean '--csv'?
 2 frames --out x|only with --as
-2 frames --as yaml|forms are csv, plotter, teleplot and json
 2 frames --as json --csv|one form at a time
 2 frames --baud fast|
-2 frames --baud 1 --baud 2|--baud was already given
-2 frames --csv --out|
 2 frames --send strat|did you mean 'start'?
 END
 for bad in set:mu set:muu=1 set:mu=1x select:rand select:random:x \
