@@ -6,9 +6,8 @@
 #include <string.h>
 
 #include "command.h"
-#include "setup/names.h"
 #include "setup/setup.h"
-#include "sweep/measure.h"
+#include "sweep/sheet.h"
 #include "twofold.h"
 
 #define WORD_ROOM 32 // more than any word of a topic has

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../setup/names.h"
+#include "../setup/setup.h"
 #include "../text/buffer.h"
 #include "../text/message.h"
 

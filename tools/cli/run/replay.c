@@ -3,8 +3,6 @@
 // simulation and a link; commands go through the link as they do there, and the
 // system of the run is the simulation's machine and state.
 
-#include "replay.h"
-
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -15,6 +13,7 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"
+#include "record.h"
 #include "row.h"
 
 #define LINE_ROOM 1024

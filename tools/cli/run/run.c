@@ -301,7 +301,7 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
       run->live != NULL && run->output.to.descriptor == STDOUT_FILENO;
   const char *why = args->priority ? cli_take_priority() : NULL;
   if (why != NULL) {
-    (void)fprintf(stderr, "twofold: --priority: not given: %s\n", why);
+    cli_say("twofold: --priority: not given: %s\n", why);
   }
   write_header(run);
   step_through(run);

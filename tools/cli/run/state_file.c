@@ -25,9 +25,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../setup/names.h"
 #include "../setup/scene_file.h"
-#include "../text/commit.h"
+#include "../setup/setup.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"

@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-#include "../setup/scheme.h"
+#include "../setup/args.h"
 
 /// Room for the text of a file.
 #define CLI_STATE_BYTES 8192

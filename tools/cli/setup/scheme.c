@@ -2,12 +2,11 @@
 // system that it does not use as they are, so rows, events and the summary do
 // not depend on the scheme.
 
-#include "scheme.h"
-
 #include <math.h>
 
 #include "../text/message.h"
-#include "names.h"
+#include "args.h"
+#include "setup.h"
 #include "twofold/compensated.h"
 #include "twofold/estimated.h"
 

@@ -7,7 +7,7 @@
 #include "cli/analysis/analysis.h"
 #include "cli/command.h"
 #include "cli/monitor/board_command.h"
-#include "cli/setup/scheme.h"
+#include "cli/setup/args.h"
 #include "cli/text/message.h"
 #include "verify/fuzz/fuzz.h"
 
