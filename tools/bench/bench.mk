@@ -34,7 +34,7 @@ $(PEERS): %: %.o $(BUILD)/peers/bench-harness.o $(BUILD)/peers/bench-problem.o \
 # The loop of `run --realtime` without a step.
 EMPTY_LOOP := $(BUILD)/double/tools/bench/empty_loop
 $(EMPTY_LOOP): %: %.o $(addprefix $(BUILD)/double/tools/cli/,host/host.o \
-    host/output.o text/message.o)
+    host/lateness.o host/output.o text/message.o)
 	$(link)
 
 BENCH_NEEDS := $(BENCHES) $(if $(filter double,$(VARIANTS)),$(PEERS) \

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "cli/host/host.h"
+#include "cli/host/lateness.h"
 #include "cli/text/message.h"
 
 int main(int argc, char *argv[]) {

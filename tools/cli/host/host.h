@@ -8,10 +8,8 @@
 #define TWOFOLD_CLI_HOST_H
 
 #include <stdbool.h>
-#include <stdint.h>
 
 #include "../text/message.h"
-#include "output.h"
 
 double cli_now(void); ///< monotonic [s]
 
@@ -72,21 +70,5 @@ void cli_progress_say(cli_progress_t *progress, double now, double share,
 
 /// Removes the line from the screen.
 void cli_progress_clear(cli_progress_t *progress);
-
-// How late a loop in real time is: a histogram with bins of 1 us, as cyclictest
-// of rt-tests prints one, of each step's beginning and end.
-
-#define CLI_LATENESS_BINS 10000u ///< [us]; the last one counts what is later
-
-typedef struct {
-  uint64_t began[CLI_LATENESS_BINS + 1];
-  uint64_t ended[CLI_LATENESS_BINS + 1];
-} cli_lateness_t;
-
-/// Counts a step: how long after its time it began and ended [s].
-void cli_lateness_note(cli_lateness_t *lateness, double began, double ended);
-
-/// Writes `us,began,ended`, a row for each bin in which something is.
-void cli_lateness_write(const cli_lateness_t *lateness, cli_output_t *output);
 
 #endif

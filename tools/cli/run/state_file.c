@@ -16,8 +16,6 @@
 // The scene is there as a whole and not as a hash, so that what differs can be
 // reported by name. Its start is not compared: the state is in its place.
 
-#include "state_file.h"
-
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -30,6 +28,7 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"
+#include "record.h"
 
 #define VERSION "3"
 #define REALS 19
@@ -76,13 +75,6 @@ static tf_real_t *real_of(cli_stand_t *stand, size_t i) {
   return (tf_real_t *)(void *)((char *)stand + reals[i].at);
 }
 
-static void add_pair(cli_buffer_t *out, const char *key, const char *value) {
-  cli_add(out, key);
-  cli_add(out, " ");
-  cli_add(out, value);
-  cli_add(out, "\n");
-}
-
 size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                        const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]) {
   cli_buffer_t text = {out, 0, CLI_STATE_BYTES, false};
@@ -98,27 +90,27 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                                   stand->held.deadman,
                                   stand->held.left};
   const size_t held = stand->held.source != TF_INPUT_SCENE;
-  add_pair(&text, "twofold-state", VERSION);
-  add_pair(&text, "number", CLI_NUMBER_TYPE);
-  add_pair(&text, "scheme", scheme->name);
+  cli_add_form(&text, "%s %s\n", "twofold-state", VERSION);
+  cli_add_form(&text, "%s %s\n", "number", CLI_NUMBER_TYPE);
+  cli_add_form(&text, "%s %s\n", "scheme", scheme->name);
   (void)snprintf(number, sizeof number, "%08" PRIx32, stand->inputs);
-  add_pair(&text, "inputs", number);
+  cli_add_form(&text, "%s %s\n", "inputs", number);
   if (held != 0) {
-    add_pair(&text, "source", sources[stand->held.source]);
+    cli_add_form(&text, "%s %s\n", "source", sources[stand->held.source]);
   }
   for (size_t i = 0; i < WHOLES - HELD_WHOLES + held * HELD_WHOLES; i++) {
     (void)snprintf(number, sizeof number, "%" PRIu64, whole[i]);
-    add_pair(&text, wholes[i].name, number);
+    cli_add_form(&text, "%s %s\n", wholes[i].name, number);
   }
   for (size_t i = 0; i < REALS - HELD_REALS + held * HELD_REALS; i++) {
     (void)cli_write_real(number, *real_of(&copy, i));
-    add_pair(&text, reals[i].name, number);
+    cli_add_form(&text, "%s %s\n", reals[i].name, number);
   }
   cli_add(&text, "scene\n");
   cli_scene_print(setup->scene, &setup->params, &text);
   (void)snprintf(number, sizeof number, "%08" PRIx32,
                  cli_crc(0, out, text.used));
-  add_pair(&text, "crc32", number);
+  cli_add_form(&text, "%s %s\n", "crc32", number);
   return text.used;
 }
 

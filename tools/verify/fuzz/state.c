@@ -5,7 +5,7 @@
 // again, reads back to the same bits.
 #include <stdio.h>
 
-#include "cli/run/state_file.h"
+#include "cli/run/record.h"
 #include "cli/text/message.h"
 #include "cli/text/trailer.h"
 #include "verify/fuzz/fuzz.h"
