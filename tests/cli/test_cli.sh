@@ -165,16 +165,6 @@ equal 'closed standard output' $? 4
 
 full_device scenes
 
-# A run that is stopped. (test_outputs.sh has the other signals, and a step that
-# is refused.) Rows are so rare that no buffer fills: only the clock can flush
-# them.
-interrupt INT signal.csv 2 run chaos --t-end 1e9 --every 1000000000 \
-  --out signal.csv
-check 'SIGINT leaves whole rows' whole_rows signal.csv.part 10 '[0-9]'
-within 'the last step is the last row after SIGINT' \
-  "$(tail -n 1 signal.csv.part | cut -d , -f 1)" \
-  "$(sed -n 's/.*stopped at t = \(.*\) s: interrupted/\1/p' err)" 1e-3
-
 # On the wall clock a run may take longer than its time but never less, and a
 # step that is shorter than a look at the clock is late.
 late() { sed -n 's/^real time *\([0-9]*\) of .*/\1/p' err; }

@@ -67,12 +67,9 @@ while read -r other; do
     [ "$(run_of r.other)" != "$(run_of r.one)" ]
 done <<END
 --samples 7 --seed 6
---samples 8 --seed 5
---samples 7 --seed 5 --section 2e-3
 --samples 7 --seed 5 --codim2 even
 --samples 7 --seed 5 --set mu=1.01
 --samples 7 --seed 5 --set h=0 --set r=0.18 --set omega=-1.03
---samples 7 --seed 5 --by noise --size 1e-9
 END
 
 # Workers.
@@ -94,13 +91,6 @@ if /usr/bin/python3 -c 'import pandas, statsmodels, tabulate' 2>/dev/null; then
 else
   lacks 'workers' python3-pandas
 fi
-# The job array of Slurm, its tasks started by hand in any order.
-for i in 3 1 2; do
-  TWOFOLD=$T SLURM_ARRAY_TASK_MAX=3 SLURM_ARRAY_TASK_ID=$i \
-    sh "$tools/study/shards/shards.sbatch" task diverge chaos "$@" 2>err
-done
-joined task
-same all join 'tasks of a job array concatenate to one run'
 TWOFOLD=$T sh "$tools/study/shards/shards.sbatch" task diverge chaos >out 2>err
 check 'outside of an array it says how to start it' [ $? -eq 2 ]
 diverge --samples 7 --seed 6 --patience 0.3 --exits e.other --returns r.other
