@@ -77,19 +77,6 @@ equal 'its rows, of which omega is the inner loop' \
     )0.2,-1.05,sliding 0.2,-1.025,crossing_down 0.2,-1,codim2 "
 equal 'h = g = 0 has no lambda' "$(sed -n 4p out)" 0.17,-1,codim2,,
 within 'A is that of tf_step' "$(row 8 5 out)" 0.0641221403 1e-6
-# A run that begins there has the modes of its region.
-run regions chaos --r 0.11:0.31:5 --omega -1.4:-0.8:8
-sed 1d out >grid
-while IFS=, read -r r omega region _; do
-  run run chaos --t-end 0 --set h=0 --set "r=$r" --set "omega=$omega"
-  case $region,$(row 2 9,10 out) in
-  sliding,stick?,1 | escaping,*,3 | crossing_up,slip+,1) ;;
-  crossing_down,slip-,1) ;;
-  *) equal "r = $r, omega = $omega" "$(sed -n 2p out)" "$region" ;;
-  esac
-done <grid
-equal 'regions are what a run begins with' "$(row '$' 1,2 grid)" \
-  "$(row 2 2,4 out)"
 expect 4 'stopped at r = ' regions chaos --r 0:1e9:2 --omega 0:1e9:2
 check 'the rows before it are whole' test -z "$(tail -c 1 out)"
 
