@@ -28,6 +28,7 @@ struct solver {
   double second;       // what is not swept: a width, a step, a tolerance
   int problems;        // that it solves, from the first
   solve_t *solve;
+  int method; // which of those that `solve` knows
 };
 
 /// Prints one row `problem,solver,dial,error,ns,verdict` a problem, solver and
