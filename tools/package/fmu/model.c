@@ -14,19 +14,14 @@ const char *const fmu_categories[FMU_CATEGORIES] = {
 static fmu_t instances[FMU_INSTANCES];
 static fmu_claim_t instance_claims[FMU_INSTANCES];
 
+// In the order of their bits.
 static const char *phase_name(unsigned phase) {
-  switch (phase) {
-    case FMU_INSTANTIATED:
-      return "before Initialization Mode";
-    case FMU_INITIALIZATION:
-      return "in Initialization Mode";
-    case FMU_EVENT:
-      return "in Event Mode";
-    case FMU_STEP:
-      return "in Step Mode";
-    default:
-      return "after the end";
-  }
+  static const char *const names[] = {"before Initialization Mode",
+                                      "in Initialization Mode", "in Event Mode",
+                                      "in Step Mode", "after the end"};
+  size_t i = 0;
+  while ((phase >> i) > 1) i++;
+  return names[i];
 }
 
 fmu_message_t *fmu_begin_message(fmu_t *fmu) {
