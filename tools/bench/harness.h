@@ -27,8 +27,8 @@ struct solver {
   double factor;       // between neighbours; 1: one setting, the first
   double second;       // what is not swept: a width, a step, a tolerance
   int problems;        // that it solves, from the first
+  int method;          // which of those that `solve` knows
   solve_t *solve;
-  int method; // which of those that `solve` knows
 };
 
 /// Prints one row `problem,solver,dial,error,ns,verdict` a problem, solver and

@@ -98,32 +98,32 @@ static void budget(const problem_t *problem, const solver_t *solver, double dt,
 #define STEP(step)                                                             \
   {                                                                            \
     "located step=" #step, "tol", 1e-3, sizeof(tf_real_t) == 8 ? 2e-14 : 1e-5, \
-        1.8, step, PROBLEMS, tolerant, LOCATED                                 \
+        1.8, step, PROBLEMS, LOCATED, tolerant                                 \
   }
 #define MOST(name, segments) \
-  { "located " name, ONLY(1e-3), segments, PROBLEMS, budget, LOCATED }
+  { "located " name, ONLY(1e-3), segments, PROBLEMS, LOCATED, budget }
 
 int sweep_main(int argc, char **argv) {
   // Long steps run out of segments at the finest tolerances.
   const solver_t solvers[] = {
-      {"moreau", DT(0.1, 1e-6, 1.3), 0, PROBLEMS, by_step, MOREAU},
-      {"compensated", DT(0.1, 3e-6, 1.8), 0, PROBLEMS, by_step, COMPENSATED},
-      {"located", DT(0.5, 1e-4, 1.25), 1e-8, PROBLEMS, by_step, LOCATED},
-      {"located order", DT(0.1, 3e-4, 1.25), 0.1, PROBLEMS, by_step, LOCATED},
+      {"moreau", DT(0.1, 1e-6, 1.3), 0, PROBLEMS, MOREAU, by_step},
+      {"compensated", DT(0.1, 3e-6, 1.8), 0, PROBLEMS, COMPENSATED, by_step},
+      {"located", DT(0.5, 1e-4, 1.25), 1e-8, PROBLEMS, LOCATED, by_step},
+      {"located order", DT(0.1, 3e-4, 1.25), 0.1, PROBLEMS, LOCATED, by_step},
       STEP(1),
       STEP(0.2),
       STEP(0.1),
       STEP(0.05),
       STEP(0.02),
       STEP(0.005),
-      {"moreau", ONLY(1e-3), 0, PROBLEMS, by_step, MOREAU},
-      {"moreau", ONLY(1e-3 / 3), 0, PROBLEMS, by_step, MOREAU},
+      {"moreau", ONLY(1e-3), 0, PROBLEMS, MOREAU, by_step},
+      {"moreau", ONLY(1e-3 / 3), 0, PROBLEMS, MOREAU, by_step},
       MOST("segments=1", 1e-3),
       MOST("segments=2", 2e-3),
       MOST("segments=8", 8e-3),
       MOST("1 kHz", 0),
-      {"moreau", ONLY(1e-4), 0, PROBLEMS, by_step, MOREAU},
-      {"rk4-smooth same flags", ONLY(1e-4), 1e-4, 1, smooth_rk4, 0}};
+      {"moreau", ONLY(1e-4), 0, PROBLEMS, MOREAU, by_step},
+      {"rk4-smooth same flags", ONLY(1e-4), 1e-4, 1, 0, smooth_rk4}};
   return harness_main(argc, argv, solvers,
                       (int)(sizeof solvers / sizeof *solvers));
 }

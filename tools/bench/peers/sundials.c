@@ -197,11 +197,11 @@ static void run(const problem_t *problem, const solver_t *solver, double tol,
 }
 
 #define EVENTS(name, method) \
-  { name, "tol", 1e-3, 1e-13, 1.8, 0, PEER_PROBLEMS, run, method }
+  { name, "tol", 1e-3, 1e-13, 1.8, 0, PEER_PROBLEMS, method, run }
 #define SMOOTH(epsilon)                                           \
   {                                                               \
     "cvode-smooth eps=" #epsilon, "tol", 1e-3, 1e-12, 3, epsilon, \
-        PEER_PROBLEMS, run, BDF                                   \
+        PEER_PROBLEMS, BDF, run                                   \
   }
 
 int main(int argc, char **argv) {

@@ -117,9 +117,10 @@ static int tangency(int side, double a[2], double b[2]) {
 static void border(int side, double low, double high) {
   enum { CELLS = 30, LINES = 200 };
   for (int n = 0; n < (LINES + 1) * CELLS; n++) {
+    const int line = n / CELLS;
     double at[2][2];
     for (int k = 0; k < 2; k++) {
-      const double x = (double)(n / CELLS) / LINES;
+      const double x = (double)line / LINES;
       const double y = (double)(n % CELLS + k) / CELLS;
       at[k][0] = r_low + (r_high - r_low) * (side > 0 ? y : x);
       at[k][1] = low + (high - low) * (side > 0 ? x : y);
@@ -177,9 +178,10 @@ static int along_surface(double s[4], double step) {
 static void flow(void) {
   enum { SHORTEST = 60 };
   for (int n = 0; n < ACROSS * UPWARDS; n++) {
-    const double s[4] = {
-        r_low + (r_high - r_low) * (n % ACROSS + 0.5) / ACROSS,
-        w_low + (w_high - w_low) * (n / ACROSS + 0.5) / UPWARDS, 0, 0};
+    const int column = n % ACROSS, row = n / ACROSS;
+    const double s[4] = {r_low + (r_high - r_low) * (column + 0.5) / ACROSS,
+                         w_low + (w_high - w_low) * (row + 0.5) / UPWARDS, 0,
+                         0};
     region = surface_at(s[0], s[1]).region;
     is_above = s[1] > input.omega0;
     if (region > TF_REGION_ESCAPING || *cell_of(s)) continue;
