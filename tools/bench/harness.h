@@ -27,6 +27,7 @@ struct solver {
   double factor;       // between neighbours; 1: one setting, the first
   double second;       // what is not swept: a width, a step, a tolerance
   int problems;        // that it solves, from the first
+  int method;          // which of those that `solve` knows
   solve_t *solve;
 };
 

@@ -5,13 +5,13 @@
 
 #include "own.h"
 
+#define COMMAND(name) {#name, name##_main},
+
 int main(int argc, char **argv) {
   static const struct {
     const char *name;
     int (*run)(int argc, char **argv);
-  } commands[] = {{"sweep", sweep_main},       {"single", single_main},
-                  {"after", after_main},       {"rounded", rounded_main},
-                  {"ensemble", ensemble_main}, {"stability", stability_main}};
+  } commands[] = {BENCH_COMMANDS(COMMAND)};
   int code = 2;
   for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
     if (argc > 1 && strcmp(argv[1], commands[i].name) == 0)

@@ -72,22 +72,11 @@ static void solve(const problem_t *problem, scheme_t scheme, long steps,
   answer->mode = x->mode;
 }
 
-static void moreau(const problem_t *problem, const solver_t *solver, double dt,
-                   answer_t *answer) {
-  (void)solver;
-  solve(problem, MOREAU, harness_steps(problem, dt), 0, 0, answer);
-}
-
-static void compensated(const problem_t *problem, const solver_t *solver,
-                        double dt, answer_t *answer) {
-  (void)solver;
-  solve(problem, COMPENSATED, harness_steps(problem, dt), 0, 0, answer);
-}
-
-static void located(const problem_t *problem, const solver_t *solver, double dt,
+// second: of the located step its tolerance.
+static void by_step(const problem_t *problem, const solver_t *solver, double dt,
                     answer_t *answer) {
-  solve(problem, LOCATED, harness_steps(problem, dt), solver->second, 0,
-        answer);
+  solve(problem, (scheme_t)solver->method, harness_steps(problem, dt),
+        solver->second, 0, answer);
 }
 
 static void tolerant(const problem_t *problem, const solver_t *solver,
@@ -105,30 +94,36 @@ static void budget(const problem_t *problem, const solver_t *solver, double dt,
 
 // Dials; a single setting is no grid.
 #define DT(coarse, fine, factor) "dt", coarse, fine, factor
-#define TOLERANCE "tol", 1e-3, sizeof(tf_real_t) == 8 ? 2e-14 : 1e-5, 1.8
 #define ONLY(dt) "dt", dt, dt, 1
+#define STEP(step)                                                             \
+  {                                                                            \
+    "located step=" #step, "tol", 1e-3, sizeof(tf_real_t) == 8 ? 2e-14 : 1e-5, \
+        1.8, step, PROBLEMS, LOCATED, tolerant                                 \
+  }
+#define MOST(name, segments) \
+  { "located " name, ONLY(1e-3), segments, PROBLEMS, LOCATED, budget }
 
 int sweep_main(int argc, char **argv) {
   // Long steps run out of segments at the finest tolerances.
   const solver_t solvers[] = {
-      {"moreau", DT(0.1, 1e-6, 1.3), 0, PROBLEMS, moreau},
-      {"compensated", DT(0.1, 3e-6, 1.8), 0, PROBLEMS, compensated},
-      {"located", DT(0.5, 1e-4, 1.25), 1e-8, PROBLEMS, located},
-      {"located order", DT(0.1, 3e-4, 1.25), 0.1, PROBLEMS, located},
-      {"located step=1", TOLERANCE, 1, PROBLEMS, tolerant},
-      {"located step=0.2", TOLERANCE, 0.2, PROBLEMS, tolerant},
-      {"located step=0.1", TOLERANCE, 0.1, PROBLEMS, tolerant},
-      {"located step=0.05", TOLERANCE, 0.05, PROBLEMS, tolerant},
-      {"located step=0.02", TOLERANCE, 0.02, PROBLEMS, tolerant},
-      {"located step=0.005", TOLERANCE, 0.005, PROBLEMS, tolerant},
-      {"moreau", ONLY(1e-3), 0, PROBLEMS, moreau},
-      {"moreau", ONLY(1e-3 / 3), 0, PROBLEMS, moreau},
-      {"located segments=1", ONLY(1e-3), 1e-3, PROBLEMS, budget},
-      {"located segments=2", ONLY(1e-3), 2e-3, PROBLEMS, budget},
-      {"located segments=8", ONLY(1e-3), 8e-3, PROBLEMS, budget},
-      {"located 1 kHz", ONLY(1e-3), 0, PROBLEMS, budget},
-      {"moreau", ONLY(1e-4), 0, PROBLEMS, moreau},
-      {"rk4-smooth same flags", ONLY(1e-4), 1e-4, 1, smooth_rk4}};
+      {"moreau", DT(0.1, 1e-6, 1.3), 0, PROBLEMS, MOREAU, by_step},
+      {"compensated", DT(0.1, 3e-6, 1.8), 0, PROBLEMS, COMPENSATED, by_step},
+      {"located", DT(0.5, 1e-4, 1.25), 1e-8, PROBLEMS, LOCATED, by_step},
+      {"located order", DT(0.1, 3e-4, 1.25), 0.1, PROBLEMS, LOCATED, by_step},
+      STEP(1),
+      STEP(0.2),
+      STEP(0.1),
+      STEP(0.05),
+      STEP(0.02),
+      STEP(0.005),
+      {"moreau", ONLY(1e-3), 0, PROBLEMS, MOREAU, by_step},
+      {"moreau", ONLY(1e-3 / 3), 0, PROBLEMS, MOREAU, by_step},
+      MOST("segments=1", 1e-3),
+      MOST("segments=2", 2e-3),
+      MOST("segments=8", 8e-3),
+      MOST("1 kHz", 0),
+      {"moreau", ONLY(1e-4), 0, PROBLEMS, MOREAU, by_step},
+      {"rk4-smooth same flags", ONLY(1e-4), 1e-4, 1, 0, smooth_rk4}};
   return harness_main(argc, argv, solvers,
                       (int)(sizeof solvers / sizeof *solvers));
 }

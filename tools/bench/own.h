@@ -45,11 +45,9 @@ static inline tf_status_t run_step(run_t *run) {
 scheme_t scheme_named(const char *name);
 
 /// The commands of the program, each with the arguments that follow its name.
-int sweep_main(int argc, char **argv);
-int single_main(int argc, char **argv);
-int after_main(int argc, char **argv);
-int rounded_main(int argc, char **argv);
-int ensemble_main(int argc, char **argv);
-int stability_main(int argc, char **argv);
+#define BENCH_COMMANDS(X) \
+  X(sweep) X(single) X(after) X(rounded) X(ensemble) X(stability)
+#define BENCH_MAIN(name) int name##_main(int argc, char **argv);
+BENCH_COMMANDS(BENCH_MAIN)
 
 #endif

@@ -39,8 +39,7 @@ AT := '$(subst ','\'',$(DESTDIR)$(PREFIX))'
 INSTALLED = bin/twofold include/twofold.h \
   $(wildcard include/twofold/*.h) \
   lib/libtwofold_f64.a lib/libtwofold_f32.a \
-  $(patsubst tools/package/dist/install/%.pc,lib/pkgconfig/%.pc,\
-    $(wildcard tools/package/dist/install/*.pc)) \
+  $(addprefix lib/pkgconfig/,twofold.pc twofold_f64.pc twofold_f32.pc) \
   $(patsubst tools/package/dist/install/%.cmake,lib/cmake/twofold/%.cmake,\
     $(wildcard tools/package/dist/install/*.cmake)) \
   share/man/man1/twofold.1
@@ -51,7 +50,10 @@ ifneq ($(filter-out '/usr' '/usr/' '/usr/local' '/usr/local/',$(AT)),)
 ROOMS += bin include lib/pkgconfig lib/cmake lib share/man/man1 share/man share
 endif
 
-fill = sed 's/@VERSION@/$(TF_VERSION)/g' $(1) >$(2)
+# $(call fill,FROM,TO,REAL,TYPE,FLAGS)
+fill = sed 's/@VERSION@/$(TF_VERSION)/g; s/@REAL@/$(3)/; s/@TYPE@/$(4)/; \
+  s/@FLAGS@/$(5)/' tools/package/dist/install/$(1) \
+  >$(AT)/$(strip $(2))
 install: ## libraries, headers, program: DESTDIR= PREFIX=/usr/local
 install: $(BUILD)/double/twofold $(BUILD)/float/libtwofold.a
 	@mkdir -p $(AT)/bin $(AT)/include/twofold $(AT)/lib/pkgconfig \
@@ -61,12 +63,13 @@ install: $(BUILD)/double/twofold $(BUILD)/float/libtwofold.a
 	@install -m 644 include/twofold/*.h $(AT)/include/twofold
 	@install -m 644 $(BUILD)/double/libtwofold.a $(AT)/lib/libtwofold_f64.a
 	@install -m 644 $(BUILD)/float/libtwofold.a $(AT)/lib/libtwofold_f32.a
-	@for file in tools/package/dist/install/*.pc; do \
-	  $(call fill,$$file,$(AT)/lib/pkgconfig/$${file##*/}) || exit 1; \
-	done
-	@for file in tools/package/dist/install/*.cmake; do \
-	  $(call fill,$$file,$(AT)/lib/cmake/twofold/$${file##*/}) || \
-	  exit 1; done
+	@$(call fill,twofold.pc,lib/pkgconfig/twofold.pc)
+	@$(call fill,twofold_REAL.pc,lib/pkgconfig/twofold_f64.pc,f64,double)
+	@$(call fill,twofold_REAL.pc,lib/pkgconfig/twofold_f32.pc,f32,float, \
+	  -DTF_REAL_FLOAT)
+	@$(call fill,twofoldConfig.cmake,lib/cmake/twofold/twofoldConfig.cmake)
+	@$(call fill,twofoldConfigVersion.cmake,\
+	  lib/cmake/twofold/twofoldConfigVersion.cmake)
 	@tools/package/dist/manual $(BUILD)/double/twofold $(TF_VERSION) \
 	  >$(AT)/share/man/man1/twofold.1
 	@echo 'twofold $(TF_VERSION) is in' $(AT).

@@ -2,10 +2,11 @@
 // gives them; frames are decoded by the C core. A board waits to be asked for
 // its schema, without which its numbers have no type.
 
-import { AT, COLUMNS } from './core.mjs';
+import { AT, COLUMNS, firstOf } from './core.mjs';
 import { instantiate } from './libc.mjs';
 
 const COLUMNS_OF_LINE = 10;
+const AT_ONCE = 4096; // bytes, the rows of which the decoder has room for
 const MAX_RECORDS = 1 << 14;
 const ASK_EVERY = 1000; // [ms] until the schema has come
 
@@ -25,10 +26,10 @@ export class Line {
   }
 
   receive(bytes) {
-    const room = this.c.line_room();
-    for (let at = 0; at < bytes.length; at += room) {
-      const part = bytes.subarray(at, at + room);
-      new Uint8Array(this.c.memory.buffer, this.c.line_bytes(), room).set(part);
+    for (let at = 0; at < bytes.length; at += AT_ONCE) {
+      const part = bytes.subarray(at, at + AT_ONCE);
+      new Uint8Array(this.c.memory.buffer, this.c.text_bytes(), AT_ONCE)
+        .set(part);
       const count = this.c.line_take(part.length);
       const rows = new Float64Array(this.c.memory.buffer, this.c.line_rows(),
         count * COLUMNS_OF_LINE);
@@ -39,7 +40,7 @@ export class Line {
 
   describe() {
     const count = this.c.line_describe();
-    return new Uint8Array(this.c.memory.buffer, this.c.line_bytes(), count)
+    return new Uint8Array(this.c.memory.buffer, this.c.text_bytes(), count)
       .slice();
   }
 
@@ -89,13 +90,7 @@ export class Record {
   value(i, column) { return this.rows[i * COLUMNS + column]; }
 
   indexAt(t) {
-    let low = 0, high = this.count;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.row(middle)[AT.t] <= t) low = middle + 1;
-      else high = middle;
-    }
-    return Math.max(0, low - 1);
+    return Math.max(0, firstOf(this.count, (i) => this.row(i)[AT.t] > t) - 1);
   }
 
   openings() {

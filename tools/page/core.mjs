@@ -11,6 +11,18 @@ export const COLUMNS = ROW.length;
 export const BAD_PARAMETER = -1;
 const LOCATED = ['tolerance', 'segments']; // of that scheme, not the page's
 
+// The first of so many numbers for which something holds, which it then does
+// for all behind it; the count where it holds for none.
+export function firstOf(count, holds) {
+  let low = 0, high = count;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (holds(middle)) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
 const unitOf = (p) => (p.unit === '1' ? '' : ` ${p.unit}`);
 export const rangeOf = (p) => `[${p.low}, ${p.high}]${unitOf(p)}`;
 
@@ -69,15 +81,21 @@ export class Core {
   // Reads a scene from the text of a file. Returns: null, or why it is none, by
   // line, key and range; then the one before holds.
   takeFile(name, text) {
-    const { c } = this, encoder = new TextEncoder();
-    const bytes = encoder.encode(text).subarray(0, c.scene_room());
-    const path = encoder.encode(name).subarray(0, c.scene_path_room() - 1);
-    this.bytes(c.scene_bytes(), bytes.length).set(bytes);
+    const { c } = this, path = new TextEncoder().encode(name)
+      .subarray(0, c.scene_path_room() - 1);
     this.bytes(c.scene_path(), path.length + 1).set([...path, 0]);
-    if (!c.scene_take(bytes.length)) return this.text(c.scene_told());
+    if (!c.scene_take(this.#put(text))) return this.text(c.scene_told());
     this.scenes[this.ownScene] = this.text(c.scene_name(this.ownScene));
     this.file = { name, text };
     return null;
+  }
+
+  // Puts a text where the module reads one. Returns: its bytes there.
+  #put(text) {
+    const { c } = this;
+    const bytes = new TextEncoder().encode(text).subarray(0, c.text_room());
+    this.bytes(c.text_bytes(), bytes.length).set(bytes);
+    return bytes.length;
   }
 
   bytes(at, count) {
@@ -92,10 +110,8 @@ export class Core {
 
   // Returns: the number that a text is for the command line, or why it is none.
   number(text) {
-    const { c } = this, bytes = new TextEncoder().encode(text);
-    if (bytes.length >= c.number_room()) return 'is not a number';
-    this.bytes(c.number_text(), bytes.length + 1).set([...bytes, 0]);
-    return this.text(c.number_take(bytes.length)) || c.number_value();
+    return this.text(this.c.number_take(this.#put(text))) ||
+      this.c.number_value();
   }
 
   // Returns: whether the law needs a parameter.

@@ -87,6 +87,11 @@ export function steady(range, low, high, least) {
     high: Math.ceil((middle + half) / step) * step };
 }
 
+// The range of some numbers.
+export const extent = (numbers) => numbers.reduce(({ low, high }, x) =>
+  ({ low: Math.min(low, x), high: Math.max(high, x) }),
+{ low: Infinity, high: -Infinity });
+
 // What words take on the sheet.
 function boxOf(ctx, words, x, y) {
   const size = ctx.measureText(words);
@@ -139,9 +144,36 @@ export function dot(ctx, x, y, radius, fill) {
   ctx.fill();
 }
 
-export function path(ctx, points, stroke, width, dash = []) {
+export function circle(ctx, x, y, radius, stroke, width) {
+  ctx.beginPath();
+  ctx.arc(x, y, radius, 0, TAU);
+  ctx.strokeStyle = stroke;
+  ctx.lineWidth = width;
+  ctx.stroke();
+}
+
+function trace(ctx, points) {
   ctx.beginPath();
   points.forEach(([x, y], i) => (i ? ctx.lineTo(x, y) : ctx.moveTo(x, y)));
+}
+
+// Fills what lies within the points.
+export function fillShape(ctx, points, fill) {
+  trace(ctx, points);
+  ctx.fillStyle = fill;
+  ctx.fill();
+}
+
+// Until the next restore nothing is drawn outside of a rectangle.
+export function clip(ctx, ...box) {
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(...box);
+  ctx.clip();
+}
+
+export function path(ctx, points, stroke, width, dash = []) {
+  trace(ctx, points);
   ctx.strokeStyle = stroke;
   ctx.lineWidth = width;
   ctx.setLineDash(dash);
@@ -156,13 +188,9 @@ export function arrow(ctx, x0, y0, x1, y1, stroke, width = 2.5) {
   const c = (x1 - x0) / length, s = (y1 - y0) / length;
   path(ctx, [[x0, y0], [x1 - c * head * 0.8, y1 - s * head * 0.8]], stroke,
     width);
-  ctx.beginPath();
-  ctx.moveTo(x1, y1);
-  ctx.lineTo(x1 - c * head - s * head * 0.5, y1 - s * head + c * head * 0.5);
-  ctx.lineTo(x1 - c * head + s * head * 0.5, y1 - s * head - c * head * 0.5);
-  ctx.closePath();
-  ctx.fillStyle = stroke;
-  ctx.fill();
+  fillShape(ctx, [[x1, y1],
+    [x1 - c * head - s * head * 0.5, y1 - s * head + c * head * 0.5],
+    [x1 - c * head + s * head * 0.5, y1 - s * head - c * head * 0.5]], stroke);
 }
 
 // A frame with axes: x and y map numbers to pixels.
@@ -180,19 +208,15 @@ export class Frame {
     this.y = (value) => this.bottom - (value - y.low) * up;
   }
 
-  clip(ctx) {
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(this.left, this.top, this.right - this.left,
-      this.bottom - this.top);
-    ctx.clip();
+  get box() {
+    return [this.left, this.top, this.right - this.left,
+      this.bottom - this.top];
   }
 
   axes(ctx, nameX, nameY) {
     ctx.strokeStyle = colour.line;
     ctx.lineWidth = 1;
-    ctx.strokeRect(this.left, this.top, this.right - this.left,
-      this.bottom - this.top);
+    ctx.strokeRect(...this.box);
     text(ctx, nameX, this.right, this.bottom + 14, 'right', colour.ink);
     text(ctx, nameY, this.left - 7, this.top + 7, 'right', colour.ink);
     const count = Math.max(2, Math.floor((this.right - this.left) / 80));

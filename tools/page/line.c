@@ -5,10 +5,8 @@
 #include "cli/monitor/receiver.h"
 #include "module.h"
 
-#define LINE_BYTES 4096
 #define LINE_ROWS 256
 #define LINE_COLUMNS 10 // those of the CSV, the mode as its number
-static uint8_t bytes[LINE_BYTES];
 static uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
 static tf_decoder_t decoder;
 static cli_receiver_t receiver;
@@ -22,19 +20,14 @@ void EXPORT(line_open)(void) {
   tf_decoder_init(&decoder, buffer, sizeof buffer);
 }
 
-// Where the page puts bytes from the line, and takes those for it.
-uint8_t *EXPORT(line_bytes)(void) { return bytes; }
-
-uint32_t EXPORT(line_room)(void) { return LINE_BYTES; }
-
-// Decodes so many bytes. Returns: how many rows they completed. A frame takes
-// more than LINE_BYTES / LINE_ROWS bytes, so there is room for all.
+// Decodes so many bytes of the text. Returns: how many rows they completed. A
+// frame takes more than 16 bytes, so there is room for all of 4096.
 uint32_t EXPORT(line_take)(uint32_t length) {
   uint32_t count = 0;
-  for (uint32_t i = 0; i < length && i < LINE_BYTES; i++) {
+  for (uint32_t i = 0; i < length && count < LINE_ROWS; i++) {
     tf_frame_t frame;
     cli_csv_t row;
-    if (!tf_decoder_push(&decoder, bytes[i], &frame) ||
+    if (!tf_decoder_push(&decoder, (uint8_t)page_text[i], &frame) ||
         !cli_receiver_take(&receiver, &frame, &row))
       continue;
     memcpy(rows[count], row.column, sizeof row.column);
@@ -63,9 +56,9 @@ const double *EXPORT(line_counters)(void) {
   return counters;
 }
 
-// The command that asks a board for its schema, in `line_bytes`. Returns: its
+// The command that asks a board for its schema, as the text. Returns: its
 // length.
 uint32_t EXPORT(line_describe)(void) {
-  return (uint32_t)tf_command_seal(bytes, TF_UP_DESCRIBE, 0, 0, &sequence, 0,
-                                   0);
+  return (uint32_t)tf_command_seal((uint8_t *)page_text, TF_UP_DESCRIBE, 0, 0,
+                                   &sequence, 0, 0);
 }

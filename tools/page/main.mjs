@@ -314,6 +314,12 @@ async function share() {
   }
 }
 
+function offerBoard() {
+  $('board').textContent = 'board';
+  $('board').onclick = () => openSerial(connect).catch((error) =>
+    say(error.message));
+}
+
 // Shows what a board sends in place of the motion, until its line ends.
 // line: { readable, writable }, as WebSerial opens a port. tell: may be absent;
 // gets each row. Returns: the counters of the decoder.
@@ -334,9 +340,7 @@ async function connect(line, tell) {
   } catch (error) {
     say(`the board's line has failed: ${error.message}`);
   }
-  $('board').textContent = 'board';
-  $('board').onclick = () => openSerial(connect).catch((error) =>
-    say(error.message));
+  offerBoard();
   live = null;
   isStale = true;
   return reader.counters;
@@ -466,8 +470,7 @@ function wire() {
   $('fan').onclick = nearest;
   $('csv').onclick = writeRows;
   $('share').onclick = share;
-  $('board').onclick = () => openSerial(connect).catch((error) =>
-    say(error.message));
+  offerBoard();
   $('speed').oninput = $('span').onchange = () => { isStale = true; };
   addEventListener('keydown', keys);
   // The address that was entered: by now it may be one that was remembered.

@@ -6,7 +6,7 @@
 // -sin gamma), and slips along (sin gamma, cos gamma), which is the direction
 // of the force F.
 import { AT } from './core.mjs';
-import { Sheet, TAU, arrow, colour, dot, label, path, roundUp, text }
+import { Sheet, TAU, arrow, circle, colour, dot, label, path, roundUp, text }
   from './draw.mjs';
 import { short } from './decimal.mjs';
 
@@ -67,13 +67,8 @@ export class Mechanism {
   #turntable(ctx, row) {
     const { x, y, radius } = this;
     dot(ctx, x, y, radius, colour.faint);
-    ctx.lineWidth = 1;
-    ctx.strokeStyle = colour.line;
-    for (const share of [0.33, 0.66, 1]) {
-      ctx.beginPath();
-      ctx.arc(x, y, radius * share, 0, TAU);
-      ctx.stroke();
-    }
+    for (const share of [0.33, 0.66, 1])
+      circle(ctx, x, y, radius * share, colour.line, 1);
     for (let i = 0; i < 48; i++) {
       const angle = -row[AT.table] + i * TAU / 48;
       const from = radius * (i % 12 === 0 ? 0.9 : 0.96);
@@ -86,15 +81,10 @@ export class Mechanism {
   #top(ctx, row) {
     const { x, y, size } = this;
     const at = (a, b) => this.#disc(row, a, b);
-    ctx.beginPath();
-    ctx.arc(x, y, this.scale * size * 1.13, 0, TAU);
     ctx.globalAlpha = 0.5;
-    ctx.fillStyle = colour.steel;
-    ctx.fill();
+    dot(ctx, x, y, this.scale * size * 1.13, colour.steel);
     ctx.globalAlpha = 1;
-    ctx.strokeStyle = colour.soft;
-    ctx.lineWidth = 1.4;
-    ctx.stroke();
+    circle(ctx, x, y, this.scale * size * 1.13, colour.soft, 1.4);
     const half = Math.sqrt(Math.max((size * 1.13) ** 2 - this.d ** 2, 0)) *
       0.96;
     path(ctx, [at(-half, this.d), at(half, this.d)], colour.panel, 7);
@@ -108,11 +98,7 @@ export class Mechanism {
     this.#wheel(ctx, px, py, -row[AT.phi], 8, row[AT.mode]);
     // The lens and what it shows.
     const ring = Math.max(14, this.scale * this.reach * 1.1);
-    ctx.strokeStyle = colour.ink;
-    ctx.lineWidth = 1;
-    ctx.beginPath();
-    ctx.arc(px, py, ring, 0, TAU);
-    ctx.stroke();
+    circle(ctx, px, py, ring, colour.ink, 1);
     const away = Math.hypot(this.lensX - px, this.lensY - py);
     if (away > ring + this.lens) {
       const c = (this.lensX - px) / away, s = (this.lensY - py) / away;
@@ -171,11 +157,8 @@ export class Mechanism {
     const { lensX: x, lensY: y, lens } = this;
     ctx.save();
     dot(ctx, x, y, lens + 5, colour.panel);
-    ctx.beginPath();
-    ctx.arc(x, y, lens, 0, TAU);
+    dot(ctx, x, y, lens, colour.paper);
     ctx.clip();
-    ctx.fillStyle = colour.paper;
-    ctx.fillRect(x - lens, y - lens, 2 * lens, 2 * lens);
     const k = lens / this.reach;
     this.#floor(ctx, row, k);
     this.#rail(ctx, k);
@@ -199,11 +182,7 @@ export class Mechanism {
     this.#forces(ctx, row, px, y);
     this.#railNames(ctx, k);
     ctx.restore();
-    ctx.beginPath();
-    ctx.arc(x, y, lens, 0, TAU);
-    ctx.strokeStyle = colour.ink;
-    ctx.lineWidth = 1.2;
-    ctx.stroke();
+    circle(ctx, x, y, lens, colour.ink, 1.2);
     this.#scaleBar(ctx, k);
   }
 

@@ -6,6 +6,7 @@
 #ifndef TWOFOLD_PAGE_MODULE_H
 #define TWOFOLD_PAGE_MODULE_H
 
+#include "cli/setup/scene_file.h"
 #include "twofold.h"
 
 // The page looks these functions up by their names, and no file of the module
@@ -39,6 +40,11 @@ enum {
   ROW_RESIDUAL,
   ROW_COLUMNS
 };
+
+/// Where the page puts what it hands over, and takes it: the text of a file or
+/// of a number, bytes of a board's line.
+#define TEXT_ROOM (CLI_SCENE_BYTES + 1)
+extern char page_text[TEXT_ROOM];
 
 /// The machine of the motion, NULL before the first, and its last input.
 const tf_machine_t *machine_begun(void);

@@ -2,7 +2,7 @@
 // futures that were chosen, each at its tick. Set-up and log decide every bit,
 // so the past is not kept but stepped again from the nearest row: a row every
 // `every` steps is a snapshot. When there are MAX_ROWS, every other one goes.
-import { AT, BAD_PARAMETER, COLUMNS } from './core.mjs';
+import { AT, BAD_PARAMETER, COLUMNS, firstOf } from './core.mjs';
 import { HEADER, line } from './decimal.mjs';
 
 const MAX_ROWS = 1 << 17;
@@ -71,13 +71,7 @@ export class Motion {
 
   // How many entries of the log are at a tick or before it.
   #logged(tick) {
-    let low = 0, high = this.log.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.log[middle].tick <= tick) low = middle + 1;
-      else high = middle;
-    }
-    return low;
+    return firstOf(this.log.length, (i) => this.log[i].tick > tick);
   }
 
   // The inputs by hand at a tick.

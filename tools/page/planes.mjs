@@ -1,7 +1,7 @@
 // Two planes on the clock of the motion: the slip (g, h), and the surface h = 0
 // over (r, omega) with the regions of its points.
 import { AT } from './core.mjs';
-import { Frame, Sheet, colour, dot, label, path, steady, text }
+import { Frame, Sheet, clip, colour, dot, extent, label, path, steady, text }
   from './draw.mjs';
 
 // Rows of the recent past, at most `most` of them.
@@ -15,28 +15,23 @@ function trail(motion, seconds, most = 900) {
   return rows;
 }
 
-// The path of rows, each piece in the colour of its mode.
-function drawTrail(ctx, rows, place, width = 1.8) {
+// The path of rows up to the present, each piece in the colour of its mode, and
+// the futures.
+function drawMotion(ctx, rows, futures, place) {
   for (let i = 1; i < rows.length;) {
     const mode = rows[i][AT.mode], points = [place(rows[i - 1])];
     while (i < rows.length && rows[i][AT.mode] === mode)
       points.push(place(rows[i++]));
-    path(ctx, points, colour.mode[mode], width);
-  }
-}
-
-function drawFutures(ctx, futures, place) {
-  for (const { mode, rows } of futures) {
-    const points = rows.map(place);
     path(ctx, points, colour.mode[mode], 1.8);
-    const [x, y] = points[points.length - 1];
-    dot(ctx, x, y, 4, colour.mode[mode]);
   }
-}
-
-function drawNow(ctx, x, y, mode) {
-  dot(ctx, x, y, 6.5, colour.panel);
-  dot(ctx, x, y, 4.5, colour.mode[mode]);
+  for (const { mode, rows: ahead } of futures) {
+    const points = ahead.map(place);
+    path(ctx, points, colour.mode[mode], 1.8);
+    dot(ctx, ...points[points.length - 1], 4, colour.mode[mode]);
+  }
+  const now = rows[rows.length - 1];
+  dot(ctx, ...place(now), 6.5, colour.panel);
+  dot(ctx, ...place(now), 4.5, colour.mode[now[AT.mode]]);
 }
 
 const NO_REGION = 5; // the law has none, or the point has no speed v
@@ -96,11 +91,7 @@ export class SlipPlane {
 
   // A range with 0 in it; the least shows rounding as a line.
   #range(name, rows, least) {
-    let low = 0, high = 0;
-    for (const row of rows) {
-      low = Math.min(low, row[AT[name]]);
-      high = Math.max(high, row[AT[name]]);
-    }
+    const { low, high } = extent([0, ...rows.map((row) => row[AT[name]])]);
     const more = Math.max(0, least - (high - low)) / 2;
     this.ranges[name] = steady(this.ranges[name], low - more, high + more,
       least);
@@ -116,16 +107,13 @@ export class SlipPlane {
     const frame = new Frame(this.sheet, g,
       this.#range('h', seen, (g.high - g.low) / 1000));
     this.frame = frame;
-    frame.clip(ctx);
+    clip(ctx, ...frame.box);
     this.#halves(ctx, frame);
     const canStick = this.#line(ctx, frame, motion);
     path(ctx, [[frame.x(0), frame.top], [frame.x(0), frame.bottom]],
       colour.line, 1);
-    const place = (row) => [frame.x(row[AT.g]), frame.y(row[AT.h])];
-    drawTrail(ctx, past, place);
-    drawFutures(ctx, futures, place);
-    const [x, y] = place(motion.now);
-    drawNow(ctx, x, y, motion.now[AT.mode]);
+    drawMotion(ctx, past, futures, (row) =>
+      [frame.x(row[AT.g]), frame.y(row[AT.h])]);
     ctx.restore();
     frame.axes(ctx, 'g', 'h');
     ctx.room = frame;
@@ -196,25 +184,16 @@ export class SurfacePlane {
   }
 
   #range(name, rows, two) {
-    let low = Infinity, high = -Infinity;
-    for (const row of rows) {
-      low = Math.min(low, row[AT[name]]);
-      high = Math.max(high, row[AT[name]]);
-    }
-    if (name === 'omega') {
-      low = Math.min(low, rows[rows.length - 1][AT.omega0]);
-      high = Math.max(high, rows[rows.length - 1][AT.omega0]);
-    }
-    const size = Math.max(high - low, name === 'r' ? 0.012 : 0.06);
+    const least = name === 'r' ? 0.012 : 0.06;
+    const values = rows.map((row) => row[AT[name]]);
+    if (name === 'omega') values.push(rows[rows.length - 1][AT.omega0]);
+    let { low, high } = extent(values);
+    const size = Math.max(high - low, least);
     // A two-fold nearby is worth a wider view.
-    for (const point of two) {
-      if (point[name] > low - 2 * size && point[name] < high + 2 * size) {
-        low = Math.min(low, point[name]);
-        high = Math.max(high, point[name]);
-      }
-    }
-    this.ranges[name] = steady(this.ranges[name], low, high,
-      name === 'r' ? 0.012 : 0.06);
+    for (const { [name]: x } of two)
+      if (x > low - 2 * size && x < high + 2 * size)
+        ({ low, high } = extent([low, high, x]));
+    this.ranges[name] = steady(this.ranges[name], low, high, least);
     return this.ranges[name];
   }
 
@@ -231,16 +210,13 @@ export class SurfacePlane {
     const frame = new Frame(this.sheet, this.#range('r', seen, near),
       this.#range('omega', seen, near), keys[keys.length - 1].y + 15);
     this.frame = frame;
-    frame.clip(ctx);
+    clip(ctx, ...frame.box);
     this.#map(ctx, frame, motion);
     const y0 = frame.y(motion.now[AT.omega0]);
     path(ctx, [[frame.left, y0], [frame.right, y0]], colour.soft, 1, [2, 4]);
-    const place = (row) => [frame.x(row[AT.r]), frame.y(row[AT.omega])];
-    drawTrail(ctx, past, place);
-    drawFutures(ctx, futures, place);
     const marks = this.#folds(ctx, frame, folds);
-    const [x, y] = place(motion.now);
-    drawNow(ctx, x, y, motion.now[AT.mode]);
+    drawMotion(ctx, past, futures, (row) =>
+      [frame.x(row[AT.r]), frame.y(row[AT.omega])]);
     ctx.restore();
     for (const key of keys) this.#key(ctx, key);
     frame.axes(ctx, 'r', 'ω');
@@ -271,8 +247,7 @@ export class SurfacePlane {
       this.image.height = this.layer.height = height;
       this.#paint(motion, x, y);
     }
-    ctx.drawImage(this.image, frame.left, frame.top, frame.right - frame.left,
-      frame.bottom - frame.top);
+    ctx.drawImage(this.image, ...frame.box);
   }
 
   // Why the map has no regions. Where sin(gamma) is 0 the surface has them, but

@@ -1,16 +1,20 @@
-// Scenes from files for the page, read by the reader of the command line; its
+// Scenes from files and numbers from text for the page, read by the readers of
+// the command line: an address, a field and an option mean the same bits. Its
 // messages become text that the page shows.
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
-#include "cli/setup/scene_file.h"
 #include "cli/text/message.h"
+#include "cli/text/number.h"
 #include "module.h"
 
-#define TEXT_ROOM (CLI_SCENE_BYTES + 1)
+#define NUMBER_ROOM 1024 // beyond any number that people or programs write
 #define NAME_ROOM 256
 #define TOLD_ROOM 1024
-static char text[TEXT_ROOM], name[NAME_ROOM], told[TOLD_ROOM];
+char page_text[TEXT_ROOM];
+static char name[NAME_ROOM], told[TOLD_ROOM];
+static double taken;
 static cli_scene_file_t file[2]; // the one that holds, and the next one
 static unsigned present;
 static bool has_one;
@@ -23,11 +27,23 @@ int cli_message(int code, const char *format, ...) {
   return code;
 }
 
-// Where the page puts the bytes of a file, and its name, zero-terminated.
-char *EXPORT(scene_bytes)(void) { return text; }
+char *EXPORT(text_bytes)(void) { return page_text; }
 
-uint32_t EXPORT(scene_room)(void) { return TEXT_ROOM; }
+uint32_t EXPORT(text_room)(void) { return TEXT_ROOM; }
 
+// Reads a number from so many bytes. Returns: what is wrong with them, or
+// nothing; then `number_value` is the number.
+const char *EXPORT(number_take)(uint32_t length) {
+  const char *why = "is not a number";
+  if (length >= NUMBER_ROOM) return why;
+  page_text[length] = '\0';
+  if (strlen(page_text) != length) return why;
+  return cli_read_real(page_text, &taken, &why) ? "" : why;
+}
+
+double EXPORT(number_value)(void) { return taken; }
+
+// Where the page puts the name of a file, zero-terminated.
 char *EXPORT(scene_path)(void) { return name; }
 
 uint32_t EXPORT(scene_path_room)(void) { return NAME_ROOM; }
@@ -37,7 +53,7 @@ uint32_t EXPORT(scene_path_room)(void) { return NAME_ROOM; }
 // before holds.
 bool EXPORT(scene_take)(uint32_t length) {
   cli_scene_file_t *next = &file[1 - present];
-  if (cli_scene_parse(next, name, text, length) != CLI_DONE) return false;
+  if (cli_scene_parse(next, name, page_text, length) != CLI_DONE) return false;
   present = 1 - present;
   has_one = true;
   return true;
@@ -50,8 +66,8 @@ const tf_scene_t *own_scene(void) {
 }
 
 const char *scene_as_file(const tf_scene_t *scene) {
-  cli_buffer_t out = {text, 0, sizeof text, false};
+  cli_buffer_t out = {page_text, 0, sizeof page_text, false};
   cli_add(&out, CLI_SCENE_TITLE);
   cli_scene_print(scene, &scene->params, &out);
-  return text;
+  return page_text;
 }

@@ -1,8 +1,8 @@
 // The motion over time: a ribbon of modes with the instants from which on
 // several futures are open, and below it the state, the slip and the force.
-import { AT } from './core.mjs';
-import { Sheet, colour, dot, path, steady, text, ticks }
-  from './draw.mjs';
+import { AT, firstOf } from './core.mjs';
+import { Sheet, clip, colour, dot, extent, fillShape, path, steady, text,
+  ticks } from './draw.mjs';
 import { short } from './decimal.mjs';
 
 const LEFT = 118, RIGHT = 14, RIBBON = 73, MARKS = 18, AXIS = 22;
@@ -51,10 +51,7 @@ export class Strips {
     if (width < 10) return;
     this.#window(motion, span);
     const from = Math.max(0, this.to - span);
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(LEFT - 0.5, 0, width - LEFT - RIGHT + 1, height);
-    ctx.clip();
+    clip(ctx, LEFT - 0.5, 0, width - LEFT - RIGHT + 1, height);
     this.#grid(ctx, from, height);
     this.#ribbon(ctx, motion, from);
     ctx.restore();
@@ -88,7 +85,8 @@ export class Strips {
   // pale lanes are the modes that are possible besides.
   #ribbon(ctx, motion, from) {
     const { changes } = motion, lane = RIBBON / 5;
-    const first = Math.max(0, find(changes, from / motion.dt) - 1);
+    const first = Math.max(0, firstOf(changes.length, (i) =>
+      changes[i][0] >= from / motion.dt) - 1);
     const end = Math.max(motion.last, motion.tick) * motion.dt;
     for (let i = first; i < changes.length; i++) {
       const [tick, , mode, set] = changes[i];
@@ -119,39 +117,26 @@ export class Strips {
       const y = MARKS / 2 + 1, size = tick === hovered ? 7 : 5;
       path(ctx, [[x, MARKS], [x, MARKS + RIBBON]], colour.ink,
         tick === hovered ? 1.5 : 0.5);
-      ctx.beginPath();
-      ctx.moveTo(x - size, y - size);
-      ctx.lineTo(x + size, y - size);
-      ctx.lineTo(x, y + size);
-      ctx.closePath();
-      ctx.fillStyle = tick === hovered ? colour.accent : colour.ink;
-      ctx.fill();
+      fillShape(ctx, [[x - size, y - size], [x + size, y - size],
+        [x, y + size]], tick === hovered ? colour.accent : colour.ink);
     }
   }
 
   #strip(ctx, motion, strip, index, top, size, from, futures) {
     const { width } = this.sheet;
     const lines = strip.names.map((name) => this.#line(motion, name, from));
-    let low = strip.zero ? 0 : Infinity, high = strip.zero ? 0 : -Infinity;
-    const take = (value) => {
-      low = Math.min(low, value);
-      high = Math.max(high, value);
-    };
-    for (const points of lines) for (const [, a, b] of points) take(a), take(b);
-    for (const { rows } of futures) for (const row of rows)
-      for (const name of strip.names) take(row[AT[name]]);
+    const ahead = futures.flatMap(({ rows }) => rows);
+    const { low, high } = extent([
+      lines.map((points) => points.map(([, ...ends]) => ends)),
+      strip.names.map((name) => ahead.map((row) => row[AT[name]])),
+      strip.zero ? 0 : []].flat(Infinity));
     const least = Math.max(1e-9, 1e-3 * Math.max(Math.abs(low),
       Math.abs(high)));
     const range = this.ranges[index] = steady(this.ranges[index], low, high,
       least);
     const y = (value) => top + size - (value - range.low) /
       (range.high - range.low) * size;
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(LEFT, top - 1, width - LEFT - RIGHT, size + 2);
-    ctx.clip();
-    ctx.strokeStyle = colour.line;
-    ctx.lineWidth = 1;
+    clip(ctx, LEFT, top - 1, width - LEFT - RIGHT, size + 2);
     if (range.low < 0 && range.high > 0)
       path(ctx, [[LEFT, y(0)], [width, y(0)]], colour.line, 1);
     lines.forEach((points, i) => this.#curve(ctx, points, y, STYLE[i]));
@@ -214,15 +199,4 @@ export class Strips {
     }
     return best;
   }
-}
-
-// How many changes come before a tick.
-function find(changes, tick) {
-  let low = 0, high = changes.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (changes[middle][0] < tick) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }

@@ -8,26 +8,27 @@ const char *EXPORT(parameter_name)(uint32_t number) {
   return number < TF_PARAMETERS ? tf_parameter_ranges[number].name : "";
 }
 
+// Of the others there is no more than one for each of the names.
 const char *EXPORT(parameter_unit)(uint32_t number) {
-  return number < TF_PARAMETERS ? tf_parameter_ranges[number].unit : "";
+  return tf_parameter_ranges[number].unit;
 }
 
 double EXPORT(parameter_low)(uint32_t number) {
-  return number < TF_PARAMETERS ? tf_parameter_ranges[number].low : 0;
+  return tf_parameter_ranges[number].low;
 }
 
 double EXPORT(parameter_high)(uint32_t number) {
-  return number < TF_PARAMETERS ? tf_parameter_ranges[number].high : 0;
+  return tf_parameter_ranges[number].high;
 }
 
 // Whether it may have a value, its range apart.
 bool EXPORT(parameter_fits)(uint32_t number, double value) {
-  return number < TF_PARAMETERS && cli_parameter_fits(number, value);
+  return cli_parameter_fits(number, value);
 }
 
 // Bits of the laws that use it.
 uint32_t EXPORT(parameter_laws)(uint32_t number) {
-  return number < TF_PARAMETERS ? tf_parameter_ranges[number].laws : 0;
+  return tf_parameter_ranges[number].laws;
 }
 
 // The first scene of the core whose law uses it; TF_SCENES where none does.
@@ -65,5 +66,3 @@ const char *EXPORT(rest_name)(uint32_t law) { return tf_rest_law_name(law); }
 const char *EXPORT(status_name)(int32_t status) {
   return tf_status_name((tf_status_t)status);
 }
-
-const char *EXPORT(version)(void) { return TF_VERSION; }

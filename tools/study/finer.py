@@ -22,7 +22,7 @@ from typing import Callable, Iterator, Optional, Sequence
 
 import numpy as np
 import pandas as pd
-from scipy import integrate, optimize, special
+from scipy import integrate, optimize, special, stats
 
 import driven
 import families
@@ -405,13 +405,10 @@ class Study:
         GROWN, by a fit with its 95 % half interval."""
         rows = self.exact[self.exact.disturbance > 0].reset_index()
         rows = rows[(rows.n >= 22) & (rows.form != "angle")]
-        x, y = np.log(rows.effective), np.log(rows.disturbance)
-        fit = np.polyfit(x, y, 1)
-        rest = y - np.polyval(fit, x)
-        error = math.sqrt((rest ** 2).sum() / (len(x) - 2)
-                          / ((x - x.mean()) ** 2).sum())
-        return (f"{fit[0]:.2f} (+- {2 * error:.2f} by the fit alone, {len(x)} "
-                "motions from 3e-6 m/s down)")
+        fit = stats.linregress(np.log(rows.effective),
+                               np.log(rows.disturbance))
+        return (f"{fit.slope:.2f} (+- {2 * fit.stderr:.2f} by the fit alone, "
+                f"{len(rows)} motions from 3e-6 m/s down)")
 
     def numbers(self) -> str:
         """What the text speaks of."""

@@ -159,6 +159,7 @@ $(eval $(call by-list,loop,loop,2e-4,0.01,branches.csv))
 define by-curves
 $(figdir)/$(1).curves.dat: $(curves) $(2:%=$(figdir)/%) tools/study/study.mk
 	$$(call quietly,$$< $(1) $(figdir))
+$(foreach e,svg png,$(figdir)/$(1).$(e)): $(figdir)/$(1).curves.dat
 endef
 $(eval $(call by-curves,exits,returns-random.csv branches.csv))
 $(eval $(call by-curves,normal,branches.csv))
@@ -168,18 +169,12 @@ $(eval $(call by-curves,return,returns-random.csv branches.csv))
 $(eval $(call by-curves,set,set.dat))
 $(eval $(call by-curves,surface,fans.dat))
 
-# What each picture is made of.
+# What else each picture is made of.
 needs = $(foreach e,svg png,$(figdir)/$(1).$(e)): $(2:%=$(figdir)/%)
-$(call needs,surface,surface.curves.dat)
 $(call needs,atlas,atlas.csv numbers.dat)
-$(call needs,normal,orbits.dat straight.dat numbers.dat loop.dat \
-  normal.curves.dat)
-$(call needs,regions,regions.csv borders.dat flow.dat regions.curves.dat \
-  numbers.dat)
-$(call needs,set,set.curves.dat borders.dat numbers.dat)
+$(call needs,normal,orbits.dat straight.dat numbers.dat loop.dat)
+$(call needs,regions,regions.csv borders.dat flow.dat numbers.dat)
+$(call needs,set,borders.dat numbers.dat)
 $(call needs,tyre,tyre.dat)
-$(call needs,exits,exits.curves.dat)
-$(call needs,return,return.curves.dat)
-$(call needs,perturbations,perturbations.curves.dat \
-  $(KINDS:%=returns-%.csv))
+$(call needs,perturbations,$(KINDS:%=returns-%.csv))
 $(call needs,portrait,directions.dat angular.dat corner.dat)

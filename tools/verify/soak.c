@@ -11,7 +11,7 @@
 
 #include "cli/host/host.h"
 #include "cli/setup/setup.h"
-#include "twofold.h"
+#include "verify/fuzz/fuzz.h"
 
 #define MIN_STEPS 1000.0
 #define MAX_STEPS 1e15
@@ -33,8 +33,6 @@ typedef struct {
   uint64_t changed, stay; // last change of the mode, most steps without one
   double drift;           // largest |h| in stick, in its rounding
 } soak_t;
-
-static int finite(tf_real_t x) { return x >= -TF_REAL_MAX && x <= TF_REAL_MAX; }
 
 // What |h| is off by in stick: its terms are known to a rounding each.
 static double rounding(const soak_t *s) {
@@ -61,22 +59,20 @@ static uint64_t mix(uint64_t trail, tf_real_t x) {
 static void judge(soak_t *s, const tf_report_t *report, uint64_t step,
                   double before) {
   const tf_state_t *x = &s->state;
-  unsigned choices = 0;
-  for (unsigned set = report->set; set != 0; set &= set - 1) choices++;
-  if (!finite(x->r) || !finite(x->v) || !finite(x->w) ||
-      !finite(report->force.F) || !finite(report->force.M) ||
-      !finite(report->slip.h) || !finite(report->slip.g) ||
-      !finite(report->delassus) || !finite(report->residual))
+  if (!fuzz_finite(x->r) || !fuzz_finite(x->v) || !fuzz_finite(x->w) ||
+      !fuzz_finite(report->force.F) || !fuzz_finite(report->force.M) ||
+      !fuzz_finite(report->slip.h) || !fuzz_finite(report->slip.g) ||
+      !fuzz_finite(report->delassus) || !fuzz_finite(report->residual))
     s->not_finite++;
-  if (x->tick != step || report->choices != choices || x->mode >= TF_MODES ||
-      report->mode != x->mode || x->seed != SEED ||
+  if (x->tick != step || report->choices != fuzz_popcount(report->set) ||
+      x->mode >= TF_MODES || report->mode != x->mode || x->seed != SEED ||
       (report->status == TF_OK && !(report->set & TF_MODE_BIT(x->mode)))) {
     s->miscounted++;
     return;
   }
   s->modes[x->mode]++;
   s->degraded += report->status == TF_DEGRADED;
-  s->open += choices > 1;
+  s->open += report->choices > 1;
   if (cli_is_slip(x->mode)) return;
   // The bound of `stick_is_exact`: rounding on both sides of the step.
   const double drift = fabs((double)report->slip.h) / (before + rounding(s));

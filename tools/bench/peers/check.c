@@ -26,31 +26,15 @@ static int write_problems(const char *name) {
   for (int i = 0; i < PEER_PROBLEMS; i++) {
     const problem_t q = problem_number(i);
     const tf_params_t *p = &q.params;
-    const double side = problem_side(&q);
-    const double row[] = {(double)q.start[0],
-                          (double)q.start[2],
-                          (double)q.h,
-                          side,
-                          (double)q.length,
-                          p->m,
-                          p->d,
-                          p->beta,
-                          p->k2,
-                          p->c1,
-                          p->c2,
-                          p->r0,
-                          p->omega0,
-                          p->mu,
-                          p->kappa,
-                          p->gamma,
-                          (double)q.alpha,
-                          q.end[0],
-                          q.end[1],
-                          q.end[2],
-                          q.branch_error};
+    // In the order of `fields` in octave.m.
+    fprintf(file, "%.17g %.17g %.17g %d %.17g ", (double)q.start[0],
+            (double)q.start[2], q.h, problem_side(&q), q.length);
+    const double row[] = {p->m,  p->d,  p->beta,   p->k2, p->c1,
+                          p->c2, p->r0, p->omega0, p->mu, p->kappa};
     for (size_t j = 0; j < sizeof row / sizeof *row; j++)
       fprintf(file, "%.17g ", row[j]);
-    fputs("\n", file);
+    fprintf(file, "%.17g %.17g %.17g %.17g %.17g %.17g \n", p->gamma, q.alpha,
+            q.end[0], q.end[1], q.end[2], q.branch_error);
   }
   return fclose(file) != 0;
 }

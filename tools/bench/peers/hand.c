@@ -47,18 +47,18 @@ static void euler(const problem_t *problem, const solver_t *solver, double dt,
 #define SMOOTH(epsilon)                                                     \
   {                                                                         \
     "rk4-smooth eps=" #epsilon, "dt", 30 * (epsilon), 0.3 * (epsilon), 1.6, \
-        epsilon, PEER_PROBLEMS, smooth_rk4                                  \
+        epsilon, PEER_PROBLEMS, 0, smooth_rk4                               \
   }
 
 int main(int argc, char **argv) {
   const solver_t solvers[] = {
-      {"events-rk4", "dt", 0.1, 3e-5, 1.3, 0, PEER_PROBLEMS, events_rk4},
-      {"events-dp5", "tol", 1e-4, 4e-13, 1.8, 0, PEER_PROBLEMS, events_dp5},
-      {"euler", "dt", 1e-2, 1e-6, 1.6, 0, PEER_PROBLEMS, euler},
+      {"events-rk4", "dt", 0.1, 3e-5, 1.3, 0, PEER_PROBLEMS, 0, events_rk4},
+      {"events-dp5", "tol", 1e-4, 4e-13, 1.8, 0, PEER_PROBLEMS, 0, events_dp5},
+      {"euler", "dt", 1e-2, 1e-6, 1.6, 0, PEER_PROBLEMS, 0, euler},
       SMOOTH(1e-3),
       SMOOTH(1e-4),
       SMOOTH(1e-5),
-      {"rk4-smooth eps=1e-6", "dt", 1e-5, 5e-7, 1.6, 1e-6, PEER_PROBLEMS,
+      {"rk4-smooth eps=1e-6", "dt", 1e-5, 5e-7, 1.6, 1e-6, PEER_PROBLEMS, 0,
        smooth_rk4}};
   return harness_main(argc, argv, solvers,
                       (int)(sizeof solvers / sizeof *solvers));

@@ -134,6 +134,6 @@ void guarded(const problem_t *problem, const solver_t *, double dt,
 
 int main(int argc, char **argv) {
   const solver_t solvers[] = {
-      {"siconos", "dt", 1e-2, 3e-5, 1.6, 0, PEER_PROBLEMS, guarded}};
+      {"siconos", "dt", 1e-2, 3e-5, 1.6, 0, PEER_PROBLEMS, 0, guarded}};
   return harness_main(argc, argv, solvers, 1);
 }

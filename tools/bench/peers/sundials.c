@@ -166,9 +166,9 @@ static int change(motion_t *x, const int root[ROOTS], double *t, N_Vector y) {
   return found;
 }
 
-static void run(method_t method, const problem_t *problem,
-                const solver_t *solver, double tol, answer_t *answer) {
-  integrator_t s = {.method = method};
+static void run(const problem_t *problem, const solver_t *solver, double tol,
+                answer_t *answer) {
+  integrator_t s = {.method = (method_t)solver->method};
   motion_t x = {.model = model_of(problem), .near = 0.1 * sqrt(tol)};
   x.model.epsilon2 = solver->second * solver->second;
   const point_t start = model_start(&x.model, problem);
@@ -181,7 +181,7 @@ static void run(method_t method, const problem_t *problem,
   if (SUNContext_Create(NULL, &s.context) != 0) return;
   s.y = N_VNew_Serial(4, s.context);
   point_to(start, s.y);
-  int state = method == ERK ? open_erk(&s, &x, tol) : open_cvode(&s, &x, tol);
+  int state = s.method == ERK ? open_erk(&s, &x, tol) : open_cvode(&s, &x, tol);
   if (state == 0) state = advance(&s, problem->length, &t);
   while (state > 0 && ++switched < MAX_SWITCHES) {
     int root[ROOTS];
@@ -196,33 +196,18 @@ static void run(method_t method, const problem_t *problem,
   shut(&s);
 }
 
-static void adams(const problem_t *problem, const solver_t *solver, double tol,
-                  answer_t *answer) {
-  run(ADAMS, problem, solver, tol, answer);
-}
-
-static void bdf(const problem_t *problem, const solver_t *solver, double tol,
-                answer_t *answer) {
-  run(BDF, problem, solver, tol, answer);
-}
-
-static void erk(const problem_t *problem, const solver_t *solver, double tol,
-                answer_t *answer) {
-  run(ERK, problem, solver, tol, answer);
-}
-
-#define EVENTS(name, solve) \
-  { name, "tol", 1e-3, 1e-13, 1.8, 0, PEER_PROBLEMS, solve }
+#define EVENTS(name, method) \
+  { name, "tol", 1e-3, 1e-13, 1.8, 0, PEER_PROBLEMS, method, run }
 #define SMOOTH(epsilon)                                           \
   {                                                               \
     "cvode-smooth eps=" #epsilon, "tol", 1e-3, 1e-12, 3, epsilon, \
-        PEER_PROBLEMS, bdf                                        \
+        PEER_PROBLEMS, BDF, run                                   \
   }
 
 int main(int argc, char **argv) {
-  const solver_t solvers[] = {EVENTS("cvode-adams", adams),
-                              EVENTS("cvode-bdf", bdf),
-                              EVENTS("arkode-erk5", erk),
+  const solver_t solvers[] = {EVENTS("cvode-adams", ADAMS),
+                              EVENTS("cvode-bdf", BDF),
+                              EVENTS("arkode-erk5", ERK),
                               SMOOTH(1e-3),
                               SMOOTH(1e-4),
                               SMOOTH(1e-5),

@@ -31,42 +31,30 @@ static void set_gamma(case_t *c, tf_real_t degrees) {
   c->params.gamma = (tf_real_t)((double)degrees / 180 * pi);
 }
 
+// A start that does not say h.
+static void start(case_t *c, tf_real_t r, tf_real_t v, tf_real_t w) {
+  c->r = r;
+  c->v = v;
+  c->w = w;
+  c->v_from_h = false;
+}
+
 // A disc of nearly no inertia, and a slider that runs through the axis.
 static void set_through(case_t *c, tf_real_t y) {
   c->params.beta = TF_R(1e-3);
   c->params.c2 = 0;
-  c->r = TF_R(0.1);
-  c->v = -y;
-  c->v_from_h = false;
+  start(c, TF_R(0.1), -y, c->w);
 }
 
-static void set_far_r(case_t *c, tf_real_t y) {
-  c->r = y;
-  c->v = 0;
-  c->v_from_h = false;
-}
-static void set_far_v(case_t *c, tf_real_t y) {
-  c->v = y;
-  c->v_from_h = false;
-}
-static void set_far_w(case_t *c, tf_real_t y) {
-  c->w = y;
-  c->v = 0;
-  c->v_from_h = false;
-}
-
-static void set_far(case_t *c, tf_real_t y) {
-  c->r = c->v = c->w = y;
-  c->v_from_h = false;
-}
+static void set_far_r(case_t *c, tf_real_t y) { start(c, y, 0, c->w); }
+static void set_far_v(case_t *c, tf_real_t y) { start(c, c->r, y, c->w); }
+static void set_far_w(case_t *c, tf_real_t y) { start(c, c->r, 0, y); }
+static void set_far(case_t *c, tf_real_t y) { start(c, y, y, y); }
 
 // In units of the least normal number: below 1 lie the subnormal ones.
 static void set_tiny_state(case_t *c, tf_real_t y) {
   const tf_real_t unit = y * TF_REAL_MIN;
-  c->r = TF_R(0.18) * unit;
-  c->w = TF_R(-1.037) * unit;
-  c->v = TF_R(0.02) * unit;
-  c->v_from_h = false;
+  start(c, TF_R(0.18) * unit, TF_R(0.02) * unit, TF_R(-1.037) * unit);
   c->params.r0 = TF_R(0.1) * unit;
   c->params.omega0 = -unit;
 }
@@ -87,9 +75,7 @@ static void set_centrifugal(case_t *c, tf_real_t ratio) {
   c->params.c1 = 0;
   c->params.c2 = 0;
   c->params.k2 = ratio * 100;
-  c->w = 10;
-  c->v = 0;
-  c->v_from_h = false;
+  start(c, c->r, 0, 10);
 }
 
 static void set_smooth(case_t *c, tf_real_t y) {
@@ -116,9 +102,7 @@ static void set_conservative(case_t *c, tf_real_t y) {
 }
 static void set_spinning(case_t *c, tf_real_t y) {
   set_conservative(c, 1);
-  c->w = y;
-  c->v = 0;
-  c->v_from_h = false;
+  start(c, c->r, 0, y);
 }
 
 static void set_from_scene(case_t *c, const tf_scene_t *scene) {

@@ -55,6 +55,10 @@ def fill(template, to):
                               .replace("@VERSION@", version()))
 
 
+# What the native example of PlatformIO is, too.
+DEMO = HERE / "cmake/examples/demo/demo.c"
+
+
 def of_scene(text, scene):
     """A text with the name of a scene in place."""
     for case in str.lower, str.capitalize, str.upper:
@@ -90,6 +94,9 @@ def main():
             if file.endswith(".h"):
                 text = begin + text
             (package / inner / file).write_text(text)
+        if template == "platformio":
+            (package / "examples/chaos/src").mkdir()
+            shutil.copy(DEMO, package / "examples/chaos/src/main.c")
         shutil.copy(ROOT / "LICENSE", package / "LICENSE")
         if template in ("cmake", "python"):
             archive(package, folder / template

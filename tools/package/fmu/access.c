@@ -16,21 +16,8 @@ fmu_status_t fmu_check_lists(fmu_t *fmu, size_t n, size_t n_values,
 
 static fmu_status_t unknown_reference(fmu_t *fmu, uint32_t reference,
                                       const char *what) {
-  fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say(message, "no ");
-  fmu_say(message, what);
-  fmu_say(message, " variable has the value reference ");
-  fmu_say_whole(message, reference);
-  return fmu_refuse(fmu, FMU_ERROR);
-}
-
-// Refuses what a variable is not made for.
-static fmu_status_t refuse_variable(fmu_t *fmu, const fmu_variable_t *variable,
-                                    const char *why) {
-  fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say(message, variable->name);
-  fmu_say(message, why);
-  return fmu_refuse(fmu, FMU_ERROR);
+  return fmu_error(fmu, "no %s variable has the value reference %u", what,
+                   (unsigned)reference);
 }
 
 static bool is_of(const fmu_variable_t *variable, unsigned kinds) {
@@ -46,8 +33,8 @@ fmu_status_t fmu_check_get(fmu_t *fmu, uint32_t reference, unsigned kinds,
   if (!is_of(&variable, kinds)) return unknown_reference(fmu, reference, what);
   if (variable.role != FMU_ROLE_OUTPUT) return FMU_OK;
   if (fmu->motion.phase == FMU_INSTANTIATED)
-    return refuse_variable(fmu, &variable,
-                           " is not known before Initialization Mode");
+    return fmu_error(fmu, "%s is not known before Initialization Mode",
+                     variable.name);
   if (fmu->motion.phase == FMU_INITIALIZATION && !fmu->motion.begun)
     return fmu_begin(fmu);
   return FMU_OK;
@@ -58,8 +45,7 @@ static void say_modes(fmu_message_t *message, unsigned set) {
   const char *comma = "";
   for (unsigned mode = 0; mode < TF_MODES; mode++) {
     if ((set & TF_MODE_BIT(mode)) == 0) continue;
-    fmu_say(message, comma);
-    fmu_say(message, tf_mode_name(mode));
+    fmu_say(message, "%s%s", comma, tf_mode_name(mode));
     comma = ", ";
   }
 }
@@ -72,32 +58,13 @@ static fmu_status_t check_take(fmu_t *fmu, unsigned mode) {
   if ((motion->phase & (FMU_EVENT | FMU_STEP)) != 0 &&
       (motion->report.set & TF_MODE_BIT(mode)) != 0)
     return FMU_OK;
+  if ((motion->phase & (FMU_EVENT | FMU_STEP)) == 0)
+    return fmu_discard(fmu, "take = %s is not open before the motion begins",
+                       tf_mode_name(mode));
   fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say(message, "take = ");
-  fmu_say(message, tf_mode_name(mode));
-  fmu_say(message, " is not open");
-  if ((motion->phase & (FMU_EVENT | FMU_STEP)) != 0) {
-    fmu_say(message, "; open: ");
-    say_modes(message, motion->report.set);
-  } else {
-    fmu_say(message, " before the motion begins");
-  }
-  return fmu_refuse(fmu, FMU_DISCARD);
-}
-
-static fmu_status_t refuse_value(fmu_t *fmu, const fmu_variable_t *variable,
-                                 double value) {
-  fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say(message, variable->name);
-  fmu_say(message, " = ");
-  fmu_say_number(message, value);
-  fmu_say(message, " must lie in [");
-  fmu_say_number(message, variable->low);
-  fmu_say(message, ", ");
-  fmu_say_number(message, variable->high);
-  fmu_say(message, "] ");
-  fmu_say(message, variable->unit);
-  return fmu_refuse(fmu, FMU_DISCARD);
+  fmu_say(message, "take = %s is not open; open: ", tf_mode_name(mode));
+  say_modes(message, motion->report.set);
+  return fmu_refuse_so(fmu, FMU_DISCARD);
 }
 
 fmu_status_t fmu_check_set(fmu_t *fmu, uint32_t reference, unsigned kinds,
@@ -108,20 +75,23 @@ fmu_status_t fmu_check_set(fmu_t *fmu, uint32_t reference, unsigned kinds,
   const bool moves = (motion->phase & (FMU_EVENT | FMU_STEP)) != 0;
   if (!is_of(&variable, kinds)) return unknown_reference(fmu, reference, what);
   if (variable.role == FMU_ROLE_OUTPUT)
-    return refuse_variable(fmu, &variable, " is an output: it cannot be set");
+    return fmu_error(fmu, "%s is an output: it cannot be set", variable.name);
   if (variable.role == FMU_ROLE_PARAMETER && moves)
-    return refuse_variable(fmu, &variable,
-                           " is a fixed parameter: it can only be set before"
-                           " the motion begins");
+    return fmu_error(fmu,
+                     "%s is a fixed parameter: it can only be set before the"
+                     " motion begins",
+                     variable.name);
   if (!(value >= variable.low && value <= variable.high))
-    return refuse_value(fmu, &variable, value);
+    return fmu_discard(fmu, "%s = %g must lie in [%g, %g] %s", variable.name,
+                       value, variable.low, variable.high, variable.unit);
   const bool turns = variable.kind == FMU_KIND_REAL &&
                      (slot == FMU_ALPHA || slot == FMU_OMEGA0);
   if (moves && turns && motion->values.whole[FMU_FOLLOW_PROFILE] != 0 &&
       value != motion->values.real[slot])
-    return refuse_variable(fmu, &variable,
-                           " is driven by the scene: set follow_profile to"
-                           " false before the motion begins");
+    return fmu_error(fmu,
+                     "%s is driven by the scene: set follow_profile to false"
+                     " before the motion begins",
+                     variable.name);
   if (variable.kind == FMU_KIND_MEMBER && slot == FMU_TAKE)
     return check_take(fmu, (unsigned)value);
   return FMU_OK;

@@ -55,12 +55,10 @@ static fmu_motion_t *new_copy(fmu_t *fmu) {
   size_t i = 0;
   while (i < FMU_COPIES && !fmu_claim(&copy_claims[i])) i++;
   if (i < FMU_COPIES) return &copies[i];
-  fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say_number(message, FMU_COPIES);
-  fmu_say(message,
-          " states are kept, which is the limit; free some, keep them"
-          " serialised, or compile with a larger FMU_COPIES");
-  (void)fmu_refuse(fmu, FMU_ERROR);
+  (void)fmu_error(fmu,
+                  "%u states are kept, which is the limit; free some, keep them"
+                  " serialised, or compile with a larger FMU_COPIES",
+                  (unsigned)FMU_COPIES);
   return NULL;
 }
 

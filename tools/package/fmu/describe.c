@@ -10,14 +10,14 @@
 #include "cli/setup/scene_file.h"
 #include "variables.h"
 
-// The shortest decimal that reads back to the same bits.
-static void print_number(double value) {
+// As the shortest decimal that reads back to the same bits.
+static void print_number(const char *name, double value) {
   char text[40];
   for (int digits = 6; digits <= 17; digits++) {
     (void)snprintf(text, sizeof text, "%.*g", digits, value);
     if (strtod(text, NULL) == value) break;
   }
-  printf("\"%s\"", text);
+  printf(", \"%s\": \"%s\"", name, text);
 }
 
 static void print_members(const fmu_variable_t *variable) {
@@ -37,16 +37,13 @@ static void print_variable(const fmu_variable_t *variable, unsigned reference,
   if (variable->kind == FMU_KIND_UNKNOWN) return;
   printf(
       "%s\n  {\"name\": \"%s\", \"reference\": %u, \"unit\": \"%s\",\n"
-      "   \"about\": \"%s\",\n   \"kind\": \"%s\", \"role\": \"%s\", ",
+      "   \"about\": \"%s\",\n   \"kind\": \"%s\", \"role\": \"%s\"",
       comma, variable->name, reference, variable->unit, variable->about,
       kinds[variable->kind], roles[variable->role]);
   comma = ",";
-  printf("\"low\": ");
-  print_number(variable->low);
-  printf(", \"high\": ");
-  print_number(variable->high);
-  printf(", \"start\": ");
-  print_number(start);
+  print_number("low", variable->low);
+  print_number("high", variable->high);
+  print_number("start", start);
   if (variable->member != NULL) print_members(variable);
   printf("}");
 }
@@ -63,11 +60,10 @@ int main(int argc, char *argv[]) {
   fmu_defaults(&values, scene);
   printf(
       "{\"scene\": \"%s\", \"shows\": \"%s\",\n"
-      " \"version\": \"%s\", \"t_end\": ",
+      " \"version\": \"%s\"",
       scene->name, scene->shows, TF_VERSION);
-  print_number((double)scene->t_end);
-  printf(", \"dt\": ");
-  print_number((double)scene->params.dt);
+  print_number("t_end", (double)scene->t_end);
+  print_number("dt", (double)scene->params.dt);
   printf(",\n \"statuses\": [");
   for (int status = TF_STEP_TOO_LONG; status <= TF_STALLED; status++)
     printf("%s\"%s\"", status > TF_STEP_TOO_LONG ? ", " : "",

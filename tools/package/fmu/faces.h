@@ -90,22 +90,10 @@
     return status;                                                            \
   }
 
-/// Types of which this FMU has no variable.
-#define NO_ACCESS(Type, type_t)                                 \
-  GET(Type, type_t) {                                           \
-    ENTER("Get" #Type, READABLE);                               \
-    const fmu_status_t status =                                 \
-        fmu_check_lists(fmu, n, FMI_COUNT, references, values); \
-    if (status != FMU_OK || n == 0) return status;              \
-    return fmu_check_get(fmu, references[0], 0, #Type);         \
-  }                                                             \
-  SET(Type, type_t) {                                           \
-    ENTER("Set" #Type, SETTABLE);                               \
-    const fmu_status_t status =                                 \
-        fmu_check_lists(fmu, n, FMI_COUNT, references, values); \
-    if (status != FMU_OK || n == 0) return status;              \
-    return fmu_check_set(fmu, references[0], 0, #Type, 0);      \
-  }
+/// Types of which this FMU has no variable: every reference is refused.
+#define NOTHING(...) 0
+#define NO_ACCESS(Type, type_t) \
+  ACCESS(Type, type_t, 0, type_t, NOTHING, NOTHING)
 
 /// Copies of the state, whose functions the versions spell differently.
 #define COPIES(State, Deserialize, byte_t)                                    \

@@ -3,6 +3,7 @@
 #include "message.h"
 
 #include <float.h>
+#include <stdint.h>
 
 #define DIGITS 9
 
@@ -12,11 +13,11 @@ static void say_letter(fmu_message_t *message, char letter) {
   message->text[message->length] = '\0';
 }
 
-void fmu_say(fmu_message_t *message, const char *text) {
+static void say_text(fmu_message_t *message, const char *text) {
   while (text != NULL && *text != '\0') say_letter(message, *text++);
 }
 
-void fmu_say_whole(fmu_message_t *message, uint32_t value) {
+static void say_whole(fmu_message_t *message, unsigned value) {
   char digits[10];
   int n = 0;
   do {
@@ -55,10 +56,10 @@ static void say_digits(fmu_message_t *message, uint32_t digits, int before) {
   }
 }
 
-void fmu_say_number(fmu_message_t *message, double value) {
+static void say_number(fmu_message_t *message, double value) {
   int exponent = 0;
   if (value != value) {
-    fmu_say(message, "NaN");
+    say_text(message, "NaN");
     return;
   }
   if (value < 0) {
@@ -66,7 +67,7 @@ void fmu_say_number(fmu_message_t *message, double value) {
     value = -value;
   }
   if (value > DBL_MAX || value == 0) {
-    fmu_say(message, value > 0 ? "infinity" : "0");
+    say_text(message, value > 0 ? "infinity" : "0");
     return;
   }
   const uint32_t digits = scaled(value, &exponent);
@@ -75,7 +76,7 @@ void fmu_say_number(fmu_message_t *message, double value) {
     return;
   }
   if (exponent < 0 && exponent >= -4) {
-    fmu_say(message, "0.");
+    say_text(message, "0.");
     for (int i = -1; i > exponent; i--) say_letter(message, '0');
     say_digits(message, digits, DIGITS);
     while (message->text[message->length - 1] == '0')
@@ -83,6 +84,27 @@ void fmu_say_number(fmu_message_t *message, double value) {
     return;
   }
   say_digits(message, digits, 1);
-  fmu_say(message, exponent < 0 ? "e-" : "e");
-  fmu_say_whole(message, (uint32_t)(exponent < 0 ? -exponent : exponent));
+  say_text(message, exponent < 0 ? "e-" : "e");
+  say_whole(message, (unsigned)(exponent < 0 ? -exponent : exponent));
+}
+
+void fmu_say_all(fmu_message_t *message, const char *format,
+                 va_list arguments) {
+  for (; *format != '\0'; format++) {
+    if (*format != '%')
+      say_letter(message, *format);
+    else if (*++format == 's')
+      say_text(message, va_arg(arguments, const char *));
+    else if (*format == 'u')
+      say_whole(message, va_arg(arguments, unsigned));
+    else
+      say_number(message, va_arg(arguments, double));
+  }
+}
+
+void fmu_say(fmu_message_t *message, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  fmu_say_all(message, format, arguments);
+  va_end(arguments);
 }

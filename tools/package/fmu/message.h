@@ -4,8 +4,8 @@
 #ifndef TWOFOLD_FMU_MESSAGE_H
 #define TWOFOLD_FMU_MESSAGE_H
 
+#include <stdarg.h>
 #include <stddef.h>
-#include <stdint.h>
 
 #define FMU_MESSAGE_ROOM 320
 
@@ -15,13 +15,17 @@ typedef struct {
   size_t length;
 } fmu_message_t;
 
-/// Appends a text. text: in, zero-terminated; NULL appends nothing.
-void fmu_say(fmu_message_t *message, const char *text);
+#if defined(__GNUC__)
+#define FMU_FORMAT(n) __attribute__((format(printf, n, (n) + 1)))
+#else
+#define FMU_FORMAT(n)
+#endif
 
-/// Appends a whole number.
-void fmu_say_whole(fmu_message_t *message, uint32_t value);
-
-/// Appends a number, in at most nine significant digits.
-void fmu_say_number(fmu_message_t *message, double value);
+/// Appends a text. format: in; in it %s is the next text, of which NULL appends
+/// nothing, %u the next unsigned and %g the next double, in at most nine
+/// significant digits.
+FMU_FORMAT(2)
+void fmu_say(fmu_message_t *message, const char *format, ...);
+void fmu_say_all(fmu_message_t *message, const char *format, va_list arguments);
 
 #endif

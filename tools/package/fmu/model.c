@@ -14,30 +14,24 @@ const char *const fmu_categories[FMU_CATEGORIES] = {
 static fmu_t instances[FMU_INSTANCES];
 static fmu_claim_t instance_claims[FMU_INSTANCES];
 
+// In the order of their bits.
 static const char *phase_name(unsigned phase) {
-  switch (phase) {
-    case FMU_INSTANTIATED:
-      return "before Initialization Mode";
-    case FMU_INITIALIZATION:
-      return "in Initialization Mode";
-    case FMU_EVENT:
-      return "in Event Mode";
-    case FMU_STEP:
-      return "in Step Mode";
-    default:
-      return "after the end";
-  }
+  static const char *const names[] = {"before Initialization Mode",
+                                      "in Initialization Mode", "in Event Mode",
+                                      "in Step Mode", "after the end"};
+  size_t i = 0;
+  while ((phase >> i) > 1) i++;
+  return names[i];
 }
 
 fmu_message_t *fmu_begin_message(fmu_t *fmu) {
   fmu->message.length = 0;
   fmu->message.text[0] = '\0';
-  fmu_say(&fmu->message, fmu->call);
-  fmu_say(&fmu->message, ": ");
+  fmu_say(&fmu->message, "%s: ", fmu->call);
   return &fmu->message;
 }
 
-fmu_status_t fmu_refuse(fmu_t *fmu, fmu_status_t status) {
+fmu_status_t fmu_refuse_so(fmu_t *fmu, fmu_status_t status) {
   const bool discards = status == FMU_DISCARD;
   const unsigned category = discards ? FMU_LOG_DISCARD : FMU_LOG_ERROR;
   if (fmu->emit != NULL && (fmu->logs & category) != 0)
@@ -45,9 +39,13 @@ fmu_status_t fmu_refuse(fmu_t *fmu, fmu_status_t status) {
   return status;
 }
 
-fmu_status_t fmu_error(fmu_t *fmu, const char *why) {
-  fmu_say(fmu_begin_message(fmu), why);
-  return fmu_refuse(fmu, FMU_ERROR);
+fmu_status_t fmu_refuse(fmu_t *fmu, fmu_status_t status, const char *format,
+                        ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  fmu_say_all(fmu_begin_message(fmu), format, arguments);
+  va_end(arguments);
+  return fmu_refuse_so(fmu, status);
 }
 
 fmu_status_t fmu_go_to(fmu_t *fmu, unsigned phase) {
@@ -63,22 +61,17 @@ fmu_status_t fmu_reset(fmu_t *fmu) {
 
 fmu_t *fmu_new(fmu_t *teller, const char *token) {
   if (token == NULL || strcmp(token, FMU_TOKEN) != 0) {
-    fmu_message_t *message = fmu_begin_message(teller);
-    fmu_say(message, "the token is ");
-    fmu_say(message, token == NULL ? "missing" : token);
-    fmu_say(message, ", but that of this FMU is " FMU_TOKEN);
-    (void)fmu_refuse(teller, FMU_ERROR);
+    (void)fmu_error(teller, "the token is %s, but that of this FMU is %s",
+                    token == NULL ? "missing" : token, FMU_TOKEN);
     return NULL;
   }
   size_t i = 0;
   while (i < FMU_INSTANCES && !fmu_claim(&instance_claims[i])) i++;
   if (i == FMU_INSTANCES) {
-    fmu_message_t *message = fmu_begin_message(teller);
-    fmu_say_number(message, FMU_INSTANCES);
-    fmu_say(message,
-            " instances are in use, which is the limit; compile with"
-            " a larger FMU_INSTANCES");
-    (void)fmu_refuse(teller, FMU_ERROR);
+    (void)fmu_error(teller,
+                    "%u instances are in use, which is the limit; compile with"
+                    " a larger FMU_INSTANCES",
+                    (unsigned)FMU_INSTANCES);
     return NULL;
   }
   instances[i] = *teller;
@@ -106,24 +99,18 @@ fmu_t *fmu_enter(void *instance, const char *call, unsigned phases) {
   fmu->call = call;
   if ((fmu->motion.phase & phases) != 0) return fmu;
   fmu_message_t *message = fmu_begin_message(fmu);
-  if (phases == 0) {
-    fmu_say(message,
-            "this FMU is for co-simulation, without clocks, arrays,"
-            " derivatives or structural parameters");
-    (void)fmu_refuse(fmu, FMU_ERROR);
-    return NULL;
-  }
-  fmu_say(message, "not allowed ");
-  fmu_say(message, phase_name(fmu->motion.phase));
-  fmu_say(message, "; allowed ");
+  fmu_say(message,
+          phases == 0 ? "this FMU is for co-simulation, without clocks, arrays,"
+                        " derivatives or structural parameters"
+                      : "not allowed %s; allowed ",
+          phase_name(fmu->motion.phase));
   const char *comma = "";
   for (unsigned phase = 1; phase <= FMU_TERMINATED; phase *= 2) {
     if ((phases & phase) == 0) continue;
-    fmu_say(message, comma);
-    fmu_say(message, phase_name(phase));
+    fmu_say(message, "%s%s", comma, phase_name(phase));
     comma = ", ";
   }
-  (void)fmu_refuse(fmu, FMU_ERROR);
+  (void)fmu_refuse_so(fmu, FMU_ERROR);
   return NULL;
 }
 
@@ -135,12 +122,9 @@ fmu_status_t fmu_set_logging(fmu_t *fmu, bool on, size_t count,
     while (k < FMU_CATEGORIES && categories != NULL && categories[i] != NULL &&
            strcmp(categories[i], fmu_categories[k]) != 0)
       k++;
-    if (categories == NULL || categories[i] == NULL || k == FMU_CATEGORIES) {
-      fmu_message_t *message = fmu_begin_message(fmu);
-      fmu_say(message, "no log category is called ");
-      fmu_say(message, categories == NULL ? "NULL" : categories[i]);
-      return fmu_refuse(fmu, FMU_ERROR);
-    }
+    if (categories == NULL || categories[i] == NULL || k == FMU_CATEGORIES)
+      return fmu_error(fmu, "no log category is called %s",
+                       categories == NULL ? "NULL" : categories[i]);
     chosen |= 1u << k;
   }
   fmu->logs = on ? fmu->logs | chosen : fmu->logs & ~chosen;

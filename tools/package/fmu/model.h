@@ -92,13 +92,17 @@ void fmu_free(void *fmu);
 /// phase, else NULL after a message. call: in, the name of the function.
 fmu_t *fmu_enter(void *instance, const char *call, unsigned phases);
 
-/// Refuses a call: logs the message that was begun with fmu_begin_message.
-/// Returns: status.
-fmu_status_t fmu_refuse(fmu_t *fmu, fmu_status_t status);
-/// Refuses a call for a reason in words.
-fmu_status_t fmu_error(fmu_t *fmu, const char *why);
-/// The message, empty but for the name of the call.
+/// Refuses a call: logs a message after the name of the call; format as in
+/// fmu_say. Returns: status.
+FMU_FORMAT(3)
+fmu_status_t fmu_refuse(fmu_t *fmu, fmu_status_t status, const char *format,
+                        ...);
+#define fmu_error(fmu, ...) fmu_refuse(fmu, FMU_ERROR, __VA_ARGS__)
+#define fmu_discard(fmu, ...) fmu_refuse(fmu, FMU_DISCARD, __VA_ARGS__)
+/// The message, empty but for the name of the call; and the end of a call that
+/// is refused with what it has become.
 fmu_message_t *fmu_begin_message(fmu_t *fmu);
+fmu_status_t fmu_refuse_so(fmu_t *fmu, fmu_status_t status);
 
 /// Switches categories on or off; all of them where count is 0.
 fmu_status_t fmu_set_logging(fmu_t *fmu, bool on, size_t count,

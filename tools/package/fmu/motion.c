@@ -64,11 +64,6 @@ static tf_input_t input_at(const fmu_motion_t *motion, uint64_t tick,
   return input;
 }
 
-static fmu_status_t discard(fmu_t *fmu, const char *why) {
-  fmu_say(fmu_begin_message(fmu), why);
-  return fmu_refuse(fmu, FMU_DISCARD);
-}
-
 static fmu_status_t prepare(fmu_t *fmu) {
   fmu_motion_t *motion = &fmu->motion;
   const fmu_values_t *values = &motion->values;
@@ -77,16 +72,16 @@ static fmu_status_t prepare(fmu_t *fmu) {
       (1u << TF_TYRE_JUMP) | (1u << TF_TYRE_COULOMB) | (1u << TF_TYRE_NONE);
   int offender = TF_PARAMETERS;
   if (values->whole[FMU_FOLLOW_PROFILE] != 0 && FMU_SCENE->knots == 0)
-    return discard(fmu, "follow_profile = true: the scene has no profile");
+    return fmu_discard(fmu, "follow_profile = true: the scene has no profile");
   if (values->whole[FMU_SCHEME] == FMU_LOCATED &&
       ((located >> params.law) & 1u) == 0)
-    return discard(fmu, "scheme = located: law must be jump, coulomb or none");
+    return fmu_discard(fmu,
+                       "scheme = located: law must be jump, coulomb or none");
   if (tf_prepare(&motion->machine, &params, &offender) == TF_OK) return FMU_OK;
-  fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say(message, offender < TF_PARAMETERS ? tf_parameter_ranges[offender].name
-                                            : "law or rule");
-  fmu_say(message, " is out of its range");
-  return fmu_refuse(fmu, FMU_DISCARD);
+  return fmu_discard(fmu, "%s is out of its range",
+                     offender < TF_PARAMETERS
+                         ? tf_parameter_ranges[offender].name
+                         : "law or rule");
 }
 
 fmu_status_t fmu_begin(fmu_t *fmu) {
@@ -111,12 +106,12 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
       TF_OK) {
     if (from_h && tf_speed_for_slip(&motion->machine, start.r, start.w,
                                     input.omega0, h, &start.v) != TF_OK)
-      return discard(fmu,
-                     "no start.v gives start.h, because sin(gamma) is 0:"
-                     " set start.from_h to false");
-    return discard(fmu,
-                   "the start is out of range: start.r, start.v,"
-                   " start.omega and the inputs add up to more than 1e9");
+      return fmu_discard(fmu,
+                         "no start.v gives start.h, because sin(gamma) is 0:"
+                         " set start.from_h to false");
+    return fmu_discard(fmu,
+                       "the start is out of range: start.r, start.v,"
+                       " start.omega and the inputs add up to more than 1e9");
   }
   motion->state = start;
   motion->begun = true;
@@ -156,18 +151,6 @@ void fmu_observe(fmu_motion_t *motion) {
   whole[FMU_FIRST] = (int64_t)motion->tally.first;
 }
 
-static fmu_status_t refuse_time(fmu_t *fmu, fmu_status_t status,
-                                const char *what, double value, const char *but,
-                                double expected) {
-  fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say(message, what);
-  fmu_say_number(message, value);
-  fmu_say(message, but);
-  fmu_say_number(message, expected);
-  fmu_say(message, " s");
-  return fmu_refuse(fmu, status);
-}
-
 // The tick at which a communication step ends.
 static fmu_status_t find_end(fmu_t *fmu, double time, double length,
                              uint64_t *end) {
@@ -176,25 +159,32 @@ static fmu_status_t find_end(fmu_t *fmu, double time, double length,
   const double last = time + length;
   const double reach = magnitude_of(time) + magnitude_of(last);
   if (!(reach <= DBL_MAX) || !(length > 0))
-    return refuse_time(fmu, FMU_ERROR, "communicationStepSize = ", length,
-                       " s must be > 0, at currentCommunicationPoint = ", time);
+    return fmu_error(fmu,
+                     "communicationStepSize = %g s must be > 0, at"
+                     " currentCommunicationPoint = %g s",
+                     length, time);
   if (!(magnitude_of(time - now) <= TIME_ROUNDING * dt))
-    return refuse_time(fmu, FMU_ERROR, "currentCommunicationPoint = ", time,
-                       " s, but the time of this FMU is ", now);
+    return fmu_error(fmu,
+                     "currentCommunicationPoint = %g s, but the time of this"
+                     " FMU is %g s",
+                     time, now);
   if (motion->stops && last > motion->stop_time + TIME_ROUNDING * dt)
-    return refuse_time(fmu, FMU_ERROR, "the step would end at ", last,
-                       " s, after stopTime = ", motion->stop_time);
+    return fmu_error(fmu, "the step would end at %g s, after stopTime = %g s",
+                     last, motion->stop_time);
   const double steps = length / dt;
   const double rounding = 4 * DBL_EPSILON * reach / dt;
   if (!(steps + (double)motion->state.tick <= MAX_STEPS))
-    return refuse_time(fmu, FMU_DISCARD, "communicationStepSize = ", length,
-                       " s is more than 1e15 steps of dt = ", dt);
+    return fmu_discard(
+        fmu,
+        "communicationStepSize = %g s is more than 1e15 steps of dt = %g s",
+        length, dt);
   const uint64_t whole = (uint64_t)(steps + 0.5);
   const double off = magnitude_of(steps - (double)whole);
   if (whole == 0 ||
       !(off <= (rounding > LENGTH_ROUNDING ? rounding : LENGTH_ROUNDING)))
-    return refuse_time(fmu, FMU_DISCARD, "communicationStepSize = ", length,
-                       " s is no whole multiple of dt = ", dt);
+    return fmu_discard(
+        fmu, "communicationStepSize = %g s is no whole multiple of dt = %g s",
+        length, dt);
   *end = motion->state.tick + whole;
   return FMU_OK;
 }
@@ -211,34 +201,24 @@ static fmu_status_t refuse_step(fmu_t *fmu, tf_status_t status) {
   tf_tally_count(&fmu->motion.tally, tick, status);
   fmu->motion.values.whole[FMU_REFUSED] = (int64_t)fmu->motion.tally.refused;
   fmu->motion.values.whole[FMU_FIRST] = (int64_t)fmu->motion.tally.first;
-  fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say(message, "no step from t = ");
-  fmu_say_number(message, time);
-  fmu_say(message, " s: ");
-  fmu_say(message, tf_status_name(status));
-  return fmu_refuse(fmu, FMU_DISCARD);
+  return fmu_discard(fmu, "no step from t = %g s: %s", time,
+                     tf_status_name(status));
 }
 
 static fmu_status_t refuse_take(fmu_t *fmu, unsigned mode, unsigned taken) {
   go_back(fmu);
-  fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say(message, "take = ");
-  fmu_say(message, tf_mode_name(mode));
-  fmu_say(message, " is not open in this step, which would end in ");
-  fmu_say(message, tf_mode_name(taken));
-  fmu_say(message, "; set take to choose or to another mode");
-  return fmu_refuse(fmu, FMU_DISCARD);
+  return fmu_discard(fmu,
+                     "take = %s is not open in this step, which would end in"
+                     " %s; set take to choose or to another mode",
+                     tf_mode_name(mode), tf_mode_name(taken));
 }
 
 static void log_event(fmu_t *fmu) {
   if (fmu->emit == NULL || (fmu->logs & FMU_LOG_EVENTS) == 0) return;
   fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say(message, "t = ");
-  fmu_say_number(message, fmu_time(&fmu->motion));
-  fmu_say(message, " s, mode ");
-  fmu_say(message, tf_mode_name(fmu->motion.report.mode));
-  fmu_say(message, ", choices ");
-  fmu_say_number(message, fmu->motion.report.choices);
+  fmu_say(message, "t = %g s, mode %s, choices %u", fmu_time(&fmu->motion),
+          tf_mode_name(fmu->motion.report.mode),
+          (unsigned)fmu->motion.report.choices);
   fmu->emit(fmu, FMU_OK, fmu_categories[0], message->text);
 }
 

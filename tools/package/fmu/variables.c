@@ -54,85 +54,22 @@ static const struct {
     ABOUT(segments, "segments of a step of the scheme located; 0: the default"),
 };
 
-#define LIMIT ((double)TF_STATE_LIMIT)
-#define START(name, unit, about) \
-  { name, unit, about, FMU_KIND_REAL, FMU_ROLE_PARAMETER, NULL, -LIMIT, LIMIT }
-#define INPUT(name, unit, about) \
-  { name, unit, about, FMU_KIND_REAL, FMU_ROLE_INPUT, NULL, -LIMIT, LIMIT }
-#define OUTPUT(name, unit, about) \
-  { name, unit, about, FMU_KIND_REAL, FMU_ROLE_OUTPUT, NULL, 0, 0 }
-
-static const fmu_variable_t other_reals[FMU_REALS - TF_PARAMETERS] = {
-    START("start.r", "m", "displacement of the slider at the start"),
-    START("start.v", "m/s",
-          "speed of the slider at the start, unless start.from_h"),
-    START("start.omega", "rad/s", "speed of the disc at the start"),
-    START("start.h", "m/s",
-          "lateral slip speed at the start, with start.from_h"),
-    START("start.phi", "rad", "angle of the disc at the start"),
-    {.kind = FMU_KIND_UNKNOWN}, // omega0 and r0: of tf_parameter_ranges
-    {.kind = FMU_KIND_UNKNOWN},
-    INPUT("force", "N", "force on the slider, along r"),
-    INPUT("torque", "N m", "torque on the disc"),
-    INPUT("alpha", "rad/s^2",
-          "acceleration with which the turntable comes to omega0 at the end of "
-          "the communication step; 0: it has omega0 throughout"),
-    OUTPUT("r", "m", "displacement of the slider"),
-    OUTPUT("v", "m/s", "speed of the slider"),
-    OUTPUT("omega", "rad/s", "speed of the disc"),
-    OUTPUT("phi", "rad", "angle of the disc, with with_angle"),
-    OUTPUT("h", "m/s", "lateral slip speed"),
-    OUTPUT("g", "m/s", "rolling speed"),
-    OUTPUT("F", "N", "friction force, mean over the last step of dt"),
-    OUTPUT("M", "N m", "friction moment, mean over the last step of dt"),
-    OUTPUT("delassus", "1/kg",
-           "Delassus scalar of stick: < 0 where the future may split"),
-    OUTPUT("residual", "N", "distance of F and M from the friction law"),
-    OUTPUT("energy", "J", "mechanical energy"),
-    OUTPUT("event_time", "s", "time of the last event"),
-};
-
-#define TRUTH(name, about) \
-  { name, "1", about, FMU_KIND_TRUTH, FMU_ROLE_PARAMETER, NULL, 0, 1 }
-#define MEMBER(name, about, role, name_of, low, high) \
-  { name, "1", about, FMU_KIND_MEMBER, FMU_ROLE_##role, name_of, low, high }
-#define COUNT(name, about) \
-  { name, "1", about, FMU_KIND_COUNT, FMU_ROLE_OUTPUT, NULL, 0, 0 }
-#define SMALL(name, about) \
-  { name, "1", about, FMU_KIND_SMALL, FMU_ROLE_OUTPUT, NULL, 0, 0 }
-
-static const fmu_variable_t wholes[FMU_WHOLES] = {
-    MEMBER("law", "law of friction", PARAMETER, tf_tyre_law_name, 0,
-           TF_TYRE_LAWS - 1),
-    MEMBER("rule", "which of several consistent modes a step takes", PARAMETER,
-           tf_rule_name, 0, TF_RULES - 1),
-    MEMBER("scheme", "moreau: steps of fixed length; located: events inside",
-           PARAMETER, scheme_name, 0, FMU_SCHEMES - 1),
-    {"seed", "1", "of the rule random", FMU_KIND_SEED, FMU_ROLE_PARAMETER, NULL,
-     0, UINT32_MAX},
-    TRUTH("with_angle", "integrate phi"),
-    TRUTH("start.from_h", "start.v follows from start.h"),
-    TRUTH("follow_profile",
-          "the scene drives omega0 and alpha, not the inputs"),
-    MEMBER("take", "the next step takes this mode, one of those in `set`",
-           INPUT, take_name, 0, TF_NO_MODE),
-    MEMBER("mode", "mode of contact of the last step", OUTPUT, tf_mode_name, 0,
-           TF_MODES - 1),
-    SMALL("choices", "number of modes that were consistent in the last step"),
-    SMALL("set",
-          "these modes, as a sum: slip+ 1, slip- 2, stick+ 4, stick- 8, "
-          "pinned 16"),
-    MEMBER("status", "what the last step returned", OUTPUT, status_word,
-           TF_STEP_TOO_LONG, TF_STALLED),
-    COUNT("tick", "steps of dt since the start"),
-    COUNT("events", "changes of mode or set since the start"),
-    COUNT("degraded", "steps in which no mode was consistent"),
-    COUNT("fell_back", "steps of scheme located that moreau took"),
-    COUNT("coarse", "steps too long for the motion, or for the tolerance"),
-    COUNT("stalled", "steps whose change was lost in rounding"),
-    COUNT("refused", "steps that were refused"),
-    COUNT("first", "tick of the first step that these five counted"),
-};
+// 0 for an output, at both ends: 0 - 0 has no sign.
+#define LIMIT(role) \
+  (FMU_ROLE_##role == FMU_ROLE_OUTPUT ? 0 : (double)TF_STATE_LIMIT)
+#define REAL(number, name, unit, role, about) \
+  {name,                                      \
+   unit,                                      \
+   about,                                     \
+   FMU_KIND_REAL,                             \
+   FMU_ROLE_##role,                           \
+   NULL,                                      \
+   0 - LIMIT(role),                           \
+   LIMIT(role)},
+#define WHOLE(number, name, kind, role, member, low, high, about) \
+  {name, "1", about, FMU_KIND_##kind, FMU_ROLE_##role, member, low, high},
+static const fmu_variable_t other_reals[] = {FMU_OTHER_REALS(REAL)};
+static const fmu_variable_t wholes[] = {FMU_ALL_WHOLES(WHOLE)};
 
 static const char *about(size_t offset) {
   size_t i = 0;

@@ -11,58 +11,88 @@
 
 #include "twofold.h"
 
-/// Real variables. The first TF_PARAMETERS are those of tf_parameter_ranges;
-/// of these omega0 and r0 stay unused, because they are inputs.
-enum {
-  FMU_START_R = TF_PARAMETERS,
-  FMU_START_V,
-  FMU_START_OMEGA,
-  FMU_START_H,
-  FMU_START_PHI,
-  FMU_OMEGA0,
-  FMU_R0,
-  FMU_FORCE,
-  FMU_TORQUE,
-  FMU_ALPHA,
-  FMU_R,
-  FMU_V,
-  FMU_OMEGA,
-  FMU_PHI,
-  FMU_H,
-  FMU_G,
-  FMU_F,
-  FMU_M,
-  FMU_DELASSUS,
-  FMU_RESIDUAL,
-  FMU_ENERGY,
-  FMU_EVENT_TIME,
-  FMU_REALS
-};
+/// The real variables behind the parameters of tf_parameter_ranges: number,
+/// name, unit, role and what it is. omega0 and r0 are inputs, which that table
+/// tells of; as parameters they stay unused.
+#define FMU_OTHER_REALS(X)                                                     \
+  X(START_R, "start.r", "m", PARAMETER,                                        \
+    "displacement of the slider at the start")                                 \
+  X(START_V, "start.v", "m/s", PARAMETER,                                      \
+    "speed of the slider at the start, unless start.from_h")                   \
+  X(START_OMEGA, "start.omega", "rad/s", PARAMETER,                            \
+    "speed of the disc at the start")                                          \
+  X(START_H, "start.h", "m/s", PARAMETER,                                      \
+    "lateral slip speed at the start, with start.from_h")                      \
+  X(START_PHI, "start.phi", "rad", PARAMETER,                                  \
+    "angle of the disc at the start")                                          \
+  X(OMEGA0, "", "", INPUT, "")                                                 \
+  X(R0, "", "", INPUT, "")                                                     \
+  X(FORCE, "force", "N", INPUT, "force on the slider, along r")                \
+  X(TORQUE, "torque", "N m", INPUT, "torque on the disc")                      \
+  X(ALPHA, "alpha", "rad/s^2", INPUT,                                          \
+    "acceleration with which the turntable comes to omega0 at the end of the " \
+    "communication step; 0: it has omega0 throughout")                         \
+  X(R, "r", "m", OUTPUT, "displacement of the slider")                         \
+  X(V, "v", "m/s", OUTPUT, "speed of the slider")                              \
+  X(OMEGA, "omega", "rad/s", OUTPUT, "speed of the disc")                      \
+  X(PHI, "phi", "rad", OUTPUT, "angle of the disc, with with_angle")           \
+  X(H, "h", "m/s", OUTPUT, "lateral slip speed")                               \
+  X(G, "g", "m/s", OUTPUT, "rolling speed")                                    \
+  X(F, "F", "N", OUTPUT, "friction force, mean over the last step of dt")      \
+  X(M, "M", "N m", OUTPUT, "friction moment, mean over the last step of dt")   \
+  X(DELASSUS, "delassus", "1/kg", OUTPUT,                                      \
+    "Delassus scalar of stick: < 0 where the future may split")                \
+  X(RESIDUAL, "residual", "N", OUTPUT,                                         \
+    "distance of F and M from the friction law")                               \
+  X(ENERGY, "energy", "J", OUTPUT, "mechanical energy")                        \
+  X(EVENT_TIME, "event_time", "s", OUTPUT, "time of the last event")
 
-/// Whole variables.
+/// The whole variables: number, name, kind, role, the names of members, the
+/// ends of the range and what it is.
+#define FMU_ALL_WHOLES(X)                                                     \
+  X(LAW, "law", MEMBER, PARAMETER, tf_tyre_law_name, 0, TF_TYRE_LAWS - 1,     \
+    "law of friction")                                                        \
+  X(RULE, "rule", MEMBER, PARAMETER, tf_rule_name, 0, TF_RULES - 1,           \
+    "which of several consistent modes a step takes")                         \
+  X(SCHEME, "scheme", MEMBER, PARAMETER, scheme_name, 0, FMU_SCHEMES - 1,     \
+    "moreau: steps of fixed length; located: events inside")                  \
+  X(SEED, "seed", SEED, PARAMETER, NULL, 0, UINT32_MAX, "of the rule random") \
+  X(WITH_ANGLE, "with_angle", TRUTH, PARAMETER, NULL, 0, 1, "integrate phi")  \
+  X(START_FROM_H, "start.from_h", TRUTH, PARAMETER, NULL, 0, 1,               \
+    "start.v follows from start.h")                                           \
+  X(FOLLOW_PROFILE, "follow_profile", TRUTH, PARAMETER, NULL, 0, 1,           \
+    "the scene drives omega0 and alpha, not the inputs")                      \
+  X(TAKE, "take", MEMBER, INPUT, take_name, 0, TF_NO_MODE,                    \
+    "the next step takes this mode, one of those in `set`")                   \
+  X(MODE, "mode", MEMBER, OUTPUT, tf_mode_name, 0, TF_MODES - 1,              \
+    "mode of contact of the last step")                                       \
+  X(CHOICES, "choices", SMALL, OUTPUT, NULL, 0, 0,                            \
+    "number of modes that were consistent in the last step")                  \
+  X(SET, "set", SMALL, OUTPUT, NULL, 0, 0,                                    \
+    "these modes, as a sum: slip+ 1, slip- 2, stick+ 4, stick- 8, pinned 16") \
+  X(STATUS, "status", MEMBER, OUTPUT, status_word, TF_STEP_TOO_LONG,          \
+    TF_STALLED, "what the last step returned")                                \
+  X(TICK, "tick", COUNT, OUTPUT, NULL, 0, 0, "steps of dt since the start")   \
+  X(EVENTS, "events", COUNT, OUTPUT, NULL, 0, 0,                              \
+    "changes of mode or set since the start")                                 \
+  X(DEGRADED, "degraded", COUNT, OUTPUT, NULL, 0, 0,                          \
+    "steps in which no mode was consistent")                                  \
+  X(FELL_BACK, "fell_back", COUNT, OUTPUT, NULL, 0, 0,                        \
+    "steps of scheme located that moreau took")                               \
+  X(COARSE, "coarse", COUNT, OUTPUT, NULL, 0, 0,                              \
+    "steps too long for the motion, or for the tolerance")                    \
+  X(STALLED, "stalled", COUNT, OUTPUT, NULL, 0, 0,                            \
+    "steps whose change was lost in rounding")                                \
+  X(REFUSED, "refused", COUNT, OUTPUT, NULL, 0, 0, "steps that were refused") \
+  X(FIRST, "first", COUNT, OUTPUT, NULL, 0, 0,                                \
+    "tick of the first step that these five counted")
+
+#define FMU_NUMBER(number, ...) FMU_##number,
 enum {
-  FMU_LAW,
-  FMU_RULE,
-  FMU_SCHEME,
-  FMU_SEED,
-  FMU_WITH_ANGLE,
-  FMU_START_FROM_H,
-  FMU_FOLLOW_PROFILE,
-  FMU_TAKE,
-  FMU_MODE,
-  FMU_CHOICES,
-  FMU_SET,
-  FMU_STATUS,
-  FMU_TICK,
-  FMU_EVENTS,
-  FMU_DEGRADED,
-  FMU_FELL_BACK,
-  FMU_COARSE,
-  FMU_STALLED,
-  FMU_REFUSED,
-  FMU_FIRST,
-  FMU_WHOLES
+  FMU_BEFORE_REALS = TF_PARAMETERS - 1,
+  FMU_OTHER_REALS(FMU_NUMBER) FMU_REALS
 };
+enum { FMU_ALL_WHOLES(FMU_NUMBER) FMU_WHOLES };
 
 /// Members of the enumeration of FMU_SCHEME.
 enum { FMU_MOREAU, FMU_LOCATED, FMU_SCHEMES };

@@ -41,17 +41,16 @@ static tf_input_t input;
 // What the surface h = 0 is at (r, omega).
 static tf_surface_t surface_at(double r, double w) {
   tf_surface_t at = {.region = TF_REGION_CODIM2};
-  tf_real_t v = 0;
-  (void)tf_speed_for_slip(&machine, (tf_real_t)r, (tf_real_t)w, input.omega0, 0,
-                          &v);
-  (void)tf_surface_at(&machine, &input, (tf_real_t)r, v, (tf_real_t)w, &at);
+  double v = 0;
+  (void)tf_speed_for_slip(&machine, r, w, input.omega0, 0, &v);
+  (void)tf_surface_at(&machine, &input, r, v, w, &at);
   return at;
 }
 
 // Orbits. A step goes on from s by about so much; 0 where the orbit ends. What
 // is drawn of a point is s[0], s[1].
 enum { LONGEST = 4000 };
-typedef int (*step_t)(double s[4], double step);
+typedef int step_t(double s[4], double step);
 static double path[2 * LONGEST + 1][2];
 static int first, last;
 
@@ -62,10 +61,23 @@ static void trace(step_t advance, const double start[4], double step,
   memcpy(path[LONGEST], start, sizeof path[0]);
   for (int sign = -1; sign <= 1; sign += 2) {
     double s[4] = {start[0], start[1], start[2], start[3]};
-    for (int i = 0; i < half && advance(s, sign * step); i++) {
+    for (int i = 0; i < half && advance(s, sign * step); i++)
       memcpy(path[sign < 0 ? --first : ++last], s, sizeof path[0]);
-    }
   }
+}
+
+// The way from a point of the plane; 0 where there is none.
+typedef int way_t(const double at[2], double out[2]);
+
+// One step by the midpoint rule.
+static int midpoint(way_t way, double at[2], double step) {
+  double v[2];
+  if (!way(at, v)) return 0;
+  const double mid[2] = {at[0] + step / 2 * v[0], at[1] + step / 2 * v[1]};
+  if (!way(mid, v)) return 0;
+  at[0] += step * v[0];
+  at[1] += step * v[1];
+  return 1;
 }
 
 // Every so many points, with so many digits.
@@ -82,24 +94,20 @@ static void print_path(int every, int digits, int kind) {
 }
 
 // h' just off the surface.
-static double leave(double r, double w, int side) {
-  const tf_surface_t at = surface_at(r, w);
-  return (double)(side > 0 ? at.lie_plus : at.lie_minus);
+static double leave(const double at[2], int side) {
+  const tf_surface_t here = surface_at(at[0], at[1]);
+  return side > 0 ? here.lie_plus : here.lie_minus;
 }
 
 // A zero of h' off one side between two points, of which the segment has one
 // at most; 0 where it has none.
 static int tangency(int side, double a[2], double b[2]) {
   enum { HALVINGS = 40 };
-  const int there = leave(a[0], a[1], side) > 0;
-  if (there == (leave(b[0], b[1], side) > 0)) {
-    return 0;
-  }
+  const int there = leave(a, side) > 0;
+  if (there == (leave(b, side) > 0)) return 0;
   for (int k = 0; k < HALVINGS; k++) {
     const double mid[2] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
-    double *end = (leave(mid[0], mid[1], side) > 0) == there ? a : b;
-    end[0] = mid[0];
-    end[1] = mid[1];
+    memcpy((leave(mid, side) > 0) == there ? a : b, mid, sizeof mid);
   }
   return 1;
 }
@@ -108,30 +116,24 @@ static int tangency(int side, double a[2], double b[2]) {
 // r = const.
 static void border(int side, double low, double high) {
   enum { CELLS = 30, LINES = 200 };
-  for (int i = 0; i <= LINES; i++) {
-    for (int j = 0; j < CELLS; j++) {
-      double at[2][2];
-      for (int k = 0; k < 2; k++) {
-        const double x = (double)i / LINES, y = (double)(j + k) / CELLS;
-        at[k][0] = r_low + (r_high - r_low) * (side > 0 ? y : x);
-        at[k][1] = low + (high - low) * (side > 0 ? x : y);
-      }
-      if (tangency(side, at[0], at[1])) {
-        printf("%.5f %.5f\n", at[0][0], at[0][1]);
-      }
+  for (int n = 0; n < (LINES + 1) * CELLS; n++) {
+    const int line = n / CELLS;
+    double at[2][2];
+    for (int k = 0; k < 2; k++) {
+      const double x = (double)line / LINES;
+      const double y = (double)(n % CELLS + k) / CELLS;
+      at[k][0] = r_low + (r_high - r_low) * (side > 0 ? y : x);
+      at[k][1] = low + (high - low) * (side > 0 ? x : y);
     }
+    if (tangency(side, at[0], at[1])) printf("%.5f %.5f\n", at[0][0], at[0][1]);
   }
   printf("\n\n");
 }
 
 static void borders(void) {
-  const double edge = 1e-6, w0 = (double)input.omega0;
-  for (int side = 1; side >= -1; side -= 2) {
-    border(side, w_low, w0 - edge);
-  }
-  for (int side = 1; side >= -1; side -= 2) {
-    border(side, w0 + edge, w_high);
-  }
+  const double edge = 1e-6, w0 = input.omega0;
+  for (int side = 1; side >= -1; side -= 2) border(side, w_low, w0 - edge);
+  for (int side = 1; side >= -1; side -= 2) border(side, w0 + edge, w_high);
 }
 
 // Orbits of the flow keep their distance: a seed too near to an earlier one is
@@ -139,41 +141,38 @@ static void borders(void) {
 enum { ACROSS = 22, UPWARDS = 22 };
 static unsigned char taken[ACROSS][UPWARDS];
 
-static unsigned char *cell_of(const double y[2]) {
-  int i = (int)((y[0] - r_low) / (r_high - r_low) * ACROSS);
-  int j = (int)((y[1] - w_low) / (w_high - w_low) * UPWARDS);
-  i = i < 0 ? 0 : i >= ACROSS ? ACROSS - 1 : i;
-  j = j < 0 ? 0 : j >= UPWARDS ? UPWARDS - 1 : j;
-  return &taken[i][j];
+static int cell_in(double share, int cells) {
+  const int cell = (int)(share * cells);
+  return cell < 0 ? 0 : cell >= cells ? cells - 1 : cell;
 }
 
-// One midpoint step of stick at unit speed in units of the plot, so that a step
-// is as long everywhere. It ends where it leaves its region or the plot.
+static unsigned char *cell_of(const double y[2]) {
+  return &taken[cell_in((y[0] - r_low) / (r_high - r_low), ACROSS)]
+               [cell_in((y[1] - w_low) / (w_high - w_low), UPWARDS)];
+}
+
+// Stick at unit speed in units of the plot, so that a step is as long
+// everywhere. It ends where it leaves its region.
+static unsigned region;
+static int is_above;
+
+static int stick_way(const double at[2], double out[2]) {
+  const tf_surface_t here = surface_at(at[0], at[1]);
+  const double length =
+      hypot(here.stick.r / (r_high - r_low), here.stick.w / (w_high - w_low));
+  out[0] = here.stick.r / length;
+  out[1] = here.stick.w / length;
+  return length > 0 && here.region == region &&
+         (at[1] > input.omega0) == is_above;
+}
+
+// It ends where it leaves the plot, too.
 static int along_surface(double s[4], double step) {
-  const double w0 = (double)input.omega0;
-  const unsigned here = surface_at(s[0], s[1]).region;
-  double y[2] = {s[0], s[1]};
-  for (int stage = 1; stage <= 2; stage++) {
-    const tf_surface_t at = surface_at(y[0], y[1]);
-    const double dr = (double)at.stick.r, dw = (double)at.stick.w;
-    const double length = hypot(dr / (r_high - r_low), dw / (w_high - w_low));
-    if (!(length > 0)) {
-      return 0;
-    }
-    y[0] = s[0] + step * dr / length * stage / 2;
-    y[1] = s[1] + step * dw / length * stage / 2;
-    if (surface_at(y[0], y[1]).region != here ||
-        (s[1] - w0) * (y[1] - w0) <= 0) {
-      return 0;
-    }
-  }
-  if (y[0] < r_low || y[0] > r_high || y[1] < w_low || y[1] > w_high ||
-      (cell_of(y) != cell_of(s) && *cell_of(y))) {
-    return 0;
-  }
-  s[0] = y[0];
-  s[1] = y[1];
-  return 1;
+  const double from[2] = {s[0], s[1]};
+  double v[2];
+  return midpoint(stick_way, s, step) && stick_way(s, v) && s[0] >= r_low &&
+         s[0] <= r_high && s[1] >= w_low && s[1] <= w_high &&
+         (cell_of(s) == cell_of(from) || !*cell_of(s));
 }
 
 static void flow(void) {
@@ -183,18 +182,12 @@ static void flow(void) {
     const double s[4] = {r_low + (r_high - r_low) * (column + 0.5) / ACROSS,
                          w_low + (w_high - w_low) * (row + 0.5) / UPWARDS, 0,
                          0};
-    const unsigned region = surface_at(s[0], s[1]).region;
-    if ((region != TF_REGION_SLIDING && region != TF_REGION_ESCAPING) ||
-        *cell_of(s)) {
-      continue;
-    }
+    region = surface_at(s[0], s[1]).region;
+    is_above = s[1] > input.omega0;
+    if (region > TF_REGION_ESCAPING || *cell_of(s)) continue;
     trace(along_surface, s, 1e-3, 2000);
-    if (last - first < SHORTEST) {
-      continue;
-    }
-    for (int i = first; i <= last; i++) {
-      *cell_of(path[i]) = 1;
-    }
+    if (last - first < SHORTEST) continue;
+    for (int i = first; i <= last; i++) *cell_of(path[i]) = 1;
     print_path(8, 5, region == TF_REGION_SLIDING ? 1 : -1);
   }
 }
@@ -207,15 +200,14 @@ static void flow(void) {
 static const double unit = 0.02; // [rad/s]
 static tf_two_fold_t fold;
 static double size = 1; // S
-// (r, omega) = two-fold + ((r_xi, r_eta), (w_xi, w_eta)) (xi, eta), and its
-// determinant.
-static double r_xi, r_eta, w_xi, w_eta, det;
+// (r, omega) = two-fold + chart (xi, eta), and its determinant.
+static double chart[2][2], det;
 static double seed[2];
 
 static void coordinates(double r, double w, double out[2]) {
   const tf_surface_t at = surface_at(r, w);
-  out[0] = (double)at.lie_minus / sqrt((double)fold.Kmm) / size;
-  out[1] = -(double)at.lie_plus / sqrt(-(double)fold.Kpp) / size;
+  out[0] = at.lie_minus / sqrt(fold.Kmm) / size;
+  out[1] = -at.lie_plus / sqrt(-fold.Kpp) / size;
 }
 
 // The Teixeira singularity of case 1, and its chart by differences.
@@ -223,27 +215,24 @@ static int make_chart(void) {
   tf_surface_point_t places[TF_TWO_FOLDS];
   int count = 0, found = 0;
   (void)tf_two_folds(&machine, &input, places, &count, NULL);
-  for (int i = 0; i < count && !found; i++) {
+  for (int i = 0; i < count && !found; i++)
     found = tf_normal_form(&machine, &input, &places[i], &fold) == TF_OK &&
             fold.paper_case == 1;
+  double by[2][2]; // of xi, eta by r, omega
+  for (int j = 0; j < 2; j++) {
+    const double e = 1e-6, r = j == 0 ? e : 0, w = j == 1 ? e : 0;
+    double up[2], down[2];
+    coordinates(fold.point.r + r, fold.point.w + w, up);
+    coordinates(fold.point.r - r, fold.point.w - w, down);
+    for (int i = 0; i < 2; i++) by[i][j] = (up[i] - down[i]) / (2 * e);
   }
-  const double r = (double)fold.point.r, w = (double)fold.point.w, e = 1e-6;
-  double up[2], down[2], right[2], left[2];
-  coordinates(r + e, w, right);
-  coordinates(r - e, w, left);
-  coordinates(r, w + e, up);
-  coordinates(r, w - e, down);
-  const double xr = (right[0] - left[0]) / (2 * e);
-  const double yr = (right[1] - left[1]) / (2 * e);
-  const double xw = (up[0] - down[0]) / (2 * e);
-  const double yw = (up[1] - down[1]) / (2 * e);
-  const double whole = xr * yw - xw * yr;
-  size = unit / fabs(yr / whole);
-  r_xi = size * yw / whole;
-  r_eta = -size * xw / whole;
-  w_xi = -size * yr / whole;
-  w_eta = size * xr / whole;
-  det = r_xi * w_eta - r_eta * w_xi;
+  const double whole = by[0][0] * by[1][1] - by[0][1] * by[1][0];
+  size = unit / fabs(by[1][0] / whole);
+  for (int i = 0; i < 2; i++)
+    for (int j = 0; j < 2; j++)
+      chart[i][j] =
+          (i == j ? size : -size) * by[i ^ (i == j)][j ^ (i == j)] / whole;
+  det = chart[0][0] * chart[1][1] - chart[0][1] * chart[1][0];
   return found;
 }
 
@@ -254,39 +243,34 @@ static int in_plot(const double x[2]) {
 }
 
 // Way of the normal form, of length 1.
-static void way(const double x[2], double out[2]) {
+static int form_way(const double x[2], double out[2]) {
   const double sign = x[0] + x[1] > 0 ? 1 : -1;
-  const double dx = sign * ((double)fold.J1 * x[0] + x[1]);
-  const double dy = sign * (x[0] + (double)fold.J2 * x[1]);
+  const double dx = sign * (fold.J1 * x[0] + x[1]);
+  const double dy = sign * (x[0] + fold.J2 * x[1]);
   const double length = hypot(dx, dy);
-  out[0] = length > 0 ? dx / length : 0;
-  out[1] = length > 0 ? dy / length : 0;
+  out[0] = dx / length;
+  out[1] = dy / length;
+  return length > 0;
 }
 
 static int along_form(double s[4], double step) {
-  double x[2], y[2];
-  way(s, x);
-  const double mid[2] = {s[0] + step / 2 * x[0], s[1] + step / 2 * x[1]};
-  way(mid, y);
-  s[0] += step * y[0];
-  s[1] += step * y[1];
-  return in_plot(s);
+  return midpoint(form_way, s, step) && in_plot(s);
 }
 
-// By the sliding field, of which s[2], s[3] = (r, omega) is the place.
+// That of the sliding field over (r, omega), of length 1 in the chart.
+static int field_way(const double at[2], double out[2]) {
+  const tf_surface_t here = surface_at(at[0], at[1]);
+  const double dr = here.stick.r, dw = here.stick.w;
+  const double length = hypot((chart[1][1] * dr - chart[0][1] * dw) / det,
+                              (chart[0][0] * dw - chart[1][0] * dr) / det);
+  out[0] = length > 0 ? dr / length : 0;
+  out[1] = length > 0 ? dw / length : 0;
+  return 1;
+}
+
+// s[2], s[3] = (r, omega) is the place.
 static int along_field(double s[4], double step) {
-  double mid[2] = {s[2], s[3]};
-  for (int stage = 0; stage < 2; stage++) {
-    const tf_surface_t at = surface_at(mid[0], mid[1]);
-    const double dr = (double)at.stick.r, dw = (double)at.stick.w;
-    const double length =
-        hypot((w_eta * dr - r_eta * dw) / det, (r_xi * dw - w_xi * dr) / det);
-    const double h = length > 0 ? (stage + 1) * step / 2 / length : 0;
-    mid[0] = s[2] + h * dr;
-    mid[1] = s[3] + h * dw;
-  }
-  s[2] = mid[0];
-  s[3] = mid[1];
+  if (!midpoint(field_way, s + 2, step)) return 0;
   coordinates(s[2], s[3], s);
   return in_plot(s);
 }
@@ -297,8 +281,8 @@ static void orbits(void) {
     for (int i = 1; i <= RAYS; i++) {
       const double turn = acos(-1.0) / 2 * i / (RAYS + 1);
       const double xi = sign * 0.75 * cos(turn), eta = sign * 0.75 * sin(turn);
-      double s[4] = {0, 0, (double)fold.point.r + r_xi * xi + r_eta * eta,
-                     (double)fold.point.w + w_xi * xi + w_eta * eta};
+      double s[4] = {0, 0, fold.point.r + chart[0][0] * xi + chart[0][1] * eta,
+                     fold.point.w + chart[1][0] * xi + chart[1][1] * eta};
       coordinates(s[2], s[3], s);
       memcpy(seed, s, sizeof seed);
       trace(along_form, s, 2e-3, 1500);
@@ -310,11 +294,9 @@ static void orbits(void) {
 }
 
 static void straight(void) {
-  const double value[2] = {(double)fold.through.value,
-                           (double)fold.across.value};
+  const double value[2] = {fold.through.value, fold.across.value};
   for (int i = 0; i < 2; i++) {
-    const double xi = value[i] - (double)fold.J2;
-    const double most = fabs(xi) > 1 ? fabs(xi) : 1;
+    const double xi = value[i] - fold.J2, most = fmax(fabs(xi), 1);
     printf("%.5f %.5f\n%.5f %.5f\n\n\n", -xi / most, -1 / most, xi / most,
            1 / most);
   }
@@ -322,8 +304,7 @@ static void straight(void) {
 
 static void numbers(void) {
   printf("J1 = %.4f; J2 = %.4f; unit = %g; r_star = %.10g; w_star = %.10g\n",
-         (double)fold.J1, (double)fold.J2, unit, (double)fold.point.r,
-         (double)fold.point.w);
+         fold.J1, fold.J2, unit, fold.point.r, fold.point.w);
 }
 
 // Next to h = g = 0.
@@ -335,14 +316,11 @@ typedef struct {
 static polar_t rates(double r, double phi) {
   const tf_machine_t *k = &machine;
   const double h = sin(phi), g = cos(phi);
-  const rates_t rate = rates_at(k, &input, (tf_real_t)r, 0, 0, k->omega0);
-  const tf_force_t f =
-      tf_tyre_force(&k->tyre, h < 0 ? -1 : 1, (tf_real_t)h, (tf_real_t)g);
-  const double p = (double)(rate.dp + rate.Fp * f.F);
-  const double q = (double)(rate.dq + rate.Fq * f.F + rate.Mq * f.M);
-  const tf_slip_t d = slip_from_pq(k, (tf_real_t)p, (tf_real_t)q);
-  const double dh = (double)d.h, dg = (double)d.g;
-  return (polar_t){dg * g + dh * h, dh * g - dg * h};
+  const rates_t rate = rates_at(k, &input, r, 0, 0, k->omega0);
+  const tf_force_t f = tf_tyre_force(&k->tyre, h < 0 ? -1 : 1, h, g);
+  const tf_slip_t d = slip_from_pq(k, rate.dp + rate.Fp * f.F,
+                                   rate.dq + rate.Fq * f.F + rate.Mq * f.M);
+  return (polar_t){d.g * g + d.h * h, d.h * g - d.g * h};
 }
 
 static double degrees(double phi) { return phi * 180 / acos(-1.0); }
@@ -359,15 +337,13 @@ static void directions(void) {
     const double r = r_low + (r_high - r_low) * row / ROWS;
     for (int i = 0; i < CELLS; i++) {
       double low = angle(i) + edge, high = angle(i + 1) - edge;
-      const int up = rates(r, low).angular > 0;
-      if (up == (rates(r, high).angular > 0)) {
-        continue;
-      }
-      const double pull =
-          (rates(r, high).angular - rates(r, low).angular) / (high - low);
+      const double at_low = rates(r, low).angular;
+      const double at_high = rates(r, high).angular;
+      const double pull = (at_high - at_low) / (high - low);
+      if ((at_low > 0) == (at_high > 0)) continue;
       for (int j = 0; j < HALVINGS; j++) {
         const double mid = (low + high) / 2;
-        *((rates(r, mid).angular > 0) == up ? &low : &high) = mid;
+        *((rates(r, mid).angular > 0) == (at_low > 0) ? &low : &high) = mid;
       }
       printf("%.4f %.3f %.4g %.4g\n", r, degrees(low), rates(r, low).radial,
              pull);
@@ -391,12 +367,17 @@ static void angular(void) {
 // log rho and phi.
 static const double corner_r = 0.17;
 
+static int corner_way(const double at[2], double out[2]) {
+  const polar_t here = rates(corner_r, at[1]);
+  out[0] = here.radial;
+  out[1] = here.angular;
+  return 1;
+}
+
 static int around_corner(double s[4], double step) {
-  const polar_t here = rates(corner_r, s[3]);
-  const double by = step / hypot(here.radial, here.angular);
-  const polar_t mid = rates(corner_r, s[3] + by / 2 * here.angular);
-  s[2] += by * mid.radial;
-  s[3] += by * mid.angular;
+  double v[2];
+  (void)corner_way(s + 2, v);
+  (void)midpoint(corner_way, s + 2, step / hypot(v[0], v[1]));
   s[0] = exp(s[2]) * cos(s[3]);
   s[1] = exp(s[2]) * sin(s[3]);
   return sin(s[3]) * seed[1] > 0 && s[2] <= 0 && s[2] >= -6;
@@ -414,31 +395,31 @@ static void corner(void) {
   }
 }
 
-static tf_force_t force_at(const tf_params_t *params, double radians) {
-  tf_machine_t one;
-  const tf_force_t none = {0, 0};
-  if (tf_prepare(&one, params, NULL) != TF_OK) return none;
-  return tf_tyre_force(&one.tyre, 1, sin(radians), cos(radians));
-}
-
 static void tyre(void) {
-  enum { ROWS = 300 };
+  enum { ROWS = 300, LAWS = 3 };
   const tf_params_t *chaos = &tf_scenes[0]->params;
-  tf_params_t left = *chaos, right = *chaos;
-  left.law = right.law = TF_TYRE_STRING;
-  left.k = left.delta = left.sigma = left.a = 1;
-  left.rho = right.rho = 2.0 / 3.0;
-  right.k = 1e3;
-  right.delta = right.sigma = 1e-3;
-  right.a = 1;
+  tf_params_t string = *chaos, stiff;
+  tf_machine_t of[LAWS];
+  string.law = TF_TYRE_STRING;
+  string.k = string.delta = string.sigma = string.a = 1;
+  string.rho = 2.0 / 3.0;
+  stiff = string;
+  stiff.k = 1e3;
+  stiff.delta = stiff.sigma = 1e-3;
+  if (tf_prepare(&of[0], &string, NULL) != TF_OK ||
+      tf_prepare(&of[1], &stiff, NULL) != TF_OK)
+    return;
+  of[2] = machine;
   printf("# angle F_left M_left F_right M_right F_jump M_jump\n");
   for (int i = 1; i < ROWS; i++) {
     const double at = 90.0 * i / ROWS, radians = at * acos(-1.0) / 180;
-    const tf_force_t of_left = force_at(&left, radians);
-    const tf_force_t of_right = force_at(&right, radians);
-    const tf_force_t jump = force_at(chaos, radians);
-    printf("%.3f %.8g %.8g %.8g %.8g %.8g %.8g\n", at, of_left.F, of_left.M,
-           of_right.F, of_right.M, jump.F, jump.M / chaos->kappa);
+    printf("%.3f", at);
+    for (int j = 0; j < LAWS; j++) {
+      const tf_force_t f =
+          tf_tyre_force(&of[j].tyre, 1, sin(radians), cos(radians));
+      printf(" %.8g %.8g", f.F, j < 2 ? f.M : f.M / chaos->kappa);
+    }
+    printf("\n");
   }
 }
 
@@ -451,9 +432,7 @@ static const struct {
     {"angular", angular},   {"corner", corner},   {"tyre", tyre}};
 
 int main(int argc, char *argv[]) {
-  if (tf_prepare(&machine, &tf_scenes[0]->params, NULL) != TF_OK) {
-    return 1;
-  }
+  if (tf_prepare(&machine, &tf_scenes[0]->params, NULL) != TF_OK) return 1;
   input = tf_input_default(&machine);
   if (!make_chart()) {
     fputs("fields: the scene has no two-fold of case 1\n", stderr);

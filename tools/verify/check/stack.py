@@ -14,11 +14,13 @@ from pathlib import Path
 
 import pandas
 
-from findings import (BUILD, DEFINES, MAKE, ROOT, checked, need,
-                      public_functions, wrong)
+from findings import (BUILD, DEFINES, ROOT, checked, need, public_functions,
+                      wrong)
 
-sys.path[:0] = [str(ROOT / "tools/bench"), str(ROOT / "tools/verify/cost")]
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tools/bench"),
+                str(ROOT / "tools/verify/cost")]
 import bounds  # noqa: E402
+from boards import Board  # noqa: E402
 from callgraph import FLAT, Graph  # noqa: E402
 
 BOARDS = ["microbit", "stm32f405", "mps2-an500", "hifive1", "rv32fd"]
@@ -29,12 +31,6 @@ COMMON = ["-std=c99", "-ffreestanding", f"-I{ROOT}/include", f"-I{ROOT}/src",
 # What soft float and sqrt take at most [B], by the instructions of libgcc and
 # newlib in Debian 12 that are linked; it counts for each of them.
 SOFT_FLOAT = 112
-
-
-def fact(board, name):
-    return subprocess.run(
-        [MAKE, "-s", "--no-print-directory", f"board-{name}", f"BOARD={board}"],
-        stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
 
 
 def emptied(place):
@@ -81,11 +77,12 @@ def targets():
     for real in DEFINES:
         yield "x86-64", real, ["gcc", "-O2", DEFINES[real]], None
     for board in BOARDS:
-        compiler = fact(board, "CC") or fact(board, "TOOLS") + "gcc"
-        need(compiler, fact(board, "PACKAGES"))
-        for real in fact(board, "REALS").split():
-            yield board, real, [compiler, fact(board, "OPT") or "-Os",
-                                *shlex.split(fact(board, "FLAGS")),
+        fact = Board(board).fact
+        compiler = fact("CC") or fact("TOOLS") + "gcc"
+        need(compiler, fact("PACKAGES"))
+        for real in fact("REALS").split():
+            yield board, real, [compiler, fact("OPT") or "-Os",
+                                *shlex.split(fact("FLAGS")),
                                 DEFINES[real]], board
 
 

@@ -115,12 +115,17 @@ CALL(scene_start) {
   tf_report_t report;
   return COUNT(tf_scene_start(&scene, K, GENE(2), &state, &report));
 }
-CALL(simulation_input) {
-  const tf_scene_t scene = scene_of(s);
+static tf_simulation_t simulation_of(const subject_t *s) {
   tf_simulation_t simulation;
   memset(&simulation, 0, sizeof simulation);
   simulation.machine = *K;
   simulation.state = s->state;
+  return simulation;
+}
+
+CALL(simulation_input) {
+  const tf_scene_t scene = scene_of(s);
+  tf_simulation_t simulation = simulation_of(s);
   simulation.state.tick = GENE(2) >> (GENE(3) % 32);
   simulation.source = (tf_input_source_t)(GENE(3) >> 5 & 1u);
   simulation.deadman = simulation.left = GENE(3) >> 6 & 1u;
@@ -128,15 +133,12 @@ CALL(simulation_input) {
 }
 CALL(simulation_start) {
   const tf_scene_t scene = scene_of(s);
-  tf_simulation_t simulation;
-  memset(&simulation, 0, sizeof simulation);
-  simulation.machine = *K;
+  tf_simulation_t simulation = simulation_of(s);
   return COUNT(tf_simulation_start(&simulation, &scene, GENE(2)));
 }
 CALL(simulation_open) {
   const tf_scene_t scene = scene_of(s);
-  tf_simulation_t simulation;
-  memset(&simulation, 0, sizeof simulation);
+  tf_simulation_t simulation = simulation_of(s);
   return COUNT(tf_simulation_open(&simulation, &scene, &s->params, GENE(2)));
 }
 
@@ -314,10 +316,8 @@ static void start_uplink(const subject_t *s, uplink_t *u) {
   u->scene.r = s->state.r;
   u->scene.omega = s->state.w;
   u->scene.h = sized_of(GENE(10), -40, 4);
-  memset(&u->simulation, 0, sizeof u->simulation);
   fill(u->key, sizeof u->key, GENE(10));
-  u->simulation.machine = s->machine.machine;
-  u->simulation.state = s->state;
+  u->simulation = simulation_of(s);
   u->simulation.state.tick = GENE(11);
   tf_link_open(&u->link, &u->scene, &s->params);
   u->link.session = 1;
@@ -358,18 +358,14 @@ CALL(command_seal) {
                                GENE(2) & 1u ? 0 : UINT64_MAX,
                                GENE(6) & 1u ? NULL : key));
 }
-CALL(link_receive) {
+static uint32_t receive(const subject_t *s, bool tagged) {
   uplink_t u;
   start_uplink(s, &u);
-  u.wants_tag = false;
+  u.wants_tag = tagged;
   return send_commands(s, &u, 1 + GENE(16) % (TF_LINK_QUEUE + 1));
 }
-CALL(link_receive_tagged) {
-  uplink_t u;
-  start_uplink(s, &u);
-  u.wants_tag = true;
-  return send_commands(s, &u, 1 + GENE(16) % (TF_LINK_QUEUE + 1));
-}
+CALL(link_receive) { return receive(s, false); }
+CALL(link_receive_tagged) { return receive(s, true); }
 CALL(link_boundary) {
   uplink_t u;
   start_uplink(s, &u);

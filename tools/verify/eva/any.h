@@ -7,6 +7,11 @@
 #include "twofold/machine.h"
 #include "twofold/scene.h"
 
+// A function that the analyser begins with.
+#define ENTRY(name) \
+  void name(void);  \
+  void name(void)
+
 // Every pattern of bits, NaN and infinities among the numbers.
 #define ANY_BITS(object) Frama_C_make_unknown((char *)&(object), sizeof(object))
 

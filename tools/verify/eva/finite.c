@@ -24,8 +24,7 @@ static void step_of(const tf_machine_t *machine, int mode) {
   //@ check \is_finite(report.residual);
 }
 
-void step_finite(void);
-void step_finite(void) {
+ENTRY(step_finite) {
   tf_params_t params = params_in_range();
   tf_machine_t machine;
   //@ loop unroll TF_TYRE_LAWS;

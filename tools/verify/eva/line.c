@@ -8,8 +8,7 @@ static uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
 
 // A frame of any length around any payload. A length beyond the longest is
 // refused.
-void seal_any(void);
-void seal_any(void) {
+ENTRY(seal_any) {
   uint32_t sequence;
   ANY_BITS(wire);
   ANY_BITS(sequence);
@@ -34,8 +33,7 @@ static void push_once(tf_decoder_t *decoder) {
 
 // One byte after the other, without an end, into the largest buffer and into
 // one that holds no whole frame.
-void push_any(void);
-void push_any(void) {
+ENTRY(push_any) {
   static uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   tf_decoder_t decoder;
   const int room = any_bool() ? (int)sizeof buffer : 3;
@@ -47,8 +45,7 @@ void push_any(void) {
 }
 
 // The same in blocks of any length.
-void block_any(void);
-void block_any(void) {
+ENTRY(block_any) {
   static uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint8_t bytes[40];
   tf_decoder_t decoder;
@@ -66,8 +63,7 @@ void block_any(void) {
 
 // And of a few bytes into a small buffer, with every fill of it apart: there
 // the analyser knows that what is appended fits what is left.
-void block_small(void);
-void block_small(void) {
+ENTRY(block_small) {
   uint8_t buffer[TF_DECODER_SIZE(2)], bytes[3];
   tf_decoder_t decoder;
   tf_frame_t frame;

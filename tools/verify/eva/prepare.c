@@ -19,8 +19,7 @@ static tf_params_t any_params(int law) {
 }
 
 // Any bits: no undefined behaviour, and none left once they were accepted.
-void prepare_any(void);
-void prepare_any(void) {
+ENTRY(prepare_any) {
   const int law = Frama_C_interval(0, TF_TYRE_LAWS);
   tf_compensated_t machine;
   tf_params_t params;
@@ -40,8 +39,7 @@ static void accepted(tf_status_t status) {
 // All parameters in their ranges: accepted, and every number on the way is
 // finite. The tangents of the angle kernel are far apart in size over the whole
 // range of kappa, but not in a slice of it: so kappa goes slice by slice.
-void prepare_in_range(void);
-void prepare_in_range(void) {
+ENTRY(prepare_in_range) {
   tf_params_t params = params_in_range();
   tf_machine_t machine;
   //@ loop unroll TF_TYRE_LAWS;

@@ -29,8 +29,7 @@ static void clipped(void) {
   (void)share;
 }
 
-void range_any(void);
-void range_any(void) {
+ENTRY(range_any) {
   reach();
   range();
   finite();

@@ -14,8 +14,7 @@ static tf_state_t state_by_mode(void) {
   return state;
 }
 
-void step_any(void);
-void step_any(void) {
+ENTRY(step_any) {
   const tf_machine_t machine = any_machine();
   tf_state_t state = state_by_mode();
   const tf_input_t input = any_input();

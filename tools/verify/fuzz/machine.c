@@ -131,44 +131,39 @@ static const char *begin(subject_t *s) {
   return judge_report(&report, &s->state, status);
 }
 
-static const char *step(subject_t *s) {
+typedef enum { MOREAU, COMPENSATED, LOCATED } scheme_t;
+
+static const char *step_by(subject_t *s, scheme_t scheme) {
+  const tf_machine_t *machine = &s->machine.machine;
+  tf_compensation_t *carried = &s->compensation, kept;
   tf_state_t was;
   tf_report_t report;
   memset(&report, 0, sizeof report);
   memcpy(&was, &s->state, sizeof was);
-  memset(&s->compensation, 0, sizeof s->compensation);
+  if (scheme != COMPENSATED) memset(carried, 0, sizeof *carried);
+  memcpy(&kept, carried, sizeof kept);
   const tf_status_t status =
-      tf_step(&s->machine.machine, &s->state, &s->input, &report);
-  FUZZ_HOLD(status <= TF_DEGRADED || status >= TF_COARSE);
+      scheme == LOCATED
+          ? tf_step_located(machine, &s->state, &s->input, &report)
+      : scheme == COMPENSATED ? tf_step_compensated(&s->machine, &s->state,
+                                                    carried, &s->input, &report)
+                              : tf_step(machine, &s->state, &s->input, &report);
+  FUZZ_HOLD(scheme == LOCATED || status <= TF_DEGRADED || status >= TF_COARSE);
+  if (status < 0) FUZZ_HOLD(memcmp(&kept, carried, sizeof kept) == 0);
+  FUZZ_HOLD(fuzz_finite(carried->r) && fuzz_finite(carried->v));
+  FUZZ_HOLD(fuzz_finite(carried->w));
   return judge_step(&was, &s->state, &report, status);
 }
 
+static const char *step(subject_t *s) { return step_by(s, MOREAU); }
+
 static const char *step_compensated(subject_t *s) {
-  tf_state_t was;
-  tf_compensation_t kept;
-  tf_report_t report;
-  memset(&report, 0, sizeof report);
-  memcpy(&was, &s->state, sizeof was);
-  memcpy(&kept, &s->compensation, sizeof kept);
-  const tf_status_t status = tf_step_compensated(
-      &s->machine, &s->state, &s->compensation, &s->input, &report);
-  FUZZ_HOLD(status <= TF_DEGRADED || status >= TF_COARSE);
-  if (status < 0) FUZZ_HOLD(memcmp(&kept, &s->compensation, sizeof kept) == 0);
-  FUZZ_HOLD(fuzz_finite(s->compensation.r) && fuzz_finite(s->compensation.v));
-  FUZZ_HOLD(fuzz_finite(s->compensation.w));
-  return judge_step(&was, &s->state, &report, status);
+  return step_by(s, COMPENSATED);
 }
 
 static const char *locate(subject_t *s) {
-  tf_state_t was;
-  tf_report_t report;
-  memset(&report, 0, sizeof report);
-  memcpy(&was, &s->state, sizeof was);
-  memset(&s->compensation, 0, sizeof s->compensation);
   s->steps += 15; // what it costs more than tf_step
-  const tf_status_t status =
-      tf_step_located(&s->machine.machine, &s->state, &s->input, &report);
-  return judge_step(&was, &s->state, &report, status);
+  return step_by(s, LOCATED);
 }
 
 // The state in many lanes, each a little different.
