@@ -50,7 +50,7 @@ typedef enum {
 #define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
 #define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 5)
 #define TF_COMPACT_BYTES (3 * TF_REAL_BYTES + 2)
-#define TF_HEARTBEAT_BYTES 64u
+#define TF_HEARTBEAT_BYTES 68u
 #define TF_EXPIRED_BYTES 4u
 #define TF_PARAMETER_BYTES (3 * TF_REAL_BYTES + 32)
 
@@ -66,6 +66,7 @@ typedef struct {
   uint32_t session;    ///< that commands have to name; 0: none yet
   uint32_t sequence;   ///< least number of a command that is still taken
   uint32_t deadman;    ///< tf_simulation_t.deadman
+  uint32_t run;        ///< tf_run_hash: in the heartbeats of this run too
 } tf_schema_t;
 
 /// Counters of a real-time loop, each modulo 2^32, but for those of steps that
@@ -86,6 +87,7 @@ typedef struct {
   uint32_t stalled;   ///< steps TF_STALLED
   uint32_t expired;   ///< inputs from outside that were not renewed in time
   uint32_t skipped;   ///< ticks that got no step
+  uint32_t run;       ///< tf_schema_t.run
 } tf_heartbeat_t;
 
 /// Hash of all parameters that the motion depends on, the same on every board:
@@ -93,6 +95,15 @@ typedef struct {
 /// law, rule and bits 0, 2 and 3 of the flags of a schema frame, a byte each.
 #define tf_params_hash TF_LINK(tf_params_hash)
 TF_API uint32_t tf_params_hash(const tf_params_t *params);
+
+/// Hash of a run, by which frames of two are told apart: CRC-32 over the hash
+/// of its parameters, scheme, tick and state of its start as they are sent, and
+/// the names of scene and build.
+/// before: in, 0, or a CRC-32 of what else the run depends on. schema: in, but
+///   for `run`. start: in.
+#define tf_run_hash TF_LINK(tf_run_hash)
+TF_API uint32_t tf_run_hash(uint32_t before, const tf_schema_t *schema,
+                            const tf_state_t *start);
 
 /// Frame TF_DOWN_SCHEMA, of up to TF_SCHEMA_BYTES.
 #define tf_send_schema TF_LINK(tf_send_schema)

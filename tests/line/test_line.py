@@ -64,7 +64,7 @@ class Listener(Line):
                 self.count, self.last = self.count + 1, tick
                 same(motion(payload), self.states.get(tick))
             if kind == HEARTBEAT:
-                self.beat = (tick, self.count, *struct.unpack("<16I", payload))
+                self.beat = (tick, self.count, *struct.unpack("<17I", payload))
         return found
 
     def comes_to(self, tick):

@@ -9,8 +9,8 @@ import struct
 import subprocess
 from pathlib import Path
 
-from boards import HEARTBEAT, RUN, framed, program
-from decode import frames
+from boards import HEARTBEAT, RUN, SCHEMA, framed, program
+from decode import frames, runs
 from tap import main, output, same
 
 
@@ -60,6 +60,34 @@ def test_more_than_one_run_is_told():
     same("more than one run" in judged(half + other, code=6), True)
 
 
+def test_a_splice_is_told():
+    """Two runs joined at one number, where no frame is missing: others by their
+    start, their inputs, a parameter or the seed, and a part within a run."""
+    Path("table").write_text("t,torque\n0,0\n1,1e-3\n")
+    one, *others = [output(*RUN, *more, "--format", "frames") for more in (
+        [], ["--set", "r=0.2"], ["--inputs", "table", "--between", "held"], ["--set", "mu=0.9"],
+        ["--select", "random:2"])]
+    same(len(runs(frames(one))), 1)
+    for other in others:
+        spliced = other[:borders_of(other)[500]] + one[borders_of(one)[500]:]
+        same(len(runs(frames(spliced))), 2)
+        said = judged(spliced, "--csv", "--out", "rows", code=6)
+        same(("more than one run" in said, Path("rows").exists()),
+             (True, False))
+
+
+def test_another_session_is_another_start():
+    """But for the first one of a start, and that after its last number."""
+    found = frames(output(*RUN, "--every", "50", "--format", "frames"))
+    schema, beat = found[0][3], found[-1][3]
+    for sessions, code in (((0, 7, 7, 8), 0), ((2**32 - 1, 1), 0), ((7, 9), 6),
+                           ((7, 0), 6)):
+        sent = [(SCHEMA, schema[:13] + struct.pack("<I", session) + schema[17:])
+                for session in sessions] + [(HEARTBEAT, beat)]
+        judged(b"".join(framed(kind, number, 0, payload) for number,
+                        (kind, payload) in enumerate(sent)), code=code)
+
+
 def test_counts_are_those_since_the_first_heartbeat():
     """By the counts of the board, which go round, or begin again with it: of
     records that were dropped, and of ticks without a step."""
@@ -72,7 +100,8 @@ def test_counts_are_those_since_the_first_heartbeat():
                           ([2**32 - 2, 2], 1)):
         for where, code in ((3, 6), (15, 5)):
             beats = [framed(HEARTBEAT, number + i, 500, struct.pack(
-                "<16I", 500, *(one * (at == where) for at in range(1, 16))))
+                "<17I", 500, *(one * (at == where) for at in range(1, 16)),
+                *runs(frames(stream))))
                      for i, one in enumerate(counts)]
             said = judged(stream.removesuffix(last) + b"".join(beats),
                           "--summary", "json", code=grows * code)

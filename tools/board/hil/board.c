@@ -54,7 +54,7 @@ static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
 static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   const size_t R = TF_REAL_BYTES;
-  if (frame->length < 27 + R || at[0] != R)
+  if (frame->length < 31 + R || at[0] != R)
     return hil_message(HIL_REFUSED, "the board computes in %s, this is %s",
                        at[0] == 4 ? "float" : "double",
                        R == 4 ? "float" : "double");
@@ -62,13 +62,13 @@ static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
     return hil_message(HIL_REFUSED, "the board %s",
                        at[3] != 0 ? "does not step by tf_step"
                                   : "takes no commands (UPLINK=yes)");
-  const uint8_t *name = at + 25 + R;
-  const uint8_t *end = memchr(name, 0, frame->length - 25 - R);
+  const uint8_t *name = at + 29 + R;
+  const uint8_t *end = memchr(name, 0, frame->length - 29 - R);
   board->scene = end == NULL ? NULL : scene_named(name, (size_t)(end - name));
   if (board->scene == NULL)
     return hil_message(HIL_REFUSED, "the board's scene is not known here");
   board->params = board->scene->params;
-  board->params.dt = tf_wire_get_real(at + 25);
+  board->params.dt = tf_wire_get_real(at + 29);
   board->seed = (uint32_t)tf_wire_get(at + 5, 4);
   if (tf_params_hash(&board->params) != tf_wire_get(at + 9, 4))
     return hil_message(HIL_REFUSED,

@@ -23,7 +23,7 @@
 #define SCHEMA_SEED 5
 #define SCHEMA_HASH 9
 #define SCHEMA_DEADMAN 21
-#define SCHEMA_LEAST 25
+#define SCHEMA_LEAST 29
 
 static bool read_hex(const char *text, size_t length, cli_replay_row_t *row) {
   if (length % 2 != 0 || length / 2 > sizeof row->data ||
