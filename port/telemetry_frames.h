@@ -57,7 +57,7 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
 static tf_schema_t telemetry_described(void) {
   tf_schema_t schema = {.params = &SIM_PARAMS,
                         .scene = SCENE->name,
-                        .build = "twofold",
+                        .build = BUILD_NAME,
                         .seed = SIM_STATE.seed,
                         .scheme = SCHEME,
                         .takes_commands = SIM_TAKES_COMMANDS,

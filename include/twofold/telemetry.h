@@ -41,7 +41,8 @@ typedef enum {
   TF_UP_RESTORE = 0x48,
   TF_UP_CLEAR = 0x49,
   TF_UP_DESCRIBE = 0x4A,
-  TF_UP_DEADMAN = 0x4B
+  TF_UP_DEADMAN = 0x4B,
+  TF_UP_EVERY = 0x4C
 } tf_type_t;
 
 /// Bytes of the payloads; at most, of those that end with text.
@@ -181,6 +182,26 @@ TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
 /// Returns: whose inputs the step had, a tf_input_source_t; not validated.
 #define tf_read_report TF_LINK(tf_read_report)
 TF_API uint8_t tf_read_report(const uint8_t *payload, tf_report_t *report);
+
+/// What a line carries, and what telemetry asks of it [bytes/s].
+typedef struct {
+  uint32_t rate;    ///< steps a second
+  uint32_t record;  ///< bytes that go with each record, at most
+  uint32_t beside;  ///< asked for by what is sent each second
+  uint32_t carries; ///< 0: not known, and no limit
+} tf_line_t;
+
+/// Of frames: state and report in each record, and, where commands are taken,
+/// the answer to one; a heartbeat, a schema and the three layouts each second.
+/// baud: in, of 10 bits a byte; 0: not known. scene, build: in, names.
+#define tf_line_of_frames TF_LINK(tf_line_of_frames)
+TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
+                                   const char *scene, const char *build,
+                                   bool takes_commands);
+
+/// Returns: what a record every so many steps, > 0, asks of the line.
+#define tf_line_asks TF_LINK(tf_line_asks)
+TF_API uint64_t tf_line_asks(const tf_line_t *line, uint32_t every);
 
 TF_END_C
 

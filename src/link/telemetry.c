@@ -180,6 +180,36 @@ TF_API void tf_read_heartbeat(const uint8_t *payload,
     *counters[i] = (uint32_t)tf_wire_get(payload + 4 * i, 4);
 }
 
+static uint32_t length_of(const char *text) {
+  uint32_t length = 0;
+  while (text[length] != '\0') length++;
+  return length;
+}
+
+// Without its payload a frame has TF_FRAME_SIZE(0) bytes.
+TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
+                                   const char *scene, const char *build,
+                                   bool takes_commands) {
+  const uint32_t frame = TF_FRAME_SIZE(0);
+  const uint32_t names = length_of(scene) + length_of(build);
+  const uint32_t schema = 29u + TF_REAL_BYTES + names + 2u;
+  const uint32_t layouts = length_of(tf_layout_state) +
+                           length_of(tf_layout_report) +
+                           length_of(tf_layout_heartbeat) + 3u;
+  const uint32_t most = TF_SCHEMA_BYTES;
+  return (tf_line_t){.rate = rate,
+                     .record = 2u * frame + TF_STATE_BYTES + TF_REPORT_BYTES +
+                               (takes_commands ? frame + 8u : 0u),
+                     .beside = 5u * frame + TF_HEARTBEAT_BYTES + layouts +
+                               (schema < most ? schema : most),
+                     .carries = baud / 10u};
+}
+
+TF_API uint64_t tf_line_asks(const tf_line_t *line, uint32_t every) {
+  const uint64_t records = (uint64_t)line->record * line->rate;
+  return line->beside + (records + every - 1u) / every;
+}
+
 TF_API size_t tf_send_parameter(uint8_t *wire, uint32_t *sequence,
                                 uint64_t tick, const tf_params_t *params,
                                 unsigned index) {

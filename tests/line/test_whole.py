@@ -65,8 +65,8 @@ def test_a_splice_is_told():
     start, their inputs, a parameter or the seed, and a part within a run."""
     Path("table").write_text("t,torque\n0,0\n1,1e-3\n")
     one, *others = [output(*RUN, *more, "--format", "frames") for more in (
-        [], ["--set", "r=0.2"], ["--inputs", "table", "--between", "held"], ["--set", "mu=0.9"],
-        ["--select", "random:2"])]
+        [], ["--set", "r=0.2"], ["--inputs", "table", "--between", "held"],
+        ["--set", "mu=0.9"], ["--select", "random:2"])]
     same(len(runs(frames(one))), 1)
     for other in others:
         spliced = other[:borders_of(other)[500]] + one[borders_of(one)[500]:]

@@ -258,6 +258,7 @@ int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
       (uint32_t)tf_wire_get(schema + SCHEMA_DEADMAN, 4);
   replay->link.session = 1;
   replay->link.describe = false;
+  replay->link.every = 1; // records are not replayed
   return CLI_DONE;
 }
 
