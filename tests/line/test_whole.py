@@ -9,9 +9,9 @@ import struct
 import subprocess
 from pathlib import Path
 
-from boards import HEARTBEAT, RUN, SCHEMA, framed, program
+from boards import BUILD, HEARTBEAT, RUN, SCHEMA, framed, program
 from decode import frames, runs
-from tap import main, output, same
+from tap import ROOT, main, output, same
 
 
 def judged(stream, *words, code):
@@ -193,6 +193,29 @@ def test_no_file_is_written_twice():
         refused("monitor", "--csv", *words)
         same(Path("frames").read_bytes() == stream, True)
         same(Path("new").exists(), False)
+
+
+def test_a_line_that_does_not_carry_its_records_is_refused():
+    """By what `make firmware` asks before it compiles: the one that it can
+    just carry is not."""
+    for form, every, sends in (("plotter", 11, "114 bytes with a record and "
+                                "157 each second: 114157"),
+                               ("csv", 11, "121 bytes with a record and 4 each "
+                                "second: 121004"),
+                               ("frames", 13, "136 bytes with a record and 656 "
+                                "each second: 136656")):
+        for steps in every, every - 1, 1:
+            asks = [line for line in output(
+                "make", "-n", "elf", "BOARD=host", "REAL=double", "SCENE=chaos",
+                "BAUD=115200", f"FORMAT={form}", f"EVERY={steps}",
+                f"BUILD={BUILD}", "RATE=1000", "NAMED=-never", cwd=ROOT,
+                text=True, env={**os.environ, "MAKEFLAGS": ""}).splitlines()
+                if "--line" in line]
+            done = subprocess.run(asks[0], shell=True, capture_output=True,
+                                  text=True, check=False)
+            same((len(asks), done.returncode), (1, 3 * (steps < every)))
+        same(f"{sends} bytes/s at RATE=1000 EVERY=1, but BAUD=115200 carries "
+             f"11520; EVERY={every} would do" in done.stderr, True)
 
 
 def board(**where):

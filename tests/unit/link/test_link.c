@@ -182,11 +182,20 @@ TEST(records_are_as_many_as_the_line_carries) {
     CHECK(tf_wire_get(at + 12, 4) == tf_line_asks(&line, asked[i]));
     CHECK(tf_wire_get(at + 16, 4) == 11520);
   }
-  board.link.line.carries = 0; /* not known */
+  /* Of a line that is not known, more than 32 bits; a schema that is full. */
+  board.link.line = (tf_line_t){.rate = UINT32_MAX, .record = 96};
   send(&board, TF_UP_EVERY, 0, data, 4);
   send(&board, TF_UP_EVERY, 0, data, 3);
   CHECK(boundary(&board) == 1 && board.link.queue[0].code == TF_ANSWER_DONE);
   CHECK(board.link.queue[1].code == TF_ANSWER_LENGTH);
+  uint8_t wire[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
+  const tf_frame_t frame =
+      frame_of(wire, tf_link_answer(&board.link, wire, &board.down));
+  CHECK(tf_wire_get(frame.payload + 12, 8) == UINT32_MAX);
+  char name[300] = {0};
+  memset(name, 'a', sizeof name - 1);
+  CHECK(tf_line_of_frames(1, 0, name, "", false).beside ==
+        5 * 23 + TF_HEARTBEAT_BYTES + TF_SCHEMA_BYTES + layouts);
 }
 
 TEST(inputs_act_at_their_tick) {
