@@ -49,12 +49,14 @@ static uint8_t *put_state(uint8_t *at, const tf_state_t *state) {
   return at;
 }
 
+static uint32_t length_of(const char *text) {
+  uint32_t length = 0;
+  while (text[length] != '\0') length++;
+  return length;
+}
+
 static uint32_t hash_text(uint32_t crc, const char *text) {
-  for (; *text != '\0'; text++) {
-    const uint8_t letter = (uint8_t)*text;
-    crc = tf_crc32(crc, &letter, 1);
-  }
-  return crc;
+  return tf_crc32(crc, (const uint8_t *)text, length_of(text));
 }
 
 TF_API uint32_t tf_run_hash(uint32_t before, const tf_schema_t *schema,
@@ -178,12 +180,6 @@ TF_API void tf_read_heartbeat(const uint8_t *payload,
       &heartbeat->skipped,  &heartbeat->run};
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     *counters[i] = (uint32_t)tf_wire_get(payload + 4 * i, 4);
-}
-
-static uint32_t length_of(const char *text) {
-  uint32_t length = 0;
-  while (text[length] != '\0') length++;
-  return length;
 }
 
 // Without its payload a frame has TF_FRAME_SIZE(0) bytes.
