@@ -191,7 +191,7 @@ line-csv line-plotter: line-%: $(BUILD)/float/constants
 	$(call line_firmware,REAL=float EVERY=5 STEPS=400 FORMAT=$* UPLINK= \
 	  NAMED=-$*)
 line-keyed: $(BUILD)/double/constants
-	$(call line_firmware,REAL=double EVERY=1 STEPS=0 FORMAT=frames UPLINK=yes \
+	$(call line_firmware,REAL=double BAUD=115200 FORMAT=frames UPLINK=yes \
 	  KEY=001F3E5D7C9BBAD9F81736557493B2D1 NAMED=-keyed)
 own-scene: $(BUILD)/double/constants
 	$(call line_firmware,REAL=double EVERY=1 STEPS=2000 FORMAT=frames \

@@ -23,7 +23,13 @@
 
 const loop_plan_t app_plan = {RATE, STEPS, EVERY, RATE, OVERRUN};
 
-bool app_begin(void) { return sim_begin() && scheme_begin(); }
+bool app_begin(void) {
+  const bool begun = sim_begin() && scheme_begin();
+#ifdef FRAMES
+  telemetry_begin();
+#endif
+  return begun;
+}
 
 void app_receive(uint8_t byte, uint32_t when) { sim_receive(byte, when); }
 

@@ -16,6 +16,8 @@
 #   DEADMAN=         ticks that inputs from the uplink hold, 0 without end; by
 #                    default those of half a second
 #   KEY=             32 hexadecimal digits: commands need the tag of this key
+#   BAUD=            of its line, of those that it has; for `host` of the line
+#                    that it is to have, where that has a rate
 #   OVERRUN=skip     or stop: what the loop does about a step that ends too late
 #   EVERY=           steps from record to record; by default 50 records a second
 #   ONLY='host uno'  the boards for `make test-boards`
@@ -75,6 +77,11 @@ $(error $(BOARD) takes one scene and text or CSV, locked: docs/PORTS.md)
 endif
 endif
 
+BAUD ?= $(firstword $(BOARD_BAUDS))
+ifneq ($(filter-out $(or $(BOARD_BAUDS),$(BAUD)),$(BAUD)),)
+$(error $(BOARD) has BAUD=$(BOARD_BAUDS), not $(BAUD))
+endif
+
 BOARD_CC ?= $(BOARD_TOOLS)gcc
 
 # Test programs keep the dt of the scene.
@@ -132,7 +139,9 @@ must_be_whole = $(if $($(1)),$(if $(call is_whole,$($(1)),$(2)),,$(error $(1) \
   must be a whole number in [$(2), 4294967295], not $($(1)))))
 $(call must_be_whole,DEADMAN,0)
 $(call must_be_whole,STEPS,0)
+EVERY ?= $(shell echo $$((($(RATE) + 49) / 50)))
 $(call must_be_whole,EVERY,1)
+$(call must_be_whole,BAUD,10)
 ifneq ($(DEADMAN),)
 FIRMWARE_FLAGS += -DDEADMAN=$(DEADMAN)u
 endif
@@ -156,8 +165,15 @@ endif
 ifeq ($(OVERRUN),stop)
 FIRMWARE_FLAGS += -DOVERRUN=LOOP_STOP
 endif
-ifneq ($(EVERY),)
 FIRMWARE_FLAGS += -DEVERY=$(EVERY)
+ifneq ($(BAUD),)
+FIRMWARE_FLAGS += -DBAUD=$(BAUD)u
+# What it sends in real time, against what its line carries.
+ifeq ($(PROGRAM),firmware)
+CHECK_LINE = @$(BUILD)/$(REAL)/constants --line \
+  '$(if $(filter generic,$(SCENE)),$(START),$(SCENE))' $(FORMAT) $(RATE) \
+  $(EVERY) $(BAUD) $(UPLINK)
+endif
 endif
 ifeq ($(SCENE),generic)
 FIRMWARE_SOURCES += port/choice.c
@@ -181,6 +197,7 @@ $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
     $(wildcard src/*/*.[ch] include/twofold/*.h)
 	@command -v $(BOARD_CC) >/dev/null || { echo '$(BOARD): $(BOARD_CC) is' \
 	  'missing (Debian: apt-get install $(BOARD_PACKAGES))'; exit 3; }
+	$(CHECK_LINE)
 	@mkdir -p $(@D)
 	@echo '  BOARD $@'
 	@port/link.sh '$(BOARD): $(PROGRAM) of SCENE=$(SCENE)' '$(BOARD_LARGER)' \

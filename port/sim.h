@@ -19,8 +19,13 @@
 #define RATE 1000
 #endif
 #ifndef EVERY
-#define EVERY (RATE / 50)
+#define EVERY ((RATE + 49) / 50)
 #endif
+
+#ifndef BAUD
+#define BAUD 0 // of a line that is not known
+#endif
+#define BUILD_NAME "twofold"
 
 #ifdef UPLINK
 
@@ -31,9 +36,10 @@
 static struct {
   tf_simulation_t simulation;
   tf_link_t link;
-  uint64_t expected; // tick of the next step, unless a command changes it
-  bool is_under_way; // the last tick took that step
-  uint32_t ticks;    // of the board's clock, when commands last took effect
+  uint64_t expected;     // tick of the next step, unless a command changes it
+  bool is_under_way;     // the last tick took that step
+  uint32_t ticks;        // of the board's clock, when commands last took effect
+  uint32_t until, every; // ticks to the next record, and to that behind it
   // Inputs that have expired, which is to be told behind so many answers.
   bool has_expired;
   uint8_t answers;
@@ -57,6 +63,8 @@ static bool sim_begin(void) {
   const tf_status_t status =
       tf_simulation_open(&sim.simulation, SCENE, &params, 1);
   sim.simulation.deadman = DEADMAN;
+  sim.link.line = tf_line_of_frames(RATE, BAUD, SCENE->name, BUILD_NAME, true);
+  sim.link.every = sim.every = sim.until = EVERY;
   return status == TF_OK;
 }
 
@@ -90,15 +98,26 @@ static void sim_note_expired(uint64_t tick) {
     sim.answers = (uint8_t)(sim.answers + link->queue[i].done);
 }
 
-// Whatever commands do to the tick, records are of ticks that are multiples of
-// EVERY: a program that drives the machine knows beforehand which it will see.
+// Whatever commands do, records are of ticks that are multiples of `every`: a
+// program that drives the machine knows beforehand which it will see.
+static void sim_count(uint32_t *until_record) {
+  const tf_simulation_t *simulation = &sim.simulation;
+  const bool was_under_way = sim.is_under_way;
+  const uint32_t every = sim.link.every;
+  sim.is_under_way = simulation->running;
+  if (sim.every != every ||
+      (simulation->running &&
+       (!was_under_way || simulation->state.tick != sim.expected)))
+    sim.until = every - (uint32_t)(simulation->state.tick % every);
+  sim.every = every;
+  *until_record = sim.until;
+  sim.until = sim.until > 1 ? sim.until - 1 : every;
+}
+
 static loop_step_t sim_step(uint32_t *until_record) {
   tf_simulation_t *simulation = &sim.simulation;
-  const bool was_under_way = sim.is_under_way;
-  sim.is_under_way = simulation->running;
+  sim_count(until_record);
   if (!simulation->running) return LOOP_STOOD;
-  if (!was_under_way || simulation->state.tick != sim.expected)
-    *until_record = EVERY - (uint32_t)(simulation->state.tick % EVERY);
   const uint32_t expired = simulation->expired;
   const tf_input_t input = tf_simulation_input(simulation, SCENE);
   if (simulation->expired != expired) sim_note_expired(simulation->state.tick);

@@ -10,6 +10,7 @@
 
 static uint32_t telemetry_sequence;
 static uint8_t telemetry_description; // its next part
+static uint32_t telemetry_run;
 
 static unsigned telemetry_record(uint8_t *to) {
   const size_t n = tf_send_state(to, &telemetry_sequence, &SIM_STATE);
@@ -35,7 +36,8 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
                          .fell_back = at_most_32_bits(SIM_TALLY.fell_back),
                          .coarse = at_most_32_bits(SIM_TALLY.coarse),
                          .stalled = at_most_32_bits(SIM_TALLY.stalled),
-                         .skipped = c->skipped};
+                         .skipped = c->skipped,
+                         .run = telemetry_run};
   if (c->steps > 0) {
     beat.exec_min = nanoseconds(c->shortest);
     beat.exec_mean = nanoseconds(c->sum / c->steps);
@@ -52,19 +54,31 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
                                      &beat);
 }
 
-static size_t telemetry_schema(uint8_t *to) {
+static tf_schema_t telemetry_described(void) {
   tf_schema_t schema = {.params = &SIM_PARAMS,
                         .scene = SCENE->name,
-                        .build = "twofold",
+                        .build = BUILD_NAME,
                         .seed = SIM_STATE.seed,
                         .scheme = SCHEME,
-                        .takes_commands = SIM_TAKES_COMMANDS};
+                        .takes_commands = SIM_TAKES_COMMANDS,
+                        .run = telemetry_run};
 #ifdef UPLINK
   schema.wants_tag = SIM_WANTS_TAG;
   schema.session = sim.link.session;
   schema.sequence = sim.link.next;
   schema.deadman = sim.simulation.deadman;
 #endif
+  return schema;
+}
+
+// At the start, of which the hash of the run is.
+static void telemetry_begin(void) {
+  const tf_schema_t schema = telemetry_described();
+  telemetry_run = tf_run_hash(0, &schema, &SIM_STATE);
+}
+
+static size_t telemetry_schema(uint8_t *to) {
+  const tf_schema_t schema = telemetry_described();
   return tf_send_schema(to, &telemetry_sequence, SIM_STATE.tick, &schema);
 }
 

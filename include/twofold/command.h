@@ -37,7 +37,8 @@ typedef enum {
   TF_ANSWER_FAR = -19,     ///< dated too far ahead
   TF_ANSWER_OLD = -20,     ///< its number is not larger than those before
   TF_ANSWER_FOREIGN = -21, ///< it names another session
-  TF_ANSWER_TAG = -22      ///< its tag is not that of the board's key
+  TF_ANSWER_TAG = -22,     ///< its tag is not that of the board's key
+  TF_ANSWER_LINE = -23     ///< the line does not carry so many records
 } tf_answer_code_t;
 
 /// Completes a command around its data: a frame with session, data and tag.

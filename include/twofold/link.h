@@ -57,6 +57,8 @@ typedef struct {
   uint32_t next;    ///< least number of a command that is still taken
   uint32_t lost;    ///< numbers that were passed over, modulo 2^32
   uint32_t ignored; ///< commands without an answer: no room, or cleared
+  uint32_t every;   ///< steps from record to record; 0: no command sets them
+  tf_line_t line;   ///< what it may ask for; the program sets both
   tf_decoder_t decoder;
   tf_command_t queue[TF_LINK_QUEUE];
   tf_command_t aside; ///< done with on arrival; its answer is still to be sent

@@ -41,7 +41,8 @@ typedef enum {
   TF_UP_RESTORE = 0x48,
   TF_UP_CLEAR = 0x49,
   TF_UP_DESCRIBE = 0x4A,
-  TF_UP_DEADMAN = 0x4B
+  TF_UP_DEADMAN = 0x4B,
+  TF_UP_EVERY = 0x4C
 } tf_type_t;
 
 /// Bytes of the payloads; at most, of those that end with text.
@@ -50,7 +51,7 @@ typedef enum {
 #define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
 #define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 5)
 #define TF_COMPACT_BYTES (3 * TF_REAL_BYTES + 2)
-#define TF_HEARTBEAT_BYTES 64u
+#define TF_HEARTBEAT_BYTES 68u
 #define TF_EXPIRED_BYTES 4u
 #define TF_PARAMETER_BYTES (3 * TF_REAL_BYTES + 32)
 
@@ -66,6 +67,7 @@ typedef struct {
   uint32_t session;    ///< that commands have to name; 0: none yet
   uint32_t sequence;   ///< least number of a command that is still taken
   uint32_t deadman;    ///< tf_simulation_t.deadman
+  uint32_t run;        ///< tf_run_hash: in the heartbeats of this run too
 } tf_schema_t;
 
 /// Counters of a real-time loop, each modulo 2^32, but for those of steps that
@@ -86,6 +88,7 @@ typedef struct {
   uint32_t stalled;   ///< steps TF_STALLED
   uint32_t expired;   ///< inputs from outside that were not renewed in time
   uint32_t skipped;   ///< ticks that got no step
+  uint32_t run;       ///< tf_schema_t.run
 } tf_heartbeat_t;
 
 /// Hash of all parameters that the motion depends on, the same on every board:
@@ -93,6 +96,15 @@ typedef struct {
 /// law, rule and bits 0, 2 and 3 of the flags of a schema frame, a byte each.
 #define tf_params_hash TF_LINK(tf_params_hash)
 TF_API uint32_t tf_params_hash(const tf_params_t *params);
+
+/// Hash of a run, by which frames of two are told apart: CRC-32 over the hash
+/// of its parameters, scheme, tick and state of its start as they are sent, and
+/// the names of scene and build.
+/// before: in, 0, or a CRC-32 of what else the run depends on. schema: in, but
+///   for `run`. start: in.
+#define tf_run_hash TF_LINK(tf_run_hash)
+TF_API uint32_t tf_run_hash(uint32_t before, const tf_schema_t *schema,
+                            const tf_state_t *start);
 
 /// Frame TF_DOWN_SCHEMA, of up to TF_SCHEMA_BYTES.
 #define tf_send_schema TF_LINK(tf_send_schema)
@@ -170,6 +182,26 @@ TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
 /// Returns: whose inputs the step had, a tf_input_source_t; not validated.
 #define tf_read_report TF_LINK(tf_read_report)
 TF_API uint8_t tf_read_report(const uint8_t *payload, tf_report_t *report);
+
+/// What a line carries, and what telemetry asks of it [bytes/s].
+typedef struct {
+  uint32_t rate;    ///< steps a second
+  uint32_t record;  ///< bytes that go with each record, at most
+  uint32_t beside;  ///< asked for by what is sent each second
+  uint32_t carries; ///< 0: not known, and no limit
+} tf_line_t;
+
+/// Of frames: state and report in each record, and, where commands are taken,
+/// the answer to one; a heartbeat, a schema and the three layouts each second.
+/// baud: in, of 10 bits a byte; 0: not known. scene, build: in, names.
+#define tf_line_of_frames TF_LINK(tf_line_of_frames)
+TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
+                                   const char *scene, const char *build,
+                                   bool takes_commands);
+
+/// Returns: what a record every so many steps, > 0, asks of the line.
+#define tf_line_asks TF_LINK(tf_line_asks)
+TF_API uint64_t tf_line_asks(const tf_line_t *line, uint32_t every);
 
 TF_END_C
 

@@ -26,7 +26,7 @@ ISR(TIMER1_COMPA_vect) { ticks++; }
 ISR(USART0_RX_vect) { ring_put(&received, UDR0); }
 
 void port_init(void) {
-  UBRR0 = F_CPU / 8u / 115200u - 1u;
+  UBRR0 = F_CPU / 8u / BAUD - 1u;
   UCSR0A = 1u << U2X0;
   UCSR0C = 3u << UCSZ00;
   UCSR0B = 1u << RXEN0 | 1u << TXEN0 | 1u << RXCIE0;

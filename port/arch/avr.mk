@@ -10,6 +10,7 @@ BOARD_SOURCES := port/arch/avr.c
 BOARD_LINK := -mmcu=$(AVR_CHIP) -Wl,--defsym=avr_stack=$(AVR_STACK) \
   port/arch/avr.ld -lm
 BOARD_REALS := float
+BOARD_BAUDS := 115200 250000 500000 1000000
 BOARD_RUN := tests/target/until EXIT qemu-system-avr -M $(AVR_MACHINE) \
   -display none -monitor none -serial stdio
 BOARD_LOADS := -bios

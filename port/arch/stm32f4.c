@@ -98,7 +98,7 @@ static void connect(void) {
 void port_init(void) {
   clock_hz = start_clock();
   connect();
-  USART_BRR = (clock_hz == PLL_HZ ? USART_HZ : HSI_HZ) / 115200u;
+  USART_BRR = (clock_hz == PLL_HZ ? USART_HZ : HSI_HZ) / BAUD;
   USART_CR1 = 1u << 13 | 1u << 5 | 1u << 3 | 1u << 2;
   cortex_m_enable(USART_IRQ);
 }

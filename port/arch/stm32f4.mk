@@ -12,6 +12,7 @@ BOARD_SOURCES := port/arch/stm32f4.c port/arch/cortex_m.c \
 BOARD_LINK := -nostartfiles -Lport/arch -Tport/$(BOARD)/board.ld \
   -Wl,--defsym=sqrt=__ieee754_sqrt $(WRAP_$(REAL)) -lm
 BOARD_REALS := float double
+BOARD_BAUDS := 115200 1000000 2000000
 BOARD_LOADS := -kernel
 BOARD_STEPS := 100000
 # Driven over its line by tools/board/hil.

@@ -65,7 +65,7 @@ void riscv_interrupt(uint32_t source) {
 }
 
 void port_init(void) {
-  UART_DIV = start_clock() / 115200u - 1u;
+  UART_DIV = start_clock() / BAUD - 1u;
   GPIO(0x3Cu) &= ~(3u << 16); // pins 16 and 17 are UART0's
   GPIO(0x38u) |= 3u << 16;
   UART_TXCTRL = 1;

@@ -10,6 +10,7 @@ BOARD_FLAGS := -ffreestanding --specs=picolibc.specs -misa-spec=2.2 \
 BOARD_SOURCES := port/arch/riscv.c port/arch/memory.c
 BOARD_LINK := -nostartfiles -Lport/arch -Tport/hifive1/board.ld -lm
 BOARD_REALS := float double
+BOARD_BAUDS := 115200 1000000
 BOARD_RUN := qemu-system-riscv32 -M sifive_e -display none -monitor none \
   -semihosting-config enable=on,target=native -serial stdio
 BOARD_STEPS := 100000

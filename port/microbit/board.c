@@ -62,7 +62,9 @@ void cortex_m_interrupt(void) {
 void port_init(void) {
   UART_PSELTXD = 24;
   UART_PSELRXD = 25;
-  UART_BAUDRATE = 0x01D7E000u; // 115200
+  // Of 16 MHz in units of 2^-32, and of that the upper 20 bits.
+  UART_BAUDRATE =
+      (uint32_t)((((uint64_t)BAUD << 32) / 16000000u + 0x800u) & 0xFFFFF000u);
   UART_ENABLE = 4;
   UART_INTENSET = 1u << 2; // RXDRDY
   UART_STARTTX = 1;

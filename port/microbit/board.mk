@@ -7,6 +7,7 @@ BOARD_SOURCES := port/arch/cortex_m.c port/arch/memory.c
 BOARD_LINK := -nostartfiles -Lport/arch -Tport/microbit/board.ld \
   -Wl,--defsym=sqrtf=__ieee754_sqrtf -Wl,--defsym=sqrt=__ieee754_sqrt -lm
 BOARD_REALS := float double
+BOARD_BAUDS := 115200 250000 1000000
 BOARD_RUN := qemu-system-arm -M microbit -display none -monitor none \
   -semihosting-config enable=on,target=native -serial stdio
 # Shift 6 is 15.6 instructions a microsecond: one a cycle would be 16. A step

@@ -23,7 +23,7 @@ void cortex_m_interrupt(void) {
 }
 
 void port_init(void) {
-  UART_BAUDDIV = CLOCK_HZ / 115200u;
+  UART_BAUDDIV = CLOCK_HZ / BAUD;
   UART_CTRL = 1u | 2u | 8u; // send, receive, receive interrupt
   cortex_m_enable(RX_IRQ);
 }

@@ -10,6 +10,7 @@ BOARD_SOURCES := port/arch/cortex_m.c port/arch/cortex_m_tick.c \
 BOARD_LINK := -nostartfiles -nostdlib -Lport/arch -Tport/mps2-an500/board.ld \
   -lgcc
 BOARD_REALS := float double
+BOARD_BAUDS := 115200 1000000 2000000
 BOARD_RUN := qemu-system-arm -M mps2-an500 -display none -monitor none \
   -semihosting-config enable=on,target=native -serial stdio
 BOARD_STEPS := 100000

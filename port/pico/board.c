@@ -48,7 +48,6 @@
 #define PLL_HZ 125000000u
 #define CRYSTAL_HZ 12000000u
 #define RING_HZ 6500000u // the oscillator that it starts with, roughly
-#define BAUD 115200u
 #define WAIT_AT_MOST 100000u
 
 static ring_t received;

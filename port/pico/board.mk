@@ -13,6 +13,7 @@ BOARD_LINK := -nostartfiles -Lport/arch -Tport/pico/board.ld \
 # Boot code with its CRC, and the UF2 file.
 BOARD_IMAGE := port/pico/image.py
 BOARD_REALS := float double
+BOARD_BAUDS := 115200
 BOARD_RUN := node port/pico/run.mjs
 BOARD_HERE := node port/pico/run.mjs --here
 BOARD_STEPS := 2000

@@ -9,8 +9,10 @@ BOARD_PACKAGES :=
 BOARD_FLAGS :=
 BOARD_SOURCES :=
 BOARD_LINK :=
-# float, double or both.
+# float, double or both; rates of its line, the default first, none where it has
+# no rate.
 BOARD_REALS :=
+BOARD_BAUDS :=
 # The emulator, the option that loads a program into it, steps of a test, and
 # loop rates RATE[:SHIFT] with 2^SHIFT ns an instruction.
 BOARD_RUN :=

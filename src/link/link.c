@@ -20,6 +20,8 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
   link->next = 0;
   link->lost = 0;
   link->ignored = 0;
+  link->every = 0;
+  link->line.carries = 0;
   tf_decoder_init(&link->decoder, link->buffer, sizeof link->buffer);
 }
 
@@ -199,6 +201,23 @@ static int set_deadman(tf_link_t *link, tf_simulation_t *simulation,
   return TF_ANSWER_DONE;
 }
 
+static uint32_t every_of(const tf_command_t *command) {
+  return (uint32_t)tf_wire_get(command->data, 4);
+}
+
+// What the line does not carry would be dropped, record by record.
+static int set_every(tf_link_t *link, const tf_command_t *command) {
+  if (link->every == 0) return TF_ANSWER_UNKNOWN;
+  if (command->length != 4) return TF_ANSWER_LENGTH;
+  const uint32_t every = every_of(command);
+  if (every == 0) return TF_BAD_PARAMETER;
+  if (link->line.carries > 0 &&
+      tf_line_asks(&link->line, every) > link->line.carries)
+    return TF_ANSWER_LINE;
+  link->every = every;
+  return TF_ANSWER_DONE;
+}
+
 // The parameters are changed in place, and changed back if the machine cannot
 // be prepared from them: a second copy would not fit a small stack.
 static int set_parameter(tf_link_t *link, tf_simulation_t *simulation,
@@ -301,6 +320,8 @@ static int perform(tf_link_t *link, tf_simulation_t *simulation,
       return restore(link, simulation, command);
     case TF_UP_DEADMAN:
       return set_deadman(link, simulation, command);
+    case TF_UP_EVERY:
+      return set_every(link, command);
     case TF_UP_START:
     case TF_UP_STOP:
     case TF_UP_RESET:
@@ -335,8 +356,18 @@ TF_API unsigned tf_link_boundary(tf_link_t *link, tf_simulation_t *simulation) {
   return effective;
 }
 
-static size_t put_answer(const tf_command_t *command, uint8_t *wire,
-                         uint32_t *sequence) {
+// The steps in effect; what those of the command ask of the line; what it
+// carries.
+static uint8_t *put_line(uint8_t *at, const tf_link_t *link,
+                         const tf_command_t *command) {
+  const uint64_t asks = tf_line_asks(&link->line, every_of(command));
+  at = tf_wire_put(at, link->every, 4);
+  at = tf_wire_put(at, asks < UINT32_MAX ? asks : UINT32_MAX, 4);
+  return tf_wire_put(at, link->line.carries, 4);
+}
+
+static size_t put_answer(const tf_link_t *link, const tf_command_t *command,
+                         uint8_t *wire, uint32_t *sequence) {
   const bool about_parameter = command->index < TF_PARAMETERS;
   uint8_t *at = wire + TF_FRAME_AT;
   at = tf_wire_put(at, command->sequence, 4);
@@ -350,6 +381,9 @@ static size_t put_answer(const tf_command_t *command, uint8_t *wire,
     at = tf_wire_put_real(at, range->low);
     at = tf_wire_put_real(at, range->high);
   }
+  if (command->type == TF_UP_EVERY &&
+      (command->code == TF_ANSWER_DONE || command->code == TF_ANSWER_LINE))
+    at = put_line(at, link, command);
   const size_t length = (size_t)(at - wire) - TF_FRAME_AT;
   return tf_frame_seal(wire, TF_DOWN_ANSWER, length, sequence, command->tick);
 }
@@ -358,12 +392,12 @@ TF_API size_t tf_link_answer(tf_link_t *link, uint8_t *wire,
                              uint32_t *sequence) {
   if (link->has_aside && link->aside.done) {
     link->has_aside = false;
-    return put_answer(&link->aside, wire, sequence);
+    return put_answer(link, &link->aside, wire, sequence);
   }
   unsigned i = 0;
   while (i < link->waiting && !link->queue[i].done) i++;
   if (i == link->waiting) return 0;
-  const size_t size = put_answer(&link->queue[i], wire, sequence);
+  const size_t size = put_answer(link, &link->queue[i], wire, sequence);
   link->waiting--;
   for (; i < link->waiting; i++) link->queue[i] = link->queue[i + 1];
   return size;

@@ -39,6 +39,37 @@ TF_API uint32_t tf_params_hash(const tf_params_t *params) {
   return tf_crc32(crc, choices, sizeof choices);
 }
 
+static uint8_t *put_state(uint8_t *at, const tf_state_t *state) {
+  at = tf_wire_put_real(at, state->r);
+  at = tf_wire_put_real(at, state->v);
+  at = tf_wire_put_real(at, state->w);
+  at = tf_wire_put_real(at, state->phi);
+  at = tf_wire_put(at, state->seed, 4);
+  *at++ = state->mode;
+  return at;
+}
+
+static uint32_t length_of(const char *text) {
+  uint32_t length = 0;
+  while (text[length] != '\0') length++;
+  return length;
+}
+
+static uint32_t hash_text(uint32_t crc, const char *text) {
+  return tf_crc32(crc, (const uint8_t *)text, length_of(text));
+}
+
+TF_API uint32_t tf_run_hash(uint32_t before, const tf_schema_t *schema,
+                            const tf_state_t *start) {
+  uint8_t bytes[4 + 1 + 8 + TF_STATE_BYTES];
+  uint8_t *at = tf_wire_put(bytes, tf_params_hash(schema->params), 4);
+  *at++ = schema->scheme;
+  at = tf_wire_put(at, start->tick, 8);
+  at = put_state(at, start);
+  const uint32_t crc = tf_crc32(before, bytes, (size_t)(at - bytes));
+  return hash_text(hash_text(crc, schema->scene), schema->build);
+}
+
 TF_API size_t tf_send_schema(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              const tf_schema_t *schema) {
   const tf_params_t *params = schema->params;
@@ -55,6 +86,7 @@ TF_API size_t tf_send_schema(uint8_t *wire, uint32_t *sequence, uint64_t tick,
   at = tf_wire_put(at, schema->session, 4);
   at = tf_wire_put(at, schema->sequence, 4);
   at = tf_wire_put(at, schema->deadman, 4);
+  at = tf_wire_put(at, schema->run, 4);
   at = tf_wire_put_real(at, params->dt);
   at = put_text(at, end - 2, schema->scene);
   *at++ = 0;
@@ -75,7 +107,7 @@ TF_API const char *const tf_layout_heartbeat =
     "steps,u32;refused,u32;overruns,u32;dropped,u32;bad,u32;ignored,u32;"
     "min,u32,1e-9,s;mean,u32,1e-9,s;max,u32,1e-9,s;period,u32,1e-9,s;"
     "degraded,u32;fell_back,u32;coarse,u32;stalled,u32;expired,u32;"
-    "skipped,u32";
+    "skipped,u32;run,u32";
 
 TF_API size_t tf_send_layout(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              tf_type_t type, const char *layout) {
@@ -87,14 +119,8 @@ TF_API size_t tf_send_layout(uint8_t *wire, uint32_t *sequence, uint64_t tick,
 
 TF_API size_t tf_send_state(uint8_t *wire, uint32_t *sequence,
                             const tf_state_t *state) {
-  uint8_t *at = wire + TF_FRAME_AT;
-  at = tf_wire_put_real(at, state->r);
-  at = tf_wire_put_real(at, state->v);
-  at = tf_wire_put_real(at, state->w);
-  at = tf_wire_put_real(at, state->phi);
-  at = tf_wire_put(at, state->seed, 4);
-  *at++ = state->mode;
-  return seal(wire, TF_DOWN_STATE, at, sequence, state->tick);
+  uint8_t *end = put_state(wire + TF_FRAME_AT, state);
+  return seal(wire, TF_DOWN_STATE, end, sequence, state->tick);
 }
 
 TF_API size_t tf_send_report(uint8_t *wire, uint32_t *sequence, uint64_t tick,
@@ -136,7 +162,7 @@ TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
       heartbeat->exec_min, heartbeat->exec_mean, heartbeat->exec_max,
       heartbeat->period,   heartbeat->degraded,  heartbeat->fell_back,
       heartbeat->coarse,   heartbeat->stalled,   heartbeat->expired,
-      heartbeat->skipped};
+      heartbeat->skipped,  heartbeat->run};
   uint8_t *at = wire + TF_FRAME_AT;
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     at = tf_wire_put(at, counters[i], 4);
@@ -151,9 +177,33 @@ TF_API void tf_read_heartbeat(const uint8_t *payload,
       &heartbeat->exec_min, &heartbeat->exec_mean, &heartbeat->exec_max,
       &heartbeat->period,   &heartbeat->degraded,  &heartbeat->fell_back,
       &heartbeat->coarse,   &heartbeat->stalled,   &heartbeat->expired,
-      &heartbeat->skipped};
+      &heartbeat->skipped,  &heartbeat->run};
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     *counters[i] = (uint32_t)tf_wire_get(payload + 4 * i, 4);
+}
+
+// Without its payload a frame has TF_FRAME_SIZE(0) bytes.
+TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
+                                   const char *scene, const char *build,
+                                   bool takes_commands) {
+  const uint32_t frame = TF_FRAME_SIZE(0);
+  const uint32_t names = length_of(scene) + length_of(build);
+  const uint32_t schema = 29u + TF_REAL_BYTES + names + 2u;
+  const uint32_t layouts = length_of(tf_layout_state) +
+                           length_of(tf_layout_report) +
+                           length_of(tf_layout_heartbeat) + 3u;
+  const uint32_t most = TF_SCHEMA_BYTES;
+  return (tf_line_t){.rate = rate,
+                     .record = 2u * frame + TF_STATE_BYTES + TF_REPORT_BYTES +
+                               (takes_commands ? frame + 8u : 0u),
+                     .beside = 5u * frame + TF_HEARTBEAT_BYTES + layouts +
+                               (schema < most ? schema : most),
+                     .carries = baud / 10u};
+}
+
+TF_API uint64_t tf_line_asks(const tf_line_t *line, uint32_t every) {
+  const uint64_t records = (uint64_t)line->record * line->rate;
+  return line->beside + (records + every - 1u) / every;
 }
 
 TF_API size_t tf_send_parameter(uint8_t *wire, uint32_t *sequence,

@@ -26,8 +26,8 @@ FIRMWARE = str(Path(os.environ.get("FIRMWARE") or
                     BUILD / "boards/host/chaos").resolve())
 REALS = (os.environ.get("REALS") or "double float").split()
 RUN = [TWOFOLD, "run", "chaos", "--t-end", "0.5", "--dt", "1e-3"]
-SCHEMA, STATE, HEARTBEAT, ANSWER, EXPIRED = 0x01, 0x03, 0x06, 0x08, 0x09
-INPUT, STOP, DESCRIBE, DEADMAN = 0x41, 0x45, 0x4A, 0x4B
+SCHEMA, STATE, REPORT, HEARTBEAT, ANSWER, EXPIRED = 1, 3, 4, 6, 8, 9
+INPUT, STOP, DESCRIBE, DEADMAN, EVERY = 0x41, 0x45, 0x4A, 0x4B, 0x4C
 
 
 def program(real, name):
@@ -150,11 +150,13 @@ def pass_on(line, came):
         pass
 
 
-def relayed(up, board, *words, down=lambda kind, number: b""):
+def relayed(up, board, *words, down=lambda kind, number: b"",
+            lose=lambda kind: False, carries=None):
     """A program with the words, of which LINE is the name of a line to a board
     on which each frame up becomes what up(type, frame) returns, and after what
-    down(type, number) comes down. Returns: its exit code, and all that it
-    says."""
+    down(type, number) comes down. It loses frames of which lose(type) says so,
+    and carries so many bytes a second each way. Returns: the program's exit
+    code, and all that it says."""
     near, far = pty.openpty()
     tty.setraw(near)
     tty.setraw(far)
@@ -164,18 +166,30 @@ def relayed(up, board, *words, down=lambda kind, number: b""):
             [name if word == "LINE" else word for word in words],
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT) as process:
-        rest = b""
+        to = {near: other.line, other.line: near}
+        rest, waits = dict.fromkeys(to, b""), dict.fromkeys(to, b"")
+        since = dict.fromkeys(to, time.monotonic())
         while process.poll() is None:
-            for line in select.select([near, other.line], [], [], 0.05)[0]:
-                came = os.read(line, 4096)
-                if line == other.line:
-                    pass_on(near, came)
-                    continue
-                *pieces, rest = (rest + came).split(b"\0")
+            for line in select.select([line for line in to
+                                       if len(waits[to[line]]) < 512], [], [],
+                                      0.002 if carries else 0.05)[0]:
+                *pieces, rest[line] = (rest[line] + os.read(
+                    line, 64 if carries else 4096)).split(b"\0")
                 for piece in filter(None, pieces):
-                    kind, number = decode(piece)[:2]
-                    pass_on(near, down(kind, number))
-                    os.write(other.line, up(kind, b"\0" + piece + b"\0"))
+                    kind, number = (decode(piece) or (0, 0))[:2]
+                    frame = b"" if lose(kind) else b"\0" + piece + b"\0"
+                    if line == near:
+                        waits[near] += down(kind, number)
+                        frame = up(kind, frame)
+                    waits[to[line]] += frame
+            for line, came in waits.items():
+                if carries:
+                    came = came[:int((time.monotonic() - since[line])
+                                     * carries)]
+                    since[line] = since[line] + len(came) / carries \
+                        if len(came) < len(waits[line]) else time.monotonic()
+                pass_on(line, came)
+                waits[line] = waits[line][len(came):]
         said = process.stdout.read().decode()
     os.close(near)
     os.close(far)

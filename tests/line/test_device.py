@@ -88,12 +88,12 @@ def sent(board, *commands, code=0, key=()):
 def test_commands_are_sent_and_answered():
     with Board("double") as board:
         said = sent(board, "set:mu=1.25", "select:random:9", "stop",
-                    "input:-1.5,0.1,0.25,-0.125", "deadman:123", "set:mu=-1",
-                    code=3)
+                    "input:-1.5,0.1,0.25,-0.125", "deadman:123", "every:7",
+                    "set:mu=-1", code=3)
         for text in (r"set:mu=1.25: took effect at step \d+; mu = 1.25, in "
                      r"\[0, ", "select:random:9: took effect",
                      "stop: took effect", "input:-1.5,0.1,0.25,-0.125: took",
-                     "deadman:123: took effect",
+                     "deadman:123: took effect", "every:7: took effect",
                      "set:mu=-1: refused, parameter out of its range at step "
                      r"\d+; mu = 1.25"):
             check(re.search(text, said), f"{text}: {said}")
@@ -129,6 +129,13 @@ def test_a_keyed_board_takes_keyed_commands():
             check("stop: refused, its tag is not that" in said, said)
         said = sent(board, "stop", key=["--key", "key"])
         check("stop: took effect" in said, said)
+        said = sent(board, "every:20", "every:10", code=3,
+                    key=["--key", "key"])
+        for text in (r"20: took effect at step \d+; it asks 9006 bytes/s of "
+                     "11520, a record every 20", "10: refused, more than the "
+                     r"line carries at step \d+; it asks 17356 bytes/s of "
+                     "11520, a record every 20 steps"):
+            check(re.search(text, said), f"{text}: {said}")
         call("monitor", board.name, "--send", "stop", "--key", "none", code=2)
 
 

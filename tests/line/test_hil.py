@@ -5,14 +5,17 @@ time and in lockstep, and a loop that is not is found out. Then over a line that
 repeats or loses frames, and over the end of the numbers of commands: between
 both stands a relay that knows where frames begin."""
 import functools
+import itertools
 import re
 import resource
 import signal
+import struct
 import subprocess
 import sys
 from pathlib import Path
 
-from boards import BUILD, INPUT, REALS, STOP, Board, Line, relayed
+from boards import (ANSWER, BUILD, EVERY, INPUT, REALS, REPORT, STATE, STOP,
+                    Board, Line, relayed)
 from tap import TWOFOLD, check, run, same
 
 STEPS = ["--steps", "600", "--every", "10"]
@@ -170,6 +173,28 @@ def inputs_that_never_come_end_the_lockstep():
     same((code, "step 0: its input was lost" in said), (4, True))
 
 
+def a_line_of_115200_baud(kind, every, code, said_so):
+    """One frame of each thousand is lost, which is of that type. It ends right,
+    or says why: without its answer an input may have acted, here it has; a line
+    that does not carry the records is one on which states are missed."""
+    numbers, done = itertools.count(700), {0}
+
+    def lose(found):
+        thousand = next(numbers) // 1000
+        if found != kind or thousand in done:
+            return False
+        done.add(thousand)
+        return True
+
+    with Board() as board:
+        with Line(board.name) as line:
+            line.describe()
+            line.command(EVERY, struct.pack("<I", every))
+        got, said = relayed(as_it_is, board, hil(), "LINE", "--steps", "4000",
+                            "--every", "20", lose=lose, carries=11520)
+    check(got == code and re.search(said_so, said), said)
+
+
 def numbers_end_within_a_loop(left):
     with Board() as board:
         drive(board.name, *LOCKSTEP, "--csv", "one")
@@ -211,6 +236,12 @@ def closed_descriptors_are_not_the_line():
 
 def cases():
     """Tests with the values that they are made for, the longest one first."""
+    for values in ((STATE, 20, 0, "0 without an answer; [1-9].* missed"),
+                   (REPORT, 20, 0, " [1-9] lost"),
+                   (INPUT, 20, 0, "[1-9] without an answer"),
+                   (ANSWER, 20, 1, "without an answer may have acted"),
+                   (None, 1, 0, "[1-9][0-9]* states missed")):
+        yield a_line_of_115200_baud, values
     yield inputs_that_never_come_end_the_lockstep, ()
     for real in REALS:
         for test in (in_real_time, in_lockstep, inputs_that_never_come_in_time,

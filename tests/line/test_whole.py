@@ -9,9 +9,9 @@ import struct
 import subprocess
 from pathlib import Path
 
-from boards import HEARTBEAT, RUN, framed, program
-from decode import frames
-from tap import main, output, same
+from boards import BUILD, HEARTBEAT, RUN, SCHEMA, framed, program
+from decode import frames, runs
+from tap import ROOT, main, output, same
 
 
 def judged(stream, *words, code):
@@ -37,7 +37,8 @@ def borders_of(stream):
 
 
 def test_a_run_that_was_cut_is_told():
-    """At each border of frames, where nothing else is wrong."""
+    """At each border of frames, where nothing else is wrong: what is before it,
+    and what is behind it without its beginning."""
     stream = output(*RUN, "--every", "50", "--format", "frames")
     judged(stream, code=0)
     borders = borders_of(stream)
@@ -46,6 +47,8 @@ def test_a_run_that_was_cut_is_told():
         said = judged(stream[:border], code=6)
         # A state whose report is cut off is lost.
         same("ends before its run" in said or "were lost" in said, True)
+        if border + 99 < len(stream):
+            judged(stream[border:], code=6)
     summary = judged(stream[:borders[-1]], "--summary", "json", code=6)
     same(json.loads(summary.splitlines()[-1])["exit"], 6)
 
@@ -60,6 +63,34 @@ def test_more_than_one_run_is_told():
     same("more than one run" in judged(half + other, code=6), True)
 
 
+def test_a_splice_is_told():
+    """Two runs joined at one number, where no frame is missing: others by their
+    start, their inputs, a parameter or the seed, and a part within a run."""
+    Path("table").write_text("t,torque\n0,0\n1,1e-3\n")
+    one, *others = [output(*RUN, *more, "--format", "frames") for more in (
+        [], ["--set", "r=0.2"], ["--inputs", "table", "--between", "held"],
+        ["--set", "mu=0.9"], ["--select", "random:2"])]
+    same(len(runs(frames(one))), 1)
+    for other in others:
+        spliced = other[:borders_of(other)[500]] + one[borders_of(one)[500]:]
+        same(len(runs(frames(spliced))), 2)
+        said = judged(spliced, "--csv", "--out", "rows", code=6)
+        same(("more than one run" in said, Path("rows").exists()),
+             (True, False))
+
+
+def test_another_session_is_another_start():
+    """But for the first one of a start, and that after its last number."""
+    found = frames(output(*RUN, "--every", "50", "--format", "frames"))
+    schema, beat = found[0][3], found[-1][3]
+    for sessions, code in (((0, 7, 7, 8), 0), ((2**32 - 1, 1), 0), ((7, 9), 6),
+                           ((7, 0), 6)):
+        sent = [(SCHEMA, schema[:13] + struct.pack("<I", session) + schema[17:])
+                for session in sessions] + [(HEARTBEAT, beat)]
+        judged(b"".join(framed(kind, number, 0, payload) for number,
+                        (kind, payload) in enumerate(sent)), code=code)
+
+
 def test_counts_are_those_since_the_first_heartbeat():
     """By the counts of the board, which go round, or begin again with it: of
     records that were dropped, and of ticks without a step."""
@@ -72,7 +103,8 @@ def test_counts_are_those_since_the_first_heartbeat():
                           ([2**32 - 2, 2], 1)):
         for where, code in ((3, 6), (15, 5)):
             beats = [framed(HEARTBEAT, number + i, 500, struct.pack(
-                "<16I", 500, *(one * (at == where) for at in range(1, 16))))
+                "<17I", 500, *(one * (at == where) for at in range(1, 16)),
+                *runs(frames(stream))))
                      for i, one in enumerate(counts)]
             said = judged(stream.removesuffix(last) + b"".join(beats),
                           "--summary", "json", code=grows * code)
@@ -157,6 +189,25 @@ def test_no_file_is_written_twice():
         refused("monitor", "--csv", *words)
         same(Path("frames").read_bytes() == stream, True)
         same(Path("new").exists(), False)
+
+
+def test_a_line_that_does_not_carry_its_records_is_refused():
+    """By what `make firmware` asks before it compiles."""
+    for form, every, sends in (
+            ("plotter", 11, "114 bytes with a record and 157 each second"),
+            ("csv", 11, "121 bytes with a record and 4 each second"),
+            ("frames", 13, "136 bytes with a record and 656 each second")):
+        for steps in every, every - 1:
+            asks = [line for line in output(
+                "make", "-n", "elf", "BOARD=host", "REAL=double", "BAUD=115200",
+                f"FORMAT={form}", f"EVERY={steps}", f"BUILD={BUILD}", cwd=ROOT,
+                text=True, env={**os.environ, "MAKEFLAGS": ""}).splitlines()
+                if "--line" in line]
+            done = subprocess.run(asks[0], shell=True, capture_output=True,
+                                  text=True, check=False)
+            same((len(asks), done.returncode), (1, 3 * (steps < every)))
+        same(sends in done.stderr and done.stderr.endswith(
+            f" carries 11520; EVERY={every} would do\n"), True)
 
 
 def board(**where):

@@ -36,7 +36,7 @@ def board_on_a_line():
           f"asks for the schema by {got['asked']}")
     # Damaged, lost, rows, rows without their other half, unknown frames,
     # whether the schema has come, whether numbers are floats.
-    check(got["counters"][1:] == [0, 0, 76, 0, 0, 1, 0], got["counters"])
+    check(got["counters"][1:] == [0, 0, 76, 0, 0, 1, 0, 0], got["counters"])
     modes = tab.value("twofold.core.modes")
     want = [line.split(",") for line in command(*MOTION).splitlines()[1:]]
     check(got["rows"] == [[float(x) for x in row[:8]]

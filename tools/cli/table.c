@@ -102,7 +102,7 @@ static const cli_choice_t commands[] = {
     {"start", ""},   {"stop", ""},     {"reset", ""},  {"snapshot", ""},
     {"restore", ""}, {"describe", ""}, {"clear", ""},  {"input", ""},
     {"set:", ""},    {"select:", ""},  {"input:", ""}, {"deadman:", ""},
-    {NULL, NULL}};
+    {"every:", ""},  {NULL, NULL}};
 
 static int read_set(void *to, const cli_given_t *given) {
   cli_args_t *args = to;
@@ -308,7 +308,8 @@ const cli_option_t cli_options[] = {
              "repeated. Commands: start, stop, reset, snapshot, restore, "
              "describe, clear, set:NAME=VALUE, select:RULE[:SEED], input (the "
              "scene's own), input:OMEGA0,R0,FORCE,TORQUE, deadman:TICKS that "
-             "inputs hold (0: without end). Ends after the last answer unless "
+             "inputs hold (0: without end), every:STEPS from record to record. "
+             "Ends after the last answer unless "
              "there is --as or a live view"},
     {"--key", "FILE", CLI_MONITOR, TEXT(key), .how = CLI_READS,
      .what = "32 hexadecimal digits: the key of a board that wants its "

@@ -19,10 +19,11 @@ export class Line {
     this.take = take;
   }
 
-  // Of frames, damaged, lost, rows, incomplete, unknown, schema, float.
+  // Of frames, damaged, lost, rows, incomplete, unknown, schema, float, changes
+  // of the run.
   get counters() {
     return Array.from(new Float64Array(this.c.memory.buffer,
-      this.c.line_counters(), 8));
+      this.c.line_counters(), 9));
   }
 
   receive(bytes) {

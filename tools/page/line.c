@@ -11,7 +11,7 @@ static uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
 static tf_decoder_t decoder;
 static cli_receiver_t receiver;
 static double rows[LINE_ROWS][LINE_COLUMNS];
-static double counters[8];
+static double counters[9];
 static uint32_t sequence;
 
 void EXPORT(line_open)(void) {
@@ -41,9 +41,10 @@ uint32_t EXPORT(line_take)(uint32_t length) {
 const double *EXPORT(line_rows)(void) { return rows[0]; }
 
 // Frames, damaged ones, lost ones, rows, rows without their other half,
-// unknown frames, whether the schema has come, whether numbers are floats.
+// unknown frames, whether the schema has come, whether numbers are floats,
+// changes of the run.
 const double *EXPORT(line_counters)(void) {
-  const double now[8] = {
+  const double now[9] = {
       decoder.frames,
       (double)decoder.bad + decoder.too_long + decoder.bad_version,
       decoder.lost,
@@ -51,7 +52,8 @@ const double *EXPORT(line_counters)(void) {
       (double)receiver.incomplete,
       (double)receiver.unknown,
       receiver.has_schema,
-      receiver.is_float};
+      receiver.is_float,
+      (double)receiver.other_runs};
   memcpy(counters, now, sizeof counters);
   return counters;
 }

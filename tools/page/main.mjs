@@ -336,7 +336,8 @@ async function connect(line, tell) {
   $('board').onclick = () => reader.close();
   try {
     await reader.read(line);
-    say(`the board's line has ended after ${reader.counters[3]} rows`);
+    say(`the board's line has ended after ${reader.counters[3]} rows` +
+      (reader.counters[8] > 0 ? ' of more than one run' : ''));
   } catch (error) {
     say(`the board's line has failed: ${error.message}`);
   }

@@ -147,6 +147,46 @@ TEST(lengths_types_and_dates_are_checked) {
   CHECK(board.link.decoder.too_long == 1 && board.link.waiting == 1);
 }
 
+/* The numbers of bytes are those of test_device.py and test_whole.py. */
+TEST(records_are_as_many_as_the_line_carries) {
+  board_t board;
+  power_up(&board, "chaos");
+  uint8_t data[4] = {100, 0, 0, 0}, wire[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
+  send(&board, TF_UP_EVERY, 0, data, 4);
+  CHECK_TOLD(&board, 0, TF_ANSWER_UNKNOWN); /* nobody has said how many */
+  const struct {
+    uint32_t rate, carries, every;
+    int code;
+    uint32_t asks;
+  } cases[] = {{1000, 1050, 100, 0, 1050},       {1000, 1050, 99, -23, 1061},
+               {1000, 1050, 0, -1, 0},           {1000, 0, 1, 0, 100050},
+               {1000, 50, 100, -23, 1050},       {1000, 50, 0, -1, 0},
+               {UINT32_MAX, 0, 1, 0, UINT32_MAX}};
+  board.link.every = 7;
+  for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++) {
+    const uint32_t before = board.link.every, asked = cases[i].every;
+    board.link.line = (tf_line_t){cases[i].rate, 100, 50, cases[i].carries};
+    tf_wire_put(data, asked, 4);
+    send(&board, TF_UP_EVERY, 0, data, 4);
+    CHECK(boundary(&board) == (cases[i].code == 0));
+    CHECK(board.link.every == (cases[i].code == 0 ? asked : before));
+    const tf_frame_t frame =
+        frame_of(wire, tf_link_answer(&board.link, wire, &board.down));
+    CHECK(frame.payload[5] == (uint8_t)cases[i].code);
+    CHECK(frame.length == (asked > 0 ? 20 : 8));
+    if (asked == 0) continue;
+    CHECK(tf_wire_get(frame.payload + 8, 4) == board.link.every);
+    CHECK(tf_wire_get(frame.payload + 12, 4) == cases[i].asks);
+    CHECK(tf_wire_get(frame.payload + 16, 4) == cases[i].carries);
+  }
+  send(&board, TF_UP_EVERY, 0, data, 3);
+  CHECK_TOLD(&board, 0, TF_ANSWER_LENGTH);
+  char name[300] = {0};
+  memset(name, 'a', sizeof name - 1);
+  CHECK(tf_line_of_frames(1, 0, name, "", false).beside ==
+        tf_line_of_frames(1, 0, name + 61, "", false).beside);
+}
+
 TEST(inputs_act_at_their_tick) {
   board_t board;
   power_up(&board, "driven");

@@ -11,6 +11,7 @@
 #define LONGEST TF_FRAME_SIZE(TF_FRAME_PAYLOAD)
 /* Of the board in the examples. */
 #define SESSION 0x1A2B3C4Du
+#define RUN 0xC0FFEE42u
 #define IS_FLOAT (sizeof(tf_real_t) == 4)
 
 typedef struct {
@@ -58,7 +59,7 @@ static const tf_report_t report_shown = {
     TF_STICK_MINUS,   0x18, 2, {TF_R(0.75), TF_R(-0.2)},
     {0, TF_R(-0.25)}, 2,    0, TF_OK};
 static const tf_heartbeat_t heartbeat_shown = {
-    1000, 0, 2, 3, 1, 0, 5200, 5400, 9100, 1000000, 4, 0, 1, 3, 2, 93};
+    1000, 0, 2, 3, 1, 0, 5200, 5400, 9100, 1000000, 4, 0, 1, 3, 2, 93, RUN};
 static tf_schema_t schema_shown(void) {
   const tf_schema_t schema = {.params = &tf_scenes[0]->params,
                               .scene = tf_scenes[0]->name,
@@ -67,7 +68,8 @@ static tf_schema_t schema_shown(void) {
                               .takes_commands = true,
                               .session = SESSION,
                               .sequence = 1,
-                              .deadman = 500};
+                              .deadman = 500,
+                              .run = RUN};
   return schema;
 }
 
@@ -190,11 +192,11 @@ TEST(schema_says_what_runs) {
   CHECK(at[0] == sizeof(tf_real_t) && at[1] == params->law && at[4] == 2);
   CHECK(tf_wire_get(at + 9, 4) == tf_params_hash(params));
   CHECK(tf_wire_get(at + 13, 4) == SESSION && tf_wire_get(at + 17, 4) == 1);
-  CHECK(tf_wire_get(at + 21, 4) == 500);
-  CHECK(tf_wire_get_real(at + 25) == params->dt);
-  CHECK(!strcmp((const char *)at + 25 + R, "chaos"));
-  CHECK(!strcmp((const char *)at + 25 + R + 6, "demo"));
-  CHECK(frame.length == 25 + R + 6 + 5);
+  CHECK(tf_wire_get(at + 21, 4) == 500 && tf_wire_get(at + 25, 4) == RUN);
+  CHECK(tf_wire_get_real(at + 29) == params->dt);
+  CHECK(!strcmp((const char *)at + 29 + R, "chaos"));
+  CHECK(!strcmp((const char *)at + 29 + R + 6, "demo"));
+  CHECK(frame.length == 29 + R + 6 + 5);
   /* Each flag has a bit of its own. */
   for (unsigned flags = 0; flags < 64; flags++) {
     if ((flags >> 2 & 3u) >= TF_REST_LAWS) continue;

@@ -22,14 +22,6 @@ hil_code_t hil_message(hil_code_t code, const char *format, ...) {
   return code;
 }
 
-static const tf_scene_t *scene_named(const uint8_t *name, size_t length) {
-  for (int i = 0; i < TF_SCENES; i++)
-    if (strlen(tf_scenes[i]->name) == length &&
-        memcmp(tf_scenes[i]->name, name, length) == 0)
-      return tf_scenes[i];
-  return NULL;
-}
-
 // The first session that the board reports, and the number with which to begin.
 // Another one later means that the board has forgotten the run.
 static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
@@ -54,7 +46,7 @@ static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
 static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   const size_t R = TF_REAL_BYTES;
-  if (frame->length < 27 + R || at[0] != R)
+  if (frame->length < 31 + R || at[0] != R)
     return hil_message(HIL_REFUSED, "the board computes in %s, this is %s",
                        at[0] == 4 ? "float" : "double",
                        R == 4 ? "float" : "double");
@@ -62,13 +54,15 @@ static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
     return hil_message(HIL_REFUSED, "the board %s",
                        at[3] != 0 ? "does not step by tf_step"
                                   : "takes no commands (UPLINK=yes)");
-  const uint8_t *name = at + 25 + R;
-  const uint8_t *end = memchr(name, 0, frame->length - 25 - R);
-  board->scene = end == NULL ? NULL : scene_named(name, (size_t)(end - name));
+  const char *name = (const char *)at + 29 + R;
+  const bool ends = memchr(name, 0, frame->length - 29 - R) != NULL;
+  board->scene = NULL;
+  for (int i = 0; ends && i < TF_SCENES; i++)
+    if (!strcmp(tf_scenes[i]->name, name)) board->scene = tf_scenes[i];
   if (board->scene == NULL)
     return hil_message(HIL_REFUSED, "the board's scene is not known here");
   board->params = board->scene->params;
-  board->params.dt = tf_wire_get_real(at + 25);
+  board->params.dt = tf_wire_get_real(at + 29);
   board->seed = (uint32_t)tf_wire_get(at + 5, 4);
   if (tf_params_hash(&board->params) != tf_wire_get(at + 9, 4))
     return hil_message(HIL_REFUSED,
@@ -241,7 +235,9 @@ hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
   }
   if (code != HIL_EQUAL) return code;
   if (!board->has_answer)
-    return hil_message(HIL_STOPPED, "%s: no answer; does it take commands?",
+    return hil_message(HIL_STOPPED,
+                       "%s: no answer: it takes no commands, or its line "
+                       "does not carry its records (EVERY)",
                        board->source.name);
   if (board->answer != 0)
     return hil_message(HIL_REFUSED, "the board refuses command %02X: %d",

@@ -185,8 +185,12 @@ static void print_summary(const hil_board_t *board, const hil_plan_t *plan,
   if (v->differ + v->wrong > 0)
     printf(
         "host run  DIFFERS: %zu of %zu states, %zu of %zu inputs, first at "
-        "step %" PRIu64 "\n",
-        v->differ, v->compared, v->wrong, v->inputs, v->first);
+        "step %" PRIu64 "%s%s\n",
+        v->differ, v->compared, v->wrong, v->inputs, v->first,
+        v->unanswered > 0 ? "; an input without an answer may have acted" : "",
+        board->decoder.lost > 0
+            ? "; that inputs expired may be told by a frame that was lost"
+            : "");
   else
     printf("host run  %zu states and %zu inputs: the same bits%s\n",
            v->compared, v->inputs,

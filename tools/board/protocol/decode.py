@@ -30,3 +30,10 @@ def frames(stream):
     come whole yet."""
     found = map(decode, stream.split(b"\0")[:-1])
     return [frame for frame in found if frame is not None]
+
+
+def runs(found):
+    """The hashes of the run in the schemas and heartbeats among frames. Where
+    there are two, the frames are of two runs."""
+    return {struct.unpack_from("<I", payload, 25 if kind == 1 else 64)[0]
+            for kind, _, _, payload in found if kind in (1, 6)}

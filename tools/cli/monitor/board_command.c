@@ -92,12 +92,15 @@ static int read_input(cli_board_command_t *command, const char *rest) {
   return CLI_DONE;
 }
 
-static int read_deadman(cli_board_command_t *command, const char *rest) {
-  uint64_t steps = 0;
-  if (!cli_read_whole(rest, 0, UINT32_MAX, &steps)) {
-    return refuse(command->text, "expected deadman:TICKS; 0: without end");
+static int read_count(cli_board_command_t *command, const char *rest) {
+  const bool every = command->type == TF_UP_EVERY;
+  uint64_t count = 0;
+  if (!cli_read_whole(rest, every, UINT32_MAX, &count)) {
+    return refuse(command->text,
+                  every ? "expected every:STEPS, of one or more"
+                        : "expected deadman:TICKS; 0: without end");
   }
-  command->seed = (uint32_t)steps;
+  command->seed = (uint32_t)count;
   return CLI_DONE;
 }
 
@@ -117,7 +120,8 @@ static const struct {
              {"set:", TF_UP_PARAMETER, read_set},
              {"select:", TF_UP_RULE, read_select},
              {"input:", TF_UP_INPUT, read_input},
-             {"deadman:", TF_UP_DEADMAN, read_deadman}};
+             {"deadman:", TF_UP_DEADMAN, read_count},
+             {"every:", TF_UP_EVERY, read_count}};
 
 int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
   if (commands->count == CLI_BOARD_COMMANDS) {
@@ -177,7 +181,8 @@ static uint8_t *put_data(uint8_t *at, const cli_board_command_t *command,
   for (size_t i = 0; i < command->numbers; i++) {
     at = put_number(at, command->number[i], is_float);
   }
-  return command->type == TF_UP_RULE || command->type == TF_UP_DEADMAN
+  return command->type == TF_UP_RULE || command->type == TF_UP_DEADMAN ||
+                 command->type == TF_UP_EVERY
              ? tf_wire_put(at, command->seed, 4)
              : at;
 }
@@ -266,18 +271,30 @@ static const char *reason_of(int code) {
       return "the board was started anew";
     case TF_ANSWER_TAG:
       return "its tag is not that of the board's key (--key)";
+    case TF_ANSWER_LINE:
+      return "more than the line carries";
     default:
       return tf_status_name((tf_status_t)code);
   }
 }
 
-// Value and range of a parameter, as an answer has them.
+// Value and range of a parameter, or what records ask of the line, as an answer
+// has them.
 static void write_range(char *out, size_t room, const tf_frame_t *frame,
                         const cli_receiver_t *receiver) {
   const uint8_t *at = frame->payload + ANSWER_BYTES;
   const size_t R = receiver->is_float ? 4 : 8;
   const uint8_t index = frame->payload[7];
   out[0] = '\0';
+  if (frame->payload[4] == TF_UP_EVERY && frame->length == ANSWER_BYTES + 12) {
+    (void)snprintf(out, room,
+                   "; it asks %" PRIu32 " bytes/s of %" PRIu32
+                   ", a record every %" PRIu32 " steps",
+                   (uint32_t)tf_wire_get(at + 4, 4),
+                   (uint32_t)tf_wire_get(at + 8, 4),
+                   (uint32_t)tf_wire_get(at, 4));
+    return;
+  }
   if (frame->length != ANSWER_BYTES + 3 * R || index >= TF_PARAMETERS) {
     return;
   }

@@ -271,6 +271,10 @@ static const char *fault_of(const monitor_t *monitor) {
     return "the sender was started again, or frames came twice: these are rows "
            "of more than one run";
   }
+  if (seen->receiver.other_runs > 0 && !monitor->args->follow) {
+    return "a schema or heartbeat is of another run: these are rows of more "
+           "than one run";
+  }
   return monitor->at_end && seen->is_open
              ? "ends before its run: the heartbeat that ends it has not come"
              : NULL;

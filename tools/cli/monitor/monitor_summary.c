@@ -143,9 +143,10 @@ void cli_seen_print(const cli_seen_t *seen) {
           decoder->frames, seen->bytes, receiver->rows,
           receiver->incomplete + receiver->has_state, receiver->unknown);
   cli_say("line       %" PRIu32 " lost, %" PRIu32 " broken, %" PRIu32
-          " too long, %" PRIu32 " of another version, %" PRIu32 " restarts\n",
+          " too long, %" PRIu32 " of another version, %" PRIu32
+          " restarts, %" PRIu64 " changes of the run\n",
           decoder->lost, decoder->bad, decoder->too_long, decoder->bad_version,
-          decoder->restarts);
+          decoder->restarts, receiver->other_runs);
   if (receiver->has_heartbeat) {
     print_board(&receiver->heartbeat);
   }
@@ -193,6 +194,7 @@ static void put_line(const cli_seen_t *seen) {
   cli_put_count("too_long", decoder->too_long);
   cli_put_count("other_version", decoder->bad_version);
   cli_put_count("restarts", decoder->restarts);
+  cli_put_count("other_runs", receiver->other_runs);
   cli_put_count("missing", cli_seen_missing(seen));
   cli_put_count("not_finite", seen->not_finite);
 }

@@ -6,7 +6,7 @@
 #include <string.h>
 
 // Where the step stands in a schema, after what does not depend on the type.
-#define SCHEMA_DT 25u
+#define SCHEMA_DT 29u
 
 static unsigned real_bytes(const cli_receiver_t *receiver) {
   return receiver->is_float ? 4 : 8;
@@ -47,6 +47,22 @@ static const uint8_t *text_at(const uint8_t *at, const uint8_t *end,
   return at < end ? at + 1 : end;
 }
 
+// Of a run all schemas and heartbeats have one hash.
+static void note_run(cli_receiver_t *receiver, uint32_t run) {
+  receiver->other_runs += receiver->knows_run && receiver->run != run;
+  receiver->knows_run = true;
+  receiver->run = run;
+}
+
+// A session is that of one start, and the next one follows its last number.
+static void note_session(cli_receiver_t *receiver, uint32_t session) {
+  const uint32_t before = receiver->session;
+  const uint32_t follows = before == UINT32_MAX ? 1 : before + 1u;
+  receiver->other_runs +=
+      before != 0 && session != before && session != follows;
+  receiver->session = session;
+}
+
 static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   const uint8_t *end = at + frame->length;
@@ -58,7 +74,8 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   receiver->is_float = at[0] == 4;
   receiver->hash = (uint32_t)tf_wire_get(at + 9, 4);
   receiver->ends = (at[4] & 32u) != 0;
-  receiver->session = (uint32_t)tf_wire_get(at + 13, 4);
+  note_run(receiver, (uint32_t)tf_wire_get(at + 25, 4));
+  note_session(receiver, (uint32_t)tf_wire_get(at + 13, 4));
   receiver->sequence = (uint32_t)tf_wire_get(at + 17, 4);
   receiver->schemas++;
   at = reals_at(receiver, at + SCHEMA_DT, &receiver->dt, 1);
@@ -181,6 +198,7 @@ bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
       return take_compact(receiver, frame, row);
     case TF_DOWN_HEARTBEAT:
       tf_read_heartbeat(frame->payload, &receiver->heartbeat);
+      note_run(receiver, receiver->heartbeat.run);
       receiver->has_heartbeat = true;
       return false;
     case TF_DOWN_ANSWER:

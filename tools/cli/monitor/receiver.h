@@ -20,6 +20,9 @@ typedef struct {
   uint32_t session;  ///< that commands have to name
   uint32_t sequence; ///< least number of a command that is still taken
   uint64_t schemas;  ///< that have come
+  bool knows_run;
+  uint32_t run;        ///< hash of the run, of the last schema or heartbeat
+  uint64_t other_runs; ///< schemas and heartbeats of another than that before
   char scene[CLI_RECEIVED_TEXT], build[CLI_RECEIVED_TEXT];
 
   uint64_t tick;    ///< of the state

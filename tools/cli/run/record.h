@@ -132,6 +132,7 @@ typedef struct {
   uint64_t done;            ///< steps taken, by both
   uint64_t written;         ///< step of the last row
   uint32_t sequence;        ///< of the next frame
+  uint32_t hash;            ///< by which frames name the run
   cli_system_t system;
   tf_report_t report; ///< of the last step that was taken
   tf_status_t status; ///< of the last step that was tried

@@ -22,7 +22,7 @@
 #define SCHEMA_SEED 5
 #define SCHEMA_HASH 9
 #define SCHEMA_DEADMAN 21
-#define SCHEMA_LEAST 25
+#define SCHEMA_LEAST 29
 
 static bool read_hex(const char *text, size_t length, cli_replay_row_t *row) {
   if (length % 2 != 0 || length / 2 > sizeof row->data ||
@@ -262,6 +262,7 @@ int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
       (uint32_t)tf_wire_get(schema + SCHEMA_DEADMAN, 4);
   replay->link.session = 1;
   replay->link.describe = false;
+  replay->link.every = 1; // records are not replayed
   return CLI_DONE;
 }
 

@@ -104,15 +104,27 @@ size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,
 // A run as frames, made by the functions that a board calls, so that whatever
 // reads a board reads a recorded run as well.
 
+static tf_schema_t schema_of(const cli_setup_t *setup,
+                             const cli_scheme_t *scheme) {
+  return (tf_schema_t){.params = &setup->params,
+                       .scene = setup->scene->name,
+                       .build = "twofold " TF_VERSION ", host",
+                       .seed = setup->seed,
+                       .scheme = scheme->code,
+                       .ends = true};
+}
+
+uint32_t cli_frames_run(const cli_setup_t *setup, const cli_scheme_t *scheme,
+                        const tf_state_t *first, uint32_t before) {
+  const tf_schema_t schema = schema_of(setup, scheme);
+  return tf_run_hash(before, &schema, first);
+}
+
 size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
-                         uint64_t tick, uint32_t *sequence,
+                         uint64_t tick, uint32_t run, uint32_t *sequence,
                          uint8_t out[CLI_FRAMES_ROOM]) {
-  const tf_schema_t schema = {.params = &setup->params,
-                              .scene = setup->scene->name,
-                              .build = "twofold " TF_VERSION ", host",
-                              .seed = setup->seed,
-                              .scheme = scheme->code,
-                              .ends = true};
+  tf_schema_t schema = schema_of(setup, scheme);
+  schema.run = run;
   size_t at = tf_send_schema(out, sequence, tick, &schema);
   at +=
       tf_send_layout(out + at, sequence, tick, TF_DOWN_STATE, tf_layout_state);
@@ -135,7 +147,7 @@ static uint32_t at_most_32_bits(uint64_t count) {
 }
 
 size_t cli_frames_end(uint32_t *sequence, uint64_t tick, uint64_t steps,
-                      uint64_t late, const tf_tally_t *tally,
+                      uint64_t late, uint32_t run, const tf_tally_t *tally,
                       uint8_t out[CLI_FRAMES_ROOM]) {
   const tf_heartbeat_t beat = {.steps = (uint32_t)steps,
                                .refused = at_most_32_bits(tally->refused),
@@ -143,6 +155,7 @@ size_t cli_frames_end(uint32_t *sequence, uint64_t tick, uint64_t steps,
                                .degraded = at_most_32_bits(tally->degraded),
                                .fell_back = at_most_32_bits(tally->fell_back),
                                .coarse = at_most_32_bits(tally->coarse),
-                               .stalled = at_most_32_bits(tally->stalled)};
+                               .stalled = at_most_32_bits(tally->stalled),
+                               .run = run};
   return tf_send_heartbeat(out, sequence, tick, &beat);
 }

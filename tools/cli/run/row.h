@@ -57,10 +57,15 @@ size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,
 #define CLI_FRAMES_ROOM (4 * TF_FRAME_SIZE(TF_FRAME_PAYLOAD))
 
 /// Writes what comes before the first row: schema and layouts.
-/// tick: in, of the first row. sequence: in/out, of the frames.
+/// tick: in, of the first row. run: in, its hash, by cli_frames_run. sequence:
+///   in/out, of the frames.
 size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
-                         uint64_t tick, uint32_t *sequence,
+                         uint64_t tick, uint32_t run, uint32_t *sequence,
                          uint8_t out[CLI_FRAMES_ROOM]);
+
+/// tf_run_hash of the schema of a run and its first state.
+uint32_t cli_frames_run(const cli_setup_t *setup, const cli_scheme_t *scheme,
+                        const tf_state_t *first, uint32_t before);
 
 /// Writes a row: state and report. source: in, whose inputs the step had.
 size_t cli_frames_row(uint32_t *sequence, const tf_state_t *state,
@@ -69,9 +74,10 @@ size_t cli_frames_row(uint32_t *sequence, const tf_state_t *state,
 
 /// Writes what comes after the last row: a heartbeat with the counts of the
 /// run. A run has no clock that ticks, so its times are 0.
-/// steps: in, that this run took. late: in, of these in real time.
+/// steps: in, that this run took. late: in, of these in real time. run: in, its
+///   hash.
 size_t cli_frames_end(uint32_t *sequence, uint64_t tick, uint64_t steps,
-                      uint64_t late, const tf_tally_t *tally,
+                      uint64_t late, uint32_t run, const tf_tally_t *tally,
                       uint8_t out[CLI_FRAMES_ROOM]);
 
 /// The last field of the first row of a record: another version of the protocol

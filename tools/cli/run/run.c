@@ -15,6 +15,7 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/summary.h"
+#include "../text/trailer.h"
 #include "record.h"
 #include "row.h"
 
@@ -56,8 +57,9 @@ static void write_row(cli_run_t *run) {
 static void write_schema(cli_run_t *run) {
   uint8_t frames[CLI_FRAMES_ROOM];
   const cli_setup_t setup = cli_run_setup(run);
-  const size_t length = cli_frames_header(
-      &setup, run->scheme, run->system.state.tick, &run->sequence, frames);
+  const size_t length =
+      cli_frames_header(&setup, run->scheme, run->system.state.tick, run->hash,
+                        &run->sequence, frames);
   (void)cli_output_lines(&run->output, (const char *)frames, length);
 }
 
@@ -207,15 +209,12 @@ static void step_through(cli_run_t *run) {
   }
 }
 
-// What the rows are of, if that is asked for.
-static void write_provenance(const cli_run_t *run, const char *units,
-                             cli_output_t *output) {
-  char how[CLI_ROW_ROOM], lines[CLI_PROVENANCE_ROOM];
+// What the rows are of. Returns: bytes of the lines.
+static size_t provenance_of(const cli_run_t *run, const char *units,
+                            char lines[CLI_PROVENANCE_ROOM]) {
+  char how[CLI_ROW_ROOM];
   const cli_inputs_t *table = &run->drive.table;
   cli_buffer_t text = {how, 0, sizeof how, false};
-  if (!run->args->provenance) {
-    return;
-  }
   cli_add_form(&text, "scheme %s, dt %g s", run->scheme->name,
                (double)run->setup->machine.dt);
   if (table->count > 0) {
@@ -226,8 +225,15 @@ static void write_provenance(const cli_run_t *run, const char *units,
   if (run->first > 0) {
     cli_add_form(&text, ", from step %" PRIu64, run->first);
   }
-  const size_t written = cli_provenance(run->setup, how, units, lines);
-  (void)cli_output_lines(output, lines, written);
+  return cli_provenance(run->setup, how, units, lines);
+}
+
+static void write_provenance(const cli_run_t *run, const char *units,
+                             cli_output_t *output) {
+  char lines[CLI_PROVENANCE_ROOM];
+  if (run->args->provenance) {
+    (void)cli_output_lines(output, lines, provenance_of(run, units, lines));
+  }
 }
 
 static void write_header(cli_run_t *run) {
@@ -236,7 +242,12 @@ static void write_header(cli_run_t *run) {
   }
   write_provenance(run, CLI_CSV_UNITS, &run->output);
   if (run->args->format == CLI_FORMAT_FRAMES) {
+    char lines[CLI_PROVENANCE_ROOM];
+    const cli_setup_t setup = cli_run_setup(run);
     run->output.last = '\0';
+    run->hash =
+        cli_frames_run(&setup, run->scheme, &run->system.state,
+                       cli_crc(0, lines, provenance_of(run, "", lines)));
     write_schema(run);
   } else if (run->args->format == CLI_FORMAT_CSV) {
     (void)cli_output_lines(&run->output, CLI_CSV_HEADER,
@@ -255,9 +266,9 @@ static void write_end(cli_run_t *run) {
   uint8_t frame[CLI_FRAMES_ROOM];
   tf_tally_t tally = run->tally;
   tally.refused += run->end == CLI_STEP_REFUSED;
-  const size_t length =
-      cli_frames_end(&run->sequence, run->system.state.tick,
-                     run->done - run->first, run->late, &tally, frame);
+  const size_t length = cli_frames_end(&run->sequence, run->system.state.tick,
+                                       run->done - run->first, run->late,
+                                       run->hash, &tally, frame);
   if (!cli_output_lines(&run->output, (const char *)frame, length)) {
     run->end = CLI_NOT_WRITTEN;
   }
