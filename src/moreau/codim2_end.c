@@ -343,3 +343,15 @@ TF_API void tf_end_along_course(free_motion_t *c, inclusion_t *in,
   *to = passed;
   to->outcome.status = TF_COARSE;
 }
+
+TF_API void tf_slip_along_course(free_motion_t *c, inclusion_t *in,
+                                 const solutions_t *s, step_end_t *to) {
+  add_pinned_point(c, in);
+  const codim2_field_t field = field_of_step(c, in);
+  const codim2_course_t course =
+      tf_codim2_course(TF_STEP_MACHINE(c), &field, c->start.slip,
+                       c->state->mode == TF_SLIP_PLUS ? 1 : -1);
+  const step_end_t passed = *to;
+  if (course.mode != to->outcome.mode || !follow_course(c, in, &course, s, to))
+    *to = passed;
+}
