@@ -26,3 +26,29 @@ TEST(a_slip_keeps_to_its_limit_direction) {
     CHECK(s.x.mode == TF_SLIP_MINUS);
   }
 }
+
+/* A slip that sticks for 1 us before h = g = 0, and rests there: as a slip it
+ * would go on. Where the error of the located step is larger than that stick,
+ * it says so. */
+TEST(a_stick_too_short_to_locate_is_told) {
+  tf_params_t p = tf_scenes[0]->params;
+  p.m = TF_R(1.6741051720577702), p.d = TF_R(0.897036930044119);
+  p.beta = TF_R(0.065979097133071984), p.k2 = TF_R(21.653450858096122);
+  p.c1 = TF_R(0.34992912682302868), p.c2 = TF_R(0.56301621699299287);
+  p.r0 = TF_R(0.20758841628559055), p.omega0 = TF_R(1.6790561858864832);
+  p.mu = TF_R(2.5902964020275858), p.kappa = TF_R(0.72357494601498307);
+  p.gamma = TF_R(-2.2994118004242732);
+  for (int n = 60; n <= 6000; n *= 10) {
+    p.dt = TF_R(0.6) / (tf_real_t)n;
+    sim_t s = sim_of(&p);
+    s.x.r = TF_R(0.38247407906991515);
+    s.x.v = TF_R(0.053725697729499866);
+    s.x.w = TF_R(1.7177447683734479);
+    CHECK(sim_begin(&s) == TF_OK);
+    int coarse = 0;
+    for (int i = 0; i < n; i++) coarse += sim_step(&s, LOCATED) == TF_COARSE;
+    const bool rests = s.x.mode == TF_PINNED;
+    CHECK(rests ? fabs((double)s.x.r - 0.211494) < 1e-5 : coarse > 0);
+    CHECK(!IS_DOUBLE || (rests && coarse == 0));
+  }
+}
