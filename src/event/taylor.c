@@ -191,22 +191,24 @@ static bool taylor_stick(taylor_t *motion, const segment_t *segment) {
 
 // At a two-fold A = 0: term n + 1 of h does not contain lambda_n but
 // lambda_(n-1), linearly, through term n of the motion. Two trial values give
-// the line, and its zero lambda_(n-1).
+// the line, and its zero lambda_(n-1). The second trial is the force of 1 m/s^2,
+// so that no unit of mass moves a bit.
 static bool taylor_two_fold(taylor_t *motion, const segment_t *segment) {
   const tf_real_t s_kappa = signed_kappa(motion->machine, segment->sign_g < 0);
+  const tf_real_t m = motion->machine->m;
   extend_motion(motion, 0);
   for (int n = 1; n < SERIES_ORDER; n++) {
     tf_real_t h[2];
     for (int trial = 0; trial < 2; trial++) {
       extend_motion(motion, n - 1);
-      add_lambda_term(motion, s_kappa, n - 1, (tf_real_t)trial);
+      add_lambda_term(motion, s_kappa, n - 1, (tf_real_t)trial * m);
       extend_motion(motion, n);
       h[trial] = h_term(motion, n + 1);
     }
     const tf_real_t slope = h[0] - h[1];
     if (slope == 0) return false;
     extend_motion(motion, n - 1);
-    add_lambda_term(motion, s_kappa, n - 1, h[0] / slope);
+    add_lambda_term(motion, s_kappa, n - 1, h[0] / slope * m);
     extend_motion(motion, n);
   }
   // The last term of lambda would need term SERIES_ORDER + 1 of h: it is left
