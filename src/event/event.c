@@ -89,17 +89,11 @@ TF_INLINE bool combination_vanishes(const taylor_t *motion, combination_t c,
   return vanishes_before(&series, order, time);
 }
 
-// A vanishes. How far r goes shows of most segments that it does not.
+// A vanishes.
 TF_INLINE bool delassus_vanishes(const taylor_t *motion,
                                  const segment_t *segment, tf_real_t *time) {
   const delassus_quadratic_t at =
       delassus_quadratic(motion->machine, (tf_real_t)segment->sign_g);
-  const tf_real_t r = motion->r.c[0];
-  const tf_real_t travel = change_within(&motion->r, motion->order, *time);
-  if (!segment->A_starts_at_zero &&
-      magnitude(delassus_quadratic_at(at, r)) >
-          travel * (2 * magnitude(r) + travel + magnitude(at.b)))
-    return false;
   series_t A;
   magnitude_of_A(motion, at, segment->A_starts_at_zero ? 1 : 0, &A);
   return vanishes_before(&A, motion->order, time);
