@@ -85,8 +85,9 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///   friction ends a slip and changes the velocities by more than a third, or
 ///   its force changes direction within it and that alone changes them by 3 %;
 ///   or a slip that several modes may follow passes by h = g = 0, or no
-///   force leads along its course there; or the wheel crosses the axis by more
-///   than 2 beta); TF_STALLED (advanced, but stalls);
+///   force leads along its course there; or a rest ends for less than the step;
+///   or the wheel crosses the axis by more than 2 beta); TF_STALLED (advanced,
+///   but stalls);
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
 ///   the status).
 /// Trust: where it says TF_OK, the mode is one of the set, h and g have its
