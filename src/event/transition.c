@@ -50,13 +50,19 @@ static bool leave_h_zero(trajectory_t *path) {
 }
 
 // Whether a slip that comes to h = g = 0 within the error may have stuck just
-// before, and that decides what follows: an attracting stick leads there, too,
-// and would rest where the slip goes on.
+// before, and that decides what follows: no limit direction of its quadrant
+// leads it there, but an attracting stick does, which would rest where the slip
+// goes on.
 static bool may_have_stuck(const trajectory_t *path,
                            const codim2_field_t *field,
                            const consistent_modes_t *consistent,
                            unsigned mode) {
+  const segment_t *segment = &path->segment;
+  tf_real_t T;
   bool sticks = false;
+  if (tf_codim2_attractor(path->motion.machine, field, segment->sign_g,
+                          segment->sign_h, &T))
+    return false;
   for (int s = 0; s < 2; s++) {
     const stick_t stick = stick_at(field, s);
     sticks |= stick.attracts && stick.rate < 0 && within(stick.x, 1);
