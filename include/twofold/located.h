@@ -30,7 +30,8 @@ TF_BEGIN_C
 ///   the angle is known no better.
 /// Returns: TF_OK; TF_COARSE (the segments of the budget, or a series, did not
 ///   reach the end: tf_step did the rest of the step, over which force is the
-///   mean and whose residual it is); TF_STALLED (the motion stalls);
+///   mean and whose residual it is; or a slip comes to h = g = 0 within the
+///   error, and would rest there had it stuck before); TF_STALLED (it stalls);
 ///   TF_FELL_BACK (they made no way from the start, where no series converged
 ///   or the one segment of the budget met an event: tf_step took the whole
 ///   step, and the report is its own); TF_COARSE, TF_STALLED, TF_DEGRADED (the

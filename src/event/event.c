@@ -1,11 +1,12 @@
 // The first event of a segment. An event is where a function of time vanishes
 // that has one sign throughout the segment: h, g, mu - |lambda|, A, or where
-// the wheel rests those of rest.c. These are polynomials here, up to the order
+// the wheel rests those of rest_motion.c. These are polynomials here, up to the order
 // of the motion, so their first roots are isolated by Descartes' rule on
 // Bernstein coefficients (polynomial.h). Event-driven solvers that compare
 // signs at the ends of steps, as in Piiroinen and Kuznetsov (2008), may pass
 // over a pair of roots.
 
+#include "../friction/rest_motion.h"
 #include "segment.h"
 
 // (of_p p + of_q q) / t^zeros, for a sum with a zero of that order at t = 0.
@@ -88,17 +89,11 @@ TF_INLINE bool combination_vanishes(const taylor_t *motion, combination_t c,
   return vanishes_before(&series, order, time);
 }
 
-// A vanishes. How far r goes shows of most segments that it does not.
+// A vanishes.
 TF_INLINE bool delassus_vanishes(const taylor_t *motion,
                                  const segment_t *segment, tf_real_t *time) {
   const delassus_quadratic_t at =
       delassus_quadratic(motion->machine, (tf_real_t)segment->sign_g);
-  const tf_real_t r = motion->r.c[0];
-  const tf_real_t travel = change_within(&motion->r, motion->order, *time);
-  if (!segment->A_starts_at_zero &&
-      magnitude(delassus_quadratic_at(at, r)) >
-          travel * (2 * magnitude(r) + travel + magnitude(at.b)))
-    return false;
   series_t A;
   magnitude_of_A(motion, at, segment->A_starts_at_zero ? 1 : 0, &A);
   return vanishes_before(&A, motion->order, time);
@@ -139,6 +134,12 @@ static event_t event_in_stick(const taylor_t *motion, const segment_t *segment,
   return event;
 }
 
+static event_t event_at_rest(const taylor_t *motion, tf_real_t *time) {
+  const rest_motion_t rest = tf_rest_motion(motion->machine, motion->input,
+                                            motion->r.c[0], motion->w.c[0]);
+  return tf_rest_ends(&rest, time) ? EVENT_UNPINNED : EVENT_NONE;
+}
+
 TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
                              tf_real_t length, tf_real_t *time) {
   *time = length;
@@ -150,7 +151,7 @@ TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
     case CONTACT_TWO_FOLD_STICK:
       return event_in_stick(motion, segment, time);
     case CONTACT_PINNED:
-      return tf_next_event_at_rest(motion, time);
+      return event_at_rest(motion, time);
     case CONTACT_NONE:
     default:
       break;

@@ -39,7 +39,7 @@ static void begin_trajectory(trajectory_t *path, const tf_machine_t *k,
   path->now.p = slider_speed(k, state->v, path->now.z);
   path->remaining = k->dt;
   path->angle = 0;
-  path->is_over = false;
+  path->is_over = path->is_unsure = false;
   path->mode = state->mode;
   path->set = 0;
   path->force = (tf_force_t){0, 0};
@@ -243,6 +243,7 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
   const tf_real_t rounding = step_rounding(path, end, input->omega0);
   const tf_status_t status = status_by_signs(
       report, rounding + k->tolerance / SLIP_ROUNDINGS * rounding);
+  if (status == TF_OK && path->is_unsure) return report->status = TF_COARSE;
   return stays ? tf_status_of_stall(k, input, state, report) : status;
 }
 

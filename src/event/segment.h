@@ -59,8 +59,4 @@ TF_API tf_real_t tf_angle_change(const taylor_t *motion, tf_real_t t);
 TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
                              tf_real_t length, tf_real_t *time);
 
-// The same of a wheel at rest.
-#define tf_next_event_at_rest TF_LINK(tf_next_event_at_rest)
-TF_API event_t tf_next_event_at_rest(const taylor_t *motion, tf_real_t *time);
-
 #endif

@@ -13,8 +13,6 @@
 #include "../model/tyre_law.h"
 #include "../num/polynomial.h"
 
-// Where the wheel is pinned no term is beyond those of w^2.
-#define PINNED_ORDER 2
 // With fewer terms than these a size cannot be predicted from two others.
 #define MIN_ORDER 3
 

@@ -1,5 +1,6 @@
 // The Taylor coefficients of a segment: each contact closes the recurrence of
 // (13), (14) in its own form.
+#include "../friction/rest_motion.h"
 #include "segment.h"
 
 // Each shortening takes a quarter off a segment.
@@ -190,22 +191,24 @@ static bool taylor_stick(taylor_t *motion, const segment_t *segment) {
 
 // At a two-fold A = 0: term n + 1 of h does not contain lambda_n but
 // lambda_(n-1), linearly, through term n of the motion. Two trial values give
-// the line, and its zero lambda_(n-1).
+// the line, and its zero lambda_(n-1). The second trial is the force of 1 m/s^2,
+// so that no unit of mass moves a bit.
 static bool taylor_two_fold(taylor_t *motion, const segment_t *segment) {
   const tf_real_t s_kappa = signed_kappa(motion->machine, segment->sign_g < 0);
+  const tf_real_t m = motion->machine->m;
   extend_motion(motion, 0);
   for (int n = 1; n < SERIES_ORDER; n++) {
     tf_real_t h[2];
     for (int trial = 0; trial < 2; trial++) {
       extend_motion(motion, n - 1);
-      add_lambda_term(motion, s_kappa, n - 1, (tf_real_t)trial);
+      add_lambda_term(motion, s_kappa, n - 1, (tf_real_t)trial * m);
       extend_motion(motion, n);
       h[trial] = h_term(motion, n + 1);
     }
     const tf_real_t slope = h[0] - h[1];
     if (slope == 0) return false;
     extend_motion(motion, n - 1);
-    add_lambda_term(motion, s_kappa, n - 1, h[0] / slope);
+    add_lambda_term(motion, s_kappa, n - 1, h[0] / slope * m);
     extend_motion(motion, n);
   }
   // The last term of lambda would need term SERIES_ORDER + 1 of h: it is left
@@ -226,37 +229,20 @@ static void taylor_constant_force(taylor_t *motion, tf_real_t F) {
   }
 }
 
-// Pinned: r stays, w follows the turntable, and (13), (14) give the F and M
-// that keep p' = z' = 0:
-//   F sin(gamma) = -(Q_r + m d alpha),
-//   M = J alpha - Q_phi - d Q_r - F r cos(gamma).
-// With sin(gamma) = 0 no wheel is pinned (rates.h).
 static void taylor_pinned(taylor_t *motion) {
-  const tf_machine_t *k = motion->machine;
-  const tf_real_t r = motion->r.c[0], w = motion->w.c[0],
-                  alpha = motion->input->alpha;
-  motion->order = PINNED_ORDER;
+  const rest_motion_t rest = tf_rest_motion(motion->machine, motion->input,
+                                            motion->r.c[0], motion->w.c[0]);
+  motion->order = REST_ORDER;
   motion->allowed = 0;
-  for (int n = 0; n <= PINNED_ORDER; n++)
+  for (int n = 0; n <= REST_ORDER; n++) {
     motion->r.c[n] = motion->p.c[n] = motion->z.c[n] = motion->w.c[n] =
         motion->q.c[n] = 0;
-  motion->r.c[0] = r;
-  motion->w.c[0] = w;
-  motion->w.c[1] = alpha;
-  const tf_real_t w2[PINNED_ORDER + 1] = {w * w, 2 * w * alpha, alpha * alpha};
-  for (int n = 0; n <= PINNED_ORDER; n++) {
-    const tf_real_t Q_r =
-        radial_force_at_rest_term(k, motion->input, n, r, w2[n]);
-    tf_real_t F = -Q_r;
-    tf_real_t torque =
-        momentum_rate_term(k, motion->input, n, motion->w.c[n], Q_r);
-    if (n == 0) {
-      F -= k->m * k->d * alpha;
-      torque -= alpha / motion->inverse_J;
-    }
-    motion->F.c[n] = F / k->sin_gamma;
-    motion->M.c[n] = -torque - motion->F.c[n] * motion->arm;
+    motion->F.c[n] = rest.F[n];
+    motion->M.c[n] = rest.M[n];
   }
+  motion->r.c[0] = rest.r;
+  motion->w.c[0] = rest.omega;
+  motion->w.c[1] = motion->input->alpha;
 }
 
 static bool close_recurrence(taylor_t *motion, const segment_t *segment) {

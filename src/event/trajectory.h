@@ -15,6 +15,7 @@ typedef struct {
   tf_real_t remaining; // time until the end of the step [s]
   tf_real_t angle;     // of the disc, since the start of the step [rad]
   bool is_over;        // at the end of the step, and force is that of the end
+  bool is_unsure;      // a slip has come to h = g = 0, or as a stick: not known
   unsigned mode;
   unsigned set; // the largest set of consistent modes met in the step
   tf_force_t force;

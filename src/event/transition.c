@@ -49,6 +49,29 @@ static bool leave_h_zero(trajectory_t *path) {
   return true;
 }
 
+// Whether a slip that comes to h = g = 0 within the error may have stuck just
+// before, and that decides what follows: no limit direction of its quadrant
+// leads it there, but an attracting stick does, which would rest where the slip
+// goes on.
+static bool may_have_stuck(const trajectory_t *path,
+                           const codim2_field_t *field,
+                           const consistent_modes_t *consistent,
+                           unsigned mode) {
+  const segment_t *segment = &path->segment;
+  tf_real_t T;
+  bool sticks = false;
+  if (tf_codim2_attractor(path->motion.machine, field, segment->sign_g,
+                          segment->sign_h, &T))
+    return false;
+  for (int s = 0; s < 2; s++) {
+    const stick_t stick = stick_at(field, s);
+    sticks |= stick.attracts && stick.rate < 0 && within(stick.x, 1);
+  }
+  return sticks &&
+         mode != tf_leave_codim2(path->motion.machine, field, TF_STICK_PLUS,
+                                 true, path->state, consistent);
+}
+
 static bool leave_codim2(trajectory_t *path, bool arrives) {
   const tf_machine_t *k = path->motion.machine;
   const rates_t before = tf_trajectory_rates(path);
@@ -60,6 +83,8 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
   tf_codim2_modes(k, &field, &consistent);
   unsigned mode =
       tf_leave_codim2(k, &field, path->mode, arrives, path->state, &consistent);
+  if (arrives && is_slip(path->mode))
+    path->is_unsure |= may_have_stuck(path, &field, &consistent, mode);
   // A wheel that comes to rest is asked for its exit at once, as it would be at
   // the start of the next step. The draw of RANDOM is one of that.
   if (arrives && mode == TF_PINNED && k->rule != TF_RULE_RANDOM)

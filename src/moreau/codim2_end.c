@@ -3,6 +3,7 @@
 // nothing of where a step happens to end, so that the branch does not depend on
 // it.
 #include "../friction/codim2.h"
+#include "../friction/rest_motion.h"
 #include "rare_end.h"
 
 // The rest of a step behind h = g = 0 is not shorter than 1/32 of it, so that
@@ -308,6 +309,18 @@ static void end_at_codim2(const free_motion_t *c, const inclusion_t *in,
     pass_codim2(c, in, field, &modes, s, to);
 }
 
+// Whether a rest that goes on by the mean of the forces ends within the step,
+// on a turntable that changes its speed.
+static bool misses_end_of_rest(const free_motion_t *c, unsigned mode) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
+  const tf_real_t turn = turn_of_step(k, c->input);
+  if (c->state->mode != TF_PINNED || mode != TF_PINNED || turn == 0)
+    return false;
+  const rest_motion_t rest =
+      tf_rest_motion(k, c->input, c->state->r, c->linear.omega0 - turn);
+  return tf_rest_is_interrupted(&rest, k->dt);
+}
+
 TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, solutions_t *s,
                           step_end_t *to) {
   add_pinned_point(c, in);
@@ -320,11 +333,13 @@ TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, solutions_t *s,
     end_slip_near_codim2(c, in, &field, s, to);
   else
     end_at_codim2(c, in, &field, s, to);
-  if (to->outcome.mode == TF_NO_MODE)
+  if (to->outcome.mode == TF_NO_MODE) {
     tf_least_violation(c, in, s, to);
-  else
-    to->outcome.delassus =
-        step_delassus(TF_STEP_MACHINE(c), in, end_slip(c, &to->end).g < 0);
+    return;
+  }
+  to->outcome.delassus =
+      step_delassus(TF_STEP_MACHINE(c), in, end_slip(c, &to->end).g < 0);
+  if (misses_end_of_rest(c, to->outcome.mode)) to->outcome.status = TF_COARSE;
 }
 
 TF_API void tf_end_along_course(free_motion_t *c, inclusion_t *in,
@@ -342,4 +357,16 @@ TF_API void tf_end_along_course(free_motion_t *c, inclusion_t *in,
   }
   *to = passed;
   to->outcome.status = TF_COARSE;
+}
+
+TF_API void tf_slip_along_course(free_motion_t *c, inclusion_t *in,
+                                 const solutions_t *s, step_end_t *to) {
+  add_pinned_point(c, in);
+  const codim2_field_t field = field_of_step(c, in);
+  const codim2_course_t course =
+      tf_codim2_course(TF_STEP_MACHINE(c), &field, c->start.slip,
+                       c->state->mode == TF_SLIP_PLUS ? 1 : -1);
+  const step_end_t passed = *to;
+  if (course.mode != to->outcome.mode || !follow_course(c, in, &course, s, to))
+    *to = passed;
 }

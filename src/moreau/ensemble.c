@@ -180,7 +180,10 @@ TF_INLINE void slip_lane(const tf_machine_t *restrict k,
                            pick(stays, theta.y, tau * side)};
   work->x[i] = pick(slips, m.x, work->x[i]);
   work->y[i] = pick(slips, m.y, work->y[i]);
-  const mask_t turns = when(force_turns((multipliers_t){first.x, first.y}, m));
+  const multipliers_t from = {first.x, first.y};
+  const mask_t turns =
+      when(force_turns(from, m)) |
+      when(force_turns(from, (multipliers_t){theta.x, theta.y}));
   const mask_t reverses = ~stays & when(k->kappa_mu * tau * now.g < 0);
   work->rare[i] |= slips & (first.rare | theta.rare | reverses | turns);
 }

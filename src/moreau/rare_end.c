@@ -122,11 +122,12 @@ static bool turns_much(const free_motion_t *c, const inclusion_t *in,
 // A slip whose force turns within the step, see slip_end(). A slip that is
 // reversed ends in a stick where it can. It is not TF_OK where an impulse
 // reverses it and it is kept, or where that counts.
-static void end_turning(const free_motion_t *c, const inclusion_t *in,
-                        const solutions_t *s, step_end_t *to) {
+static void end_turning(free_motion_t *c, inclusion_t *in, const solutions_t *s,
+                        step_end_t *to) {
   const tf_state_t *x = c->state;
   const unsigned slip = to->outcome.mode;
   bool coarse = turns_much(c, in, to);
+  if (to->end.held && !to->end.reverses) tf_slip_along_course(c, in, s, to);
   if (to->end.reverses) {
     const unsigned mode = mode_after_reversal(s, slip);
     to->end = mode_end(c, s, mode);

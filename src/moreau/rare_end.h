@@ -23,6 +23,12 @@ TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, solutions_t *s,
 TF_API void tf_end_along_course(free_motion_t *c, inclusion_t *in,
                                 const solutions_t *s, step_end_t *to);
 
+// A slip that the limit at h -> 0 holds on its side, where the force of its
+// angle does not: it ends where its course does, if that is in its mode.
+#define tf_slip_along_course TF_LINK(tf_slip_along_course)
+TF_API void tf_slip_along_course(free_motion_t *c, inclusion_t *in,
+                                 const solutions_t *s, step_end_t *to);
+
 // Where no mode is consistent, or none that a slip may enter: of all ends that
 // the step may take, the one that violates the law least.
 #define tf_least_violation TF_LINK(tf_least_violation)

@@ -92,7 +92,7 @@ typedef struct {
   change_t friction; // of the velocities, unless pinned
   end_state_t at;
   bool pinned;
-  bool reverses, turns; // see slip_end()
+  bool reverses, turns, held; // see slip_end()
 } forced_end_t;
 
 // Where a step ends, and what it has decided.
@@ -105,7 +105,7 @@ typedef struct {
 TF_INLINE forced_end_t end_under(const free_motion_t *c, tf_force_t force,
                                  change_t friction) {
   const end_state_t at = end_after(TF_STEP_MACHINE(c), &c->linear, friction);
-  return (forced_end_t){force, friction, at, false, false, false};
+  return (forced_end_t){.force = force, .friction = friction, .at = at};
 }
 
 TF_INLINE tf_slip_t end_slip(const free_motion_t *c, const forced_end_t *end) {
@@ -229,8 +229,9 @@ TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
   if (side * end_slip(c, &end).h > 0) return end;
   const multipliers_t limit = {side, tau * side};
   end = end_by(c, limit);
-  end.turns = force_turns(first, limit);
+  end.turns = force_turns(first, theta) || force_turns(first, limit);
   end.reverses = k->kappa_mu * tau * now.g < 0;
+  end.held = true;
   return end;
 }
 
@@ -246,7 +247,7 @@ TF_INLINE forced_end_t pinned_end(const free_motion_t *c) {
   const linear_t *l = &c->linear;
   const end_state_t at = {l->r_explicit, 0, l->omega0};
   return (forced_end_t){
-      pinning_force(TF_STEP_MACHINE(c), l), {0, 0}, at, true, false, false};
+      .force = pinning_force(TF_STEP_MACHINE(c), l), .at = at, .pinned = true};
 }
 
 // End in one of the modes that solve the inclusion.

@@ -226,23 +226,25 @@ TEST(mirror_symmetry) {
     }
 }
 
-/* The located step through a two-fold, in the other unit of time. */
+/* The located step through a two-fold, in the other units of mass and time. */
 TEST(two_fold_is_located_in_all_units) {
   tf_params_t p = scene_named("chaos")->params;
   p.dt = TF_R(0x1p-10);
-  const tf_machine_t a = prepared(&p), b = mapped_machine(TIME, p);
-  const tf_input_t u = tf_input_default(&a), v = mapped_input(TIME, u);
-  tf_state_t x = {.mode = TF_NO_MODE};
-  tf_report_t first, second;
-  CHECK(tf_scene_start(scene_named("chaos"), &a, 0, &x, &first) == TF_OK);
-  tf_state_t y = mapped_state(TIME, x);
-  for (int n = 0; n < 2500; n++) {
-    const tf_status_t s = tf_step_located(&a, &x, &u, &first);
-    CHECK(s >= TF_OK && tf_step_located(&b, &y, &v, &second) == s);
-    const tf_state_t want = mapped_state(TIME, x);
-    if (!CHECK(same_state(&want, &y))) {
-      printf("#   differs at step %d\n", n);
-      break;
+  for (int map = MASS; map <= TIME; map++) {
+    const tf_machine_t a = prepared(&p), b = mapped_machine(map, p);
+    const tf_input_t u = tf_input_default(&a), v = mapped_input(map, u);
+    tf_state_t x = {.mode = TF_NO_MODE};
+    tf_report_t first, second;
+    CHECK(tf_scene_start(scene_named("chaos"), &a, 0, &x, &first) == TF_OK);
+    tf_state_t y = mapped_state(map, x);
+    for (int n = 0; n < 2500; n++) {
+      const tf_status_t s = tf_step_located(&a, &x, &u, &first);
+      CHECK(s >= TF_OK && tf_step_located(&b, &y, &v, &second) == s);
+      const tf_state_t want = mapped_state(map, x);
+      if (!CHECK(same_state(&want, &y))) {
+        printf("#   map %d: differs at step %d\n", map, n);
+        break;
+      }
     }
   }
 }

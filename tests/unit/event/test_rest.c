@@ -198,3 +198,26 @@ TEST(random_rest_waits_for_its_draw) {
   printf("# %d rests that only a stick ends\n", waits);
   CHECK(waits > 10);
 }
+
+/* A step to whose end the rest is possible, but not throughout, says so if it
+ * stays. */
+TEST(rest_that_is_interrupted_is_coarse) {
+  if (!IS_DOUBLE) SKIP("rounding of float is as large as the interruptions");
+  int interrupted = 0;
+  for (int n = 0; n < samples(40000) && interrupted < 40; n++) {
+    rest_t c = any_rest(n);
+    tf_state_t x = {.r = c.r, .w = c.omega, .mode = TF_PINNED};
+    tf_report_t report;
+    c.length = c.params.dt = TF_R(0.02);
+    c.k = prepared(&c.params);
+    const real end = wide(c.length);
+    if (!(margin_of_rest(&c, end) > 1e-9L) || end_of_rest(&c) > end) continue;
+    c.u.omega0 += c.u.alpha * c.k.dt;
+    if (tf_step(&c.k, &x, &c.u, &report) < TF_OK || x.mode != TF_PINNED)
+      continue;
+    CHECK(report.status == TF_COARSE);
+    interrupted++;
+  }
+  printf("# %d interrupted\n", interrupted);
+  CHECK(interrupted >= 10);
+}
