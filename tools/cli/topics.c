@@ -136,7 +136,8 @@ static const topic_t topics[] = {
      "between two steps or lie within one (as jumps), and the least and the "
      "largest value applied. Of --replay: what commands have changed, and "
      "whose inputs hold."},
-    {"bytes broken lost missing restarts too_long other_version not_finite "
+    {"bytes broken forged lost missing restarts too_long other_version "
+     "not_finite "
      "unmatched unknown sender dropped overruns skipped expired exec_min_ns "
      "exec_mean_ns exec_max_ns",
      "Counts of 'monitor': frames that came damaged, not at all or too long, "

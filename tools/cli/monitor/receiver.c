@@ -47,6 +47,27 @@ static const uint8_t *text_at(const uint8_t *at, const uint8_t *end,
   return at < end ? at + 1 : end;
 }
 
+// What comes before a schema, or stands for another start, is not of this one.
+bool cli_receiver_open(cli_receiver_t *receiver, tf_frame_t *frame,
+                       const uint8_t *key) {
+  uint32_t session = 0;
+  const bool begins = frame->type == TF_DOWN_SCHEMA && frame->length > 4;
+  if (key == NULL) {
+    const bool is_early = !receiver->has_schema &&
+                          frame->length == TF_HEARTBEAT_BYTES + TF_TAIL_BYTES;
+    if (begins ? (frame->payload[4] & 64u) != 0
+               : receiver->is_tagged || is_early) {
+      (void)tf_frame_untag(frame, NULL, &session);
+    }
+    return true;
+  }
+  const bool is_own = tf_frame_untag(frame, key, &session);
+  const bool is_of_now = begins || session == receiver->session;
+  receiver->forged += !is_own;
+  receiver->unknown += is_own && !is_of_now;
+  return is_own && is_of_now;
+}
+
 static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   const uint8_t *end = at + frame->length;
@@ -58,6 +79,7 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   receiver->is_float = at[0] == 4;
   receiver->hash = (uint32_t)tf_wire_get(at + 9, 4);
   receiver->ends = (at[4] & 32u) != 0;
+  receiver->is_tagged = (at[4] & 64u) != 0;
   receiver->session = (uint32_t)tf_wire_get(at + 13, 4);
   receiver->sequence = (uint32_t)tf_wire_get(at + 17, 4);
   receiver->schemas++;
