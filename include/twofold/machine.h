@@ -161,7 +161,8 @@ typedef struct {
   tf_real_t torque; ///< on the disc [N m]
   tf_real_t alpha;  ///< acceleration of the turntable, its mean over the step
                     ///< [rad/s^2] (tf_turntable_to); 0: omega0 throughout, and
-                    ///< where it changes it jumps
+                    ///< where it changes it jumps. To be set to 0 again when
+                    ///< omega0 stays
 } tf_input_t;
 
 /// Largest sum of |r| [m], |v| [m/s] and |w| [rad/s] that is accepted, and of

@@ -109,8 +109,9 @@ static bool stick_begins(const taylor_t *motion, rest_rounding_t off,
       delassus_from(k, rotation * stick_arm(k, motion->arm, minus));
   if (!(A > 0)) return false;
   const tf_real_t A0 = delassus_from(k, rotation * motion->arm);
-  const tf_real_t of_M = (minus ? 1 : -1) * motion->r.c[0] * k->sin_gamma *
-                         motion->inverse_m * motion->inverse_J / A;
+  const tf_real_t of_M = (minus ? TF_R(1.0) : TF_R(-1.0)) * motion->r.c[0] *
+                         k->sin_gamma * motion->inverse_m * motion->inverse_J /
+                         A;
   const tf_real_t most = A * k->tyre.mu - off.rates;
   const parabola_t above[3] = {
       combined(motion, -signed_kappa(k, minus) * of_M, of_M, -off.rates),

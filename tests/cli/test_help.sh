@@ -73,19 +73,7 @@ tells() {
   run help "$1"
   check "help $1 tells: $2" grep -qF -e "$2" out
 }
-tells kappa '[1e-09, 1e+06] m, only in law'
-tells theta '[0.5, 1]'
-tells string 'Scene string'
-tells string 'stretched string with partial slip'
-tells exit '5 done, but'
-tells persist 'persist      the present mode, while it is consistent'
 tells slip- '--select RULE of'
-tells slip- 'slip+        an escaping stick ends at once, to this side'
-tells slip- 'The contact: slip+ (h > 0), slip- (h < 0)'
-tells random '--by KIND of'
-tells random '--select RULE of'
-tells monitor 'frames of a board, a file or a pipe (-)'
-tells monitor 'without it a terminal shows the live view'
 tells chaos "'twofold scene chaos' prints it"
 expect 2 "no help on 'kapa'; did you mean 'kappa'?" help kapa
 expect 2 "no help on 'xyzzy1234'; try" help xyzzy1234

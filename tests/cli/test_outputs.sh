@@ -22,33 +22,6 @@ finish_with() {
   code=$?
 }
 
-# Killed: no file, or the one that was there. The next run is not in its way.
-for command in 'run chaos --t-end 1e9 --every 100000' \
-  'atlas chaos --r 0.0025:0.5:4000 --omega=-1.4975:-0.5:4000' \
-  'regions chaos --r 0.1:0.28:4000 --omega=-1.16:-0.88:4000'; do
-  name=${command%% *}
-  # shellcheck disable=SC2086  # a list of words
-  set -- $command
-  rm -f x
-  begin x "$@" --out x
-  finish_with KILL
-  equal "$name, killed: no file" "$(there x)" ''
-  echo precious >x
-  begin x "$@" --out x
-  finish_with KILL
-  equal "$name, killed: the file that was there" "$(cat x)" precious
-  begin x "$@" --out x
-  finish_with TERM
-  equal "$name, stopped: code" "$code" 4
-  equal "$name, stopped: the file that was there" "$(cat x)" precious
-  check "$name, stopped: where its rows are" says 'x: not whole&x.part'
-  rm -f x x.part
-done
-begin r diverge chaos --samples 1000000 --codim2 even --cycles 1000 --exits e \
-  --returns r
-finish_with KILL
-equal 'diverge, killed: no file' "$(there e r)" ''
-rm -f e.part r.part
 echo rest >x.part
 runs run chaos --t-end 0.01 --out x
 check 'what a killed run left is not in the way' whole_rows x 10 '[0-9]'
@@ -129,8 +102,6 @@ expect 4 'another program writes this file' \
 equal 'and it leaves no file' "$(there y y.part)" ''
 finish_with TERM
 check 'the first writer did not notice' whole_rows x.part 10 '[0-9]'
-expect 2 'two files are needed' \
-  diverge chaos --samples 1 --patience 0.01 --exits z --returns ./z
 begin x run "$@" --out x
 mv x.part moved
 finish_with TERM

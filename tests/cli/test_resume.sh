@@ -40,6 +40,19 @@ printf 't,omega0,force\n0,-1,0\n0.4,-1.2,0.1\n1.1,-0.9,0\n' >table.csv
 for between in held linear; do
   joined 0.5 1.4 7 chaos --inputs table.csv --between $between
 done
+# The scheme is that of the file, and told where a run takes another one.
+for scheme in moreau located compensated; do
+  set -- chaos --dt 0x1p-11
+  runs run "$@" --t-end 1 --scheme $scheme --out want
+  runs run "$@" --t-end 0.5 --scheme $scheme --save at --out one
+  runs run "$@" --t-end 1 --from at --out two
+  usual=moreau
+  [ "$real" != float ] || usual=compensated
+  told="--scheme $scheme, which is that of at"
+  [ $scheme = $usual ] || check "$scheme is told" says "$told"
+  [ $scheme != $usual ] || check "$scheme is usual" not says "$told"
+  equal "goes on by $scheme" "$(tail -n +3 two)" "$(tail -n 1024 want)"
+done
 echo 'based-on chaos' >mine.scene
 runs run chaos --t-end 1 --save at --out one
 runs run mine.scene --from at --t-end 2

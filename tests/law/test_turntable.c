@@ -8,16 +8,6 @@
 #include "same_state.h"
 #include "sim.h"
 
-/* A machine, how it starts, and what acts on it all the time. */
-typedef struct {
-  tf_params_t params;
-  double r, v, w, alpha, force, torque;
-} motion_t;
-
-typedef struct {
-  double r, v, w;
-} end_t;
-
 static const double duration = 0.25;
 
 static motion_t any_motion(tf_tyre_law_t law) {
@@ -67,7 +57,7 @@ static ref_machine_t reference_of(const motion_t *m) {
 }
 
 /* The true end of a motion that keeps its mode; false where it does not. */
-static bool true_end(const motion_t *m, ref_mode_t mode, end_t *end) {
+static bool true_end(const motion_t *m, ref_mode_t mode, tf_state_t *end) {
   const ref_machine_t q = reference_of(m);
   ref_orbit_t orbit = {.tolerance = 1e-13L};
   ref_state_t x = ref_state(&q, m->r, m->v, m->w);
@@ -79,14 +69,10 @@ static bool true_end(const motion_t *m, ref_mode_t mode, end_t *end) {
     return false;
   if (from.g * ref_slip(&q, orbit.x).g < 0) /* a kink of the force of slip */
     return false;
-  *end = (end_t){(double)orbit.x.r, (double)ref_v(&q, orbit.x),
-                 (double)ref_w(&q, orbit.x)};
+  *end = (tf_state_t){.r = (tf_real_t)orbit.x.r,
+                      .v = (tf_real_t)ref_v(&q, orbit.x),
+                      .w = (tf_real_t)ref_w(&q, orbit.x)};
   return true;
-}
-
-static double apart(const sim_t *s, const end_t *want) {
-  return fabs((double)s->x.r - want->r) + fabs((double)s->x.v - want->v) +
-         fabs((double)s->x.w - want->w);
 }
 
 /* One step, however it is taken. */
@@ -123,22 +109,11 @@ static tf_status_t balanced(sim_t *s) {
 }
 
 static sim_t begun(const motion_t *m, int n) {
-  tf_params_t p = m->params;
-  p.dt = (tf_real_t)(duration / n);
-  sim_t s = sim_of(&p);
-  s.u.alpha = (tf_real_t)m->alpha;
-  s.u.force = (tf_real_t)m->force;
-  s.u.torque = (tf_real_t)m->torque;
-  s.x.r = (tf_real_t)m->r;
-  s.x.v = (tf_real_t)m->v;
-  s.x.w = (tf_real_t)m->w;
-  CHECK(sim_begin(&s) == TF_OK);
-  return s;
+  return sim_under(m, duration / n);
 }
 
 static tf_status_t turn(sim_t *s, const motion_t *m, taken_t taken) {
-  s->u.omega0 = m->params.omega0 +
-                (tf_real_t)(m->alpha * (double)(s->x.tick + 1)) * s->k.dt;
+  sim_turn(s, m);
   const uint64_t tick = s->x.tick;
   const tf_status_t status = taken(s);
   s->x.tick = tick + 1;
@@ -177,9 +152,9 @@ static void has_order_two(const char *name, taken_t taken, tf_tyre_law_t law,
           !keeps_mode(&run[kept], &m, n, taken))
         break;
     }
-    end_t want;
+    tf_state_t want;
     if (kept < 3 || !true_end(&m, (ref_mode_t)run[0].x.mode, &want)) continue;
-    for (int j = 0; j < 3; j++) sum[j] += apart(&run[j], &want);
+    for (int j = 0; j < 3; j++) sum[j] += sim_apart(&run[j].x, &want);
     judged++;
   }
   printf("# %-24s %.2e, %.2e, %.2e: order %.2f\n", name, sum[0] / judged,
@@ -318,19 +293,13 @@ TEST(balanced_stick_ends_the_slip_of_the_theta_point) {
 /* `chaos` on a ramp of its turntable, for a second. */
 static sim_t on_ramp(const motion_t *m, double dt, scheme_t scheme, double *gap,
                      int *told) {
-  tf_params_t p = m->params;
-  p.dt = (tf_real_t)dt;
-  p.tolerance = TF_R(1e-10);
-  sim_t s = sim_of(&p);
-  s.u.alpha = (tf_real_t)m->alpha;
-  s.x.r = (tf_real_t)m->r;
-  s.x.v = (tf_real_t)m->v;
-  s.x.w = (tf_real_t)m->w;
-  CHECK(sim_begin(&s) == TF_OK);
+  motion_t precise = *m;
+  precise.params.tolerance = TF_R(1e-10);
+  sim_t s = sim_under(&precise, dt);
   *gap = 1;
   *told = 0;
   for (long i = 1; i <= lround(1 / dt); i++) {
-    s.u.omega0 = p.omega0 + (tf_real_t)(m->alpha * (double)i * dt);
+    sim_turn(&s, m);
     *told += sim_step(&s, scheme) != TF_OK;
     *gap = fmin(*gap,
                 fabs((double)s.report.slip.h) + fabs((double)s.report.slip.g));
@@ -370,12 +339,11 @@ TEST(ramp_through_codimension_two_has_the_branch_of_the_located_step) {
     const sim_t fine = on_ramp(&m, 1e-4, LOCATED, &gap, &told);
     if (told > 0 || gap > 1e-3) continue;
     const sim_t rough = on_ramp(&m, 3.7e-4, LOCATED, &unused, &told);
-    const end_t want = {(double)fine.x.r, (double)fine.x.v, (double)fine.x.w};
-    if (told > 0 || apart(&rough, &want) > 1e-3) continue;
+    if (told > 0 || sim_apart(&rough.x, &fine.x) > 1e-3) continue;
     const sim_t s = on_ramp(&m, 1e-4, MOREAU, &unused, &told);
     if (told > 0) continue;
     judged++;
-    other += apart(&s, &want) > 0.02;
+    other += sim_apart(&s.x, &fine.x) > 0.02;
   }
   printf("# %d motions, %d on another branch\n", judged, other);
   CHECK(judged > samples(100) && other <= judged / 20);

@@ -117,13 +117,6 @@ def test_rows_of_a_part_do_not_get_the_name():
     same(Path("rows").read_bytes().count(b"\n"), 12)
 
 
-def test_a_stream_without_its_beginning_is_told():
-    stream = output(*RUN, "--every", "50", "--format", "frames")
-    for border in borders_of(stream):
-        if border + 99 < len(stream):
-            judged(stream[border:], code=6)
-
-
 def test_no_command_writes_what_it_reads():
     Path("own.scene").write_bytes(output(RUN[0], "scene", "chaos"))
     Path("table").write_text("t,torque\n0,0\n1,0\n")

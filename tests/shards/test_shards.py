@@ -173,59 +173,13 @@ def study(*outputs):
         samples *= 2
 
 
-def files_of(folder, kinds, name):
-    return [word for kind in kinds
-            for word in (f"--{kind}", str(folder / f"{name}-{kind}"))]
-
-
-def killed(folder, command, first):
-    """Kills a command, again and again, a little after it has said where it
-    stands. Returns: how often, until it ended by itself."""
-    note, kills = first.with_name(first.name + ".resume"), 0
-    while True:
-        before = note.stat().st_mtime_ns if note.exists() else 0
-        with subprocess.Popen(command, stderr=subprocess.DEVNULL) as process:
-            while process.poll() is None and (
-                    not note.exists() or note.stat().st_mtime_ns == before):
-                time.sleep(0.01)
-            time.sleep(0.1)
-            process.kill()
-        if process.returncode == 0:
-            return kills
-        kills += 1
-        check(kills < 100, "it never ends")
-
-
-def diverge_goes_on(folder):
-    """A shard that is killed, of counts alone, and with rows."""
-    for kinds in ["counts"], ["counts", "returns", "exits"]:
-        one, parts = (files_of(folder, kinds, name) for name in ("one", "k"))
-        words, samples = study(*one)
-        command = [TWOFOLD, *words, *parts, "--resume"]
-        noted = [kind for kind in ("counts", "returns") if kind in kinds][0]
-        kills = killed(folder, command, folder / f"k-{noted}")
-        check(kills > 0, "it was too fast to be killed")
-        for a, b in zip(one[1::2], parts[1::2]):
-            check(Path(a).read_bytes() == Path(b).read_bytes(),
-                  f"{b}: other bytes after {kills} kills")
-        left = {path.name for path in folder.iterdir()}
-        check(left == {Path(path).name for path in one[1::2] + parts[1::2]},
-              f"left over: {left}")
-        at = Path(parts[1]).stat().st_mtime_ns
-        said = call(*command)
-        check(f"all of the {samples} samples are there" in said, said)
-        check(Path(parts[1]).stat().st_mtime_ns == at, "it is written again")
-        said = call(*command, "--seed", "9", code=3)
-        check("is of another run" in said, said)
-        for path in folder.iterdir():
-            path.unlink()
-
-
-def diverge_does_not_go_on(folder):
-    """With rows or a note that were changed, it begins anew; with those of
-    another run it does not begin."""
-    one, parts = (files_of(folder, ["returns"], name) for name in ("one", "k"))
-    words, _ = study(*one)
+def diverge_resumes(folder):
+    """A shard that is killed goes on (tests/cli/test_endings.py: at any call).
+    With rows or a note that were changed, it begins anew; with those of another
+    run it does not begin, and what is whole is not done again."""
+    one, parts = (["--returns", str(folder / f"{name}-returns")]
+                  for name in ("one", "k"))
+    words, samples = study(*one)
     note = folder / "k-returns.resume"
     for change in "rows", "note", "none":
         with subprocess.Popen([TWOFOLD, *words, *parts, "--resume"],
@@ -246,6 +200,9 @@ def diverge_does_not_go_on(folder):
         call(TWOFOLD, *words, *parts, "--resume")
         check(Path(parts[1]).read_bytes() == Path(one[1]).read_bytes(),
               f"{change}: other bytes")
+        said = call(TWOFOLD, *words, *parts, "--resume")
+        check(f"all of the {samples} samples are there" in said, said)
+        check(len([*folder.iterdir()]) == 2, "something is left over")
         Path(parts[1]).unlink()
     for wrong in (["--returns", "-"], [], ["--exhaustive", *parts[:1], "x"]):
         said = call(TWOFOLD, "diverge", "chaos", *wrong, "--resume", code=2)
@@ -327,8 +284,7 @@ TESTS = [("parallel: the rows of one run", under_parallel),
          ("map: words, numbers, refused points, one axis", maps),
          ("map: what it refuses", maps_refuse),
          ("counts: those of the rows, merged in any order", counts),
-         ("diverge: a shard that is killed goes on", diverge_goes_on),
-         ("diverge: what it does not go on with", diverge_does_not_go_on),
+         ("diverge: what a shard goes on with", diverge_resumes),
          *test_finer.TESTS]
 
 

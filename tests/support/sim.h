@@ -56,6 +56,37 @@ static inline tf_status_t sim_begin(sim_t *s) {
   return tf_begin(&s->k, &s->x, &s->u, &s->report);
 }
 
+/* A machine, how it starts, and what acts on it all the time. */
+typedef struct {
+  tf_params_t params;
+  double r, v, w, alpha, force, torque;
+} motion_t;
+
+static inline sim_t sim_under(const motion_t *m, double dt) {
+  tf_params_t p = m->params;
+  p.dt = (tf_real_t)dt;
+  sim_t s = sim_of(&p);
+  s.u.alpha = (tf_real_t)m->alpha;
+  s.u.force = (tf_real_t)m->force;
+  s.u.torque = (tf_real_t)m->torque;
+  s.x.r = (tf_real_t)m->r;
+  s.x.v = (tf_real_t)m->v;
+  s.x.w = (tf_real_t)m->w;
+  CHECK(sim_begin(&s) == TF_OK);
+  return s;
+}
+
+/* The turntable goes on by a step. */
+static inline void sim_turn(sim_t *s, const motion_t *m) {
+  s->u.omega0 = m->params.omega0 +
+                (tf_real_t)(m->alpha * (double)(s->x.tick + 1)) * s->k.dt;
+}
+
+static inline double sim_apart(const tf_state_t *a, const tf_state_t *b) {
+  return fabs((double)a->r - (double)b->r) + fabs((double)a->v - (double)b->v) +
+         fabs((double)a->w - (double)b->w);
+}
+
 /* Of these parameters, at the start of a scene. */
 static inline sim_t sim_at_start(const tf_scene_t *scene,
                                  const tf_params_t *params, uint32_t seed) {

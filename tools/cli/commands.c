@@ -31,10 +31,9 @@
 
 #include "command.h"
 #include "diverge/job.h"
-#include "setup/names.h"
 #include "setup/scene_file.h"
-#include "sweep/measure.h"
-#include "table.h"
+#include "setup/setup.h"
+#include "sweep/sheet.h"
 #include "text/message.h"
 
 static int take_scene(void *to, const char *word) {

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "command.h"
-#include "table.h"
 #include "text/message.h"
 #include "twofold.h"
 

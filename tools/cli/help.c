@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "command.h"
-#include "text/commit.h"
 #include "text/message.h"
 #include "twofold.h"
 

@@ -6,13 +6,12 @@
 //
 // An option that means something else in another command has a row for each.
 
-#include "table.h"
-
 #include <string.h>
 
+#include "command.h"
 #include "diverge/job.h"
 #include "run/row.h"
-#include "setup/scheme.h"
+#include "setup/args.h"
 #include "text/message.h"
 #include "text/number.h"
 

@@ -6,9 +6,8 @@
 #include <string.h>
 
 #include "command.h"
-#include "setup/names.h"
 #include "setup/setup.h"
-#include "sweep/measure.h"
+#include "sweep/sheet.h"
 #include "twofold.h"
 
 #define WORD_ROOM 32 // more than any word of a topic has
@@ -92,8 +91,9 @@ static const topic_t topics[] = {
     {"input inputs table",
      "--inputs FILE --between held|linear of 'run' and 'sweep': inputs over "
      "time, from a CSV table; FILE - is standard input. The first column is "
-     "t [s], rising; any of these follow: omega0 [rad/s], r0 [m], force [N], "
-     "torque [N m]. Lines that begin with # are comments; "
+     "t [s], in no row earlier than in the one before; any of these follow: "
+     "omega0 [rad/s], r0 [m], force [N], torque [N m]. Lines that begin with # "
+     "are comments; "
      "'# N rows' is how many rows there have to be.\n"
      "  held    a row holds from the first step that begins at t until the\n"
      "          next row does; a step is told its omega0 and alpha = 0, and\n"

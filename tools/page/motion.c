@@ -318,6 +318,7 @@ void EXPORT(restore)(void) {
                          .delassus = row[ROW_DELASSUS],
                          .residual = row[ROW_RESIDUAL],
                          .status = (tf_status_t)(int32_t)row[ROW_STATUS]};
+  applied = tf_scene_input(&scene, &machine, state.tick); // for its alpha
   applied.omega0 = row[ROW_OMEGA0];
   applied.r0 = row[ROW_R0];
   applied.force = row[ROW_FORCE];

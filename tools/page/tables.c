@@ -1,6 +1,6 @@
 // The tables of the core for the page: names, units and ranges of parameters,
 // names of modes, laws, rules and codes. The page has no copy of any of them.
-#include "cli/setup/names.h"
+#include "cli/setup/setup.h"
 #include "module.h"
 
 // A number behind the last has the empty name.

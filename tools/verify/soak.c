@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "cli/host/host.h"
-#include "cli/setup/names.h"
+#include "cli/setup/setup.h"
 #include "twofold.h"
 
 #define MIN_STEPS 1000.0

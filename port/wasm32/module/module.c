@@ -40,7 +40,8 @@ int32_t twofold_begin(uint32_t number, double dt, uint32_t rule,
   return status;
 }
 
-// Inputs from the next step on, in place of the scene's.
+// Inputs from the next step on, in place of the scene's. An omega0 that is not
+// that of the step before is a jump: alpha is 0.
 int32_t twofold_drive(double omega0, double r0, double force, double torque) {
   if (!scene) return TF_BAD_STATE;
   const tf_input_t input = {.omega0 = (tf_real_t)omega0,

@@ -2,20 +2,15 @@
  * (support/scheme.h); and those equations against the paper's. */
 #include "moreau/balance.h"
 #include "scheme.h"
+#include "sim.h"
 
 typedef struct {
-  tf_params_t params;
-  tf_machine_t machine;
-  tf_input_t input;
-  tf_state_t state;
+  sim_t s;
   scheme_step_t scheme;
 } case_t;
 
 static case_t random_case(tf_tyre_law_t law, double longest) {
-  case_t c;
-  memset(&c, 0, sizeof c);
-  c.params = wide_params();
-  tf_params_t *p = &c.params;
+  tf_params_t params = wide_params(), *p = &params;
   p->law = law;
   p->d = uniform(-1, 1);
   p->kappa = uniform(0.05, 1);
@@ -28,33 +23,39 @@ static case_t random_case(tf_tyre_law_t law, double longest) {
   p->theta = uniform(0.5, 1);
   p->dt = log_uniform(1e-4, longest);
   p->with_angle = true;
-  c.machine = prepared(p);
-  c.input = (tf_input_t){.omega0 = uniform(-2, 2),
-                         .r0 = uniform(-1, 1),
-                         .force = uniform(-2, 2),
-                         .torque = uniform(-2, 2),
-                         .alpha = uniform(-2, 2)};
-  c.state = (tf_state_t){.r = uniform(0.3, 1.5),
-                         .v = uniform(-1, 1),
-                         .w = uniform(-3, 3),
-                         .phi = uniform(-1, 1),
-                         .mode = TF_NO_MODE,
-                         .seed = 1};
-  tf_report_t report;
-  CHECK(tf_begin(&c.machine, &c.state, &c.input, &report) == TF_OK);
-  const real x[3] = {wide(c.state.r), wide(c.state.v), wide(c.state.w)};
-  c.scheme = scheme_step(p, &c.input, x);
+  case_t c = {.s = sim_of(p)};
+  c.s.u = (tf_input_t){.omega0 = uniform(-2, 2),
+                       .r0 = uniform(-1, 1),
+                       .force = uniform(-2, 2),
+                       .torque = uniform(-2, 2),
+                       .alpha = uniform(-2, 2)};
+  c.s.x = (tf_state_t){.r = uniform(0.3, 1.5),
+                       .v = uniform(-1, 1),
+                       .w = uniform(-3, 3),
+                       .phi = uniform(-1, 1),
+                       .mode = TF_NO_MODE,
+                       .seed = 1};
+  CHECK(sim_begin(&c.s) == TF_OK);
+  const real x[3] = {wide(c.s.x.r), wide(c.s.x.v), wide(c.s.x.w)};
+  c.scheme = scheme_step(p, &c.s.u, x);
   return c;
 }
 
 /* Whether a step of the scheme creates energy: then another one takes its
  * place, see test_balance. */
 static bool creates_much(const case_t *c, const real x[3]) {
-  const end_state_t from = {c->state.r, c->state.v, c->state.w};
+  const end_state_t from = {c->s.x.r, c->s.x.v, c->s.x.w};
   const end_state_t to = {(tf_real_t)x[0], (tf_real_t)x[1], (tf_real_t)x[2]};
   const balance_t b =
-      balance_of(&c->machine, is_midpoint(&c->machine), &c->input, from, to, 0);
+      balance_of(&c->s.k, is_midpoint(&c->s.k), &c->s.u, from, to, 0);
   return b.created > TF_GROWTH_SHARE / 3 * b.product;
+}
+
+/* (12), by the speed at the end. */
+static real angle(const case_t *c, tf_real_t w) {
+  const scheme_step_t *s = &c->scheme;
+  return wide(c->s.x.phi) +
+         s->dt * ((1 - s->theta) * s->x[2] + s->theta * wide(w));
 }
 
 /* (1)-(7) and (12) under the force that the step reports, for every law and
@@ -64,33 +65,23 @@ TEST(a_step_ends_where_the_scheme_says) {
   int judged = 0, balanced = 0;
   for (int i = 0; i < samples(20000); i++) {
     const case_t c = random_case((tf_tyre_law_t)(i % TF_TYRE_LAWS), 0.1);
-    tf_state_t plain = c.state, pairs = c.state;
-    tf_compensated_t machine;
-    tf_compensation_t low = {0, 0, 0, 0};
-    tf_report_t report;
+    sim_t plain = c.s, pairs = c.s;
     real end[3];
-    if (tf_step(&c.machine, &plain, &c.input, &report) != TF_OK) continue;
-    scheme_end(&c.scheme, wide(report.force.F), wide(report.force.M), end);
+    if (sim_step(&plain, MOREAU) != TF_OK) continue;
+    const tf_force_t f = plain.report.force;
+    scheme_end(&c.scheme, wide(f.F), wide(f.M), end);
     if (creates_much(&c, end)) {
       balanced++;
       continue;
     }
     const real size = 1 + fabsl(end[0]) + fabsl(end[1]) + fabsl(end[2]);
-    const real got[3] = {wide(plain.r), wide(plain.v), wide(plain.w)};
+    const real got[3] = {wide(plain.x.r), wide(plain.x.v), wide(plain.x.w)};
     for (int n = 0; n < 3; n++)
       worst = fmaxl(worst, fabsl(got[n] - end[n]) / size);
-    const real phi = wide(c.state.phi) +
-                     wide(c.params.dt) * ((1 - c.scheme.theta) * c.scheme.x[2] +
-                                          c.scheme.theta * wide(plain.w));
-    CHECK_NEAR(plain.phi, phi, 4 * EPSILON * size);
-    CHECK(tf_prepare_compensated(&machine, &c.params, NULL) == TF_OK);
-    CHECK(tf_step_compensated(&machine, &pairs, &low, &c.input, &report) ==
-          TF_OK);
-    const real more =
-        wide(c.state.phi) +
-        wide(c.params.dt) * ((1 - c.scheme.theta) * c.scheme.x[2] +
-                             c.scheme.theta * wide(pairs.w));
-    CHECK_NEAR(wide(pairs.phi) + wide(low.phi), more, 4 * EPSILON * size);
+    CHECK_NEAR(plain.x.phi, angle(&c, plain.x.w), 4 * EPSILON * size);
+    CHECK(sim_step(&pairs, COMPENSATED) == TF_OK);
+    CHECK_NEAR(wide(pairs.x.phi) + wide(pairs.low.phi), angle(&c, pairs.x.w),
+               4 * EPSILON * size);
     judged++;
   }
   printf("# %d steps, ends %.2Lg epsilon off; %d create energy\n", judged,
@@ -107,7 +98,7 @@ typedef struct {
 /* (11) at a predicted slip. */
 static secant_t secant(const case_t *at, scheme_slip_t slip) {
   const scheme_step_t *c = &at->scheme;
-  const tf_force_t f = tf_tyre_force(&at->machine.tyre, (tf_real_t)slip.h,
+  const tf_force_t f = tf_tyre_force(&at->s.k.tyre, (tf_real_t)slip.h,
                                      (tf_real_t)slip.h, (tf_real_t)slip.g);
   real end[3], by[2];
   scheme_end(c, 0, 0, end);
@@ -139,9 +130,9 @@ TEST(single_valued_force_is_the_secant_of_the_scheme) {
     const case_t c = random_case(laws[i % 3], 0.1);
     const scheme_step_t *scheme = &c.scheme;
     const real theta = scheme->theta, *x0 = scheme->x;
-    tf_state_t x = c.state;
+    tf_state_t x = c.s.x;
     tf_report_t report;
-    if (tf_step(&c.machine, &x, &c.input, &report) != TF_OK) continue;
+    if (tf_step(&c.s.k, &x, &c.s.u, &report) != TF_OK) continue;
     const secant_t first = secant(&c, scheme_slip(scheme, 0, x0));
     real end[3];
     scheme_end(scheme, first.F, first.M, end);
@@ -166,14 +157,14 @@ TEST(the_scheme_tends_to_the_equations_of_motion) {
   for (int i = 0; i < 1000; i++) {
     case_t c = random_case(TF_TYRE_JUMP, 0.1);
     const real *x = c.scheme.x;
-    c.params.dt = TF_R(1e-9);
-    const scheme_step_t scheme = scheme_step(&c.params, &c.input, x);
+    c.s.params.dt = TF_R(1e-9);
+    const scheme_step_t scheme = scheme_step(&c.s.params, &c.s.u, x);
     paper_t p = scheme.p;
-    p.omega0 = wide(c.input.omega0);
-    p.r0 = wide(c.input.r0);
+    p.omega0 = wide(c.s.u.omega0);
+    p.r0 = wide(c.s.u.r0);
     const real F = wide(uniform(-1, 1)), M = wide(uniform(-1, 1));
     const real J = p.m * (p.beta * p.beta + x[0] * x[0]);
-    const real Q_r = wide(c.input.force), Q_phi = wide(c.input.torque);
+    const real Q_r = wide(c.s.u.force), Q_phi = wide(c.s.u.torque);
     real end[3], rate[3];
     paper_rhs_time(&p, x, F, M, rate);
     rate[1] += Q_r / p.m + p.d * (p.d * Q_r + Q_phi) / J;

@@ -14,7 +14,9 @@ typedef struct {
 } hil_control_t;
 
 /// Drives the turntable in proportion to the error of the disc's speed, and
-/// brakes the disc where it turns faster than the set point.
+/// brakes the disc where it turns faster than the set point. The turntable is
+/// put to each speed by a jump, alpha = 0; one that is to move there within the
+/// step has alpha = (omega0 - its last value)/dt (tf_turntable_to).
 static inline tf_input_t hil_control(const hil_control_t *control,
                                      const tf_machine_t *machine,
                                      const tf_state_t *x) {

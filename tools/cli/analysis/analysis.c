@@ -1,13 +1,15 @@
-// The machine of the commands that examine a machine without
-// running it.
+// The commands that examine a machine without running it: singularities and
+// design, which write two-folds, regions and atlas, which write grids.
 
 #include "analysis.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
-#include "../setup/names.h"
-#include "../text/commit.h"
+#include "../host/host.h"
+#include "../setup/setup.h"
+#include "../text/buffer.h"
 #include "../text/message.h"
 
 int cli_analysis_check(cli_args_t *args) {
@@ -56,15 +58,23 @@ int cli_analysis_begin(cli_analysis_t *a, const cli_args_t *args,
   return code;
 }
 
-cli_origin_t cli_analysis_origin(const cli_analysis_t *a, const char *name) {
+// Where a value came from: "--set NAME=VALUE" if it was set, otherwise "scene
+// NAME".
+typedef struct {
+  const char *option, *text;
+} origin_t;
+
+static origin_t origin_of(const cli_analysis_t *a, const char *name) {
   const cli_setting_t *setting = cli_settings_find(&a->args->settings, name);
-  return setting != NULL ? (cli_origin_t){setting->option, setting->text}
-                         : (cli_origin_t){"scene", a->args->scene->name};
+  return setting != NULL ? (origin_t){setting->option, setting->text}
+                         : (origin_t){"scene", a->args->scene->name};
 }
 
-int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment) {
+// Refuses a law without a jump at h = 0, or (with needs_moment) one without a
+// moment in stick.
+static int needs_jump(const cli_analysis_t *a, bool needs_moment) {
   const tf_tyre_law_t law = a->setup.params.law;
-  const cli_origin_t origin = cli_analysis_origin(a, "law");
+  const origin_t origin = origin_of(a, "law");
   if (needs_moment ? law == TF_TYRE_JUMP : tf_tyre_is_set_valued(law)) {
     return CLI_DONE;
   }
@@ -76,11 +86,13 @@ int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment) {
                                                 : "it does not jump at h = 0");
 }
 
-int cli_analysis_check_design(const cli_analysis_t *a) {
+// Refuses what kappa and k2 cannot be designed for: a law without a moment in
+// stick, mu = 0, and a gamma whose sine or cosine nearly vanishes.
+static int check_design(const cli_analysis_t *a) {
   const tf_machine_t *k = &a->setup.machine;
-  const cli_origin_t mu = cli_analysis_origin(a, "mu");
-  const cli_origin_t gamma = cli_analysis_origin(a, "gamma");
-  const int code = cli_analysis_needs_jump(a, true);
+  const origin_t mu = origin_of(a, "mu");
+  const origin_t gamma = origin_of(a, "gamma");
+  const int code = needs_jump(a, true);
   if (code != CLI_DONE) {
     return code;
   }
@@ -100,8 +112,11 @@ int cli_analysis_check_design(const cli_analysis_t *a) {
       (double)k->cos_gamma);
 }
 
-void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
-                             cli_buffer_t *text) {
+// Begins an object of JSON: version, commit and number type of this program,
+// scene, hash of the parameters, and the units of what follows, as members of
+// an object.
+static void begin_json(const cli_analysis_t *a, const char *units,
+                       cli_buffer_t *text) {
   cli_add_form(text,
                "{\n  \"version\": \"%s\", \"commit\": \"%s\", "
                "\"number\": \"%s\",\n"
@@ -109,4 +124,373 @@ void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
                TF_VERSION, cli_commit, CLI_NUMBER_TYPE, a->args->scene->name);
   cli_add_hash(text, tf_params_hash(&a->setup.params));
   cli_add_form(text, "\",\n  \"units\": {%s},\n", units);
+}
+
+// The commands that write two-folds as JSON. `singularities`: all of a machine,
+// or why there are none. `design`: kappa and k2 that put one at a given point,
+// or why there are none. JSON has no infinities; the core only returns
+// two-folds whose numbers are all finite.
+
+// The units of its members, for begin_json(). K, J1, J2 and the
+// eigenvalues are in the paper's time.
+#define FOLD_UNITS                                                       \
+  "\"r\": \"m\", \"v\": \"m/s\", \"omega\": \"rad/s\", \"g\": \"m/s\", " \
+  "\"lambda\": \"N\", \"time_scale\": \"kg m^2\", \"physical\": \"m/s^3\""
+#define ROOM 32768 // bytes; eight two-folds take less than half of it
+#define DESIGN_UNITS "\"kappa\": \"m\", \"k2\": \"N/m\", " FOLD_UNITS
+
+static void add_K(cli_buffer_t *text, const tf_two_fold_t *at,
+                  tf_real_t scale) {
+  cli_add_form(text, "\"K++\": %g, \"K+-\": %g, \"K-+\": %g, \"K--\": %g",
+               (double)(scale * at->Kpp), (double)(scale * at->Kpm),
+               (double)(scale * at->Kmp), (double)(scale * at->Kmm));
+}
+
+static void add_direction(cli_buffer_t *text, const tf_direction_t *direction) {
+  cli_add_form(text, "      {\"eigenvalue\": %g, \"velocity\": [%g, %g, %g], ",
+               (double)direction->value, (double)direction->velocity.r,
+               (double)direction->velocity.v, (double)direction->velocity.w);
+  if (direction->sticks) {
+    cli_add_form(text, "\"lambda\": %g, \"sticks\": true}",
+                 (double)direction->lambda);
+  } else {
+    cli_add(text, "\"lambda\": null, \"sticks\": false}");
+  }
+}
+
+// Appends one two-fold as an object.
+static void add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at) {
+  static const char *const cases[] = {"null", "1", "2", "3"};
+  const bool through_first = at->through.value > at->across.value;
+  const tf_direction_t *first = through_first ? &at->through : &at->across;
+  const tf_direction_t *second = through_first ? &at->across : &at->through;
+  cli_add_form(text,
+               "    {\n"
+               "      \"r\": %g, \"v\": %g, \"omega\": %g, \"g\": %g,\n"
+               "      ",
+               (double)at->point.r, (double)at->point.v, (double)at->point.w,
+               (double)at->point.g);
+  add_K(text, at, at->time_scale * at->time_scale);
+  cli_add_form(text,
+               ",\n"
+               "      \"J1\": %g, \"J2\": %g,\n"
+               "      \"eigenvalues\": [%g, %g],\n"
+               "      \"directions\": [\n  ",
+               (double)at->J1, (double)at->J2, (double)first->value,
+               (double)second->value);
+  add_direction(text, first);
+  cli_add(text, ",\n  ");
+  add_direction(text, second);
+  cli_add_form(text,
+               "],\n"
+               "      \"type\": \"%s\", \"case\": %s,\n"
+               "      \"time_scale\": %g, \"residual\": %g,\n"
+               "      \"physical\": {",
+               tf_folds_name(at->type), cases[at->paper_case],
+               (double)at->time_scale, (double)at->residual);
+  add_K(text, at, 1);
+  cli_add(text, "}\n    }");
+}
+
+static int describe_all(const cli_analysis_t *a, cli_buffer_t *text) {
+  tf_surface_point_t points[TF_TWO_FOLDS];
+  tf_absence_t absence = TF_ABSENCE_NONE;
+  int count = 0;
+  const cli_setup_t *setup = &a->setup;
+  tf_status_t status =
+      tf_two_folds(&setup->machine, &setup->input, points, &count, &absence);
+  begin_json(a, FOLD_UNITS, text);
+  const bool absent = absence != TF_ABSENCE_NONE;
+  const char *quote = absent ? "\"" : "";
+  cli_add_form(text,
+               "  \"count\": %" PRIu64
+               ",\n  \"reason\": %s%s%s,\n  \"two_folds\": [",
+               (uint64_t)count, quote,
+               absent ? tf_absence_name(absence) : "null", quote);
+  for (int i = 0; i < count && status == TF_OK; i++) {
+    tf_two_fold_t at;
+    status = tf_normal_form(&setup->machine, &setup->input, &points[i], &at);
+    if (status == TF_OK) {
+      cli_add(text, i > 0 ? ",\n" : "\n");
+      add_two_fold(text, &at);
+    }
+  }
+  cli_add(text, count > 0 ? "\n  ]\n}\n" : "]\n}\n");
+  return status == TF_OK
+             ? CLI_DONE
+             : cli_message(CLI_STOPPED, "scene %s: singularities: %s",
+                           a->args->scene->name, tf_status_name(status));
+}
+
+// Computes and writes. describe: returns CLI_DONE, or another code after a
+// message.
+static int write_json(const cli_args_t *args, bool finds_kappa,
+                      int (*describe)(const cli_analysis_t *a,
+                                      cli_buffer_t *text)) {
+  cli_analysis_t a;
+  char room[ROOM];
+  cli_buffer_t text = {room, 0, sizeof room, false};
+  int code = cli_analysis_begin(&a, args, finds_kappa);
+  code = code == CLI_DONE ? describe(&a, &text) : code;
+  if (code == CLI_DONE && text.truncated) {
+    code = cli_message(CLI_STOPPED, "%s: out of room", args->command);
+  }
+  return code == CLI_DONE
+             ? cli_output_write(&a.output, "--out", args->out, room, text.used)
+             : code;
+}
+
+int cli_singularities(const cli_args_t *args) {
+  return write_json(args, false, describe_all);
+}
+
+static int out_of_range(const cli_analysis_t *a, const char *name,
+                        tf_real_t value) {
+  const tf_parameter_range_t *range =
+      &tf_parameter_ranges[cli_parameter_index(name)];
+  return cli_message(CLI_REFUSED,
+                     "--r %s --omega %s: %s would be %g, it must lie in [%g, "
+                     "%g] %s",
+                     a->args->r.text, a->args->omega.text, name, (double)value,
+                     (double)range->low, (double)range->high, range->unit);
+}
+
+static int refuse(const cli_analysis_t *a, const tf_design_t *design) {
+  switch ((tf_design_obstacle_t)design->obstacle) {
+    case TF_DESIGN_R:
+      return cli_message(CLI_REFUSED,
+                         "--r %s: r must not be 0, nor so large or small that "
+                         "the normal form overflows",
+                         a->args->r.text);
+    case TF_DESIGN_OMEGA:
+      return cli_message(CLI_REFUSED,
+                         "--omega %s: omega must differ from omega0 = %g "
+                         "rad/s, where h = 0 has g = 0",
+                         a->args->omega.text, (double)a->setup.input.omega0);
+    case TF_DESIGN_SPRING:
+      return cli_message(CLI_REFUSED,
+                         "--r %s: k2 does not act on h at r = r0 = %g m, nor "
+                         "where d r cos(gamma) + (beta^2 + r^2) sin(gamma) is "
+                         "0",
+                         a->args->r.text, (double)a->setup.input.r0);
+    case TF_DESIGN_KAPPA:
+      return out_of_range(a, "kappa", design->kappa);
+    case TF_DESIGN_K2:
+      return out_of_range(a, "k2", design->k2);
+    case TF_DESIGN_LAW:
+    case TF_DESIGN_GAMMA: // were refused before
+    case TF_DESIGN_FOUND:
+      break;
+  }
+  return CLI_REFUSED;
+}
+
+static int describe_design(const cli_analysis_t *a, cli_buffer_t *text) {
+  tf_design_t design;
+  const int code = check_design(a);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (tf_design_two_fold(&a->setup.machine, &a->setup.input, a->args->r.from,
+                         a->args->omega.from, &design) != TF_OK) {
+    return refuse(a, &design);
+  }
+  begin_json(a, DESIGN_UNITS, text);
+  const double kappa = (double)design.kappa, k2 = (double)design.k2;
+  cli_add_form(text,
+               "  \"kappa\": %g,\n  \"k2\": %g,\n"
+               "  \"set\": \"--set kappa=%g --set k2=%g\",\n"
+               "  \"two_fold\":\n",
+               kappa, k2, kappa, k2);
+  add_two_fold(text, &design.two_fold);
+  cli_add(text, "\n}\n");
+  return CLI_DONE;
+}
+
+int cli_design(const cli_args_t *args) {
+  return write_json(args, true, describe_design);
+}
+
+// The commands that write a grid of (r, omega) as CSV, row by row; rows reach
+// the file whole. `regions`: the regions of the surface h = 0. `atlas`: the
+// conditions of the paper's figure 4, panel by panel, and their overlap, at
+// points at which a two-fold is to be.
+
+#define FLUSH_EVERY 0.2 // [s]
+// Room for one row.
+#define ROW_ROOM 768
+
+// Writes one row with its newline into out. length: out.
+// Returns: CLI_DONE, or another code after a message, which ends the grid.
+typedef int (*row_t)(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
+                     char out[ROW_ROOM], size_t *length);
+
+// The rows of one r, the one with number i.
+static int write_line(cli_analysis_t *a, uint64_t i, row_t row,
+                      cli_progress_t *progress) {
+  const tf_real_t r = cli_range_at(&a->args->r, i);
+  char text[ROW_ROOM];
+  for (uint64_t j = 0; j < a->args->omega.count; j++) {
+    size_t length = 0;
+    if (cli_stop_asked()) {
+      return cli_message(CLI_STOPPED, "interrupted at r = %g m", (double)r);
+    }
+    const int code = row(a, r, cli_range_at(&a->args->omega, j), text, &length);
+    if (code != CLI_DONE) {
+      return code;
+    }
+    if (!cli_output_lines(&a->output, text, length)) {
+      return CLI_STOPPED; // the message is that of cli_output_end
+    }
+    const double now = cli_now();
+    if (now - a->output.flushed >= FLUSH_EVERY) {
+      (void)cli_output_flush(&a->output);
+    }
+    const double line = (double)a->args->omega.count;
+    const double done = (double)i * line + (double)(j + 1);
+    const double points = (double)a->args->r.count * line;
+    cli_progress_say(progress, now, done / points, "%.0f of %.0f points", done,
+                     points);
+  }
+  return CLI_DONE;
+}
+
+// Writes header and rows, omega inner, r outer, and closes the output. units:
+// of the columns, for --provenance.
+static int write_grid(cli_analysis_t *a, const char *header, const char *units,
+                      row_t row) {
+  char lines[CLI_PROVENANCE_ROOM];
+  int code = cli_output_begin(&a->output, "--out", a->args->out, false);
+  if (code != CLI_DONE) {
+    return code;
+  }
+  if (a->args->provenance) {
+    const size_t length =
+        cli_provenance(&a->setup, "inputs at t = 0, no motion", units, lines);
+    (void)cli_output_lines(&a->output, lines, length);
+  }
+  (void)cli_output_lines(&a->output, header, strlen(header));
+  cli_progress_t progress =
+      cli_progress_start(cli_now(), a->output.to.descriptor);
+  for (uint64_t i = 0; i < a->args->r.count && code == CLI_DONE; i++) {
+    code = write_line(a, i, row, &progress);
+  }
+  cli_progress_clear(&progress);
+  return cli_output_end(&a->output, code);
+}
+
+static int regions_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
+                       char out[ROW_ROOM], size_t *length) {
+  const cli_setup_t *setup = &a->setup;
+  cli_buffer_t text = {out, 0, ROW_ROOM, false};
+  tf_surface_t at;
+  tf_real_t v = 0;
+  tf_status_t status = tf_speed_for_slip(&setup->machine, r, omega,
+                                         setup->input.omega0, TF_R(0.0), &v);
+  if (status == TF_OK) {
+    status = tf_surface_at(&setup->machine, &setup->input, r, v, omega, &at);
+  }
+  if (status != TF_OK) {
+    return cli_message(
+        CLI_STOPPED, "stopped at r = %g m, omega = %g rad/s, v = %g m/s: %s",
+        (double)r, (double)omega, (double)v, tf_status_name(status));
+  }
+  cli_add_form(&text, "%g,%g,%s,", (double)r, (double)omega,
+               tf_region_name(at.region));
+  if (at.lambda_is_given) {
+    cli_add_real(&text, at.lambda);
+  }
+  cli_add(&text, ",");
+  if (at.region != TF_REGION_CODIM2) {
+    cli_add_real(&text, at.delassus);
+  }
+  cli_add(&text, "\n");
+  *length = text.used;
+  return CLI_DONE;
+}
+
+// Where sin(gamma) = 0 the surface is w = omega0 (and r = 0). Then v does not
+// follow from h = 0, and (r, omega) does not determine a point of the surface.
+static int check_gamma(const cli_analysis_t *a) {
+  const origin_t origin = origin_of(a, "gamma");
+  const double sine = (double)a->setup.machine.sin_gamma;
+  if (fabs(sine) >= (double)TF_MIN_SINE) {
+    return CLI_DONE;
+  }
+  return cli_message(CLI_REFUSED,
+                     "%s %s: regions needs |sin(gamma)| in [%g, 1], it is "
+                     "%g: no speed v follows from h = 0",
+                     origin.option, origin.text, (double)TF_MIN_SINE,
+                     fabs(sine));
+}
+
+int cli_regions(const cli_args_t *args) {
+  cli_analysis_t a;
+  int code = cli_analysis_begin(&a, args, false);
+  code = code == CLI_DONE ? needs_jump(&a, false) : code;
+  code = code == CLI_DONE ? check_gamma(&a) : code;
+  return code == CLI_DONE
+             ? write_grid(&a, "r,omega,region,lambda,delassus\n",
+                          "r m, omega rad/s, lambda N, delassus 1/kg",
+                          regions_row)
+             : code;
+}
+
+static const char atlas_header[] =
+    "r,omega,v,g,kappa,k2,K++,K+-,K-+,K--,J1,J2,K--_positive,K++_negative,"
+    "J1_negative,J2_negative,J1J2_above_1,kappa_positive,k2_positive,overlap\n";
+
+#define VALUES 10
+#define CONDITIONS 7
+
+static int atlas_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
+                     char out[ROW_ROOM], size_t *length) {
+  cli_buffer_t text = {out, 0, ROW_ROOM, false};
+  tf_design_t design;
+  (void)tf_design_two_fold(&a->setup.machine, &a->setup.input, r, omega,
+                           &design);
+  const bool exists = design.obstacle == TF_DESIGN_FOUND ||
+                      design.obstacle == TF_DESIGN_KAPPA ||
+                      design.obstacle == TF_DESIGN_K2;
+  const tf_two_fold_t *at = &design.two_fold;
+  const tf_real_t c2 = at->time_scale * at->time_scale;
+  const tf_real_t values[VALUES] = {
+      at->point.v,  at->point.g,  design.kappa, design.k2, c2 * at->Kpp,
+      c2 * at->Kpm, c2 * at->Kmp, c2 * at->Kmm, at->J1,    at->J2};
+  const bool holds[CONDITIONS] = {
+      at->Kmm > 0,         // (b)
+      0 > at->Kpp,         // (c)
+      0 > at->J1,          // (d)
+      0 > at->J2,          // (e)
+      at->J1 * at->J2 > 1, // (f)
+      design.kappa > 0,    // (g)
+      design.k2 > 0,
+  };
+  bool all = exists;
+  cli_add_form(&text, "%g,%g", (double)r, (double)omega);
+  for (int i = 0; i < VALUES; i++) {
+    cli_add(&text, ",");
+    if (exists && isfinite(values[i])) {
+      cli_add_real(&text, values[i]);
+    }
+  }
+  for (int i = 0; i < CONDITIONS; i++) {
+    cli_add(&text, !exists ? "," : holds[i] ? ",1" : ",0");
+    all = all && holds[i];
+  }
+  cli_add(&text, all ? ",1\n" : ",0\n");
+  *length = text.used;
+  return CLI_DONE;
+}
+
+int cli_atlas(const cli_args_t *args) {
+  cli_analysis_t a;
+  int code = cli_analysis_begin(&a, args, true);
+  code = code == CLI_DONE ? check_design(&a) : code;
+  return code == CLI_DONE
+             ? write_grid(&a, atlas_header,
+                          "r m, omega rad/s, v m/s, g m/s, kappa m, k2 N/m, K "
+                          "in rescaled time, others 1",
+                          atlas_row)
+             : code;
 }

@@ -7,7 +7,6 @@
 #include "../host/output.h"
 #include "../setup/args.h"
 #include "../setup/setup.h"
-#include "../text/buffer.h"
 
 /// One of the commands, ready to compute and write.
 typedef struct {
@@ -20,26 +19,5 @@ typedef struct {
 /// without kappa is not refused.
 int cli_analysis_begin(cli_analysis_t *a, const cli_args_t *args,
                        bool finds_kappa);
-
-/// Where a value came from: "--set NAME=VALUE" if it was set, otherwise "scene
-/// NAME".
-typedef struct {
-  const char *option, *text;
-} cli_origin_t;
-cli_origin_t cli_analysis_origin(const cli_analysis_t *a, const char *name);
-
-/// Refuses a law without a jump at h = 0, or (with needs_moment) one without a
-/// moment in stick.
-int cli_analysis_needs_jump(const cli_analysis_t *a, bool needs_moment);
-
-/// Refuses what kappa and k2 cannot be designed for: a law without a moment in
-/// stick, mu = 0, and a gamma whose sine or cosine nearly vanishes.
-int cli_analysis_check_design(const cli_analysis_t *a);
-
-/// Begins an object of JSON: version, commit and number type of this program,
-/// scene, hash of the parameters, and the units of what follows, as members of
-/// an object.
-void cli_analysis_begin_json(const cli_analysis_t *a, const char *units,
-                             cli_buffer_t *text);
 
 #endif

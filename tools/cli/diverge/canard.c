@@ -18,7 +18,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../setup/names.h"
+#include "../setup/setup.h"
 #include "twofold/singularity.h"
 
 cli_field_t cli_field_at(const tf_machine_t *k, cli_point_t at) {

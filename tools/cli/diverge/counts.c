@@ -10,6 +10,7 @@
 
 #include "../text/message.h"
 #include "../text/number.h"
+#include "../text/summary.h"
 #include "../text/trailer.h"
 #include "files.h"
 
@@ -342,8 +343,8 @@ int cli_merge(const cli_args_t *args) {
     code = cli_output_end(&merge.output, code);
   }
   if (code == CLI_DONE) {
-    (void)fprintf(stderr, "shards     %" PRIu64 " of %" PRIu64 "\n",
-                  cli_counts_shards(&merge.sum), merge.sum.of);
+    cli_say("shards     %" PRIu64 " of %" PRIu64 "\n",
+            cli_counts_shards(&merge.sum), merge.sum.of);
   }
   return code;
 }

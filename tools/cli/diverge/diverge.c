@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include "../host/host.h"
-#include "../text/commit.h"
 #include "../text/message.h"
 #include "../text/summary.h"
 #include "files.h"
@@ -138,22 +137,18 @@ static bool do_sample(work_t *work, uint64_t sample) {
 }
 
 static void summarise(const work_t *work, double seconds) {
-  (void)fprintf(stderr,
-                "samples    %" PRIu64 " of %" PRIu64
-                ", by %s\ncycles     "
-                "%" PRIu64,
-                work->at.samples, work->last - work->first,
-                cli_mechanisms[work->job->args->mechanism].name,
-                work->at.cycles);
+  cli_say("samples    %" PRIu64 " of %" PRIu64 ", by %s\ncycles     %" PRIu64,
+          work->at.samples, work->last - work->first,
+          cli_mechanisms[work->job->args->mechanism].name, work->at.cycles);
   for (int i = 1; i < CLI_OUTCOMES; i++) {
     if (work->at.outcomes[i] > 0) {
-      (void)fprintf(stderr, ", %s %" PRIu64, cli_outcome_name((cli_outcome_t)i),
-                    work->at.outcomes[i]);
+      cli_say(", %s %" PRIu64, cli_outcome_name((cli_outcome_t)i),
+              work->at.outcomes[i]);
     }
   }
   const uint64_t cycles = work->at.cycles - work->kept;
-  (void)fprintf(stderr, "\ncost       %.3g s, %.3g ms a cycle\n", seconds,
-                cycles > 0 ? 1e3 * seconds / (double)cycles : 0.0);
+  cli_say("\ncost       %.3g s, %.3g ms a cycle\n", seconds,
+          cycles > 0 ? 1e3 * seconds / (double)cycles : 0.0);
 }
 
 // The same for a program: one line, the last one on standard error.

@@ -7,8 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "../setup/names.h"
-#include "../text/commit.h"
+#include "../setup/setup.h"
 #include "../text/message.h"
 
 // The units of size follow from what is perturbed: noise on h has the standard

@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-#include "../setup/names.h"
+#include "../setup/setup.h"
 #include "motion.h"
 
 #define SHORTEST 2e-9 // [s], to which the time of h = g = 0 is bisected

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "../run/row.h"
-#include "../setup/names.h"
+#include "../setup/setup.h"
 #include "../text/message.h"
 #include "../text/number.h"
 

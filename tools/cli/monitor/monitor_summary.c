@@ -12,7 +12,7 @@
 #include <stdio.h>
 
 #include "../run/row.h"
-#include "../text/commit.h"
+#include "../text/message.h"
 #include "../text/number.h"
 #include "../text/summary.h"
 
@@ -112,23 +112,20 @@ tf_tally_t cli_seen_flagged(const cli_seen_t *seen) {
 }
 
 static void print_board(const tf_heartbeat_t *beat) {
-  (void)fprintf(stderr,
-                "board      %" PRIu32 " steps, %" PRIu32 " overruns, %" PRIu32
-                " ticks without a step, %" PRIu32 " frames dropped, %" PRIu32
-                " steps refused",
-                beat->steps, beat->overruns, beat->skipped, beat->dropped,
-                beat->refused);
+  cli_say("board      %" PRIu32 " steps, %" PRIu32 " overruns, %" PRIu32
+          " ticks without a step, %" PRIu32 " frames dropped, %" PRIu32
+          " steps refused",
+          beat->steps, beat->overruns, beat->skipped, beat->dropped,
+          beat->refused);
   if (beat->exec_max > 0) {
-    (void)fprintf(stderr,
-                  "; a step takes %" PRIu32 " to %" PRIu32 " ns, mean %" PRIu32,
-                  beat->exec_min, beat->exec_max, beat->exec_mean);
+    cli_say("; a step takes %" PRIu32 " to %" PRIu32 " ns, mean %" PRIu32,
+            beat->exec_min, beat->exec_max, beat->exec_mean);
   }
-  (void)fputc('\n', stderr);
+  cli_say("\n");
   if (beat->expired > 0) {
-    (void)fprintf(stderr,
-                  "inputs     expired %" PRIu32
-                  " times: nobody renewed them, the machine coasted\n",
-                  beat->expired);
+    cli_say("inputs     expired %" PRIu32
+            " times: nobody renewed them, the machine coasted\n",
+            beat->expired);
   }
 }
 
@@ -136,22 +133,19 @@ void cli_seen_print(const cli_seen_t *seen) {
   const cli_receiver_t *receiver = &seen->receiver;
   const tf_decoder_t *decoder = &seen->decoder;
   if (receiver->has_schema) {
-    (void)fprintf(stderr, "sender     %s, scene %s, %s, dt = %g s, ",
-                  receiver->build, receiver->scene,
-                  receiver->is_float ? "float" : "double", receiver->dt);
-    (void)fprintf(stderr, "parameters %08" PRIx32 "\n", receiver->hash);
+    cli_say("sender     %s, scene %s, %s, dt = %g s, ", receiver->build,
+            receiver->scene, receiver->is_float ? "float" : "double",
+            receiver->dt);
+    cli_say("parameters %08" PRIx32 "\n", receiver->hash);
   }
-  (void)fprintf(stderr,
-                "frames     %" PRIu32 " in %" PRIu64 " bytes, %" PRIu64
-                " rows, %" PRIu64 " without a match, %" PRIu64 " unknown\n",
-                decoder->frames, seen->bytes, receiver->rows,
-                receiver->incomplete + receiver->has_state, receiver->unknown);
-  (void)fprintf(stderr,
-                "line       %" PRIu32 " lost, %" PRIu32 " broken, %" PRIu32
-                " too long, %" PRIu32 " of another version, %" PRIu32
-                " restarts\n",
-                decoder->lost, decoder->bad, decoder->too_long,
-                decoder->bad_version, decoder->restarts);
+  cli_say("frames     %" PRIu32 " in %" PRIu64 " bytes, %" PRIu64
+          " rows, %" PRIu64 " without a match, %" PRIu64 " unknown\n",
+          decoder->frames, seen->bytes, receiver->rows,
+          receiver->incomplete + receiver->has_state, receiver->unknown);
+  cli_say("line       %" PRIu32 " lost, %" PRIu32 " broken, %" PRIu32
+          " too long, %" PRIu32 " of another version, %" PRIu32 " restarts\n",
+          decoder->lost, decoder->bad, decoder->too_long, decoder->bad_version,
+          decoder->restarts);
   if (receiver->has_heartbeat) {
     print_board(&receiver->heartbeat);
   }
@@ -162,19 +156,15 @@ void cli_seen_print(const cli_seen_t *seen) {
         cli_tally_reserved(&seen->reported) > 0 ? seen->first : (double)NAN);
   }
   if (receiver->has_schema && receiver->rows > 0) {
-    (void)fprintf(stderr,
-                  "last       step %" PRIu64
-                  ", r = %.9g m, v = %.9g m/s, "
-                  "omega = %.9g rad/s, %s\n",
-                  receiver->tick, receiver->state[0], receiver->state[1],
-                  receiver->state[2], tf_mode_name(receiver->mode));
+    cli_say("last       step %" PRIu64
+            ", r = %.9g m, v = %.9g m/s, omega = %.9g rad/s, %s\n",
+            receiver->tick, receiver->state[0], receiver->state[1],
+            receiver->state[2], tf_mode_name(receiver->mode));
   }
   if (seen->not_finite > 0) {
-    (void)fprintf(stderr,
-                  "values     %" PRIu64
-                  " rows with one that is not finite, first at step %" PRIu64
-                  "\n",
-                  seen->not_finite, seen->first_tick);
+    cli_say("values     %" PRIu64
+            " rows with one that is not finite, first at step %" PRIu64 "\n",
+            seen->not_finite, seen->first_tick);
   }
 }
 
@@ -214,7 +204,7 @@ static void put_board(const cli_receiver_t *receiver) {
     cli_put_null("board");
     return;
   }
-  (void)fputs("\"board\": {", stderr);
+  cli_say("\"board\": {");
   cli_put_count("steps", beat->steps);
   cli_put_count("overruns", beat->overruns);
   cli_put_count("skipped", beat->skipped);
@@ -223,7 +213,7 @@ static void put_board(const cli_receiver_t *receiver) {
   cli_put_count("exec_min_ns", beat->exec_min);
   cli_put_count("exec_mean_ns", beat->exec_mean);
   cli_put_count("exec_max_ns", beat->exec_max);
-  (void)fprintf(stderr, "\"refused\": %" PRIu32 "}, ", beat->refused);
+  cli_say("\"refused\": %" PRIu32 "}, ", beat->refused);
 }
 
 static void put_last(const cli_receiver_t *receiver) {
@@ -231,19 +221,19 @@ static void put_last(const cli_receiver_t *receiver) {
     cli_put_null("last");
     return;
   }
-  (void)fputs("\"last\": {", stderr);
+  cli_say("\"last\": {");
   cli_put_count("step", receiver->tick);
   for (int i = 0; i < 3; i++) {
     static const char *const names[] = {"r", "v", "omega"};
     cli_put_number(names[i], receiver->state[i], receiver->is_float);
-    (void)fputs(", ", stderr);
+    cli_say(", ");
   }
-  (void)fprintf(stderr, "\"mode\": \"%s\"}, ", tf_mode_name(receiver->mode));
+  cli_say("\"mode\": \"%s\"}, ", tf_mode_name(receiver->mode));
 }
 
 void cli_seen_put(const cli_seen_t *seen, int code) {
   const tf_tally_t tally = cli_seen_flagged(seen);
-  (void)fputs("{", stderr);
+  cli_say("{");
   cli_put_word("version", TF_VERSION);
   cli_put_word("commit", cli_commit);
   cli_put_word("command", "monitor");

@@ -17,7 +17,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../setup/names.h"
+#include "../setup/setup.h"
 #include "../text/buffer.h"
 
 static bool changes_sign(tf_real_t a, tf_real_t b) {

@@ -7,10 +7,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../setup/names.h"
+#include "../setup/setup.h"
 #include "../text/buffer.h"
 #include "../text/message.h"
-#include "state_file.h"
 
 void cli_run_show(const cli_run_t *run) {
   const tf_state_t *state = &run->system.state;
@@ -160,28 +159,25 @@ int cli_run_check_start(const cli_args_t *args, const cli_setup_t *setup,
 }
 
 int cli_run_go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup) {
-  cli_stand_t stand;
-  int code = cli_state_read(&stand, args->from, setup, run->scheme);
-  if (code == CLI_DONE) {
-    code = cli_run_check_start(args, setup, "--from", args->from,
-                               stand.state.seed);
-  }
+  const cli_stand_t *stand = &run->from;
+  const int code =
+      cli_run_check_start(args, setup, "--from", args->from, stand->state.seed);
   if (code != CLI_DONE) {
     return code;
   }
-  if (stand.state.tick > run->steps) {
+  if (stand->state.tick > run->steps) {
     return cli_message(CLI_REFUSED,
                        "--from %s: it stands at t = %.9g s, after the end at "
                        "%.9g s",
-                       args->from, cli_run_time(run, stand.state.tick),
+                       args->from, cli_run_time(run, stand->state.tick),
                        cli_run_time(run, run->steps));
   }
-  take_inputs(run, args, &stand);
-  setup->seed = stand.state.seed;
-  run->system.state = stand.state;
-  run->system.compensation = stand.compensation;
-  run->report = stand.report;
-  run->first = run->done = stand.state.tick;
+  take_inputs(run, args, stand);
+  setup->seed = stand->state.seed;
+  run->system.state = stand->state;
+  run->system.compensation = stand->compensation;
+  run->report = stand->report;
+  run->first = run->done = stand->state.tick;
   (void)cli_drive_begin(&run->drive, &setup->machine, run->first);
   return CLI_DONE;
 }

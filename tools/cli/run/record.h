@@ -5,14 +5,105 @@
 #define TWOFOLD_CLI_RECORD_H
 
 #include "../host/lateness.h"
-#include "../host/output.h"
 #include "../live/live.h"
-#include "../setup/inputs.h"
-#include "../setup/scheme.h"
+#include "../setup/args.h"
 #include "events.h"
-#include "replay.h"
 #include "row.h"
 #include "twofold.h"
+
+// What a board did, from a record of `monitor --record`: each command takes
+// effect after the step at which it did there, by the functions that the board
+// calls, so the motion has the board's bits.
+
+/// A frame of the record: a command, or a state to compare with.
+typedef struct {
+  uint64_t tick;
+  uint8_t type, length;
+  uint8_t data[TF_FRAME_PAYLOAD];
+} cli_replay_row_t;
+
+typedef struct {
+  const char *name; ///< of the file
+  cli_replay_row_t schema;
+  cli_replay_row_t *rows; ///< from the heap
+  size_t count, room;
+  size_t next; ///< row to come
+  tf_simulation_t simulation;
+  tf_link_t link;
+  uint32_t sequence;
+  uint64_t commands;  ///< that took effect
+  uint64_t states;    ///< that were compared
+  const char *failed; ///< why the replay is not the simulation, or NULL
+} cli_replay_t;
+
+/// Reads a record.
+/// replay: in/out, empty; to be freed by cli_replay_free, whatever is returned.
+/// path: in, kept, for messages. scheme: in/out, NULL: that of the board.
+/// Returns: CLI_DONE; after a message CLI_USAGE, CLI_REFUSED (cut off or
+/// changed) or CLI_STOPPED.
+int cli_replay_read(cli_replay_t *replay, const char *path,
+                    const cli_scheme_t **scheme);
+
+/// Begins it at the start of a setup, which takes the seed of the board.
+/// steps: out, how many the record has.
+/// Returns: CLI_DONE; after a message CLI_REFUSED (another machine, scheme or
+/// number type).
+int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
+                     const cli_scheme_t *scheme, uint64_t *steps);
+
+/// Applies what is due before the next step of a system, and finds the inputs
+/// of that step.
+/// report: in/out, of the last step; where a command puts another state in the
+/// place of the one that it led to, that of the other state.
+/// Returns: whether there is a next step; not where replay->failed is set.
+bool cli_replay_next(cli_replay_t *replay, cli_system_t *system,
+                     const tf_scene_t *scene, tf_report_t *report,
+                     tf_input_t *input);
+
+void cli_replay_free(cli_replay_t *replay);
+
+// Where a run stands, as a file from which another run goes on bit for bit: the
+// state, the compensation, the last report, and what they belong to.
+
+/// Room for the text of a file.
+#define CLI_STATE_BYTES 8192
+
+/// Inputs that a board got by a command, which hold on or have expired; the
+/// members are those of tf_simulation_t. Under TF_INPUT_SCENE there are none.
+typedef struct {
+  tf_input_source_t source;
+  uint32_t deadman, left;
+  tf_input_t input;
+} cli_held_t;
+
+typedef struct {
+  tf_state_t state;
+  tf_compensation_t compensation;
+  tf_report_t report; ///< of the last step, or of the start
+  uint32_t inputs;    ///< cli_inputs_hash of what drove it
+  cli_held_t held;
+} cli_stand_t;
+
+/// Writes it as text.
+/// setup: in, whose machine and scene it belongs to.
+size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
+                       const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]);
+
+/// Reads it from text. The machine, the profile of the scene, the scheme and
+/// the number type have to be those with which it was written, bit for bit.
+/// text: in/out, size bytes and a zero behind them; it is cut into lines.
+/// setup: in, its parameters, which need not be prepared.
+/// scheme: in/out, NULL: that of the text.
+/// Returns: CLI_DONE; after a message that says what differs CLI_REFUSED, or
+/// CLI_USAGE where the text is none of this kind.
+int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
+                    size_t size, const cli_setup_t *setup,
+                    const cli_scheme_t **scheme);
+
+/// Reads it from a file.
+/// Returns: as cli_state_parse; CLI_USAGE as well where it cannot be read.
+int cli_state_read(cli_stand_t *stand, const char *path,
+                   const cli_setup_t *setup, const cli_scheme_t **scheme);
 
 /// Why a run ended.
 typedef enum {
@@ -26,6 +117,7 @@ typedef enum {
 typedef struct {
   const cli_setup_t *setup;
   const cli_scheme_t *scheme;
+  cli_stand_t from; ///< where it starts, under --from
   cli_drive_t drive;
   cli_replay_t replay; ///< its simulation has inputs that hold by a command
   bool replays;        ///< instead of driving the scene
@@ -81,11 +173,8 @@ void cli_run_show(const cli_run_t *run);
 /// after: in, the report of the step; run->done counts the step already.
 void cli_run_observe(cli_run_t *run, const tf_report_t *after);
 
-/// Prints it on standard error, as one line. code: in, the exit code.
-void cli_summary_json(const cli_run_t *run, int code);
-
-/// Prints it on standard error; json: as cli_summary_json does, after the
-/// reason of an early end. code: in, the exit code.
+/// Prints it on standard error; json: as one line, after the reason of an early
+/// end. code: in, the exit code.
 void cli_summary(const cli_run_t *run, bool json, int code);
 
 // A run that goes on where another one stands: --save and --from.

@@ -3,8 +3,6 @@
 // simulation and a link; commands go through the link as they do there, and the
 // system of the run is the simulation's machine and state.
 
-#include "replay.h"
-
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -15,6 +13,7 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"
+#include "record.h"
 #include "row.h"
 
 #define LINE_ROOM 1024
@@ -162,7 +161,8 @@ static int parse(cli_replay_t *replay, FILE *file) {
   return code == CLI_DONE && !reader.is_whole ? cut_off(&reader) : code;
 }
 
-int cli_replay_read(cli_replay_t *replay, const char *path) {
+int cli_replay_read(cli_replay_t *replay, const char *path,
+                    const cli_scheme_t **scheme) {
   FILE *file = fopen(path, "r");
   if (file == NULL) {
     return cli_message(CLI_USAGE, "--replay %s: %s", path, strerror(errno));
@@ -170,6 +170,10 @@ int cli_replay_read(cli_replay_t *replay, const char *path) {
   replay->name = path;
   const int code = parse(replay, file);
   (void)fclose(file);
+  const uint8_t there = replay->schema.data[SCHEMA_SCHEME];
+  if (code == CLI_DONE && *scheme == NULL && there < CLI_SCHEMES) {
+    *scheme = &cli_schemes[there];
+  }
   return code;
 }
 

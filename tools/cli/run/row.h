@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "../setup/scheme.h"
+#include "../setup/args.h"
 #include "twofold.h"
 
 /// How a row is written.

@@ -301,7 +301,7 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
       run->live != NULL && run->output.to.descriptor == STDOUT_FILENO;
   const char *why = args->priority ? cli_take_priority() : NULL;
   if (why != NULL) {
-    (void)fprintf(stderr, "twofold: --priority: not given: %s\n", why);
+    cli_say("twofold: --priority: not given: %s\n", why);
   }
   write_header(run);
   step_through(run);
@@ -321,8 +321,16 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
 
 static int prepare(const cli_args_t *args, cli_setup_t *setup, cli_run_t *run) {
   int code = cli_setup_read(setup, args->scene, &args->settings, args->select);
+  if (code == CLI_DONE && args->scheme != CLI_NOT_GIVEN) {
+    run->scheme = &cli_schemes[args->scheme];
+  }
+  if (code == CLI_DONE && args->from != NULL) {
+    code = cli_state_read(&run->from, args->from, setup, &run->scheme);
+  } else if (code == CLI_DONE && args->replay != NULL) {
+    code = cli_replay_read(&run->replay, args->replay, &run->scheme);
+  }
   if (code == CLI_DONE) {
-    run->scheme = cli_scheme_for(args, setup->params.dt);
+    run->scheme = cli_scheme_for(args, setup->params.dt, run->scheme);
     code = cli_check_law(run->scheme, setup->params.law);
   }
   if (code == CLI_DONE && args->accuracy > 0 && run->scheme->code != 0) {
@@ -350,10 +358,7 @@ static int prepare(const cli_args_t *args, cli_setup_t *setup, cli_run_t *run) {
 static int prepare_replay(cli_run_t *run, const cli_args_t *args,
                           cli_setup_t *setup) {
   const cli_setup_t asked = *setup;
-  int code = cli_replay_read(&run->replay, args->replay);
-  if (code == CLI_DONE) {
-    code = cli_replay_begin(&run->replay, setup, run->scheme, &run->steps);
-  }
+  int code = cli_replay_begin(&run->replay, setup, run->scheme, &run->steps);
   if (code == CLI_DONE) {
     code = cli_run_check_start(args, &asked, "--replay", args->replay,
                                setup->seed);

@@ -16,8 +16,6 @@
 // The scene is there as a whole and not as a hash, so that what differs can be
 // reported by name. Its start is not compared: the state is in its place.
 
-#include "state_file.h"
-
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -25,12 +23,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../setup/names.h"
 #include "../setup/scene_file.h"
-#include "../text/commit.h"
+#include "../setup/setup.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"
+#include "record.h"
 
 #define VERSION "3"
 #define REALS 19
@@ -77,13 +75,6 @@ static tf_real_t *real_of(cli_stand_t *stand, size_t i) {
   return (tf_real_t *)(void *)((char *)stand + reals[i].at);
 }
 
-static void add_pair(cli_buffer_t *out, const char *key, const char *value) {
-  cli_add(out, key);
-  cli_add(out, " ");
-  cli_add(out, value);
-  cli_add(out, "\n");
-}
-
 size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                        const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]) {
   cli_buffer_t text = {out, 0, CLI_STATE_BYTES, false};
@@ -99,27 +90,27 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                                   stand->held.deadman,
                                   stand->held.left};
   const size_t held = stand->held.source != TF_INPUT_SCENE;
-  add_pair(&text, "twofold-state", VERSION);
-  add_pair(&text, "number", CLI_NUMBER_TYPE);
-  add_pair(&text, "scheme", scheme->name);
+  cli_add_form(&text, "%s %s\n", "twofold-state", VERSION);
+  cli_add_form(&text, "%s %s\n", "number", CLI_NUMBER_TYPE);
+  cli_add_form(&text, "%s %s\n", "scheme", scheme->name);
   (void)snprintf(number, sizeof number, "%08" PRIx32, stand->inputs);
-  add_pair(&text, "inputs", number);
+  cli_add_form(&text, "%s %s\n", "inputs", number);
   if (held != 0) {
-    add_pair(&text, "source", sources[stand->held.source]);
+    cli_add_form(&text, "%s %s\n", "source", sources[stand->held.source]);
   }
   for (size_t i = 0; i < WHOLES - HELD_WHOLES + held * HELD_WHOLES; i++) {
     (void)snprintf(number, sizeof number, "%" PRIu64, whole[i]);
-    add_pair(&text, wholes[i].name, number);
+    cli_add_form(&text, "%s %s\n", wholes[i].name, number);
   }
   for (size_t i = 0; i < REALS - HELD_REALS + held * HELD_REALS; i++) {
     (void)cli_write_real(number, *real_of(&copy, i));
-    add_pair(&text, reals[i].name, number);
+    cli_add_form(&text, "%s %s\n", reals[i].name, number);
   }
   cli_add(&text, "scene\n");
   cli_scene_print(setup->scene, &setup->params, &text);
   (void)snprintf(number, sizeof number, "%08" PRIx32,
                  cli_crc(0, out, text.used));
-  add_pair(&text, "crc32", number);
+  cli_add_form(&text, "%s %s\n", "crc32", number);
   return text.used;
 }
 
@@ -152,13 +143,19 @@ static int differs(const reader_t *reader, const char *what, const char *there,
                      reader->path, what, there, here);
 }
 
-static int expect_word(reader_t *reader, const char *key, const char *here) {
-  const char *there = next_value(reader, key);
-  if (there == NULL) {
-    return no_state(reader, "no file of --save");
+// The scheme has to be the one asked for, where one is.
+static int read_scheme(reader_t *reader, const cli_scheme_t **scheme) {
+  const char *here = *scheme != NULL ? (*scheme)->name : NULL;
+  const char *there = next_value(reader, "scheme");
+  for (size_t i = 0; there != NULL && i < CLI_SCHEMES; i++) {
+    if (strcmp(there, cli_schemes[i].name) == 0) {
+      *scheme = &cli_schemes[i];
+      return here == NULL || strcmp(there, here) == 0
+                 ? CLI_DONE
+                 : differs(reader, "scheme", there, here);
+    }
   }
-  return strcmp(there, here) == 0 ? CLI_DONE
-                                  : differs(reader, key, there, here);
+  return no_state(reader, "no file of --save");
 }
 
 static int compare_params(const reader_t *reader, const tf_params_t *there,
@@ -293,7 +290,7 @@ static bool is_whole(char *text, size_t size) {
 
 int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
                     size_t size, const cli_setup_t *setup,
-                    const cli_scheme_t *scheme) {
+                    const cli_scheme_t **scheme) {
   reader_t reader = {path, text};
   if (strncmp(text, "twofold-state ", 14) != 0 || strchr(text, '\n') == NULL) {
     return no_state(&reader, "no file of --save");
@@ -309,15 +306,19 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
     return differs(&reader, "its version (run up to it again, with --save)",
                    version, VERSION);
   }
-  int code = expect_word(&reader, "number", CLI_NUMBER_TYPE);
-  code = code == CLI_DONE ? expect_word(&reader, "scheme", scheme->name) : code;
+  const char *number = next_value(&reader, "number");
+  int code = number == NULL ? no_state(&reader, "no file of --save")
+             : strcmp(number, CLI_NUMBER_TYPE) == 0
+                 ? CLI_DONE
+                 : differs(&reader, "number", number, CLI_NUMBER_TYPE);
+  code = code == CLI_DONE ? read_scheme(&reader, scheme) : code;
   code = code == CLI_DONE ? read_values(&reader, stand) : code;
   code = code == CLI_DONE ? check_stand(&reader, stand) : code;
   return code == CLI_DONE ? compare_scene(&reader, setup) : code;
 }
 
 int cli_state_read(cli_stand_t *stand, const char *path,
-                   const cli_setup_t *setup, const cli_scheme_t *scheme) {
+                   const cli_setup_t *setup, const cli_scheme_t **scheme) {
   char text[CLI_STATE_BYTES + 1];
   const reader_t reader = {path, text};
   FILE *file = fopen(path, "r");

@@ -8,29 +8,30 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
-#include "../setup/names.h"
+#include "../setup/setup.h"
 #include "../text/message.h"
+#include "../text/number.h"
 #include "record.h"
 
 static void print_request(const cli_run_t *run) {
   const cli_setup_t setup = cli_run_setup(run);
-  (void)fprintf(stderr, "scene      %s, law %s\n", setup.scene->name,
-                tf_tyre_law_name(setup.params.law));
-  (void)fprintf(stderr, "scheme     %s, rule %s", run->scheme->name,
-                tf_rule_name(setup.params.rule));
+  cli_say("scene      %s, law %s\n", setup.scene->name,
+          tf_tyre_law_name(setup.params.law));
+  cli_say("scheme     %s, rule %s", run->scheme->name,
+          tf_rule_name(setup.params.rule));
   if (setup.params.rule == TF_RULE_RANDOM) {
-    (void)fprintf(stderr, ":%" PRIu32 ", exit rate %g /s", setup.seed,
-                  (double)setup.params.rate);
+    cli_say(":%" PRIu32 ", exit rate %g /s", setup.seed,
+            (double)setup.params.rate);
   }
-  (void)fprintf(stderr,
-                "\nsteps      %" PRIu64 " of %" PRIu64 ", dt = %g s, t = %g s",
-                run->done, run->steps, (double)setup.machine.dt,
-                cli_run_time(run, run->done));
+  cli_say("\nsteps      %" PRIu64 " of %" PRIu64 ", dt = %g s, t = %g s",
+          run->done, run->steps, (double)setup.machine.dt,
+          cli_run_time(run, run->done));
   if (run->first > 0) {
-    (void)fprintf(stderr, ", %" PRIu64 " of them by another run", run->first);
+    cli_say(", %" PRIu64 " of them by another run", run->first);
   }
-  (void)fputc('\n', stderr);
+  cli_say("\n");
 }
 
 // The rows of a table that the steps came to see, and what was applied to them.
@@ -38,33 +39,30 @@ static void print_table(const cli_inputs_t *table) {
   if (table->count == 0) {
     return;
   }
-  (void)fprintf(stderr, "inputs     %s, %s: %zu of %zu rows, t = %g to %g s%s",
-                table->name, table->linear ? "linear" : "held",
-                table->last - table->first + 1 - table->passed, table->count,
-                (double)table->rows[table->first].t,
-                (double)table->rows[table->last].t,
-                table->applied ? "; applied" : "");
+  cli_say("inputs     %s, %s: %zu of %zu rows, t = %g to %g s%s", table->name,
+          table->linear ? "linear" : "held",
+          table->last - table->first + 1 - table->passed, table->count,
+          (double)table->rows[table->first].t,
+          (double)table->rows[table->last].t,
+          table->applied ? "; applied" : "");
   const char *comma = " ";
   for (size_t i = 0; i < CLI_INPUTS; i++) {
     if (table->given[i] && table->applied) {
-      (void)fprintf(stderr, "%s%s in [%.6g, %.6g] %s", comma,
-                    cli_input_columns[i].name, (double)table->low[i],
-                    (double)table->high[i], cli_input_columns[i].unit);
+      cli_say("%s%s in [%.6g, %.6g] %s", comma, cli_input_columns[i].name,
+              (double)table->low[i], (double)table->high[i],
+              cli_input_columns[i].unit);
       comma = ", ";
     }
   }
-  (void)fputc('\n', stderr);
+  cli_say("\n");
   if (table->passed > 0) {
-    (void)fprintf(stderr,
-                  "           %zu other rows lie between two steps and never "
-                  "held\n",
-                  table->passed);
+    cli_say("           %zu other rows lie between two steps and never held\n",
+            table->passed);
   }
   if (table->within > 0) {
-    (void)fprintf(stderr,
-                  "           %zu times of rows lie within a step, %zu of them "
-                  "jumps\n",
-                  table->within, table->jumps);
+    cli_say(
+        "           %zu times of rows lie within a step, %zu of them jumps\n",
+        table->within, table->jumps);
   }
 }
 
@@ -72,32 +70,28 @@ static void print_table(const cli_inputs_t *table) {
 static void print_held(const tf_simulation_t *simulation) {
   const tf_input_t *input = &simulation->input;
   if (simulation->source == TF_INPUT_SAFE) {
-    (void)fputs("inputs     safe ones: those by a command have expired\n",
-                stderr);
+    cli_say("inputs     safe ones: those by a command have expired\n");
   } else if (simulation->source == TF_INPUT_SET) {
-    (void)fprintf(stderr,
-                  "inputs     by a command: omega0 = %.6g rad/s, r0 = %.6g m, "
-                  "force = %.6g N,\n           torque = %.6g N m, alpha = %.6g "
-                  "rad/s^2",
-                  (double)input->omega0, (double)input->r0,
-                  (double)input->force, (double)input->torque,
-                  (double)input->alpha);
+    cli_say(
+        "inputs     by a command: omega0 = %.6g rad/s, r0 = %.6g m, force = "
+        "%.6g N,\n           torque = %.6g N m, alpha = %.6g rad/s^2",
+        (double)input->omega0, (double)input->r0, (double)input->force,
+        (double)input->torque, (double)input->alpha);
     if (simulation->deadman > 0) {
-      (void)fprintf(stderr, ", for %" PRIu32 " more steps", simulation->left);
+      cli_say(", for %" PRIu32 " more steps", simulation->left);
     }
-    (void)fputc('\n', stderr);
+    cli_say("\n");
   }
 }
 
 static void print_drive(const cli_run_t *run) {
   if (run->replays) {
-    (void)fprintf(stderr,
-                  "replay     %s: %" PRIu64 " commands took effect, %" PRIu64
-                  " states were compared\n",
-                  run->replay.name, run->replay.commands, run->replay.states);
+    cli_say("replay     %s: %" PRIu64 " commands took effect, %" PRIu64
+            " states were compared\n",
+            run->replay.name, run->replay.commands, run->replay.states);
     char changes[CLI_CHANGES_ROOM];
     if (cli_run_changes(run, changes) > 0) {
-      (void)fprintf(stderr, "           which now needs%s\n", changes);
+      cli_say("           which now needs%s\n", changes);
     }
   } else {
     print_table(&run->drive.profile);
@@ -201,44 +195,40 @@ static void print_events(const cli_events_t *events, FILE *file) {
 static void print_ambiguity(const cli_run_t *run) {
   const cli_ambiguity_t *ambiguity = &run->ambiguity;
   const double steps = (double)(run->done - run->first);
-  (void)fprintf(stderr, "ambiguous  several modes %sin %" PRIu64 " steps",
-                ambiguity->start > 1 ? "at the start and " : "",
-                ambiguity->steps);
+  cli_say("ambiguous  several modes %sin %" PRIu64 " steps",
+          ambiguity->start > 1 ? "at the start and " : "", ambiguity->steps);
   if (ambiguity->steps > 0) {
-    (void)fprintf(stderr, " (%.3g %%)", 100 * (double)ambiguity->steps / steps);
+    cli_say(" (%.3g %%)", 100 * (double)ambiguity->steps / steps);
   }
   if (!isnan(ambiguity->since)) {
-    (void)fprintf(stderr, ", first at t = %g s", ambiguity->since);
+    cli_say(", first at t = %g s", ambiguity->since);
   }
-  (void)fputc('\n', stderr);
+  cli_say("\n");
 }
 
 static void print_quality(const cli_run_t *run) {
   cli_tally_print(&run->tally, "first", cli_run_time(run, run->tally.first));
-  (void)fprintf(stderr, "largest    |h| in stick %.3g m/s, residual %.3g N\n",
-                run->largest_h, run->largest_residual);
+  cli_say("largest    |h| in stick %.3g m/s, residual %.3g N\n", run->largest_h,
+          run->largest_residual);
   if (run->args->accuracy > 0) {
-    (void)fprintf(stderr, "estimate   a step is off by %.3g at most\n",
-                  (double)run->system.error);
+    cli_say("estimate   a step is off by %.3g at most\n",
+            (double)run->system.error);
   }
 }
 
 static void print_final(const cli_run_t *run) {
   const tf_state_t *state = &run->system.state;
   const tf_compensation_t *compensation = &run->system.compensation;
-  (void)fprintf(stderr,
-                "final      r = %.9g m, v = %.9g m/s, omega = %.9g "
-                "rad/s",
-                (double)state->r + (double)compensation->r,
-                (double)state->v + (double)compensation->v,
-                (double)state->w + (double)compensation->w);
+  cli_say("final      r = %.9g m, v = %.9g m/s, omega = %.9g rad/s",
+          (double)state->r + (double)compensation->r,
+          (double)state->v + (double)compensation->v,
+          (double)state->w + (double)compensation->w);
   if (run->setup->machine.with_angle) {
-    (void)fprintf(stderr, ", phi = %.9g rad",
-                  (double)state->phi + (double)compensation->phi);
+    cli_say(", phi = %.9g rad", (double)state->phi + (double)compensation->phi);
   }
-  (void)fprintf(stderr, "\n           h = %.9g m/s, g = %.9g m/s, %s\n",
-                (double)run->report.slip.h, (double)run->report.slip.g,
-                tf_mode_name(state->mode));
+  cli_say("\n           h = %.9g m/s, g = %.9g m/s, %s\n",
+          (double)run->report.slip.h, (double)run->report.slip.g,
+          tf_mode_name(state->mode));
 }
 
 static void print_cost(const cli_run_t *run) {
@@ -246,19 +236,18 @@ static void print_cost(const cli_run_t *run) {
     return;
   }
   const double rate = (double)(run->done - run->first) / run->seconds;
-  (void)fprintf(stderr,
-                "cost       %.0f ns a step, %.3g steps/s, %.3g x real "
-                "time (and %.3g s of output)\n",
-                1e9 / rate, rate, rate * (double)run->setup->machine.dt,
-                run->output_seconds);
+  cli_say(
+      "cost       %.0f ns a step, %.3g steps/s, %.3g x real time (and %.3g s "
+      "of output)\n",
+      1e9 / rate, rate, rate * (double)run->setup->machine.dt,
+      run->output_seconds);
 }
 
 static void print_real_time(const cli_run_t *run) {
   if (run->args->real_time) {
-    (void)fprintf(stderr,
-                  "real time  %" PRIu64 " of %" PRIu64
-                  " steps late, by %.3g s at most\n",
-                  run->late, run->done - run->first, run->latest);
+    cli_say("real time  %" PRIu64 " of %" PRIu64
+            " steps late, by %.3g s at most\n",
+            run->late, run->done - run->first, run->latest);
   }
 }
 
@@ -293,6 +282,177 @@ static void print_end(const cli_run_t *run) {
   }
 }
 
+// The same as JSON, in SI units and with all digits. It is one line, and the
+// last one on standard error, so that notes and messages before it do no harm.
+
+static void put_request(const cli_run_t *run) {
+  const cli_setup_t now = cli_run_setup(run), *setup = &now;
+  cli_put_begin("run");
+  cli_put_word("scene", setup->scene->name);
+  cli_put_hash("scene_hash", cli_scene_hash(run->setup));
+  cli_put_hash("parameters", tf_params_hash(&setup->params));
+  cli_put_word("law", tf_tyre_law_name(setup->params.law));
+  cli_put_word("rule", tf_rule_name(setup->params.rule));
+  cli_put_count("seed", setup->seed);
+  cli_put_word("scheme", run->scheme->name);
+  cli_put_real("dt", setup->machine.dt);
+  cli_put_count("first", run->first);
+  cli_put_count("steps", run->done);
+  cli_put_count("asked", run->steps);
+  cli_put_double("t", cli_run_time(run, run->done));
+}
+
+static void put_replay(const cli_run_t *run) {
+  char changes[CLI_CHANGES_ROOM];
+  if (!run->replays) {
+    return;
+  }
+  (void)cli_run_changes(run, changes);
+  cli_say("\"replay\": {");
+  cli_put_text("name", run->replay.name);
+  cli_put_count("commands", run->replay.commands);
+  cli_put_count("states", run->replay.states);
+  cli_put_hash("began_with", tf_params_hash(&run->setup->params));
+  cli_say("\"changes\": \"%s\"}, ", changes + strspn(changes, " "));
+}
+
+// Inputs that a board got by a command, as they stand at the end.
+static void put_held(const tf_simulation_t *simulation) {
+  const tf_input_t *input = &simulation->input;
+  if (simulation->source == TF_INPUT_SCENE) {
+    return;
+  }
+  cli_say("\"held\": {");
+  cli_put_word("source",
+               simulation->source == TF_INPUT_SAFE ? "safe" : "outside");
+  cli_put_count("deadman", simulation->deadman);
+  cli_put_count("left", simulation->left);
+  cli_put_real("omega0", input->omega0);
+  cli_put_real("r0", input->r0);
+  cli_put_real("force", input->force);
+  cli_put_real("torque", input->torque);
+  cli_put_number("alpha", (double)input->alpha,
+                 sizeof input->alpha == sizeof(float));
+  cli_say("}, ");
+}
+
+static void put_table(const char *key, const cli_inputs_t *table) {
+  if (table->count == 0) {
+    return;
+  }
+  cli_say("\"%s\": {", key);
+  cli_put_text("name", table->name);
+  cli_put_word("between", table->linear ? "linear" : "held");
+  cli_put_count("rows", table->count);
+  cli_put_count("first", table->first);
+  cli_put_count("last", table->last);
+  cli_put_count("passed", table->passed);
+  cli_put_count("within", table->within);
+  cli_put_count("jumps", table->jumps);
+  cli_put_real("t_first", table->rows[table->first].t);
+  cli_put_real("t_last", table->rows[table->last].t);
+  cli_put_hash("crc32", cli_inputs_hash(table));
+  cli_say("\"applied\": {");
+  const char *comma = "";
+  for (size_t i = 0; i < CLI_INPUTS; i++) {
+    if (table->given[i] && table->applied) {
+      char low[CLI_REAL_ROOM], high[CLI_REAL_ROOM];
+      (void)cli_write_real(low, table->low[i]);
+      (void)cli_write_real(high, table->high[i]);
+      cli_say("%s\"%s\": [%s, %s]", comma, cli_input_columns[i].name, low,
+              high);
+      comma = ", ";
+    }
+  }
+  cli_say("}}, ");
+}
+
+static void put_quality(const cli_run_t *run) {
+  const tf_tally_t *tally = &run->tally;
+  cli_put_count("ambiguous", run->ambiguity.steps);
+  cli_put_double("ambiguous_since", run->ambiguity.since);
+  if (run->ambiguity.start > 0) {
+    cli_put_count("choices_at_start", run->ambiguity.start);
+  } else {
+    cli_put_null("choices_at_start");
+  }
+  cli_tally_put(tally);
+  cli_put_double("reserved_since", cli_tally_reserved(tally) > 0
+                                       ? cli_run_time(run, tally->first)
+                                       : (double)NAN);
+  cli_put_double("largest_h_in_stick", run->largest_h);
+  cli_put_double("largest_residual", run->largest_residual);
+  cli_put_double("largest_error", run->args->accuracy > 0
+                                      ? (double)run->system.error
+                                      : (double)NAN);
+}
+
+static void put_events(const cli_events_t *events) {
+  static const char *const names[CLI_EVENT_KINDS] = {
+      "slip_to_stick", "stick_to_slip", "slip_to_slip", "pinned_to_stick",
+      "codim2",        "two_fold",      "returned"};
+  cli_say("\"events\": {");
+  for (size_t i = 0; i < CLI_EVENT_KINDS; i++) {
+    cli_put_count(names[i], events->counts[i]);
+  }
+  cli_say("\"list\": [");
+  for (size_t i = 0; i < events->used; i++) {
+    const cli_event_t *event = &events->list[i];
+    (void)fputs(i > 0 ? ", {" : "{", stderr);
+    cli_put_double("t", event->t);
+    cli_put_double("r", event->r);
+    cli_put_double("omega", event->omega);
+    cli_put_double("g", event->g);
+    cli_put_double("lambda", event->has_lambda ? event->lambda : (double)NAN);
+    cli_put_word("from", tf_mode_name(event->from));
+    cli_put_word("to", tf_mode_name(event->to));
+    cli_say("\"kinds\": [");
+    const char *comma = "";
+    for (size_t kind = 0; kind < CLI_EVENT_KINDS; kind++) {
+      if (((event->kinds >> kind) & 1u) != 0) {
+        cli_say("%s\"%s\"", comma, names[kind]);
+        comma = ", ";
+      }
+    }
+    cli_say("]}");
+  }
+  cli_say("]}, ");
+}
+
+static void put_final(const cli_run_t *run) {
+  const tf_state_t *state = &run->system.state;
+  cli_say("\"final\": {");
+  cli_put_real("r", state->r);
+  cli_put_real("v", state->v);
+  cli_put_real("omega", state->w);
+  cli_put_real("phi", state->phi);
+  cli_put_real("h", run->report.slip.h);
+  cli_put_real("g", run->report.slip.g);
+  cli_say("\"mode\": \"%s\"}, ", tf_mode_name(state->mode));
+}
+
+static void put_all(const cli_run_t *run, int code) {
+  static const char *const ends[] = {[CLI_ENDED] = "done",
+                                     [CLI_INTERRUPTED] = "interrupted",
+                                     [CLI_STEP_REFUSED] = "refused",
+                                     [CLI_NOT_REPLAYED] = "not replayed",
+                                     [CLI_NOT_WRITTEN] = "not written"};
+  put_request(run);
+  put_table("profile", &run->drive.profile);
+  put_table("inputs", &run->drive.table);
+  put_replay(run);
+  put_held(&run->replay.simulation);
+  put_events(&run->events);
+  put_quality(run);
+  put_final(run);
+  cli_put_double("seconds", run->seconds);
+  cli_put_double("output_seconds", run->output_seconds);
+  cli_put_count("late", run->late);
+  cli_put_double("latest", run->latest);
+  cli_put_word("end", ends[run->end]);
+  cli_put_exit(code);
+}
+
 void cli_summary(const cli_run_t *run, bool json, int code) {
   if (!json) {
     print_request(run);
@@ -307,7 +467,7 @@ void cli_summary(const cli_run_t *run, bool json, int code) {
   print_end(run);
   cli_output_tell_part(&run->output);
   if (json) {
-    cli_summary_json(run, code);
+    put_all(run, code);
   }
   (void)fflush(stderr);
 }

@@ -88,16 +88,16 @@ static void look_up(cli_inputs_t *inputs, tf_real_t t, tf_real_t off,
   }
 }
 
-// The rows from `next` to `last` lie within a span. The mean of one input,
+// The rows from `next` up to `end` lie within a span. The mean of one input,
 // piece by piece, is never outside of its values, whatever the rounding.
 static tf_real_t mean_of(const cli_inputs_t *inputs, size_t column, size_t next,
-                         size_t last, const cli_span_t *span, tf_real_t before,
+                         size_t end, const cli_span_t *span, tf_real_t before,
                          tf_real_t after) {
   const tf_real_t length = span->to - span->from;
   tf_real_t from = span->from, value = before, sum = 0;
   tf_real_t low = before < after ? before : after;
   tf_real_t high = before < after ? after : before;
-  for (size_t k = next; k <= last; k++) {
+  for (size_t k = next; k < end; k++) {
     const tf_real_t then = inputs->rows[k].value[column];
     sum += (value + then) / 2 * ((inputs->rows[k].t - from) / length);
     from = inputs->rows[k].t;
@@ -153,9 +153,11 @@ void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
   const size_t next =
       inputs->at + (rows[inputs->at].t <= span->from + span->off);
   look_up(inputs, span->to, -span->off, after);
+  // Behind the last row of this span; before the first row it has none.
+  const size_t end = inputs->at + (rows[inputs->at].t <= span->to - span->off);
   inputs->last = inputs->at + (inputs->at + 1 < inputs->count &&
                                rows[inputs->at].t < span->to);
-  for (size_t k = next; k <= inputs->at; k++) {
+  for (size_t k = next; k < end; k++) {
     if (k > next && rows[k].t == rows[k - 1].t) {
       jumps +=
           rows[k].value[CLI_INPUT_OMEGA0] - rows[k - 1].value[CLI_INPUT_OMEGA0];
@@ -165,7 +167,7 @@ void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
     }
   }
   for (size_t i = 0; i < CLI_INPUTS; i++) {
-    mean[i] = mean_of(inputs, i, next, inputs->at, span, before[i], after[i]);
+    mean[i] = mean_of(inputs, i, next, end, span, before[i], after[i]);
   }
   mean[CLI_INPUT_OMEGA0] = before[CLI_INPUT_OMEGA0] + jumps;
   set(inputs, mean, input);

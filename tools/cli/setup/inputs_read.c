@@ -13,7 +13,7 @@
 #include "../text/options.h"
 #include "../text/trailer.h"
 #include "inputs.h"
-#include "names.h"
+#include "setup.h"
 
 #define LINE_ROOM 1024
 #define FIELDS (CLI_INPUTS + 1) // with t

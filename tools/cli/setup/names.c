@@ -1,12 +1,11 @@
 // Laws and rules by their names, and parameters.
 
-#include "names.h"
-
 #include <stdio.h>
 #include <string.h>
 
 #include "../text/message.h"
 #include "../text/number.h"
+#include "setup.h"
 
 #define NAME_ROOM 16 // longer than any name, with its terminating zero
 

@@ -11,7 +11,7 @@
 #include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
-#include "names.h"
+#include "setup.h"
 
 #define LINE_ROOM 512
 #define PLACE_ROOM 512 // longer paths are cut in messages

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-#include "names.h"
 #include "scene_file.h"
+#include "setup.h"
 
 #define VALUES 18 // column of the values
 #define UNITS 42  // column of the units

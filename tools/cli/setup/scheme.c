@@ -2,12 +2,11 @@
 // system that it does not use as they are, so rows, events and the summary do
 // not depend on the scheme.
 
-#include "scheme.h"
-
 #include <math.h>
 
 #include "../text/message.h"
-#include "names.h"
+#include "args.h"
+#include "setup.h"
 #include "twofold/compensated.h"
 #include "twofold/estimated.h"
 
@@ -48,13 +47,20 @@ const cli_scheme_t cli_schemes[CLI_SCHEMES] = {
      "under --scheme compensated: it belongs to --scheme located"},
 };
 
-const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt) {
+const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt,
+                                   const cli_scheme_t *there) {
   if (args->scheme != CLI_NOT_GIVEN) {
     return &cli_schemes[args->scheme];
   }
-  // A board that takes commands keeps to moreau.
-  const bool rounds =
-      sizeof dt == sizeof(float) && dt < CLI_SHORT_STEP && args->replay == NULL;
+  const bool rounds = sizeof dt == sizeof(float) && dt < CLI_SHORT_STEP;
+  if (there != NULL) {
+    if (there != &cli_schemes[rounds ? 2 : 0]) {
+      (void)cli_message(CLI_DONE, "note: --scheme %s, which is that of %s",
+                        there->name,
+                        args->from != NULL ? args->from : args->replay);
+    }
+    return there;
+  }
   if (rounds) {
     (void)cli_message(CLI_DONE,
                       "note: float at dt = %g s: --scheme compensated; moreau "
@@ -111,8 +117,11 @@ void cli_system_begin(cli_system_t *system, const cli_scheme_t *scheme,
   }
 }
 
-// The tick is the counter of the random generator: each part draws for itself.
-#define PART_OF_TICK 52
+// The tick is the counter of the random generator, and each part draws for
+// itself. Multiples of sqrt(2) 2^64 stay apart: modulo 2^64 those of two parts
+// among n are at least 2^62 / n from each other, so that no step less than so
+// many ticks away has the same draw.
+#define PART_OF_TICK UINT64_C(0x6A09E667F3BCC909)
 
 tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
                            const cli_setup_t *setup, cli_system_t *system,
@@ -132,7 +141,7 @@ tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
     tf_params_t params = setup->params;
     params.dt = span.dt;
     (void)tf_prepare(&system->machine.machine, &params, NULL);
-    system->state.tick = before.tick | part << PART_OF_TICK;
+    system->state.tick = before.tick + part * PART_OF_TICK;
     if (scheme->step(system, input, report) >= 0 && met.status > TF_OK) {
       report->status = met.status;
     }

@@ -10,11 +10,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/commit.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"
-#include "names.h"
 
 // The list of settings. Names are only compared with each other; what they mean
 // is decided when the settings are applied to a scene.

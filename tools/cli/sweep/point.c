@@ -4,6 +4,7 @@
 // A refusal is a row, too, with the words of `run` in it.
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -17,6 +18,139 @@
 #define BATCH 4096 // steps between two checks for a signal
 #define REASON_ROOM 512
 
+// Outcomes: what is left of a motion when its rows are not kept. All are of the
+// steps themselves, so they agree with what `run` prints of the same motion.
+
+const cli_measure_info_t cli_measures[CLI_MEASURES] = {
+    [CLI_MODES] = {"modes", "", "the modes visited, in a fixed order"},
+    [CLI_FINAL] = {"final", "", "the mode at the end"},
+    [CLI_CHANGES] = {"changes", "1", "number of changes of mode"},
+    [CLI_REST] = {"rest", "s", "since when the wheel is pinned, to the end"},
+    [CLI_ARRIVALS] = {"arrivals", "1", "number of arrivals at the two-fold"},
+    [CLI_ARRIVAL] = {"arrival", "s", "time of the first of them"},
+    [CLI_RECURRENCE] = {"recurrence", "s", "mean time from one to the next"},
+    [CLI_AMBIGUOUS] = {"ambiguous", "s", "first instant with several futures"},
+    [CLI_AMBIGUOUS_SHARE] = {"ambiguous_share", "1",
+                             "share of steps with several futures"},
+    [CLI_STICK_SHARE] = {"stick_share", "1", "share of steps without slip"},
+    [CLI_ENERGY] = {"energy", "J", "mechanical energy at the end"},
+    [CLI_ENERGY_CHANGE] = {"energy_change", "J", "that less the one at t = 0"},
+    [CLI_R_LOW] = {"r_low", "m", "least r"},
+    [CLI_R_HIGH] = {"r_high", "m", "largest r"},
+    [CLI_END_R] = {"end_r", "m", "state at the end"},
+    [CLI_END_V] = {"end_v", "m/s", ""},
+    [CLI_END_OMEGA] = {"end_omega", "rad/s", ""},
+    [CLI_END_H] = {"end_h", "m/s", ""},
+    [CLI_END_G] = {"end_g", "m/s", ""},
+};
+
+// What was seen of a motion so far. All zero but for the first report, the
+// energy, and r at the start.
+typedef struct {
+  uint64_t steps; // seen
+  double t;       // [s], after them
+  tf_state_t state;
+  tf_report_t report; // of the last step
+  cli_events_t events;
+  unsigned modes; // bits TF_MODE_BIT
+  uint64_t changes, stuck;
+  cli_ambiguity_t ambiguity;
+  double pinned_since;                // [s], of the last time
+  double first_arrival, last_arrival; // at the two-fold [s]
+  double energy, energy_at_start;     // [J]
+  double r_low, r_high;               // [m]
+} course_t;
+
+static void begin_course(course_t *course, const tf_state_t *state,
+                         const tf_report_t *report) {
+  memset(course, 0, sizeof *course);
+  course->state = *state;
+  course->report = *report;
+  course->modes = TF_MODE_BIT(report->mode);
+  course->r_low = course->r_high = (double)state->r;
+  cli_ambiguity_begin(&course->ambiguity, report);
+}
+
+// Sees a step. t: its end [s].
+static void see(course_t *course, double t, const tf_state_t *state,
+                const tf_report_t *report) {
+  const uint64_t arrivals = course->events.counts[CLI_TWO_FOLD];
+  cli_events_observe(&course->events, &course->report, report, state, t);
+  if (course->events.counts[CLI_TWO_FOLD] > arrivals) {
+    course->first_arrival = arrivals == 0 ? t : course->first_arrival;
+    course->last_arrival = t;
+  }
+  if (report->mode == TF_PINNED && course->report.mode != TF_PINNED) {
+    course->pinned_since = t;
+  }
+  cli_ambiguity_see(&course->ambiguity, report, t);
+  course->steps++;
+  course->t = t;
+  course->modes |= TF_MODE_BIT(report->mode);
+  course->changes += report->mode != course->report.mode;
+  course->stuck += !cli_is_slip(report->mode);
+  course->r_low = fmin(course->r_low, (double)state->r);
+  course->r_high = fmax(course->r_high, (double)state->r);
+  course->state = *state;
+  course->report = *report;
+}
+
+static void add_modes(unsigned modes, cli_buffer_t *text) {
+  const char *separator = "";
+  for (unsigned mode = 0; mode < TF_MODES; mode++) {
+    if ((modes & TF_MODE_BIT(mode)) != 0) {
+      cli_add(text, separator);
+      cli_add(text, tf_mode_name(mode));
+      separator = "|";
+    }
+  }
+}
+
+// The number, NaN where there is none. A share is one of all steps; there is
+// none without a step.
+static double number_of(cli_measure_t measure, const course_t *course) {
+  const double none = (double)NAN, steps = (double)course->steps;
+  const uint64_t arrivals = course->events.counts[CLI_TWO_FOLD];
+  const bool rests = course->report.mode == TF_PINNED;
+  const double between = course->last_arrival - course->first_arrival;
+  const double values[CLI_MEASURES] = {
+      [CLI_REST] = rests ? course->pinned_since : none,
+      [CLI_ARRIVAL] = arrivals > 0 ? course->first_arrival : none,
+      [CLI_RECURRENCE] = arrivals > 1 ? between / (double)(arrivals - 1) : none,
+      [CLI_AMBIGUOUS] = course->ambiguity.since,
+      [CLI_AMBIGUOUS_SHARE] = (double)course->ambiguity.steps / steps,
+      [CLI_STICK_SHARE] = (double)course->stuck / steps,
+      [CLI_ENERGY] = course->energy,
+      [CLI_ENERGY_CHANGE] = course->energy - course->energy_at_start,
+      [CLI_R_LOW] = course->r_low,
+      [CLI_R_HIGH] = course->r_high,
+      [CLI_END_R] = (double)course->state.r,
+      [CLI_END_V] = (double)course->state.v,
+      [CLI_END_OMEGA] = (double)course->state.w,
+      [CLI_END_H] = (double)course->report.slip.h,
+      [CLI_END_G] = (double)course->report.slip.g,
+  };
+  return values[measure];
+}
+
+static void add_measure(cli_measure_t measure, const course_t *course,
+                        cli_buffer_t *text) {
+  if (measure == CLI_MODES) {
+    add_modes(course->modes, text);
+  } else if (measure == CLI_FINAL) {
+    cli_add(text, tf_mode_name(course->report.mode));
+  } else if (measure == CLI_CHANGES) {
+    cli_add_count(text, course->changes);
+  } else if (measure == CLI_ARRIVALS) {
+    cli_add_count(text, course->events.counts[CLI_TWO_FOLD]);
+  } else {
+    const double value = number_of(measure, course);
+    if (isfinite(value)) {
+      cli_add_real(text, (tf_real_t)value);
+    }
+  }
+}
+
 typedef struct {
   const cli_sweep_t *sweep;
   cli_settings_t settings;
@@ -26,7 +160,7 @@ typedef struct {
   cli_drive_t drive; // its tables are those of sweep
   tf_input_t input;  // of the last step
   cli_system_t system;
-  cli_course_t course;
+  course_t course;
   tf_tally_t tally;
   char reason[REASON_ROOM];
 } point_t;
@@ -120,7 +254,7 @@ static int check_end(cli_sweep_t *sweep, bool last, uint32_t *hash) {
   }
   int code = read_setup(&point);
   if (code == CLI_DONE && sweep->scheme == NULL) {
-    sweep->scheme = cli_scheme_for(args, point.setup.params.dt);
+    sweep->scheme = cli_scheme_for(args, point.setup.params.dt, NULL);
   }
   code = code == CLI_DONE ? prepare(&point, &steps) : code;
   code = code == CLI_DONE ? cli_setup_check_starts(&point.setup) : code;
@@ -149,7 +283,7 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
   tf_report_t report = setup->report;
   tf_input_t input;
   cli_system_begin(&point->system, point->sweep->scheme, setup, &report);
-  cli_course_begin(&point->course, &point->system.state, &report);
+  begin_course(&point->course, &point->system.state, &report);
   point->input = setup->input;
   point->course.energy_at_start = energy_of(point);
   for (uint64_t i = 1; i <= steps; i++) {
@@ -168,7 +302,7 @@ static cli_point_end_t follow(point_t *point, uint64_t steps) {
     }
     point->input = input;
     tf_tally_count(&point->tally, i, status);
-    cli_course_see(&point->course, t, &point->system.state, &report);
+    see(&point->course, t, &point->system.state, &report);
   }
   point->course.energy = energy_of(point);
   if (cli_tally_code(&point->tally) != CLI_DONE) {
@@ -217,7 +351,7 @@ cli_point_end_t cli_point(const cli_sweep_t *sweep, uint64_t index,
   for (size_t i = 0; i < args->measures; i++) {
     cli_add(&text, ",");
     if (end != CLI_POINT_REFUSED) {
-      cli_measure_add((cli_measure_t)args->measure[i], &point.course, &text);
+      add_measure((cli_measure_t)args->measure[i], &point.course, &text);
     }
   }
   cli_add(&text, "\n");

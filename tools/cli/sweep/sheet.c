@@ -20,8 +20,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "../setup/names.h"
-#include "../text/commit.h"
+#include "../setup/setup.h"
 #include "../text/message.h"
 #include "../text/number.h"
 

@@ -6,12 +6,42 @@
 #define TWOFOLD_CLI_SHEET_H
 
 #include "../host/output.h"
-#include "../setup/scheme.h"
+#include "../run/events.h"
+#include "../setup/args.h"
 #include "../text/buffer.h"
 #include "../text/trailer.h"
-#include "measure.h"
 
 #define CLI_SWEEP_ROW 2048 // room for a row or a header
+
+/// The outcomes that are known.
+typedef enum {
+  CLI_MODES,
+  CLI_FINAL,
+  CLI_CHANGES,
+  CLI_REST,
+  CLI_ARRIVALS,
+  CLI_ARRIVAL,
+  CLI_RECURRENCE,
+  CLI_AMBIGUOUS,
+  CLI_AMBIGUOUS_SHARE,
+  CLI_STICK_SHARE,
+  CLI_ENERGY,
+  CLI_ENERGY_CHANGE,
+  CLI_R_LOW,
+  CLI_R_HIGH,
+  CLI_END_R,
+  CLI_END_V,
+  CLI_END_OMEGA,
+  CLI_END_H,
+  CLI_END_G
+} cli_measure_t;
+#define CLI_MEASURES 19
+
+/// Name of a column, unit ("" of what is not a number), and what it is.
+typedef struct {
+  const char *name, *unit, *what;
+} cli_measure_info_t;
+extern const cli_measure_info_t cli_measures[CLI_MEASURES];
 
 /// What all points share.
 typedef struct {

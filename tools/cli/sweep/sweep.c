@@ -63,20 +63,20 @@ static int do_points(work_t *work) {
 static void summarise(const work_t *work, double seconds) {
   const cli_sheet_t *sheet = work->sheet;
   const char *separator = "\nstatus     ";
-  (void)fprintf(stderr, "points     %" PRIu64 " of %" PRIu64,
-                sheet->kept + work->done, sheet->end - sheet->first);
+  cli_say("points     %" PRIu64 " of %" PRIu64, sheet->kept + work->done,
+          sheet->end - sheet->first);
   if (sheet->kept > 0) {
-    (void)fprintf(stderr, ", of which %" PRIu64 " were there", sheet->kept);
+    cli_say(", of which %" PRIu64 " were there", sheet->kept);
   }
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
     if (work->ends[i] > 0) {
-      (void)fprintf(stderr, "%s%s %" PRIu64, separator,
-                    cli_point_status((cli_point_end_t)i), work->ends[i]);
+      cli_say("%s%s %" PRIu64, separator, cli_point_status((cli_point_end_t)i),
+              work->ends[i]);
       separator = ", ";
     }
   }
-  (void)fprintf(stderr, "\ncost       %.3g s, %.3g ms a point\n", seconds,
-                work->done > 0 ? 1e3 * seconds / (double)work->done : 0.0);
+  cli_say("\ncost       %.3g s, %.3g ms a point\n", seconds,
+          work->done > 0 ? 1e3 * seconds / (double)work->done : 0.0);
 }
 
 // The same for a program: one line, the last one on standard error.

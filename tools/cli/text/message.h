@@ -68,4 +68,15 @@ void cli_closest_offer(cli_closest_t *closest, const char *name);
 size_t cli_closest_find(cli_closest_t *closest, const void *table, size_t count,
                         size_t bytes);
 
+/// The commit of this program: its short hash, with "-dirty" behind it where
+/// files had been changed, or "unknown" where it was not compiled in a git work
+/// tree; then "-" and the checksum of its sources, by cksum.
+extern const char *const cli_commit;
+
+#ifdef TF_REAL_FLOAT
+#define CLI_NUMBER_TYPE "float"
+#else
+#define CLI_NUMBER_TYPE "double"
+#endif
+
 #endif

@@ -168,11 +168,19 @@ int cli_read_range(const char *option, const char *whole, const char *text,
   return code;
 }
 
+static bool is_whole(double value) {
+  return value > -0x1p53 && value < 0x1p53 &&
+         !(fabs(value - (double)(int64_t)value) > 0);
+}
+
 tf_real_t cli_range_at(const cli_range_t *range, uint64_t i) {
   if (i + 1 == range->count) {
     return range->to;
   }
-  const double share = (double)i / (double)(range->count - 1);
-  return (tf_real_t)((double)range->from +
-                     ((double)range->to - (double)range->from) * share);
+  const double from = (double)range->from, to = (double)range->to;
+  const double at = (double)i, last = (double)(range->count - 1);
+  // Of whole numbers the product is exact, so whole values are.
+  const bool whole = is_whole(from) && is_whole(to);
+  return (tf_real_t)(from + (whole ? (to - from) * at / last
+                                   : (to - from) * (at / last)));
 }

@@ -5,14 +5,21 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 
-#include "commit.h"
-#include "message.h"
 #include "number.h"
+#include "twofold.h"
+
+void cli_say(const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  (void)vfprintf(stderr, format, arguments);
+  va_end(arguments);
+}
 
 void cli_put_begin(const char *command) {
-  (void)fputs("{", stderr);
+  cli_say("{");
   cli_put_word("version", TF_VERSION);
   cli_put_word("commit", cli_commit);
   cli_put_word("number", CLI_NUMBER_TYPE);
@@ -24,45 +31,43 @@ void cli_put_number(const char *key, double value, bool is_float) {
   if (isfinite(value)) {
     (void)cli_write_number(text, value, is_float);
   }
-  (void)fprintf(stderr, "\"%s\": %s", key, text);
+  cli_say("\"%s\": %s", key, text);
 }
 
 void cli_put_real(const char *key, tf_real_t value) {
   cli_put_number(key, (double)value, sizeof value == sizeof(float));
-  (void)fputs(", ", stderr);
+  cli_say(", ");
 }
 
 void cli_put_double(const char *key, double value) {
   cli_put_number(key, value, false);
-  (void)fputs(", ", stderr);
+  cli_say(", ");
 }
 
-void cli_put_null(const char *key) {
-  (void)fprintf(stderr, "\"%s\": null, ", key);
-}
+void cli_put_null(const char *key) { cli_say("\"%s\": null, ", key); }
 
 void cli_put_count(const char *key, uint64_t value) {
-  (void)fprintf(stderr, "\"%s\": %" PRIu64 ", ", key, value);
+  cli_say("\"%s\": %" PRIu64 ", ", key, value);
 }
 
 void cli_put_hash(const char *key, uint32_t value) {
-  (void)fprintf(stderr, "\"%s\": \"%08" PRIx32 "\", ", key, value);
+  cli_say("\"%s\": \"%08" PRIx32 "\", ", key, value);
 }
 
 void cli_put_word(const char *key, const char *word) {
-  (void)fprintf(stderr, "\"%s\": \"%s\", ", key, word);
+  cli_say("\"%s\": \"%s\", ", key, word);
 }
 
 static bool ended;
 
 void cli_put_exit(int code) {
-  (void)fprintf(stderr, "\"exit\": %d}\n", code);
+  cli_say("\"exit\": %d}\n", code);
   (void)fflush(stderr);
   ended = true;
 }
 
 void cli_put_end(double seconds, int code) {
-  (void)fprintf(stderr, "\"seconds\": %.9g, ", seconds);
+  cli_say("\"seconds\": %.9g, ", seconds);
   cli_put_exit(code);
 }
 
@@ -90,22 +95,22 @@ static size_t utf8_length(const char *text) {
 }
 
 void cli_put_text(const char *key, const char *text) {
-  (void)fprintf(stderr, "\"%s\": \"", key);
+  cli_say("\"%s\": \"", key);
   while (*text != '\0') {
     const unsigned char byte = (unsigned char)*text;
     const size_t length = utf8_length(text);
     if (length == 0) {
-      (void)fputs("\\ufffd", stderr);
+      cli_say("\\ufffd");
     } else if (byte == '"' || byte == '\\') {
-      (void)fprintf(stderr, "\\%c", byte);
+      cli_say("\\%c", byte);
     } else if (byte < ' ' || byte == 0x7F) {
-      (void)fprintf(stderr, "\\u%04x", (unsigned)byte);
+      cli_say("\\u%04x", (unsigned)byte);
     } else {
       (void)fwrite(text, 1, length, stderr);
     }
     text += length > 0 ? length : 1;
   }
-  (void)fputs("\", ", stderr);
+  cli_say("\", ");
 }
 
 // The steps that were not TF_OK, in words and as an exit code. A step that fell
@@ -125,17 +130,16 @@ void cli_tally_put(const tf_tally_t *tally) {
 
 void cli_tally_print(const tf_tally_t *tally, const char *since, double t) {
   const uint64_t reserved = cli_tally_reserved(tally);
-  (void)fprintf(stderr, "degraded   %" PRIu64 " steps", tally->degraded);
+  cli_say("degraded   %" PRIu64 " steps", tally->degraded);
   if (reserved > tally->degraded) {
-    (void)fprintf(stderr,
-                  "; %" PRIu64 " coarse, %" PRIu64 " stalled, %" PRIu64
-                  " fell back on moreau",
-                  tally->coarse, tally->stalled, tally->fell_back);
+    cli_say("; %" PRIu64 " coarse, %" PRIu64 " stalled, %" PRIu64
+            " fell back on moreau",
+            tally->coarse, tally->stalled, tally->fell_back);
   }
   if (reserved > 0 && !isnan(t)) {
-    (void)fprintf(stderr, ", %s at t = %g s", since, t);
+    cli_say(", %s at t = %g s", since, t);
   }
-  (void)fputc('\n', stderr);
+  cli_say("\n");
 }
 
 int cli_tally_code(const tf_tally_t *tally) {

@@ -8,8 +8,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "message.h"
 #include "twofold/real.h"
 #include "twofold/tally.h"
+
+/// Prints on standard error, as printf does.
+void cli_say(const char *format, ...) CLI_PRINTF(1, 2);
 
 /// Begins a summary: version, commit and number type of this program, and the
 /// command.

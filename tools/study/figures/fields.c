@@ -179,9 +179,10 @@ static int along_surface(double s[4], double step) {
 static void flow(void) {
   enum { SHORTEST = 60 };
   for (int n = 0; n < ACROSS * UPWARDS; n++) {
-    const double s[4] = {
-        r_low + (r_high - r_low) * (n % ACROSS + 0.5) / ACROSS,
-        w_low + (w_high - w_low) * (n / ACROSS + 0.5) / UPWARDS, 0, 0};
+    const int column = n % ACROSS, row = n / ACROSS;
+    const double s[4] = {r_low + (r_high - r_low) * (column + 0.5) / ACROSS,
+                         w_low + (w_high - w_low) * (row + 0.5) / UPWARDS, 0,
+                         0};
     const unsigned region = surface_at(s[0], s[1]).region;
     if ((region != TF_REGION_SLIDING && region != TF_REGION_ESCAPING) ||
         *cell_of(s)) {

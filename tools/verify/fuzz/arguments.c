@@ -7,7 +7,7 @@
 #include "cli/analysis/analysis.h"
 #include "cli/command.h"
 #include "cli/monitor/board_command.h"
-#include "cli/setup/scheme.h"
+#include "cli/setup/args.h"
 #include "cli/text/message.h"
 #include "verify/fuzz/fuzz.h"
 
@@ -37,7 +37,7 @@ static const char *run(const cli_args_t *args) {
   if (code != CLI_DONE) return NULL;
   code = cli_setup_start(&setup);
   FUZZ_HOLD(is_code(code));
-  const cli_scheme_t *scheme = cli_scheme_for(args, setup.params.dt);
+  const cli_scheme_t *scheme = cli_scheme_for(args, setup.params.dt, NULL);
   cli_setup_notes(&setup, scheme->unused, scheme->why);
   if (code != CLI_DONE) return NULL;
   FUZZ_HOLD(fuzz_in_reach(&setup.state) && setup.state.mode < TF_MODES);

@@ -5,7 +5,7 @@
 // again, reads back to the same bits.
 #include <stdio.h>
 
-#include "cli/run/state_file.h"
+#include "cli/run/record.h"
 #include "cli/text/message.h"
 #include "cli/text/trailer.h"
 #include "verify/fuzz/fuzz.h"
@@ -77,6 +77,7 @@ static bool change_file(file_t *file, fuzz_bytes_t *in) {
 static const char *judge(const cli_stand_t *stand, const file_t *file) {
   static char again[CLI_STATE_BYTES + 1];
   cli_stand_t copy;
+  const cli_scheme_t *scheme = NULL;
   const tf_state_t *x = &stand->state, *y = &copy.state;
   FUZZ_HOLD(fuzz_in_reach(x) && fuzz_finite(x->phi) && x->mode < TF_MODES);
   FUZZ_HOLD(fuzz_finite(stand->report.force.F));
@@ -85,7 +86,8 @@ static const char *judge(const cli_stand_t *stand, const file_t *file) {
   const size_t size = cli_state_print(stand, &file->setup, file->scheme, again);
   again[size] = '\0';
   FUZZ_HOLD(cli_state_parse(&copy, "again", again, size, &file->setup,
-                            file->scheme) == CLI_DONE);
+                            &scheme) == CLI_DONE);
+  FUZZ_HOLD(scheme == file->scheme);
   FUZZ_HOLD(fuzz_same(x->r, y->r) && fuzz_same(x->v, y->v));
   FUZZ_HOLD(fuzz_same(x->w, y->w) && fuzz_same(x->phi, y->phi));
   FUZZ_HOLD(x->tick == y->tick && x->seed == y->seed && x->mode == y->mode);
@@ -103,9 +105,10 @@ const char *fuzz_state(const uint8_t *data, size_t size) {
   fuzz_bytes_t in = {data, data + size};
   FUZZ_HOLD_ALL(make_file(&file, &in));
   const bool same = change_file(&file, &in);
+  const cli_scheme_t *scheme = fuzz_byte(&in) % 2u ? file.scheme : NULL;
   const int code = cli_state_parse(&stand, "fuzz.state", file.text, file.size,
-                                   &file.setup, file.scheme);
+                                   &file.setup, &scheme);
   FUZZ_HOLD(code == CLI_DONE || code == CLI_USAGE || code == CLI_REFUSED);
-  FUZZ_HOLD(!same || code == CLI_DONE);
+  FUZZ_HOLD(!same || (code == CLI_DONE && scheme == file.scheme));
   return code == CLI_DONE ? judge(&stand, &file) : NULL;
 }

@@ -393,7 +393,8 @@ class Machine:
 
         scheme: "moreau", or "located" (high order, events located).
         inputs: of input(), held; their alpha is that of the first step, behind
-          which the turntable keeps its omega0. None: those of the scene.
+          which the turntable keeps its omega0 and alpha is 0, in `inputs` too.
+          None: those of the scene.
         Returns: an array with a row at the beginning, one after every `every`
           steps and one at the end; t [s], r [m], v [m/s], omega [rad/s], phi
           [rad], h, g [m/s], F [N], M [N m], mode (index into MODES), set (bit
@@ -415,6 +416,8 @@ class Machine:
             self._machine, self.scene, scheme == "located", byref(self.state),
             held, self.report, steps, every, rows[1:].ctypes.data,
             byref(status))
+        if held is not None and done:
+            inputs.alpha = 0
         self.core.fail(status.value, f"step {done + 1}")
         return rows
 
@@ -457,12 +460,11 @@ class Ensemble:
 
     def step(self, steps=1, inputs=None):
         """Takes so many steps. inputs: of Machine.input(), held; their alpha is
-        that of the first step. A state whose step is refused stays where it is;
-        see status."""
+        that of the first step, and 0 behind it. A state whose step is refused
+        stays where it is; see status."""
         steps = _integer("steps", steps, 0, STEPS)
         inputs = self.machine.input() if inputs is None else inputs
         self.machine._given(inputs)
-        inputs = self.core.Input.from_buffer_copy(inputs)
         for _ in range(steps):
             self.core.call_ensemble_step(
                 self.machine._machine, self.states.ctypes.data, self.n,

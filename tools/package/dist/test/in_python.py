@@ -31,6 +31,21 @@ for real in ("double", "float"):
         assert last["r"] == many["r"][i] and last["omega"] == many["omega"][i]
         assert last["mode"] == many["mode"][i] and many["status"][i] >= 0
     assert len(machine.two_folds()) == 2
+    # A ramp of one step, behind which the turntable keeps its speed.
+    places = set()
+    for parts in ((8,), (1, 7), (3, 5)):
+        machine.place(0.18, -1.037, v=0)
+        many = twofold.Ensemble(machine, 0.18, -1.037, v=0)
+        for step in (lambda n: machine.run(n * machine["dt"], inputs=inputs),
+                     lambda n: many.step(n, inputs)):
+            inputs = machine.input()
+            machine.turntable_to(inputs, -0.99)
+            for part in parts:
+                step(part)
+                assert inputs.alpha == 0
+        places |= {(machine.state.r, machine.state.v), (many["r"][0],
+                                                        many["v"][0])}
+    assert len(places) == 1, places
 json.dump(ends, sys.stdout)
 """
 
