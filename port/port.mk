@@ -18,7 +18,7 @@
 #   KEY=             a file of 32 hexadecimal digits which its owner alone may
 #                    read: commands need the tag of this key, and what the board
 #                    sends has it
-#   KEY_WEAK=        yes: also where the board cannot tell one start from another
+#   KEY_WEAK=        yes: also where a board cannot tell starts from each other
 #   OVERRUN=skip     or stop: what the loop does about a step that ends too late
 #   EVERY=           steps from record to record; by default 50 records a second
 #   ONLY='host uno'  the boards for `make test-boards`
@@ -152,8 +152,8 @@ ifneq ($(KEY_IS),------)
 $(error Others may read the key: chmod 600 $(KEY))
 endif
 ifeq ($(BOARD_BOOT)$(KEY_WEAK),)
-$(error $(BOARD) has no port_boot(), so that a session may come again, and what \
-  was recorded in it act: KEY_WEAK=yes builds that)
+$(error $(BOARD) has no port_boot(), so that a session may come again, and \
+  what was recorded in it act: KEY_WEAK=yes builds that)
 endif
 ifneq ($(KEY_WEAK),)
 FIRMWARE_FLAGS += -DKEY_WEAK
@@ -205,7 +205,8 @@ $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags $(KEY) \
 	  'missing (Debian: apt-get install $(BOARD_PACKAGES))'; exit 3; }
 	@mkdir -p $(@D)
 	@echo '  BOARD $@'
-	@$(KEY_HELD) port/link.sh '$(BOARD): $(PROGRAM) of SCENE=$(SCENE)' '$(BOARD_LARGER)' \
+	@$(KEY_HELD) port/link.sh '$(BOARD): $(PROGRAM) of SCENE=$(SCENE)' \
+	  '$(BOARD_LARGER)' \
 	  $(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(FIRMWARE_SOURCES) \
 	  -Wl,--gc-sections $(BOARD_LINK) -o $@
 	$(if $(BOARD_IMAGE),@$(if $(KEY),umask 077;) $(BOARD_IMAGE) $@)

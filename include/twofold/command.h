@@ -64,7 +64,7 @@ TF_API size_t tf_command_seal(uint8_t *wire, uint8_t type, size_t length,
 /// wire: in/out, a frame as tf_send made it, with room for TF_TAIL_BYTES more.
 /// size: in, its bytes. session: in, that of the last schema before it.
 /// key: in, TF_KEY_BYTES.
-/// Returns: bytes of the frame; 0 where they would be too many (wire untouched).
+/// Returns: bytes of the frame; 0 where they are too many (wire untouched).
 #define tf_frame_tag TF_LINK(tf_frame_tag)
 TF_API size_t tf_frame_tag(uint8_t *wire, size_t size, uint32_t session,
                            const uint8_t *key);

@@ -80,8 +80,8 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
 TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise);
 
 /// Begins a session that no other number gives: a permutation of 32 bits that
-/// the key chooses, so that who has no key does not foresee it either. Called at
-/// the start, and again when link->session is another one than before a byte.
+/// the key chooses, so that who has no key does not foresee it. Called at the
+/// start, and again where a byte has made link->session another one.
 /// link: in/out. number: in, > 0, never given before, in this start of the
 ///   program or an earlier one. key: in, TF_KEY_BYTES.
 #define tf_link_begin_session TF_LINK(tf_link_begin_session)

@@ -13,8 +13,8 @@
 // after the time that it slept to it woke, and was done: us,began,ended. It is
 // written as FILE.part and gets its name when it is whole.
 //
-// Firmware with a key needs TWOFOLD_BOOT, a file that counts its starts; whoever
-// puts an old one in its place lets old sessions come again.
+// Firmware with a key needs TWOFOLD_BOOT, a file that counts its starts; an old
+// one in its place lets old sessions come again.
 //
 // When nothing reads the line it fills up, and the loop drops records. When the
 // line is gone (device unplugged, pipe closed) the program ends with code 4.

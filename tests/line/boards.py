@@ -94,7 +94,7 @@ class Line:
             self.line = os.open(name, os.O_RDWR | os.O_NOCTTY)
             tty.setraw(self.line, termios.TCSANOW)
         self.rest, self.broken, self.session, self.number = b"", 0, bytes(4), 0
-        self.kept = []
+        self.next = []
 
     def __enter__(self):
         return self
@@ -104,7 +104,7 @@ class Line:
 
     def frames(self, seconds=20):
         """Those that are there, or of the next bytes that end one."""
-        found, self.kept = self.kept, []
+        found, self.next = self.next, []
         while not found and select.select([self.line], [], [], seconds)[0]:
             came = os.read(self.line, 4096)
             if not came:
@@ -120,7 +120,7 @@ class Line:
         while found := self.frames():
             for i, frame in enumerate(found):
                 if wanted(frame):
-                    self.kept = found[i + 1:]
+                    self.next = found[i + 1:]
                     return frame
         sys.exit("the board is silent")
 

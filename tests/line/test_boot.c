@@ -50,32 +50,28 @@ static void work(void) {
 }
 
 static volatile uint32_t *register_at(uint32_t address) {
-  switch (address) {
-    case 0x40023834u:
-      return &chip.enable;
-    case 0x50060800u:
-      return &chip.control;
-    case 0x50060804u:
-      chip.status |= !chip.is_dead && (chip.control & ON) ? READY : 0;
-      return &chip.status;
-    case 0x50060808u:
-      CHECK((chip.enable & RNG_ENABLE) && (chip.control & ON));
-      chip.word += chip.hangs ? 0 : 0x9e3779b9u;
-      chip.words++;
-      return &chip.word;
-    case 0x40023C00u:
-      return &chip.access;
-    case 0x40023C04u:
-      return &chip.key;
-    case 0x40023C0Cu:
-      chip.state = chip.is_worn ? 1u << 7 : 0; /* whatever is written */
-      return &chip.state;
-    case 0x40023C10u:
-      return &chip.command;
-    default:
-      CHECK(address >= 0x08040000u && address < 0x08080000u);
-      return &chip.flash[0][(address - 0x08040000u) / 4u];
-  }
+  static const struct {
+    uint32_t address;
+    uint32_t *word;
+  } known[] = {{0x40023834u, &chip.enable}, {0x50060800u, &chip.control},
+               {0x50060804u, &chip.status}, {0x50060808u, &chip.word},
+               {0x40023C00u, &chip.access}, {0x40023C04u, &chip.key},
+               {0x40023C0Cu, &chip.state},  {0x40023C10u, &chip.command}};
+  for (unsigned i = 0; i < sizeof known / sizeof *known; i++)
+    if (known[i].address == address) return known[i].word;
+  CHECK(address >= 0x08040000u && address < 0x08080000u);
+  return &chip.flash[0][(address - 0x08040000u) / 4u];
+}
+
+/* What the hardware has done until somebody looks. */
+static void go_on(const volatile uint32_t *word) {
+  const bool runs = (chip.enable & RNG_ENABLE) && (chip.control & ON);
+  if (runs && !chip.is_dead) chip.status |= READY;
+  chip.state = chip.is_worn ? 1u << 7 : 0; /* whatever was written */
+  if (word != &chip.word) return;
+  CHECK(runs);
+  chip.word += chip.hangs ? 0 : 0x9e3779b9u;
+  chip.words++;
 }
 
 static volatile uint32_t *look_at(uint32_t address) {
@@ -84,6 +80,7 @@ static volatile uint32_t *look_at(uint32_t address) {
     fail_power(address >= 0x08000000u && address < 0x09000000u ? word
                                                                : &chip.other);
   work();
+  go_on(word);
   return word;
 }
 

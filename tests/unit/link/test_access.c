@@ -330,30 +330,15 @@ TEST(commands_without_the_tag_do_nothing) {
     frame = record(TF_UP_STOP, session, 0, 0, other);
     CHECK(effect_of(&board, &frame) == TF_ANSWER_TAG);
   }
-  /* Each bit of the body, by someone who can make a CRC but not a tag. */
+  /* Another number, by someone who can make a CRC but not a tag. Each bit that
+   * a tag is of: frames_down_have_their_tag. */
   frame = record(TF_UP_STOP, session, 0, 0, key);
   const tf_frame_t good = frame_of(frame.wire, frame.size);
-  uint8_t body[12];
-  memcpy(body, good.payload, sizeof body);
-  for (unsigned bit = 0; bit < 8u * 12u + 8u + 32u + 64u; bit++) {
-    uint8_t payload[12], type = good.type;
-    uint32_t number = good.sequence;
-    uint64_t at = good.tick;
-    memcpy(payload, body, 12);
-    if (bit < 96)
-      payload[bit / 8] ^= (uint8_t)(1u << bit % 8);
-    else if (bit < 104)
-      type ^= (uint8_t)(1u << (bit - 96));
-    else if (bit < 136)
-      number ^= 1u << (bit - 104);
-    else
-      at ^= (uint64_t)1 << (bit - 136);
-    if (type == TF_UP_DESCRIBE) continue;
-    recorded_t forged;
-    memcpy(forged.wire + TF_FRAME_AT, payload, 12);
-    forged.size = tf_frame_seal(forged.wire, type, 12, &number, at);
-    CHECK(effect_of(&board, &forged) == TF_ANSWER_TAG);
-  }
+  recorded_t forged;
+  memcpy(forged.wire + TF_FRAME_AT, good.payload, good.length);
+  uint32_t number = 1;
+  forged.size = tf_frame_seal(forged.wire, good.type, good.length, &number, 0);
+  CHECK(effect_of(&board, &forged) == TF_ANSWER_TAG);
   CHECK(board.link.next == 0 && board.simulation.running);
   CHECK(effect_of(&board, &frame) == TF_ANSWER_DONE);
   CHECK(!board.simulation.running);
