@@ -190,9 +190,11 @@ $(REALS:%=line-%): line-%: $(BUILD)/%/constants
 line-csv line-plotter: line-%: $(BUILD)/float/constants
 	$(call line_firmware,REAL=float EVERY=5 STEPS=400 FORMAT=$* UPLINK= \
 	  NAMED=-$*)
-line-keyed: $(BUILD)/double/constants
+line-keyed: $(BUILD)/double/constants $(BUILD)/tests/key
 	$(call line_firmware,REAL=double BAUD=115200 FORMAT=frames UPLINK=yes \
-	  KEY=001F3E5D7C9BBAD9F81736557493B2D1 NAMED=-keyed)
+	  KEY=$(BUILD)/tests/key NAMED=-keyed)
+$(BUILD)/tests/key:
+	@mkdir -p $(@D); umask 077; echo 001F3E5D7C9BBAD9F81736557493B2D1 >$@
 own-scene: $(BUILD)/double/constants
 	$(call line_firmware,REAL=double EVERY=1 STEPS=2000 FORMAT=frames \
 	  NAMED=-own,tests/data/own.scene)

@@ -92,6 +92,7 @@
 #include "../src/link/frame.c"
 #include "../src/link/link.c"
 #include "../src/link/siphash.c"
+#include "../src/link/tag.c"
 #include "../src/link/telemetry.c"
 #include "../src/link/text.c"
 #include "../src/scene/scene.c"

@@ -7,7 +7,7 @@
 /// names a board.
 ///
 /// All of them are called from the main program, never from an interrupt. None
-/// waits except port_idle, which says until when.
+/// waits except port_idle, which says until when, and port_boot.
 #ifndef TWOFOLD_PORT_H
 #define TWOFOLD_PORT_H
 
@@ -58,5 +58,15 @@ void port_idle(uint32_t seen);
 __attribute__((noreturn))
 #endif
 void port_halt(int code);
+
+/// Optional, with BOARD_BOOT in board.mk: a number that this board has never
+/// given before, in this start or an earlier one, from which a firmware with a
+/// key makes its session. So it is in what survives a start, or random in all
+/// of its 32 bits; a count is kept before it is given. Called once after
+/// port_init, and after the last command of a session. May wait for hardware,
+/// for a bounded time.
+/// Returns: the number; 0 where none can be had: then the program does not
+///   start, or takes no more commands.
+uint32_t port_boot(void);
 
 #endif

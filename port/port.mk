@@ -15,7 +15,10 @@
 #   UPLINK=          yes: takes commands (frames); else locked
 #   DEADMAN=         ticks that inputs from the uplink hold, 0 without end; by
 #                    default those of half a second
-#   KEY=             32 hexadecimal digits: commands need the tag of this key
+#   KEY=             a file of 32 hexadecimal digits which its owner alone may
+#                    read: commands need the tag of this key, and what the board
+#                    sends has it
+#   KEY_WEAK=        yes: also where a board cannot tell starts from each other
 #   BAUD=            of its line, of those that it has; for `host` of the line
 #                    that it is to have, where that has a rate
 #   OVERRUN=skip     or stop: what the loop does about a step that ends too late
@@ -149,12 +152,31 @@ ifneq ($(KEY),)
 ifeq ($(UPLINK),)
 $(error KEY is for commands: UPLINK=yes)
 endif
-KEY_BYTES := $(shell echo '$(KEY)' | grep -xE '[0-9A-Fa-f]{32}' | \
-  sed 's/../0x&,/g; s/,$$//')
-ifeq ($(KEY_BYTES),)
-$(error KEY is 32 hexadecimal digits)
+KEY_IS := $(shell test $$(grep -xcE '[0-9A-Fa-f]{32}' '$(KEY)') = 1 && \
+  test $$(wc -l <'$(KEY)') -le 1 && ls -ldL '$(KEY)' | cut -c 5-10)
+ifeq ($(KEY_IS),)
+$(error KEY names a file that holds 32 hexadecimal digits and no more)
 endif
-FIRMWARE_FLAGS += '-DUPLINK_KEY={$(KEY_BYTES)}'
+ifneq ($(KEY_IS),------)
+$(error Others may read the key: chmod 600 $(KEY))
+endif
+ifeq ($(BOARD_BOOT)$(KEY_WEAK),)
+$(error $(BOARD) has no port_boot(), so that a session may come again, and \
+  what was recorded in it act: KEY_WEAK=yes builds that)
+endif
+ifneq ($(KEY_WEAK),)
+FIRMWARE_FLAGS += -DKEY_WEAK
+KEY_SAYS := weak: its sessions hang on when bytes arrive, and may come again
+else
+KEY_SAYS := its sessions are made from its $(BOARD_BOOT)
+endif
+# The digits are in no argument and in no file that others may read: neither in
+# that of flags, nor in the program.
+FIRMWARE_FLAGS += -DUPLINK_KEY='"$(PROGRAM)$(NAMED).key"'
+KEY_HELD = umask 077; rm -f $@ $@.uf2 $(@:.elf=.key); \
+  trap 'rm -f $(@:.elf=.key)' EXIT; trap 'exit 1' INT TERM HUP; \
+  echo '  KEY   $(BOARD): $(KEY_SAYS)' >&2; \
+  sed 's/../0x&,/g' '$(KEY)' >$(@:.elf=.key);
 endif
 ifneq ($(filter-out moreau,$(SCHEME)),)
 ifeq ($(filter located compensated,$(SCHEME)),)
@@ -191,7 +213,7 @@ $(CONSTANTS): $(BUILD)/$(REAL)/constants \
 	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
 endif
 
-$(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
+$(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags $(KEY) \
     $(wildcard port/*.[ch] port/arch/* port/$(BOARD)/* tests/target/*.c \
       tests/golden/*.h) \
     $(wildcard src/*/*.[ch] include/twofold/*.h)
@@ -200,16 +222,17 @@ $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
 	$(CHECK_LINE)
 	@mkdir -p $(@D)
 	@echo '  BOARD $@'
-	@port/link.sh '$(BOARD): $(PROGRAM) of SCENE=$(SCENE)' '$(BOARD_LARGER)' \
+	@$(KEY_HELD) port/link.sh '$(BOARD): $(PROGRAM) of SCENE=$(SCENE)' \
+	  '$(BOARD_LARGER)' \
 	  $(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(FIRMWARE_SOURCES) \
 	  -Wl,--gc-sections $(BOARD_LINK) -o $@
-	$(if $(BOARD_IMAGE),@$(BOARD_IMAGE) $@)
+	$(if $(BOARD_IMAGE),@$(if $(KEY),umask 077;) $(BOARD_IMAGE) $@)
 
 # One file for each program, because their flags differ.
 $(FIRMWARE).flags: $(BUILD)/$(REAL)/constants FORCE
 	@mkdir -p $(@D)
 	@new=$@.$$$$; \
-	echo "$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(START)" >$$new; \
+	echo "$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(START) $(KEY)" >$$new; \
 	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
 
 firmware: $(FIRMWARE)

@@ -7,7 +7,9 @@
 /// hold for DEADMAN ticks of the board's clock, by default half a second: 25
 /// records at the default rate, so that a controller may miss most of them, and
 /// still short against the two seconds that scene `chaos` stays in one mode.
-/// With UPLINK_KEY, 16 bytes, commands need the tag of that key.
+/// With UPLINK_KEY, a file to include that has 16 bytes, commands need the tag
+/// of that key, and each start of the board begins a session of its own: by
+/// port_boot, or with KEY_WEAK, as without a key, by when the first bytes come.
 #ifndef TWOFOLD_PORT_SIM_H
 #define TWOFOLD_PORT_SIM_H
 
@@ -53,8 +55,22 @@ static struct {
 #define SIM_TAKES_COMMANDS true
 #ifdef UPLINK_KEY
 #define SIM_WANTS_TAG true
+static const uint8_t sim_key[TF_KEY_BYTES] = {
+#include UPLINK_KEY
+};
 #else
 #define SIM_WANTS_TAG false
+#endif
+
+#if defined(UPLINK_KEY) && !defined(KEY_WEAK)
+// Returns: whether the board had a number for it.
+static bool sim_begin_session(void) {
+  const uint32_t number = port_boot();
+  if (number != 0) tf_link_begin_session(&sim.link, number, sim_key);
+  return number != 0;
+}
+#else
+static bool sim_begin_session(void) { return true; }
 #endif
 
 static bool sim_begin(void) {
@@ -65,15 +81,17 @@ static bool sim_begin(void) {
   sim.simulation.deadman = DEADMAN;
   sim.link.line = tf_line_of_frames(RATE, BAUD, SCENE->name, BUILD_NAME, true);
   sim.link.every = sim.every = sim.until = EVERY;
-  return status == TF_OK;
+  return status == TF_OK && sim_begin_session();
 }
 
-// The times of the first bytes differ from start to start.
+// The times of the first bytes differ from start to start. With a key the
+// session after the last number of one is of the board's choice, too.
 static void sim_receive(uint8_t byte, uint32_t when) {
   if (sim.link.session == 0) tf_link_add_entropy(&sim.link, when);
 #ifdef UPLINK_KEY
-  static const uint8_t key[TF_KEY_BYTES] = UPLINK_KEY;
-  tf_link_receive_tagged(&sim.link, byte, key);
+  const uint32_t session = sim.link.session;
+  tf_link_receive_tagged(&sim.link, byte, sim_key);
+  if (sim.link.session != session && !sim_begin_session()) sim.link.session = 0;
 #else
   tf_link_receive(&sim.link, byte);
 #endif

@@ -12,11 +12,25 @@ static uint32_t telemetry_sequence;
 static uint8_t telemetry_description; // its next part
 static uint32_t telemetry_run;
 
+// With a key each frame names the session of the last schema and has a tag.
+#ifdef UPLINK_KEY
+static uint32_t telemetry_session;
+#define TELEMETRY_SESSION(now) (telemetry_session = (now))
+static unsigned telemetry_tagged(uint8_t *frame, size_t size) {
+  return (unsigned)tf_frame_tag(frame, size, telemetry_session, sim_key);
+}
+#else
+#define TELEMETRY_SESSION(now) (now)
+#define telemetry_tagged(frame, size) ((unsigned)(size))
+#endif
+
 static unsigned telemetry_record(uint8_t *to) {
-  const size_t n = tf_send_state(to, &telemetry_sequence, &SIM_STATE);
-  return (unsigned)(n + tf_send_report(to + n, &telemetry_sequence,
-                                       SIM_STATE.tick, &SIM_REPORT,
-                                       SIM_SOURCE));
+  const unsigned n =
+      telemetry_tagged(to, tf_send_state(to, &telemetry_sequence, &SIM_STATE));
+  return n +
+         telemetry_tagged(
+             to + n, tf_send_report(to + n, &telemetry_sequence, SIM_STATE.tick,
+                                    &SIM_REPORT, SIM_SOURCE));
 }
 
 // time: less than 2^32, so the product fits. What does not fit the frame stays
@@ -50,8 +64,8 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   beat.expired = sim.simulation.expired;
 #endif
   telemetry_description = 0;
-  return (unsigned)tf_send_heartbeat(to, &telemetry_sequence, SIM_STATE.tick,
-                                     &beat);
+  return telemetry_tagged(
+      to, tf_send_heartbeat(to, &telemetry_sequence, SIM_STATE.tick, &beat));
 }
 
 static tf_schema_t telemetry_described(void) {
@@ -63,8 +77,8 @@ static tf_schema_t telemetry_described(void) {
                         .takes_commands = SIM_TAKES_COMMANDS,
                         .run = telemetry_run};
 #ifdef UPLINK
-  schema.wants_tag = SIM_WANTS_TAG;
-  schema.session = sim.link.session;
+  schema.wants_tag = schema.has_tags = SIM_WANTS_TAG;
+  schema.session = TELEMETRY_SESSION(sim.link.session);
   schema.sequence = sim.link.next;
   schema.deadman = sim.simulation.deadman;
 #endif
@@ -103,30 +117,34 @@ static size_t telemetry_answer(uint8_t *to) {
 }
 #endif
 
-static unsigned telemetry_other(uint8_t *to) {
+static size_t telemetry_untagged(uint8_t *to) {
 #ifdef UPLINK
   const size_t n = telemetry_answer(to);
-  if (n > 0) return (unsigned)n;
+  if (n > 0) return n;
   if (sim.link.describe) telemetry_description = 0;
   sim.link.describe = false;
 #endif
   switch (telemetry_description) {
     case 0:
       telemetry_description++;
-      return (unsigned)telemetry_schema(to);
+      return telemetry_schema(to);
     case 1:
       telemetry_description++;
-      return (unsigned)telemetry_layout(to, TF_DOWN_STATE, tf_layout_state);
+      return telemetry_layout(to, TF_DOWN_STATE, tf_layout_state);
     case 2:
       telemetry_description++;
-      return (unsigned)telemetry_layout(to, TF_DOWN_REPORT, tf_layout_report);
+      return telemetry_layout(to, TF_DOWN_REPORT, tf_layout_report);
     case 3:
       telemetry_description++;
-      return (unsigned)telemetry_layout(to, TF_DOWN_HEARTBEAT,
-                                        tf_layout_heartbeat);
+      return telemetry_layout(to, TF_DOWN_HEARTBEAT, tf_layout_heartbeat);
     default:
       return 0;
   }
+}
+
+static unsigned telemetry_other(uint8_t *to) {
+  const size_t n = telemetry_untagged(to);
+  return n > 0 ? telemetry_tagged(to, n) : 0;
 }
 
 #endif

@@ -41,6 +41,9 @@ typedef enum {
   TF_ANSWER_LINE = -23     ///< the line does not carry so many records
 } tf_answer_code_t;
 
+/// Bytes that tf_frame_tag adds to a payload: session, and tag behind it.
+#define TF_TAIL_BYTES (TF_SESSION_BYTES + TF_TAG_BYTES)
+
 /// Completes a command around its data: a frame with session, data and tag.
 /// TF_UP_DESCRIBE has neither session nor tag: by it a host learns the session.
 /// wire: in/out, TF_FRAME_SIZE(TF_SESSION_BYTES + length + TF_TAG_BYTES) bytes;
@@ -56,6 +59,25 @@ typedef enum {
 TF_API size_t tf_command_seal(uint8_t *wire, uint8_t type, size_t length,
                               uint32_t session, uint32_t *sequence,
                               uint64_t tick, const uint8_t *key);
+
+/// Adds session and tag to a frame that goes down, so that a host with the key
+/// knows whose it is, and of which start. A schema says whether frames have it.
+/// wire: in/out, a frame as tf_send made it, with room for TF_TAIL_BYTES more.
+/// size: in, its bytes. session: in, that of the last schema before it.
+/// key: in, TF_KEY_BYTES.
+/// Returns: bytes of the frame; 0 where they are too many (wire untouched).
+#define tf_frame_tag TF_LINK(tf_frame_tag)
+TF_API size_t tf_frame_tag(uint8_t *wire, size_t size, uint32_t session,
+                           const uint8_t *key);
+
+/// Takes session and tag off again.
+/// frame: in/out, in its decoder's buffer; the payload becomes shorter.
+/// key: in, TF_KEY_BYTES; or NULL: the tag is not looked at.
+/// session: out, that it names.
+/// Returns: whether it had them; else nothing is changed.
+#define tf_frame_untag TF_LINK(tf_frame_untag)
+TF_API bool tf_frame_untag(tf_frame_t *frame, const uint8_t *key,
+                           uint32_t *session);
 
 TF_END_C
 

@@ -7,7 +7,9 @@
 /// lost. A command that finds the queue full is counted, gets no answer, and
 /// may be sent again. What is refused on arrival never fills the queue.
 ///   when the program starts:          tf_link_open(&link, scene, &params);
-///   with each byte without a session: tf_link_add_entropy(&link, clock);
+///   and, where it has such a number:  tf_link_begin_session(&link, n, key);
+///   else with each byte before it has a session:
+///                                     tf_link_add_entropy(&link, clock);
 ///   for each byte received:           tf_link_receive(&link, byte);
 ///   at a tick, before the step:       tf_link_boundary(&link, &simulation);
 ///   while the line has room:          n = tf_link_answer(&link, wire, &seq);
@@ -53,6 +55,7 @@ typedef struct {
   bool has_aside;   ///< `aside` is in use
   uint8_t waiting;  ///< entries of the queue in use, in order of arrival
   uint32_t session; ///< that commands have to name; 0: none yet
+  uint32_t before;  ///< whose numbers are all used up; 0: none
   uint32_t noise;   ///< of which the session is made
   uint32_t next;    ///< least number of a command that is still taken
   uint32_t lost;    ///< numbers that were passed over, modulo 2^32
@@ -77,6 +80,15 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
 /// link: in/out. noise: in.
 #define tf_link_add_entropy TF_LINK(tf_link_add_entropy)
 TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise);
+
+/// Begins a session that no other number gives: a permutation of 32 bits that
+/// the key chooses, so that who has no key does not foresee it. Called at the
+/// start, and again where a byte has made link->session another one.
+/// link: in/out. number: in, > 0, never given before, in this start of the
+///   program or an earlier one. key: in, TF_KEY_BYTES.
+#define tf_link_begin_session TF_LINK(tf_link_begin_session)
+TF_API void tf_link_begin_session(tf_link_t *link, uint32_t number,
+                                  const uint8_t *key);
 
 /// Takes one byte from the line, any byte at any time. Not reentrant for the
 /// same link: an interrupt handler puts bytes into a queue of its own.

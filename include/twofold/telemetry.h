@@ -63,6 +63,7 @@ typedef struct {
   uint8_t scheme; ///< 0: tf_step, 1: tf_step_located, 2: tf_step_compensated
   bool takes_commands; ///< the build has an uplink
   bool wants_tag;      ///< commands without the tag of its key are refused
+  bool has_tags;       ///< frames that go down end as tf_frame_tag makes them
   bool ends;           ///< the last frame is a heartbeat; a board's has no end
   uint32_t session;    ///< that commands have to name; 0: none yet
   uint32_t sequence;   ///< least number of a command that is still taken

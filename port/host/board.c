@@ -13,6 +13,9 @@
 // after the time that it slept to it woke, and was done: us,began,ended. It is
 // written as FILE.part and gets its name when it is whole.
 //
+// Firmware with a key needs TWOFOLD_BOOT, a file that counts its starts; an old
+// one in its place lets old sessions come again.
+//
 // When nothing reads the line it fills up, and the loop drops records. When the
 // line is gone (device unplugged, pipe closed) the program ends with code 4.
 // The reader of a pseudo-terminal may come and go. SIGINT, SIGTERM and, unless
@@ -278,6 +281,37 @@ static void write_lateness(const char *path) {
   const bool broken = ferror(file) != 0;
   if (fclose(file) != 0 || broken) fail(part);
   if (beside && rename(part, path) != 0) fail(path);
+}
+
+// The number that a file of ten digits and a newline holds, an empty one 0.
+static bool read_count(int file, uint64_t *count) {
+  char text[16], *end = text;
+  const ssize_t length = pread(file, text, sizeof text - 1, 0);
+  text[length > 0 ? length : 0] = 0;
+  *count = strtoull(text, &end, 10);
+  return length == 0 || (length == 11 && end == text + 10 && *end == '\n');
+}
+
+// Boards that share a file, and so a key, have one count. Where the number
+// might be forgotten there is none.
+uint32_t port_boot(void) {
+  struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+  const char *name = getenv("TWOFOLD_BOOT");
+  char text[16];
+  uint64_t count = 0;
+  errno = EINVAL;
+  if (name == NULL) fail("TWOFOLD_BOOT, which names a file that counts starts");
+  const int file = open(name, O_RDWR | O_CREAT | O_NOCTTY, 0600);
+  if (file < 0 || fcntl(file, F_SETLKW, &whole) != 0) fail(name);
+  errno = EINVAL;
+  if (!read_count(file, &count) || count >= UINT32_MAX) fail(name);
+  const int length =
+      snprintf(text, sizeof text, "%010llu\n", (unsigned long long)count + 1);
+  if (pwrite(file, text, (size_t)length, 0) != length || fsync(file) != 0)
+    fail(name);
+  if (count == 0) sync(); // its name, too
+  (void)close(file);
+  return (uint32_t)count + 1;
 }
 
 void port_halt(int code) {

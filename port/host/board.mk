@@ -11,6 +11,8 @@ BOARD_RUN := env
 # judged.
 BOARD_RATES_float := 1000
 BOARD_SHARED := yes
+BOARD_BOOT := count of starts in the file TWOFOLD_BOOT
+BOARD_STARTS := yes
 # The command that gives it a pseudo-terminal and prints the name of that.
 BOARD_LINE := env TWOFOLD_PORT=pty
 # Driven over its line by tools/board/hil.

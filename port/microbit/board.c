@@ -35,6 +35,14 @@
 #define CC0 0x540u
 #define TICKER_IRQ 8u
 
+#define RNG(offset) REGISTER(0x4000D000u + (offset))
+#define RNG_STOP RNG(0x004u)
+#define RNG_VALRDY RNG(0x100u)
+#define RNG_CONFIG RNG(0x504u)
+#define RNG_VALUE RNG(0x508u)
+// A byte takes 0.7 ms; this is two seconds.
+#define RNG_WAIT_AT_MOST 4000000u
+
 static ring_t received;
 static volatile uint32_t ticks;
 static uint32_t clock; // of which the timer has the low 16 bits
@@ -114,3 +122,17 @@ int port_get(void) { return ring_get(&received); }
 void port_idle(uint32_t seen) { cortex_m_idle(&ticks, seen); }
 
 void port_halt(int code) { cortex_m_halt(code); }
+
+// Four bytes of noise, freed by the chip of what they prefer.
+uint32_t port_boot(void) {
+  uint32_t number = 0, left = RNG_WAIT_AT_MOST;
+  RNG_CONFIG = 1;
+  RNG(START) = 1;
+  for (unsigned i = 0; i < 4; i++) {
+    RNG_VALRDY = 0;
+    while (left > 0 && !RNG_VALRDY) left--;
+    number = number << 8 | (RNG_VALUE & 0xffu);
+  }
+  RNG_STOP = 1;
+  return left > 0 ? number : 0;
+}

@@ -16,6 +16,8 @@ BOARD_STEPS := 100000
 BOARD_RATES_float := 400:3 50:6
 BOARD_RATES_double := 100:3 25:6
 BOARD_LOADS := -kernel
+BOARD_BOOT := random number generator
+BOARD_STARTS := yes
 # A rate and shift at which every step is too late.
 BOARD_LATE := 500:6
 # The painted stack is compared with the call graph.

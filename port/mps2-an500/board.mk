@@ -6,7 +6,7 @@ BOARD_FLAGS := -ffreestanding -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 \
   -mfloat-abi=hard
 BOARD_OPT := -O2
 BOARD_SOURCES := port/arch/cortex_m.c port/arch/cortex_m_tick.c \
-  port/arch/memory.c
+  port/arch/memory.c port/arch/cortex_m_boot.c
 BOARD_LINK := -nostartfiles -nostdlib -Lport/arch -Tport/mps2-an500/board.ld \
   -lgcc
 BOARD_REALS := float double
@@ -21,6 +21,8 @@ BOARD_STEPS := 100000
 BOARD_RATES_float := 1000:5 5000:4
 BOARD_RATES_double := 1000:5 3000:4
 BOARD_LOADS := -kernel
+BOARD_BOOT := file by semihosting, which stands in for the flash of a chip
+BOARD_STARTS := yes
 # Shift at which every step goes out as frames, at 1 kHz.
 BOARD_FRAMES := 2
 # Driven over its line by tools/board/hil.

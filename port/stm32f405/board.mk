@@ -3,6 +3,8 @@
 STM32F4_FLAGS := -DSTM32F4_USART=1 -DSTM32F4_HSE_MHZ=25u \
   -DSTM32F4_HSE_IS_CLOCK=0
 include port/arch/stm32f4.mk
+BOARD_SOURCES += port/arch/stm32f4_random.c
+BOARD_BOOT := random number generator
 BOARD_RUN := qemu-system-arm -M netduinoplus2 -display none -monitor none \
   -semihosting-config enable=on,target=native -serial stdio
 # Shift 3 is 125 instructions a microsecond: one a cycle would be 168.

@@ -39,8 +39,7 @@ static void stuff(uint8_t *code, const uint8_t *end) {
   *last = (uint8_t)(end - last);
 }
 
-// The inverse. Returns: whether the chain of distances ends at the end.
-static bool unstuff(uint8_t *code, size_t length) {
+TF_API bool tf_unstuff(uint8_t *code, size_t length) {
   size_t next = code[0];
   for (size_t at = 1; at < length; at++)
     if (at == next) {
@@ -103,7 +102,7 @@ static bool unpack_frame(tf_decoder_t *decoder, size_t used,
   uint8_t *code = decoder->buffer;
   const size_t stuffed = used - CRC_BYTES; // if there are so many
   if (used < SHORTEST || !has_crc(code + stuffed, tf_crc32(0, code, stuffed)) ||
-      !unstuff(code, stuffed)) {
+      !tf_unstuff(code, stuffed)) {
     decoder->bad++;
     return false;
   }

@@ -7,6 +7,8 @@
 #include "crc.h"
 #include "siphash.h"
 
+#define SESSION_ROUNDS 8u
+
 TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
                          const tf_params_t *params) {
   link->scene = scene;
@@ -16,6 +18,7 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
   link->has_aside = false;
   link->waiting = 0;
   link->session = 0;
+  link->before = 0;
   link->noise = 0;
   link->next = 0;
   link->lost = 0;
@@ -31,14 +34,40 @@ TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise) {
   link->noise = tf_crc32(link->noise, bytes, sizeof bytes);
 }
 
-// Whether a command is of this session and comes for the first time. Returns:
+// Feistel's network, which is a permutation whatever its rounds compute. Tags
+// are of longer messages than its rounds.
+static uint32_t permuted(uint32_t number, const uint8_t *key) {
+  uint32_t left = number >> 16, right = number & 0xffffu;
+  for (unsigned round = 0; round < SESSION_ROUNDS; round++) {
+    const uint8_t bytes[3] = {(uint8_t)round, (uint8_t)right,
+                              (uint8_t)(right >> 8)};
+    const uint32_t mixed =
+        left ^ ((uint32_t)tf_siphash(key, bytes, sizeof bytes) & 0xffffu);
+    left = right;
+    right = mixed;
+  }
+  return left << 16 | right;
+}
+
+TF_API void tf_link_begin_session(tf_link_t *link, uint32_t number,
+                                  const uint8_t *key) {
+  const uint32_t session = permuted(number, key);
+  // 0 is no session; what 0 gives is that of no other number.
+  link->session = session != 0 ? session : permuted(0, key);
+  link->describe = true;
+}
+
+// Whether a command is of this session and comes for the first time; of the
+// session before, whose last number is used up, nothing does. Returns:
 // TF_ANSWER_DONE, or why not.
 static int admit(const tf_link_t *link, const tf_frame_t *frame) {
   if (frame->length < TF_SESSION_BYTES) return TF_ANSWER_LENGTH;
-  if (link->session == 0 ||
-      tf_wire_get(frame->payload, TF_SESSION_BYTES) != link->session)
+  const uint32_t named = (uint32_t)tf_wire_get(frame->payload, 4);
+  const bool is_past = named == link->before;
+  if (named == 0 || (named != link->session && !is_past))
     return TF_ANSWER_FOREIGN;
-  return frame->sequence < link->next ? TF_ANSWER_OLD : TF_ANSWER_DONE;
+  return is_past || frame->sequence < link->next ? TF_ANSWER_OLD
+                                                 : TF_ANSWER_DONE;
 }
 
 // The number is used up, whatever becomes of the command: one that is refused
@@ -48,6 +77,7 @@ static void use_number(tf_link_t *link, uint32_t sequence) {
   link->lost += sequence - link->next;
   link->next = sequence + 1u;
   if (sequence < UINT32_MAX) return;
+  link->before = link->session;
   link->session = link->session == UINT32_MAX ? 1 : link->session + 1u;
   link->describe = true;
 }
@@ -146,24 +176,12 @@ TF_API void tf_link_receive(tf_link_t *link, uint8_t byte) {
   if (tf_decoder_push(&link->decoder, byte, &frame)) take_frame(link, &frame);
 }
 
-// The tag is that of the frame's body before it, which COBS has given back in
-// the decoder's buffer. All of it is compared, so that the time does not tell
-// how many bytes of a guess were right.
-static bool has_tag(const tf_frame_t *frame, const uint8_t *key) {
-  if (frame->length < TF_TAG_BYTES) return false;
-  const uint8_t *body = frame->payload - TF_FRAME_HEADER;
-  const size_t tagged = TF_FRAME_HEADER + (frame->length - TF_TAG_BYTES);
-  const uint64_t wrong =
-      tf_siphash(key, body, tagged) ^ tf_wire_get(body + tagged, TF_TAG_BYTES);
-  return ((uint32_t)wrong | (uint32_t)(wrong >> 32)) == 0;
-}
-
 TF_API void tf_link_receive_tagged(tf_link_t *link, uint8_t byte,
                                    const uint8_t *key) {
   tf_frame_t frame;
   if (!tf_decoder_push(&link->decoder, byte, &frame)) return;
   if (frame.type != TF_UP_DESCRIBE) {
-    if (!has_tag(&frame, key)) {
+    if (!tf_has_tag(&frame, key)) {
       set_aside(link, &frame, TF_ANSWER_TAG);
       return;
     }

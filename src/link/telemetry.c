@@ -80,7 +80,8 @@ TF_API size_t tf_send_schema(uint8_t *wire, uint32_t *sequence, uint64_t tick,
   *at++ = (uint8_t)params->rule;
   *at++ = schema->scheme;
   *at++ = (uint8_t)(flags_of(params) | (schema->takes_commands ? 2u : 0u) |
-                    (schema->wants_tag ? 16u : 0u) | (schema->ends ? 32u : 0u));
+                    (schema->wants_tag ? 16u : 0u) | (schema->ends ? 32u : 0u) |
+                    (schema->has_tags ? 64u : 0u));
   at = tf_wire_put(at, schema->seed, 4);
   at = tf_wire_put(at, tf_params_hash(params), 4);
   at = tf_wire_put(at, schema->session, 4);

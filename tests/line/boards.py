@@ -85,12 +85,16 @@ class Board:
 
 
 class Line:
-    """The host's end of a line, and what came over it."""
+    """The host's end of a line, by its name or as what is open, and what came
+    over it."""
 
     def __init__(self, name):
-        self.line = os.open(name, os.O_RDWR | os.O_NOCTTY)
-        tty.setraw(self.line, termios.TCSANOW)
+        self.line = name
+        if isinstance(name, str):
+            self.line = os.open(name, os.O_RDWR | os.O_NOCTTY)
+            tty.setraw(self.line, termios.TCSANOW)
         self.rest, self.broken, self.session, self.number = b"", 0, bytes(4), 0
+        self.next = []
 
     def __enter__(self):
         return self
@@ -99,20 +103,24 @@ class Line:
         os.close(self.line)
 
     def frames(self, seconds=20):
-        """Those of the next bytes."""
-        if not select.select([self.line], [], [], seconds)[0]:
-            return []
-        *pieces, self.rest = (self.rest +
-                              os.read(self.line, 4096)).split(b"\0")
-        found = [decode(piece) for piece in pieces if piece]
-        self.broken += found.count(None)
-        return [frame for frame in found if frame is not None]
+        """Those that are there, or of the next bytes that end one."""
+        found, self.next = self.next, []
+        while not found and select.select([self.line], [], [], seconds)[0]:
+            came = os.read(self.line, 4096)
+            if not came:
+                break
+            *pieces, self.rest = (self.rest + came).split(b"\0")
+            whole = [decode(piece) for piece in pieces if piece]
+            self.broken += whole.count(None)
+            found = [frame for frame in whole if frame is not None]
+        return found
 
     def listen(self, wanted):
         """The first frame for which wanted(frame) holds."""
         while found := self.frames():
-            for frame in found:
+            for i, frame in enumerate(found):
                 if wanted(frame):
+                    self.next = found[i + 1:]
                     return frame
         sys.exit("the board is silent")
 

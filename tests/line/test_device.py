@@ -11,10 +11,12 @@ import subprocess
 import tty
 from pathlib import Path
 
-from boards import ANSWER, INPUT, RUN, STOP, Board, framed, relayed
+import starts
+from boards import ANSWER, INPUT, RUN, STATE, STOP, Board, framed, program, \
+    relayed
 from tap import TWOFOLD, call, check, main, output, same, until
 
-KEY = bytes(0x1f * i % 256 for i in range(16)).hex()
+KEY = starts.KEY.hex()
 
 
 def rows(path):
@@ -120,10 +122,17 @@ def test_answers_to_others_are_not_its_own():
     check("12345" not in said, said)
 
 
+def keyed(port="pty"):
+    """A board with a key, that key and another one."""
+    for name, text in ("key", KEY), ("wrong", KEY[:-1] + "0"):
+        Path(name).write_text(text + "\n")
+        Path(name).chmod(0o600)
+    os.environ["TWOFOLD_BOOT"] = "count"
+    return Board("double", "keyed", port)
+
+
 def test_a_keyed_board_takes_keyed_commands():
-    Path("key").write_text(KEY + "\n")
-    Path("wrong").write_text(KEY[:-1] + "0\n")
-    with Board("double", "keyed") as board:
+    with keyed() as board:
         for key in [], ["--key", "wrong"]:
             said = sent(board, "stop", code=3, key=key)
             check("stop: refused, its tag is not that" in said, said)
@@ -137,6 +146,32 @@ def test_a_keyed_board_takes_keyed_commands():
                      "11520, a record every 20 steps"):
             check(re.search(text, said), f"{text}: {said}")
         call("monitor", board.name, "--send", "stop", "--key", "none", code=2)
+        for mode in 0o640, 0o604, 0o620:
+            Path("wrong").chmod(mode)
+            said = call("monitor", board.name, "--key", "wrong", code=2)[1]
+            check("--key wrong: others may read it" in said, said)
+
+
+def test_what_a_keyed_board_sends_has_its_tag():
+    with keyed(port="stream"):
+        until(lambda: rows("stream") > 500, "a stream")
+    call("monitor", "stream", "--csv", "--out", "plain", code=(0, 5))
+    verify = ["monitor", "stream", "--verify", "--key"]
+    call(*verify, "key", "--csv", "--out", "checked", code=(0, 5))
+    same(Path("plain").read_bytes(), Path("checked").read_bytes())
+    said = call(*verify, "wrong", "--summary", "json", code=6)[1]
+    check('"rows": 0,' in said and '"forged": 0' not in said, said)
+    # A frame that somebody without the key sends, in the midst of them.
+    stream = Path("stream").read_bytes()
+    at = stream.index(b"\0\0", 20000) + 1
+    Path("stream").write_bytes(stream[:at] + framed(STATE, 0, 0, bytes(49)) +
+                               stream[at:])
+    said = call(*verify, "key", "--summary", "json", code=6)[1]
+    check('"forged": 1,' in said, said)
+
+
+def test_no_session_comes_again():
+    starts.starts([program("double", "keyed")])
 
 
 main(globals(), jobs=5)

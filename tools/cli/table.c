@@ -312,8 +312,11 @@ const cli_option_t cli_options[] = {
              "Ends after the last answer unless "
              "there is --as or a live view"},
     {"--key", "FILE", CLI_MONITOR, TEXT(key), .how = CLI_READS,
-     .what = "32 hexadecimal digits: the key of a board that wants its "
-             "commands tagged"},
+     .what = "32 hexadecimal digits, which the owner of the file alone may "
+             "read: the key of a board that wants its commands tagged"},
+    {"--verify", NULL, CLI_MONITOR, FLAG(verify), .needs = "--key",
+     .what = "leave out, and count, what comes from the board without the tag "
+             "of its key"},
     {"--follow", NULL, CLI_MONITOR, FLAG(follow),
      .what = "wait for a device that was unplugged, or for a file to grow"},
 };

@@ -136,12 +136,12 @@ static const topic_t topics[] = {
      "between two steps or lie within one (as jumps), and the least and the "
      "largest value applied. Of --replay: what commands have changed, and "
      "whose inputs hold."},
-    {"bytes broken lost missing restarts too_long other_version other_runs "
-     "not_finite unmatched unknown sender dropped overruns skipped expired "
-     "exec_min_ns exec_mean_ns exec_max_ns",
-     "Counts of 'monitor': frames that came damaged, not at all, too long "
-     "or of another run (other_runs), and what the board's own heartbeat "
-     "counts (docs/PROTOCOL.md)."},
+    {"bytes broken forged lost missing restarts too_long other_version "
+     "other_runs not_finite unmatched unknown sender dropped overruns skipped "
+     "expired exec_min_ns exec_mean_ns exec_max_ns",
+     "Counts of 'monitor': frames that came damaged, not at all, too long, "
+     "forged or of another run (other_runs), and what the board's own "
+     "heartbeat counts (docs/PROTOCOL.md)."},
     {"progress",
      "Work of more than two seconds tells on standard error how far it is "
      "and how long it still takes: one line on a terminal, a line now and "

@@ -199,11 +199,17 @@ TEST(numbers_end_in_another_session) {
     for (uint32_t i = 0; i <= k; i++) {
       CHECK(board.link.session == session && !board.link.describe);
       send_plain(&board, TF_UP_STOP);
+      if (i == k) { /* the line doubles the last one, which waits */
+        const recorded_t last =
+            record(TF_UP_STOP, session, UINT32_MAX, 0, NULL);
+        hear(&board, last.wire, last.size);
+      }
       CHECK_TOLD(&board, 1, TF_ANSWER_DONE);
+      CHECK(code_of(&board) == 999);
     }
     CHECK(board.link.session != session && board.link.session != 0);
     CHECK(board.link.describe && board.link.next == 0 && board.up == 0);
-    CHECK(effect_of(&board, &first) == TF_ANSWER_FOREIGN);
+    CHECK(effect_of(&board, &first) == TF_ANSWER_OLD);
     send_plain(&board, TF_UP_START); /* under the new one */
     CHECK(boundary(&board) == 1);
     CHECK(code_of(&board) == TF_ANSWER_DONE && board.link.lost == 0);
@@ -214,6 +220,62 @@ TEST(numbers_end_in_another_session) {
   board.up = UINT32_MAX;
   send_plain(&board, TF_UP_STOP);
   CHECK(board.link.session == 1);
+}
+
+/* Numbers that a board counts, or draws, begin sessions that differ as they do,
+ * and under another key are others. */
+TEST(each_number_begins_a_session_of_its_own) {
+  static uint32_t seen[2][2000];
+  uint8_t key[TF_KEY_BYTES] = {0};
+  board_t board;
+  switch_on(&board, "chaos");
+  for (unsigned k = 0; k < 2; k++, key[15] ^= 1)
+    for (uint32_t n = 0; n < 2000; n++) {
+      board.link.describe = false;
+      tf_link_begin_session(&board.link, n < 1000 ? n + 1 : 0u - n, key);
+      seen[k][n] = board.link.session;
+      CHECK(seen[k][n] != 0 && board.link.describe);
+      for (uint32_t i = 0; i < n; i++) CHECK(seen[k][i] != seen[k][n]);
+      CHECK(k == 0 || seen[0][n] != seen[1][n]);
+    }
+  /* It is there before anybody asks, and a question does not change it. */
+  send_plain(&board, TF_UP_DESCRIBE);
+  CHECK(board.link.session == seen[1][1999]);
+}
+
+/* Each bit of a frame that goes down is under its tag, of each length that has
+ * room for one; what has none is left as it is. */
+TEST(frames_down_have_their_tag) {
+  uint8_t key[TF_KEY_BYTES], wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
+  uint8_t sent[TF_FRAME_PAYLOAD];
+  for (unsigned i = 0; i < sizeof key; i++) key[i] = (uint8_t)tap_bits();
+  for (size_t length = 0; length <= TF_FRAME_PAYLOAD; length++) {
+    uint32_t number = 7, session = 0;
+    for (size_t i = 0; i < length; i++)
+      wire[TF_FRAME_AT + i] = sent[i] = (uint8_t)(tap_bits() & 3u);
+    const size_t size = tf_frame_seal(wire, TF_DOWN_STATE, length, &number, 99);
+    const size_t longer = tf_frame_tag(wire, size, 0x11223344u, key);
+    const bool fits = length + TF_TAIL_BYTES <= TF_FRAME_PAYLOAD;
+    CHECK(longer == (fits ? size + TF_TAIL_BYTES : 0));
+    if (!fits) continue;
+    uint8_t body[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
+    tf_frame_t frame = {0};
+    tf_decoder_t decoder;
+    tf_decoder_init(&decoder, body, sizeof body);
+    for (size_t i = 0; i < longer; i++)
+      CHECK(tf_decoder_push(&decoder, wire[i], &frame) == (i + 1 == longer));
+    CHECK(frame.sequence == 7 && frame.tick == 99);
+    for (size_t bit = 8; bit < 8u * (1 + TF_FRAME_HEADER + frame.length);
+         bit++) {
+      body[bit / 8] ^= (uint8_t)(1u << bit % 8);
+      CHECK(!tf_frame_untag(&frame, key, &session) && session == 0);
+      body[bit / 8] ^= (uint8_t)(1u << bit % 8);
+    }
+    CHECK(tf_frame_untag(&frame, length % 2 ? key : NULL, &session));
+    CHECK(session == 0x11223344u && frame.length == length);
+    CHECK(memcmp(frame.payload, sent, length) == 0);
+    if (length < TF_TAIL_BYTES) CHECK(!tf_frame_untag(&frame, NULL, &session));
+  }
 }
 
 /* Vectors of the paper's appendix and of its reference code. */
@@ -268,30 +330,15 @@ TEST(commands_without_the_tag_do_nothing) {
     frame = record(TF_UP_STOP, session, 0, 0, other);
     CHECK(effect_of(&board, &frame) == TF_ANSWER_TAG);
   }
-  /* Each bit of the body, by someone who can make a CRC but not a tag. */
+  /* Another number, by someone who can make a CRC but not a tag. Each bit that
+   * a tag is of: frames_down_have_their_tag. */
   frame = record(TF_UP_STOP, session, 0, 0, key);
   const tf_frame_t good = frame_of(frame.wire, frame.size);
-  uint8_t body[12];
-  memcpy(body, good.payload, sizeof body);
-  for (unsigned bit = 0; bit < 8u * 12u + 8u + 32u + 64u; bit++) {
-    uint8_t payload[12], type = good.type;
-    uint32_t number = good.sequence;
-    uint64_t at = good.tick;
-    memcpy(payload, body, 12);
-    if (bit < 96)
-      payload[bit / 8] ^= (uint8_t)(1u << bit % 8);
-    else if (bit < 104)
-      type ^= (uint8_t)(1u << (bit - 96));
-    else if (bit < 136)
-      number ^= 1u << (bit - 104);
-    else
-      at ^= (uint64_t)1 << (bit - 136);
-    if (type == TF_UP_DESCRIBE) continue;
-    recorded_t forged;
-    memcpy(forged.wire + TF_FRAME_AT, payload, 12);
-    forged.size = tf_frame_seal(forged.wire, type, 12, &number, at);
-    CHECK(effect_of(&board, &forged) == TF_ANSWER_TAG);
-  }
+  recorded_t forged;
+  memcpy(forged.wire + TF_FRAME_AT, good.payload, good.length);
+  uint32_t number = 1;
+  forged.size = tf_frame_seal(forged.wire, good.type, good.length, &number, 0);
+  CHECK(effect_of(&board, &forged) == TF_ANSWER_TAG);
   CHECK(board.link.next == 0 && board.simulation.running);
   CHECK(effect_of(&board, &frame) == TF_ANSWER_DONE);
   CHECK(!board.simulation.running);

@@ -29,7 +29,8 @@ static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
   if (session == board->session) return HIL_EQUAL;
   const uint32_t follows =
       board->session == UINT32_MAX ? 1 : board->session + 1u;
-  if (board->session != 0 && !(board->renews && session == follows))
+  const bool is_next = (at[4] & 16u) != 0 || session == follows;
+  if (board->session != 0 && !(board->renews && is_next))
     return hil_message(HIL_STOPPED, "%s: the board was started anew",
                        board->source.name);
   if ((at[4] & 16u) != 0 && board->key == NULL)
@@ -157,6 +158,9 @@ static hil_code_t listen_for(hil_board_t *board, int milliseconds) {
        tf_decoder_block(&board->decoder, at, length, &taken, &frame);) {
     at += taken;
     length -= taken;
+    uint32_t session = 0; // what has no tag is of somebody without the key
+    if (board->key != NULL && !tf_frame_untag(&frame, board->key, &session))
+      continue;
     const hil_code_t code = take(board, &frame);
     if (code != HIL_EQUAL) return code;
   }

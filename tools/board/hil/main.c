@@ -81,7 +81,9 @@ static bool read_option(options_t *options, const char *name,
     return options->plan.has_deadman;
   }
   if (!strcmp(name, "--key")) {
-    options->has_key = cli_read_key(value, options->key);
+    const char *wrong = cli_read_key(value, options->key);
+    options->has_key = wrong == NULL;
+    if (wrong != NULL) (void)hil_message(HIL_USAGE, "%s: %s", value, wrong);
     return options->has_key;
   }
   if (!strcmp(name, "--csv")) options->csv = value;

@@ -143,9 +143,11 @@ static int digit_of(int character) {
   return isdigit(character) ? character - '0' : tolower(character) - 'a' + 10;
 }
 
-bool cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]) {
+const char *cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]) {
+  struct stat status;
   FILE *file = fopen(path, "r");
-  bool good = file != NULL;
+  bool good = file != NULL && fstat(fileno(file), &status) == 0;
+  const bool is_open = good && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0;
   for (size_t i = 0; good && i < TF_KEY_BYTES; i++) {
     const int high = digit_of(fgetc(file)), low = digit_of(fgetc(file));
     good = high >= 0 && low >= 0;
@@ -154,5 +156,6 @@ bool cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]) {
   int rest = ' ';
   while (good && isspace(rest)) rest = fgetc(file);
   if (file != NULL) (void)fclose(file);
-  return good && rest == EOF;
+  if (is_open) return "others may read it, or change it: chmod 600";
+  return good && rest == EOF ? NULL : "no 32 hexadecimal digits";
 }

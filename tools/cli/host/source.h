@@ -45,7 +45,7 @@ void cli_source_close(cli_source_t *source);
 /// The key of a board that takes only tagged commands, from a file: an argument
 /// would stand in the list of processes.
 /// Reads 32 hexadecimal digits, with nothing behind them but white space.
-/// Returns: whether the file has them.
-bool cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]);
+/// Returns: NULL; or what is wrong with the file.
+const char *cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]);
 
 #endif

@@ -97,6 +97,11 @@ static bool take_block(monitor_t *monitor, size_t length) {
   while (tf_decoder_block(&seen->decoder, at, length, &taken, &frame)) {
     at += taken;
     length -= taken;
+    if (!cli_receiver_open(
+            &seen->receiver, &frame,
+            monitor->args->verify ? monitor->commands.key : NULL)) {
+      continue;
+    }
     if (frame.type == TF_DOWN_ANSWER) {
       const cli_board_command_t *done = cli_board_commands_answer(
           &monitor->commands, &frame, &seen->receiver);
@@ -267,6 +272,9 @@ static const char *fault_of(const monitor_t *monitor) {
   if (cli_seen_missing(seen) > 0) {
     return "frames were lost or broken, as is counted";
   }
+  if (seen->receiver.forged > 0) {
+    return "frames came without the tag of the key, and were left out";
+  }
   if (seen->decoder.restarts > 0 && !monitor->args->follow) {
     return "the sender was started again, or frames came twice: these are rows "
            "of more than one run";
@@ -387,12 +395,12 @@ static int take_commands(cli_board_commands_t *commands,
   for (size_t i = 0; i < args->sends; i++) {
     (void)cli_board_commands_add(commands, args->send[i]);
   }
-  commands->has_key =
-      args->key != NULL && cli_read_key(args->key, commands->key);
-  return args->key == NULL || commands->has_key
+  commands->has_key = args->key != NULL;
+  const char *wrong =
+      commands->has_key ? cli_read_key(args->key, commands->key) : NULL;
+  return wrong == NULL
              ? CLI_DONE
-             : cli_message(CLI_USAGE, "--key %s: no 32 hexadecimal digits",
-                           args->key);
+             : cli_message(CLI_USAGE, "--key %s: %s", args->key, wrong);
 }
 
 int cli_monitor(const cli_args_t *args) {

@@ -54,13 +54,35 @@ static void note_run(cli_receiver_t *receiver, uint32_t run) {
   receiver->run = run;
 }
 
-// A session is that of one start, and the next one follows its last number.
+// A session is that of one start, and the next one follows its last number; of
+// a board with a key it may be any other.
 static void note_session(cli_receiver_t *receiver, uint32_t session) {
   const uint32_t before = receiver->session;
   const uint32_t follows = before == UINT32_MAX ? 1 : before + 1u;
-  receiver->other_runs +=
-      before != 0 && session != before && session != follows;
+  receiver->other_runs += !receiver->is_tagged && before != 0 &&
+                          session != before && session != follows;
   receiver->session = session;
+}
+
+// What comes before a schema, or stands for another start, is not of this one.
+bool cli_receiver_open(cli_receiver_t *receiver, tf_frame_t *frame,
+                       const uint8_t *key) {
+  uint32_t session = 0;
+  const bool begins = frame->type == TF_DOWN_SCHEMA && frame->length > 4;
+  if (key == NULL) {
+    const bool is_early = !receiver->has_schema &&
+                          frame->length == TF_HEARTBEAT_BYTES + TF_TAIL_BYTES;
+    if (begins ? (frame->payload[4] & 64u) != 0
+               : receiver->is_tagged || is_early) {
+      (void)tf_frame_untag(frame, NULL, &session);
+    }
+    return true;
+  }
+  const bool is_own = tf_frame_untag(frame, key, &session);
+  const bool is_of_now = begins || session == receiver->session;
+  receiver->forged += !is_own;
+  receiver->unknown += is_own && !is_of_now;
+  return is_own && is_of_now;
 }
 
 static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
@@ -74,6 +96,7 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   receiver->is_float = at[0] == 4;
   receiver->hash = (uint32_t)tf_wire_get(at + 9, 4);
   receiver->ends = (at[4] & 32u) != 0;
+  receiver->is_tagged = (at[4] & 64u) != 0;
   note_run(receiver, (uint32_t)tf_wire_get(at + 25, 4));
   note_session(receiver, (uint32_t)tf_wire_get(at + 13, 4));
   receiver->sequence = (uint32_t)tf_wire_get(at + 17, 4);

@@ -17,6 +17,7 @@ typedef struct {
   double base;       ///< time = base + tick dt; not 0 once dt was changed [s]
   uint32_t hash;     ///< of the parameters
   bool ends;         ///< the stream has an end, which is a heartbeat
+  bool is_tagged;    ///< frames end with session and tag
   uint32_t session;  ///< that commands have to name
   uint32_t sequence; ///< least number of a command that is still taken
   uint64_t schemas;  ///< that have come
@@ -39,7 +40,15 @@ typedef struct {
   uint64_t rows;       ///< complete: state and report of one tick, or compact
   uint64_t incomplete; ///< states without a report, or before the schema
   uint64_t unknown;    ///< frames of unknown type or length
+  uint64_t forged;     ///< frames without the tag of the key
 } cli_receiver_t;
+
+/// Takes session and tag off a frame of a board that has a key.
+/// frame: in/out, in its decoder's buffer. key: in, under which it must have
+///   them, and name the session of the last schema; or NULL.
+/// Returns: whether the frame counts.
+bool cli_receiver_open(cli_receiver_t *receiver, tf_frame_t *frame,
+                       const uint8_t *key);
 
 /// row: out, written if the frame completes a row.
 /// Returns: whether it does.

@@ -87,6 +87,7 @@ typedef struct {
   bool resume, header; ///< goes on with what is there; a header in each shard
   bool real_time, priority, live;
   bool follow;
+  bool verify;
   bool csv; ///< as csv
   bool exhaustive;
 } cli_args_t;

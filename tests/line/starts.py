@@ -1,0 +1,136 @@
+#!/usr/bin/python3 -B
+"""Starts a board again and again: starts.py COMMAND..., whose input and output
+are the line of a board with the key of the tests.
+
+In the first start a `stop` with the tag of the key acts, and is recorded. To
+each other start it is played as soon as the board listens. No session comes
+twice, not even after the last number of one, the stop is foreign and the
+machine goes on, and every frame has the tag, as it is computed here."""
+import os
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+
+from boards import ANSWER, DESCRIBE, SCHEMA, STATE, STOP, Line, framed
+from tap import check, same
+
+KEY = bytes(0x1f * i % 256 for i in range(16))
+STARTS = 60
+WORD, LAST, OLD, FOREIGN = 2**64 - 1, 2**32 - 1, -20, -21
+
+
+def rotated(word, by):
+    return (word << by | word >> 64 - by) & WORD
+
+
+def siphash(key, message):
+    """SipHash-2-4, as its authors write it."""
+    k0, k1 = struct.unpack("<QQ", key)
+    v = [k0 ^ 0x736f6d6570736575, k1 ^ 0x646f72616e646f6d,
+         k0 ^ 0x6c7967656e657261, k1 ^ 0x7465646279746573]
+
+    def rounds(count):
+        for _ in range(count):
+            for a, b, c, d, left, right in ((0, 1, 2, 3, 13, 16),
+                                            (2, 1, 0, 3, 17, 21)):
+                v[a] = v[a] + v[b] & WORD
+                v[c] = v[c] + v[d] & WORD
+                v[b] = rotated(v[b], left) ^ v[a]
+                v[d] = rotated(v[d], right) ^ v[c]
+                v[a] = rotated(v[a], 32)
+
+    whole = message + bytes(7 - len(message) % 8) + bytes([len(message) % 256])
+    for word, in struct.iter_unpack("<Q", whole):
+        v[3] ^= word
+        rounds(2)
+        v[0] ^= word
+    v[2] ^= 0xff
+    rounds(4)
+    return v[0] ^ v[1] ^ v[2] ^ v[3]
+
+
+def tagged(kind, number, tick, payload):
+    """The payload with its tag, by docs/PROTOCOL.md, section 4."""
+    body = struct.pack("<BBBIQ", 3, kind, len(payload) + 8, number, tick)
+    return payload + struct.pack("<Q", siphash(KEY, body + payload))
+
+
+class Start:
+    """What a start of the board says, until it has said enough."""
+
+    def __init__(self, line):
+        self.line, self.session, self.heard = line, 0, []
+
+    def hear(self, kind, enough):
+        """The first frame of this kind that is enough; all of them tagged, and
+        of the session of the schema before."""
+        def wanted(frame):
+            found, number, tick, payload = frame
+            same(tagged(found, number, tick, payload[:-8]), payload)
+            if found == SCHEMA:
+                self.session = struct.unpack_from("<I", payload, 13)[0]
+            same(struct.unpack("<I", payload[-12:-8])[0], self.session)
+            return found == kind and enough(tick, payload)
+        return self.line.listen(wanted)
+
+    def answer(self, command):
+        """The code of the answer to a stop."""
+        os.write(self.line.line, command)
+        payload = self.hear(ANSWER, lambda _, payload: payload[4] == STOP)[3]
+        return struct.unpack_from("b", payload, 5)[0]
+
+    def runs(self):
+        """Whether its machine does, by three states."""
+        ticks = [self.hear(STATE, lambda *_: True)[2] for _ in range(3)]
+        return ticks[0] < ticks[1] < ticks[2]
+
+
+def played(start, stop):
+    """To a start: its sessions, and the stop, made where there is none."""
+    if stop:
+        same(start.answer(stop), FOREIGN)
+    os.write(start.line.line, framed(DESCRIBE, 0, 0, b""))
+    start.hear(SCHEMA, lambda *_: start.session != 0)
+    check(start.runs(), "the machine stands")
+    session = start.session
+    if stop:
+        return [session], stop
+    stop, last = [framed(STOP, number, 0, tagged(STOP, number, 0, struct.pack(
+        "<I", session))) for number in (0, LAST)]
+    same(start.answer(stop), 0)
+    check(not start.runs(), "the stop does nothing")
+    same(start.answer(last), 0)
+    start.hear(SCHEMA, lambda *_: start.session != session)
+    same(start.answer(last), OLD)
+    return [session, start.session], stop
+
+
+def started(command, folder, recorded):
+    """As `played`, of a board that is started for it."""
+    near, far = socket.socketpair()
+    with subprocess.Popen(
+            command, stdin=far, stdout=far, stderr=subprocess.DEVNULL,
+            cwd=folder, env={**os.environ, "TWOFOLD_BOOT": "count",
+                             "TWOFOLD_PORT": "-"}) as process:
+        far.close()
+        try:
+            with Line(near.detach()) as line:
+                return played(Start(line), recorded)
+        finally:
+            process.kill()
+
+
+def starts(command):
+    """No session comes twice, and what was recorded acts once."""
+    with tempfile.TemporaryDirectory() as folder:
+        sessions, stop = started(command, folder, None)
+        for _ in range(STARTS - 1):
+            sessions += started(command, folder, stop)[0]
+    same(len(set(sessions)), STARTS + 1)
+
+
+if __name__ == "__main__":
+    starts(sys.argv[1:])
+    print(f"{STARTS} starts, no session twice, the recorded stop acted once")
