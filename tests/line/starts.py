@@ -65,13 +65,14 @@ class Start:
 
     def hear(self, kind, enough):
         """The first frame of this kind that is enough; all of them tagged, and
-        of the session of the schema before."""
+        of the session of the schema before, where there was one."""
         def wanted(frame):
             found, number, tick, payload = frame
             same(tagged(found, number, tick, payload[:-8]), payload)
             if found == SCHEMA:
                 self.session = struct.unpack_from("<I", payload, 13)[0]
-            same(struct.unpack("<I", payload[-12:-8])[0], self.session)
+            if self.session:
+                same(struct.unpack("<I", payload[-12:-8])[0], self.session)
             return found == kind and enough(tick, payload)
         return self.line.listen(wanted)
 
