@@ -127,7 +127,8 @@ static void end_turning(free_motion_t *c, inclusion_t *in, const solutions_t *s,
   const tf_state_t *x = c->state;
   const unsigned slip = to->outcome.mode;
   bool coarse = turns_much(c, in, to);
-  if (to->end.held && !to->end.reverses) tf_slip_along_course(c, in, s, to);
+  if (to->end.held && !to->end.reverses && in->has_moment)
+    tf_slip_along_course(c, in, s, to);
   if (to->end.reverses) {
     const unsigned mode = mode_after_reversal(s, slip);
     to->end = mode_end(c, s, mode);
