@@ -39,6 +39,7 @@ typedef struct {
   tf_real_t root[3][TF_LANES];
   tf_real_t h_limit[2][TF_LANES]; // solutions_t
   mask_t set[TF_LANES], attracting[TF_LANES];
+  mask_t stays[TF_LANES];             // r is as it was: it may stall
   mask_t rare[TF_LANES];              // tf_step has to do it
   uint8_t mode[TF_LANES];             // chosen
   uint8_t slipping[TF_LANES];         // indices of the lanes that slip
