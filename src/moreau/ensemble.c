@@ -55,12 +55,14 @@ static void near_codim2_all(const tf_machine_t *restrict k,
                             const tf_input_t *restrict u,
                             work_t *restrict work) {
   const tf_real_t turn = turn_of_step(k, u);
+  mask_t slips[TF_LANES];
+  for (int i = 0; i < TF_LANES; i++) slips[i] = when(is_slip(b->mode[i]));
   for (int i = 0; i < TF_LANES; i++) {
     const tf_slip_t now =
         slip_at_instant(k, turn, b->r[i], work->p[i], work->z[i]);
     const form_t h = form_of(&work->h, i), g = form_of(&work->g, i);
-    work->rare[i] |= when(is_slip(b->mode[i])) & when(may_vanish(&h, now.h)) &
-                     when(may_vanish(&g, now.g));
+    work->rare[i] |=
+        slips[i] & when(may_vanish(&h, now.h)) & when(may_vanish(&g, now.g));
   }
 }
 
