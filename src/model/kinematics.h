@@ -88,11 +88,14 @@ TF_INLINE bool in_reach(tf_real_t r, tf_real_t v, tf_real_t w) {
   return within(magnitude(r) + magnitude(v) + magnitude(w), TF_STATE_LIMIT);
 }
 
-TF_INLINE bool in_range(const tf_state_t *state, const tf_input_t *u) {
-  return in_reach(state->r, state->v, state->w) &&
-         within(magnitude(u->omega0) + magnitude(u->r0) + magnitude(u->force) +
+TF_INLINE bool input_in_range(const tf_input_t *u) {
+  return within(magnitude(u->omega0) + magnitude(u->r0) + magnitude(u->force) +
                     magnitude(u->torque) + magnitude(u->alpha),
                 TF_STATE_LIMIT);
+}
+
+TF_INLINE bool in_range(const tf_state_t *state, const tf_input_t *u) {
+  return in_reach(state->r, state->v, state->w) && input_in_range(u);
 }
 
 #endif

@@ -16,6 +16,7 @@
 #include "../friction/select.h"
 #include "balance.h"
 #include "lanes_solve.h"
+#include "report.h"
 
 // Up to so many slips cost less one by one than all lanes in vectors.
 #define FEW 3
@@ -54,12 +55,14 @@ static void near_codim2_all(const tf_machine_t *restrict k,
                             const tf_input_t *restrict u,
                             work_t *restrict work) {
   const tf_real_t turn = turn_of_step(k, u);
+  mask_t slips[TF_LANES];
+  for (int i = 0; i < TF_LANES; i++) slips[i] = when(is_slip(b->mode[i]));
   for (int i = 0; i < TF_LANES; i++) {
     const tf_slip_t now =
         slip_at_instant(k, turn, b->r[i], work->p[i], work->z[i]);
     const form_t h = form_of(&work->h, i), g = form_of(&work->g, i);
-    work->rare[i] |= when(is_slip(b->mode[i])) & when(may_vanish(&h, now.h)) &
-                     when(may_vanish(&g, now.g));
+    work->rare[i] |=
+        slips[i] & when(may_vanish(&h, now.h)) & when(may_vanish(&g, now.g));
   }
 }
 
@@ -221,8 +224,8 @@ static void ends_all(const tf_machine_t *restrict k,
     const tf_real_t rounding = slip_rounding(k, r, v, omega, omega0);
     work->rare[i] |=
         ~(when(within(size, TF_STATE_LIMIT)) &
-          lane_has_signs(work->side[i], work->roll[i], slip, rounding)) |
-        (moves & when(r == b->r[i])); // it may stall
+          lane_has_signs(work->side[i], work->roll[i], slip, rounding));
+    work->stays[i] = moves & when(r == b->r[i]);
   }
 }
 
@@ -278,10 +281,24 @@ static void angles_all(const tf_machine_t *restrict k,
     b->phi[i] += angle_change(k, b->w[i], work->w[i]);
 }
 
-static bool any_rare(const work_t *work) {
+static bool any_of(const mask_t mask[TF_LANES]) {
   mask_t all = 0;
-  for (int i = 0; i < TF_LANES; i++) all |= work->rare[i];
+  for (int i = 0; i < TF_LANES; i++) all |= mask[i];
   return all != 0;
+}
+
+// Lanes that have left r as it was may stall, which tf_step asks last as well.
+static __attribute__((noinline)) void judge_stalls(const tf_machine_t *k,
+                                                   const tf_state_block_t *b,
+                                                   const tf_input_t *u,
+                                                   const work_t *work,
+                                                   tf_report_block_t *out) {
+  for (size_t i = 0; i < TF_LANES; i++) {
+    if (!work->stays[i] || work->rare[i]) continue;
+    const tf_state_t state = tf_ensemble_get(b, i);
+    tf_report_t report = tf_ensemble_report(out, i);
+    out->status[i] = (int8_t)tf_status_of_stall(k, u, &state, &report);
+  }
 }
 
 // tf_step for one lane, from a state and the last report.
@@ -331,6 +348,7 @@ static size_t step_some(const tf_machine_t *k, tf_state_block_t *b,
   if (k->with_angle) angles_all(k, b, work);
   finish_all(k, b, u->omega0, work, out);
   record_all(b, work, out);
+  if (any_of(work->stays)) judge_stalls(k, b, u, work, out);
   for (size_t i = 0; i < TF_LANES; i++) {
     if (!work->rare[i]) continue;
     const tf_state_t state = tf_ensemble_get(&before, i);
@@ -361,10 +379,11 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
     slip_few(k, b, u, &work, slips);
   ends_all(k, b, u->omega0, &work);
   balance_all(k, b, u, &work);
-  if (any_rare(&work)) return step_some(k, b, u, &work, out);
+  if (any_of(work.rare)) return step_some(k, b, u, &work, out);
   if (k->with_angle) angles_all(k, b, &work);
   finish_all(k, b, u->omega0, &work, out);
   record_all(b, &work, out);
+  if (any_of(work.stays)) judge_stalls(k, b, u, &work, out);
   return 0;
 }
 

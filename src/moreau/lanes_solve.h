@@ -39,6 +39,7 @@ typedef struct {
   tf_real_t root[3][TF_LANES];
   tf_real_t h_limit[2][TF_LANES]; // solutions_t
   mask_t set[TF_LANES], attracting[TF_LANES];
+  mask_t stays[TF_LANES];             // r is as it was: it may stall
   mask_t rare[TF_LANES];              // tf_step has to do it
   uint8_t mode[TF_LANES];             // chosen
   uint8_t slipping[TF_LANES];         // indices of the lanes that slip
@@ -80,10 +81,13 @@ TF_INLINE form_t form_of(const lane_form_t *f, int i) {
 static void linearise_all(const tf_machine_t *restrict k,
                           const tf_state_block_t *restrict b,
                           const tf_input_t *restrict u, work_t *restrict work) {
+  // Of all lanes at once, and so that no lane branches.
+  const mask_t given = when(input_in_range(u));
   for (int i = 0; i < TF_LANES; i++) {
     const tf_state_t state = {.r = b->r[i], .v = b->v[i], .w = b->w[i]};
     const linear_t l = linearise(k, &state, u);
-    work->rare[i] = ~(when(in_range(&state, u)) & when(l.definite));
+    work->rare[i] =
+        ~(given & when(in_reach(b->r[i], b->v[i], b->w[i])) & when(l.definite));
     work->p[i] = l.p;
     work->z[i] = l.z;
     work->free_p[i] = l.free.p;
