@@ -297,7 +297,8 @@ static __attribute__((noinline)) void judge_stalls(const tf_machine_t *k,
     if (!work->stays[i] || work->rare[i]) continue;
     const tf_state_t state = tf_ensemble_get(b, i);
     tf_report_t report = tf_ensemble_report(out, i);
-    out->status[i] = (int8_t)tf_status_of_stall(k, u, &state, &report);
+    const tf_status_t status = tf_status_of_stall(k, u, &state, &report);
+    out->status[i] = (int8_t)status;
   }
 }
 
