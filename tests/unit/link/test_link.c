@@ -175,6 +175,8 @@ TEST(records_are_as_many_as_the_line_carries) {
     CHECK(frame.payload[5] == (uint8_t)cases[i].code);
     CHECK(frame.length == (asked > 0 ? 20 : 8));
     if (asked == 0) continue;
+    const uint64_t asks = tf_line_asks(&board.link.line, asked);
+    CHECK((asks < UINT32_MAX ? asks : UINT32_MAX) == cases[i].asks);
     CHECK(tf_wire_get(frame.payload + 8, 4) == board.link.every);
     CHECK(tf_wire_get(frame.payload + 12, 4) == cases[i].asks);
     CHECK(tf_wire_get(frame.payload + 16, 4) == cases[i].carries);

@@ -242,6 +242,20 @@ TEST(schema_says_what_runs) {
   other = *params;
   other.with_angle = !other.with_angle;
   CHECK(tf_params_hash(&other) != hash);
+  /* That of a run sees these, its start and its names. */
+  schema.build = "demo";
+  const tf_state_t start = {.r = 1}, later = {.r = 1, .tick = 1};
+  const uint32_t run = tf_run_hash(0, &schema, &start);
+  CHECK(tf_run_hash(0, &schema, &start) == run);
+  CHECK(tf_run_hash(1, &schema, &start) != run);
+  CHECK(tf_run_hash(0, &schema, &later) != run);
+  CHECK(tf_run_hash(0, &schema, &(tf_state_t){.r = 2}) != run);
+  tf_schema_t of = schema;
+  of.params = &other;
+  CHECK(tf_run_hash(0, &of, &start) != run);
+  of = schema;
+  of.build = "other";
+  CHECK(tf_run_hash(0, &of, &start) != run);
 }
 
 TEST(parameters_are_described) {
