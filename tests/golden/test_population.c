@@ -2,7 +2,6 @@
  * core computes, the same for every compiler, optimisation level and target of
  * a real type. A hash changes only in a commit that says which arithmetic
  * changed and why. */
-#include "friction/select.h"
 #include "population.h"
 #include "tap.h"
 #include "twofold.h"
@@ -66,63 +65,6 @@ TEST(golden_compensated_steps) {
     }
   }
   check_golden("compensated", d.hash);
-}
-
-/* Forms with small whole numbers, among which ties are common, and others. */
-static form_t any_form(draw_t *d, bool has_moment) {
-  form_t form = {.c0 = 0};
-  tf_real_t *const member[6] = {&form.c0,  &form.cx,  &form.cy,
-                                &form.cxx, &form.cxy, &form.cyy};
-  const bool whole = one_of(d, 2);
-  for (int i = 0; i < 6; i++)
-    *member[i] = whole ? (tf_real_t)((int)below(d, 7) - 3)
-                       : of_any_sign(d, up_to(d, i < 3 ? 1 : TF_R(0.25), 20));
-  if (!has_moment) form.cy = form.cxy = form.cyy = 0;
-  return form;
-}
-
-TEST(golden_inclusions) {
-  draw_t d = population(3);
-  for (int n = 0; n < 40000; n++) {
-    inclusion_t in = {.has_moment = !one_of(&d, 4)};
-    in.h = any_form(&d, in.has_moment);
-    in.g = any_form(&d, in.has_moment);
-    in.g_now = one_of(&d, 4) ? 0 : between(&d, -1, 1);
-    in.pin_x = (tf_real_t)((int)below(&d, 9) - 4) / 2;
-    in.pin_y = (tf_real_t)((int)below(&d, 9) - 4) / 2;
-    solutions_t s = {0};
-    enumerate(&in, signs_of(&in.g), &s);
-    mix_small(&d, signs_of(&in.g));
-    mix_small(&d, s.set);
-    mix_small(&d, s.attracting);
-    mix_small(&d, s.near_stick);
-    for (int i = 0; i < 2; i++) {
-      mix_real(&d, s.x[i]);
-      mix_real(&d, s.tau[i]);
-      mix_real(&d, s.h_limit[i]);
-    }
-    const tf_force_t force = {in.pin_x, in.pin_y};
-    mix_real(&d, law_residual(1, TF_R(0.5), force, in.h.c0, in.g.c0));
-    const unsigned rule = below(&d, TF_RULES);
-    const unsigned mode = below(&d, TF_MODES);
-    mix_small(&d, tf_select((tf_rule_t)rule, (uint64_t)1 << 62, &s, mode,
-                            (uint64_t)n, 7));
-  }
-  check_golden("inclusion", d.hash);
-}
-
-TEST(golden_tyre_forces) {
-  draw_t d = population(4);
-  for (unsigned n = 0; n < 40000; n++) {
-    tf_machine_t k;
-    if (any_machine(&d, n, &k) != TF_OK) continue;
-    const tf_real_t h = one_of(&d, 8) ? 0 : of_any_sign(&d, up_to(&d, 1, 40));
-    const tf_real_t g = one_of(&d, 8) ? 0 : of_any_sign(&d, up_to(&d, 1, 40));
-    const tf_force_t f = tf_tyre_force(&k.tyre, of_any_sign(&d, 1), h, g);
-    mix_real(&d, f.F);
-    mix_real(&d, f.M);
-  }
-  check_golden("tyre", d.hash);
 }
 
 static void mix_rate(draw_t *d, const tf_rate_t *rate) {

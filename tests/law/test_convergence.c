@@ -48,24 +48,6 @@ TEST(cycle_converges_up_to_the_two_fold) {
   }
 }
 
-/* Classical Runge-Kutta on the paper's own equations, in long double. */
-static void true_slip(const paper_t *p, long double x[3], long double t) {
-  const int n = 20000;
-  const long double dt = t / n;
-  for (int i = 0; i < n; i++) {
-    long double k[4][3], y[3], F, M;
-    for (int stage = 0; stage < 4; stage++) {
-      const long double c = stage == 0 ? 0 : stage == 3 ? dt : dt / 2;
-      for (int j = 0; j < 3; j++)
-        y[j] = x[j] + (stage ? c * k[stage - 1][j] : 0);
-      paper_friction(p, paper_h(p, y), paper_g(p, y), &F, &M);
-      paper_rhs_time(p, y, F, M, k[stage]);
-    }
-    for (int j = 0; j < 3; j++)
-      x[j] += dt / 6 * (k[0][j] + 2 * k[1][j] + 2 * k[2][j] + k[3][j]);
-  }
-}
-
 static double slip_error(double theta, long n, const long double end[3]) {
   sim_t s = {.params = tf_scenes[0]->params};
   s.params.theta = (tf_real_t)theta;
@@ -92,42 +74,18 @@ static double slope(double theta, const long double end[3]) {
 }
 
 TEST(smooth_slip_order_of_convergence) {
-  paper_t paper;
-  paper_default(&paper);
-  long double x[3] = {0.18L, 0, -0.5L};
-  x[1] = paper_v_at(&paper, x[0], x[2], 0.5L);
-  true_slip(&paper, x, 0.3L);
-  CHECK(paper_h(&paper, x) > 0.01L); /* slip throughout */
+  ref_machine_t q = references[0].problem->machine;
+  ref_orbit_t orbit = {.tolerance = 1e-15L};
+  ref_prepare(&q);
+  const ref_state_t start = {.r = 0.18L, .z = -0.5L - q.omega0};
+  ref_begin(&orbit, &q, ref_with_h(&q, start, 0.5L), REF_SLIP_PLUS);
+  CHECK(ref_run(&orbit, 0.3L) == REF_REACHED && orbit.events == 0);
+  const long double x[3] = {orbit.x.r, ref_v(&q, orbit.x), ref_w(&q, orbit.x)};
   const double first = slope(1, x), second = slope(0.5, x);
   printf("# order with theta = 1: %.3f, with theta = 1/2: %.3f\n", first,
          second);
   CHECK_NEAR(first, 1, 0.1);
   CHECK_NEAR(second, 2, IS_DOUBLE ? 0.1 : 0.4);
-}
-
-/* Stick is as accurate: motion for 1 s in 100, 200 and 400 steps. The first two
- * ends are close, and Richardson's quotient is that of second order. */
-TEST(stick_order_of_convergence) {
-  sim_t s[3];
-  double apart[2];
-  for (int i = 0; i < 3; i++) {
-    const long n = 100L << i;
-    s[i].params = tf_scenes[0]->params;
-    s[i].params.dt = (tf_real_t)(1.0 / (double)n);
-    CHECK(sim_place(&s[i], 0.18, -0.99, 0, TF_STICK_MINUS) == TF_OK);
-    for (long j = 0; j < n; j++) {
-      CHECK(ok_to_resolution(sim_step(&s[i], MOREAU)));
-      CHECK(s[i].x.mode == TF_STICK_MINUS);
-    }
-  }
-  for (int i = 0; i < 2; i++)
-    apart[i] = max3((double)(s[i].x.r - s[i + 1].x.r),
-                    (double)(s[i].x.v - s[i + 1].x.v),
-                    (double)(s[i].x.w - s[i + 1].x.w));
-  CHECK(apart[0] < 1e-5);
-  printf("# quotient of differences %.3f\n", apart[0] / apart[1]);
-  /* Rounding of float is as large as the differences. */
-  if (IS_DOUBLE) CHECK_NEAR(apart[0] / apart[1], 4, 0.2);
 }
 
 /* A constant rate of exit means the same mean time in an escaping stick at

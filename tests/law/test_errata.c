@@ -289,6 +289,7 @@ TEST(erratum_case_three_is_below_one) {
     CHECK_NEAR((J1 - up) * (J2 - up), 1.0L, 1e-16L);
     CHECK_NEAR((J1 - down) * (J2 - down), 1.0L, 1e-16L);
     CHECK((up * down < 0.0L) == (J1 * J2 < 1.0L));
+    CHECK(up - down >= 2.0L); /* never equal */
     below += J1 * J2 < 1.0L;
     above += J1 * J2 > 1.0L;
   }

@@ -72,17 +72,3 @@ TEST(dissipation_without_moment) {
     CHECK(worst[1] <= worst[0] / 3 + 16 * (double)TF_REAL_EPSILON);
   }
 }
-
-/* Power of friction: the force takes power -F h, never gives it. Where a step
- * changes its mode at h = g = 0 its force is a mean with that before. */
-TEST(friction_force_takes_power) {
-  const tf_scene_t *scene = scene_named("chaos");
-  sim_t s = sim_at_start(scene, &scene->params, 0);
-  for (int n = 0; n < 100000; n++) {
-    const unsigned was = s.x.mode;
-    CHECK(ok_to_resolution(sim_step(&s, MOREAU)));
-    if (in_slip(s.x.mode) && s.x.mode == was)
-      CHECK((double)(s.report.force.F * s.report.slip.h) >=
-            -(double)TF_REAL_EPSILON);
-  }
-}

@@ -1,5 +1,5 @@
-/* The located step: its error beside its tolerance, stick, and what it does at
- * its limits. test_reference.c has its events and branches. */
+/* The located step: stick, and what it does at its limits. test_reference.c has
+ * its error, events and branches. */
 #include "sim.h"
 
 static sim_t begin(tf_params_t params, double r, double w, double h,
@@ -15,63 +15,6 @@ static sim_t chaos(double t_end, int n, double tolerance) {
   const tf_scene_t *scene = tf_scenes[0];
   return begin(scene->params, (double)scene->r, (double)scene->omega,
                (double)scene->h, t_end, n, tolerance);
-}
-
-/* Eight crossings of h = 0 in 2 s, all at |g| > 0.3 m/s. */
-static sim_t crossings(double t_end, int n, double tolerance) {
-  tf_params_t p = tf_scenes[0]->params;
-  p.beta = TF_R(0.3);
-  p.k2 = 30;
-  p.mu = TF_R(0.2);
-  return begin(p, 0.6, 0.5, -0.01, t_end, n, tolerance);
-}
-
-/* Steps on; returns how many steps did not return TF_OK. */
-static int advance(sim_t *p, int n) {
-  int not_ok = 0;
-  for (int i = 0; i < n; i++) not_ok += sim_step(p, LOCATED) != TF_OK;
-  return not_ok;
-}
-
-static double apart(const tf_state_t *a, const tf_state_t *b) {
-  return fmax(fabs((double)a->r - (double)b->r),
-              fmax(fabs((double)a->v - (double)b->v),
-                   fabs((double)a->w - (double)b->w)));
-}
-
-/* Tolerances, and what the errors of steps that keep to them may be. */
-static const double tolerances[] = {1e-5, 1e-7, 1e-9, 1e-11};
-enum { TOLERANCES = 4 };
-
-/* Errors of some time of the crossings at each tolerance: the worst of several
- * step sizes near by, because an event falls anywhere in a step. They fall with
- * the tolerance, and stay near it. */
-static void follow_tolerance(const tf_state_t *to, double length, int n) {
-  double before = INFINITY;
-  for (int j = 0; j < TOLERANCES; j++) {
-    double worst = 0;
-    for (int k = 0; k < 16; k++) {
-      sim_t p = crossings(length, n + k, tolerances[j]);
-      CHECK(advance(&p, n + k) == 0);
-      CHECK(p.x.mode == to->mode);
-      worst = fmax(worst, apart(&p.x, to));
-    }
-    printf("# %d steps, tolerance %.0e: error %.2e\n", n, tolerances[j], worst);
-    CHECK(worst <= 500 * tolerances[j] + 1e-12);
-    CHECK(worst <= before / 5 || worst <= 10 * tolerances[j]);
-    before = worst;
-  }
-}
-
-TEST(located_error_follows_the_tolerance) {
-  if (!IS_DOUBLE) SKIP("rounding of float hides the error of the series");
-  const double t_end[2] = {0.25, 0.5}; /* a kink of F; two crossings of h = 0 */
-  for (int i = 0; i < 2; i++) {
-    sim_t exact = crossings(t_end[i], 20000, 0);
-    advance(&exact, 20000);
-    for (int n = 10; n <= 1000; n *= 10)
-      follow_tolerance(&exact.x, t_end[i], n);
-  }
 }
 
 TEST(located_stick_is_exact) {

@@ -125,43 +125,6 @@ TEST(located_angle_is_the_integral_of_the_speed) {
   CHECK(steps > 200 && with_event > 10);
 }
 
-/* A stick with a negative Delassus scalar ends where |lambda| = mu, and the
- * slip of that side is the one that ends with it: lambda = mu leaves h < 0. */
-TEST(located_escaping_stick_ends_in_slip_of_the_other_side) {
-  int released[2] = {0, 0};
-  for (int i = 0; i < 200000; i++) {
-    sim_t s = {.params = moderate_params()};
-    s.params.dt = TF_R(1e-3);
-    s.params.rule = TF_RULE_PERSIST;
-    const unsigned mode = i % 2 ? TF_STICK_PLUS : TF_STICK_MINUS;
-    if (sim_place(&s, tap_uniform(-0.4, 0.4), tap_uniform(-1.5, 1.5), 0,
-                  mode) != TF_OK ||
-        s.x.mode != mode || !(s.report.delassus < TF_R(-0.05)))
-      continue;
-    const double mu = (double)s.k.tyre.mu;
-    for (int n = 0; n < 200; n++) {
-      const sim_t before = s;
-      const double lambda = (double)s.report.force.F;
-      const tf_status_t status = locate(&s);
-      if (s.report.mode == mode && status == TF_OK) continue;
-      /* Only a plain release, where nothing else is near. */
-      if (fabs((double)s.report.slip.g) < 0.05 || fabs(lambda) < 0.9 * mu ||
-          before.report.delassus > TF_R(-0.05))
-        break;
-      const int side = lambda > 0 ? -1 : 1;
-      released[lambda > 0]++;
-      CHECK(status == TF_OK);
-      CHECK(s.report.mode == (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
-      CHECK(side * (double)s.report.slip.h > 0);
-      CHECK(side * (double)s.report.force.F > 0);
-      break;
-    }
-  }
-  printf("# released at lambda = -mu %d times, at mu %d times\n", released[0],
-         released[1]);
-  CHECK(released[0] > 20 && released[1] > 20);
-}
-
 /* In stick the Delassus scalar reported is the paper's A(r, sign g). */
 TEST(located_delassus_is_that_of_the_side_of_g) {
   int seen[2] = {0, 0};

@@ -50,6 +50,9 @@ static int draw_run(sim_t *run) {
     for (int n = 0; n < 3; n++) draw_member(&p, (int)(tap_bits() % 10));
   p.gamma = draw_gamma();
   if (one_in(20)) p.law = TF_TYRE_COULOMB;
+  p.rest = (tf_rest_law_t)(tap_bits() % TF_REST_LAWS);
+  p.rule = (tf_rule_t)(tap_bits() % TF_RULES);
+  p.rate = 1000;
   if (p.omega0 == 0) return 0;
   const tf_real_t near = log_uniform(1e-4, 1);
   *run = sim_of(&p);

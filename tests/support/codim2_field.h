@@ -72,28 +72,4 @@ static inline tf_params_t any_params(int n) {
   return params;
 }
 
-/* Such a machine at a place h = g = 0, and what the core makes of it. */
-typedef struct {
-  tf_params_t params;
-  tf_machine_t k;
-  tf_input_t u;
-  tf_real_t r;
-  field_t at;
-  rates_t rates;
-  codim2_field_t field;
-  consistent_modes_t out;
-} place_t;
-
-static inline void look_at(place_t *c, const tf_params_t *params,
-                           const tf_input_t *u, tf_real_t r) {
-  c->params = *params;
-  c->k = prepared(params);
-  c->u = u ? *u : tf_input_default(&c->k);
-  c->r = r;
-  c->at = field_at(params, &c->u, r);
-  c->rates = rates_at(&c->k, &c->u, r, 0, 0, c->u.omega0);
-  c->field = tf_codim2_field_of(&c->k, &c->rates);
-  tf_codim2_modes(&c->k, &c->field, &c->out);
-}
-
 #endif

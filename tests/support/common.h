@@ -4,6 +4,7 @@
 #define TESTS_SUPPORT_COMMON_H
 
 #include "paper.h"
+#include "reference.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -85,17 +86,7 @@ static inline tf_params_t wide_params(void) {
 }
 
 static inline paper_t paper_of(const tf_params_t *p) {
-  return (paper_t){.m = wide(p->m),
-                   .d = wide(p->d),
-                   .beta = wide(p->beta),
-                   .k2 = wide(p->k2),
-                   .c1 = wide(p->c1),
-                   .c2 = wide(p->c2),
-                   .r0 = wide(p->r0),
-                   .omega0 = wide(p->omega0),
-                   .mu = wide(p->mu),
-                   .kappa = wide(p->kappa),
-                   .gamma = wide(p->gamma)};
+  return (paper_t){PARAMETERS_OF(real, p)};
 }
 
 static inline tf_machine_t prepared(const tf_params_t *params) {

@@ -109,28 +109,7 @@ int main(void) {
       "/* clang-format off */\n"
       "#ifndef TESTS_DATA_REFERENCE_H\n"
       "#define TESTS_DATA_REFERENCE_H\n\n"
-      "#include \"../reference/problems.h\"\n\n"
-      "typedef struct {\n"
-      "  long double t, r, v, w; /* [s], [m], [m/s], [rad/s] */\n"
-      "} reference_state_t;\n\n"
-      "/* r, v and w are continuous. At h = g = 0 and at a two-fold several"
-      " modes may\n"
-      " * be consistent; `after` is \"\" where none is chosen. */\n"
-      "typedef struct {\n"
-      "  const char *after;\n"
-      "  long double t; /* [s] */\n"
-      "} reference_event_t;\n\n"
-      "/* Ends at t_last: its length is over, or a two-fold is reached. */\n"
-      "typedef struct {\n"
-      "  const ref_problem_t *problem;\n"
-      "  const char *begins;\n"
-      "  long double h; /* at the start; v follows from it */\n"
-      "  reference_state_t start;\n"
-      "  long double t_last;\n"
-      "  int states, events;\n"
-      "  const reference_state_t *state;\n"
-      "  const reference_event_t *event;\n"
-      "} reference_t;");
+      "#include \"../reference/solution.h\"");
   for (int i = 0; i < REF_PROBLEMS; i++) {
     follow(&ref_problems[i], &course[i]);
     write_rows(ref_problems[i].name, &course[i]);

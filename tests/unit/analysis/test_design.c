@@ -2,19 +2,6 @@
  * double, and why there may be none. */
 #include "sample.h"
 
-TEST(design_gives_the_numbers_of_the_paper) {
-  const tf_machine_t machine = prepared(&tf_scenes[0]->params);
-  const tf_input_t input = tf_input_default(&machine);
-  tf_design_t design;
-  CHECK(tf_design_two_fold(&machine, &input, (tf_real_t)PAPER_R_STAR,
-                           (tf_real_t)PAPER_W_STAR, &design) == TF_OK);
-  CHECK(design.obstacle == TF_DESIGN_FOUND);
-  CHECK_NEAR(wide(design.kappa), 0.27241153714062027818L, 4 * EPSILON);
-  CHECK_NEAR(wide(design.k2), 2.2270992253886014441L, 32 * EPSILON);
-  CHECK_NEAR(wide(design.two_fold.J1), -1.0635141712155655L, 64 * EPSILON);
-  CHECK_NEAR(wide(design.two_fold.residual), 0, 8 * EPSILON);
-}
-
 TEST(designed_two_folds_are_found_again) {
   for (int i = 0; i < samples(5000); i++) {
     const sample_t c = random_two_fold();

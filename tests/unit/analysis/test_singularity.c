@@ -19,28 +19,6 @@ TEST(two_fold_of_the_paper_is_found) {
   CHECK_NEAR(paper_sing_k2(p, x[0], x[2]), p->k2, 256 * EPSILON);
 }
 
-TEST(numbers_of_the_paper) {
-  const folds_t f = folds_of(&tf_scenes[0]->params);
-  const tf_two_fold_t n = form_at(&f, 0);
-  const real c2 = wide(n.time_scale) * wide(n.time_scale), close = 64 * EPSILON;
-  CHECK_NEAR(wide(n.Kpp) * c2, -0.0023567513838866354L, close * 0.01L);
-  CHECK_NEAR(wide(n.Kpm) * c2, 0.0032510430314189251L, close * 0.01L);
-  CHECK_NEAR(wide(n.Kmp) * c2, -0.0027567704314507111L, close * 0.01L);
-  CHECK_NEAR(wide(n.Kmm) * c2, 0.0028510239838548495L, close * 0.01L);
-  CHECK_NEAR(wide(n.J1), -1.0635141712155655L, close);
-  CHECK_NEAR(wide(n.J2), -1.2541959590469642L, close);
-  CHECK_NEAR(wide(n.J1) * wide(n.J2), 1.3338551759277435L, close);
-  CHECK_NEAR(wide(n.through.value), -0.15432040368L, close + 5e-12L);
-  CHECK_NEAR(wide(n.across.value), -2.16338972658L, close + 5e-12L);
-  CHECK_NEAR(wide(n.through.lambda), 0.094910507L, close + 5e-10L);
-  CHECK_NEAR(wide(n.through.velocity.w) / wide(n.through.velocity.r),
-             -10.2442529L, 16 * close + 5e-8L);
-  CHECK(n.type == TF_FOLDS_INVISIBLE && n.paper_case == 1);
-  CHECK(n.through.sticks && !n.across.sticks);
-  CHECK(n.across.velocity.r == 0);
-  CHECK_NEAR(wide(n.residual), 0, 16 * EPSILON);
-}
-
 /* w of h_x.f(x, 0) = 0 at one r: the quadratic through three values. */
 static int balanced(const paper_t *p, real r, int s, real w[2]) {
   real at[3];

@@ -297,6 +297,14 @@ TEST(one_or_three_solutions) {
     const unsigned stick = TF_MODE_BIT(TF_STICK_PLUS + s);
     CHECK(!(out.set & stick) == !(inside || (c1 == 0 && in.h.c0 == 0)));
     CHECK(!(out.attracting & stick) == !(c1 < 0));
+    CHECK(!(out.attracting & ~stick));
+    CHECK(out.near_stick == (unsigned)TF_STICK_PLUS + (unsigned)s);
+    for (int slip = 0; slip < 2; slip++) {
+      const double to = slip == 0 ? c1 : -c1;
+      CHECK(out.tau[slip] == (s ? -1 : 1));
+      CHECK_NEAR((double)out.h_limit[slip], (double)in.h.c0 + to,
+                 4 * (double)TF_REAL_EPSILON);
+    }
     if (out.set & stick)
       CHECK_NEAR((double)in.h.c0 + c1 * (double)out.x[s], 0,
                  4 * (double)TF_REAL_EPSILON);

@@ -136,29 +136,6 @@ TEST(pinned_needs_a_force_of_the_law) {
     }
 }
 
-/* Three consistent modes for a negative Delassus scalar, one for a positive;
- * the stick is where h vanishes, and the sign of the scalar says if it
- * attracts. */
-TEST(consistent_modes_of_either_delassus_scalar) {
-  for (int i = -3; i <= 3; i++)
-    for (int sign = -1; sign <= 1; sign += 2) {
-      const unsigned stick = BIT(sign > 0 ? TF_STICK_PLUS : TF_STICK_MINUS);
-      for (int slope = -1; slope <= 1; slope += 2) {
-        inclusion_t in = inclusion(i * 0.25, slope, 8 * sign, 1);
-        const solutions_t out = solved(&in);
-        CHECK(out.set ==
-              (slope < 0 ? stick
-                         : stick | BIT(TF_SLIP_PLUS) | BIT(TF_SLIP_MINUS)));
-        CHECK(out.attracting == (slope < 0 ? stick : 0));
-        CHECK(out.x[sign < 0] == num(-i * 0.25 / slope));
-        CHECK(out.h_limit[0] == num(i * 0.25 + slope));
-        CHECK(out.h_limit[1] == num(i * 0.25 - slope));
-        CHECK(out.tau[0] == num(sign) && out.tau[1] == num(sign));
-        CHECK(out.near_stick == (sign > 0 ? TF_STICK_PLUS : TF_STICK_MINUS));
-      }
-    }
-}
-
 /* h = (x - 1/2) (x + 1/4) bends so much that stick solves twice beside one
  * slip: the one with its sign of g is taken, that nearer to 0 if both have. */
 TEST(stick_of_two_has_its_sign_of_g) {

