@@ -24,7 +24,7 @@ TEST(stick_is_exact) {
       CHECK(status >= TF_OK && status != TF_DEGRADED);
       told +=
           !ok_to_resolution(status); /* a slip that turns beside h = g = 0 */
-      if (in_slip(s.x.mode)) continue;
+      if (tf_mode_is_slip(s.x.mode)) continue;
       sticks++;
       CHECK_NEAR(s.report.slip.h, 0, before + slip_rounding(&s));
       /* Through h = g = 0 it is a mean with that of slip. */
@@ -81,7 +81,7 @@ TEST(friction_force_takes_power) {
   for (int n = 0; n < 100000; n++) {
     const unsigned was = s.x.mode;
     CHECK(ok_to_resolution(sim_step(&s, MOREAU)));
-    if (in_slip(s.x.mode) && s.x.mode == was)
+    if (tf_mode_is_slip(s.x.mode) && s.x.mode == was)
       CHECK((double)(s.report.force.F * s.report.slip.h) >=
             -(double)TF_REAL_EPSILON);
   }

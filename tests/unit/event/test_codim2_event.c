@@ -168,7 +168,7 @@ TEST(wheel_at_rest_leaves_by_the_faster_stick) {
       tf_report_t report;
       const tf_status_t status = located ? tf_step_located(&k, &y, &u, &report)
                                          : tf_step(&k, &y, &u, &report);
-      if (status == TF_OK && !in_slip(y.mode))
+      if (status == TF_OK && !tf_mode_is_slip(y.mode))
         CHECK(y.mode == faster_stick(&at));
     }
     taken++;
