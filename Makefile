@@ -211,8 +211,9 @@ test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) $(TWOFOLD) $(LINE)
 # sees a change, but those of more than two seconds. `make test` has them all.
 NEVER_QUICK := convergence corpus ensemble extremes frame golden \
   located located_report pinned reference signs
-NOT_QUICK := $(NEVER_QUICK) begin codim2 compensated degraded friction \
-  kernel located_budget normal_form population singularity tyre
+NOT_QUICK := $(NEVER_QUICK) begin canard codim2 compensated degraded friction \
+  kernel located_budget normal_form paper_claims population rest singularity \
+  turntable tyre
 CHANGED = $(sort $(foreach file,$(shell git status --porcelain -uall -- src \
   2>/dev/null),$(word 2,$(subst /, ,$(filter src/%,$(file))))))
 but_for = $(filter-out $(1:%=\%/test_%.c),$(filter %.c,$(2)))

@@ -8,7 +8,8 @@
 /// that all are reentrant. A machine is one from tf_prepare, an input within
 /// TF_STATE_LIMIT. Names are constant strings; of what an enum has not they
 /// begin with "unknown". "(h)" and the like are equations of the paper, "(1)"
-/// of DESIGN.md, which has both.
+/// of DESIGN.md, which has both. Cost and stack of each: docs/bench/worst.csv,
+/// which docs/BENCH.md explains.
 #ifndef TWOFOLD_H
 #define TWOFOLD_H
 

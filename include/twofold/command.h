@@ -5,7 +5,6 @@
 /// number larger than those of all commands before it; on a line that others
 /// reach it ends with a tag, which only who has the board's key can make:
 ///   session (4) | data | tag (8), if the board wants one
-/// Cost and stack: docs/BENCH.md.
 #ifndef TWOFOLD_COMMAND_H
 #define TWOFOLD_COMMAND_H
 

@@ -3,7 +3,7 @@
 /// compensated summation. At dt = 1e-6 s a step changes the state by less than
 /// the resolution of a float; what a plain step then loses this one keeps
 /// beside the state, as the compensation, and adds in the next. A program that
-/// does not call it does not contain it. Cost and stack: docs/BENCH.md.
+/// does not call it does not contain it.
 #ifndef TWOFOLD_COMPENSATED_H
 #define TWOFOLD_COMPENSATED_H
 

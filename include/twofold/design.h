@@ -1,6 +1,5 @@
 /// @file
-/// The kappa and k2 that put a two-fold at a given point, in closed form. Cost
-/// and stack: docs/BENCH.md.
+/// The kappa and k2 that put a two-fold at a given point, in closed form.
 #ifndef TWOFOLD_DESIGN_H
 #define TWOFOLD_DESIGN_H
 

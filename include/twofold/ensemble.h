@@ -2,7 +2,7 @@
 /// Many independent states of one machine under one input, stepped together:
 /// the bits of tf_step for each of them, in a fraction of the time on a
 /// processor with vector instructions (double: SSE4.2 or more). For statistics
-/// over starts and seeds. Cost and stack: docs/BENCH.md.
+/// over starts and seeds.
 #ifndef TWOFOLD_ENSEMBLE_H
 #define TWOFOLD_ENSEMBLE_H
 

@@ -3,7 +3,7 @@
 /// wrong step that are known by their symptoms; it does not bound the error of
 /// a step that is merely too long. This one is taken twice, whole and in
 /// halves, at three times the cost. A program that does not call it contains
-/// none of it. Cost and stack: docs/BENCH.md.
+/// none of it.
 #ifndef TWOFOLD_ESTIMATED_H
 #define TWOFOLD_ESTIMATED_H
 

@@ -5,7 +5,7 @@
 /// The CRC is that of the bytes as they go over the line: every burst of up to
 /// 32 bits is detected before anything is decoded (but see section 1 there). A
 /// payload is so short that COBS always takes one more byte and works in place,
-/// in both directions. Cost and stack: docs/BENCH.md.
+/// in both directions.
 #ifndef TWOFOLD_FRAME_H
 #define TWOFOLD_FRAME_H
 

@@ -13,7 +13,6 @@
 ///   for each byte received:           tf_link_receive(&link, byte);
 ///   at a tick, before the step:       tf_link_boundary(&link, &simulation);
 ///   while the line has room:          n = tf_link_answer(&link, wire, &seq);
-/// Cost and stack: docs/BENCH.md.
 #ifndef TWOFOLD_LINK_H
 #define TWOFOLD_LINK_H
 

@@ -3,7 +3,6 @@
 /// tf_step, of high order, with the same solution set, rule and report. It is
 /// event-driven as that of Piiroinen and Kuznetsov (An event-driven method to
 /// simulate Filippov systems with accurate computing of sliding motions, 2008).
-/// Cost, which is bounded by the budget of segments, and stack: docs/BENCH.md.
 #ifndef TWOFOLD_LOCATED_H
 #define TWOFOLD_LOCATED_H
 

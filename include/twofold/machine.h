@@ -1,8 +1,7 @@
 /// @file
 /// The machine: parameters, prepared constants, state, inputs, kinematics. A
 /// wheel under a slider (displacement r, speed v) in a disc (speed w) above a
-/// turntable (speed omega0). Generalised velocity u = (v, w). Cost and stack:
-/// docs/BENCH.md.
+/// turntable (speed omega0). Generalised velocity u = (v, w).
 #ifndef TWOFOLD_MACHINE_H
 #define TWOFOLD_MACHINE_H
 

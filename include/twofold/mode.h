@@ -1,5 +1,5 @@
 /// @file
-/// The modes of contact. Cost and stack: docs/BENCH.md.
+/// The modes of contact.
 #ifndef TWOFOLD_MODE_H
 #define TWOFOLD_MODE_H
 
@@ -22,6 +22,11 @@ typedef enum {
 /// "slip+" "slip-" "stick+" "stick-" "pinned".
 #define tf_mode_name TF_LINK(tf_mode_name)
 TF_API const char *tf_mode_name(unsigned mode);
+
+/// Whether the contact slips.
+static inline bool tf_mode_is_slip(unsigned mode) {
+  return mode <= TF_SLIP_MINUS;
+}
 
 TF_END_C
 

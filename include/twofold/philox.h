@@ -1,6 +1,6 @@
 /// @file
 /// Random numbers of the rule RANDOM and of the studies: draw n under a seed is
-/// one number on every board. Cost and stack: docs/BENCH.md.
+/// one number on every board.
 #ifndef TWOFOLD_PHILOX_H
 #define TWOFOLD_PHILOX_H
 

@@ -1,7 +1,7 @@
 /// @file
 /// A scene is a constant: parameters, tyre law, selection rule, start and
 /// inputs; the scheme is the caller's choice. A build for one scene contains
-/// only what that scene needs. Cost and stack: docs/BENCH.md.
+/// only what that scene needs.
 #ifndef TWOFOLD_SCENE_H
 #define TWOFOLD_SCENE_H
 

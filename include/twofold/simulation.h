@@ -15,7 +15,7 @@
 /// counts. Their alpha is that of the first of these steps, at whose end the
 /// turntable has their omega0, and keeps it. After that the inputs are the safe
 /// ones, those of a machine that nothing drives (tf_input_default), until they
-/// are set once more. Cost and stack: docs/BENCH.md.
+/// are set once more.
 #ifndef TWOFOLD_SIMULATION_H
 #define TWOFOLD_SIMULATION_H
 

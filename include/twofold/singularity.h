@@ -3,7 +3,7 @@
 /// slips are tangent to the surface (Filippov 1988; Teixeira, Stability
 /// conditions for discontinuous vector fields, 1990). There lambda is not
 /// determined, stick passes from a sliding into an escaping region or back, and
-/// the future is not unique. Cost and stack: docs/BENCH.md.
+/// the future is not unique.
 #ifndef TWOFOLD_SINGULARITY_H
 #define TWOFOLD_SINGULARITY_H
 

@@ -1,5 +1,5 @@
 /// @file
-/// Every code that the core returns. Cost and stack: docs/BENCH.md.
+/// Every code that the core returns.
 #ifndef TWOFOLD_STATUS_H
 #define TWOFOLD_STATUS_H
 

@@ -1,5 +1,5 @@
 /// @file
-/// One step: Moreau-Jean theta scheme. Cost and stack: docs/BENCH.md.
+/// One step: Moreau-Jean theta scheme.
 #ifndef TWOFOLD_STEP_H
 #define TWOFOLD_STEP_H
 

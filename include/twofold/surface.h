@@ -4,7 +4,7 @@
 /// sliding, escaping and crossing regions, and the field along it, without a
 /// step. All of it is in physical time. On h = 0, F = lambda and M = s kappa
 /// lambda with s = sign(g), so that f(x, lambda) is affine in lambda, |lambda|
-/// <= mu. Cost and stack: docs/BENCH.md.
+/// <= mu.
 #ifndef TWOFOLD_SURFACE_H
 #define TWOFOLD_SURFACE_H
 

@@ -2,7 +2,7 @@
 /// The steps of a run that were not TF_OK, counted by status since its start
 /// (simulation.h shows the call). A count of 0 says that no step was flagged,
 /// and not that none was wrong: docs/VERIFICATION.md has the rates of wrong
-/// steps that say TF_OK. Cost and stack: docs/BENCH.md.
+/// steps that say TF_OK.
 #ifndef TWOFOLD_TALLY_H
 #define TWOFOLD_TALLY_H
 

@@ -8,7 +8,6 @@
 /// sequence: in/out, number of this frame; then that of the next.
 /// tick: in, of the state that the contents belong to.
 /// Returns: bytes of the frame.
-/// Cost and stack: docs/BENCH.md.
 #ifndef TWOFOLD_TELEMETRY_H
 #define TWOFOLD_TELEMETRY_H
 

@@ -1,6 +1,6 @@
 /// @file
 /// State as text, for the serial plotter of the Arduino IDE; programs read
-/// frames (telemetry.h). Cost and stack: docs/BENCH.md.
+/// frames (telemetry.h).
 #ifndef TWOFOLD_TEXT_H
 #define TWOFOLD_TEXT_H
 

@@ -1,7 +1,6 @@
 /// @file
-/// Tyre laws: friction force F [N] and aligning moment M [N m] as functions
-/// of the slip angle, that is of the ratio g/h of rolling to lateral slip. Cost
-/// and stack: docs/BENCH.md.
+/// Tyre laws: friction force F [N] and aligning moment M [N m] as functions of
+/// the slip angle, that is of the ratio g/h of rolling to lateral slip.
 #ifndef TWOFOLD_TYRE_H
 #define TWOFOLD_TYRE_H
 

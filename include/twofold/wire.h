@@ -1,7 +1,6 @@
 /// @file
 /// Numbers as bytes: little endian, whatever the processor. A real is sent as
-/// the bits of its own type, so that nothing is rounded in between. Cost and
-/// stack: docs/BENCH.md.
+/// the bits of its own type, so that nothing is rounded in between.
 #ifndef TWOFOLD_WIRE_H
 #define TWOFOLD_WIRE_H
 

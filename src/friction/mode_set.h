@@ -10,7 +10,7 @@
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 #define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))
 
-TF_INLINE bool is_slip(unsigned mode) { return mode <= TF_SLIP_MINUS; }
+TF_INLINE bool is_slip(unsigned mode) { return tf_mode_is_slip(mode); }
 
 TF_INLINE bool is_stick(unsigned mode) {
   return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;

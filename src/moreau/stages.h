@@ -255,7 +255,7 @@ TF_INLINE forced_end_t mode_end(const free_motion_t *c, const solutions_t *s,
                                 unsigned mode) {
   if (mode == TF_PINNED) return pinned_end(c);
   // No index that is known only at run time: the arrays stay in registers.
-  if (mode == TF_SLIP_PLUS || mode == TF_SLIP_MINUS)
+  if (is_slip(mode))
     return slip_end(c, mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0),
                     mode == TF_SLIP_PLUS ? s->tau[0] : s->tau[1]);
   const tf_real_t x = mode == TF_STICK_PLUS ? s->x[0] : s->x[1];

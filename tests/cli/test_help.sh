@@ -59,7 +59,13 @@ check 'options were found' [ "$(echo "$options" | wc -l)" -gt 50 ]
     $(members monitor frames --summary json)
 }
 words mode slip+ slip- stick+ stick- pinned
-words law jump coulomb two_piece string smooth none
+laws=$(sed -n '/^  law  /{s///p;q}' pages | tr -d ,)
+check 'laws were found' [ "$(echo "$laws" | wc -w)" -gt 5 ]
+"$T" help law >law
+for law in $laws; do
+  words law "$law"
+  check "help law tells of $law" grep -q "^  $law  *[a-z]" law
+done
 words rule persist slip+ slip- random
 words rest hull square bow_tie
 words scheme moreau located compensated

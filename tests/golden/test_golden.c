@@ -40,7 +40,12 @@ static const struct {
 
 TEST(golden_trajectories) {
   const int count = (int)(sizeof golden / sizeof *golden);
-  CHECK(count >= TF_SCENES);
+  for (int n = 0; n < TF_SCENES; n++) {
+    int rows = 0;
+    for (int i = 0; i < count; i++)
+      rows += !strcmp(golden[i].scene, tf_scenes[n]->name);
+    if (!CHECK(rows > 0)) printf("#   no hash of %s\n", tf_scenes[n]->name);
+  }
   for (int i = 0; i < count; i++) {
     const uint64_t want = IS_DOUBLE ? golden[i].f64 : golden[i].f32;
     const uint64_t got = trajectory_hash(scene_named(golden[i].scene),

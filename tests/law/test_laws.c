@@ -24,7 +24,7 @@ TEST(stick_is_exact) {
       CHECK(status >= TF_OK && status != TF_DEGRADED);
       told +=
           !ok_to_resolution(status); /* a slip that turns beside h = g = 0 */
-      if (in_slip(s.x.mode)) continue;
+      if (tf_mode_is_slip(s.x.mode)) continue;
       sticks++;
       CHECK_NEAR(s.report.slip.h, 0, before + slip_rounding(&s));
       /* Through h = g = 0 it is a mean with that of slip. */

@@ -23,7 +23,7 @@ TEST(located_residual_is_that_of_the_law) {
       for (int n = 0; n < 20; n++) {
         if (locate(&s) != TF_OK) break;
         const tf_report_t *o = &s.report;
-        if (!in_slip(o->mode)) continue;
+        if (!tf_mode_is_slip(o->mode)) continue;
         if (fabs((double)o->slip.h) + fabs((double)o->slip.g) < 0.05) continue;
         const double side = o->mode == TF_SLIP_PLUS ? 1 : -1;
         const double beyond = fmax(0, -side * (double)o->slip.h);

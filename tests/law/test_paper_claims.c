@@ -65,7 +65,7 @@ TEST(windings_grow_until_the_other_sliding_side) {
     int windings = 0;
     CHECK(tf_begin_with_slip(&machine, &x, &input, slip, &report) == TF_OK);
     CHECK(report.mode == (i % 2 ? TF_SLIP_MINUS : TF_SLIP_PLUS));
-    for (int k = 0; k < 5000 && in_slip(report.mode); k++) {
+    for (int k = 0; k < 5000 && tf_mode_is_slip(report.mode); k++) {
       if (report.mode == TF_SLIP_PLUS && report.slip.h > peak)
         peak = report.slip.h;
       const unsigned was = report.mode;
@@ -77,7 +77,7 @@ TEST(windings_grow_until_the_other_sliding_side) {
       windings++;
     }
     printf("# %d windings, the last of %.3g m/s\n", windings, (double)before);
-    CHECK(windings >= 4 && !in_slip(report.mode));
+    CHECK(windings >= 4 && !tf_mode_is_slip(report.mode));
     CHECK(report.slip.g <= 0);
   }
 }

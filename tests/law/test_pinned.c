@@ -69,7 +69,7 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
         continue;
       }
       /* Left for a stick, that may be before: it attracts. */
-      if (n == 0 || !in_slip(x.mode) || margin(&p, by) > 0) break;
+      if (n == 0 || !tf_mode_is_slip(x.mode) || margin(&p, by) > 0) break;
       left[before.F > 0][p.kappa * p.mu - fabsl(by.M) > 0]++;
       break;
     }

@@ -81,7 +81,7 @@ TEST(no_step_enters_an_escaping_stick_from_slip) {
       const uint8_t mode = x.mode;
       if (tf_step(&machine, &x, &u, &report) < 0) break;
       degraded += report.status == TF_DEGRADED;
-      if (!in_slip(mode)) continue;
+      if (!tf_mode_is_slip(mode)) continue;
       slips++;
       CHECK(!is_stick(report.mode) || report.delassus > 0);
     }
@@ -135,7 +135,7 @@ static tf_status_t degraded_twin(tf_params_t p, tf_state_t x, int mirrored,
                                  tf_report_t *report) {
   const tf_real_t side = mirrored ? TF_R(-1.0) : TF_R(1.0);
   p.d *= side, p.gamma *= side, p.omega0 *= side, x.w *= side;
-  if (mirrored && in_slip(x.mode))
+  if (mirrored && tf_mode_is_slip(x.mode))
     x.mode = x.mode == TF_SLIP_PLUS ? TF_SLIP_MINUS : TF_SLIP_PLUS;
   const tf_machine_t k = prepared(&p);
   const tf_input_t u = tf_input_default(&k);

@@ -18,8 +18,6 @@ typedef long double real;
 #define NEXT(x, to) nextafter((x), (to))
 #endif
 
-static inline int in_slip(unsigned mode) { return mode <= TF_SLIP_MINUS; }
-
 /* TF_OK; in float also TF_STALLED, because there a slow motion stands still at
  * the steps of these tests. */
 static inline int ok_to_resolution(tf_status_t status) {

@@ -24,10 +24,11 @@
 // The two-fold where the reference meets it (tests/data/reference.h).
 static const double twofold_r = 0.1859, twofold_w = -1.037;
 
-static int begin(run_t *run, const problem_t *problem, scheme_t scheme,
-                 long steps, double tolerance, uint32_t seed) {
+static bool begin(run_t *run, const problem_t *problem, scheme_t scheme,
+                  long steps, double tolerance, uint32_t seed) {
   const double kick = KICK * (2 * harness_random(902, seed) - 1);
-  if (run_begin(run, problem, scheme, steps, tolerance, 0) != TF_OK) return 0;
+  if (run_begin(run, problem, scheme, steps, tolerance, 0) != TF_OK)
+    return false;
   const tf_machine_t *machine = &run->machine.machine;
   run->state = (tf_state_t){.r = (tf_real_t)twofold_r,
                             .w = (tf_real_t)twofold_w,
@@ -53,7 +54,7 @@ int after_main(int argc, char **argv) {
   const double start = timing_wall();
   for (long i = 0; i < runs; i++) {
     run_t run;
-    int goes_on =
+    bool goes_on =
         begin(&run, &problem, scheme, steps, tolerance, seed + (uint32_t)i);
     for (long k = 0; k < steps && goes_on; k++) goes_on = run_step(&run) >= 0;
     printf("%.9g\n", goes_on ? (double)run.state.r : (double)NAN);

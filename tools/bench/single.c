@@ -53,7 +53,7 @@ static int follow(run_t *run, long steps, long every, int times) {
   for (long i = 0; i < steps; i++) {
     const run_t before = *run;
     if (run_step(run) < 0) return 1;
-    const int slip = before.state.mode <= TF_SLIP_MINUS && slips < SLIPS;
+    const int slip = tf_mode_is_slip(before.state.mode) && slips < SLIPS;
     slips += slip;
     if (i % every != 0 && before.state.mode == run->state.mode && !slip)
       continue;

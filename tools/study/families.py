@@ -63,8 +63,11 @@ def behind(twofold: str, angle: float, found: dict) -> Optional[float]:
                 f"gamma={angle - math.pi!r}", *found["set"].split(),
                 "--rate", "1e-6", "--samples", 1, "--patience", 30,
                 "--exits", "-", "--returns", "/dev/null")
-    return next((float(line.split(",")[2]) for line in
-                 (text or "").splitlines() if ",released," in line), None)
+    if text is None:
+        return None
+    rows = table.parsed(text.encode())
+    times = rows.time[rows.how == "released"]
+    return float(times.iloc[0]) if len(times) else None
 
 
 def bisect(holds: Callable[[float], bool], low: float, high: float) -> float:
@@ -132,13 +135,12 @@ def core_agreement(twofold: str, finer: str) -> list[list[float]]:
     """dt and the largest difference of r, v, w between the core's law `smooth`
     and finer.c, at t = 0.15 s, width 1e-3."""
     text = said(finer, "width=1e-3", "until=0.15")
-    exact = [float(cell) for cell in text.splitlines()[1].split(",")[-3:]]
+    exact = table.parsed(text.encode()).iloc[0, -3:]
     rows = []
     for dt in 1e-3, 5e-4, 2.5e-4, 1.25e-4:
         text = said(twofold, "run", "smooth", "--set", "epsilon=1e-3", "--set",
                     "r=0.191960972", "--set", "omega=-1.053244828", "--set",
                     "h=0", "--t-end", 0.15, "--dt", dt)
-        state = text.splitlines()[-1].split(",")[1:4]
-        rows.append([dt, max(abs(float(a) - b)
-                             for a, b in zip(state, exact))])
+        state = table.parsed(text.encode()).iloc[-1, 1:4]
+        rows.append([dt, max(abs(a - b) for a, b in zip(state, exact))])
     return rows

@@ -136,9 +136,9 @@ def turning(fold: TwoFold, run: Callable[..., list[str]],
     width = fold.width("algebraic", effective)
     form = ["form=algebraic", f"width={width:.17g}"]
 
-    def side(kick: float) -> str:
-        head, line = run(113, [*form, f"kick={kick:.17g}"])
-        return line.split(",")[head.split(",").index("side")]
+    def side(kick: float) -> object:
+        said = "\n".join(run(113, [*form, f"kick={kick:.17g}"]))
+        return table.parsed(said.encode()).side[0]
 
     plain = side(0)
     scale = 1e-20 * (effective / 1e-6) ** 7.5 / 30

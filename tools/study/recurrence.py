@@ -8,7 +8,6 @@ not, the pass that waits decides. Shares have Wilson's 95 % interval.
 """
 from __future__ import annotations
 
-import csv
 import json
 import math
 import sys
@@ -63,15 +62,13 @@ class Twofold:
         if text is None:
             return None
         count: Counter[str] = Counter()
-        for cycle in csv.DictReader(line for line in text.splitlines()
-                                    if line[0] != "#"):
-            end = cycle["outcome"]
+        for cycle in table.parsed(text.encode()).itertuples():
+            end = cycle.outcome
             if end == "timeout":
-                end = "landed" if int(cycle["landings"]) > 0 else \
-                    "slipping" if cycle["exit_r"] else "sticking"
+                end = "landed" if cycle.landings > 0 else \
+                    "sticking" if math.isnan(cycle.exit_r) else "slipping"
             count[end] += 1
-            count["late"] += (end == "returned" and
-                              float(cycle["time"]) > patience / 2)
+            count["late"] += end == "returned" and cycle.time > patience / 2
         return count
 
     def row(self, number: int) -> dict[str, object]:

@@ -3,6 +3,7 @@ intervals of 95 %, and pages whose tables are made from counts that are kept.
 """
 from __future__ import annotations
 
+import csv
 import io
 import math
 import re
@@ -87,22 +88,32 @@ def _check_shards(path: str, lines: list[bytes], needed: bool) -> None:
 
 def read(path: str | Path, columns: Sequence[str] = (), counted: bool = False,
          text: bool = False) -> pd.DataFrame:
-    """Rows of a CSV file, `-` is standard input. `columns` have to be there.
-    `counted`: the rows have to be those of whole shards. `text`: fields as
-    they are written, and empty ones empty, not NaN."""
+    """Rows of a CSV file, `-` is standard input; the rest as `parsed`."""
     try:
         raw = sys.stdin.buffer.read() if str(path) == "-" else \
             Path(path).read_bytes()
     except OSError as error:
         raise TableError(f"{path}: cannot be read: {error.strerror}") from None
+    return parsed(raw, str(path), columns, counted, text)
+
+
+def parsed(raw: bytes, path: str = "output", columns: Sequence[str] = (),
+           counted: bool = False, text: bool = False,
+           tabs: bool = False) -> pd.DataFrame:
+    """Rows of CSV, `path` is where they are from. `columns` have to be there.
+    `counted`: the rows have to be those of whole shards. `text`: fields as
+    they are written, and empty ones empty, not NaN. `tabs`: between tabs, and
+    quotes are their own."""
     lines = raw.splitlines(keepends=True)
-    _check_shards(str(path), lines, counted)
+    _check_shards(path, lines, counted)
     lines = [line for line in lines if not line.startswith(b"#")]
     # A shard may have a header of its own.
     lines = lines[:1] + [line for line in lines[1:] if line != lines[0]]
     try:
         found = pd.read_csv(
             io.BytesIO(b"".join(lines)), float_precision="round_trip",
+            sep="\t" if tabs else ",",
+            quoting=csv.QUOTE_NONE if tabs else csv.QUOTE_MINIMAL,
             dtype=str if text else None, keep_default_na=not text)
     except (pd.errors.EmptyDataError, pd.errors.ParserError) as error:
         raise TableError(f"{path}: {error}") from None

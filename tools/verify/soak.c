@@ -73,7 +73,7 @@ static void judge(soak_t *s, const tf_report_t *report, uint64_t step,
   s->modes[x->mode]++;
   s->degraded += report->status == TF_DEGRADED;
   s->open += report->choices > 1;
-  if (cli_is_slip(x->mode)) return;
+  if (tf_mode_is_slip(x->mode)) return;
   // The bound of `stick_is_exact`: rounding on both sides of the step.
   const double drift = fabs((double)report->slip.h) / (before + rounding(s));
   if (drift > s->drift) s->drift = drift;

@@ -189,7 +189,7 @@ TEST(equilibrium_without_friction_is_no_crossing) {
   tf_state_t x = {.r = p.r0, .mode = TF_NO_MODE};
   tf_report_t report;
   CHECK(tf_begin(&machine, &x, &input, &report) == TF_OK);
-  CHECK(report.choices == 1 && !in_slip(report.mode));
+  CHECK(report.choices == 1 && !tf_mode_is_slip(report.mode));
 }
 
 TEST(surface_refuses_other_laws_and_bad_states) {

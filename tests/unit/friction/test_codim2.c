@@ -121,7 +121,7 @@ TEST(lost_modes_have_the_same_future) {
       if (out.solutions.set & TF_MODE_BIT(mode)) continue;
       CHECK(tf_leave_codim2(&k, &field, mode, false, &x, &out) == none);
       lost++;
-      held += none != TF_PINNED && !in_slip(mode) &&
+      held += none != TF_PINNED && !tf_mode_is_slip(mode) &&
               tf_leave_codim2(&k, &field, mode, true, &x, &out) == TF_PINNED;
     }
   }
@@ -221,7 +221,7 @@ TEST(a_course_ends_with_the_signs_of_its_mode) {
     ends[is.mode]++;
     if (is.mode == TF_SLIP_PLUS) wrong += !(end.h >= 0);
     if (is.mode == TF_SLIP_MINUS) wrong += !(end.h <= 0);
-    if (!in_slip(is.mode)) wrong += end.h != 0;
+    if (!tf_mode_is_slip(is.mode)) wrong += end.h != 0;
     if (is.mode == TF_STICK_PLUS) wrong += !(end.g > 0);
     if (is.mode == TF_STICK_MINUS) wrong += !(end.g < 0);
     if (is.mode == TF_PINNED) wrong += end.g != 0;

@@ -120,7 +120,7 @@ TEST(compensated_stick_is_exact) {
       const unsigned was = run.x.mode;
       run.u = tf_scene_input(scene, &run.k, (uint64_t)n);
       CHECK(sim_step(&run, COMPENSATED) == TF_OK);
-      if (in_slip(run.x.mode)) continue;
+      if (tf_mode_is_slip(run.x.mode)) continue;
       sticks++;
       worst = fmaxl(worst, fabsl((real)run.report.slip.h));
       /* Through h = g = 0 it is a mean with that of slip. */
@@ -148,7 +148,7 @@ static int same_step(const sim_t *at, real *worst) {
     return 0;
   if (plain < 0) return 1;
   /* At a Delassus scalar of 0 the multiplier of stick is as good as free. */
-  if (!in_slip(a.report.mode) && fabsl((real)a.report.delassus) < 0.2L)
+  if (!tf_mode_is_slip(a.report.mode) && fabsl((real)a.report.delassus) < 0.2L)
     return 1;
   /* So is the angle of a slip as small as the rounding of its terms, and with
    * it the force. */

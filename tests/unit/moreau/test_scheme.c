@@ -211,7 +211,7 @@ TEST(compensated_changes_have_twice_the_digits) {
     if (tf_step_compensated(&k, &x, &low, &u, &report) != TF_OK ||
         report.mode == TF_PINNED)
       continue;
-    const bool stick = !in_slip(report.mode);
+    const bool stick = !tf_mode_is_slip(report.mode);
     const real s = report.mode == TF_STICK_MINUS ? -1 : 1;
     const real F = wide(report.force.F), M = wide(report.force.M);
     /* Through h = g = 0 the force of a step is a mean, not that of a stick. */

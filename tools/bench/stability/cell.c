@@ -59,6 +59,7 @@ static tf_force_t largest_force(const tf_tyre_t *t) {
       return (tf_force_t){2 * t->a * t->delta * t->mu,
                           t->a * t->a * t->delta * t->mu};
     case TF_TYRE_NONE:
+    default: // a law that is not here: what it does exceeds this, and shows
       break;
   }
   return (tf_force_t){0, 0};

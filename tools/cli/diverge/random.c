@@ -22,7 +22,7 @@
 static cli_instant_t instant(const cli_motion_t *motion) {
   const tf_machine_t *k = &motion->job->machine;
   cli_instant_t now = cli_instant_at(motion, cli_point_of(k, &motion->state));
-  now.on = !cli_is_slip(motion->state.mode);
+  now.on = !tf_mode_is_slip(motion->state.mode);
   now.pinned = motion->state.mode == TF_PINNED;
   return now;
 }
@@ -235,8 +235,9 @@ static bool track(cli_motion_t *motion, const tf_state_t *from) {
 static bool advance(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
   // Windings are counted by changes of the sign of h, which need short steps.
-  const tf_machine_t *k = cli_is_slip(motion->state.mode) ? &motion->short_steps
-                                                          : &motion->long_steps;
+  const tf_machine_t *k = tf_mode_is_slip(motion->state.mode)
+                              ? &motion->short_steps
+                              : &motion->long_steps;
   const double dt = (double)k->dt;
   const tf_state_t from = motion->state;
   const bool waiting = from.mode == TF_PINNED || is_escaping_stick(motion);
@@ -268,7 +269,7 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
   motion->state.mode = (uint8_t)mode;
   cli_instant_t now = instant(motion);
   cli_track_start(&motion->tracker, &now);
-  if (cli_is_slip(mode)) {
+  if (tf_mode_is_slip(mode)) {
     motion->tracker.last.on = true;
     now.h = mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
     (void)cli_track(&motion->tracker, &now);

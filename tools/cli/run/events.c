@@ -45,7 +45,7 @@ static bool is_two_fold(const tf_report_t *before, const tf_report_t *after) {
   if (cli_is_stick(after->mode)) {
     return before->mode == after->mode;
   }
-  return cli_is_slip(after->mode) &&
+  return tf_mode_is_slip(after->mode) &&
          !changes_sign(before->slip.g, after->slip.g);
 }
 
@@ -83,11 +83,11 @@ static unsigned kinds_between(const tf_report_t *before,
   if (before->mode == after->mode) {
     return kinds;
   }
-  if (cli_is_slip(before->mode) && cli_is_slip(after->mode)) {
+  if (tf_mode_is_slip(before->mode) && tf_mode_is_slip(after->mode)) {
     kinds |= 1u << CLI_SLIP_TO_SLIP;
-  } else if (cli_is_slip(before->mode)) {
+  } else if (tf_mode_is_slip(before->mode)) {
     kinds |= 1u << CLI_SLIP_TO_STICK;
-  } else if (cli_is_slip(after->mode)) {
+  } else if (tf_mode_is_slip(after->mode)) {
     kinds |= 1u << CLI_STICK_TO_SLIP;
   } else if (before->mode == TF_PINNED) {
     kinds |= 1u << CLI_PINNED_TO_STICK;
@@ -138,9 +138,10 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
   event->r = (double)state->r;
   event->omega = (double)state->w;
   event->g = (double)after->slip.g;
-  event->has_lambda = !cli_is_slip(after->mode) || !cli_is_slip(before->mode);
+  event->has_lambda =
+      !tf_mode_is_slip(after->mode) || !tf_mode_is_slip(before->mode);
   event->lambda =
-      (double)(cli_is_slip(after->mode) ? before->force.F : after->force.F);
+      (double)(tf_mode_is_slip(after->mode) ? before->force.F : after->force.F);
 }
 
 void cli_events_free(cli_events_t *events) {

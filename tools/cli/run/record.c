@@ -66,7 +66,7 @@ void cli_run_observe(cli_run_t *run, const tf_report_t *after) {
   cli_events_observe(&run->events, &run->report, after, &run->system.state, t);
   cli_ambiguity_see(&run->ambiguity, after, t);
   tf_tally_count(&run->tally, run->done, after->status);
-  if (!cli_is_slip(after->mode)) {
+  if (!tf_mode_is_slip(after->mode)) {
     run->largest_h = fmax(run->largest_h, fabs((double)after->slip.h));
   }
   run->largest_residual = fmax(run->largest_residual, (double)after->residual);

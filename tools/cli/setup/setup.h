@@ -164,9 +164,6 @@ int cli_find_scene(const char *place, const char *name, const char *besides,
 /// Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
 int cli_read_rule(const char *select, tf_rule_t *rule, uint32_t *seed);
 
-/// Groups of modes, for the commands that follow a motion.
-static inline bool cli_is_slip(unsigned mode) { return mode <= TF_SLIP_MINUS; }
-
 /// Stick does not include pinned.
 static inline bool cli_is_stick(unsigned mode) {
   return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;

@@ -88,7 +88,7 @@ static void see(course_t *course, double t, const tf_state_t *state,
   course->t = t;
   course->modes |= TF_MODE_BIT(report->mode);
   course->changes += report->mode != course->report.mode;
-  course->stuck += !cli_is_slip(report->mode);
+  course->stuck += !tf_mode_is_slip(report->mode);
   course->r_low = fmin(course->r_low, (double)state->r);
   course->r_high = fmax(course->r_high, (double)state->r);
   course->state = *state;

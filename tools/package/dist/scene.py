@@ -83,6 +83,27 @@ SMALL = """\
 
 """
 
+# What the code asks of the compiler's arithmetic ends with it: behind it stands
+# the user's. Clang has no other stack for contraction, and on some targets not
+# this one.
+KEEP = """\
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wignored-pragmas"
+#pragma float_control(push)
+#elif defined(__GNUC__)
+#pragma GCC push_options
+#endif
+"""
+# The code of another scene, behind this one, has its own.
+RESTORE = """\
+#undef TF_ROUNDING_H
+#ifdef __clang__
+#pragma float_control(pop)
+#elif defined(__GNUC__)
+#pragma GCC pop_options
+#endif
+"""
+
 # What the code defines for its whole file: macros, functions, tables, types,
 # enumerators.
 DEFINED = (
@@ -222,7 +243,7 @@ def make(scene, double, single):
 """.rstrip()))
     first = Text()
     first.add_file(ROOT / "src/num/rounding.h")
-    whole.add(f"#ifdef {code}\n{COMPILERS}"
+    whole.add(f"#ifdef {code}\n{KEEP}{COMPILERS}"
               '#pragma GCC diagnostic ignored "-Wunused-function"\n\n'
               + "".join(first.parts) + "#endif\n\n")
     types = Text()
@@ -247,7 +268,7 @@ def make(scene, double, single):
     all_of_it = (law_of(scene, in_float)
                  + of_scene(scene, headers, "".join(body.parts)))
     inner = guard(f"{code}_IS_HERE", all_of_it)
-    whole.add(f"#ifdef {code}\n{inner}#endif\n")
+    whole.add(f"#ifdef {code}\n{inner}{RESTORE}#endif\n")
     return whole
 
 

@@ -6,10 +6,13 @@ which start alike, each with another of the modes that are possible there.
 
 It moves by CSS alone, stands still at its end where the reader asks for less
 motion, and its numbers are those of `twofold run`."""
-import csv
 import math
 import subprocess
 import sys
+from pathlib import Path
+
+sys.path[:0] = map(str, Path(__file__).resolve().parents[1:3])
+import table  # noqa: E402
 
 # In the escaping region of h = 0; kappa so that the futures part visibly.
 START = {"kappa": "1", "r": "0.3", "omega": "-1.3", "h": "0"}
@@ -33,17 +36,17 @@ def motion(program, rule):
             for word in ("--set", f"{name}={value}")]
     out = subprocess.run(
         [program, "run", "chaos", "--t-end", str(T_END), "--dt", str(DT),
-         "--select", rule, "--every", "10", *sets], check=True, text=True,
+         "--select", rule, "--every", "10", *sets], check=True,
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
     rows, angle, before = [], 0.0, None
-    for number, row in enumerate(csv.DictReader(out.splitlines())):
-        t, r, omega = (float(row[name]) for name in ("t", "r", "omega"))
+    for number, row in table.parsed(out).iterrows():
+        t, r, omega = row.t, row.r, row.omega
         if before:
             angle += (t - before[0]) * (omega + before[1]) / 2
         before = t, omega
         if number % (EVERY // 10) == 0:
             rows.append((t, r, angle, row["mode"]))
-        assert number or row["choices"] == "3", "not one start, three futures"
+        assert number or row.choices == 3, "not one start, three futures"
     return rows
 
 

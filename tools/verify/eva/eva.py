@@ -16,7 +16,6 @@ BUILD/eva/ keeps all output.
 """
 from __future__ import annotations
 
-import csv
 import os
 import re
 import shutil
@@ -26,8 +25,10 @@ import time
 from pathlib import Path
 from typing import Iterable, NamedTuple
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+TOOLS = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(TOOLS), str(TOOLS / "study")]
 import driven
+import table
 
 HERE = Path("tools/verify/eva")
 OUT = Path(os.environ.get("BUILD") or "build", "eva")
@@ -144,10 +145,8 @@ class Said(NamedTuple):
 def said_of(entry: str, path: Path) -> Said:
     """From the table of its properties."""
     reached, proven, alarms = False, 0, {}
-    with open(path, encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file, delimiter="\t",
-                                   quoting=csv.QUOTE_NONE))
-    for row in rows:
+    rows = table.parsed(path.read_bytes(), str(path), text=True, tabs=True)
+    for row in rows.to_dict("records"):
         function, status = row["function"], row["status"]
         kind, text = row["property kind"], row["property"]
         if kind == "user check" and text == "\\false":

@@ -1,4 +1,5 @@
 """The two files and the prepared scene, in C and in C++."""
+import platform
 import re
 import shutil
 
@@ -21,6 +22,12 @@ TWO_SCENES = """\
 #include "twofold_chaos.h"
 #include "twofold_smooth.h"
 """
+# What the user writes behind them, and where it may contract.
+BEHIND = """\
+double behind(double a, double b, double c);
+double behind(double a, double b, double c) { return a * b + c; }
+"""
+FUSED = ["-O2", "-march=haswell", "-S", "-o", "-"]
 # Where nothing is said about contraction, on what this processor has.
 PLAIN = ["-O2", "-march=native"]
 
@@ -113,6 +120,14 @@ def two_scenes():
             for real, want in zip(REALS, golden[name]):
                 equal(f"{name} of two by {' '.join(compiler[2])} in {real}",
                       scene_hash(place, name, real, compiler, source), want)
+    if platform.machine() != "x86_64":
+        return
+    source.write_text(TWO_SCENES + BEHIND)
+    for tool in "gcc", "clang":
+        code = run(tool, "-std=gnu17", *STRICT, *FUSED, "-I", place, "-I", C,
+                   source)
+        equal(f"sums that {tool} fuses behind two scenes",
+              code.count("vfmadd"), 1)
 
 
 def cpp():
