@@ -87,8 +87,9 @@ double class_difference(const ref_machine_t *q, ref_state_t x,
                         const lib_row_t *row);
 double class_distance(const ref_machine_t *q, ref_state_t a, ref_state_t b);
 
-extern const class_t class_validate, class_second, class_branch, class_path,
-    class_impulses, class_energy, class_standing, class_replay, class_table;
+extern const class_t class_validate, class_second, class_rest_law, class_branch,
+    class_path, class_impulses, class_energy, class_standing, class_estimates,
+    class_replay, class_table;
 /// The machine of replay, before --set.
 extern const lib_machine_t replay_machine;
 

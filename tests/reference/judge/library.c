@@ -5,18 +5,8 @@
 #include <assert.h>
 #include <string.h>
 
+#include "params.h"
 #include "told.h"
-#include "twofold.h"
-
-static tf_params_t params_of(const lib_machine_t *q) {
-  return (tf_params_t){PARAMETERS_OF(tf_real_t, q),
-                       .theta = TF_R(0.5),
-                       .dt = (tf_real_t)q->dt,
-                       .rate = 20,
-                       .tolerance = TF_R(1e-8),
-                       .rest = (tf_rest_law_t)q->rest,
-                       .law = q->coulomb ? TF_TYRE_COULOMB : TF_TYRE_JUMP};
-}
 
 typedef struct {
   tf_compensated_t machine;

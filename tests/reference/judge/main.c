@@ -8,9 +8,9 @@
 #include "classes.h"
 
 static const class_t *const classes[] = {
-    &class_validate, &class_second,   &class_branch,
-    &class_path,     &class_impulses, &class_energy,
-    &class_standing, &class_table,    &class_replay};
+    &class_validate,  &class_second,   &class_rest_law, &class_branch,
+    &class_path,      &class_impulses, &class_energy,   &class_standing,
+    &class_estimates, &class_table,    &class_replay};
 enum { CLASSES = sizeof classes / sizeof classes[0] };
 
 static int usage(void) {

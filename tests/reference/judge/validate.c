@@ -65,6 +65,20 @@ static void equations(void) {
 
 // (2fold): both h' vanish at r*, w*, and A has its other zero where the paper
 // has it.
+static void two_fold(void) {
+  paper_t p;
+  paper_default(&p);
+  ref_machine_t q = {PARAMETERS_OF(real_t, &p)};
+  ref_prepare(&q);
+  const real_t r = PAPER_R_STAR, w = PAPER_W_STAR;
+  ref_state_t x = ref_state(&q, r, paper_sing_v(&p, r, w), w);
+  const ref_edge_t edge = ref_edge(&q, x, 1);
+  check("two-fold", "h' at lambda = mu, -mu",
+        fmaxl(fabsl(edge.plus), fabsl(edge.minus)), 1e-17L);
+  x.r = q.beta * q.beta * q.sine * q.sine / r;
+  check("two-fold", "A at its other zero", fabsl(ref_edge(&q, x, 1).A), 1e-17L);
+}
+
 typedef struct {
   const reference_t *ref;
   int seen;
@@ -169,6 +183,7 @@ static void carried(void) {
 static int finish(const options_t *options) {
   (void)options;
   equations();
+  two_fold();
   for (int i = 0; i < REF_PROBLEMS; ++i) {
     course(&references[i]);
   }

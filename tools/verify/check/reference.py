@@ -12,6 +12,7 @@ from findings import BUILD, build, checked, need, wrong
 
 # Class, its options, and the rows that count what no step may do.
 CLASSES = [
+    ("rest-law", ["--machines", 300], "none under the hexagon", 0),
     ("branch", ["--machines", 150, "--seed", 7], "wrong, all steps OK", .01),
     ("path", ["--machines", 300], "off, all OK", .01),
     ("energy", ["--machines", 200], "runs: 1e-2 in all", .01),
