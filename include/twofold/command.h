@@ -8,7 +8,6 @@
 #ifndef TWOFOLD_COMMAND_H
 #define TWOFOLD_COMMAND_H
 
-#include "twofold/frame.h"
 #include "twofold/telemetry.h"
 
 TF_BEGIN_C

@@ -7,7 +7,6 @@
 #ifndef TWOFOLD_COMPENSATED_H
 #define TWOFOLD_COMPENSATED_H
 
-#include "twofold/machine.h"
 #include "twofold/step.h"
 
 TF_BEGIN_C

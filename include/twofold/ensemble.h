@@ -6,7 +6,6 @@
 #ifndef TWOFOLD_ENSEMBLE_H
 #define TWOFOLD_ENSEMBLE_H
 
-#include "twofold/machine.h"
 #include "twofold/step.h"
 
 TF_BEGIN_C

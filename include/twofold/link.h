@@ -17,9 +17,7 @@
 #define TWOFOLD_LINK_H
 
 #include "twofold/command.h"
-#include "twofold/frame.h"
 #include "twofold/simulation.h"
-#include "twofold/telemetry.h"
 
 TF_BEGIN_C
 

@@ -5,7 +5,6 @@
 #ifndef TWOFOLD_SCENE_H
 #define TWOFOLD_SCENE_H
 
-#include "twofold/machine.h"
 #include "twofold/step.h"
 
 TF_BEGIN_C

@@ -20,7 +20,6 @@
 #define TWOFOLD_SIMULATION_H
 
 #include "twofold/scene.h"
-#include "twofold/step.h"
 #include "twofold/tally.h"
 
 TF_BEGIN_C

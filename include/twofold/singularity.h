@@ -7,8 +7,6 @@
 #ifndef TWOFOLD_SINGULARITY_H
 #define TWOFOLD_SINGULARITY_H
 
-#include "twofold/machine.h"
-#include "twofold/status.h"
 #include "twofold/surface.h"
 
 TF_BEGIN_C

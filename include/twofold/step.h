@@ -5,7 +5,6 @@
 
 #include "twofold/machine.h"
 #include "twofold/mode.h"
-#include "twofold/status.h"
 
 TF_BEGIN_C
 
@@ -84,26 +83,22 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///   energy; or theta > 1/2 damps a quarter of the energy; or an impulse of
 ///   friction ends a slip and changes the velocities by more than a third, or
 ///   its force changes direction within it and that alone changes them by 3 %;
-///   or a slip that several modes may follow passes by h = g = 0, or no
-///   force leads along its course there; or a rest ends for less than the step;
-///   or the wheel crosses the axis by more than 2 beta); TF_STALLED (advanced,
-///   but stalls);
-///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched, report holds
-///   the status).
+///   or a slip that several modes may follow passes by h = g = 0, or no force
+///   leads along its course there; or a rest ends for less than the step; or
+///   the wheel crosses the axis by more than 2 beta); TF_STALLED (advanced, but
+///   stalls); TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched,
+///   report holds the status).
 /// Trust: where it says TF_OK, the mode is one of the set, h and g have its
 ///   signs, or are 0 within their rounding, as it asks, no energy is created
-///   but for that share, and what follows h = g = 0 is what law and rule say.
-///   A slip with h = g = 0 within reach follows its course there, and the mode
-///   in which that ends is in the set, although next to r = 0 the inclusion of
-///   the step may not have it. It bounds no truncation error: of random
-///   machines through h = g = 0, where the step is of first order, 4, 1, 0 %
-///   are more than 2 % off at dt = 1e-3, 1e-4, 1e-5 s with every step OK.
-///   Steps that were found to break the rest
-///   are in docs/VERIFICATION.md.
-///   All of it is said of the inputs that the step was told. An alpha of 0 and
-///   another omega0 than that of the step before is a turntable that jumps: a
-///   ramp without alpha (tf_turntable_to) is a chain of jumps, each at the
-///   start of its step, and another motion than the ramp.
+///   but for that share, and what follows h = g = 0 is what law and rule say. A
+///   slip with h = g = 0 within reach follows its course there, and the mode in
+///   which that ends is in the set, although next to r = 0 the inclusion of the
+///   step may not have it. It bounds no truncation error; the steps that were
+///   found to break the rest, and how often: docs/VERIFICATION.md. All of it is
+///   said of the inputs that the step was told. An alpha of 0 and another
+///   omega0 than that of the step before is a turntable that jumps: a ramp
+///   without alpha (tf_turntable_to) is a chain of jumps, each at the start of
+///   its step, and another motion than the ramp.
 #define tf_step TF_LINK(tf_step)
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report);

@@ -9,7 +9,6 @@
 #define TWOFOLD_SURFACE_H
 
 #include "twofold/machine.h"
-#include "twofold/status.h"
 
 TF_BEGIN_C
 

@@ -12,9 +12,7 @@
 #define TWOFOLD_TELEMETRY_H
 
 #include "twofold/frame.h"
-#include "twofold/machine.h"
 #include "twofold/simulation.h"
-#include "twofold/step.h"
 #include "twofold/wire.h"
 
 TF_BEGIN_C

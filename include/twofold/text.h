@@ -4,7 +4,6 @@
 #ifndef TWOFOLD_TEXT_H
 #define TWOFOLD_TEXT_H
 
-#include "twofold/machine.h"
 #include "twofold/step.h"
 
 TF_BEGIN_C

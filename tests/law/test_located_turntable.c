@@ -1,5 +1,6 @@
 /* The located step on a turntable that changes its speed: what it makes of rest
  * does not depend on where its steps end. */
+#include "reference.h"
 #include "sample.h"
 #include "sim.h"
 
@@ -49,14 +50,16 @@ static motion_t resting(int i) {
   ramp.r = tap_uniform(-0.5, 0.5);
   ramp.w = (double)p->omega0;
   ramp.alpha = tap_uniform(-3, 3);
-  const double m = (double)p->m, d = (double)p->d, beta = (double)p->beta;
-  const double r = ramp.r, w = ramp.w, gamma = (double)p->gamma;
   const double F = tap_uniform(-1, 1) * (double)p->mu;
   const double M = tap_uniform(-1, 1) * (double)(p->mu * p->kappa);
-  const double Q_r = -F * sin(gamma) - m * d * ramp.alpha;
-  ramp.force = Q_r - (double)p->k2 * ((double)p->r0 - r) - m * r * w * w;
-  ramp.torque = m * (beta * beta + r * r) * ramp.alpha + (double)p->c1 * w -
-                d * Q_r - F * r * cos(gamma) - M;
+  ref_machine_t q = {PARAMETERS_OF(real, p)};
+  ref_prepare(&q);
+  const ref_state_t at = ref_state(&q, ramp.r, 0, ramp.w);
+  const ref_rate_t free = ref_rate(&q, at, (ref_force_t){F, M});
+  const real inertia = q.m * (q.beta * q.beta + at.r * at.r);
+  ramp.force = (double)(-q.m * (free.p + q.d * ramp.alpha));
+  ramp.torque = (double)(inertia * (ramp.alpha - free.z) +
+                         q.d * q.m * (free.p + q.d * ramp.alpha));
   return ramp;
 }
 

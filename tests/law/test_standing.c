@@ -2,6 +2,7 @@
  * step that is too short to move r stalls, which class standing of
  * tests/reference judges of any motion. */
 #include "common.h"
+#include "reference.h"
 
 typedef tf_status_t (*step_t)(const tf_machine_t *, tf_state_t *,
                               const tf_input_t *, tf_report_t *);
@@ -26,12 +27,15 @@ static tf_params_t any_params(void) {
  * rest position and the torque answer it. */
 static void balance(const tf_params_t *p, const tf_state_t *x, tf_force_t by,
                     tf_input_t *u) {
-  const real sine = sinl(wide(p->gamma)), cosine = cosl(wide(p->gamma));
-  const real r = wide(x->r), w = wide(x->w), F = wide(by.F);
-  const real Q_r = wide(p->m) * r * w * w + F * sine;
-  u->r0 = (tf_real_t)(r - Q_r / wide(p->k2));
-  u->torque = (tf_real_t)(wide(p->c1) * w -
-                          F * (r * cosine - wide(p->d) * sine) - wide(by.M));
+  ref_machine_t q = {PARAMETERS_OF(real, p)};
+  q.r0 = wide(x->r);
+  ref_prepare(&q);
+  const ref_state_t at = ref_state(&q, q.r0, 0, wide(x->w));
+  const ref_rate_t rate =
+      ref_rate(&q, at, (ref_force_t){wide(by.F), wide(by.M)});
+  const real inertia = q.m * (q.beta * q.beta + q.r0 * q.r0);
+  u->r0 = (tf_real_t)(q.r0 - q.m * rate.p / q.k2);
+  u->torque = (tf_real_t)(q.d * q.m * rate.p - inertia * rate.z);
 }
 
 /* How many steps in an equilibrium leave r as it was; none may be told to

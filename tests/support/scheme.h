@@ -1,10 +1,12 @@
 /* scheme.h - one Moreau step by the equations (1)-(7) of DESIGN.md in long
- * double, with the mass matrix as it is printed there and the parameters as
- * they were given. */
+ * double, with the parameters as they were given. Forces are those of the
+ * reference, by its accelerations without friction; what is implicit in the
+ * mass matrix, as it is printed there, is the scheme's alone. */
 #ifndef TESTS_SUPPORT_SCHEME_H
 #define TESTS_SUPPORT_SCHEME_H
 
 #include "common.h"
+#include "reference.h"
 
 typedef struct {
   paper_t p;
@@ -25,12 +27,16 @@ static inline scheme_step_t scheme_step(const tf_params_t *params,
   c.cos = cosl(c.p.gamma);
   const real t = c.theta * c.dt, a = t * (c.p.c2 + t * c.p.k2);
   c.r_t = x[0] + t * v;
-  c.Q_r = c.p.k2 * (wide(u->r0) - c.r_t) - c.p.c2 * v + m * c.r_t * w * w +
-          wide(u->force);
-  c.Q_phi = wide(u->torque) - c.p.c1 * w - 2 * m * c.r_t * v * w;
+  ref_machine_t q = {PARAMETERS_OF(real, params)};
+  q.r0 = wide(u->r0);
+  q.omega0 = c.omega0;
+  const ref_rate_t free =
+      ref_rate(&q, ref_state(&q, c.r_t, v, w), (ref_force_t){0, 0});
+  const real inertia = m * (c.p.beta * c.p.beta + c.r_t * c.r_t);
+  c.Q_r = m * free.p + wide(u->force);
+  c.Q_phi = inertia * free.z - d * m * free.p + wide(u->torque);
   const real e = 2 * t * m * c.r_t * w;
-  const real J = m * (c.p.beta * c.p.beta + c.r_t * c.r_t) +
-                 t * (c.p.c1 + 2 * m * c.r_t * v);
+  const real J = inertia + t * (c.p.c1 + 2 * m * c.r_t * v);
   c.s[0][0] = m + a;
   c.s[0][1] = -(m * d + e);
   c.s[1][0] = -(m * d - e);

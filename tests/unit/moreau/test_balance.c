@@ -298,13 +298,15 @@ TEST(damping_takes_energy_from_a_balanced_step) {
  * matrix of the true middle. */
 static real missed_at_middle(const tf_params_t *p, const tf_state_t *x,
                              real dt) {
-  const ref_machine_t q = {PARAMETERS_OF(real, p)};
+  ref_machine_t q = {PARAMETERS_OF(real, p)};
   const end_state_t from = place(x), to = far_end(*p, *x, dt, 1);
   const real w0 = wide(from.w), w1 = wide(to.w);
   const real R0 = hypotl(q.beta, wide(from.r)), R1 = hypotl(q.beta, wide(to.r));
   const real dP = wide(to.v) - wide(from.v) - q.d * (w1 - w0);
   const real r = wide(from.r + to.r) / 2, w = (R0 * w0 + R1 * w1) / (R0 + R1);
-  return fabsl(q.m * dP / dt + q.k2 * (r - q.r0) - q.m * r * w * w);
+  ref_prepare(&q);
+  const ref_state_t middle = ref_state(&q, r, 0, w);
+  return q.m * fabsl(dP / dt - ref_rate(&q, middle, (ref_force_t){0, 0}).p);
 }
 
 /* A guess of the middle is one power of the step better than that before it:

@@ -29,6 +29,7 @@ tools/bench       4700   4200
 tools/study       4970   4200
 tools/verify      6600   6500
 tests            28000  25000
+include           1850   1700
 documents         5500   5000
 DESIGN.md          700    700
 docs/BENCH.md      250    250
