@@ -1,7 +1,7 @@
 // The first event of a segment. An event is where a function of time vanishes
 // that has one sign throughout the segment: h, g, mu - |lambda|, A, or where
-// the wheel rests those of rest_motion.c. These are polynomials here, up to the order
-// of the motion, so their first roots are isolated by Descartes' rule on
+// the wheel rests those of rest_motion.c. These are polynomials here, up to the
+// order of the motion, so their first roots are isolated by Descartes' rule on
 // Bernstein coefficients (polynomial.h). Event-driven solvers that compare
 // signs at the ends of steps, as in Piiroinen and Kuznetsov (2008), may pass
 // over a pair of roots.

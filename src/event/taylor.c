@@ -191,8 +191,8 @@ static bool taylor_stick(taylor_t *motion, const segment_t *segment) {
 
 // At a two-fold A = 0: term n + 1 of h does not contain lambda_n but
 // lambda_(n-1), linearly, through term n of the motion. Two trial values give
-// the line, and its zero lambda_(n-1). The second trial is the force of 1 m/s^2,
-// so that no unit of mass moves a bit.
+// the line, and its zero lambda_(n-1). The second trial is the force of
+// 1 m/s^2: no unit of mass moves a bit.
 static bool taylor_two_fold(taylor_t *motion, const segment_t *segment) {
   const tf_real_t s_kappa = signed_kappa(motion->machine, segment->sign_g < 0);
   const tf_real_t m = motion->machine->m;
