@@ -61,10 +61,10 @@ check 'options were found' [ "$(echo "$options" | wc -l)" -gt 50 ]
 words mode slip+ slip- stick+ stick- pinned
 laws=$(sed -n '/^  law  /{s///p;q}' pages | tr -d ,)
 check 'laws were found' [ "$(echo "$laws" | wc -w)" -gt 5 ]
-"$T" help law >law
+"$T" help law >laws
 for law in $laws; do
   words law "$law"
-  check "help law tells of $law" grep -q "^  $law  *[a-z]" law
+  check "help law tells of $law" grep -q "^  $law  *[a-z]" laws
 done
 words rule persist slip+ slip- random
 words rest hull square bow_tie

@@ -5,6 +5,7 @@
 #ifndef TESTS_GOLDEN_POPULATION_H
 #define TESTS_GOLDEN_POPULATION_H
 
+#include "../../src/num/rounding.h" /* the draws keep their bits as the core does */
 #include "twofold/scene.h"
 #include "twofold/step.h"
 

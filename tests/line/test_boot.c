@@ -60,7 +60,8 @@ static volatile uint32_t *register_at(uint32_t address) {
   for (unsigned i = 0; i < sizeof known / sizeof *known; i++)
     if (known[i].address == address) return known[i].word;
   CHECK(address >= 0x08040000u && address < 0x08080000u);
-  return &chip.flash[0][(address - 0x08040000u) / 4u];
+  const uint32_t word = (address - 0x08040000u) / 4u % (2u * WORDS);
+  return &chip.flash[word / WORDS][word % WORDS];
 }
 
 /* What the hardware has done until somebody looks. */

@@ -247,7 +247,7 @@ TEST(each_number_begins_a_session_of_its_own) {
  * room for one; what has none is left as it is. */
 TEST(frames_down_have_their_tag) {
   uint8_t key[TF_KEY_BYTES], wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
-  uint8_t sent[TF_FRAME_PAYLOAD];
+  uint8_t sent[TF_FRAME_PAYLOAD] = {0};
   for (unsigned i = 0; i < sizeof key; i++) key[i] = (uint8_t)tap_bits();
   for (size_t length = 0; length <= TF_FRAME_PAYLOAD; length++) {
     uint32_t number = 7, session = 0;
@@ -267,9 +267,10 @@ TEST(frames_down_have_their_tag) {
     CHECK(frame.sequence == 7 && frame.tick == 99);
     for (size_t bit = 8; bit < 8u * (1 + TF_FRAME_HEADER + frame.length);
          bit++) {
-      body[bit / 8] ^= (uint8_t)(1u << bit % 8);
+      uint8_t *const at = body + bit / 8;
+      *at ^= (uint8_t)(1u << bit % 8);
       CHECK(!tf_frame_untag(&frame, key, &session) && session == 0);
-      body[bit / 8] ^= (uint8_t)(1u << bit % 8);
+      *at ^= (uint8_t)(1u << bit % 8);
     }
     CHECK(tf_frame_untag(&frame, length % 2 ? key : NULL, &session));
     CHECK(session == 0x11223344u && frame.length == length);

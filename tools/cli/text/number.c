@@ -169,8 +169,7 @@ int cli_read_range(const char *option, const char *whole, const char *text,
 }
 
 static bool is_whole(double value) {
-  return value > -0x1p53 && value < 0x1p53 &&
-         !(fabs(value - (double)(int64_t)value) > 0);
+  return fabs(value) < 0x1p53 && !(fabs(value - (double)(int64_t)value) > 0);
 }
 
 tf_real_t cli_range_at(const cli_range_t *range, uint64_t i) {

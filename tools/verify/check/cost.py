@@ -21,7 +21,7 @@ import bounds  # noqa: E402
 # Look-ups, and straight code: loops run as often whatever is given.
 PLAIN = re.compile(r"""tf_(?:\w+_name|wire_\w+|send_\w+|read_\w+|slip|energy|
     decoder_init|link_open|link_(?:add_entropy|begin_session)|params_hash|
-    run_hash|line_\w+|frame_(?:tag|untag)|tyre_is_set_valued|
+    mode_is_slip|run_hash|line_\w+|frame_(?:tag|untag)|tyre_is_set_valued|
     philox|input_default|speed_for_slip|ensemble_(?:put|get|report)|
     tally_count|simulation_(?:set_input|pass))""", re.X)
 EVALUATIONS = int(os.environ.get("EVALUATIONS") or (20000 if FULL else 300))
