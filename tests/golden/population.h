@@ -5,7 +5,8 @@
 #ifndef TESTS_GOLDEN_POPULATION_H
 #define TESTS_GOLDEN_POPULATION_H
 
-#include "../../src/num/rounding.h" /* the draws keep their bits as the core does */
+/* The draws keep their bits under any options, as the core does. */
+#include "../../src/num/rounding.h"
 #include "twofold/scene.h"
 #include "twofold/step.h"
 
