@@ -241,6 +241,13 @@ TEST(each_number_begins_a_session_of_its_own) {
   /* It is there before anybody asks, and a question does not change it. */
   send_plain(&board, TF_UP_DESCRIBE);
   CHECK(board.link.session == seen[1][1999]);
+  /* Of the number that would have session 0 under the key of zeros it is that
+   * of no other. */
+  memset(key, 0, sizeof key);
+  tf_link_begin_session(&board.link, 0, key);
+  const uint32_t of_0 = board.link.session;
+  tf_link_begin_session(&board.link, 0x67F49640u, key);
+  CHECK(board.link.session == of_0 && of_0 != 0);
 }
 
 /* Each bit of a frame that goes down is under its tag, of each length that has

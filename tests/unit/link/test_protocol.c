@@ -215,7 +215,7 @@ TEST(schema_says_what_runs) {
   CHECK(!strcmp((const char *)at + 29 + R + 6, "demo"));
   CHECK(frame.length == 29 + R + 6 + 5);
   /* Each flag has a bit of its own. */
-  for (unsigned flags = 0; flags < 64; flags++) {
+  for (unsigned flags = 0; flags < 128; flags++) {
     if ((flags >> 2 & 3u) >= TF_REST_LAWS) continue;
     tf_params_t flagged = *params;
     flagged.rest = (tf_rest_law_t)(flags >> 2 & 3u);
@@ -224,6 +224,7 @@ TEST(schema_says_what_runs) {
     variant.takes_commands = flags & 2u;
     variant.wants_tag = flags & 16u;
     variant.ends = flags & 32u;
+    variant.has_tags = flags & 64u;
     variant.params = &flagged;
     frame = frame_of(wire, tf_send_schema(wire, &sequence, 0, &variant));
     CHECK(frame.payload[4] == flags);

@@ -195,6 +195,29 @@ TEST(ensemble_of_difficult_states) {
            (i != TF_STALLED || !IS_DOUBLE)));
 }
 
+/* In steps of 1 ns a slip that begins with v = 0 leaves r as it was, and lanes
+ * are asked whether they stall, as single steps are: in double it moves r again
+ * after some steps. */
+TEST(ensemble_stalls_as_single_steps_do) {
+  tf_params_t p = scene_named("chaos")->params;
+  p.dt = TF_R(1e-9);
+  twins.machine = prepared(&p);
+  const tf_input_t u = tf_input_default(&twins.machine);
+  for (size_t i = 0; i < TF_LANES; i++)
+    twins.states[i] = (tf_state_t){.r = uniform(0.1, 0.3),
+                                   .w = u.omega0 + uniform(0.1, 0.2),
+                                   .mode = TF_SLIP_PLUS};
+  for (size_t i = 0; i < TF_LANES; i++)
+    if (twins.states[i].r * (twins.states[i].w - u.omega0) *
+            twins.machine.cos_gamma >
+        0)
+      twins.states[i].mode = TF_SLIP_MINUS;
+  twin(TF_LANES);
+  CHECK(step_twins(&u) == 0);
+  CHECK(twins.alone == 0);
+  CHECK((twins.seen[TF_STALLED - TF_STEP_TOO_LONG] > 0) == !IS_DOUBLE);
+}
+
 /* A state that friction can bring to h = g = 0 within a few steps. */
 static tf_state_t near_rest(const tf_machine_t *k, const tf_input_t *u) {
   const double reach = 4 * (double)k->dt;

@@ -35,8 +35,8 @@ OUT = Path(os.environ.get("BUILD") or "build", "eva")
 REALS = {"f64": "-UTF_REAL_FLOAT", "f32": "-DTF_REAL_FLOAT"}
 # Whole programs need no more than what they call.
 SOURCES = {
-    "STEP": "step,rare_end,report,codim2_end,balanced,codim2,course,quadrant,"
-            "select,philox,tyre,prepare,kernel",
+    "STEP": "step,rare_end,report,codim2_end,rest_motion,balanced,codim2,"
+            "course,quadrant,select,philox,tyre,prepare,kernel",
     "PREPARE": "prepare,kernel,prepare_compensated,compensated,machine"}
 # Functions that say by their value whether they wrote a result: what is known
 # where they return is kept apart by that value.
