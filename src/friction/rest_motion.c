@@ -113,29 +113,25 @@ TF_API rest_motion_t tf_rest_motion(const tf_machine_t *k, const tf_input_t *u,
 // present sign of that one counts.
 #define LAW_BORDERS 6
 
-static void beyond_the_law(const rest_motion_t *rest, rest_rounding_t off,
-                           parabola_t beyond[LAW_BORDERS]) {
+static parabola_t beyond_border(const rest_motion_t *rest, rest_rounding_t off,
+                                int i) {
   const tf_machine_t *k = rest->machine;
   const rest_bounds_t at = rest_bounds(k->rest);
   const tf_real_t mu = k->tyre.mu, kappa = k->stick_kappa;
   const tf_real_t sign_F = rest->F[0] < 0 ? TF_R(-1.0) : TF_R(1.0);
   const tf_real_t most_F = at.x0 * mu + off.F + at.x1 / kappa * off.M;
   const tf_real_t most_M = at.y0 * kappa * mu + off.M + at.y1 * kappa * off.F;
-  for (int i = 0; i < LAW_BORDERS; i++) {
-    const tf_real_t sign = i % 2 == 0 ? TF_R(-1.0) : TF_R(1.0);
-    const tf_real_t other = i < 2 ? TF_R(-1.0) : TF_R(1.0);
-    beyond[i] = i < 4 ? combined(rest, sign, other * at.x1 / kappa, -most_F)
-                      : combined(rest, -sign_F * kappa * at.y1, sign, -most_M);
-  }
+  const tf_real_t sign = i % 2 == 0 ? TF_R(-1.0) : TF_R(1.0);
+  const tf_real_t other = i < 2 ? TF_R(-1.0) : TF_R(1.0);
+  return i < 4 ? combined(rest, sign, other * at.x1 / kappa, -most_F)
+               : combined(rest, -sign_F * kappa * at.y1, sign, -most_M);
 }
 
 static bool leaves_the_law(const rest_motion_t *rest, rest_rounding_t off,
                            tf_real_t *time) {
-  parabola_t beyond[LAW_BORDERS];
-  beyond_the_law(rest, off, beyond);
   bool leaves = false;
   for (int i = 0; i < LAW_BORDERS; i++) {
-    const tf_real_t t = time_of_rise(beyond[i]);
+    const tf_real_t t = time_of_rise(beyond_border(rest, off, i));
     if (!(t > 0 && t < *time)) continue;
     *time = t;
     leaves = true;
@@ -238,10 +234,8 @@ static bool stick_passes(const rest_motion_t *rest, rest_rounding_t off,
 
 static bool law_is_left_for_a_while(const rest_motion_t *rest,
                                     rest_rounding_t off, tf_real_t time) {
-  parabola_t beyond[LAW_BORDERS];
-  beyond_the_law(rest, off, beyond);
   for (int i = 0; i < LAW_BORDERS; i++)
-    if (is_positive(beyond[i], time)) return false;
+    if (is_positive(beyond_border(rest, off, i), time)) return false;
   return leaves_the_law(rest, off, &time);
 }
 
