@@ -41,8 +41,8 @@ SOURCES = {
 # Functions that say by their value whether they wrote a result: what is known
 # where they return is kept apart by that value.
 APART = ("first_offender validate_located within in_reach side_of "
-         "stick_borders in_reach_by_cases in_range_by_cases within_by_cases may_step "
-         "complete_frame unpack_frame commit end_of_step common_end "
+         "stick_borders in_reach_by_cases in_range_by_cases within_by_cases "
+         "may_step complete_frame unpack_frame commit end_of_step common_end "
          "rare_step tf_decoder_push_REAL tf_prepare_REAL tf_step_REAL").split()
 # The search for limit directions ends by conditions of which nothing is known:
 # its iterations and their cases are not kept apart.
