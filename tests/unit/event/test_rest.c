@@ -2,6 +2,7 @@
  * conditions by the paper's equations, looked for at close instants. */
 #include "codim2_field.h"
 #include "event/segment.h"
+#include "friction/rest_motion.h"
 
 enum { INSTANTS = 512, HALVES = 60 };
 
@@ -90,6 +91,15 @@ static real end_of_rest(const rest_t *c) {
 }
 
 /* Loads hold it under a force within the law of stick. */
+/* Loads by which friction has this force and moment. */
+static void load(rest_t *c, tf_real_t F, tf_real_t M) {
+  c->u.force = c->u.torque = 0;
+  const rates_t free = rates_at(&c->k, &c->u, c->r, 0, 0, c->omega);
+  c->u.force = (free.pinning.F - F) * c->k.sin_gamma;
+  c->u.torque = -(M + F * c->r * c->k.cos_gamma) - c->k.d * c->u.force -
+                free.dz * c->k.m * (c->k.beta2 + c->r * c->r);
+}
+
 static rest_t any_rest(int n) {
   rest_t c;
   memset(&c, 0, sizeof c);
@@ -101,12 +111,8 @@ static rest_t any_rest(int n) {
   c.omega = c.u.omega0;
   c.r = uniform(-0.5, 0.5);
   c.length = TF_R(0.25);
-  const rates_t free = rates_at(&c.k, &c.u, c.r, 0, 0, c.omega);
   const tf_real_t F = uniform(-1, 1) * c.params.mu;
-  const tf_real_t M = uniform(-1, 1) * c.params.mu * c.params.kappa;
-  c.u.force = (free.pinning.F - F) * c.k.sin_gamma;
-  c.u.torque = -(M + F * c.r * c.k.cos_gamma) - c.k.d * c.u.force -
-               free.dz * c.k.m * (c.k.beta2 + c.r * c.r);
+  load(&c, F, uniform(-1, 1) * c.params.mu * c.params.kappa);
   return c;
 }
 
@@ -226,4 +232,27 @@ TEST(rest_that_is_interrupted_is_coarse) {
   }
   printf("# %d interrupted, %d wait for their draw\n", interrupted, waits);
   CHECK(interrupted >= 10 && waits >= 10);
+}
+
+/* While the turntable reverses the spring has more than friction holds, on one
+ * side. */
+TEST(law_that_is_left_for_a_while_is_coarse) {
+  int left = 0;
+  for (int side = -1; side <= 1; side += 2) {
+    rest_t c = {.params = tf_scenes[0]->params, .r = TF_R(0.3)};
+    c.params.rest = TF_REST_SQUARE;
+    c.params.rule = TF_RULE_RANDOM; /* no stick ends it */
+    c.params.dt = c.length = 1;
+    c.k = prepared(&c.params);
+    c.u = tf_input_default(&c.k);
+    c.u.alpha = 1;
+    c.omega = c.u.omega0 = TF_R(-0.5);
+    load(&c, (tf_real_t)side * TF_R(0.999) * c.params.mu, 0);
+    const field_t half = field_after(&c, 0.5L);
+    const bool leaves = margin_of_law(&c, &half) < 0;
+    const rest_motion_t rest = tf_rest_motion(&c.k, &c.u, c.r, c.omega);
+    CHECK(tf_rest_is_interrupted(&rest, c.length) == leaves);
+    left += leaves;
+  }
+  CHECK(left == 1);
 }
