@@ -272,8 +272,8 @@ TEST(frames_down_have_their_tag) {
     for (size_t i = 0; i < longer; i++)
       CHECK(tf_decoder_push(&decoder, wire[i], &frame) == (i + 1 == longer));
     CHECK(frame.sequence == 7 && frame.tick == 99);
-    for (size_t bit = 8; bit < 8u * (1 + TF_FRAME_HEADER + frame.length);
-         bit++) {
+    const size_t bytes = (size_t)1 + TF_FRAME_HEADER + frame.length;
+    for (size_t bit = 8; bit < 8 * bytes; bit++) {
       uint8_t *const at = body + bit / 8;
       *at ^= (uint8_t)(1u << bit % 8);
       CHECK(!tf_frame_untag(&frame, key, &session) && session == 0);
