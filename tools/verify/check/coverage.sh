@@ -20,7 +20,7 @@ programs_of() { # REAL PLACE...: names of programs
 place=$BUILD/coverage
 rm -rf "$place"
 programs=$(programs_of double tests/unit tests/line tests/regress
-  programs_of float tests/law tests/golden)
+  programs_of float tests/law tests/golden tests/regress)
 tests=$(files_in 'test_*.c' tests | tr "\n" " ")
 # shellcheck disable=SC2086  # a list of programs
 build CC=gcc BUILD="$place" OPT=-O0 TESTS="$tests" \
