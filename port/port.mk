@@ -160,6 +160,9 @@ endif
 ifneq ($(KEY_IS),------)
 $(error Others may read the key: chmod 600 $(KEY))
 endif
+ifneq ($(filter-out yes,$(KEY_WEAK)),)
+$(error KEY_WEAK is yes, or not given: not '$(KEY_WEAK)')
+endif
 ifeq ($(BOARD_BOOT)$(KEY_WEAK),)
 $(error $(BOARD) has no port_boot(), so that a session may come again, and \
   what was recorded in it act: KEY_WEAK=yes builds that)
