@@ -89,7 +89,6 @@ TF_INLINE bool combination_vanishes(const taylor_t *motion, combination_t c,
   return vanishes_before(&series, order, time);
 }
 
-// A vanishes.
 TF_INLINE bool delassus_vanishes(const taylor_t *motion,
                                  const segment_t *segment, tf_real_t *time) {
   const delassus_quadratic_t at =

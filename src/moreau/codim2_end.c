@@ -248,15 +248,19 @@ static bool may_miss(tf_slip_t now, tf_slip_t end, bool is_lost, unsigned set) {
   return (is_lost || nears) && !(product > TF_R(0.875) * before * after);
 }
 
+static codim2_course_t course_of_slip(const free_motion_t *c,
+                                      const codim2_field_t *field) {
+  return tf_codim2_course(TF_STEP_MACHINE(c), field, c->start.slip,
+                          c->state->mode == TF_SLIP_PLUS ? 1 : -1);
+}
+
 // A slip that has h = g = 0 within reach. It is TF_COARSE where no force of the
 // law's convex hull leads along its course: the step is too long for that.
 static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field,
                                  const solutions_t *s, step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
-  const int sign_h = c->state->mode == TF_SLIP_PLUS ? 1 : -1;
-  const codim2_course_t course =
-      tf_codim2_course(k, field, c->start.slip, sign_h);
+  const codim2_course_t course = course_of_slip(c, field);
   const arrival_t arrival = {.comes = course.mode == TF_PINNED,
                              .share = course.share,
                              .sum = course.sum,
@@ -344,15 +348,14 @@ TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, solutions_t *s,
 
 TF_API void tf_end_along_course(free_motion_t *c, inclusion_t *in,
                                 const solutions_t *s, step_end_t *to) {
-  const tf_machine_t *k = TF_STEP_MACHINE(c);
   add_pinned_point(c, in);
   const codim2_field_t field = field_of_step(c, in);
-  const codim2_course_t course = tf_codim2_course(
-      k, &field, c->start.slip, c->state->mode == TF_SLIP_PLUS ? 1 : -1);
+  const codim2_course_t course = course_of_slip(c, &field);
   const step_end_t passed = *to;
   const bool leads_to_end = course.mode < TF_PINNED && has(s->set, course.mode);
   if (leads_to_end && follow_course(c, in, &course, s, to)) {
-    to->outcome.delassus = step_delassus(k, in, end_slip(c, &to->end).g < 0);
+    to->outcome.delassus =
+        step_delassus(TF_STEP_MACHINE(c), in, end_slip(c, &to->end).g < 0);
     return;
   }
   *to = passed;
@@ -363,9 +366,7 @@ TF_API void tf_slip_along_course(free_motion_t *c, inclusion_t *in,
                                  const solutions_t *s, step_end_t *to) {
   add_pinned_point(c, in);
   const codim2_field_t field = field_of_step(c, in);
-  const codim2_course_t course =
-      tf_codim2_course(TF_STEP_MACHINE(c), &field, c->start.slip,
-                       c->state->mode == TF_SLIP_PLUS ? 1 : -1);
+  const codim2_course_t course = course_of_slip(c, &field);
   const step_end_t passed = *to;
   if (course.mode != to->outcome.mode || !follow_course(c, in, &course, s, to))
     *to = passed;
